@@ -70,15 +70,19 @@ public:
         }
       });
   }
+  void HangUp()
+  {
+    if (this->Client >= 0)
+    {
+      ::shutdown(this->Client, SHUT_RDWR);
+    }
+  }
   void Stop()
   {
     if (!this->MustStop.exchange(true))
     {
       ::shutdown(this->Acceptor.native_handle(), SHUT_RDWR); // ends accept()
-      if (this->Client >= 0)
-      {
-        ::shutdown(this->Client, SHUT_RDWR);
-      }
+      this->HangUp();
       this->Thread.join();
       error_code ignored;
       this->Acceptor.close(ignored);
@@ -114,6 +118,7 @@ struct PlayedBhaptics::Server
   std::vector<std::string> Places;
   std::map<std::string, Frame> Frames; // by their keys
   bool SendsJunk = false;
+  std::atomic<bool> Floods{ false };
   bool HasNews = false;
 
   std::string MakeStatus()
@@ -224,6 +229,16 @@ struct PlayedBhaptics::Server
   {
     for (beast::flat_buffer buffer;; buffer.clear())
     {
+      if (this->Floods)
+      {
+        std::string frames; // each a whole text of two letters
+        for (int i = 0; i < 10000; ++i)
+        {
+          frames += "\x81\x02{}";
+        }
+        asio::write(stream.next_layer(), asio::buffer(frames));
+        continue;
+      }
       // Either what came, or news after a short wait.
       pollfd waited{ stream.next_layer().native_handle(), POLLIN, 0 };
       if (::poll(&waited, 1, 5) > 0)
@@ -298,6 +313,11 @@ void PlayedBhaptics::SendJunk()
 {
   const std::lock_guard<std::mutex> lock(this->All->Mutex);
   this->All->SendsJunk = true;
+}
+
+void PlayedBhaptics::Flood()
+{
+  this->All->Floods = true;
 }
 
 struct PlayedWeart::Server
@@ -468,6 +488,11 @@ void PlayedWeart::SetActuating(bool isActuating)
   const std::lock_guard<std::mutex> lock(this->All->Mutex);
   this->All->IsActuating = isActuating;
   this->All->HasNews = true;
+}
+
+void PlayedWeart::HangUp()
+{
+  this->All->Port.HangUp();
 }
 
 void PlayedWeart::SetHands(const std::vector<std::string>& hands)

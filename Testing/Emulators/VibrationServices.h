@@ -56,6 +56,8 @@ public:
   int GetDot(const std::string& place, int index);
   void SetPlaces(const std::vector<std::string>& places);
   void SendJunk();
+  /** Sends messages that are no status as fast as they are read, and answers nothing. */
+  void Flood();
   void Die();
 
 private:
@@ -76,6 +78,8 @@ public:
   std::string GetStatus();
   void SetActuating(bool isActuating);
   void SetHands(const std::vector<std::string>& hands);
+  /** Ends the connection, and runs on. */
+  void HangUp();
   void Die();
 
 private:

@@ -69,7 +69,8 @@ bool AskBhaptics(
   std::string text;
   player.SetLastWord(WriteBhapticsStop());
   bool isOpen = player.Send(WriteBhapticsStop(), BhapticsSendTime);
-  while (isOpen && !isTold)
+  // What came before `end` is received after it, too, so that a stream would not end.
+  while (isOpen && !isTold && ServoClock::Now() < end)
   {
     const WebSocketClient::Outcome outcome = player.Receive(text, end);
     isOpen = outcome == WebSocketClient::Outcome::Message;

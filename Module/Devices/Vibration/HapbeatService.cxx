@@ -162,13 +162,16 @@ VibrationService::State HapbeatService::Show(double amplitude)
 {
   bool isThere = this->Socket.IsOpen() && this->Ping() && this->Listen() &&
     ServoClock::SecondsSince(this->HeardAt) < LongestSilence;
-  if (isThere && amplitude >= Vibration::Least)
+  const bool isQuiet = !(amplitude >= Vibration::Least);
+  this->QuietSince = !isQuiet ? 0 : this->QuietSince == 0 ? ServoClock::Now() : this->QuietSince;
+  if (isThere && !isQuiet)
   {
     isThere = this->Stream(std::min(1.0, amplitude));
   }
   else if (isThere && this->IsStreaming)
   {
-    isThere = this->End();
+    isThere =
+      ServoClock::SecondsSince(this->QuietSince) < QuietTime ? this->Stream(0.0) : this->End();
   }
   return isThere ? State::Ready : State::Gone;
 }

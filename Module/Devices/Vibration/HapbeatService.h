@@ -29,6 +29,8 @@ public:
   /** Time (s) between pings, and without an answer after which the device counts as gone. */
   static constexpr double PingPeriod = 0.5;
   static constexpr double LongestSilence = 3.0;
+  /** Time (s) of silence after which the stream ends, so that a weak level does not chop it up. */
+  static constexpr double QuietTime = 0.05;
 
   HapbeatService(std::string address, std::uint16_t port);
   ~HapbeatService() override { this->HapbeatService::Disconnect(); }
@@ -56,7 +58,8 @@ private:
   bool IsStreaming = false;
   std::int64_t Begun = 0; ///< time at which the stream has begun
   std::int64_t Samples = 0;
-  double Amplitude = 0.0; ///< amplitude at the end of the last packet
+  double Amplitude = 0.0;      ///< amplitude at the end of the last packet
+  std::int64_t QuietSince = 0; ///< time at which the level fell below Vibration::Least, or 0
   std::int64_t PingedAt = 0;
   std::int64_t HeardAt = 0;
 };

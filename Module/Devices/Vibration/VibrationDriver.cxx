@@ -6,6 +6,7 @@
 #include "Devices/Pad/PadLimits.h"
 
 #include <algorithm>
+#include <exception>
 
 namespace VolumeHaptics
 {
@@ -46,7 +47,18 @@ void VibrationDriver::Serve(HardwareExchange& exchange)
   struct AtEnd
   {
     VibrationService* Service;
-    ~AtEnd() { this->Service->Show(0.0); }
+    ~AtEnd()
+    {
+      try
+      {
+        this->Service->Show(0.0);
+      }
+      catch (const std::exception&)
+      {
+        // There is no memory for a message.
+        this->Service->StopAtCrash();
+      }
+    }
   };
   const AtEnd atEnd{ this->Service.get() };
   this->Begin(exchange);

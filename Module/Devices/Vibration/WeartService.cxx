@@ -101,7 +101,8 @@ bool WeartService::Connect(std::string& error)
     this->Hand = before.empty() ? hand : before;
     if (this->IsConnected())
     {
-      this->IsStarter = this->Status.Status != "RUNNING";
+      // A connection may have ended before it could be told to stop.
+      this->IsStarter = this->IsStarter || this->Status.Status != "RUNNING";
       this->LastWord = WriteWeartStop(this->Hand) + WeartSeparator;
       this->Sent = 0;
       if ((!this->IsStarter || this->Middleware.Send(WriteWeartStart())) &&
@@ -183,7 +184,7 @@ void WeartService::Disconnect() noexcept
       this->Middleware.Send(WriteWeartStop(this->Hand));
       if (this->IsStarter)
       {
-        this->Middleware.Send(WriteWeartEnd());
+        this->IsStarter = !this->Middleware.Send(WriteWeartEnd());
       }
     }
   }

@@ -9,12 +9,16 @@
 #include "Devices/Emulated/DeviceBench.h"
 #include "Devices/Emulated/GuardProcesses.h"
 #include "Devices/Vibration/HapbeatService.h"
+#include "Devices/Vibration/VibrationDriver.h"
 #include "Devices/Virtual/VirtualDevice.h"
 #include "Emulators/VibrationServices.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <new>
+#include <thread>
 
 using namespace emulated;
 
@@ -143,6 +147,49 @@ TEST_F(VibrationSession, AGloveThatIsSwitchedOffIsLost)
   this->Bench.ExpectBack();
 }
 
+TEST_F(VibrationSession, APlayerThatTellsEverythingButItsStatusIsGivenUp)
+{
+  PlayedBhaptics player;
+  player.Flood();
+  EXPECT_TRUE(Has(ErrorOf("vibration:bhaptics"), "does not tell which devices are connected"));
+}
+
+TEST_F(VibrationSession, ThereIsALastWordEvenWithoutMemory)
+{
+  struct Service : VibrationService
+  {
+    explicit Service(int& stops)
+      : Stops(stops)
+    {
+    }
+    std::string GetName() const override { return "played"; }
+    bool Connect(std::string&) override { return true; }
+    State Show(double) override { throw std::bad_alloc(); }
+    std::string GetText() const override { return {}; }
+    void StopAtCrash() noexcept override { ++this->Stops; }
+    void Disconnect() noexcept override {}
+    int& Stops;
+  };
+  int stops = 0;
+  VibrationDriver driver(std::make_unique<Service>(stops));
+  HardwareExchange exchange;
+  EXPECT_THROW(driver.Serve(exchange), std::bad_alloc);
+  EXPECT_EQ(stops, 1);
+}
+
+TEST_F(VibrationSession, WeartThatHangsUpIsStoppedInTheEnd)
+{
+  PlayedWeart weart;
+  ASSERT_NO_FATAL_FAILURE(this->Begin("vibration:weart"));
+  weart.HangUp();
+  this->Bench.ExpectLost("WEART's middleware has ended");
+  this->Bench.ExpectBack();
+  EXPECT_EQ(weart.GetStatus(), "RUNNING") << "nobody has stopped it";
+  this->Bench.Stop();
+  this->Bench.Device->Close();
+  EXPECT_TRUE(Eventually([&] { return weart.GetStatus() == "IDLE"; }));
+}
+
 TEST_F(VibrationSession, WeartIsStartedAndStoppedAgain)
 {
   PlayedWeart weart({ "LEFT", "RIGHT" });
@@ -224,6 +271,36 @@ TEST_F(VibrationSession, HapbeatHearsASineAndFallsSilent)
   EXPECT_TRUE(Eventually([&] { return hapbeat.Get().EndsStopped; }));
   EXPECT_EQ(hapbeat.Get().Refused, 0);
   EXPECT_EQ(hapbeat.CountLost(), 0) << "the ring of the device never overflows";
+}
+
+TEST_F(VibrationSession, HapbeatHearsOneStreamOfALevelThatFlickers)
+{
+  PlayedHapbeat hapbeat;
+  HapbeatService service("127.0.0.1", hapbeat.GetPort());
+  std::string error;
+  ASSERT_TRUE(service.Connect(error)) << error;
+  const auto count = [&](char type)
+  {
+    int packets = 0;
+    for (const std::string& packet : hapbeat.Get().Messages)
+    {
+      packets += packet.size() > 3 && packet[3] == type ? 1 : 0;
+    }
+    return packets;
+  };
+  for (int i = 0; i < 200; ++i)
+  {
+    EXPECT_EQ(service.Show(i % 2 == 0 ? 0.05 : 0.03), VibrationService::State::Ready);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_TRUE(Eventually([&] { return count('\x30') == 3; })) << "one, sent three times";
+  EXPECT_EQ(count('\x32'), 3) << "at the beginning";
+  EXPECT_TRUE(Eventually(
+    [&]
+    {
+      service.Show(0.0);
+      return count('\x32') == 6;
+    }));
 }
 
 TEST_F(VibrationSession, HapbeatThatAnswersNoMoreIsLostAndComesBack)
