@@ -56,6 +56,8 @@ struct StiffPress
   double Gain = 1.0;  ///< stiffness of the wall, in units of 2 b / T
   bool Augments = false;
   double MaximumForceRate = 500.0; ///< N/s
+  /** Slack of the wall's spring (m), as PassiveSpring.h has it: |f| = K (|d| - slack). */
+  double Slack = 0.0;
 };
 
 struct StiffResult
@@ -65,9 +67,11 @@ struct StiffResult
   /** Energy that port and friction gave to the hand, divided by that which they took. */
   double Ratio = 0.0;
   double MostGiven = 0.0; ///< J, the largest that the hand ever got in excess of what it put in
-  double Deepest = 0.0;   ///< m
-  bool IsDamped = false;  ///< by PortDamper
-  bool IsCut = false;     ///< by a fault
+  /** The same without the help of the dry friction, of which the account knows nothing. */
+  double MostWithoutFriction = 0.0;
+  double Deepest = 0.0;  ///< m
+  bool IsDamped = false; ///< by PortDamper
+  bool IsCut = false;    ///< by a fault
 };
 
 /** Presses for two seconds, of which the last but one is the hold, and lets go for one. */
@@ -86,7 +90,7 @@ inline StiffResult PressStiffly(const StiffArm& arm, const StiffPress& press)
   input.Elapsed = input.Period = input.MotionTime = StiffArm::Period;
   input.RoundTrip = arm.RoundTrip();
   input.Fresh = true;
-  input.Stiffness = press.Gain * arm.Sampled();
+  input.Slope = press.Gain * arm.Sampled();
   input.Feedback = press.Augments ? arm.Sampled() : 0.0;
   GatedStage stage;
   stage.Arm();
@@ -109,6 +113,7 @@ inline StiffResult PressStiffly(const StiffArm& arm, const StiffPress& press)
   double taken = 0.0;
   double given = 0.0;
   double net = 0.0;
+  double withoutFriction = 0.0;
   double forces = 0.0;
   double depths = 0.0;
   double low = 1.0;
@@ -118,7 +123,9 @@ inline StiffResult PressStiffly(const StiffArm& arm, const StiffPress& press)
     const double time = i * StiffArm::Period;
     input.Tip.Z = arm.Step > 0.0 ? arm.Step * std::floor(x / arm.Step + 0.5) : x;
     input.Stretch = std::max(0.0, -input.Tip.Z);
-    input.Force.Z = input.Stiffness * input.Stretch;
+    input.Force.Z = input.Slope * input.Stretch;
+    input.Stretch += input.Force.Z > 0.0 ? press.Slack : 0.0;
+    input.Stiffness = input.Force.Z > 0.0 ? input.Force.Z / input.Stretch : input.Slope;
     onTheWay.push_back(stage.Apply(input, limits).Z);
     const double force = onTheWay.front();
     onTheWay.pop_front();
@@ -147,11 +154,14 @@ inline StiffResult PressStiffly(const StiffArm& arm, const StiffPress& press)
       const double friction = isFelt ? h * v * lost : 0.0;
       taken += friction;
       net -= friction;
+      withoutFriction -= isFelt ? h * v * arm.Damping * v : 0.0;
     }
     const double work = force * (x - from);
     (work > 0.0 ? given : taken) += std::abs(work);
     net += work;
+    withoutFriction += work;
     result.MostGiven = std::max(result.MostGiven, net);
+    result.MostWithoutFriction = std::max(result.MostWithoutFriction, withoutFriction);
     result.Deepest = std::max(result.Deepest, -x);
     if (time >= 1.0 && time < 1.9)
     {

@@ -40,7 +40,7 @@ double ContactTransient::ComputeFrequency(double stiffness, double strength) noe
   return stiffness > 0.0 && held > 0.0 ? std::clamp(f, LowestFrequency, HighestFrequency) : 0.0;
 }
 
-void ContactTransient::Observe(const Vector3& tip, double time, double late) noexcept
+void ContactTransient::Observe(const Vector3& tip, double time, double late, double period) noexcept
 {
   const Vector3 motion = tip - this->Tip;
   const bool isKnown = this->HasTip && time > 0.0 && !IsUnseenMotion(motion, time);
@@ -48,16 +48,17 @@ void ContactTransient::Observe(const Vector3& tip, double time, double late) noe
   this->Tip = tip;
   this->Late = late;
   this->Time += time;
+  this->Rested = 0.0;
   if (!isKnown)
   {
     this->Count = 0;
     this->Velocity = {};
     this->Height = 0.0;
-    this->Account = 0.0;
+    this->Account = std::min(this->Account, 0.0);
   }
   else
   {
-    const auto before = static_cast<std::size_t>(std::ceil(late / time - 0.01));
+    const auto before = static_cast<std::size_t>(std::ceil(late / period - 0.01));
     const std::size_t acted = std::min({ this->SentSince + before, this->Sent, Kept });
     double given = acted > 0 ? Dot(this->Pulses[(this->Sent - 1) % Kept], motion) : 0.0;
     for (std::size_t i = 2; i <= acted; ++i)
@@ -83,6 +84,12 @@ void ContactTransient::Observe(const Vector3& tip, double time, double late) noe
   }
 }
 
+void ContactTransient::Rest(double time) noexcept
+{
+  this->Rested += time;
+  this->Velocity = ClampNorm(this->Velocity, StepSize / this->Rested);
+}
+
 void ContactTransient::RecordSent(const Vector3& pulse) noexcept
 {
   this->Pulses[this->Sent % Kept] = pulse;
@@ -97,7 +104,7 @@ void ContactTransient::Begin(const TransientInput& input) noexcept
   this->Frequency = input.Frequency;
   this->Height = input.Gain * TouchMass * approach * input.Frequency / Integrate(0.5);
   this->Played = 0.0;
-  this->Account = 0.0;
+  this->Account = std::min(this->Account, 0.0);
 }
 
 /** Returns the mean of (1) over the next tick (N). */
@@ -108,12 +115,14 @@ double ContactTransient::ComputePulse(double period) const noexcept
   return this->Height * (Integrate(from + way) - Integrate(from)) / way;
 }
 
-/** Reduces a pulse along `out` by (3). */
-double ContactTransient::Limit(double pulse, const Vector3& out, double period) const noexcept
+/** Reduces a pulse along `out` by (3). `wall` (N) is the force of the wall. */
+double ContactTransient::Limit(
+  double pulse, double wall, const Vector3& out, double period) const noexcept
 {
   const double time = std::max(this->Between, period) + this->Late;
-  const double way = (pulse < 0.0 ? -time : time) * Dot(this->Velocity, out);
   const double yield = 0.5 * time * time / LightMass;
+  const double along = time * Dot(this->Velocity, out);
+  const double way = pulse < 0.0 ? -along : along + yield * wall;
   const double root = way * way + 4.0 * yield * this->Account;
   const double most = root > 0.0 ? std::max(0.0, (std::sqrt(root) - way) / (2.0 * yield)) : 0.0;
   return std::clamp(pulse, -most, most);
@@ -122,9 +131,16 @@ double ContactTransient::Limit(double pulse, const Vector3& out, double period) 
 Vector3 ContactTransient::Apply(const TransientInput& input) noexcept
 {
   const double wall = Norm(input.Wall);
-  if (!(input.Frequency > 0.0 && wall > 0.0))
+  if (!(input.Frequency > 0.0))
   {
     this->Free += input.Period;
+    this->Account = this->Free < RestTime ? this->Account : 0.0;
+    this->Height = 0.0;
+    return input.Wall;
+  }
+  if (!(wall > 0.0))
+  {
+    this->Free = 0.0;
     this->Height = 0.0;
     return input.Wall;
   }
@@ -138,14 +154,14 @@ Vector3 ContactTransient::Apply(const TransientInput& input) noexcept
     return input.Wall;
   }
   const Vector3 out = (1.0 / wall) * input.Wall;
-  double pulse = this->ComputePulse(input.Period);
+  double pulse = input.Share * this->ComputePulse(input.Period);
   this->Played += input.Period;
   if (this->Played * this->Frequency > LastPeriod)
   {
     this->Height = 0.0;
   }
-  pulse = input.MovesTip ? this->Limit(pulse, out, input.Period) : pulse;
-  return std::clamp(wall + pulse, 0.0, std::max(input.Most, wall)) * out;
+  pulse = input.MovesTip ? this->Limit(pulse, wall, out, input.Period) : pulse;
+  return std::clamp(wall + pulse, 0.0, input.Most) * out;
 }
 
 } // namespace VolumeHaptics

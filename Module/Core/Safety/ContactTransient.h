@@ -38,7 +38,9 @@
  *
  *   |p| (s + c |p|) <= A.                                                                      (3)
  *
- * So over a contact a pulse never gives more than it took, and without an account it only brakes.
+ * The way s includes the push of the wall itself. What a pulse still owes counts in the next
+ * contact, unless nothing was touched for RestTime. So a pulse never gives more than it took, and
+ * without an account it only brakes. What the slew limit holds back after a pulse is a part of p.
  */
 #ifndef ContactTransient_h
 #define ContactTransient_h
@@ -56,7 +58,8 @@ struct TransientInput
   Vector3 Wall;           ///< force (N)
   double Frequency = 0.0; ///< f (Hz) if a surface holds the tip, else 0
   double Gain = 0.0;      ///< gain of (1)
-  double Most = 0.0;      ///< largest force (N), unless the wall's own force is larger
+  double Share = 1.0;     ///< fraction of the pulse that is sent, 0 to 1
+  double Most = 0.0;      ///< largest force (N)
   double Period = 1e-3;   ///< T (s)
   bool MovesTip = true;   ///< whether (3) is needed
 };
@@ -67,6 +70,8 @@ public:
   static constexpr double TouchMass = 0.1;  ///< m in kg: arm and fingers
   static constexpr double LightMass = 0.05; ///< in kg
   static constexpr double FreeTime = 0.02;  ///< time (s) without a surface before the next pulse
+  static constexpr double RestTime = 0.5;   ///< time (s) without a surface that ends a debt
+  static constexpr double StepSize = 7e-5;  ///< m, more than a step of an encoder
 
   /** Returns f (Hz) by (2) for k (N/m) and T_N (N), or 0 for a material that holds nothing. */
   static double ComputeFrequency(double stiffness, double strength) noexcept;
@@ -76,9 +81,12 @@ public:
 
   /**
    * Processes a measurement of the tip (m). `time` (s) is the time since the last measurement,
-   * `late` (s) the time that a force takes to the device.
+   * `late` (s) the time that a force takes to the device, `period` (s) that of the ticks.
    */
-  void Observe(const Vector3& tip, double time, double late) noexcept;
+  void Observe(const Vector3& tip, double time, double late, double period) noexcept;
+
+  /** Records that the tip has not moved for another time (s), although it was not measured. */
+  void Rest(double time) noexcept;
 
   /** Returns the force (N) of wall and pulse. Called in every tick. */
   Vector3 Apply(const TransientInput& input) noexcept;
@@ -98,7 +106,7 @@ private:
   static constexpr std::size_t Kept = 64;
   void Begin(const TransientInput& input) noexcept;
   double ComputePulse(double period) const noexcept;
-  double Limit(double pulse, const Vector3& out, double period) const noexcept;
+  double Limit(double pulse, double wall, const Vector3& out, double period) const noexcept;
 
   std::array<Measurement, Kept> Measurements{}; ///< a ring buffer
   std::size_t Count = 0;
@@ -108,6 +116,7 @@ private:
   double Time = 0.0;         ///< time of the last measurement (s)
   Vector3 Tip;
   Vector3 Velocity;      ///< velocity of the tip (m/s)
+  double Rested = 0.0;   ///< time (s) of Rest() since the last measurement
   double Between = 1e-3; ///< time between the last two measurements (s)
   double Late = 0.0;     ///< time that a force takes to the device (s)
   bool HasTip = false;

@@ -68,6 +68,7 @@ void ForceAugmentation::Observe(
   this->Late = late;
   this->Damping = damping;
   this->HasTip = true;
+  this->Rested = 0.0;
   if (!this->HasMotion)
   {
     this->Count = 0;
@@ -82,6 +83,12 @@ void ForceAugmentation::Observe(
   this->Time += time;
   this->Velocity = this->EstimateVelocity();
   this->Keep();
+}
+
+void ForceAugmentation::Rest(double time) noexcept
+{
+  this->Rested += time;
+  this->Velocity = ClampNorm(this->Velocity, StepSize / this->Rested);
 }
 
 /** Returns the energy (J) that the port gave during the last motion. */
@@ -121,14 +128,15 @@ void ForceAugmentation::RecordSent(const Vector3& force, double period, double w
   ++this->SentSince;
 }
 
-/** Solves (2) for the largest force (N). */
-double ForceAugmentation::ComputeMost(double speed, double stiffness, double period) const noexcept
+/** Solves (2) for the largest force (N), for a force `base` (N) that may give `kept` (J) back. */
+double ForceAugmentation::ComputeMost(
+  double speed, const AugmentationInput& input, double base, double kept) const noexcept
 {
-  const double time = std::max(this->Between, period) + this->Late;
-  const double way = speed * time;
-  const double yield = 0.25 / stiffness + 0.5 * time * time / LightMass;
-  const double root = way * way + 4.0 * yield * (this->Account + Tolerance);
-  return root > 0.0 ? std::max(0.0, (std::sqrt(root) - way) / (2.0 * yield)) : 0.0;
+  const double time = std::max(this->Between, input.Period) + this->Late;
+  const double yield = 0.25 / input.Stiffness + 0.5 * time * time / LightMass;
+  const double way = speed * time + yield * base;
+  const double root = way * way + 4.0 * yield * (this->Account + Tolerance - kept);
+  return base + (root > 0.0 ? std::max(0.0, (std::sqrt(root) - way) / (2.0 * yield)) : 0.0);
 }
 
 Vector3 ForceAugmentation::Apply(const AugmentationInput& input) noexcept
@@ -139,6 +147,7 @@ Vector3 ForceAugmentation::Apply(const AugmentationInput& input) noexcept
   {
     this->Account = this->Free < RestTime ? std::min(this->Account, 0.0) : 0.0;
     this->Largest = 0.0;
+    this->IsHeldBack = false;
     return input.Wall;
   }
   const double k = input.Feedback;
@@ -146,7 +155,7 @@ Vector3 ForceAugmentation::Apply(const AugmentationInput& input) noexcept
   const double pull = std::max(input.Pull, wall);
   if (!(k > 0.0 && ideal > k))
   {
-    return input.Wall;
+    return ClampNorm(input.Wall, input.Most);
   }
   this->Largest = std::max(this->Largest, 0.5 * wall * (2.0 * pull - wall) / ideal);
   this->Account = std::min(this->Account, this->Largest);
@@ -156,10 +165,15 @@ Vector3 ForceAugmentation::Apply(const AugmentationInput& input) noexcept
     std::max(this->Between, input.Period) + this->Late + 0.5 * std::max(this->Between, 2e-3);
   const double light = 0.5 * LightMass / late;
   const double damping = input.MaximumDamping > 0.0 ? std::min(input.MaximumDamping, light) : light;
-  const double base = std::min(wall, k / ideal * pull);
-  const double wanted = std::max(base, wall - damping * speed);
-  const double most = std::max(base, this->ComputeMost(speed, ideal, input.Period));
-  return std::min({ wanted, most, std::max(input.Most, wall) }) * out;
+  const double soft = k / ideal * pull;
+  const double base = std::min(wall, soft);
+  const double wanted = std::max(base, wall - input.DampingShare * damping * speed);
+  // A spring that did not push in full on the way in must not do so on the way out.
+  this->IsHeldBack = this->IsHeldBack || base > input.Most;
+  const double floor = this->IsHeldBack ? 0.0 : base;
+  const double most =
+    this->ComputeMost(speed, input, floor, 0.5 * floor * (2.0 * soft - floor) / k);
+  return std::min({ wanted, most, input.Most }) * out;
 }
 
 } // namespace VolumeHaptics

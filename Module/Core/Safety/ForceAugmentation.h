@@ -41,8 +41,9 @@
  *   F (s + c F) <= A + Tolerance,   but at least k d.                                          (2)
  *
  * So the wall gives at most Tolerance more than it got, apart from what the spring k does by
- * itself, and without an account it is as soft as k. A debt is kept until nothing was felt for
- * RestTime.
+ * itself, and without an account it is as soft as k. If the slew limit has held back k d, the
+ * contact has (2) alone from then on. A debt is kept until nothing was felt for RestTime. If the
+ * spring has slack s (PassiveSpring.h), d is the depth less s.
  *
  * Limits
  * ------
@@ -69,8 +70,9 @@ struct AugmentationInput
   double Pull = 0.0;           ///< K d (N)
   double Stiffness = 0.0;      ///< stiffness K of the wall (N/m)
   double Feedback = 0.0;       ///< stiffness k that the loop holds by itself (N/m)
-  double Most = 0.0;           ///< largest force M (N), unless the wall's own force is larger
+  double Most = 0.0;           ///< largest force M (N)
   double MaximumDamping = 0.0; ///< largest B (N s/m); 0 for no limit
+  double DampingShare = 1.0;   ///< fraction of B that is used, 0 to 1
   double Period = 1e-3;        ///< period of the ticks (s)
 };
 
@@ -91,6 +93,9 @@ public:
    * device.
    */
   void Observe(const Vector3& tip, double time, double late, double damping) noexcept;
+
+  /** Records that the tip has not moved for another time (s), although it was not measured. */
+  void Rest(double time) noexcept;
 
   /** Returns the force (N) of the wall by (1) and (2). Called in every tick. */
   Vector3 Apply(const AugmentationInput& input) noexcept;
@@ -119,7 +124,8 @@ private:
   void Keep() noexcept;
   Vector3 EstimateVelocity() const noexcept;
   double ComputeGiven(const Vector3& force, double period) const noexcept;
-  double ComputeMost(double speed, double stiffness, double period) const noexcept;
+  double ComputeMost(
+    double speed, const AugmentationInput& input, double base, double kept) const noexcept;
 
   std::array<Measurement, Kept> Measurements{}; ///< a ring buffer, at least KeepTime apart
   std::size_t Count = 0;
@@ -130,14 +136,16 @@ private:
   Vector3 Tip;
   Vector3 Motion;        ///< last motion (m), until RecordSent has accounted for it
   Vector3 Velocity;      ///< velocity of the tip (m/s)
+  double Rested = 0.0;   ///< time (s) of Rest() since the last measurement
   double Between = 1e-3; ///< time between the last two measurements (s)
   double Late = 0.0;     ///< time that a force takes to the device (s)
   double Damping = 0.0;  ///< friction of the device (N s/m)
   bool HasTip = false;
   bool HasMotion = false;
-  double Account = 0.0; ///< A in J
-  double Largest = 0.0; ///< largest energy of the ideal spring in this contact (J)
-  double Free = 0.0;    ///< time since the wall last pushed (s)
+  bool IsHeldBack = false; ///< whether M has held back the spring k in this contact
+  double Account = 0.0;    ///< A in J
+  double Largest = 0.0;    ///< largest energy of the ideal spring in this contact (J)
+  double Free = 0.0;       ///< time since the wall last pushed (s)
 };
 
 } // namespace VolumeHaptics

@@ -27,6 +27,23 @@ double ComputeRecoverable(const SafetyInput& input, double most) noexcept
   return k > 0.0 ? 0.5 * most * (2.0 * pull - most) / k : -1.0;
 }
 
+/** Returns the fraction of the largest damping that the loop renders with its round trip. */
+double ComputeDampingShare(const SafetyInput& input) noexcept
+{
+  return std::min(1.0, StatedRoundTrip / std::max(input.Period, input.RoundTrip));
+}
+
+/** Returns the length (N) to which a force in the direction of `wall` may grow after `last`. */
+double ComputeMost(
+  const Vector3& last, const Vector3& wall, double period, const SafetyLimits& limits) noexcept
+{
+  // What the slew limit allows must not be cut by rounding.
+  constexpr double above = 1.0 + 1e-12;
+  const double norm = Norm(wall);
+  const double before = norm > 0.0 ? std::max(0.0, Dot(last, wall) / norm) : 0.0;
+  return std::min(limits.MaximumForce, above * (before + limits.MaximumForceRate * period));
+}
+
 } // namespace
 
 void SafetyStage::Reset() noexcept
@@ -38,6 +55,8 @@ void SafetyStage::Reset() noexcept
   this->Augmentation.Reset();
   this->Transient.Reset();
   this->Damper.Reset();
+  this->Augmented = {};
+  this->Touched = {};
 }
 
 bool SafetyStage::IsForceLeft() const noexcept
@@ -66,7 +85,9 @@ Vector3 SafetyStage::Retreat(
   // Without fresh samples, a force must end soon, even if forces may only grow slowly.
   const double rate = std::max(limits.MaximumForceRate, limits.MaximumForce / RetreatTime);
   Vector3 last = ClampNorm(this->Growth.GetForce(), limits.MaximumForce);
-  const double most = std::max(0.0, Norm(last) - rate * input.Period);
+  // Augmentation and pulses may have sent less than that.
+  const double sent = std::min(Norm(last), Norm(this->Touched));
+  const double most = std::max(0.0, sent - rate * input.Period);
   if (input.Fresh || input.Alive)
   {
     // The hand's position is known, so limit the last force as in any other tick: it may push the
@@ -77,6 +98,7 @@ Vector3 SafetyStage::Retreat(
   }
   const Vector3 next = ClampNorm(last, most);
   this->Growth.Lower(next);
+  this->Augmented = this->Touched = next;
   gate.ReportRetreat(this->Stale, this->IsForceLeft());
   return next;
 }
@@ -93,6 +115,47 @@ double SafetyStage::MeasureSpeed(const SafetyInput& input) noexcept
   return speed;
 }
 
+void SafetyStage::ObserveGains(
+  const SafetyInput& input, const SafetyLimits& limits, bool finite) noexcept
+{
+  const bool taps = limits.TransientGain > 0.0 && (!limits.MovesTip || input.RoundTrip > 0.0);
+  const bool augments = input.Feedback > 0.0;
+  // A part that was off has not seen what happened meanwhile.
+  if (taps && !this->Taps)
+  {
+    this->Transient.Reset();
+  }
+  if (augments && !this->Augments)
+  {
+    this->Augmentation.Reset();
+  }
+  this->Taps = taps;
+  this->Augments = augments;
+  if (!finite || !(input.Fresh || input.Alive))
+  {
+    return;
+  }
+  const double time = input.MotionTime > 0.0 ? input.MotionTime : this->SampleAge;
+  const double late = std::max(0.0, 0.5 * (input.RoundTrip - time));
+  if (taps && input.Fresh)
+  {
+    this->Transient.Observe(input.Tip, time, late, input.Period);
+  }
+  else if (taps)
+  {
+    this->Transient.Rest(input.Elapsed);
+  }
+  if (augments && input.Fresh)
+  {
+    this->Augmentation.Observe(
+      input.Tip, time, late, 0.5 * input.Feedback * std::max(input.RoundTrip, input.Period));
+  }
+  else if (augments)
+  {
+    this->Augmentation.Rest(input.Elapsed);
+  }
+}
+
 bool SafetyStage::UpdateSamples(
   const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept
 {
@@ -105,6 +168,7 @@ bool SafetyStage::UpdateSamples(
   this->Stale = this->Silence > limits.WatchdogTime;
   // A gap counts even if a fresh sample ends it, because the hand was not observed during the gap.
   const bool gap = this->Stale;
+  this->ObserveGains(input, limits, finite);
   if (input.Fresh && finite)
   {
     speed = this->MeasureSpeed(input);
@@ -112,16 +176,6 @@ bool SafetyStage::UpdateSamples(
     isActive = this->Observer.Observe(input.Tip, time);
     givesEnergy = this->Energy.Observe(input.Tip, time);
     this->Damper.Observe(input.Tip, time);
-    const double late = std::max(0.0, 0.5 * (input.RoundTrip - time));
-    if (limits.TransientGain > 0.0)
-    {
-      this->Transient.Observe(input.Tip, time, late);
-    }
-    if (input.Feedback > 0.0)
-    {
-      this->Augmentation.Observe(
-        input.Tip, time, late, 0.5 * input.Feedback * std::max(input.RoundTrip, input.Period));
-    }
     this->SampleAge = 0.0;
   }
   if ((input.Fresh || input.Alive) && finite)
@@ -158,6 +212,7 @@ Vector3 SafetyStage::ComputeCommand(
   if (!gate.IsOpen())
   {
     this->Growth.Reset();
+    this->Augmented = this->Touched = {};
     gate.Cut();
     return {};
   }
@@ -165,6 +220,7 @@ Vector3 SafetyStage::ComputeCommand(
   {
     // The loop itself did not run, and the device may have ended the force by itself.
     this->Growth.Lower({});
+    this->Augmented = this->Touched = {};
   }
   if (gap)
   {
@@ -177,46 +233,54 @@ Vector3 SafetyStage::ComputeCommand(
   GrowthInput growth = this->ComputeGrowth(input, limits);
   growth.Share = gate.Pass(limits.RampTime > 0.0 ? input.Period / limits.RampTime : 1.0);
   growth.Growth = limits.MaximumForceRate * input.Period;
-  const Vector3 wall = this->Augment(this->Growth.Apply(growth), input, limits);
-  const Vector3 touched = this->AddTransient(wall, input, limits, growth.Share);
-  return this->Damp(touched, input, limits, gate);
+  // After a gain was switched off, the force may have to grow to that of the wall.
+  const bool isBehind = !IsIdentical(this->Touched, this->Growth.GetForce());
+  const Vector3 wall = this->Growth.Apply(growth);
+  this->Augmented = this->Augment(wall, input, limits, growth.Share);
+  this->Touched = this->Taps || this->Augments || isBehind
+    ? this->AddTransient(this->Augmented, input, limits, growth.Share)
+    : this->Augmented;
+  return this->Damp(this->Touched, input, limits, gate);
 }
 
 Vector3 SafetyStage::AddTransient(
   const Vector3& wall, const SafetyInput& input, const SafetyLimits& limits, double share) noexcept
 {
-  if (!(limits.TransientGain > 0.0))
+  const double most = ComputeMost(this->Touched, wall, input.Period, limits);
+  if (!this->Taps)
   {
-    return wall;
+    return ClampNorm(wall, most);
   }
-  const double grown = Norm(this->LastCommand) + limits.MaximumForceRate * input.Period;
   TransientInput touch;
   touch.Wall = wall;
   touch.Frequency = input.Frequency;
-  touch.Gain = share * limits.TransientGain;
-  touch.Most = std::min(limits.MaximumForce, grown);
+  touch.Gain = limits.TransientGain;
+  touch.Share = share;
+  touch.Most = most;
   touch.Period = input.Period;
   touch.MovesTip = limits.MovesTip;
-  const Vector3 force = this->Transient.Apply(touch);
+  // What the slew limit holds back after a pulse belongs to the pulse.
+  const Vector3 force = ClampNorm(this->Transient.Apply(touch), most);
   this->Pulse = force - wall;
   return force;
 }
 
 Vector3 SafetyStage::Augment(
-  const Vector3& wall, const SafetyInput& input, const SafetyLimits& limits) noexcept
+  const Vector3& wall, const SafetyInput& input, const SafetyLimits& limits, double share) noexcept
 {
-  if (!(input.Feedback > 0.0))
+  if (!this->Augments)
   {
     return wall;
   }
-  const double grown = Norm(this->LastCommand) + limits.MaximumForceRate * input.Period;
   AugmentationInput augmented;
   augmented.Wall = wall;
   augmented.Pull = std::max(Norm(input.Force), input.Stiffness * input.Stretch);
-  augmented.Stiffness = input.Stiffness;
+  augmented.Stiffness = std::max(input.Stiffness, input.Slope);
   augmented.Feedback = input.Feedback;
-  augmented.Most = std::min(limits.MaximumForce, grown);
-  augmented.MaximumDamping = limits.MaximumDamping;
+  augmented.Most = ComputeMost(this->Augmented, wall, input.Period, limits);
+  augmented.MaximumDamping = ComputeDampingShare(input) * limits.MaximumDamping;
+  // The two dampings together would be more than either may be.
+  augmented.DampingShare = this->Damper.IsEngaged() ? 0.0 : share;
   augmented.Period = input.Period;
   return this->Augmentation.Apply(augmented);
 }
@@ -232,11 +296,11 @@ Vector3 SafetyStage::Damp(const Vector3& wall, const SafetyInput& input, const S
   const double whole = Norm(input.Force);
   const double felt = whole > 0.0 ? std::min(1.0, Norm(wall) / whole) : 0.0;
   this->Energy.RecordSent(wall, felt * input.WallWork);
-  const double share = std::min(1.0, StatedRoundTrip / std::max(input.Period, input.RoundTrip));
   const double before = Norm(this->LastCommand);
   const double most =
     std::min(limits.MaximumForce, before + limits.MaximumForceRate * input.Period);
-  return this->Damper.Apply(wall, most, share * limits.MaximumDamping, input.Period);
+  return this->Damper.Apply(
+    wall, most, ComputeDampingShare(input) * limits.MaximumDamping, input.Period);
 }
 
 Vector3 SafetyStage::Apply(
@@ -248,13 +312,15 @@ Vector3 SafetyStage::Apply(
   this->LastCommand = command;
   gate.ReportCommand(Dot(command, command) > 0.0);
   this->Observer.RecordSent(command);
-  if (input.Feedback > 0.0)
+  if (this->Augments)
   {
+    // The pulse has its own account.
+    const Vector3 sent = command - this->Pulse;
     const double whole = Norm(input.Force);
-    const double felt = whole > 0.0 ? std::min(1.0, Norm(command) / whole) : 0.0;
-    this->Augmentation.RecordSent(command, input.Period, felt * input.WallWork);
+    const double felt = whole > 0.0 ? std::min(1.0, Norm(sent) / whole) : 0.0;
+    this->Augmentation.RecordSent(sent, input.Period, felt * input.WallWork);
   }
-  if (limits.TransientGain > 0.0)
+  if (this->Taps)
   {
     this->Transient.RecordSent(this->Pulse);
   }

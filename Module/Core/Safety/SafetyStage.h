@@ -73,6 +73,8 @@ struct SafetyInput
   /** Stiffness (N/m) of the spring that pulls with the force; 0 without a spring. */
   double Stiffness = 0.0;
   double Stretch = 0.0; ///< stretch of the spring (m); Force may be less than the spring's pull
+  /** Stiffness (N/m) by which the force grows with more stretch, if it is more than Stiffness. */
+  double Slope = 0.0;
   /**
    * Stiffness (N/m) that the loop holds by itself, if Stiffness may be larger
    * (ForceAugmentation.h); 0 if it may not.
@@ -134,8 +136,9 @@ private:
     const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept;
   Vector3 ComputeCommand(
     const SafetyInput& input, const SafetyLimits& limits, bool gap, ForceGate& gate) noexcept;
-  Vector3 Augment(
-    const Vector3& wall, const SafetyInput& input, const SafetyLimits& limits) noexcept;
+  void ObserveGains(const SafetyInput& input, const SafetyLimits& limits, bool finite) noexcept;
+  Vector3 Augment(const Vector3& wall, const SafetyInput& input, const SafetyLimits& limits,
+    double share) noexcept;
   Vector3 AddTransient(const Vector3& wall, const SafetyInput& input, const SafetyLimits& limits,
     double share) noexcept;
   Vector3 Damp(const Vector3& wall, const SafetyInput& input, const SafetyLimits& limits,
@@ -151,7 +154,14 @@ private:
   ForceAugmentation Augmentation;
   ContactTransient Transient;
   PortDamper Damper;
-  Vector3 LastCommand;    ///< in N
+  Vector3 LastCommand; ///< in N
+  ///@{
+  /** Last force (N) after Augment and after AddTransient; that of Growth if both are off. */
+  Vector3 Augmented;
+  Vector3 Touched;
+  ///@}
+  bool Augments = false;  ///< whether Augmentation is in use
+  bool Taps = false;      ///< whether Transient is in use
   Vector3 Pulse;          ///< part of the command that is a pulse of Transient (N)
   double LastShare = 0.0; ///< the gate's last share
   Vector3 LastTip;

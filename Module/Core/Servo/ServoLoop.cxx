@@ -379,6 +379,7 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
   {
     input.Force = s.Record.Force;
     input.Stiffness = s.Record.Stiffness;
+    input.Slope = s.Record.Slope;
     input.Stretch = Norm(s.Record.Proxy - s.Record.Tip);
     input.Feedback = model ? model->Caps.Feedback : 0.0;
     const bool isHeld = s.Record.Contact != ContactState::Free;

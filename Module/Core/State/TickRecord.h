@@ -62,6 +62,11 @@ struct TickRecord : MaterialPoint
   std::array<double, 4> ToolNumbers{};
   double Value = 0.0; ///< V at the proxy; set only if tissue of the volume may be removed
   ContactState Contact = ContactState::Free;
+  /**
+   * Stiffness (N/m) by which Force grows if the hand presses on, if it is more than Stiffness: a
+   * spring with slack (PassiveSpring.h). Not recorded.
+   */
+  double Slope = 0.0;
   /// Work in J of a moving surface, in this tick, on the spring that pulls the hand.
   double WallWork = 0.0;
   /** Whether PRECISE spent its budget, so that the force belongs to an earlier tip. */

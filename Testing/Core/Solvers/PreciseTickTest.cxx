@@ -109,6 +109,8 @@ TEST(PreciseTick, StifferTissueUnderARestingHandKeepsTheForceAndSofterKeepsTheSt
   {
     Tick(stiff, state, tip, record);
     EXPECT_NEAR(Norm(record.Force), 1.75, 1e-9);
+    EXPECT_NEAR(record.Stiffness, 500.0, 1e-6) << "force / distance";
+    EXPECT_EQ(record.Slope, 2000.0) << "what pressing on feels";
   }
   Tick(stiff, state, tip + Vector3{ 0.0, 0.0, 0.0001 }, record);
   EXPECT_NEAR(Norm(record.Force), 1.75 + 0.2, 1e-6) << "pressing on is felt at 2000 N/m";

@@ -107,6 +107,7 @@ void PreciseFollower::Write(TickRecord& record) const noexcept
     return;
   }
   record.Stiffness = this->State.Spring.GetEffective();
+  record.Slope = this->State.Spring.Tissue;
   record.Force = record.Stiffness * (this->Proxy - this->State.ReachedTip);
   record.NormalForce = this->Last.Normal;
   record.FrictionForce = this->Last.Friction;
