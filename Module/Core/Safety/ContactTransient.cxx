@@ -161,7 +161,8 @@ Vector3 ContactTransient::Apply(const TransientInput& input) noexcept
     this->Height = 0.0;
   }
   pulse = input.MovesTip ? this->Limit(pulse, wall, out, input.Period) : pulse;
-  return std::clamp(wall + pulse, 0.0, input.Most) * out;
+  const double least = std::min(wall, input.Least);
+  return std::min(std::max(wall + pulse, least), input.Most) * out;
 }
 
 } // namespace VolumeHaptics

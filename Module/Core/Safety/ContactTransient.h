@@ -60,6 +60,7 @@ struct TransientInput
   double Gain = 0.0;      ///< gain of (1)
   double Share = 1.0;     ///< fraction of the pulse that is sent, 0 to 1
   double Most = 0.0;      ///< largest force (N)
+  double Least = 0.0;     ///< least force (N) to which a pulse may lower that of the wall
   double Period = 1e-3;   ///< T (s)
   bool MovesTip = true;   ///< whether (3) is needed
 };

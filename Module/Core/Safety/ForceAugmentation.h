@@ -38,7 +38,7 @@
  * until the next measurement, a light stylus would move outward by s + c F at most. So the force is
  * limited to
  *
- *   F (s + c F) <= A + Tolerance,   but at least k d.                                          (2)
+ *   O (s + c F) <= A + Tolerance - k d^2 / 2,   O = F - k d >= 0,                              (2)
  *
  * So the wall gives at most Tolerance more than it got, apart from what the spring k does by
  * itself, and without an account it is as soft as k. If the slew limit has held back k d, the

@@ -257,6 +257,8 @@ Vector3 SafetyStage::AddTransient(
   touch.Gain = limits.TransientGain;
   touch.Share = share;
   touch.Most = most;
+  // What falls at once would be missing until the slew limit lets it return.
+  touch.Least = std::max(0.0, most - 2.0 * limits.MaximumForceRate * input.Period);
   touch.Period = input.Period;
   touch.MovesTip = limits.MovesTip;
   // What the slew limit holds back after a pulse belongs to the pulse.
