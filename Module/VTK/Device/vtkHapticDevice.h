@@ -528,7 +528,7 @@ public:
 
   ///@{
   /**
-   * Factor, 1 (off) to 10, by which a wall may be stiffer than the loop holds by itself. Default 1.
+   * Factor, 1 (off) to 8, by which a wall may be stiffer than the loop holds by itself. Default 1.
    * The cap of GetStiffnessCap is multiplied by it, once the round trip is measured and nothing is
    * felt. What is above the cap is damped and paid from an account of the energy that the hand has
    * put in. By this account, the wall gives at most 1 mJ more than it got, and is as soft as
