@@ -72,7 +72,8 @@ while read -r source; do
   fi
 done < <(sed "s|^|$root/Module/VTK/|" "$root/Testing/Fuzz/labels.txt"
   find "$root"/Module/{Core,Devices} -name '*.cxx' -not -path '*/Transport/Usb/*' -not -path '*/WebSocket/*' -not -name '*Driver.cxx' \
-  \( -name XrKind.cxx -o -not -name '*Kind.cxx' \) -not -name DeviceRegistry.cxx -not -name ReaderProcess.cxx -not -name 'HaplyService.cxx' -not -name 'Hid[DP]*.cxx' -not -name 'FalconRounds.cxx' -not -name 'FalconSerial.cxx')
+  \( -name XrKind.cxx -o -not -name '*Kind.cxx' \) -not -name DeviceRegistry.cxx -not -name ReaderProcess.cxx -not -name 'HaplyService.cxx' -not -name 'Hid[DP]*.cxx' -not -name 'FalconRounds.cxx' -not -name 'FalconSerial.cxx' \
+  -not -name VibrationKinds.cxx -not -name VibrationDevice.cxx -not -path '*/Vibration/*Service.cxx')
 "$root/Testing/Data/Formats/formats.sh" "$build_dir" seeds
 # What reads files, by VTK's readers, too.
 cmake -S "$root" -B "$build_dir/readers" -G Ninja -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
