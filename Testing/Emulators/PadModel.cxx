@@ -363,6 +363,12 @@ void PadModel::Schedule()
   this->TimerAt = this->TimerAt == now ? now + 1 : this->TimerAt;
 }
 
+void PadModel::StepInAndOut()
+{
+  this->Step();
+  this->Move(ABS_RY, static_cast<long>(this->GetTime() / 0.5) % 2 == 0 ? -1.0 : 1.0);
+}
+
 void PadModel::Step()
 {
   const Lock lock(this->Guard);

@@ -94,6 +94,8 @@ public:
 
   /** The kernel's timer and the hand on a wheel; call it every millisecond. */
   void Step();
+  /** Steps with the right stick pushed forward and pulled back, half a second each. */
+  void StepInAndOut();
 
   ///@{
   /** A wheel: the goal of its hand, its place (m, to the right), and the force on the hand (N). */

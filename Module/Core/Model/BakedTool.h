@@ -40,7 +40,7 @@ struct ToolColumn
 };
 using ToolColumns = std::vector<ToolColumn>;
 
-/** What a tool reads and writes in a tick. */
+/** The input and the output of a tool in a tick. */
 class ToolTick
 {
 public:

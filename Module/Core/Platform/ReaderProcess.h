@@ -30,7 +30,7 @@ extern "C" VOLUME_HAPTICS_SERVES void vtkHapticServeReading(int link);
 namespace VolumeHaptics
 {
 
-/** What to read. The caller knows the layout of the answer. */
+/** Kinds of requests. The caller knows the layout of each answer. */
 enum class ReadTask : std::uint32_t
 {
   Grid,    ///< a grid, resampled to an image

@@ -65,13 +65,7 @@ TEST(PadTool, ItsWallIsFeltAsVibration)
 {
   PadModel pad(PadModel::Kind::Xbox);
   const EmulatedEvdev evdev(pad);
-  const ModelClock clock(
-    [&pad]
-    {
-      pad.Step();
-      // Into the wall and out of it, for half a second each.
-      pad.Move(ABS_RY, static_cast<long>(pad.GetTime() / 0.5) % 2 == 0 ? -1.0 : 1.0);
-    });
+  const ModelClock clock([&pad] { pad.StepInAndOut(); }); // into the wall and out of it
   const Told test = RunTool({ "test", "vibration:pad", "--seconds", "3" });
   EXPECT_EQ(test.Status, 0) << test.Errors;
   EXPECT_TRUE(Has(test.Out, "It can't push: its contact is vibration.")) << test.Out;

@@ -58,12 +58,7 @@ TEST_F(Pages, OfGamepadsLeadToTheFirstTouch)
 {
   PadModel pad(PadModel::Kind::Xbox);
   const EmulatedEvdev evdev(pad);
-  const ModelClock clock(
-    [&pad]
-    {
-      pad.Step();
-      pad.Move(ABS_RY, static_cast<long>(pad.GetTime() / 0.5) % 2 == 0 ? -1.0 : 1.0);
-    });
+  const ModelClock clock([&pad] { pad.StepInAndOut(); });
   EXPECT_EQ(this->Type("gamepads.md", "vibration:pad"), 3);
   EXPECT_FALSE(pad.GetHistory().empty());
 }

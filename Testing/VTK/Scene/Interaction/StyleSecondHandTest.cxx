@@ -65,6 +65,16 @@ protected:
     this->Style->SetSecondDevice(this->Second);
     this->Run(5);
   }
+  /// Returns a volume that shows the ball.
+  vtkSmartPointer<vtkVolume> MakeVolume()
+  {
+    vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
+    mapper->SetInputData(this->Ball);
+    auto volume = vtkSmartPointer<vtkVolume>::New();
+    volume->SetMapper(mapper);
+    ShowBall(volume);
+    return volume;
+  }
   template <typename F>
   bool Wait(F&& holds)
   {
@@ -264,11 +274,7 @@ TEST_F(StyleSecondHand, TheFirstOneLeadsTheRegionsOfALargeVolume)
 
 TEST_F(StyleSecondHand, AHiddenVolumeLetsItGoWithoutTheFirst)
 {
-  vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
-  mapper->SetInputData(this->Ball);
-  vtkNew<vtkVolume> volume;
-  volume->SetMapper(mapper);
-  ShowBall(volume);
+  const auto volume = this->MakeVolume();
   this->Renderer->AddVolume(volume);
   ASSERT_TRUE(this->Style->TouchVolume(volume));
   this->Device->Stop();
@@ -345,11 +351,7 @@ TEST_F(StyleSecondHand, AWidgetShowsStartsAndStopsIt)
   this->Style->SetSecondDevice(nullptr);
   this->Second->Stop();
   this->Second->SetVolumeHaptics(nullptr);
-  vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
-  mapper->SetInputData(this->Ball);
-  vtkNew<vtkVolume> volume;
-  volume->SetMapper(mapper);
-  ShowBall(volume);
+  const auto volume = this->MakeVolume();
   this->Renderer->AddVolume(volume);
   vtkNew<vtkHapticWidget> widget;
   const MessageLog log(widget->GetStyle());
@@ -382,14 +384,8 @@ TEST_F(StyleSecondHand, AWidgetTakesItDuringATouch)
 {
   this->Interactor->SetInteractorStyle(nullptr);
   this->Style->SetSecondDevice(nullptr);
-  vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
-  mapper->SetInputData(this->Ball);
-  vtkNew<vtkVolume> volume;
-  volume->SetMapper(mapper);
-  ShowBall(volume);
-  vtkNew<vtkVolume> beside;
-  beside->SetMapper(mapper);
-  ShowBall(beside);
+  const auto volume = this->MakeVolume();
+  const auto beside = this->MakeVolume();
   vtkNew<vtkRenderer> right;
   right->SetViewport(0.5, 0.0, 1.0, 1.0);
   right->AddVolume(beside);
