@@ -25,10 +25,10 @@ using namespace devicetest;
 
 namespace
 {
-/** What is seen of a text on black. */
+/** The bright pixels of a text on black, and the rectangle that they span. */
 struct Ink
 {
-  double Sum = 0.0; ///< of the red of all pixels
+  double Sum = 0.0; ///< sum of the red values of all pixels
   int Left = 100000, Right = -1, Bottom = 100000, Top = -1;
 };
 
@@ -97,7 +97,7 @@ TEST_F(DisplayRoom, EveryWordOfAFaultIsSeen)
   this->Display->SetDevice(this->Device);
   this->Display->SetNotice("The folder of the recording is full. Remove what you do not need.");
   this->Display->PlotVisibilityOff();
-  const Ink whole = this->Read(3000, 300); // each line is one
+  const Ink whole = this->Read(3000, 300); // wide enough that no line is wrapped
   ASSERT_GT(whole.Right, 400) << this->Display->GetText();
   ASSERT_LT(whole.Right, 2900);
   for (const auto& [width, height] : { std::pair(700, 560), std::pair(400, 300) })
@@ -154,7 +154,8 @@ TEST_F(DisplayRoom, PlotKeepsClearOfOrientationAxes)
 {
   this->Display->TextVisibilityOff();
   this->Display->AddStates(scenetest::MakeStates(0.0, 5.0, [](double) { return 1.0; }));
-  vtkNew<vtkRenderer> axes; // as those of ParaView and of vtkOrientationMarkerWidget
+  // Like the orientation axes of ParaView and of vtkOrientationMarkerWidget.
+  vtkNew<vtkRenderer> axes;
   vtkNew<vtkActor> arrows;
   axes->AddViewProp(arrows);
   axes->SetViewport(0.0, 0.0, 0.25, 0.25);
@@ -180,7 +181,8 @@ TEST_F(DisplayRoom, PlotKeepsClearOfOrientationAxes)
   }
 }
 
-/// Beside a function editor, the scene has the upper part of the window.
+/// Limits the renderer to the upper 65 % of the window, as beside a function editor: the plot draws
+/// as much as in a window of that size.
 TEST_F(DisplayRoom, PlotHasItsCurvesInAPartOfTheWindow)
 {
   this->Display->TextVisibilityOff();
@@ -204,7 +206,7 @@ TEST_F(DisplayRoom, PlotHasItsCurvesInAPartOfTheWindow)
   EXPECT_NEAR(sum(this->Pixels(0, 700, 196, 560)), alone, 1e-3 * alone);
 }
 
-// On a screen of twice the dots per inch, a window of twice the pixels looks the same.
+// On a screen with twice the dots per inch, a window with twice the pixels looks the same.
 TEST_F(DisplayRoom, TwiceTheDotsPerInchDrawTwiceAsLarge)
 {
   this->Display->SetHint("Put the pointer on the volume and press t to touch it");
@@ -223,7 +225,8 @@ TEST_F(DisplayRoom, TwiceTheDotsPerInchDrawTwiceAsLarge)
   ASSERT_GT(panel, 200);
   this->Window->SetDPI(2 * this->Window->GetDPI());
   const Ink large = this->Read(1400, 1120);
-  constexpr double rounding = 16.0; // pixels: margins stay as wide, and letters fit into pixels
+  // Pixels: margins keep their width, and letters are fitted to whole pixels.
+  constexpr double rounding = 16.0;
   EXPECT_NEAR(panelRight(), 2 * panel, 2 * rounding);
   EXPECT_NEAR(large.Left, 2 * small.Left, rounding);
   EXPECT_NEAR(large.Right, 2 * small.Right, rounding);

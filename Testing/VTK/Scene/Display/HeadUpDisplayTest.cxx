@@ -57,7 +57,7 @@ TEST_F(HeadUpDisplay, ForgetsWhatIsOlderThanItsSpan)
       << second;
   }
   EXPECT_LT(this->Largest(1), 1.0);
-  // The device has been started again.
+  // Time begins at 0 again when the device is started anew: older states are forgotten.
   this->Display->AddStates(scenetest::MakeStates(0.0, 0.5, early));
   EXPECT_EQ(VolumeHaptics::DisplayProbe::CountStates(this->Display), 500);
   this->Display->Clear();
@@ -106,7 +106,7 @@ TEST_F(HeadUpDisplay, TakesNoStatesThatNoAxisCanShow)
   EXPECT_EQ(this->Largest(1), 1.0);
   this->Display->SetTimeSpan(5.0);
 
-  // Forces as of a function with absurd values: the axis stays one.
+  // Absurd forces, as a bad function gives them, leave the axis of the plot finite.
   for (const double force : { std::nan(""), HUGE_VAL, 1e308 })
   {
     const auto absurd = [force](double t) { return t > 0.05 ? force : 1.0; };
@@ -163,7 +163,7 @@ TEST_F(HeadUpDisplay, SaysWhatTheDeviceDoes)
   ASSERT_TRUE(this->LeadInto(7.0));
   EXPECT_EQ(this->Display->GetText().find("ticks"), std::string::npos);
   this->Display->DetailsVisibilityOn();
-  // The virtual device gives 20 N at most, and by default half of that.
+  // The virtual device gives at most 20 N; the default limit is half of that, 10 N.
   for (const char* words :
     { "Resting on soft, 1.00 N of at most 10 N\n", "Value ", " ticks/s, ", " missed" })
   {
@@ -172,7 +172,7 @@ TEST_F(HeadUpDisplay, SaysWhatTheDeviceDoes)
       << words << " in\n"
       << this->Display->GetText();
   }
-  // As the functions name them.
+  // The text names the tissue that AddTissue() assigned to the value, here shifted by 400.
   this->Filter->GetProperty()->SetScalarShift(400.0);
   EXPECT_TRUE(this->Wait([&] { return this->Display->GetText().find("Resting on hard") == 0; }))
     << this->Display->GetText();
@@ -186,7 +186,7 @@ TEST_F(HeadUpDisplay, SaysWhatTheDeviceDoes)
   EXPECT_EQ(this->Display->GetTissueName(10.0), "");
 }
 
-/// A mouse leads the tip by steps: most ticks of a stroke rest.
+/// A mouse moves the tip in steps, so most ticks of a stroke rest: the text still says "Sliding".
 TEST_F(HeadUpDisplay, SaysThatAHandSlidesBetweenTheStepsOfAMouse)
 {
   const auto add = [this](double from, double to, int contact)
@@ -212,11 +212,11 @@ TEST_F(HeadUpDisplay, SaysThatAHandSlidesBetweenTheStepsOfAMouse)
   add(0.15, 0.25, 1);
   EXPECT_TRUE(says("Resting on the volume, 1.00 N")) << this->Display->GetText();
   add(0.25, 0.26, 2);
-  add(0.0, 0.01, 1); // started again
+  add(0.0, 0.01, 1); // the device was started again
   EXPECT_TRUE(says("Resting on the volume, 1.00 N")) << this->Display->GetText();
 }
 
-/// A flow along x holds a hand that goes 2 mm along z with 1 N; and there is no surface.
+/// A flow along x resists a hand that moves 2 mm along z with 1 N; the text names no surface.
 TEST_F(HeadUpDisplay, NamesNoSurfaceWhereModesAreFelt)
 {
   vtkNew<vtkDoubleArray> flow;
@@ -248,8 +248,8 @@ TEST_F(HeadUpDisplay, NamesNoSurfaceWhereModesAreFelt)
 
 TEST_F(HeadUpDisplay, NamesTheLabelThatIsTouched)
 {
-  // Layers of 0.5 mm across z, numbered from the top at z = 15.5 down, in a row as wide as the
-  // volume; of every second one the table has a name.
+  // Layers of 0.5 mm across z, as wide as the volume, are numbered downwards from z = 15.5 mm. The
+  // table names every second layer.
   vtkNew<vtkImageData> labels;
   labels->SetDimensions(2, 2, 32);
   labels->SetSpacing(20.0, 20.0, 0.5);
@@ -277,7 +277,8 @@ TEST_F(HeadUpDisplay, NamesTheLabelThatIsTouched)
   const std::string name = layer % 2 == 0 ? " layer " + std::to_string(layer) + " \xC3\xB6, "
                                           : " label " + std::to_string(layer) + ", ";
   EXPECT_NE(this->Display->GetText().find(name), std::string::npos) << this->Display->GetText();
-  // Labels without a name, and places outside of the label image, are named by value.
+  // A label without a name, and a place outside of the label image, get the name of the tissue at
+  // the value ("ramp").
   table->RemoveLabel(layer);
   EXPECT_NE(this->Display->GetText().find(" ramp, "), std::string::npos);
   table->SetLabelName(layer, "back");

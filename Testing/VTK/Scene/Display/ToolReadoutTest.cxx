@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What the display says of a tool in the hand: how deep a needle is, at which angle, through how
- * many layers, and how often forbidden tissue stopped it; the torque on a tool with a shape. And
- * the needle's track in a file.
+ * The display's text for a tool: the depth and angle of a needle, the number of layers that it has
+ * passed and of its touches of forbidden tissue, and the torque on a tool with a shape. The
+ * needle's track is written to a file and read again.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -92,7 +92,7 @@ protected:
 TEST_F(NeedleReadout, TellsDepthAngleLayersAndForbiddenTouches)
 {
   this->Begin();
-  // A stylus that leans by 0.2 rad.
+  // The stylus leans by 0.2 rad from upright.
   ASSERT_TRUE(this->Lead(7.0, 7.0, 3.0));
   this->Device->GetVirtualHand()->SetOrientation(std::sin(0.1), std::cos(0.1), 0.0, 0.0);
   ASSERT_TRUE(this->ArmFully());
@@ -111,14 +111,14 @@ TEST_F(NeedleReadout, TellsDepthAngleLayersAndForbiddenTouches)
   ASSERT_TRUE(this->LeadInto(17.0));
   ASSERT_TRUE(this->Says("forbidden tissue touched 2 times")) << this->Display->GetText();
   EXPECT_NEAR(this->Number("Angle"), 0.2 * 57.29577951, 0.2);
-  // It ends at the artery, 10 mm below the skin, along a needle that leans.
+  // The leaning needle ends at the artery, 10 mm below the skin.
   EXPECT_NEAR(this->Number("Depth"), 10.0 / std::cos(0.2), 0.3);
   EXPECT_NEAR(this->Number("ShaftForce"), 0.02 * this->Number("Depth"), 1e-3);
   char deep[32];
   std::snprintf(deep, sizeof(deep), "Needle %.1f deep", this->Device->GetState()->GetNeedleDepth());
   EXPECT_TRUE(this->Says(deep)) << this->Display->GetText();
 
-  // As a file.
+  // The track of the needle survives writing and reading a VTP file.
   const std::string file = this->File("track.vtp");
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(this->Track);
@@ -145,7 +145,7 @@ TEST_F(NeedleReadout, TellsDepthAngleLayersAndForbiddenTouches)
   EXPECT_EQ(read->GetFieldData()->GetArray("ForbiddenTouches")->GetComponent(0, 0), 2.0);
 }
 
-/// A bar whose far end is pressed turns the hand; without it there is no torque to tell.
+/// Pressing the far end of a bar turns the hand; without contact, no torque is shown.
 TEST_F(ToolReadout, TellsTheTorqueOnAShape)
 {
   vtkNew<vtkCubeSource> bar;
@@ -160,7 +160,7 @@ TEST_F(ToolReadout, TellsTheTorqueOnAShape)
   tool->SetMesh(bar->GetOutput());
   this->Filter->SetTool(tool);
   this->Begin();
-  // A tool that appears within what is solid begins there without a force.
+  // A tool that appears inside solid tissue begins there without a force.
   ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
   ASSERT_TRUE(this->ArmFully());
   EXPECT_EQ(this->Display->GetText().find("N mm"), std::string::npos);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What the function editor counts, against a std::map or std::set of the same values: all of a
- * large array in pieces, or spread samples of it.
+ * The function editor counts all values of a large array in pieces, or spread samples of it. The
+ * counts are compared with a std::map or std::set of the same values.
  */
 
 #include "VTK/Scene/Base/HapticHistogram.h"
@@ -39,7 +39,7 @@ bool GoOn(double fraction)
   return true;
 }
 
-/// Steep around 300, with single values far away.
+/// Draws from a steep distribution around 300; about one value in a million is far away, at 2000.
 double Draw(std::mt19937& random)
 {
   std::normal_distribution<double> normal(300.0, 40.0);
@@ -51,7 +51,7 @@ vtkIdType Sum(const ValueCounts& counts)
   return std::accumulate(counts.Counts.begin(), counts.Counts.end(), vtkIdType{ 0 });
 }
 
-/// Every bin holds as many of the values as lie within half a width of its middle.
+/// Expects that every bin counts the values within half a bin width of its middle.
 void ExpectCounts(const ValueCounts& counts, const std::map<double, vtkIdType>& values)
 {
   ASSERT_FALSE(counts.Counts.empty());
@@ -128,7 +128,8 @@ TEST(Counts, LeaveOutWhatIsNotFinite)
 
 TEST(Counts, OfSpreadSamplesHaveTheSameFractions)
 {
-  // Rows of 512 whose first half is 0 and whose second half is 100: even steps would see one half.
+  // Each row of 512 values has 256 zeros and then 256 values of 100: samples at even steps would
+  // see only one half.
   vtkNew<vtkShortArray> array;
   array->SetNumberOfValues(1 << 23);
   for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
@@ -144,8 +145,8 @@ TEST(Counts, OfSpreadSamplesHaveTheSameFractions)
 
 TEST(Counts, OfSpreadSamplesSeeAllColumnsInFewPages)
 {
-  // The numbers of the values: 2048 looks at random would miss 512 exp(-4), 9 of 512 columns. A
-  // page of 4 KiB holds 1024 values.
+  // Each value is its own index. 2048 random samples would miss 512 exp(-4), about 9, of the 512
+  // columns. A page of 4 KiB holds 1024 values.
   constexpr vtkIdType columns = 512;
   vtkNew<vtkIntArray> numbers;
   numbers->SetNumberOfValues(1 << 23);
@@ -217,7 +218,7 @@ TEST(ValueName, IsWhatValuesMeanAndNotWhoHasReadThem)
   EXPECT_EQ(NameValues(values), "density (HU)");
   values->SetName("HU");
   EXPECT_EQ(NameValues(values), "HU");
-  values->SetName("MetaImage"); // of vtkMetaImageReader
+  values->SetName("MetaImage"); // the name that vtkMetaImageReader gives
   EXPECT_EQ(NameValues(values), "HU");
   values->GetInformation()->Remove(vtkDataArray::UNITS_LABEL());
   EXPECT_EQ(NameValues(values), "Value");

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Edits of a function by the mouse: a point is where the mouse has left it, to the pixel, and edits
- * are taken back to the bit. What is right follows from the places of the axes alone, which are
- * linear, and from copies of the functions.
+ * Edits of a function by the mouse: a point follows the mouse to the pixel, and undo restores a
+ * function to the bit. Expected values come from the linear axes and from copies of the functions.
  */
 
 #include "VTK/Scene/Editor/EditorProbe.h"
@@ -74,7 +73,8 @@ protected:
     function->AddPoint(1000.0, 900.0);
   }
   vtkPiecewiseFunction* Get() { return this->Property->GetStiffness(); }
-  /// Renders, since places are those of the last frame.
+  /// Returns the pixel of a value and a stiffness. Renders first, since the editor converts with
+  /// the last frame's layout.
   Place At(double value, double stiffness)
   {
     this->Window->Render();
@@ -82,7 +82,7 @@ protected:
     VolumeHaptics::EditorProbe::GetPosition(this->Editor, value, stiffness, at);
     return { static_cast<int>(std::lround(at[0])), static_cast<int>(std::lround(at[1])) };
   }
-  /// The value and the stiffness that a pixel is wide and high.
+  /// Returns the value and the stiffness that one pixel spans.
   std::array<double, 2> GetPixel()
   {
     double low[2];
@@ -129,7 +129,8 @@ TEST_F(FunctionEdits, ADraggedPointIsWhereTheMouseIs)
   }
 }
 
-/// Points keep their order, and the ends their values: the function stays one of the value.
+/// Points keep their order, and the end points keep their values, so the function stays
+/// single-valued.
 TEST_F(FunctionEdits, APointPassesNoOtherOneAndEndsMoveUpAndDown)
 {
   this->Drag(this->At(-200.0, 300.0), this->At(900.0, 300.0));
@@ -158,7 +159,8 @@ TEST_F(FunctionEdits, AClickAddsAPointAndTheMiddleButtonRemovesIt)
   EXPECT_EQ(nodes[2][0], 400.0);
 }
 
-/// Clicks of the right button select points, which a drag beside them moves together.
+/// Clicks of the right button select points; a drag beside the points moves the selected points
+/// together.
 TEST_F(FunctionEdits, SelectedPointsMoveTogether)
 {
   this->Click(this->At(-200.0, 300.0), Right);
@@ -175,7 +177,7 @@ TEST_F(FunctionEdits, SelectedPointsMoveTogether)
   EXPECT_EQ(nodes[3][1], 900.0) << "not selected";
 }
 
-/// Showing a function must not change what is felt.
+/// Showing an empty function must not add points, which would change what is felt.
 TEST_F(FunctionEdits, AnEmptyFunctionStaysEmptyUntilAPointIsAdded)
 {
   this->Get()->RemoveAllPoints();
@@ -193,7 +195,7 @@ TEST_F(FunctionEdits, AnEmptyFunctionStaysEmptyUntilAPointIsAdded)
   EXPECT_EQ(this->Get()->GetSize(), 0);
 }
 
-/// 130 edits, of which the last 100 are kept; each state comes back to the bit, both ways.
+/// Makes 130 edits, of which the last 100 are kept; undo and redo restore each state to the bit.
 TEST_F(FunctionEdits, AreTakenBackAndDoneAgainToTheBit)
 {
   std::mt19937 random(3);
@@ -239,7 +241,8 @@ TEST_F(FunctionEdits, AreTakenBackAndDoneAgainToTheBit)
   EXPECT_EQ(CopyNodes(this->Get()), states[130]);
 }
 
-/// An event for each change, since a device has to publish it; none if nothing has changed.
+/// The editor sends one event for each change, so that a device publishes it, and none without a
+/// change.
 TEST_F(FunctionEdits, TellOfChangesOnly)
 {
   const Place point = this->At(-200.0, 300.0);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Pictures whose rays are kept from one frame to the next are those of a mapper that casts all of
- * them for each frame.
+ * A picture whose rays are kept from frame to frame equals that of a mapper that casts all rays for
+ * each frame.
  */
 
 #include "VTK/Scene/Frames/KeptRays.h"
@@ -28,7 +28,8 @@ using namespace carvedtest;
 
 namespace
 {
-/// A window with a volume and two balls in place of a stylus and an arrow; it counts its rays.
+/// A window with a volume and two balls, which stand for a stylus and an arrow. Counts the rays
+/// that its mapper casts.
 class Drawn
 {
 public:
@@ -52,7 +53,7 @@ public:
     this->Count->SetClientData(this);
     this->Count->SetCallback(
       [](vtkObject*, unsigned long, void* self, void*) { static_cast<Drawn*>(self)->CountRays(); });
-    // After the rows that are cast have been chosen.
+    // Runs after the observer that chooses the rows to cast.
     this->Mapper->AddObserver(vtkCommand::VolumeMapperRenderStartEvent, this->Count, -1.0F);
   }
   void Move(std::array<double, 3> first, std::array<double, 3> second)
@@ -101,7 +102,8 @@ class KeptRaysTest : public testing::Test
 protected:
   using Change = std::function<void(Drawn&)>;
 
-  /// Both windows draw it alike. The number of rays, and that of all rays.
+  /// Applies the change to both windows and expects the same picture. Returns the number of rays
+  /// cast by the window that keeps rays, and by the one that casts all of them.
   std::pair<int, int> Compare(const Change& change, const std::string& what)
   {
     change(this->Kept);
@@ -111,7 +113,7 @@ protected:
     this->Before = whole;
     return { this->Kept.Rays, this->Whole.Rays };
   }
-  /// The frame after a change is interrupted.
+  /// Applies the change and interrupts the next frame.
   void Interrupt(const Change& change)
   {
     change(this->Kept);
@@ -125,7 +127,7 @@ protected:
     this->Kept.Mapper->RemoveObserver(interrupt);
     EXPECT_NE(this->Kept.Scene.Window->GetAbortRender(), 0);
   }
-  /// All rays are cast, and the picture is another one.
+  /// Expects that the change makes all rays be cast, and alters the picture.
   void ExpectAnew(const Change& change, const std::string& what)
   {
     this->Compare([](Drawn&) {}, "before " + what);
@@ -153,7 +155,7 @@ TEST_F(KeptRaysTest, AHandThatMovesChangesTheRaysThatItMeets)
   EXPECT_TRUE(this->Rays.IsCurrent());
   EXPECT_EQ(this->Compare([](Drawn&) {}, "nothing has moved").first, 0);
   int most = 0;
-  for (int i = 0; i <= 40; ++i) // from in front of the volume through it, and out behind it
+  for (int i = 0; i <= 40; ++i) // from in front of the volume, through it, to a place behind it
   {
     const double way = i / 40.0;
     const auto move = [way](Drawn& drawn)
@@ -260,7 +262,7 @@ TEST_F(KeptRaysTest, ShadesAreComputedIfTheyWouldBeOthers)
   EXPECT_EQ(count(), all);
   this->Compare([](Drawn& d) { d.Move({ 25.0, 11.0, 60.0 }, { 38.0, 0.0, 45.0 }); }, "moved");
   EXPECT_EQ(count(), 0);
-  // Only the cut is another one, so that all rays need the shades of the frames before.
+  // Cropping changes the picture, but not the shades, so the shades of earlier frames are kept.
   this->ExpectAnew(
     [](Drawn& d)
     {
@@ -315,7 +317,7 @@ TEST_F(KeptRaysTest, AMapperThatHasDrawnElsewhereBeginsAnew)
   EXPECT_FALSE(this->Rays.IsCurrent());
   const auto [rays, all] = this->Compare([](Drawn&) {}, "after");
   EXPECT_EQ(rays, all);
-  // Its own copy of the coarse image is left.
+  // The coarse image that the rays keep is still valid.
   const auto coarse = [](Drawn& d) { d.Mapper->SetImageSampleDistance(1.0F); };
   EXPECT_EQ(this->Compare(coarse, "coarsely again").first, 0);
 }
@@ -363,7 +365,7 @@ TEST_F(KeptRaysTest, MotionGoesOnAfterAnInterruptedFrameAtRest)
     EXPECT_LT(rays, all / 2);
     EXPECT_GT(rays, 0);
   }
-  // Another look in the meantime.
+  // The look changes while the motion pauses: all rays are cast.
   this->Interrupt(
     [&](Drawn& d)
     {
@@ -372,7 +374,7 @@ TEST_F(KeptRaysTest, MotionGoesOnAfterAnInterruptedFrameAtRest)
     });
   const auto [rays, all] = this->Compare(coarse, "another look");
   EXPECT_EQ(rays, all);
-  // Another window.
+  // The window gets another size while the motion pauses: all rays are cast.
   this->Interrupt(fine);
   for (Drawn* const drawn : { &this->Kept, &this->Whole })
   {

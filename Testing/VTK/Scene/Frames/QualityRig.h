@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A window with a volume, whose frames take as long as a test says.
+ * A window with a volume; tests choose how long its frames take.
  */
 #ifndef QualityRig_h
 #define QualityRig_h
@@ -31,15 +31,16 @@ inline void AwaitServer(vtkRenderWindow* window)
   sync(window->GetGenericDisplayId(), 0);
 }
 
-/// A motion of the mouse comes to the window, by X11's XSendEvent: the pointer itself may be over a
-/// window of another test. The header of X11 defines macros that other tests must not see.
+/// Sends a mouse motion to the window with XSendEvent(), since the pointer may be over a window of
+/// another test. X11's header isn't included, because it defines macros that would break other
+/// tests.
 inline void SendMotion(vtkRenderWindow* window)
 {
   using Send = int (*)(void* display, unsigned long window, int, long, void* event);
   static const auto send =
     reinterpret_cast<Send>(dlsym(dlopen("libX11.so.6", RTLD_LAZY), "XSendEvent"));
   constexpr int motionNotify = 6;
-  struct // XMotionEvent, as far as it matters, in an XEvent
+  struct // the used members of XMotionEvent, padded to the size of an XEvent
   {
     int Type;
     unsigned long Serial;
@@ -54,7 +55,7 @@ inline void SendMotion(vtkRenderWindow* window)
   AwaitServer(window);
 }
 
-/// Takes an event of this kind for the window out of X11's queue; false if there is none.
+/// Removes one event of this type for the window from X11's queue; returns false if there is none.
 inline bool DrainEvent(vtkRenderWindow* window, int type)
 {
   using Take = int (*)(void* display, unsigned long window, int, void* event);
@@ -65,8 +66,7 @@ inline bool DrainEvent(vtkRenderWindow* window, int type)
            reinterpret_cast<unsigned long>(window->GetGenericWindowId()), type, event) != 0;
 }
 
-/// Each of a mapper's reports on its progress, which come every eight rows of one thread, takes its
-/// time.
+/// Makes a mapper slow: each progress report, which one thread sends every eight rows, sleeps.
 class SlowRows
 {
 public:
@@ -87,8 +87,8 @@ public:
     mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, this->Wait, 1.0f);
   }
 
-  int Slowness; ///< of one report, ms
-  int Move = 0; ///< the number of the one in which the mouse moves
+  int Slowness; ///< sleep in each report, ms
+  int Move = 0; ///< number of the report during which the mouse moves; 0: none
   int Count = 0;
 
 private:
@@ -113,7 +113,7 @@ protected:
         std::this_thread::sleep_for(
           std::chrono::milliseconds(static_cast<StyleQualityTest*>(self)->Slowness));
       });
-    this->Window->AddObserver(vtkCommand::EndEvent, wait, 1.0f); // before the style sees it
+    this->Window->AddObserver(vtkCommand::EndEvent, wait, 1.0f); // before the style's observer runs
   }
   ~StyleQualityTest() override { this->Interactor->SetInteractorStyle(nullptr); }
 
@@ -147,7 +147,7 @@ protected:
   }
 
   vtkNew<vtkVolume> Volume;
-  int Slowness = 0; ///< of a frame, ms
+  int Slowness = 0; ///< sleep in each frame, ms
 };
 } // namespace scenetest
 

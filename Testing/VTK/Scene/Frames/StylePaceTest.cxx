@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * When the style's timer draws, and how well: coarsely while something moves, well at rest, and not
- * all the time when nothing but figures change.
+ * The style's timer draws coarsely while something moves, and well at rest; it does not draw all
+ * the time when only figures change.
  */
 
 #include "VTK/Scene/Interaction/StyleRig.h"
@@ -35,7 +35,8 @@ protected:
       });
     this->Window->AddObserver(vtkCommand::StartEvent, note);
   }
-  /// The style's timer, as an interactor's loop fires it, for some time.
+  /// Fires the style's timer for some milliseconds, as an interactor's loop does; calls `between`
+  /// before each event.
   template <typename F>
   void Time(int milliseconds, F&& between)
   {
@@ -46,7 +47,7 @@ protected:
     for (int i = 0; Clock::now() < end; ++i)
     {
       between(i);
-      // A motion of the hand has to be felt before it is drawn.
+      // Waits until the servo has felt a motion of the hand, since only then is it drawn.
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
       this->Interactor->InvokeEvent(vtkCommand::TimerEvent, &this->Timer);
     }
@@ -63,13 +64,13 @@ protected:
     ASSERT_TRUE(this->Device->Start());
     this->Pointer(150, 150);
     this->Style->TouchModeOn();
-    this->Time(800, [](int) {}); // armed, seen, at rest
+    this->Time(800, [](int) {}); // runs until the hand is armed and drawn, and the scene is at rest
   }
 
   int Timer = 1;
   int Quick = 0;
   int Still = 0;
-  int Slowness = 0; ///< of a frame, ms
+  int Slowness = 0; ///< sleep in each frame, ms
 };
 } // namespace
 
@@ -95,8 +96,8 @@ TEST_F(StylePaceTest, DrawsWellOnceAtRestAndThenForTheFigures)
   EXPECT_EQ(this->Quick, 0);
 }
 
-// Else each of thirty motions of a mouse that wait would have a frame of its own, and a key that
-// was pressed after them would come 30 frames late.
+// Without this gap, each of thirty waiting mouse motions would be drawn in a frame of its own, and
+// a key that was pressed after them would be handled 30 frames late.
 TEST(RenderPace, LeavesTimeForInputAfterASlowFrame)
 {
   using VolumeHaptics::HapticRenderPace;
@@ -184,11 +185,12 @@ TEST_F(StylePaceTest, AMotionOfTheMouseDrawsWhileTimersAreLate)
   int drawn = 0;
   for (int i = 0; i < 40; ++i)
   {
-    std::this_thread::sleep_for(std::chrono::milliseconds(8)); // it is felt
+    // Waits until the servo has felt the motion.
+    std::this_thread::sleep_for(std::chrono::milliseconds(8));
     this->Quick = 0;
     this->Pointer(150 + 6 * (i % 4), 150);
     drawn += this->Quick;
-    // A stroke that has paused goes on with the timer.
+    // The timer draws the motion that followed a pause.
     this->Interactor->InvokeEvent(vtkCommand::TimerEvent, &this->Timer);
   }
   EXPECT_GE(drawn, 4) << "motions have left it to the timer";
@@ -197,9 +199,9 @@ TEST_F(StylePaceTest, AMotionOfTheMouseDrawsWhileTimersAreLate)
 TEST_F(StylePaceTest, LeavesTheFramesOfAWidgetAsQuickAsItWantsThem)
 {
   this->Start();
-  // As vtkInteractorObserver::StartInteraction(), which VTK's widgets call before a drag.
+  // vtkInteractorObserver::StartInteraction() sets this rate; VTK's widgets call it before a drag.
   this->Window->SetDesiredUpdateRate(this->Interactor->GetDesiredUpdateRate());
-  this->Style->SetTouchMode(false); // a frame at rest
+  this->Style->SetTouchMode(false); // leads to one frame at rest
   this->Time(800, [](int) {});
   EXPECT_GT(this->Still, 0);
   this->Quick = 0;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * How finely volumes are drawn in a window that a person looks at: coarsely in motion, as the
- * application has set it at rest, and never so slowly that the hand waits.
+ * The quality of volumes in a window on the screen: coarse in motion, as the application has set it
+ * at rest, and never so fine that a frame blocks the hand.
  */
 
 #include "QualityRig.h"
@@ -106,10 +106,6 @@ TEST_F(StyleQualityTest, AFrameThatCanBeInterruptedDoesNotCostAnArmedHandItsForc
   EXPECT_EQ(mapper->GetImageSampleDistance(), 1.0f) << "there is time for all rays";
 }
 
-/// Rows of 0.1 s make a frame of 1.5 s, which the first of them tell. The next frame is coarser, as
-/// its rows are fewer, and the stroke keeps its rays.
-/// One or two may be slow because the processor is busy.
-/// After timers that are late by a second, the loop of VTK 9.1 would wait for another one.
 TEST_F(StyleQualityTest, SmartMapperCastsRaysOnTheProcessorWhereOpenGLRunsThere)
 {
   vtkNew<vtkSmartVolumeMapper> mapper;
@@ -151,7 +147,7 @@ TEST_F(StyleQualityTest, SmartMapperCastsAllRaysAgainAtRest)
   ASSERT_EQ(mapper->GetLastUsedRenderMode(), vtkSmartVolumeMapper::RayCastRenderMode);
   EXPECT_GT(Parts::Find(mapper)->GetImageSampleDistance(), 2.0f);
   EXPECT_LE(Parts::Find(mapper)->GetSampleDistance(), 1.0f) << "rays miss what is thinner";
-  this->Draw(AtRest, 8); // finer, as far as there is time
+  this->Draw(AtRest, 8); // casts all rays, since there is time for them
   EXPECT_EQ(Parts::Find(mapper)->GetImageSampleDistance(), 1.0f);
   const float atRest = Parts::Find(mapper)->GetSampleDistance();
   this->Slowness = 0;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Frames of a mapper that casts rays on the processor: they end early if they would be late, and
- * keep fine rays in motion.
+ * Frames of a mapper that casts rays on the processor: late frames end early, and fine rays are
+ * kept in motion.
  */
 
 #include "QualityRig.h"
@@ -28,7 +28,7 @@ TEST_F(StyleRaysTest, AFrameThatTakesTooLongIsGivenUpWhileADeviceIsArmed)
   this->Draw(AtRest, 8);
   ASSERT_EQ(mapper->GetImageSampleDistance(), 1.0f);
   mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, sleep, 1.0f);
-  this->Renderer->GetActiveCamera()->Azimuth(10.0); // so that all rays are cast
+  this->Renderer->GetActiveCamera()->Azimuth(10.0); // makes all rays be cast
   this->Draw(AtRest, 1);
   EXPECT_EQ(this->Window->GetAbortRender(), 1);
   mapper->RemoveObserver(sleep);
@@ -37,6 +37,8 @@ TEST_F(StyleRaysTest, AFrameThatTakesTooLongIsGivenUpWhileADeviceIsArmed)
   EXPECT_GT(mapper->GetImageSampleDistance(), 1.0f);
 }
 
+/// Rows of 0.1 s would make a frame of 1.5 s, as its first rows show, so the frame is given up. The
+/// next frame is coarser, and the stroke keeps its rays.
 TEST_F(StyleRaysTest, AFrameThatWouldTakeTooLongIsGivenUpSoonAndTheStrokeIsFine)
 {
   vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
@@ -51,7 +53,7 @@ TEST_F(StyleRaysTest, AFrameThatWouldTakeTooLongIsGivenUpSoonAndTheStrokeIsFine)
   this->Draw(AtRest, 8);
   ASSERT_EQ(mapper->GetImageSampleDistance(), 1.0f);
   SlowRows rows(mapper, 100);
-  this->Renderer->GetActiveCamera()->Azimuth(10.0); // so that all rays are cast
+  this->Renderer->GetActiveCamera()->Azimuth(10.0); // makes all rays be cast
   this->Draw(AtRest, 1);
   EXPECT_EQ(this->Window->GetAbortRender(), 1);
   EXPECT_LE(rows.Count, 5) << "of 15, of which 10 take 1 s";
@@ -81,7 +83,7 @@ TEST_F(StyleRaysTest, AFrameThatInputInterruptsTellsHowLongItWouldHaveTaken)
   ASSERT_EQ(mapper->GetImageSampleDistance(), 1.0f);
   SlowRows rows(mapper, 55);
   rows.Move = 5;
-  this->Renderer->GetActiveCamera()->Azimuth(10.0); // so that all rays are cast
+  this->Renderer->GetActiveCamera()->Azimuth(10.0); // makes all rays be cast
   this->Draw(AtRest, 1);
   EXPECT_EQ(this->Window->GetAbortRender(), 1);
   rows.Slowness = 0;
@@ -104,7 +106,7 @@ TEST_F(StyleRaysTest, TheFirstFrameInMotionIsAsCoarseAsThoseAtRestTell)
   mapper->AutoAdjustSampleDistancesOff();
   this->Show(mapper.GetPointer());
   this->Draw(AtRest, 1);
-  this->Renderer->GetActiveCamera()->Azimuth(10.0); // so that all rays are cast
+  this->Renderer->GetActiveCamera()->Azimuth(10.0); // makes all rays be cast
   this->Draw(AtRest, 1);
   this->Renderer->GetActiveCamera()->Azimuth(10.0);
   this->Draw(InMotion, 1);
@@ -174,7 +176,7 @@ TEST_F(StyleRaysTest, AWindowOfANewSizeIsDrawnCoarselyFirst)
   ASSERT_EQ(mapper->GetImageSampleDistance(), 1.0f);
   this->Window->SetSize(140, 130);
   this->Interactor->InvokeEvent(vtkCommand::ExposeEvent, nullptr);
-  this->Draw(AtRest, 1); // as the interactor does then
+  this->Draw(AtRest, 1); // the interactor draws after an ExposeEvent
   EXPECT_GT(mapper->GetImageSampleDistance(), 1.0f);
   const auto isFine = [&]
   {
@@ -183,7 +185,7 @@ TEST_F(StyleRaysTest, AWindowOfANewSizeIsDrawnCoarselyFirst)
   };
   EXPECT_FALSE(isFine()) << "more sizes may come";
   EXPECT_TRUE(Eventually(isFine)) << "after a rest";
-  // A script that sets the size and draws gets what it has asked for.
+  // A script that sets the size and draws, without an ExposeEvent, gets all rays at once.
   this->Window->SetSize(120, 120);
   this->Draw(AtRest, 1);
   EXPECT_EQ(mapper->GetImageSampleDistance(), 1.0f);
@@ -194,7 +196,7 @@ TEST_F(StyleRaysTest, AWindowOfANewSizeThatIsQuickIsFineAtOnce)
   vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
   mapper->AutoAdjustSampleDistancesOff();
   this->Show(mapper.GetPointer());
-  this->Draw(AtRest, 1); // the first frame makes gradients
+  this->Draw(AtRest, 1); // the first frame also computes the gradients
   this->Renderer->GetActiveCamera()->Azimuth(10.0);
   this->Draw(AtRest, 1);
   this->Window->SetSize(140, 130);
@@ -232,7 +234,7 @@ TEST_F(StyleRaysTest, InputInterruptsAFrameAtRest)
     GTEST_SKIP() << "only the queue of X11 tells of motions";
   }
   ASSERT_EQ(this->Window->GetAbortRender(), 0);
-  // A motion of the mouse within the frame.
+  // Sends a mouse motion during the frame.
   vtkNew<vtkCallbackCommand> move;
   move->SetClientData(this->Window);
   move->SetCallback([](vtkObject*, unsigned long, void* window, void*)
@@ -241,11 +243,13 @@ TEST_F(StyleRaysTest, InputInterruptsAFrameAtRest)
   this->Draw(AtRest, 1);
   EXPECT_EQ(this->Window->GetAbortRender(), 1);
   mapper->RemoveObserver(move);
-  // A frame in motion is short, and has to be seen.
+  // A frame in motion is short, and has to be shown: input does not interrupt it.
   this->Draw(InMotion, 1);
   EXPECT_EQ(this->Window->GetAbortRender(), 0);
 }
 
+/// After a frame that delays timers by about a second, the loop of VTK 9.1 would sleep until
+/// another event: the style sends one.
 TEST_F(StyleRaysTest, TheLoopIsWokenAfterAFrameThatDelaysTimers)
 {
   constexpr int noExpose = 14;

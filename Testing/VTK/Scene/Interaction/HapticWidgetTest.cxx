@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A program with a style, observers and keys of its own gets a widget: the hand touches, and the
- * program lives on as before. The program is VTK's own: vtkInteractorStyleTrackballCamera, and
- * observers that count what reaches them.
+ * The widget in a program with its own style, observers and keys: the hand touches, and the program
+ * keeps working as before. VTK's vtkInteractorStyleTrackballCamera, and observers that count the
+ * events that reach them, stand for the program.
  */
 
 #include "StyleRig.h"
@@ -39,9 +39,10 @@ protected:
     this->Counter->SetClientData(&this->Seen);
     this->Counter->SetCallback([](vtkObject*, unsigned long event, void* seen, void*)
       { ++(*static_cast<std::map<unsigned long, int>*>(seen))[event]; });
-    // Above a style, which takes all events for itself between a press and its release.
+    // The priority is above the style's, which grabs all events between a press and its release.
     this->Interactor->AddObserver(vtkCommand::AnyEvent, this->Counter, 0.1f);
-    // Nothing is felt outside; what is inside is not to be pushed through.
+    // Values below 0, outside of the ball, have no strength; the hand can't push through the
+    // inside.
     vtkPiecewiseFunction* const strength = this->Widget->GetProperty()->GetSurfaceStrength();
     strength->AddPoint(0.0, 0.0);
     strength->AddPoint(0.1, 8.0);
@@ -53,7 +54,7 @@ protected:
     this->Interactor->RemoveObserver(this->Counter);
   }
 
-  /// Of 30 mm.
+  /// Adds a ball with a radius of 30 mm, moved by `z` along z.
   void AddBall(vtkVolume* volume, double z)
   {
     vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
@@ -78,7 +79,8 @@ protected:
     this->Interactor->SetEventInformation(x, y);
     this->Interactor->InvokeEvent(event);
   }
-  /// As toolkits send it: the key, then what was typed. How many of both the program has got.
+  /// Presses a key as toolkits send it: the key, then the typed character. Returns how many of the
+  /// two events reach the program.
   int Press(const char* symbol, char code = '\0', int shift = 0)
   {
     this->Seen.clear();
@@ -94,7 +96,7 @@ protected:
     this->Interactor->InvokeEvent(vtkCommand::KeyReleaseEvent);
     return this->Seen[vtkCommand::KeyReleaseEvent];
   }
-  /// How many of an event of the mouse the program gets.
+  /// Returns how many mouse events of this type reach the program.
   int Count(unsigned long event, int x = 150, int y = 150)
   {
     this->Seen.clear();
@@ -107,7 +109,7 @@ protected:
     this->Widget->On();
     ASSERT_TRUE(this->Widget->GetEnabled());
   }
-  /// By the key and the wheel, in the middle of the picture.
+  /// Touches the middle of the picture with the key, and presses into the ball with the wheel.
   void PushIn()
   {
     this->Pointer(150, 150);
@@ -139,7 +141,7 @@ protected:
         return this->GetForce() == 0.0;
       }));
   }
-  /// The camera's position: the program's style has turned it if it has changed.
+  /// Returns the camera's position, which changes if the program's style has turned the camera.
   std::vector<double> GetView()
   {
     const double* const at = this->Renderer->GetActiveCamera()->GetPosition();
@@ -170,7 +172,8 @@ TEST_F(HapticWidget, ThreeLinesMakeAProgramTouchable)
   this->Widget->GetProperty()->GetStiffness()->AddPoint(0.0, 500.0);
   this->Widget->On();
   this->PushIn();
-  // A ball of 30 mm: where the tip is by four wheel steps of a voxel each below the first contact.
+  // The ball has a radius of 30 mm. Four wheel steps of a voxel (1 mm) each take the tip below the
+  // first contact.
   const double* const tip = this->Widget->GetDevice()->GetState()->GetTipPosition();
   const double* const proxy = this->Widget->GetDevice()->GetState()->GetProxyPosition();
   EXPECT_NEAR(proxy[2], 30.0, 0.1) << "where it is seen";
@@ -183,7 +186,7 @@ TEST_F(HapticWidget, ThreeLinesMakeAProgramTouchable)
 
 TEST_F(HapticWidget, TheProgramGetsAllButTheActivationKeyWhileNothingIsTouched)
 {
-  // VTK's style grabs the events between a press and its release, with and without the widget.
+  // VTK's style grabs the events between a press and its release, with or without the widget.
   std::vector<int> alone;
   for (const unsigned long event : MouseEvents)
   {
@@ -213,20 +216,20 @@ TEST_F(HapticWidget, TheProgramGetsWhatTheTouchDoesNotUse)
   this->PushIn();
   for (const unsigned long event : MouseEvents)
   {
-    // The releases go to the style that has taken the presses.
+    // The program gets the presses of the right and middle button; its style grabs the releases.
     const bool isTheirs =
       event == vtkCommand::RightButtonPressEvent || event == vtkCommand::MiddleButtonPressEvent;
     EXPECT_EQ(this->Count(event), isTheirs ? 1 : 0) << vtkCommand::GetStringFromEventId(event);
   }
-  // Keys of parts that are not in this scene, and those that the hand has no use for.
+  // These keys belong to parts that this scene lacks, or have no use for the hand.
   for (const char* const key : { "3", "w", "x", "F2", "c", "k", "plus", "Home", "s", "P", "v",
          "space", "M", "Tab", "Control_L" })
   {
     EXPECT_EQ(this->Press(key), 2) << key;
     EXPECT_EQ(this->Release(key), 1) << key;
   }
-  // A held key sends presses alone (Qt), or releases and presses (X11): none of them is the
-  // program's, even after Escape has let go.
+  // A held key sends only presses (Qt), or releases and presses (X11). None of them reaches the
+  // program, even after Escape has let go.
   for (const char* const key : { "h", "g", "d", "F1", "Escape" })
   {
     for (int repeat = 0; repeat < 3; ++repeat)
@@ -255,7 +258,8 @@ TEST_F(HapticWidget, TheProgramsDragGoesOnWithItsStyle)
   const std::vector<double> panned = this->GetView();
   EXPECT_EQ(this->Count(vtkCommand::MouseMoveEvent, 175, 150), 0) << "the hand has the mouse again";
   EXPECT_EQ(this->GetView(), panned);
-  // A press that the hand has used is released for the hand, even if the touch mode has ended.
+  // The hand also gets the release of a press that it has used, even if touch mode has ended
+  // meanwhile.
   EXPECT_EQ(this->Count(vtkCommand::LeftButtonPressEvent, 175, 150), 0);
   this->Widget->TouchModeOff();
   EXPECT_EQ(this->Count(vtkCommand::LeftButtonReleaseEvent, 175, 150), 0);
@@ -292,14 +296,14 @@ TEST_F(HapticWidget, OffLeavesTheWindowAsItWas)
   EXPECT_EQ(this->GetForce(), 0.0);
   EXPECT_EQ(this->Count(vtkCommand::MouseWheelForwardEvent), 1);
   EXPECT_EQ(this->Press("Escape"), 2);
-  // By VTK's convention the activation key switches the widget on again.
+  // VTK's convention: the activation key switches the widget on again.
   this->Pointer(150, 150);
   this->Press("t", 't');
   EXPECT_TRUE(this->Widget->GetEnabled());
   EXPECT_TRUE(this->Widget->GetTouchMode());
 }
 
-// The pass of f3d's renderer keeps the props that it draws until it changes.
+// The render pass of f3d's renderer keeps its list of props until its MTime changes.
 TEST_F(HapticWidget, TellsARenderPassOfTheProgramOfTheHand)
 {
   vtkNew<vtkSequencePass> pass;
@@ -368,20 +372,20 @@ TEST_F(HapticWidget, WaitsForAVolumeAndTellsIfThereIsNone)
 
 TEST_F(HapticWidget, TakesKeysThatHaveCodesAndNoNames)
 {
-  // As wxVTKRenderWindowInteractor of VTK sends them: GetKeyCode() of wxKeyEvent, which is a
-  // capital letter for a key without Shift, and no name.
+  // wxVTKRenderWindowInteractor of VTK sends no key symbol, and as key code GetKeyCode() of
+  // wxKeyEvent: without Shift, too, a capital letter.
   this->SwitchOn();
   this->Pointer(150, 150);
   EXPECT_EQ(this->Press(nullptr, 'T'), 0);
   EXPECT_EQ(this->Release(nullptr, 'T'), 0);
   EXPECT_TRUE(this->Widget->GetTouchMode());
-  // End and F1 have codes above 255 there, which never arrive.
+  // End and F1 have codes above 255 in wx, so these keys never arrive.
   const std::string listed = this->Widget->GetStyle()->GetKeys();
   EXPECT_NE(listed.find("Escape\t"), std::string::npos);
   EXPECT_NE(listed.find("?\t"), std::string::npos);
   EXPECT_EQ(listed.find("End"), std::string::npos);
   EXPECT_EQ(listed.find("F1"), std::string::npos);
-  EXPECT_EQ(this->Press(nullptr, '/', 1), 0); // ? of a US keyboard
+  EXPECT_EQ(this->Press(nullptr, '/', 1), 0); // the key of ? on a US keyboard
   EXPECT_TRUE(this->Widget->GetHeadUpDisplay()->GetHelpVisibility());
   EXPECT_EQ(this->Press(nullptr, 'X'), 2);
   EXPECT_EQ(this->Press(nullptr, '\x1b'), 0);
@@ -390,7 +394,7 @@ TEST_F(HapticWidget, TakesKeysThatHaveCodesAndNoNames)
 
 TEST_F(HapticWidget, LetsGoByASecondKeyWhereAToolkitKeepsEscape)
 {
-  // Mayavi's scene takes Escape before VTK.
+  // Mayavi's scene handles Escape before VTK does, so End lets go.
   this->SwitchOn();
   this->PushIn();
   EXPECT_EQ(this->Press("End"), 0);
@@ -399,7 +403,7 @@ TEST_F(HapticWidget, LetsGoByASecondKeyWhereAToolkitKeepsEscape)
 
 TEST_F(HapticWidget, TakesACapitalLetterAgainWhoseShiftWasReleasedFirst)
 {
-  // Then the release has the name of the small letter.
+  // If Shift is released first, the release event has the name of the small letter.
   this->SwitchOn();
   this->PushIn();
   ASSERT_TRUE(this->Widget->GetStyle()->SetKey("Graph", "G"));
@@ -417,7 +421,7 @@ TEST_F(HapticWidget, BeginsAgainIfTheReleaseOfItsKeyWasLost)
   this->Pointer(150, 150);
   EXPECT_EQ(this->Press("t", 't'), 0);
   EXPECT_TRUE(this->Widget->GetTouchMode());
-  this->Widget->GetStyle()->FadeOut(); // the view was hidden, and got no release
+  this->Widget->GetStyle()->FadeOut(); // as if the view was hidden, so that it got no key release
   EXPECT_EQ(this->Press("t", 't'), 0);
   EXPECT_TRUE(this->Widget->GetTouchMode());
 }
@@ -441,7 +445,7 @@ TEST_F(HapticWidget, TellsThatTimersAreMissingAndGoesOnWithoutThem)
   EXPECT_TRUE(Eventually(
     [&]
     {
-      this->Window->Render(); // as the program does it
+      this->Window->Render(); // as the program draws
       const bool isArmed = IsFullyArmed(this->Widget->GetDevice());
       if (isArmed && steps < 5)
       {
@@ -451,7 +455,7 @@ TEST_F(HapticWidget, TellsThatTimersAreMissingAndGoesOnWithoutThem)
       return this->GetForce() > 0.3;
     }));
   EXPECT_EQ(told.Warnings.size(), 1U);
-  this->Widget->GetStyle()->DrawHaptics(); // the cure: from now on the program does it
+  this->Widget->GetStyle()->DrawHaptics(); // the cure: from now on the program calls DrawHaptics()
   const vtkIdType tick = this->Widget->GetDevice()->GetState()->GetTick();
   this->Window->Render();
   EXPECT_EQ(this->Widget->GetDevice()->GetState()->GetTick(), tick);
@@ -466,7 +470,7 @@ TEST_F(HapticWidget, TellsThatTimersAreMissingInAProgramThatOnlyDraws)
   ASSERT_TRUE(Eventually(
     [&]
     {
-      this->Window->Render(); // a loop of the program's own, as for a haptic device without a mouse
+      this->Window->Render(); // the program's own loop, as with a haptic device that needs no mouse
       return !told.Warnings.empty();
     }));
   EXPECT_NE(told.Warnings[0].find("Cure: call DrawHaptics()"), std::string::npos);
@@ -516,7 +520,7 @@ TEST_F(HapticWidget, HasTheSlicesBesideTheScene)
 
 TEST_F(HapticWidget, FeelsWhatTheProgramHasConnected)
 {
-  // As an isosurface of it: the window shows no volume.
+  // The program may show an isosurface of the image: the window has no volume then.
   this->Renderer->RemoveVolume(this->Volume);
   this->Widget->GetVolumeHaptics()->SetInputData(0, MakeBall());
   this->Widget->SetDefaultRenderer(this->Renderer);
@@ -527,7 +531,7 @@ TEST_F(HapticWidget, FeelsWhatTheProgramHasConnected)
   this->Press("Escape");
   this->ExpectLetGo();
   EXPECT_TRUE(this->Log.Errors.empty());
-  // What the widget has chosen itself is chosen anew.
+  // A volume that the widget has chosen itself is chosen anew.
   this->Renderer->AddVolume(this->Volume);
   vtkNew<vtkVolumeHapticsFilter> other;
   other->GetProperty()->DeepCopy(this->Widget->GetProperty());

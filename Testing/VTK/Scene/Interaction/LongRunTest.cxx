@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Half a minute of touching, with the servo at 1 kHz and frames as fast as they come: no state is
+ * A touch of half a minute, with the servo at 1 kHz and frames as fast as possible: no state is
  * missed, and memory does not grow.
  */
 
@@ -22,7 +22,7 @@ using namespace scenetest;
 
 namespace
 {
-/// Of this process, MiB.
+/// Returns the resident memory of this process, MiB.
 double ResidentMemory()
 {
   double total = 0.0;
@@ -33,7 +33,8 @@ double ResidentMemory()
 class LongRunTest : public StyleTest
 {
 protected:
-  /// The time that the display, its text and its plot add to a frame with new states, in turns.
+  /// Prints the time that the display, its text and its plot add to a frame with new states. Frames
+  /// alternate between the four cases.
   void PrintCost(vtkHapticHeadUpDisplay* display)
   {
     double cost[4] = {};
@@ -104,7 +105,7 @@ TEST_F(LongRunTest, HalfAMinuteMissesNoState)
     this->Window->Render();
     if (begun == 0.0 && Clock::now() - start > std::chrono::seconds(10))
     {
-      begun = ResidentMemory(); // by now the plot is full
+      begun = ResidentMemory(); // the plot has been full for some seconds
     }
   }
   EXPECT_EQ(missing, 0);

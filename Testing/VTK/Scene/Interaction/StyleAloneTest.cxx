@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The style, the representation and the displays while a device, a filter, an interactor, a window
- * or a renderer is missing. Nothing crashes, and without an interactor nothing is armed.
+ * The style, the representation and the displays without a device, a filter, an interactor, a
+ * window or a renderer. Nothing crashes, and without an interactor nothing is armed.
  */
 
 #include "StyleRig.h"
@@ -20,7 +20,7 @@ using namespace scenetest;
 
 namespace
 {
-/// A style and its parts, and a part of what they work with.
+/// A style with its device, filter, window and props; tests connect only some of them.
 struct Parts
 {
   vtkNew<vtkHapticDevice> Device;
@@ -68,7 +68,7 @@ void CallDisplays(Parts& parts)
   parts.Hand->GetBounds();
   parts.Hand->ReleaseGraphicsResources(nullptr);
   parts.Renderer->ComputeVisiblePropBounds(bounds);
-  vtkNew<vtkRenderer> elsewhere; // in no window
+  vtkNew<vtkRenderer> elsewhere; // belongs to no window
   for (vtkRenderer* renderer : { elsewhere.GetPointer(), static_cast<vtkRenderer*>(nullptr) })
   {
     parts.Display->RenderOverlay(renderer);
@@ -132,7 +132,7 @@ TEST(StyleAlone, DragsInARendererWithoutAWindow)
   interactor->SetInteractorStyle(style);
   interactor->Initialize();
   style->SetDefaultRenderer(elsewhere);
-  for (const int shift : { 0, 1 }) // 1: the environment is turned by the right button
+  for (const int shift : { 0, 1 }) // with Shift (1), the right button turns the environment
   {
     interactor->SetEventInformation(20, 20, 0, shift);
     style->OnLeftButtonDown();
@@ -142,7 +142,8 @@ TEST(StyleAlone, DragsInARendererWithoutAWindow)
     style->OnRightButtonUp();
     style->OnLeftButtonUp();
   }
-  // Nor without an interactor's window, and with an editor that goes while it has the mouse.
+  // Drags are also safe without an interactor's window, and when the editor is removed during a
+  // drag.
   vtkNew<vtkGenericRenderWindowInteractor> bare;
   vtkNew<vtkInteractorStyleHaptic> other;
   bare->SetInteractorStyle(other);

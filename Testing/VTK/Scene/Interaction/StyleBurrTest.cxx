@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The scene shows what a burr has removed, takes back what is undone, and leaves the image alone.
+ * The scene shows the tissue that a burr has removed, restores it on undo, and leaves the image
+ * unchanged.
  */
 
 #include "StyleRig.h"
@@ -97,7 +98,7 @@ protected:
     window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
     return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
   }
-  /// What is drawn of an image from which a loop has removed the tissue, by the fractions.
+  /// Draws an image from which this loop has removed tissue by the filter's fractions.
   Levels DrawReference(vtkVolumeMapper* mapper)
   {
     vtkNew<vtkImageData> fractions;
@@ -126,7 +127,6 @@ protected:
     window->Render();
     return Read(window);
   }
-  /// Drills into the ball.
   void Drill()
   {
     this->PushIn();
@@ -143,7 +143,8 @@ protected:
     this->Press("Escape");
     this->Run(20);
   }
-  /// The style draws by itself until the picture is that.
+  /// Lets the style draw until the picture equals the wanted one within 2 grey levels; false if it
+  /// never does.
   bool Becomes(const Levels& wanted)
   {
     return Eventually(
@@ -162,9 +163,10 @@ protected:
     const Levels drilled = this->DrawReference(reference);
     EXPECT_GT(MostDifference(drilled, whole), 20);
     EXPECT_TRUE(this->Becomes(drilled));
-    // It feels the image that the application has set, not a picture of what is left.
+    // The filter feels the image that the application has set, not the carved copy.
     EXPECT_EQ(this->Filter->GetTouchedImage(), this->Ball);
-    // What is undone comes back, also without a servo.
+    // Undo restores the tissue in the picture while the servo runs. After Stop(), redo removes it
+    // again without a servo.
     vtkHapticRemoval* const removal = this->Filter->GetRemoval();
     const int strokes = removal->GetNumberOfUndos();
     EXPECT_GT(strokes, 0);
@@ -211,15 +213,14 @@ TEST_F(StyleBurr, ShowsItWithAMapperThatHasNoTexture)
     vtkNew<vtkFixedPointVolumeRayCastMapper>(), vtkNew<vtkFixedPointVolumeRayCastMapper>());
 }
 
-/// From the tick that removes tissue to the end of the frame that shows it, at most 100 ms pass in
-/// the servo's time. A stroke is timed from the last look at the device when nothing was removed
-/// yet, so that the time is too long rather than too short; since the machine may be busy, one of
-/// several strokes has to keep it, or to show it in the second frame from that look on, if frames
-/// alone take so long. Nothing but bricks is uploaded: the mapper keeps its image,
-/// which does not change.
+/// The scene shows removed tissue within 100 ms of servo time: from the tick that removes it to the
+/// end of the frame that shows it. The time is counted from the last look before the removal, so it
+/// is rather too long. Since the machine may be busy, only one of up to 20 strokes has to keep the
+/// limit, or to show the tissue in the second frame after that look if frames alone take longer.
+/// Only bricks are uploaded: the mapper keeps its image, which does not change.
 TEST_F(StyleBurr, TheSceneFollowsWithin100Milliseconds)
 {
-  // So small that a software renderer draws it in a few milliseconds.
+  // A software renderer draws a window of this size in a few milliseconds.
   this->Window->SetSize(64, 64);
   const vtkNew<vtkOpenGLGPUVolumeRayCastMapper> mapper;
   this->Show(mapper);
@@ -250,7 +251,7 @@ TEST_F(StyleBurr, TheSceneFollowsWithin100Milliseconds)
     for (int look = 0; look < 4000 && !isSeen; ++look)
     {
       this->Style->UpdateHaptics();
-      // The time is read before: what was removed later is not yet in the volume.
+      // The time is read first, so nothing was removed until then if the volume is unchanged.
       const double now = this->Device->GetState()->GetTime();
       if (removal->GetRemovedVolume() == volume)
       {

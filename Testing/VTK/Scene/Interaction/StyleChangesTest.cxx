@@ -21,7 +21,7 @@ using namespace scenetest;
 
 namespace
 {
-/// A device that holds still, and jumps by 6 along x after some ticks.
+/// Writes a path whose tip holds still for `still` ticks, and then jumps by 6 mm along x.
 std::string WritePath(const std::string& file, int still)
 {
   vtkNew<vtkPoints> points;
@@ -64,7 +64,8 @@ TEST_F(StyleTest, WhatIsHiddenStopsBeingFeltWithTheNextUpdate)
 
 TEST_F(StyleTest, MaterialsOfLabelsAreEditedWhileTheyAreFelt)
 {
-  // The ball is 5, with a margin for the voxel that its surface is in; what is around it is 0.
+  // The ball has label 5, including a margin for the voxels at its surface; everything else has
+  // label 0.
   vtkNew<vtkImageData> labels;
   labels->SetDimensions(97, 97, 97);
   labels->SetOrigin(-48.0, -48.0, -48.0);
@@ -80,7 +81,7 @@ TEST_F(StyleTest, MaterialsOfLabelsAreEditedWhileTheyAreFelt)
   vtkNew<vtkHapticFunctionEditor> editor;
   editor->SetLabelTable(table);
   editor->SetLabelData(labels);
-  editor->SetRectangle(0, 0, 100, 280); // beside the place that is touched
+  editor->SetRectangle(0, 0, 100, 280); // beside the touched place
   editor->VisibilityOff();
   this->Style->SetFunctionEditor(editor);
   ASSERT_NO_FATAL_FAILURE(this->PushIn());
@@ -100,8 +101,8 @@ TEST_F(StyleTest, MaterialsOfLabelsAreEditedWhileTheyAreFelt)
   this->Pointer(x, y, vtkCommand::LeftButtonReleaseEvent);
   const double clicked = table->GetSurfaceStrength(5);
   EXPECT_NEAR(clicked, 0.5, 0.2);
-  // A surface that is pressed harder than its strength gives way until the force is that, within
-  // the 0.1 % of solver PRECISE.
+  // A surface that is pressed beyond its strength gives way until the force equals the strength,
+  // within the 0.1 % of the solver PRECISE.
   this->Run(20);
   EXPECT_NEAR(this->Device->GetState()->GetNormalForce(), clicked, 1e-3 * clicked)
     << "the hand feels it at once";
@@ -121,7 +122,7 @@ TEST_F(StyleTest, TheWorkspaceFollowsTheCamera)
   ASSERT_TRUE(this->Device->Start());
   this->Run(5);
   ExpectAt(this->Device->GetState()->GetTipPosition(), 10, 4, 2); // right, up and towards the user
-  this->Renderer->GetActiveCamera()->Azimuth(90.0);               // now looking along -x
+  this->Renderer->GetActiveCamera()->Azimuth(90.0);               // the camera now looks along -x
   this->Style->UpdateHaptics();
   this->Run(5);
   ExpectAt(this->Device->GetState()->GetTipPosition(), 2, 4, -10);

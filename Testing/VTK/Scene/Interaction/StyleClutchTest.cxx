@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An order to disarm while the clutch is held has the last word: releasing the clutch does not
- * bring force back.
+ * An order to disarm while the clutch is held wins: releasing the clutch does not restore the
+ * force.
  */
 
 #include "Rigs/PlayedHardware.h"
@@ -27,8 +27,8 @@ protected:
     ASSERT_TRUE(this->IsArmed());
     this->Press("k");
     ASSERT_TRUE(this->Style->GetClutch());
-    // The style has not seen yet that it is disarmed: this must not count as another caller's
-    // order.
+    // At this update the style does not know yet that the clutch has disarmed the device. It must
+    // not take that for another caller's order.
     this->Style->UpdateHaptics();
     this->Run(5);
     ASSERT_FALSE(this->IsArmed());

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The key that compares two settings while the ball is being touched. The ball is hard: forces are
- * those of a spring, stiffness times the distance of proxy and tip.
+ * The key that compares two settings while the hand touches the ball. The ball is hard, so the
+ * force is the stiffness times the distance from tip to proxy.
  */
 
 #include "StyleRig.h"
@@ -24,7 +24,7 @@ protected:
     this->Display->SetDevice(this->Device);
     this->Style->SetHeadUpDisplay(this->Display);
   }
-  /// The tip is 2 mm or so deep in the ball, and feels it.
+  /// Presses the tip about 2 mm into the ball, and expects a force.
   void Touch()
   {
     ASSERT_NO_FATAL_FAILURE(this->PushIn());
@@ -36,7 +36,7 @@ protected:
     this->Device->UpdateState();
     this->Run(ticks);
   }
-  /// Out of the ball and back to the same place.
+  /// Moves the tip 8 mm out of the ball, and back to the same place.
   void LiftAndPress()
   {
     constexpr int steps = 8; // mm
@@ -149,7 +149,8 @@ TEST_F(StyleCompare, TheForceGoesOverWithoutAJolt)
   {
     double now[3];
     vtkDataArray::SafeDownCast(states->GetColumnByName("Command"))->GetTuple(i, now);
-    // Only growth along its own direction is limited: what falls or turns does so at once.
+    // The slew limit holds for growth along the force's own direction; a force falls or turns at
+    // once.
     const double norm = Length(now);
     if (!last.empty() && norm > 0.0)
     {
@@ -178,8 +179,8 @@ TEST_F(StyleCompare, SettingsThatCantBeFeltStayAway)
   this->Touch();
   this->Press("C");
   this->Filter->SetMethodToSurfaceProxy();
-  this->Filter->SetIsoValue(1e9); // there is no such surface
-  this->Style->UpdateHaptics();   // the servo goes on with the model of before
+  this->Filter->SetIsoValue(1e9); // no sample has this value, so there is no surface
+  this->Style->UpdateHaptics();   // the servo keeps the previous model
   this->Press("C");
   EXPECT_EQ(this->Style->GetComparedSettings(), "A");
   EXPECT_EQ(this->Filter->GetMethod(), vtkVolumeHapticsFilter::PROXY);
@@ -211,6 +212,6 @@ TEST_F(StyleCompare, AnotherFilterOrDeviceBeginsAnew)
   EXPECT_FALSE(this->Style->SwapSettings());
   ASSERT_EQ(this->Log.Errors.size(), 1U);
   EXPECT_NE(this->Log.Errors[0].find("SetVolumeHaptics()"), std::string::npos);
-  this->Press("C"); // nothing
+  this->Press("C"); // has no effect
   EXPECT_EQ(this->Log.Errors.size(), 1U);
 }

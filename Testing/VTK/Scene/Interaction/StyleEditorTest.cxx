@@ -31,7 +31,7 @@ protected:
     this->Style->SetFunctionEditor(this->Editor);
     this->Window->Render();
   }
-  /// A click on the slider of a tissue's stiffness, at a value.
+  /// Clicks on the slider of a tissue's stiffness, at the given value.
   void Slide(double stiffness)
   {
     double at[2];
@@ -113,7 +113,7 @@ TEST_F(StyleEditor, AKeyPutsItBesideTheScene)
   EXPECT_TRUE(this->Editor->Contains(150, 20));
   EXPECT_FALSE(this->Editor->Contains(150, 200)) << "in its rectangle over the scene";
 
-  // The border is dragged by the mouse, and the camera stays.
+  // The mouse drags the border of the editor, and the camera stays.
   double before[3];
   this->Renderer->GetActiveCamera()->GetPosition(before);
   this->Pointer(150, 105);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A window closes while the hand pushes: the force is gone when the loop has ended, before anything
- * is deleted. Every test runs its loop to the end, as VTK 9.1's X11 interactors otherwise leave a
- * dangling pointer in the list that every loop goes through.
+ * A window closes while the hand presses: the force is 0 when the loop has ended, before anything
+ * is deleted. Every test runs its loop to the end, since VTK 9.1's X11 interactors otherwise leave
+ * a dangling pointer in the list that every loop walks.
  */
 
 #include "StyleRig.h"
@@ -24,7 +24,7 @@ class StyleEnds : public StyleTest
 protected:
   StyleEnds() { this->Window->SetOffScreenRendering(0); }
 
-  /// Runs the loop, pushes into the ball until it pushes back, and then does something, once.
+  /// Runs the loop and presses into the ball until it pushes back; then calls `act` once.
   void PushUntilHeld(std::function<void()> act)
   {
     this->Window->Render();
@@ -42,7 +42,7 @@ protected:
     EXPECT_FALSE(this->Act) << "the loop ended before anything was felt";
   }
   /// Moves in and out: after a pause of a busy machine, the servo starts again from the tip, and
-  /// only a new contact is felt.
+  /// then feels only a new contact.
   void Watch()
   {
     const bool goesIn = this->Updates++ % 20 < 10;
@@ -65,7 +65,7 @@ protected:
     EXPECT_NE(this->Device->GetStatus(), vtkHapticDevice::FAULT) << this->Device->GetStatusText();
     EXPECT_TRUE(this->Device->IsRunning());
   }
-  /// Of a view that nobody sees; then ends the loop.
+  /// Expects that the force of a hidden view fades to 0, then ends the loop.
   void ExpectFadeOut()
   {
     this->Style->RemoveObservers(vtkInteractorStyleHaptic::StatesEvent);
@@ -113,7 +113,7 @@ TEST_F(StyleEnds, WithALoopThatAKeyOfTheApplicationEnds)
     [](vtkObject* interactor, unsigned long, void*, void*)
     {
       static_cast<vtkRenderWindowInteractor*>(interactor)->SetDone(true);
-    }); // as TerminateApp() since VTK 9.2
+    }); // like TerminateApp() since VTK 9.2
   this->Interactor->AddObserver(vtkCommand::KeyPressEvent, end, -1.0f);
   this->PushUntilHeld(
     [this]
@@ -130,10 +130,12 @@ TEST_F(StyleEnds, WithTheWindow)
     [this]
     {
       this->Window->Finalize();
-      this->Window->SetOffScreenRendering(1); // should a late frame open it again
+      // A late frame would open a window on the screen again.
+      this->Window->SetOffScreenRendering(1);
       this->Style->RemoveObservers(vtkInteractorStyleHaptic::StatesEvent);
       this->ExpectNoForce();
-      this->Interactor->SetDone(true); // VTK 9.1's TerminateApp() would write to the window
+      // Instead of TerminateApp(), which writes to the closed window in VTK 9.1.
+      this->Interactor->SetDone(true);
     });
   this->ExpectNoForce();
 }
@@ -143,14 +145,14 @@ TEST_F(StyleEnds, WithAWindowThatIsHidden)
   this->PushUntilHeld(
     [this]
     {
-      this->Window->SetShowWindow(false); // as if it were minimised, which needs a window manager
+      this->Window->SetShowWindow(false); // like minimising it, which would need a window manager
       this->ExpectFadeOut();
     });
 }
 
 TEST_F(StyleEnds, WithAWindowAroundItThatIsHidden)
 {
-  // A view of Tk or wx, which lies in a window of its own.
+  // Views of Tk and wx lie in a parent window, which is hidden here.
   vtkNew<vtkRenderWindow> outer;
   outer->SetSize(320, 320);
   outer->Render();
@@ -180,7 +182,7 @@ TEST_F(StyleEnds, WithTheRenderer)
 
 TEST_F(StyleEnds, WithARendererThatIsDeleted)
 {
-  // Nobody but the window holds the one that is touched.
+  // Only the window holds a reference to the touched renderer.
   vtkSmartPointer<vtkRenderer> other = vtkSmartPointer<vtkRenderer>::New();
   other->SetActiveCamera(this->Renderer->GetActiveCamera());
   this->Style->SetDefaultRenderer(nullptr);
@@ -219,7 +221,7 @@ TEST_F(StyleEnds, WithTheInteractorsDisabling)
 
 TEST_F(StyleEnds, BeforeTheApplicationHearsOfAnExit)
 {
-  // An application that asks whether to quit: the loop goes on, without force.
+  // The application asks whether to quit: the loop goes on, without force.
   struct Question
   {
     vtkHapticDevice* Device;
@@ -275,7 +277,7 @@ TEST_F(StyleEnds, AndBeginsAnewInTheNextLoop)
 
 TEST_F(StyleEnds, WhereItIsDeletedByWhatHearsOfIt)
 {
-  // An application that removes and deletes the style as soon as it disarms.
+  // The application removes and deletes the style as soon as the device disarms.
   vtkNew<vtkRenderWindow> window;
   vtkNew<vtkRenderer> renderer;
   window->AddRenderer(renderer);
@@ -309,7 +311,8 @@ TEST_F(StyleEnds, WhereItIsDeletedByWhatHearsOfIt)
 
 TEST_F(StyleEnds, WithTheConnectionToTheServer)
 {
-  // A program that opens one window after the other, each rendered before it has an interactor.
+  // A program that opens windows one after the other, and renders each before it has an interactor,
+  // does not leak connections to the X server.
   const auto countOpenFiles = []
   {
     using Files = std::filesystem::directory_iterator;

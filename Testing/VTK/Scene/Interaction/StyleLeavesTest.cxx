@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A style that leaves its interactor: no force without a user who leads the tip, and nothing left
- * behind.
+ * A style that leaves its interactor leaves no force, since no user leads the tip, and no
+ * observers.
  */
 
 #include "StyleRig.h"
@@ -48,7 +48,7 @@ TEST_F(StyleLeaves, TellsOfNoForceAtOnce)
   EXPECT_NE(display->GetText().find(" N"), std::string::npos) << display->GetText();
   vtkNew<vtkInteractorStyleTrackballCamera> other;
   this->Interactor->SetInteractorStyle(other);
-  // Nobody updates the device any more.
+  // The style that was removed no longer updates the device, so it has disarmed it.
   EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
   EXPECT_LT(this->Device->GetStatus(), vtkHapticDevice::ARMED);
   EXPECT_EQ(display->GetText().find(" N"), std::string::npos) << display->GetText();
@@ -56,7 +56,7 @@ TEST_F(StyleLeaves, TellsOfNoForceAtOnce)
 
 TEST_F(StyleLeaves, LeavesNoObserverWithoutTimers)
 {
-  vtkNew<vtkGenericRenderWindowInteractor> generic; // whose timers are the application's
+  vtkNew<vtkGenericRenderWindowInteractor> generic; // its timers belong to the application
   generic->SetRenderWindow(this->Window);
   {
     vtkNew<vtkInteractorStyleHaptic> style;

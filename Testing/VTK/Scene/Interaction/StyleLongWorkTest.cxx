@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * If the style or the editor keeps the program busy, the force is off meanwhile, and the head-up
- * display announces that.
+ * While the style or the editor keeps the program busy, the force is off, and the head-up display
+ * announces that.
  */
 
 #include "StyleRig.h"
@@ -46,7 +46,7 @@ protected:
     this->Device->SetAttentionTime(2.0);
     this->Interactor->Initialize();
 
-    // Keeps the text and the force of every frame.
+    // Records the text and the force of every frame.
     vtkNew<vtkCallbackCommand> look;
     look->SetClientData(this);
     look->SetCallback(
@@ -57,16 +57,16 @@ protected:
       });
     this->Renderer->AddObserver(vtkCommand::StartEvent, look);
   }
-  /// The tip is 2 mm or so deep in the ball, and feels it.
+  /// Presses the tip about 2 mm into the ball, and expects a force.
   void Touch()
   {
     ASSERT_NO_FATAL_FAILURE(this->PushIn());
-    // After a pause of a busy machine the servo starts again from the tip, and only a new contact
-    // is felt: see StyleEnds.
+    // After a pause of a busy machine, the servo starts again from the tip, and then feels only a
+    // new contact: see StyleEnds.
     constexpr int most = 400;
     for (int i = 1; i < most && Length(this->Device->GetState()->GetForce()) <= 0.5; ++i)
     {
-      this->Run(100); // force rises within some of these
+      this->Run(100); // long enough for the force to rise
       for (int step = 0; step < 8 && i % 8 == 0; ++step)
       {
         this->Pointer(150, 150,
@@ -90,7 +90,7 @@ protected:
     image->GetPointData()->SetScalars(samples);
     this->Editor->SetInputData(image);
   }
-  /// 0 outside of a ball, 100 inside, and a blur of 2.5 voxels between.
+  /// Gives the editor an image of a ball: 0 outside, 100 inside, and a blur of 2.5 voxels between.
   void GiveEditorAnEdge()
   {
     constexpr int n = 64;
@@ -102,7 +102,8 @@ protected:
         return 50.0 * std::erfc((r - 18.0) / (2.5 * std::sqrt(2.0)));
       }));
   }
-  /// Beside the ball, every voxel has pieces of the isosurface at -4000.
+  /// Fills the voxels beside the ball with noise, so that each holds a piece of the isosurface at
+  /// -4000.
   void GiveMethodMuch()
   {
     std::mt19937 random(1);
@@ -124,7 +125,8 @@ protected:
     return std::any_of(this->Shown.begin(), this->Shown.end(),
       [&](const std::string& text) { return text.find(words) != std::string::npos; });
   }
-  /// The GUI's timer, until the editor has ended its search for functions.
+  /// Runs the style's updates until the editor has ended its search for functions; false if it
+  /// never does.
   bool EndsProposing()
   {
     return Eventually(
@@ -135,7 +137,7 @@ protected:
         return !this->Editor->IsProposing();
       });
   }
-  /// The force was off, without a fault, and may flow again.
+  /// Expects that the force was off without a fault, and that the device is active again.
   void ExpectPause()
   {
     this->Run(20);
@@ -168,7 +170,7 @@ TEST_F(StyleLongWork, IsNotTheHistogramOfALargeVolume)
   ASSERT_NO_FATAL_FAILURE(this->Touch());
   this->Press("v");
   EXPECT_EQ(this->Editor->EstimateUpdateTime(), 0.0);
-  // The style draws until all is counted, and no longer for that.
+  // The style draws until all samples are counted, and then stops.
   int timer = 0;
   while (this->Interactor->GetTimerDuration(timer) == 0)
   {
@@ -291,7 +293,7 @@ TEST_F(StyleLongWork, TellsThatThereIsNothingToPropose)
   EXPECT_NE(log.Errors[0].find("7 everywhere"), std::string::npos);
   EXPECT_FALSE(this->Editor->HasProposal());
   EXPECT_STREQ(this->Display->GetNotice(), "No functions can be proposed for this volume");
-  // What can't be looked at is told at once.
+  // An image without scalars is refused at once.
   vtkNew<vtkImageData> empty;
   this->Editor->SetInputData(empty);
   EXPECT_FALSE(this->Editor->BeginProposal());
@@ -428,7 +430,7 @@ TEST_F(StyleLongWork, OfAnEditorEndsWithIt)
   this->GiveEditorAnEdge();
   ASSERT_NO_FATAL_FAILURE(this->Touch());
   this->Device->SetAttentionTime(0.0); // the work is no longer announced once the editor is gone
-  // An observer that hears of it after the style takes the editor away while it is about to work.
+  // This observer runs after the style's, and takes the editor away just before the work begins.
   vtkNew<vtkCallbackCommand> take;
   take->SetClientData(this->Style);
   take->SetCallback([](vtkObject*, unsigned long, void* style, void*)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Keys measure where the hand touches a ball: distances and angles against the geometry of a
- * sphere, a path against the states that the servo gave, an area against that of a cap.
+ * Measuring by keys where the hand touches a ball. Distances and angles are compared with the
+ * geometry of a sphere, paths with the states of the servo, areas with that of a cap.
  */
 
 #include "StyleRig.h"
@@ -34,7 +34,7 @@ protected:
     this->Run(100);
     ASSERT_NE(this->Device->GetState()->GetContact(), 0);
   }
-  /// The mouse goes along x, a pixel of 0.2 mm at a time.
+  /// Moves the mouse along x, by one pixel (0.2 mm) at a time.
   void Slide(int from, int to)
   {
     for (int x = from; x != to; x += from < to ? 1 : -1)
@@ -85,13 +85,14 @@ TEST_F(StyleMeasure, ADistanceIsAChordAndAnAngleThatOfItsPoints)
   this->Press("D");
   ASSERT_EQ(this->List->GetNumberOfMeasurements(), 1);
   EXPECT_EQ(this->List->GetUnfinishedText(), "");
-  // Without friction the proxy is where the ball is nearest to the tip: 8 mm to the side.
+  // Without friction, the proxy is the point of the ball nearest to the tip, which has moved 8 mm
+  // aside.
   const double* const tip = this->Device->GetState()->GetTipPosition();
   const double turn = std::atan2(tip[0], tip[2]) - first;
   EXPECT_GT(turn, 0.2);
   EXPECT_NEAR(this->List->GetValue(0), 2.0 * radius * std::sin(0.5 * turn), 0.05) << "voxels: 1 mm";
 
-  // On a circle, the angle at a point is half of that at the centre: Euclid III.20.
+  // Euclid III.20: the angle at a point of a circle is half the angle at the centre.
   this->Press("A");
   this->Slide(190, 150);
   this->Press("A");
@@ -100,7 +101,7 @@ TEST_F(StyleMeasure, ADistanceIsAChordAndAnAngleThatOfItsPoints)
   this->Press("A");
   ASSERT_EQ(this->List->GetNumberOfMeasurements(), 2);
   const double last = std::atan2(this->Proxy()[0], this->Proxy()[2]);
-  const double centre = (first + turn) - last; // over the arc that the corner is on
+  const double centre = (first + turn) - last; // spans the arc that holds the corner
   EXPECT_LT(last, corner);
   EXPECT_NEAR(this->List->GetValue(1), 180.0 - 0.5 * centre * 180.0 / Pi, 0.5);
 }
@@ -156,7 +157,7 @@ TEST_F(StyleMeasure, APathHasTheStatesOfTheServo)
   this->List->SetPathSpacing(0.5);
   this->Press("L");
   this->Slide(180, 150);
-  this->Press("Escape"); // ends it, too
+  this->Press("Escape"); // ends the path, like a second L
   ASSERT_EQ(this->List->GetNumberOfMeasurements(), 2);
   this->List->GetShape(1, shape);
   EXPECT_GT(shape->GetNumberOfPoints(), 5);
@@ -180,11 +181,13 @@ TEST_F(StyleMeasure, AnAreaIsTheCapUnderTheBrush)
   this->Press("B");
   ASSERT_EQ(this->List->GetNumberOfMeasurements(), 1);
   EXPECT_EQ(this->List->GetKind(0), vtkHapticMeasurements::AREA);
-  // Within a chord r of a point of a sphere there is pi r^2, whatever the sphere: see PaintedArea.
+  // A chord r from a point of a sphere bounds a cap with the area pi r^2, for any radius of the
+  // sphere: see PaintedArea.
   EXPECT_NEAR(this->List->GetValue(0) / (Pi * brush * brush), 1.0, 0.25 / (brush * brush) + 0.01);
 
-  // A stroke along a great circle: a zone of the sphere as wide as the brush, with half a dab at
-  // each end. Of a sphere R: 2 R sin(half) L with the half angle of the brush, and the two halves.
+  // A stroke along a great circle of a sphere with radius R paints a zone with the area 2 R
+  // sin(half) L, where L is its length and `half` the half angle of the brush, and half a cap at
+  // each end.
   this->Press("B");
   this->Run(10);
   const double first = std::atan2(this->Proxy()[0], this->Proxy()[2]);
@@ -194,7 +197,7 @@ TEST_F(StyleMeasure, AnAreaIsTheCapUnderTheBrush)
   ASSERT_EQ(this->List->GetNumberOfMeasurements(), 2);
   vtkNew<vtkPolyData> shape;
   this->List->GetShape(1, shape);
-  const double radius = Length(shape->GetPoint(0)); // of the isosurface that was touched
+  const double radius = Length(shape->GetPoint(0)); // radius of the isosurface that was touched
   EXPECT_NEAR(radius, 30.0, 3.0);
   const double half = 2.0 * std::asin(0.5 * brush / radius);
   const double zone = 2.0 * radius * radius * std::sin(half) * (last - first);

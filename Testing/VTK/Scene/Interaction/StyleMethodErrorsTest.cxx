@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A next method that can't be felt: the one before it goes on.
+ * If the next method can't be felt, the current method stays.
  */
 
 #include "StyleRig.h"
@@ -17,7 +17,8 @@ namespace
 class StyleMethodErrors : public StyleTest
 {
 protected:
-  /// With a force field, and no surface for what comes after it.
+  /// Begins with a force field. The next method, the surface proxy, has no surface at this
+  /// isovalue.
   void Begin()
   {
     this->Display->SetDevice(this->Device);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The key that goes on to the next method, while the ball is being touched.
+ * The key that selects the next method while the hand touches the ball.
  */
 
 #include "StyleRig.h"
@@ -22,24 +22,24 @@ class StyleMethod : public StyleTest
 protected:
   StyleMethod()
   {
-    this->Filter->SetForceFieldGain(0.01); // 1 N at the ball's 100 a millimetre
+    this->Filter->SetForceFieldGain(0.01); // the ball's gradient of 100 per millimetre gives 1 N
     this->Display->SetDevice(this->Device);
     this->Style->SetHeadUpDisplay(this->Display);
   }
-  /// The tip is 2 mm or so deep in the ball, and feels it.
+  /// Presses the tip about 2 mm into the ball, and expects a force.
   void Touch()
   {
     ASSERT_NO_FATAL_FAILURE(this->PushIn());
     this->Run(30);
     ASSERT_GT(Length(this->Device->GetState()->GetForce()), 0.5);
   }
-  /// Until what was published is felt.
+  /// Waits until the servo uses what was published.
   void Settle()
   {
     this->Device->UpdateState();
     this->Run(10);
   }
-  /// The force that the servo computes by now.
+  /// Expects this force from the servo's newest state.
   void ExpectForce(double x, double y, double z)
   {
     const double* const force = this->Device->GetState()->GetComputedForce();
@@ -70,7 +70,7 @@ TEST_F(StyleMethod, GoesThroughAllMethodsAndBack)
   }
   EXPECT_EQ(this->Filter->GetMethod(), vtkVolumeHapticsFilter::PROXY);
   EXPECT_EQ(this->Filter->GetSolver(), vtkVolumeHapticsFilter::PRECISE);
-  shown.resize(4); // whatever comes after these
+  shown.resize(4); // ignores the methods after these four
   EXPECT_EQ(shown,
     (std::vector<std::string>{ "Proxy, PRECISE", "Proxy, PAPER", "Force field", "Surface proxy" }));
   EXPECT_TRUE(this->Log.Errors.empty());
@@ -103,7 +103,8 @@ TEST_F(StyleMethod, TheForceGoesOverWithoutAJolt)
   {
     double now[3];
     vtkDataArray::SafeDownCast(states->GetColumnByName("Command"))->GetTuple(i, now);
-    // Only growth along its own direction is limited: what falls or turns does so at once.
+    // The slew limit holds for growth along the force's own direction; a force falls or turns at
+    // once.
     const double norm = Length(now);
     if (!last.empty() && norm > 0.0)
     {
@@ -113,7 +114,7 @@ TEST_F(StyleMethod, TheForceGoesOverWithoutAJolt)
     fall = std::max(fall, last.empty() ? 0.0 : Length(last.data()) - norm);
     last.assign(now, now + 3);
   };
-  this->Filter->SetForceFieldGain(0.08); // against 1 N or so of the others
+  this->Filter->SetForceFieldGain(0.08); // 8 N, while the other methods give about 1 N
   for (vtkIdType i = vtkVolumeHapticsFilter::GetMethodNames()->GetNumberOfValues(); i > 0; --i)
   {
     EXPECT_TRUE(this->Style->NextMethod());
@@ -140,7 +141,7 @@ TEST_F(StyleMethod, AKeyFeelsOneModeAfterAnotherAndThenAll)
   this->Filter->AddMode(surfaces);
   vtkNew<vtkHapticMode> ridge;
   ridge->SetKindToRidge();
-  ridge->GetStrength()->AddPoint(0.0, 0.0); // nothing, so that the force is that of the surface
+  ridge->GetStrength()->AddPoint(0.0, 0.0); // no force, so that the surface alone gives the force
   this->Filter->AddMode(ridge);
   this->Touch();
   this->Press("M");
@@ -165,15 +166,15 @@ TEST_F(StyleMethod, AKeyFeelsOneModeAfterAnotherAndThenAll)
     this->Press("M");
     EXPECT_EQ(shown(), wanted);
     this->Settle();
-    // The tip is inside: what comes back is felt when the hand moves.
+    // The tip is inside, so a surface that becomes active again is felt only once the hand moves.
     EXPECT_EQ(Length(this->Device->GetState()->GetModeForce(0)) > 0.5, wanted[1] == '-') << wanted;
   }
-  // A mode that can't be felt is left off again.
+  // Switching to modes that can't be felt fails, and leaves the modes as they were.
   vtkNew<vtkHapticMode> follow;
   follow->ActiveOff();
   this->Filter->AddMode(follow);
   this->Style->UpdateHaptics();
-  this->Press("M"); // two of three: the first one alone
+  this->Press("M"); // the key selects the second of three modes alone, then the first
   this->Press("M");
   EXPECT_EQ(shown(), "-+-");
   EXPECT_STREQ(this->Display->GetNotice(), "");
@@ -182,7 +183,8 @@ TEST_F(StyleMethod, AKeyFeelsOneModeAfterAnotherAndThenAll)
   EXPECT_NE(std::string(this->Display->GetNotice()).find("can't be felt"), std::string::npos);
   EXPECT_EQ(this->FilterLog.Errors.size(), 1U);
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
-  // Three surfaces together are more than the eight primitives of a tick: the first one follows.
+  // Three surfaces at once exceed the eight primitives of a tick, so the key goes on to the first
+  // one alone.
   this->Filter->RemoveAllModes();
   for (int i = 0; i < 3; ++i)
   {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Observers of long work, as an application adds to show progress, close the window, disarm, or
- * take the device or the interactor away from the style that works: nothing crashes, and nothing is
- * armed that no window watches.
+ * During long work, observers of the application close the window, disarm, or take the device or
+ * the interactor away from the style: nothing crashes, and no device is armed that no window
+ * watches.
  */
 
 #include "StyleRig.h"
@@ -27,7 +27,8 @@ protected:
     this->Generic->SetInteractorStyle(this->Style);
     this->Other->SetVolumeHaptics(this->Filter);
     this->Filter->SetIsoValue(-1500.0); // a sphere of 45 mm
-    // An eighth of this is long.
+    // Publications that take more than an eighth of the attention time, here 50 ms, are announced
+    // as long work.
     this->Device->SetAttentionTime(0.05);
   }
   ~StyleObservers() override { this->Generic->SetInteractorStyle(nullptr); }
@@ -39,7 +40,7 @@ protected:
     ASSERT_TRUE(this->Device->Start());
     this->Style->UpdateHaptics();
   }
-  /// Gives a surface of 40000 triangles, which a publication has to take up: long work.
+  /// Sets a surface of 40000 triangles, whose publication is long work.
   void GiveSurface()
   {
     vtkNew<vtkSphereSource> sphere;
@@ -48,7 +49,7 @@ protected:
     sphere->SetPhiResolution(102);
     this->Filter->SetSurfaceConnection(sphere->GetOutputPort());
   }
-  /// Does something once the mesh is about to be made.
+  /// Calls `act` when the device announces that it is about to build the mesh.
   void AtWork(std::function<void()> act)
   {
     this->Act = std::move(act);
@@ -68,7 +69,7 @@ protected:
     EXPECT_FALSE(this->Style->GetTouchMode()) << what;
     this->ExpectDisarmed(this->Device, what);
   }
-  /// By the states of the servo, as the status is that of a time.
+  /// Waits for 20 ticks, and expects that the device is then neither armed nor in a fault.
   void ExpectDisarmed(vtkHapticDevice* device, const char* what)
   {
     const vtkIdType end = device->GetState()->GetTick() + 20;
@@ -125,7 +126,7 @@ TEST_F(StyleObservers, OfTheTouchModeEndIt)
     this->ExpectLetGo(what);
   }
   EXPECT_TRUE(this->Log.Errors.empty());
-  // And without an end, it begins.
+  // An observer that ends nothing lets the touch mode begin.
   end = [] {};
   this->Generic->SetInteractorStyle(this->Style);
   this->Style->SetDevice(this->Device);
@@ -203,7 +204,8 @@ TEST_F(StyleObservers, ArmNothingInADeviceThatIsTakenAway)
     this->ExpectLetGo("SetDevice");
     this->Device->Close();
   }
-  // If an observer of that, in turn, takes the device away.
+  // An observer of DisableEvent removes the device while SetDevice() exchanges it: the new device
+  // counts.
   ASSERT_NO_FATAL_FAILURE(this->Start(false));
   this->Style->SetDevice(this->Device);
   this->Style->TouchModeOn();

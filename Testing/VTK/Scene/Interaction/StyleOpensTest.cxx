@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A program that opens and closes many windows to be touched does not grow.
+ * A program that opens and closes many windows with haptics does not leak memory, threads or files.
  */
 
 #include "StyleRig.h"
@@ -31,7 +31,7 @@ using namespace scenetest;
 
 namespace
 {
-/// Of this process, MB, without what is free.
+/// Returns the resident memory of this process (MB), after giving freed memory back to the system.
 double ResidentMemory()
 {
 #if defined(__GLIBC__)
@@ -51,7 +51,7 @@ std::ptrdiff_t CountIn(const char* folder)
   return std::distance(Files(folder), Files());
 }
 
-/// Closes the window after some events of the timer, as a person does by the window manager.
+/// Closes the window after some timer events, as a person does with the window manager.
 class Closing : public vtkCommand
 {
 public:
@@ -69,8 +69,8 @@ private:
 };
 
 /**
- * Touches a volume in a window of its own, with all that belongs to it, until it is closed. Returns
- * what was there.
+ * Touches a volume in a window of its own until the window closes. Returns weak pointers to the
+ * objects involved.
  */
 std::vector<vtkWeakPointer<vtkObject>> OpenAndClose(vtkImageData* ball)
 {
@@ -133,7 +133,7 @@ std::vector<vtkWeakPointer<vtkObject>> OpenAndClose(vtkImageData* ball)
   return { std::begin(all), std::end(all) };
 }
 
-/// The same without haptics.
+/// Opens and closes the same window without haptics.
 void OpenAndClosePlainly(vtkImageData* ball)
 {
   vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
@@ -155,7 +155,7 @@ void OpenAndClosePlainly(vtkImageData* ball)
   interactor->Start();
 }
 
-/// Of this process: how many open files and threads.
+/// Counts the open files and the threads of this process.
 struct Counts
 {
   std::ptrdiff_t Files = CountIn("/proc/self/fd");
@@ -172,9 +172,9 @@ TEST(StyleOpens, FiftyWindowsLeaveNothingBehind)
   constexpr int windows = 50;
   for (int i = 0; i < 5; ++i)
   {
-    OpenAndClose(ball); // what is made once
+    OpenAndClose(ball); // creates what is made only once
   }
-  // VTK 9.1 with Mesa 22.3 leaves five threads and a file of each window by itself.
+  // VTK 9.1 with Mesa 22.3 itself leaks five threads and one file per window.
   constexpr int plainWindows = 10;
   const Counts beforePlain;
   for (int i = 0; i < plainWindows; ++i)
@@ -195,8 +195,7 @@ TEST(StyleOpens, FiftyWindowsLeaveNothingBehind)
   const Counts after;
   EXPECT_LE(after.Files - plain.Files, files * windows + 2);
   EXPECT_LE(after.Threads - plain.Threads, threads * windows + 2) << threads << " plainly";
-  // Measured with VTK 9.1 and Mesa 22.3: 1.5 MB for each window, and 0.9 MB for each one of VTK's
-  // own without haptics.
+  // Measured with VTK 9.1 and Mesa 22.3: 1.5 MB per window with haptics, 0.9 MB per window without.
   const double grown = ResidentMemory() - before;
   std::cout << windows << " windows: " << grown << " MB\n";
   EXPECT_LT(grown, 2.5 * windows) << "MB: less than a volume for each window";

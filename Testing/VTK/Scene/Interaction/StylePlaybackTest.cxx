@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A volume that moves in a scene: what is seen is what is felt, and keys play it.
+ * A moving volume in a scene: the shown time step is the felt one, and keys control the playback.
  */
 
 #include "StyleRig.h"
@@ -21,7 +21,7 @@ using namespace scenetest;
 
 namespace
 {
-/// Its samples tell its number.
+/// Makes an image whose samples encode its number.
 vtkSmartPointer<vtkImageData> MakeNumbered(int number, int components = 1)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -69,8 +69,8 @@ protected:
     return static_cast<int>(
       this->GetShown()->GetPointData()->GetScalars()->GetComponent(0, 0) / 100.0);
   }
-  /// The nearest time step, by the data time alone; the first one is at `first`, the next one 1
-  /// later.
+  /// Expects that the time step nearest to the data time is shown. The first time step is at
+  /// `first`, the others follow at intervals of 1.
   void ExpectWhatIsFelt(double first)
   {
     const double number = this->Device->GetPlayback()->GetDataTime() - first;
@@ -78,7 +78,7 @@ protected:
     EXPECT_EQ(this->Device->GetPlayback()->GetTimeStepValue(), first + this->GetShownNumber());
     EXPECT_EQ(this->GetShown()->GetPointData()->GetScalars()->GetNumberOfComponents(), 1);
   }
-  /// While it is played, until all of some time steps were seen.
+  /// Watches the playback until `count` different time steps were shown.
   void WatchTimeSteps(double first, std::size_t count)
   {
     std::vector<int> seen;
@@ -86,7 +86,7 @@ protected:
       [&]
       {
         this->Style->UpdateHaptics();
-        // Time steps that are in memory never come late.
+        // Time steps that are in memory are never late.
         EXPECT_FALSE(this->Device->GetPlayback()->IsWaitingForData());
         if (this->Device->GetPlayback()->HasTimeSteps())
         {
@@ -121,10 +121,10 @@ TEST_F(StylePlayback, WhatIsSeenIsWhatIsFelt)
     << this->Display->GetText();
   this->Press("space");
   EXPECT_NE(this->Display->GetText().find("held"), std::string::npos);
-  // Nothing is copied.
+  // The shown image shares the array of the time step: nothing is copied.
   EXPECT_EQ(this->GetShown()->GetPointData()->GetScalars(),
     this->Source->GetTimeStepImage(this->GetShownNumber())->GetPointData()->GetScalars());
-  // A crop of the picture is a crop of what is felt.
+  // Cropping the picture warns, since it would have to crop what is felt.
   this->Mapper->SetCroppingRegionPlanes(0.0, 5.0, 0.0, 5.0, 0.0, 5.0);
   this->Mapper->CroppingOn();
   this->Run(2);
@@ -146,13 +146,13 @@ TEST_F(StylePlayback, TellsThatTimeStepsAreLate)
   ASSERT_TRUE(Eventually(
     [&] { return this->Device->UpdateState() && this->Device->GetPlayback()->HasTimeSteps(); }));
   EXPECT_EQ(this->Display->GetText().find("waiting"), std::string::npos);
-  // The time steps of another place come when the servo's state has told of it.
+  // A jump to another data time makes the servo wait until its time steps are loaded.
   this->Device->GetPlayback()->SetDataTime(4.0);
   ASSERT_TRUE(Eventually([&]
     { return this->Device->UpdateState() && this->Device->GetPlayback()->IsWaitingForData(); }));
   EXPECT_NE(this->Display->GetText().find("held, waiting for data"), std::string::npos)
     << this->Display->GetText();
-  // The picture may show the new time step before the servo's state tells that it has it.
+  // The picture may show the new time step before the servo reports that it has it.
   ASSERT_TRUE(Eventually(
     [&]
     {
@@ -167,7 +167,7 @@ TEST_F(StylePlayback, AnImageWithTheFirstTimeStepsScalarsIsTheSame)
 {
   vtkNew<vtkImageData> plain;
   plain->ShallowCopy(this->Source->GetTimeStepImage(0));
-  plain->SetOrigin(-3.0, 0.0, 0.0); // a matrix of the volume may place it
+  plain->SetOrigin(-3.0, 0.0, 0.0); // the volume's matrix moves it back
   vtkNew<vtkMatrix4x4> placed;
   placed->SetElement(0, 3, 3.0);
   this->Volume->SetUserMatrix(placed);
@@ -268,7 +268,7 @@ TEST_F(StylePlayback, KeysGoFromTimeStepToTimeStep)
   expect("Left", 4.0);
 }
 
-/// As X servers repeat it: a release and a press at the same time.
+/// X servers repeat a held key as a release and a press at the same time.
 TEST_F(StylePlayback, AKeyThatIsHeldSwitchesOnce)
 {
   this->Start();
@@ -311,7 +311,7 @@ TEST_F(StylePlayback, KeysChangeTheSpeedAndWhatIsAtTheEnd)
   }
   this->Device->GetPlayback()->SetSpeed(std::nan(""));
   EXPECT_EQ(this->Device->GetPlayback()->GetSpeed(), -64.0);
-  // A volume that stands still has no such keys.
+  // Playback keys have no effect on a volume without time steps.
   this->Filter->SetInputData(0, this->Ball);
   this->Press("b");
   this->Press("space");
@@ -328,7 +328,7 @@ TEST_F(StylePlayback, TheSourceKeepsTheOrderOfTimesAndRefusesWhatIsNoTimeStep)
   source->Update();
   ASSERT_EQ(log.Errors.size(), 3U);
   EXPECT_NE(log.Errors[2].find("There are no frames"), std::string::npos);
-  source->Update(); // VTK asks for the data only
+  source->Update(); // VTK asks only for the data here
   EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_TRUE(source->AddTimeStep(MakeNumbered(1), 5.0));
   EXPECT_TRUE(source->AddTimeStep(MakeNumbered(0), -1.0));

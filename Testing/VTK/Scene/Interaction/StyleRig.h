@@ -25,7 +25,8 @@ namespace scenetest
 {
 using namespace devicetest;
 
-/// The distance to the surface of a ball of 30 mm, times 100, inside positive.
+/// Makes an image of a ball with a radius of 30 mm: 100 times the distance to its surface (mm),
+/// positive inside.
 inline vtkSmartPointer<vtkImageData> MakeBall()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -39,7 +40,7 @@ inline vtkSmartPointer<vtkImageData> MakeBall()
   return image;
 }
 
-/// All of the ball can be seen, and nothing around it.
+/// Makes the inside of the ball opaque, and everything around it transparent.
 inline void ShowBall(vtkVolume* volume)
 {
   vtkNew<vtkPiecewiseFunction> opacity;
@@ -48,7 +49,7 @@ inline void ShowBall(vtkVolume* volume)
   volume->GetProperty()->SetScalarOpacity(opacity);
 }
 
-/// A window off the screen that looks along -z at the origin; a pixel is 0.2 mm.
+/// Makes an off-screen window that looks along -z at the origin; a pixel is 0.2 mm.
 inline void SetUpView(vtkRenderWindow* window, vtkRenderer* renderer)
 {
   window->SetOffScreenRendering(1);
@@ -68,7 +69,8 @@ protected:
   StyleTest()
   {
     this->Filter->SetInputData(0, this->Ball);
-    // Nothing is felt outside; what is inside is not to be pushed through.
+    // Values below 0, outside of the ball, have no strength; the hand can't push through the
+    // inside.
     vtkPiecewiseFunction* const strength = this->Filter->GetProperty()->GetSurfaceStrength();
     strength->AddPoint(0.0, 0.0);
     strength->AddPoint(0.1, 8.0);
@@ -92,7 +94,7 @@ protected:
   }
   ~StyleTest() override { this->Interactor->SetInteractorStyle(nullptr); }
 
-  /// The GUI's timer, until the servo has gone on by some ticks. Calls back for every state.
+  /// Updates the style until the servo has made `ticks` more ticks. Calls `see` for every state.
   template <typename F>
   void Run(vtkIdType ticks, F&& see)
   {
@@ -104,7 +106,7 @@ protected:
         see(this->Style->GetStates(), i);
       }
     };
-    // From now on, not from when the device was looked at last.
+    // Counts from now on, not from the last look at the device.
     update();
     const vtkIdType end = this->Device->GetState()->GetTick() + ticks;
     ASSERT_TRUE(Eventually(
@@ -118,7 +120,8 @@ protected:
   {
     this->Run(ticks, [](vtkTable*, vtkIdType) {});
   }
-  /// A wall that is pressed before stays soft until the tip leaves it.
+  /// Updates the style until the device is fully armed. Until then, a wall that was pressed before
+  /// arming stays soft.
   void RunUntilFullyArmed()
   {
     ASSERT_TRUE(Eventually(
@@ -128,7 +131,8 @@ protected:
         return IsFullyArmed(this->Device);
       }));
   }
-  /// The mouse is a stylus from here on, and is pushed into the middle of the picture.
+  /// Switches touch mode on, so that the mouse is a stylus, and presses into the middle of the
+  /// picture.
   void PushIn(int x = 150, int y = 150)
   {
     ASSERT_TRUE(this->Device->Open("virtual"));

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A second device in a scene: keys and the window are for both hands, a fault and the force are
- * one hand's, and the head-up display and a widget show both.
+ * A scene with a second device: keys and the window act on both hands, a fault and the force belong
+ * to one hand, and the head-up display and a widget show both.
  */
 
 #include "Rigs/EventCounter.h"
@@ -25,7 +25,7 @@ using namespace scenetest;
 
 namespace
 {
-/// Calls a function at an event of a device, as long as this object lives.
+/// Calls a function at an event of a device, while this object lives.
 class Observed
 {
 public:
@@ -95,7 +95,7 @@ protected:
     return this->Wait(
       [&] { return IsArmed(this->Device) == first && IsArmed(this->Second) == second; });
   }
-  /// Presses into the ball's top, 30 mm from its middle.
+  /// Presses the second tip 4 mm deep into the ball, beside its top; true if it feels a force.
   bool PressSecond()
   {
     return this->Wait([this] { return IsFullyArmed(this->Second); }) &&
@@ -128,7 +128,7 @@ TEST_F(StyleSecondHand, EscapeAndTheWindowLetBothGo)
 {
   this->Press("a");
   ASSERT_TRUE(this->AreArmed(true, true));
-  // An observer may show a dialog, and meanwhile no hand is to be armed.
+  // An observer may show a dialog. Meanwhile, no hand may be armed.
   std::vector<bool> wasArmed;
   const auto watch = [&]
   {
@@ -219,7 +219,7 @@ TEST_F(StyleSecondHand, AVolumeThatMovesIsTheFirstHands)
   ASSERT_TRUE(this->Wait([this] { return !this->Second->IsArmOrdered(); }));
   ASSERT_EQ(this->Log.Warnings.size(), 1U);
   EXPECT_NE(this->Log.Warnings[0].find("Touch a moving volume with one device"), std::string::npos);
-  // An observer may take the device away.
+  // An observer may take the second device away.
   this->Second->Arm();
   {
     const auto watched = Observed(

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Several volumes in a scene, each with a filter of its own. They are balls with a radius of 30 mm,
- * so that where a hand meets them follows from their centres.
+ * A scene with several volumes, each with its own filter. The volumes are balls with a radius of 30
+ * mm, so their centres give the place of a contact.
  */
 
 #include "StyleRig.h"
@@ -29,7 +29,8 @@ protected:
     this->Show(this->Volume, this->Ball);
     this->Show(this->Other, MakeBall());
     this->Renderer->GetActiveCamera()->SetParallelScale(150.0); // a pixel is 1 mm
-    this->Device->SetAttentionTime(0.0);                        // the machine may be busy
+    // No force is held back on a busy machine.
+    this->Device->SetAttentionTime(0.0);
     this->Device->Open("virtual");
     this->Device->Start();
     this->Style->TouchVolume(this->Volume);
@@ -42,7 +43,7 @@ protected:
     ShowBall(volume);
     this->Renderer->AddVolume(volume);
   }
-  /// The other one stands beside the first one, and the mouse touches it.
+  /// Places the other volume beside the first one, and touches it with the mouse.
   bool TouchOtherBeside()
   {
     this->Other->SetPosition(70.0, 0.0, 0.0);
@@ -52,7 +53,7 @@ protected:
     this->Run(20);
     return this->FeelsOther();
   }
-  /// The other one gives way to 0.5 N.
+  /// Limits the surface strength of the other volume to 0.5 N.
   vtkPiecewiseFunction* WeakenOther()
   {
     vtkPiecewiseFunction* const strength = this->OtherFilter->GetProperty()->GetSurfaceStrength();
@@ -71,7 +72,8 @@ protected:
       });
   }
   bool FeelsOther() { return this->Device->GetVolumeHaptics() == this->OtherFilter; }
-  /// Notes the force of a state, and how it changes while the other volume takes over.
+  /// Records the force of a state, and its largest step in the 50 states after another volume took
+  /// over.
   void Watch(vtkTable* states, vtkIdType row)
   {
     constexpr int after = 50; // states
@@ -114,7 +116,7 @@ TEST_F(StyleSeveral, TheOneUnderThePointerIsTouched)
   this->Run(20);
   EXPECT_TRUE(this->FeelsOther());
   EXPECT_EQ(this->Style->GetTouchedVolume(), this->Other);
-  // The ball is seen from its radius of 30 mm on, and the hand waits half a voxel in front of it.
+  // The ball has a visible radius of 30 mm, and the hand begins half a voxel in front of it.
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[0], 70.0, 1.0);
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], 30.5, 0.3);
   this->Style->TouchModeOff();
@@ -152,7 +154,7 @@ TEST_F(StyleSeveral, EachPortOfAMultiVolumeIsTouched)
   this->Renderer->AddVolume(multi);
   EXPECT_TRUE(this->Style->TouchVolume(multi));
   EXPECT_EQ(this->Style->GetNumberOfTouchedVolumes(), 2);
-  // Settings that come later are those of each port.
+  // Settings that change later apply to every port.
   this->Filter->SetKernelRadius(3);
   for (const int port : { 1, 0 })
   {
@@ -166,7 +168,7 @@ TEST_F(StyleSeveral, EachPortOfAMultiVolumeIsTouched)
     EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], 30.5, 0.3);
     this->Style->TouchModeOff();
   }
-  // Each has its own opacity and place, now and later.
+  // Each port has its own opacity and place, also after changes.
   ports[0]->SetPosition(0.0, 0.0, 10.0);
   this->Style->TouchModeOn();
   this->Run(20);
@@ -190,7 +192,8 @@ TEST_F(StyleSeveral, EachPortOfAMultiVolumeIsTouched)
 
 TEST_F(StyleSeveral, AHandGoesFromOneToTheNextWithoutAStepOfForce)
 {
-  // In front of the first one, with 10 mm of air between them; it gives way to 0.5 N.
+  // The other volume is in front of the first one, with 10 mm of air between them, and gives way at
+  // 0.5 N.
   this->Other->SetPosition(0.0, 0.0, 70.0);
   this->WeakenOther();
   EXPECT_TRUE(this->Style->AddTouchedVolume(this->Other, this->OtherFilter));
@@ -220,8 +223,8 @@ TEST_F(StyleSeveral, AHandGoesFromOneToTheNextWithoutAStepOfForce)
 
 TEST_F(StyleSeveral, TheStrongestOneIsFeltThroughAnother)
 {
-  // Fused: the other one surrounds the first one, 5 mm larger, and gives way to 0.5 N. 4 mm of 500
-  // N/m press the first one with 2 N.
+  // Fused volumes: the other ball surrounds the first one, with a radius 5 mm larger, and gives way
+  // at 0.5 N. A press of 4 mm at 500 N/m loads the first one with 2 N.
   this->Other->SetScale(35.0 / 30.0);
   vtkPiecewiseFunction* const strength = this->WeakenOther();
   EXPECT_TRUE(this->Style->AddTouchedVolume(this->Other, this->OtherFilter));
@@ -238,12 +241,12 @@ TEST_F(StyleSeveral, TheStrongestOneIsFeltThroughAnother)
   this->Run(20);
   EXPECT_TRUE(this->FeelsOther());
   EXPECT_GT(this->Device->GetState()->GetTipPosition()[2], 35.0);
-  // In the air, the choice counts for what is ahead.
+  // In air, the style chooses among the volumes that lie ahead of the hand.
   this->Style->TouchModeOff();
   this->Device->GetVirtualHand()->Place(0.0, 0.0, 60.0);
   this->Style->SetFeltVolumeToStrongest();
   ASSERT_TRUE(this->RunUntilOtherIsFelt(false));
-  // As strong as the other one, it is not chosen, because it is behind.
+  // With equal strengths, the volume in front is chosen: the other one.
   strength->AddPoint(0.1, 8.0);
   this->Device->GetVirtualHand()->Place(0.0, 0.0, 55.0);
   ASSERT_TRUE(this->RunUntilOtherIsFelt(true));
@@ -251,7 +254,7 @@ TEST_F(StyleSeveral, TheStrongestOneIsFeltThroughAnother)
 
 TEST_F(StyleSeveral, OneThatIsNotSeenIsNotChosen)
 {
-  this->Other->SetPosition(0.0, 0.0, 70.0); // in front of the first one
+  this->Other->SetPosition(0.0, 0.0, 70.0); // it is in front of the first volume
   EXPECT_TRUE(this->Style->AddTouchedVolume(this->Other, this->OtherFilter));
   this->Other->VisibilityOff();
   this->Pointer(150, 150);

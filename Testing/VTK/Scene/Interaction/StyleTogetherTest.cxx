@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Two styles with one device, as two windows on one volume have: each gets every state and every
- * event.
+ * Two styles with one device, as for two windows that show one volume: each gets every state and
+ * every event.
  */
 
 #include "StyleRig.h"
@@ -14,7 +14,7 @@ using namespace scenetest;
 
 namespace
 {
-/// Follows the ticks in a style's states, none of which may be missing or come twice.
+/// Checks that a style's states contain every tick, and none twice.
 struct Follower
 {
   vtkInteractorStyleHaptic* Style;
@@ -107,7 +107,7 @@ TEST_F(StyleTogether, EachGetsEveryStateAndEvent)
 
 TEST_F(StyleTogether, EachHasANumberOfItsOwn)
 {
-  // The styles have 0 and -1.
+  // The two styles are the readers 0 and -1.
   EXPECT_EQ(this->Device->GetState()->AddReader(), -2);
   EXPECT_EQ(this->Device->GetState()->AddReader(), -3);
   this->Device->GetState()->RemoveReader(-2);

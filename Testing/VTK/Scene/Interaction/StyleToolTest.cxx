@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Alt + mouse turns a tool with a shape whose device measures no orientation, and nothing else.
+ * Alt + mouse turns a tool with a shape if the device measures no orientation, and changes nothing
+ * else.
  */
 
 #include "StyleRig.h"
@@ -53,7 +54,7 @@ protected:
         {
           dot += is[c] * wanted.GetData()[c];
         }
-        // The step of each event is that of a small turn.
+        // The tolerance allows for small turns that are added event by event.
         return this->Device->GetState()->HasTipOrientation() && std::abs(dot) > 1.0 - 1e-5;
       });
   }
@@ -68,7 +69,7 @@ TEST_F(StyleTool, TheMouseTurnsItLikeABall)
   this->Begin();
   EXPECT_FALSE(this->Device->GetState()->HasTipOrientation());
   EXPECT_NE(this->Style->GetKeys().find("Alt + mouse\tturn the tool"), std::string::npos);
-  // Its front goes to the right.
+  // A motion to the right turns the tool's front to the right.
   for (int x = 151; x <= 170; ++x)
   {
     this->AltMove(x, 150);
@@ -80,7 +81,7 @@ TEST_F(StyleTool, TheMouseTurnsItLikeABall)
     this->AltMove(x, 150);
   }
   EXPECT_TRUE(this->IsTurned(0.0, 0.0, 1.0, 0.0));
-  // Up; about the line of sight; and a fifth with Shift.
+  // A motion upwards turns about x, the wheel about the line of sight, and Shift turns by a fifth.
   for (int y = 151; y <= 160; ++y)
   {
     this->AltMove(150, y);
@@ -120,7 +121,7 @@ TEST_F(StyleTool, TheTipStaysWhereItIs)
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[0], before[0] + 2.0, 1e-6) << "10 pixels";
 }
 
-/// A box of 1 mm begins in front of the ball, and is then pressed into it by the wheel.
+/// The tool, a box of 1 mm, begins in front of the ball; the wheel then presses it into the ball.
 TEST_F(StyleTool, ItBeginsInFrontOfWhatIsTouched)
 {
   this->Filter->SetTool(this->Tool);
@@ -130,7 +131,8 @@ TEST_F(StyleTool, ItBeginsInFrontOfWhatIsTouched)
   this->Pointer(150, 150);
   this->Style->TouchModeOn();
   this->RunUntilFullyArmed();
-  // Half of the box in front of where a point feels the surface, a kernel radius above it.
+  // The tip begins half a box in front of where a point would feel the surface, which is up to a
+  // kernel radius (2 mm) above it.
   EXPECT_GT(this->Device->GetState()->GetTipPosition()[2], 30.5);
   EXPECT_LT(this->Device->GetState()->GetTipPosition()[2], 33.5);
   EXPECT_EQ(this->Device->GetState()->GetContact(), 0);

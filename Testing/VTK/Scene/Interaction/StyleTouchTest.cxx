@@ -28,7 +28,8 @@ TEST_F(StyleTest, PressesSlidesAndLetsGoWithTheProxyOnTheSurface)
   EXPECT_EQ(this->Device->GetState()->GetContact(), 0)
     << "touch mode begins in front of the surface";
   const double start = this->Device->GetState()->GetTipPosition()[2];
-  // Materials are read a kernel radius of 2 mm ahead.
+  // Touch mode begins up to a kernel radius (2 mm) in front of the surface, since materials are
+  // read that far ahead.
   EXPECT_NEAR(start, 32.0, 1.5);
 
   double first = 0.0;
@@ -87,7 +88,7 @@ TEST_F(StyleTest, MovesFinelyInDepthAndPressesTheButton)
   ASSERT_TRUE(this->Device->Open("virtual"));
   ASSERT_TRUE(this->Device->Start());
   this->Style->SetDepthStep(0.5);
-  this->Pointer(10, 10); // beside the ball: into the plane of the focal point
+  this->Pointer(10, 10); // beside the ball, so the tip goes to the plane of the focal point
   this->Style->TouchModeOn();
   this->Run(20);
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[0], -28.0, 0.2);
@@ -126,7 +127,8 @@ TEST_F(StyleTest, AStrokeGoesOnAroundABall)
   this->Style->TouchModeOn();
   this->RunUntilFullyArmed();
   const double start = this->Device->GetState()->GetTipPosition()[2];
-  const double radius = start - 0.5; // of the first contact: the touch begins half a voxel before
+  // Of the first contact: touch mode begins half a voxel in front of it.
+  const double radius = start - 0.5;
   for (int i = 0; i < 4; ++i)
   {
     this->Pointer(150, 150, vtkCommand::MouseWheelForwardEvent);
@@ -148,7 +150,8 @@ TEST_F(StyleTest, AStrokeGoesOnAroundABall)
     ASSERT_NEAR(this->Device->GetState()->GetTipPosition()[2], heightAt(x) - press, 0.05) << x;
     ASSERT_NE(this->Device->GetState()->GetContact(), 0) << x;
   }
-  // Beyond a slope of 2 there is an edge: the hand leaves the ball, in the plane of the view.
+  // A slope above 2 counts as an edge: there the hand leaves the ball, and stays in the plane of
+  // the view.
   const double height = this->Device->GetState()->GetTipPosition()[2];
   strokeTo(150 + static_cast<int>(5.0 * radius) - 1);
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], height, 1e-6);
@@ -156,13 +159,14 @@ TEST_F(StyleTest, AStrokeGoesOnAroundABall)
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], height, 1e-6)
     << "there is nothing to follow";
   EXPECT_EQ(this->Device->GetState()->GetContact(), 0);
-  // From there, it comes back to the front of the surface, and a little higher it stays higher.
+  // The hand returns to the front of the surface. A step of the wheel backwards keeps it 1 mm
+  // higher from then on.
   x = strokeTo(200);
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], heightAt(x), 0.05);
   this->Pointer(200, 150, vtkCommand::MouseWheelBackwardEvent);
   x = strokeTo(230);
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], heightAt(x) + 1.0, 0.05);
-  // Methods without surfaces are felt in the plane.
+  // With a method without surfaces, the hand moves in the plane.
   this->Filter->SetMethodToForceField();
   this->Run(10);
   x = strokeTo(180);

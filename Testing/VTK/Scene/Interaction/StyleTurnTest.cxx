@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A device whose cap is turned turns the volume, and the hand keeps its position on the screen.
+ * Turning the cap of a device turns the volume, and the hand keeps its position on the screen.
  */
 
 #include "Rigs/PlayedHardware.h"
@@ -34,15 +34,14 @@ TEST_F(StyleTurn, TheVolumeTurnsWithTheCap)
   }
   played.Turn = 0.0;
   ASSERT_GT(angle, 0.1);
-  // To an eye in front, what lies in front of the axis y goes to the right: the eye itself goes to
-  // the left.
+  // Turning the scene so that its front goes to the right moves the eye to the left.
   const double* const eye = camera->GetPosition();
   EXPECT_NEAR(eye[0], -200.0 * std::sin(angle), 1e-6);
   EXPECT_NEAR(eye[1], 0.0, 1e-6);
   EXPECT_NEAR(eye[2], 200.0 * std::cos(angle), 1e-6);
   EXPECT_NEAR(camera->GetViewUp()[1], 1.0, 1e-9);
 
-  // The workspace has followed: the device's z is towards the eye, wherever that is by now.
+  // The workspace has followed the camera: the device's z axis points to the eye.
   this->Run(10);
   const vtkMatrix4x4* const place = this->Device->GetDeviceToWorld();
   ASSERT_NE(place, nullptr);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Volumes that show what is felt in a way that is not felt: one warning for each reason.
+ * Volumes that are drawn in a way that can't be felt warn once for each reason.
  */
 
 #include "Rigs/LoopPauses.h"
@@ -39,7 +39,8 @@ protected:
     this->Device->Start();
     this->Run(2);
   }
-  /// How many warnings there are since the last call, the newest of which has the words.
+  /// Returns the number of warnings since the last call, and expects that the newest one has the
+  /// words and a cure.
   std::size_t CountWarnings(const char* words = "")
   {
     this->Style->UpdateHaptics();
@@ -54,7 +55,7 @@ protected:
     this->Log.Warnings.clear();
     return count;
   }
-  /// Touches in the middle of the picture, until the ball pushes back.
+  /// Presses into the middle of the picture until the ball pushes back.
   void Push()
   {
     this->Pointer(150, 150);
@@ -68,7 +69,8 @@ protected:
     ASSERT_GT(Length(this->Device->GetState()->GetForce()), 0.3) << "N";
     ASSERT_TRUE(this->Log.Warnings.empty()) << this->Log.Warnings[0];
   }
-  /// The hand has let go, and can't begin anew; both was told with the cure.
+  /// Expects that the hand has let go and can't touch again, and that each attempt warned with the
+  /// cure.
   void ExpectLetGo(const std::string& cure)
   {
     for (const char* const when : { "touched before", "begins anew" })
@@ -83,13 +85,13 @@ protected:
       this->Style->TouchModeOn();
     }
     this->Log.Warnings.clear();
-    // Nor by arming, as with a real device.
+    // Arming without touch mode, as with a real device, is refused, too.
     this->Device->Arm();
     this->RunUntilReady();
     EXPECT_EQ(this->Log.Warnings.size(), 1U);
     this->Log.Warnings.clear();
   }
-  /// The force has faded.
+  /// Updates the style until the force has faded.
   void RunUntilReady()
   {
     EXPECT_TRUE(Eventually(
@@ -99,7 +101,7 @@ protected:
         return this->Device->GetStatus() == vtkHapticDevice::READY;
       }));
   }
-  /// The largest change of the force between two ticks (N), until none is left.
+  /// Returns the largest change of the force between two ticks (N) until the force is 0.
   double MeasureLargestStep(LoopPauses& pauses)
   {
     double last = Length(this->Device->GetState()->GetForce());
@@ -132,7 +134,7 @@ constexpr const char* Moved = "moved, turned or scaled";
 TEST_F(StyleVolumes, ThatArePlainGiveNone)
 {
   EXPECT_EQ(this->CountWarnings(), 0U);
-  // Nothing is cut off by these, nor moved.
+  // These settings neither cut the volume nor move it.
   this->Mapper->CroppingOn();
   this->Mapper->SetCroppingRegionPlanes(-50.0, 50.0, -50.0, 50.0, -50.0, 50.0);
   vtkNew<vtkPlane> plane;
@@ -173,7 +175,7 @@ TEST_F(StyleVolumes, ThatAreMovedWarnOncePerWay)
 
 TEST_F(StyleVolumes, ThatShowTheSameScalarsInTheSamePlaceGiveNone)
 {
-  // The place of the image as the prop's matrix, as the explorer has it.
+  // The volume's matrix places the image, as in the explorer.
   this->Ball->SetOrigin(-40.0, 3.0, 2.0);
   double turn[9] = { 0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0 };
   this->Ball->SetDirectionMatrix(turn);
@@ -201,7 +203,7 @@ TEST_F(StyleVolumes, ThatAreTouchedAreFeltWhereTheyAre)
 {
   this->Style->TouchVolume(this->Volume);
   EXPECT_EQ(this->Style->GetTouchedVolume(), this->Volume);
-  // A ball of 30 mm at the origin becomes one of 60 mm at (5, 0, 0).
+  // The ball of 30 mm at the origin becomes a ball of 60 mm at (5, 0, 0).
   this->Volume->SetPosition(5.0, 0.0, 0.0);
   this->Volume->RotateZ(30.0);
   this->Volume->SetScale(2.0);
@@ -221,14 +223,14 @@ TEST_F(StyleVolumes, ThatAreTouchedAreFeltWhereTheyAre)
     const auto tick = static_cast<vtkIdType>(std::lround((75.0 - x) / 0.1));
     return force && force->GetNumberOfTuples() == 181 ? force->GetComponent(tick, 0) : -1.0;
   };
-  // It is seen from 65 on.
+  // The ball's visible surface is at x = 65.
   EXPECT_EQ(forceAt(65.5), 0.0);
   EXPECT_NEAR(forceAt(62.0), 500.0 * 0.003, 0.1);
   this->Volume->SetOrientation(0.0, 40.0, 0.0);
   this->Volume->SetPosition(3.0, 0.0, 0.0);
   EXPECT_EQ(this->CountWarnings(), 0U);
   EXPECT_NEAR(forceAt(60.0), 500.0 * 0.003, 0.1) << "the volume has moved by 2 mm";
-  // What the mapper hides is not felt, where the volume is.
+  // Parts that the mapper clips are not felt; the clipping plane is in world coordinates.
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(50.0, 0.0, 0.0);
   plane->SetNormal(-1.0, 0.0, 0.0);
@@ -237,7 +239,8 @@ TEST_F(StyleVolumes, ThatAreTouchedAreFeltWhereTheyAre)
   EXPECT_EQ(forceAt(60.0), 0.0);
   plane->SetOrigin(70.0, 0.0, 0.0);
   EXPECT_NEAR(forceAt(60.0), 500.0 * 0.003, 0.1);
-  // Regions are those of the data: x = 24 there is the face at 3 + 2 * 24 without a turn.
+  // Cropping planes are in coordinates of the data: the face at x = 24 is at 3 + 2 * 24 = 51 in the
+  // world.
   this->Volume->SetOrientation(0.0, 0.0, 0.0);
   this->Mapper->CroppingOn();
   this->Mapper->SetCroppingRegionPlanes(-50.0, 24.0, -50.0, 50.0, -50.0, 50.0);
@@ -247,7 +250,7 @@ TEST_F(StyleVolumes, ThatAreTouchedAreFeltWhereTheyAre)
   this->Mapper->CroppingOff();
   EXPECT_EQ(this->CountWarnings(), 0U);
   EXPECT_NEAR(forceAt(60.0), 500.0 * 0.003, 0.1);
-  // A shear is told.
+  // A volume with a shear warns.
   vtkNew<vtkMatrix4x4> shear;
   shear->SetElement(0, 1, 0.5);
   this->Volume->SetUserMatrix(shear);
@@ -279,7 +282,8 @@ TEST_F(StyleVolumes, ThatCantBeTouchedAreErrors)
   this->Log.Errors.clear();
 }
 
-// The renderer draws nothing; no mapper; no input. It comes back as the volume does.
+// Ends the touch by a renderer that draws nothing, a volume without a mapper, and a mapper without
+// an input. Each can be touched again once it is restored.
 TEST_F(StyleVolumes, ThatShowNothingAreNotFelt)
 {
   vtkNew<vtkHapticHeadUpDisplay> display;
@@ -322,7 +326,7 @@ TEST_F(StyleVolumes, ThatAreHiddenAreNotFelt)
   EXPECT_EQ(std::string(display->GetHint()).find("not felt"), std::string::npos);
 }
 
-// As ForceGate::FadeTime, 50 ms, and a servo of 1000 Hz have it: a fiftieth of the force a tick.
+// ForceGate::FadeTime is 50 ms, so at 1000 Hz the force falls by a fiftieth in each tick.
 TEST_F(StyleVolumes, ThatAreHiddenOrRemovedFade)
 {
   constexpr double ticks = 50.0;
@@ -332,10 +336,10 @@ TEST_F(StyleVolumes, ThatAreHiddenOrRemovedFade)
     LoopPauses pauses;
     double force = 0.0;
     double step = 0.0;
-    do // a servo that was held up does not fade from where it was
+    do // repeats if the servo was held up, since the force then did not fade from this value
     {
       this->Push();
-      this->Style->UpdateHaptics(); // takes the states before
+      this->Style->UpdateHaptics(); // drains the earlier states
       pauses.Look(this->Device);
       pauses.Forget();
       force = Length(this->Device->GetState()->GetForce());
@@ -377,13 +381,13 @@ TEST_F(StyleVolumes, OfAnotherRendererAreNotFeltUnlessItShowsTheSame)
   this->Style->SetDefaultRenderer(this->Renderer);
   this->Style->TouchModeOn();
   EXPECT_TRUE(this->Style->GetTouchMode());
-  // Such as a layer over the one that has the volume.
+  // The renderer is a layer over the one that has the volume, and shares its camera.
   beside->SetViewport(this->Renderer->GetViewport());
   beside->SetActiveCamera(this->Renderer->GetActiveCamera());
   this->Style->SetDefaultRenderer(beside);
   this->Run(20);
   EXPECT_TRUE(this->Style->GetTouchMode());
-  // Without a default renderer, that under the pointer is touched.
+  // Without a default renderer, the renderer under the pointer is touched.
   this->Style->SetDefaultRenderer(nullptr);
   beside->SetActiveCamera(nullptr);
   this->Run(20);
@@ -391,7 +395,8 @@ TEST_F(StyleVolumes, OfAnotherRendererAreNotFeltUnlessItShowsTheSame)
   EXPECT_TRUE(this->Log.Warnings.empty());
 }
 
-// The assembly's matrix times that of its part: (2, 0, 0) + 2 * ((3, 0, 0) + x).
+// The world position is the assembly's matrix times that of its part: (2, 0, 0) + 2 * ((3, 0, 0) +
+// x).
 TEST_F(StyleVolumes, OfAnAssemblyAreFeltWhereItPutsThem)
 {
   this->Renderer->RemoveVolume(this->Volume);
@@ -443,7 +448,8 @@ TEST_F(StyleVolumes, OfAMultiVolumeAreFeltEachAtItsPlace)
     this->Log.Errors[0].find("Cure: TouchVolume() with the vtkMultiVolume, or"), std::string::npos);
   this->Log.Errors.clear();
   EXPECT_EQ(this->Style->GetTouchedVolume(), nullptr);
-  // Its second cure; the first one: StyleSeveral.EachPortOfAMultiVolumeIsTouched.
+  // This is the second cure that the error names. StyleSeveral.EachPortOfAMultiVolumeIsTouched
+  // tests the first one.
   parts[1]->SetPosition(0.0, 0.0, 5.0);
   ASSERT_TRUE(this->Style->TouchVolume(multi->GetVolume(1)));
   vtkNew<vtkVolumeHapticsFilter> first;
@@ -491,12 +497,13 @@ TEST_F(StyleVolumes, WithAMaskWarn)
   EXPECT_EQ(this->CountWarnings("mask"), 1U);
 }
 
-// Forces are those of ThatAreTouchedAreFeltWhereTheyAre: 3 mm behind the surface at 30 mm.
+// The expected force is as in ThatAreTouchedAreFeltWhereTheyAre: the tip is 3 mm behind the surface
+// at 30 mm.
 TEST_F(StyleVolumes, ThatAreMaskedAreFeltWhereTheMaskShowsThem)
 {
   auto* const mapper = vtkGPUVolumeRayCastMapper::SafeDownCast(this->Mapper);
   vtkNew<vtkImageData> mask;
-  mask->SetDimensions(this->Ball->GetDimensions()); // at another place, which does not count
+  mask->SetDimensions(this->Ball->GetDimensions()); // its origin differs, which does not count
   mask->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
   for (vtkIdType i = 0; i < mask->GetNumberOfPoints(); ++i)
   {
@@ -523,17 +530,17 @@ TEST_F(StyleVolumes, ThatAreMaskedAreFeltWhereTheMaskShowsThem)
   };
   EXPECT_EQ(forceAt(27.0), 0.0) << "hidden";
   EXPECT_NEAR(forceAt(-27.0), -500.0 * 0.003, 0.1);
-  // Where the volume goes, the mask goes, too.
+  // The mask turns with the volume.
   this->Volume->RotateZ(180.0);
   EXPECT_EQ(this->CountWarnings(), 0U);
   EXPECT_NEAR(forceAt(27.0), 500.0 * 0.003, 0.1);
   EXPECT_EQ(forceAt(-27.0), 0.0);
-  // What is painted into it counts at once.
+  // A change of the mask's values counts at once.
   mask->GetPointData()->GetScalars()->Fill(1.0);
   mask->Modified();
   EXPECT_EQ(this->CountWarnings(), 0U);
   EXPECT_NEAR(forceAt(-27.0), -500.0 * 0.003, 0.1);
-  // It goes with its volume, and comes again with it.
+  // Touching another volume removes the mask from the filter; touching this one again restores it.
   const auto isBlanked = [this] { return this->Filter->GetTouchedImage()->HasAnyBlankPoints(); };
   mask->GetPointData()->GetScalars()->SetTuple1(0, 0.0);
   mask->Modified();
@@ -551,13 +558,13 @@ TEST_F(StyleVolumes, ThatAreMaskedAreFeltWhereTheMaskShowsThem)
   mapper->SetMaskInput(nullptr);
   EXPECT_EQ(this->CountWarnings(), 0U);
   EXPECT_FALSE(isBlanked());
-  // Labels of the filter's own are left alone.
+  // Labels that the application gave to the filter stay.
   this->Filter->SetLabelData(mask);
   mapper->SetMaskInput(mask);
   EXPECT_EQ(this->CountWarnings("Cure: FeelCutFacesOn()"), 1U);
   EXPECT_EQ(this->Filter->GetInputDataObject(3, 0), mask);
   EXPECT_TRUE(isBlanked());
-  // A mask of another size is drawn in some way, and not followed.
+  // A mask of another size is not followed, since mappers draw it in undefined ways.
   vtkNew<vtkImageData> small;
   small->SetDimensions(9, 9, 9);
   small->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
@@ -571,14 +578,14 @@ TEST_F(StyleVolumes, WithATransferFunctionOfTwoDimensionsWarn)
   function->SetDimensions(2, 2, 1);
   function->AllocateScalars(VTK_FLOAT, 4);
   this->Volume->GetProperty()->SetTransferFunction2D(function);
-  // VTK 9.6 does not set the mode with the function.
+  // VTK 9.6 does not set the mode when it gets the function, so the test does.
   this->Volume->GetProperty()->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
   EXPECT_EQ(this->CountWarnings("2-D transfer function"), 1U);
 }
 
 TEST_F(StyleVolumes, WithBlanksWarnIfTheirMapperDrawsThem)
 {
-  // Which is not drawn, and not felt.
+  // The GPU mapper does not draw the hidden point, and it is not felt.
   vtkUnsignedCharArray* const points = this->Ball->AllocatePointGhostArray();
   points->SetValue(1234, vtkDataSetAttributes::HIDDENPOINT);
   EXPECT_EQ(this->CountWarnings(), 0U);
@@ -586,7 +593,7 @@ TEST_F(StyleVolumes, WithBlanksWarnIfTheirMapperDrawsThem)
   mapper->SetInputData(this->Ball);
   this->Volume->SetMapper(mapper);
   EXPECT_EQ(this->CountWarnings("vtkGhostType"), 1U);
-  points->SetValue(1234, vtkDataSetAttributes::DUPLICATEPOINT); // seen all the same
+  points->SetValue(1234, vtkDataSetAttributes::DUPLICATEPOINT); // is drawn all the same
   points->Modified();
   EXPECT_EQ(this->CountWarnings(), 0U);
   this->Ball->AllocateCellGhostArray()->SetValue(77, vtkDataSetAttributes::HIDDENCELL);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Slices show what a burr has left, as those of an image from which a loop has removed the tissue.
+ * Slices show the tissue that a burr has left; they equal the slices of an image from which a loop
+ * has removed the tissue.
  */
 
 #include "Rigs/RemovalRig.h"
@@ -45,7 +46,7 @@ protected:
     this->View->SetRenderWindow(this->Window);
     this->Style->SetSliceView(this->View);
   }
-  /// The slices through a position.
+  /// Draws the three slices through a position.
   Picture Draw(const double at[3])
   {
     this->View->SetPosition(at);
@@ -63,8 +64,8 @@ protected:
     }
     return all;
   }
-  /// The slices show the first image as they show the second one, which the application sets, and
-  /// tell the same value.
+  /// Expects that the view of the touched image equals the view of `left`, which the application
+  /// sets, and that both tell the same value.
   void ExpectAlike(vtkImageData* left, const double at[3])
   {
     const Picture shown = this->Draw(at);
@@ -106,7 +107,7 @@ TEST_F(SliceBurr, ShowWhatIsLeft)
     EXPECT_GT(MostSliceDifference(this->Draw(at), whole), 50);
     const auto left = MakeLeft(ball, 0, hole, SliceAir);
     this->ExpectAlike(left, at);
-    // In the edge of the hole, and beside it.
+    // These positions are in the edge of the hole, and beside the hole.
     const double edge[3] = { 11.4, -3.8, 5.2 };
     this->ExpectAlike(left, edge);
     const double beside[3] = { 30.0, 30.0, 30.0 };
@@ -117,7 +118,7 @@ TEST_F(SliceBurr, ShowWhatIsLeft)
   }
 }
 
-/// The component that is felt has lost tissue, the others have not.
+/// The felt component has lost tissue; the other component has not.
 TEST_F(SliceBurr, ShowWhatIsLeftOfOneComponent)
 {
   vtkNew<vtkImageData> two;
@@ -136,7 +137,8 @@ TEST_F(SliceBurr, ShowWhatIsLeftOfOneComponent)
   this->ExpectAlike(MakeLeft(two, 1, hole, SliceAir), at);
 }
 
-/// Of a volume that is larger than memory, each sample of the coarse level has the mean of its own.
+/// The source stands for a volume that is larger than memory: each sample of its coarse image shows
+/// the mean of what is left of the fine samples that it covers.
 TEST_F(SliceBurr, ShowWhatIsLeftOfACoarseLevel)
 {
   vtkNew<vtkHapticRegionSource> source;

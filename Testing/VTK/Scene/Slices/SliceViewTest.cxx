@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Slices beside the scene: what they show where, and where a click goes.
+ * Slices beside the scene: which voxel each pixel shows, and where a click leads the tip.
  */
 
 #include "VTK/Scene/Interaction/StyleRig.h"
@@ -29,7 +29,7 @@ constexpr double SparkDirection[9] = { SparkSin, 0.0, -SparkCos, -SparkCos, 0.0,
 constexpr double SparkSpacing[3] = { 1.0, 2.0, 3.0 };
 constexpr double SparkOrigin[3] = { 7.0, -5.0, 11.0 };
 
-/// Black, but for one voxel.
+/// Makes a black image with one bright voxel.
 vtkSmartPointer<vtkImageData> MakeSpark(const int spark[3])
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -43,7 +43,8 @@ vtkSmartPointer<vtkImageData> MakeSpark(const int spark[3])
   return image;
 }
 
-/// By hand: the origin, and along each axis its direction times spacing times index.
+/// Computes the world position of an index without VTK: the origin, plus direction times spacing
+/// times index for each axis.
 SlicePlace SparkWorldOf(const int index[3])
 {
   SlicePlace world;
@@ -74,7 +75,8 @@ protected:
     const int* const size = this->View->GetRenderer(slice)->GetSize();
     return { origin[0] + size[0] / 2, origin[1] + size[1] / 2 };
   }
-  /// The middle of what is bright and grey, neither text nor crosshair, in pixels of the window.
+  /// Returns the middle of the bright grey pixels, which are neither text nor crosshair, in pixels
+  /// of the window.
   std::array<int, 2> FindSpark(int slice)
   {
     const int* const origin = this->View->GetRenderer(slice)->GetOrigin();
@@ -156,7 +158,8 @@ TEST_F(SliceViewTest, AnatomicalSlicesLieAsRadiologistsLookAtThem)
   this->View->SetImage(MakeSpark(spark));
   this->View->AnatomicalOn();
   this->Window->Render();
-  // Which way the world goes to the right and upwards: +x is left, +y the back, +z the head.
+  // Axes of the world to the right and upwards in each slice: +x is left, +y is posterior, +z is
+  // superior.
   const int right[3] = { 0, 0, 1 };
   const int rightSign[3] = { 1, 1, 1 };
   const int up[3] = { 1, 2, 2 };
@@ -192,7 +195,7 @@ TEST_F(SliceViewTest, AClickBeginsTheTouchThereAndTheNextOneLeadsTheTip)
   this->ExpectTip(begin);
   EXPECT_NE(this->Device->GetStatus(), vtkHapticDevice::READY) << "armed";
 
-  // The pointer may pass over a slice; only a drag leads the tip.
+  // A motion of the pointer over a slice does not lead the tip; only a drag does.
   this->Pointer(x + 20, y + 7);
   this->Run(20);
   this->ExpectTip(begin);
@@ -212,7 +215,7 @@ TEST_F(SliceViewTest, AClickBeginsTheTouchThereAndTheNextOneLeadsTheTip)
 
   this->Pointer(x, y, vtkCommand::MouseWheelForwardEvent);
   this->Run(60);
-  this->ExpectTip({ dragged[0], dragged[1], dragged[2] + 1.0 }); // voxels of 1 mm along z
+  this->ExpectTip({ dragged[0], dragged[1], dragged[2] + 1.0 }); // voxels are 1 mm along z
   double shown[3];
   this->View->GetPosition(shown);
   for (int axis = 0; axis < 3; ++axis)
@@ -245,7 +248,7 @@ TEST_F(SliceViewTest, DragsWindowAndLevelAsTheStyleForImagesDoes)
   const double position[3] = { this->Renderer->GetActiveCamera()->GetPosition()[0],
     this->Renderer->GetActiveCamera()->GetPosition()[1],
     this->Renderer->GetActiveCamera()->GetPosition()[2] };
-  // 4 windows a width, and a height.
+  // A drag by the slice's width or height changes the window or the level by four windows.
   this->Pointer(x, y, vtkCommand::RightButtonPressEvent);
   this->Pointer(x + 10, y + 5);
   this->Pointer(x + 10, y + 5, vtkCommand::RightButtonReleaseEvent);
@@ -273,7 +276,7 @@ TEST_F(SliceViewTest, AKeyGivesTheSceneItsRoomBack)
   EXPECT_EQ(this->Renderer->GetViewport()[2], 1.0);
   EXPECT_EQ(this->View->FindSlice(200, 100), -1);
   this->Press("s", vtkCommand::KeyReleaseEvent);
-  this->Run(30); // no repetition of a key that is held
+  this->Run(30); // no repetition of a held key
   this->Press("s");
   this->Window->Render();
   EXPECT_EQ(this->Renderer->GetViewport()[2], 0.5);
@@ -289,7 +292,7 @@ TEST_F(SliceViewTest, TellsValueTissueAndComponent)
   this->View->SetHeadUpDisplay(display);
   this->View->SetUnit("HU");
   this->OpenAndStart();
-  // 100 times the distance to the surface, in the middle.
+  // The value is 100 times the distance to the surface (mm), here in the middle.
   EXPECT_EQ(this->View->GetText(0), "k = 48\n3000 HU\nball");
 
   vtkNew<vtkDoubleArray> vectors;

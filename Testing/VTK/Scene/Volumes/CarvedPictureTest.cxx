@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What is drawn of a carved volume is what VTK draws of an image from which the tissue was removed.
+ * The picture of a carved volume equals VTK's picture of an image from which the tissue was
+ * removed.
  */
 
 #include "VTK/Scene/Volumes/CarvedPicture.h"
@@ -63,7 +64,7 @@ public:
     array.Air = air;
     this->Picture = std::make_unique<CarvedPicture>(this->Scene.Mapper, array);
   }
-  /// As many frames as are asked for.
+  /// Draws as many frames as the picture asks for; returns the last one.
   std::vector<int> Follow()
   {
     std::vector<int> drawn;
@@ -89,7 +90,8 @@ public:
     const auto bytes = static_cast<std::size_t>(now->GetNumberOfValues() * now->GetDataTypeSize());
     EXPECT_EQ(std::memcmp(now->GetVoidPointer(0), before->GetVoidPointer(0), bytes), 0);
   }
-  /// Through all that happens to a picture.
+  /// Checks the picture through removals, uploads, other looks, other windows, and the return of
+  /// tissue.
   void CheckAll(bool hasTexture = true)
   {
     const std::vector<int> whole = this->Follow();
@@ -99,7 +101,7 @@ public:
     }
     EXPECT_LE(Difference(whole, this->DrawReference()), MostDifference);
     const vtkMTimeType time = this->Image->GetMTime();
-    // Bit by bit.
+    // Tissue is removed in three steps.
     std::vector<int> last = whole;
     for (int step = 0; step < 3; ++step)
     {
@@ -119,11 +121,11 @@ public:
     EXPECT_FALSE(this->Picture->Update());
     EXPECT_EQ(this->Image->GetMTime(), time);
     this->ExpectUntouched();
-    // VTK uploads the image anew.
+    // A modified image makes VTK upload it anew.
     this->Image->Modified();
     this->Picture->Update();
     EXPECT_LE(Difference(this->Scene.Draw(), this->DrawReference()), MostDifference);
-    // Another look, for which there is another shader.
+    // A volume without shading needs another shader.
     this->Scene.Volume->GetProperty()->ShadeOff();
     this->Reference.Volume->GetProperty()->ShadeOff();
     this->Burr.At(16.0, 12.0, 26.0, 5.0);
@@ -131,12 +133,12 @@ public:
     EXPECT_LE(Difference(this->Scene.Draw(), this->DrawReference()), MostDifference);
     this->Scene.Volume->GetProperty()->ShadeOn();
     this->Reference.Volume->GetProperty()->ShadeOn();
-    // Another window.
+    // The volume moves to another window, which then loses its OpenGL objects.
     this->Scene.Open();
     EXPECT_LE(Difference(this->Follow(), this->DrawReference()), MostDifference);
     this->Scene.Window->Finalize();
     EXPECT_LE(Difference(this->Follow(), this->DrawReference()), MostDifference);
-    // Tissue comes back.
+    // Removed tissue returns.
     this->Burr.Reset();
     EXPECT_TRUE(this->Picture->Update());
     EXPECT_LE(Difference(this->Scene.Draw(), whole), MostDifference);
@@ -144,7 +146,7 @@ public:
     EXPECT_LE(Difference(this->Follow(), this->DrawReference()), MostDifference);
     EXPECT_GT(Difference(this->Scene.Draw(), whole), LeastChange);
     EXPECT_EQ(this->Picture->HasTexture(), hasTexture);
-    // The end of the picture.
+    // Deleting the picture restores the volume.
     this->Picture = nullptr;
     EXPECT_LE(Difference(this->Scene.Draw(), whole), MostDifference);
     EXPECT_EQ(this->Scene.Mapper->GetInputDataObject(0, 0), this->Image);
@@ -262,7 +264,8 @@ TEST(CarvedPicture, OfATextureInBlocksIsACopy)
     rig.Picture->IsCopy(vtkImageData::SafeDownCast(rig.Scene.Mapper->GetInputDataObject(0, 0))));
 }
 
-/// A texture has no values beyond the range of the image; an image without air has no such ones.
+/// A texture can't hold values beyond the range of the image. This image has no sample as low as
+/// the air of -1000, so the picture is a copy.
 TEST(CarvedPicture, WithAirBeyondTheRangeIsACopy)
 {
   OfTexture rig({ VTK_SHORT, 1, 300.0, 1800.0 });
@@ -283,7 +286,7 @@ TEST(CarvedPicture, OfARegionTakesTheFractionsOfTheRegion)
   const std::int64_t first[3] = { 101, 50, 3 };
   std::copy(first, first + 3, rig.Burr.First);
   rig.Begin(rig.Values.Air);
-  // Bricks beyond the region are left alone.
+  // Bricks beyond the region have no effect.
   SetFraction(rig.Burr.Removal->Bricks, 20, 20, 20, 0);
   SetFraction(rig.Burr.Removal->Bricks, 99, 55, 10, 0);
   SetFraction(rig.Burr.Removal->Bricks, 150, 55, 10, 0);
@@ -345,7 +348,7 @@ TEST(CarvedPicture, OfOneOfSeveralVolumesOfAMapper)
     EXPECT_GT(Difference(drawn, whole), LeastChange);
   }
   EXPECT_TRUE(rig.Picture->HasTexture());
-  // VTK uploads all inputs in each rendering once it has released them.
+  // VTK uploads all inputs in each rendering, once their OpenGL objects have been released.
   rig.Scene.Open();
   EXPECT_LE(Difference(rig.Follow(), drawReference()), MostDifference);
   rig.Picture = nullptr;
@@ -356,7 +359,7 @@ TEST(CarvedPicture, OfOneOfSeveralVolumesOfAMapper)
 TEST(CarvedPicture, LeavesTheStateOfOpenGL)
 {
   OfTexture rig(Byte);
-  // Tissue in the last bricks, of which one sample of each row is in the image.
+  // Tissue lies in the last bricks, where the image has only one sample of each row.
   vtkDataArray* const array = rig.Image->GetPointData()->GetScalars();
   for (vtkIdType i = Size[0] - 1; i < array->GetNumberOfTuples(); i += Size[0])
   {
@@ -396,7 +399,7 @@ TEST(CarvedPicture, LeavesTheStateOfOpenGL)
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
-/// Nothing is left of a picture that outlives what it shows, or is not the only one.
+/// A picture leaves nothing behind if it outlives what it shows, or if another picture exists.
 TEST(CarvedPicture, EndsBeforeOrAfterWhatItShows)
 {
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Which volumes of a scene show what a tool has left of an array.
+ * The volumes of a scene that show an array also show what a tool has left of it.
  */
 
 #include "CarvedScene.h"
@@ -27,7 +27,7 @@ namespace
 class CarvedPicturesScene : public testing::Test
 {
 protected:
-  /// Draws as often as the pictures ask for it.
+  /// Draws as many frames as the pictures ask for; returns the last one.
   std::vector<int> Follow(const std::vector<CarvedArray>& arrays)
   {
     std::vector<int> drawn;
@@ -59,7 +59,7 @@ protected:
 TEST_F(CarvedPicturesScene, ShowsItInAllVolumesOfTheWindow)
 {
   this->Scene.Mapper->SetInputDataObject(this->Image);
-  // A picture of a slice of the same array beside it, by another mapper.
+  // Another mapper shows the same array beside the first volume.
   vtkNew<vtkVolume> second;
   vtkNew<vtkFixedPointVolumeRayCastMapper> copied;
   copied->SetInputData(this->Image);
@@ -85,14 +85,14 @@ TEST_F(CarvedPicturesScene, ShowsItInAllVolumesOfTheWindow)
   }
   EXPECT_GT(differences[0], 20);
   EXPECT_GT(differences[1], 20);
-  // The copy stands for the application's image.
+  // The mapper without a texture shows a copy; GetImage() still returns the application's image.
   EXPECT_NE(copied->GetInput(), this->Image);
   EXPECT_EQ(this->Pictures.GetImage(copied), this->Image);
   EXPECT_EQ(this->Pictures.GetImage(this->Scene.Mapper), this->Image);
   EXPECT_EQ(
     this->Pictures.GetGivenInput(this->Scene.Mapper), this->Scene.Mapper->GetInputConnection(0, 0));
 
-  // The removal of another filter, and none.
+  // The removal of another filter, and no removal, show the whole volume.
   CarvedArray other = this->MakeArray();
   other.Removal = std::make_shared<TissueRemoval>();
   EXPECT_LE(Difference(this->Follow({ other }), whole), 1);
@@ -111,7 +111,7 @@ TEST_F(CarvedPicturesScene, LeavesOtherVolumesAlone)
   this->Burr.At(28.0, 19.0, 30.0, 7.0);
   EXPECT_FALSE(this->Pictures.Update(this->Scene.Renderer, { this->MakeArray() }));
   EXPECT_EQ(Difference(this->Follow({ this->MakeArray() }), whole), 0);
-  // A mapper that shows the array later.
+  // A mapper that gets the array later shows the removal, too.
   this->Scene.Mapper->SetInputDataObject(this->Image);
   EXPECT_GT(Difference(this->Follow({ this->MakeArray() }), whole), 20);
   this->Scene.Mapper->SetInputDataObject(other);
@@ -124,7 +124,8 @@ TEST_F(CarvedPicturesScene, LeavesOtherVolumesAlone)
   EXPECT_LE(Difference(this->Scene.Draw(), whole), 1);
 }
 
-/// A copy in which a part is hidden is shown instead of the touched array: by a texture and a copy.
+/// The volume shows a copy of the touched array in which a part is hidden. A texture, and then a
+/// copy, remove tissue from it.
 TEST_F(CarvedPicturesScene, ShowsItInAnArrayThatIsShownInstead)
 {
   const vtkSmartPointer<vtkImageData> other = MakeImage(VTK_UNSIGNED_CHAR, 1, 0.0, 250.0);
@@ -171,7 +172,7 @@ TEST_F(CarvedPicturesScene, ShowsItInAnArrayThatIsShownInstead)
   this->Follow({});
   EXPECT_EQ(copied->GetInput(), other);
 
-  // Another volume's, and one of another size.
+  // An array that stands for another volume's, and one of another size, are left alone.
   shown->GetInformation()->Set(vtkHapticRemoval::TOUCHED_ARRAY(), shown);
   this->Burr.At(28.0, 19.0, 30.0, 7.0);
   EXPECT_FALSE(this->Pictures.Update(this->Scene.Renderer, { this->MakeArray() }));
@@ -183,7 +184,7 @@ TEST_F(CarvedPicturesScene, ShowsItInAnArrayThatIsShownInstead)
 
 namespace
 {
-/// A picture of an image by a mapper without a texture, which nobody draws.
+/// A picture by a mapper without a texture, in no window.
 struct Undrawn
 {
   Undrawn(vtkImageData* image, const CarvedArray& array)
@@ -205,7 +206,7 @@ struct Undrawn
     for (vtkIdType i = 0; i < wanted->GetNumberOfValues(); ++i)
     {
       const double value = wanted->GetVariantValue(i).ToDouble();
-      // Doubles are rounded in another order.
+      // The picture may round doubles in another order.
       isSame = isSame && std::abs(is->GetVariantValue(i).ToDouble() - value) <= 1e-12 * 300.0;
     }
     return isSame;
@@ -216,7 +217,8 @@ struct Undrawn
 };
 } // namespace
 
-/// The nearest value of the type; the air of the last burr is beyond the range of small integers.
+/// Carved values are rounded to the nearest value of the type; the last burr's air value is beyond
+/// the range of small integers.
 TEST_F(CarvedPicturesScene, HasTheValuesOfItsType)
 {
   for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
@@ -243,7 +245,8 @@ TEST_F(CarvedPicturesScene, HasTheValuesOfItsType)
   }
 }
 
-/// Whatever was seen meanwhile, the last change is seen.
+/// After another thread has carved, the picture shows its last change, whatever was drawn
+/// meanwhile.
 TEST_F(CarvedPicturesScene, FollowsAnotherThread)
 {
   const Undrawn scene(this->Image, this->MakeArray());

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Volumes that are carved, and the pictures of what VTK draws of them: of an image whose removed
- * tissue is shown by the module, and of an image from which a loop over all samples has removed it.
+ * Scenes with carved volumes: in one, the module shows the removal; in the other, VTK draws an
+ * image from which a loop over all samples has removed the tissue.
  */
 #ifndef CarvedScene_h
 #define CarvedScene_h
@@ -42,7 +42,8 @@ using namespace coretest;
 constexpr int Side = 80; ///< pixels
 constexpr std::int64_t Size[3] = { 41, 35, 38 };
 
-/// A ball of high values, whose extent does not begin at 0. The ends of the range are at corners.
+/// Makes a ball of high values, with an extent that does not begin at 0. Two corners hold the ends
+/// of the range.
 inline vtkSmartPointer<vtkImageData> MakeImage(int type, int components, double air, double tissue)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -76,7 +77,7 @@ inline vtkSmartPointer<vtkImageData> MakeImage(int type, int components, double 
   return image;
 }
 
-/// V' = V - (1 - rho) (V - V_air), rho the fraction: FRONTIER 3.3.
+/// Computes V' = V - (1 - rho) (V - V_air), where rho is the fraction: FRONTIER 3.3.
 inline vtkSmartPointer<vtkImageData> MakeCarved(
   vtkImageData* image, const std::vector<std::uint8_t>& fractions, int component, double air)
 {
@@ -95,7 +96,7 @@ inline vtkSmartPointer<vtkImageData> MakeCarved(
   return carved;
 }
 
-/// A burr that has been at places (voxels), by a loop over all samples.
+/// Removes tissue where a burr has been (voxels), by a loop over all samples.
 class Carving
 {
 public:
@@ -109,7 +110,8 @@ public:
     std::fill(this->Fractions.begin(), this->Fractions.end(), std::uint8_t{ 255 });
     this->Write();
   }
-  /// Writes to bricks that lack the first samples of the image, or are of a region.
+  /// Writes the changed fractions to the bricks, where the image begins at the sample `First`, as
+  /// in a region.
   void Write()
   {
     std::size_t at = 0;
@@ -135,7 +137,7 @@ public:
     std::vector<std::uint8_t>(static_cast<std::size_t>(Size[0] * Size[1] * Size[2]), 255);
 };
 
-/// A shaded look, and a camera.
+/// Sets a shaded look.
 inline void SetLook(vtkVolumeProperty* property, int components, double air, double tissue)
 {
   for (int c = 0; c < components; ++c)
@@ -154,7 +156,7 @@ inline void SetLook(vtkVolumeProperty* property, int components, double air, dou
   property->ShadeOn();
 }
 
-/// A window with a volume. Its own mapper and property.
+/// A window that shows a volume with its own mapper and property.
 class Shown
 {
 public:
@@ -171,7 +173,7 @@ public:
     }
     this->Open();
   }
-  /// Another window shows the volume.
+  /// Shows the volume in another window.
   void Open()
   {
     if (this->Renderer)
