@@ -108,8 +108,8 @@ HapticModel::HapticModel(std::shared_ptr<const BakedVolume> baked, const Affine3
   // The axes are perpendicular, so the length of a row is the number of index steps in 1 m.
   , MostVoxelsPerMeter(
       std::fmax(this->VoxelsPerMeter.X, std::fmax(this->VoxelsPerMeter.Y, this->VoxelsPerMeter.Z)))
-  // A gradient transforms with the inverse transpose. The result is in world units along the
-  // device's axes, so that they are only rotated.
+  // A gradient transforms with the inverse transpose. It keeps the world's length unit; from the
+  // world's axes to the device's it is only rotated.
   , GradientToDevice(
       Transpose(this->DeviceToWorldRotation) * Transpose(Inverse(this->Baked->IndexToWorld.Linear)))
   , FallbackNormal(

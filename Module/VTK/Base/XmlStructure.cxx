@@ -102,7 +102,7 @@ public:
   {
   }
 
-  /** Returns the largest number of bytes that may be there. */
+  /** Returns the largest possible number of decoded bytes. */
   double GetSize() const
   {
     return static_cast<double>(this->Data.size()) * (this->IsBase64 ? 0.75 : 1.0);

@@ -54,7 +54,7 @@ private:
   /** Returns the fault of the state, unless Arm was ordered since. */
   GateReason GetFault() const;
   std::string DescribeDevice() const;
-  /** Returns the id, and how the device is felt if it gives no force. */
+  /** Returns the id, and adds "(vibration, not force)" for a device that only vibrates. */
   std::string NameDevice() const;
   std::string DescribeCondition() const;
   std::string DescribeState() const;

@@ -239,8 +239,9 @@ private:
     const DistinctnessTable::Values& whole, const JoinWith& joinWith,
     PrecisePoint& point) const noexcept;
   /**
-   * Takes drag and strength from a proxy that is at a hidden value or outside the volume. Walls
-   * hold from in front of what is visible, so they keep their strength.
+   * If the picture does not show the volume at `index` (its value is hidden, or the index is
+   * outside), sets the drag to zero, and also the surface strength unless the surface is a wall. A
+   * wall holds the proxy in front of the visible tissue, so it keeps its strength.
    */
   void Hide(const Vector3& index, bool isWall, PrecisePoint& point) const noexcept;
   /** Returns the change of V over the kernel radius according to the gradient. */
