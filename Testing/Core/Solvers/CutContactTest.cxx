@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A hand at the faces of a cut. Behind an open face nothing is felt; a solid face that lies at w
- * gives a tip at depth h the force k (h - w), up to T_N: the closed form of a wall.
+ * Contacts with the faces of a cut. Behind an open face, no force acts. A solid face at depth w
+ * answers a tip at depth h with the force k (h - w), up to the surface strength T_N: the closed
+ * form of a wall.
  */
 
 #include "Rigs/CoreScene.h"
@@ -30,7 +31,7 @@ TestVolume MakeEven(double value)
   return volume;
 }
 
-/// Moves a tip, in millimetres, in steps of a tenth.
+/// Moves a tip in steps of at most 0.1 mm. Positions are in millimetres.
 class CutHand
 {
 public:
@@ -62,7 +63,7 @@ public:
     return this->Record;
   }
   Vector3 GetProxy() const { return (1.0 / PerMillimetre) * this->Record.Proxy; }
-  /// J, that the hand has done.
+  /// Returns the work (J) that the hand has done.
   double GetEnergy() const { return this->Energy; }
 
 private:
@@ -109,11 +110,11 @@ TEST_P(CutOfSolver, NothingIsFeltInAPartThatIsCutAway)
     for (double z = 10.0; z < 14.0; z += 0.1)
     {
       const TickRecord& record = away.Tick({ 8.0, 12.0, z });
-      // The damping of a force field is the hand's own.
+      // Without a surface, no force acts but the damping of a force field.
       const double damping = method == HapticMethod::ForceField ? record.DragForce : 0.0;
       EXPECT_NEAR(Norm(record.Force), damping, 1e-12);
     }
-    // One voxel in front of the face and farther, all is as if there were no cut.
+    // At least one voxel in front of the face, the cut changes nothing.
     CutHand kept(cut, { 13.0, 12.0, 10.0 });
     CutHand same(whole, { 13.0, 12.0, 10.0 });
     for (double z = 10.0; z < 14.0; z += 0.1)
@@ -155,13 +156,13 @@ TEST_P(CutOfSolver, ASolidFaceIsAWallOfItsMaterial)
     EXPECT_NEAR(Norm(record.Force - force), 0.0, 3e-3 + 1e-3 * Norm(force)) << depth;
     EXPECT_EQ(record.SurfaceValue, 100.0);
   }
-  // It holds as much as its material, and lets through what pushes harder.
+  // The face holds up to the strength of its material. A hand that pushes harder goes through.
   EXPECT_LE(Norm(hand.MoveTo(middle + 6.0 * normal).Force), FaceStrength * (1.0 + 1e-9));
   EXPECT_LT(Norm(hand.MoveTo(middle + 8.0 * normal).Force), 0.1);
-  // Nothing holds what comes out.
+  // On the way out, no force acts.
   hand.MoveTo(middle + 2.0 * normal);
   EXPECT_LT(Norm(hand.MoveTo(middle - 2.0 * normal).Force), 1e-9);
-  // What is soft has a soft face.
+  // Where the material has no surface strength, the cut face has none either.
   description.Material.SurfaceStrength = { { 0.0, 2.0 }, { 99.0, 2.0 }, { 100.0, 0.0 } };
   const HapticModel soft(description);
   CutHand other(soft, middle - 4.0 * normal);
@@ -170,7 +171,7 @@ TEST_P(CutOfSolver, ASolidFaceIsAWallOfItsMaterial)
 
 TEST_P(CutOfSolver, ACornerOfThreeFacesHoldsAHand)
 {
-  // All but one of eight octants is kept: its three faces meet in a corner that is hollow.
+  // The cut removes one of eight octants. Its three faces meet in a hollow corner.
   const TestVolume even = MakeEven(100.0);
   CutRegions regions;
   for (int axis = 0; axis < 3; ++axis)
@@ -178,7 +179,7 @@ TEST_P(CutOfSolver, ACornerOfThreeFacesHoldsAHand)
     regions.Low[axis] = 0.0;
     regions.High[axis] = 16.0;
   }
-  regions.Kept = CutRegions::All & ~(1U << 26); // beyond High along each axis
+  regions.Kept = CutRegions::All & ~(1U << 26); // removes the octant beyond High along each axis
   const HapticModel model(this->DescribeCut(even, {}, regions, true));
   const Vector3 corner{ 16.0, 16.0, 16.0 };
   std::mt19937_64 engine(3);
@@ -194,12 +195,13 @@ TEST_P(CutOfSolver, ACornerOfThreeFacesHoldsAHand)
     const TickRecord& record = hand.MoveTo(goal);
     tip = goal;
     const Vector3 in = corner - hand.GetProxy();
-    // Of a box, the nearest point to the tip.
+    // The removed octant is a box: the proxy belongs at its point nearest to the tip.
     const Vector3 nearest = Most(goal, corner);
     const Vector3 wanted = (FaceStiffness * PerMillimetre) * (nearest - goal);
     deepest = std::max({ deepest, in.X, in.Y, in.Z });
     pushes += Norm(wanted) > 0.5 ? 1 : 0;
-    // The hand meets a face within a tick, in which it moves by 0.1 mm.
+    // The tip moves by up to 0.1 mm in the tick that meets the face, so the proxy may be off by
+    // that.
     EXPECT_NEAR(Norm(record.Force - wanted), 0.0, 0.1 * PerMillimetre * FaceStiffness) << i;
   }
   EXPECT_LT(deepest, 0.1);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * How far a drag R holds the proxy of solver PRECISE from the tip, in a medium that has nothing
- * else: R/k (T6 in Documentation/evaluation.md), but no farther than R over the coupling stiffness
- * or three voxels along the normal, whichever is longer (Documentation/method.md). PAPER keeps R/k.
+ * The lag between tip and proxy that a drag R causes with solver PRECISE, in a medium without a
+ * surface: R/k (T6 in Documentation/evaluation.md), but at most R over the coupling stiffness, or
+ * three voxels along the normal if that is longer (Documentation/method.md). PAPER keeps R/k.
  */
 
 #include "Rigs/CoreScene.h"
@@ -22,12 +22,13 @@ struct Medium
   double Drag = 0.5;        // N
   double Coupling = 500.0;  // N/m
   Vector3 Spacing{ 1.0, 1.0, 1.0 };
-  Vector3 Slope{ 0.0, 0.0, 0.0 }; // of V, per mm
-  double Cap = 0.0;               // N/m, of the device
+  Vector3 Slope{ 0.0, 0.0, 0.0 }; // gradient of V, per mm
+  double Cap = 0.0;               // N/m, the device's largest stiffness; 0: no limit
   HapticSolver Solver = HapticSolver::Precise;
 };
 
-/// The lag (m) at the end of a way of 40 mm along the volume's diagonal, and the force (N).
+/// Moves the tip 40 mm along the volume's diagonal. Returns the lag (m) at the end and the force
+/// (N).
 std::pair<double, double> Drag(const Medium& medium)
 {
   const auto samples = [](double spacing) { return std::int64_t(100.0 / spacing); };
@@ -69,7 +70,7 @@ TEST(DragLimit, LeavesTheClosedFormsAsTheyAre)
   {
     Medium medium;
     medium.Solver = solver;
-    for (const double k : { 200.0, 400.0, 500.0, 2000.0 }) // with 1 mm voxels: 3 mm at least
+    for (const double k : { 200.0, 400.0, 500.0, 2000.0 }) // with 1 mm voxels, at least 3 mm
     {
       medium.Stiffness = k;
       const auto [lag, force] = Drag(medium);
@@ -123,7 +124,8 @@ TEST(DragLimit, CountsVoxelsAlongTheNormal)
 
 TEST(DragLimit, HoldsInNoise)
 {
-  // Stiffness and drag that noise reads anywhere on their ramps, as of a hand's first functions.
+  // The values are noise, so the proxy reads stiffness and drag anywhere on their ramps, as with
+  // the transfer functions that a user tries first.
   TestVolume volume(ScalarType::Float32, { 40, 40, 40 });
   std::mt19937_64 engine(5);
   std::normal_distribution<float> noise(0.0f, 60.0f);
@@ -135,7 +137,7 @@ TEST(DragLimit, HoldsInNoise)
     {
       HapticModelDescription d = Describe(volume);
       d.Settings.Placement = placement;
-      d.Settings.ReleaseTime = 0.0; // the law alone
+      d.Settings.ReleaseTime = 0.0; // without release, which is tested elsewhere
       d.Material.Stiffness = { { -20.0, 0.0 }, { 60.0, stiffness } };
       d.Material.Viscosity = { { -60.0, 0.0 }, { 20.0, 0.5 } };
       d.Material.SurfaceStrength = ConstantPolyline(0.0);

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A hand on surfaces whose materials belong to their far side. The volumes are built from values of
- * plateaus, which are also what is expected; how values follow along a surface is the solution of
- * the equation in FarSide.h, an exponential. A distance field has no far side: there the same hand
- * with the kernel's values is expected.
+ * A hand on surfaces that take their material from the far side of the edge. The volumes are built
+ * from plateaus, so the expected values are those of the plateaus. How the value changes along a
+ * surface is the solution of the equation in FarSide.h, an exponential. A distance field has no far
+ * side: the test expects the same force as with the kernel's values.
  */
 
 #include "Core/Solvers/Precise/FarSide.h"
@@ -22,14 +22,14 @@ using namespace coretest;
 namespace
 {
 constexpr double Air = -1000.0;
-constexpr double Middle = 20.4; // mm, and voxels
+constexpr double Middle = 20.4; // mm; also voxels, because the spacing is 1 mm
 
 double Phi(double x)
 {
   return 0.5 * std::erfc(-x / std::sqrt(2.0));
 }
 
-/// Samples of a function of x (voxels) and of the distance from the middle along z.
+/// Returns a volume with the value at x (voxels) and at the distance from the middle along z.
 TestVolume MakeVolume(const std::function<double(double, double)>& value, double noise = 0.0)
 {
   TestVolume volume(ScalarType::Float64, { 64, 16, 40 });
@@ -54,7 +54,7 @@ HapticModelDescription DescribeFar(const TestVolume& volume)
   return description;
 }
 
-/// Ticks of 0.05 mm: from above to a depth (mm) under the middle, then along x.
+/// Moves the tip by 0.05 mm a tick: first down to `depth` (mm) below the middle, then along x.
 std::vector<TickRecord> Stroke(const HapticModel& model, double depth, double from, double to)
 {
   std::vector<TickRecord> trace;
@@ -87,7 +87,7 @@ bool Holds(const TickRecord& record)
   return record.NormalForce > 0.0;
 }
 
-/// The standard deviation of the inner value along the stroke, once it has settled.
+/// Returns the standard deviation of the inner value along the stroke, once the value has settled.
 double SpreadOf(const std::vector<TickRecord>& trace)
 {
   double sum = 0.0;
@@ -105,8 +105,9 @@ double SpreadOf(const std::vector<TickRecord>& trace)
 
 TEST(FarSideContact, BeforeAnEdgeNothingHolds)
 {
-  // An edge without noise, through places between the samples. It rises by less than a quarter of
-  // its height before 0.7 of its blur; interpolation shifts that by a voxel at most.
+  // An edge without noise, sampled between the voxels too. Up to a distance of 0.7 of its blur in
+  // front of the surface, the edge rises by less than a quarter of its height; interpolation shifts
+  // that place by at most one voxel.
   const std::int64_t n = 40;
   for (const double blur : { 0.05, 0.3, 0.6, 1.3 })
   {
@@ -178,7 +179,7 @@ TEST(FarSideContact, SkinIsWhatLiesBehindItFromItsFirstTouchOn)
     << "the blur is wide enough to matter";
 }
 
-// Twice as wide as the edges whose plateaus a walk reaches.
+// Edges twice as wide as those whose plateaus a walk reaches are felt in their middle.
 TEST(FarSideContact, AWideEdgeIsFeltInItsMiddle)
 {
   for (const double blur : { 2.0, 3.0, 4.0 })
@@ -234,8 +235,9 @@ TEST(FarSideContact, NoMaterialStepsAlongASurface)
 
 TEST(FarSideContact, TheMediumFollowsOverItsOwnPath)
 {
-  // Two media side by side on one bone: M = M1 + (M0 - M1) exp(-s/L) at s behind their border, with
-  // M0 and M1 as a stroke through either medium alone finds them.
+  // Two media lie side by side on one bone. At a distance s behind their border, the medium's value
+  // is M = M1 + (M0 - M1) exp(-s/L). M0 and M1 are the values that a stroke through one medium
+  // alone finds.
   const double border = 19.5;
   const auto strokeOver = [](const std::function<double(double)>& medium)
   {
@@ -254,7 +256,7 @@ TEST(FarSideContact, TheMediumFollowsOverItsOwnPath)
     const double way = 1000.0 * across[i].Proxy.X - border;
     if (!Holds(across[i]) || std::abs(way) < 2.0 || 1000.0 * across[i].Tip.X < 13.0)
     {
-      continue; // beside the border the samples in between are those of neither
+      continue; // samples between the two media belong to neither
     }
     const double left = way > 0.0 ? std::exp(-way / FarSide::MediumPathLength) : 1.0;
     const double expected =
@@ -269,7 +271,7 @@ TEST(FarSideContact, TheDragDoesNotStepWhereTheSurfaceIsLeft)
 {
   const double slow = 0.0;
   const double thick = 60.0;
-  const double steepest = 0.4 / (thick - slow); // N, of the drag per scalar unit
+  const double steepest = 0.4 / (thick - slow); // N per scalar unit: slope of the drag
   const double border = 19.5;
   const TestVolume volume = MakeVolume(
     [&](double x, double z)
@@ -324,7 +326,8 @@ TEST(FarSideContact, TheDragDoesNotStepWhereTheSurfaceIsLeft)
 
 TEST(FarSideContact, DragWithoutAContactIsThatOfItsOwnPlace)
 {
-  // A needle is drawn out through the skin: behind it is air, whatever dragged it inside.
+  // A needle is drawn out through the skin. The air outside must not inherit the drag of the
+  // tissue.
   const double height = 1050.0;
   const TestVolume volume =
     MakeVolume([&](double, double z) { return Air + height * Phi(z / 1.2); });
@@ -362,7 +365,7 @@ TEST(FarSideContact, NoiseSpreadsTheValuesLessThanAtTheKernel)
 
 TEST(FarSideContact, ANewContactBeginsWithTheMaterialOfItsOwnPlace)
 {
-  // Skin that holds 1 N, and 6 mm behind it bone.
+  // The skin holds 1 N. Bone lies 6 mm behind it.
   const TestVolume volume = MakeVolume(
     [](double, double z) { return Air + 1050.0 * Phi(z / 0.8) + 1000.0 * Phi((z - 6.0) / 0.8); });
   HapticModelDescription description = DescribeFar(volume);
@@ -397,7 +400,8 @@ TEST(FarSideContact, StructuresOfLowerValuesFeelAsThoseOfHigherOnes)
   HapticModelDescription both = lower;
   both.Settings.Side = SurfaceSide::Both;
   const auto expected = Stroke(HapticModel(higher), 2.0, 15.0, 45.0);
-  // With two-sided surfaces a proxy without lag does not know its side, and may be a tick late.
+  // With two-sided surfaces, a proxy without a lag does not know which side it is on, so the
+  // contact may come one tick late.
   const double late = 500.0 * 5e-5;
   for (const auto& [description, tolerance] :
     { std::pair(lower, 1e-6), std::pair(both, 1.2 * late) })
@@ -414,7 +418,8 @@ TEST(FarSideContact, StructuresOfLowerValuesFeelAsThoseOfHigherOnes)
   }
 }
 
-// T1 and T2 of the specification, in a volume of which no position is three radii from the border.
+// T1 and T2 of the specification. Every position in this volume is closer to the border than three
+// kernel radii.
 TEST(FarSideContact, AnEvenRampIsFeltAsWithTheKernel)
 {
   const TestVolume ramp = MakeRamp(12);
@@ -431,7 +436,7 @@ TEST(FarSideContact, AnEvenRampIsFeltAsWithTheKernel)
   TickRecord records[2];
   for (int i = 0; i <= 100; ++i)
   {
-    // 5 mm in, and out again; aside meanwhile.
+    // The tip goes 5 mm in and out again, and aside at the same time.
     const double depth = 0.1 * (i <= 50 ? i : 100 - i);
     const Vector3 tip = { 0.005 + 2e-5 * i, 0.006, 0.001 * (4.0 + depth) };
     Tick(kernel, states[0], tip, records[0]);
@@ -446,14 +451,15 @@ TEST(FarSideContact, AnEvenRampIsFeltAsWithTheKernel)
 
 namespace
 {
-/// The depth (mm, which are voxels) inside a body of which the volume is the distance field.
+/// A body. Depth() is the depth (mm, which are voxels) below its surface; the volume is its
+/// distance field.
 struct Body
 {
   const char* Name;
   double (*Depth)(const Vector3&);
 };
 
-constexpr double Half = 28.6; // mm: the middle of the bodies along each axis
+constexpr double Half = 28.6; // mm: centre of the bodies along each axis
 constexpr double Pi = 3.14159265358979323846;
 
 const Body Bodies[] = {
@@ -479,7 +485,8 @@ const Body Bodies[] = {
       const Vector3 d = x - Vector3{ Half, Half, Half };
       return 7.0 - std::hypot(std::hypot(d.X, d.Y) - 17.0, d.Z);
     } },
-  // Its curvature radii are 11 voxels at least, and its gradient is 1 to 1.23 on the surface.
+  // The gyroid's radii of curvature are at least 11 voxels, and its gradient on the surface is 1 to
+  // 1.23.
   { "gyroid",
     [](const Vector3& x)
     {
@@ -499,7 +506,7 @@ Vector3 Slope(const Body& body, const Vector3& x)
   return { along({ 1, 0, 0 }), along({ 0, 1, 0 }), along({ 0, 0, 1 }) };
 }
 
-/// The nearest place at a depth.
+/// Returns the nearest position to `x` at a depth.
 Vector3 AtDepth(const Body& body, Vector3 x, double depth)
 {
   for (int i = 0; i < 20; ++i)
@@ -541,7 +548,7 @@ TEST(FarSideContact, ADistanceFieldOfCoarseVoxelsIsFeltAsWithTheKernel)
       TickRecord records[2];
       for (int i = 0; i < 900; ++i)
       {
-        // The surface is felt a kernel radius outside, so that this is 2 mm deep.
+        // The surface is felt one kernel radius outside of the body, so the tip is 2 mm deep there.
         const double depth = std::min(-5.0 + 0.05 * i, 0.0);
         way += 0.02 * Vector3{ normal(engine), normal(engine), normal(engine) };
         tip = AtDepth(body, tip + (0.05 / Norm(way)) * way, depth);
@@ -564,8 +571,9 @@ TEST(FarSideContact, ADistanceFieldOfCoarseVoxelsIsFeltAsWithTheKernel)
 
 TEST(FarSideContact, ARampOfRoundedSamplesHoldsAsFirmlyAsAnExactOne)
 {
-  // A ball without an edge: on a ramp of 10 values a voxel, the surface is where the hand meets it.
-  // A tip 1 mm under it feels 500 N/m times that, and 5 N would not get through.
+  // A ball without an edge: a ramp of 10 values per voxel, on which the surface is where the hand
+  // first meets it. A tip 1 mm below it feels 500 N/m times 1 mm. A force of 5 N would not get
+  // through.
   const double radius = 100.0;
   const double expected = 500.0 * 1e-3;
   const Vector3 out = (1.0 / std::sqrt(14.0)) * Vector3{ 2.0, 1.0, 3.0 };
@@ -612,10 +620,10 @@ TEST(FarSideContact, ARampOfRoundedSamplesHoldsAsFirmlyAsAnExactOne)
 
 TEST(FarSideContact, APressIsTheSameInTicksOfAnyLength)
 {
-  // A ball of 30 mm whose wall holds T = 2 N (eq. 12), with a spring of 500 N/m: a press takes
-  // min(k lag, T), however far the tip goes in a tick. Behind a wall of 2 mm, beyond which the
-  // values are even, there is nothing to hold the proxy. It is met up to two voxels, the reach of
-  // the kernel, outside of 30 mm.
+  // A ball of 30 mm radius, whose wall holds T = 2 N (eq. 12), with a stiffness of 500 N/m. A press
+  // feels min(k lag, T), however far the tip goes in one tick. Behind the wall of 2 mm, the values
+  // are constant and hold nothing. The hand meets the wall up to two voxels (the kernel's reach)
+  // outside of 30 mm.
   constexpr double stiffness = 0.5; // N/mm
   constexpr double strength = 2.0;  // N
   constexpr double radius = 30.0;
@@ -650,7 +658,7 @@ TEST(FarSideContact, APressIsTheSameInTicksOfAnyLength)
         {
           tick(5.0 - (5.0 + depth) * i / ticks);
         }
-        for (int i = 0; i < 200; ++i) // the force of a leap fades
+        for (int i = 0; i < 200; ++i) // lets the force fade after the leap
         {
           tick(-depth);
         }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The walk to the plateaus on either side of an edge. Expectations are the values from which the
- * edges are built: V1 + (V2 - V1) Phi(z/s), with the normal distribution Phi. Ramps are linear
- * functions and distances from a point.
+ * Tests the walk to the plateaus on both sides of an edge. The expected values are those from which
+ * the edges are built: V1 + (V2 - V1) Phi(z/s), with Phi the normal distribution. Ramps are linear
+ * functions of the position, or distances from a point.
  */
 
 #include "Core/Solvers/Precise/FarSide.h"
@@ -19,7 +19,7 @@ using namespace coretest;
 
 namespace
 {
-constexpr double Middle = 31.3; // voxels: the edges stand here
+constexpr double Middle = 31.3; // voxels: position of the edges
 constexpr double Radius = 2.0;  // voxels
 constexpr double Tolerance = 0.01;
 
@@ -28,7 +28,7 @@ double Phi(double x)
   return 0.5 * std::erfc(-x / std::sqrt(2.0));
 }
 
-/// A volume that changes along z only, by a function of the distance from the middle.
+/// A volume that changes along z only; `value` is a function of the distance from the middle.
 class Layers
 {
 public:
@@ -67,7 +67,7 @@ TEST(FarSide, IsThePlateausOfABlurredEdge)
       EXPECT_NEAR(far.Ahead, 60.0, 1060.0 * Tolerance) << blur << " from " << at;
       EXPECT_NEAR(far.Behind, -1000.0, 1060.0 * Tolerance) << blur << " from " << at;
       EXPECT_LT(far.Evenness, FarSide::EdgeEvenness) << blur << " from " << at;
-      // The same edge with the structure on its lower side.
+      // The same edge approached from the other side.
       const FarValues lower = edge.Find(at, true);
       EXPECT_EQ(lower.Ahead, far.Behind);
       EXPECT_EQ(lower.Behind, far.Ahead);
@@ -87,15 +87,15 @@ TEST(FarSide, IsTheFirstPlateauNotTheSkullThroughTheScalp)
       ASSERT_GT(head.Value(at + FarSide::FarthestRadii * Radius), 900.0) << "the skull is in reach";
       EXPECT_NEAR(head.Find(at).Ahead, 50.0, 80.0) << blur << " from " << at;
       EXPECT_NEAR(head.Find(at).Behind, -1000.0, 1050.0 * 0.04);
-      // On the skull the scalp is the medium.
+      // At the skull, the scalp is the medium.
       EXPECT_NEAR(head.Find(thickness + at).Behind, 50.0, 80.0) << blur << " from " << at;
       EXPECT_NEAR(head.Find(thickness + at).Ahead, 1050.0, 1000.0 * Tolerance);
     }
   }
 }
 
-// The skin is thinner than the kernel is wide, and the skull behind it is the steeper edge. A walk
-// finds the edge on its own side of the dip between them, not both as one.
+// The skin is thinner than the kernel is wide, and the skull behind it is a steeper edge. The walk
+// must find the edge on its own side of the dip between the two, and not take both for one edge.
 TEST(FarSide, IsThatOfAThinLayerWhoseNextEdgeIsSteeper)
 {
   for (const double blur : { 0.5, 0.6 })
@@ -126,8 +126,8 @@ TEST(FarSide, IsThreeRadiiAwayOnAnEvenRamp)
   EXPECT_NEAR(far.Evenness, 1.0, 1e-12);
 }
 
-// The distance from a point is an even ramp along every ray. Between voxels the interpolation bends
-// it: the rises of the steps differ by up to an eighth. Noise adds to that.
+// The distance from a point rises evenly along every ray. Interpolation between voxels bends the
+// ramp, so that the rises of the steps differ by up to an eighth. Noise adds to that.
 TEST(FarSide, IsThatOfTheKernelOnADistanceFieldOfCoarseVoxels)
 {
   std::mt19937 engine(3);
@@ -159,18 +159,18 @@ TEST(FarSide, IsThatOfTheKernelOnADistanceFieldOfCoarseVoxels)
   }
 }
 
-// The samples do not tell what is beyond the border, so that a ramp is even up to there.
+// Nothing is known beyond the border, so a ramp counts as even up to the border.
 TEST(FarSide, StopsAtTheBorder)
 {
   const Layers ramp([](double z) { return 100.0 * z; });
   const double last = 63.0 - Middle;
-  // Steps of half a voxel: two of them are inside, ahead or behind.
+  // The walk goes in steps of half a voxel. Two of them fit into the volume, ahead or behind.
   const FarValues far = ramp.Find(last - 1.2);
   EXPECT_NEAR(far.Ahead, 100.0 * (last - 0.2), 1e-9);
   EXPECT_NEAR(far.Behind, 100.0 * (last - 1.2 - 3.0 * Radius), 1e-9);
   EXPECT_NEAR(far.Evenness, 1.0, 1e-12);
   EXPECT_NEAR(ramp.Find(1.2 - Middle).Behind, 100.0 * (0.2 - Middle), 1e-9);
-  // Nor is there another edge than the one inside.
+  // An edge next to the border: nothing else is assumed beyond the border.
   const Layers edge([&](double z) { return 1000.0 * Phi(z - last + 1.0); });
   EXPECT_NEAR(edge.Find(last - 1.0).Behind, 0.0, 1000.0 * Tolerance);
   EXPECT_NEAR(edge.Find(last - 1.0).Ahead, edge.Value(last), 1e-9);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Walls between labels under a hand, in a volume of one value. A wall that lies at w and holds
- * gives a tip at depth h the force k (h - w): the closed form of these tests.
+ * Walls between labels under a hand, in a volume with one value. A wall at depth w that holds
+ * answers a tip at depth h with the force k (h - w): the closed form of these tests.
  */
 
 #include "Rigs/CoreScene.h"
@@ -21,7 +21,8 @@ using namespace coretest;
 namespace
 {
 constexpr double Millimetre = 1e-3;
-/// Sanitizers look at the code, and slow it down: the statistics are those of release builds.
+/// Sanitizers slow the code down, so their builds make fewer crossings. The statistics need a
+/// release build.
 #if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 constexpr int Crossings = 1000000;
 #else
@@ -37,7 +38,7 @@ LabelledMaterial Entry(std::int64_t label, double stiffness, double strength)
   return entry;
 }
 
-/// A volume of zeros, and labels on the same grid.
+/// A volume of zeros with a label map on the same grid.
 class LabelledScene
 {
 public:
@@ -63,7 +64,7 @@ public:
   HapticModelDescription Description;
 };
 
-/// Moves a tip from tick to tick, in millimetres.
+/// Moves a tip. Positions are in millimetres.
 class WallHand
 {
 public:
@@ -95,14 +96,14 @@ private:
   bool IsThere = false;
 };
 
-/// L6: a wall through the middle, oblique to all axes, between label 0 and label 1. Positions and
-/// lengths are in millimetres; random numbers are the same in every run.
+/// L6: a wall through the middle between labels 0 and 1, oblique to all axes. Positions and lengths
+/// are in millimetres. The random numbers are the same in each run.
 class ObliqueWall
 {
 public:
   static constexpr double Stiffness = 500.0;
   static constexpr double Strength = 2.0;
-  static constexpr double Bumps = 0.4; ///< the wall of voxels is bumpy by some tenths
+  static constexpr double Bumps = 0.4; ///< the voxels make bumps of some tenths of a millimetre
 
   explicit ObliqueWall(std::uint64_t seed)
     : Scene(32, [this](const Vector3& x) { return this->DepthOf(x) > 0.0 ? 1 : 0; },
@@ -117,7 +118,7 @@ public:
   {
     return low + (high - low) * static_cast<double>(this->Engine() >> 11) * 0x1p-53;
   }
-  /// A step along the wall, by up to `reach` in each of two directions.
+  /// Returns a random step along the wall, up to `reach` in each of two directions.
   Vector3 DrawAlong(double reach)
   {
     const double u = this->Draw(-reach, reach);
@@ -146,7 +147,7 @@ class LabelWallOfSolver : public testing::TestWithParam<HapticSolver>
 
 TEST_P(LabelWallOfSolver, HoldsWhereTheLabelsMeet)
 {
-  // L1 with the geometry from labels: 200 N/m and 800 N/m behind one wall at z = 11.5.
+  // L1 with the geometry from labels: regions of 200 N/m and 800 N/m behind one wall at z = 11.5.
   const auto labels = [](const Vector3& x) { return x.Z < 11.5 ? 0 : (x.X < 11.5 ? 1 : 2); };
   LabelledScene scene(24, labels, { Entry(1, 200.0, 50.0), Entry(2, 800.0, 50.0) });
   scene.Description.Settings.Solver = this->GetParam();
@@ -159,7 +160,7 @@ TEST_P(LabelWallOfSolver, HoldsWhereTheLabelsMeet)
     const TickRecord& pressed = hand.MoveTo({ x, 12, 13.5 }, 0.01);
     EXPECT_NEAR(pressed.Stiffness, stiffness, 1e-9 * stiffness);
     EXPECT_NEAR(pressed.Proxy.Z, 11.5 * Millimetre, 0.015 * Millimetre);
-    // Of one and the same k, exactly.
+    // The force is exactly k times the lag, with the k of one region.
     EXPECT_NEAR(-pressed.Force.Z / (stiffness * (13.5 * Millimetre - pressed.Proxy.Z)), 1.0, 1e-9);
     const TickRecord& left = hand.MoveTo({ x, 12, 8 });
     EXPECT_EQ(Norm(left.Force), 0.0) << "the way out is free";
@@ -181,7 +182,7 @@ TEST_P(LabelWallOfSolver, GivesWayAtItsStrength)
   }
   EXPECT_NEAR(most, 1.0, 1e-3);
   EXPECT_EQ(Norm(hand.MoveTo({ 20, 20, 22 }).Force), 0.0) << "inside a label nothing holds";
-  // Nor does the wall hold on the way back, which leads out of the structure.
+  // The wall does not hold on the way back out of the structure either.
   for (double z = 22.0; z > 8.0; z -= 0.05)
   {
     ASSERT_LT(Norm(hand.MoveTo({ 20, 20, z }).Force), 1e-9) << z;
@@ -190,7 +191,7 @@ TEST_P(LabelWallOfSolver, GivesWayAtItsStrength)
 
 TEST_P(LabelWallOfSolver, IsNotThereIfNothingIsFelt)
 {
-  // The skin is not felt, and the bone behind it is.
+  // The skin is set not to be felt; the bone behind it is felt.
   const auto labels = [](const Vector3& x) { return x.Z < 8.5 ? 0 : (x.Z < 14.5 ? 1 : 2); };
   LabelledMaterial skin = Entry(1, 300.0, 5.0);
   skin.Material.IsFelt = false;
@@ -212,12 +213,12 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(LabelWall, IsNeverFallenThrough)
 {
-  // Tips of up to 3 m/s that press with less than T_N.
+  // Tips at up to 3 m/s press with less than T_N.
   ObliqueWall wall(7);
   constexpr double deepest =
     0.9 * ObliqueWall::Strength / ObliqueWall::Stiffness / Millimetre - ObliqueWall::Bumps;
-  constexpr int crossings = Crossings / 25; // they take longer ways
-  constexpr double fastest = 3.0;           // mm in a tick of 1 ms
+  constexpr int crossings = Crossings / 25; // fewer, because these ways are longer
+  constexpr double fastest = 3.0;           // mm per tick of 1 ms
   Vector3 tip = wall.Middle - 2.0 * wall.Normal;
   wall.Move(tip);
   int through = 0;
@@ -228,7 +229,7 @@ TEST(LabelWall, IsNeverFallenThrough)
     {
       const double depth = goesIn ? wall.Draw(0.5, deepest) : wall.Draw(-3.0, -0.5);
       const Vector3 to = wall.Middle + wall.DrawAlong(5.0) + depth * wall.Normal;
-      // The last tick of a way is as fast as the hand; those before are as fast as it may be.
+      // Divide the way into equal steps of at most 3 mm.
       const Vector3 way = to - tip;
       const int ticks = static_cast<int>(std::ceil(Norm(way) / fastest));
       for (int tick = 1; tick <= ticks; ++tick)
@@ -237,7 +238,7 @@ TEST(LabelWall, IsNeverFallenThrough)
         through += wall.IsThrough() ? 1 : 0;
       }
       tip = to;
-      // k (h - w), of a wall that lies at w within the bumps.
+      // Expect k (h - w), with a wall position w that is uncertain by the bumps.
       const double pressed = -Dot(wall.Record.Force, wall.Normal) / ObliqueWall::Stiffness;
       unpressed += goesIn && std::abs(pressed / Millimetre - depth) > ObliqueWall::Bumps ? 1 : 0;
     }
@@ -248,7 +249,7 @@ TEST(LabelWall, IsNeverFallenThrough)
 
 TEST(LabelWall, IsNotFallenThroughInAMillionCrossings)
 {
-  // 10^6 crossings, each in one tick, wherever voxels make bumps and dents.
+  // Up to 10^6 crossings, each in one tick, at places where voxels make bumps and dents.
   ObliqueWall wall(9);
   Vector3 foot = wall.Middle;
   wall.Move(foot - wall.Normal);
@@ -260,7 +261,7 @@ TEST(LabelWall, IsNotFallenThroughInAMillionCrossings)
     const bool goesIn = i % 2 == 0;
     if (goesIn && i % 100 == 0)
     {
-      // Elsewhere, in the open.
+      // Start again at another place in front of the wall.
       foot = wall.Middle + wall.DrawAlong(6.0);
       wall.State.Enabled = false;
       wall.Move(foot - wall.Normal);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What is felt doesn't depend on the unit of the world: the same ball in micrometres, centimetres,
- * metres and kilometres has the forces that it has in millimetres.
+ * The force doesn't depend on the world's length unit: the same ball in micrometres, centimetres,
+ * metres and kilometres gives the forces that it gives in millimetres.
  */
 
 #include "Rigs/CoreScene.h"
@@ -17,11 +17,11 @@ using namespace coretest;
 
 namespace
 {
-/// A press and a stroke, with a step of the tip (mm) in each tick.
+/// Presses and strokes. `step` is the tip's motion (mm) per tick. Returns the forces.
 std::vector<Vector3> Touch(
   const TestVolume& volume, double unit, HapticMethod method, HapticSolver solver, double step)
 {
-  // `unit` millimetres are one unit of the world.
+  // One world unit is `unit` millimetres.
   HapticModelDescription description = Describe(volume);
   description.IndexToWorld.Linear = (0.7 / unit) * Matrix3{};
   description.DeviceToWorld.Linear = (1000.0 / unit) * Matrix3{};
@@ -90,11 +90,11 @@ TEST(LengthUnits, ChangeNoForce)
       {
         EXPECT_EQ(LargestDifference(Touch(volume, unit, method, solver, step), expected), 0.0);
       }
-      // Micrometres, centimetres, metres, kilometres: numbers of which round.
+      // Micrometres, centimetres, metres and kilometres; the numbers are subject to rounding.
       for (const double unit : { 1e-3, 10.0, 1e3, 1e6 })
       {
         const double found = LargestDifference(Touch(volume, unit, method, solver, step), expected);
-        // PAPER chatters: it makes as much of a ball in millimetres that is larger by rounding.
+        // PAPER chatters, so rounding alone changes its force on a ball in millimetres by as much.
         EXPECT_LT(found, solver == HapticSolver::Paper ? 0.02 : 1e-9);
       }
     }

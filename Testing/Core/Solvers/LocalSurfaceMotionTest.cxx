@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * LOCAL_SURFACE under hands that go anywhere: nothing jumps.
+ * LOCAL_SURFACE under hands that move at random: the force never jumps.
  */
 
 #include "Rigs/LocalSurfaceRig.h"
@@ -16,7 +16,7 @@ constexpr double Spring = 0.5; // N/mm
 const Vector3 Middle{ 20.0, 20.0, 20.0 };
 const LocalSurfaceShape Shapes[] = { LocalSurfaceShape::Plane, LocalSurfaceShape::Quadric };
 
-/// A box of 16 mm whose edges are as sharp as its blur: there a quadric bends most tightly.
+/// A box of 16 mm. Its edges are as sharp as the blur allows; there, a quadric bends most.
 TestVolume MakeBox()
 {
   TestVolume volume(ScalarType::Float64, { 41, 41, 41 });
@@ -33,7 +33,7 @@ TestVolume MakeBox()
   return volume;
 }
 
-/// Bumps and holes of some voxels.
+/// A surface with bumps and holes of several voxels.
 TestVolume MakeBumps()
 {
   TestVolume volume(ScalarType::Float64, { 41, 41, 41 });
@@ -48,7 +48,8 @@ TestVolume MakeBumps()
   return volume;
 }
 
-/// A hand that wanders up to 0.4 m/s. In no tick does the force change by more than it may.
+/// Moves a hand at random at up to 0.4 m/s. Expects that no tick changes the force by more than the
+/// allowed step.
 void ExpectNoJump(const HapticModelDescription& description, unsigned seed)
 {
   const double period = description.Settings.TickPeriod;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * LOCAL_SURFACE on shapes that are not flat: friction keeps to its cone, hollows hold, and thin
- * walls do not pull.
+ * LOCAL_SURFACE on shapes that are not flat: friction stays within its cone, hollows hold the tip,
+ * and thin walls do not pull.
  */
 
 #include "Rigs/LocalSurfaceRig.h"
@@ -23,7 +23,8 @@ TEST(LocalSurfaceShapes, FrictionSticksAndSlides)
   d.Material.Friction = ConstantPolyline(0.4);
   Hand hand(d, { 10.0, 10.0, 9.0 });
   hand.Lead({ 10.0, 10.0, 15.0 });
-  // Sticks until the lag is mu times the depth (T4 and T5 in Documentation/evaluation.md).
+  // The proxy sticks until the lateral lag is mu times the depth (T4 and T5 in
+  // Documentation/evaluation.md).
   hand.Lead({ 11.1, 10.0, 15.0 });
   EXPECT_EQ(hand.Record.Contact, ContactState::Sticking);
   EXPECT_LE(Norm(hand.Proxy() - Vector3{ 10.0, 10.0, 12.0 }), 1e-6);
@@ -69,7 +70,7 @@ TEST(LocalSurfaceShapes, FrictionIsNoMoreThanItsShareOfTheNormalForce)
 TEST(LocalSurfaceShapes, AHollowHoldsAHandThatGrazesIt)
 {
   const TestVolume volume = MakeLocalBall(-1.0);
-  for (const double slide : { 0.05, 0.1, 0.2 }) // mm a tick, m/s
+  for (const double slide : { 0.05, 0.1, 0.2 }) // mm per tick, which is m/s
   {
     for (const double press : { 0.002, 0.02 })
     {

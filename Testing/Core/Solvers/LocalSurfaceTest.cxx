@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The slow loop's results for known surfaces.
+ * Surfaces that the slow loop fits to known shapes.
  */
 
 #include "Rigs/LocalSurfaceRig.h"
@@ -42,7 +42,7 @@ TEST(LocalSurface, OfABallBendsAsItDoesAndOfACavityTheOtherWay)
   {
     const TestVolume volume = MakeLocalBall(sign);
     const HapticModelDescription d = DescribeLocal(volume, 100.0, LocalSurfaceShape::Quadric);
-    // 2 mm from the surface, on the side of lower values.
+    // The start is 2 mm from the surface, on the side of lower values.
     const Vector3 out = { 0.6, 0.0, 0.8 };
     const Vector3 centre{ Middle, Middle, Middle };
     const LocalSurface found = Fit(d, centre + (BallRadius + 2.0 * sign) * out);
@@ -73,7 +73,7 @@ TEST(LocalSurface, IsFoundFromOutsideOnlyUnlessItHolds)
   d.Settings.Side = SurfaceSide::Both;
   EXPECT_LE(Norm(Fit(d, outside).Shape.Gradient - up), 1e-9);
   EXPECT_LE(Norm(Fit(d, inside).Shape.Gradient + up), 1e-9);
-  // Held from below, and by rounding already on the other side.
+  // The hand is held from below, although rounding has put the start on the other side.
   EXPECT_LE(Norm(Fit(d, { 10.0, 10.0, 12.0 + 1e-6 }, {}, up).Shape.Gradient - up), 1e-9);
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * How the servo touches what the slow loop finds: 500 N/m at 1 kHz, a surface at z = 12 mm.
+ * Forces on a surface that the slow loop has fitted: 500 N/m at 1 kHz, surface at z = 12 mm.
  */
 
 #include "Core/State/ServoStateNumbers.h"
@@ -13,7 +13,7 @@ using namespace coretest;
 
 namespace
 {
-constexpr int Period = 17; // ticks until an answer comes, at 60 Hz
+constexpr int Period = 17; // ticks until the slow loop (60 Hz) answers
 
 class LocalSurfaceTick : public testing::Test
 {
@@ -48,14 +48,14 @@ TEST_F(LocalSurfaceTick, AnswersComeAsLateAsTheSlowLoopIsSlow)
   {
     EXPECT_EQ(hand.Tick().IsRenewed, tick % Period == 0) << tick;
   }
-  // Two ticks from outside to 2 mm inside, before the first answer: the hand falls through.
+  // Go from outside to 2 mm inside in two ticks, before the first answer. The hand falls through.
   Hand fast(this->Description, { 10.0, 10.0, 11.0 });
   fast.Lead({ 10.0, 10.0, 14.0 }, 1.5);
   for (int tick = 0; tick < 10; ++tick)
   {
     EXPECT_EQ(Norm(fast.Tick().Force), 0.0);
   }
-  // Its answer is then the surface it has left behind, which comes up under the hand.
+  // The answer is then the surface behind the hand, and its force rises gradually.
   double last = 0.0;
   for (int tick = 0; tick < 60; ++tick)
   {

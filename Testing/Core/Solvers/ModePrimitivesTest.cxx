@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Modes on sampled fields with closed forms: vortices, fronts, shear, and turning fibres.
+ * Modes on sampled fields with closed forms: vortices, fronts, shear and twisting fibres.
  */
 
 #include "Rigs/ModeGrid.h"
@@ -37,7 +37,8 @@ ModeGrid MakeVortex(F&& speed)
 
 TEST(ModePrimitives, AVortexHoldsTheHandInAsStronglyAsItTurns)
 {
-  // P5, Lamb-Oseen: curl = 2 exp(-r^2/100 mm^2), and S = 2 N of that.
+  // P5, Lamb-Oseen vortex: curl = 2 exp(-r^2/100 mm^2). The strength is 2 N where the curl is 2,
+  // and proportional to it.
   ModeGrid vortex = MakeVortex([](double r) { return 100.0 / r * -std::expm1(-r * r / 100.0); });
   vortex.Bake(ModeKind::VortexTube, { { 0.0, 0.0 }, { 2.0, 2.0 } });
   const double radii[4] = { 0.0, 5.0, 10.0, 20.0 };
@@ -52,14 +53,15 @@ TEST(ModePrimitives, AVortexHoldsTheHandInAsStronglyAsItTurns)
       {
         vortex.Move(AtAngle(tips[i] * tick / 400.0, angle));
       }
-      // On the core line within 0.01 voxel. Elsewhere, strengths are those of a blurred flow.
+      // The proxy stays within 0.01 voxel of the core line. Elsewhere, the strength is that of the
+      // blurred flow.
       EXPECT_NEAR(Norm(vortex.Motion.Proxy), 1e-3 * radii[i], i == 0 ? 5e-6 : 2e-5);
       EXPECT_NEAR(Norm(vortex.Motion.Force), forces[i], 0.005 * forces[i] + 1e-4);
       EXPECT_NEAR(
         Norm(vortex.Motion.Force - vortex.Field->ForceOf(0, vortex.Memory.Forces)), 0.0, 1e-12);
     }
   }
-  // Back in again it is free.
+  // On the way back in, the proxy is free.
   for (int tick = 0; tick <= 400; ++tick)
   {
     vortex.Move(AtAngle(20.0 - 19.0 * tick / 400.0, 2.9));
@@ -70,8 +72,9 @@ TEST(ModePrimitives, AVortexHoldsTheHandInAsStronglyAsItTurns)
 
 TEST(ModePrimitives, AHandThatWandersEndsOnAnObliqueCore)
 {
-  // P5, Lamb-Oseen around a line that meets no axis and no point of the grid. The hand begins 6 mm
-  // from it, and wanders within 3 mm of a place on it: inwards the proxy is free, outwards held.
+  // P5, Lamb-Oseen vortex around a line that meets no axis and no grid point. The hand begins 6 mm
+  // from the line and wanders within 3 mm of a place on it. Inwards the proxy is free, outwards it
+  // is held.
   const Vector3 axis{ 0.48, -0.6, 0.64 };
   const Vector3 place{ 0.37, -0.21, 0.13 };
   const Vector3 across{ 0.8, 0.64, 0.0 };
@@ -105,7 +108,7 @@ TEST(ModePrimitives, AHandThatWandersEndsOnAnObliqueCore)
     }
   }
   EXPECT_LT(findDistance(), 0.01 * 0.5) << "a hundredth of a voxel";
-  // Along the core it is free, across it held.
+  // The proxy is free along the core and held across it.
   vortex.Move(place + 2.0 * axis + (2.0 / Norm(across)) * across);
   EXPECT_NEAR(Norm(vortex.Motion.Force), 1.0, 0.01);
   EXPECT_NEAR(Dot(1e3 * vortex.Motion.Proxy - place, axis), 2.0, 0.01);
@@ -113,7 +116,7 @@ TEST(ModePrimitives, AHandThatWandersEndsOnAnObliqueCore)
 
 TEST(ModePrimitives, ARankineVortexEndsAtItsRadius)
 {
-  // P6: curl 2 within 10 mm, none outside.
+  // P6: curl 2 within 10 mm, no curl outside.
   ModeGrid vortex = MakeVortex([](double r) { return r < 10.0 ? r : 100.0 / r; });
   vortex.Bake(ModeKind::VortexTube, { { 1.0, 0.0 }, { 1.0, 2.0 } });
   vortex.StartAt({ 0.1, 0.0, 0.0 });
@@ -134,7 +137,7 @@ TEST(ModePrimitives, ARankineVortexEndsAtItsRadius)
 
 TEST(ModePrimitives, FrontsHoldAcrossAndSlideAlong)
 {
-  // v = x: its fronts are spheres; a linear field, which the sampler reproduces.
+  // v = x: the fronts are spheres. The field is linear, so the sampler reproduces it exactly.
   ModeGrid grid(56, 56, 56, 1.0, 3,
     [](const Vector3& x, double* v)
     {
@@ -156,7 +159,7 @@ TEST(ModePrimitives, FrontsHoldAcrossAndSlideAlong)
     EXPECT_NEAR(Norm(grid.Motion.Proxy), 0.020, 1e-6) << "10 turns on the sphere";
     EXPECT_NEAR(Norm(grid.Motion.Force), 1.0, 1e-3);
   }
-  // One-sided: outwards, where v points, it is free; inwards it holds.
+  // One-sided: the proxy is free outwards, where v points, and held inwards.
   grid.Bake(ModeKind::VectorFront, { { 0.0, 0.0 }, { 1.0, 2.0 } });
   grid.StartAt({ 15.0, 0.0, 0.0 });
   grid.Move({ 17.0, 0.0, 0.0 });
@@ -174,14 +177,15 @@ TEST(ModePrimitives, ShearHasALineAlongItsStretching)
   EXPECT_EQ(set[0].Kind, PrimitiveKind::Line);
   EXPECT_NEAR(set[0].Strength, 1.5, 1e-12);
   EXPECT_NEAR(std::abs(Dot(set[0].Direction, { std::sqrt(0.5), std::sqrt(0.5), 0.0 })), 1.0, 1e-14);
-  // Strengths fade within two voxels of the border: 1 mm from it is a quarter of the way.
+  // The strength fades within two voxels of the border. At 1 mm from it, a quarter remains.
   EXPECT_NEAR(grid.At({ 8.0, 0.0, 0.0 })[0].Strength, 0.25 * 1.5, 1e-12);
   EXPECT_EQ(grid.At({ 9.01, 0.0, 0.0 })[0].Strength, 0.0);
 }
 
 TEST(ModePrimitives, TensorsAreInterpolatedAndNotTheirFibres)
 {
-  // P9: from a1 at the bottom to a2 at the top, linearly in z; eigenvalues 1, 0.2, and 0.1 along z.
+  // P9: fibres turn linearly in z from angle a1 at the bottom to a2 at the top. Eigenvalues: 1,
+  // 0.2, and 0.1 along z.
   struct Case
   {
     double From, To, Fraction, Angle, Kept;
@@ -219,7 +223,8 @@ TEST(ModePrimitives, TensorsAreInterpolatedAndNotTheirFibres)
       double angle = std::atan2(fibre.Y, fibre.X) * 180.0 / HalfTurn;
       angle = angle < 0.0 ? angle + 180.0 : angle;
       EXPECT_NEAR(angle, of.Angle, 1e-3);
-      // Kept fraction of the anisotropy: l1, l2 = 0.6 +- 0.4 kept, but 0.1 lies below.
+      // `Kept` is the fraction of the anisotropy that remains: l1 and l2 are 0.6 +- 0.4 Kept; l3 is
+      // 0.1.
       const double l1 = 0.6 + 0.4 * of.Kept;
       EXPECT_NEAR(set[0].Strength, 0.8 * of.Kept / l1, 1e-3);
       EXPECT_NEAR(set[1].Strength, (0.5 - 0.4 * of.Kept) / l1, 1e-3);
@@ -260,7 +265,7 @@ TEST(ModePrimitives, SingularTensorsAndMissingVectorsAreNotFelt)
     EXPECT_FALSE(tensors.Field->Add(*tensors.Baked)) << "eight primitives at most";
     EXPECT_EQ(tensors.Field->GetCount(), 3) << "it keeps its number";
     EXPECT_EQ(tensors.At({}).GetSize(), 6);
-    // A mode of tensors needs tensors.
+    // A tensor mode refuses a vector field.
     vectors.Mode.Kind = ModeKind::TensorFollow;
     EXPECT_FALSE(BakedMode(vectors.Mode, vectors.IndexToWorld).IsValid());
   }
@@ -268,7 +273,7 @@ TEST(ModePrimitives, SingularTensorsAndMissingVectorsAreNotFelt)
 
 TEST(ModePrimitives, TurnWithTheirData)
 {
-  // P11: the same array with its components on image axes, in a world that is turned.
+  // P11: the same array with its components along the image axes, in a rotated world.
   std::mt19937_64 engine(4);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   ModeGrid grid(12, 12, 12, 1.0, 3,

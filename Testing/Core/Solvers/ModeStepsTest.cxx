@@ -37,11 +37,11 @@ using namespace modegrid;
 namespace
 {
 constexpr int Ticks = 200000;  // of each mode: more than a million in all
-constexpr double Stride = 0.2; // mm a tick, along each axis
+constexpr double Stride = 0.2; // mm per tick, along each axis
 
-/// A flow of many directions, with a rotation, a stretching, and places without any. Its Jacobian
-/// is [0 a 0; 0 0 b; c d 0] with |a| <= 0.4, |b| <= 0.3, |c| <= 0.25, |d| <= 0.1 per mm: its norm
-/// is at most the root of the largest row sum times the largest column sum, (0.4 * 0.5)^(1/2).
+/// A flow in many directions, with rotation, stretching and places at rest. Its Jacobian is [0 a 0;
+/// 0 0 b; c d 0] with |a| <= 0.4, |b| <= 0.3, |c| <= 0.25, |d| <= 0.1 per mm. Its norm is at most
+/// the root of the largest row sum times the largest column sum, (0.4 * 0.5)^(1/2).
 constexpr double SteepestSwirl = 0.45;
 void Swirl(const Vector3& x, double* v)
 {
@@ -50,7 +50,7 @@ void Swirl(const Vector3& x, double* v)
   v[2] = 0.5 * std::sin(0.5 * x.X + 0.2 * x.Y);
 }
 
-/// v v^T + 0.1, which is flat or long elsewhere.
+/// The tensor v v^T + 0.1, which elsewhere is made flat or long.
 void SwirlTensor(const Vector3& x, double* t)
 {
   double v[3];
@@ -61,7 +61,7 @@ void SwirlTensor(const Vector3& x, double* t)
   std::copy_n(six, 6, t);
 }
 
-/// How far a primitive's force is from those that another one can have.
+/// Returns the distance (N) between a force and the nearest force that a primitive can have.
 double Miss(const Vector3& force, const Primitive& p)
 {
   const double along = Dot(force, p.Direction);
@@ -90,13 +90,13 @@ double Miss(const PrimitiveForces& forces, const PrimitiveSet& set)
   return sum;
 }
 
-/// The largest force, and the largest changes of the force, of a walk.
+/// The largest force of a walk and the largest changes of the force.
 struct Walked
 {
   double Strongest = 0.0; ///< N
   double Steepest = 0.0;  ///< |df|/(k |dy|)
-  int Steeper = 0;        ///< steps with more than 1
-  int Unbound = 0;        ///< of them, those with q of 1 or more
+  int Steeper = 0;        ///< steps with a ratio of more than 1
+  int Unbound = 0;        ///< of these steps, the number with q >= 1
 };
 
 class ModeSteps
@@ -112,14 +112,14 @@ public:
     std::mt19937_64 engine(11);
     std::uniform_real_distribution<double> uniform(-Stride, Stride);
     Vector3 tip;
-    this->Grid.Move(tip); // where it is pushed, it begins with a force
+    this->Grid.Move(tip); // where the mode pushes, the walk starts with a force
     for (int tick = 0; tick < Ticks && !testing::Test::HasFailure(); ++tick)
     {
       const Vector3 next =
         (1.0 - 0.1 * Stride) * tip + Vector3{ uniform(engine), uniform(engine), uniform(engine) };
       const PrimitiveForces forces = this->Grid.Memory.Forces;
       const PrimitiveMotion from = this->Grid.Motion;
-      this->Grid.Move(next); // which holds |f| to the strengths of the place
+      this->Grid.Move(next); // limits |f| to the strengths at the place
       this->Compare(from, forces, 1e-3 * Norm(next - tip), tick);
       tip = next;
     }
@@ -134,7 +134,7 @@ private:
     const double ratio = step / (CouplingOf * way);
     this->Met.Strongest = std::max(this->Met.Strongest, Norm(to.Force));
     this->Met.Steepest = std::max(this->Met.Steepest, ratio);
-    // The last part of a step that the place is ahead of the force (PrimitiveFollower.h).
+    // The place may be ahead of the force by the last part of a step (PrimitiveFollower.h).
     constexpr double ofEnds = 1e-3;
     if (ratio <= 1.0 + ofEnds)
     {
@@ -151,7 +151,7 @@ private:
     EXPECT_LE(step, this->StrengthsAt(from.Proxy) + this->StrengthsAt(to.Proxy)) << tick;
   }
 
-  /// q = L/k, of the forces before the motion and after it, on parts of the way.
+  /// Computes q = L/k along parts of the way, for the forces before and after the motion.
   double ComputeTurning(const Vector3& from, const Vector3& to, const PrimitiveForces& forces) const
   {
     constexpr int parts = 16;
@@ -185,7 +185,7 @@ struct SteppedMode
 {
   ModeKind Kind;
   int Components;
-  double Second; ///< the strength of its other primitives, where the first one is whole, N
+  double Second; ///< N: the other primitives' strength where the first one has its full strength
 };
 
 Walked WalkThrough(const SteppedMode& mode, double strength)
@@ -206,7 +206,7 @@ TEST_P(ModesInASwirl, StepByTheSpringAsFarAsTheFieldAllows)
 {
   const Walked met = WalkThrough(this->GetParam(), 1.5);
   EXPECT_GT(met.Strongest, 0.3);
-  // Of the steps, which are those of a hand at 0.2 m/s, few turn faster than any bound.
+  // The hand moves at 0.2 m/s. In few of its steps does the flow turn so fast that no bound exists.
   EXPECT_LT(met.Unbound, Ticks / 100);
 }
 
@@ -216,7 +216,8 @@ INSTANTIATE_TEST_SUITE_P(ModeSteps, ModesInASwirl,
     SteppedMode{ ModeKind::VortexTube, 3, 0.3 }, SteppedMode{ ModeKind::Shear, 3, 0.0 },
     SteppedMode{ ModeKind::TensorFollow, 6, 0.5 }));
 
-/// s |J| = 0.3 N * 0.45/mm is 0.27 k.
+/// Flows of little strength: s |J| = 0.3 N * 0.45/mm is 0.27 k, so that the bound 1/(1 - q) exists
+/// everywhere.
 TEST(ModeSteps, OfWeakFlowsAndFrontsAreWithinABoundOfTheirStrength)
 {
   constexpr double strength = 0.3;

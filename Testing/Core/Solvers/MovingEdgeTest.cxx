@@ -2,31 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What of V1 to V3 is the samples' and not the law's: how far from its middle an edge holds that
- * goes through voxels.
+ * Errors in V1 to V3 that come from the samples, not from the force law: how far from its middle a
+ * moving edge holds the proxy.
  *
- * An edge is where V is the mean of V a kernel radius R before it and behind. With the Gaussian
- * estimator, V is interpolated between samples h apart, which reads it at a fraction f of a voxel
- * as
+ * An edge is where V is the mean of V at one kernel radius R in front and one behind. With the
+ * Gaussian estimator, V is interpolated between samples h apart. At a fraction f of a voxel,
+ * interpolation gives
  *
  *   V + f(1 - f)/2 h^2 V'' + f(1 - f)(1 - 2f)/6 h^3 V''' + ...
  *
- * At the middle of an edge and R from there, the first term is 0 or cancels. What is left moves the
- * middle to and fro from voxel to voxel, by at most
+ * At the middle of an edge and at R from there, the first term is 0 or cancels. The second term
+ * moves the middle to and fro from voxel to voxel, by at most
  *
  *   e = sqrt(3)/108 h^3 |V'''(0) - V'''(R)| / |V'(0) - V'(R)|   at f = (3 - sqrt(3))/6.
  *
- * Of an edge tanh(x/w), with s = 1/cosh^2(R/w):
+ * For an edge tanh(x/w), with s = 1/cosh^2(R/w), this is
  *
  *   e = sqrt(3)/108 h^3/w^2 (2 - 2 s^2 + 4 (1 - s) s)/(1 - s)
  *
- * A surface is nowhere before the middle of its edge, and a wall that moves goes through all places
- * in a voxel: so it holds e behind its middle in the end, and a hand is pushed by up to k e less,
- * and never by more. A ball's level moves, too: a Gaussian of variance q reads its surface q/r
- * inside, so that it comes farther inside by q (1/r2 - 1/r1) while the radius falls from r1 to r2.
+ * The surface is never in front of the middle of its edge. A moving wall passes through all
+ * positions within a voxel, so in the end it holds at e behind its middle, and the force on the
+ * hand is too small by up to k e, and never too large. A ball's level moves as well: a Gaussian of
+ * variance q reads the surface q/r too far inside, so the surface moves inside by q (1/r2 - 1/r1)
+ * while the radius falls from r1 to r2.
  *
- * PAPER holds before the middle, where its surface is distinct enough for the pull. How far does
- * not matter to how it is carried.
+ * PAPER holds in front of the middle, where its surface is distinct enough for the pull. The
+ * distance has no effect on how the proxy is carried.
  */
 
 #include "Rigs/MovingRig.h"
@@ -42,7 +43,7 @@ using namespace movingtest;
 namespace
 {
 
-/// An edge tanh(x/Width), its samples, and how many of them the kernel has.
+/// An edge tanh(x/Width), the spacing of its samples, and the kernel radius.
 struct SampledEdge
 {
   double Width; ///< mm
@@ -50,7 +51,7 @@ struct SampledEdge
   int Radius;   ///< voxels
 };
 
-/// e, mm.
+/// Returns the closed form of e (mm).
 double ComputeRipple(const SampledEdge& edge)
 {
   const double h = edge.Voxel;
@@ -60,7 +61,8 @@ double ComputeRipple(const SampledEdge& edge)
     (2.0 - 2.0 * s * s + 4.0 * (1.0 - s) * s) / (1.0 - s);
 }
 
-/// The same by searching all places in a voxel: how far off the middle is at worst, mm.
+/// Searches all positions within a voxel for the largest distance (mm) between the sampled edge's
+/// middle and the true one.
 double SearchRipple(const SampledEdge& edge)
 {
   const double h = edge.Voxel;
@@ -88,7 +90,8 @@ double SearchRipple(const SampledEdge& edge)
   return worst;
 }
 
-/// The variance of the Gaussian's window that has its own derivative (GradientKernel.h), mm^2.
+/// Returns the variance (mm^2) of the Gaussian's window with which its derivative is consistent
+/// (GradientKernel.h).
 double ComputeBlur(const SampledEdge& edge)
 {
   const double scale = 0.56 * edge.Radius; // voxels
@@ -106,7 +109,7 @@ double ComputeBlur(const SampledEdge& edge)
   return second / sum * edge.Voxel * edge.Voxel;
 }
 
-/// The range of a force off what is right, N.
+/// The range of a force's error (N).
 struct Errors
 {
   double Least = 0.0;
@@ -126,7 +129,7 @@ HapticModelDescription DescribeEdge(const Movie& movie, const SampledEdge& edge,
   return d;
 }
 
-/// V3, and its wall from 18 mm on through three voxels.
+/// Runs V3, whose wall moves from 18 mm on through three voxels. Returns the errors of the force.
 /// @param drag of the medium, N
 Errors FeelWall(const SampledEdge& edge, double drag)
 {
@@ -145,13 +148,13 @@ Errors FeelWall(const SampledEdge& edge, double drag)
   return errors;
 }
 
-/// How stiffly a spring of K feels a way (mm), N.
+/// Returns the force (N) of a spring of stiffness K for a displacement (mm).
 double ForceOf(double way)
 {
   return 0.001 * K * way;
 }
 
-/// What rounding and the search for levels add, N.
+/// Error (N) that rounding and the search for levels add.
 constexpr double SearchError = 1e-3;
 
 } // namespace
@@ -161,14 +164,14 @@ TEST(MovingEdges, AnInterpolatedEdgeWandersByAFormula)
   for (const SampledEdge& edge : { SampledEdge{ 1.5, 1.0, 2 }, SampledEdge{ 1.5, 1.0, 3 },
          SampledEdge{ 1.5, 0.5, 2 }, SampledEdge{ 2.0, 1.0, 2 }, SampledEdge{ 2.5, 1.0, 3 } })
   {
-    // The next term of the series is that of h^5.
+    // The tolerance covers the next term of the series, that of h^5.
     EXPECT_NEAR(SearchRipple(edge) / ComputeRipple(edge), 1.0, 0.06)
       << edge.Width << " " << edge.Voxel << " " << edge.Radius;
   }
   EXPECT_NEAR(ComputeRipple({ 1.5, 1.0, 2 }), 0.0247, 1e-4);
 }
 
-/// So V3 is within 1 %, 15 mN, where e is less than 0.03 mm.
+/// V3 is within 1 % (15 mN) where e is less than 0.03 mm.
 TEST(MovingEdges, AWallHoldsBehindItsMiddleByThatAndNotByMore)
 {
   for (const SampledEdge& edge : { SampledEdge{ 1.5, 1.0, 2 }, SampledEdge{ 1.5, 1.0, 3 },
@@ -179,7 +182,8 @@ TEST(MovingEdges, AWallHoldsBehindItsMiddleByThatAndNotByMore)
     EXPECT_NEAR(errors.Least, -ForceOf(ripple), SearchError)
       << edge.Width << " " << edge.Voxel << " " << edge.Radius;
     EXPECT_LE(errors.Most, SearchError) << edge.Width << " " << edge.Voxel << " " << edge.Radius;
-    // A medium of 0.5 N holds the proxy where the surface does not, which then goes by steps.
+    // With a drag of 0.5 N, the medium also holds the proxy. The proxy then follows the wall in
+    // steps, which may add an error of up to 0.01 voxel.
     constexpr double step = 0.01; // voxel
     errors = FeelWall(edge, 0.5);
     EXPECT_GE(errors.Least, -ForceOf(ripple + step * edge.Voxel) - SearchError)
@@ -188,14 +192,16 @@ TEST(MovingEdges, AWallHoldsBehindItsMiddleByThatAndNotByMore)
   }
 }
 
-/// V1 and V2, with the default kernel in voxels of 1 mm: 16.4 and 13.0 mN, of 1.5 and 1 N.
+/// V1 and V2 with the default kernel and voxels of 1 mm: errors of 16.4 mN of 1.5 N and 13.0 mN of
+/// 1 N.
 TEST(MovingEdges, ABallHoldsBehindItsMiddleByThatAndByHowItsBlurGrows)
 {
   const SampledEdge edge{ Width, 1.0, 2 };
   const Movie ball = MakeBall(0.01);
   for (const double strength : { 2.0, 1.0 })
   {
-    // It is held from 22 mm down to 19 mm, or slips from 20 + 1/12 s on, at 21 mm, and not before.
+    // With a strength of 2 N, the surface holds while the radius is between 22 mm and 19 mm. With 1
+    // N, it slips at a radius of 21 mm, from t = 1/12 s on, and not before.
     const bool isHeld = strength > 1.5;
     const double grown = isHeld ? 1.0 / 19.0 - 1.0 / 22.0 : 0.0;
     RestingHand hand(DescribeEdge(ball, edge, strength), 24.0, 19.0);
@@ -206,13 +212,14 @@ TEST(MovingEdges, ABallHoldsBehindItsMiddleByThatAndByHowItsBlurGrows)
     }
     EXPECT_NEAR(errors.Least, -ForceOf(SearchRipple(edge) + ComputeBlur(edge) * grown), SearchError)
       << strength;
-    // The first level may be before the middle by what a place in a voxel does.
+    // The first level may be in front of the middle by the ripple of a voxel.
     EXPECT_LE(errors.Most, ForceOf(SearchRipple(edge)) + SearchError) << strength;
   }
 }
 
-/// PAPER: V1 and V7, of a ball that has pressed once. From where it slipped at the strength of 2 N,
-/// when it was largest, f = 2 N - k (22 mm - r): neither the offset nor the period shows.
+/// Solver PAPER, V1 and V7, after a ball of radius r has pressed once: at its largest radius of 22
+/// mm the surface slipped at its strength of 2 N. From then on f = 2 N - k (22 mm - r), so that no
+/// work is left over from a period, and the offset of PAPER's surface has no effect.
 TEST(MovingEdges, PaperGivesNoWorkOnceItHasSlipped)
 {
   const Movie ball = MakeBall(0.01);

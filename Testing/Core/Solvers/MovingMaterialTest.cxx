@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Volumes whose time steps tell where their material goes. Expectations are closed forms, and the
- * same hand in the coordinates of the material: a volume that moves as a whole under a hand is a
- * hand that moves the other way over a volume that rests.
+ * Volumes whose time steps have displacements, which tell where the material goes. The expected
+ * forces are closed forms, or those of the same hand in the material's coordinates: a volume that
+ * moves as a whole under a resting hand feels like a volume at rest under a hand that moves the
+ * other way.
  */
 
 #include "Core/Model/HapticModel.h"
@@ -23,9 +24,9 @@ using namespace coretest;
 namespace
 {
 constexpr double MaterialK = 500.0; // N/m
-constexpr double MaterialDt = 1e-3; // s, of a tick
+constexpr double MaterialDt = 1e-3; // s per tick
 
-/// Time steps, a unit of time apart, with displacements; 28 x 26 x 24 voxels.
+/// Time steps with displacements, one unit of time apart; 28 x 26 x 24 voxels.
 class MaterialMovie
 {
 public:
@@ -33,7 +34,7 @@ public:
   using Motion = std::function<Vector3(const Vector3& index, int timeStep)>;
   static constexpr std::int64_t N[3] = { 28, 26, 24 };
 
-  /// The motion is in world units, at an index.
+  /// `motion` returns the displacement (world units) at an index.
   MaterialMovie(int timeSteps, const Value& value, const Motion& motion, bool isSingle = false)
   {
     for (int timeStep = 0; timeStep < timeSteps; ++timeStep)
@@ -91,7 +92,7 @@ private:
   std::list<std::vector<double>> Doubles;
 };
 
-/// A wall with bumps on the side of lower x.
+/// Returns the value of a wall with bumps that lies on the side of lower x.
 double BumpyWall(const Vector3& index, double place, double width = 1.5)
 {
   const double bumps = 0.4 * std::sin(0.3 * index.Y) * std::cos(0.2 * index.Z);
@@ -115,7 +116,7 @@ struct MaterialHand
   TickRecord Record;
 };
 
-/// Turned, and with voxels that are no cubes.
+/// A rotated grid whose voxels are not cubes.
 Affine3 ObliqueGrid()
 {
   constexpr double c = 0.8;
@@ -125,7 +126,8 @@ Affine3 ObliqueGrid()
 }
 } // namespace
 
-/// V6 of the derivations. Time steps are whole voxels apart, so that sampling adds nothing.
+/// V6 of the derivations. The motion between time steps is a whole number of voxels, so that
+/// sampling adds no error.
 TEST(MovingMaterial, AVolumeThatMovesIsAHandThatGoes)
 {
   struct Choice
@@ -138,10 +140,10 @@ TEST(MovingMaterial, AVolumeThatMovesIsAHandThatGoes)
     double Friction;
     double Drag;
   };
-  // Where friction and drag let go together, or at an edge a thousandth of its height wide (kernel
-  // materials with alignment Edge), PRECISE tells rounding apart. Where a graded edge (of the far
-  // side) gives way, it enlarges rounding from tick to tick, up to what a motion may go too far. So
-  // ticks are compared one by one, too, from the same state.
+  // Rounding decides in PRECISE where friction and drag let go together, or at an edge that is a
+  // thousandth of its height wide (kernel materials with alignment Edge). Where a graded edge (far
+  // side) gives way, rounding errors grow from tick to tick, up to the tolerance of a motion. So
+  // single ticks that start from the same state are compared as well.
   const Choice choices[] = {
     { HapticSolver::Paper, ContactAlignment::Distinctness, MaterialPlacement::Kernel, false, 5.0,
       0.3, 0.1 },
@@ -153,7 +155,7 @@ TEST(MovingMaterial, AVolumeThatMovesIsAHandThatGoes)
       0.3 },
   };
   const Affine3 grid = ObliqueGrid();
-  const Vector3 step{ 2.0, 1.0, -1.0 }; // voxels from time step to time step
+  const Vector3 step{ 2.0, 1.0, -1.0 }; // voxels per time step
   const Vector3 velocity = grid.Linear * step;
   for (const Choice& choice : choices)
   {
@@ -209,11 +211,12 @@ TEST(MovingMaterial, AVolumeThatMovesIsAHandThatGoes)
   }
 }
 
-/// The values never change: tissue stretches along a flat wall, x = X (1 + e t) across y.
+/// The values never change: tissue stretches along a flat wall, from x = X to X (1 + e t) at each
+/// y.
 TEST(MovingMaterial, ABreathTakesAStickingHandAlong)
 {
   constexpr double stretch = 0.2; // a unit of time
-  constexpr double fixed = 4.0;   // the y that stays
+  constexpr double fixed = 4.0;   // y that does not move
   const MaterialMovie movie(
     2, [](const Vector3& index, int) { return 500.0 * (1.0 - std::tanh((index.X - 12.0) / 1.5)); },
     [](const Vector3& index, int) {
@@ -238,14 +241,15 @@ TEST(MovingMaterial, ABreathTakesAStickingHandAlong)
     for (double t = MaterialDt; t < 1.0; t += MaterialDt)
     {
       const TickRecord& felt = hand.Touch({ 0.010, 0.001 * y0, 0.012 }, t);
-      // The material of the first contact goes along; beyond friction's cone it slides. The hand
-      // stays where it is, so what it slides over has come from a smaller y.
+      // The material of the first contact carries the proxy along; beyond the friction cone, the
+      // proxy slides. The hand rests, so the material below it has come from a smaller y.
       const double along = 0.001 * MaterialK * stretch * t * (y0 - fixed);
       EXPECT_NEAR(felt.Force.Y, std::min(along, 0.4 * push), 2e-3) << "at " << t;
       EXPECT_NEAR(felt.Force.X, push, 1e-6) << "at " << t;
       work += felt.WallWork;
     }
-    // Up to its hold the spring is stretched to q = mu F / k, then the wall works on against mu F.
+    // Until it slips, the spring is stretched to q = mu F / k. Then the wall does work against mu
+    // F.
     const double grip = 0.4 * push;
     const double held = grip / (0.001 * MaterialK * stretch * (y0 - fixed)); // s
     const double slid = stretch * (y0 - fixed) * (1.0 - held) * 0.001;
@@ -253,8 +257,8 @@ TEST(MovingMaterial, ABreathTakesAStickingHandAlong)
   }
 }
 
-/// A wall that moves by 3.5 of its widths from time step to time step and back: a blend is a
-/// cross-fade.
+/// A wall moves by 3.5 of its widths per time step and back. Without displacements, the blend of
+/// the two time steps is a cross-fade.
 TEST(MovingMaterial, AFastWallIsAWallAllTheWay)
 {
   const auto place = [](double t) { return 10.0 + 5.3 * (t < 1.0 ? t : 2.0 - t); };
@@ -265,7 +269,7 @@ TEST(MovingMaterial, AFastWallIsAWallAllTheWay)
     });
   HapticModelDescription description = movie.Describe();
   description.Material.SurfaceStrength = ConstantPolyline(5.0);
-  // Its surface, found on the first time step with no motion in it.
+  // Largest error (mm) of the surface's position, without displacements and with them.
   double worst[2] = { 0.0, 0.0 };
   for (const bool isKnown : { false, true })
   {
@@ -279,7 +283,7 @@ TEST(MovingMaterial, AFastWallIsAWallAllTheWay)
       const double force = hand.Touch({ 0.013, 0.012, 0.012 }, t).Force.X;
       const double bumps = 0.4 * std::sin(3.6) * std::cos(2.4);
       const double depth = std::max(0.0, place(t) + bumps - 13.0);
-      // Bumps turn the surface: the distance along its normal is shorter by the cosine.
+      // Bumps tilt the surface, so that the distance along its normal is shorter by the cosine.
       const double off = std::abs(force - 0.001 * MaterialK * depth) / (0.001 * MaterialK);
       worst[isKnown] = std::max(worst[isKnown], off);
     }
@@ -289,7 +293,7 @@ TEST(MovingMaterial, AFastWallIsAWallAllTheWay)
   EXPECT_GT(worst[0], 0.5);
 }
 
-/// Where nothing moves, displacements change nothing.
+/// Where nothing moves, displacements of zero change nothing.
 TEST(MovingMaterial, DisplacementsOfZeroAreABlend)
 {
   const MaterialMovie movie(
@@ -320,11 +324,12 @@ TEST(MovingMaterial, DisplacementsOfZeroAreABlend)
   }
 }
 
-/// Over several time steps a tick, to and fro; places are those of the analytic motion.
+/// The time goes over several time steps per tick, forwards and backwards. The expected places are
+/// those of the analytic motion.
 TEST(MovingMaterial, MaterialIsTrackedThroughTimeStepsBothWays)
 {
   const auto at = [](double y, double t) { return 13.0 + (y - 13.0) * (1.0 + 0.15 * t); };
-  // u at time step f: from y to where its material is at f + 1.
+  // The displacement at a time step leads from y to the material's place one time step later.
   const MaterialMovie movie(
     4, [](const Vector3& index, int) { return index.X; },
     [&](const Vector3& index, int timeStep)
@@ -349,7 +354,8 @@ TEST(MovingMaterial, MaterialIsTrackedThroughTimeStepsBothWays)
   }
 }
 
-/// A motion of 5 voxels that comes and goes: places to 1e-5 voxel, slopes as differences tell.
+/// A displacement of 5 voxels that varies in space. Places are exact to 1e-5 voxel, and slopes
+/// equal difference quotients.
 TEST(MovingMaterial, PlacesInBetweenAreThoseOfTheMaterial)
 {
   const auto motion = [](const Vector3& x)
@@ -369,11 +375,11 @@ TEST(MovingMaterial, PlacesInBetweenAreThoseOfTheMaterial)
     const Vector3 x{ 8.0 + 10.0 * wanderer.Uniform(), 8.0 + 8.0 * wanderer.Uniform(),
       8.0 + 8.0 * wanderer.Uniform() };
     const MaterialPlace place = field.Compute(x, fraction);
-    // At share 0, the place is the material's own: what the field itself says.
+    // At fraction 0, the place is the material's own: the displacement field itself.
     const MaterialPlace own = field.Compute(place.First, 0.0);
     EXPECT_LT(Norm(place.First + fraction * (own.Second - own.First) - x), 1e-5);
     EXPECT_LT(Norm(place.Second - own.Second), 1e-5);
-    // The spline rounds off by a sixth of the second derivative, 5 * 0.0628^2 / 6 at most.
+    // The spline deviates by a sixth of the second derivative, at most 5 * 0.0628^2 / 6.
     EXPECT_LT(Norm(own.Second - own.First - motion(place.First)), 0.006);
     const double h = 1e-3;
     const Vector3 steps[] = { { h, 0, 0 }, { 0, h, 0 }, { 0, 0, h } };
@@ -389,7 +395,7 @@ TEST(MovingMaterial, PlacesInBetweenAreThoseOfTheMaterial)
   }
 }
 
-/// The gradient of the value that PRECISE holds on, across the motion above.
+/// The gradient that PRECISE uses equals the derivative of the value, across the motion above.
 TEST(MovingMaterial, TheGradientIsThatOfTheValue)
 {
   const MaterialMovie movie(
@@ -418,7 +424,8 @@ TEST(MovingMaterial, TheGradientIsThatOfTheValue)
   }
 }
 
-/// Friction, drag and a hand that goes anywhere: it gets what it and the material have put in.
+/// With friction, drag and a random hand, the hand never gets more energy than hand and material
+/// have put in.
 TEST(MovingMaterial, GivesNoMoreThanTheMaterialsWork)
 {
   const MaterialMovie movie(
@@ -459,7 +466,8 @@ TEST(MovingMaterial, GivesNoMoreThanTheMaterialsWork)
   }
 }
 
-/// V6 for FORCE_FIELD: what moves over a hand drags it as one is dragged that moves the other way.
+/// V6 for FORCE_FIELD: moving material drags a resting hand as material at rest drags a hand that
+/// moves the other way.
 TEST(MovingMaterial, TheDragOfAForceFieldIsAgainstTheMaterial)
 {
   const MaterialMovie movie(
@@ -481,7 +489,7 @@ TEST(MovingMaterial, TheDragOfAForceFieldIsAgainstTheMaterial)
     const Vector3 force = hand.Touch(tip, time).Force;
     const Vector3 opposite = still.Touch(tip - Vector3{ 0.001 * time, 0.0, 0.0 }, 0.0).Force;
     ASSERT_LT(Norm(force - opposite), 1e-9) << "tick " << tick;
-    // 20 mm/s less the 10 mm/s of the hand, along x.
+    // Along x, the material's 20 mm/s less the hand's 10 mm/s.
     const double drag = tick == 0 ? 0.0 : 50.0 * std::hypot(0.010, 0.020);
     ASSERT_NEAR(hand.Record.DragForce, drag, 1e-9) << "tick " << tick;
     farthest = std::max(farthest, Norm(force));
@@ -489,7 +497,8 @@ TEST(MovingMaterial, TheDragOfAForceFieldIsAgainstTheMaterial)
   EXPECT_GT(farthest, 1.0);
 }
 
-/// Whatever displacements say, forces are numbers, and no surface pushes with more than it has.
+/// Whatever the displacements are, the force is finite and no surface pushes with more than its
+/// strength.
 TEST(MovingMaterial, AbsurdDisplacementsMakeNoAbsurdForce)
 {
   std::mt19937_64 engine(4);

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The samples that a tick on a volume that moves leaves to the next one save time only: a hand
- * without such a memory, and one with a fresh memory for each tick, feel the same to the bit.
+ * The samples that one tick on a moving volume keeps for the next only save time: a hand without
+ * this memory, a hand with a new memory for each tick and a hand that keeps its memory feel the
+ * same force to the bit.
  */
 
 #include "Rigs/CoreScene.h"
@@ -23,7 +24,7 @@ using namespace coretest;
 
 namespace
 {
-/// Random time steps of 16^3 voxels, a unit of time apart; of some, a few samples are not numbers.
+/// Random time steps of 16^3 voxels, one unit of time apart. Some have a few samples that are NaN.
 class RandomMovie
 {
 public:
@@ -47,7 +48,7 @@ public:
   std::list<TestVolume> Volumes;
 
 private:
-  /// Up to 0.8 voxels.
+  /// Displacements of up to 0.8 voxels.
   const void* Displace(int timeStep)
   {
     std::vector<double>& motion = this->Motions.emplace_back();
@@ -86,7 +87,8 @@ bool IsSameTick(const TickRecord& a, const TickRecord& b)
   return std::memcmp(x.data(), y.data(), sizeof(x)) == 0 && a.Contact == b.Contact;
 }
 
-/// A hand that stays in a voxel for many ticks, while time goes to and fro over the time steps.
+/// Moves a hand that stays in one voxel for many ticks, while time goes to and fro over the time
+/// steps.
 void ExpectMemoriesChangeNothing(const HapticModelDescription& description, double last)
 {
   const HapticModel model(description);
@@ -100,7 +102,7 @@ void ExpectMemoriesChangeNothing(const HapticModelDescription& description, doub
   {
     const Vector3 tip = wanderer.Next();
     const double way = 0.0037 * i;
-    // Also exactly at time steps, and for some ticks without a change of time.
+    // Some ticks are exactly at a time step, and for some ticks the time rests.
     const double time =
       i % 50 < 5 ? std::floor(way) : last * (0.5 - 0.5 * std::cos(way)) * (i % 97 == 0 ? 0.0 : 1.0);
     TickMemory anew;
@@ -138,7 +140,7 @@ TEST(MovingMemory, ChangesNothingOfABlend)
   }
 }
 
-/// What is not a number has no place in a memory.
+/// Samples that are NaN must not be kept.
 TEST(MovingMemory, ChangesNothingWhereSamplesAreMissing)
 {
   for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
@@ -166,8 +168,8 @@ TEST(MovingMemory, ChangesNothingWhereSamplesAreMissing)
   }
 }
 
-/// PAPER reads the value before a motion and after it at once: at instants of one pair of time
-/// steps, of two, and at time steps themselves.
+/// PAPER reads the values before and after a motion together: at instants between one pair of time
+/// steps, at instants of two pairs, and at time steps.
 TEST(MovingMemory, ValuesAtTwoInstantsAreThoseOfEachToTheBit)
 {
   RandomMovie movie(ScalarType::Float32, 3, false);
@@ -205,7 +207,8 @@ TEST(MovingMemory, ValuesAtTwoInstantsAreThoseOfEachToTheBit)
   }
 }
 
-/// PAPER's shorter way reads two instants between the same time steps: as each alone.
+/// PAPER's shorter code path reads two instants between the same time steps. It must give the same
+/// values as reading each instant alone.
 TEST(MovingMemory, AStepBetweenTimeStepsIsReadAsBothInstantsToTheBit)
 {
   RandomMovie movie(ScalarType::Float32, 4, false);
@@ -267,7 +270,7 @@ TEST(MovingMemory, AStepBetweenTimeStepsIsReadAsBothInstantsToTheBit)
   }
 }
 
-/// Models of the next time steps follow, as under a device, with the same memory.
+/// Models with the next time steps follow, as with a device. The memory is kept.
 TEST(MovingMemory, GoesOnWithTheNextTimeSteps)
 {
   RandomMovie movie(ScalarType::Int16, 5, false);

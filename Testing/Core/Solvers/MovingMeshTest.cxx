@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A sphere of 1 mm on meshes that move: it rests on them, so that the force is known at all times.
+ * A sphere of 1 mm on moving meshes. The sphere rests on the mesh, so its force is known at all
+ * times.
  */
 
 #include "Rigs/SurfaceRig.h"
@@ -14,7 +15,8 @@ using namespace coretest;
 
 namespace
 {
-/// Points by time step, 1 apart in time; the mesh of each goes to the next one.
+/// Points for each time step, one unit of time apart. The mesh of each time step leads to the next
+/// one.
 class MovingMesh : public testing::Test
 {
 protected:
@@ -40,7 +42,7 @@ protected:
     description.Mesh = description.TimeSteps.front().Mesh;
     return description;
   }
-  /// A floor of 2 n^2 triangles from -50 to 50 mm.
+  /// Describes a floor of 2 n^2 triangles from -50 to 50 mm.
   HapticModelDescription DescribeFloor(int timeSteps, const Place& place)
   {
     Corners points;
@@ -62,7 +64,7 @@ protected:
 };
 } // namespace
 
-/// V3: 5 mm a time step against a tip that rests at 4 mm, and back again.
+/// V3: a floor rises 5 mm per time step against a tip that rests at 4 mm, and goes back down.
 TEST_F(MovingMesh, AFloorThatComesPushesATipThatRests)
 {
   const auto height = [](double time) { return time < 2.0 ? 5.0 * time : 20.0 - 5.0 * time; };
@@ -86,14 +88,14 @@ TEST_F(MovingMesh, AFloorThatComesPushesATipThatRests)
       (height(hand.State.DataTime) - height(hand.State.DataTime - 0.001));
     if (tick == 2000)
     {
-      // What the spring has: 7 mm of 500 N/m.
+      // The energy in the spring: 500 N/m, compressed by 7 mm.
       EXPECT_NEAR(work, 0.5 * 500.0 * 0.007 * 0.007, 1e-5);
     }
   }
   EXPECT_NEAR(given, 0.0, 1e-5);
 }
 
-/// The floor leaps by some millimetres in a tick, in which no triangle may pass the sphere.
+/// The floor leaps by some millimetres in a tick. No triangle may pass the sphere.
 TEST_F(MovingMesh, AFastFloorDoesNotPass)
 {
   Hand hand(this->DescribeFloor(3,
@@ -111,7 +113,8 @@ TEST_F(MovingMesh, AFastFloorDoesNotPass)
   }
 }
 
-/// A floor that slides below a sphere takes nothing along; a ramp that slides pushes it up.
+/// A flat floor that slides below a sphere does not move the sphere; a ramp that slides pushes it
+/// up.
 TEST_F(MovingMesh, ASlopeThatSlidesLiftsTheSphere)
 {
   constexpr double slope = 0.2;
@@ -125,7 +128,7 @@ TEST_F(MovingMesh, ASlopeThatSlidesLiftsTheSphere)
   {
     hand.State.DataTime = 0.001 * tick;
     hand.Tick();
-    // The distance of the tip below the plane z = slope (x + 5 t), and the sphere's radius.
+    // Distance of the tip below the plane z = slope (x + 5 t), plus the sphere's radius.
     const double deep = (slope * 5.0 * hand.State.DataTime + 1.0) / length + 1.0;
     if (tick > 1)
     {
@@ -134,8 +137,8 @@ TEST_F(MovingMesh, ASlopeThatSlidesLiftsTheSphere)
   }
 }
 
-/// A floor that slides takes along a sphere that sticks to it, if displacements tell: until the
-/// friction of 0.4 times 1 N lets it slip. Levels alone don't tell.
+/// With displacements, a sliding floor takes along a sphere that sticks to it, until friction (0.4
+/// times 1 N) lets the sphere slip. Without displacements, the sphere does not move.
 TEST_F(MovingMesh, AFloorThatSlidesTakesAlongWhatSticks)
 {
   const auto at = [](const Vector3& point, int timeStep) {
@@ -155,7 +158,7 @@ TEST_F(MovingMesh, AFloorThatSlidesTakesAlongWhatSticks)
     {
       timeStep.Displacements = { isKnown ? motion.data() : nullptr, ScalarType::Float64 };
     }
-    // Within a triangle: where two meet, both hold.
+    // Start within a triangle: where two triangles meet, both hold.
     Hand hand(description, { 8.0, 2.0, 4.0 });
     hand.Lead({ 8.0, 2.0, -1.0 });
     for (int tick = 1; tick <= 1200; ++tick)

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Volumes that move under a tip that rests, whose forces have closed forms: the surface is where
- * the analytic volume has it, a spring of stiffness k pulls from the tip to it, and what is above
- * T_N slips.
+ * Moving volumes under a resting tip, with closed forms of the force: the surface is where the
+ * analytic volume has it, a spring of stiffness k pulls the tip to it, and the surface slips at
+ * T_N.
  */
 
 #include "Rigs/MovingRig.h"
@@ -19,10 +19,10 @@ using namespace movingtest;
 
 namespace
 {
-/// N, of 1.5 N.
+/// N: 1 % of 1.5 N.
 constexpr double OnePercent = 0.015;
 
-/// How a volume is sampled and read, with the default kernel radius of 2 voxels.
+/// How a volume is sampled and read; the kernel radius is 2 voxels by default.
 struct Reading
 {
   GradientEstimator Estimator;
@@ -35,20 +35,20 @@ HapticModelDescription Read(const Reading& reading, HapticModelDescription descr
   return description;
 }
 
-/// V1, N.
+/// Returns the closed form of V1 (N).
 double ForceOfBall(double t)
 {
   return 0.001 * K * std::max(0.0, BallRadius(t) - 19.0);
 }
 
-/// V2, N: of a strength of 1 N, up to 0.9 s.
+/// Returns the closed form of V2 (N) for a strength of 1 N; valid up to 0.9 s.
 double ForceOfSlipping(double t)
 {
   const double sine = std::sin(2.0 * Pi * t);
   return t < 0.25 ? std::min(1.0, 0.5 + sine) : std::max(0.0, sine);
 }
 
-/// V5: time steps that are all the same volume, 10 ms apart, are felt as one that stands still.
+/// V5: a series of identical volumes 10 ms apart gives the same force as the volume at rest.
 template <typename TipAt>
 void ExpectTimeStepsAlike(HapticModelDescription description, int timeSteps, int ticks, TipAt tipAt)
 {
@@ -78,16 +78,16 @@ void ExpectTimeStepsAlike(HapticModelDescription description, int timeSteps, int
 
 } // namespace
 
-/// V1 to V3 hold within 1 % of the largest force, with the kernel radius of 2 voxels, for the cubic
-/// B-spline, and for the Gaussian, which is the default, where edges are three voxels wide or more.
-/// On edges of 1.5 voxels the Gaussian is off by up to 0.033 voxel, 16 mN (MovingEdgeTest.cxx).
+/// V1 to V3 hold within 1 % of the largest force with a kernel radius of 2 voxels: for the cubic
+/// B-spline, and for the Gaussian (the default) where edges are at least three voxels wide. On
+/// edges of 1.5 voxels, the Gaussian is off by up to 0.033 voxel or 16 mN (MovingEdgeTest.cxx).
 class RestingHands : public testing::TestWithParam<Reading>
 {
 };
 
 TEST_P(RestingHands, V1ABallThatPulsatesPushes)
 {
-  // f = k max(0, r - 19 mm), 1.5 N at most.
+  // V1: f = k max(0, r - 19 mm), at most 1.5 N.
   const Movie ball = MakeBall(0.01, this->GetParam().Voxel);
   RestingHand hand(Read(this->GetParam(), WithStrength(ball.Describe(), 2.0)), 24.0, 19.0);
   EXPECT_NEAR(hand.Record.Force.X, 0.5, 0.01);
@@ -98,7 +98,7 @@ TEST_P(RestingHands, V1ABallThatPulsatesPushes)
     EXPECT_NEAR(force.X, ForceOfBall(t), OnePercent) << "at " << t;
     EXPECT_NEAR(force.Y, 0.0, 1e-9);
     EXPECT_NEAR(force.Z, 0.0, 1e-9);
-    // Twice the step of a surface that is as fast as this one can be.
+    // Twice the step of a surface at the largest speed in this test.
     EXPECT_LE(std::abs(force.X - before), 2.0 * 0.001 * K * 4.0 * Pi * Dt) << "at " << t;
     before = force.X;
   }
@@ -106,7 +106,8 @@ TEST_P(RestingHands, V1ABallThatPulsatesPushes)
 
 TEST_P(RestingHands, V2ASurfaceThatHoldsLessPushesWithItsStrength)
 {
-  // It slips through the proxy at T_N, and on the way back it has the level it reached.
+  // V2: the proxy slips through the surface at T_N. On the way back, the surface keeps the level
+  // that it reached.
   const Movie ball = MakeBall(0.01, this->GetParam().Voxel);
   RestingHand hand(Read(this->GetParam(), WithStrength(ball.Describe(), 1.0)), 24.0, 19.0);
   for (double t = Dt; t < 0.91; t += Dt)
@@ -118,13 +119,13 @@ TEST_P(RestingHands, V2ASurfaceThatHoldsLessPushesWithItsStrength)
 
 TEST_P(RestingHands, V3AWallThatComesThroughAMediumPushesAlone)
 {
-  // At 10 mm/s. The medium moves along and does not drag.
+  // V3: the wall moves at 10 mm/s. The medium moves along and does not drag.
   const Place at = [](double t) { return 16.0 + 10.0 * std::min(t, 0.5); };
   const Movie wall = MakeWall(at, 0.02, this->GetParam().Voxel);
   HapticModelDescription description = Read(this->GetParam(), WithStrength(wall.Describe(), 2.0));
   description.Material.Viscosity = ConstantPolyline(0.5);
   RestingHand hand(description, 20.0, 18.0);
-  EXPECT_LT(Norm(hand.Record.Force), 0.51); // of the drag on the way here
+  EXPECT_LT(Norm(hand.Record.Force), 0.51); // of the drag on the way to the start
   RestingHand rested(description, 18.0, 18.0);
   for (double t = Dt; t < 1.0; t += Dt)
   {
@@ -137,9 +138,10 @@ INSTANTIATE_TEST_SUITE_P(MovingVolume, RestingHands,
   testing::Values(
     Reading{ GradientEstimator::CubicBSpline, 1.0 }, Reading{ GradientEstimator::Gaussian, 0.5 }));
 
-/// V2 for PAPER, which holds a ball before the middle of its edge: how far does not matter once
-/// it has slipped at 2 N, 22 mm large. From then on f = 2 N - k (22 mm - r) = 1 N + sin(2 pi t) N,
-/// period after period. Only with the spline does V have no ripple from voxel to voxel.
+/// V2 for PAPER, which holds a ball in front of the middle of its edge. The distance has no effect
+/// once the surface has slipped at 2 N, at a radius of 22 mm. From then on f = 2 N - k (22 mm - r)
+/// = 1 N + sin(2 pi t) N in each period. The test needs the spline, with which V has no ripple from
+/// voxel to voxel.
 TEST(MovingVolume, PaperCarriesByTheLevelAtWhichItSlipped)
 {
   const Movie ball = MakeBall(0.01);
@@ -156,9 +158,9 @@ TEST(MovingVolume, PaperCarriesByTheLevelAtWhichItSlipped)
   }
 }
 
-/// V4 with time steps 50 ms apart: as V1, within 0.02 k times the width of the edge, which are 15
-/// mN. Between time steps the blend goes along the chord of the surface's way (see below), up to
-/// 0.025 mm or 12 mN beside it; what is left is the field's. Voxels are of half a millimetre.
+/// V4 with time steps 50 ms apart: equal to V1 within 15 mN (0.02 k times the width of the edge).
+/// Between time steps, the blend follows the chord of the surface's way (see below), which is off
+/// by up to 0.025 mm or 12 mN. The rest is the error of sampling. Voxels are 0.5 mm.
 TEST(MovingVolume, TimeStepsFiftyMillisecondsApartAreAsGoodAsTheMotion)
 {
   for (const GradientEstimator estimator :
@@ -167,7 +169,7 @@ TEST(MovingVolume, TimeStepsFiftyMillisecondsApartAreAsGoodAsTheMotion)
     const Movie ball = MakeBall(0.05, 0.5);
     HapticModelDescription description = WithStrength(ball.Describe(), 2.0);
     description.Estimator = estimator;
-    // At the radius of 2 the B-spline is off by 15.1 mN.
+    // With a kernel radius of 2, the B-spline is off by 15.1 mN.
     description.KernelRadius = estimator == GradientEstimator::Gaussian ? 2 : 3;
     RestingHand hand(description, 24.0, 19.0);
     double before = hand.Record.Force.X;
@@ -181,13 +183,14 @@ TEST(MovingVolume, TimeStepsFiftyMillisecondsApartAreAsGoodAsTheMotion)
   }
 }
 
-/// V4 with time steps 100 ms apart: all that they tell is where the blend of two edges is half-way,
-/// an edge up to a motion of its width. A surface at r(t) = r0 + a sin(w t) is then, between time
-/// steps T apart, on the chord from r(t) to r(t + T), which is off r by r'' T^2/8 at most:
+/// V4 with time steps 100 ms apart. Time steps only tell where the blend of two edges has its
+/// middle value, for a motion of up to the edge's width. A surface at r(t) = r0 + a sin(w t) is
+/// then, between time steps T apart, on the chord from r(t) to r(t + T), which is off r by at most
+/// r'' T^2/8:
 ///
 ///   a w^2 T^2/8 = 0.099 mm for a = 2 mm, w = 2 pi/s, T = 0.1 s, and a quarter of it at 50 ms.
 ///
-/// So it is the blend with which the force is compared here, and the blend with V1.
+/// So this test compares the force with the blend, and the blend with V1.
 TEST(MovingVolume, TimeStepsFarApartAreBlendedToAMotion)
 {
   for (const double step : { 0.05, 0.1 })
@@ -197,7 +200,8 @@ TEST(MovingVolume, TimeStepsFarApartAreBlendedToAMotion)
     double before = hand.Record.Force.X;
     for (double t = Dt; t < 1.0; t += Dt)
     {
-      // All that the time steps tell: where the blend of two edges is half-way.
+      // Search for the radius at which the blend of the two time steps' edges has its middle value.
+      // The time steps tell nothing else about the motion between them.
       const double timeStep = step * std::floor(t / step);
       const double fraction = (t - timeStep) / step;
       double low = 17.5;
@@ -221,7 +225,7 @@ TEST(MovingVolume, TimeStepsFarApartAreBlendedToAMotion)
   }
 }
 
-/// V5, for both solvers, on a path that also leaves the volume.
+/// V5 for both solvers, on a path that also leaves the volume.
 TEST(MovingVolume, TimeStepsThatAreAlikeAreAVolumeThatStandsStill)
 {
   for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
@@ -242,14 +246,14 @@ TEST(MovingVolume, TimeStepsThatAreAlikeAreAVolumeThatStandsStill)
   }
 }
 
-/// V1, V5 and V7 with LOCAL_SURFACE, whose slow loop is up to two periods (33 ms) late: in that
-/// time the surface goes by 0.4 mm, which are 0.2 N.
+/// V1, V5 and V7 with LOCAL_SURFACE. Its slow loop is up to two periods (33 ms) late; in that time
+/// the surface moves by up to 0.4 mm, which gives an error of 0.2 N.
 TEST(MovingVolume, ALocalSurfaceIsCarriedBetweenItsFits)
 {
   const Movie ball = MakeBall(0.01);
   HapticModelDescription description = ball.Describe();
   description.Settings.Method = HapticMethod::LocalSurface;
-  description.Settings.IsoValue = 500.0; // where the ball's surface is
+  description.Settings.IsoValue = 500.0; // value of the ball's surface
   description.Settings.HasIsoSurface = true;
   RestingHand hand(description, 24.0, 19.0);
   EXPECT_NEAR(hand.Record.Force.X, 0.5, 0.01);
@@ -276,7 +280,7 @@ TEST(MovingVolume, ALocalSurfaceIsCarriedBetweenItsFits)
     });
 }
 
-/// FORCE_FIELD has no proxy: its force is at all times that of the volume as it is then.
+/// FORCE_FIELD has no proxy: its force depends on the volume at the present time only.
 TEST(MovingVolume, AForceFieldPushesAsTheVolumeIs)
 {
   const Movie wall = MakeWall([](double t) { return 14.0 + 4.0 * t; }, 0.1);
@@ -298,7 +302,7 @@ TEST(MovingVolume, AForceFieldPushesAsTheVolumeIs)
   EXPECT_GT(strongest, 0.5);
 }
 
-/// A rigid motion of a flat wall is felt as the opposite motion of the hand.
+/// A moving flat wall gives the same force as a wall at rest under a hand that moves the other way.
 TEST(MovingVolume, AWallThatComesIsAHandThatGoes)
 {
   struct Choice
@@ -308,8 +312,8 @@ TEST(MovingVolume, AWallThatComesIsAHandThatGoes)
     MaterialPlacement Placement;
     double Tolerance; // N
   };
-  // PAPER begins to hold where a wall is distinct, which is some voxels before it, and depends on
-  // where the voxels are.
+  // PAPER begins to hold where a wall is distinct. This is some voxels in front of the wall and
+  // depends on where the samples are.
   const Choice choices[] = {
     { HapticSolver::Paper, ContactAlignment::Distinctness, MaterialPlacement::Kernel, 0.07 },
     { HapticSolver::Precise, ContactAlignment::Edge, MaterialPlacement::Kernel, 0.015 },
@@ -343,7 +347,8 @@ TEST(MovingVolume, AWallThatComesIsAHandThatGoes)
   }
 }
 
-/// V7: a surface that holds gives back what it took; one that slips uses up work.
+/// V7: over a period, a surface that holds gives back the work that it took; a slipping surface
+/// uses up work.
 TEST(MovingVolume, APeriodTakesNoWorkUnlessTheSurfaceSlips)
 {
   const Movie ball = MakeBall(0.01);
@@ -357,7 +362,8 @@ TEST(MovingVolume, APeriodTakesNoWorkUnlessTheSurfaceSlips)
       work += hand.Go(t).WallWork;
       most = std::max(most, work);
     }
-    // k x^2 / 2 at 3 mm, from that at 1 mm; slipping at 1 N uses up the 1 mm above 2 mm.
+    // The spring's energy k x^2 / 2 at 3 mm less that at 1 mm. A surface that slips at 1 N uses up
+    // 1 N times the 1 mm above 2 mm.
     EXPECT_NEAR(most, strength > 1.5 ? 2.0e-3 : 0.75e-3 + 1.0e-3, 0.05e-3);
     EXPECT_NEAR(work, strength > 1.5 ? 0.0 : 1.0e-3, 0.05e-3);
   }
@@ -394,7 +400,7 @@ TEST(MovingVolume, GivesNoMoreThanTheWallsWork)
         tip = { 0.020 + 0.003 * std::sin(7.1 * phase), 0.002 * std::sin(5.3 * phase),
           0.001 * uniform(engine) * 0.01 };
         state.DataTime = std::fmod(phase, 1.0);
-        // A leap of data time from the end to the beginning is none of the volume.
+        // The leap of the data time from the end to the beginning is not a motion of the volume.
         state.CarriedTo = state.DataTime < state.CarriedTo ? 0.0 : state.CarriedTo;
         Tick(model, state, tip, record);
         given += 0.5 * Dot(force + record.Force, tip - before);
@@ -418,7 +424,7 @@ TEST(MovingVolume, HoldsItsEndsBeyondTheTimeSteps)
   EXPECT_DOUBLE_EQ(between, 0.5 * (model.ValueAtDevice(at, 0.5) + model.ValueAtDevice(at, 1.0)));
 }
 
-/// A series may be published in parts: the next part begins with a time step that the last one has.
+/// A series may be published in parts. Each part begins with the last time step of the part before.
 TEST(MovingVolume, GoesOnFromOnePartOfASeriesToTheNext)
 {
   const Movie ball = MakeBall(0.1);

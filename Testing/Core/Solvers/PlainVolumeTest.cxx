@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The solvers go a shorter way where a volume is plain, whether it moves or not. The reference is
- * the same volume with a solid cut far beyond it, which takes the way of all others, and changes
- * nothing.
+ * The solvers have a shorter code path for plain volumes, at rest and moving. The reference is the
+ * same volume with a solid cut far outside, which selects the general path and changes nothing
+ * else.
  */
 
 #include "Rigs/CoreScene.h"
@@ -53,8 +53,8 @@ void ExpectSame(const TickRecord& plain, const TickRecord& reference)
   ASSERT_EQ(plain.Contact, reference.Contact);
 }
 
-/// A soft ball in air without a gradient, with noise on the ball; and samples that are no numbers.
-/// @param grown by which its value is larger everywhere in it
+/// A soft ball with noise in air without a gradient. One row of samples is NaN.
+/// @param grown added to the value everywhere in the ball
 TestVolume MakeBallInAir(float grown = 0.0F)
 {
   TestVolume volume(ScalarType::Float32, { 32, 32, 32 });
@@ -71,7 +71,7 @@ TestVolume MakeBallInAir(float grown = 0.0F)
   return volume;
 }
 
-/// In mm: from outside of the volume, through it along curves, and out again.
+/// Path (mm) from outside the volume along curves through it and out again.
 std::vector<Vector3> MakePath()
 {
   std::vector<Vector3> path;
@@ -115,10 +115,10 @@ HapticModelDescription DescribePlain(const TestVolume& volume, const PlainCase& 
   return description;
 }
 
-/// Times at which a series is touched, of a tick.
+/// Time of the series at a tick.
 using Clock = double (*)(int tick);
 
-/// Both ways, tick by tick.
+/// Runs both code paths tick by tick and expects equal records.
 void ExpectSameAsWithACutBeyond(HapticModelDescription description, Clock clock)
 {
   const HapticModel plain(description);
@@ -150,7 +150,7 @@ void ExpectSameAsWithACutBeyond(HapticModelDescription description, Clock clock)
     pushed += records[0].WallWork != 0.0 ? 1 : 0;
     ++tick;
   }
-  // All ways were taken.
+  // Each kind of tick occurred.
   EXPECT_GT(felt, 300);
   EXPECT_GT(still, 300);
   EXPECT_EQ(pushed > 100, plain.Baked->IsMoving());
@@ -167,8 +167,8 @@ class PlainVolumeOfPaper : public testing::TestWithParam<SurfaceSide>
 {
 };
 
-/// Slow, at rest, through a whole series and back, and in leaps that are longer than a voxel.
-/// PRECISE takes the way of all others there.
+/// The time goes slowly, rests, runs through a whole series and back, and leaps so that the surface
+/// moves by more than a voxel. PRECISE takes the general path there.
 TEST_P(PlainVolumeOfPaper, ThatMovesIsFeltSo)
 {
   const TestVolume volumes[3] = { MakeBallInAir(), MakeBallInAir(40.0F), MakeBallInAir(-150.0F) };

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Solver PRECISE if a tick is not enough, if the model changes under a resting hand, and if its
- * state is stored.
+ * Tests of solver PRECISE: a motion that needs more than one tick, a model that changes under a
+ * resting hand, and a stored state.
  */
 
 #include "Core/Solvers/Precise/PreciseSolver.h"
@@ -21,7 +21,7 @@ namespace
 {
 constexpr double Impenetrable = 1e9;
 
-/// Air up to z = 100 mm, then a wall; 120 voxels of 1 mm along z.
+/// Air up to z = 100 mm, then a wall. The volume has 120 voxels of 1 mm along z.
 TestVolume MakeWall()
 {
   TestVolume volume(ScalarType::Float64, { 24, 24, 120 });
@@ -48,8 +48,8 @@ TEST(PreciseTick, ATeleportedTipIsFollowedInTicksAndNothingIsSkipped)
   ServoState state;
   TickRecord record;
   Tick(model, state, { 0.012, 0.012, 0.001 }, record);
-  // A metre sideways and back, then 100 mm through the air and 18 into the wall, all of it in one
-  // tick each.
+  // Move the tip a metre sideways and back, then through 100 mm of air and 18 mm into the wall;
+  // each in one tick.
   Tick(model, state, { 1.012, 0.012, 0.001 }, record);
   EXPECT_LT(Norm(record.Force), 1e-12);
   Tick(model, state, { 0.012, 0.012, 0.001 }, record);
@@ -71,7 +71,7 @@ TEST(PreciseTick, ATeleportedTipIsFollowedInTicksAndNothingIsSkipped)
 
 TEST(PreciseTick, AProxyOnItsWayBringsNoForceAlong)
 {
-  // Nothing is felt in the air, and a stiff wall of no strength to begin with drags at the proxy.
+  // The air has no stiffness. The wall is stiff, begins without strength and drags the proxy.
   const TestVolume volume = MakeWall();
   HapticModelDescription description = DescribeWall(volume);
   PlaceAsThePaper(description);
@@ -80,7 +80,8 @@ TEST(PreciseTick, AProxyOnItsWayBringsNoForceAlong)
   ServoState state;
   TickRecord record;
   Tick(model, state, { 0.012, 0.012, 0.095 }, record);
-  // The hand is at a position that the proxy can't have had; the proxy sets out from the air.
+  // The stored state says that the hand is inside the wall, where the proxy can't have been. The
+  // proxy starts from the air.
   state.Precise.ReachedTip = { 0.012, 0.012, 0.110 };
   Tick(model, state, { 0.012, 0.012, 0.110 }, record);
   EXPECT_LT(record.Proxy.Z, 0.103);
@@ -158,8 +159,8 @@ INSTANTIATE_TEST_SUITE_P(All, PreciseTickState,
 
 TEST(PreciseTick, BehindATipOnALineTheProxyStaysOnTheLine)
 {
-  // The tip goes on along z, with a lag that rounding has turned aside by 1e-17 m. A dragged proxy
-  // follows a tractrix, whose angle to the way shrinks: no drag may let it grow.
+  // The tip moves along z with a lag that rounding has turned aside by 1e-17 m. A dragged proxy
+  // follows a tractrix, whose angle to the motion shrinks. No drag may let the angle grow.
   constexpr double k = 400.0;
   constexpr double rounding = 1e-17;
   const Vector3 step = { 0.0, 0.0, 1e-4 };

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Proxies that are led by analytic flows, compared with the flows' own lines and with the balance
- * of spring and strength. Voxels are millimetres: a step is 0.25 mm at most.
+ * Proxies led by analytic flows, compared with the flows' streamlines and with the balance of
+ * spring and strength. Voxels are 1 mm, so that a step is at most 0.25 mm.
  */
 
 #include "Core/Solvers/Primitives/PrimitiveFollower.h"
@@ -24,7 +24,7 @@ const double FullTurn = 2.0 * std::acos(-1.0);
 using FlowAt = Vector3 (*)(const Vector3&);
 using StrengthAt = double (*)(const Vector3&);
 
-/// A line of a strength along a flow; positions in metres.
+/// A line primitive along a flow, with its strength (N). Positions are in metres.
 struct AnalyticFlow
 {
   FlowAt Flow;
@@ -41,7 +41,7 @@ struct AnalyticFlow
   }
 };
 
-/// A proxy and the forces of its last tick.
+/// A proxy with the forces of its last tick.
 class LedProxy
 {
 public:
@@ -51,13 +51,13 @@ public:
     this->Motion.Proxy = start;
   }
 
-  /// One tick, which is finished.
+  /// Runs one tick and expects that it is finished.
   void Move(const Vector3& tip)
   {
     this->Motion = SolvePrimitives(
       this->Flow.Field(), SpringOf, QuarterVoxel, this->Motion.Proxy, tip, this->Memory);
     ASSERT_FALSE(this->Motion.IsUnfinished);
-    // Up to the last part of a step, which the place is ahead of the force.
+    // The place may be ahead of the force by the last part of a step.
     EXPECT_LT(Norm(this->Motion.Force - SpringOf * (this->Motion.Proxy - tip)), 1e-4);
   }
 
@@ -81,7 +81,8 @@ Vector3 TurnAround(const Vector3& x)
 
 TEST(PrimitiveFollower, AStreamlineIsKeptOverAHundredTurns)
 {
-  // P4: the line of 20 mm, with the tip on 18 mm: 1 N. A step by the tangent ends at 20.4 mm.
+  // P4: a circle of radius 20 mm with the tip at radius 18 mm gives 1 N. A step along the tangent
+  // would end at 20.4 mm.
   const AnalyticFlow flow{ TurnAround };
   for (const int ticks : { 1000, 100 })
   {
@@ -98,7 +99,8 @@ TEST(PrimitiveFollower, AStreamlineIsKeptOverAHundredTurns)
 
 TEST(PrimitiveFollower, ADipolesLineIsKept)
 {
-  // P7: r = C sin^2(theta), from the equator to 34 degrees, with the tip 5 % inside.
+  // P7: the dipole's line r = C sin^2(theta), from the equator to 34 degrees, with the tip 5 %
+  // inside.
   const AnalyticFlow flow{ [](const Vector3& x)
     {
       const double square = Dot(x, x);
@@ -126,7 +128,8 @@ TEST(PrimitiveFollower, ADipolesLineIsKept)
 
 TEST(PrimitiveFollower, YieldsWhereTheSpringIsTheStrengthOfThePlace)
 {
-  // P3: Poiseuille flow along z, S = 2 (1 - r^2/R^2) N: a tip at r + 4 (1 - r^2/400) mm holds at r.
+  // P3: Poiseuille flow along z, S = 2 (1 - r^2/R^2) N. A tip at r + 4 (1 - r^2/400) mm holds the
+  // proxy at r.
   const AnalyticFlow flow{ [](const Vector3&) {
                             return Vector3{ 0.0, 0.0, 1.0 };
                           },
@@ -152,8 +155,8 @@ TEST(PrimitiveFollower, YieldsWhereTheSpringIsTheStrengthOfThePlace)
     return proxy.Motion;
   };
   pull(0.05);
-  pull(1.0); // several steps a tick
-  // The table's own numbers.
+  pull(1.0); // several steps per tick
+  // The numbers in the specification's table.
   const double tips[2] = { 13.0, 16.75 };
   const double forces[2] = { 1.5, 0.875 };
   for (int i = 0; i < 2; ++i)
@@ -180,7 +183,7 @@ TEST(PrimitiveFollower, WhereStrengthRisesOutwardsItHoldsNoLessThanThat)
     for (double tip = 0.0; tip < 15.0; tip += step)
     {
       proxy.Move({ tip * Millimetre, 0.0, 0.0 });
-      // k (y - x) = 0.5 + 100 x
+      // The balance is k (y - x) = 0.5 + 100 x.
       const double x = std::max(0.0, (SpringOf * tip * Millimetre - 0.5) / 600.0);
       ASSERT_NEAR(proxy.Motion.Proxy.X, x, 2e-3 * Millimetre) << "tip " << tip;
     }
@@ -213,7 +216,7 @@ TEST(PrimitiveFollower, GoesThroughAShearWithoutJumpsAndRestsWhereFlowsMeet)
   }
   EXPECT_GT(crossed, 0);
   EXPECT_GT(proxy.Motion.Proxy.Y, 0.001) << "it goes on on the other side";
-  // A stagnation point: x y = const is kept, and the middle is no trap.
+  // A stagnation point: the proxy keeps x y constant and is not trapped in the middle.
   const AnalyticFlow stagnation{ [](const Vector3& x) { return Vector3{ x.X, -x.Y, 0.0 }; } };
   LedProxy led(stagnation, { 0.005, 0.02, 0.0 });
   for (int tick = 0; tick <= 500; ++tick)
@@ -226,8 +229,8 @@ TEST(PrimitiveFollower, GoesThroughAShearWithoutJumpsAndRestsWhereFlowsMeet)
 
 TEST(PrimitiveFollower, ATipThatTheLinesTurnAroundEndsInATick)
 {
-  // T13's case: the tip lies beyond the middle of the circle. However it goes, force and steps are
-  // bounded, and a resting hand comes to rest.
+  // As in T13, the tip lies on the far side of the circle's centre. Whatever way the proxy takes,
+  // its steps and force must stay bounded, and it must come to rest while the tip rests.
   const AnalyticFlow flow{ TurnAround, [](const Vector3&) { return 100.0; } };
   PrimitiveMemory memory;
   PrimitiveMotion motion;
@@ -262,7 +265,7 @@ TEST(PrimitiveFollower, BadNumbersLetItGo)
     EXPECT_EQ(Norm(follow(k, QuarterVoxel, { 0.0101, 0.01, 0.0 }, tip).Force), 0.0);
   }
   EXPECT_EQ(Norm(follow(SpringOf, QuarterVoxel, {}, { nan, 0.0, 0.0 }).Force), 0.0);
-  // A flow that is nowhere leaves the hand alone.
+  // Where the flow is zero, no force acts.
   const AnalyticFlow none{ [](const Vector3&) { return Vector3{}; } };
   const PrimitiveMotion motion =
     SolvePrimitives(none.Field(), SpringOf, QuarterVoxel, {}, { 0.0, 0.0, 0.003 }, memory);

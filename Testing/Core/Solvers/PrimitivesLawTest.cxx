@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The paper's law as primitives, on both roads, against the law that the solvers use and against
- * the ticks of PAPER and PRECISE in random scenes.
+ * The paper's law as primitives, for PAPER and for PRECISE: compared with the law that the solvers
+ * use, and with the solvers' ticks in random scenes.
  */
 
 #include "Core/Law/MaterialLaw.h"
@@ -38,7 +38,8 @@ LawForces ForcesOf(const MaterialPoint& point, double k, const Vector3& proxy, c
   return { composed.Force, descended.Force };
 }
 
-/// A ripple in any direction, with noise in every third scene, and materials that change with it.
+/// A ripple in a random direction, with noise in every third scene, and materials that change with
+/// the value.
 class RandomScene
 {
 public:
@@ -56,7 +57,7 @@ public:
       });
     HapticModelDescription d = Describe(this->Volume);
     d.Settings.Solver = solver;
-    d.Settings.ReleaseTime = 0.0; // the law alone
+    d.Settings.ReleaseTime = 0.0; // without release, which is tested elsewhere
     d.Settings.Side = seed % 2 ? SurfaceSide::Both : SurfaceSide::Higher;
     d.Estimator = static_cast<GradientEstimator>(seed % 3);
     d.KernelRadius = 1 + static_cast<int>(seed % 3);
@@ -75,7 +76,7 @@ public:
     this->Model = std::make_unique<HapticModel>(d);
   }
 
-  /// Walks through it; `compare` gets each finished tick, and the proxy before it.
+  /// Walks through the scene. Calls `compare` with each finished tick and the proxy before it.
   template <typename Compare>
   void Walk(unsigned seed, const Compare& compare)
   {
@@ -107,7 +108,7 @@ private:
   std::unique_ptr<HapticModel> Model;
 };
 
-/// By ContactState.
+/// Results by ContactState.
 struct Met
 {
   double Worst[4] = {}; ///< N
@@ -170,7 +171,7 @@ TEST(PrimitivesLaw, IsThatOfTheSolvers)
 
 TEST(PrimitivesLaw, IsThatOfTicksOfPaper)
 {
-  // From the place of the proxy before the tick.
+  // PAPER reads the primitives at the proxy's position before the tick.
   const Met met = CompareScenes(
     HapticSolver::Paper, [](const TickRecord&, const Vector3& before) { return before; });
   for (int contact = 0; contact < 4; ++contact)
@@ -182,8 +183,9 @@ TEST(PrimitivesLaw, IsThatOfTicksOfPaper)
 
 TEST(PrimitivesLaw, HoldsTheProxyWhereTicksOfPreciseEnd)
 {
-  // PRECISE goes on by the law of each place until the proxy is at rest: there, the primitives of
-  // the place hold it with the force of the tick. Where it slides, it stops a little before.
+  // PRECISE applies the law of each position until the proxy is at rest. There, the primitives of
+  // the position hold the proxy with the force of the tick. A sliding proxy stops slightly before
+  // its balance.
   const Met met = CompareScenes(
     HapticSolver::Precise, [](const TickRecord& record, const Vector3&) { return record.Proxy; });
   for (int contact = 0; contact < 4; ++contact)

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Balances of haptic primitives, compared with closed forms and with another algorithm: the primal
- * problem by ADMM, with the prox of each potential by itself, in long double and without hurry; of
- * planes, by trying what each does; and of many sets by the duality gap, which needs no solver.
+ * Balances of haptic primitives, compared with closed forms and with other algorithms: the primal
+ * problem by ADMM in long double, with the prox of each potential alone and many iterations; planes
+ * by trying all combinations; and large sets by the duality gap, which needs no solver.
  */
 
 #include "Core/Solvers/Primitives/PrimitiveSolver.h"
@@ -25,7 +25,7 @@ constexpr double Stiffness = 500.0;
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// A set from a cold start.
+/// Balances a set from a cold start.
 PrimitiveBalance BalanceOf(const std::vector<Primitive>& primitives, const Vector3& tip)
 {
   PrimitiveSet set;
@@ -63,7 +63,8 @@ Long3 ToLong(const Vector3& a)
   return { { a.X, a.Y, a.Z } };
 }
 
-/// argmin |x - y|^2 / 2 + phi(x), positions in newtons (times the stiffness): the closed forms.
+/// Returns the closed form of argmin |x - y|^2 / 2 + phi(x). Positions are in newtons (multiplied
+/// by the stiffness).
 Long3 SingleProx(const Primitive& p, const Long3& y)
 {
   const Long3 q = ToLong(p.Direction);
@@ -84,7 +85,7 @@ Long3 SingleProx(const Primitive& p, const Long3& y)
   }
 }
 
-/// The balance by ADMM; the worst residual of the last round in `residual`.
+/// Computes the balance by ADMM. Sets `residual` to the largest residual of the last iteration.
 Vector3 SolveSlowly(const PrimitiveSet& set, const Vector3& tip, Long& residual)
 {
   const Long3 y = Long(Stiffness) * ToLong(tip);
@@ -115,7 +116,7 @@ Vector3 SolveSlowly(const PrimitiveSet& set, const Vector3& tip, Long& residual)
   return { double(z.X[0] / k), double(z.X[1] / k), double(z.X[2] / k) };
 }
 
-/// Whether something solves A t = b of at most three unknowns, which become t.
+/// Solves A t = b for up to three unknowns t. Returns false if there is no solution.
 bool SolveSmall(Long (&a)[3][4], int size)
 {
   for (int i = 0; i < size; ++i)
@@ -147,10 +148,11 @@ bool SolveSmall(Long (&a)[3][4], int size)
 }
 
 /**
- * The force (N) of planes: with t_i the force of each, the minimum of |sum t_i q_i|^2 / 2 + sum t_i
- * q_i.k (y - c_i) in [0, s_i], tried with each t_i at its begin, at its end, or between both, where
- * its slope is 0. Of more than three between, three give the same sum. The trial that violates
- * Kuhn's and Tucker's conditions least is the minimum; that violation in `violation`.
+ * Returns the force (N) of planes: with t_i the force of each, the minimum of |sum t_i q_i|^2 / 2 +
+ * sum t_i q_i.k (y - c_i) for t_i in [0, s_i]. Tries each t_i at its lower end, at its upper end,
+ * and between both, where its slope is 0; if more than three are between, three give the same sum.
+ * The trial that violates the Kuhn-Tucker conditions least is the minimum. Sets `violation` to its
+ * violation.
  */
 Vector3 TryAllPlanes(const PrimitiveSet& set, const Vector3& tip, Long& violation)
 {
@@ -217,14 +219,14 @@ Vector3 TryAllPlanes(const PrimitiveSet& set, const Vector3& tip, Long& violatio
   return { double(best.X[0]), double(best.X[1]), double(best.X[2]) };
 }
 
-/// What a line holds of a vector; a direction's length of 1 is only rounded.
+/// Returns the part of a vector that a line holds. A direction's length is 1 up to rounding only.
 Long3 AcrossLine(const Primitive& p, const Long3& v)
 {
   const Long3 q = ToLong(p.Direction);
   return v - (Inner(v, q) / Inner(q, q)) * q;
 }
 
-/// The force that a primitive can have, nearest to a force.
+/// Returns the force of a primitive nearest to a given force.
 Long3 NearestForce(const Primitive& p, const Long3& force)
 {
   const Long3 q = ToLong(p.Direction);
@@ -239,10 +241,10 @@ Long3 NearestForce(const Primitive& p, const Long3& force)
 }
 
 /**
- * A bound (N) of the error of the force that primitives, none of which pushes, give together. Of
- * forces l_i that they can have, the primal function less the dual one is the sum of phi_i(r_i) +
- * l_i.r_i, with r_i = k (x - c_i). The primal one is |w|^2 / 2 and what is convex, so |w - w*|^2 is
- * at most twice that.
+ * Returns an upper bound (N) of the error of the total force of primitives without pushes. For
+ * forces l_i that the primitives can have, the primal function less the dual function is the sum of
+ * phi_i(r_i) + l_i.r_i, with r_i = k (x - c_i). The primal function is |w|^2 / 2 plus a convex
+ * function, so |w - w*|^2 is at most twice that difference.
  */
 double BoundError(const PrimitiveSet& set, const Vector3& tip, const PrimitiveForces& forces)
 {
@@ -295,7 +297,7 @@ public:
     }
     return (1.0 / Norm(v)) * v;
   }
-  /// Any primitives with anchors of their own.
+  /// Returns random primitives, each with its own anchor.
   PrimitiveSet AnySet(int size)
   {
     PrimitiveSet set;
@@ -306,7 +308,7 @@ public:
     }
     return set;
   }
-  /// Primitives of the composition: one anchor, directions of a frame.
+  /// Returns primitives as a composition has them: one anchor, and directions of one frame.
   PrimitiveSet FrameSet(int size)
   {
     const Vector3 a = this->Direction();
@@ -323,8 +325,8 @@ public:
     }
     return set;
   }
-  /// Any primitives at one anchor, as the modes of a place have them; two in three are parallel to
-  /// the first one or at a right angle to it.
+  /// Returns random primitives at one anchor, as the modes of a place have them. Two in three are
+  /// parallel to the first one or perpendicular to it.
   PrimitiveSet PlaceSet(int size)
   {
     const Vector3 anchor = this->Place(0.004);
@@ -346,7 +348,7 @@ public:
     OfPairs,
     Own
   };
-  /// Pairs of opposed planes, as two-sided modes have them, and others after them.
+  /// Returns pairs of opposed planes, as two-sided modes have them, followed by other primitives.
   PrimitiveSet OpposedSet(int pairs, std::vector<PrimitiveKind> others, Anchors anchors)
   {
     const Vector3 common = this->Place(0.004);
@@ -375,7 +377,7 @@ private:
 
 TEST(Primitives, ALineLeavesItsDirectionFreeAndYieldsAcrossIt)
 {
-  // P1: 2 N on 500 N/m are a spring of 4 mm.
+  // P1: a strength of 2 N and a stiffness of 500 N/m hold up to 4 mm.
   const Primitive line{ PrimitiveKind::Line, { 3.0, 0.0, 0.0 }, {}, 2.0 };
   const PrimitiveBalance along = BalanceOf({ line }, { 0.05, 0.0, 0.0 });
   EXPECT_EQ(Norm(along.Force), 0.0);
@@ -392,7 +394,7 @@ TEST(Primitives, ALineLeavesItsDirectionFreeAndYieldsAcrossIt)
 
 TEST(Primitives, ForcePointAndPlaneHaveTheirClosedForms)
 {
-  // P2.
+  // P2: a constant force moves the proxy by force over stiffness.
   const PrimitiveBalance pushed =
     BalanceOf({ { PrimitiveKind::Force, { 0.0, 2.0, 0.0 }, {}, 2.0 } }, { 0.1, 0.2, 0.3 });
   EXPECT_EQ(pushed.Force.Y, 2.0);
@@ -434,7 +436,7 @@ TEST(Primitives, BalancesAreThoseOfASlowSolver)
     ASSERT_FALSE(balance.IsUnfinished) << "set " << round << " of " << size;
     worst = std::max(worst, Stiffness * Norm(balance.Proxy - expected));
     EXPECT_NEAR(Norm(balance.Force - Stiffness * (balance.Proxy - tip)), 0.0, 1e-11);
-    // From other forces, descent arrives at the same balance.
+    // Starting from other forces, the descent finds the same balance.
     PrimitiveForces other;
     other.fill({ 1.0, -2.0, NaN });
     other[0] = { 1.0, 0.3, -0.7 };
@@ -451,7 +453,7 @@ TEST(Primitives, BalancesAreThoseOfASlowSolver)
   EXPECT_GE(composed, 297);
 }
 
-// Five directions depend on each other; sweeps pass their forces on by little.
+// Five directions depend on each other, so that sweeps change the forces slowly.
 TEST(Primitives, OpposedPlanesAreBalancedFromAColdStart)
 {
   PrimitiveDice dice(1);
@@ -502,7 +504,8 @@ TEST(Primitives, BalancesAreThoseThatTheDualityGapAllows)
         Minimise(set, Stiffness, tip, forces);
         worst = std::max(worst, BoundError(set, tip, forces));
       }
-      // Strengths are about 1 N. The bound is the root of what rounding leaves; errors are less.
+      // Strengths are about 1 N. The bound is the root of the rounding error, so the true errors
+      // are smaller.
       EXPECT_LT(worst, 1e-3) << "N, " << pairs << " pairs and " << others.size();
     }
   }
@@ -510,7 +513,7 @@ TEST(Primitives, BalancesAreThoseThatTheDualityGapAllows)
 
 TEST(Primitives, YieldingALittleIsFoundAsWell)
 {
-  // The tip is a hundredth of a millimetre farther than what the strengths hold, as in a tick.
+  // The tip is 0.01 mm farther away than the strengths hold, as in a tick.
   PrimitiveDice dice(8);
   double worst = 0.0;
   int unfinished = 0;
@@ -534,7 +537,8 @@ TEST(Primitives, YieldingALittleIsFoundAsWell)
     unfinished += balance.IsUnfinished;
     PrimitiveForces old;
     int sweeps = 0;
-    // Wherever the proxy is expected to be; from the right place, mostly without a sweep.
+    // The balance is found from any expected direction; from the right direction, mostly without a
+    // sweep.
     for (const Vector3& towards : { -expected, dice.Direction(), expected })
     {
       old = far;
@@ -549,7 +553,7 @@ TEST(Primitives, YieldingALittleIsFoundAsWell)
       }
     }
     swept += sweeps > 0 && Stiffness * Norm(expected) > 1e-6;
-    // A little less than what all of them hold together holds nothing back.
+    // A pull that is slightly weaker than all strengths together does not move the proxy.
     old = far;
     const Vector3 nearer = (-(1.0 - 1e-4) / Stiffness) * most.Force;
     const PrimitiveBalance still = Minimise(set, Stiffness, nearer, old, 256, most.Proxy);
@@ -594,7 +598,8 @@ TEST(Primitives, TheCompositionBearsDirectionsThatAreOffByRounding)
 
 TEST(Primitives, AreNonExpansiveAndPullNoMoreThanTheirStrengths)
 {
-  // 1.4 million steps of a tip; of each kind of set as many as its solver takes in some seconds.
+  // 1.4 million steps of a tip. Each kind of set gets as many steps as its solver makes in some
+  // seconds.
   PrimitiveDice dice(5);
   for (int round = 0; round < 70; ++round)
   {
@@ -675,7 +680,7 @@ TEST(Primitives, WhatIsNoPrimitiveDoesNothing)
     const bool hasAnchor = kind != PrimitiveKind::Force;
     EXPECT_EQ(isNothing({ kind, x, { NaN, 0.0, 0.0 }, 1.0 }), hasAnchor);
     EXPECT_EQ(isNothing({ kind, x, { 1e300, 0.0, 0.0 }, 1.0 }), hasAnchor);
-    // Directions are unit vectors, however short or long they were.
+    // Directions are normalised, however short or long they are.
     for (const double length : { 5e-324, 1e-300, 1e300 })
     {
       const Vector3 force = BalanceOf({ { kind, length * x, anchor, 1.0 } }, tip).Force;
@@ -687,7 +692,7 @@ TEST(Primitives, WhatIsNoPrimitiveDoesNothing)
     BalanceOf({ { PrimitiveKind::Point, {}, {}, Infinity }, { PrimitiveKind::Force, x, {}, 1.0 } },
       { 0.5, 0.0, 0.0 });
   EXPECT_EQ(Norm(held.Proxy), 0.0) << "an infinite strength holds";
-  // Springs and tips that are none.
+  // Springs and tips that are not valid.
   PrimitiveSet set;
   set.Add({ PrimitiveKind::Line, x, {}, 1.0 });
   PrimitiveForces forces;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A hand that strokes with a constant force over a flat slab of two materials: with a stiffness for
- * each, the tip goes up or down by f (1/k1 - 1/k2) where they meet; with one stiffness it goes
+ * A hand strokes with a constant force f over a flat slab of two materials. If each has its own
+ * stiffness, the tip rises or sinks by f (1/k1 - 1/k2) at the border. With one stiffness it goes
  * straight on. The closed form is that of two springs, k1 and k2, pressed with f.
  */
 
@@ -18,16 +18,16 @@ namespace
 constexpr double Soft = 150.0;       // N/m
 constexpr double Stiff = 350.0;      // N/m
 constexpr double Press = 1.0;        // N
-constexpr double Surface = 8.0;      // mm, where the proxy begins
+constexpr double Surface = 8.0;      // mm: where the proxy begins
 constexpr double Begin = 10.0;       // mm along x
 constexpr double End = 70.0;         // mm
-constexpr double Border = 40.0;      // mm, where the materials meet
-constexpr int Radius = 6;            // voxels: x_s is so deep
+constexpr double Border = 40.0;      // mm: border of the materials
+constexpr int Radius = 6;            // voxels: depth of x_s
 constexpr double SoftValue = 1400.0; // at x_s
 constexpr double StiffValue = 2000.0;
 
-/// V = 100 z down to z = 11 mm; below, it rises faster where the slab is stiff, for x below Border
-/// or above it. A kernel of two voxels at z = 8 mm sees the plain ramp only.
+/// V = 100 z down to z = 11 mm. Below, V rises faster where the slab is stiff: for x below Border,
+/// or for x above it. A kernel of two voxels at z = 8 mm sees only the plain ramp.
 TestVolume MakeSlab(bool beginsStiff)
 {
   TestVolume volume(ScalarType::Float64, { 81, 17, 32 });
@@ -55,8 +55,8 @@ HapticModelDescription DescribeSlab(const TestVolume& volume, HapticSolver solve
   return d;
 }
 
-/// How much deeper (mm) the tip of a hand that presses with 1 N is at the end of a stroke than at
-/// its beginning. The hand has no mass: it gives way until the force is the one that it wants.
+/// Returns how much deeper (mm) the tip is at the end of a stroke than at its beginning, for a hand
+/// that presses with 1 N. The hand has no mass: it moves until the force is 1 N.
 double ComputeStep(const HapticModel& model)
 {
   ServoState state;
@@ -139,7 +139,8 @@ TEST(SameShape, CapsHoldForTheCouplingStiffness)
 
 TEST(SameShape, WhatHasNoStiffnessIsNotFelt)
 {
-  // Up to 1500 at x_s there is no stiffness, but strength, friction and drag.
+  // For values at x_s of up to 1500, the stiffness is zero, but strength, friction and drag are
+  // not.
   const TestVolume volume = MakeRamp();
   for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
   {
@@ -194,7 +195,7 @@ TEST(SameShape, LabelsHaveTheSameStiffness)
   EXPECT_FALSE(table.Find(3)->IsSet[0]);
   EXPECT_EQ(table.Find(3)->Value[1], 0.05);
 
-  // A label of 100 N/m everywhere.
+  // One label with 100 N/m everywhere.
   const TestVolume volume = MakeRamp();
   TestVolume labels(ScalarType::UInt8, { 24, 24, 24 });
   labels.Fill<std::uint8_t>([](std::int64_t, std::int64_t, std::int64_t) { return 1; });

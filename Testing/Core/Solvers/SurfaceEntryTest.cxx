@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The start of a surface's proxy when another method was used at that position before.
+ * Where the surface method places its proxy when the method before had left it elsewhere.
  */
 
 #include "Rigs/MeshScene.h"
@@ -14,7 +14,8 @@ using namespace coretest;
 
 namespace
 {
-/// A surface at z = 10 mm of the ramp; what is felt is above it. The entry is 6 mm deep at most.
+/// The ramp's surface at z = 10 mm. The tissue that is felt is above it; the start is at most 6 mm
+/// deep.
 class SurfaceEntry : public testing::Test
 {
 protected:
@@ -23,7 +24,7 @@ protected:
     this->Scene.Settings.IsoValue = 1000.0;
     this->Scene.Settings.HasIsoSurface = true;
   }
-  /// The position that a proxy (mm) gets when the method changes from another one.
+  /// Returns the position (mm) of the proxy after the method has changed from `from`.
   Vector3 Enter(const Vector3& proxy, HapticMethod from = HapticMethod::ForceField)
   {
     HapticModelDescription other = this->Scene;
@@ -51,7 +52,7 @@ TEST_F(SurfaceEntry, GoesToTheNearestOutside)
   EXPECT_NEAR(this->Enter({ 12.0, 12.0, 7.0 }).Z, 11.5, 0.5);
 }
 
-/// The surface of a coarse image that stands in is 2 mm deeper: its proxy is inside the fine one.
+/// The surface of a coarse stand-in image is 2 mm deeper, so its proxy is inside the fine surface.
 TEST_F(SurfaceEntry, ComesOutOfAFineSurfaceThatReplacesACoarseOne)
 {
   HapticModelDescription coarse = this->Scene;

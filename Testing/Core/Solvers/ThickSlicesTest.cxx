@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Walls in volumes whose voxels are no cubes. The wall is V = low + h Phi(d / s), d the distance
- * from a plane. Across an axis, or in the plane of two axes with one spacing, its samples are those
- * of cubes of that spacing: so are contact and force. Where they resolve the wall, it is where it
- * is, d = 0. Across thick slices, and between those in which it leans, no more is known of it than
- * their linear interpolation, which is computed here by itself.
+ * Walls in volumes whose voxels are not cubes. The wall is V = low + h Phi(d / s), with d the
+ * distance from a plane. Across an axis, or in the plane of two axes with one spacing, its samples
+ * equal those of cubes with that spacing, and so do contact and force. Where the samples resolve
+ * the wall, the contact is at d = 0. Across thick slices, and where the wall leans between slices,
+ * only the linear interpolation of the samples is known. The test computes that interpolation by
+ * itself.
  */
 
 #include "Rigs/CoreScene.h"
@@ -26,7 +27,7 @@ constexpr double Low = -1000.0;
 constexpr double High = 60.0;
 constexpr double Blur = 0.45; // mm
 constexpr double Fine = 0.5;  // mm
-constexpr double Depth = 1.5; // mm, of the press
+constexpr double Depth = 1.5; // mm: depth of the press
 constexpr std::int64_t Samples = 28;
 
 constexpr GradientEstimator Estimators[] = { GradientEstimator::CentralDifference,
@@ -43,7 +44,7 @@ Vector3 Thick(double ratio, int axis)
     axis == 2 ? ratio * Fine : Fine };
 }
 
-/// A wall through a point between the samples in the middle of a volume.
+/// A wall through a point between the samples near the volume's centre.
 struct Wall
 {
   /**
@@ -75,7 +76,8 @@ struct Wall
       (High - Low) * (Phi(depth / this->Width) - Phi((depth - this->Thickness) / this->Width));
   }
 
-  /// As "CT contrast" for air, lung, fat and muscle, without friction and drag.
+  /// Describes the model with materials as in "CT contrast" for air, lung, fat and muscle, without
+  /// friction and drag.
   HapticModelDescription Describe(GradientEstimator estimator, int radius) const
   {
     HapticModelDescription description = coretest::Describe(this->Volume);
@@ -98,9 +100,9 @@ struct Wall
 };
 
 /**
- * How far the middle of (1 - t) Phi(u) + t Phi(u - shift), the linear interpolation between two
- * edges, is at most from where the edge goes over from the one to the other: u = t shift. Of edges
- * of blur 1; by bisection.
+ * Returns the largest distance between the middle of (1 - t) Phi(u) + t Phi(u - shift), which is
+ * the linear interpolation of two edges of blur 1, and the true middle u = t shift. Computed by
+ * bisection.
  */
 double FarthestMiddle(double shift)
 {
@@ -119,7 +121,8 @@ double FarthestMiddle(double shift)
   return farthest;
 }
 
-/// The linear interpolation of the samples around a position, as a fraction of the wall's height.
+/// Returns the linear interpolation of the samples around a position, as a fraction of the wall's
+/// height.
 double InterpolatedFraction(const Wall& wall, const Vector3& world)
 {
   const Vector3 index = Inverse(wall.IndexToWorld)(world);
@@ -143,13 +146,13 @@ double InterpolatedFraction(const Wall& wall, const Vector3& world)
 
 struct Press
 {
-  double Contact = HUGE_VAL; ///< mm behind the plane, where the surface takes 20 mN
-  double Force = 0.0;        ///< N, along the normal, at the end
-  double Most = 0.0;         ///< N, in any direction, on the way
-  Vector3 Proxy;             ///< in the world, at the end
+  double Contact = HUGE_VAL; ///< mm behind the plane: where the surface force reaches 20 mN
+  double Force = 0.0;        ///< N: final force along the normal
+  double Most = 0.0;         ///< N: largest force in any direction on the way
+  Vector3 Proxy;             ///< final position, world
 };
 
-/// Straight from 3 mm in front of the plane to a depth behind it, 0.05 mm a tick.
+/// Moves the tip straight from 3 mm in front of the plane to a depth behind it, by 0.05 mm a tick.
 Press PressInto(const Wall& wall, const HapticModelDescription& description, double depth = Depth)
 {
   const HapticModel model(description);
@@ -179,7 +182,7 @@ TEST(ThickSlices, AWallIsFeltAsInCubes)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      // Two fine axes, and halfway between them.
+      // The two fine axes and the direction halfway between them.
       Vector3 normals[3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, -1 } };
       normals[axis] = normals[(axis + 1) % 3] + normals[(axis + 2) % 3];
       for (const Vector3& normal : normals)
@@ -247,8 +250,9 @@ TEST(ThickSlices, ALeaningWallIsNoFartherOffThanItsInterpolation)
     {
       const double angle = degrees / 57.29577951308232;
       const double shift = ratio * Fine * std::sin(angle) / Blur;
-      // Edges that are up to 2 blurs apart have one steepest place in their sum. Farther apart they
-      // are two edges, of which the first one may be felt; a spline is wider than that for longer.
+      // The sum of two edges that are up to 2 blurs apart has one steepest place. Farther apart,
+      // they are two edges, and the first may be felt. The spline is wider and merges them up to a
+      // larger distance.
       const bool isOne = shift <= 2.0;
       if (shift > 3.4)
       {
@@ -284,7 +288,8 @@ TEST(ThickSlices, ALeaningWallIsNoFartherOffThanItsInterpolation)
 
 TEST(ThickSlices, ASplineHoldsAnEdgeWithAnyRadius)
 {
-  // A spline reads 64 samples, whatever the radius is; so are its middle and what it holds there.
+  // The spline reads 64 samples for any radius, so its contact and force don't depend on the
+  // radius.
   for (const double blur : { 0.05, Blur })
   {
     for (const Vector3& normal : { Vector3{ 1, 0, 0 }, Vector3{ 1, 2, 3 } })
@@ -305,9 +310,9 @@ TEST(ThickSlices, ASplineHoldsAnEdgeWithAnyRadius)
 
 TEST(ThickSlices, PaperFeelsNoSheetThatItsReachPasses)
 {
-  // A gradient is there from KernelRadius fine spacings before the sheet on, and x_s is as many
-  // largest spacings ahead: in air, behind sheets thinner than 2 (2.5 - 0.5) mm. Both sides of the
-  // sheet are blurred, and reach two blurs out.
+  // The gradient begins KernelRadius fine spacings in front of the sheet, and x_s is as many
+  // largest spacings ahead. Behind sheets thinner than 2 (2.5 - 0.5) mm, x_s is in air. Both sides
+  // of the sheet are blurred and reach two blurs outwards.
   const Vector3 normal{ 1, 0, 0 };
   for (const double thickness : { 1.0, 1.6, 4.0 - 4.0 * Blur })
   {
@@ -335,7 +340,7 @@ TEST(ThickSlices, AcrossThemAWallIsInTheMiddleOfItsSamples)
       const Vector3 normal{ axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0 };
       const Wall wall(Thick(ratio, axis), Slanted(), normal);
       const Wall cubes({ spacing, spacing, spacing }, Slanted(), normal);
-      // Along the axis: the first two samples around the middle level, and the line between them.
+      // Find the two samples around the middle level along the axis, and interpolate linearly.
       const double centre[3] = { 13.3, 14.2, 13.6 };
       const auto value = [&](double at)
       { return Low + (High - Low) * Phi((at - centre[axis]) * spacing / Blur); };
