@@ -31,7 +31,10 @@ public:
 
   /** Reads one message and answers it; false if the other side has hung up or sends nonsense. */
   bool Receive();
-  /** Answers those waiting transfers for which the model now has data. */
+  /**
+   * Answers the waiting transfers for which the model now has data or room. Returns false if
+   * sending fails.
+   */
   bool AnswerWaiting();
 
 private:

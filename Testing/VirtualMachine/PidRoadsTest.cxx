@@ -47,7 +47,7 @@ public:
   virtual const char* GetName() const = 0;
   virtual bool Open() = 0;
   virtual bool Push(int level) = 0;
-  /** The effect begins anew. */
+  /** Starts the effect again. */
   virtual bool Refresh() = 0;
 };
 
