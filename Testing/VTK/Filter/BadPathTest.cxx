@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Paths that make no sense: one error each, and recovery.
+ * Paths that can't be felt give one error each, and the filter works again with the next path.
  */
 
 #include "Rigs/ApiRig.h"
@@ -41,7 +41,7 @@ vtkSmartPointer<vtkPolyData> WithTimeArray(int components, int tuples)
   return path;
 }
 
-/// Eight points, and polylines of some of them.
+/// Makes eight points, and polylines that connect some of them.
 vtkSmartPointer<vtkPolyData> WithLines(const std::vector<std::vector<vtkIdType>>& lines)
 {
   auto path = MakePath({ { 7, 7, 5 }, { 7, 7, 6 }, { 7, 7, 7 }, { 7, 7, 8 }, { 4, 4, 5 },
@@ -143,7 +143,7 @@ const BadPath BadPaths[] = {
       return path;
     },
     { "recording", "DeviceTip", "2 lines", "one recording at a time" } },
-  // A chain as cutters make it: 0, 2, 1, 3.
+  // Cutters give chains of segments in this way; the order of the points is 0, 2, 1, 3.
   { "OutOfOrder",
     [] {
       return WithLines({ { 0, 2 }, { 2, 1 }, { 1, 3 } });

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Ramps of so few levels to a voxel that rounding is a large part of their gradients: 8-bit images.
- * Whatever is felt of the roundings, no tick steps by more than a hand takes for a knock, 0.25 N.
+ * 8-bit ramps with so few grey levels per voxel that rounding dominates their gradients. The force
+ * may feel rough, but no tick changes it by 0.25 N, which a hand takes for a knock.
  */
 
 #include "Rigs/ApiRig.h"
@@ -20,9 +20,9 @@ class CoarseLevels : public ApiTest
 {
 };
 
-constexpr double Slope[3] = { 0.3, 0.2, 0.933 }; // of length 1
+constexpr double Slope[3] = { 0.3, 0.2, 0.933 }; // has the length 1
 
-/// Presses 3 voxels along the slope, and slides across it.
+/// Presses 3 voxels along the slope, and then slides 8 voxels across it.
 std::vector<Point> PressAndSlide()
 {
   const double middle = 24.0;

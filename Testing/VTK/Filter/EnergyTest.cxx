@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The energy that the hand gets in a closed cycle: none from a proxy, and the paper's objection to
- * force fields.
+ * Energy that the hand gets in a closed cycle: a proxy gives none, while a force field can (the
+ * paper's objection).
  */
 
 #include "Rigs/ApiRig.h"
@@ -17,7 +17,7 @@ namespace
 class EnergyTest : public ApiTest
 {
 protected:
-  /// J, at the end of a path.
+  /// Returns the energy (J) at the end of a path.
   double Spent(const std::vector<Point>& points)
   {
     const vtkSmartPointer<vtkPolyData> path = MakePath(points);
@@ -27,7 +27,7 @@ protected:
   }
 };
 
-/// Five times round a circle of 3 mm, and back to the beginning.
+/// Makes five turns on a circle with a radius of 3 mm, back to the beginning.
 std::vector<Point> Turns(double direction)
 {
   std::vector<Point> points;
@@ -42,7 +42,7 @@ std::vector<Point> Turns(double direction)
 
 TEST_F(EnergyTest, ASpringStoresWhatTheHandPutsIn)
 {
-  // 3 mm of 500 N/m, T_N = 2 N holds them.
+  // 3 mm at 500 N/m take 1.5 N, which the surface holds (T_N = 2 N).
   EXPECT_NEAR(this->Spent(Line({ 7, 7, 5 }, { 7, 7, 8 }, 30)), -0.5 * 500.0 * 0.003 * 0.003, 1e-9);
   std::vector<Point> cycle = Line({ 7, 7, 5 }, { 7, 7, 8 }, 30);
   const std::vector<Point> back = Line({ 7, 7, 8 }, { 7, 7, 5 }, 30);
@@ -64,7 +64,8 @@ TEST_F(EnergyTest, FrictionSpends)
 
 TEST_F(EnergyTest, AForceFieldWhoseGradientIsNoneOfAFunctionCreatesAsMuchAsItSpends)
 {
-  // A ridge on which coarse central differences turn: one way round gains what the other loses.
+  // Coarse central differences rotate on this ridge: one sense of rotation gains the energy that
+  // the other one loses.
   this->Filter->SetInputData(0,
     MakeImage(16, VTK_DOUBLE,
       [](const Point& x) { return 1000.0 * std::sin(1.9 * x[0]) * std::cos(1.3 * x[1] + x[0]); }));

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A burr offline: B1 to B3 of the design from the trace alone, cavities that the point feels, paths
- * by themselves, and what can't be felt.
+ * A burr offline: B1 to B3 of the design from the trace alone, cavities felt by the point, several
+ * paths, and settings that are errors.
  */
 
 #include "Rigs/ApiRig.h"
@@ -28,7 +28,7 @@ namespace
 constexpr double BurrPi = 3.14159265358979323846;
 constexpr double BurrVoxel = 0.25; // mm
 
-/// Solid of value 200 from z = Surface on, in voxels of 0.25 mm.
+/// Solid tissue with the value 200 from z = Surface on, in voxels of 0.25 mm.
 class FilterBurr : public ApiTest
 {
 protected:
@@ -54,7 +54,7 @@ protected:
     this->Filter->SetPathData(this->Path);
     return this->Run(static_cast<vtkIdType>(points.size()));
   }
-  /// Into the tissue, and some ticks there.
+  /// Plunges into the tissue to a depth (mm), and stays there for half of the ticks.
   static std::vector<Point> Plunge(double depth, int ticks, double x = 8.0, double y = 7.9)
   {
     const double z = Surface - 3.2;
@@ -76,7 +76,8 @@ protected:
 };
 } // namespace
 
-/// Q = mu F v/U, F that of the trace. (The energy of less than a step may be left.)
+/// The removal rate is Q = mu F v/U, with the force F of the trace. Less energy than one step needs
+/// may be left at the end.
 TEST_F(FilterBurr, RemovesByItsEnergy)
 {
   SetConstant(this->Burr->GetSpecificEnergy(), 4.0);
@@ -89,7 +90,7 @@ TEST_F(FilterBurr, RemovesByItsEnergy)
   EXPECT_NEAR(Sum(trace, "RemovedVolume"), expected, 0.01 * expected);
 }
 
-/// In a label with U2, Q = mu F v/U2, whatever U(V) says; in one without, U(V) holds.
+/// In a label with an energy U2, Q = mu F v/U2 for any U(V); in a label without one, U(V) counts.
 TEST_F(FilterBurr, LabelsHaveAnEnergyOfTheirOwn)
 {
   SetConstant(this->Burr->GetSpecificEnergy(), 4.0);
@@ -113,8 +114,8 @@ TEST_F(FilterBurr, LabelsHaveAnEnergyOfTheirOwn)
   }
 }
 
-/// Where a hole goes through several labels, its energy is the sum of U over the samples: by a loop
-/// over the shares that are left. The label image has a geometry of its own.
+/// A hole through several labels costs the sum of U over the removed samples, which a loop over the
+/// remaining fractions computes. The label image has a geometry of its own.
 TEST_F(FilterBurr, AHoleThroughSeveralLabelsCostsTheSumOfTheirEnergies)
 {
   constexpr double spacing = 0.7; // mm
@@ -152,7 +153,7 @@ TEST_F(FilterBurr, AHoleThroughSeveralLabelsCostsTheSumOfTheirEnergies)
       index[a] = static_cast<int>(std::lround((place[a] - labels->GetOrigin()[a]) / spacing));
     }
     const double label = labels->GetScalarComponentAsDouble(index[0], index[1], index[2], 0);
-    // A voxel loses its volume in the middle sixth of the ramp.
+    // A voxel loses its volume while its fraction passes the middle sixth of the ramp.
     volumes[label == 2.0 ? 0 : (label == 3.0 ? 1 : 2)] +=
       std::pow(BurrVoxel, 3) * (1.0 - std::clamp(6.0 * (rho - 0.5) + 0.5, 0.0, 1.0));
   }
@@ -167,8 +168,9 @@ TEST_F(FilterBurr, AHoleThroughSeveralLabelsCostsTheSumOfTheirEnergies)
     1e-6 * (volumes[0] + volumes[1] + volumes[2]));
 }
 
-/// Q is that of the law: twice the energy, half the volume at the same force; and none without any.
-/// What is saved for the next share in the end is a small part of so long a stroke.
+/// Q is inversely proportional to the energy: three times the energy removes a third of the volume
+/// at the same force. A burr that does not spin removes nothing. The energy saved at the end is a
+/// small part of so long a stroke.
 TEST_F(FilterBurr, DenseTissueIsRemovedMoreSlowly)
 {
   double rates[2] = {};
@@ -183,7 +185,7 @@ TEST_F(FilterBurr, DenseTissueIsRemovedMoreSlowly)
   EXPECT_EQ(Sum(this->Follow(Plunge(2.0, 1000)), "RemovedVolume"), 0.0);
 }
 
-/// B2: the point without a tool feels a hole of the burr's radius, along its sides.
+/// B2: the point, without a tool, feels the sides of a hole with the burr's radius.
 TEST_F(FilterBurr, ItsHoleIsFeltWithThePoint)
 {
   SetConstant(this->Burr->GetSpecificEnergy(), 0.05);

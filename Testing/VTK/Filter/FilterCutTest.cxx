@@ -25,7 +25,7 @@ namespace
 class FilterCut : public ApiTest
 {
 protected:
-  /// The largest force on the path of ApiTest, which goes from z = 5 to 10 at x = y = 7.
+  /// Returns the largest force on the path of ApiTest, which goes from z = 5 to 10 at x = y = 7.
   double Strongest()
   {
     vtkPolyData* const output = this->Run(51);
@@ -57,7 +57,8 @@ TEST_F(FilterCut, APlaneThatMovesMovesTheCut)
   EXPECT_NEAR(this->Strongest(), whole, 1e-12);
 }
 
-// As VTK's mappers on graphics hardware draw them. The path is at x = 7.
+// VTK's GPU mappers don't draw blanked points and cells, so they are not felt. The path is at x =
+// 7.
 TEST_F(FilterCut, BlankedPointsAndCellsAreNotFelt)
 {
   const double whole = this->Strongest();
@@ -143,7 +144,7 @@ TEST_F(FilterCut, WhatIsWrongIsNamed)
 
 namespace
 {
-/// Methods other than PROXY, on the path of ApiTest over a surface at z = 7.
+/// Methods other than PROXY, on the path of ApiTest across a surface at z = 7.
 class FilterCutMethods : public FilterCut
 {
 protected:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Data sets that are no images, resampled where the path or the hand is. Their fields are linear,
- * so that neither cells nor splines change them: forces are those of closed forms.
+ * Data sets other than images are resampled around the path or the hand. Their fields are linear,
+ * so that cells and splines keep them, and forces have closed forms.
  */
 
 #include "Rigs/ApiRig.h"
@@ -32,7 +32,7 @@ constexpr int Edge = 21;          // points
 constexpr double HalfEdge = 16.0; // mm
 constexpr double PerMm = 0.5;     // N/mm, the spring
 
-/// A flow around z, and 100 z as scalars.
+/// Adds a flow around z, and scalars of 100 z.
 void AddFields(vtkDataSet* data)
 {
   vtkNew<vtkDoubleArray> flow;
@@ -50,7 +50,7 @@ void AddFields(vtkDataSet* data)
   data->GetPointData()->SetScalars(height);
 }
 
-/// Points closer together in the middle.
+/// Makes a grid whose points are closer together in the middle.
 vtkSmartPointer<vtkRectilinearGrid> MakeRectilinear()
 {
   vtkNew<vtkDoubleArray> places;
@@ -68,7 +68,7 @@ vtkSmartPointer<vtkRectilinearGrid> MakeRectilinear()
   return grid;
 }
 
-/// Slabs that lean over, from one height to another.
+/// Makes a grid of leaning slabs between two heights.
 vtkSmartPointer<vtkStructuredGrid> MakeStructured(double low, double high)
 {
   vtkNew<vtkPoints> points;
@@ -102,7 +102,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeUnstructured(vtkDataSet* data)
   return grid;
 }
 
-/// Two halves, which are unlike.
+/// Makes two blocks of different types, for the lower and the upper half.
 vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks()
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
@@ -125,7 +125,7 @@ protected:
   {
     this->Filter->SetInputData(0, data);
     vtkPolyData* const trace = this->Run(101);
-    // It moves freely neither outward nor up: the spring is held across the flow.
+    // The proxy may move along the flow only: the spring holds it outwards and along z.
     const double wanted[3] = { -1.4 * PerMm, 0.0, -2.0 * PerMm };
     for (int c = 0; c < 3; ++c)
     {
@@ -144,7 +144,7 @@ TEST_F(FilterDataSets, AreFeltAsTheFieldThatTheyHold)
   this->ExpectFlow(MakeStructured(-HalfEdge, HalfEdge));
   this->ExpectFlow(MakeUnstructured(MakeStructured(-HalfEdge, HalfEdge)));
   this->ExpectFlow(MakeBlocks());
-  // Scalars alone, by eq. 1: the force is the gain times the gradient.
+  // With scalars alone, eq. 1 holds: the force is the gain times the gradient.
   this->Filter->SetMethodToForceField();
   this->Filter->SetForceFieldGain(0.01);
   vtkPolyData* const trace = this->Run(101);
@@ -168,7 +168,7 @@ TEST_F(FilterDataSets, MayHaveTheirFieldsInTheCells)
   this->Follow->SetArrayName("spin");
   this->Filter->SetInputData(0, grid);
   vtkPolyData* const trace = this->Run(101);
-  // Averages of uneven cells are a little off.
+  // The averages of uneven cells differ a little from the linear field.
   EXPECT_NEAR(Get(trace, "Force", 100, 0), -1.4 * PerMm, 0.02);
   EXPECT_NEAR(Get(trace, "Force", 100, 2), -2.0 * PerMm, 0.02);
 }
@@ -200,7 +200,7 @@ TEST_F(FilterDataSets, AreFeltLiveAroundTheHand)
     << device->GetState()->GetComputedForce()[0];
   EXPECT_NEAR(device->GetState()->GetComputedForce()[2], -1.0, 1e-3);
   EXPECT_NEAR(device->GetState()->GetModeForce(0)[2], -1.0, 1e-3);
-  // Beyond the data nothing is felt.
+  // Nothing is felt beyond the data.
   device->GetVirtualHand()->SetPosition(40.0, 0.0, 1.0);
   EXPECT_TRUE(await([&] { return std::abs(device->GetState()->GetComputedForce()[0]) < 1e-9; }));
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The filter runs when something changed that it depends on, and only then.
+ * The filter runs if something that it depends on has changed, and only then.
  */
 
 #include "Rigs/ApiRig.h"
@@ -22,7 +22,7 @@ class FilterExecution : public ApiTest
 protected:
   FilterExecution() { this->Run(51); }
 
-  /// How often the filter runs for two updates after a change.
+  /// Returns how often the filter runs for two updates after a change.
   int RunsAfter(const std::function<void()>& change)
   {
     change();

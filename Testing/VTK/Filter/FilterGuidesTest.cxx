@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Guides through the filter: polylines, meshes and distance fields. Forces are those of closed
- * forms: a tip at the distance d from the guide is drawn to it with k d.
+ * Guides of the filter: polylines, meshes and distance fields. Forces have closed forms: a tip at
+ * the distance d from the guide is pulled to it with k d.
  */
 
 #include "FilterModesRig.h"
@@ -28,7 +28,8 @@ TEST_F(FilterGuides, AGuideLeadsAroundItsCornerAndEnds)
   const auto mode = vtkSmartPointer<vtkHapticGuideMode>::New();
   mode->SetPath(MakePath({ { 5, 5, 12 }, { 15, 5, 12 }, { 15, 15, 12 } }));
   this->Filter->AddMode(mode);
-  // Beside the first leg; outside of the corner; beside the second leg; beyond the end.
+  // The tip ends beside the first leg, then outside of the corner, beside the second leg, and
+  // beyond the end.
   this->Follow(Line({ 6, 5, 12 }, { 10, 4, 12 }, 50));
   vtkPolyData* trace = this->Run(51);
   ExpectNear(LastProxy(trace), { 10.0, 5.0, 12.0 }, 1e-9);
@@ -50,7 +51,7 @@ TEST_F(FilterGuides, AGuideLeadsAroundItsCornerAndEnds)
   trace = this->Run(51);
   ExpectNear(LastProxy(trace), { 15.0, 15.0, 12.0 }, 1e-9);
   ExpectNear(Last(trace, "Force"), { 0.0, -2.0 * SpringPerMm, 0.0 }, 1e-9);
-  // 1 N beyond a millimetre: farther off, the hand is led back with it.
+  // The strength limits the pull to 1 N: a hand that is more than 1 mm away is led back with 1 N.
   mode->GetStrength()->AddPoint(0.0, 1.0);
   this->Follow({ { 8, 8, 12 }, { 8, 8, 12 } });
   ExpectNear(Last(this->Run(2), "Force"), { 0.0, -1.0, 0.0 }, 1e-9);
@@ -58,7 +59,8 @@ TEST_F(FilterGuides, AGuideLeadsAroundItsCornerAndEnds)
 
 TEST_F(FilterGuides, ASurfaceHoldsTheHandOnIt)
 {
-  // A plane of four corners, in two triangles of which none ends near the hand: forces are exact.
+  // The plane consists of two triangles whose outer edges are far from the hand, so forces are
+  // exact.
   const vtkNew<vtkPoints> corners;
   corners->InsertNextPoint(0, 0, 12);
   corners->InsertNextPoint(23, 0, 12);
@@ -80,7 +82,8 @@ TEST_F(FilterGuides, ASurfaceHoldsTheHandOnIt)
     ExpectNear(LastProxy(trace), { 15, 13, 12 }, 1e-9);
     ExpectNear(Last(trace, "Force"), { 0, 0, (12 - tip) * SpringPerMm }, 1e-9);
   }
-  // Kept outside, which is above; inside; and 2 mm above.
+  // The hand is kept above the plane (outside), then below it (inside), and then on a surface 2 mm
+  // above it.
   mode->SetSideToOutside();
   ExpectNear(Last(this->Run(201), "Force"), { 0, 0, 1.5 }, 1e-9);
   mode->SetSideToInside();
@@ -89,7 +92,7 @@ TEST_F(FilterGuides, ASurfaceHoldsTheHandOnIt)
   mode->SetDistance(2.0);
   this->Follow(Line({ 8, 9, 12 }, { 15, 13, 15 }, 200));
   ExpectNear(LastProxy(this->Run(201)), { 15, 13, 14 }, 1e-9);
-  // 0.5 N at any distance, then none beyond a millimetre.
+  // The strength is 0.5 N at any distance, and then falls to 0 beyond a millimetre.
   mode->SetDistance(0.0);
   SetConstant(mode->GetStrength(), 0.5);
   this->Follow({ { 8, 9, 17 }, { 8, 9, 17 } });
@@ -100,7 +103,8 @@ TEST_F(FilterGuides, ASurfaceHoldsTheHandOnIt)
 
 TEST_F(FilterGuides, AMeshOfABallAndItsDistanceFieldHoldTheHandAlike)
 {
-  // Of 8 mm around the middle; the tip is 2 mm outside or inside of it: 1 N, twice around.
+  // The ball has a radius of 8 mm around the middle. The tip circles it twice, 2 mm outside or
+  // inside of its surface, which gives 1 N.
   const vtkNew<vtkSphereSource> ball;
   ball->SetCenter(Middle, Middle, Middle);
   ball->SetRadius(8.0);
@@ -117,7 +121,8 @@ TEST_F(FilterGuides, AMeshOfABallAndItsDistanceFieldHoldTheHandAlike)
     mode->SetSurface(isField ? nullptr : ball->GetOutput());
     mode->SetDistanceField(isField ? field.Get() : nullptr);
     this->Filter->AddMode(mode);
-    // The spline lies higher by 1/6 of the Laplacian 2/r; chords of 4.5 degrees by 8/1300 mm.
+    // The spline raises the field by 1/6 of its Laplacian 2/r; chords of 4.5 degrees lie 8/1300 mm
+    // inside of the ball.
     const double radius = isField ? 4.0 + std::sqrt(16.0 - 1.0 / 3.0) : 8.0;
     const double s = std::sqrt(0.5);
     for (const double tip : { 6.0, 10.0 })
@@ -138,7 +143,7 @@ TEST_F(FilterGuides, AMeshOfABallAndItsDistanceFieldHoldTheHandAlike)
         const double r = std::hypot(on[0] - Middle, on[1] - Middle, on[2] - Middle);
         ASSERT_NEAR(r, radius, 0.01) << tick;
         ASSERT_NEAR(Get(trace, "NormalForce", tick), std::abs(tip - r) * SpringPerMm, 0.005);
-        // The hand leads, and nothing holds it along the ball.
+        // Nothing holds the hand along the ball, so the proxy follows it.
         double at[3];
         trace->GetPointData()->GetArray("Tip")->GetTuple(tick, at);
         for (int a = 0; a < 3; ++a)
@@ -158,8 +163,8 @@ TEST_F(FilterGuides, AMeshOfABallAndItsDistanceFieldHoldTheHandAlike)
 
 TEST_F(FilterGuides, TheEdgeOfAGuidingCubeIsGoneAround)
 {
-  // The tip goes around an edge at a distance of 1 mm: the proxy stays on the faces, no force jumps
-  // more than by what the tip moves, and outside of the edge the proxy is on it.
+  // The tip goes around an edge at a distance of 1 mm. The proxy stays on the faces, and on the
+  // edge while the tip is outside of it. The force changes no faster than the tip moves.
   const vtkNew<vtkCubeSource> cube;
   cube->SetBounds(6, 16, 6, 16, 6, 16);
   cube->Update();
@@ -203,7 +208,7 @@ TEST_F(FilterGuides, BadGuidesGiveOneErrorWithItsCure)
   this->ExpectError({ "vtkHapticGuideMode", "no path", "SetPath()" });
   guide->SetPath(MakePath({ { 0, 0, 0 }, { NAN, 0, 0 } }));
   this->ExpectError({ "vtkHapticGuideMode", "not finite", "SetPath()" });
-  const vtkNew<vtkPolyData> cut; // of points that are not there any more
+  const vtkNew<vtkPolyData> cut; // its line refers to points that it does not have
   const vtkNew<vtkCellArray> line;
   line->InsertNextCell({ 0, 1 });
   cut->SetLines(line);

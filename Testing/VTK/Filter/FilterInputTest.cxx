@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The samples are touched in place: nothing is copied, changed, or freed under way.
+ * The samples are touched in place: the filter does not copy or change them, and keeps them while
+ * it runs.
  */
 
 #include "Rigs/ApiRig.h"
@@ -24,7 +25,7 @@ class FilterInput : public ApiTest
 protected:
   vtkDataArray* Scalars() { return this->Image->GetPointData()->GetScalars(); }
 
-  /// Calls back while the next update is under way; its first ticks are over then.
+  /// Calls `f` in the middle of the next update, after its first ticks.
   void UnderWay(const std::function<void()>& f)
   {
     this->Callback = [this, f]
@@ -41,7 +42,7 @@ protected:
     this->Filter->AddObserver(vtkCommand::ProgressEvent, this->Command);
   }
 
-  /// A tip at rest for so long that there are progress events under way.
+  /// Sets a tip that rests for 5000 ticks, so that progress events are sent.
   void Rest() { this->Filter->SetPathData(MakePath(std::vector<Point>(5000, { 7, 7, 7 }))); }
 
   std::function<void()> Callback;
@@ -60,7 +61,7 @@ TEST_F(FilterInput, InPlaceEditsAreFelt)
 TEST_F(FilterInput, SamplesAreNotCopied)
 {
   this->Rest();
-  // A copy would not know of what is written while the filter runs.
+  // A copy would not show samples that are written while the filter runs.
   this->UnderWay([&] { this->Scalars()->Fill(42.0); });
   vtkPolyData* const output = this->Run(5000);
   EXPECT_EQ(Get(output, "Value", 0), 700.0);
@@ -102,8 +103,8 @@ TEST_F(FilterInput, InputsAreLeftAlone)
     0);
 }
 
-// While a hand is led over a surface, each motion looks for the surface ahead with a model that is
-// gone at once.
+// While a hand follows a surface, each motion looks for the surface ahead with a model that lives
+// only for this call.
 TEST_F(FilterInput, IsBakedOnceForModelsThatComeAndGo)
 {
   const auto bake = [this] { return this->Filter->GetBaker().Bake(1000.0, {}, nullptr); };

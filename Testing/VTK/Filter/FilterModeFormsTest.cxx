@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What holds of modes, whatever their field: closed forms that take long ways or turned volumes,
- * and bounds. Forms of single modes: FilterModesTest.cxx.
+ * Modes with any field: closed forms on long paths and in turned volumes, and bounds of their
+ * forces. FilterModesTest.cxx tests single modes.
  */
 
 #include "FilterModesRig.h"
@@ -22,7 +22,7 @@ namespace
 {
 const double Turn = 2.0 * std::acos(-1.0);
 
-/// An image of several voxels, around the origin, with scalars of 0.
+/// Makes an image of this many voxels around the origin, with scalars of 0.
 vtkSmartPointer<vtkImageData> MakeGrid(const std::array<int, 3>& size, double spacing)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -35,7 +35,7 @@ vtkSmartPointer<vtkImageData> MakeGrid(const std::array<int, 3>& size, double sp
   return image;
 }
 
-/// From the origin, drawn back to it a little.
+/// Makes a random walk that begins at the origin and is pulled back to it a little.
 std::vector<Point> RandomWalk(int ticks, double stride)
 {
   std::mt19937_64 engine(11);
@@ -59,7 +59,7 @@ Point ForceAt(vtkPolyData* trace, vtkIdType tick)
     Get(trace, "Force", tick, 2) };
 }
 
-/// A flow of many directions, with a rotation, a stretching, and a place without any.
+/// A flow in many directions, with a rotation, a stretching, and a place without flow.
 void Swirl(const Point& p, double* v)
 {
   v[0] = std::sin(0.4 * p[1]);
@@ -67,7 +67,7 @@ void Swirl(const Point& p, double* v)
   v[2] = 0.5 * std::sin(0.5 * p[0] + 0.2 * p[1]);
 }
 
-/// Its tensor v v^T + 0.1, which is flat or long elsewhere.
+/// The flow's tensor v v^T + 0.1 I, which becomes flat elsewhere.
 void SwirlTensor(const Point& p, double* t)
 {
   double v[3];
@@ -88,14 +88,15 @@ protected:
     this->Filter->SetInputData(this->Image);
   }
 
-  /// A mode of the random fields, and the sum of its strengths at most (N).
+  /// A mode in the swirling fields, and the largest sum of its strengths (N).
   struct FeltMode
   {
     vtkSmartPointer<vtkHapticMode> Mode;
     double Most;
   };
 
-  /// The random fields, and one mode of each kind; the first, third and fifth fit together.
+  /// Sets the swirling fields and makes one mode of each kind; the first, third and fifth can be
+  /// felt together.
   std::vector<FeltMode> UseSwirl()
   {
     this->UseGrid({ 24, 24, 24 }, 1.0);
@@ -104,7 +105,7 @@ protected:
     vtkDataArray* const scalars = this->Image->GetPointData()->GetScalars();
     for (vtkIdType i = 0; i < this->Image->GetNumberOfPoints(); ++i)
     {
-      // A bright vessel, beside the origin.
+      // A bright vessel passes beside the origin.
       Point p;
       this->Image->GetPoint(i, p.data());
       const double up = 0.6 * p[0] - 0.8 * p[1] + 0.2;
@@ -121,8 +122,9 @@ protected:
     SetConstant(vortex->GetSecondStrength(), 0.3);
     const auto fibres = NewMode(vtkHapticMode::TENSOR_FOLLOW, "tensor");
     SetConstant(fibres->GetSecondStrength(), 0.5);
-    // Functions hold their last value; a tensor's measures are shares. One of two fronts holds, and
-    // only at its ends a guide has a front.
+    // A strength is at most 1.5 N, since functions hold their last value, and a tensor's measure is
+    // at most 1. Only one side of a two-sided front holds at a time. A guide holds with its line
+    // and, at its ends, also with a front.
     const std::vector<FeltMode> modes = { { NewMode(vtkHapticMode::VECTOR_FOLLOW, "flow"), 1.5 },
       { front, 1.5 }, { vortex, 1.8 }, { NewMode(vtkHapticMode::SHEAR, "flow"), 1.5 },
       { fibres, 2.0 }, { NewMode(vtkHapticMode::VECTOR_FRONT, "flow"), 1.5 },
@@ -133,13 +135,13 @@ protected:
       felt.Mode->GetStrength()->AddPoint(0.0, 0.0);
       felt.Mode->GetStrength()->AddPoint(1.0, 1.5);
     }
-    SetConstant(modes[7].Mode->GetStrength(), 1.5); // not of the distance from the line
+    SetConstant(modes[7].Mode->GetStrength(), 1.5); // independent of the distance from the line
     return modes;
   }
 
-  /// If it is a guide, along a line that turns with the volume. At a kink, rounding would decide
-  /// where a way ends, up to FinishedFraction of a step
-  /// (Core/Solvers/Primitives/PrimitiveFollower.h).
+  /// Gives a guide a straight path that turns with the volume; other modes are left as they are.
+  /// The path has no kink, where rounding would decide where a way ends, by up to FinishedFraction
+  /// of a step (Core/Solvers/Primitives/PrimitiveFollower.h).
   template <typename Turn>
   static void SetGuide(vtkHapticMode* mode, const Turn& turn)
   {
@@ -152,7 +154,7 @@ protected:
 
 TEST_F(FilterModeForms, ALineIsKeptOverAHundredTurns)
 {
-  // P4: the circle of 20 mm with the tip on 18 mm: 1 N outwards.
+  // P4: the line is a circle of 20 mm; the tip on 18 mm is pulled outwards with 1 N.
   this->UseGrid({ 48, 48, 7 }, 1.0);
   this->AddArray("flow", 3,
     [](const Point& p, double* v)
@@ -178,8 +180,8 @@ TEST_F(FilterModeForms, ALineIsKeptOverAHundredTurns)
 
 TEST_F(FilterModeForms, AStrengthThatFallsOutwardLetsTheHandGoAsItSays)
 {
-  // P3, Poiseuille's profile with R = 20 mm: S = 2 (1 - r^2/R^2) N, so that the proxy is at r if
-  // the tip is at r + S(r)/k: at 10 mm with 1.5 N for 13 mm, at 15 mm with 0.875 N for 16.75 mm,
+  // P3, Poiseuille's profile with R = 20 mm, has S = 2 (1 - r^2/R^2) N: the proxy is at r if the
+  // tip is at r + S(r)/k. It is at 10 mm with 1.5 N for 13 mm, at 15 mm with 0.875 N for 16.75 mm,
   // and at the wall without force for 20 mm. Samples are 0.5 mm apart: a cubic B-spline adds a
   // third of that squared to the square of each coordinate, which is 8e-4 N.
   this->UseGrid({ 96, 96, 8 }, 0.5);
@@ -211,8 +213,8 @@ TEST_F(FilterModeForms, AStrengthThatFallsOutwardLetsTheHandGoAsItSays)
 
 TEST_F(FilterModeForms, AVortexHoldsTheHandInAsItsVorticityFalls)
 {
-  // P5, Lamb-Oseen: curl v = 2 exp(-r^2/100 mm^2), S = 2 N of that. The proxy is at r if the tip is
-  // at r + S/k: 5 mm for 8.115 mm, 10 mm for 11.472 mm, 20 mm for 20.073 mm.
+  // P5, Lamb-Oseen: curl v = 2 exp(-r^2/100 mm^2), and S in N has this value. The proxy is at r if
+  // the tip is at r + S/k: at 5 mm for 8.115 mm, 10 mm for 11.472 mm, 20 mm for 20.073 mm.
   this->UseGrid({ 96, 96, 8 }, 0.5);
   this->AddArray("flow", 3,
     [](const Point& p, double* v)
@@ -234,7 +236,7 @@ TEST_F(FilterModeForms, AVortexHoldsTheHandInAsItsVorticityFalls)
   for (const Place& at : { Place{ 0.0, 3.9, 1.95 }, Place{ 5.0, 8.1152, 1.5576 },
          Place{ 10.0, 11.4715, 0.7358 }, Place{ 20.0, 20.0733, 0.0366 } })
   {
-    // From the core outwards, slowly, and along another line each time.
+    // The tip moves slowly outwards from the core, each time along another line.
     const double angle = 0.3 + at.Proxy;
     const Point out{ std::cos(angle), std::sin(angle), 0.0 };
     this->Follow(Line({ 0, 0, 0 }, { at.Tip * out[0], at.Tip * out[1], 0.0 }, 1000));
@@ -244,19 +246,21 @@ TEST_F(FilterModeForms, AVortexHoldsTheHandInAsItsVorticityFalls)
       0.25 / 6.0 * (4.0 * at.Proxy * at.Proxy / 1e4 - 4.0 / 100.0) * (at.Proxy > 0.0 ? 1.0 : 0.0);
     const double force = (1.0 + blur) * at.Force;
     EXPECT_NEAR(Get(trace, "NormalForce", 1000), force, 0.005 * force) << at.Proxy;
-    // The core line is found within a hundredth of a voxel, the other ones as strengths are.
+    // The core line is found within a hundredth of a voxel; elsewhere the place depends on the
+    // strength.
     const double tolerance = at.Proxy == 0.0 ? 0.005 : 0.02;
     ExpectNear(LastProxy(trace), { at.Proxy * out[0], at.Proxy * out[1], 0.0 }, tolerance);
   }
-  // Inwards nothing is felt.
+  // A motion inwards meets no force.
   this->Follow(Line({ 15, 0, 0 }, { 2, 0, 0 }, 1000));
   EXPECT_LT(Get(this->Run(1001), "NormalForce", 1000), 1e-3);
 }
 
 TEST_F(FilterModeForms, FibresTurnAsInterpolatedTensorsDo)
 {
-  // P9: fibres at two angles in the lowest and in the highest slice; at the share t of the way they
-  // are at atan2((1-t) sin 2a + t sin 2b, (1-t) cos 2a + t cos 2b)/2. The hand pulls along x.
+  // P9: fibres have two angles in the lowest and in the highest slice. At the fraction t of the
+  // way, their angle is atan2((1-t) sin 2a + t sin 2b, (1-t) cos 2a + t cos 2b)/2. The hand pulls
+  // along x.
   struct Turned
   {
     double From, To, Share, Angle;
@@ -281,7 +285,8 @@ TEST_F(FilterModeForms, FibresTurnAsInterpolatedTensorsDo)
     const double z = 16.0 * of.Share - 8.0;
     this->Follow(Line({ 0, 0, z }, { 2.0, 0, z }, 100));
     vtkPolyData* const trace = this->Run(101);
-    // Along the fibre by 2 mm times the cosine, and 1 N times the sine across it.
+    // The proxy moves along the fibre by 2 mm times the cosine; the force is 1 N times the sine
+    // across it.
     const double angle = of.Angle * Turn / 360.0;
     const double c = std::cos(angle);
     const double s = std::sin(angle);
@@ -292,7 +297,7 @@ TEST_F(FilterModeForms, FibresTurnAsInterpolatedTensorsDo)
 
 TEST_F(FilterModeForms, TurnWithVolumeAndPath)
 {
-  // P11: the same samples along the axes of an image that is turned.
+  // P11: an image with turned axes has the same samples, so its forces are turned.
   const double rows[3][3] = { { 0.36, -0.8, 0.48 }, { 0.48, 0.6, 0.64 }, { -0.8, 0.0, 0.6 } };
   const auto turned = [&](const Point& p)
   {
@@ -339,7 +344,8 @@ TEST_F(FilterModeForms, TurnWithVolumeAndPath)
 
 TEST_F(FilterModeForms, PullNoMoreThanTheirStrengths)
 {
-  // P11: of each mode alone, and of as many together as there may be.
+  // P11: each mode alone, and the most modes that can be felt together, stay within their
+  // strengths.
   const auto modes = this->UseSwirl();
   for (const FeltMode& felt : modes)
   {
@@ -354,7 +360,7 @@ TEST_F(FilterModeForms, PullNoMoreThanTheirStrengths)
       double sum = 0.0;
       for (std::size_t j = 0; j < modes.size(); ++j)
       {
-        // Eight primitives in all: those of the flow's line, the vortex and the fibres.
+        // The line of the flow, the vortex and the fibres have eight primitives in all.
         if (j == i || (i == modes.size() && j < 5 && j % 2 == 0))
         {
           this->Filter->AddMode(modes[j].Mode);

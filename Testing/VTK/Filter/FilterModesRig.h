@@ -21,7 +21,7 @@ using namespace apitest;
 
 inline constexpr double SpringOf = 500.0;  // N/m
 inline constexpr double SpringPerMm = 0.5; // N/mm
-inline constexpr double Middle = 11.5;     // of 24 voxels
+inline constexpr double Middle = 11.5;     // centre of 24 voxels
 
 class FilterModes : public ApiTest
 {
@@ -33,7 +33,7 @@ protected:
     this->Filter->SetMethodToPrimitives();
   }
 
-  /// A point array of the image.
+  /// Adds a point array to the image.
   template <typename F>
   vtkSmartPointer<vtkDoubleArray> AddArray(const char* name, int components, F&& f)
   {
@@ -50,7 +50,7 @@ protected:
     this->Image->GetPointData()->AddArray(array);
     return array;
   }
-  /// The flow v = (x - 11.5) turned by 90 degrees around z: circles.
+  /// Adds the flow v = (x - 11.5) turned by 90 degrees about z: its lines are circles.
   void AddCircles()
   {
     this->AddArray("flow", 3,
@@ -64,7 +64,7 @@ protected:
 
   void Follow(const std::vector<Point>& points) { this->Filter->SetPathData(MakePath(points)); }
 
-  /// Of the last tick.
+  /// Returns the vector of an array at the last tick.
   static Point Last(vtkPolyData* trace, const char* array)
   {
     const vtkIdType tick = trace->GetNumberOfPoints() - 1;

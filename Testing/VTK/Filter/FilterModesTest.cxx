@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The modes of the method PRIMITIVES through the filter. Forces are those of closed forms: with a
- * spring k, a line that holds with S and a tip at the distance d from it, min(k d, S) towards it.
+ * Modes of the method PRIMITIVES through the filter. Forces have closed forms: a line with strength
+ * S pulls a tip at the distance d with min(k d, S), where k is the spring.
  */
 
 #include "FilterModesRig.h"
@@ -25,7 +25,7 @@ using namespace modestest;
 
 TEST_F(FilterModes, AFlowLetsGoAlongItHoldsAcrossItAndPushes)
 {
-  // P1, P2. The default strength is 2 N.
+  // P1 and P2, with the default strength of 2 N.
   this->AddArray("flow", 3,
     [](const Point&, double* v)
     {
@@ -46,7 +46,7 @@ TEST_F(FilterModes, AFlowLetsGoAlongItHoldsAcrossItAndPushes)
   mode->GetSecondStrength()->AddPoint(6.0, 1.0);
   this->Follow({ { 8, 8, 12 }, { 8, 8, 12 } });
   ExpectNear(Last(this->Run(2), "Force"), { 0.5, 0.0, 0.0 }, 1e-12);
-  // A stiffness of the coupling, and a cap on it.
+  // The coupling's stiffness sets the force; MaximumStiffness limits it.
   mode->GetSecondStrength()->RemoveAllPoints();
   this->Filter->SetCouplingStiffness(300.0);
   this->Follow(Line({ 8, 8, 12 }, { 9, 9, 12 }, 10));
@@ -57,7 +57,7 @@ TEST_F(FilterModes, AFlowLetsGoAlongItHoldsAcrossItAndPushes)
 
 TEST_F(FilterModes, ACircleIsFollowedWithoutDrift)
 {
-  // P4: the tip 2 mm inside of a circle of 8 mm: 1 N outwards, turn after turn.
+  // P4: the tip is 2 mm inside of a circle of 8 mm: the force is 1 N outwards in every turn.
   this->AddCircles();
   this->Filter->AddMode(NewMode(vtkHapticMode::VECTOR_FOLLOW, "flow"));
   std::vector<Point> tips = { { Middle + 8.0, Middle, Middle } };
@@ -74,7 +74,8 @@ TEST_F(FilterModes, ACircleIsFollowedWithoutDrift)
 
 TEST_F(FilterModes, ComponentsMayStandAlongTheAxesOfTheImage)
 {
-  // P11. x of the image is z of the world: (z, x, y) of the world are (x, y, z) of the image.
+  // P11: the image's x axis is the world's z axis, so (x, y, z) of the image are (z, x, y) of the
+  // world.
   vtkNew<vtkMatrix3x3> direction;
   const double rows[9] = { 0, 1, 0, 0, 0, 1, 1, 0, 0 };
   direction->DeepCopy(rows);
@@ -135,7 +136,8 @@ TEST_F(FilterModes, LayoutsOfAnArrayAreAlikeToTheBit)
 
 TEST_F(FilterModes, ModesAreFeltTogetherAndEachHasItsForce)
 {
-  // A line along x and fronts across z, beside the surfaces of the scalars, which rise with z.
+  // The flow gives a line along x and the wave fronts across z, beside the surfaces of the scalars,
+  // which rise with z.
   this->AddArray("flow", 3,
     [](const Point&, double* v)
     {
@@ -156,7 +158,7 @@ TEST_F(FilterModes, ModesAreFeltTogetherAndEachHasItsForce)
   SetConstant(this->Property->GetSurfaceStrength(), 0.3);
   SetConstant(this->Property->GetDistinctness(), 1.0);
   this->Filter->AddMode(follow);
-  this->Filter->AddMode(follow); // is there
+  this->Filter->AddMode(follow); // is there already, so it is not added again
   this->Filter->AddMode(front);
   this->Filter->AddMode(surface);
   this->Filter->AddMode(nullptr);
@@ -168,12 +170,13 @@ TEST_F(FilterModes, ModesAreFeltTogetherAndEachHasItsForce)
   ExpectNear(Last(trace, "ModeForce_0"), { 0.0, -0.7, 0.0 }, 1e-12);
   this->Follow(Line({ 10, 10, 10 }, { 10, 10, 16 }, 50));
   trace = this->Run(51);
-  // Held along z by all three, with all of their strengths.
+  // All three hold along z, each with its strength.
   ExpectNear(Last(trace, "Force"), { 0.0, 0.0, -1.4 }, 1e-9);
   ExpectNear(Last(trace, "ModeForce_0"), { 0.0, 0.0, -0.7 }, 1e-9);
   ExpectNear(Last(trace, "ModeForce_1"), { 0.0, 0.0, -0.4 }, 1e-9);
   ExpectNear(Last(trace, "ModeForce_2"), { 0.0, 0.0, -0.3 }, 1e-9);
-  // Without the line, and backwards: fronts of one side and surfaces are free.
+  // Without the line, a motion backwards is free, since one-sided fronts and surfaces hold only
+  // forwards.
   follow->ActiveOff();
   trace = this->Run(51);
   ExpectNear(Last(trace, "Force"), { 0.0, 0.0, -0.7 }, 1e-9);
@@ -192,7 +195,8 @@ TEST_F(FilterModes, ModesAreFeltTogetherAndEachHasItsForce)
 
 TEST_F(FilterModes, AVesselIsSnappedOnAndFollowed)
 {
-  // A tube of Gaussian profile along (1, 1, 0)/sqrt(2), through (11.3, 11.3, 11.8).
+  // The vessel is a tube with a Gaussian profile along (1, 1, 0)/sqrt(2), through (11.3, 11.3,
+  // 11.8).
   const double s = std::sqrt(0.5);
   for (const bool isDark : { false, true })
   {
@@ -209,7 +213,7 @@ TEST_F(FilterModes, AVesselIsSnappedOnAndFollowed)
     const auto mode = NewMode(vtkHapticMode::RIDGE);
     mode->SetPolarity(isDark);
     this->Filter->AddMode(mode);
-    // From 1 mm off the axis, along it with 1 mm of lag across it.
+    // The tip begins 1 mm off the axis, and moves along it with a lag of 1 mm across it.
     this->Follow(Line({ 8, 8, 12.8 }, { 15 + s, 15 - s, 11.8 }, 300));
     vtkPolyData* const trace = this->Run(301);
     const Point on = LastProxy(trace);
@@ -217,7 +221,7 @@ TEST_F(FilterModes, AVesselIsSnappedOnAndFollowed)
     EXPECT_NEAR(on[2], 11.8, 0.01);
     EXPECT_NEAR(on[0] + on[1], 30.0, 0.02) << "free along it";
     ExpectNear(Last(trace, "Force"), { -s * SpringPerMm, s * SpringPerMm, 0.0 }, 0.01);
-    // The other polarity has no ridge here.
+    // With the other polarity there is no ridge here.
     mode->SetPolarity(!isDark);
     this->Follow(Line({ 8, 8, 11.8 }, { 12, 12, 11.8 }, 50));
     ExpectNear(Last(this->Run(51), "Force"), { 0.0, 0.0, 0.0 }, 1e-9);
@@ -226,7 +230,7 @@ TEST_F(FilterModes, AVesselIsSnappedOnAndFollowed)
 
 TEST_F(FilterModes, WhereAFlowTurnsOverTheForceGoesThroughZero)
 {
-  // P8, the shear v = (y, 0, 0), across y = 0.
+  // P8: the tip crosses y = 0 of the shear v = (y, 0, 0).
   this->AddArray("flow", 3,
     [](const Point& p, double* v)
     {
@@ -249,7 +253,7 @@ TEST_F(FilterModes, WhereAFlowTurnsOverTheForceGoesThroughZero)
     const double now = Get(trace, "Force", tick, 1);
     ASSERT_TRUE(std::isfinite(now));
     ASSERT_EQ(Get(trace, "Force", tick, 2), 0.0);
-    // The hold is 0.25 N/mm of the distance from the middle: half of what the spring has.
+    // The strength is 0.25 N per millimetre from the middle, half of the spring's stiffness.
     ASSERT_LT(std::abs(now - before), 0.5 * 0.01 * 2.0 + 1e-9) << tick;
     before = now;
     if (std::abs(proxy[1] - Middle) < nearest)
@@ -344,7 +348,7 @@ TEST_F(FilterModes, BadInputGivesOneErrorWithItsCure)
 
 TEST_F(FilterModes, ARankineVortexLetsGoAtItsRadius)
 {
-  // P6: rot v = 2 within a = 10 mm, and none outside; S = 2 N where there is more than 1.
+  // P6: rot v = 2 within a = 10 mm, and 0 outside; S = 2 N where rot v exceeds 1.
   constexpr double axis = 23.5;
   this->Image = MakeImage(48, VTK_FLOAT, [](const Point&) { return 0.0; });
   this->Filter->SetInputData(this->Image);
@@ -364,7 +368,7 @@ TEST_F(FilterModes, ARankineVortexLetsGoAtItsRadius)
   this->Filter->AddMode(mode);
   this->Follow(Line({ axis, axis, axis }, { axis + 18.0, axis, axis }, 1800));
   vtkPolyData* const trace = this->Run(1801);
-  double last = 0.0; // radius with a whole hold
+  double last = 0.0; // largest radius with the full strength
   for (vtkIdType tick = 450; tick < 1801; ++tick)
   {
     double proxy[3];
@@ -383,8 +387,8 @@ TEST_F(FilterModes, ARankineVortexLetsGoAtItsRadius)
 
 TEST_F(FilterModes, ALineOfADipoleIsKept)
 {
-  // P7: r = C sin^2 of the angle to the axis. Its field is harmonic, so that splines do not lower
-  // it. From the equator to 50 degrees, with the tip 5 % inside.
+  // P7: a field line of a dipole is r = C sin^2 of the angle to the axis. The field is harmonic, so
+  // splines don't lower it. The tip moves 5 % inside the line, from the equator to 50 degrees.
   this->Image = MakeImage(48, VTK_FLOAT, [](const Point&) { return 0.0; });
   this->Image->SetOrigin(10.0, -23.5, -10.0);
   this->Filter->SetInputData(this->Image);
@@ -420,8 +424,9 @@ TEST_F(FilterModes, ALineOfADipoleIsKept)
 
 TEST_F(FilterModes, AnObliqueFrontAndALineShareTheSpring)
 {
-  // P10: a line along x and a front across (1, 0, 1), of 1 N each. A lag that both can bear has one
-  // sum of forces only; pulled on along -z, both give way with all of their strengths.
+  // P10: a line along x and a front across (1, 0, 1), with 1 N each. A lag within both strengths
+  // has one solution for the forces; pulled further along -z, both give way with their full
+  // strengths.
   this->AddArray("flow", 3,
     [](const Point&, double* v)
     {
@@ -461,7 +466,7 @@ TEST_F(FilterModes, PresetsMakeTheirModes)
       std::fill_n(t, 6, 0.1);
       t[0] = 1.0;
     });
-  // A bright tube and a dark one, so that there are vessels of both kinds.
+  // The scalars have a bright and a dark tube, so that both kinds of vessel exist.
   for (vtkIdType i = 0; i < this->Image->GetNumberOfPoints(); ++i)
   {
     Point p;
@@ -478,7 +483,8 @@ TEST_F(FilterModes, PresetsMakeTheirModes)
     { "Follow the flow and touch surfaces", "VectorFollow" } };
   vtkStringArray* const names = vtkVolumeHapticsFilter::GetModePresetNames();
   ASSERT_EQ(names->GetNumberOfValues(), static_cast<vtkIdType>(kinds.size()));
-  // The shear of a rotation is 0, so that its preset has nothing to propose.
+  // The preset for shear gets no image, since the shear of a rotation is 0 and proposes no
+  // strength.
   for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
   {
     const std::string name = names->GetValue(i);
@@ -495,11 +501,12 @@ TEST_F(FilterModes, PresetsMakeTheirModes)
     EXPECT_EQ(vtkHapticMode::GetKindNames()->GetValue(mode->GetKind()), kinds.at(name));
     EXPECT_EQ(mode->GetStrength()->GetSize(), isStrange ? 0 : 2);
   }
-  // The proposed strength is felt: it draws to the vessel's middle from a millimetre beside it.
+  // The proposed strength is felt: it pulls a tip that is half a millimetre off to the vessel's
+  // middle.
   ASSERT_TRUE(this->Filter->ApplyModePreset("Follow a dark vessel", this->Image));
   this->Follow(Line({ 8, 15.5, 16 }, { 14, 15.5, 16 }, 100));
   EXPECT_NEAR(LastProxy(this->Run(101))[1], 16.0, 0.02);
-  // And no other name, nor an image without vectors, changes anything.
+  // An unknown name, and an image without vectors, are refused and change nothing.
   this->Log.Errors.clear();
   EXPECT_FALSE(this->Filter->ApplyModePreset("Waltz", this->Image));
   this->Image->GetPointData()->RemoveArray("flow");
@@ -519,7 +526,7 @@ TEST_F(FilterModes, AnImageOfVectorsAloneNeedsNoScalars)
   this->Filter->AddMode(NewMode(vtkHapticMode::VECTOR_FOLLOW));
   this->Follow(Line({ 16, Middle, 12 }, { 17, Middle, 12 }, 20));
   ExpectNear(Last(this->Run(21), "Force"), { -SpringPerMm, 0.0, 0.0 }, 1e-3);
-  // Without modes the hand is free; menus leave the method out then.
+  // Without modes the method feels nothing, and NextMethod() leaves it out.
   this->Filter->RemoveAllModes();
   this->ExpectError({ "no point scalars" });
   this->Filter->SetMethodToLocalSurface();
@@ -543,8 +550,8 @@ TEST_F(FilterModes, AFlowEndsAtACut)
   plane->SetNormal(0.0, 0.0, 1.0);
   this->Filter->AddClippingPlane(plane);
   ExpectNear(Last(this->Run(101), "Force"), { 0.0, 0.0, 0.0 }, 0.0);
-  plane->SetNormal(0.0, 0.0, -1.0); // half a voxel in front of the face there is half of it
+  plane->SetNormal(0.0, 0.0, -1.0); // half a voxel in front of the face, half of the flow is left
   plane->SetOrigin(0.0, 0.0, 12.5);
-  this->Filter->SetCouplingStiffness(2000.0); // more than the mode's 2 N
+  this->Filter->SetCouplingStiffness(2000.0); // so stiff that the mode's 2 N limit the force
   ExpectNear(Last(this->Run(101), "Force"), { 0.0, -1.0, 0.0 }, 1e-9);
 }

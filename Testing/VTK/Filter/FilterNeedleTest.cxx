@@ -3,7 +3,7 @@
 
 /**
  * A needle offline: the layers of N1 with a spring of 500 N/m, their loss of resistance, the hold
- * across, rotated data, orientations of paths, tracks, and what can't be felt.
+ * across the axis, turned data, orientations of paths, tracks, and settings that are errors.
  */
 
 #include "Rigs/ApiRig.h"
@@ -26,7 +26,7 @@ namespace
 {
 constexpr double Skin = 4.5; // mm
 
-/// Of the layers of N1, from the skin on: mm, N/m, N.
+/// Layers of N1 from the skin on: thickness (mm), shaft friction (N/m), cutting force (N).
 constexpr double Layers[][3] = { { 3, 20, 0.3 }, { 12, 5, 0.1 }, { 20, 25, 0.3 }, { 3, 60, 0.8 },
   { 100, 0, 0 } };
 
@@ -40,7 +40,7 @@ int LabelAt(double depth)
   return label;
 }
 
-/// The friction (N) of the shaft down to a depth (mm).
+/// Returns the friction (N) of the shaft down to a depth (mm).
 double ShaftAt(double depth)
 {
   double sum = 0.0;
@@ -87,7 +87,7 @@ protected:
     return image;
   }
 
-  /// Through these places, in steps of a hundredth of a millimetre.
+  /// Follows the places in steps of 1 / `steps` mm, and returns the trace.
   vtkPolyData* Follow(const std::vector<Point>& places, int steps = 100)
   {
     std::vector<Point> points;
@@ -136,7 +136,7 @@ TEST_F(FilterNeedle, FeelsLayersInAndOut)
         ASSERT_NEAR(Get(trace, "ShaftForce", i), ShaftAt(depth), 1e-5);
       }
       const double cutting = depth > 0.0 ? Layers[LabelAt(depth) - 1][2] : 0.0;
-      // In the tick that comes to harder tissue, the force has not risen yet.
+      // In the tick in which the tip reaches harder tissue, the force has not risen yet.
       const bool isSame = LabelAt(depth) == LabelAt(lastDepth);
       if (depth > lastDepth && isSame)
       {
@@ -156,7 +156,8 @@ TEST_F(FilterNeedle, FeelsLayersInAndOut)
     EXPECT_GT(out, 3000);
     EXPECT_NEAR(loss, 0.80, 0.02);
     EXPECT_EQ(Get(trace, "Depth", trace->GetNumberOfPoints() - 1), 0.0);
-    // The hand's work (J), with what falls of R by 0.2 and 0.8 N lose.
+    // The expected work (J) is that of the shaft and of the cutting, and the losses where the
+    // resistance R falls by 0.2 N and 0.8 N.
     const double work = -Get(trace, "Energy", trace->GetNumberOfPoints() - 1);
     EXPECT_NEAR(work,
       12.30e-3 + 10.5e-3 + 0.68e-3 + 12.30e-3 + 2.0 * 0.8 * (48 - Skin - 41.6) * 1e-3, 0.01 * work);
@@ -178,7 +179,7 @@ TEST_F(FilterNeedle, TurnsWithTheDataAndThePath)
 {
   const std::vector<Point> way = { { 7, 7, 2 }, { 7, 7, 30 }, { 7.5, 7.2, 30 }, { 7, 7, 20 } };
   const auto upright = (this->Follow(way), Keep(this->Filter));
-  // z becomes x, x becomes y, y becomes z.
+  // The axes are exchanged: z becomes x, x becomes y, y becomes z.
   const double turn[9] = { 0, 0, 1, 1, 0, 0, 0, 1, 0 };
   for (const int port : { 0, 3 })
   {
@@ -216,7 +217,7 @@ TEST_F(FilterNeedle, FollowsTheOrientationOfThePath)
   orientations->SetNumberOfComponents(4);
   for (vtkIdType i = 0; i < n; ++i)
   {
-    // Half a turn about x: the stylus points along +z. Then it leans by 0.2 rad.
+    // Half a turn about x makes the stylus point along +z; then it leans by 0.2 rad.
     orientations->InsertNextTuple4(std::sin(-0.1), std::cos(-0.1), 0.0, 0.0);
   }
   this->Path->GetPointData()->AddArray(orientations);
@@ -231,7 +232,7 @@ TEST_F(FilterNeedle, FollowsTheOrientationOfThePath)
   vtkNew<vtkPolyData> track;
   ASSERT_TRUE(vtkHapticNeedle::MakeTrack(trace, track));
   EXPECT_NEAR(this->Number(track, "Angle"), 0.2 * 57.29577951, 0.2);
-  // Turned the other way, the needle presses with its butt, and nothing is punctured.
+  // With the opposite orientation, the needle presses with its blunt end and punctures nothing.
   for (vtkIdType i = 0; i < n; ++i)
   {
     orientations->SetTuple4(i, 1.0, 0.0, 0.0, 0.0);
@@ -261,8 +262,8 @@ TEST_F(FilterNeedle, TellsWhatItHasPassed)
   EXPECT_NEAR(this->Number(track, "Angle"), 0.0, 0.1);
 }
 
-/// The ligament is forbidden: it stops the needle in two of three thrusts of the first insertion,
-/// and in the second insertion once.
+/// The ligament is forbidden: it stops the needle in two of the three thrusts of the first
+/// insertion, and once in the second insertion.
 TEST_F(FilterNeedle, CountsWhatForbiddenTissueStops)
 {
   this->Table->SetForbidden(4, true);
@@ -270,7 +271,7 @@ TEST_F(FilterNeedle, CountsWhatForbiddenTissueStops)
     { 7, 7, 30 }, { 7, 7, 46 }, { 7, 7, 1 }, { 7, 7, 46 } });
   vtkDataArray* const touches = trace->GetPointData()->GetArray("ForbiddenTouches");
   ASSERT_TRUE(touches);
-  // At the ends of the ways, in steps of a hundredth of a millimetre.
+  // Reads the counts at the ends of the moves; a tick is 0.01 mm.
   const auto after = [touches](double way)
   { return touches->GetComponent(static_cast<vtkIdType>(100.0 * way) - 1, 0); };
   EXPECT_EQ(after(20.0), 0.0);
@@ -280,7 +281,7 @@ TEST_F(FilterNeedle, CountsWhatForbiddenTissueStops)
   vtkNew<vtkPolyData> track;
   ASSERT_TRUE(vtkHapticNeedle::MakeTrack(trace, track));
   EXPECT_EQ(this->Number(track, "ForbiddenTouches"), 1.0);
-  // Alone it is the same.
+  // A trace with this array alone has the same counts.
   vtkNew<vtkDoubleArray> all;
   all->DeepCopy(touches);
   this->Filter->SetTraceArrays("ForbiddenTouches");
@@ -354,7 +355,7 @@ TEST_F(FilterNeedle, TellsWhatCannotBeFelt)
   this->Path->GetPointData()->AddArray(orientations);
   this->Path->Modified();
   refuse({ "\"Orientation\"", "point 0", "unit quaternion" });
-  // Without a tool, such an array means nothing.
+  // Without a tool, the array "Orientation" is ignored.
   this->Filter->SetTool(nullptr);
   this->Filter->Update();
   EXPECT_GT(this->Filter->GetOutput()->GetNumberOfPoints(), 0);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A ball in air, beyond which nothing was measured, is felt as the same ball with air there, to the
- * bit: as an image, as regions of it that a filter cuts out or a source reads, and as frames. Of
- * that ball, the force on a local surface is known: the stiffness times the depth.
+ * A ball whose surroundings were not measured is felt like the same ball in air, to the bit: as an
+ * image, as regions that a filter cuts out or a source reads, and as time steps. The force on a
+ * local surface of this ball is known: stiffness times depth.
  */
 
 #include "Rigs/ApiRig.h"
@@ -31,7 +31,7 @@ constexpr int Size = 40;
 constexpr double Air = -1000.0;
 constexpr double Tissue = 60.0;
 constexpr double Radius = 10.0;
-constexpr double Measured = 12.5; // less than the kernel's reach beyond the surface
+constexpr double Measured = 12.5; // leaves less than a kernel's reach beyond the surface
 const Point Centre{ 19.5, 19.5, 19.5 };
 const double NaN = std::nan("");
 constexpr double Infinity = std::numeric_limits<double>::infinity();
@@ -41,7 +41,7 @@ double DistanceOf(const Point& p)
   return std::hypot(p[0] - Centre[0], p[1] - Centre[1], p[2] - Centre[2]);
 }
 
-/// The ball, whose edge is two voxels wide, raised by `shift`.
+/// Returns the value of the ball, whose edge is two voxels wide, raised by `shift`.
 double BallAt(const Point& p, double shift = 0.0)
 {
   const double share = std::clamp(0.5 * (Radius + 1.0 - DistanceOf(p)), 0.0, 1.0);
@@ -61,7 +61,7 @@ void PrintTo(const Case& c, std::ostream* out)
   *out << c.Name;
 }
 
-/// The image in whose outside nothing was measured, or the air.
+/// Makes the ball; beyond the distance `measured`, its samples are bad (if masked) or air.
 vtkSmartPointer<vtkImageData> MakeBall(const Case& c, bool isMasked, double measured = Measured)
 {
   return MakeImage(Size, c.Type,
@@ -69,7 +69,7 @@ vtkSmartPointer<vtkImageData> MakeBall(const Case& c, bool isMasked, double meas
     { return isMasked && DistanceOf(p) > measured ? c.Bad : BallAt(p, c.Shift); });
 }
 
-/// From outside to 2.5 below the surface, and along it.
+/// Makes a path from outside to 2.5 mm below the surface, and then along it.
 vtkSmartPointer<vtkPolyData> MakePress()
 {
   std::vector<Point> path = Line({ 20, 19, 36 }, { 20, 19, 27 }, 90);
@@ -139,7 +139,8 @@ TEST_P(FilterOutside, IsTheForceOfTheBall)
     Point tip;
     press->GetPoint(tick, tip.data());
     const double depth = std::max(0.0, Radius - DistanceOf(tip));
-    // The surface of trilinear values between samples of a ball of 10 voxels is off by a tenth.
+    // A trilinear surface between the samples of a ball of 10 voxels is off by about a tenth of a
+    // voxel.
     EXPECT_NEAR(Get(felt, "NormalForce", tick), 0.5 * depth, 0.06) << tick;
   }
 }
@@ -187,7 +188,8 @@ TEST_P(FilterOutside, OfARegionIsThatOfTheWhole)
   EXPECT_TRUE(IsSame(Keep(this->Filter), expected));
   EXPECT_EQ(this->Log.Warnings.size(), 1U) << "of a path, the filter";
   EXPECT_TRUE(sourceLog.Warnings.empty());
-  // A region that an application reads has the samples of the file, and is felt alike.
+  // A region that an application reads has the samples of the file, and feels like a region of the
+  // pipeline.
   vtkNew<vtkImageData> read;
   const int part[6] = { 3, 36, 3, 36, 5, 39 };
   ASSERT_TRUE(source->ReadRegion(part, read));
@@ -197,7 +199,7 @@ TEST_P(FilterOutside, OfARegionIsThatOfTheWhole)
     std::isnan(bad) ? std::isnan(corner) : corner == bad || corner == static_cast<float>(bad))
     << corner;
   EXPECT_TRUE(IsSame(this->Feel(read), regions[0]));
-  // The coarse level stands in for samples that are late.
+  // The coarse level, which replaces samples that are late, has no bad values.
   ASSERT_TRUE(source->MakeCoarseImage(1000));
   double range[2];
   source->GetCoarseImage()->GetPointData()->GetScalars()->GetRange(range);
@@ -210,7 +212,7 @@ TEST_P(FilterOutside, ProposesFunctionsOfTheBall)
   vtkNew<vtkHapticProperty> ofAir;
   vtkNew<vtkHapticProperty> ofMasked;
   ASSERT_TRUE(ofAir->ProposeFromImage(MakeBall(this->GetParam(), false)));
-  // Samples that are no numbers are left out: all of the edge has to be measured.
+  // Bad samples are left out, so the whole edge of the ball has to be measured.
   const double measured = Measured + 4.0;
   ASSERT_TRUE(ofMasked->ProposeFromImage(MakeBall(this->GetParam(), true, measured)));
   ASSERT_EQ(ofMasked->GetSurfaceStrength()->GetSize(), ofAir->GetSurfaceStrength()->GetSize());
@@ -220,7 +222,7 @@ TEST_P(FilterOutside, ProposesFunctionsOfTheBall)
     double found[4];
     ofAir->GetSurfaceStrength()->GetNodeValue(i, expected);
     ofMasked->GetSurfaceStrength()->GetNodeValue(i, found);
-    EXPECT_NEAR(found[0], expected[0], 5.0); // of 1060
+    EXPECT_NEAR(found[0], expected[0], 5.0); // the range is 1060
     EXPECT_NEAR(found[1], expected[1], 0.01);
   }
 }
@@ -244,13 +246,13 @@ class FilterMeasured : public FilterOutside
 };
 } // namespace
 
-// What scanners write, and what may have been measured: felt as it stands there.
+// Values that scanners write, or that may have been measured, are felt as they are.
 TEST_P(FilterMeasured, IsFeltAsItIs)
 {
   const auto image = MakeBall(this->GetParam(), true);
   const auto felt = this->Feel(image);
   EXPECT_TRUE(this->Log.Warnings.empty());
-  // The tip begins beyond what was measured.
+  // The tip begins outside of the measured part.
   EXPECT_EQ(Get(felt, "Value", 0), image->GetScalarComponentAsDouble(0, 0, 0, 0));
 }
 INSTANTIATE_TEST_SUITE_P(Values, FilterMeasured,
@@ -260,7 +262,8 @@ INSTANTIATE_TEST_SUITE_P(Values, FilterMeasured,
     Case{ "LargestShort", VTK_UNSIGNED_SHORT, 65535.0, 1024.0 }),
   [](const auto& info) { return info.param.Name; });
 
-// A potential whose values go on to -9999: a tenth of the range is missing between no two of them.
+// The values of this potential go down to -9999 without a gap of a tenth of the range, so -9999
+// counts as measured.
 TEST_F(FilterMeasured, ANumberThatOthersComeCloseToIsOne)
 {
   const auto image = MakeImage(
@@ -270,7 +273,8 @@ TEST_F(FilterMeasured, ANumberThatOthersComeCloseToIsOne)
   EXPECT_NEAR(Get(felt, "Value", 0), -9999.0 + 10.0 * 75.0, 1e-3);
 }
 
-// As where a masked map was resampled onto a larger grid: zeros around NaN. No corner tells.
+// A masked map resampled onto a larger grid has zeros around its NaN, so the corners don't show
+// that samples are missing.
 TEST_F(FilterMeasured, ManyHolesAreTold)
 {
   const auto image = MakeBall({ "", VTK_FLOAT, NaN }, true);
@@ -288,20 +292,20 @@ TEST_F(FilterMeasured, ManyHolesAreTold)
   this->Filter->SetInputConnection(crop->GetOutputPort());
   this->Filter->Update();
   ASSERT_EQ(this->Log.Warnings.size(), 1U);
-  // Of 64000 samples, those beyond 12.5 of the centre: 1 - 4/3 pi 12.5^3 / 40^3 = 87.2 %.
+  // Of the 64000 samples, 1 - 4/3 pi 12.5^3 / 40^3 = 87.2 % lie beyond 12.5 of the centre.
   EXPECT_NE(
     this->Log.Warnings[0].find("no numbers (87 %), and none in a corner"), std::string::npos)
     << this->Log.Warnings[0];
 }
 
-// One voxel in the middle is a hole in the data.
+// A single bad voxel in the middle is a hole in the data, not an outside.
 TEST_F(FilterMeasured, OneBadVoxelIsNoOutside)
 {
   for (const double bad : { NaN, Infinity })
   {
     const auto image = MakeBall({ "", VTK_FLOAT, Air }, false);
     const auto expected = this->Feel(image);
-    // So far from the path that no kernel meets it.
+    // The voxel is beyond the reach of every kernel on the path.
     image->SetScalarComponentFromDouble(6, 6, 6, 0, bad);
     image->Modified();
     EXPECT_TRUE(IsSame(this->Feel(image), expected)) << bad;
@@ -341,7 +345,8 @@ TEST_F(FilterMeasured, VectorsAndLabelsAreReadAsTheyAre)
   EXPECT_TRUE(cropLog.Warnings.empty());
 }
 
-// Both as time steps and as components; the samples outside keep one value.
+// Time steps of a source, and components of one array, are filled alike; samples outside keep one
+// value.
 TEST_F(FilterMeasured, TimeStepsAreFilledAlike)
 {
   const auto wallAt = [](const Point& p, double wall, bool isMasked)
@@ -354,7 +359,7 @@ TEST_F(FilterMeasured, TimeStepsAreFilledAlike)
   SetConstant(this->Property->GetFriction(), 0.0);
   this->Property->GetSurfaceStrength()->RemoveAllPoints();
   this->Property->GetSurfaceStrength()->AddPoint(0.0, 3.0);
-  const Point rest{ 15.0, 19.5, 13.0 }; // kernels reach what was not measured
+  const Point rest{ 15.0, 19.5, 13.0 }; // kernels reach samples that were not measured
   this->Filter->SetPathData(MakePath({ rest, rest }, { 0.0, 1.0 }));
   this->Filter->SetTimeUnitsPerSecond(4.0);
   vtkSmartPointer<vtkPolyData> traces[2];

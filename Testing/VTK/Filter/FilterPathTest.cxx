@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * From the path to the ticks: one point a tick, or times that are resampled to the servo's rate.
+ * Ticks of a path: one tick per point, or times that are resampled to the servo's rate.
  */
 
 #include "Rigs/ApiRig.h"
@@ -85,7 +85,7 @@ TEST_F(FilterPath, SegmentsThatContinueOneAnotherAreOnePath)
   this->Path->SetLines(segments);
   EXPECT_TRUE(IsSame(this->RunOn(this->Path, 51), kept));
 
-  // In another order, some of them backwards, beside a line of no length.
+  // Segments may be in any order, some backwards, and beside a line with a single point.
   vtkNew<vtkCellArray> shuffled;
   for (vtkIdType i = 0; i < 50; ++i)
   {
@@ -109,8 +109,8 @@ TEST_F(FilterPath, SegmentsThatContinueOneAnotherAreOnePath)
 
 TEST_F(FilterPath, SegmentsThatMeetInSpaceAreOnePath)
 {
-  // Down and up again, and on: each of the three has points of its own, as if lines were appended.
-  // The second one begins off by a rounding of float.
+  // The path goes down, up again, and aside. Each of its three lines has its own points, as if
+  // lines had been appended; the second one begins off by a rounding error of float.
   const auto path = MakePath(
     { { 7, 7, 5 }, { 7, 7, 9 }, { 7, 7, 9.0000005 }, { 7, 7, 5 }, { 7, 7, 5 }, { 9, 7, 5 } });
   vtkNew<vtkCellArray> lines;
@@ -131,7 +131,7 @@ TEST_F(FilterPath, PointsAtTicksAreTakenAsTheyAre)
   for (int i = 0; i <= 50; ++i)
   {
     products.push_back(0.001 * i);
-    sums.push_back(sum); // with the rounding of a clock that adds up
+    sums.push_back(sum); // times with the rounding errors of a clock that adds up
     sum += 0.001;
   }
   EXPECT_TRUE(IsSame(this->RunOn(MakePath(points, products), 51), plain));
@@ -148,7 +148,7 @@ TEST_F(FilterPath, BetweenPointsTheTipMovesEvenly)
     const double z = t <= 0.005 ? 5.0 + 200.0 * t : 6.0 + 4.0 * (t - 0.005) / 0.0205;
     EXPECT_NEAR(this->TipZ(tick), z, 1e-9) << "tick " << tick;
   }
-  // Faster than the servo: points between ticks are passed by.
+  // Points that come faster than the servo's rate are passed between ticks.
   this->Filter->SetServoRate(100.0);
   this->RunOn(
     this->Path = MakePath(Line({ 7, 7, 5 }, { 7, 7, 10 }, 3), { 0.0, 0.004, 0.016, 0.02 }), 3);

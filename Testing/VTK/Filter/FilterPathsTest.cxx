@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Several lines are several paths: each gives what it gives alone, to the bit. "Alone" is a
+ * Several lines are several paths: each gives the same trace as alone, to the bit. "Alone" is a
  * polydata with the points of one line only, in their order.
  */
 
@@ -31,7 +31,8 @@ class FilterPaths : public ApiTest
 protected:
   FilterPaths()
   {
-    // Curved surfaces everywhere, so that every number of a trace depends on what was before.
+    // The surfaces are curved everywhere, so that every number of a trace depends on the earlier
+    // ticks.
     this->Image = MakeImage(24, VTK_SHORT,
       [](const Point& x)
       { return std::round(900.0 * std::sin(0.5 * x[0]) * std::cos(0.4 * x[1]) + 60.0 * x[2]); });
@@ -50,7 +51,7 @@ protected:
     path->SetLines(cells);
   }
 
-  /// The trace of some points of a path, alone.
+  /// Returns the trace of a path that has only these points.
   vtkSmartPointer<vtkPolyData> FeelAlone(vtkPolyData* path, const std::vector<vtkIdType>& line)
   {
     std::vector<Point> points;
@@ -70,7 +71,7 @@ protected:
     return Keep(this->Filter);
   }
 
-  /// Whether the points of a line of a trace, and their arrays, are those of another trace.
+  /// Expects that a line of a trace, and its arrays, equal another trace.
   static testing::AssertionResult IsLine(vtkPolyData* trace, vtkIdType line, vtkPolyData* alone)
   {
     vtkNew<vtkIdList> ids;
@@ -111,7 +112,7 @@ protected:
     return testing::AssertionSuccess();
   }
 
-  /// Feels the lines of a path together and each alone.
+  /// Expects that the lines of a path give the same traces together as each alone.
   void ExpectAsAlone(vtkPolyData* path, const Lines& lines)
   {
     SetLines(path, lines);
@@ -130,7 +131,7 @@ protected:
     EXPECT_EQ(together->GetNumberOfPoints(), ticks);
   }
 
-  /// Walks of a hand, up to 0.5 mm a tick; `lines` get up to `most` points each.
+  /// Makes random walks of up to 0.5 mm a tick; `lines` gets up to `most` points for each.
   vtkSmartPointer<vtkPolyData> Wander(int paths, int most, bool isTimed, Lines& lines)
   {
     std::mt19937 random(4711);
@@ -220,7 +221,7 @@ TEST_F(FilterPaths, MaySharePointsAndHaveThemInAnyOrder)
   const std::vector<vtkIdType> back(all.rbegin(), all.rend());
   const std::vector<vtkIdType> half(all.begin(), all.begin() + 26);
   const std::vector<vtkIdType> rest(all.begin() + 25, all.end());
-  // The third one goes on where the second one ends, and begins anew.
+  // The third line starts where the second one ends, but its proxy begins anew.
   this->ExpectAsAlone(path, { all, half, rest, back, { 3, 17, 3, 17 } });
 }
 
@@ -244,7 +245,7 @@ TEST_F(FilterPaths, SegmentsThatContinueOneAnotherAreOne)
   EXPECT_TRUE(IsLine(trace, 0, this->FeelAlone(path, { 0, 1, 2 })));
   EXPECT_TRUE(IsLine(trace, 1, this->FeelAlone(path, { 10, 12, 11 })));
   EXPECT_TRUE(IsLine(trace, 2, this->FeelAlone(path, { 30, 31 })));
-  // A star: each ray begins anew.
+  // A star: the proxy begins anew with each ray.
   this->ExpectAsAlone(path, { { 0, 1 }, { 0, 5 }, { 0, 9 } });
 }
 
@@ -262,7 +263,7 @@ TEST_F(FilterPaths, PointsOfNoLineAndOtherCellsAreNotFelt)
 
 TEST_F(FilterPaths, EachBeginsWithTheProxyOnTheTip)
 {
-  // From free space, and from deep inside: no leap of the force from one path to the next.
+  // One path begins in free space, and one deep inside: the force starts at 0 in both.
   const auto path = MakePath(
     { { 7, 7, 2 }, { 7, 7, 2.1 }, { 7, 7, 2.2 }, { 7, 7, 20 }, { 7, 7, 20.1 }, { 7, 7, 20.2 } });
   SetLines(path, { { 0, 1, 2 }, { 3, 4, 5 } });

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The output in pieces, as several ranks ask for it: the first is all of it.
+ * Output in pieces, as several ranks ask for it: the first piece has everything.
  */
 
 #include "Rigs/ApiRig.h"
@@ -18,7 +18,7 @@ using namespace apitest;
 
 namespace
 {
-/// Gives of an image what is asked for, and remembers that.
+/// Gives the requested part of an image, and records the requests.
 class Cropper : public vtkImageAlgorithm
 {
 public:
@@ -73,7 +73,7 @@ TEST_F(FilterPieces, TheFirstIsTheWholeTraceAndTheOthersAreEmpty)
       }
     }
   }
-  // No volume is read for an empty piece.
+  // An empty piece reads no volume.
   for (const vtkIdType asked : cropper->Asked)
   {
     EXPECT_TRUE(asked == this->Image->GetNumberOfPoints() || asked == 0) << asked;

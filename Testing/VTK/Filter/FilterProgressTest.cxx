@@ -87,7 +87,8 @@ TEST_F(FilterProgress, AbortKeepsTheTicksSoFar)
 
 TEST_F(FilterProgress, AMeshThatTakesLongCanBeAborted)
 {
-  // Values that an isosurface passes everywhere: some hundred thousand triangles.
+  // An isosurface passes everywhere through random values: its mesh has some hundred thousand
+  // triangles.
   std::mt19937 random(1);
   this->Filter->SetInputData(0,
     MakeImage(40, VTK_FLOAT, [&](const Point&) { return static_cast<double>(random() % 2001); }));
@@ -122,7 +123,7 @@ TEST_F(FilterProgress, ThreadsDoNotDisturbEachOther)
   for (int i = 0; i < threads; ++i)
   {
     filters.push_back(vtkSmartPointer<vtkVolumeHapticsFilter>::New());
-    // Each with its own pipeline, on the same samples.
+    // Each filter has its own pipeline with the same samples.
     vtkNew<vtkImageData> image;
     image->ShallowCopy(this->Image);
     vtkNew<vtkPolyData> path;

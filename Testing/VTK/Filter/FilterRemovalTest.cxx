@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Removed tissue as an object: its air, its image, its files, and what is wrong with others.
+ * The removal object: the value of air, the image of its fractions, its files, and errors for other
+ * files.
  */
 
 #include "Rigs/ApiRig.h"
@@ -27,7 +28,8 @@ using namespace apitest;
 
 namespace
 {
-/// A CT of bone (1000) below air (-1000), whose extent does not begin at 0, with a hole in it.
+/// A CT of bone (1000) below air (-1000), with an extent that does not begin at 0, in which a burr
+/// drills a hole.
 class FilterRemoval : public ApiTest
 {
 protected:
@@ -68,7 +70,7 @@ protected:
     text << stream.rdbuf();
     return text.str();
   }
-  /// Reading it fails with these words, and changes nothing.
+  /// Expects that reading the file fails with these words, and changes nothing.
   static void ExpectRefused(
     vtkHapticRemoval* removal, const std::string& file, const std::vector<std::string>& words)
   {
@@ -97,14 +99,15 @@ TEST_F(FilterRemoval, HasTheAirOfTheVolume)
   EXPECT_FALSE(this->Filter->GetRemoval()->GetAutoAirValue());
   this->Run(801);
   EXPECT_EQ(this->Filter->GetRemoval()->GetAirValue(), -900.0);
-  // Where what is below the contact value is solid, air is above it.
+  // If values below the contact value are solid, air is above it.
   this->Filter->GetRemoval()->AutoAirValueOn();
   this->Burr->SetSolidToBelow();
   this->Run(801);
   EXPECT_EQ(this->Filter->GetRemoval()->GetAirValue(), 1000.0);
 }
 
-/// A file is felt by the point alone, of a filter that no burr was in: its air is in the file.
+/// The point feels a removal from a file in a filter that never had a burr: the value of air is in
+/// the file.
 TEST_F(FilterRemoval, AFileIsFeltWithoutABurr)
 {
   this->Filter->GetRemoval()->SetAirValue(-800.0);
@@ -138,7 +141,7 @@ TEST_F(FilterRemoval, IsAnImageOfTheVolumesShape)
     EXPECT_EQ(image->GetExtent()[i], this->Image->GetExtent()[i]);
     EXPECT_EQ(image->GetBounds()[i], this->Image->GetBounds()[i]);
   }
-  // The hole is where the burr was: 15.2, 15.4 in the world, below the surface at 11.5.
+  // The hole is where the burr was: at (15.2, 15.4) in the world, beyond the surface at z = 11.5.
   auto* const array = image->GetPointData()->GetScalars();
   EXPECT_EQ(array->GetRange()[1], 255.0);
   EXPECT_EQ(array->GetComponent(image->FindPoint(15.2, 15.4, 13.0), 0), 0.0);
@@ -156,12 +159,12 @@ TEST_F(FilterRemoval, IsWrittenAndReadToTheByte)
   ASSERT_TRUE(other->ReadFile(this->File));
   EXPECT_EQ(GetShares(other), shares);
   EXPECT_EQ(other->GetNumberOfUndos(), 0);
-  // It is felt as the one that was written.
+  // The removal that was read feels like the one that was written.
   const vtkSmartPointer<vtkPolyData> felt = (this->Run(801), Keep(this->Filter));
   this->Filter->SetRemoval(other);
   this->Filter->Update();
   EXPECT_TRUE(IsSame(felt, this->Filter->GetOutput()));
-  // Nothing is lost on a volume whose samples are elsewhere.
+  // A volume with another extent is refused, and the removal keeps its contents.
   this->Image->SetExtent(0, 31, 0, 31, 0, 31);
   this->Image->SetOrigin(0.5, 0.0, 0.0);
   this->Image->Modified();
@@ -172,8 +175,8 @@ TEST_F(FilterRemoval, IsWrittenAndReadToTheByte)
   std::remove(this->File.c_str());
 }
 
-/// Of a volume that was cropped or padded since, also with indices of its own: the hole is at the
-/// same place, and the whole file comes back with the whole volume.
+/// The removal is felt at the same place in volumes that were cropped or padded, also if their
+/// indices begin elsewhere. The whole volume gets the whole file back.
 TEST_F(FilterRemoval, AFileIsFeltOnPartsOfItsVolume)
 {
   ASSERT_TRUE(this->Drill()->WriteFile(this->File));
@@ -190,11 +193,11 @@ TEST_F(FilterRemoval, AFileIsFeltOnPartsOfItsVolume)
     double Origin[3];
   } parts[] = {
     { { 7, 26, 10, 30, 103, 120 }, { 5.0, -3.0, -100.0 } }, // cropped through the hole
-    { { 0, 19, 0, 20, 0, 17 }, { 12.0, 7.0, 3.0 } },        // the same, counted from 0
-    { { 0, 19, 0, 20, 0, 17 }, { 9.0, 6.0, 1.0 } },         // another one of that extent
+    { { 0, 19, 0, 20, 0, 17 }, { 12.0, 7.0, 3.0 } },        // the same part, counted from 0
+    { { 0, 19, 0, 20, 0, 17 }, { 9.0, 6.0, 1.0 } },         // another part with that extent
     { { -14, 40, 0, 50, 90, 140 }, { 5.0, -3.0, -100.0 } }, // padded
     { { -5, 3, 3, 11, 100, 104 }, { 5.0, -3.0, -100.0 } },  // beside the hole
-    { { -5, 26, 3, 34, 100, 131 }, { 5.0, -3.0, -100.0 } }, // the whole one again
+    { { -5, 26, 3, 34, 100, 131 }, { 5.0, -3.0, -100.0 } }, // the whole volume again
   };
   for (const auto& part : parts)
   {
@@ -220,7 +223,7 @@ TEST_F(FilterRemoval, AFileIsFeltOnPartsOfItsVolume)
     vtkIdType carved = 0;
     for (vtkIdType i = 0; i < shares->GetNumberOfPoints(); ++i)
     {
-      // At the same place of the world, whatever the indices.
+      // Compares samples at the same place in the world, whatever their indices.
       double place[3];
       before->TransformPhysicalPointToContinuousIndex(image->GetPoint(i), place);
       int index[3];
@@ -256,13 +259,13 @@ TEST_F(FilterRemoval, ADamagedFileChangesNothing)
   }
   ExpectRefused(removal, "/no/such/file.vti", { "/no/such/file.vti" });
   ExpectRefused(removal, "/dev", { "/dev" });
-  // Another image, and shares that do not lie in their volume.
+  // The file holds another image, without shares.
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetFileName(this->File.c_str());
   writer->SetInputData(this->Image);
   writer->Write();
   ExpectRefused(removal, this->File, { "no shares" });
-  // The same shares, some of which are beyond their volume.
+  // Some of the shares lie beyond the extent of the volume.
   std::ofstream(this->File, std::ios::binary) << whole;
   vtkNew<vtkXMLImageDataReader> reader;
   reader->SetFileName(this->File.c_str());
@@ -284,7 +287,7 @@ TEST_F(FilterRemoval, AFullDiskIsToldAndKeepsTheOldFile)
   ASSERT_TRUE(removal->WriteFile(this->File));
   const std::string before = ReadAll(this->File);
   ASSERT_GT(before.size(), 1000u);
-  // What would be written is another file.
+  // Drills elsewhere, so that the next file differs from the old one.
   this->Path = MakePath(Line({ 9.2, 20.4, 7.0 }, { 9.2, 20.4, 12.0 }, 800));
   this->Filter->SetPathData(this->Path);
   this->Drill();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A tool with a shape offline: S2 and S3 of the design with the mesh of a ball, a tilted box, what
- * is solid, paths with orientations, and what can't be felt.
+ * A tool with a shape offline: S2 and S3 of the design with the mesh of a ball, a tilted box, the
+ * choice of what is solid, paths with orientations, and settings that are errors.
  */
 
 #include "Rigs/ApiRig.h"
@@ -27,7 +27,7 @@ using namespace apitest;
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-/// The pressure of 1 m: 500 N/m on 25 mm^2.
+/// Pressure per metre of depth (N/m^3): 500 N/m on 25 mm^2.
 constexpr double Kappa = 2e7;
 constexpr double Surface = 8.0; // mm: V = 800
 
@@ -61,7 +61,7 @@ protected:
     return cube->GetOutput();
   }
 
-  /// Along z to a depth of the hand, and 50 ticks there; the last tick of it.
+  /// Presses along z, and holds still for 50 ticks. Returns the trace; `Last` is its last tick.
   vtkPolyData* Press(
     double from, double to, const vtkQuaterniond& turn = vtkQuaterniond(1.0, 0.0, 0.0, 0.0))
   {
@@ -105,8 +105,8 @@ TEST_F(FilterShell, ABallHasItsForce)
   EXPECT_NEAR(std::abs(Get(trace, "ToolOrientation", this->Last)), 1.0, 1e-6);
 }
 
-/// S2 in the hand: where the pressure has its bound P, reached at d_c, the force is pi kappa a d_c
-/// (2 delta - d_c).
+/// S2 with the hand's spring: where the pressure reaches its bound P, at the depth d_c, the force
+/// is pi kappa a d_c (2 delta - d_c).
 TEST_F(FilterShell, TissueYieldsAtItsStrength)
 {
   SetConstant(this->Property->GetSurfaceStrength(), 0.1);
@@ -120,8 +120,8 @@ TEST_F(FilterShell, TissueYieldsAtItsStrength)
   EXPECT_NEAR(Get(trace, "Force", this->Last, 2), -force, 0.01 * force);
 }
 
-/// S4 in the hand: the face and the turning spring share the angle: kappa b h^3/12 and k_r in row.
-/// It is so little deep, 0.01 mm, that the sides of the box hardly count.
+/// S4 with the hand's springs: the face (kappa b h^3/12) and the turning spring k_r share the angle
+/// in series. The press is so shallow, 0.01 mm, that the sides of the box hardly count.
 TEST_F(FilterShell, ATiltedBoxGivesATorque)
 {
   this->Tool->SetMesh(MakeBox(10.0, 10.0, 4.0));
@@ -135,14 +135,14 @@ TEST_F(FilterShell, ATiltedBoxGivesATorque)
   const double torque = angle * face * 0.02 / (face + 0.02);
   EXPECT_NEAR(Get(trace, "Torque", this->Last, 0), -torque, 0.02 * torque);
   EXPECT_NEAR(Get(trace, "Force", this->Last, 2), -500.0 * 2000.0 / 2500.0 * 0.05e-3, 5e-4);
-  // The tool has turned towards the face.
+  // The tool has turned into the face.
   const double left = 2.0 * Get(trace, "ToolOrientation", this->Last, 1);
   EXPECT_NEAR(left, angle * 0.02 / (face + 0.02), 0.03 * angle);
 }
 
-/// The hand turns a box that rests on its face, and turns it back. It works against face and
-/// turning spring in row: K theta^2/2 with K = face k_r/(face + k_r) for small angles, and for a
-/// spring that is much softer than the face 2 k_r sin^2(theta/2), the energy of the spring.
+/// The hand turns a box that rests on its face, and turns it back. It works against the face and
+/// the turning spring in series: K theta^2/2 with K = face k_r/(face + k_r) for small angles, and 2
+/// k_r sin^2(theta/2), the energy of the spring, if the spring is much softer than the face.
 TEST_F(FilterShell, EnergyHasTheWorkOfTheTorque)
 {
   constexpr int steps = 200;
@@ -212,7 +212,7 @@ TEST_F(FilterShell, WhatIsSolidFollowsFromTheStrength)
   strength->AddPoint(900.0, 2.0);
   vtkPolyData* trace = this->Press(4.0, 7.0);
   EXPECT_NEAR(Get(trace, "Force", this->Last, 2), Get(wanted, "Force", this->Last, 2), 1e-3);
-  // What is below is solid: the ball comes from above.
+  // Values below the surface value are solid, so the ball comes from the other side.
   strength->RemoveAllPoints();
   strength->AddPoint(700.0, 2.0);
   strength->AddPoint(900.0, 0.0);
@@ -262,20 +262,21 @@ TEST_F(FilterShell, WhatCanNotBeFeltIsNamed)
   this->ExpectError({ "vtkHapticPointShell", "PROXY", "SetTool(nullptr)" });
 }
 
-/// One point of 25 mm^2 is the spring of a point: half of the way is the material's.
+/// A single point of 25 mm^2 acts like the point without a tool: the material takes half of the
+/// depth.
 TEST_F(FilterShell, OnePointIsAPoint)
 {
   this->Tool->SetMesh(MakeBox(std::sqrt(25.0 / 6.0), std::sqrt(25.0 / 6.0), std::sqrt(25.0 / 6.0)));
   this->Tool->SetNumberOfPoints(1);
   vtkPolyData* const trace = this->Press(5.0, 12.0);
-  // Somewhere on the box, whose half is 1.02 mm.
+  // The point lies anywhere on the box, which extends 1.02 mm to each side.
   const double force = -Get(trace, "Force", this->Last, 2);
   const double depth = 2e3 * force / 500.0; // mm of the hand beyond the surface
   EXPECT_NEAR(depth, 4.0, 1.03);
 }
 
-/// With the same mesh, a change of another setting does not spread the points again, and the trace
-/// is the same every time.
+/// With the same mesh, a change of another setting does not spread the points again, so the trace
+/// stays the same.
 TEST_F(FilterShell, IsTheSameEveryTime)
 {
   const vtkQuaterniond turn(0.9, 0.1, 0.3, 0.2);
@@ -286,7 +287,7 @@ TEST_F(FilterShell, IsTheSameEveryTime)
   EXPECT_TRUE(IsSame(first, this->Filter->GetOutput()));
 }
 
-/// Data and tool turned together: the forces turn with them.
+/// If data and tool turn together, the forces turn with them.
 TEST_F(FilterShell, TurnsWithTheData)
 {
   this->Tool->SetMesh(MakeBox(6.0, 4.0, 5.0));

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A CT that is stored otherwise than in Hounsfield units is felt as the CT is. The reference is the
- * same body with its Hounsfield units as they are: air at -1000, and a ball of fat, muscle and
- * bone. Programs store the units 1024 or 1000 higher (InVesalius hands uint16 with 1024 to its
- * mapper), or 32768.
+ * A CT that is not stored in Hounsfield units is felt like the original CT. The reference is the
+ * same body in Hounsfield units: air at -1000, and a ball of fat, muscle and bone. Programs store
+ * the units 1024 or 1000 higher (InVesalius gives its mapper uint16 with 1024), or 32768 higher.
  */
 
 #include "Rigs/ApiRig.h"
@@ -27,12 +26,12 @@ namespace
 {
 constexpr vtkIdType Ticks = 301;
 constexpr int Width = 48;
-/// The law does not know the shift, but its sums round: a solver that accepts an end within a share
-/// of 2e-4 of its lag may then accept another one (N).
+/// Tolerance (N). The law does not depend on the shift, but its sums round: a solver that accepts
+/// an end within 2e-4 of its lag may then accept another end.
 constexpr double Rounded = 1e-4;
 constexpr double Middle = 0.5 * (Width - 1);
 
-/// Hounsfield units of a ball with layers, blurred, with +- 8 of noise.
+/// Returns the Hounsfield units of a blurred ball with layers, with noise of +-8.
 double Unit(const Point& p)
 {
   static std::uint32_t random = 1;
@@ -41,7 +40,7 @@ double Unit(const Point& p)
   const double noise = 16.0 * (static_cast<double>(random >> 8) * 0x1p-24 - 0.5);
   const double r = std::hypot(p[0] - Middle, p[1] - Middle, p[2] - Middle);
   const auto inside = [r](double radius) { return 0.5 * std::erfc((r - radius) / 1.0); };
-  // As scanners do, which store nothing below 0.
+  // Scanners store nothing below 0 (-1000 HU).
   return std::max(-1000.0,
     std::round(
       -1000.0 + 900.0 * inside(20.0) + 150.0 * inside(16.0) + 950.0 * inside(8.0) + noise));
@@ -50,7 +49,8 @@ double Unit(const Point& p)
 class FilterShift : public ApiTest
 {
 protected:
-  /// (unit + offset) * factor, pressed from air into the muscle, and slid.
+  /// Makes a body with the values (unit + offset) * factor, and a path that presses from air into
+  /// the muscle and slides.
   void SetBody(double offset, double factor, int scalarType)
   {
     this->Image = MakeImage(Width, scalarType,
@@ -73,7 +73,7 @@ protected:
     return Keep(this->Filter);
   }
 
-  /// The reference, and how much another trace differs from it (N).
+  /// Returns the trace of the reference, in Hounsfield units.
   vtkSmartPointer<vtkPolyData> FeelUnits(const char* preset)
   {
     this->SetBody(0.0, 1.0, VTK_SHORT);
@@ -147,7 +147,7 @@ TEST_F(FilterShift, HasTheCuresThatItNames)
   EXPECT_TRUE(this->Log.Warnings.empty()) << "nothing is guessed";
   EXPECT_EQ(this->Property->GetFoundShift(), 0.0);
 
-  // As they are, the air is water.
+  // Without the shift, air has the value of water.
   this->Property->SetScalarShift(0.0);
   this->Property->ShiftFromImageOff();
   EXPECT_GT(Apart(this->Feel(), units), 0.1);
@@ -157,7 +157,7 @@ TEST_F(FilterShift, HasTheCuresThatItNames)
 TEST_F(FilterShift, ScalesValuesAndGradients)
 {
   const auto units = this->FeelUnits("CT contrast");
-  // (scalar + shift) scale: powers of two round nothing.
+  // Values are (scalar + shift) * scale; powers of two don't round.
   this->SetBody(2048.0, 0.25, VTK_DOUBLE);
   this->Property->SetScalarShift(-512.0);
   this->Property->SetScalarScale(4.0);
@@ -175,7 +175,8 @@ TEST_F(FilterShift, IsThatOfNeedlesToo)
   this->Filter->SetTool(needle);
   const auto units = this->FeelUnits("CT contrast");
   this->SetBody(1024.0, 1.0, VTK_UNSIGNED_SHORT);
-  // Sticking and slipping, a needle goes other ways; the wrong cutting forces are 0.3 N off in air.
+  // A needle that sticks and slips amplifies rounding. Wrong cutting forces would differ by 0.3 N
+  // in air.
   EXPECT_LT(Apart(this->Feel(), units), 0.02);
   EXPECT_GT(Most(units), 0.05);
 }
@@ -199,7 +200,7 @@ TEST_F(FilterShift, OfARegionIsThatOfTheWhole)
   EXPECT_EQ(this->Property->GetFoundShift(), -1024.0);
   EXPECT_GT(Most(units), 0.2);
 
-  // What lies in a region says nothing: a part of a lung is not all of a chest.
+  // The values in a region don't tell the shift: a part of a lung is not a whole chest.
   crop->GetOutput()->GetFieldData()->RemoveArray("HapticShift");
   this->Filter->SetInputDataObject(0, crop->GetOutput());
   this->Feel();
@@ -215,7 +216,7 @@ TEST_F(FilterShift, IsKeptByProposals)
   ASSERT_TRUE(this->Property->ProposeFromImage(this->Image));
   EXPECT_EQ(this->Property->GetScalarShift(), -1024.0);
   EXPECT_FALSE(this->Property->GetShiftFromImage());
-  // Air is what lies outside, at -1000.
+  // Air is outside, at -1000.
   double range[2];
   this->Property->GetTissueRange(0, range);
   EXPECT_LE(range[0], -1000.0 + 20.0);
@@ -250,7 +251,7 @@ TEST_F(FilterShift, WarnsOfDataThatCannotBeHounsfieldUnits)
     this->Filter->Update();
     ASSERT_EQ(this->Log.Warnings.size(), 1U);
     EXPECT_NE(this->Log.Warnings[0].find("can't be a CT"), std::string::npos);
-    // The cures that it names.
+    // The warning names these cures.
     this->Property->SetScalarShift(-data.Offset * data.Factor);
     this->Property->SetScalarScale(1.0 / data.Factor);
     this->Filter->Update();

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The filter's settings: defaults, limits, what is printed and what counts as a modification.
+ * Settings of the filter: defaults, limits, printed text, and which changes count as a
+ * modification.
  */
 
 #include "Rigs/ApiRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A path through the time steps of a source: a wall comes towards a tip that rests, and the force
- * is the spring's to where the wall is, which is known at all times.
+ * A path through the time steps of a source: a wall moves towards a tip that rests. The force is
+ * that of the spring to the wall, whose place is known at all times.
  */
 
 #include "Rigs/ApiRig.h"
@@ -29,7 +29,7 @@ using namespace apitest;
 
 namespace
 {
-/// V = 500 (1 - tanh((x - wall(t))/1.5)): a wall on the side of lower x.
+/// Makes V = 500 (1 - tanh((x - wall)/1.5)): a wall that fills the lower x.
 vtkSmartPointer<vtkImageData> MakeWall(double wall, int n = 24, int type = VTK_DOUBLE)
 {
   return MakeImage(
@@ -39,7 +39,7 @@ vtkSmartPointer<vtkImageData> MakeWall(double wall, int n = 24, int type = VTK_D
 constexpr double K = 500.0;
 constexpr double Rest = 12.0;
 
-/// The wall is at 9 at time 10, and comes by 1 a step.
+/// Returns the wall's place (mm): 9 at time 10, and 1 more with each time step.
 double WallAt(double time)
 {
   return 9.0 + time - 10.0;
@@ -58,7 +58,7 @@ protected:
     this->RestFor(1.0);
   }
 
-  /// The tip rests for some seconds.
+  /// Sets a path on which the tip rests for some seconds.
   void RestFor(double seconds)
   {
     const Point at{ Rest, 11.5, 11.5 };
@@ -77,17 +77,18 @@ TEST_F(FilterTime, AWallThatComesPushesATipThatRests)
   {
     const double time = 10.0 + 4.0 * 0.001 * static_cast<double>(tick);
     EXPECT_NEAR(Get(trace, "DataTime", tick), time, 1e-9);
-    // A blend of two edges that are a voxel apart is off by 0.02 of their width at most.
+    // Blending two edges that are a voxel apart is off by at most 0.02 of their width.
     EXPECT_NEAR(Get(trace, "Force", tick), 0.001 * K * std::max(0.0, WallAt(time) - Rest), 0.015)
       << "tick " << tick;
   }
-  // The first step comes with the image; then each comes once, and the first one last.
+  // The first time step comes with the image. Then each time step is read once, the first one last.
   EXPECT_EQ(this->Source->Asked, (std::vector<double>{ 10.0, 14.0, 13.0, 12.0, 11.0, 10.0 }));
   EXPECT_FALSE(
     this->Filter->GetOutputInformation(0)->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS()));
 }
 
-/// What is resampled around the tip stands still, which is told once; the cure that is told moves.
+/// A grid that is resampled around the tip stays at its first time step, and warns once. The cure
+/// that the warning names, vtkResampleToImage, moves.
 TEST_F(FilterTime, AGridThatMovesIsFeltAsTheImagesOfItsSteps)
 {
   vtkNew<vtkAppendFilter> grid;
@@ -138,7 +139,7 @@ TEST_F(FilterTime, TimeStopsAtTheLastStepAndTheForceStays)
   EXPECT_EQ(Get(trace, "Force", 600), Get(trace, "Force", 1000));
 }
 
-/// A path begins at the first step, and there is none before it.
+/// A path begins at the first time step, and time does not go before it.
 TEST_F(FilterTime, BackwardsThereIsNothingButTheFirstStep)
 {
   this->Filter->SetTimeUnitsPerSecond(-4.0);
@@ -197,7 +198,7 @@ TEST_F(FilterTime, StepsOfOtherGeometryAreAnError)
   this->Source->Make = [](double time) { return MakeWall(WallAt(time), time == 12.0 ? 20 : 24); };
   this->Filter->SetTimeUnitsPerSecond(4.0);
   this->ExpectError({ "time 12", "20 x 20 x 20", "vtkImageReslice", "SetTimeUnitsPerSecond(0)" });
-  // And it goes on when they are right.
+  // With images of one size, the filter works again.
   this->Source->Make = [](double time) { return MakeWall(WallAt(time)); };
   this->Source->Modified();
   this->Log.Errors.clear();
@@ -218,7 +219,8 @@ TEST_F(FilterTime, StepsOfOtherTypesAreTaken)
   }
 }
 
-/// Only the touched array has frames: what modes read would stand still while the volume moves.
+/// Only the touched array has frames. Arrays that modes read would stand still while the volume
+/// moves.
 TEST_F(FilterTime, ModesOfAVolumeThatMovesAreRefusedUnlessTimeStandsStill)
 {
   this->Filter->SetTimeUnitsPerSecond(4.0);
@@ -280,8 +282,8 @@ TEST_F(FilterTime, ASourceThatFailedHalfWayIsReadAnew)
 
 namespace
 {
-/// The frames of FilterTime from time 0 on, as components of one array; or that at a time, five
-/// times. Samples that lie as far apart are summed in the same order.
+/// Makes the frames of FilterTime as components of one array, from time 0 on; or five times the
+/// frame of the time `always`. Equal strides make both sum their samples in the same order.
 vtkSmartPointer<vtkImageData> MakeComponents(int type, double always = -1.0)
 {
   const auto image = MakeWall(WallAt(10.0), 24, type);
@@ -303,7 +305,7 @@ class FilterComponents : public FilterTime
 protected:
   FilterComponents() { this->Filter->SetTimeUnitsPerSecond(4.0); }
 
-  /// The same frames as time steps of this type.
+  /// Returns the trace of the same frames as time steps of this type.
   vtkSmartPointer<vtkPolyData> FeelSteps(int type)
   {
     this->Source->Steps = { 0.0, 1.0, 2.0, 3.0, 4.0 };
@@ -327,11 +329,11 @@ TEST_F(FilterComponents, AreTimeStepsToTheBit)
     const long memory = static_cast<long>(image->GetActualMemorySize());
     this->Filter->SetInputData(image);
     this->Filter->SetFramesToComponents();
-    this->Property->SetComponent(3); // counts for nothing
+    this->Property->SetComponent(3); // has no effect
     this->Run(1001);
     EXPECT_TRUE(IsSame(Keep(this->Filter), steps)) << "type " << type;
     EXPECT_EQ(static_cast<long>(image->GetActualMemorySize()), memory);
-    // Twice as far apart, at half the speed: the same frames at the same ticks.
+    // Frames twice as far apart at twice the speed: the same frames come at the same ticks.
     this->Filter->SetFrameSpacing(2.0);
     this->Filter->SetTimeUnitsPerSecond(8.0);
     vtkPolyData* const slow = this->Run(1001);
@@ -348,7 +350,7 @@ TEST_F(FilterComponents, OneComponentStandsStillOnRequest)
   this->Filter->SetInputData(MakeComponents(VTK_DOUBLE));
   this->Filter->SetFramesToComponents();
   this->Filter->SetTimeUnitsPerSecond(0.0);
-  this->Property->SetComponent(4); // 1 mm beyond the tip
+  this->Property->SetComponent(4); // its wall is 1 mm beyond the tip
   vtkPolyData* const trace = this->Run(1001);
   EXPECT_EQ(trace->GetPointData()->GetArray("DataTime"), nullptr);
   this->Filter->SetInputData(MakeWall(WallAt(14.0)));
@@ -390,7 +392,7 @@ TEST_F(FilterComponents, OfANiftiFileAreItsTimes)
   this->Filter->SetInputConnection(reader->GetOutputPort());
   this->Filter->SetFramesToComponents();
   this->Filter->SetFrameSpacing(reader->GetTimeSpacing());
-  this->Filter->SetTimeUnitsPerSecond(1.0); // seconds
+  this->Filter->SetTimeUnitsPerSecond(1.0); // time steps are in seconds
   vtkPolyData* const trace = this->Run(1001);
   EXPECT_DOUBLE_EQ(Get(trace, "DataTime", 600), 0.6);
   for (vtkIdType tick = 0; tick <= 1000; tick += 20)
@@ -402,7 +404,8 @@ TEST_F(FilterComponents, OfANiftiFileAreItsTimes)
 
 namespace
 {
-/// A wall that leaps by four of its widths from step to step, and tells so in an array "motion".
+/// A wall that leaps by four of its widths with each time step, and has its displacements in the
+/// array "motion".
 class FilterMotion : public FilterTime
 {
 protected:
@@ -429,7 +432,7 @@ protected:
     return image;
   }
 
-  /// One step has another array.
+  /// Changes the arrays of one time step.
   void Change(double at, const std::function<void(vtkPointData*)>& change)
   {
     this->Source->Make = [=](double time)
@@ -459,11 +462,11 @@ protected:
 TEST_F(FilterMotion, AWallThatLeapsIsFeltOnItsWay)
 {
   this->ExpectLeap();
-  // Without the array, it is where it was until it is where it comes to.
+  // Without the displacements, the wall stays, and then appears at its next place.
   this->Filter->SetDisplacementArrayName("");
-  this->Filter->Update(); // with a warning
+  this->Filter->Update(); // warns
   vtkPolyData* const trace = this->Filter->GetOutput();
-  EXPECT_LT(Get(trace, "Force", 800), 0.001 * K * 0.3); // it is 0.68 mm beyond the tip
+  EXPECT_LT(Get(trace, "Force", 800), 0.001 * K * 0.3); // the wall is 0.68 mm beyond the tip
 }
 
 TEST_F(FilterMotion, ABlendThatIsNoMotionWarnsOnce)

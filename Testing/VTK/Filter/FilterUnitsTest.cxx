@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Units: what ServoRate, MetersPerWorldUnit, MaximumForce and the force field's constants mean.
+ * Units of ServoRate, MetersPerWorldUnit, MaximumForce and the constants of the force field.
  */
 
 #include "Rigs/ApiRig.h"
@@ -26,8 +26,9 @@ protected:
   }
 
   /**
-   * A ball of 7 mm around (12, 12, 12) mm, of a value in another one, and a path that presses 2 mm
-   * into it and slides, in a world with so many units to a millimetre. Felt at life size.
+   * Sets a ball with a radius of 7 mm around (12, 12, 12) mm, with the value `high` in `low`, and a
+   * path that presses 2 mm into it and slides. The world has `units` units to a millimetre, and is
+   * felt at life size.
    */
   void SetBall(double units, double low, double high)
   {
@@ -61,11 +62,12 @@ protected:
     }
   }
 
-  bool IsFitted = false; ///< the preset "MRI", to each ball
+  bool IsFitted = false; ///< applies the preset "MRI" to each ball
 
   /**
-   * Presses into the ball in worlds of other units, against that of mm. Units that are powers of
-   * two round nothing: the law knows no unit. Decimal ones round, by `rounded` (N) at most.
+   * Expects that presses into the ball give the same forces in worlds with other units as in mm.
+   * The law depends on no unit: powers of two don't round, decimal units round by at most `rounded`
+   * (N).
    */
   void ExpectSameForces(double low, double high, double leastForce, double rounded = 1e-9)
   {
@@ -102,7 +104,7 @@ protected:
 
 TEST_F(FilterUnits, LifeSizeMillimetres)
 {
-  // T1: 1 N at 2 mm, 2 N at 4 mm and from there on.
+  // T1: 1 N at 2 mm, and 2 N from 4 mm on.
   vtkPolyData* const output = this->Run(51);
   EXPECT_NEAR(this->Force(20), -1.0, 1e-9);
   EXPECT_NEAR(this->Force(40), -2.0, 1e-9);
@@ -113,7 +115,7 @@ TEST_F(FilterUnits, LifeSizeMillimetres)
 
 TEST_F(FilterUnits, LargerIsNotStiffer)
 {
-  // Twice as large: the hand moves twice as far for the same way through the data.
+  // Twice as large: the hand moves twice as far through the same data.
   this->Filter->SetMetersPerWorldUnit(0.002);
   vtkPolyData* const output = this->Run(51);
   EXPECT_EQ(Get(output, "Stiffness", 10), 500.0);
@@ -139,7 +141,7 @@ TEST_F(FilterUnits, ForceFieldIsEquationOne)
   this->Filter->SetForceFieldDamping(2.0);
   vtkPolyData* const output = this->Run(51);
   EXPECT_EQ(this->Force(0), 0.0) << "the first tick enables";
-  // 0.1 mm a tick: 0.1 m/s at 1 kHz.
+  // 0.1 mm a tick is 0.1 m/s at 1 kHz.
   EXPECT_NEAR(this->Force(10), -0.005 * 100.0 - 2.0 * 0.1, 1e-9);
   EXPECT_NEAR(Get(output, "NormalForce", 10), 0.5, 1e-9);
   EXPECT_NEAR(Get(output, "DragForce", 10), 0.2, 1e-9);
@@ -198,7 +200,7 @@ TEST_F(FilterUnits, MaximumStiffnessCapsTheMaterial)
   EXPECT_EQ(Get(this->Run(51), "Stiffness", 10), 500.0);
 }
 
-// The same bodies and the same hand: whatever unit their lengths have, the forces are the same.
+// The same bodies and the same motion give the same forces in any unit of length.
 TEST_F(FilterUnits, PresetsFeelTheSameInAWorldOfAnyUnit)
 {
   vtkStringArray* const names = vtkHapticProperty::GetPresetNames();
@@ -207,7 +209,7 @@ TEST_F(FilterUnits, PresetsFeelTheSameInAWorldOfAnyUnit)
     const vtkStdString name = names->GetValue(i);
     if (name == "Labels")
     {
-      continue; // walls between whole numbers, without a gradient of values
+      continue; // has walls between whole numbers, without a gradient of values
     }
     this->Property->ApplyPreset(name.c_str());
     for (const int solver : { vtkVolumeHapticsFilter::PAPER, vtkVolumeHapticsFilter::PRECISE })
@@ -215,7 +217,8 @@ TEST_F(FilterUnits, PresetsFeelTheSameInAWorldOfAnyUnit)
       SCOPED_TRACE(testing::Message() << name << ", solver " << solver);
       this->Filter->SetSolver(solver);
       const bool isGrey = name == "MRI" || name == "Micro-CT";
-      // PAPER reads the material before it moves: rounding grows where a two-sided surface turns.
+      // PAPER reads the material before it moves, so rounding grows where a two-sided surface
+      // turns.
       const bool isPaper = solver == vtkVolumeHapticsFilter::PAPER;
       this->ExpectSameForces(isGrey ? 0.0 : -1000.0, isGrey ? 200.0 : 60.0, 0.02,
         isPaper && name == "MRI" ? 2e-7 : 1e-9);
@@ -250,7 +253,7 @@ TEST_F(FilterUnits, MethodsFeelTheSameInAWorldOfAnyUnit)
 
 TEST_F(FilterUnits, DistinctnessOfOnesOwnIsPerWorldUnit)
 {
-  // 100 a millimetre: half distinct.
+  // A gradient of 100 per millimetre is half distinct.
   this->Property->GetDistinctness()->AddPoint(50.0, 0.0);
   this->Property->GetDistinctness()->AddPoint(150.0, 1.0);
   this->Run(51);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The materials that a trace reports are the functions' own values, at the values that it reports.
+ * The materials that a trace reports equal the functions at the values that it reports.
  */
 
 #include "Rigs/ApiRig.h"
@@ -20,7 +20,8 @@ protected:
     // V = 4 z^2: values from 0 to 900, gradient magnitudes from 0 to 120.
     this->Image = MakeImage(16, VTK_DOUBLE, [](const Point& x) { return 4.0 * x[2] * x[2]; });
     this->Filter->SetInputDataObject(0, this->Image);
-    // The spring of PRECISE may have slack: its stiffness has a past.
+    // The spring of PRECISE may have slack, so its stiffness depends on earlier ticks; PAPER's does
+    // not.
     this->Filter->SetSolverToPaper();
     std::vector<Point> zigzag;
     std::mt19937_64 engine(1);
@@ -32,7 +33,7 @@ protected:
     this->Filter->SetPathData(MakePath(zigzag));
   }
 
-  /// Compare one array of the output with the function at the arguments from another.
+  /// Compares one array of the output with the function of another array.
   void Compare(const char* array, const char* argument, vtkPiecewiseFunction* function)
   {
     int outside = 0;
@@ -77,7 +78,7 @@ TEST_F(MaterialArrays, SurfaceStrengthIsStrengthTimesDistinctness)
     SCOPED_TRACE(seed);
     std::mt19937_64 engine(100 + seed);
     const Shape shape{ -1.0, true, seed % 2 == 0, false };
-    // Each of them alone, while the other one is constant.
+    // Tests each function alone, while the other one is constant.
     const auto strength = RandomFunction(engine, shape, 0.0, 900.0, 3.0);
     this->Property->SetSurfaceStrength(strength);
     SetConstant(this->Property->GetDistinctness(), 1.0);

@@ -3,8 +3,8 @@
 
 /**
  * A ball in thick slices is felt as in cubes of their finest spacing, wherever the samples resolve
- * its surface: with all presets, methods, estimators and radii. Its centre is a sample, its edge is
- * V = low + h Phi(-d / s), d the distance from the surface.
+ * its surface: with all presets, methods, estimators and radii. Its centre is a sample; its edge is
+ * V = low + h Phi(-d / s), where d is the distance from the surface.
  */
 
 #include "Rigs/ApiRig.h"
@@ -35,7 +35,8 @@ enum class Method
   SurfaceProxy
 };
 
-/// Slices of this many times the fine spacing along an axis; the axes may be turned.
+/// Slices that are `Ratio` times as thick as the fine spacing along an axis; the axes may be
+/// turned.
 struct Slices
 {
   double Ratio;
@@ -54,7 +55,7 @@ struct Press
 class ThickBall : public ApiTest
 {
 protected:
-  /// All presets but that of labels.
+  /// Returns all presets except "Labels".
   static std::vector<std::string> GetPresets()
   {
     std::vector<std::string> presets;
@@ -95,7 +96,7 @@ protected:
     this->Expected.clear();
   }
 
-  /// Presses along a direction given by the axes of the image, from 3 mm outside.
+  /// Presses along a direction in the axes of the image, from 3 mm outside.
   Press PressInto(const Slices& slices, const Point& direction)
   {
     vtkImageData* const image = this->GetBall(slices);
@@ -111,7 +112,7 @@ protected:
     {
       press.Force += out[axis] * Get(felt, "Force", PressTicks, axis);
     }
-    // Where the surface takes a twentieth of that.
+    // The contact is where the normal force exceeds a twentieth of the final force.
     for (vtkIdType tick = 0; tick <= PressTicks && std::isnan(press.Contact); ++tick)
     {
       if (Get(felt, "NormalForce", tick) > 0.05 * press.Force)
@@ -123,7 +124,8 @@ protected:
     return press;
   }
 
-  /// Within a quarter of the fine spacing and this share of the force in cubes.
+  /// Expects the contact of cubes within a quarter of the fine spacing, and their force within
+  /// `tolerance` of it.
   void ExpectAsInCubes(const Slices& slices, const Point& direction, double tolerance)
   {
     SCOPED_TRACE(testing::Message()
@@ -133,8 +135,8 @@ protected:
     const Press cubes =
       known != this->Expected.end() ? known->second : this->PressInto(Cubes, direction);
     this->Expected[direction] = cubes;
-    // A cubic B-spline has a variance of a third of a voxel squared: it draws a ball of radius R in
-    // by half of that over R, for each axis across the normal.
+    // A cubic B-spline has a variance of a third of a voxel squared. It shrinks a ball with radius
+    // R by half of that over R for each axis across the normal.
     const bool isSpline = this->Filter->GetMethod() != vtkVolumeHapticsFilter::SURFACE_PROXY &&
       this->Filter->GetGradientEstimator() == vtkVolumeHapticsFilter::CUBIC_BSPLINE;
     const double along = direction[static_cast<std::size_t>(slices.Axis)];
@@ -147,7 +149,7 @@ protected:
     EXPECT_NEAR(felt.Force, (1.0 - drawn / PressDepth) * cubes.Force, tolerance * cubes.Force);
   }
 
-  /// Along a fine axis, and between two of them.
+  /// Returns a direction along a fine axis, and one between both fine axes.
   static std::vector<Point> GetFineDirections(int axis)
   {
     Point along{};
@@ -159,9 +161,10 @@ protected:
   }
 
   /**
-   * The share of a press on a plane wall that is left along its normal n if a plane holds it whose
-   * normal is that of central differences of radius 3: by the edge of the wall, their components
-   * are erf(3 S n / (sqrt(2) Blur)) / S. It is the square of the cosine between both.
+   * Returns the fraction of a press on a plane wall that remains along its normal n if the wall is
+   * felt with the normal of central differences of radius 3. At the edge of the wall, the
+   * components of that normal are erf(3 S n / (sqrt(2) Blur)) / S. The fraction is the squared
+   * cosine between both normals.
    */
   static double PressOnDifferences(const Slices& slices, const Point& direction)
   {
@@ -178,7 +181,7 @@ protected:
     return along * along / square;
   }
 
-  /// 30 and 60 degrees from the slices, and across them.
+  /// Returns directions at 30, 60 and 90 degrees from the slices.
   static std::vector<Point> GetObliqueDirections(int axis)
   {
     std::vector<Point> directions;
@@ -241,7 +244,7 @@ private:
   double Low = 0.0;
   double High = 0.0;
   std::map<std::tuple<double, int, bool, double>, vtkSmartPointer<vtkImageData>> Balls;
-  std::map<Point, Press> Expected; ///< in cubes, with the present settings
+  std::map<Point, Press> Expected; ///< presses in cubes with the present settings
 };
 class ThickBallOfKernel
   : public ThickBall
@@ -286,7 +289,7 @@ TEST_F(ThickBall, IsFeltWithEachKernelAsInCubes)
 TEST_P(ThickBallOfKernel, IsFeltWithEachPresetAsInCubes)
 {
   const auto& [method, estimator, radius] = this->GetParam();
-  // Meshes take long, and do not depend on the preset.
+  // Meshes take long, and don't depend on the preset.
   const bool isMesh = method == Method::SurfaceProxy;
   for (const std::string& preset :
     isMesh ? std::vector<std::string>{ "CT contrast", "MRI" } : this->GetPresets())
@@ -305,10 +308,10 @@ TEST_P(ThickBallOfKernel, IsFeltWithEachPresetAsInCubes)
         }
       }
     }
-    // Oblique, slices of 0.8 mm resolve the edge but for what linear interpolation moves it by
-    // (Documentation/method.md, Thick slices): B = 0.005, 0.025 and 0.038 mm. Kernels of a radius
-    // of 1 even that out. The normal of a plane of central differences leans, with a radius of 3
-    // by so much that it counts: LOCAL_SURFACE presses along it.
+    // In oblique directions, slices of 0.8 mm resolve the edge except for the shift by linear
+    // interpolation (Documentation/method.md, Thick slices): B = 0.005, 0.025 and 0.038 mm. Kernels
+    // with a radius of 1 even it out. The normal of central differences leans; with a radius of 3
+    // this counts for LOCAL_SURFACE, which presses along it.
     const bool isLocal = method == Method::LocalSurface;
     const bool leans = isLocal && estimator == 0 && radius == 3;
     const double tolerance = !isLocal ? 0.02 : estimator == 0 ? 0.07 : 0.025;

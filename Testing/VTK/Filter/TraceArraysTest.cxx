@@ -38,13 +38,13 @@ protected:
 
 using Texts = std::vector<std::string>;
 
-/// As the class documentation of vtkVolumeHapticsFilter lists them, without Label, DataTime,
-/// the eight ModeForce_i and the four of every tool.
+/// The arrays that the class documentation of vtkVolumeHapticsFilter lists, without Label,
+/// DataTime, the eight ModeForce_i and the four of every tool.
 const Texts All = { "Time", "Tip", "Force", "NormalForce", "FrictionForce", "DragForce", "Normal",
   "Value", "GradientMagnitude", "SurfaceValue", "MediumValue", "Stiffness", "Friction", "Viscosity",
   "SurfaceStrength", "Contact", "Unfinished", "Renewed", "Energy" };
 
-/// The arrays of single tools, as the class documentation of each tool lists them.
+/// Reads the names of the arrays that the class documentation of each tool lists.
 std::set<std::string> ReadArraysOfTools()
 {
   std::set<std::string> names;
@@ -204,7 +204,7 @@ TEST_F(TraceArrays, LabelsAreOneOfThem)
 
 TEST_F(TraceArrays, KeepTheirMemoryAsLongAsAnythingUsesIt)
 {
-  // Memory of a trace that is gone goes to later ones. What is kept must not be among it: here an
+  // The memory of a deleted trace is reused by later ones. Memory in use must not be: here an
   // output, an array, and memory that two arrays share.
   std::vector<vtkSmartPointer<vtkPolyData>> outputs;
   std::vector<vtkSmartPointer<vtkDataArray>> shared;
@@ -234,7 +234,7 @@ TEST_F(TraceArrays, KeepTheirMemoryAsLongAsAnythingUsesIt)
     }
     else
     {
-      // Arrays that grow or are emptied give their memory back by themselves.
+      // Arrays that grow or are emptied release their memory themselves.
       tips->Resize(2 * ticks);
       tips->InsertNextTuple3(1.0, 2.0, 3.0);
       EXPECT_NEAR(tips->GetComponent(ticks - 1, 2), 5 + zOf(run), 1e-9);
