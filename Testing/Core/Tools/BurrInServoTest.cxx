@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A burr as the tool of a model: in the servo's tick, in the world's size, from one model to the
- * next, and from a state that was kept.
+ * A burr as the tool of a model: in a servo tick, with its size in the world, across changes of the
+ * model, and from a stored state.
  */
 
 #include "Core/Safety/EnergyObserver.h"
@@ -17,7 +17,7 @@ using namespace coretest;
 
 namespace
 {
-/// A hand that ticks as a servo does.
+/// A hand that runs ticks as a servo does.
 class ServoHand
 {
 public:
@@ -35,7 +35,7 @@ public:
     this->Removed += this->Record.RemovedVolume;
     return this->Record;
   }
-  /// With a force (N) along z.
+  /// Moves the tip so that the spring presses with a force (N) along z.
   const TickRecord& Press(double force)
   {
     Vector3 tip = this->Record.Tip;
@@ -105,7 +105,8 @@ TEST_F(BurrOfModel, TicksInTheServo)
   EXPECT_EQ(1000.0 * hand.Record.Proxy.X, 1000.0 * alone.Record.Shell.Tool.Position.X);
 }
 
-/// In a world that is twice as large in the hand, its hole has the same place in the volume.
+/// If device motions appear half as large in the world, the drilled hole still has the burr's
+/// radius in the world.
 TEST_F(BurrOfModel, HasItsSizeInTheWorld)
 {
   this->Burr.SpecificEnergy = ConstantPolyline(0.1);
@@ -138,7 +139,7 @@ TEST_F(BurrOfModel, HasItsSizeInTheWorld)
   }
 }
 
-/// Another material, and another placement: the force goes on, and so does the removal.
+/// With another material and with another placement, the force and the removal continue.
 TEST_F(BurrOfModel, GoesAlongToAnotherModel)
 {
   ServoHand hand(this->Make());
@@ -165,13 +166,12 @@ TEST_F(BurrOfModel, GoesAlongToAnotherModel)
   hand.Publish(this->Make());
   EXPECT_NEAR(Norm(hand.Tick(world).Force), 2.0, 0.05);
   EXPECT_NEAR(drill(), 0.5 * first, 0.05 * first);
-  // Without it, the hand begins anew.
+  // Without the tool, the hand starts again without force.
   hand.Publish(std::make_shared<const HapticModel>(this->Half.Scene));
   EXPECT_EQ(Norm(hand.Tick(world).Force), 0.0);
 }
 
-/// B4: from the numbers of a state, the contacts that were kept, and the fractions, it goes on to
-/// the bit.
+/// B4: from the stored state, contacts and fractions, the ticks continue bit for bit.
 TEST_F(BurrOfModel, GoesOnFromWhatWasKept)
 {
   HapticModelDescription copied = this->Half.Scene;
@@ -231,7 +231,7 @@ TEST_F(BurrOfModel, AStateThatNoTickProducesIsTold)
   EXPECT_EQ(FromNumbers(ToNumbers(state)).Burr.Part, 4000000000U);
 }
 
-/// Without the memory of its tool, or with nothing to write to.
+/// Without the tool's memory, or without a removal to write to, nothing is removed.
 TEST_F(BurrOfModel, WithoutMemoryIsAPoint)
 {
   ServoHand hand(this->Make());
@@ -254,8 +254,8 @@ TEST_F(BurrOfModel, WithoutMemoryIsAPoint)
   EXPECT_EQ(other.Removed, 0.0);
 }
 
-/// A hand of 0.1 kg that holds the device, presses with up to 3 N, and drills: the observer of
-/// energy finds no loop that swings.
+/// A hand of 0.1 kg holds the device, presses with up to 3 N and drills. The energy observer finds
+/// no unstable loop.
 TEST_F(BurrOfModel, ALoopThatDrillsDoesNotSwing)
 {
   this->Burr.Settings.Vibration = 0.1;
@@ -285,7 +285,8 @@ TEST_F(BurrOfModel, ALoopThatDrillsDoesNotSwing)
   EXPECT_GT(hand.Removed, 1.0);
 }
 
-/// A tick carries no request out; that of the removal's owner does, and nothing is felt in it.
+/// A tick does not serve requests. Only the owner of the removal serves them, and then no force
+/// acts.
 TEST_F(BurrOfModel, OnlyItsOwnerServesRequests)
 {
   ServoHand hand(this->Make());

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A tool with a shape as the tool of a model: in the world's units, from one model to the next, and
- * from a state and the contacts that were kept.
+ * A tool with a shape as the tool of a model: in world units, across changes of the model, and from
+ * a stored state with its contacts.
  */
 
 #include "Core/Servo/ServoTick.h"
@@ -20,7 +20,7 @@ namespace
 constexpr double ToolRadius = 5.0;
 constexpr double RampSurface = 10.0;
 
-/// In the world: millimetres, and square millimetres.
+/// Returns a sphere in world units: millimetres and square millimetres.
 std::vector<ShellPoint> MakeWorldSphere(double radius, int count)
 {
   std::vector<ShellPoint> points = MakeSphere(radius, count);
@@ -32,7 +32,7 @@ std::vector<ShellPoint> MakeWorldSphere(double radius, int count)
   return points;
 }
 
-/// A hand that ticks as a servo does.
+/// A hand that runs ticks as a servo does.
 class ToolHand
 {
 public:
@@ -54,7 +54,7 @@ public:
       LocalSurfaceResult::Simulated(), &this->Taps, this->Memory.get());
     return this->Record;
   }
-  /// Along a straight way in the world.
+  /// Moves the tip along a straight line to a goal (world).
   const TickRecord& Lead(const Vector3& goal, double step = 0.05)
   {
     const Vector3 from = this->Model->DeviceToWorld(this->Record.Tip);
@@ -80,7 +80,7 @@ public:
     this->Memory = memory ? memory : this->Memory;
     this->Model = std::move(model);
   }
-  /// J, of the springs between tool and hand.
+  /// Returns the energy (J) in the springs between tool and hand.
   double GetStored() const
   {
     const ShellSettings& touch = ShapedTool::Find(*this->Model->Baked)->Description.Touch;
@@ -116,7 +116,7 @@ protected:
   {
     this->Tool.Points = std::make_shared<const PointShell>(std::move(points));
   }
-  /// In the tissue, with the hand 2 mm deep.
+  /// Returns a hand at rest that presses into the tissue, 2 mm deep.
   ToolHand Press()
   {
     ToolHand hand(this->Make());
@@ -133,7 +133,7 @@ protected:
 };
 } // namespace
 
-/// S3 of the design: k (2 mm - delta) = pi kappa a delta^2, whence 0.4211 N.
+/// S3 of the design: k (2 mm - delta) = pi kappa a delta^2 gives 0.4211 N.
 TEST_F(ShellTool, HasTheForceOfASphere)
 {
   ToolHand hand = this->Press();
@@ -141,14 +141,14 @@ TEST_F(ShellTool, HasTheForceOfASphere)
   EXPECT_NEAR(hand.Record.NormalForce, 0.4211, 0.4211e-2);
   EXPECT_EQ(hand.Record.Contact, ContactState::Sticking);
   EXPECT_LE(Norm(hand.Record.Torque), 1e-5);
-  // The proxy is the origin of the tool, 1.1578 mm deep.
+  // The proxy is the origin of the tool, at a depth of 1.1578 mm.
   EXPECT_NEAR(hand.Record.Proxy.Z, 1e-3 * (RampSurface - ToolRadius + 1.1578), 1e-5);
   EXPECT_NEAR(std::abs(hand.Record.ToolOrientation.W), 1.0, 1e-9);
   EXPECT_EQ(hand.Record.SurfaceValue, hand.Model->ValueAtDevice(hand.Record.Proxy));
 }
 
-/// It is as large as in the world wherever the device is: seen as twice as large, kappa acts on a
-/// contact area of four times the size.
+/// The tool keeps its size in the world for any scale of the device. If the world appears twice as
+/// large in the hand, the contact area is four times as large there.
 TEST_F(ShellTool, HasItsSizeInTheWorld)
 {
   for (const double scale : { 0.5, 2.0 })
@@ -196,7 +196,8 @@ TEST_F(ShellTool, IsHeldAsLastByADeviceWithoutOrientation)
   EXPECT_TRUE(IsIdentical(hand.State.Shell.Hand.Orientation, turn));
 }
 
-/// Other materials and settings: the tool goes on, and what presses has no more energy than before.
+/// With other materials and settings, the tool stays in contact, and the pressed springs have no
+/// more energy than before.
 TEST_F(ShellTool, GoesOnWithAnotherMaterial)
 {
   const struct
@@ -220,7 +221,7 @@ TEST_F(ShellTool, GoesOnWithAnotherMaterial)
     hand.Publish(Make(scene, tool));
     hand.Rest(1);
     EXPECT_TRUE(hand.State.Enabled);
-    // All energy is that of the springs and the contacts.
+    // The total energy is that of the springs and of the contacts.
     EXPECT_LE(hand.GetStored() + hand.State.Shell.Sum.Energy, (stored + pressed) * 1.0001)
       << next.Stiffness << " " << next.Strength << " " << next.Coupling;
     hand.Rest(20);
@@ -240,7 +241,7 @@ TEST_F(ShellTool, GoesOnWithAnotherMaterial)
   }
 }
 
-/// The volume moves under the hand, and with it hand and tool: only the device's axes are others.
+/// The volume moves under the hand, and hand and tool move along. Only the device's axes change.
 TEST_F(ShellTool, GoesAlongWithTheDevicesPlacement)
 {
   ToolHand hand = this->Press();
@@ -255,7 +256,7 @@ TEST_F(ShellTool, GoesAlongWithTheDevicesPlacement)
     placed.Linear = (1000.0 / scale) * ToMatrix(turn);
     placed.Offset = { 3.0, -7.0, 2.0 };
     moved.Publish(std::make_shared<const HapticModel>(*hand.Model, placed, ForceCaps{}));
-    // The hand is where it was in the world, and turned as it was there.
+    // The hand keeps its position and orientation in the world.
     moved.Tick(world, Conjugate(turn));
     const Vector3 felt = ToMatrix(turn) * moved.Record.Force;
     EXPECT_NEAR(felt.Z, scale * force.Z, 0.002) << "a spring that is longer by the scale";
@@ -266,7 +267,8 @@ TEST_F(ShellTool, GoesAlongWithTheDevicesPlacement)
   }
 }
 
-/// With another tool in the hand, or another shape, or another volume: no force until it moves.
+/// After a change to another tool, another shape or another volume, no force acts until the hand
+/// moves.
 TEST_F(ShellTool, IsSwitchedUnderForce)
 {
   const auto point = std::make_shared<const HapticModel>(this->Scene);
@@ -288,7 +290,7 @@ TEST_F(ShellTool, IsSwitchedUnderForce)
     hand.Rest(1);
     EXPECT_EQ(Norm(hand.Record.Force), 0.0);
     EXPECT_EQ(Norm(hand.Record.Torque), 0.0);
-    // And back again, under force.
+    // Change back while a force acts.
     const double deeper = next == point || next == needle ? 5.5 : 3.0;
     hand.Lead(this->Above);
     hand.Lead(this->Above + Vector3{ 0.0, 0.0, deeper });
@@ -302,8 +304,8 @@ TEST_F(ShellTool, IsSwitchedUnderForce)
   }
 }
 
-/// Random models under a random hand: it never gets back more than it has put in while the models
-/// stay, and no publishing gives it energy.
+/// Random models under a random hand: while a model stays, the hand never gets more energy than it
+/// has put in, and publishing a model adds none.
 TEST_F(ShellTool, NoModelGivesEnergy)
 {
   this->SetShell(MakeWorldSphere(4.0, 300));
@@ -315,7 +317,7 @@ TEST_F(ShellTool, NoModelGivesEnergy)
   double felt = 0.0;
   int carried = 0;
   hand.Tick(at);
-  double paid = 0.0; // J: what hand and models may get back at most
+  double paid = 0.0; // J: upper bound of what hand and models may get back
   for (int i = 0; i < 40000; ++i)
   {
     if (i % 100 == 99)
@@ -340,7 +342,7 @@ TEST_F(ShellTool, NoModelGivesEnergy)
     const ShellPose next{ hand.Model->WorldToDevice(at), TurnAbout({ 1.0, 0.3, 0.2 }, 1e-4 * i) };
     const auto energyOf = [&](const ShellPose& at)
     { return ComputeCouplingEnergy(this->Tool.Touch, hand.Model->Caps, tool, at); };
-    // While the tool rests.
+    // The work of the hand while the tool rests.
     paid += hand.State.Shell.Enabled ? energyOf(next) - energyOf(last) : 0.0;
     hand.TickAt(next.Position, next.Orientation);
     ASSERT_LE(hand.GetStored(), paid + 1e-9) << i;
@@ -354,7 +356,7 @@ TEST_F(ShellTool, NoModelGivesEnergy)
   EXPECT_GT(carried, 50);
 }
 
-/// From the numbers of a state and the contacts that were kept, all ticks are the same to the bit.
+/// From a stored state and its contacts, all further ticks are equal to the bit.
 TEST_F(ShellTool, GoesOnFromWhatWasKept)
 {
   this->SetShell(MakeWorldSphere(4.0, 700));

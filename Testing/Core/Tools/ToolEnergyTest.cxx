@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A needle and a tool with a shape in a live loop: the observer of energy finds none that swings.
+ * A needle and a tool with a shape in a closed loop with a hand. The energy observer finds no
+ * unstable loop.
  */
 
 #include "Core/Safety/EnergyObserver.h"
@@ -20,25 +21,26 @@ using namespace coretest;
 
 namespace
 {
-/// A hand that holds the device and moves along z; the force may come some ticks late.
+/// A hand that holds the device and moves along z. The force may arrive some ticks late.
 struct HandOnDevice
 {
   double Mass = 0.1;    ///< kg
   double Damping = 5.0; ///< N s/m
-  std::size_t Late = 0; ///< ticks
+  std::size_t Late = 0; ///< ticks of delay
 };
 
 struct Observed
 {
   int Alarms = 0;
-  double Energy = 0.0;   ///< J, that the observer has counted
-  double Held = 0.0;     ///< J, what a spring may give since its force stays for a tick
-  double Farthest = 0.0; ///< mm
-  double Most = 0.0;     ///< N
-  int Free = 0;          ///< ticks without force, after some with force
+  double Energy = 0.0;   ///< J, counted by the observer
+  double Held = 0.0;     ///< J: bound on what a force held for a tick adds
+  double Farthest = 0.0; ///< mm: deepest position
+  double Most = 0.0;     ///< N: largest force
+  int Free = 0;          ///< ticks without force after the first contact
 };
 
-/// Three seconds of a push (N) that comes and goes; sample by sample, as the servo does.
+/// Runs three seconds with a push (N) that depends on the time. Each sample is processed as in the
+/// servo.
 template <typename F>
 Observed Hold(
   const HapticModelDescription& scene, const Vector3& from, const HandOnDevice& hand, F&& push)
@@ -75,13 +77,13 @@ Observed Hold(
   return result;
 }
 
-/// 0 to 3 N, each second.
+/// Returns a push that goes from 0 to 3 N and back each second.
 double PushAndRest(double t)
 {
   return 1.5 - 1.5 * std::cos(2.0 * Pi * t);
 }
 
-/// A ball of 4 mm over a half-space of bone, whose surface is at z = 11.5 mm.
+/// A ball of 4 mm over a half-space of bone whose surface is at z = 11.5 mm.
 class ShellInLoop : public testing::Test
 {
 protected:
@@ -104,7 +106,8 @@ protected:
 };
 } // namespace
 
-/// It is pushed through the layers of N1, with a puncture at each, and drawn out again.
+/// The needle is pushed through the layers of N1, with a puncture at each layer, and drawn out
+/// again.
 TEST(NeedleInLoop, DoesNotSwing)
 {
   std::vector<Layer> layers = LayersOfN1();
@@ -129,7 +132,7 @@ TEST_F(ShellInLoop, DoesNotSwing)
   EXPECT_GT(held.Most, 1.0);
 }
 
-/// The same loop, if the force comes late and little damps it: b < k (d + T/2).
+/// The same loop is unstable if the force comes late and damping is low: b < k (d + T/2).
 TEST_F(ShellInLoop, WhoseForceComesLateIsFound)
 {
   const Observed held =

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A burr on a real head CT, which Examples/explore.sh fetches; skipped without it. Q = mu F v/U
- * (method.md, "The burr"): while the head is pressed, its energy removes tissue.
+ * A burr on a real head CT, which Examples/explore.sh fetches; without it the test is skipped. Q =
+ * mu F v/U (method.md, "The burr"): while the burr is pressed, its energy removes tissue.
  */
 
 #include "Rigs/BurrRig.h"
@@ -16,7 +16,7 @@ using namespace coretest;
 
 namespace
 {
-/// The samples beside Cranium.mhd, whose header Data/head-ct.sh writes.
+/// Reads the samples that belong to Cranium.mhd, whose header Data/head-ct.sh writes.
 bool ReadHead(TestVolume& volume)
 {
   std::vector<std::int16_t> samples(256 * 256 * 108);
@@ -32,8 +32,8 @@ bool ReadHead(TestVolume& volume)
 }
 } // namespace
 
-/// The explorer's burr: a radius of four voxels, the level of the skin, and least and most energy
-/// there and at the largest value. At the top of the head it goes through 15 mm of bone.
+/// The explorer's burr: a radius of four voxels, the level of the skin, and the least energy there
+/// and the largest at the largest value. At the top of the head it drills through 15 mm of bone.
 TEST(BurrOnAHead, GoesOnInBoneForAMinute)
 {
   TestVolume volume(ScalarType::Int16, { 256, 256, 108 });

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A tick of a burr never allocates, whatever it removes and brings back.
+ * Ticks of a burr never allocate memory, whatever they remove and restore.
  */
 
 #include "Rigs/AllocationCounter.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A burr that removes tissue under itself creates no energy, presses no harder than its tissue
- * bears, and feels nothing while tissue comes back.
+ * A burr that removes the tissue below it creates no energy, presses no harder than its tissue
+ * bears, and gives no force while tissue is restored.
  */
 
 #include "Rigs/BurrRig.h"
@@ -14,7 +14,7 @@ using namespace coretest;
 
 namespace
 {
-/// A bumpy ball, 16-bit, with some noise; voxels of 0.5 mm, its middle at 16 mm.
+/// A bumpy ball with noise, 16-bit, with voxels of 0.5 mm; its centre is at 16 mm.
 TestVolume MakeBone()
 {
   TestVolume volume(ScalarType::Int16, { 64, 64, 64 });
@@ -43,7 +43,7 @@ protected:
     this->Scene.Material.SurfaceStrength = { { 1000.0, 0.3 }, { 1900.0, 2.0 } };
   }
 
-  /// A smooth random way that begins and ends outside of the ball.
+  /// A smooth random path that begins and ends outside of the ball.
   static Vector3 ComputePlace(double t, const Vector3* waves)
   {
     const double press = std::sin(Pi * t); // 0 at both ends
@@ -63,7 +63,7 @@ protected:
 };
 } // namespace
 
-/// S6, while tissue is removed, with and without vibration.
+/// S6 while tissue is removed, with and without vibration.
 TEST_F(BurrSafety, NoCycleCreatesEnergy)
 {
   std::mt19937_64 engine(22);
@@ -97,7 +97,7 @@ TEST_F(BurrSafety, NoCycleCreatesEnergy)
   EXPECT_GE(drilled, 18);
 }
 
-/// A hand at rest, under which tissue goes: the spring only relaxes.
+/// A hand at rest above tissue that is being removed: the spring only relaxes.
 TEST(BurrAtRest, TheForceOnlyFalls)
 {
   HalfSpace half({ 48, 48, 40 }, 0.4, 16);
@@ -119,7 +119,8 @@ TEST(BurrAtRest, TheForceOnlyFalls)
   EXPECT_LE(force, 0.02) << "there is a hole where the hand is";
 }
 
-/// The largest pressure, 0.5 N on the area of contact, times the area that is pressed.
+/// The largest pressure is 0.5 N over the contact area; the force is at most that times the pressed
+/// area.
 TEST_F(BurrSafety, NoForceIsLargerThanTheTissueBears)
 {
   this->Scene.Material.SurfaceStrength = ConstantPolyline(0.5);
@@ -146,18 +147,19 @@ TEST_F(BurrSafety, NoForceIsLargerThanTheTissueBears)
   EXPECT_GE(most, 0.5) << "the bound is met";
 }
 
-/// Its amplitude is its fraction of the force, its mean zero, its frequency that of the burr.
+/// The vibration's amplitude is the set fraction of the force, its mean is zero, and its frequency
+/// is that of the burr.
 TEST(BurrVibration, HasItsFractionAndNoMean)
 {
   BurrInHand settings = MakeBurr(2e9, 100.0);
   settings.Vibration = 0.2;
-  settings.Speed = 125.0; // a period of 8 ticks
+  settings.Speed = 125.0; // one turn takes 8 ticks
   HalfSpace half({ 48, 48, 40 }, 0.4, 16);
   BurrInVolume hand(half.Scene, settings, ConstantPolyline(0.5), 2000);
   hand.Tick({ 9.5, 9.3, half.Surface - 2.1 });
   for (int i = 0; i < 2000; ++i)
   {
-    hand.Press(1.0); // what it loses, the vibration may give back
+    hand.Press(1.0); // the vibration may return the energy that the press loses
   }
   std::vector<double> along;
   double least = 1.0;
@@ -186,12 +188,13 @@ TEST(BurrVibration, HasItsFractionAndNoMean)
     }
     EXPECT_NEAR(sum, 0.0, 1e-6);
   }
-  // 60 000/min are 1000 Hz, more than a tick can have: a quarter of it.
+  // 60 000/min are 1000 Hz, more than ticks can show, so the vibration has a quarter of the tick
+  // rate.
   settings.Speed = 1000.0;
   EXPECT_EQ(BakedBurr({ settings, ConstantPolyline(1.0) }).Frequency, 250.0);
 }
 
-/// B4: undo, redo and reset to the bit; meanwhile nothing is felt.
+/// B4: undo, redo and reset restore the fractions bit for bit. Meanwhile no force acts.
 TEST_F(BurrSafety, StrokesAreUndoneAndDoneAgainToTheBit)
 {
   BurrInVolume hand(this->Scene, this->Settings, this->Energies, 600);
@@ -211,7 +214,7 @@ TEST_F(BurrSafety, StrokesAreUndoneAndDoneAgainToTheBit)
   EXPECT_EQ(removal.Journal.GetUndoable(), 3u);
   const auto ask = [&](RemovalRequest request, const std::vector<std::uint8_t>& expected)
   {
-    // From a hand that is pressed into the tissue.
+    // The requests come while the hand presses into the tissue.
     hand.Tick({ 28.0, 16.0, 16.0 });
     hand.Lead({ 24.0, 16.0, 16.0 });
     EXPECT_TRUE(removal.Request(request));
@@ -232,7 +235,7 @@ TEST_F(BurrSafety, StrokesAreUndoneAndDoneAgainToTheBit)
   EXPECT_EQ(removal.Journal.GetUndoable(), 0u);
 }
 
-/// B4: the same hand removes the same, to the bit.
+/// B4: the same motion of the hand removes the same tissue, bit for bit.
 TEST_F(BurrSafety, ARecordingRemovesTheSame)
 {
   const auto drill = [&](std::vector<double>& numbers)
@@ -277,7 +280,7 @@ TEST_F(BurrSafety, AHandThatIsNoPlaceIsNotFeltAndRemovesNothing)
   }
   EXPECT_EQ(this->GetFractions(), before);
   EXPECT_EQ(this->Scene.Removal->Journal.GetUndoable(), 1u) << "its stroke has ended";
-  // Without a place to write to, tissue is only felt.
+  // Without a removal to write to, tissue is felt and not removed.
   this->Scene.Removal = nullptr;
   BurrInVolume other(this->Scene, this->Settings, this->Energies, 600);
   other.Tick({ 28.0, 16.0, 16.0 });

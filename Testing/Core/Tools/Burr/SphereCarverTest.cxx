@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Removed spheres: against loops over all samples, and against the sphere itself.
+ * Removed spheres, compared with loops over all samples and with the sphere itself.
  */
 
 #include "Core/Tools/Burr/SphereCarver.h"
@@ -52,7 +52,8 @@ struct SurfaceError
   double MostAngle = 0.0;
 };
 
-/// Where the level of half of the tissue is on rays from the centre, and how its normals point.
+/// Measures where rays from the centre meet the level of half of the tissue, and how the normals
+/// point.
 SurfaceError MeasureSurface(const TestVolume& left, const Vector3& centre, double radius)
 {
   const GradientKernel kernel(GradientEstimator::CentralDifference, 1);
@@ -83,8 +84,8 @@ SurfaceError MeasureSurface(const TestVolume& left, const Vector3& centre, doubl
 }
 } // namespace
 
-/// Spheres off the grid, of 4 and 8 voxels; the design has 0.044 and 0.022 voxels, 0.22 and 0.17
-/// degrees.
+/// Spheres off the grid with radii of 4 voxels and more. The design gives 0.044 voxel and 0.22
+/// degrees for 4 voxels, 0.022 voxel and 0.17 degrees for 8.
 TEST_F(CarvedSphere, HasASmoothSurfaceInItsPlace)
 {
   const TestVolume tissue = MakeTissue(32);
@@ -113,8 +114,8 @@ TEST_F(CarvedSphere, HasASmoothSurfaceInItsPlace)
   }
 }
 
-/// Whatever the level is: the tissue that is felt begins at the sphere. Tissue with grains, whose
-/// samples have the level with fractions of 0.27 to 0.8.
+/// For any level, the remaining tissue begins at the sphere. The tissue is grainy: samples reach
+/// the level at fractions of 0.27 to 0.8.
 TEST_F(CarvedSphere, HasTheLevelOfContactInItsPlace)
 {
   TestVolume tissue(ScalarType::Int16, { 32, 32, 32 });
@@ -152,7 +153,7 @@ TEST_F(CarvedSphere, HasTheLevelOfContactInItsPlace)
   }
 }
 
-/// Random spheres, and ways of one in steps of a quarter voxel.
+/// Random spheres, and a sphere that moves in steps of a quarter voxel.
 TEST_F(CarvedSphere, IsThatOfLoopsOverAllSamples)
 {
   const TestVolume tissue = MakeTissue(40);
@@ -186,7 +187,7 @@ TEST_F(CarvedSphere, IsThatOfLoopsOverAllSamples)
   for (std::size_t i = 0; i < fractions.size(); ++i)
   {
     ASSERT_LE(std::abs(fractions[i] - expected[i]), 1);
-    different += fractions[i] != expected[i] ? 1 : 0; // of the rounding of a distance
+    different += fractions[i] != expected[i] ? 1 : 0; // because of a rounded distance
     removed += 1.0 - LeftOf(fractions[i]);
   }
   EXPECT_LE(different, 5);
@@ -194,7 +195,7 @@ TEST_F(CarvedSphere, IsThatOfLoopsOverAllSamples)
   EXPECT_NEAR(volume, removed, 1e-9 * removed);
 }
 
-/// In any image: 4 pi/3 a^3.
+/// In any image, the volume is 4 pi/3 a^3.
 TEST_F(CarvedSphere, HasItsVolumeInAnyImage)
 {
   const TestVolume tissue = MakeTissue(64);
@@ -211,7 +212,8 @@ TEST_F(CarvedSphere, HasItsVolumeInAnyImage)
   EXPECT_TRUE(this->Removal.Bricks.IsEmpty()) << "it was only tried";
 }
 
-/// Half of the sphere in tissue of 5 J/mm^3, half in tissue of 20; and what is not solid is free.
+/// Half of the sphere is in tissue of 5 J/mm^3, half in tissue of 20 J/mm^3. What is not solid
+/// costs nothing.
 TEST_F(CarvedSphere, CostsTheEnergyOfItsTissues)
 {
   TestVolume layers(ScalarType::Float32, { 40, 40, 40 });
@@ -234,7 +236,7 @@ TEST_F(CarvedSphere, CostsTheEnergyOfItsTissues)
   EXPECT_NEAR(one.Energy, 10.0 * volume, 0.008 * 10.0 * volume);
 }
 
-/// The edge of a structure is removed with it; bricks far from anything solid are not needed.
+/// The edge of a structure is removed with it. Bricks far from anything solid are not allocated.
 TEST_F(CarvedSphere, LeavesAirAlone)
 {
   TestVolume plate(ScalarType::Int16, { 48, 48, 48 });
@@ -266,7 +268,8 @@ TEST_F(CarvedSphere, WithoutRoomForItsBricksIsNotCarved)
   EXPECT_EQ(CopyTissue(small.Bricks, tissue.View.Dimensions), before);
 }
 
-/// In parts of any size it leaves the same, costs the same, and no part does more than it may.
+/// Carving in parts of any size gives the same result at the same cost. No part does more than its
+/// limit.
 TEST_F(CarvedSphere, IsTheSameInParts)
 {
   const TestVolume tissue = MakeTissue(96);
@@ -308,7 +311,7 @@ TEST_F(CarvedSphere, IsTheSameInParts)
     for (std::size_t i = 0; i < fractions.size(); ++i)
     {
       ASSERT_LE(std::abs(fractions[i] - expected[i]), 1) << i;
-      different += fractions[i] != expected[i] ? 1 : 0; // of the rounding of a distance
+      different += fractions[i] != expected[i] ? 1 : 0; // because of a rounded distance
     }
     EXPECT_LE(different, 20);
   }
@@ -316,7 +319,8 @@ TEST_F(CarvedSphere, IsTheSameInParts)
   EXPECT_NEAR(volumes[1], volumes[2], 1e-9 * volumes[2]);
 }
 
-/// A replay has not looked at what the hand has drilled before: its parts end at the same places.
+/// A replay has no memory of what the hand has drilled before. Its parts must end at the same
+/// places.
 TEST_F(CarvedSphere, EndsItsPartsWhateverIsRemembered)
 {
   TestVolume tissue(ScalarType::Int16, { 64, 64, 64 });
@@ -354,6 +358,6 @@ TEST_F(CarvedSphere, ThatIsNoSphereRemovesNothing)
     EXPECT_EQ(this->Carve(model, centre, 0.003).Volume, 0.0);
   }
   EXPECT_TRUE(this->Removal.Bricks.IsEmpty());
-  // It may reach beyond the volume.
+  // A sphere may reach beyond the volume.
   EXPECT_GT(this->Carve(model, { 0.0, 0.0, 0.023 }, 0.003).Volume, 0.0);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Layers of tissue under a needle, with their closed forms: test N1 of needles.
+ * Layers of tissue for a needle, with their closed forms: test N1 of the needle.
  */
 #ifndef NeedleScene_h
 #define NeedleScene_h
@@ -19,7 +19,7 @@ namespace coretest
 {
 inline constexpr double Millimetre = 1e-3;
 
-/// A place in the middle of the scene, in millimetres.
+/// Returns a position (mm) on the scene's central axis.
 inline Vector3 Along(double z)
 {
   return { 11.5, 11.5, z };
@@ -33,14 +33,14 @@ struct Layer
   double Puncture;  ///< T, N
 };
 
-/// The layers of N1, from the skin on; the last one is endless.
+/// The layers of N1, beginning at the skin. The last layer has no end.
 inline std::vector<Layer> LayersOfN1()
 {
   return { { 3.0, 20.0, 0.3, 0.0 }, { 12.0, 5.0, 0.1, 0.0 }, { 20.0, 25.0, 0.3, 0.0 },
     { 3.0, 60.0, 0.8, 0.0 }, { 100.0, 0.0, 0.0, 0.0 } };
 }
 
-/// Sums of layers, written independently of the code under test.
+/// Sums over the layers, written independently of the code under test.
 class LayerSums
 {
 public:
@@ -59,7 +59,7 @@ public:
     return this->Layers[i];
   }
 
-  /// The integral (mm times the function's unit) of a function of the layer to a depth (mm).
+  /// Integrates a function of the layer to a depth (mm). Returns mm times the function's unit.
   double Integrate(double depth, const std::function<double(const Layer&, double)>& f) const
   {
     constexpr double step = 1e-3;
@@ -87,7 +87,7 @@ public:
   std::vector<Layer> Layers;
 };
 
-/// Voxels of 1 mm whose layers begin at z = 4.5 mm; labels 1, 2, ...; 0 is air.
+/// Voxels of 1 mm. The layers begin at z = 4.5 mm and have the labels 1, 2, ...; label 0 is air.
 class NeedleScene
 {
 public:
@@ -117,7 +117,7 @@ public:
     this->Description = Describe(this->Volume);
     this->Description.Labels = baked;
     this->Description.Settings.Geometry = SurfaceGeometry::Labels;
-    // Air, which has no label's material, holds nothing.
+    // Air has no label material and no surface strength.
     this->Description.Material.SurfaceStrength = ConstantPolyline(0.0);
     this->Description.Tool = std::make_shared<const BakedNeedle>(NeedleDescription{});
   }
@@ -142,7 +142,7 @@ public:
   HapticModelDescription Description;
 };
 
-/// A hand that moves in millimetres and counts its work.
+/// A hand that moves in millimetres and sums its work.
 class NeedleHand
 {
 public:
@@ -151,7 +151,7 @@ public:
   {
   }
 
-  /// To a place in the world's millimetres, in steps; `see` is called after each tick.
+  /// Moves to a position (world, mm) in steps of `step` mm. Calls `see` after each tick.
   const TickRecord& MoveTo(const Vector3& to, double step = 0.01,
     const std::function<void(const TickRecord&)>& see = nullptr)
   {
@@ -183,13 +183,13 @@ public:
     return this->Record;
   }
 
-  /// J, in the spring.
+  /// Returns the energy (J) in the spring.
   double ComputeStored() const
   {
     const Vector3 lag = this->Record.Tip - this->Record.Proxy;
     return 0.5 * this->Record.Stiffness * Dot(lag, lag);
   }
-  /// Of the proxy (mm), along z.
+  /// Returns the proxy's depth (mm) along z below the skin.
   double ComputeDepth() const
   {
     return this->Model->DeviceToWorld(this->Record.Proxy).Z - NeedleScene::Skin;
@@ -200,7 +200,7 @@ public:
   TickRecord Record;
   Vector3 At;
   bool IsThere = false;
-  double Work = 0.0; ///< J, of the hand
+  double Work = 0.0; ///< J, done by the hand
 };
 } // namespace coretest
 

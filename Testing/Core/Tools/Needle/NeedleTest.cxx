@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A needle in layers of tissue: the closed forms N1 to N3, with a spring of 500 N/m.
+ * A needle in layers of tissue, compared with the closed forms N1 to N3. The spring has 500 N/m.
  */
 
 #include "Core/Tools/Needle/NeedleTool.h"
@@ -18,7 +18,7 @@ namespace
 {
 constexpr double Spring = 500.0;
 
-/// The force on the hand along the needle; pushing it in is against it.
+/// Returns the force on the hand along the needle. It is negative while the hand pushes in.
 double AlongNeedle(const TickRecord& record)
 {
   return record.Force.Z;
@@ -35,7 +35,7 @@ protected:
 };
 } // namespace
 
-// The numbers of the table are those of N1: insertion depth, N inserting, N withdrawing.
+// N1's table: insertion depth (mm), force while inserting (N), force while withdrawing (N).
 TEST_P(Needles, FeelsLayersAndTheShaft)
 {
   NeedleScene scene(LayersOfN1());
@@ -46,7 +46,8 @@ TEST_P(Needles, FeelsLayersAndTheShaft)
   {
     NeedleHand hand(*model);
     hand.MoveTo(Along(2.0));
-    // Where the lag puts the proxy at the depth; beyond the ligament it leaps, and comes back.
+    // Place the tip so that the proxy is at the depth. Behind the ligament the proxy leaps
+    // forwards, and has to come back.
     const bool isBehind = depth > 38.0;
     const double deepest = NeedleScene::Skin + depth + 1e3 * in / Spring + (isBehind ? 3.0 : 0.0);
     hand.MoveTo(Along(deepest));
@@ -58,7 +59,7 @@ TEST_P(Needles, FeelsLayersAndTheShaft)
     hand.MoveTo(Along(NeedleScene::Skin + depth - 1e3 * out / Spring - 0.01));
     EXPECT_NEAR(AlongNeedle(hand.Record), out, 5e-3 * out + 1e-4) << depth;
     EXPECT_NEAR(hand.ComputeDepth(), depth, 0.03) << depth;
-    // Between both, the tip sticks.
+    // Between inserting and withdrawing, the needle sticks.
     const Vector3 held = hand.Record.Proxy;
     hand.MoveTo(Along(NeedleScene::Skin + depth));
     EXPECT_EQ(hand.Record.Proxy.Z, held.Z);
@@ -85,8 +86,8 @@ TEST_P(Needles, LosesItsResistanceAtTheEndOfTheLigament)
   EXPECT_NEAR(before, -0.80, 1e-6);
 }
 
-// Beside what cuts and rubs, 12.30 and 10.5 mJ, a fall of the force by dF loses dF^2/(2 k): here of
-// R, from skin to fat and from the ligament on.
+// Cutting and friction take 12.30 mJ and 10.5 mJ. In addition, each drop of the force by dF loses
+// dF^2/(2 k): here drops of R, from skin to fat and behind the ligament.
 TEST_P(Needles, TakesTheWorkOfTheTissue)
 {
   NeedleScene scene(LayersOfN1());
@@ -106,9 +107,9 @@ TEST_P(Needles, TakesTheWorkOfTheTissue)
   EXPECT_GT(stored, 0.0);
 }
 
-// Each layer that holds at its boundary takes dF^2/(2 (k + tau)) more, since the shaft's friction
-// rises while the tip springs forwards. The force falls by dF, from T and R of the tissue in which
-// the tip is, in air nothing, to R of the layer.
+// Each layer with a puncture strength takes dF^2/(2 (k + tau)) more, because the shaft's friction
+// rises while the tip springs forwards. The force drops by dF, from T plus the R of the tissue in
+// front (0 in air) to the R of the layer.
 TEST_P(Needles, TakesTheWorkOfEachPuncture)
 {
   const auto workOf = [this](const std::vector<Layer>& layers)
@@ -117,12 +118,12 @@ TEST_P(Needles, TakesTheWorkOfEachPuncture)
     const auto model = this->Bake(scene);
     NeedleHand hand(*model);
     hand.MoveTo(Along(2.0));
-    // Far enough that every fall of the force has ended.
+    // Far enough that all drops of the force have ended.
     hand.MoveTo(Along(NeedleScene::Skin + 45.0), 0.002);
     return hand.Work - hand.ComputeStored();
   };
   std::vector<Layer> layers = LayersOfN1();
-  // No falls of R, which a puncture takes the place of.
+  // Remove the drops of R, which punctures replace.
   layers[1].Cutting = layers[0].Cutting;
   layers[4].Cutting = layers[3].Cutting;
   const double without = workOf(layers);
@@ -139,8 +140,9 @@ TEST_P(Needles, TakesTheWorkOfEachPuncture)
   }
 }
 
-// f.a = -(T + R + F_s), with R of the tissue at the tip: in front of the skin that is air. So the
-// needle breaks through it at what a point would, whose drag is R at x_v, in front of the surface.
+// f.a = -(T + R + F_s), with the R of the tissue at the tip. In front of the skin, this is air. So
+// the needle breaks through the skin at the same force as a point, whose drag is R at x_v, in front
+// of the surface.
 TEST_P(Needles, HoldsAtTheSkinWithAllThatIsThere)
 {
   for (const double strength : { 1.2, 0.2 })
@@ -154,7 +156,7 @@ TEST_P(Needles, HoldsAtTheSkinWithAllThatIsThere)
     double most = 0.0;
     hand.MoveTo(Along(NeedleScene::Skin + 3.3), 0.005,
       [&](const TickRecord& record) { most = std::max(most, -AlongNeedle(record)); });
-    // Behind it, R of the skin and the friction of the way, which may be more than T.
+    // Behind the skin: the skin's R plus the friction along the depth, which may be larger than T.
     const double within = 0.3 + 20e-3 * hand.ComputeDepth();
     EXPECT_NEAR(-AlongNeedle(hand.Record), within, 1e-3);
     EXPECT_NEAR(most, std::max(strength, within), 0.015);
@@ -177,7 +179,7 @@ TEST_P(Needles, HoldsAtABoundaryWithAllThatIsThere)
       const bool isHeld = record.SurfaceStrength > 0.0 && record.Depth > 0.03;
       EXPECT_EQ(record.Viscosity, isHeld ? 0.3 : record.Viscosity) << "the tip is in the muscle";
     });
-  // T, R of the muscle, in which the tip is, and the friction of its 35 mm.
+  // T, plus the R of the muscle in which the tip is, plus the friction along 35 mm.
   EXPECT_NEAR(most, 1.2 + 0.3 + 0.62, 0.01);
 }
 
@@ -195,7 +197,7 @@ TEST_P(Needles, IsHeldAcrossItsAxis)
   EXPECT_NEAR(AlongNeedle(hand.Record), along, 1e-9);
   hand.MoveTo({ 17.5, 11.5, 25.0 });
   EXPECT_NEAR(hand.Record.Force.X, -1.0, 1e-9);
-  // It was moved, and stays there.
+  // The needle was moved aside and stays there.
   hand.MoveTo({ 15.5, 11.5, 25.0 });
   EXPECT_NEAR(hand.Record.Force.X, 0.0, 1e-9);
 }
@@ -234,7 +236,7 @@ TEST_P(Needles, FeelsTheSameInEveryDirection)
   }
 }
 
-// The hand never gets out what it has not put in, whatever it does.
+// Whatever the hand does, it never gets more energy than it has put in.
 TEST_P(Needles, GivesNoEnergy)
 {
   std::vector<Layer> layers = LayersOfN1();
@@ -290,7 +292,7 @@ TEST_P(Needles, PuncturesOnlyWithItsPoint)
   {
     NeedleHand hand(*model);
     hand.State.HasOrientation = true;
-    // A stylus points along its -z; half a turn about x makes that +z.
+    // A stylus points along its -z. Half a turn about x turns that into +z.
     hand.State.Orientation =
       pointsIn ? Quaternion{ 0.0, 1.0, 0.0, 0.0 } : Quaternion{ 1.0, 0.0, 0.0, 0.0 };
     hand.MoveTo(Along(2.0));
@@ -341,7 +343,7 @@ TEST_P(Needles, LetsTheHandGoWhenTheToolIsChanged)
   EXPECT_EQ(hand.Record.Depth, 0.0);
   EXPECT_TRUE(IsFinite(hand.Record.Force));
   EXPECT_LE(hand.ComputeStored(), stored * (1.0 + 1e-9));
-  // And back: the needle has to puncture anew.
+  // After changing back, the needle has to puncture again.
   CarryState(*point, *needle, hand.State);
   hand.Model = needle.get();
   hand.Place(Along(25.0));
@@ -351,7 +353,7 @@ TEST_P(Needles, LetsTheHandGoWhenTheToolIsChanged)
   EXPECT_GT(hand.Record.Depth, 0.015);
 }
 
-// Other materials and another placement keep the needle where it is.
+// After a change of materials and placement, the needle stays inserted.
 TEST_P(Needles, StaysInsertedWhenTheVolumeIsMoved)
 {
   NeedleScene scene(LayersOfN1());

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What a needle reads of a volume without labels, its track, and its state in a file.
+ * A needle in a volume without labels: the tissue that it reads, its track, and its stored state.
  */
 
 #include "Core/Tools/Needle/NeedleTissue.h"
@@ -43,7 +43,7 @@ TEST(NeedleTrack, KeepsTheFrictionOfMoreTissuesThanItHolds)
   EXPECT_TRUE(track.IsPossible());
 }
 
-// V = 100 z, tau = V/50 N/m and R = V/10000 N: F_s is the integral of 2 z mm, R is z/100.
+// V = 100 z, tau = V/50 N/m and R = V/10000 N: F_s is the integral of 2 z over mm, and R is z/100.
 TEST(NeedleTissue, FollowsFunctionsOfTheScalar)
 {
   for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
@@ -71,14 +71,14 @@ TEST(NeedleTissue, FollowsFunctionsOfTheScalar)
       EXPECT_NEAR(hand.Record.ShaftForce, shaft, 0.01 * shaft) << z;
       EXPECT_NEAR(hand.Record.Depth, 1e-3 * (at - 10.0), 1e-6) << z;
     }
-    // Withdrawn, to where the friction of what is left holds it.
+    // After withdrawing, the friction along the remaining depth holds the needle.
     hand.MoveTo(Along(25.0));
     const double at = hand.Model->DeviceToWorld(hand.Record.Proxy).Z;
     EXPECT_NEAR(hand.Record.Force.Z, 1e-3 * (at * at - 100.0), 0.01 * hand.Record.Force.Z);
   }
 }
 
-// Without labels, the surfaces of the scalars are punctured: a ball of a sharp edge.
+// Without labels, the needle punctures surfaces of the scalars: here a sharp edge.
 TEST(NeedleTissue, PuncturesTheSurfacesOfTheScalars)
 {
   for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
@@ -98,7 +98,7 @@ TEST(NeedleTissue, PuncturesTheSurfacesOfTheScalars)
     NeedleHand hand(model);
     hand.MoveTo(Along(10.0));
     double most = 0.0;
-    // Less than the strength: it holds, and lets go again.
+    // Below its strength, the surface holds the needle, and releases it on the way back.
     hand.MoveTo(Along(19.5 + 0.2));
     EXPECT_FALSE(hand.State.Needle.IsInserted);
     EXPECT_GT(Norm(hand.Record.Force), 0.05);
@@ -107,7 +107,7 @@ TEST(NeedleTissue, PuncturesTheSurfacesOfTheScalars)
     hand.MoveTo(
       Along(35.0), 0.01, [&](const TickRecord& record) { most = std::max(most, -record.Force.Z); });
     EXPECT_TRUE(hand.State.Needle.IsInserted);
-    // T, and R at the tip: the surface goes on holding where the values are tissue.
+    // T plus the R at the tip. The surface continues to hold while the values are those of tissue.
     EXPECT_GT(most, 1.0);
     EXPECT_LT(most, 1.0 + 0.2 + 0.1);
     const double depth = hand.ComputeDepth() + NeedleScene::Skin - 19.5;
@@ -120,7 +120,7 @@ TEST(NeedleTissue, PuncturesTheSurfacesOfTheScalars)
 
 namespace
 {
-// The layers of N1, of which one is forbidden, with a stand-off of 2 mm.
+// Forbids one of N1's layers, with a stand-off of 2 mm.
 void Forbid(NeedleScene& scene, std::int64_t label)
 {
   auto labels = std::make_shared<BakedLabels>(*scene.Description.Labels);
@@ -140,7 +140,7 @@ void Forbid(NeedleScene& scene, std::int64_t label)
 }
 } // namespace
 
-// The ligament begins 35 mm below the skin; the leap is longer than all steps of a tick.
+// The ligament begins 35 mm below the skin. The leap is longer than all steps of one tick.
 TEST(NeedleTissue, NoLeapGoesThroughForbiddenLabels)
 {
   NeedleScene scene(LayersOfN1());
@@ -158,7 +158,7 @@ TEST(NeedleTissue, NoLeapGoesThroughForbiddenLabels)
   EXPECT_EQ(hand.State.Needle.Touches, 1U);
 }
 
-// A stop before a forbidden label, 2 mm in front of it, counts once as long as it lasts.
+// The needle stops 2 mm in front of a forbidden label. A stop counts once, however long it lasts.
 TEST(NeedleTissue, StopsBeforeForbiddenLabels)
 {
   NeedleScene scene(LayersOfN1());
@@ -193,7 +193,7 @@ TEST(NeedleTissue, OffersNothingOutsideTheVolumeNorInWhatIsNoNumber)
   EXPECT_TRUE(IsFinite(hand.Record.Force));
 }
 
-// A recording that begins with an inserted needle goes on to the bit.
+// A recording that begins with an inserted needle continues bit for bit.
 TEST(NeedleState, GoesOnFromItsNumbersToTheBit)
 {
   std::vector<Layer> layers = LayersOfN1();
@@ -225,7 +225,7 @@ TEST(NeedleState, GoesOnFromItsNumbersToTheBit)
     bad[i] = value;
     return AreOfAState(bad);
   };
-  // The numbers of needles come last.
+  // The needle's numbers are the last ones of a state.
   constexpr std::size_t needle = 101 + 5;
   EXPECT_FALSE(flawed(needle, 2.0));
   EXPECT_FALSE(flawed(needle + 2, 3.0));

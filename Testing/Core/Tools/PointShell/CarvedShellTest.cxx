@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A shell feels what is left of a volume as it feels a volume of the samples that are left.
+ * A shell in a partly removed volume feels the same as in a volume of the remaining samples.
  */
 
 #include "Rigs/CarvingRig.h"
@@ -16,7 +16,7 @@ namespace
 {
 constexpr double Air = -100.0;
 
-/// A ball of tissue, with a random part of it removed.
+/// A ball of tissue of which a random part has been removed.
 struct CarvedBall
 {
   CarvedBall()
@@ -89,7 +89,7 @@ TEST(CarvedShell, FeelsWhatIsLeft)
   EXPECT_GT(most, 0.5);
 }
 
-/// On the side of the ball of which nothing was removed, all is as without bricks.
+/// On the side of the ball where nothing was removed, the result equals that without bricks.
 TEST(CarvedShell, FeelsNoDifferenceWhereNothingWasRemoved)
 {
   const CarvedBall ball;
@@ -111,7 +111,7 @@ TEST(CarvedShell, FeelsNoDifferenceWhereNothingWasRemoved)
   EXPECT_GT(most, 0.5);
 }
 
-/// Reading at random places, for each type and processor.
+/// Reads random positions, for each scalar type and instruction set.
 TEST(CarvedShell, ReadsWhatIsLeft)
 {
   for (const ScalarType type : AllScalarTypes)

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Forces and torques of shells in closed form. A sphere of radius a, delta deep in a half-space,
- * has 2 pi a dh of its area between the depths h and h + dh (Archimedes), whence
+ * Forces and torques of shells in closed form. A sphere of radius a at a depth delta in a
+ * half-space has the area 2 pi a dh between the depths h and h + dh (Archimedes), so that
  *
  *   F = integral of p(h) 2 pi a dh = pi kappa a delta^2,
  *
- * and with a largest pressure P, reached at d_c = P/kappa, pi kappa a d_c (2 delta - d_c).
+ * and, with a largest pressure P that is reached at d_c = P/kappa, pi kappa a d_c (2 delta - d_c).
  */
 
 #include "Rigs/ShellRig.h"
@@ -19,7 +19,7 @@ using namespace coretest;
 namespace
 {
 constexpr double SphereRadius = 5.0;
-/// The surface of the ramp is at z = 10; what is above is solid.
+/// z of the ramp's surface (mm). Values above it are solid.
 constexpr double Surface = 10.0;
 
 class ShellForces : public testing::Test
@@ -27,7 +27,7 @@ class ShellForces : public testing::Test
 protected:
   ShellForces() { this->Settings.Level = 100.0 * Surface; }
 
-  /// The contacts of a shell that is lowered to a depth of its origin.
+  /// Lowers a shell until its origin is at a depth, and returns the sum of its contacts.
   ShellSum Lower(const HapticModel& model, const PointShell& shell, const Vector3& from, double way,
     const Quaternion& turn) const
   {
@@ -45,7 +45,7 @@ protected:
     }
     return sum;
   }
-  /// The relative error of S1 at the worst of 200 orientations.
+  /// Returns the largest relative error of S1 for 200 orientations.
   double ComputeWorstError(int points, double expected) const
   {
     const HapticModel model(this->Scene);
@@ -67,7 +67,7 @@ protected:
 };
 } // namespace
 
-/// S1 of the design, pi kappa a delta^2 = 0.3142 N.
+/// S1 of the design: pi kappa a delta^2 = 0.3142 N.
 TEST_F(ShellForces, ASphereInAHalfSpace)
 {
   const double expected = Pi * Kappa * 5e-3 * 1e-6;
@@ -76,7 +76,7 @@ TEST_F(ShellForces, ASphereInAHalfSpace)
   EXPECT_LE(this->ComputeWorstError(1000, expected), 0.01);
 }
 
-/// S2: 10 kPa are the default area's fraction of 0.25 N.
+/// S2: a strength of 0.25 N on the default area is a pressure of 10 kPa.
 TEST_F(ShellForces, ASphereOnTissueThatYields)
 {
   this->Scene.Material.SurfaceStrength = ConstantPolyline(0.25);
@@ -86,7 +86,7 @@ TEST_F(ShellForces, ASphereOnTissueThatYields)
   EXPECT_LE(this->ComputeWorstError(10000, expected), 0.001);
 }
 
-/// S3: k (2 mm - delta) = pi kappa a delta^2, whence delta = 1.1578 mm and 0.4211 N.
+/// S3: k (2 mm - delta) = pi kappa a delta^2 gives delta = 1.1578 mm and 0.4211 N.
 TEST_F(ShellForces, ASphereInTheHand)
 {
   ShellHand hand(this->Scene, MakeSphere(SphereRadius, 10000), this->Settings);
@@ -104,7 +104,8 @@ TEST_F(ShellForces, ASphereInTheHand)
   EXPECT_FALSE(record.IsUnfinished);
 }
 
-/// S4: kappa times the area times 0.1 mm; tilted by theta, kappa b h^3/12 theta about its middle.
+/// S4: the force is kappa times the area times 0.1 mm. A tilt by theta gives the torque kappa b
+/// h^3/12 theta about the middle.
 TEST_F(ShellForces, AFlatFaceAndItsTilt)
 {
   const HapticModel model(this->Scene);
@@ -122,7 +123,7 @@ TEST_F(ShellForces, AFlatFaceAndItsTilt)
   EXPECT_NEAR(tilted.Gradient[3], torque, 0.01 * torque);
 }
 
-/// S4 in the hand: the tool turns until the torque of the spring, k_r theta, is that of the face.
+/// S4 with a spring: the tool turns until the spring's torque, k_r theta, equals that of the face.
 TEST_F(ShellForces, ATiltedFaceTurnsInTheHand)
 {
   ShellSettings settings = this->Settings;
@@ -133,7 +134,7 @@ TEST_F(ShellForces, ATiltedFaceTurnsInTheHand)
   hand.Tick(above, tilt);
   hand.Lead(above + Vector3{ 0.0, 0.0, 0.6 }, 0.02, tilt);
   const auto& record = hand.Rest(200);
-  // k (0.5 mm - d) = kappa A d.
+  // Balance of forces: k (0.5 mm - d) = kappa A d.
   EXPECT_NEAR(record.Force.Z, -500.0 * 2000.0 / 2500.0 * 0.5e-3, 2e-3);
   const double face = Kappa * 0.01 * 1e-6 / 12.0;
   const double expected = face * settings.TurningStiffness / (face + settings.TurningStiffness);
@@ -141,7 +142,7 @@ TEST_F(ShellForces, ATiltedFaceTurnsInTheHand)
   EXPECT_NEAR(record.Torque.Y, 0.0, 1e-8);
 }
 
-/// S5: without friction, a sphere turns freely in a hollow sphere, also if it is pressed into it.
+/// S5: without friction, a sphere turns freely in a hollow sphere, even if it is pressed.
 TEST_F(ShellForces, ASphereTurnsFreelyInASphere)
 {
   const TestVolume cavity = MakeCavity(48);
@@ -161,10 +162,10 @@ TEST_F(ShellForces, ASphereTurnsFreelyInASphere)
   EXPECT_LE(most, 0.001 * scale);
 }
 
-/// Turning and moving everything turns force and torque, whatever the grid is.
+/// If everything is turned and moved, force and torque turn with it, for any grid.
 TEST_F(ShellForces, AreTheSameWhateverTheOrientation)
 {
-  // A slanted tool, lowered and turned, in two worlds.
+  // An asymmetric tool, lowered and turned, in two worlds.
   std::vector<ShellPoint> points = MakeSphere(4.0, 500);
   for (ShellPoint& point : points)
   {
@@ -191,7 +192,7 @@ TEST_F(ShellForces, AreTheSameWhateverTheOrientation)
   const ShellRecord record = lead(turned, world);
   EXPECT_LE(Norm(record.Force - world.Linear * expected.Force), 1e-12 * Norm(expected.Force));
   EXPECT_LE(Norm(record.Torque - world.Linear * expected.Torque), 1e-11 * Norm(expected.Torque));
-  // A finer grid of the same ramp.
+  // The same ramp on a finer grid.
   TestVolume fine(ScalarType::Float64, { 47, 24, 93 });
   fine.Fill<double>([](std::int64_t, std::int64_t, std::int64_t k) { return 25.0 * k; });
   HapticModelDescription other = Describe(fine);
@@ -201,7 +202,7 @@ TEST_F(ShellForces, AreTheSameWhateverTheOrientation)
   EXPECT_LE(Norm(again.Torque - expected.Torque), 0.002 * Norm(expected.Torque));
 }
 
-/// The other way round: values below the level are solid.
+/// Values below the level are solid.
 TEST_F(ShellForces, TheSolidMayBeBelowTheLevel)
 {
   this->Settings.IsBelow = true;
@@ -212,7 +213,7 @@ TEST_F(ShellForces, TheSolidMayBeBelowTheLevel)
   EXPECT_NEAR(hand.Rest().Force.Z, 0.4211, 0.4211e-2);
 }
 
-/// A structure whose edge is narrower than the tool is deep: 2 voxels of gradient, then a plateau.
+/// An edge that is narrower than the tool is deep: 2 voxels of gradient, then a plateau.
 TEST_F(ShellForces, AToolIsHeldDeeperThanTheEdgeIsWide)
 {
   TestVolume edge(ScalarType::Int16, { 40, 40, 40 });
@@ -226,7 +227,7 @@ TEST_F(ShellForces, AToolIsHeldDeeperThanTheEdgeIsWide)
   hand.Tick({ 10.0, 10.0, 5.0 });
   hand.Lead({ 10.0, 10.0, 10.5 });
   const auto& record = hand.Rest();
-  // k (5 mm - delta) = pi kappa a delta^2, as for S3.
+  // The balance is k (5 mm - delta) = pi kappa a delta^2, as in S3.
   const double b = 500.0 / (Pi * Kappa * 4e-3);
   const double delta = 0.5 * (std::sqrt(b * b + 4.0 * b * 5e-3) - b);
   EXPECT_GT(delta, 2e-3) << "more than four voxels";

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The law of contacts, for many points at a time, against the same point by point, as
- * ShellContacts.h has it; and with the same bits whatever the processor is.
+ * The law of contacts computed for many points at a time, compared with the same law computed point
+ * by point as ShellContacts.h describes it. The bits must be the same on each processor.
  */
 
 #include "Rigs/ShellRig.h"
@@ -16,10 +16,10 @@ using namespace coretest;
 
 namespace
 {
-constexpr std::size_t Points = 61; // no multiple of four
+constexpr std::size_t Points = 61; // not a multiple of four
 constexpr double Voxel = 1e-3;
 
-/// What a point has, and is to have.
+/// A point's contact, its properties and its expected results.
 struct SlowPoint
 {
   ShellContact Before{};
@@ -28,7 +28,7 @@ struct SlowPoint
   double Depth = 0.0;
   double Beyond = 0.0;
   double Stiffness = 0.0; // N/m
-  double Strength = 0.0;  // N, with all that lessens it
+  double Strength = 0.0;  // N: strength after all reductions
 };
 
 double Pressure(double kappa, double most, double u)
@@ -36,14 +36,14 @@ double Pressure(double kappa, double most, double u)
   return std::min(kappa * u, most);
 }
 
-/// The integral of the pressure.
+/// Returns the integral of the pressure.
 double EnergyOf(double kappa, double most, double u)
 {
   const double yield = most / kappa;
   return u < yield ? kappa * u * u / 2.0 : most * yield / 2.0 + most * (u - yield);
 }
 
-/// By bisection.
+/// Finds the depth with a given energy by bisection.
 double DepthOf(double kappa, double most, double energy)
 {
   double low = 0.0;
@@ -56,7 +56,7 @@ double DepthOf(double kappa, double most, double energy)
   return high;
 }
 
-/// u, or -1 if the point is not held.
+/// Returns the stretch u, or -1 if the point is not held.
 double StretchOf(const SlowPoint& p, const ShellLaw& law)
 {
   const double kappa = p.Stiffness * law.PerContactArea;
@@ -76,7 +76,7 @@ double StretchOf(const SlowPoint& p, const ShellLaw& law)
   return p.IsSolid || (u > 0.0 && kappa * u <= most) ? u : -1.0;
 }
 
-/// Strength and stiffness change with the value, and at a step; nothing is felt below 100.
+/// Strength and stiffness change with the value, also at a step. Below 100, both are zero.
 MaterialTable MakeMaterials()
 {
   return MaterialTable({ Polyline{ { 100.0, 0.0 }, { 200.0, 300.0 }, { 400.0, 800.0 } },
@@ -89,7 +89,7 @@ DistinctnessTable MakeDistinctness()
   return DistinctnessTable({ Polyline{ { 10.0, 0.0 }, { 30.0, 1.0 } }, ConstantPolyline(1.0) });
 }
 
-/// What the kernels leave.
+/// Results of the kernels.
 struct Found
 {
   std::vector<ShellContact> Contacts{ Points };
@@ -125,7 +125,8 @@ protected:
       const double magnitude = between(5.0, 60.0);
       const MaterialTable::Values material = this->Materials(value);
       const DistinctnessTable::Values distinct = this->Distinctness(magnitude);
-      // Two voxels from the border everything is felt; the volume has 20 samples along each axis.
+      // From two voxels inside the border on, the strength is complete. The volume has 20 samples
+      // along each axis.
       const double x = between(-0.5, 10.0);
       const double fade = std::clamp(0.5 * x, 0.0, 1.0);
       p.Stiffness = material[0];

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A tick of a shell never allocates, whatever it meets.
+ * Ticks of a shell never allocate memory.
  */
 
 #include "Rigs/AllocationCounter.h"
@@ -39,7 +39,7 @@ TEST(ShellMemoryUse, NoTickAllocates)
   EXPECT_GT(most, 0.01);
 }
 
-/// As the tool of models, from one to the next, and with copies for recordings.
+/// A shell as the tool of models: across changes of the model, and with copies for recordings.
 TEST(ShellMemoryUse, NoTickOfAToolAllocates)
 {
   const TestVolume volume = MakeRamp();

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * S6: a hand gets back no more energy than it has put in, on its way from free space to free space.
+ * S6: on a way from free space to free space, the hand never gets back more energy than it has put
+ * in.
  */
 
 #include "Rigs/ShellRig.h"
@@ -13,7 +14,7 @@ using namespace coretest;
 
 namespace
 {
-/// A bumpy ball with some noise, 16-bit, solid inside.
+/// A bumpy ball with noise, 16-bit, solid inside.
 TestVolume MakeBumpyBall(double noise)
 {
   TestVolume volume(ScalarType::Int16, { 64, 64, 64 });
@@ -30,7 +31,7 @@ TestVolume MakeBumpyBall(double noise)
   return volume;
 }
 
-/// Stiffness and strength that change with the value, and with noise.
+/// Stiffness and strength that change with the value.
 HapticMaterial MakeUneven()
 {
   HapticMaterial material;
@@ -41,7 +42,7 @@ HapticMaterial MakeUneven()
   return material;
 }
 
-/// A smooth random way that begins and ends outside of the ball.
+/// A smooth random path that begins and ends outside of the ball.
 ShellPose ComputePose(double t, const Vector3* waves)
 {
   const double press = std::sin(Pi * t); // 0 at both ends
@@ -77,7 +78,7 @@ TEST_P(ShellPassivity, NoCycleCreatesEnergy)
     ShellHand hand(scene, points, settings);
     const Vector3 waves[3] = { RandomIn(engine, 1.0), RandomIn(engine, 1.0),
       RandomIn(engine, 1.0) };
-    const int ticks = cycle % 3 == 0 ? 200 : 2000; // up to half a metre a second, and slow
+    const int ticks = cycle % 3 == 0 ? 200 : 2000; // fast (up to 0.5 m/s) and slow
     double most = 0.0;
     double least = 0.0;
     for (int i = 0; i <= ticks; ++i)
@@ -89,7 +90,7 @@ TEST_P(ShellPassivity, NoCycleCreatesEnergy)
     }
     touched += most > 1e-5 ? 1 : 0;
     hand.Rest();
-    // At the end nothing is touched, and nothing is stored.
+    // At the end, no contact is left and no energy is stored.
     EXPECT_EQ(hand.Record.Contacts, 0u);
     EXPECT_GE(hand.Work, -1e-15) << "J, cycle " << cycle;
     EXPECT_GE(least, -1e-15) << "J: the springs hold more than the hand has put in";
@@ -99,7 +100,7 @@ TEST_P(ShellPassivity, NoCycleCreatesEnergy)
 
 INSTANTIATE_TEST_SUITE_P(Noise, ShellPassivity, testing::Values(0.0, 60.0));
 
-/// A slow motion over a smooth ball, in contact all the time, is neither driven nor braked.
+/// A slow motion over a smooth ball, in contact all the time, neither gains nor loses energy.
 TEST(ShellPassivitySlow, ACycleInContactIsDriftFree)
 {
   TestVolume volume(ScalarType::Float64, { 64, 64, 64 });
@@ -137,11 +138,11 @@ TEST(ShellPassivitySlow, ACycleInContactIsDriftFree)
   EXPECT_LE(lost, 0.003 * Norm(first.Force) * way) << "what a friction of 0.003 would take";
 }
 
-/// Sliding from soft tissue to hard one at the same depth creates no energy, and pressing on is
-/// felt with the stiffness of the hard one.
+/// Sliding from soft to hard tissue at the same depth creates no energy. Further pressing then
+/// feels the stiffness of the hard tissue.
 TEST(ShellPassivitySlow, AStifferPlaceIsFeltByPressingOn)
 {
-  // A ramp whose values are 1000 higher where x > 16; the level's surface has no step.
+  // A ramp that is twice as steep where x > 16. The surface at the level has no step.
   TestVolume volume(ScalarType::Float64, { 32, 24, 24 });
   volume.Fill<double>([](std::int64_t i, std::int64_t, std::int64_t k)
     { return (i > 16 ? 200.0 : 100.0) * (k - 10); });

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Reading at many points, against loops over the eight samples of a cell, and with the same bits
- * whatever the processor is.
+ * Reading at many points, compared with loops over the eight samples of a cell. The bits must be
+ * the same on each processor.
  */
 
 #include "Rigs/ShellRig.h"
@@ -16,7 +16,7 @@ using namespace coretest;
 
 namespace
 {
-/// Trilinear, by its definition; clamped to the samples.
+/// Interpolates trilinearly by definition; clamps positions to the samples.
 double Naive(const TestVolume& volume, const Vector3& index)
 {
   const double place[3] = { index.X, index.Y, index.Z };
@@ -55,7 +55,7 @@ std::vector<Vector3> MakePlaces(double size)
   return places;
 }
 
-/// What is read at places, on axes of the index.
+/// Reads the values at positions; the axes are those of the index.
 ShellBatch ReadFeet(const ShellReader& reader, const Vector3* places, std::size_t count)
 {
   const ShellFrame frame{ { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, 1.0, 1.0,
@@ -110,7 +110,7 @@ TEST_P(ReadingOfShells, IsThatOfTheDefinition)
         if (std::min(std::min(at.X, at.Y), at.Z) >= 1.0 && at.X < 10.0 && at.Y < 11.0 &&
           at.Z < 12.0)
         {
-          // Linear along an axis, in a cell.
+          // Within a cell, the value is linear along an axis.
           const double own = Naive(volume, begin + steps[a]) - Naive(volume, begin);
           EXPECT_NEAR(foot.Cell[a][0], own, 1e-12 * scale);
         }
@@ -189,7 +189,8 @@ TEST_P(ReadingOfShells, HasTheSameBitsOnEveryProcessor)
   EXPECT_EQ(baseline.second, avx2.second);
 }
 
-/// A point has the same bits alone and among others, at borders and beside samples that are NaN.
+/// A point gives the same bits alone and among others, also at borders and next to samples that are
+/// NaN.
 TEST_P(ReadingOfShells, OfSeveralPointsIsThatOfEach)
 {
   constexpr std::size_t count = 61;
@@ -258,7 +259,7 @@ TEST_P(ReadingOfShells, MarksWhatIsSolid)
     const double same[12] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 };
     for (std::size_t i = 0; i < places.size(); ++i)
     {
-      // Four at a time, and the rest one by one.
+      // Points are processed four at a time, and the rest one by one.
       const std::size_t first = i - i % 10;
       const std::uint64_t marks =
         reader.Mark({ x.data() + first, y.data() + first, z.data() + first, 10 }, same);
@@ -275,12 +276,12 @@ TEST_P(ReadingOfShells, MarksWhatIsSolid)
   }
 }
 
-/// A box is clear if none of the samples of its cells is solid.
+/// A box is clear if no sample of its cells is solid.
 TEST_P(ReadingOfShells, FindsOutWhatCannotBeSolid)
 {
   TestVolume volume(this->GetParam(), { 12, 12, 12 });
   volume.FillRandom(8);
-  // Few samples are above the level.
+  // Few samples are above this level.
   std::vector<double> samples;
   for (std::int64_t i = 0; i < 1728; ++i)
   {
@@ -316,7 +317,7 @@ TEST_P(ReadingOfShells, FindsOutWhatCannotBeSolid)
   EXPECT_TRUE(reader.MayBeSolid({ 6.0, 6.0, 6.0 }, { 1e9, 1.0, 1.0 })) << "too many samples";
 }
 
-/// The sums of forces against the definition, with a number that is no multiple of four.
+/// Sums of forces, compared with their definition; the count is not a multiple of four.
 TEST(ShellSums, AreThoseOfTheDefinition)
 {
   std::mt19937_64 engine(2);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The pose, the force and the torque of random tools in random poses on a ball, against the least
- * energy, which is searched with the ball's own distance and without any derivative in closed form.
+ * Pose, force and torque of random tools in random poses on a ball, compared with the pose of least
+ * energy. The search uses the ball's exact distance and no derivatives.
  */
 
 #include "Rigs/ShellRig.h"
@@ -19,7 +19,8 @@ namespace
 constexpr double BallRadius = 20.0;
 const Vector3 BallMiddle{ 31.5, 31.5, 31.5 };
 
-/// The energy (J) of springs and contacts as a function of the tool's lag (m, and rad about axes).
+/// The energy (J) of springs and contacts as a function of the tool's lag (m, and rad about the
+/// axes).
 class SlowShell
 {
 public:
@@ -56,7 +57,7 @@ public:
     return energy;
   }
 
-  /// The pattern search of Hooke and Jeeves.
+  /// Finds the minimum by the pattern search of Hooke and Jeeves.
   Lag FindLeast() const
   {
     Lag base{};
@@ -72,7 +73,7 @@ public:
       }
       while (energy < least)
       {
-        // On along the way from the last base, and about from there.
+        // Move on in the direction from the last base, and search around that point.
         Lag beyond;
         for (int i = 0; i < 6; ++i)
         {
@@ -88,7 +89,7 @@ public:
   }
 
 private:
-  /// Moves along each axis if that lowers the energy.
+  /// Moves by a step along each axis if that lowers the energy.
   double Explore(Lag& at, double energy, double step) const
   {
     for (int i = 0; i < 6; ++i)
@@ -117,7 +118,8 @@ private:
 
 TEST(ShellReference, RandomToolsOnABall)
 {
-  // Fine voxels: between samples h apart, a level of a ball lies h^2/(6 r) too deep on average.
+  // The voxels are fine, because between samples h apart a ball's level is h^2/(6 r) too deep on
+  // average.
   constexpr double h = 0.5;
   TestVolume volume(ScalarType::Float32, { 127, 127, 127 });
   volume.Fill<float>(
@@ -135,7 +137,7 @@ TEST(ShellReference, RandomToolsOnABall)
   int compared = 0;
   for (int i = 0; i < 24; ++i)
   {
-    // 0.25 N on 25 mm^2 in every third case, which yields.
+    // In every third case, the tissue yields: 0.25 N on 25 mm^2.
     const double strength = i % 3 == 0 ? 0.25 : 2.0;
     scene.Material.SurfaceStrength = ConstantPolyline(strength);
     std::vector<ShellPoint> points = MakeSphere(1.0, 120);
@@ -151,7 +153,7 @@ TEST(ShellReference, RandomToolsOnABall)
     const Vector3 away = (1.0 / Norm(direction)) * direction;
     const Quaternion turn = RandomTurn(engine);
     ShellHand hand(scene, points, settings);
-    // From outside to where the tool is in the ball in part; it is some 10 mm large.
+    // Lead the tool, which is some 10 mm large, from outside until a part of it is in the ball.
     hand.Tick(BallMiddle + 31.0 * away, turn);
     const auto lead = [&](double to)
     {
@@ -171,7 +173,7 @@ TEST(ShellReference, RandomToolsOnABall)
     const double size = Norm(force);
     if (size < 0.1)
     {
-      continue; // hardly touched
+      continue; // hardly in contact
     }
     ++compared;
     worstForce = std::max(worstForce, Norm(record.Force - force) / size);

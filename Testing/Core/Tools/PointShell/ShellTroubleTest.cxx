@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Shells in trouble: hands and data that are no numbers, tools that begin within tissue, fast hands
- * and thin walls, shells of no, one and very many points.
+ * Shells in trouble: hands and data that are NaN, tools that begin within tissue, fast hands and
+ * thin walls, and shells of no points, one point or very many.
  */
 
 #include "Rigs/ShellRig.h"
@@ -62,7 +62,7 @@ TEST_F(ShellTrouble, AHandThatIsNoPoseIsNotFelt)
     EXPECT_FALSE(hand.State.Enabled);
     press();
   }
-  // Off by the digits of a sensor.
+  // A quaternion whose norm is slightly wrong, as a sensor's rounding causes it.
   hand.Tick(1000.0 * hand.Record.Hand.Position, { 1.005, 0.0, 0.0, 0.0 });
   EXPECT_LT(hand.Record.Force.Z, -0.1);
 }
@@ -73,7 +73,8 @@ TEST_F(ShellTrouble, NoPointFeelsNothingAndOnePointIsAPoint)
   none.Tick(Vector3{ 12.0, 12.0, 9.0 });
   ExpectNothing(none.Lead({ 12.0, 12.0, 13.0 }));
   EXPECT_EQ(1000.0 * none.Record.Tool.Position.Z, 1000.0 * none.Record.Hand.Position.Z);
-  // 25 mm^2 with 500 N/m against 500 N/m of the hand; its direction is free to turn.
+  // One point of 25 mm^2 with 500 N/m against the hand's spring of 500 N/m. A single point has no
+  // torque.
   ShellHand one(this->Scene, { { { 0.0, 0.0, 0.0 }, 2.5e-5 } }, this->Settings);
   one.Tick(Vector3{ 12.0, 12.0, 9.0 });
   one.Lead({ 12.0, 12.0, 12.0 });
@@ -114,7 +115,7 @@ TEST_F(ShellTrouble, AToolThatBeginsInTissueIsFree)
   EXPECT_LT(hand.Record.Force.Z, -0.1) << "and is held when it comes back";
 }
 
-/// No sample, and no sample near the surface, is a number: those points do not touch.
+/// If samples near the surface, or all, are NaN, the points there have no contact.
 TEST_F(ShellTrouble, DataThatAreNoNumbersAreNotTouched)
 {
   TestVolume holes = MakeRamp();
@@ -163,7 +164,7 @@ TEST_F(ShellTrouble, AnotherModelOrShellBeginsAnew)
   EXPECT_FALSE(hand.State.Enabled);
 }
 
-/// A wall of two voxels that bears every force: however fast the hand is, no tool falls through.
+/// A wall of two voxels with unlimited strength: no tool falls through, however fast the hand is.
 TEST_F(ShellTrouble, AFastToolDoesNotFallThroughAThinWall)
 {
   TestVolume wall(ScalarType::Int16, { 32, 32, 48 });
@@ -171,13 +172,13 @@ TEST_F(ShellTrouble, AFastToolDoesNotFallThroughAThinWall)
     { return static_cast<std::int16_t>(k == 24 || k == 25 ? 2000 : 0); });
   HapticModelDescription scene = Describe(wall);
   scene.Material.SurfaceStrength = ConstantPolyline(1e6);
-  // As S3: the hand is 4.5 mm deep, the tool 2.4 mm, more than the wall is thick.
+  // As in S3: the hand is 4.5 mm deep and the tool 2.4 mm, more than the wall is thick.
   const double b = 500.0 / (Pi * Kappa * 3e-3);
   const double delta = 0.5 * (std::sqrt(b * b + 4.0 * b * 4.5e-3) - b);
   const double expected = 500.0 * (4.5e-3 - delta);
   EXPECT_GT(delta, 2e-3);
   std::mt19937_64 engine(17);
-  for (const double speed : { 0.1, 1.0, 3.0 }) // m/s, mm a tick
+  for (const double speed : { 0.1, 1.0, 3.0 }) // m/s, which is mm per tick
   {
     for (int i = 0; i < 5; ++i)
     {
