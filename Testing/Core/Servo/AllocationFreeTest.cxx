@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A tick never allocates, whatever it meets.
+ * Ticks never allocate memory.
  */
 
 #include "Core/Solvers/Primitives/PrimitivesMethod.h"
@@ -26,7 +26,7 @@ class AllocationFree
 {
 };
 
-/// Material functions with many break points, so that every way through the tables is taken.
+/// Material functions with many break points, so that all branches of the tables are used.
 HapticMaterial RichMaterial()
 {
   HapticMaterial material;
@@ -83,7 +83,7 @@ TEST_P(AllocationFree, NoTickAllocates)
     work += Norm(record.Force);
   }
   EXPECT_EQ(CountAllocations().Calls, before);
-  // A kernel that is as large as the volume finds a NaN everywhere, and no normal.
+  // A kernel as large as the volume meets a NaN everywhere and finds no normal.
   EXPECT_TRUE(work > 0.0 || (method == HapticMethod::LocalSurface && radius > 4));
   for (int contact = 0; contact < 4 && method == HapticMethod::Proxy && radius <= 4; ++contact)
   {
@@ -102,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(FarSide, AllocationFree,
 
 namespace
 {
-/// Blocks of 4^3 voxels of the labels -2 to 2, of which all but 0 have a material, and -1 may be
+/// Blocks of 4^3 voxels with the labels -2 to 2. All labels but 0 have a material, and -1 may be
 /// forbidden.
 std::shared_ptr<const BakedLabels> MakeLabels(const TestVolume& volume, bool isForbidden)
 {
@@ -167,8 +167,8 @@ INSTANTIATE_TEST_SUITE_P(All, AllocationFreeLabels,
     testing::Values(SurfaceGeometry::Scalars, SurfaceGeometry::Labels, SurfaceGeometry::Both),
     testing::Bool()));
 
-/// A needle that is pushed in and out, turned, and pushed aside, through more tissues than its
-/// track holds.
+/// A needle is pushed in and out, turned and pushed aside, through more tissues than its track can
+/// store.
 TEST(AllocationFreeNeedle, NoTickAllocates)
 {
   const TestVolume volume = MakeRamp(40);
@@ -208,7 +208,7 @@ TEST(AllocationFreeNeedle, NoTickAllocates)
 
 TEST(AllocationFreeModes, NoTickAllocates)
 {
-  // Random vectors: their primitives are oblique, and turn from voxel to voxel.
+  // Random vectors: the primitives are oblique and turn from voxel to voxel.
   TestVolume samples(ScalarType::Float32, { 60, 20, 20 });
   samples.FillRandom(7);
   ModeDescription mode;
@@ -217,7 +217,7 @@ TEST(AllocationFreeModes, NoTickAllocates)
   mode.View.Volume.Stride[0] = 3;
   mode.Guide = std::make_shared<const GuidePath>(
     std::vector<GuidePath::Line>{ { { 2, 2, 2 }, { 15, 9, 4 }, { 8, 18, 12 } } }, 1.0);
-  // A tent and a level of the scalars, which fill the volume.
+  // A tent-shaped mesh and an isosurface, which together fill the volume.
   const std::vector<Vector3> corners{ { 0, 0, 5 }, { 20, 0, 5 }, { 20, 20, 5 }, { 0, 20, 5 },
     { 10, 10, 12 } };
   const std::vector<SurfaceMesh::Indices> faces{ { 0, 1, 4 }, { 1, 2, 4 }, { 2, 3, 4 },
@@ -267,7 +267,7 @@ TEST(AllocationFreeModes, NoTickAllocates)
   }
 }
 
-// The counter itself: without these the test above would pass with a broken one.
+// Tests the counter itself: with a broken counter, the tests above would pass.
 TEST(AllocationCounter, SeesNew)
 {
   const std::size_t before = CountAllocations().Calls;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Caps of the stiffness that change in contact give the hand no energy.
+ * If the caps of the stiffness change during contact, the hand gains no energy.
  */
 
 #include "Core/Servo/ServoTick.h"
@@ -17,7 +17,8 @@ namespace
 constexpr int Steps = 200;
 constexpr double Depth = 2e-3; ///< m
 
-/// A hand presses on a held proxy, the caps change, and it comes back: the work (J) that it gets.
+/// Presses on a held proxy, changes the caps and moves back. Returns the work (J) that the hand
+/// gets.
 double Press(HapticSolver solver, double before, double after)
 {
   const TestVolume volume = MakeRamp();

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A mass without damping that the whole loop throws against a spring, with a model that clamps the
- * force: with the slew limit the mass comes back with no more energy than without.
+ * A mass without damping is thrown against a spring in the whole loop; the model clamps the force.
+ * With the slew limit, the mass returns with no more energy than without.
  *
- * The clamp takes no energy: a mass m at a speed v that meets a spring k clamped to F comes to rest
- * at a depth x with F x - F^2 / 2k = m v^2 / 2, and gets all of that back, up to what the sampling
- * adds (ImpactTest.cxx).
+ * The clamp takes no energy. A mass m at a speed v that meets a spring k clamped to F stops at a
+ * depth x with F x - F^2 / 2k = m v^2 / 2. It gets all of that back, plus what sampling adds
+ * (ImpactTest.cxx).
  */
 
 #include "Rigs/PlayedDevice.h"
@@ -17,11 +17,11 @@ using namespace servotest;
 namespace
 {
 constexpr double Mass = 0.15;
-constexpr double Step = 1e-3; // s, whatever the clock says
+constexpr double Step = 1e-3; // s, whatever the clock shows
 constexpr double Speed = 0.6;
-constexpr int Free = 100; // ticks at rest, in which the ramp ends
+constexpr int Free = 100; // ticks at rest until the ramp has ended
 
-/// Rests on the proxy, is thrown once told, and knows with how much energy it came back.
+/// A body that rests on the proxy until it is thrown, and records the energy with which it returns.
 class ThrownBody : public DeviceBackend
 {
 public:
@@ -58,7 +58,7 @@ public:
   void Quench() noexcept override {}
 
   std::atomic<bool> IsThrown{ false };
-  std::atomic<double> Energy{ -1.0 }; ///< J, once it is back
+  std::atomic<double> Energy{ -1.0 }; ///< J, set when the body is back
 
 private:
   int Rest = 0;

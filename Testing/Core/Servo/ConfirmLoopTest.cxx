@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The loop with a device whose signs have yet to be confirmed: the volume is felt only after the
- * tip has moved with the force.
+ * The loop with a device whose signs have not been confirmed yet: the volume is felt only after the
+ * tip has moved in the direction of the force.
  */
 
 #include "Rigs/HeldDevice.h"
@@ -22,7 +22,7 @@ signtest::Hand MakeHand()
   return hand;
 }
 
-/// In a hand that holds it in the ramp, where the volume pushes.
+/// A device held by a hand in the ramp, where the volume pushes.
 class HandheldDevice : public PlayedDevice
 {
 public:
@@ -44,7 +44,7 @@ public:
     this->MostAcross.store(std::max(this->MostAcross.load(), std::hypot(force.Y, force.Z)));
     return PlayedDevice::Write(force);
   }
-  std::atomic<double> MostAcross{ 0.0 }; ///< N, that is no push along x
+  std::atomic<double> MostAcross{ 0.0 }; ///< N: largest force that is not a push along x
 
 private:
   signtest::HeldDevice Held;
@@ -54,7 +54,7 @@ private:
 class Confirm : public testing::Test
 {
 protected:
-  /// Armed, with the signs along x to be confirmed; waits until the gate confirms no more.
+  /// Arms with the signs along x to be confirmed, and waits until the gate has confirmed them.
   ServoSnapshot Check(HandheldDevice& device, RunningLoop& loop)
   {
     loop->Publish(this->Model);
@@ -84,7 +84,7 @@ TEST_F(Confirm, TheVolumeIsFeltOnceTheTipMovedWithTheForce)
   EXPECT_EQ(after.Signs.Result, SignResult::Confirmed);
   EXPECT_NE(after.Gate, GateState::Fault);
   EXPECT_TRUE(Eventually([&] { return this->Look(loop).Gate == GateState::Armed; }));
-  // Armed once more, it is not checked again.
+  // When it is armed again, the device is not checked again.
   loop->Disarm();
   EXPECT_TRUE(Eventually([&] { return this->Look(loop).Gate == GateState::Disarmed; }));
   loop->Arm();

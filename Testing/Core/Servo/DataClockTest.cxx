@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The servo's clock of a volume that moves, tick by tick: against folds of a time by repeated
- * reflection and subtraction, and against the closed form of a wall that moves as a whole.
+ * The servo's clock of a moving volume, tick by tick. Compared with folding a time by repeated
+ * reflection and subtraction, and with the closed form of a wall that moves as a whole.
  *
- * The wall is V = 100 (z - h(t)): blended linearly, it is at h(t), with h linear between time
+ * The wall is V = 100 (z - h(t)). With linear blending it is at h(t), and h is linear between time
  * steps.
  */
 
@@ -31,7 +31,7 @@ namespace
 constexpr double ClockPeriod = 1e-3; // s
 constexpr double ClockStiffness = 500.0;
 
-/// Time steps at uneven times, and how high (mm) the wall is in each.
+/// Time steps at irregular times, with the wall's height (mm) in each.
 struct HighWall
 {
   HighWall(std::vector<double> times, const std::vector<double>& heights)
@@ -49,7 +49,7 @@ struct HighWall
     }
   }
 
-  /// `count` time steps from time step `first` on; after the last one comes the first one.
+  /// Returns `count` time steps, beginning at `first`. The first time step follows the last one.
   std::vector<VolumeTimeStep> Pick(std::size_t first, std::size_t count) const
   {
     std::vector<VolumeTimeStep> timeSteps;
@@ -75,7 +75,7 @@ struct HighWall
   }
   double GetPeriod() const { return this->Times.back() - this->Times.front() + this->GetMean(); }
 
-  /// The height (mm) at a time of the loop, by searching all intervals.
+  /// Returns the height (mm) at a time of the loop, by searching all intervals.
   double At(double time) const
   {
     for (std::size_t i = 0; i < this->Times.size(); ++i)
@@ -102,7 +102,7 @@ HighWall MakeUneven()
   return { { 2.0, 3.0, 4.5, 5.0, 6.0 }, { 0.0, 0.8, 1.6, 0.4, 0.2 } };
 }
 
-/// A servo without a loop: the clock and the tick.
+/// A servo without a loop: the clock and the ticks.
 class ClockedHand
 {
 public:
@@ -144,7 +144,7 @@ public:
   TickRecord Record;
 };
 
-/// Where a time that passed the ends of the series is, by turning or going round at each end.
+/// Returns the series time for a time beyond the ends, by turning round or wrapping at each end.
 double FoldSlowly(const HighWall& wall, double time, Playback mode)
 {
   const double first = wall.Times.front();
@@ -188,7 +188,7 @@ TEST(DataClock, FoldsTimeAtTheEndsOfTheSeries)
         hand.Step(RestingTip);
         const double expected = FoldSlowly(wall, 2.7 + rate * ClockPeriod * i, mode);
         const double off = std::abs(hand.GetTime() - expected);
-        // On the two sides of the loop's end, times are the same.
+        // The two ends of the loop are the same time.
         ASSERT_LT(std::min(off, std::abs(off - wall.GetPeriod())), 1e-8)
           << "tick " << i << " of mode " << static_cast<int>(mode) << " at " << rate;
         ASSERT_EQ(hand.Record.DataTime, hand.GetTime());
@@ -247,7 +247,7 @@ TEST(DataClock, ATimeSpanIsTheWholeToTheBit)
   }
 }
 
-/// Time spans of two or three time steps, whose next one comes late or in time.
+/// Time spans of two or three time steps. The next span comes late or in time.
 TEST(DataClock, HoldsWhileTimeStepsAreLateAndNeverJumps)
 {
   const HighWall wall = MakeUneven();
@@ -257,7 +257,7 @@ TEST(DataClock, HoldsWhileTimeStepsAreLateAndNeverJumps)
     {
       ClockedHand hand(wall.Describe());
       hand.Orders = { Playback::Loop, true, rate, 2.0, 1 };
-      std::size_t first = rate > 0.0 ? 0 : 4; // of a pair
+      std::size_t first = rate > 0.0 ? 0 : 4; // index of the first time step of the pair
       hand.Publish(wall.Pick(first, 2));
       int waited = 0;
       int missing = 0;
@@ -299,7 +299,7 @@ TEST(DataClock, OrdersStepNeitherTimeNorForce)
   std::mt19937 random(7);
   const auto pick = [&random](double low, double high)
   { return std::uniform_real_distribution<double>(low, high)(random); };
-  // The wall's fastest motion (mm in a unit of data time).
+  // The wall's fastest motion (mm per unit of data time).
   const double fastest = 1.2 / 0.5;
   hand.Step({ 0.004, 0.004, 0.0115 });
   for (int i = 0; i < 50; ++i)
@@ -324,7 +324,7 @@ TEST(DataClock, OrdersStepNeitherTimeNorForce)
     const double step = std::abs(hand.GetTime() - time);
     const double most = std::abs(hand.Orders.Rate) * ClockPeriod * (1.0 + 1e-9);
     ASSERT_LE(std::min(step, std::abs(step - wall.GetPeriod())), most) << "tick " << i;
-    // k |v_n| dt, and what a level is found to.
+    // The tolerance is k |v_n| dt plus the accuracy of a level.
     ASSERT_LE(std::abs(hand.Record.Force.Z - force), ClockStiffness * 1e-3 * fastest * most + 1e-3)
       << "tick " << i;
   }
@@ -364,8 +364,8 @@ TEST(DataClock, GoesToAPlaceAtOnceOrWhenItsTimeStepsCome)
   EXPECT_EQ(hand.GetTime(), 6.0);
 }
 
-/// One time step of it may come first. Whatever the mode, time holds there, and is carried by
-/// nothing.
+/// A single time step of the wanted place may come first. In each mode, the time holds at this time
+/// step, and no motion carries the proxy.
 TEST(DataClock, GoesToAPlaceByWayOfOneTimeStep)
 {
   const HighWall wall = MakeUneven();
@@ -405,7 +405,8 @@ TEST(DataClock, GoesToAPlaceByWayOfOneTimeStep)
         EXPECT_EQ(Norm(hand.Record.Force), 0.0);
         EXPECT_FALSE(hand.GetReport().IsWaiting);
 
-        // Which may be the place itself: there it waits to go on.
+        // The single time step may be the wanted place itself. There the clock waits for the next
+        // time steps.
         hand.Publish(wall.Pick(4, 1));
         hand.Orders.Place = 6.0;
         hand.Orders.Places = 3;
@@ -435,14 +436,14 @@ TEST(DataClock, AWallThatBeatsGivesItsWorkAndNoFault)
   for (int session = 0; session < 24; ++session)
   {
     const bool isStill = session % 3 == 0;
-    // Beats in a second; the quickest ones as a loop that swings by itself.
+    // Beats per second. The quickest ones are as fast as an unstable loop.
     const double rate = session % 8 == 7 ? 18.0 : 0.5 + 0.25 * (session % 8);
     ClockedHand hand(wall.Describe());
     hand.Orders = { Playback::Loop, true, rate, 0.0, 0 };
     rigs::GatedStage stage;
     SafetyLimits limits;
     limits.MaximumForce = 4.0;
-    // What holds force back, or brings it later, moves energy by itself.
+    // Limits that hold the force back or delay it move energy by themselves.
     const bool isLimited = session % 2 != 0;
     limits.MaximumForceRate = isLimited ? 2.0 : 500.0;
     limits.RampTime = isLimited ? 0.5 : 0.0;
@@ -456,13 +457,13 @@ TEST(DataClock, AWallThatBeatsGivesItsWorkAndNoFault)
     double speed = 0.0;
     double goal = tip.Z;
     double aim = tip.Z;
-    double given = 0.0;    // J, to the hand
-    double fromWall = 0.0; // J
-    double pushed = 0.0;   // J, from the wall when it came
-    double most = 0.0;     // J, that the hand got beyond the work of the wall
+    double given = 0.0;    // J, given to the hand
+    double fromWall = 0.0; // J, work of the wall
+    double pushed = 0.0;   // J, work of the wall while it approaches
+    double most = 0.0;     // J: largest energy of the hand beyond the work of the wall
     for (int i = 0; i < 6000; ++i)
     {
-      // 80 g at a spring of 150 N/m with damping, that the hand moves slowly to and fro.
+      // 80 g on a damped spring of 150 N/m, whose end the hand moves slowly to and fro.
       goal = i % 700 == 0 ? 0.0125 + 5e-4 * tremble(random) : goal;
       aim += 0.005 * (goal - aim);
       const double force = sent.Z - 150.0 * (tip.Z - aim) - 4.0 * speed;
@@ -485,10 +486,10 @@ TEST(DataClock, AWallThatBeatsGivesItsWorkAndNoFault)
         << "session " << session << " tick " << i << ", fault "
         << static_cast<int>(stage.Gate.GetFault());
     }
-    // A tick is a finite step: k dx^2 / 2 in each, of some 2e-5 m.
+    // A tick is a finite step, which adds k dx^2 / 2 for steps of some 2e-5 m.
     EXPECT_LE(most, 3e-5) << "session " << session;
     reached = std::max(reached, given);
   }
   EXPECT_GT(largest, 0.7);
-  EXPECT_GT(reached, 2e-4); // walls did push hands away
+  EXPECT_GT(reached, 2e-4); // the wall has pushed hands away
 }

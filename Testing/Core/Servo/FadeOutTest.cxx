@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A force that fades out gets to zero without a step, and a loop that its owner does not look after
- * lets go by itself.
+ * A force that fades out reaches zero without a step, and a loop without attention from its owner
+ * fades out by itself.
  */
 
 #include "Rigs/FadingLoop.h"
@@ -14,7 +14,7 @@ namespace
 {
 constexpr double Rate = 5000.0;
 
-/// The longest force (N), and how fast it may change (N/s).
+/// The largest force (N) and its largest rate (N/s).
 struct LimitsCase
 {
   const char* Name;
@@ -33,7 +33,7 @@ protected:
     this->Limits.MaximumForce = this->GetParam().Force;
     this->Limits.MaximumForceRate = this->GetParam().ForceRate;
   }
-  /// A hand that is held still, with the force that it has then.
+  /// Arms the loop on a hand that is held still, and waits until force acts.
   void Hold(RunningLoop& loop)
   {
     const double enough = std::min(0.5, 0.9 * this->Limits.MaximumForce);
@@ -42,17 +42,17 @@ protected:
     ASSERT_TRUE(Eventually([&] { return this->Device.Force.load() > enough; }));
     this->Device.Frozen.store(true);
     loop->SetRecording(true);
-    this->Follow(loop, 200); // any slewing ends
+    this->Follow(loop, 200); // until slewing has ended
   }
-  /// Takes so many ticks, in which force flows only while it may.
+  /// Takes `ticks` snapshots. Expects force in those ticks only in which it may flow.
   void Follow(RunningLoop& loop, int ticks)
   {
     for (int i = 0; i < ticks; ++i)
     {
       ASSERT_NO_FATAL_FAILURE(this->Take(loop));
       const ServoSnapshot& s = this->Last;
-      // By the loop's own ticks: how far behind it this thread is, and whether the force still
-      // grows, does not matter.
+      // Judge by the loop's own ticks, so that it does not matter how far behind this thread is or
+      // whether the force still grows.
       const bool flows = s.IsArmed() && s.GetFault() == GateReason::None && s.Residency > 0.0;
       this->Falling += flows && s.Residency < 1.0;
       EXPECT_EQ(flows, Norm(s.Command) > 0.0);
@@ -66,7 +66,7 @@ protected:
     EXPECT_NEAR(this->Falling, ForceGate::FadeTime * Rate, 3.0) << "over the whole time";
   }
 
-  int Falling = 0; ///< ticks in which it faded
+  int Falling = 0; ///< ticks during the fade
 };
 } // namespace
 
@@ -122,7 +122,7 @@ TEST_P(FadeOut, ComesByItselfWithoutAttentionAndHoldsUntilArmed)
   this->Hold(loop);
   this->Falling = 0;
   this->Limits.AttentionTime = 0.05;
-  loop->SetLimits(this->Limits); // the owner has been silent since Arm
+  loop->SetLimits(this->Limits); // the owner has been silent since Arm()
   ASSERT_TRUE(Eventually(
     [&]
     {
@@ -134,7 +134,7 @@ TEST_P(FadeOut, ComesByItselfWithoutAttentionAndHoldsUntilArmed)
   this->ExpectFade(GateReason::Unattended);
   this->Limits.AttentionTime = 60.0;
   loop->SetLimits(this->Limits);
-  this->Device.Frozen.store(false); // the force begins again from the tip
+  this->Device.Frozen.store(false); // the force starts again at the tip
   loop->Arm();
   EXPECT_TRUE(Eventually([this] { return this->Device.Force.load() > 0.0; }));
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A loop that is held sends no force, whatever else it is told, and goes on as after Arm once it is
- * released.
+ * A held loop sends no force, whatever other orders come. When it is released, it goes on as after
+ * Arm.
  */
 
 #include "Rigs/FadingLoop.h"
@@ -22,7 +22,8 @@ protected:
   {
     this->Limits.RampTime = 0.05;
   }
-  /// Force flows, on a hand that moves up and down through a ramp of V = 100 z.
+  /// Arms the loop on a hand that moves up and down in a ramp of V = 100 z, and waits until force
+  /// flows.
   void Press(RunningLoop& loop)
   {
     loop->Publish(std::make_shared<HapticModel>(Describe(this->Volume)));
@@ -53,7 +54,7 @@ protected:
     {
     }
   }
-  /// Nothing leaves, released or not.
+  /// Expects that no force is sent during 200 ticks.
   void ExpectNone(RunningLoop& loop)
   {
     this->DrainAll(loop);
@@ -78,7 +79,7 @@ TEST_F(Hold, FadesAndComesBackFromTheTipWithARamp)
   ASSERT_NO_FATAL_FAILURE(this->ExpectNone(loop));
   EXPECT_TRUE(this->Last.IsArmed());
   loop->Release();
-  // The first tick that is not held puts the proxy on the tip.
+  // The first tick after the hold places the proxy at the tip.
   ASSERT_TRUE(Eventually(
     [&]
     {

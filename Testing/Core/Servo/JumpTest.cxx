@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A model that is published under an armed hand: a force that would leap grows through the ramp
- * instead, and the proxy is not carried far.
+ * A model is published under an armed hand. A force that would leap grows with the ramp instead,
+ * and the proxy is not carried far.
  *
- * The spring is 1000 N/m on a ramp along z whose surface nothing moves, pressed 1 mm deep; with a
- * proxy that is carried by c the force is 1000 (1 mm + c).
+ * The spring is 1000 N/m on a ramp along z whose surface nothing moves, pressed 1 mm deep. If the
+ * proxy is carried by c, the force is 1000 N/m (1 mm + c).
  */
 
 #include "Rigs/PlayedDevice.h"
@@ -20,7 +20,7 @@ namespace
 constexpr double Rate = 1000.0;
 constexpr double Pressed = 1.0; // N
 
-/// Stands where it is led, a little further in every tick.
+/// A device whose tip approaches a goal depth by a small step in each tick.
 class LedDevice : public PlayedDevice
 {
 public:
@@ -39,8 +39,8 @@ private:
 
 struct Change
 {
-  double Carry = 0.0; ///< mm, that the volume moves along the press
-  double Field = 0.0; ///< N, of FORCE_FIELD instead of the spring
+  double Carry = 0.0; ///< mm that the volume moves along the press
+  double Field = 0.0; ///< N, from FORCE_FIELD instead of the spring
 };
 
 class Jump : public testing::Test
@@ -58,7 +58,7 @@ protected:
     return std::make_shared<const HapticModel>(d);
   }
 
-  /// Presses, publishes the change, and returns the ticks from its first on.
+  /// Presses, publishes the change, and returns the ticks from the first one with the change.
   std::vector<ServoSnapshot> Publish(const Change& change, std::size_t ticks)
   {
     SafetyLimits limits = QuickLimits();
@@ -95,7 +95,7 @@ protected:
   const TestVolume Volume = MakeRamp();
 };
 
-/// The force rises no faster than the ramp, and in the end is what is wanted.
+/// Expects that the force rises no faster than the ramp and ends at `wanted` (N).
 void ExpectRamp(const std::vector<ServoSnapshot>& ticks, double wanted)
 {
   for (std::size_t i = 0; i < ticks.size(); ++i)

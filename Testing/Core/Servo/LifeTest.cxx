@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The loop comes and goes, and counts its time.
+ * The loop starts and stops, and measures its time.
  */
 
 #include "Rigs/PlayedDevice.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * LOCAL_SURFACE in a loop that runs: the slow thread answers, and models may change meanwhile.
+ * LOCAL_SURFACE in a running loop: the slow thread answers, also while models change.
  */
 
 #include "Rigs/LocalSurfaceRig.h"
@@ -14,7 +14,7 @@ using namespace servotest;
 
 namespace
 {
-/// The device plays between z = 5 and 19 mm.
+/// Returns a model with a surface at `iso`. The device moves between z = 5 and 19 mm.
 std::shared_ptr<const HapticModel> MakeModel(double iso, double rate = 100.0)
 {
   const auto volume = std::make_shared<TestVolume>(MakeRamp());
@@ -24,7 +24,7 @@ std::shared_ptr<const HapticModel> MakeModel(double iso, double rate = 100.0)
   return std::make_shared<const HapticModel>(d);
 }
 
-/// Watches states until one holds.
+/// Reads states until `holds` returns true for one.
 template <typename F>
 bool WaitState(RunningLoop& loop, F&& holds)
 {
@@ -52,10 +52,10 @@ TEST(LocalSurfaceFitter, IsNotNeededToStop)
   const auto begin = std::chrono::steady_clock::now();
   {
     RunningLoop loop(device);
-    loop->Publish(MakeModel(1200.0, 1.0)); // a second between two looks
+    loop->Publish(MakeModel(1200.0, 1.0)); // one second between two fits
     EXPECT_TRUE(Eventually([&] { return loop->GetTickCount() > 10; }));
   }
-  // Half a minute is not what this takes; the period of the slow loop, many times.
+  // Stopping takes far less than 30 s, which are many periods of the slow loop (1 s).
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
 }
 

@@ -14,7 +14,7 @@ namespace
 class Servo : public testing::Test
 {
 protected:
-  /// Force flows on a ramp.
+  /// Arms the loop on a ramp and waits until force flows.
   void Activate(RunningLoop& loop)
   {
     loop->Publish(this->Model);
@@ -27,7 +27,8 @@ protected:
     return Eventually([&] { return this->Device.Writes.load() > from; }) &&
       this->StaysZero(loop, 3000);
   }
-  /// Over so many ticks, in which the path goes through contact.
+  /// Returns whether no force acts during a number of ticks, in which the path passes through
+  /// contact.
   bool StaysZero(RunningLoop&, std::uint64_t ticks)
   {
     const std::uint64_t from = this->Device.Writes.load();
@@ -45,7 +46,8 @@ protected:
   PlayedDevice Device;
 };
 
-/// Rests in the ramp; its samples stop when it is told, and come back as soon as the force falls.
+/// A device that rests in the ramp. When told, its samples stop; they return as soon as the force
+/// falls.
 class DozingDevice : public PlayedDevice
 {
 public:
@@ -85,7 +87,7 @@ TEST_F(Servo, AModelTakesEffectWithinTwoTicks)
   for (int i = 0; i < 50; ++i)
   {
     const std::uint64_t generation = loop->Publish(i % 10 == 9 ? nullptr : this->Model);
-    // The tick of this number may have begun with the old model; the next one may not.
+    // The tick under way may have begun with the old model. The next tick must use the new one.
     const std::uint64_t underWay = loop->GetTickCount();
     const auto arrived = [&]
     {
@@ -121,7 +123,8 @@ TEST_F(Servo, WithoutAModelThereIsNoForce)
 {
   RunningLoop loop(this->Device);
   this->Activate(loop);
-  // Not merely out of contact: the loop has seen it.
+  // The force is zero because the loop has seen the change, not because the tip has left the
+  // contact.
   const std::uint64_t generation = loop->Publish(nullptr);
   EXPECT_TRUE(Eventually([&] { return loop->GetAcknowledged() >= generation; }));
   EXPECT_TRUE(this->IsCut(loop));
@@ -134,7 +137,8 @@ TEST_F(Servo, AFrozenDeviceGetsNoForceUntilItMovesAgain)
   RunningLoop loop(this->Device, 5000.0, limits);
   this->Activate(loop);
   this->Device.Frozen.store(true);
-  // Not merely out of contact: it has been still for too long.
+  // The force is zero because the tip has been still for too long, not because it has left the
+  // contact.
   EXPECT_TRUE(Eventually(
     [&]
     {

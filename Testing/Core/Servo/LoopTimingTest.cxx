@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Time as the device has it: report periods, round trips and speeds by the samples' own times, on
- * devices whose times are known since the test plays them; and springs that are capped by them.
+ * Time by the device's clock: report periods, round trips and speeds from the samples' own times,
+ * on simulated devices whose times are known; and springs that are capped by these times.
  *
- * The closed loop is a mass with friction, which moves exactly under a force that is held for a
- * tick: SampledLoop.h. The theory of sampled data says where it is unstable, without anything of
+ * The closed loop is a mass with friction, integrated exactly under a force that is constant during
+ * a tick (SampledLoop.h). The theory of sampled data tells where it is unstable, independently of
  * LoopTiming.
  */
 
@@ -39,7 +39,7 @@ DeviceSample MakeSample(std::int64_t time, const Vector3& tip = {})
   return sample;
 }
 
-/// Nothing new, and alive.
+/// Returns a sample without a new position from a device that is alive.
 DeviceSample MakeSign()
 {
   DeviceSample sample;
@@ -48,8 +48,8 @@ DeviceSample MakeSign()
 }
 
 /**
- * A device in a loop of 1 kHz that measures itself every few ticks, and takes a force a few ticks
- * after it was written.
+ * A device in a loop of 1 kHz that measures every few ticks, and applies a force a few ticks after
+ * it was written.
  */
 class LateDevice
 {
@@ -60,7 +60,7 @@ public:
     , Delay(delay)
   {
   }
-  /// By how much the swing on a spring of stiffness k (N/m) grows in 10 s.
+  /// Returns the factor by which the oscillation on a spring of stiffness k (N/m) grows in 10 s.
   double Swing(double k)
   {
     double first = 0.0;
@@ -76,7 +76,7 @@ public:
     }
     return last / first;
   }
-  /// The round trip that was measured (s).
+  /// Returns the measured round trip (s).
   double GetRoundTrip() const { return this->Timing.GetRoundTrip(); }
   double GetReportPeriod() const { return this->Timing.GetReportPeriod(); }
 
@@ -122,7 +122,7 @@ private:
   double V = 0.0;
 };
 
-/// A stage that gets what a loop gives it.
+/// A safety stage with the timing that the loop would give it.
 class TimedStage
 {
 public:
@@ -246,7 +246,8 @@ TEST(LoopTiming, RestsOfASilentStickTellNoPeriodAndDoNotAge)
   LoopTiming timing(least);
   std::int64_t now = Begin;
   double tip = 0.0;
-  // It reports every 8 ms while it moves, and every 10 ms something else shows that it is alive.
+  // The device reports every 8 ms while it moves. Every 10 ms, something else shows that it is
+  // alive.
   for (int i = 0; i < 40; ++i)
   {
     for (int ms = 0; ms < 400; ++ms, now += Millisecond)
@@ -258,7 +259,7 @@ TEST(LoopTiming, RestsOfASilentStickTellNoPeriodAndDoNotAge)
         sample = MakeSample(now, { tip, 0.0, 0.0 });
       }
       const double way = timing.RecordSample(sample, now);
-      // After a rest it may have left its place up to a period before the last sign of life.
+      // After a rest, the motion may have begun up to one period before the last sign of life.
       EXPECT_TRUE(way == 0.0 || (way > 7.999e-3 && way < 18.001e-3)) << way;
       EXPECT_TRUE(way == 0.0 || ms == 0 || way < 8.001e-3) << way;
       timing.RecordTaken({ now - ms % 8 * Millisecond, now });
@@ -302,7 +303,7 @@ TEST(LoopTiming, AStickThatReportsEvery8MsIsAsFastAsItIs)
 
 TEST(LoopTiming, ReportsThatAreReadLateMakeItNoFaster)
 {
-  // The thread that reads it is held up: then a report comes late, and the next one in time.
+  // The reading thread is delayed: one report comes late, and the next one in time.
   std::mt19937_64 engine(11);
   TimedStage stage(1e-6);
   std::int64_t told = 0;
@@ -336,7 +337,7 @@ TEST(LoopTiming, AStickThatLeapsOutOfARestIsFast)
   }
   EXPECT_EQ(stage.GetFault(), GateReason::None);
   EXPECT_FALSE(stage.Stage.IsStale());
-  // 80 mm: no hand does it in the period of a report, or in two.
+  // 80 mm: no hand moves that far within one or two report periods.
   stage.Tick(MakeSample(stage.Now + Millisecond, { 0.12, 0.0, 0.0 }));
   EXPECT_EQ(stage.GetFault(), GateReason::OverSpeed);
 }
@@ -355,7 +356,7 @@ TEST(LoopTiming, ASilentStickIsStaleUnlessItIsSeenAlive)
     for (int ms = 0; ms < 400; ++ms)
     {
       stage.Tick(isSeen && ms % 10 == 0 ? MakeSign() : DeviceSample{});
-      // 30 ms after the last report, which came 8 ms before.
+      // 30 ms after the last report; the report before came 8 ms earlier.
       EXPECT_TRUE(stage.Stage.IsStale() == (!isSeen && ms >= 22) || ms == 22) << ms;
     }
   }

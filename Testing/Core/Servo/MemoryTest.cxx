@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A running loop locks the memory that it uses, and nothing of a volume that is mapped from a file.
- * Judged by what the kernel says: mincore(2), and VmLck of /proc/self/status.
+ * A running loop locks the memory that it uses, but no memory of a volume that is mapped from a
+ * file. The tests read the kernel's own figures: mincore(2), and VmLck in /proc/self/status.
  */
 
 #include "Core/Realtime/MemoryLock.h"
@@ -40,7 +40,7 @@ TEST(ServoMemory, AMappedVolumeStaysInItsFile)
     ASSERT_TRUE(Eventually([&] { return loop->GetTickCount() > ticks + 50; }));
     EXPECT_LT(file.Resident(), file.Size / 10) << "no more than what the tip has read";
     const std::size_t locked = LockedBytes() - before;
-    // The ring of 2^14 ticks, of some 1.2 kB each, is most of it.
+    // The ring of 2^14 ticks of some 1.2 kB each is most of it.
     EXPECT_LT(locked, std::size_t{ 32 } << 20);
     const bool granted = loop->GetLockedMemory() == ServoLoop::Privilege::Granted;
     EXPECT_TRUE(!granted || !CanLock || locked > sizeof(ServoLoop)) << locked << " bytes";
@@ -71,7 +71,7 @@ TEST(ServoMemory, SharedPagesStayLockedUntilTheLastLockIsGone)
 {
   const std::size_t before = LockedBytes();
   std::vector<char> memory(8 * PageSize);
-  // From the middle of the first whole page on, so that the ends of neighbours lie in one page.
+  // Begin in the middle of the first whole page, so that the ends of neighbours are in one page.
   char* const at = memory.data() + PageSize / 2;
   auto first = std::make_unique<MemoryLock>();
   if (!CanLock || !first->Add(at, 2 * PageSize))
@@ -83,7 +83,7 @@ TEST(ServoMemory, SharedPagesStayLockedUntilTheLastLockIsGone)
   EXPECT_LE(one, 3 * PageSize);
   auto second = std::make_unique<MemoryLock>();
   ASSERT_TRUE(second->Add(at + PageSize, 3 * PageSize));
-  ASSERT_TRUE(second->Add(at, 1)); // twice in one lock, too
+  ASSERT_TRUE(second->Add(at, 1)); // the same page twice in one lock
   const std::size_t both = LockedBytes() - before;
   EXPECT_GE(both, 4 * PageSize);
   first.reset();
@@ -117,13 +117,13 @@ TEST(ServoMemory, RangesOfAnArrayGoTogetherAndLeaveTheLocksOfOthers)
   }
   EXPECT_EQ(LockedBytes() - before, 8 * PageSize);
   auto others = std::make_unique<MemoryLock>();
-  ASSERT_TRUE(others->Add(array + 15 * PageSize, PageSize)); // between two rows
-  ASSERT_TRUE(others->Add(array + 20 * PageSize, PageSize)); // in a row
+  ASSERT_TRUE(others->Add(array + 15 * PageSize, PageSize)); // in the gap between two rows
+  ASSERT_TRUE(others->Add(array + 20 * PageSize, PageSize)); // within a row
   rows.reset();
   EXPECT_EQ(LockedBytes() - before, 2 * PageSize) << "of the other lock";
   others.reset();
   EXPECT_EQ(LockedBytes(), before);
-  // A program may have unmapped a part of the array meanwhile.
+  // The program may have unmapped a part of the array meanwhile.
   rows = lockRows();
   ASSERT_NE(rows, nullptr);
   munmap(array + 5 * PageSize, PageSize);
@@ -152,7 +152,7 @@ TEST(ServoMemory, WhatIsNotThereIsRefusedAndLeavesNothingLocked)
 TEST(ServoMemory, AForkedChildHasLocksOfItsOwn)
 {
   std::vector<char> memory(64 * PageSize);
-  // Returns the exit status of a child process, or minus the signal that ended it.
+  // Runs `body` in a child process. Returns its exit status, or minus the signal that ended it.
   const auto inChild = [](auto&& body)
   {
     const pid_t child = fork();
@@ -192,7 +192,8 @@ TEST(ServoMemory, AForkedChildHasLocksOfItsOwn)
                 return isLocked && isKept && LockedBytes() == 0 ? 0 : 1;
               }),
     0);
-  // Another thread may be in the middle of its work at a fork, and is not there to end it.
+  // At a fork, another thread may be in the middle of its work. In the child, that thread does not
+  // exist.
   std::atomic<bool> isOver{ false };
   std::thread other(
     [&]

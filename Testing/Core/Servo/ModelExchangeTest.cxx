@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The owners of a model, and that none of them keeps one that was freed.
+ * The owners of a model. No owner keeps a model that was freed.
  */
 
 #include "Core/Servo/ModelExchange.h"
@@ -59,7 +59,7 @@ TEST(ModelExchange, AFitterNeverSeesAModelThatIsFreed)
       {
         if (const HapticModel* const model = exchange.Hold(ModelExchange::Fitter))
         {
-          // Sanitizers see whether this is anybody's memory.
+          // Sanitizers detect an access to freed memory here.
           found += FitLocalSurface(*model, { { 5.0, 5.0, 4.0 }, {}, {} }).IsThere ? 1 : 0;
         }
         exchange.LetGo(ModelExchange::Fitter);

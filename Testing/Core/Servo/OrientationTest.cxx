@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The stylus's orientation passes through the loop, and what is none does not. No force depends on
- * it.
+ * The stylus's orientation passes through the loop, and invalid orientations do not. No force
+ * depends on the orientation.
  */
 
 #include "Rigs/PlayedDevice.h"
@@ -19,7 +19,7 @@ constexpr double Nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr std::uint64_t Ticks = 4000;
 
-/// A device that turns, and that now and then reports nonsense.
+/// A device that turns and sometimes reports an invalid orientation.
 class TurnedDevice : public PlayedDevice
 {
 public:
@@ -71,7 +71,7 @@ private:
   const bool IsTurned;
 };
 
-/// All ticks of a loop that begins with a model.
+/// Returns all ticks of a loop that begins with a model.
 std::vector<ServoSnapshot> AllTicks(PlayedDevice& device, const TestVolume& volume)
 {
   ServoLoop loop(device, 5000.0);
@@ -110,7 +110,7 @@ TEST(Orientation, PassesAsAUnitQuaternionOrNotAtAll)
     ASSERT_NEAR(SquaredNorm(tick.Orientation), 1.0, 1e-14) << tick.Tick;
     const double cosine = wanted.W * tick.Orientation.W + wanted.X * tick.Orientation.X +
       wanted.Y * tick.Orientation.Y + wanted.Z * tick.Orientation.Z;
-    // Within eight ticks it turns by 8e-3 about one axis.
+    // In eight ticks, the orientation turns by at most 8e-3 rad about one axis.
     ASSERT_GT(cosine, std::cos(9e-3)) << tick.Tick;
     if (report.IsGood && tick.Tick % 8 != 2)
     {
@@ -122,7 +122,7 @@ TEST(Orientation, PassesAsAUnitQuaternionOrNotAtAll)
 
 TEST(Orientation, IsThatOfTheLastTickWhileTheDeviceIsSilent)
 {
-  /// Reports once.
+  /// A device that reports an orientation once.
   class OnceTurned : public PlayedDevice
   {
   public:
@@ -166,7 +166,7 @@ TEST(Orientation, ChangesNoForce)
 
 TEST(Orientation, ADeviceWithTorqueGetsTheWholeCommand)
 {
-  /// Takes force and torque.
+  /// A device that accepts force and torque.
   class TorqueDevice : public PlayedDevice
   {
   public:

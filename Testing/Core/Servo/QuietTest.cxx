@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A tick neither allocates nor locks, whatever happens around it.
+ * Ticks neither allocate nor lock, whatever happens around them.
  */
 
 #include "Rigs/PlayedDevice.h"
@@ -14,7 +14,8 @@ namespace
 {
 struct WatchedDevice : PlayedDevice
 {
-  // From the tenth tick on, all that the thread does is watched: what is around Read, too.
+  // From the tenth tick on, watches everything that the thread does, including the code around
+  // Read().
   void InTick() noexcept override { WatchThisThread(this->Reads.load() > 10); }
 };
 } // namespace
@@ -58,7 +59,7 @@ TEST(ServoQuiet, NoTickAllocatesOrLocks)
   EXPECT_EQ(watched.Locks, 0U);
 }
 
-// Without these the test above would pass with a broken watch.
+// Tests the watch itself: with a broken watch, the test above would pass.
 TEST(ThreadWatch, SeesAllocationsAndLocksOfItsThreadOnly)
 {
   const auto work = []

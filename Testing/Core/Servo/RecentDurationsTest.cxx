@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The figures of the latest durations are those that sorting them gives.
+ * The statistics of the latest durations, compared with sorting.
  */
 
 #include "Core/Servo/RecentDurations.h"
@@ -26,7 +26,8 @@ struct Figures
   std::int64_t Typical = 0;
 };
 
-/// By sorting: of the last 256 those that begin within the last second.
+/// Computes the statistics by sorting those of the last 256 durations that are within the last
+/// second.
 Figures Sort(const std::vector<std::int64_t>& all)
 {
   std::vector<std::int64_t> last;

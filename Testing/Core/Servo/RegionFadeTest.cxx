@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * If data are missing, the force fades, the proxy moves with the tip, and force comes back in the
- * same way.
+ * If data are missing, the force fades and the proxy moves with the tip. When data are back, the
+ * force returns in the same way.
  */
 
 #include "RegionRig.h"
@@ -30,9 +30,10 @@ protected:
     this->Stage.Arm();
     this->Walk(Outside, Outside, 600); // through the ramp
     this->Walk(Outside, TipOf(0), 100);
-    this->Walk(TipOf(0), TipOf(0), 100); // with the surface pressed
+    this->Walk(TipOf(0), TipOf(0), 100); // with the tip pressed into the surface
   }
-  /// A tick as the loop makes it; what is sent obeys the slew limit, and the share its own.
+  /// Runs a tick as the loop does. Expects that the command obeys the slew limit, and the gate's
+  /// opening its own.
   void Step(const Vector3& tip)
   {
     const double share = this->Stage.Gate.GetOpening();
@@ -89,14 +90,14 @@ TEST_P(RegionFade, ATipThatTravelsInTheDarkComesBackWithoutAStep)
   EXPECT_TRUE(this->Servo.IsAwaiting());
   EXPECT_EQ(Norm(this->Command), 0.0);
   EXPECT_TRUE(IsSame(this->Record.Proxy, there)) << "the proxy went along";
-  // The data come to the tip's present position, inside the ball's volume or not: at first nothing
-  // is felt.
+  // Load the region around the tip, which has travelled 40 mm. In the first tick, the force is
+  // still zero.
   const auto next = this->MakeRegion(there, 24);
   CarryState(*this->Model, *next, this->State);
   this->Model = next;
   this->Step(there);
   EXPECT_LT(Norm(this->Command), 1e-9);
-  // Back to the first region, which is no longer here, and which comes again.
+  // Go back to the place of the first region, which has to be loaded again.
   this->Walk(there, here, 200);
   EXPECT_EQ(Norm(this->Command), 0.0);
   const auto last = this->MakeRegion(here, 24);
@@ -138,7 +139,7 @@ TEST_P(RegionFade, AFadeOrAHoldWithTheDataThereWaitsForNone)
     EXPECT_EQ(this->Stage.Gate.GetOpening(), opening);
   };
   this->Stage.Gate.FadeOut();
-  expectNoWait(1.0); // down, and up again without force
+  expectNoWait(1.0); // closes and opens again without force
   EXPECT_FALSE(this->Stage.Gate.IsOpen());
   this->Stage.Arm();
   expectNoWait(1.0);

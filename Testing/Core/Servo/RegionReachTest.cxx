@@ -6,8 +6,8 @@
  * side of an edge.
  *
  * Random strokes in random boxes are compared with the same strokes in the whole volume, so that
- * any sample that is read beyond the box shows. How far a walk goes is taken from its definition in
- * FarSide.h, three kernel radii, in voxels along the normal; how the residency falls from
+ * the test notices any read outside of the box. The length of a walk is three kernel radii, in
+ * voxels along the normal (FarSide.h). How the residency falls is described in
  * Documentation/method.md.
  */
 
@@ -22,7 +22,7 @@ using namespace servotest;
 
 namespace
 {
-/// An edge so wide that walks go on to their end.
+/// A ball with an edge so wide that walks go to their full length.
 const TestVolume& WideBall()
 {
   static const TestVolume ball = MakeBall(3.0);
@@ -60,7 +60,7 @@ public:
       }
     }
   }
-  /// Into the ball along a radius, then aside and deeper; metres.
+  /// Returns a stroke (m) into the ball along a radius, then aside and deeper.
   std::vector<Vector3> DrawStroke()
   {
     const Vector3 out = this->DrawDirection();
@@ -83,7 +83,7 @@ private:
 /// A box of samples in the ball's volume.
 struct Box
 {
-  /// Random numbers of voxels to each side of a position.
+  /// Draws the number of voxels on each side of a position.
   Box(const Vector3& index, double most, Dice& dice)
   {
     const double at[3] = { index.X, index.Y, index.Z };
@@ -96,7 +96,7 @@ struct Box
     }
   }
 
-  /// Whether a position lies beyond a border that is not the volume's own.
+  /// Returns whether a position is beyond a border of the box that is not a border of the volume.
   bool IsLeftAt(const Vector3& index) const
   {
     const double at[3] = { index.X, index.Y, index.Z };
@@ -113,14 +113,15 @@ struct Box
   Index Last;
 };
 
-/// Ticks of strokes in boxes that had a force.
+/// Counts the ticks with force, by residency.
 struct Counts
 {
-  int Whole = 0; ///< with a residency of 1
-  int Part = 0;  ///< with one between 0 and 1
+  int Whole = 0; ///< residency 1
+  int Part = 0;  ///< residency between 0 and 1
 };
 
-/// As long as the residency is not 0, ticks in the box are those in the whole, to the bit.
+/// Expects that, while the residency is not 0, ticks in the box equal those in the whole volume to
+/// the bit.
 void CompareStroke(
   const HapticModelDescription& d, const Box& box, const std::vector<Vector3>& tips, Counts& counts)
 {
@@ -152,7 +153,7 @@ void CompareStroke(
   }
 }
 
-/// Kernels, estimators and alignments in turn.
+/// Selects kernel, estimator and alignment by a number.
 void ChooseKernel(int number, HapticModelDescription& d)
 {
   d.KernelRadius = 1 + number % 3;
@@ -177,7 +178,7 @@ Counts CompareStrokes(HapticModelDescription d, double most, Dice& dice)
   return counts;
 }
 
-/// A ball of label 1, in voxels of 5 mm that stand in the world of the ball.
+/// A ball of label 1 in voxels of 5 mm, in the same world as the other ball.
 std::shared_ptr<const BakedLabels> MakeCoarseLabels()
 {
   constexpr std::int64_t side = 20;
@@ -258,7 +259,7 @@ TEST(RegionReach, NothingIsFeltWhereAWalkWouldLeaveTheRegion)
   Dice dice(25);
   HapticModelDescription d = DescribeWideBall(HapticSolver::Precise, MaterialPlacement::FarSide);
   int leaving = 0;
-  int byWalkAlone = 0; // with the materials of the kernel, force would be felt
+  int byWalkAlone = 0; // with kernel materials, these ticks would have force
   for (int i = 0; i < 300; ++i)
   {
     ChooseKernel(i, d);
@@ -309,7 +310,7 @@ TEST(RegionReach, FallsOverFourVoxelsThatEndThreeBeforeTheFarthestSample)
     last[axis] = 40;
     const HapticModel region(Crop(d, { 0, 0, 0 }, last));
     const double radius = d.KernelRadius;
-    const double aside = radius * 1.1 / spacing[axis]; // x_s, by the largest spacing
+    const double aside = radius * 1.1 / spacing[axis]; // distance of x_s, by the largest spacing
     const double walk = isFar && !isPaper ? 3.0 * radius : 0.0;
     const double reach = std::max({ radius, aside, walk }) + 3.0;
     for (int n = 0; n < 50; ++n)

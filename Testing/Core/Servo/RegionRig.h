@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A ball in a volume, and models of the whole and of regions of it that hold nothing else.
+ * A ball in a volume, and models of the whole volume and of regions that contain no other samples.
  */
 #ifndef RegionRig_h
 #define RegionRig_h
@@ -19,7 +19,7 @@ using namespace coretest;
 
 inline constexpr std::int64_t Samples = 72;
 
-/// Smooth, with a surface of 24 mm radius that is `width` mm wide, and a little relief on it.
+/// A smooth ball with a surface of 24 mm radius, an edge `width` mm wide and slight bumps.
 inline TestVolume MakeBall(double width)
 {
   TestVolume volume(ScalarType::Float32, { Samples, Samples, Samples });
@@ -63,7 +63,7 @@ inline HapticModelDescription DescribeBall(
 
 using Index = std::array<std::int64_t, 3>;
 
-/// The samples from first to last, and no others, as a region of the ball.
+/// Describes the region with the samples from first to last of the ball, and no others.
 inline HapticModelDescription Crop(
   HapticModelDescription d, Index first, Index last, const TestVolume& ball = Ball())
 {
@@ -87,7 +87,7 @@ inline HapticModelDescription Crop(
   return d;
 }
 
-/// The region of `half` voxels round a tip (m).
+/// Describes the region of `half` voxels around a tip (m).
 inline HapticModelDescription CropAround(
   const HapticModelDescription& whole, const Vector3& tip, std::int64_t half)
 {
@@ -97,7 +97,8 @@ inline HapticModelDescription CropAround(
     { middle[0] + half, middle[1] + half, middle[2] + half });
 }
 
-/// Slides over the ball at 0.1 m/s, and in and out: held, sliding, and through the surface.
+/// Returns the tip (m) at a tick: it slides over the ball at 0.1 m/s and moves in and out, so that
+/// the proxy is held, slides, and goes through the surface.
 inline Vector3 TipOf(int tick)
 {
   const double angle = 0.004 * tick;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A region of a volume feels like the whole, to the bit, also while one region replaces another
- * under a hand that presses.
+ * A region of a volume gives the same force as the whole volume to the bit, also while regions
+ * change under a hand that presses.
  */
 
 #include "RegionRig.h"
@@ -17,7 +17,8 @@ namespace
 class Region : public testing::TestWithParam<MethodCase>
 {
 protected:
-  /// Ticks on the whole, and on regions of `half` voxels that change every `period` ticks.
+  /// Compares ticks in the whole volume with ticks in regions of `half` voxels that change every
+  /// `period` ticks.
   void Compare(int period, std::int64_t half)
   {
     const HapticModel whole(this->Whole);
@@ -34,7 +35,7 @@ protected:
       const Vector3 tip = TipOf(i);
       if (i % period == 0)
       {
-        // Not always in the same place relative to the tip, and with everything beyond it gone.
+        // The region's position relative to the tip varies. Samples outside of it do not exist.
         const Vector3 off = 1e-3 * Vector3{ double(i % 3), double(i % 2), -double(i % 3) };
         HapticModelDescription d = CropAround(this->Whole, tip + off, half);
         d.Number = region ? region->Baked->Number : 0;
@@ -79,7 +80,7 @@ TEST_P(Region, EndsWhereTheVolumeEndsAsTheWholeDoes)
 {
   this->Whole.KernelRadius = 3;
   const HapticModel whole(this->Whole);
-  // The lowest planes along x: the volume's own border there, and the region's at the other end.
+  // The lowest planes along x: one end is the volume's own border, the other end is the region's.
   const HapticModel region(Crop(this->Whole, { 0, 0, 0 }, { 44, Samples, Samples }));
   EXPECT_TRUE(
     HapticModel(Crop(this->Whole, { 0, 0, 0 }, { Samples, Samples, Samples })).Resident.IsWhole());
@@ -91,7 +92,7 @@ TEST_P(Region, EndsWhereTheVolumeEndsAsTheWholeDoes)
   TickRecord felt;
   for (int i = 0; i < 900; ++i)
   {
-    // From 5 mm outside to 20 inside and back.
+    // Go from 5 mm outside to 20 mm inside and back.
     const double x = -40.0 + 25.0 * std::sin(0.0035 * i);
     const Vector3 tip = 1e-3 * Vector3{ x, 3.0 * std::sin(0.01 * i), 0.02 * i };
     Tick(whole, state, tip, record);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The round trip in use grows at once, and shrinks only after a while and while nothing is felt.
+ * The round trip in use grows at once. It shrinks only after a while and only while no force acts.
  */
 
 #include "Core/Servo/RoundTripInUse.h"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A servo that walks through a volume of 2 GiB, mapped from a file, finds its samples in memory.
- * Judged by what the kernel says: the page faults of the servo's thread (getrusage(2)), the pages
- * of the file that are in memory (mincore(2)) and those that are locked (/proc/self/smaps). The
- * pages of a box are compared with those of all its samples, one by one.
+ * A servo that moves through a volume of 2 GiB, mapped from a file, finds its samples in memory.
+ * The tests read the kernel's own figures: page faults of the servo's thread (getrusage(2)), pages
+ * of the file in memory (mincore(2)) and locked pages (/proc/self/smaps). The pages of a box are
+ * compared with those of all its samples, one by one.
  */
 
 #include "Rigs/MappedFile.h"
@@ -25,11 +25,11 @@ using namespace servotest;
 namespace
 {
 using Privilege = ServoLoop::Privilege;
-/// The sanitizers have page faults of their own, in their shadow of the memory.
+/// Sanitizers cause page faults in their shadow memory.
 constexpr bool CanCount = CanLock;
 constexpr std::size_t MebiByte = std::size_t{ 1 } << 20;
 
-/// The tip is where the test puts it. Counts the page faults of the servo's thread.
+/// A device whose tip the test sets. Counts the page faults of the servo's thread.
 class PlacedDevice : public PlayedDevice
 {
 public:
@@ -58,7 +58,7 @@ private:
   std::atomic<double> Z{ 0.3 };
 };
 
-/// A loop with its sample keeper, or without, on 1024^3 samples of 1 mm.
+/// A loop on 1024^3 samples of 1 mm, with or without a sample keeper.
 class MappedLoop
 {
 public:
@@ -66,7 +66,7 @@ public:
   {
     Without,
     With,
-    Unprivileged ///< one that keeps to the limit of locked memory, whoever runs the test
+    Unprivileged ///< with a keeper that obeys the limit of locked memory, whoever runs the test
   };
 
   explicit MappedLoop(Keeper keeper)
@@ -101,7 +101,7 @@ public:
     this->Running.reset();
   }
 
-  /// Until ticks and looks that began after this have ended.
+  /// Waits until ticks and looks that began after this call have ended.
   void Settle()
   {
     const std::uint64_t ticks = this->GetLoop().GetTickCount() + 4;
@@ -111,7 +111,8 @@ public:
       Eventually([&] { return !this->HasKeeper || this->GetLoop().GetLooksAtSamples() >= looks; }));
   }
 
-  /// Two voxels at a time along z, and one along y. Returns the page faults of the servo.
+  /// Moves by two voxels along z and one along y per step. Returns the page faults of the servo's
+  /// thread.
   long Walk(int steps)
   {
     const long before = this->Device.Faults.load();
@@ -132,7 +133,7 @@ public:
 private:
   static void DropCapabilities()
   {
-    // Those of this thread only.
+    // Drops the capabilities of this thread only.
     __user_cap_header_struct header{ _LINUX_CAPABILITY_VERSION_3, 0 };
     __user_cap_data_struct none[2] = {};
     syscall(SYS_capset, &header, none);
@@ -216,7 +217,7 @@ TEST(SampleKeeper, LetsTheServoFindItsSamplesInMemory)
 {
   constexpr int steps = 60;
   long expected = 0;
-  // What the ticks read, with what the kernel reads around that for itself.
+  // Pages that the ticks read, together with those that the kernel reads ahead.
   std::size_t touchedAtRest = 0;
   std::size_t touched = 0;
   {
@@ -226,7 +227,7 @@ TEST(SampleKeeper, LetsTheServoFindItsSamplesInMemory)
     touched = alone.File.Resident();
     EXPECT_EQ(alone.GetLoop().GetLockedSamples(), Privilege::Unknown);
   }
-  // Each step meets two slices for the first time.
+  // Each step reads two slices for the first time.
   EXPECT_GT(expected, steps) << "a servo without it waits for pages";
   MappedLoop loop(MappedLoop::With);
   EXPECT_LT(loop.File.Resident(), touchedAtRest + 16 * MebiByte) << "of 2 GiB";
@@ -291,7 +292,7 @@ TEST(SampleKeeper, KeepsTheLabelsToo)
   std::thread keeper([&loop] { loop->RunSampleKeeper(); });
   loop->Publish(std::make_shared<const HapticModel>(d));
   EXPECT_TRUE(Eventually([&] { return loop->GetLooksAtSamples() > 1; }));
-  // The tip's label, and those 20 voxels around.
+  // The page of the tip's label, and of labels 20 voxels around it.
   const auto isThere = [&file](int i, int j, int k)
   {
     unsigned char state = 0;

@@ -5,9 +5,10 @@
  * The stiffness at which a sampled spring becomes unstable, by theory: stiffness k, sampled with
  * period T, on a mass m with damping b.
  *
- * Over a period with the force f held, position and velocity become A (x, v) + B f with e =
- * exp(-bT/m), A = (1, (1 - e) m/b; 0, e), B = (T/b - (1 - e) m/b^2; (1 - e)/b). With f = -k x of
- * `delay` ticks ago, the loop is unstable if an eigenvalue of the whole is beyond 1.
+ * Over a period with constant force f, position and velocity become A (x, v) + B f with e =
+ * exp(-bT/m), A = (1, (1 - e) m/b; 0, e), B = (T/b - (1 - e) m/b^2; (1 - e)/b). With f = -k x from
+ * `delay` ticks ago, the loop is unstable if an eigenvalue of the whole system has a modulus above
+ * 1.
  */
 #ifndef SampledLoop_h
 #define SampledLoop_h
@@ -40,7 +41,7 @@ inline Square Multiply(const Square& a, const Square& b)
   return product;
 }
 
-/// The largest size of an eigenvalue: |M^n|^(1/n) with n = 2^40.
+/// Returns the largest modulus of an eigenvalue: |M^n|^(1/n) with n = 2^40.
 inline double SpectralRadius(Square matrix)
 {
   double logarithm = 0.0;
@@ -67,7 +68,7 @@ inline double SpectralRadius(Square matrix)
   return std::exp(logarithm);
 }
 
-/// The state is position, velocity and the forces that are on their way, the next one first.
+/// The state is position, velocity and the forces under way, with the next force first.
 inline Square MakeLoop(double k, int delay)
 {
   const double e = std::exp(-Damping * Period / Mass);

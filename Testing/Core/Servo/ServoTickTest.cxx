@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * How a session begins, and how it goes on after a tip that is not a number.
+ * The start of a session, and how it goes on after a tip that is NaN.
  */
 
 #include "Rigs/ServoFixture.h"

@@ -19,7 +19,7 @@ using namespace servotest;
 
 namespace
 {
-/// By how much the swing of a tip on a fixed proxy grows over a long run.
+/// Returns the factor by which the oscillation of a tip on a fixed proxy grows over a long run.
 double Simulate(double k, int delay)
 {
   const TestVolume volume = MakeRamp();

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A thousand models while the loop runs at 5 kHz, one thread reads states and another records.
+ * Publishes a thousand models while the loop runs at 5 kHz, one thread reads states and another
+ * records.
  */
 
 #include "Core/State/ServoStateNumbers.h"
@@ -15,7 +16,7 @@ using namespace servotest;
 
 namespace
 {
-/// Everything that it reports tells the number of the tick.
+/// A device whose reports all contain the number of the tick.
 struct CountingDevice : PlayedDevice
 {
   static Vector3 TurnOf(std::uint64_t tick)
@@ -38,7 +39,7 @@ bool IsSame(const Vector3& a, const Vector3& b)
   return a.X == b.X && a.Y == b.Y && a.Z == b.Z;
 }
 
-/// False if a snapshot mixes two ticks in the numbers that follow from the tick's own.
+/// Returns false if the values in a snapshot belong to different ticks.
 bool IsOfOneTick(const ServoSnapshot& s)
 {
   return s.Buttons == static_cast<std::uint32_t>(s.Tick) &&
@@ -47,7 +48,7 @@ bool IsOfOneTick(const ServoSnapshot& s)
     (!s.Before.Enabled || IsSame(s.Before.PreviousTip, PlayedDevice::TipOf(s.Tick - 1)));
 }
 
-/// A checksum over all numbers of a snapshot.
+/// Returns a checksum over all numbers of a snapshot.
 std::uint64_t SumOf(const ServoSnapshot& s)
 {
   std::uint64_t sum = 0;
@@ -84,10 +85,10 @@ std::uint64_t SumOf(const ServoSnapshot& s)
   return sum;
 }
 
-/// Watches a stream of states.
+/// Checks a stream of states.
 struct Watcher
 {
-  std::vector<std::pair<std::uint64_t, std::uint64_t>> Sums; ///< the tick, SumOf
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> Sums; ///< tick and its checksum
   std::uint64_t States = 0;
   std::uint64_t Torn = 0;
   std::uint64_t Backward = 0;
@@ -108,7 +109,8 @@ struct Watcher
   }
 };
 
-/// Another volume, material, kernel, method and placement each; only the model owns the samples.
+/// Returns a model with another volume, material, kernel, method and placement for each i. Only the
+/// model owns the samples.
 std::shared_ptr<const HapticModel> MakeModel(int i)
 {
   const auto volume = std::make_shared<TestVolume>(MakeRamp(16 + i % 8));
@@ -165,13 +167,14 @@ TEST(ServoSwap, AThousandModelsNeverTearJumpOrLeak)
       auto model = i % 50 == 49 ? nullptr : MakeModel(i);
       models.push_back(model);
       const std::uint64_t generation = loop->Publish(std::move(model));
-      if (i % 3 == 0) // the others come in bursts
+      if (i % 3 == 0) // other models come in bursts
       {
         EXPECT_TRUE(Eventually([&] { return loop->GetAcknowledged() >= generation; }));
       }
     }
     EXPECT_TRUE(Eventually([&] { return loop->GetAcknowledged() == 1000; }));
-    // Only the publisher frees, and it has freed all but the last, once the fitter has let go.
+    // Only the publisher frees models. When the fitter has let go, all models but the last are
+    // freed.
     for (std::size_t i = 0; i + 1 < models.size(); ++i)
     {
       const auto isFreed = [&]
@@ -196,7 +199,7 @@ TEST(ServoSwap, AThousandModelsNeverTearJumpOrLeak)
   EXPECT_EQ(reader.Backward + recorder.Backward, 0U);
   EXPECT_EQ(lost, 0U);
   ASSERT_EQ(recorder.Skipped, 0U);
-  // Two ways out of the loop give the same.
+  // The two outputs of the loop contain the same states.
   const std::uint64_t first = recorder.Sums.front().first;
   std::uint64_t compared = 0;
   for (const auto& [tick, sum] : reader.Sums)

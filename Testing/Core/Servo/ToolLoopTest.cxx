@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A tool with a shape in a running loop: force and torque within their limits, whatever is
- * published; its memory is freed with the models; a state and the contacts that were kept begin a
- * replay to the bit; and a hand whose device measures no orientation is turned.
+ * A tool with a shape in a running loop: force and torque stay within their limits, whatever is
+ * published; the tool's memory is freed with the models; a replay from a stored state and its
+ * contacts is equal to the bit; and a hand whose device measures no orientation can be turned.
  */
 
 #include "Core/State/ServoStateNumbers.h"
@@ -19,7 +19,7 @@ namespace
 {
 constexpr double MostTorque = 2e-4; // N m
 
-/// It takes torque, and is turned only by the loop.
+/// A device that accepts torque. Only the loop turns the tool.
 class TorqueDevice : public PlayedDevice
 {
 public:
@@ -55,7 +55,7 @@ std::shared_ptr<const PointShell> MakeTool(double radius)
   std::vector<ShellPoint> points = MakeSphere(radius, 300);
   for (ShellPoint& point : points)
   {
-    // Beside the hand, so that it is turned.
+    // The shell lies beside the hand's point, so that contact turns it.
     point = { 1e3 * point.Position + Vector3{ 1.0, 0.0, 0.0 }, 1e6 * point.Area };
   }
   return std::make_shared<const PointShell>(std::move(points));
@@ -185,7 +185,7 @@ TEST(ToolLoop, WhatIsKeptBeginsAReplay)
   }
 }
 
-/// The shorter way, at 4 rad/s.
+/// The hand turns the shorter way, at 4 rad/s.
 TEST(ToolLoop, TurnsTheHandThatNothingMeasures)
 {
   TorqueDevice device;

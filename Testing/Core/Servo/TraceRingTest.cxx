@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Every value from one thread to another, in order, and a count of those that found no room.
+ * Every value passes from one thread to another in order, and values that found no room are
+ * counted.
  */
 
 #include "Core/Servo/TraceRing.h"
@@ -93,7 +94,7 @@ TEST(TraceRing, AcrossThreadsNothingIsTornSwappedOrUncounted)
     {
       for (std::uint64_t i = 1; i <= last; ++i)
       {
-        // The last one has to arrive, so that the consumer knows when to stop.
+        // The last value must arrive, so that the consumer knows when to stop.
         while (!ring.Push(SealedValue(i)) && i == last)
         {
           std::this_thread::yield();
@@ -119,6 +120,6 @@ TEST(TraceRing, AcrossThreadsNothingIsTornSwappedOrUncounted)
   EXPECT_EQ(reader.Torn, 0U);
   EXPECT_EQ(reader.Backward, 0U);
   EXPECT_LE(reader.Taken, last);
-  // Attempts to push the last one again are counted as lost, too.
+  // Failed attempts to push the last value count as lost as well.
   EXPECT_GE(reader.Taken + ring.GetLost(), last);
 }
