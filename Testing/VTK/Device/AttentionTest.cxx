@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A program that stands still while a hand is held: the servo lets go, and says so.
+ * If the program does not look after the device while a hand is held, the servo fades the force out
+ * and reports a fault.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -21,7 +22,8 @@ namespace
 class Attention : public DeviceTest
 {
 protected:
-  /// The program is silent for a while; a loop that had no processor may need a longer one.
+  /// Keeps the program silent for a while, and returns whether the servo has let go. Tries longer
+  /// times, since the loop may have had no processor.
   bool IsLetGo(std::chrono::milliseconds silence = std::chrono::milliseconds(400))
   {
     for (int i = 0; i < 5; ++i, silence *= 2)
@@ -64,7 +66,7 @@ TEST_F(Attention, AnUnattendedForceFadesAndIsArmedAgain)
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::FAULT) << "it does not resume by itself";
   this->Device->SetAttentionTime(60.0);
   this->Device->Arm();
-  // The force begins again from the tip.
+  // The force begins again, with the proxy on the tip.
   EXPECT_TRUE(this->PressAgain());
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
 }

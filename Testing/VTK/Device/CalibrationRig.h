@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A device at a known place, and points that it touches.
+ * A device at a known place, and the points that it touches.
  */
 #ifndef CalibrationRig_h
 #define CalibrationRig_h
@@ -34,7 +34,7 @@ protected:
     return std::uniform_real_distribution<double>(-size, size)(this->Random);
   }
 
-  /// A placement that no axis or unit is special to.
+  /// Sets a random placement, with this scale.
   void Place(double scale)
   {
     this->Truth->Identity();
@@ -43,7 +43,8 @@ protected:
     this->Truth->Scale(scale, scale, scale);
   }
 
-  /// Points in the reach of a device (m), with an error in the world (world units).
+  /// Touches random points in the reach of a device (m), with random errors in the world (world
+  /// units).
   void Touch(int points, double error = 0.0)
   {
     this->RemovePoints();
@@ -71,7 +72,7 @@ protected:
     this->Pairs.emplace_back(device, world);
   }
 
-  /// Whether the points tell a placement.
+  /// Fits the placement; returns false if the points don't determine one.
   bool Compute()
   {
     this->Largest = this->Device->FitDeviceToWorld(this->Touched, this->Known, this->FixedScale);

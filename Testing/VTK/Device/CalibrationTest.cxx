@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A known placement of the device is found from points that it touched.
+ * The fit finds a known placement of the device from points that it has touched.
  */
 
 #include "CalibrationRig.h"
@@ -23,7 +23,7 @@ TEST_F(Calibration, FindsAPlacementExactly)
     {
       this->Touch(points[trial % 3]);
       this->FixedScale = trial % 4 ? 0.0 : scale;
-    } while (!this->Compute()); // a needle of a triangle
+    } while (!this->Compute()); // repeats if the triangle was too thin
     for (int i = 0; i < 16; ++i)
     {
       EXPECT_NEAR(this->GetDeviceToWorld()->GetData()[i], this->Truth->GetMatrix()->GetData()[i],

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Stiffness and damping never exceed what the device can hold.
+ * Stiffness and damping never exceed the limits of the device and of the sampled loop.
  */
 
 #include "Rigs/RecordingRig.h"
@@ -16,7 +16,7 @@ namespace
 class Caps : public Recording
 {
 protected:
-  /// The servo runs on a device with limits, with the tip at the beginning of the ramp.
+  /// Starts the servo on a device with these limits, with the tip in front of the ramp.
   void BeginWith(double stiffness, double damping, double friction)
   {
     ASSERT_TRUE(this->Device->Open("virtual"));
@@ -25,7 +25,7 @@ protected:
     ASSERT_TRUE(this->Device->Start());
     ASSERT_TRUE(this->WaitTicks(2));
   }
-  /// The force of a material of 500 N/m at 2 mm.
+  /// Expects this force of a material with 500 N/m that is pressed by 2 mm.
   void ExpectComputed(double force)
   {
     SetConstant(this->Filter->GetProperty()->GetFriction(), 0.0);
@@ -55,20 +55,20 @@ TEST(CapsOf, TakesTheTighterOfTheDevicesLimitAndTheSampledOne)
 
 TEST_F(Caps, AreRaisedByTheGainOnceTheRoundTripIsKnownAndNothingIsFelt)
 {
-  // 2 b / T is 300 N/m.
+  // 2 b / T is 300 N/m; the gain of 5 raises it to 1500 N/m.
   this->Device->SetStiffnessGain(5.0);
   EXPECT_EQ(this->Device->GetStiffnessGain(), 5.0);
   this->BeginWith(0.0, 0.0, 0.15);
   ASSERT_TRUE(this->Wait([&] { return this->Device->GetStiffnessCap() == 1500.0; }));
   this->ExpectComputed(-1.0);
   EXPECT_NE(std::string(this->Device->GetStatusText()).find("at most 1500 N/m"), std::string::npos);
-  // A smaller gain counts at once.
+  // A smaller gain takes effect at once.
   this->Device->SetStiffnessGain(1.0);
   const auto isComputed = [this](double force)
   { return std::abs(this->Device->GetState()->GetComputedForce()[2] - force) < 1e-6; };
   ASSERT_TRUE(this->Wait([&] { return isComputed(-0.6); }));
   EXPECT_EQ(this->Device->GetStiffnessCap(), 300.0);
-  // The tip is in the wall, so that a larger one waits.
+  // A larger gain waits while the tip is in the wall.
   this->Device->SetStiffnessGain(2.0);
   ASSERT_TRUE(this->WaitTicks(50));
   EXPECT_EQ(this->Device->GetStiffnessCap(), 300.0);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * No force leaves while the clutch is on; afterwards it rises from zero, with the proxy at the tip,
- * if it was armed before and nothing has disarmed it since.
+ * No force leaves while the clutch is on. Afterwards the force rises from zero, with the proxy on
+ * the tip, if the device was armed before and nothing has disarmed it since.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -107,7 +107,7 @@ TEST_F(Clutch, OfWhatIsNotArmedBringsNothing)
 
 TEST_F(Clutch, LetsArmTakeEffectAfterIt)
 {
-  this->Device->SetClutch(true); // before there is a servo
+  this->Device->SetClutch(true); // the servo does not run yet
   this->Begin();
   this->Device->Arm();
   ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));

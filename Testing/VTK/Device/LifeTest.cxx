@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Devices, filters and images come and go in any order.
+ * Devices, filters and images are created and deleted in any order.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -63,7 +63,7 @@ TEST_F(DeviceLife, TheFilterAndTheImageMayGoWhileTheServoRuns)
     ASSERT_TRUE(this->Device->Publish());
   }
   this->Device->SetVolumeHaptics(nullptr);
-  // The servo touches the image that only it holds now.
+  // Only the servo holds the image now, and still feels it.
   ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
   ASSERT_TRUE(this->WaitTicks(20));
   EXPECT_LT(this->Device->GetState()->GetComputedForce()[2], -0.5);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The limits that the user may set, and their effects.
+ * Limits that the user may set, and their effects.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -130,7 +130,7 @@ TEST_F(DeviceLimits, APulseAtTouchDownIsSentOnlyIfItIsWanted)
   {
     this->Device->SetTransientGain(gain);
     double most = 0.0;
-    // A pause of the loop between approach and touch is no approach: try again.
+    // A pause of the loop between approach and touch hides the approach, so the test tries again.
     for (int i = 0; i < 20 && !(gain > 0.0 && most > 0.1); ++i)
     {
       ASSERT_TRUE(this->Lead(7.0, 7.0, 5.0));

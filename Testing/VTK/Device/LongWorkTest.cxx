@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Work that keeps the owner from looking after the hand: the force is off meanwhile, and back
- * afterwards.
+ * While work keeps the owner from looking after the hand, the force is off; it returns afterwards.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -32,7 +31,7 @@ using namespace devicetest;
 
 namespace
 {
-/// Lets the worker end however the test ends.
+/// Opens the array at the end of the test, in any case, so that the worker can end.
 class OpenAtTheEnd
 {
 public:
@@ -57,7 +56,7 @@ class LongWork : public DeviceTest
 {
 protected:
   LongWork() { this->Device->SetAttentionTime(2.0); }
-  /// Presses the ramp with 1.5 N, and keeps all states from then on.
+  /// Presses the ramp with 1.5 N, and forgets the states up to then.
   void Press()
   {
     ASSERT_NO_FATAL_FAILURE(this->BeginPressed());
@@ -67,11 +66,11 @@ protected:
   {
     return this->Wait([this] { return Length(this->Device->GetState()->GetForce()) == 0.0; });
   }
-  /// The force was there all the time, but for pauses of a busy machine, after which only a new
-  /// contact is felt.
+  /// Expects that the force was never off. After a pause of a busy machine, only a new contact is
+  /// felt, so that the force may be off then.
   void ExpectForce() { EXPECT_TRUE(this->CountForceless() == 0 || this->HasPaused); }
-  /// How many states since the last call have no force. None has a fault; a force that ends does
-  /// not leap from a tick to the next one.
+  /// Returns how many states since the last call have no force. Expects no fault, and that a force
+  /// fades rather than leaps between consecutive ticks.
   int CountForceless(bool isArmed = true)
   {
     this->Device->GetState()->Drain(this->States);
@@ -84,7 +83,7 @@ protected:
       forceless += force == 0.0;
       EXPECT_EQ(column("Fault")->GetComponent(i, 0), 0.0);
       EXPECT_TRUE(!isArmed || column("Armed")->GetComponent(i, 0) == 1.0);
-      // As a fade: by 500 N/s, or within 50 ms.
+      // The fade is 500 N/s at most, or takes 50 ms.
       const double tick = column("Tick")->GetComponent(i, 0);
       const double time = column("Time")->GetComponent(i, 0);
       const double period = 1.0 / this->Device->GetServoRate();
@@ -99,7 +98,7 @@ protected:
     }
     return forceless;
   }
-  /// V = 100 z, of more than 8 million samples: even the estimate is left to the worker.
+  /// Makes V = 100 z with more than 8 million samples, for which a worker makes even the estimate.
   static vtkSmartPointer<vtkImageData> MakeLarge(GatedArray* values)
   {
     constexpr int n = 204;
@@ -113,8 +112,8 @@ protected:
     image->GetPointData()->SetScalars(values);
     return image;
   }
-  /// The triangles that a filter bakes are those that another one does without a worker, to the
-  /// bit.
+  /// Expects that the filter bakes the same triangles as another filter does without a worker, to
+  /// the bit.
   void ExpectSameMesh(vtkVolumeHapticsFilter* other, std::int64_t triangles)
   {
     using VolumeHaptics::HapticBaker;
@@ -174,7 +173,7 @@ TEST_F(LongWork, IsWithoutForceThatComesBackWithARamp)
   EXPECT_FALSE(this->Says("Force is off"));
   ASSERT_TRUE(this->PressAgain());
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
-  // From the tip, which was in the ramp: nothing pushed it out.
+  // The proxy begins at the tip, which was inside the ramp, so nothing has pushed the tip out.
   EXPECT_GT(this->CountForceless(), 0);
   EXPECT_TRUE(this->Log.Errors.empty());
 }
@@ -259,7 +258,7 @@ TEST_F(LongWork, ThatIsShortIsNotFelt)
   this->ExpectForce();
   EXPECT_EQ(this->Starts.Count, 0);
   EXPECT_EQ(this->Ends.Count, 0);
-  // A program that wants to be watched more closely has less time.
+  // A program that sets a shorter AttentionTime has less time before work counts as long.
   this->Device->SetAttentionTime(0.8);
   this->Device->BeginLongWork("the test waits", 0.2);
   EXPECT_EQ(this->Starts.Count, 1);
@@ -289,8 +288,8 @@ TEST_F(LongWork, OutlivesAServoAndHoldsTheNextOne)
 
 TEST_F(LongWork, IsNotMeshingWhatHasManyTriangles)
 {
-  // V = 100 z, and from z = 12 on what an isosurface passes everywhere: some hundred thousand
-  // triangles.
+  // V = 100 z below z = 12. An isosurface passes everywhere through the random values above, with
+  // some hundred thousand triangles.
   constexpr int n = 40;
   std::mt19937 random(1);
   const auto image = MakeImage(n, VTK_FLOAT,
@@ -332,7 +331,7 @@ TEST_F(LongWork, IsNotMeshingALargeVolume)
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->Wait([&] { return values->Asked > 0; }));
   EXPECT_TRUE(isMeshing());
-  // Changes of mind do not wait for the worker either, which still reads the array.
+  // Further changes of settings don't wait for the worker, which still reads the array.
   this->Filter->SetIsoValue(750.0);
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_TRUE(isMeshing());
@@ -342,13 +341,13 @@ TEST_F(LongWork, IsNotMeshingALargeVolume)
   EXPECT_FALSE(isMeshing());
   this->Filter->SetMethodToSurfaceProxy();
   ASSERT_TRUE(this->Device->Publish());
-  this->Filter->Update(); // without a path: it only checks, and does not wait
+  this->Filter->Update(); // has no path: the filter only checks its input, and does not wait
   EXPECT_EQ(this->FilterLog.Errors.size(), 0U);
-  // The surface around the tip comes first, and follows it.
+  // The surface around the tip is meshed first, and follows the tip.
   ASSERT_TRUE(this->IsFeltAs("Surface proxy"));
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->GetResidency() == 1.0; }));
   ASSERT_TRUE(this->Lead(7.0, 7.0, 5.0) && this->WaitFullyArmed() && this->LeadInto(10.0));
-  EXPECT_TRUE(this->WaitPressed()); // 3 mm, with the radius
+  EXPECT_TRUE(this->WaitPressed()); // 3 mm deep, including the radius
   ASSERT_TRUE(this->Lead(7.0, 7.0, 5.0) && this->Lead(150.0, 150.0, 5.0));
   this->BeginWayHere();
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->GetResidency() == 1.0; }));
@@ -429,7 +428,7 @@ TEST_F(LongWork, IsNotPreparingAGivenSurfaceOfManyTriangles)
   other->SetProxyRadius(0.05);
   this->ExpectSameMesh(other, sphere->GetOutput()->GetNumberOfPolys());
 
-  // What can't be touched is told when it is known.
+  // An error in the surface is reported when the worker has found it.
   sphere->GetOutput()->GetPoints()->SetPoint(5, NAN, 0.0, 0.0);
   sphere->GetOutput()->Modified();
   ASSERT_TRUE(this->Device->Publish());
@@ -474,7 +473,7 @@ TEST_F(LongWork, IsNotMeshingASmallVolume)
 
 TEST_F(LongWork, IsNotHashingALargeVolume)
 {
-  // V = 100 z in 162 MB.
+  // V = 100 z with 162 MB of samples.
   vtkNew<vtkImageData> image;
   image->SetDimensions(256, 256, 310);
   vtkNew<vtkDoubleArray> values;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Observers of vtkCommand::DisableEvent call the device that tells them.
+ * Observers of vtkCommand::DisableEvent call methods of the device that sends the event.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -21,7 +21,7 @@ using namespace devicetest;
 
 namespace
 {
-/// Has observers that can be told.
+/// A source of a volume that tests can observe.
 class VolumeSource : public vtkImageAlgorithm
 {
 public:
@@ -51,7 +51,7 @@ vtkStandardNewMacro(VolumeSource);
 class DeviceObservers : public DeviceTest
 {
 protected:
-  /// Calls a function at every event, and counts the events.
+  /// Calls a function at every DisableEvent, and counts the events.
   void AtDisable(std::function<void(vtkHapticDevice*)> act)
   {
     this->Act = std::move(act);
@@ -157,7 +157,7 @@ TEST_F(DeviceObservers, MayLetGoOfTheLastReference)
 
 TEST_F(DeviceObservers, MayStartCloseAndOpenWhatIsBeingStarted)
 {
-  // The source of the volume tells that it is being read, which it is for Start().
+  // Start() reads the volume. Then the source sends an EndEvent, whose observer acts on the device.
   vtkNew<VolumeSource> source;
   this->Filter->SetInputConnection(source->GetOutputPort());
   std::function<void()> act;

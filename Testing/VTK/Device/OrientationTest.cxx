@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The stylus's orientation, from a device that is placed in the world, as VTK's own quaternions and
- * transforms have it.
+ * The orientation of a stylus, from a device that is placed in the world, compared with VTK's
+ * quaternions and transforms.
  */
 
 #include "Rigs/RecordingRig.h"
@@ -33,7 +33,7 @@ vtkQuaterniond TurnAbout(double degrees, double x, double y, double z)
 class Orientation : public Recording
 {
 protected:
-  /// The device's axes in the world: turned about this axis, a metre long 900 units.
+  /// Places the device in the world: turned about this axis, with 900 world units to the metre.
   void PlaceDevice(double degrees, double x, double y, double z)
   {
     vtkNew<vtkTransform> place;
@@ -50,7 +50,7 @@ protected:
   {
     return vtkQuaterniond(this->Device->GetState()->GetTipOrientation());
   }
-  /// The same turn, q or -q.
+  /// Returns the difference of two rotations; q and -q are the same rotation.
   static double Difference(const vtkQuaterniond& a, const vtkQuaterniond& b)
   {
     double dot = 0.0;
@@ -105,14 +105,14 @@ TEST_F(Orientation, TurnsWithTheDevice)
   this->SetOrientation(turn);
   ASSERT_TRUE(this->WaitOrientation(turn)) << "as it was set, in the world";
 
-  // The hand holds still, and the device is put somewhere else.
+  // The hand holds still while the device is placed elsewhere.
   this->PlaceDevice(-155.0, 1.0, 0.2, 0.7);
   ASSERT_TRUE(this->Device->Publish());
   const vtkQuaterniond before = TurnAbout(70.0, 0.3, -1.0, 0.4);
   const vtkQuaterniond after = TurnAbout(-155.0, 1.0, 0.2, 0.7);
   EXPECT_TRUE(this->WaitOrientation(after * (before.Conjugated() * turn)));
 
-  // Transforms say the same of the axis of the handle.
+  // vtkTransform gives the same axis of the handle.
   vtkNew<vtkTransform> handle;
   handle->RotateWXYZ(-155.0, 1.0, 0.2, 0.7);
   handle->RotateWXYZ(-70.0, 0.3, -1.0, 0.4);
@@ -199,7 +199,7 @@ TEST_F(Orientation, IsRecordedAndReplayed)
     }
     else
     {
-      this->ExpectSame(0.0); // also what the filter makes of it
+      this->ExpectSame(0.0); // also checks what the filter makes of the recording
       this->Begin();
     }
   }
@@ -224,7 +224,8 @@ TEST_F(Orientation, IsRecordedAndReplayed)
   EXPECT_LT(turned, ticks - 5);
   EXPECT_EQ(At(this->Recorded, "Orientation", ticks - 1).SquaredNorm(), 0.0);
 
-  // The same to the bit from a .vtp, and from a .csv, whose ticks differ, as well as it is seen.
+  // A replay of the .vtp repeats the orientations to the bit. A .csv has other ticks, so its
+  // orientations are only counted.
   const std::string again = this->File("Again.vtp");
   for (const std::string& file : { this->Name, table })
   {
@@ -258,7 +259,7 @@ TEST_F(Orientation, IsRecordedAndReplayed)
 
 TEST_F(Orientation, OfATraceInTheWorldIsReplayed)
 {
-  // Tips and orientations without those of the device.
+  // The trace has tips and orientations in the world, and none of the device.
   const vtkQuaterniond turn = TurnAbout(110.0, -1.0, 0.5, 2.0);
   const std::string file = this->File("World.csv");
   {

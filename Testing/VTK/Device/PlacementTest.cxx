@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The proxy begins at the position at which a stylus is taken up.
+ * The proxy begins where a stylus is taken up.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -11,7 +11,7 @@ using namespace devicetest;
 
 TEST_F(DeviceTest, APlacedTipFeelsNothingOfTheWay)
 {
-  // The device space's origin is a corner of the ramp; the first tip is deep in it.
+  // The origin of the device space is a corner of the ramp; the first tip is deep inside of it.
   this->Device->GetVirtualHand()->SetPosition(7.0, 7.0, 12.0);
   ASSERT_TRUE(this->Device->Open("virtual") && this->Device->Start());
   this->Log.Errors.clear();

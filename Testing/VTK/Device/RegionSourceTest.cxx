@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A device on a volume that is read region by region: the force comes with the samples, fades where
- * a reader is late or fails, and comes back; never with a step above the slew limit.
+ * A device on a volume that is read region by region. The force begins when the samples are there,
+ * fades if a reader is late or fails, and returns, never with a step above the slew limit.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -33,7 +33,7 @@ using namespace devicetest;
 
 namespace
 {
-/// A reader that the test sees and leads.
+/// Flags by which a test controls and observes its reader.
 struct Led
 {
   std::atomic<bool> IsOpen{ true };
@@ -43,7 +43,7 @@ struct Led
   std::atomic<int> Waiting{ 0 };
 };
 
-/// Any bits: numbers of all sizes, infinite ones, and what is none.
+/// Fills the samples with random bits: numbers of all sizes, infinities and NaN.
 void FillJunk(const int box[6], void* samples)
 {
   const std::int64_t place = box[0] + 2000 * (box[2] + std::int64_t{ 2000 } * box[4]);
@@ -59,7 +59,8 @@ void FillJunk(const int box[6], void* samples)
   }
 }
 
-/// A grid that waits until it is open, in all threads but the one of the test. Copies do so, too.
+/// A grid whose cells wait until it is open, in all threads except the test's. Copies of it wait,
+/// too.
 class LedGrid : public vtkRectilinearGrid
 {
 public:
@@ -78,7 +79,7 @@ public:
   static inline const std::thread::id Owner = std::this_thread::get_id();
 };
 
-/// V = 100 z in a volume of 2000^3: 32 GB of float.
+/// V = 100 z in a volume of 2000^3 samples: 32 GB of float.
 class RegionSource : public DeviceTest
 {
 protected:
@@ -119,7 +120,8 @@ protected:
       });
     this->Filter->SetInputConnection(0, this->Source->GetOutputPort());
   }
-  /// The servo runs, armed, with the tip in the middle of the volume and its samples there.
+  /// Starts and arms the servo with the tip in the middle of the volume, and waits for the samples
+  /// there.
   void BeginInTheMiddle()
   {
     this->BeginWayHere();
@@ -143,8 +145,8 @@ protected:
   {
     return this->Device->GetStatusText().find(words) != std::string::npos;
   }
-  /// All commands since the last call: none is above the maximum, or grows by more than the slew
-  /// limit allows.
+  /// Expects that no command since the last call exceeds the maximum, or grows by more than the
+  /// slew limit allows.
   void ExpectNoStep()
   {
     this->Device->GetState()->Drain(this->States);
@@ -166,7 +168,7 @@ protected:
     }
   }
 
-  /// The samples of the region that are no finite numbers.
+  /// Returns the number of samples in the region that are not finite.
   int CountJunk()
   {
     auto* const samples =
@@ -194,7 +196,7 @@ TEST_F(RegionSource, IsFeltAndFollowsTheHand)
   EXPECT_GT(pressed, 0.5);
   EXPECT_LT(
     4.0 * this->Filter->GetInputDataObject(0, 0)->GetActualMemorySize() * 1024.0, 1.1 * 4194304.0);
-  // Farther than the region reaches, and back: it is felt there, too.
+  // The tip moves beyond the region, and the volume is felt there, too.
   ASSERT_TRUE(this->Lead(1000.0, 1000.0, 998.0));
   ASSERT_TRUE(this->Lead(1400.0, 1000.0, 998.0));
   ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 1.0; }));
@@ -206,9 +208,9 @@ TEST_F(RegionSource, IsFeltAndFollowsTheHand)
   EXPECT_EQ(this->SourceLog.Errors.size(), 0U);
 }
 
-/// A plane at z = 1000, which holds a ball of 0.5 mm at 999.5: the force is the stiffness times
-/// what the tip is beyond. The regions are of 8 million samples, whose surface takes more than 40
-/// ms to mesh.
+/// The isosurface is a plane at z = 1000, which holds a sphere of 0.5 mm at 999.5. The force is the
+/// stiffness times the distance of the tip beyond it. The regions have 8 million samples, whose
+/// surface takes more than 40 ms to mesh.
 TEST_F(RegionSource, HasASurfaceThatIsMeshedInTheBackground)
 {
   this->Source->SetMemoryLimit(134217728);
@@ -280,7 +282,7 @@ TEST_F(RegionSource, ThatIsLateFadesAndComesBack)
   this->ExpectNoStep();
 }
 
-/// The same for data that are no image, which a worker resamples around the tip.
+/// Like the test above, with a grid that a worker resamples around the tip.
 TEST_F(RegionSource, OfADataSetThatIsLateFadesAndComesBack)
 {
   vtkNew<LedGrid> grid;
@@ -320,7 +322,7 @@ TEST_F(RegionSource, OfADataSetThatIsLateFadesAndComesBack)
 
 TEST_F(RegionSource, ThatIsLateHasACoarseImageThatIsFeltByHalf)
 {
-  // V = 100 z, as the samples between these have it.
+  // The coarse image has the same values V = 100 z.
   vtkNew<vtkImageData> coarse;
   coarse->SetDimensions(21, 21, 21);
   coarse->SetSpacing(100.0, 100.0, 100.0);
@@ -345,7 +347,7 @@ TEST_F(RegionSource, ThatIsLateHasACoarseImageThatIsFeltByHalf)
     << Length(this->Device->GetState()->GetForce()) << " N, of " << whole;
   this->Reader->IsOpen = true;
   ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 1.0; }));
-  // A contact that faded out in between, on a busy machine, begins anew.
+  // On a busy machine the contact may have faded out meanwhile, so the test presses anew.
   ASSERT_TRUE(this->Lead(1300.0, 1000.0, 998.0));
   this->Press(1300.0);
   this->ExpectNoStep();
@@ -398,7 +400,7 @@ TEST_F(RegionSource, OfJunkStaysWithinTheLimitsAndIsFeltAgainWhenItIsMended)
   {
     if (this->Device->GetStatus() == vtkHapticDevice::FAULT)
     {
-      this->Device->Arm(); // as a person does who does not give up
+      this->Device->Arm(); // arms again, as a persistent person does
     }
     ASSERT_TRUE(
       this->Lead(1200.0 + 0.7 * (i % 7), 1000.0 + 0.9 * (i % 5), 1006.0 + 0.3 * (i % 11)));
@@ -412,7 +414,7 @@ TEST_F(RegionSource, OfJunkStaysWithinTheLimitsAndIsFeltAgainWhenItIsMended)
   this->BeginWayHere();
   ASSERT_TRUE(this->Wait(
     [&] { return !this->Source->IsWaiting() && this->Device->GetState()->GetResidency() == 1.0; }));
-  // The hand leaves the place, and waits until all of the force flows again.
+  // The hand leaves the place, and waits until the device is fully armed again.
   this->Device->Arm();
   ASSERT_TRUE(this->Lead(1000.0, 1000.0, 990.0));
   ASSERT_TRUE(this->WaitFullyArmed());
@@ -500,7 +502,7 @@ TEST_F(RegionSource, FollowsNothingWithoutATip)
   EXPECT_EQ(this->SourceLog.Errors.size(), 1U);
 }
 
-// Where a segmentation has -32768 in its corners, as in memory: see FilterOutsideTest.cxx.
+// The segmentation has -32768 in its corners; see FilterOutsideTest.cxx for images in memory.
 TEST_F(RegionSource, LabelsAreReadAsTheyAre)
 {
   vtkNew<vtkHapticRegionSource> source;

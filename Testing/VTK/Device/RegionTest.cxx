@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A device on a region of a volume: what it says of data that are not there, and how it lets go.
+ * A device on a region of a volume: how it reports missing data, and how its force fades.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -26,7 +26,7 @@ protected:
     this->Crop->SetRegion(0, 47, 0, 47, 0, 30);
     this->Filter->SetInputConnection(0, this->Crop->GetOutputPort());
   }
-  /// Presses the ramp, armed, well inside the region.
+  /// Arms, and presses the ramp well inside the region.
   void Press()
   {
     this->Begin();
@@ -65,7 +65,7 @@ TEST_F(Region, SaysThatDataAreAwaitedAndGoesOnWhenTheyCome)
   this->Device->ResetStatistics();
   ASSERT_TRUE(this->WaitTicks(3));
   EXPECT_EQ(this->Device->GetAbsentTicks(), 0);
-  // The column has the whole story, a step at a time.
+  // The column shows the fade and the return, in small steps.
   this->Device->GetState()->Drain(table);
   auto* const residency = vtkDataArray::SafeDownCast(table->GetColumnByName("Residency"));
   ASSERT_TRUE(residency && residency->GetNumberOfTuples() > 50);
@@ -97,7 +97,7 @@ TEST_F(Region, IsNotRecorded)
 TEST_F(Region, FadesOutAndDisarms)
 {
   vtkNew<vtkTable> table;
-  this->Device->FadeOut(); // nothing runs
+  this->Device->FadeOut(); // nothing runs yet
   this->Press();
   this->Device->GetState()->Drain(table);
   this->Device->FadeOut();
@@ -113,7 +113,7 @@ TEST_F(Region, FadesOutAndDisarms)
   }
   EXPECT_EQ(falling, 49) << "of 50 ticks, the last of which disarms";
   EXPECT_EQ(this->Device->GetAbsentTicks(), 0) << "the data were there";
-  this->Device->FadeOut(); // nothing to fade
+  this->Device->FadeOut(); // nothing is armed
   ASSERT_TRUE(this->ArmFully());
   EXPECT_EQ(this->Device->GetState()->GetResidency(), 1.0);
   ASSERT_TRUE(this->Lead(20.0, 20.0, 16.0));

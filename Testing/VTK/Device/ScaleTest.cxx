@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * No call on the owner's thread reads more of a large volume than of another one. Judged by the
- * pages of a file, almost all of which is a hole, that the kernel says are in memory (mincore(2)).
- * What works in the background is held up meanwhile.
+ * No call on the owner's thread reads more of a large volume than of a small one. The test counts
+ * the pages of a sparse file that the kernel has in memory (mincore(2)), while work in the
+ * background is delayed.
  */
 
 #include "Benchmarks/SparseVolume.h"
@@ -24,20 +24,21 @@ namespace
 class Scale : public DeviceTest
 {
 protected:
-  /// Of the file, in pages of 4 KiB.
+  /// Returns the pages (4 KiB) of the file that are in memory.
   std::size_t CountPages(const benchmarks::SparseVolume& volume)
   {
     return volume.GetResident() / 4096;
   }
 };
 
-/// The samples around the tip that are kept in memory while the servo runs.
+/// Pages of the samples around the tip that stay in memory while the servo runs.
 constexpr std::size_t MostKept = VolumeHaptics::SampleKeeper::MostBytes / 4096;
-/// The noise is estimated from 512 blocks of 5 x 5 rows, each row in one page or two; around the
-/// tip some hundred rows are read. All of the smallest volume, of two bytes a sample, is 65536.
+/// Most pages for an update. The noise is estimated from 512 blocks of 5 x 5 rows, each row in one
+/// page or two; some hundred rows around the tip are read. The whole of the smallest volume, with
+/// two bytes per sample, is 65536 pages.
 constexpr std::size_t MostPages = 512 * 25 + 2000 + MostKept;
-/// ProposeFromImage looks at 512 rows, with 5 rows beside each of them in 6 slices, and follows the
-/// edges that it finds.
+/// Most pages for ProposeFromImage(), which looks at 512 rows, with 5 rows beside each of them in 6
+/// slices, and follows the edges that it finds.
 constexpr std::size_t MostPagesOfAProposal = 512 * 36 + 6000;
 } // namespace
 
@@ -71,7 +72,7 @@ TEST_F(Scale, CallsReadNoMoreOfALargerVolume)
     EXPECT_LT(this->CountPages(volume), MostPages) << size << "^3";
     EXPECT_LT(this->CountPages(volume), once + 500 + MostKept)
       << "after the first touch, " << size << "^3";
-    // The worker is told to end after a piece, and can once the array is open.
+    // The worker, which is told to end after a piece, can end only once the array is open.
     std::thread opener(
       [&samples]
       {
@@ -85,11 +86,11 @@ TEST_F(Scale, CallsReadNoMoreOfALargerVolume)
     this->Device->Close();
     const std::size_t felt = this->CountPages(volume);
     vtkNew<vtkHapticProperty> proposed;
-    const MessageLog refusal(proposed); // if no row meets the cube
+    const MessageLog refusal(proposed); // it is refused if no row meets the cube
     proposed->ProposeFromImage(volume.GetImage());
     EXPECT_GT(this->CountPages(volume), felt + 3000) << "rows were looked at, " << size;
     EXPECT_LT(this->CountPages(volume), felt + MostPagesOfAProposal) << "a proposal, " << size;
-    // The image goes before its memory.
+    // The image is released before its memory.
     this->Filter->SetInputData(0, this->Image);
     this->Filter->Update();
   }
@@ -97,7 +98,7 @@ TEST_F(Scale, CallsReadNoMoreOfALargerVolume)
 
 TEST_F(Scale, TheFirstUpdateReadsThePlacesOfTheNoiseOnly)
 {
-  // 400^3 is almost the largest of which 16^3 blocks are looked at.
+  // 400^3 is almost the largest size for which 16^3 blocks are used.
   for (const int size : { 256, 400 })
   {
     const benchmarks::SparseVolume volume(size);
@@ -106,7 +107,7 @@ TEST_F(Scale, TheFirstUpdateReadsThePlacesOfTheNoiseOnly)
     this->Filter->SetPathData(
       MakePath({ { middle, middle, middle }, { middle, middle, middle + 1.0 } }));
     this->Filter->Update();
-    // The blocks lie in 16 times 5 slices, those around the tip in some more.
+    // The blocks lie in 16 times 5 slices, and the rows around the tip in some more.
     const std::size_t slice = sizeof(short) * size * size / 4096 + 1;
     EXPECT_LT(this->CountPages(volume), (16 * 5 + 10) * slice) << size << "^3";
     EXPECT_GT(this->CountPages(volume), 1000U) << "the noise was estimated";
@@ -121,7 +122,7 @@ TEST_F(Scale, LabelsOfFloatingPointAreCheckedInPlaces)
   {
     const auto count = vtkIdType{ size } * size * size;
     servotest::MappedFile file(sizeof(float) * static_cast<std::size_t>(count));
-    (void)madvise(file.Begin, file.Size, MADV_RANDOM); // without reading ahead
+    (void)madvise(file.Begin, file.Size, MADV_RANDOM); // disables reading ahead
     vtkNew<vtkFloatArray> labels;
     labels->SetArray(static_cast<float*>(file.Begin), count, 1);
     vtkNew<vtkImageData> image;

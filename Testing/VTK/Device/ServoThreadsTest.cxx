@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A loop that hangs in its device is cut off from outside, and one that its processor lets wait is
- * woken up on another.
+ * A loop that hangs in its device is quenched by another thread, and a loop whose processor is busy
+ * is woken on another one.
  */
 
 #include "VTK/Device/ServoThreads.h"
@@ -30,11 +30,11 @@ using devicetest::Eventually;
 namespace
 {
 class HangingDevice;
-/// The devices that this thread has quenched, in their order; keepers quench on threads of their
-/// own.
+/// The devices that this thread has quenched, in order. Keepers quench in their own threads, so
+/// they don't appear here.
 thread_local std::vector<const HangingDevice*> Quenched;
 
-/// Hangs in Read for as long as it is told to.
+/// Hangs in Read() while it is told to.
 class HangingDevice : public DeviceBackend
 {
 public:
@@ -65,13 +65,13 @@ public:
 };
 
 #if defined(__linux__)
-/// Lets its thread wait for all others that compute on its processor.
+/// Gives its thread the lowest priority, so that it waits for all other threads on its processor.
 class LowlyDevice : public HangingDevice
 {
 public:
   DeviceState Read(double time, DeviceSample& sample) noexcept override
   {
-    // Each time: RealtimeKit may raise it meanwhile.
+    // Sets the priority each time, since RealtimeKit may have raised it meanwhile.
     const sched_param none{};
     EXPECT_EQ(pthread_setschedparam(pthread_self(), SCHED_IDLE, &none), 0);
     return HangingDevice::Read(time, sample);
@@ -115,7 +115,7 @@ TEST(ServoThreads, QuenchTellsAllBeforeItWaitsForOne)
   std::vector<ServoThreads*> all;
   for (HangingDevice& device : devices)
   {
-    device.Hangs.store(&device != &devices[2]); // the last is well
+    device.Hangs.store(&device != &devices[2]); // the last device works
     servos.push_back(std::make_unique<ServoThreads>(device, 1000.0, SafetyLimits{}, nullptr));
     all.push_back(servos.back().get());
   }

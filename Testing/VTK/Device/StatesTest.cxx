@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-/// A display gets every state once, in order, and with its position.
+/// A display gets every state once, in order, and at its position.
 
 #include "Rigs/RecordingRig.h"
 
@@ -18,7 +18,7 @@ protected:
     return vtkDataArray::SafeDownCast(this->Table->GetColumnByName(column))
       ->GetComponent(row, component);
   }
-  /// Takes states until some have come, and checks that none is missing.
+  /// Drains states until there are `least`, and checks that none is missing.
   void Take(int least)
   {
     for (vtkIdType taken = 0; taken < least;)
@@ -85,7 +85,7 @@ TEST_F(States, ComeToEveryReader)
     EXPECT_GE(last, this->Last);
     this->Take(10);
   }
-  this->Device->GetState()->Drain(nullptr, 1); // states from now on are not kept for it
+  this->Device->GetState()->Drain(nullptr, 1); // from now on, no states are kept for this reader
   this->Take(10);
   this->Device->GetState()->Drain(others, 1);
   const double first = others->GetNumberOfRows() ? others->GetValue(0, 1).ToDouble() : VTK_INT_MAX;
@@ -110,7 +110,7 @@ TEST_F(States, AreWhereTheDeviceWas)
   ASSERT_TRUE(this->WaitTicks(3));
   for (int i = 1; i < 30; ++i)
   {
-    this->Turn(12.0 * i, 0.5 * i); // published, with states of before still to be taken
+    this->Turn(12.0 * i, 0.5 * i); // publishes while earlier states are not drained yet
     if (i % 3 == 0)
     {
       this->Device->UpdateState();
@@ -120,7 +120,8 @@ TEST_F(States, AreWhereTheDeviceWas)
   ASSERT_TRUE(this->WaitTicks(3));
   this->Device->GetState()->Drain(this->Table);
   ASSERT_GT(this->Table->GetNumberOfRows(), 1);
-  // The hand rests: its distance from the axis of the turns, if they are not shifted, is a scale.
+  // The hand rests: the first state is where the first placement puts it, the last one where the
+  // last placement does.
   EXPECT_NEAR(this->At("Tip", 0, 0), 7.0, 1e-9);
   EXPECT_NEAR(this->At("Tip", 0, 2), 5.0, 1e-9);
   const vtkIdType last = this->Table->GetNumberOfRows() - 1;

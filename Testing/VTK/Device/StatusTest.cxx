@@ -78,7 +78,7 @@ TEST_F(DeviceStatus, ForceFlowsOnlyWhileArmed)
   EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[2], -1.5, 1e-6) << "500 N/m, 3 mm deep";
   EXPECT_NEAR(this->Device->GetState()->GetProxyPosition()[2], 5.0, 1e-6);
   EXPECT_EQ(this->Device->GetState()->GetContact(), 1);
-  // Armed inside, the hand feels nothing until it moves: the proxy begins at the tip.
+  // A hand that is armed inside feels nothing until it moves, since the proxy begins at the tip.
   this->BeginWayHere();
   ASSERT_TRUE(this->ArmFully());
   EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
@@ -96,7 +96,7 @@ TEST_F(DeviceStatus, ASurfaceThatWasPressedDuringTheRampIsCalledSoft)
 {
   this->Begin();
   bool isSoft = false;
-  // A busy machine may miss the ramp's half second, or stand still, after which contact is new.
+  // A busy machine may miss the ramp of half a second, or pause, after which the contact is new.
   for (int attempt = 0; attempt < 10 && !isSoft; ++attempt)
   {
     this->Device->Disarm();

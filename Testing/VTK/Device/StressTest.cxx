@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Whatever changes while the servo runs at 5 kHz, and is recorded: images, functions, methods,
- * kernels, placements, a thousand times.
+ * A thousand changes of images, functions, methods, kernels and placements, while the servo runs at
+ * 5 kHz and is recorded.
  */
 
 #include "Rigs/RecordingRig.h"
@@ -21,7 +21,7 @@ protected:
     switch (i % 5)
     {
       case 0:
-        this->Filter->SetInputData(0, MakeRamp()); // and the last one is gone
+        this->Filter->SetInputData(0, MakeRamp()); // deletes the last image
         break;
       case 1:
         SetConstant(property->GetStiffness(), 200.0 + 10.0 * (i % 30));
@@ -87,7 +87,7 @@ TEST_F(Stress, AThousandChangesLeaveWholeStates)
     {
       ASSERT_EQ(tick->GetComponent(i, 0), tick->GetComponent(i - 1, 0) + 1.0);
     }
-    // A state of two ticks or two models would not obey its own spring.
+    // A state that mixed two ticks or two models would not obey its own spring.
     const double k = data->GetArray("Stiffness")->GetComponent(i, 0);
     double stretch[3];
     double force[3];

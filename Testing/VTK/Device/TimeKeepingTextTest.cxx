@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The status text tells how the servo keeps time, and what a user can do about it.
+ * The status text tells how well the servo keeps time, and how a user can improve it.
  */
 
 #include "VTK/Device/DeviceStatus.h"

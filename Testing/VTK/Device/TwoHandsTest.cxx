@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Two devices on one filter: each has the force that it would have alone, to the bit; a fault, a
- * disarmed or a closed device is one hand's; one hand holds the tool, and the other one feels what
- * it removes.
+ * Two devices with one filter: each has the force that it would have alone, to the bit. A fault,
+ * disarming or closing concerns one hand only. One hand holds the tool, and the other one feels
+ * what it removes.
  */
 
 #include "Rigs/RecordingRig.h"
@@ -46,7 +46,7 @@ protected:
       });
   }
   /// Arms the other hand at a height in the ramp, where its proxy begins, and presses from there
-  /// until something holds. After a pause of the loop, the proxy is at the tip: presses again.
+  /// until `holds` is true. Tries again, since a pause of the loop puts the proxy on the tip.
   template <typename F>
   bool PressOther(double from, double to, F&& holds)
   {
@@ -99,7 +99,7 @@ TEST_F(TwoHands, EachHasTheForceThatItHasAlone)
   ASSERT_TRUE(this->Other->GetRecorder()->Stop());
   this->Other->Stop();
   this->ExpectSame();
-  // The filter, which knows nothing of devices, computes the other hand's path alone.
+  // The filter, without a device, computes the other hand's path alone.
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(second.c_str());
   reader->Update();
@@ -126,7 +126,7 @@ TEST_F(TwoHands, AFaultOrAnEndIsOneHands)
 {
   this->BeginPressed();
   ASSERT_TRUE(this->Other->Open("virtual"));
-  // A light tip that a far goal makes faster than a hand.
+  // A light tip that is pulled far is faster than a hand can be, which is a fault.
   this->Other->GetVirtualHand()->SetDynamics(0.01, 4.0, 2000.0, 0.0, 0);
   this->Other->GetVirtualHand()->SetPosition(4.0, 4.0, 5.0);
   ASSERT_TRUE(this->Other->Start());
@@ -214,7 +214,7 @@ TEST_F(TwoHands, WhatOneRemovesTheOtherNoLongerFeels)
   this->Device->GetVirtualHand()->SpinningOff();
   this->Device->GetVirtualHand()->SetPosition(4.0, 4.0, 4.0);
   ASSERT_TRUE(this->WaitOther([this] { return !this->Device->GetState()->IsSpinning(); }));
-  // The tissue that comes back does not push the hand that is in it: its proxy begins at the tip.
+  // Tissue that returns does not push the hand inside of it, since its proxy begins at the tip.
   const std::string before = this->Other->GetStatusText();
   while (this->Filter->GetRemoval()->GetNumberOfUndos() > 0 && this->Filter->GetRemoval()->Undo())
   {

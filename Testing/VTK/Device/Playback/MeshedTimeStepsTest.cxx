@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Large meshes of the first time steps of a volume that moves, which a worker makes. Where the test
- * holds the worker up, a device that waited for it would wait for ever.
+ * A worker makes the large meshes of the first time steps of a moving volume. The test holds the
+ * worker up, so a device that waited for it would wait forever.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -24,8 +24,8 @@ constexpr double MeshedStiffness = 500.0;
 constexpr double MeshedRadius = 0.5;
 constexpr double MeshedTip = 6.5;
 
-/// Time steps of V = 100 (z + t): the surface at 750 comes by 1 mm in a unit of data time. The
-/// sphere of the proxy is 0.5 mm before it at 0.
+/// Time steps of V = 100 (z + t): the surface at 750 moves by 1 mm per unit of data time. At time
+/// 0, the sphere of the proxy is 0.5 mm in front of it.
 class MeshedTimeSteps : public DeviceTest
 {
 protected:
@@ -44,7 +44,7 @@ protected:
     SetConstant(this->Filter->GetProperty()->GetSurfaceStrength(), 3.0);
     this->Filter->GetProperty()->DistinctnessFromNoiseOff();
   }
-  /// However the test ends.
+  /// Releases the worker in any case.
   ~MeshedTimeSteps() override { this->LetTheWorkerGoOn(); }
 
   void LetTheWorkerGoOn()
@@ -55,10 +55,10 @@ protected:
     }
   }
   bool IsWorkerHeldUp() { return this->TimeSteps[0]->Asked > 0 && !this->TimeSteps[0]->IsOpen; }
-  /// A time step and the next one.
+  /// Gives a time step and the next one.
   void Give(int first)
   {
-    // 33 000 triangles.
+    // The mesh of each has 33 000 triangles.
     constexpr int n = 130;
     this->Source->RemoveAllTimeSteps();
     for (int i = first; i < first + 2; ++i)
@@ -117,7 +117,7 @@ TEST_F(MeshedTimeSteps, AreNotWaitedFor)
   EXPECT_FALSE(this->Device->GetPlayback()->HasTimeSteps());
   EXPECT_EQ(Length(this->Device->GetState()->GetComputedForce()), 0.0);
   EXPECT_EQ(this->Device->GetPlayback()->GetDataTime(), 0.0);
-  // A change of mind does not wait either.
+  // Further changes of settings don't wait for the worker.
   this->Filter->SetIsoValue(700.0);
   ASSERT_TRUE(this->Device->Publish());
   this->Filter->SetIsoValue(750.0);
@@ -129,7 +129,7 @@ TEST_F(MeshedTimeSteps, AreNotWaitedFor)
   ASSERT_TRUE(this->WaitTicks(5));
   this->ExpectForce();
 
-  // A filter along a path meshes where it is asked to, and has the same force to the bit.
+  // A filter along a path makes the meshes itself, and gives the same forces to the bit.
   const std::string file = this->File("MeshedFrames.vtp");
   ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
   this->Device->GetPlayback()->Play();
@@ -163,7 +163,7 @@ TEST_F(MeshedTimeSteps, AreNotWaitedFor)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// Time steps that come faster than meshes would else be left out for ever.
+/// Time steps that come faster than their meshes would otherwise never be felt.
 TEST_F(MeshedTimeSteps, OfAStreamAreFeltBeforeTheNextOnes)
 {
   this->BeginToPlay();
@@ -187,7 +187,7 @@ TEST_F(MeshedTimeSteps, OfAStreamAreFeltBeforeTheNextOnes)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// The servo goes on with what it has while another one is made.
+/// The servo keeps its method while the meshes for the next one are made.
 TEST_F(MeshedTimeSteps, GoOnWhileOthersAreMade)
 {
   this->Filter->SetTimeUnitsPerSecond(0.0);

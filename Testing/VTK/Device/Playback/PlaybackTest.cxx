@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A device in a volume that moves: a wall comes towards a tip that rests, and the force is the
- * spring's to where the wall is, which is known at all times. Recordings of it replay to the bit.
+ * A device in a moving volume: a wall moves towards a tip that rests. The force is that of the
+ * spring to the wall, whose place is known at all times. Recordings of it replay to the bit.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -32,7 +32,7 @@ namespace
 constexpr double WallStiffness = 500.0;
 constexpr double TipRests = 12.0;
 
-/// At 9 at time 10, and comes by 1 a step.
+/// Returns the wall's place (mm): 9 at time 10, and 1 more with each time step.
 double ComputeWall(double time)
 {
   return 9.0 + time - 10.0;
@@ -65,7 +65,7 @@ protected:
     ASSERT_TRUE(this->WaitTicks(2));
   }
 
-  /// While states come, for some time (s) of the servo.
+  /// Calls `look` for new states during some seconds of the servo's time.
   void Watch(double seconds, const std::function<void()>& look)
   {
     const double end = this->Device->GetState()->GetTime() + seconds;
@@ -91,13 +91,14 @@ protected:
   void ExpectForceOfTheWall()
   {
     const double time = this->Device->GetPlayback()->GetDataTime();
-    // A blend of two edges that are a voxel apart is off by 0.02 of their width at most.
+    // Blending two edges that are a voxel apart is off by at most 0.02 of their width.
     EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[0],
       0.001 * WallStiffness * std::max(0.0, ComputeWall(time) - TipRests), 0.02)
       << "at " << time;
   }
 
-  /// Time steps at 10 to 14, or less: recorded in a loop with a leap in it.
+  /// Records a loop, in which the wall leaps back, and expects that it replays to the bit. Time
+  /// steps are at `first` to `first` + 4.
   void ExpectThatARecordingReplaysToTheBit(double first)
   {
     this->Filter->SetTimeUnitsPerSecond(9.0);
@@ -150,13 +151,13 @@ protected:
       latest = std::max(latest, Get(trace, "DataTime", tick));
     }
     EXPECT_GT(strongest, 0.3);
-    EXPECT_GT(latest, first + 4.0); // between the last step and the first one
+    EXPECT_GT(latest, first + 4.0); // between the last time step and the first one
   }
 
   vtkNew<apitest::TimeSource> Source;
 };
 
-/// The same steps as components, at times from 0 on.
+/// The same time steps as components of one array, at times from 0 on.
 class PlaybackOfComponents : public PlaybackOfSteps
 {
 protected:
@@ -182,13 +183,14 @@ protected:
 };
 } // namespace
 
-/// What is resampled around the tip stands still, which is told once it is to move, with a cure.
+/// A grid that is resampled around the tip stays still, and warns once when it is played. The cure
+/// that the warning names moves.
 TEST_F(PlaybackOfSteps, OfAGridIsTold)
 {
   vtkNew<vtkAppendFilter> grid;
   grid->SetInputConnection(this->Source->GetOutputPort());
   this->Filter->SetInputConnection(grid->GetOutputPort());
-  this->Device->GetPlayback()->Play(); // before the grid is there
+  this->Device->GetPlayback()->Play(); // the grid is not there yet
   this->Rest();
   ASSERT_TRUE(this->Wait([&] { return this->FilterLog.Warnings.size() == 1; }));
   for (const char* const part : { "vtkUnstructuredGrid", "5 time steps", "vtkResampleToImage" })
@@ -229,7 +231,7 @@ TEST_F(PlaybackOfSteps, AWallThatBeatsPushesAHandThatRests)
       const double time = this->Device->GetPlayback()->GetDataTime();
       if (time == 0.0)
       {
-        return; // not felt yet
+        return; // no time step is felt yet
       }
       EXPECT_LE(10.0, time);
       EXPECT_LE(time, 14.0);
@@ -239,7 +241,7 @@ TEST_F(PlaybackOfSteps, AWallThatBeatsPushesAHandThatRests)
       last = time;
     });
   EXPECT_GT(most, 0.4);
-  EXPECT_LT(least, 11.0); // it came back
+  EXPECT_LT(least, 11.0); // time has turned back
   this->Device->GetPlayback()->Hold();
   ASSERT_TRUE(this->WaitTicks(20));
   const double held = this->Device->GetPlayback()->GetDataTime();
@@ -294,7 +296,7 @@ TEST_F(PlaybackOfSteps, WaitsForAStepThatCantBeReadAndTells)
     this->Device->GetStatusText().find("waiting for the frame at data time 12"), std::string::npos)
     << this->Device->GetStatusText();
   this->ExpectFilterError("can't be read");
-  // Once it can be read, publishing goes on from there.
+  // Once the time step can be read, publishing goes on from there.
   ASSERT_TRUE(this->Device->Publish());
   this->Filter->Modified();
   ASSERT_TRUE(this->Device->Publish());
@@ -351,7 +353,7 @@ TEST_F(PlaybackOfComponents, PushAHandThatRestsWithoutACopy)
       most = std::max(most, this->Device->GetState()->GetComputedForce()[0]);
     });
   EXPECT_GT(most, 0.4);
-  // Each time step, and the first one behind the last one, is the array itself.
+  // Each of the five time steps, and the first one behind the last one, uses the array itself.
   EXPECT_GE(array->GetReferenceCount(), users + 5);
   EXPECT_FALSE(this->Device->GetPlayback()->IsWaitingForData());
 }
@@ -378,8 +380,8 @@ TEST_F(PlaybackOfComponents, OneAloneIsAnError)
   this->ExpectFilterError("has one component, and the components are the frames");
 }
 
-/// V2, and time that runs backward: a wall that holds 0.3 N slips through the proxy, and on its way
-/// back lets go over 0.6 mm. V7: going there and back uses up 0.3 N over the 0.4 mm that slipped.
+/// V2, and time that runs backwards: a wall that holds 0.3 N slips through the proxy, and lets go
+/// over 0.6 mm on its way back. V7: moving there and back uses 0.3 N over the 0.4 mm that slipped.
 TEST_F(PlaybackOfSteps, AWallThatSlipsTakesWorkToAndFro)
 {
   constexpr double strength = 0.3;
@@ -418,7 +420,7 @@ TEST_F(PlaybackOfSteps, AWallThatSlipsTakesWorkToAndFro)
   EXPECT_NEAR(work, 0.3 * 0.4, 0.02); // mJ
 }
 
-/// V5: steps that are alike.
+/// V5: equal time steps.
 TEST_F(PlaybackOfSteps, StepsThatAreAlikeAreAVolumeThatStandsStill)
 {
   this->Source->Make = [](double) { return MakeWallStep(13.5); };
@@ -444,7 +446,7 @@ TEST_F(PlaybackOfSteps, StepsThatAreAlikeAreAVolumeThatStandsStill)
   EXPECT_GT(latest, 13.0);
 }
 
-/// From step to step, the wall comes by 1 mm, which a blend shows, but once by 6 mm.
+/// The wall moves by 1 mm per time step, which a blend shows, but once by 6 mm.
 TEST_F(PlaybackOfSteps, AStepThatIsTooFastForABlendIsToldOnceAsItComes)
 {
   this->Source->Steps = { 10.0, 11.0, 12.0, 13.0, 14.0, 15.0 };
@@ -455,7 +457,7 @@ TEST_F(PlaybackOfSteps, AStepThatIsTooFastForABlendIsToldOnceAsItComes)
   this->Rest();
   this->Device->GetPlayback()->SetDataTime(10.5);
   ASSERT_TRUE(this->Wait([&] { return this->Source->Asked.back() == 12.0; }));
-  EXPECT_TRUE(this->FilterLog.Warnings.empty()); // of the first three steps
+  EXPECT_TRUE(this->FilterLog.Warnings.empty()); // the first three time steps are read by now
   this->Device->GetPlayback()->Play();
   ASSERT_TRUE(this->Wait([&] { return this->Device->GetPlayback()->GetDataTime() > 14.5; }));
   ASSERT_TRUE(this->Wait([&] { return this->Device->GetPlayback()->GetDataTime() < 11.0; }));
@@ -469,7 +471,7 @@ TEST_F(PlaybackOfSteps, AStepThatIsTooFastForABlendIsToldOnceAsItComes)
   }
 }
 
-/// The last step goes on to the first one in a loop only: there the wall leaps back by 6 mm.
+/// Only a loop goes on from the last time step to the first one: there the wall leaps back by 6 mm.
 TEST_F(PlaybackOfSteps, TheWayBackToTheFirstStepIsTooFastInALoopAlone)
 {
   this->Source->Steps = { 10.0, 12.0, 14.0 };
@@ -487,7 +489,8 @@ TEST_F(PlaybackOfSteps, TheWayBackToTheFirstStepIsTooFastInALoopAlone)
     << this->FilterLog.Warnings[0];
 }
 
-/// A wall that leaps by 3.5 mm a step, over twice its width: only displacements make it a wall.
+/// The wall leaps by 3.5 mm per time step, over twice its width, so only displacements show its
+/// motion.
 TEST_F(PlaybackOfSteps, StepsAreBlendedAlongTheirDisplacements)
 {
   const auto findWall = [](double time) { return 5.0 + 3.5 * (time - 10.0); };
@@ -551,7 +554,7 @@ TEST_F(PlaybackOfSteps, AStepWithoutNumbersHoldsNothingAndTimeGoesOn)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// A sphere of 1 mm rolls before the wall's mesh, which is made a step ahead.
+/// A sphere of 1 mm rests against the wall's mesh, which is made one time step ahead.
 TEST_F(PlaybackOfSteps, AMeshGoesAlong)
 {
   this->Filter->SetMethodToSurfaceProxy();
@@ -574,5 +577,5 @@ TEST_F(PlaybackOfSteps, AMeshGoesAlong)
       most = std::max(most, this->Device->GetState()->GetComputedForce()[0]);
     });
   EXPECT_GT(most, 0.9);
-  EXPECT_LT(latest, 14.0); // it came back
+  EXPECT_LT(latest, 14.0); // time has turned back
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Time steps that come one by one: a wall at x = 9 + t comes towards a tip that rests at 12, 1 mm a
- * time step, and the force is the spring's to where it is.
+ * Time steps that come one by one: a wall at x = 9 + t moves towards a tip that rests at 12, by 1
+ * mm per time step. The force is that of the spring to the wall.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -23,7 +23,7 @@ namespace
 constexpr double StreamedStiffness = 500.0;
 constexpr double StreamedTip = 12.0;
 
-/// @param radius of a sphere that rests on the wall
+/// @param radius of a sphere that rests against the wall
 double ForceOfTheStreamedWall(double time, double radius)
 {
   return 0.001 * StreamedStiffness * std::max(0.0, 9.0 + time + radius - StreamedTip);
@@ -70,7 +70,8 @@ protected:
     ASSERT_TRUE(this->Device->Start());
     this->GoTo(end);
   }
-  /// The force is that of where the wall is, as long as a state comes.
+  /// Expects the force of the wall at the data time of the newest state, and that data time has not
+  /// leapt.
   void Feel()
   {
     const double now = this->Device->GetPlayback()->GetDataTime();
@@ -79,7 +80,7 @@ protected:
       EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[0],
         ForceOfTheStreamedWall(now, this->Radius), this->Tolerance)
         << "at " << now;
-      // The servo's time, and not this one's.
+      // Compares with the servo's time, not with this thread's.
       const double elapsed = this->Device->GetState()->GetTime() - this->FeltAt;
       if (this->FeltAt > 0.0)
       {
@@ -101,19 +102,20 @@ protected:
   }
   void SetSpeed(double speed)
   {
-    this->Speed = std::max(this->Speed, std::abs(speed)); // the last one may be that still
+    // The last state may still have the earlier speed.
+    this->Speed = std::max(this->Speed, std::abs(speed));
     this->Device->GetPlayback()->SetSpeed(speed);
   }
   vtkNew<vtkHapticTimeStepSource> Source;
   double Radius = 0.0;
   double Tolerance = 0.02; ///< N
-  double Speed = 20.0;     ///< data time in a second, at most
-  double Felt = 0.0;       ///< data time of the last state that was looked at
-  double FeltAt = 0.0;     ///< and its time
+  double Speed = 20.0;     ///< largest change of data time in a second
+  double Felt = 0.0;       ///< data time of the last state that was checked
+  double FeltAt = 0.0;     ///< servo time of that state
 };
 } // namespace
 
-/// Steps of 6 mm, which a blend can't show.
+/// Time steps of 6 mm, which a blend can't show.
 TEST_F(StreamedTimeSteps, ThatAreTooFastForABlendAreToldOnce)
 {
   ASSERT_TRUE(this->Device->Open("virtual"));
@@ -153,8 +155,8 @@ TEST_F(StreamedTimeSteps, PushAHandThatRestsAndComeBack)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// As from a source that is now slow and now quick, while the servo goes on at its own pace: those
-/// that come early wait, and where they are late, time does. The contact is never lost.
+/// The source is slow or quick at random, while the servo keeps its own pace. Early time steps
+/// wait; if they are late, data time waits. The contact is never lost.
 TEST_F(StreamedTimeSteps, ThatAreEarlyOrLateAreFeltOneAfterTheOther)
 {
   const int region[] = { 0, 35, 3, 37, 4, 39 };
@@ -167,7 +169,7 @@ TEST_F(StreamedTimeSteps, ThatAreEarlyOrLateAreFeltOneAfterTheOther)
   int waited = 0;
   for (int i = 0; i < 24; ++i)
   {
-    // To 6 mm and back.
+    // The wall moves 6 mm and back.
     const double next = at + (i / 5 % 2 == 0 ? 1.0 : -1.0);
     this->Give(at, next, random() % 2 ? region : other);
     ASSERT_TRUE(this->Device->Publish());
@@ -199,8 +201,8 @@ TEST_F(StreamedTimeSteps, ThatAreEarlyOrLateAreFeltOneAfterTheOther)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// The last one that was felt is joined to the next ones, so that the wall goes over what is
-/// missing.
+/// The last time step that was felt is joined to the next ones, so that the wall moves through the
+/// missing part.
 TEST_F(StreamedTimeSteps, ThatWereLeftOutAreGoneOver)
 {
   this->Tolerance = 0.03;
@@ -210,7 +212,7 @@ TEST_F(StreamedTimeSteps, ThatWereLeftOutAreGoneOver)
   this->Give(3.0, 3.8);
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() > 3.1; }));
-  // Too late for the first of these; and then for what is between.
+  // The first of these time steps comes too late, and then those between are missing.
   this->Give(3.8, 4.2);
   ASSERT_TRUE(this->Device->Publish());
   this->Give(4.2, 5.0);
@@ -221,7 +223,7 @@ TEST_F(StreamedTimeSteps, ThatWereLeftOutAreGoneOver)
   ASSERT_TRUE(this->Device->Publish());
   this->GoTo(6.4);
   EXPECT_GT(this->Device->GetState()->GetComputedForce()[0], 1.65);
-  // Backwards, and while time holds between two time steps.
+  // The same backwards, and while time holds between two time steps.
   this->Give(4.6, 5.4);
   ASSERT_TRUE(this->Device->Publish());
   this->SetSpeed(-2.0);
@@ -241,7 +243,7 @@ TEST_F(StreamedTimeSteps, ThatWereLeftOutAreGoneOver)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// Where the hand has left the region that is in memory, the wall waits for it.
+/// If the hand has left the region that is in memory, data time waits for the region.
 TEST_F(StreamedTimeSteps, HoldTimeWhileARegionIsLate)
 {
   const int region[] = { 0, 35, 3, 37, 4, 39 };
@@ -267,12 +269,12 @@ TEST_F(StreamedTimeSteps, HoldTimeWhileARegionIsLate)
   const double before = this->Device->GetPlayback()->GetDataTime();
   EXPECT_LT(before, 4.0);
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() == 4.0; }));
-  // It begins at the tip, as after any gap; from there the wall pushes as it comes.
+  // The proxy begins at the tip, as after any gap; from there on the wall pushes.
   EXPECT_GT(this->Device->GetState()->GetComputedForce()[0],
     0.001 * StreamedStiffness * 0.5 * (4.0 - before));
 }
 
-/// The servo goes on with another region, as if it had the whole.
+/// The servo goes on with another region, as if it had the whole volume.
 TEST_F(StreamedTimeSteps, MayBeRegionsOfAVolume)
 {
   const int region[] = { 0, 35, 3, 37, 4, 39 };
@@ -291,13 +293,13 @@ TEST_F(StreamedTimeSteps, MayBeRegionsOfAVolume)
   this->Give(4.0, 5.0, region);
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->WaitTicks(20));
-  // Newton's method goes on where the last tick on the way has left it.
+  // Newton's method continues from where the last tick has left it, which rounds.
   EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[0], force, 1e-5);
   EXPECT_EQ(this->Device->GetState()->GetResidency(), 1.0);
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// Each has its mesh on the way to the next one, also if the regions change.
+/// Each time step has its mesh on the way to the next one, also if the regions change.
 TEST_F(StreamedTimeSteps, MayBeMeshes)
 {
   const int region[] = { 0, 35, 3, 37, 4, 39 };
@@ -317,7 +319,7 @@ TEST_F(StreamedTimeSteps, MayBeMeshes)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// What is no time step of the volume is another volume, or an error, and never lost.
+/// A time step with another shape begins another volume, or is an error; it is never lost.
 TEST_F(StreamedTimeSteps, OfAnotherShapeAreAnotherVolume)
 {
   this->Give(0.0, 1.0);

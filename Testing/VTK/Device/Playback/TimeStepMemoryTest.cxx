@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * How many time steps of a volume that moves are in memory at once, beside the one that its source
- * writes to: arrays that count themselves are played, and gone through.
+ * How many time steps of a moving volume are in memory at once, beside the one that its source
+ * writes to. The test plays, and jumps through, arrays that count themselves.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -24,14 +24,14 @@ using namespace devicetest;
 
 namespace
 {
-/// Samples of a time step; a copy is an array of the same kind, and counts.
+/// Samples of a time step; a copy is an array of this class, and is counted.
 class CountedArray : public vtkDoubleArray
 {
 public:
   static CountedArray* New() { VTK_STANDARD_NEW_BODY(CountedArray); }
   vtkTypeMacro(CountedArray, vtkDoubleArray);
 
-  static inline bool OfSource = false; ///< those that are made now belong to the source
+  static inline bool OfSource = false; ///< new arrays belong to the source, and don't count
   static inline int Live = 0;
   static inline int Most = 0;
 
@@ -69,11 +69,11 @@ protected:
     this->Filter->SetInputArrayToProcess(
       0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "counted");
     this->Filter->SetTimeUnitsPerSecond(20.0);
-    // Of the step that was felt while the volume stood still, there is none yet.
+    // Forgets the time step that was felt while the volume stood still.
     CountedArray::Most = CountedArray::Live = 0;
   }
 
-  /// A wall that comes.
+  /// Makes a wall that moves with time.
   static vtkSmartPointer<vtkImageData> MakeCounted(double time)
   {
     auto image = MakeImage(24, VTK_DOUBLE,
@@ -102,16 +102,16 @@ protected:
       this->Wait([this] { return !this->Device->GetPlayback()->IsWaitingForData(); });
   }
 
-  /// The value of the time step that is shown at (12, 12, 12); -1 without a time step.
+  /// Returns the value of the shown time step at (12, 12, 12); -1 without a time step.
   double GetFelt() const
   {
     vtkImageData* const image = this->Device->GetPlayback()->GetTimeStepImage();
     return image ? image->GetScalarComponentAsDouble(12, 12, 12, 0) : -1.0;
   }
-  /// The value there with the wall at an x.
+  /// Returns the value there if the wall is at this x.
   static double GetValue(double wall) { return 500.0 * (1.0 - std::tanh((12.0 - wall) / 1.5)); }
 
-  /// The most steps that were in memory since the last call.
+  /// Returns the largest number of time steps in memory since the last call.
   static int DrainMost() { return std::exchange(CountedArray::Most, CountedArray::Live); }
 
   vtkNew<apitest::TimeSource> Source;
@@ -144,8 +144,8 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWhileTimeRuns)
   EXPECT_LE(CountedArray::Live, 3);
 }
 
-/// The servo keeps the pair that is felt until one step of the other one is there, and has that
-/// alone until the rest comes.
+/// A jump to another data time: the servo keeps both felt time steps until one of the others is
+/// there, and then has that one alone until the next comes.
 TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereAPersonGoesToAnotherTime)
 {
   this->Begin();
@@ -161,7 +161,7 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereAPersonGoesToAnotherTime)
         plays ? this->Device->GetPlayback()->Play() : this->Device->GetPlayback()->Hold();
         for (int i = 1; i < Steps; ++i)
         {
-          // Far from the last one, between steps and on them.
+          // The times are far from the last one, between time steps and on them.
           const double time = (i % 3) * 0.4 + static_cast<double>(i * 5 % (Steps - 1));
           ASSERT_TRUE(this->GoTo(time)) << time;
           if (!plays)
@@ -176,7 +176,7 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereAPersonGoesToAnotherTime)
   EXPECT_LE(CountedArray::Live, 3);
 }
 
-/// As a slider is drawn: orders come before the last one was followed.
+/// Orders come before the last one was followed, as when a slider is dragged.
 TEST_F(TimeStepMemory, HasThreeStepsAtMostWhileASliderIsDrawn)
 {
   this->Begin();
@@ -194,7 +194,7 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWhileASliderIsDrawn)
   EXPECT_EQ(DrainMost(), 3);
 }
 
-/// While the servo stands, and begins elsewhere.
+/// The data time changes while the servo is stopped.
 TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereItWasStoppedMeanwhile)
 {
   this->Begin();
@@ -210,7 +210,7 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereItWasStoppedMeanwhile)
   EXPECT_EQ(DrainMost(), 3);
 }
 
-/// An image that was asked for once is let go with its step.
+/// An image that the application has asked for is released with its time step.
 TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereOneWasShown)
 {
   this->Begin();
@@ -223,7 +223,7 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereOneWasShown)
   }
 }
 
-/// So it is with meshes, which take their time.
+/// The same with meshes, which take time to make.
 TEST_F(TimeStepMemory, HasThreeStepsAtMostWithTheirMeshes)
 {
   this->Filter->SetMethodToSurfaceProxy();
@@ -234,14 +234,14 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWithTheirMeshes)
   {
     const double time = (i % 3) * 0.4 + static_cast<double>(i * 5 % (Steps - 1));
     ASSERT_TRUE(this->GoTo(time)) << time;
-    // A sphere before the wall, which is met at the tip: it has no way into the wall.
+    // The proxy's sphere begins at the tip, in front of the wall, so nothing delays the data time.
     EXPECT_EQ(this->Device->GetPlayback()->GetDataTime(), time);
     EXPECT_LE(DrainMost(), 3) << time;
   }
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// A new model has the time steps of the last one: no step is copied for it.
+/// A new model takes over the time steps of the last model: nothing is copied.
 TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereSettingsChangeMeanwhile)
 {
   this->Filter->SetIsoValue(500.0);
@@ -277,7 +277,7 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereSettingsChangeMeanwhile)
   EXPECT_LE(CountedArray::Live, 3);
 }
 
-/// What the source has changed is read again, as is another array.
+/// Changes of the source, and another array, are read again.
 TEST_F(TimeStepMemory, KeepsNoTimeStepOfAnotherVolume)
 {
   this->Begin();
@@ -309,7 +309,7 @@ TEST_F(TimeStepMemory, KeepsNoTimeStepOfAnotherVolume)
   EXPECT_DOUBLE_EQ(this->GetFelt(), 7.0);
 }
 
-/// Nor if an algorithm before the last one gives others.
+/// A change of an algorithm further up the pipeline is also read again.
 TEST_F(TimeStepMemory, KeepsNoTimeStepOfAnEarlierStage)
 {
   const vtkNew<apitest::GivenImage> stage;
@@ -326,7 +326,7 @@ TEST_F(TimeStepMemory, KeepsNoTimeStepOfAnEarlierStage)
   EXPECT_DOUBLE_EQ(this->GetFelt(), GetValue(11.0));
 }
 
-/// As ParaView's animation gives them: two images at a time, the last one and the new one.
+/// ParaView's animation gives two images at a time: the last one and the new one.
 TEST_F(TimeStepMemory, HasThreeStepsOfAStreamAtMost)
 {
   vtkNew<vtkHapticTimeStepSource> stream;
@@ -335,7 +335,7 @@ TEST_F(TimeStepMemory, HasThreeStepsOfAStreamAtMost)
   double time = -1.0;
   const auto give = [&](double next)
   {
-    // What the servo had before the last one is not needed, so that it is free for this one.
+    // The servo no longer needs the time step before the last one, so there is room for this one.
     const vtkSmartPointer<vtkImageData> image = next == time ? last : this->MakeCounted(next);
     stream->RemoveAllTimeSteps();
     stream->AddTimeStep(last, time);

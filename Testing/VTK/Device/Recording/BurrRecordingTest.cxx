@@ -32,7 +32,7 @@ protected:
   }
   ~BurrRecording() override { this->Device->GetVirtualHand()->SpinningOff(); }
 
-  /// Armed, as a burr does not spin without.
+  /// Begins, and arms the device, since a burr spins only if armed.
   void Begin()
   {
     Recording::Begin();
@@ -53,21 +53,21 @@ protected:
     return this->Wait([this] { return this->GetRemoval()->GetNumberOfRequests() == 0; }) &&
       this->WaitTicks(2);
   }
-  /// Presses until so much (mm^3) more was removed.
+  /// Presses until another `volume` (mm^3) was removed.
   bool Drill(double x, double volume)
   {
     const double goal = this->GetRemoval()->GetRemovedVolume() + volume;
     return this->Lead(x, 7.0, 4.0) && this->Lead(x, 7.0, 9.0) &&
       this->Wait([&] { return this->GetRemoval()->GetRemovedVolume() > goal; });
   }
-  /// The stroke ends, and nothing more is removed.
+  /// Ends the stroke, so that nothing more is removed.
   bool EndStroke()
   {
     this->Device->GetVirtualHand()->SpinningOff();
     return this->Wait([this] { return !this->Device->GetState()->IsSpinning(); }) &&
       this->WaitTicks(2);
   }
-  /// The recording is replayed with the same forces, and leaves what the hand has left.
+  /// Expects that the recording replays with the same forces, and leaves the same fractions.
   void ExpectSameRemoval()
   {
     ASSERT_TRUE(this->EndStroke());
@@ -114,8 +114,8 @@ TEST_F(BurrRecording, UndoAndRedoUnderTheHand)
   const auto second = this->GetShares();
   ASSERT_NE(first, second);
   EXPECT_EQ(this->GetRemoval()->GetNumberOfUndos(), 2);
-  // The hand is in the hole, which closes around it: it is free to leave. It stays there, also
-  // after a pause of the loop.
+  // Undo closes the hole around the hand, which can leave freely and stays in place, also after a
+  // pause of the loop.
   this->BeginWayHere();
   EXPECT_TRUE(this->GetRemoval()->Undo());
   ASSERT_TRUE(this->IsRequestDone());
@@ -126,7 +126,7 @@ TEST_F(BurrRecording, UndoAndRedoUnderTheHand)
   ASSERT_TRUE(this->IsRequestDone());
   EXPECT_EQ(this->GetShares(), second);
   EXPECT_FALSE(this->GetRemoval()->Redo()) << "there is no more";
-  // With the point in the hand as well, and after the servo.
+  // Undo also works with the point in the hand, and redo after the servo has stopped.
   this->Filter->SetTool(nullptr);
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->WaitTicks(5));
@@ -156,7 +156,7 @@ TEST_F(BurrRecording, ReplaysItsRemovalToTheBit)
   EXPECT_FALSE(this->Recorded->GetFieldData()->HasArray("InitialBricks"));
 }
 
-/// What a label costs is not what the function says.
+/// The labels' energies count, not the function's.
 TEST_F(BurrRecording, ReplaysWithTheEnergyOfLabels)
 {
   const auto labels = MakeImage(16, VTK_SHORT, [](const Point& p) { return p[0] < 7.5 ? 2 : 3; });
@@ -183,9 +183,9 @@ TEST_F(BurrRecording, ReplaysFromWhatWasRemovedBefore)
   this->Device->GetVirtualHand()->SpinningOn();
   ASSERT_TRUE(this->Drill(8.0, 0.5));
   EXPECT_GT(this->GetRemoval()->GetNumberOfUndos(), 0);
-  this->StartRecording(); // while it drills
+  this->StartRecording(); // the burr is drilling
   this->Wander(20);
-  this->Turn(20.0, 1.0); // another placement of the device
+  this->Turn(20.0, 1.0); // changes the placement of the device
   this->Wander(10);
   EXPECT_TRUE(this->GetRemoval()->Undo()) << "of what was removed since the recording began";
   this->Wander(10);
@@ -195,7 +195,7 @@ TEST_F(BurrRecording, ReplaysFromWhatWasRemovedBefore)
   EXPECT_GT(this->Recorded->GetFieldData()->GetArray("InitialShares")->GetNumberOfTuples(), 1);
 }
 
-/// Recordings one after the other, of which one ends at once.
+/// A second recording follows one that has ended at once.
 TEST_F(BurrRecording, ASecondRecordingBeginsAnew)
 {
   this->Begin();
@@ -210,7 +210,7 @@ TEST_F(BurrRecording, ASecondRecordingBeginsAnew)
   this->ExpectSameRemoval();
 }
 
-/// A recording of the point in a hole, replayed by a filter that knows nothing of the hole.
+/// The point in a hole is recorded, and replayed by a filter that has no hole of its own.
 TEST_F(BurrRecording, AHoleReplaysWithoutTheBurr)
 {
   this->Begin();
@@ -254,21 +254,22 @@ TEST_F(BurrRecording, WithoutAServoRequestsAreCarriedOutAtOnce)
   ASSERT_TRUE(this->EndStroke());
   const auto shares = this->GetShares();
   this->Device->Stop();
-  // A stroke's undo that was asked for at once before the end is carried out.
+  // An undo that was requested just before the servo stops is carried out.
   ASSERT_TRUE(this->Device->Start());
   ASSERT_TRUE(this->WaitTicks(2));
   EXPECT_TRUE(this->GetRemoval()->Undo());
   this->Device->Stop();
   EXPECT_EQ(this->GetRemoval()->GetNumberOfRequests(), 0);
   EXPECT_TRUE(this->GetRemoval()->IsEmpty());
-  // Publishing without a servo holds nothing.
+  // Publishing without a servo does not delay requests.
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_TRUE(this->GetRemoval()->Redo());
   EXPECT_EQ(this->GetRemoval()->GetNumberOfRequests(), 0);
   EXPECT_EQ(this->GetShares(), shares);
 }
 
-/// Requests to what another filter's burr has removed are carried out once the hand has left it.
+/// Requests to the removal of another filter's burr are carried out once the device no longer uses
+/// it.
 TEST_F(BurrRecording, ARemovalThatIsNoLongerFeltIsFree)
 {
   this->Begin();
@@ -337,7 +338,7 @@ TEST_F(BurrRecording, SpinsWhileItsButtonIsPressed)
   EXPECT_FALSE(this->Device->GetState()->IsSpinning()) << "that is another one";
   this->Device->GetVirtualHand()->SetButtons(3);
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->IsSpinning(); }));
-  // Nor while the force is held back, whatever the button says.
+  // The burr does not spin while the force is held back, even with its button pressed.
   this->Device->BeginLongWork("the test thinks", 10.0);
   ASSERT_TRUE(this->Wait([this] { return !this->Device->GetState()->IsSpinning(); }));
   this->Device->EndLongWork();

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A recording begins at once, and its hashes come when they are known. An array holds the hash up
- * for as long as a test wants; HashScalars, which another test compares with an MD5 of Python's,
- * says what it has to be.
+ * A recording begins at once, and its hashes follow when they are known. An array delays the hash
+ * for as long as a test wants. The expected hash comes from HashScalars(), which another test
+ * compares with an MD5 of Python's.
  */
 
 #include "Rigs/GatedArray.h"
@@ -25,7 +25,7 @@ protected:
   HashTime() { this->Filter->SetInputData(0, this->Give(this->Gated)); }
   ~HashTime() override { this->Gated->IsOpen = true; }
 
-  /// V = 100 z, as in the image of the rig.
+  /// Makes V = 100 z, like the image of the rig.
   vtkSmartPointer<vtkImageData> Give(vtkShortArray* values)
   {
     constexpr int n = 16;
@@ -57,7 +57,7 @@ protected:
   {
     return this->Wait([this, times] { return this->Gated->Asked >= times; });
   }
-  /// From another thread, while the owner waits.
+  /// Opens the array from another thread, while the owner waits.
   std::thread OpenSoon(int milliseconds = 50)
   {
     return std::thread(
@@ -84,7 +84,7 @@ TEST_F(HashTime, IsNotThatOfTheStart)
   ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   EXPECT_EQ(this->ReadHash(), this->Filter->HashScalars());
   EXPECT_TRUE(this->Log.Warnings.empty());
-  // The same values are not hashed again.
+  // Unchanged values are not hashed again.
   const int asked = this->Gated->Asked;
   this->StartRecording();
   EXPECT_FALSE(this->IsHashing());
@@ -99,7 +99,7 @@ TEST_F(HashTime, IsNotWaitedForWhileArmed)
   ASSERT_NO_FATAL_FAILURE(this->BeginPressed());
   this->StartRecording();
   ASSERT_TRUE(this->WaitTicks(20));
-  // Only so that the worker, which is told to end, can.
+  // The worker, which is told to end, can do so only once the array is open.
   std::thread opener = this->OpenSoon(3000);
   ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   opener.join();
@@ -138,7 +138,7 @@ TEST_F(HashTime, BeginsAgainIfTheValuesChange)
   this->StartRecording();
   ASSERT_TRUE(this->WaitUntilAsked());
   const std::string before = this->Filter->HashScalars();
-  // What the worker has begun ends first. It has not read any value.
+  // The worker ends its present hash first; it has not read any value yet.
   this->Gated->SetValue(7, 5);
   this->Gated->Modified();
   std::thread opener = this->OpenSoon();
@@ -161,7 +161,7 @@ TEST_F(HashTime, BeginsAgainIfTheImageIsReplaced)
   const auto image = this->Give(values);
   values->SetValue(9, 3);
   this->Filter->SetInputData(0, image);
-  this->Device->UpdateState(); // the worker may hold the last reference but this one
+  this->Device->UpdateState(); // the worker may hold the only other reference
   opener.join();
   ASSERT_TRUE(this->Wait([this] { return !this->IsHashing(); }));
   ASSERT_TRUE(this->Device->GetRecorder()->Stop());

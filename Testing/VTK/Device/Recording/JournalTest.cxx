@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Journals on disks that can't be read, file systems without locks, signals in the middle, other
- * programs that rename and remove, and machines without a thread or without room.
- *
- * flock(2), fsync(2) and pread(2) are this program's, which fail as the manual pages say that they
- * may.
+ * Journals on disks that can't be read, file systems without locks, interrupting signals, other
+ * programs that rename and remove files, and machines without a thread or disk space.
+ * This program replaces flock(2), fsync(2) and pread(2) by versions that fail as their manual pages
+ * describe.
  */
 
 #include "RecorderRig.h"
@@ -24,9 +23,9 @@
 namespace
 {
 bool HasLocks = true;
-long BadFrom = -1; // the first byte that a pread can't read, below zero: all are good
+long BadFrom = -1; // the first byte that pread can't read; negative: all can be read
 int Interruptions = 0;
-std::string Watched; // a journal, which must be there when folders go to the disk
+std::string Watched; // a journal, which must exist when its folder is synced
 bool WasThere = false;
 int FolderSyncs = 0;
 } // namespace
@@ -89,7 +88,7 @@ protected:
       this->Recorder::Push(recording, this->Source.Next());
     }
   }
-  /// A journal that a program left.
+  /// Leaves the journal of a program that has ended without finishing it.
   void Leave(int ticks)
   {
     HapticRecording recording;
@@ -119,7 +118,7 @@ protected:
 TEST_F(Journal, IsNotWrittenOverItself)
 {
   this->Leave(600);
-  // By its own name, by that of a link, and as the file of a table's fields.
+  // The targets are the journal's own name, a link to it, and the file of a table's fields.
   for (const char* const name : { "/b.vtp", "/c.vtp", "/d.csv.json" })
   {
     const std::string file = this->Folder + name;
@@ -139,8 +138,9 @@ TEST_F(Journal, IsNotWrittenOverItself)
   EXPECT_EQ(Read(this->File)->GetNumberOfPoints(), 600);
 }
 
-/// A megabyte behind the last chunk in which a head begins every 24 bytes: 44,000 checksums of up
-/// to a megabyte each took five minutes, and found nothing. That this is no clean end is told.
+/// After the last chunk follows a megabyte in which a head begins every 24 bytes. Computing 44,000
+/// checksums of up to a megabyte each took five minutes. The error tells that the journal has no
+/// clean end.
 TEST_F(Journal, OfManyFalseHeadsIsReadSoon)
 {
   this->Leave(600);
@@ -149,7 +149,7 @@ TEST_F(Journal, OfManyFalseHeadsIsReadSoon)
   std::string heads;
   Put(heads, TicksChunk);
   Put(heads, std::uint32_t{ 0 });
-  Put(heads, std::uint64_t{ 4 * size }); // cut off
+  Put(heads, std::uint64_t{ 4 * size }); // this chunk is cut off
   Put(heads, std::uint64_t{ 0 });
   for (std::uint64_t left = size - HeadSize; left > HeadSize; left -= HeadSize)
   {
@@ -235,7 +235,7 @@ TEST_F(Journal, KeepsNoModelsThatNoTickNeeds)
     return watch.expired();
   };
   {
-    HapticRecording recording; // no writer takes its ticks away
+    HapticRecording recording; // no writer drains its ticks
     recording.AddModel(1, this->Model);
     while (recording.Append(this->Source.Next()))
     {
@@ -254,7 +254,7 @@ TEST_F(Journal, KeepsNoModelsThatNoTickNeeds)
 
 TEST_F(Journal, NeedsAThread)
 {
-  // No address space has room for this stack (pthread_create(3): EAGAIN).
+  // No address space has room for a stack of this size (pthread_create(3): EAGAIN).
   pthread_attr_t before;
   pthread_attr_t huge;
   ASSERT_EQ(pthread_getattr_default_np(&before), 0);
@@ -323,7 +323,7 @@ TEST_F(Journal, IsRemovedWhenTheFolderIsOnTheDisk)
   this->Leave(300);
   Watched = this->Part;
   FolderSyncs = 0;
-  Interruptions = 3; // signals that come during fsync
+  Interruptions = 3; // signals that interrupt fsync
   std::string error;
   EXPECT_TRUE(WriteRecording(this->Part, this->File, error)) << error;
   EXPECT_EQ(FolderSyncs, 1);
@@ -360,7 +360,7 @@ TEST_F(Journal, NeedsItsNameAndThatOfTheFields)
   vtksys::SystemTools::MakeDirectory(this->Folder + "/b.csv.json");
   refuses(this->Folder + "/b.csv", "is a folder");
   EXPECT_FALSE(Exists(this->Folder + "/b.csv.part"));
-  // As long as a name may be with ".part" (NAME_MAX is 255).
+  // The name is the longest one that fits with ".part" (NAME_MAX is 255).
   const std::string longest = this->Folder + "/" + std::string(246, 'x') + ".vtp";
   HapticRecording recording;
   this->Start(recording, longest);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A device on a volume with labels: its state tells the label, and its recordings replay to the bit
- * with the same labels, and neither without labels nor with others.
+ * A device on a volume with labels: the state tells the label. Recordings replay to the bit with
+ * the same labels, and are refused without labels or with other labels.
  */
 
 #include "Rigs/EventCounter.h"
@@ -40,7 +40,7 @@ protected:
     this->Filter->SetLabelTable(this->Table);
   }
 
-  /// The replay gives one error with these words, and no output.
+  /// Expects that the replay gives one error with these words, and no output.
   void ExpectRefused(const std::vector<std::string>& words)
   {
     this->FilterLog.Errors.clear();
@@ -94,7 +94,7 @@ TEST_F(LabelRecording, ReplaysToTheBitWithItsLabels)
   this->ExpectRefused({ "made with labels", hash, this->Filter->HashLabels(), "they are others" });
   this->Filter->SetLabelData(MakeHalves(-7.0, 9.0)); // a copy
   this->ExpectTaken();
-  // Another thread makes the hash, while the filter tells that it works.
+  // Another thread computes the hash, while the filter reports progress.
   vtkNew<GatedArray> gated;
   gated->DeepCopy(this->Labels->GetPointData()->GetScalars());
   vtkNew<vtkImageData> large;
@@ -133,7 +133,7 @@ TEST_F(LabelRecording, AsATableIsAPathForItsLabels)
   this->ExpectRefused({ "made with labels", "no label image", ".csv.json" });
   this->Filter->SetLabelData(MakeHalves(5.0, 9.0));
   this->ExpectRefused({ "made with labels", hash, this->Filter->HashLabels(), ".csv.json" });
-  // Fields that can't be read may tell of other labels.
+  // Fields that can't be read may name other labels, so they are an error.
   for (const std::string fields : { "", "{" })
   {
     std::ofstream(file + ".json") << fields;
@@ -145,14 +145,14 @@ TEST_F(LabelRecording, AsATableIsAPathForItsLabels)
     EXPECT_NE(log.Errors[0].find("Labels.csv.json, can't be read"), std::string::npos)
       << log.Errors[0];
   }
-  // Fields that tell of no labels leave a path.
+  // Fields without labels leave an ordinary path.
   for (const std::string fields : { "[1]", "{\"Settings\":5}", "{\"Settings\":\"none\"}" })
   {
     std::ofstream(file + ".json") << fields;
     path->Modified();
     this->ExpectTaken();
   }
-  // A label that is called like the line is no such line.
+  // A label with the name of the line "LabelHash" is not this line.
   std::ofstream(file + ".json") << R"({"Settings":"Geometry: 0\n 5: LabelHash: 0123\n"})";
   path->Modified();
   this->ExpectTaken();
@@ -192,7 +192,7 @@ TEST_F(LabelRecording, ReplaysToTheBitWithWallsOfThickSlices)
   std::string text = settings->GetValue(0);
   const std::string line = "\nLabelGrid: 1 x 1 x 3\n";
   ASSERT_NE(text.find(line), std::string::npos) << text;
-  // A recording of a version without finer grids is replayed without one.
+  // A recording of a version without finer grids replays without one.
   this->Filter->Update();
   const auto fine = apitest::Keep(this->Filter);
   settings->SetValue(0, text.replace(text.find(line), line.size(), "\n"));
@@ -218,7 +218,7 @@ TEST_F(LabelRecording, TheStateTellsTheLabel)
 
 TEST_F(LabelRecording, AForbiddenLabelIsToldOnce)
 {
-  // The label begins at z = 11.5; the wall stands 1.5 in front of it, and nothing else holds.
+  // The label begins at z = 11.5; the wall stands 1.5 mm in front of it, and nothing else holds.
   this->Filter->SetLabelData(
     MakeImage(16, VTK_SHORT, [](const Point& p) { return p[2] < 11.5 ? 0.0 : 9.0; }));
   this->Table->SetForbidden(9, true);
@@ -234,7 +234,7 @@ TEST_F(LabelRecording, AForbiddenLabelIsToldOnce)
   ASSERT_TRUE(this->LeadInto(12.0));
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->IsAtForbiddenLabel(); }));
   EXPECT_NEAR(this->Device->GetState()->GetProxyPosition()[2], 10.0, 0.1);
-  // x_s is 2 mm behind the wall, in the label of 700 N/m.
+  // x_s is 2 mm behind the wall, in the label with 700 N/m.
   EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[2], -700.0 * 0.002, 0.1);
   EXPECT_EQ(events.Count, 1);
   ASSERT_TRUE(this->Lead(7.0, 7.0, 6.0));
@@ -244,7 +244,8 @@ TEST_F(LabelRecording, AForbiddenLabelIsToldOnce)
 
 TEST_F(LabelRecording, AForbiddenLabelOfALargeImageDoesNotHoldTheProgramUp)
 {
-  // As above, on voxels of 0.15: the label begins halfway between the slices 76 and 77.
+  // Like the test above, on voxels of 0.15 mm: the label begins halfway between the slices 76 and
+  // 77.
   constexpr int n = 104;
   const auto labels =
     MakeImage(n, VTK_SHORT, [](const Point& p) { return p[2] < 76.5 ? 0.0 : 9.0; });
@@ -270,7 +271,7 @@ TEST_F(LabelRecording, AForbiddenLabelOfALargeImageDoesNotHoldTheProgramUp)
   ASSERT_TRUE(this->LeadInto(12.0));
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->IsAtForbiddenLabel(); }));
   EXPECT_NEAR(this->Device->GetState()->GetProxyPosition()[2], 76.5 * 0.15 - 1.5, 0.1);
-  // A change of mind ends the work.
+  // Another change of the table ends the work.
   this->Table->SetStandOff(2.0);
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_TRUE(isMeasuring());
@@ -283,7 +284,8 @@ TEST_F(LabelRecording, AForbiddenLabelOfALargeImageDoesNotHoldTheProgramUp)
 
 TEST_F(LabelRecording, ThickSlicesOfALargeImageDoNotHoldTheProgramUp)
 {
-  // Slices of 0.9 in pixels of 0.15; the label begins halfway between the slices 12 and 13.
+  // The slices are 0.9 mm apart, the pixels 0.15 mm. The label begins halfway between the slices 12
+  // and 13.
   constexpr int n = 104;
   vtkNew<vtkImageData> slices;
   slices->SetDimensions(n, n, 18);
@@ -314,7 +316,7 @@ TEST_F(LabelRecording, ThickSlicesOfALargeImageDoNotHoldTheProgramUp)
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_FALSE(isRefining());
   EXPECT_TRUE(this->Device->IsPublished());
-  // Without walls there is nothing to wait for.
+  // Without walls of the labels there is nothing to wait for.
   slices->GetPointData()->GetScalars()->Modified();
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_TRUE(isRefining());

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Modes that a hand feels on a device: recordings replay to the bit, and a mode that comes while
- * the hand is off its place comes softly.
+ * Modes on a device: recordings replay to the bit, and a mode that becomes active while the hand is
+ * off its place begins softly.
  */
 
 #include "Rigs/RecordingRig.h"
@@ -65,7 +65,7 @@ TEST_F(ModeRecording, ReplaysToTheBit)
   this->Filter->AddMode(this->Front);
   this->Filter->AddMode(surface);
   this->Begin();
-  this->Wander(10); // so that forces and rate are something when the recording begins
+  this->Wander(10); // gives the recording an initial force and speed
   this->StartRecording();
   this->Wander(20);
   this->Turn(30.0, 1.0);
@@ -128,7 +128,7 @@ TEST_F(ModeRecording, OtherModesReplayToTheBit)
 
 TEST_F(ModeRecording, AModeThatComesUnderTheHandComesSoftly)
 {
-  // A spring to a line that the hand left 3 mm ago would be 1.5 N at once.
+  // A spring to a line that the hand left 3 mm ago would give 1.5 N at once.
   this->Filter->RemoveAllModes();
   SetConstant(this->Front->GetStrength(), 3.0);
   this->Front->TwoSidedOn();
@@ -142,9 +142,9 @@ TEST_F(ModeRecording, AModeThatComesUnderTheHandComesSoftly)
   const double held = Length(this->Device->GetState()->GetForce());
   EXPECT_GT(held, 0.3);
   vtkNew<vtkTable> ticks;
-  constexpr int reader = 5;                       // beside that of the fixture
-  this->Device->GetState()->Drain(ticks, reader); // begins to keep them
-  // The line goes: the hand is free, and force rises anew when another mode comes.
+  constexpr int reader = 5;                       // a second reader beside the fixture's
+  this->Device->GetState()->Drain(ticks, reader); // starts to keep states for this reader
+  // Without the line the hand is free, and the force rises anew when another mode becomes active.
   this->Follow->ActiveOff();
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetState()->GetForce()) < 1e-6; }));
@@ -155,7 +155,7 @@ TEST_F(ModeRecording, AModeThatComesUnderTheHandComesSoftly)
   ASSERT_TRUE(this->Lead(10.0, 9.0, 5.0));
   ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetState()->GetForce()) > 0.3; }));
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE) << this->Device->GetStatusText();
-  // No tick of all that has made the force longer than the slew limit lets it grow.
+  // In no tick has the force grown by more than the slew limit allows.
   ASSERT_TRUE(this->WaitTicks(50));
   this->Device->GetState()->Drain(ticks, reader);
   ASSERT_GT(ticks->GetNumberOfRows(), 50);

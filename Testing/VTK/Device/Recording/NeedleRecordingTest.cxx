@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A needle in the hand: recordings replay to the bit, with and without an orientation, and with the
- * needle in tissue when they begin; the tool may change under force.
+ * A needle in the hand: recordings replay to the bit, with and without an orientation, and if they
+ * begin with the needle in tissue. The tool may change under force.
  */
 
 #include "Rigs/RecordingRig.h"
@@ -85,7 +85,7 @@ TEST_F(NeedleRecording, TheToolMayChangeUnderForce)
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE) << this->Device->GetStatusText();
   this->Filter->SetTool(this->Needle);
   ASSERT_TRUE(this->Device->Publish());
-  ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0)); // it goes in from where nothing holds it
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0)); // starts in front of the tissue
   ASSERT_TRUE(this->Lead(7.0, 7.0, 11.0));
   ASSERT_TRUE(this->Wait([this] { return this->ComputeDepth() > 0.5; }));
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE) << this->Device->GetStatusText();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A recorder without a device: a model, ticks of all digits, and files in a folder that goes with
- * the program.
+ * A recorder without a device: a model, ticks with random digits, and files in a folder that is
+ * removed at the end.
  */
 #ifndef RecorderRig_h
 #define RecorderRig_h
@@ -60,7 +60,7 @@ inline std::shared_ptr<const HapticModel> MakeModel(double shift = 0.0)
   return std::make_shared<const HapticModel>(description);
 }
 
-/// Ticks in which every number that a hand changes is another one, with all its digits.
+/// Makes ticks in which every number that a hand changes is random, with all its digits.
 class Ticks
 {
 public:

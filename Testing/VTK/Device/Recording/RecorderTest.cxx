@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The recorder from inside: memory, bytes a tick, and journals that end anywhere.
+ * The recorder without a device: its memory, its bytes per tick, and journals that end anywhere.
  */
 
 #include "RecorderRig.h"
@@ -18,7 +18,7 @@ using namespace recordertest;
 namespace
 {
 
-/// Resident memory of this process (bytes).
+/// Returns the resident memory of this process (bytes).
 double Resident()
 {
   std::ifstream stream("/proc/self/statm");
@@ -33,9 +33,9 @@ double Resident()
 TEST_F(Recorder, TakesBoundedMemoryAndAtMost300BytesATick)
 {
   constexpr int ticks = 60000;
-  // In memory these ticks were 110 MB.
+  // In memory, these ticks would take 110 MB.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  constexpr double most = 64e6; // which take some themselves
+  constexpr double most = 64e6; // sanitizers need some memory themselves
 #else
   constexpr double most = 16e6;
 #endif
@@ -76,7 +76,7 @@ TEST_F(Recorder, HasRoomForTheNumbersOfAllTools)
 
 TEST_F(Recorder, WritesWhatTheTicksAre)
 {
-  // None, one, part of a group, whole groups, and one more.
+  // The counts are none, one, a part of a group, whole groups, and one more.
   for (const int count : { 0, 1, 2, 100, 256, 512, 513 })
   {
     Ticks source;
@@ -139,7 +139,7 @@ TEST_F(Recorder, WritesWhatTheTicksAre)
 
 TEST_F(Recorder, KeepsEveryPlacement)
 {
-  // More than a block of them, and in one group of ticks as well.
+  // There are more placements than fit into a block, and several in one group of ticks.
   constexpr int moves = 600;
   HapticRecording recording;
   this->Start(recording, this->File);
@@ -193,7 +193,7 @@ TEST_F(Recorder, ReadsAJournalThatEndsAnywhere)
   for (int share = 0; share <= 40; ++share)
   {
     const std::size_t cut = whole.size() * static_cast<std::size_t>(share) / 40;
-    // A file that was growing when the power went may end with zeros.
+    // A file that was growing when the power failed may end with zeros.
     const std::string zeros(share % 2 ? 5000 : 0, '\0');
     std::ofstream(journal, std::ios::binary) << whole.substr(0, cut) << zeros;
     std::string error;
@@ -213,8 +213,8 @@ TEST_F(Recorder, ReadsAJournalThatEndsAnywhere)
       ASSERT_EQ(trace->GetPointData()->GetArray("Tick")->GetComponent(i, 0), i);
     }
   }
-  // Bytes that have changed in the middle are an error, which keeps the journal, and a file that is
-  // there.
+  // Changed bytes in the middle are an error. The journal, and a file that is there already, are
+  // kept.
   for (std::size_t at = 5; at < whole.size(); at += whole.size() / 50)
   {
     std::string other = whole;
@@ -251,8 +251,8 @@ TEST_F(Recorder, SaysHowManyTicksWereLost)
 
 TEST(HapticFiles, PrintsWhatIsNotUtf8)
 {
-  // Examples of RFC 3629, sections 3 and 7, and of Markus Kuhn's stress test: overlong, surrogates,
-  // cut off.
+  // The examples are from RFC 3629, sections 3 and 7, and from Markus Kuhn's stress test: overlong
+  // forms, surrogates, and sequences that are cut off.
   EXPECT_EQ(Printable("caf\xC3\xA9 \xE6\x97\xA5\xE6\x9C\xAC \xF0\xA3\x8E\xB4"),
     "caf\xC3\xA9 \xE6\x97\xA5\xE6\x9C\xAC \xF0\xA3\x8E\xB4");
   EXPECT_EQ(Printable("\xC0\x80"), "\\xC0\\x80");

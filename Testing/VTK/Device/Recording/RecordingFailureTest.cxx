@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Disks that are full and folders that may not be written: every one is told at once, and what was
- * written can be read.
+ * Full disks, and folders that can't be written: each is reported at once, and what was written can
+ * be read.
  */
 
 #include "Rigs/RecordingFailureRig.h"
@@ -15,8 +15,8 @@ using namespace devicetest;
 namespace
 {
 
-/// As long as this lives, permissions count for this process even if it is root's, and it is in a
-/// folder that a user without rights could perhaps not enter.
+/// While this object lives, file permissions also hold for a root process, whose current folder is
+/// one that it may perhaps not enter again.
 class UnprivilegedUser
 {
 public:
@@ -116,7 +116,7 @@ TEST_F(RecordingFailure, OfTheLastStepKeepsWhatThereIs)
   ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
   this->WanderForTwoGroups(file);
   {
-    // The disk is full: the ticks that were written stay, and no others are added.
+    // The disk is full: the ticks that were written stay, and no further ticks are added.
     const FullDisk full(1);
     this->Device->Close();
   }
@@ -146,7 +146,7 @@ TEST_F(RecordingFailure, IsNoneOfTwoThatHaveOneName)
 
 TEST_F(RecordingFailure, NamesFilesOfAnyBytes)
 {
-  // Python drops a message that is not UTF-8.
+  // Python drops messages that are not UTF-8.
   this->Begin();
   EXPECT_FALSE(this->Device->GetRecorder()->Start(this->In("no/\xE4\xFF.vtp").c_str()));
   this->ExpectError("\\xE4\\xFF.vtp");

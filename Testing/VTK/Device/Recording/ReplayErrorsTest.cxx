@@ -31,7 +31,8 @@ TEST_F(Replay, RefusesEverythingElseWithOneClearError)
     for (const double share : { 0.01, 0.3, 0.6, 0.95 })
     {
       const auto cut = static_cast<std::size_t>(share * static_cast<double>(good.size()));
-      // Within the first columns of a row: a last number that is cut short is a number, too.
+      // Tables are cut within the first columns of a row, since a last number that is cut short is
+      // still a number.
       const std::size_t row = good.rfind('\n', cut);
       const bool isTable = ending == std::string(".csv") && row != std::string::npos;
       this->ExpectRefused(ending, good.substr(0, isTable ? row + 20 : cut));
@@ -53,7 +54,7 @@ TEST_F(Replay, RefusesTablesWithBadNumbers)
 
 TEST_F(Replay, RefusesWhatIsNoFile)
 {
-  // To open a pipe that nothing writes to, or to read a device to its end, takes for ever.
+  // Opening a pipe without a writer, or reading a device to its end, would take forever.
   for (const char* const ending : { ".vtp", ".csv" })
   {
     const std::string name = this->File("NoFile") + ending;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Records, and offers files to replay.
+ * Records a short push, and makes files to replay.
  */
 #ifndef ReplayRig_h
 #define ReplayRig_h
@@ -22,7 +22,7 @@ namespace devicetest
 class Replay : public DeviceTest
 {
 protected:
-  /// A short push, recorded in this file.
+  /// Records a short push to this file.
   void Record(const std::string& file)
   {
     this->Begin();

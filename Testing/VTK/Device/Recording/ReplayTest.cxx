@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * replay:FILE gives the tips of the recording.
+ * The device replay:FILE repeats the tips of the recording.
  */
 
 #include "ReplayRig.h"
@@ -18,7 +18,7 @@ TEST_F(Replay, PlaysTheTipsOfBothKindsOfFile)
     const std::string again = this->File("Again.vtp");
     const std::string vtp = this->File("Replay.vtp");
     const auto was = Read(vtp);
-    // A machine that stands still may be past the end of the replay when its recording begins.
+    // On a busy machine, the replay may end before its own recording begins: the test tries again.
     vtkSmartPointer<vtkPolyData> is;
     vtkIdType skipped = was->GetNumberOfPoints();
     for (int i = 0; i < 20 && skipped >= was->GetNumberOfPoints(); ++i)
@@ -40,7 +40,7 @@ TEST_F(Replay, PlaysTheTipsOfBothKindsOfFile)
     }
     ASSERT_LT(skipped, was->GetNumberOfPoints());
 
-    // The replay had begun when its recording did; from there on the tips are the same, to the bit.
+    // The replay began before its recording. From there on the tips are the same, to the bit.
     if (file == vtp)
     {
       vtkDataArray* const a = was->GetPointData()->GetArray("DeviceTip");

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A tool with a shape in the hand: force and torque leave, recordings replay to the bit, also those
- * that begin in contact, and the tool may change under force.
+ * A tool with a shape in the hand: force and torque reach the device, recordings replay to the bit,
+ * also if they begin in contact, and the tool may change under force.
  */
 
 #include "Rigs/RecordingRig.h"
@@ -28,7 +28,7 @@ protected:
   {
     vtkNew<vtkSphereSource> sphere;
     sphere->SetRadius(2.0);
-    sphere->SetCenter(1.5, 0.0, 0.0); // held beside its middle, so that it turns
+    sphere->SetCenter(1.5, 0.0, 0.0); // the hand holds it beside its middle, so that it turns
     sphere->SetThetaResolution(40);
     sphere->SetPhiResolution(20);
     sphere->Update();
@@ -39,7 +39,7 @@ protected:
     this->Filter->SetTool(this->Tool);
   }
 
-  /// The points of the tool are spread in the background.
+  /// Begins, and waits until a worker has spread the points of the tool.
   void Begin()
   {
     Recording::Begin();
@@ -85,7 +85,7 @@ TEST_F(ShellRecording, ReplaysFromContactToTheBit)
   ASSERT_TRUE(this->Wait([this] { return this->IsPressed(); }));
   this->StartRecording();
   this->Wander(20);
-  this->Turn(20.0, 1.0); // another placement of the device
+  this->Turn(20.0, 1.0); // changes the placement of the device
   this->Wander(20);
   this->ExpectSame(0.15);
   ASSERT_TRUE(this->Recorded->GetFieldData()->GetArray("InitialContacts"));
@@ -106,7 +106,7 @@ TEST_F(ShellRecording, GivesForceAndTorque)
       return Length(this->Device->GetState()->GetForce()) > 0.15 &&
         Length(this->Device->GetState()->GetTorque()) > 1e-4;
     }));
-  // The ball is held 1.5 mm to the left of its middle: the surface turns the hand about -y.
+  // The hand is 1.5 mm to the left of the ball's middle: the surface turns the hand about y.
   EXPECT_GT(this->Device->GetState()->GetTorque()[1], 1e-4);
   EXPECT_LT(this->Device->GetState()->GetForce()[2], -0.15);
   EXPECT_NEAR(this->Device->GetState()->GetTorque()[1],
@@ -124,7 +124,7 @@ TEST_F(ShellRecording, GivesForceAndTorque)
   EXPECT_EQ(this->Device->GetMaximumTorque(), 0.25);
 }
 
-/// Meanwhile the hand feels what it had: here a point that is pressed.
+/// While the points are spread, the hand feels the earlier model: here a point that is pressed.
 TEST_F(ShellRecording, PointsAreSpreadInTheBackground)
 {
   this->Filter->SetTool(nullptr);
@@ -142,7 +142,7 @@ TEST_F(ShellRecording, PointsAreSpreadInTheBackground)
   ASSERT_TRUE(this->WaitTicks(20));
   EXPECT_EQ(Length(this->Device->GetState()->GetToolOrientation()), 0.0);
   EXPECT_NEAR(Length(this->Device->GetState()->GetForce()), force, 0.05 * force);
-  // A change of mind does not wait for the worker.
+  // Further changes of settings don't wait for the worker.
   this->Filter->SetTool(nullptr);
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_TRUE(this->Device->IsPublished());
@@ -153,14 +153,14 @@ TEST_F(ShellRecording, PointsAreSpreadInTheBackground)
   ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
   ASSERT_TRUE(this->WaitTicks(5));
   EXPECT_NE(Length(this->Device->GetState()->GetToolOrientation()), 0.0);
-  // They are known from now on.
+  // The points are known now, so nothing is spread again.
   this->Filter->GetProperty()->GetFriction()->AddPoint(0.0, 0.1);
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_TRUE(this->Device->IsPublished());
   EXPECT_TRUE(this->Log.Errors.empty());
 }
 
-/// What is wrong with a mesh is told when it is known.
+/// An error in a mesh is reported when the worker has found it.
 TEST_F(ShellRecording, ABadMeshIsAnErrorOfTheBackground)
 {
   this->Filter->SetTool(nullptr);
@@ -208,7 +208,7 @@ TEST_F(ShellRecording, TheToolMayChangeUnderForce)
     ASSERT_TRUE(this->LeadInto(8.0));
     ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetState()->GetForce()) > 0.15; }));
   }
-  // Another material under force: it goes on.
+  // A change of the material under force keeps the contact.
   SetConstant(this->Filter->GetProperty()->GetStiffness(), 700.0);
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->WaitTicks(20));

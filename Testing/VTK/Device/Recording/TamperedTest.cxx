@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Recordings with numbers that were changed: either one error that names what is wrong, or a trace
- * like any other, with finite forces that are no longer than the filter's MaximumForce. Never a
- * replay without an end.
+ * Recordings with changed numbers give either one error that names the fault, or a trace like any
+ * other, with finite forces within the filter's MaximumForce. A replay always ends.
  */
 
 #include "Rigs/RecordingRig.h"
@@ -38,8 +37,7 @@ protected:
     this->Filter->SetMaximumForce(MaximumForce);
     this->Filter->SetIsoValue(700.0);
   }
-  /// The recording of a hand that wanders: it begins in contact, and the device is moved on the
-  /// way.
+  /// Records a hand that wanders, which begins in contact. The device is moved meanwhile.
   vtkSmartPointer<vtkPolyData> Record()
   {
     const std::string file = this->File(("Tampered" + std::to_string(getpid()) + ".vtp").c_str());
@@ -57,7 +55,7 @@ protected:
     unlink(file.c_str());
     return reader->GetOutput();
   }
-  /// Replays a recording; true if it was refused.
+  /// Replays a recording; returns true if it was refused.
   bool Replay(vtkPolyData* recording)
   {
     this->FilterLog.Errors.clear();
@@ -92,7 +90,7 @@ protected:
     }
     return false;
   }
-  /// Every number of an array's first tuples, each with every odd number in its place.
+  /// Replaces every number of an array's first tuples by each of the odd numbers.
   void ChangeEach(vtkPolyData* recording, const char* name, vtkIdType tuples)
   {
     vtkNew<vtkPolyData> other;
@@ -120,7 +118,7 @@ protected:
     }
     EXPECT_GT(refused, 0) << name;
   }
-  /// Several numbers of the first state at once, mostly such as pass alone.
+  /// Changes several numbers of the first state at once, mostly to numbers that pass alone.
   void ChangeMany(vtkPolyData* recording)
   {
     std::mt19937 random(3);
@@ -141,7 +139,7 @@ protected:
       this->Replay(other);
     }
   }
-  /// The device in another size: what is a similarity is not refused, but may be absurd.
+  /// Changes the size of the device: a similarity is not refused, even if it is absurd.
   void ChangeSize(vtkPolyData* recording)
   {
     for (const double factor :
