@@ -13,7 +13,8 @@ namespace evaluation
 {
 
 /**
- * Degrees between the frictionless force and the normal of an 8-bit sphere, all over half of it.
+ * Returns the angles (degrees) between the frictionless force and the normal of an 8-bit sphere, at
+ * positions all over one half of it.
  */
 std::vector<double> MeasureAngles(const Candidate& candidate);
 

@@ -15,18 +15,18 @@ namespace evaluation
 {
 namespace
 {
-constexpr double TickStep = 0.05;  // mm a tick: 50 mm/s
-constexpr double Smoothing = 5.0;  // mm, the scale of an arc's course
+constexpr double TickStep = 0.05;  // mm per tick: 50 mm/s
+constexpr double Smoothing = 5.0;  // mm: scale of the smoothing of an arc's course
 constexpr double Backing = 4.0;    // mm
 constexpr double Clearance = 2.0;  // mm
-constexpr double Leap = 0.5;       // mm, between neighbours of an arc
+constexpr double Leap = 0.5;       // mm: largest distance between neighbours of an arc
 constexpr double Shortest = 30.0;  // mm
-constexpr double Above = 10.0;     // mm, from which the hand comes
+constexpr double Above = 10.0;     // mm above the surface: where the hand starts
 constexpr double SearchStep = 0.5; // mm
 
-using ValueAt = std::function<double(double)>; // of a radius
+using ValueAt = std::function<double(double)>; // by radius
 
-/** How far (mm) a ray goes from a position in a box until it leaves it. */
+/** Returns the distance (mm) from a position in a box to the box's border along a ray. */
 double ComputeReach(const Vector3& from, const Vector3& way, const double* box)
 {
   const double position[3] = { from.X, from.Y, from.Z };
@@ -43,7 +43,9 @@ double ComputeReach(const Vector3& from, const Vector3& way, const double* box)
   return reach;
 }
 
-/** The radius at which the value crosses a level, between one inside and one outside. */
+/**
+ * Returns the radius at which the value crosses a level, between a radius inside and one outside.
+ */
 double Bisect(const ValueAt& value, double level, double inside, double outside)
 {
   for (int i = 0; i < 20; ++i)
@@ -71,7 +73,7 @@ std::optional<double> FindOutermost(const ValueAt& value, double level, double r
     {
       return Bisect(value, level, radius, radius + SearchStep);
     }
-    radius = below; // too thin
+    radius = below; // the layer is too thin
   }
   return {};
 }
@@ -94,7 +96,7 @@ std::optional<double> FindFromInside(const ValueAt& value, double level, double 
   return {};
 }
 
-/** Smoothed by a Gaussian, with the ends repeated. */
+/** Smooths values with a Gaussian; repeats the end values beyond the ends. */
 std::vector<double> Smooth(const std::vector<double>& values, double scale)
 {
   const int reach = static_cast<int>(4.0 * scale);
@@ -115,7 +117,10 @@ std::vector<double> Smooth(const std::vector<double>& values, double scale)
   return smooth;
 }
 
-/** A run of radii as an arc, without the ends, whose course is not smoothed from both sides. */
+/**
+ * Makes an arc from a run of radii. Leaves out the ends, where the course cannot be smoothed from
+ * both sides. Returns nothing if the run is too short.
+ */
 std::optional<Arc> MakeArc(const std::vector<double>& radii, const std::vector<Vector3>& outs,
   const Vector3& middle, double beyond)
 {
@@ -140,7 +145,7 @@ std::optional<Arc> MakeArc(const std::vector<double>& radii, const std::vector<V
   return arc;
 }
 
-/** The arcs of one plane. */
+/** Adds the arcs of one plane. */
 void FindArcsInPlane(const SmoothedVolume& smoothed, const double* box, const Course& course,
   const Vector3& middle, std::vector<Arc>& arcs)
 {

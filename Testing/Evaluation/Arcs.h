@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Strokes along the surfaces of a scan, which lie in planes and follow the surface's course.
+ * Strokes along the surfaces of a scan. Each stroke lies in a plane and follows the surface's
+ * course.
  */
 #ifndef Evaluation_Arcs_h
 #define Evaluation_Arcs_h
@@ -16,46 +17,46 @@ class vtkImageData;
 namespace evaluation
 {
 
-/** How deep (mm) under the smoothed course of the surface an arc lies. */
+/** Depth (mm) of an arc below the smoothed course of the surface. */
 constexpr double ArcDepth = 2.0;
 
 /** A stroke along a surface at constant depth under its smoothed course, at 50 mm/s. */
 struct Arc
 {
-  Path Tips;               ///< mm, one a tick
-  std::size_t Pressed = 0; ///< how many of these press, before the others stroke
-  Vector3 Middle;          ///< mm, where the rays to the surface begin
+  Path Tips;               ///< mm, one per tick
+  std::size_t Pressed = 0; ///< number of tips that press before the stroke begins
+  Vector3 Middle;          ///< mm: start of the rays to the surface
 
-  /** The first tick that is judged: the stroke begins 200 ticks before. */
+  /** Returns the first tick that is measured, 200 ticks after the stroke's beginning. */
   std::size_t GetSettled() const { return this->Pressed + 200; }
 };
 
-/** The surface of a scan, and the rays on which it is looked for. */
+/** The surface of a scan, and the rays that search for it. */
 struct Course
 {
   double Level = 0.0; ///< value of the surface
-  /// mm, by how much deeper the hand first presses, through what lies above the surface
+  /// mm by which the first press is deeper, to pass through what lies above the surface
   double Beyond = 0.0;
-  std::vector<Vector3> Middles; ///< mm, a plane of rays begins at each
+  std::vector<Vector3> Middles; ///< mm: a plane of rays begins at each of them
   Vector3 Side = { 1.0, 0.0, 0.0 };
-  Vector3 Up = { 0.0, 1.0, 0.0 }; ///< with Side, spans the planes: unit vectors at right angles
-  double FirstAngle = 0.0;        ///< of a ray to Side, towards Up
+  Vector3 Up = { 0.0, 1.0, 0.0 }; ///< unit vector, perpendicular to Side; both span the planes
+  double FirstAngle = 0.0;        ///< angle between the first ray and Side, towards Up
   double LastAngle = 6.283185307179586;
-  double Radius = 80.0; ///< mm, about that of the surface
+  double Radius = 80.0; ///< mm: approximate radius of the surface
   /**
-   * Whether the surface is the first at which the value falls below the level, seen from the
-   * middle, and stays below for 2 mm; else it is the outermost at which the level is reached, and
-   * stays so for 4 mm inwards: a head rest is thinner.
+   * If true, the surface is the first place, seen from the middle, at which the value falls below
+   * the level and stays below for 2 mm. If false, it is the outermost place at which the value
+   * reaches the level and stays there for 4 mm inwards (a head rest is thinner than that).
    */
   bool IsSeenFromInside = false;
 };
 
-/** The course around a head: planes at right angles to z in the upper half of its height. */
+/** Returns the course around a head: planes perpendicular to z in the upper half of its height. */
 Course AroundHead(vtkImageData* volume, double level, double beyond, const Effort& effort);
 
 /**
- * Arcs of 30 mm at least. They end where the surface leaps (ears). None if the volume can't be
- * touched.
+ * Returns arcs of at least 30 mm. An arc ends where the surface leaps (at ears). Returns none if
+ * the volume can't be touched.
  */
 std::vector<Arc> FindArcs(vtkImageData* volume, const Course& course);
 

@@ -10,16 +10,19 @@ namespace evaluation
 namespace
 {
 constexpr double Radius = 90.0; // mm
-/** The middle of the patch that is felt. */
+/** The centre of the patch that is felt. */
 const Vector3 Pole = Radius * OddNormal;
 
-/** The height (mm, about) of the ball's surface over a position: its zeros are the surface. */
+/**
+ * Returns the approximate height (mm) of the ball's surface above a position. The surface is where
+ * it is zero.
+ */
 double Height(const Vector3& x)
 {
   return Radius + 2.0 * std::sin(x.X / 5.0) * std::cos(x.Y / 6.0) - Norm(x);
 }
 
-/** The gradient of Height. */
+/** Returns the gradient of Height(). */
 Vector3 Inward(const Vector3& x)
 {
   const Vector3 bump = { 0.4 * std::cos(x.X / 5.0) * std::cos(x.Y / 6.0),
@@ -27,7 +30,7 @@ Vector3 Inward(const Vector3& x)
   return bump - (1.0 / Norm(x)) * x;
 }
 
-/** The point of the surface in a direction, and so far beneath it. */
+/** Returns the point at a depth (mm) below the surface in a direction from the centre. */
 Vector3 Beneath(const Vector3& direction, double depth)
 {
   Vector3 x = (Radius / Norm(direction)) * direction;

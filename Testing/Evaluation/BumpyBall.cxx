@@ -26,7 +26,10 @@ constexpr double Depth = 2.0;
 constexpr double Above = 8.0;
 constexpr double TickStep = 0.05;
 
-/** Below 0 inside; its gradient is not of unit length. */
+/**
+ * Returns a value that is zero on the surface and negative inside. Its gradient is not a unit
+ * vector.
+ */
 double Off(const Vector3& x)
 {
   return Norm(x) - MeanRadius - Bump * std::sin(x.X / Across) * std::cos(x.Y / Along);
@@ -40,7 +43,7 @@ Vector3 GradientOfOff(const Vector3& x)
   return g;
 }
 
-/** On the true surface, in a direction from the middle. */
+/** Returns the point of the true surface in a direction from the middle. */
 Vector3 InDirection(const Vector3& out)
 {
   double radius = MeanRadius;
@@ -51,7 +54,10 @@ Vector3 InDirection(const Vector3& out)
   return radius * out;
 }
 
-/** A stroke that presses and then follows the true surface at a depth along a tilted circle. */
+/**
+ * Makes a stroke that presses and then follows the true surface at a constant depth, along a tilted
+ * circle of a length (mm).
+ */
 Stroke MakeStroke(double tilt, double length)
 {
   const Vector3 start = { std::cos(tilt), 0.0, std::sin(tilt) };
@@ -72,7 +78,7 @@ Stroke MakeStroke(double tilt, double length)
   return stroke;
 }
 
-/** Rounded to integers of 16 bits, as scans are. */
+/** Makes the image, rounded to 16-bit integers as in scans. */
 vtkSmartPointer<vtkImageData> MakeImage()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();

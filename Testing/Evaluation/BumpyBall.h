@@ -5,7 +5,7 @@
  * Where the default settings hold a hand on a bumpy ball, whose true surface is known.
  *
  * The value is 100 (1 + tanh((90 + 2 sin(x/5) cos(y/6) - r) / 2)) at a distance r from the middle,
- * in voxels of 1 mm: the true surface has the value 100, where the edge is steepest.
+ * in voxels of 1 mm. The true surface has the value 100, where the edge is steepest.
  */
 #ifndef Evaluation_BumpyBall_h
 #define Evaluation_BumpyBall_h
@@ -16,7 +16,7 @@
 namespace evaluation
 {
 
-/** The field. */
+/** Returns the value of the ball at a position (mm). */
 double BumpyBallValue(const Vector3& x);
 
 struct SurfacePoint
@@ -25,24 +25,24 @@ struct SurfacePoint
   Vector3 Outward; ///< unit normal
 };
 
-/** The point of the true surface that is nearest to a position some mm off, by Newton's method. */
+/** Returns the point of the true surface nearest to a position some mm away, by Newton's method. */
 SurfacePoint NearestOnBumpyBall(const Vector3& x);
 
-/** Of a hand that strokes the ball, 2 mm deep. */
+/** Results for a hand that strokes the ball, 2 mm deep. */
 struct BumpyBallFeel
 {
-  double Distance = 0.0; ///< voxels, from the proxy to the true surface, mean magnitude
-  double Angle = 0.0;    ///< degrees, of the frictionless force to the true normal, mean
-  std::size_t Ticks = 0; ///< with force
+  double Distance = 0.0; ///< voxels: mean distance between proxy and true surface
+  double Angle = 0.0;    ///< degrees: mean angle between frictionless force and true normal
+  std::size_t Ticks = 0; ///< number of ticks with force
 };
 
-/** With the settings of a filter, whose input it sets. */
+/** Measures with the settings of a filter. Sets the filter's input. */
 BumpyBallFeel FeelBumpyBall(vtkVolumeHapticsFilter* filter, const Effort& effort);
 
-/** For the default settings, each contact alignment, and PAPER. */
+/** Compares the default settings, each contact alignment, and PAPER. */
 Table CompareOnBumpyBall(const Effort& effort);
 
-/** The same for the default settings, as figures with bounds. */
+/** Returns the results of the default settings as figures with bounds. */
 Figures MeasureBumpyBall(const Effort& effort);
 
 } // namespace evaluation

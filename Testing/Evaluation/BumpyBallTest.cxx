@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The true surface of the bumpy ball, as a search by brute force finds it; and a method whose
- * surface is known is found on it. The default settings feel the ball where it is seen.
+ * The true surface of the bumpy ball, compared with a brute-force search. A method with a known
+ * surface is found on it. The default settings feel the ball where it is seen.
  */
 
 #include "BumpyBall.h"
@@ -27,12 +27,12 @@ TEST(BumpyBall, SurfaceHasTheMiddleValue)
     const SurfacePoint found = NearestOnBumpyBall(at);
     EXPECT_NEAR(BumpyBallValue(found.Position), 100.0, 1e-6);
     EXPECT_NEAR(Norm(found.Outward), 1.0, 1e-12);
-    // The way to the nearest point is along the normal.
+    // The nearest point lies along the normal.
     EXPECT_LT(Norm(Cross(at - found.Position, found.Outward)), 1e-6);
-    // The value falls outwards, and by the slope of tanh: half the height over one scale of 2 mm.
+    // The value falls outwards with the slope of tanh: half the height over its scale of 2 mm.
     const double h = 1e-4;
     EXPECT_LT(BumpyBallValue(found.Position + h * found.Outward), 100.0);
-    // No point of the surface around is nearer.
+    // No other point of the surface nearby is nearer.
     const double distance = Norm(at - found.Position);
     const Vector3 out = (1.0 / Norm(at)) * at;
     const Vector3 side = (1.0 / Norm(Cross(out, OddUp))) * Cross(out, OddUp);

@@ -38,7 +38,10 @@ Vector3 OnCircle(double radius, double angle)
   return { radius * std::cos(angle), radius * std::sin(angle), 0.0 };
 }
 
-/** The position at which slabs are touched: between voxels, so that every tap counts. */
+/**
+ * The position at which slabs are touched. It is between voxels, so that every tap of the kernel
+ * counts.
+ */
 constexpr Vector3 Start = { 0.3, 0.2, 0.0 };
 constexpr double Step = 0.1; // mm
 
@@ -61,7 +64,7 @@ Form Push()
 
 Form PushWithDrag()
 {
-  // T3: 2 N of the surface inward, and 0.5 N of the drag both ways.
+  // T3: the surface holds 2 N inwards; the drag holds 0.5 N both ways.
   Form form{ "T3", Slab, MakeMaterial(500.0, 0.0, 0.5), { Start }, {} };
   for (const double depth : { 10.0, 0.0 })
   {
@@ -78,7 +81,7 @@ Form PushWithDrag()
 
 Form Friction()
 {
-  // T4 and T5, 3 mm deep.
+  // T4 and T5 at a depth of 3 mm.
   Form form{ "T4, T5", Slab, MakeMaterial(500.0, 0.4), { Start }, {} };
   MoveTo(form.Tips, { Start.X, Start.Y, 3.0 }, Step);
   MoveTo(form.Tips, { Start.X + 10.0, Start.Y, 3.0 }, Step);
@@ -95,7 +98,7 @@ Form Friction()
 
 Form Tractrix()
 {
-  // T6 and T7: the lag's angle to the way, psi, falls as tan(psi / 2) = exp(-s / a).
+  // T6 and T7: the angle psi between the lag and the motion falls as tan(psi / 2) = exp(-s / a).
   Form form{ "T6, T7", Uniform, MakeMaterial(500.0, 0.0, 0.5), { Start }, {} };
   MoveTo(form.Tips, { Start.X, Start.Y, 3.0 }, Step);
   const std::size_t corner = form.Tips.size();
@@ -120,9 +123,9 @@ HapticMaterial Distinct()
 
 Form TwoSprings(bool jumps)
 {
-  // T8, and T9 in one tick: 500 N/m in series with 500 N/m, up to 2 N. From 4 mm on neither the
-  // kernel nor the values ahead reach the field's lowest point. A slope that grows is the foot of
-  // an edge, which holds from its middle on with alignment Edge.
+  // T8, and T9 in one tick: 500 N/m in series with 500 N/m, up to 2 N. From 4 mm on, neither the
+  // kernel nor the values ahead reach the field's lowest point. A growing slope is the foot of an
+  // edge, which alignment Edge holds only from its middle on.
   Form form{ jumps ? "T9" : "T8", GrowingSlope, Distinct(), { { Start.X, Start.Y, 0.0 } }, {} };
   form.IsOfThePaper = true;
   if (jumps)
@@ -144,8 +147,8 @@ Form TwoSprings(bool jumps)
 Form Round(
   const char* name, const Field& field, double radius, double friction, int ticks, int turns)
 {
-  // T10 to T12: the proxy stays at 20 mm. With friction it lags by asin(20/rho sin phi) - phi; that
-  // holds from the first quarter of a turn on.
+  // T10 to T12: the proxy stays at 20 mm. With friction it lags by asin(20/rho sin phi) - phi from
+  // the first quarter of a turn on.
   Form form{ name, field, MakeMaterial(500.0, friction, 0.0, Impenetrable), { OnCircle(20.0, 0.0) },
     { Vector3{} } };
   const double phi = std::atan(friction);
@@ -163,7 +166,8 @@ Form Round(
 
 Form DeepCavity()
 {
-  // T13: rest at the nearest point of the wall. The walk to the far side is longer than the radius.
+  // T13: the proxy rests at the nearest point of the wall. The walk to the far side is longer than
+  // the radius.
   Form form{ "T13", Cavity, MakeMaterial(500.0, 0.0, 0.0, Impenetrable), { OnCircle(5.0, 0.0) },
     { Vector3{} } };
   form.IsOfThePaper = true;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The closed forms of Documentation/evaluation.md with the right answer at every tick, even if
- * PAPER gives another one.
+ * The closed forms of Documentation/evaluation.md, with the right answer at every tick, even where
+ * PAPER gives another answer.
  */
 #ifndef Evaluation_ClosedForms_h
 #define Evaluation_ClosedForms_h
@@ -19,16 +19,19 @@ struct Form
   Field TheField;
   VolumeHaptics::HapticMaterial Material;
   Path Tips;
-  std::vector<Vector3> Forces; ///< N, one a tick
-  std::size_t FirstJudged = 0; ///< the first tick for which the form holds
-  /** It holds for alignment Distinctness with materials of the kernel: see PlacedAsThePaper. */
+  std::vector<Vector3> Forces; ///< N, one per tick
+  std::size_t FirstJudged = 0; ///< first tick for which the form holds
+  /**
+   * If true, the form holds for alignment Distinctness with materials of the kernel: see
+   * PlacedAsThePaper().
+   */
   bool IsOfThePaper = false;
 };
 
-/** T1 to T13, all that are forces in a sampled field. */
+/** Returns those of the forms T1 to T13 that are forces in a sampled field. */
 std::vector<Form> MakeForms(const Effort& effort);
 
-/** Shares of the form's largest force. */
+/** Fractions of the form's largest force. */
 struct ForceError
 {
   double RootMeanSquare = 0.0;

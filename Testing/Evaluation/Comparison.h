@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The part of the report that checks what the paper says of its method beside others.
+ * The part of the report that checks the paper's claims about its method compared with others.
  *
- * Nothing here is required of anybody: the numbers are what they are.
+ * These numbers are information only; nothing is required of them.
  */
 #ifndef Evaluation_Comparison_h
 #define Evaluation_Comparison_h
@@ -15,7 +15,7 @@
 namespace evaluation
 {
 
-/** The content of a picture of the report that is not a plot. */
+/** A picture of the report that is not a plot. */
 struct Picture
 {
   std::string File; ///< without extension
@@ -28,13 +28,16 @@ struct Comparison
   std::vector<Plot> Plots;
 };
 
-/** The value (HU) on whose isosurface bone is touched. */
+/** Value (HU) of the isosurface on which bone is touched. */
 constexpr double BoneValue = 300.0;
 
-/** If the volume is null or has no bone, bone is left out, with the reason in its place. */
+/**
+ * Compares the methods. If the volume is null or has no bone, the result has the reason instead of
+ * the bone's tables.
+ */
 Comparison CompareMethods(vtkImageData* volume, const Effort& effort);
 
-/** The fraction of the Z-width that a method needs; adds a plot for each delay. */
+/** Returns the fraction of the Z-width that each method reaches. Adds a plot for each delay. */
 Table CompareStability(const Effort& effort, std::vector<Plot>& plots);
 
 } // namespace evaluation

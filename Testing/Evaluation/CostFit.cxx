@@ -17,9 +17,9 @@ namespace
 {
 constexpr int LargestRadius = 6;
 constexpr double BallRadius = 20.0; // mm
-constexpr int BatchSize = 32;       // ticks: the clock is too coarse for one
+constexpr int BatchSize = 32;       // ticks: the clock is too coarse for a single tick
 
-/** The median of a tick (us) that slides round a ball, 2 mm deep at 0.1 m/s. */
+/** Returns the median time (us) of a tick that slides round a ball, 2 mm deep at 0.1 m/s. */
 double TimeTick(const HapticModel& model, int batches)
 {
   ServoState state;
@@ -42,8 +42,8 @@ double TimeTick(const HapticModel& model, int batches)
 }
 
 /**
- * Radii 1, 2 ... in us. In rounds, of which the fastest counts: what else the machine does comes
- * and goes.
+ * Returns the times (us) for the radii 1, 2 ... Measures in rounds and keeps the fastest, because
+ * other work of the machine comes and goes.
  */
 std::vector<double> TimeRadii(Scene& scene, const Method& method, const Effort& effort)
 {
@@ -66,7 +66,8 @@ struct Range
   int Last;
 };
 /**
- * All; those with a kernel that is compiled for their number of taps; those with the general one.
+ * All radii; those whose kernels are compiled for their number of taps; those with the general
+ * kernel.
  */
 constexpr Range Ranges[] = { { 1, LargestRadius }, { 1, 3 }, { 4, LargestRadius } };
 
@@ -102,7 +103,7 @@ Curve Draw(const Method& method, const Range& range, const LineFit& fit)
 {
   const bool isWhole = range.First == 1 && range.Last == LargestRadius;
   const std::string radii = std::to_string(range.First) + " to " + std::to_string(range.Last);
-  // The fit of all is paler (see the plots' palette): it tells how far off one cubic is.
+  // The fit of all radii is paler (see the plots' palette). It shows the error of a single cubic.
   Curve curve{ std::string(method.Name) + ", fit of r = " + radii, {}, {},
     isWhole ? method.Colour + 2 : method.Colour };
   for (double radius = range.First - 0.25; radius < range.Last + 0.3; radius += 0.1)
@@ -174,7 +175,7 @@ Table MeasureCost(const Effort& effort, std::vector<Plot>& plots)
   {
     if (method.Kind != vtkVolumeHapticsFilter::PROXY)
     {
-      continue; // Without a gradient's kernel, or without anything else.
+      continue; // has no gradient kernel, or nothing else
     }
     Curve measured{ method.Name, {}, TimeRadii(scene, method, effort), method.Colour, true };
     for (const Range& range : Ranges)

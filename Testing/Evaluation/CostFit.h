@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The cost of a tick against the radius of the gradient kernel: a constant and a cubic term.
+ * The cost of a tick as a function of the radius of the gradient kernel: a constant and a cubic
+ * term.
  *
  * The paper: "While the rest of the algorithm yields a constant delay of about 35 us, the time
  * delay of the gradient estimation has cubic growth with respect to the radius of the gradient
@@ -19,30 +20,30 @@ namespace evaluation
 
 constexpr double PaperConstant = 35.0; // us, on a Pentium II at 800 MHz
 
-/** y = Constant + Slope x. */
+/** The line y = Constant + Slope x. */
 struct LineFit
 {
   double Constant = 0.0;
   double Slope = 0.0;
   double Residual = 0.0; ///< root mean square of (fit - y) / y
-  double Worst = 0.0;    ///< largest of the same
+  double Worst = 0.0;    ///< largest magnitude of (fit - y) / y
 };
 
 /**
- * The line with the least squares of relative errors, for times of very different size. No fit (all
- * 0) of fewer than two different x, or if a y is not above 0.
+ * Fits the line with the least squares of relative errors, for times of very different size.
+ * Returns zeros for fewer than two different x, or if a y is not above 0.
  */
 LineFit FitLine(const std::vector<double>& x, const std::vector<double>& y);
 
-/** Taps of GAUSSIAN: (2 r + 2)^3. */
+/** Returns the number of taps of GAUSSIAN: (2 r + 2)^3. */
 constexpr double TapsOf(double radius)
 {
   return (2.0 * radius + 2.0) * (2.0 * radius + 2.0) * (2.0 * radius + 2.0);
 }
 
 /**
- * Measures PROXY with both solvers, radii 1 to 6; adds a plot. Times are of this machine, in this
- * run.
+ * Measures PROXY with both solvers and radii 1 to 6; adds a plot. The times depend on this machine
+ * and run.
  */
 Table MeasureCost(const Effort& effort, std::vector<Plot>& plots);
 

@@ -10,7 +10,7 @@ namespace evaluation
 {
 namespace
 {
-/** A field of hills and hollows. */
+/** Returns a random field of hills and hollows. */
 Field Hills(std::mt19937& random)
 {
   Uniform uniform(random);
@@ -40,7 +40,8 @@ Field Hills(std::mt19937& random)
 }
 
 /**
- * Press, go round, come back and leave: the spring has no energy when it begins nor when it ends.
+ * Returns a way that presses, moves around, comes back and leaves. The spring has no energy at its
+ * beginning and at its end.
  */
 Path ClosedWay(std::mt19937& random)
 {
@@ -70,8 +71,8 @@ HapticMaterial AnyMaterial(std::mt19937& random, int kind)
     kind & 2 ? uniform(0.0, 0.4) : 0.0, kind & 4 ? Impenetrable : uniform(0.5, 3.0));
   if (kind & 8)
   {
-    // A soft layer on a stiff wall: what the hand presses through the one, the other must not
-    // return with more.
+    // A soft layer on a stiff wall: the wall must not return more energy than the hand has put into
+    // the layer.
     const double wall = uniform(20.0, 60.0);
     material.Stiffness = { { wall - 20.0, uniform(200.0, 500.0) },
       { wall, uniform(1000.0, 2000.0) } };
@@ -114,7 +115,7 @@ Figures MeasureEnergy(const Candidate& candidate, const Effort& effort)
   {
     most = std::max(most, energy);
   }
-  // T15: a tip at rest, 3.5 mm deep, in a material that is made four times as stiff.
+  // T15: a tip at rest, 3.5 mm deep, in a material whose stiffness is then multiplied by four.
   const Volume slab([](const Vector3& x) { return 100.0 * x.Z; }, {});
   const auto soft = slab.Bake(TouchingOf(candidate, MakeMaterial(500.0, 0.0, 0.0, Impenetrable)));
   const auto stiff = slab.Bake(TouchingOf(candidate, MakeMaterial(2000.0, 0.0, 0.0, Impenetrable)));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Closed ways of the tip in a static volume, over which the hand must not be given energy.
+ * Closed ways of the tip in a static volume. The hand must not get energy from them.
  */
 #ifndef Evaluation_Energy_h
 #define Evaluation_Energy_h
@@ -12,10 +12,13 @@
 namespace evaluation
 {
 
-/** Work (J) of the force on the hand along a path, by the trapezoidal rule. */
+/** Returns the work (J) of the force on the hand along a path, by the trapezoidal rule. */
 double EnergyGiven(const Path& path, const Trace& trace);
 
-/** The energy (J) given over each of some random cycles, from no contact to no contact. */
+/**
+ * Returns the energy (J) that the hand gets in each of some random cycles, from no contact to no
+ * contact.
+ */
 std::vector<double> MeasureCycles(const Candidate& candidate, int cycles);
 
 } // namespace evaluation

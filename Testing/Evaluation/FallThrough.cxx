@@ -11,9 +11,12 @@ namespace
 {
 constexpr double Height = 1000.0;
 constexpr double Blur = 1.0;    // voxels, of 1 mm
-constexpr double Fastest = 3.0; // mm a tick, which is 3 m/s
+constexpr double Fastest = 3.0; // mm per tick, which is 3 m/s
 
-/** Whole from half of the steepest gradient on, which is 1.18 mm before the edge's middle. */
+/**
+ * Returns a material with its full strength from half of the steepest gradient on, 1.18 mm in front
+ * of the edge's middle.
+ */
 HapticMaterial WallMaterial()
 {
   HapticMaterial material = MakeMaterial();
@@ -22,17 +25,20 @@ HapticMaterial WallMaterial()
   return material;
 }
 constexpr double WholeFrom = -1.18;
-/** Where the wall is whole; with alignment Edge, from the edge's middle on. */
+/** Returns where the wall has its full strength; with alignment Edge, this is the edge's middle. */
 double ComputeWhole(const HapticModel& model)
 {
   return model.Baked->Settings.Alignment == ContactAlignment::Edge ? 0.0 : WholeFrom;
 }
-/** 90 % of T_N/k behind the beginning of the whole wall: less than it holds. */
+/**
+ * Largest depth (mm) behind the start of the full strength: 90 % of T_N/k, which the wall must
+ * hold.
+ */
 constexpr double Deepest = 0.9 * 4.0;
-/** A proxy that is this far past its rest position is falling. */
+/** Distance (mm) behind its rest position at which a proxy counts as fallen through. */
 constexpr double Through = 0.3;
 
-/** Whether a random tip that comes in, stays a while and slides is let through. */
+/** Moves a random tip into the wall, lets it stay and slide. Returns whether it falls through. */
 bool FallsThrough(const HapticModel& model, std::mt19937& random)
 {
   Uniform uniform(random);
@@ -63,7 +69,7 @@ bool FallsThrough(const HapticModel& model, std::mt19937& random)
 
 Figures MeasureFallThrough(const Candidate& candidate, const Effort& effort)
 {
-  // A thick wall, and a plate of which the edges' blurs merge.
+  // A thick wall, and a plate so thin that the blurs of its edges merge.
   const std::pair<const char*, double> walls[] = { { "thick wall", 1e9 }, { "plate", 2.0 } };
   Figures figures;
   const int crossings = effort.Pick(5000, 500000);

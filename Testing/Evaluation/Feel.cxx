@@ -24,8 +24,8 @@ namespace
 {
 using Filter = vtkVolumeHapticsFilter;
 
-constexpr std::size_t Window = 5; // ticks in which a drop falls
-constexpr double LongMove = 0.3;  // mm in a tick
+constexpr std::size_t Window = 5; // ticks in which a force must fall to count as a drop
+constexpr double LongMove = 0.3;  // mm in one tick
 
 constexpr const char* ByDefault = "PRECISE";
 constexpr const char* SmoothedMesh = "SURFACE_PROXY, of smoothed data";
@@ -33,11 +33,11 @@ constexpr const char* SmoothedMesh = "SURFACE_PROXY, of smoothed data";
 enum class Data
 {
   AsIs,
-  Filtered,  ///< the volume without noise
-  SmoothMesh ///< the surface of the volume as the kernel smooths it
+  Filtered,  ///< the volume after a noise filter
+  SmoothMesh ///< the surface of the volume as smoothed by the kernel
 };
 
-/** The settings with which a surface is felt. */
+/** Settings with which a surface is felt. */
 struct Variant
 {
   std::string Name;
@@ -46,12 +46,12 @@ struct Variant
   int Colour = -1;
 };
 
-/** The result of all strokes of a variant. */
+/** The results of all strokes of a variant. */
 struct Felt
 {
   Roughness All;
   DropCauses Causes;
-  std::vector<double> First; ///< N, the force along the first stroke
+  std::vector<double> First; ///< N: force along the first stroke
 };
 
 vtkSmartPointer<vtkImageData> RemoveNoise(vtkImageData* volume)
@@ -70,7 +70,7 @@ std::array<vtkPiecewiseFunction*, 4> FunctionsOf(Filter* filter)
     feel->GetSurfaceStrength() };
 }
 
-/** PRECISE with the settings whose roughness is taken apart. */
+/** Sets PRECISE to the settings whose roughness is analysed. */
 void SetEdge(Filter* filter)
 {
   filter->SetContactAlignment(Filter::EDGE);
@@ -151,7 +151,7 @@ std::vector<Variant> MakeVariants()
   return variants;
 }
 
-/** All of a surface's strokes, without force after an error of the filter. */
+/** Runs all strokes of a surface. The result has no force after an error of the filter. */
 Felt FeelArcs(const FeltSurface& surface, const Variant& variant, vtkImageData* filtered,
   vtkPolyData* smoothMesh)
 {
@@ -200,7 +200,7 @@ Curve MakeCurve(const Variant& variant, const std::vector<double>& force)
   return curve;
 }
 
-/** The figures that are required of the default settings, beside those of the mesh. */
+/** Adds the figures that the default settings must reach, with those of the mesh as bounds. */
 void AddRequired(
   const std::string& name, const Roughness& felt, double smoothest, Figures& required)
 {
@@ -213,12 +213,12 @@ void AddRequired(
 
 void Widen(vtkPiecewiseFunction* function, double width)
 {
-  constexpr int samples = 16; // of a width, on either side
+  constexpr int samples = 16; // samples of a width, on each side
   double range[2];
   function->GetRange(range);
   const double step = width / samples;
   const auto count = static_cast<std::size_t>(std::ceil((range[1] - range[0]) / step)) + samples;
-  std::vector<double> sums(count + samples + 2, 0.0); // of the function before each sample
+  std::vector<double> sums(count + samples + 2, 0.0); // integral of the function before each sample
   const double start = range[0] - width;
   for (std::size_t i = 1; i < sums.size(); ++i)
   {

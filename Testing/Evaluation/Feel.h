@@ -16,36 +16,39 @@ namespace evaluation
 struct Feel
 {
   Comparison Found;
-  Figures Required; ///< of surfaces that are required to be smooth
+  Figures Required; ///< of surfaces that must be smooth
 };
 
 /**
- * Roughness of the force on each surface, for all methods; for PRECISE also with one cause of
- * roughness taken away at a time. Then what happened to the material when the force dropped. A
- * plot for each surface.
+ * Measures the roughness of the force on each surface for all methods; for PRECISE also with one
+ * cause of roughness removed at a time. Then counts what happened to the material when the force
+ * dropped. Adds a plot for each surface.
  */
 Feel MeasureFeel(const std::vector<FeltSurface>& surfaces);
 
 /**
- * Each surface with its preset and the default settings, those of a chest CT also with the other
- * presets that are for it.
+ * Compares each surface with its preset and the default settings; those of a chest CT also with the
+ * other presets for it.
  */
 Table ComparePresets(const std::vector<FeltSurface>& surfaces);
 
-/** The function, averaged over a width of its argument: no ramp is steeper. */
+/**
+ * Averages the function over a width of its argument, so that no ramp is steeper than that width
+ * allows.
+ */
 void Widen(vtkPiecewiseFunction* function, double width);
 
-/** Drops of the force along strokes, and what changed within the 5 ms of each. */
+/** Drops of the force along strokes, by what changed within the 5 ms of each. */
 struct DropCauses
 {
   int Drops = 0;
-  int Strength = 0;    ///< what the surface holds changed more than twofold
-  int Stiffness = 0;   ///< by more than a fifth
+  int Strength = 0;    ///< surface strength changed by more than a factor of two
+  int Stiffness = 0;   ///< stiffness changed by more than a fifth
   int Snap = 0;        ///< the proxy moved by more than 0.3 mm in a tick
   int Unexplained = 0; ///< none of these
 };
 
-/** Adds those of a trace, from a tick on. */
+/** Adds the drops of a trace, beginning at a tick. */
 void AddDropCauses(const Trace& trace, std::size_t first, DropCauses& causes);
 
 } // namespace evaluation

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Strokes over a ball, whose sections are circles, and what is felt on it. */
+/** Strokes over a ball, whose sections are circles, and their measurements. */
 
 #include "Feel.h"
 
@@ -19,7 +19,7 @@ namespace
 {
 constexpr double BallRadius = 14.0; // mm
 
-/** Air around a ball of a value, and a thin plate beside it, as a head rest is. */
+/** Returns air with a ball of a value, and a thin plate beside the ball, like a head rest. */
 vtkSmartPointer<vtkImageData> MakeHead(double value)
 {
   return SampleImage(
@@ -33,7 +33,7 @@ vtkSmartPointer<vtkImageData> MakeHead(double value)
 
 TEST(Feel, ArcsLieUnderTheBallAndNotUnderThePlate)
 {
-  const double level = -480.0; // the middle of the edge
+  const double level = -480.0; // the value in the middle of the edge
   const double beyond = 3.0;
   const auto head = MakeHead(40.0);
   const std::vector<Arc> arcs = FindArcs(head, AroundHead(head, level, beyond, { true }));
@@ -61,7 +61,7 @@ TEST(Feel, ArcsLieUnderTheBallAndNotUnderThePlate)
 
 TEST(Feel, ArcsAreFoundFromInside)
 {
-  // A shell around a ball: seen from the middle, the ball's surface is the first.
+  // A shell around a ball: seen from the middle, the ball's surface is the first one.
   const auto ball = SampleImage(
     [](const Vector3& x)
     {
@@ -107,8 +107,8 @@ TEST(Feel, WidenedStepsAreRamps)
 
 TEST(Feel, CausesOfDropsAreWhatChanges)
 {
-  // Three drops: at the first the strength falls, at the second the proxy snaps, at the third
-  // nothing that is known.
+  // Three drops: the first with a fall of the strength, the second with a leap of the proxy, and
+  // the third without a known cause.
   Trace trace(400);
   for (std::size_t i = 0; i < trace.size(); ++i)
   {
@@ -150,7 +150,7 @@ TEST(Feel, ABallOfOneTissueIsSmooth)
 
 TEST(Feel, TicksAreComparedOnStrokesThatThereAre)
 {
-  // Times themselves are not asserted.
+  // The test does not check the times themselves.
   FeltSurface surface = FindHeadSurfaces(MakeHead(1000.0), {}).front();
   const Setting none = [](vtkVolumeHapticsFilter*) {};
   EXPECT_GT(MeasureTickRatio(surface, none, none), 0.0);

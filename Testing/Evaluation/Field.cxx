@@ -72,7 +72,7 @@ Storing GetStoring(ScalarType type)
   return StoringAs<double>();
 }
 
-/** About an odd axis by an odd angle (Rodrigues). */
+/** Returns a rotation about an odd axis by an odd angle (Rodrigues' formula). */
 Matrix3 OddRotation()
 {
   const Vector3 axis = (1.0 / std::sqrt(14.0)) * Vector3{ 1.0, 2.0, 3.0 };

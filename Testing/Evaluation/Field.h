@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Analytic fields, sampled to volumes that can be touched. Lengths are millimetres, which are world
- * units.
+ * Analytic fields, sampled to volumes that can be touched. Lengths are in millimetres, which are
+ * the world units.
  */
 #ifndef Evaluation_Field_h
 #define Evaluation_Field_h
@@ -21,18 +21,18 @@ using VolumeHaptics::Vector3;
 /** A scalar at a position (mm). */
 using Field = std::function<double(const Vector3&)>;
 
-/** How a field is sampled, around the origin. */
+/** How a field is sampled. The samples are around the origin. */
 struct Sampling
 {
-  double HalfSize = 24.0;              ///< mm, of a cube
+  double HalfSize = 24.0;              ///< mm: half of the cube's edge
   Vector3 Spacing = { 1.0, 1.0, 1.0 }; ///< mm
   VolumeHaptics::ScalarType Type = VolumeHaptics::ScalarType::Float64;
-  double Noise = 0.0; ///< standard deviation
+  double Noise = 0.0; ///< standard deviation of the noise
   unsigned Seed = 1;
-  bool IsTurned = false; ///< by an odd rotation, about an odd centre
+  bool IsTurned = false; ///< rotated by an odd angle about an odd centre
 };
 
-/** The material and the solver; the defaults are those of the closed forms. */
+/** Material and solver. The defaults are those of the closed forms. */
 struct Touching
 {
   VolumeHaptics::HapticSolver Solver = VolumeHaptics::HapticSolver::Precise;
@@ -45,11 +45,11 @@ struct Touching
   double ReleaseTime = VolumeHaptics::HapticSettings{}.ReleaseTime; ///< s
 };
 
-/** Constant material functions. */
+/** Returns constant material functions. */
 VolumeHaptics::HapticMaterial MakeMaterial(double stiffness = 500.0, double friction = 0.0,
   double viscosity = 0.0, double surfaceStrength = 2.0, double distinctness = 1.0);
 
-/** No hand breaks it (N). */
+/** Surface strength (N) that no hand overcomes. */
 constexpr double Impenetrable = 1e9;
 
 /** The samples of a field. Integer types round and saturate. */
@@ -67,17 +67,17 @@ private:
   VolumeHaptics::Affine3 IndexToWorld;
 };
 
-/** Tip positions (mm), one a tick. */
+/** Tip positions (mm), one per tick. */
 using Path = std::vector<Vector3>;
 using Trace = std::vector<VolumeHaptics::TickRecord>;
 
 /** Appends points on the way to a goal, `step` (mm) apart; the last one is exactly the goal. */
 void MoveTo(Path& path, const Vector3& goal, double step);
 
-/** Ticks along a path, life-size. */
+/** Runs ticks along a path; 1 mm of the path is 1 mm of the hand. */
 Trace Play(const VolumeHaptics::HapticModel& model, const Path& path);
 
-/** The tick's proxy in mm. */
+/** Returns the tick's proxy (mm). */
 inline Vector3 ProxyOf(const VolumeHaptics::TickRecord& tick)
 {
   return 1000.0 * tick.Proxy;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The figures of the evaluation, each measured for one solver. Deterministic: seeds are fixed.
+ * The figures of the evaluation, each measured for one solver. They are deterministic: seeds are
+ * fixed.
  */
 #ifndef Evaluation_Figure_h
 #define Evaluation_Figure_h
@@ -22,8 +23,11 @@ struct Figure
   std::string Unit;
   double Value = 0.0;
   double Bound = 0.0;
-  bool IsTime = false; ///< of this machine, in this run: not for tests
-  /** At the bound is not below it; but none is none. */
+  bool IsTime = false; ///< depends on this machine and run, so tests leave it out
+  /**
+   * Returns whether the value is below the bound. A value equal to the bound fails, unless both are
+   * 0.
+   */
   bool IsReached() const
   {
     return this->Value < this->Bound || (this->Bound == 0.0 && this->Value == 0.0);
@@ -44,20 +48,20 @@ struct Curve
   std::string Name;
   std::vector<double> X;
   std::vector<double> Y;
-  int Colour = -1;       ///< of the palette of plots; the next one by default
-  bool IsMarked = false; ///< points alone, without a line
+  int Colour = -1;       ///< index in the plots' palette; by default the next colour
+  bool IsMarked = false; ///< only points, no line
   float Width = 2.0f;
 };
 
-/** Where no curve of a plot is. */
+/** Position of a plot's legend. Choose one where the plot has no curve. */
 enum class LegendPlace
 {
-  Right, ///< in the middle of the height
+  Right, ///< at half height
   TopLeft,
   TopRight
 };
 
-/** The content of a plot in the report. */
+/** A plot of the report. */
 struct Plot
 {
   std::string File; ///< without extension
@@ -66,11 +70,11 @@ struct Plot
   std::string YLabel;
   std::vector<Curve> Curves;
   LegendPlace Legend = LegendPlace::Right;
-  /// the ticks of an axis that is not counted evenly
+  /// labels of an axis that is not numbered evenly
   std::vector<std::pair<double, std::string>> XTicks = {};
 };
 
-/** Whom a figure is measured for; by default with the default settings. */
+/** The solver and settings that a figure is measured for; by default the default settings. */
 struct Candidate
 {
   VolumeHaptics::HapticSolver Solver;
@@ -79,7 +83,9 @@ struct Candidate
   VolumeHaptics::ContactAlignment Alignment = VolumeHaptics::ContactAlignment::Edge;
 };
 
-/** The same with the surfaces of the paper: alignment Distinctness, materials of the kernel. */
+/**
+ * Returns the candidate with the paper's surfaces: alignment Distinctness, materials of the kernel.
+ */
 inline Candidate PlacedAsThePaper(Candidate candidate)
 {
   candidate.Placement = VolumeHaptics::MaterialPlacement::Kernel;
@@ -106,7 +112,7 @@ Figures MeasureTracking(const Candidate& candidate, const Effort& effort);
 Figures MeasureFallThrough(const Candidate& candidate, const Effort& effort);
 /** Force on a clean plane between 100 and 500 Hz. */
 Figures MeasureRipple(const Candidate& candidate, const Effort& effort);
-/** Energy that closed cycles give away. */
+/** Energy that the hand gets in closed cycles. */
 Figures MeasureEnergy(const Candidate& candidate, const Effort& effort);
 /** Angle of the frictionless force to the normal of an 8-bit sphere. */
 Figures MeasureAngle(const Candidate& candidate, const Effort& effort);
@@ -116,12 +122,12 @@ Figures MeasureAlignment(const Candidate& candidate, const Effort& effort);
 Figures MeasureBumps(const Candidate& candidate, const Effort& effort);
 /** Force of volumes that move under a tip that rests, against closed forms. */
 Figures MeasureMovingWall(const Candidate& candidate, const Effort& effort);
-/** The cost of a tick. For readers, not for tests. */
+/** The cost of a tick. For the report only, not for tests. */
 Figures MeasureSpeed(const Candidate& candidate, const Effort& effort);
 
-/** The plots of the report, of both solvers. */
+/** Returns the plots of the report, for both solvers. */
 std::vector<Plot> MakePlots(const Effort& effort);
-/** Of the forces that MeasureMovingWall() compares. */
+/** Plots the forces that MeasureMovingWall() compares. */
 std::vector<Plot> PlotMovingWalls();
 
 } // namespace evaluation

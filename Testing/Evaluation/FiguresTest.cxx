@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * PRECISE reaches every figure of the specification on a reduced run; and the figures can tell,
- * since PAPER does not.
+ * PRECISE reaches every figure of the specification on a reduced run. The figures can fail, since
+ * PAPER does not reach them.
  */
 
 #include "Figure.h"
@@ -21,7 +21,7 @@ struct Subject
 {
   const char* Name;
   Measure Figures;
-  bool PaperFails; ///< one of its figures at least
+  bool PaperFails; ///< whether PAPER misses at least one of the figures
 };
 
 std::ostream& operator<<(std::ostream& os, const Subject& subject)
@@ -54,7 +54,7 @@ TEST_P(EvaluationFigures, AreReachedWithThePapersSurfaces)
   }
 }
 
-// Materials of the far side are those of the closed forms, too, where functions are constant.
+// With constant functions, the far side's materials are also those of the closed forms.
 TEST_P(EvaluationFigures, AreReachedWithTheFarSide)
 {
   const auto& [subject, estimator] = this->GetParam();

@@ -21,9 +21,9 @@ namespace evaluation
 namespace
 {
 constexpr double Blur = 1.0;             // mm
-constexpr double StrokeStep = 0.045;     // mm a tick
+constexpr double StrokeStep = 0.045;     // mm per tick
 constexpr double LookStep = 1.0;         // mm
-constexpr std::size_t SkippedTicks = 60; // until the drag has built up
+constexpr std::size_t SkippedTicks = 60; // ticks until the drag has built up
 constexpr int MostAttempts = 2000000;
 
 vtkSmartPointer<vtkImageData> Smooth(vtkImageData* image)
@@ -36,7 +36,7 @@ vtkSmartPointer<vtkImageData> Smooth(vtkImageData* image)
   return smooth->GetOutput();
 }
 
-/** The nearest voxel. */
+/** Looks up the nearest voxel. */
 class Look
 {
 public:
@@ -69,7 +69,7 @@ public:
           static_cast<int>(this->Labels->GetScalarComponentAsDouble(at[0], at[1], at[2], 0))) > 0);
   }
 
-  /** Whether all within the margin is: the place, and what is around it. */
+  /** Returns whether positions at the margin all around are of the tissue. */
   bool IsInside(const Vector3& at) const
   {
     for (int i = -1; i <= 1; ++i)

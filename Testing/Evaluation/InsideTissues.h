@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a hand feels that moves inside one tissue of a real scan: no grains, and no drops.
+ * Strokes of a hand inside one tissue of a real scan. It should feel no grains and no drops.
  */
 #ifndef Evaluation_InsideTissues_h
 #define Evaluation_InsideTissues_h
@@ -18,18 +18,18 @@
 namespace evaluation
 {
 
-/** Values (HU) between which a tissue is, and where to look for it. */
+/** The range of values (HU) of a tissue, and where to search for it. */
 struct TissueBand
 {
   std::string Name;
   double Low = 0.0;
   double High = 0.0;
-  std::set<int> Labels; ///< of the segmentation; not read without one
+  std::set<int> Labels; ///< labels in the segmentation; unused without a segmentation
   double Length = 25.0; ///< mm, of a stroke
-  double Margin = 3.0;  ///< mm around it, which are of the tissue, too
+  double Margin = 3.0;  ///< mm around a stroke that must also be of the tissue
 };
 
-/** A scan, and its segmentation on the same voxels, if there is one. */
+/** A scan, with a segmentation on the same voxels if there is one. */
 struct BandedScan
 {
   std::string Name;
@@ -38,12 +38,13 @@ struct BandedScan
 };
 
 /**
- * Straight strokes at 45 mm/s, with the surroundings of each in the band, after a Gaussian of 1 mm,
- * and in the labels. Fewer if there is no room for them.
+ * Returns straight strokes at 45 mm/s. The surroundings of each are within the band, after
+ * smoothing with a Gaussian of 1 mm, and have the labels. Returns fewer strokes if there is no
+ * room.
  */
 std::vector<Path> FindStrokesInside(const BandedScan& scan, const TissueBand& tissue, int count);
 
-/** A line for each scan, tissue and preset for CT. */
+/** Returns a line for each scan, tissue and CT preset. */
 Table MeasureInsideTissues(const Scans& scans, const Effort& effort);
 
 } // namespace evaluation

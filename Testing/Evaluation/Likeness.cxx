@@ -22,7 +22,10 @@ double AngleBetween(const Vector3& a, const Vector3& b)
   return isNone ? 180.0 : 360.0 / TwoPi * std::atan2(Norm(Cross(a, b)), Dot(a, b));
 }
 
-/** N/mm of the way of the tip, while a stroke presses: what a hand takes for stiffness. */
+/**
+ * Returns the slope (N/mm) of the force while a stroke presses, which a hand perceives as
+ * stiffness.
+ */
 double PressedSlope(const Stroke& stroke, const Trace& trace)
 {
   double sum = 0.0;
@@ -61,7 +64,7 @@ const char* Verdict(const Differences& differences)
     : "between the thresholds";
 }
 
-/** The fraction of ticks against the difference. */
+/** Returns a curve: the fraction of ticks against the difference. */
 Curve Draw(const Method& method, std::vector<double> percents)
 {
   Curve curve{ method.Name, {}, {}, method.Colour };

@@ -19,15 +19,18 @@ namespace evaluation
 namespace
 {
 constexpr double Length = 12.0;        // mm, of a stroke
-constexpr double Step = 0.1;           // mm a tick
-constexpr double PressStep = 0.02;     // mm a tick
+constexpr double Step = 0.1;           // mm per tick
+constexpr double PressStep = 0.02;     // mm per tick
 constexpr double Depth = 1.5;          // mm
 constexpr double LeastGradient = 40.0; // per mm
-constexpr double LongestJump = 0.5;    // mm of depth, from one tick to the next
+constexpr double LongestJump = 0.5;    // mm of depth from one tick to the next
 
 using Value = std::function<double(const Vector3&)>;
 
-/** How far (mm) along a direction a value is first reached, within a reach. */
+/**
+ * Returns the distance (mm) along a direction at which a value is first reached, if it is within a
+ * reach.
+ */
 std::optional<double> FindFirst(
   const Value& value, double level, const Vector3& from, const Vector3& way, double reach)
 {
@@ -50,7 +53,7 @@ std::optional<double> FindFirst(
   return {};
 }
 
-/** The parabola (a, b, c) nearest to heights that are one step apart. */
+/** Returns the parabola (a, b, c) that fits heights one step apart best. */
 std::array<double, 3> FitParabola(const std::vector<double>& heights)
 {
   double matrix[3][3] = {};
@@ -73,7 +76,7 @@ std::array<double, 3> FitParabola(const std::vector<double>& heights)
   return solution;
 }
 
-/** A hand's way: it presses, then follows the bone's course, though not its grain. */
+/** Returns a stroke that presses and then follows the bone's course, but not its grain. */
 std::optional<Stroke> FindStroke(const SmoothedVolume& bone, const Value& value, double level,
   const Vector3& from, const Vector3& inward, double reach)
 {
@@ -112,7 +115,9 @@ std::optional<Stroke> FindStroke(const SmoothedVolume& bone, const Value& value,
   return stroke;
 }
 
-/** From directions that are spread evenly over the upper half (Fibonacci's lattice). */
+/**
+ * Returns strokes from directions that are spread evenly over the upper half (Fibonacci's lattice).
+ */
 std::vector<Stroke> FindStrokes(
   const SmoothedVolume& bone, const Value& value, double level, const double* bounds, int count)
 {

@@ -17,8 +17,8 @@ namespace
 constexpr double Height = 1000.0;
 constexpr double Blur = 1.5;       // mm
 constexpr double Depth = 1.5;      // mm
-constexpr double PressStep = 0.02; // mm a tick
-constexpr double SlideStep = 0.1;  // mm a tick
+constexpr double PressStep = 0.02; // mm per tick
+constexpr double SlideStep = 0.1;  // mm per tick
 constexpr double Radius = 20.0;    // mm, of ball and cavity
 constexpr double HalfWidth = 14.0; // mm, of the bar
 constexpr double Rounding = 4.0;   // mm, of its edges
@@ -31,7 +31,7 @@ Stroke PressAt(const Vector3& start, const Vector3& outward)
   return stroke;
 }
 
-/** Along the circle about OddCentre at a radius, through half a turn. */
+/** Returns a stroke along the circle about OddCentre with radius `tip`, through half a turn. */
 Stroke SlideRound(double surface, double tip)
 {
   const double sign = surface > tip ? 1.0 : -1.0;
@@ -55,7 +55,7 @@ Stroke SlideOnPlane()
   return stroke;
 }
 
-/** Inside (mm), of an endless bar along OddNormal. */
+/** Returns the depth (mm) inside an endless bar along OddNormal. */
 double InsideBar(const Vector3& x)
 {
   const double u = std::abs(Dot(x - OddCentre, OddAside)) - (HalfWidth - Rounding);
@@ -64,7 +64,7 @@ double InsideBar(const Vector3& x)
   return Rounding - outside - std::min(std::max(u, v), 0.0);
 }
 
-/** From the middle of a side round an edge to the middle of the next one. */
+/** Returns a stroke from the middle of one side round an edge to the middle of the next side. */
 Stroke SlideOverEdge()
 {
   const auto at = [](double u, double v) { return OddCentre + u * OddAside + v * OddUp; };
@@ -89,7 +89,7 @@ Subject MakeSubject(const char* name, const Field& inside, Stroke stroke)
   return subject;
 }
 
-/** The level of the smoothed volume at the contact, and its isosurface. */
+/** Returns the smoothed volume with its isosurface through the contact. */
 Subject MakeSmoothed(const char* name, const Field& inside, Stroke stroke)
 {
   const auto image =

@@ -65,12 +65,15 @@ Figures MeasureAll(const Candidate& candidate, const Effort& effort)
 }
 
 /**
- * How many of the four tissues of the head CT an ideal hand told apart, under constant force and at
- * constant depth, before materials were looked for behind an edge: 2.94 and 2.95.
+ * Number of the head CT's four tissues that an ideal hand must tell apart, under constant force and
+ * at constant depth. Before materials were looked for behind an edge, it told apart 2.94 and 2.95.
  */
 constexpr double CorrectBefore[] = { 2.93, 2.94 };
 
-/** How much longer a tick takes by what is not the paper's: at most a quarter. */
+/**
+ * Measures how much longer a tick takes with what the paper does not have. The bound is a quarter
+ * more.
+ */
 Figures MeasureTickRatios(const std::vector<FeltSurface>& surfaces, const Scans& scans)
 {
   Figures figures;
@@ -103,14 +106,16 @@ Figures MeasureTickRatios(const std::vector<FeltSurface>& surfaces, const Scans&
   return figures;
 }
 
-/** Adds a table to what is found, and prints it. */
+/** Adds a table to the results, and prints it. */
 void Tell(const Table& table, Comparison& found)
 {
   PrintTable(table);
   found.Tables.push_back(table);
 }
 
-/** Adds a section to the report, and prints it. Returns how many figures are not reached. */
+/**
+ * Adds a section to the report, and prints it. Returns the number of figures that are not reached.
+ */
 int Tell(const Section& section, Report& report)
 {
   report.Sections.push_back(section);
@@ -118,7 +123,8 @@ int Tell(const Section& section, Report& report)
 }
 
 /**
- * Surfaces of all scans, the ideal hand, and the bumpy ball. Prints each table when it is measured.
+ * Measures the surfaces of all scans, the ideal hand, and the bumpy ball. Prints each table when it
+ * is complete.
  */
 Feel MeasureScans(const Scans& scans, const Effort& effort)
 {

@@ -20,10 +20,14 @@ namespace
 using Filter = vtkVolumeHapticsFilter;
 
 /**
- * From how far off (mm) a mesh is met: its triangles can be off the level by a tenth of a voxel.
+ * Distance (mm) from which the tip approaches a mesh, whose triangles can be off the level by a
+ * tenth of a voxel.
  */
 constexpr double Approach = 0.5;
-/** For how many ticks it waits there: until the slow loop of a local surface has looked. */
+/**
+ * Number of ticks that the tip waits there, until the slow loop of a local surface has fitted a
+ * surface.
+ */
 constexpr std::size_t Wait = 50;
 } // namespace
 

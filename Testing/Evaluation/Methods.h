@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The methods that the report compares, and how each of them touches the same surface.
+ * The methods that the report compares, and how each method touches the same surface.
  */
 #ifndef Evaluation_Methods_h
 #define Evaluation_Methods_h
@@ -23,7 +23,8 @@ namespace evaluation
 {
 
 /**
- * The sphere of SURFACE_PROXY (mm): small beside a voxel, so that it goes wherever a point does.
+ * Radius (mm) of SURFACE_PROXY's sphere. It is small compared with a voxel, so that the sphere goes
+ * wherever a point goes.
  */
 constexpr double ProbeRadius = 0.02;
 
@@ -32,51 +33,56 @@ struct Method
   const char* Name;
   int Kind;   ///< vtkVolumeHapticsFilter::MethodType
   int Solver; ///< vtkVolumeHapticsFilter::SolverType
-  int Colour; ///< of its curves, see Curve
-  /** A field of forces has no surface: it is compared only if that makes no difference. */
+  int Colour; ///< of its curves, see Curve::Colour
+  /**
+   * Returns whether the method has a surface. A force field has none: it is compared only where
+   * that makes no difference.
+   */
   bool HasSurface() const { return this->Kind != vtkVolumeHapticsFilter::FORCE_FIELD; }
-  /** How far (mm) off the surface the proxy is held. */
+  /** Returns the distance (mm) from the surface at which the proxy is held. */
   double Offset() const
   {
     return this->Kind == vtkVolumeHapticsFilter::SURFACE_PROXY ? ProbeRadius : 0.0;
   }
 };
 
-/** One line a method. */
+/** Returns all methods, one per line of the report. */
 const std::vector<Method>& AllMethods();
-/** The method from which the paper can't tell its own apart: proxy-based surface haptics. */
+/**
+ * Returns proxy-based surface haptics, from which the paper says that its method can't be told
+ * apart.
+ */
 const Method& SurfaceHaptics();
 
 /**
- * Down to a surface and along it. The tip begins on the surface: PROXY, to which any place can be a
- * surface, is held by this one from then on.
+ * A stroke down to a surface and along it. The tip begins on the surface, because PROXY can have
+ * its surface anywhere, and then is held by this one.
  */
 struct Stroke
 {
   Vector3 Start;           ///< mm, on the surface
-  Vector3 Outward;         ///< unit, there
+  Vector3 Outward;         ///< unit normal at the start
   Path Tips;               ///< mm, from the second tick on
-  std::size_t Pressed = 0; ///< how many of these press, before the others slide
+  std::size_t Pressed = 0; ///< number of tips that press before the slide begins
 };
 
-/** The function has this value everywhere. */
+/** Sets the function to one value everywhere. */
 void SetConstant(vtkPiecewiseFunction* function, double value);
 
-/** A field, sampled in voxels of 1 mm around the origin. */
+/** Samples a field in voxels of 1 mm around the origin. */
 vtkSmartPointer<vtkImageData> SampleImage(const Field& field, double halfSize);
 
 /**
- * An image with a surface of which all that holds has the same stiffness and friction, without
- * limit.
+ * An image with a surface. Everything that holds has the same stiffness and friction, and no limit.
  */
 class Scene
 {
 public:
-  /** The surface is the isosurface, unless SURFACE_PROXY is given another. */
+  /** Uses the isosurface, unless another surface is given for SURFACE_PROXY. */
   Scene(vtkImageData* image, double isoValue, vtkPolyData* surface = nullptr);
 
   /**
-   * Whether a method touches the surface. Local surfaces are those of the image, whatever is given.
+   * Returns whether a method can touch the surface. Local surfaces are always those of the image.
    */
   bool CanFeel(const Method& method) const
   {
@@ -87,16 +93,18 @@ public:
   void SetKernelRadius(int voxels) { this->Filter->SetKernelRadius(voxels); }
   void SetForceFieldGain(double gain) { this->Filter->SetForceFieldGain(gain); }
 
-  /** Null after an error of the filter. */
+  /** Returns null after an error of the filter. */
   std::shared_ptr<const VolumeHaptics::HapticModel> Bake(const Method& method);
 
   /**
-   * A record for each of the stroke's tips, life-size; none after an error.
+   * Returns a record for each of the stroke's tips; nothing after an error. 1 mm of the stroke is 1
+   * mm of the hand.
    *
-   * The sphere of SURFACE_PROXY rolls on the surface, its centre a radius outside. What is compared
-   * is the point of it that touches, and the spring from there: the offset is taken from proxy and
-   * force. Only friction has seen it, as mu k ProbeRadius: 3 mN at 500 N/m and mu = 0.3. What is no
-   * proxy of ours begins outside, to have a side.
+   * The sphere of SURFACE_PROXY rolls on the surface with its centre one radius outside. For the
+   * comparison, proxy and force are corrected by this offset, so that they are those of the
+   * touching point. Only friction still contains it, as mu k ProbeRadius: 3 mN at 500 N/m and mu =
+   * 0.3. Methods other than PROXY begin outside of the surface, because they need to know their
+   * side.
    */
   Trace Feel(const Method& method, const Stroke& stroke);
 

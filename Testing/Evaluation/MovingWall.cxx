@@ -2,27 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Volumes that move under a tip that rests. A ball of 20 mm pulsates by 2 mm a second; the tip is 1
- * mm inside its mean surface, k = 500 N/m, and the force that is right is
+ * Moving volumes under a resting tip. A ball of 20 mm pulsates by 2 mm with a period of 1 s. The
+ * tip is 1 mm inside its mean surface, k = 500 N/m, and the right force is
  *
- *   V1  k max(0, r(t) - 19 mm)                with T_N = 2 N, which holds it
- *   V2  min(1, 0.5 + sin) N up to a quarter,  with T_N = 1 N: what is above slips through, so that
- *       then max(0, sin) N                    it is less on the way back
- *   V3  k max(0, s(t))                        of a flat wall at 10 mm/s through a medium of 0.5 N,
- *       s: how far it is beyond the tip       which moves along and drags nothing
- *   V4  as V1, of the blend of two time steps 50 and 100 ms apart: all that time steps tell
+ *   V1  k max(0, r(t) - 19 mm)                with T_N = 2 N, so that the surface holds
+ *   V2  min(1, 0.5 + sin) N up to a quarter,  with T_N = 1 N: above that, the surface slips, so
+ *       then max(0, sin) N                    that the force is smaller on the way back
+ *   V3  k max(0, s(t))                        for a flat wall that moves at 10 mm/s through a
+ *       s: the wall is so far beyond the tip  medium of 0.5 N, which moves along and does not drag
+ *   V4  as V1, for the blend of two time steps 50 or 100 ms apart, which is all they tell
  *
- * The field reads the ball through its kernel, whose blur moves the surface of a ball by up to 0.03
- * mm. So forces and levels are compared with those of the blurred ball, which has a closed form,
- * too (BlurredBall); V1 and V2 also with the forms above.
+ * The field reads the ball through its kernel, whose blur moves the surface by up to 0.03 mm. So
+ * forces and levels are compared with those of the blurred ball, which also has a closed form
+ * (BlurredBall); V1 and V2 are also compared with the forms above.
  *
- *   V5  to the bit what stands still, where all time steps are alike
- *   V6  what a hand feels that moves the other way, where all of the volume moves alike and its
- *       displacements tell
- *   V7  in a period, a wall that holds gives no work, and one that slips by 1 mm at 1 N gives 1 mJ
+ *   V5  if all time steps are alike, the force equals that at rest to the bit
+ *   V6  if the volume moves as a whole and its displacements tell so, the force equals that of a
+ *       hand that moves the other way
+ *   V7  over a period, a wall that holds gives no work; a wall that slips by 1 mm at 1 N gives 1 mJ
  *
- * A wall that leaps by six of its widths from time step to time step is right where its
- * displacements are; a blend in place is a cross-fade.
+ * A wall that leaps by six of its widths per time step is right if it has displacements. Without
+ * them, the blend is a cross-fade.
  */
 #include "Figure.h"
 #include "Shapes.h"
@@ -41,37 +41,37 @@ constexpr double WallStiffness = 500.0; // N/m
 constexpr double WallHeight = 1000.0;
 constexpr double WallBlur = 1.5;      // mm
 constexpr double BallMean = 20.0;     // mm
-constexpr double BallDepth = 1.0;     // mm, of the tip
+constexpr double BallDepth = 1.0;     // mm, depth of the tip
 constexpr double BallAmplitude = 2.0; // mm
 constexpr double LeapLength = 9.0;    // mm
-constexpr double WallSpeed = 10.0;    // mm/s, of a wall that comes
+constexpr double WallSpeed = 10.0;    // mm/s, of an approaching wall
 /**
- * An edge begins where V is the mean of V this many voxels before it and behind. These are
- * interpolated: with 2 voxels, still on the flanks of the edges below, the surface is off by up to
- * 0.025 voxel, with 3 by 0.01.
+ * Kernel radius (voxels): an edge begins where V is the mean of V this far in front and behind.
+ * These values are interpolated. With 2 voxels, they are still on the flanks of the edges below, so
+ * that the surface is off by up to 0.025 voxel; with 3 voxels by 0.01.
  */
 constexpr int WallRadius = 3;
 constexpr double WallTick = 1e-3; // s
 
-using Motion = std::function<double(double time)>; ///< mm, of the surface out of the structure
+using Motion = std::function<double(double time)>; ///< mm: way of the surface out of the structure
 
 double Pulse(double time)
 {
   return BallAmplitude * std::sin(TwoPi * time);
 }
 
-/** What moves, and what is right. */
+/** A motion, with the right force. */
 struct MovingCase
 {
   const char* Name;
   double Curvature;     ///< radius, mm
   double FramePeriod;   ///< s
   double Strength;      ///< N
-  bool HasDisplacement; ///< the time steps tell where the material goes
-  double Drag;          ///< of the medium, N
+  bool HasDisplacement; ///< whether the time steps have displacements
+  double Drag;          ///< N, drag of the medium
   double End;           ///< s
   Motion Surface;
-  /** N, without the field's blur and the time steps' blend. */
+  /** N; without the field's blur and without the blend of the time steps */
   std::function<double(double time)> Force;
 };
 
@@ -95,7 +95,7 @@ std::vector<MovingCase> MakeMovingCases()
   };
   MovingCase slipping = pulse("V2, ball that pulsates, of which 1 N slips", 0.01);
   slipping.Strength = 1.0;
-  slipping.End = 0.9; // then the ball comes back
+  slipping.End = 0.9; // after that, the ball returns
   slipping.Force = Slipping;
   // From 5 mm in front of the tip to 4 mm behind it.
   const Motion leap = [](double time) { return -6.0 + LeapLength * time; };
@@ -109,14 +109,14 @@ std::vector<MovingCase> MakeMovingCases()
 }
 
 /**
- * A ball between two time steps, as a field reads it. A Gaussian of variance q turns f(rho), a step
- * that a Gaussian of variance w^2 blurs along the radius, into
+ * A ball between two time steps, as the field reads it. A Gaussian of variance q turns f(rho), a
+ * step that a Gaussian of variance w^2 blurs along the radius, into
  *
  *   f~(rho) + q/rho f~'(rho),   f~: the step with a variance of w^2 + q,
  *
- * since it blurs rho f(rho) in one dimension, where z has the mean q d/dz (Stein). The surface is
- * the level that it had where it was met; and, as edges are defined, it is nowhere before the
- * middle, V = (V(x_s) + V(x_v))/2.
+ * since it blurs rho f(rho) in one dimension, where z has the mean q d/dz (Stein). The surface
+ * keeps the level that it had at the first contact. By the definition of an edge, it is never in
+ * front of the middle, V = (V(x_s) + V(x_v))/2.
  */
 class BlurredBall
 {
@@ -129,7 +129,7 @@ public:
   {
   }
 
-  /** The forces of a tip that rests, tick by tick. */
+  /** Returns the force on a resting tip for each tick. */
   std::vector<double> Push(std::size_t ticks) const
   {
     const double tip = BallMean - BallDepth;
@@ -145,7 +145,8 @@ public:
       const double surface = std::min({ held, middle, most });
       if (middle <= tip || surface < held)
       {
-        // It is met again at its middle, or slips.
+        // Without contact, the next level is that of the middle. In contact, it is that of the
+        // surface.
         level = this->Read(middle <= tip ? middle : surface, time, this->OwnVariance);
       }
       forces.push_back(middle <= tip ? 0.0 : 1e-3 * WallStiffness * std::max(0.0, surface - tip));
@@ -154,10 +155,13 @@ public:
   }
 
 private:
-  static constexpr double SplineVariance = 1.0 / 3.0; ///< of a cubic B-spline, square voxels
-  static constexpr double LinearVariance = 1.0 / 6.0; ///< of linear interpolation
+  static constexpr double SplineVariance = 1.0 / 3.0; ///< square voxels, of a cubic B-spline
+  static constexpr double LinearVariance = 1.0 / 6.0; ///< square voxels, of linear interpolation
 
-  /** Of the Gaussian's window that has its own derivative (Core/Field/GradientKernel.h). */
+  /**
+   * Returns the variance of the Gaussian's window with which its derivative is consistent
+   * (Core/Field/GradientKernel.h).
+   */
   static double ComputeGaussianVariance()
   {
     constexpr double scale = 0.56 * WallRadius;
@@ -176,11 +180,11 @@ private:
     return second / sum;
   }
 
-  /** As a fraction of the step's height. */
+  /** Returns the value at a radius as a fraction of the step's height. */
   double Read(double rho, double time, double variance) const
   {
     const double period = this->Case.FramePeriod;
-    // Ticks at time steps are of the time step, whatever rounding does.
+    // A tick at a time step uses this time step, despite rounding.
     const double before = period * std::floor(time / period + 1e-9);
     const double fraction = (time - before) / period;
     const double width = std::sqrt(WallBlur * WallBlur + variance);
@@ -203,7 +207,7 @@ private:
       });
   }
 
-  /** The root near the surface of a function that falls with the radius. */
+  /** Returns the root near the surface of a function that falls with the radius. */
   template <typename Function>
   double Descend(double time, const Function& function) const
   {
@@ -219,19 +223,19 @@ private:
 
   const MovingCase& Case;
   const bool IsSpline;
-  const double OwnVariance;   ///< of the levels on which the proxy is held
+  const double OwnVariance;   ///< of the levels that hold the proxy
   const double ValueVariance; ///< of V
 };
 
 HapticModelDescription DescribeMoving(const Candidate& candidate, const MovingCase& c)
 {
   Touching touching = TouchingOf(candidate, MakeMaterial(WallStiffness, 0.0, c.Drag, c.Strength));
-  // With materials of the far side, a surface's strength begins at the middle of its edge and grows
-  // from there on; here it is whole, so that the middle is where the force comes from.
+  // With far-side materials, a surface's strength begins at the middle of its edge and grows from
+  // there. Here the strength is complete, so that the force comes from the middle.
   touching.Alignment = ContactAlignment::Edge;
   touching.Placement = MaterialPlacement::Kernel;
   touching.KernelRadius = WallRadius;
-  // A step of one unit of the scalar is no edge.
+  // A step of one unit of the scalar does not count as an edge.
   const double steepest = WallHeight / (WallBlur * std::sqrt(TwoPi));
   touching.Material.Distinctness = { { 0.05 * steepest, 0.0 }, { 0.1 * steepest, 1.0 } };
   const Vector3 centre = OddCentre - c.Curvature * OddNormal;
@@ -265,15 +269,15 @@ HapticModelDescription DescribeMoving(const Candidate& candidate, const MovingCa
 
 struct FeltMotion
 {
-  std::vector<double> Forces; ///< N, along the normal, tick by tick
-  double Work = 0.0;          ///< J, of the wall
+  std::vector<double> Forces; ///< N, along the normal, one per tick
+  double Work = 0.0;          ///< J, work of the wall
 };
 
 FeltMotion FeelMoving(const Candidate& candidate, const MovingCase& c)
 {
   const HapticModel model(DescribeMoving(candidate, c));
   const Vector3 at = OddCentre - BallDepth * OddNormal;
-  // What drags a hand that comes goes on when it rests: there it begins at rest.
+  // With drag, an approaching hand would keep a force when it rests, so it starts at rest there.
   Path path = { c.Drag > 0.0 ? at : OddCentre + 6.0 * OddNormal };
   MoveTo(path, at, 0.02);
   ServoState state;
@@ -304,7 +308,7 @@ double FastestOf(const MovingCase& c)
   return IsFlat(c) ? flat : TwoPi * BallAmplitude;
 }
 
-/** V7: how far (mJ) the work of a wall in a period is from what is right. */
+/** V7: returns the error (mJ) of the wall's work over a period. */
 double MeasureWorkError(const Candidate& candidate, double strength, double right)
 {
   MovingCase c = MakeMovingCases().front();
@@ -313,7 +317,10 @@ double MeasureWorkError(const Candidate& candidate, double strength, double righ
   return std::abs(1e3 * FeelMoving(candidate, c).Work - right);
 }
 
-/** V5: the largest difference of forces (N) from those of the first time step alone. */
+/**
+ * V5: returns the largest difference (N) between the forces of the series and of the first time
+ * step alone.
+ */
 double MeasureStillDifference(const Candidate& candidate)
 {
   constexpr int timeSteps = 1000;
@@ -344,13 +351,13 @@ double MeasureStillDifference(const Candidate& candidate)
 }
 
 /**
- * V6: the largest difference of forces (N) between a hand in a volume that moves as a whole, with
- * displacements, and a hand that moves the other way in one that rests. From time step to time step
- * the motion is of whole voxels, so that sampling adds nothing.
+ * V6: returns the largest difference of forces (N) between a hand in a volume that moves as a
+ * whole, with displacements, and a hand that moves the other way in a volume at rest. The motion
+ * per time step is a whole number of voxels, so that sampling adds no error.
  *
- * Each tick begins at the resting volume's state: where a graded edge gives way, PRECISE may go too
- * far by 2e-4 of the lag, and there each tick enlarges rounding, by the edge's rise of strength
- * over k.
+ * Each tick starts from the resting volume's state. Where a graded edge gives way, PRECISE may go
+ * too far by 2e-4 of the lag, and rounding errors grow there from tick to tick, by the edge's rise
+ * of strength over k.
  */
 double MeasureRigidDifference(const Candidate& candidate)
 {
@@ -405,8 +412,8 @@ double MeasureRigidDifference(const Candidate& candidate)
 }
 
 /**
- * The energy (mJ) that a hand gets beyond its own work and the wall's: it wanders in and out of a
- * ball that pulsates, holds less than it is pressed, and rubs.
+ * Returns the energy (mJ) that a hand gets beyond its own work and the wall's. The hand wanders in
+ * and out of a pulsating ball with friction, and presses harder than the ball holds.
  */
 double MeasureEnergyGiven(const Candidate& candidate)
 {
@@ -430,7 +437,7 @@ double MeasureEnergyGiven(const Candidate& candidate)
     const Vector3 force = record.Force;
     tip =
       OddCentre + 3.0 * std::sin(7.1 * time) * OddNormal + 2.0 * std::sin(5.3 * time) * OddAside;
-    // To and fro in the period's time steps, without a leap.
+    // The time goes to and fro over the period's time steps without a leap.
     state.DataTime = 0.5 * (1.0 - std::cos(TwoPi * 0.4 * time));
     Tick(model, state, 1e-3 * tip, record);
     given += 0.5e-3 * Dot(force + record.Force, tip - before);
@@ -438,7 +445,7 @@ double MeasureEnergyGiven(const Candidate& candidate)
     exchanged += std::abs(record.WallWork);
     most = std::max(most, given - walls);
   }
-  // Without a wall that works, nothing was measured.
+  // If the wall did no work, nothing was measured.
   return exchanged > 0.01 ? 1e3 * most : std::numeric_limits<double>::infinity();
 }
 } // namespace
@@ -468,7 +475,7 @@ Figures MeasureMovingWall(const Candidate& candidate, const Effort&)
     };
     const auto percent = [](double error, const std::vector<double>& right)
     { return 100.0 * error / *std::max_element(right.begin(), right.end()); };
-    // Blur does not move what is flat.
+    // Blur does not move a flat wall.
     const std::vector<double> right =
       IsFlat(c) ? plain : BlurredBall(candidate, c).Push(forces.size());
     const std::string name = std::string("moving wall: ") + c.Name;

@@ -20,17 +20,17 @@ namespace evaluation
 {
 namespace
 {
-constexpr double TickStep = 0.1;   // mm a tick: 0.1 m/s
+constexpr double TickStep = 0.1;   // mm per tick: 0.1 m/s
 constexpr double SearchStep = 1.0; // mm
-constexpr double Outside = 5.0;    // mm, from which the needle comes
+constexpr double Outside = 5.0;    // mm outside of the skin: start of the needle
 constexpr double Longest = 150.0;  // mm
 constexpr double Safety = 6.0;     // mm
 constexpr double AirValue = -300.0;
 constexpr double BoneValue = 200.0;
-constexpr double AirGap = 15.0; // mm of air that end the body
-constexpr double Same = 0.01;   // N
+constexpr double AirGap = 15.0; // mm of air behind which the body has ended
+constexpr double Same = 0.01;   // N: smaller differences do not count
 
-/** The nearest voxels of an image. */
+/** Looks up the nearest voxels of an image. */
 class Voxels
 {
 public:
@@ -62,7 +62,7 @@ private:
   int Size[3];
 };
 
-/** A scan with labels, as a needle meets it. */
+/** A scan with labels. */
 struct Body
 {
   Voxels Values;
@@ -81,7 +81,7 @@ struct Body
     return this->IsOf(this->Sorted.Bone, at) || (value && *value > BoneValue);
   }
 
-  /** Whether the needle may pass here, and what is around it is no bone. */
+  /** Returns whether the needle may pass here and no bone is around. */
   bool IsFree(const Vector3& at, const Vector3& side, const Vector3& up) const
   {
     if (this->IsOf(this->Sorted.Others, at) || this->IsBone(at))
@@ -101,7 +101,10 @@ struct Body
     return true;
   }
 
-  /** How far (mm) the skin is from a target along a way that is free; none without such. */
+  /**
+   * Returns the distance (mm) from a target to the skin along a free way. Returns nothing if the
+   * way is not free.
+   */
   std::optional<double> FindSkin(const Vector3& target, const Vector3& way) const
   {
     Vector3 side = Cross(way, std::abs(way.Z) < 0.9 ? Vector3{ 0, 0, 1 } : Vector3{ 1, 0, 0 });
@@ -114,12 +117,12 @@ struct Body
       const auto value = this->Values.At(at);
       if (!value)
       {
-        // The scan ends: in the air outside, or inside the body.
+        // Here the scan ends, in the air outside or inside the body.
         return length - skin > AirGap ? std::optional<double>(skin) : std::nullopt;
       }
       if (*value > AirValue)
       {
-        // The distance from which the kernel picks materials reaches beyond the target, too.
+        // Bone just behind the target also counts, because the kernel selects materials from there.
         if (length > Longest || length - skin > AirGap || !this->IsFree(at, side, up) ||
           (length == 0.0 && this->IsBone(at - Safety * way)))
         {
@@ -131,7 +134,7 @@ struct Body
   }
 };
 
-/** The centres of all voxels of some labels. */
+/** Returns the centres of all voxels with given labels. */
 std::vector<Vector3> CollectVoxels(vtkImageData* labels, const std::set<int>& wanted)
 {
   std::vector<Vector3> found;
@@ -306,7 +309,7 @@ ForceError RunNeedleProtocol(vtkImageData* image, vtkImageData* labels, const La
     vtkNew<vtkVolumeHapticsFilter> filter;
     filter->SetInputDataObject(0, image);
     filter->GetProperty()->ApplyPreset("CT contrast");
-    vtkNew<vtkHapticNeedle> needle; // its point is felt, without its shaft
+    vtkNew<vtkHapticNeedle> needle; // only its tip is felt, not its shaft
     needle->ApplyPreset("CT contrast");
     filter->GetProperty()->SetViscosity(needle->GetCuttingForce());
     if (isByLabel)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Paths into a ball of liver in a ball of flesh, with a plate of bone before one side of it; and
+ * Paths into a ball of liver in a ball of flesh, with a plate of bone in front of one side; and
  * errors of forces that differ by a known amount.
  */
 
@@ -86,7 +86,7 @@ TEST(NeedlePaths, ErrorsOfForcesThatDifferByAKnownAmount)
   Trace other(100);
   for (std::size_t i = 0; i < 25; ++i)
   {
-    other[i].Force = { 0.0, 0.6, 0.8 }; // 1 N at a quarter of the ticks
+    other[i].Force = { 0.0, 0.6, 0.8 }; // 1 N in a quarter of the ticks
   }
   const ForceError error = CompareForces({ one }, { other });
   EXPECT_NEAR(error.RootMeanSquare, 0.5, 1e-12);
@@ -103,7 +103,7 @@ TEST(NeedlePaths, LabelsChangeTheForceOnlyWhereValuesMislead)
 {
   const auto labels =
     SampleImage([](const Vector3& x) { return Norm(x) < LiverRadius ? 5.0 : 0.0; }, 40.0);
-  // A liver as dense as the flesh around it has the material that its value tells; one as light
+  // A liver as dense as the flesh around it has the material that its value tells. A liver as light
   // as fat has not.
   for (const double liver : { 50.0, -90.0 })
   {

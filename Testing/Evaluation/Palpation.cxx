@@ -18,21 +18,22 @@ namespace evaluation
 {
 namespace
 {
-constexpr double TickStep = 0.05;   // mm a tick
+constexpr double TickStep = 0.05;   // mm per tick
 constexpr double Wanted = 1.0;      // N, under constant force
 constexpr double WantedDepth = 2.0; // mm, at constant depth
 constexpr double Deepest = 10.0;    // mm
 constexpr double Hardest = 4.0;     // N
 constexpr double StrokeLength = 10.0;
-/// mm a tick and N, by which a hand follows the force that it wants
+/// mm per tick and N: how fast a hand follows the force that it wants
 constexpr double Following = 0.2;
-/// Below these the senses do not follow Weber's law: assumed, and small beside what is felt.
+/// Below these floors, the senses do not follow Weber's law. The values are assumptions, small
+/// compared with what is felt.
 constexpr double ForceFloor = 0.05; // N
 constexpr double DepthFloor = 0.5;  // mm
 constexpr double WeberFraction = 0.1;
-constexpr double Around = 4.0; // mm, of one tissue
+constexpr double Around = 4.0; // mm around a spot that must be of one tissue
 
-/** A hand on a model, which it moves tick by tick. */
+/** A hand on a model. The hand moves tick by tick. */
 class Hand
 {
 public:
@@ -110,7 +111,7 @@ std::shared_ptr<const HapticModel> BakePreset(vtkImageData* image, const std::st
   return filter->GetBaker().Bake(1000.0, {}, nullptr);
 }
 
-/** Spots along arcs, evenly. */
+/** Returns spots that are spread evenly along arcs. */
 std::vector<Spot> SpotsOn(const std::vector<Arc>& arcs, double above, int count)
 {
   std::vector<Spot> spots;
@@ -131,7 +132,10 @@ std::vector<Spot> SpotsOn(const std::vector<Arc>& arcs, double above, int count)
   return spots;
 }
 
-/** Random spots around which all is of one tissue: the mean lies in a range, and little differs. */
+/**
+ * Returns random spots surrounded by one tissue: the mean of the values is in a range, and they
+ * differ little.
+ */
 std::vector<Spot> SpotsIn(
   const HapticModel& model, const double* box, double low, double high, int count)
 {
@@ -243,7 +247,7 @@ Spot OnSlab()
 
 Identification IdentifyOnSlabs(const std::string& preset)
 {
-  // The middles of the ranges of SPEC's table for CT.
+  // The middles of the ranges in SPEC's table for CT.
   const std::pair<const char*, double> tissues[] = { { "lung", -725.0 }, { "fat", -90.0 },
     { "fluid", 3.0 }, { "muscle", 50.0 }, { "contrast medium", 200.0 }, { "bone", 900.0 } };
   std::vector<FeltTissue> felt[2];

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How a hand explores a tissue to tell which it is, and whether it can: presses, strokes, then
+ * How a hand explores a tissue, and whether it can recognise it: it presses, strokes, and then
  * presses until the tissue yields.
  */
 #ifndef Evaluation_Palpation_h
@@ -17,37 +17,40 @@ namespace evaluation
 /** How a hand presses while it strokes. */
 enum class HandStrategy
 {
-  ConstantForce, ///< 1 N, or 10 mm deep where nothing holds that
-  ConstantDepth  ///< 2 mm
+  ConstantForce, ///< 1 N, or 10 mm deep where nothing holds 1 N
+  ConstantDepth  ///< 2 mm deep
 };
 
 const char* NameOf(HandStrategy strategy);
 
-/** Where a hand begins. */
+/** Start of a hand. */
 struct Spot
 {
   Vector3 Surface;    ///< mm
   Vector3 Inward;     ///< unit
-  Vector3 Along;      ///< unit, at a right angle
-  double Above = 0.0; ///< mm, how far outside of the surface the hand begins
+  Vector3 Along;      ///< unit, perpendicular to Inward
+  double Above = 0.0; ///< mm outside of the surface: start of the hand
 };
 
 /**
- * The cues of a spot: the depth (mm) under constant force, or the force (N) at constant depth; the
- * force against the stroke (N); and the force (N) at which the tissue yields, 4 N at most.
+ * Returns the cues of a spot: the depth (mm) under constant force, or the force (N) at constant
+ * depth; the force against the stroke (N); and the force (N) at which the tissue yields, at most 4
+ * N.
  */
 std::vector<double> Palpate(
   const VolumeHaptics::HapticModel& model, const Spot& spot, HandStrategy strategy);
 
-/** A hand with a Weber fraction for these cues. */
+/** Returns a hand with a Weber fraction for these cues. */
 IdealHand MakeHand(HandStrategy strategy, double weberFraction = 0.1);
 
-/** Air above a tissue of one value: the edge has a scale of one voxel of 1 mm. */
+/** Returns air above a tissue of one value. The edge has a scale of one voxel of 1 mm. */
 vtkSmartPointer<vtkImageData> MakeSlab(double outside, double inside);
-/** On that slab. */
+/** Returns a spot on that slab. */
 Spot OnSlab();
 
-/** A table of confusions, and how many tissues are named right under each strategy. */
+/**
+ * A table of confusions, and the number of tissues that are named correctly under each strategy.
+ */
 struct Identification
 {
   Table Confusions;
@@ -55,12 +58,12 @@ struct Identification
   std::size_t Tissues = 0;
 };
 
-/** The tissues of a preset for CT, each on a slab of its value under air. */
+/** Identifies the tissues of a CT preset, each on a slab of its value under air. */
 Identification IdentifyOnSlabs(const std::string& preset);
 
 /**
- * Skin, muscle, fluid and bone where they are in a head CT: on its scalp and skull, and at random
- * places at which 4 mm around are of one tissue. The surfaces are those of FindHeadSurfaces().
+ * Identifies skin, muscle, fluid and bone in a head CT: on its scalp and skull, and at random
+ * places surrounded by 4 mm of one tissue. The surfaces are those of FindHeadSurfaces().
  */
 Identification IdentifyOnHead(
   const std::vector<FeltSurface>& surfaces, const std::string& preset, const Effort& effort);

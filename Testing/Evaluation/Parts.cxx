@@ -20,19 +20,19 @@ namespace evaluation
 namespace
 {
 constexpr double Air = 4000.0;
-constexpr double Metal = 24000.0; // above air, at the surface
+constexpr double Metal = 24000.0; // grey value above air at the ball's surface
 constexpr double Cupping = 0.12;
 constexpr double BeamBlur = 1.2; // mm
 constexpr double NoiseOfMetal = 400.0;
 constexpr double Label = 3.0;
-constexpr double Room = 14.0; // mm, around a ball: the hand comes from there
+constexpr double Room = 14.0; // mm around a ball, from where the hand starts
 
 double OffBall(const Vector3& x)
 {
   return Norm(x - OddCentre) - PartRadius;
 }
 
-/** A field rounded to integers of 16 bits, with noise of a standard deviation. */
+/** Samples a field, rounded to 16-bit integers, with noise of a standard deviation. */
 vtkSmartPointer<vtkImageData> MakeImage(const Field& field, double noise)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -59,7 +59,7 @@ vtkSmartPointer<vtkImageData> MakeImage(const Field& field, double noise)
   return image;
 }
 
-/** Great circles in planes that no axis lies in. */
+/** Returns great circles in planes that contain no axis. */
 std::vector<Arc> FindGreatCircles(vtkImageData* image, double level, const Effort& effort)
 {
   const std::pair<Vector3, Vector3> planes[] = { { OddAside, OddUp }, { OddUp, OddNormal },
@@ -115,7 +115,7 @@ PartFeel FeelPart(const FeltSurface& part)
   filter->SetInputDataObject(0, part.Image);
   vtkHapticProperty* const feel = filter->GetProperty();
   feel->ApplyPreset(part.Preset.c_str());
-  // Solid is what is far above the ramps of the preset.
+  // The solid is far above the ramps of the preset.
   const double solid = part.Image->GetScalarRange()[1];
   const double stiffness = feel->GetStiffness()->GetValue(solid);
   const double friction = feel->GetFriction()->GetValue(solid);

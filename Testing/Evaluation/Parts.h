@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Scans that are made, for presets of which there is no scan whose truth is known: a ball of metal
- * in air as an industrial CT shows it ("Micro-CT"), and a ball of a label ("Labels").
+ * Synthetic scans for presets for which no scan with a known truth exists: a ball of metal in air
+ * as an industrial CT shows it ("Micro-CT"), and a ball of a label ("Labels").
  *
  * The true surface is a sphere. A hand whose tip moves on a circle at a depth d under a sphere of
  * radius R, in a plane through its middle, lags behind until the friction is that of sliding. Then
@@ -21,26 +21,29 @@
 namespace evaluation
 {
 
-/** mm, of balls about OddCentre in voxels of 1 mm. */
+/** mm: radius of the balls about OddCentre, in voxels of 1 mm. */
 constexpr double PartRadius = 40.0;
 
 /**
- * The grey value of the metal ball, without noise: a step blurred by 1.2 voxels, lower by 12 % in
- * the middle, as beam hardening makes it.
+ * Returns the grey value of the metal ball without noise: a step blurred by 1.2 voxels, lower by 12
+ * % in the middle because of beam hardening.
  */
 double MetalValue(const Vector3& x);
 
-/** The metal ball, with 1.7 % of noise, and the ball of a label, stroked on great circles. */
+/**
+ * Returns the metal ball with 1.7 % of noise, and the ball of a label, both with strokes on great
+ * circles.
+ */
 std::vector<FeltSurface> MakePartSurfaces(const Effort& effort);
 
-/** N, the force of the circle above; R and d in mm, k in N/m. */
+/** Returns the force (N) of the formula above; R and d in mm, k in N/m. */
 double SlidingForce(double radius, double depth, double stiffness, double friction);
 
-/** The strokes over a part with the default settings, beside what its formulas say. */
+/** Results of the strokes over a part with the default settings, beside the formula's. */
 struct PartFeel
 {
-  double Distance = 0.0; ///< mm, from the proxy to the true surface, mean magnitude
-  double Largest = 0.0;  ///< mm, the largest
+  double Distance = 0.0; ///< mm: mean distance between proxy and true surface
+  double Largest = 0.0;  ///< mm: largest distance
   double Force = 0.0;    ///< N, mean
   double Expected = 0.0; ///< N, mean of SlidingForce() at the depths of the tips
   std::size_t Ticks = 0;

@@ -26,7 +26,7 @@ const Named Solvers[] = {
   { "PRECISE", { HapticSolver::Precise, GradientEstimator::Gaussian } },
 };
 
-/** A plot with a curve for each solver. */
+/** Makes a plot with a curve for each solver. */
 template <typename MakeCurve>
 Plot PlotSolvers(
   const char* file, const char* title, const char* x, const char* y, MakeCurve&& make)
@@ -41,7 +41,7 @@ Plot PlotSolvers(
   return plot;
 }
 
-/** Some value of the proxy's radius against turns. */
+/** Plots a function of the proxy's radius against turns. */
 template <typename GetValue>
 void TraceTurns(
   const Candidate& candidate, const Wall& wall, int turns, Curve& curve, GetValue&& getValue)
@@ -89,7 +89,7 @@ Plot PlotRipple()
     });
 }
 
-/** The fraction of ticks at which the angle is smaller. */
+/** Plots the fraction of ticks with a smaller angle. */
 Plot PlotAngle()
 {
   return PlotSolvers("angle", "Force and true normal, 8-bit sphere, 2 voxels deep",

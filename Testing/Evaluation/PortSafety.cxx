@@ -26,7 +26,7 @@ std::string Percent(int part, int all)
   return all > 0 ? Number(100.0 * part / all) + " %" : "-";
 }
 
-/** Median and 90th percentile, in thousandths. */
+/** Returns the median and the 90th percentile, multiplied by 1000. */
 std::string Spread(std::vector<double> values)
 {
   if (values.empty())
@@ -75,7 +75,10 @@ Table CountFalseAlarms(int sessions, int& alarms)
   return table;
 }
 
-/** A loop whose friction is a part of what it needs: see ArmSessions.h. */
+/**
+ * Returns a loop that has only a part of the friction that it needs for stability: see
+ * ArmSessions.h.
+ */
 ArmScene DrawUnstable(bool isHeld, double stiffness, int delay, std::uint32_t seed)
 {
   std::mt19937 engine(seed);
@@ -101,7 +104,7 @@ ArmScene DrawUnstable(bool isHeld, double stiffness, int delay, std::uint32_t se
 
 Table CountUnstable(int trials)
 {
-  // A tip that moves less at the end has come to rest.
+  // A tip whose last swing is smaller has come to rest.
   constexpr double LeastSwing = 1e-3;
   Table table;
   table.Title = "Loops that swing by themselves";
@@ -192,7 +195,7 @@ Table CountCheckedSigns(int trials)
 
 Table CountRunAways(int trials)
 {
-  // A device that gave less (J) is not told from one at rest.
+  // Energy (J) below which a device can't be distinguished from one at rest.
   constexpr double LeastGiven = 1e-3;
   Table table;
   table.Title = "Wrong signs, with the observer of the port alone";

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How soon devices that would hurt a hand are found, and how often honest ones are taken for them.
+ * How soon dangerous devices are detected, and how often honest devices raise a false alarm.
  */
 #ifndef Evaluation_PortSafety_h
 #define Evaluation_PortSafety_h
@@ -14,7 +14,7 @@
 namespace evaluation
 {
 
-/** `alarms` counts the honest devices whose force was cut off. */
+/** `Alarms` counts the honest devices whose force was cut off. */
 struct PortSafety
 {
   int Alarms = 0;
@@ -22,9 +22,9 @@ struct PortSafety
 };
 
 /**
- * False alarms of so many random sessions of honest devices (ArmSessions.h, PortSessions.h, each);
- * and from `trials` sessions a row, loops that swing by themselves, wrong signs with the check at
- * the first arming, and wrong signs with the observer of the port alone.
+ * Measures false alarms in random sessions of honest devices (`sessions` of ArmSessions.h and of
+ * PortSessions.h each). With `trials` sessions per row, measures loops that become unstable, wrong
+ * signs with the check at the first arming, and wrong signs with the observer of the port alone.
  */
 PortSafety MeasurePortSafety(int sessions, int trials);
 

@@ -15,34 +15,34 @@ namespace evaluation
 {
 namespace
 {
-constexpr double Far = 40.0;          // mm, the way through air
+constexpr double Far = 40.0;          // mm: way through air
 constexpr double Deep = 5.0;          // mm, but at least LeastVoxels
-constexpr double LeastVoxels = 3.0;   // a place two voxels behind a surface is in reach
-constexpr double PressStep = 0.1;     // mm a tick
-constexpr double LeastCosine = 0.707; // of a ray to the normal
+constexpr double LeastVoxels = 3.0;   // so that it reaches a place two voxels behind a surface
+constexpr double PressStep = 0.1;     // mm per tick
+constexpr double LeastCosine = 0.707; // between a ray and the normal
 constexpr double RayStep = 0.25;      // voxels
-constexpr double Persistence = 0.75;  // voxels that a surface has behind it
+constexpr double Persistence = 0.75;  // voxels: thickness that a surface must have behind it
 constexpr double FarAstray = 2.0;     // voxels
 
-/** A ray through the volume, in the world. */
+/** A ray through the volume, in world coordinates. */
 struct Ray
 {
   Vector3 Start;
   Vector3 Way;   ///< unit
-  double Length; ///< of the part that may be in the volume
-  double Unit;   ///< the length of a voxel along it
+  double Length; ///< length of the part that may be in the volume
+  double Unit;   ///< length of a voxel along the ray
   Vector3 At(double t) const { return this->Start + t * this->Way; }
 };
 
 /** The place where a ray meets the surface. */
 struct Meeting
 {
-  double At;      ///< along the ray
-  double Start;   ///< of the hand, along the ray: outside of all that the eye may see on the way
+  double At;      ///< position along the ray
+  double Start;   ///< along the ray: the hand's start, in front of all that the eye may see
   Vector3 Normal; ///< unit, inwards
 };
 
-/** A point of a sequence that fills the unit cube evenly (Roberts' R3). */
+/** Returns a point of a sequence that fills the unit cube evenly (Roberts' R3). */
 Vector3 PointOf(int i)
 {
   const auto part = [i](double a) { return std::fmod(0.5 + a * (i + 1), 1.0); };
@@ -55,11 +55,14 @@ double ComputeUnit(const PressedVolume& volume, const Vector3& way)
   return 1.0 / Norm({ way.X / v.X, way.Y / v.Y, way.Z / v.Z });
 }
 
-/** Evenly spread ways, which go by within a third of the box around the middle. */
+/**
+ * Returns one of `count` rays in evenly spread directions. Each ray passes the middle within a
+ * third of the box.
+ */
 Ray MakeRay(const PressedVolume& volume, int i, int count)
 {
   const double z = 1.0 - 2.0 * (i + 0.5) / count;
-  const double angle = 2.399963229728653 * i; // the golden one
+  const double angle = 2.399963229728653 * i; // the golden angle
   const double r = std::sqrt(1.0 - z * z);
   const Vector3 way = { r * std::cos(angle), r * std::sin(angle), z };
   const auto& b = volume.Box;
@@ -71,7 +74,7 @@ Ray MakeRay(const PressedVolume& volume, int i, int count)
   return { by - reach * way, way, 2.0 * reach, ComputeUnit(volume, way) };
 }
 
-/** The smoothed value there; none outside. */
+/** Returns the smoothed value at a position; nothing outside of the volume. */
 std::optional<double> ValueAt(const PressedVolume& volume, const Vector3& world)
 {
   const Vector3 index = volume.Shape->DeviceToIndex(0.001 * volume.Scale * world);
@@ -82,7 +85,10 @@ std::optional<double> ValueAt(const PressedVolume& volume, const Vector3& world)
   return volume.Shape->Baked->Field.Gradient(index).Value;
 }
 
-/** Whether the volume, which goes on beyond its border as it is there, is solid at a place. */
+/**
+ * Returns whether the nearest position in the volume is solid. A body at the border is taken to
+ * continue beyond it.
+ */
 bool IsSolidBeyond(const PressedVolume& volume, const Vector3& world)
 {
   const auto& field = volume.Shape->Baked->Field;
@@ -139,7 +145,10 @@ std::optional<Meeting> FindMeeting(const PressedVolume& volume, const Ray& ray)
   return Meeting{ t, start, *inwards };
 }
 
-/** Where along the ray half of its opacity is in front; none if it meets none. */
+/**
+ * Returns the position along the ray at which half of its opacity is in front; nothing if the ray
+ * meets no opacity.
+ */
 std::optional<double> MeasureHalfOpacity(const PressedVolume& volume, const Ray& ray)
 {
   const double step = RayStep * ray.Unit;
@@ -161,7 +170,9 @@ std::optional<double> MeasureHalfOpacity(const PressedVolume& volume, const Ray&
     (static_cast<double>(at - opacity.begin()) + (half - before) / std::max(*at - before, 1e-300));
 }
 
-/** Whether all structures are more than FarAstray from a place (m of the hand's space). */
+/**
+ * Returns whether all structures are more than FarAstray away from a place (m in the hand's space).
+ */
 bool IsAstray(const PressedVolume& volume, const Vector3& place)
 {
   constexpr double step = 0.25;
@@ -191,7 +202,7 @@ bool IsAstray(const PressedVolume& volume, const Vector3& place)
 
 void Press(const PressedVolume& volume, const Ray& ray, const Meeting& met, Presses& found)
 {
-  const Vector3 surface = volume.Scale * ray.At(met.At); // mm of the hand's space
+  const Vector3 surface = volume.Scale * ray.At(met.At); // mm in the hand's space
   const double voxel = volume.Scale * ray.Unit;
   const double deep = std::max(Deep, LeastVoxels * voxel);
   Path tips = { volume.Scale * ray.At(met.Start) };

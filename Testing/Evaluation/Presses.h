@@ -23,69 +23,76 @@ class HapticModel;
 namespace evaluation
 {
 
-/** N, from which on the hand feels something. */
+/** Force (N) from which on the hand feels something. */
 constexpr double FeltForce = 0.1;
-/** N, from which on the hand is on a surface, though it may slide off before it feels it. */
+/**
+ * Force (N) from which on the hand is on a surface, although it may slide off before it feels the
+ * surface.
+ */
 constexpr double TouchedForce = 0.01;
 
-/** What is pressed, by positions in the world. */
+/** The volume that is pressed. Positions are in the world. */
 struct PressedVolume
 {
-  std::shared_ptr<const VolumeHaptics::HapticModel> Model; ///< of what is felt
-  std::shared_ptr<const VolumeHaptics::HapticModel> Shape; ///< the values that have the surface
-  /** The same values, but nothing above the level that is no larger than noise. */
+  std::shared_ptr<const VolumeHaptics::HapticModel> Model; ///< what is felt
+  std::shared_ptr<const VolumeHaptics::HapticModel> Shape; ///< values that have the surface
+  /** The same values without those structures above the level that are not larger than noise. */
   std::shared_ptr<const VolumeHaptics::HapticModel> Structures;
-  double Level = 0.0; ///< of the surface; more is inside
-  double Scale = 1.0; ///< mm of the hand's space in a unit
+  double Level = 0.0; ///< value of the surface; values inside are larger
+  double Scale = 1.0; ///< mm in the hand's space per world unit
   std::array<double, 6> Box{};
-  Vector3 Middle;   ///< that the rays go by
-  Vector3 Voxel;    ///< lengths of its edges along the world's axes
-  Field Extinction; ///< of the picture, per unit: 1 - exp(-extinction d) is the opacity of a layer
+  Vector3 Middle;   ///< point that the rays pass
+  Vector3 Voxel;    ///< edge lengths of a voxel along the world's axes
+  Field Extinction; ///< of the picture, per unit: a layer of d has opacity 1 - exp(-extinction d)
 };
 
-/** What was found by rays that meet the surface within 45 degrees of its normal. */
+/** Results of rays that meet the surface within 45 degrees of its normal. */
 struct Presses
 {
   int Count = 0;
-  int Unfelt = 0;                      ///< less than 0.1 N until 5 mm under the surface
-  int UnfeltThoughSeen = 0;            ///< of these, seen at most 2 voxels behind the surface
+  int Unfelt = 0;                      ///< force below 0.1 N down to 5 mm under the surface
+  int UnfeltThoughSeen = 0;            ///< unfelt, but seen within 2 voxels behind the surface
   std::vector<double> OffSurface;      ///< voxels from the isosurface to the felt place, inwards
-  int Astray = 0;                      ///< felt more than 2 voxels from all structures' isosurfaces
+  int Astray = 0;                      ///< felt more than 2 voxels from each structure's isosurface
   std::vector<double> OffSeen;         ///< voxels along the ray from there to half of the opacity
-  std::vector<double> OffSeenStraight; ///< of these, where what is seen is within 45 degrees, too
-  std::vector<double> OffSeenTouched;  ///< voxels from the first place with 0.01 N, of all rays
-  double LargestStep = 0.0;            ///< N, of the force from one tick to the next
+  std::vector<double> OffSeenStraight; ///< the same, if the seen surface is within 45 degrees, too
+  std::vector<double> OffSeenTouched;  ///< voxels from the first place with 0.01 N, for all rays
+  double LargestStep = 0.0;            ///< N: largest change of the force between two ticks
 };
 
 /**
- * The hand comes along a ray at 100 mm/s, from outside of the volume and 40 mm away at least,
- * so that it meets all that the eye sees; it presses 5 mm deep, and goes back. It feels the
- * surface at the proxy of the first tick with 0.1 N. Rays that enter the volume inside of the
- * body are left out, and so are those beside which the body goes on beyond the volume.
+ * Presses along rays. The hand comes along a ray at 100 mm/s, from outside of the volume and from
+ * at least 40 mm away, so that it meets everything that the eye sees. It presses 5 mm deep and goes
+ * back. The felt place is the proxy of the first tick with 0.1 N. Rays that enter the volume inside
+ * of the body are left out, and so are rays beside which the body continues beyond the volume.
  *
- * A ray's own surface is that of the values that the kernel smooths. A thin structure in front of
- * it or beside it is felt, and seen, though the kernel smooths it below the level: it has an
- * isosurface of the samples, between which values are linear. Specks of noise have one, too, but
- * are no structures.
+ * A ray's own surface is that of the values smoothed by the kernel. A thin structure in front of or
+ * beside the surface can be felt and seen although the kernel smooths it below the level: it has an
+ * isosurface of the samples, between which values are linear. Specks of noise have such isosurfaces
+ * as well, but do not count as structures.
  *
- * A ray that grazes a strand sees it along a chord, however little of the strand is beside it. The
- * press is that deep alone, and slides off: 0.1 N at 500 N/m take 0.2 mm.
+ * A ray that grazes a strand sees it along a chord, however little of the strand is beside the ray.
+ * The press is only that deep and slides off: 0.1 N at 500 N/m take 0.2 mm.
  */
 Presses PressFromAllSides(const PressedVolume& volume, int rays);
 
-/** Where values rise, seen from a place (mm of the hand's space); none if they are even there. */
+/**
+ * Returns the direction in which values rise at a place (mm in the hand's space); nothing if they
+ * are constant there.
+ */
 std::optional<Vector3> ComputeInwards(const PressedVolume& volume, const Vector3& at);
 
 /**
- * Voxels along a way from a felt place (mm of the hand's space) to half of the opacity, for an eye
- * that looks along the way from 10 mm before the place; none if it sees nothing within 40 mm.
+ * Returns the voxels along a way from a felt place (mm in the hand's space) to half of the opacity,
+ * for an eye that looks along the way from 10 mm in front of the place; nothing if the eye sees
+ * nothing within 40 mm behind the place.
  */
 std::optional<double> MeasureSeenBehind(
   const PressedVolume& volume, const Vector3& felt, const Vector3& way);
 
-/** The magnitude that a fraction of the values does not exceed; 0 without values. */
+/** Returns the magnitude that a fraction of the values does not exceed; 0 without values. */
 double FindLargest(std::vector<double> values, double fraction);
-/** Half of the values are less; 0 without values. */
+/** Returns the median; 0 without values. */
 double ComputeMedian(std::vector<double> values);
 
 } // namespace evaluation

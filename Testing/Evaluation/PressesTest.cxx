@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Presses onto a ball, whose surface is known, shown in ways that are known. */
+/** Presses onto a ball with a known surface, shown in known ways. */
 
 #include "Presses.h"
 
@@ -24,7 +24,7 @@ namespace
 {
 constexpr double BallRadius = 12.0;
 
-/** A ball of 100 in 0, which holds or does not. */
+/** Returns a ball of value 100 in 0, with a stiffness (N/m). */
 PressedVolume MakeBall(double stiffness, vtkSmartPointer<vtkImageData>& image,
   double radius = BallRadius, double scale = 1.0)
 {
@@ -100,7 +100,7 @@ TEST(Presses, WhatIsHiddenIsNotSeenThoughUnfelt)
 
 TEST(Presses, ReachTwoVoxelsBehindTheSurfaceOfCoarseVoxels)
 {
-  // Voxels of 5 mm, and a ball that holds 1.8 voxels behind the surface: 9 mm of the hand's space.
+  // Voxels of 5 mm, and a ball that holds 1.8 voxels behind the surface: 9 mm in the hand's space.
   constexpr double scale = 5.0;
   vtkSmartPointer<vtkImageData> image;
   PressedVolume ball = MakeBall(1000.0, image, BallRadius, scale);
@@ -114,10 +114,10 @@ TEST(Presses, ReachTwoVoxelsBehindTheSurfaceOfCoarseVoxels)
 
 TEST(Presses, GlassIsSeenThrough)
 {
-  // A core of 9 mm in clear glass. A ray at a distance b from the middle goes through
-  // sqrt(12^2 - b^2) - sqrt(9^2 - b^2) of glass: 3 mm for b = 0, and 5.5 mm at 45 degrees to the
-  // normal, where b = 12 / sqrt(2). Half of the opacity is met within 0.1 mm of the core, and the
-  // felt place is a part of a voxel off.
+  // A core of 9 mm in clear glass. A ray at a distance b from the middle passes through sqrt(12^2 -
+  // b^2) - sqrt(9^2 - b^2) of glass: 3 mm for b = 0, and 5.5 mm at 45 degrees to the normal, where
+  // b = 12 / sqrt(2). The ray has half of its opacity within 0.1 mm of the core. The felt place is
+  // off by a fraction of a voxel.
   vtkSmartPointer<vtkImageData> image;
   PressedVolume ball = MakeBall(1000.0, image);
   ball.Extinction = [](const Vector3& x) { return Norm(x) < 9.0 ? 50.0 : 0.0; };
@@ -139,12 +139,12 @@ TEST(Presses, GlassIsSeenThrough)
 
 TEST(Presses, HalfOfTheOpacityOfALookAlongAWay)
 {
-  // An eye at (-20, 0, 0) looks along x at fog of 0.1 a mm that begins at -12: of the 42 mm of it
-  // that are within reach, it sees 1 - exp(-4.2), and half of that in the first
-  // -10 ln(1 - 0.5 (1 - exp(-4.2))) = 6.782 mm, which ends at -5.218: 4.782 behind -10.
+  // An eye at (-20, 0, 0) looks along x at fog of 0.1 per mm that begins at -12. Of its 42 mm
+  // within reach, the eye sees 1 - exp(-4.2), and half of that in the first -10 ln(1 - 0.5 (1 -
+  // exp(-4.2))) = 6.782 mm. These end at -5.218, which is 4.782 behind -10.
   PressedVolume fog;
   fog.Voxel = { 0.5, 1.0, 1.0 };
-  fog.Scale = 2.0; // mm in a unit
+  fog.Scale = 2.0; // mm per unit
   fog.Extinction = [](const Vector3& x) { return x.X > -6.0 ? 0.2 : 0.0; };
   const auto behind = MeasureSeenBehind(fog, { -10.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 });
   ASSERT_TRUE(behind);
@@ -155,8 +155,8 @@ TEST(Presses, HalfOfTheOpacityOfALookAlongAWay)
 
 TEST(Presses, TheHandComesByAllThatTheEyeSees)
 {
-  // A skin about the ball, 60 mm in front of it, that is darker than the level of the surface. It
-  // is seen and felt first, though the rays' own surface is that of the ball.
+  // A skin around the ball, 60 mm in front of it, whose value is below the level of the surface. It
+  // is seen and felt first, although the rays' own surface is that of the ball.
   constexpr double skin = 17.0;
   constexpr double unit = 12.0; // mm
   const vtkSmartPointer<vtkImageData> image = SampleImage(

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The materials that real scans propose (vtkHapticProperty::ProposeFromImage), beside what their
- * units say that they are.
+ * The materials that real scans propose (vtkHapticProperty::ProposeFromImage), compared with what
+ * the scans' units tell.
  */
 #ifndef Evaluation_Proposals_h
 #define Evaluation_Proposals_h
@@ -17,15 +17,15 @@ namespace evaluation
 {
 
 /**
- * Adds the boundaries that a scan proposes to a table of MakeProposalTable(). False, with VTK's
- * error, if it proposes none.
+ * Adds the boundaries that a scan proposes to a table of MakeProposalTable(). Returns false, with
+ * VTK's error, if the scan proposes none.
  */
 bool AddProposal(const char* scan, vtkImageData* image, Table& table);
 
 Table MakeProposalTable();
 
 /**
- * Of the boundaries of a head CT, those that its proposal lacks: skin, from air (below -900 HU) to
+ * Counts the boundaries of a head CT that its proposal lacks: skin, from air (below -900 HU) to
  * soft tissue (-50 to 100 HU), and skull, from soft tissue to bone (above 400 HU).
  */
 Figure CountMissingBoundaries(vtkImageData* head);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The measurements of a real scan, whose right forces are unknown.
+ * Measurements of a real scan, for which no right forces are known.
  */
 #ifndef Evaluation_RealVolume_h
 #define Evaluation_RealVolume_h
@@ -15,8 +15,9 @@ namespace evaluation
 {
 
 /**
- * Random presses on a CT, each a closed cycle: from the air towards the middle, across, and out
- * again, with the preset "CT contrast". Empty, with VTK's error, if the image can't be touched.
+ * Makes random presses on a CT, each a closed cycle: from the air towards the middle, across, and
+ * out again, with the preset "CT contrast". Returns no figures, with VTK's error, if the image
+ * can't be touched.
  */
 Figures MeasureRealVolume(
   vtkImageData* image, VolumeHaptics::HapticSolver solver, const Effort& effort);

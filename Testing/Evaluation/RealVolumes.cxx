@@ -126,8 +126,8 @@ Outline MakeOutline(const Explore::Volume& volume, const Explore::Analysis& valu
 }
 
 /**
- * Otsu's threshold of all samples (IEEE Transactions on Systems, Man, and Cybernetics 9, 1979),
- * which is between background and what "Micro-CT" takes for solid.
+ * Returns Otsu's threshold of all samples (IEEE Transactions on Systems, Man, and Cybernetics 9,
+ * 1979), which is between the background and what "Micro-CT" regards as solid.
  */
 double ComputeOtsuThreshold(vtkImageData* image)
 {
@@ -158,10 +158,10 @@ double ComputeOtsuThreshold(vtkImageData* image)
   return threshold;
 }
 
-/** More samples than noise has side by side above a level. */
+/** Number of adjacent samples above a level that noise does not reach. */
 constexpr vtkIdType LeastStructure = 27;
 
-/** Without what is above a level and has fewer samples. */
+/** Removes structures above a level that have fewer samples than that. */
 vtkSmartPointer<vtkImageData> RemoveSpecks(vtkImageData* image, double level)
 {
   vtkNew<vtkImageConnectivityFilter> connectivity;
@@ -195,7 +195,7 @@ std::shared_ptr<const HapticModel> BakeShape(vtkImageData* image, double metersP
   return filter->GetBaker().Bake(1000.0, {}, nullptr);
 }
 
-/** The picture of a volume, by position. */
+/** Returns the extinction of a volume's picture as a function of the position. */
 Field MakeExtinction(const Explore::Volume& volume, vtkVolumeProperty* look)
 {
   const Explore::ValueProbe probe(volume.Image, 0.0);
@@ -223,7 +223,10 @@ Field MakeExtinction(const Explore::Volume& volume, vtkVolumeProperty* look)
   };
 }
 
-/** Strokes in planes through the middle; `seen` gets how far half of the opacity is behind them. */
+/**
+ * Makes strokes in planes through the middle. Adds to `seen` how far half of the opacity is behind
+ * them.
+ */
 Roughness Stroke(const PressedVolume& pressed, const Outline& outline, const Effort& effort,
   std::vector<double>& seen)
 {
@@ -266,21 +269,21 @@ Roughness Stroke(const PressedVolume& pressed, const Outline& outline, const Eff
   return Average(strokes);
 }
 
-/** Of the force in a tick (N). */
+/** Changes of the force in a tick (N). */
 struct Steps
 {
   double Largest = 0.0;
-  double Beyond = 0.0; ///< what neither a release (0.25 N) nor the hand's own step explains
+  double Beyond = 0.0; ///< part that neither a release (0.25 N) nor the hand's own step explains
 };
 
 /**
- * Walks through the body that turn anywhere, at up to 0.45 m/s, in which a spring of 400 N/m alone
- * changes by 0.18 N in a tick.
+ * Walks through the body in random directions at up to 0.45 m/s. At that speed, a spring of 400 N/m
+ * alone changes by 0.18 N per tick.
  */
 Steps WalkAtRandom(const PressedVolume& pressed, const Effort& effort)
 {
   constexpr double release = 0.25; // N
-  constexpr double noLeap = 0.02;  // N, beside the hand's own step (Documentation/method.md)
+  constexpr double noLeap = 0.02;  // N, in addition to the hand's step (Documentation/method.md)
   Steps found;
   const auto& b = pressed.Box;
   const double sizes[3] = { b[1] - b[0], b[3] - b[2], b[5] - b[4] };
@@ -292,7 +295,7 @@ Steps WalkAtRandom(const PressedVolume& pressed, const Effort& effort)
       double x[3];
       for (int axis = 0; axis < 3; ++axis)
       {
-        // Each of the two swings has a speed of 0.13 m/s at most along each axis.
+        // Each of the two oscillations has a speed of at most 0.13 m/s along each axis.
         const double swing = 0.25 * sizes[axis];
         const double fast = 130.0 / (pressed.Scale * swing);
         const double slow = fast * (0.3 + 0.08 * std::fmod(0.618 * (3 * walk + axis), 1.0));
@@ -318,7 +321,10 @@ Steps WalkAtRandom(const PressedVolume& pressed, const Effort& effort)
   return found;
 }
 
-/** A line of the table, as ExploreVolume() and BuildScene() would touch and show the volume. */
+/**
+ * Returns a line of the table. The volume is touched and shown as by ExploreVolume() and
+ * BuildScene().
+ */
 std::vector<std::string> MeasureVolume(const std::string& name, const Explore::Volume& volume,
   const std::string& preset, const Effort& effort)
 {

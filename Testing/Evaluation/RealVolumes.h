@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * All real volumes at hand, as the explorer shows and touches them.
+ * All available real volumes, as the explorer shows and touches them.
  */
 #ifndef Evaluation_RealVolumes_h
 #define Evaluation_RealVolumes_h
@@ -15,18 +15,18 @@
 namespace evaluation
 {
 
-/** Where the volumes are; those without a place are left out. */
+/** Paths of the volumes. Volumes without a path are left out. */
 struct VolumePlaces
 {
   std::string Head;   ///< file
   std::string Chest;  ///< folder, as for ReadChest()
-  std::string Others; ///< folder that get_real_volumes of Data/scans.sh fills
-  std::string Only;   ///< part of the names of the lines ("volume, preset") that are wanted
+  std::string Others; ///< folder that get_real_volumes in Data/scans.sh fills
+  std::string Only;   ///< part of the names ("volume, preset") of the wanted lines
 };
 
 /**
- * A line for each volume and each preset that is meant for it: presses from all sides, and strokes
- * over the outer surface. Prints the lines as they come, and the table.
+ * Measures a line for each volume and each preset that is meant for it: presses from all sides, and
+ * strokes over the outer surface. Prints each line when it is complete. Returns the table.
  */
 Table MeasureRealVolumes(const VolumePlaces& places, const Effort& effort);
 

@@ -16,14 +16,14 @@ namespace
 constexpr double Stiffness = 500.0; // N/m
 constexpr double Height = 1000.0;
 constexpr double Blur = 1.5;    // mm
-constexpr double Depth = 0.5;   // mm: less than the tightest curvature's radius
-constexpr double Step = 0.05;   // mm a tick
+constexpr double Depth = 0.5;   // mm: less than the smallest radius of curvature
+constexpr double Step = 0.05;   // mm per tick
 constexpr double RunIn = 4.0;   // mm
 constexpr double Extent = 40.0; // mm, of the slide
 
 /**
- * The depth at which FORCE_FIELD's force rises most: one blur, the kernel's included, before the
- * middle.
+ * Depth (mm) at which FORCE_FIELD's force rises most: one blur, including the kernel's, in front of
+ * the middle.
  */
 const double Flank = std::hypot(Blur, 2.0 * GradientKernel::ScalePerRadius);
 
@@ -42,8 +42,8 @@ vtkSmartPointer<vtkImageData> MakeRelief(const Wave& wave)
 }
 
 /**
- * Slides over the relief, and back: an edge gives way a little where the hand presses it most for
- * the first time, so that only the way back is felt with one level.
+ * Returns a stroke that slides over the relief and back. On the first pass, the edge gives way a
+ * little where the hand presses most, so that only the way back is felt with one level.
  */
 Stroke SlideAcross(const Wave& wave, double depth, double extent)
 {
@@ -59,7 +59,7 @@ Stroke SlideAcross(const Wave& wave, double depth, double extent)
   return stroke;
 }
 
-/** The gain with which the force on a plane rises by k for each metre at the flank. */
+/** Returns the gain with which the force on a plane has the slope k at the flank. */
 double CalibrateGain(const Method& method)
 {
   Scene plane(MakeRelief([](double) { return 0.0; }), 0.5 * Height);
@@ -157,7 +157,7 @@ Table CompareRelief(const Effort& effort, std::vector<Plot>& plots)
     plot.XTicks.emplace_back(std::log10(wavelength), Number(wavelength));
   }
   table.Columns.push_back("-3 dB (voxels)");
-  // If methods agree, the first ones are drawn wider.
+  // If methods agree, the first curves are drawn wider.
   float width = 2.0f + 2.5f * static_cast<float>(AllMethods().size() - 1);
   for (const Method& method : AllMethods())
   {

@@ -13,26 +13,29 @@
 namespace evaluation
 {
 
-/** Amplitude (mm): so low that what is felt is linear in it, even at the shortest wavelength. */
+/** Amplitude (mm), so low that the force is linear in it even at the shortest wavelength. */
 constexpr double ReliefAmplitude = 0.05;
 
 /**
- * The amplitude of the sine of a frequency (radians a sample) in a signal, by least squares beside
- * a mean and a drift; 0 of a signal that is too short to tell.
+ * Returns the amplitude of the sine of a frequency (radians per sample) in a signal, by least
+ * squares together with a mean and a drift; 0 if the signal is too short.
  */
 double AmplitudeOf(const std::vector<double>& signal, double frequency);
 
 /**
- * The force's amplitude over k ReliefAmplitude, across a relief of a wavelength (mm, of voxels of 1
- * mm), without friction. FORCE_FIELD works on the rising flank of its force, with the gain that
- * makes it as stiff as k there.
+ * Returns the force's amplitude divided by k ReliefAmplitude, across a relief of a wavelength (mm,
+ * with voxels of 1 mm), without friction. FORCE_FIELD works on the rising flank of its force, with
+ * the gain that gives it the stiffness k there.
  */
 double MeasureRelief(const Method& method, double wavelength);
 
-/** The wavelength at which a rising response passes 1/sqrt(2); 0 if it does not. */
+/**
+ * Returns the wavelength at which a response that rises with the wavelength passes 1/sqrt(2); 0 if
+ * it does not.
+ */
 double CutOff(const std::vector<double>& wavelengths, const std::vector<double>& responses);
 
-/** All methods, wavelengths from 2 to 40 voxels; adds a plot. */
+/** Compares all methods at wavelengths of 2 to 40 voxels; adds a plot. */
 Table CompareRelief(const Effort& effort, std::vector<Plot>& plots);
 
 } // namespace evaluation

@@ -25,7 +25,7 @@ std::string Bound(const Figure& figure)
     (figure.Unit.empty() ? "" : " " + figure.Unit);
 }
 
-/** PAPER's value of a figure of PRECISE, which has some more; empty if there is none. */
+/** Returns PAPER's value of a figure; empty if PAPER does not have this figure. */
 std::string FindPaper(const Section& section, const Figure& figure)
 {
   const auto found = std::find_if(section.Paper.begin(), section.Paper.end(),

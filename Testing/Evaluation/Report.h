@@ -22,10 +22,10 @@ struct Section
   Figures Precise;
 };
 
-/** Draws a plot to FOLDER/NAME.png; needs a display, if only a virtual one. */
+/** Draws a plot to FOLDER/NAME.png. Needs a display, which may be virtual. */
 void DrawPlot(const Plot& plot, const std::string& folder);
 
-/** The content of report.md, in its order. */
+/** The contents of report.md, in its order. */
 struct Report
 {
   std::vector<Section> Sections;
@@ -40,14 +40,14 @@ struct Report
 bool WriteReport(const Report& report, const std::string& folder);
 
 /**
- * The same tables, for a terminal, which has them at once. Returns how many of PRECISE's figures,
- * times aside, are not reached.
+ * Print the same tables to the terminal, each when it is complete. PrintSection() returns how many
+ * figures of PRECISE, without times, are not reached.
  */
 int PrintSection(const Section& section);
 void PrintComparison(const Comparison& comparison);
 void PrintSafety(const PortSafety& safety);
 
-/** The heading of the tables of MeasureFeel() and those that follow. */
+/** Prints the heading of the tables of MeasureFeel() and of those after them. */
 void PrintFeelTitle();
 
 } // namespace evaluation

@@ -12,11 +12,11 @@ namespace evaluation
 {
 namespace
 {
-constexpr int Ticks = 1000;       // a turn, which is a second
-constexpr double Radius = 15.915; // mm: 0.1 mm a tick
+constexpr int Ticks = 1000;       // per turn, which takes a second
+constexpr double Radius = 15.915; // mm: 0.1 mm per tick
 constexpr double Depth = 2.0;     // mm
 
-/** The force's magnitude over a turn of a circle in a plane, the second one. */
+/** Returns the magnitude of the force during the second turn of a circle in a plane. */
 std::vector<double> SlideOnPlane(const Candidate& candidate, bool isEdge)
 {
   const Volume volume(
@@ -56,7 +56,7 @@ std::vector<double> MeasureSpectrum(const Candidate& candidate, bool isEdge)
       const auto turn = static_cast<double>((static_cast<long long>(frequency) * i) % count);
       sum += forces[i] * std::polar(1.0, -TwoPi * turn / count);
     }
-    // Root mean square of the line and its mirror image.
+    // Root mean square of the spectral line together with its mirror image.
     const bool hasImage = frequency > 0 && 2 * frequency < count;
     spectrum.push_back(std::abs(sum) / count * (hasImage ? std::sqrt(2.0) : 1.0));
   }

@@ -13,8 +13,8 @@ namespace evaluation
 {
 
 /**
- * Root mean square (N) of the force at 0, 1, 2 ... 500 Hz: a 16-bit ramp or blurred edge, k = 500
- * N/m.
+ * Returns the root mean square (N) of the force at 0, 1, 2 ... 500 Hz, on a 16-bit ramp or blurred
+ * edge with k = 500 N/m.
  */
 std::vector<double> MeasureSpectrum(const Candidate& candidate, bool isEdge);
 

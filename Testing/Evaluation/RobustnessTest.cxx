@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Solver PRECISE on what data and hands are like: thin sheets, ridges, plateaus, saturation, noise.
+ * Solver PRECISE with realistic data and hands: thin sheets, ridges, plateaus, saturation, noise.
  */
 
 #include "RobustnessRig.h"
@@ -13,7 +13,7 @@ using namespace VolumeHaptics;
 
 namespace
 {
-/// An edge that counts if it is steep.
+/// Returns a material that is distinct only at steep edges.
 HapticMaterial OnEdges(double strength, double steepest)
 {
   HapticMaterial material = MakeMaterial(500.0, 0.0, 0.0, strength);
@@ -29,11 +29,11 @@ TEST_P(Robustness, ASheetOfOneVoxelHoldsAndBreaksOnce)
   Candidate candidate{ HapticSolver::Precise, this->GetParam() };
   if (this->GetParam() == GradientEstimator::CentralDifference)
   {
-    // Within the sheet its samples are on either side and show no gradient: there is no edge.
+    // Within the sheet, the samples on both sides show no gradient, so that there is no edge.
     candidate = PlacedAsThePaper(candidate);
   }
   Touching touching = TouchingOf(candidate, OnEdges(2.0, 200.0));
-  touching.ReleaseTime = 0.0; // it breaks in a tick
+  touching.ReleaseTime = 0.0; // so that the sheet breaks in one tick
   const Trace trace = Play(*Volume(sheet, {}).Bake(touching), path);
   double largest = 0.0;
   int breaks = 0;
@@ -52,7 +52,7 @@ TEST_P(Robustness, ASheetOfOneVoxelHoldsAndBreaksOnce)
 TEST_P(Robustness, ARidgeIsSlidOverWithoutChatter)
 {
   const auto ridge = [](const Vector3& x) { return 100.0 * (x.Z - 0.5 * std::abs(x.X)); };
-  // Along it, 0.6 mm deep, which is 0.3 N at most.
+  // Go along the ridge, 0.6 mm deep, which gives 0.3 N at most.
   Path path = { { -8.0, 0.2, -4.0 } };
   for (double x = -8.0; x <= 8.0; x += 0.05)
   {

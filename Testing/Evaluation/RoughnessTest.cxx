@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Roughness of forces whose roughness is known: sines (root mean square a/sqrt(2)), steps, saws.
+ * Roughness of forces with known roughness: sines (root mean square a/sqrt(2)), steps, sawtooths.
  */
 
 #include "Roughness.h"
@@ -46,8 +46,8 @@ TEST(Roughness, ASineIsInTheBandOfItsFrequencyAlone)
 
 TEST(Roughness, FallsWithinFiveMillisecondsAreDrops)
 {
-  // A saw that falls by a fraction within a time, then rises for a quarter of a second; four of
-  // them.
+  // A sawtooth that falls by a fraction within a time, then rises for a quarter of a second; four
+  // periods.
   const auto saw = [](double fall, double time)
   {
     return MeasureRoughness(MakeForce(1000,

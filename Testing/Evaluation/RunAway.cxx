@@ -4,7 +4,7 @@
  * @file
  * volumehaptics-evaluation-runaway [SESSIONS]
  *
- * Prints the tables of PortSafety.h for so many sessions of honest devices (2000 by default,
+ * Prints the tables of PortSafety.h for SESSIONS sessions of honest devices (2000 by default;
  * Documentation/evaluation.md has 100 000). The exit status is the number of false alarms.
  */
 #include "PortSafety.h"

@@ -15,7 +15,7 @@ namespace evaluation
 {
 namespace
 {
-/** Of lines "group,number,structure,label" after a heading. */
+/** Reads lines of the form "group,number,structure,label" after a heading. */
 LabelNames ReadNames(const std::string& file)
 {
   LabelNames names;

@@ -16,21 +16,23 @@ class vtkImageData;
 namespace evaluation
 {
 
-/** Null or empty: not there. */
+/** Scans. Those that are not there are null or empty. */
 struct Scans
 {
   vtkSmartPointer<vtkImageData> Head; ///< Hounsfield units
   vtkSmartPointer<vtkImageData> Chest;
   vtkSmartPointer<vtkImageData> ChestLabels; ///< on the voxels of Chest
-  LabelNames Names;                          ///< of these labels
+  LabelNames Names;                          ///< names of these labels
   vtkSmartPointer<vtkImageData> Mri;         ///< T1, 0 to 255
 };
 
-/** Any volume that the explorer reads. Null, with a message on stderr, if it can't be read. */
+/**
+ * Reads any volume that the explorer can read. Returns null, with a message on stderr, on failure.
+ */
 vtkSmartPointer<vtkImageData> ReadScan(const std::string& file);
 
 /**
- * The CT (cxr.nii.gz), the labels (mask.nii.gz) and their names (structures.csv) of a folder.
+ * Reads the CT (cxr.nii.gz), the labels (mask.nii.gz) and their names (structures.csv) of a folder.
  * Returns false, with a message on stderr, if one can't be read.
  */
 bool ReadChest(const std::string& folder, Scans& scans);

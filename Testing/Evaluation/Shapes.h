@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Fields with edges, and ways around them.
+ * Fields with edges, and circles around them.
  */
 #ifndef Evaluation_Shapes_h
 #define Evaluation_Shapes_h
@@ -14,24 +14,24 @@
 namespace evaluation
 {
 
-/** Not along any axis of the samples. */
+/** Unit normal that is not along any axis of the samples. */
 const Vector3 OddNormal = (1.0 / 3.0) * Vector3{ 1.0, -2.0, 2.0 };
-/** With OddNormal, two unit vectors at right angles. */
+/** Unit vectors perpendicular to OddNormal and to each other. */
 const Vector3 OddAside = (1.0 / std::sqrt(5.0)) * Vector3{ 2.0, 1.0, 0.0 };
 const Vector3 OddUp = Cross(OddNormal, OddAside);
-/** The centre of the balls: not on a sample. */
+/** Centre of the balls, not on a sample. */
 constexpr Vector3 OddCentre = { 0.37, -0.21, 0.43 };
 
 /**
- * A step of a height, blurred by a Gaussian of scale `blur` (mm), at a distance (mm) from its
- * middle.
+ * Returns a step of a height, blurred by a Gaussian of scale `blur` (mm), at a distance (mm) from
+ * its middle.
  */
 inline double BlurredStep(double distance, double blur, double height)
 {
   return 0.5 * height * (1.0 + std::erf(distance / (blur * std::sqrt(2.0))));
 }
 
-/** A point of a circle about OddCentre in a plane that no axis lies in. */
+/** Returns a point on a circle about OddCentre, in a plane that contains no axis. */
 inline Vector3 OnOddCircle(double radius, double angle)
 {
   return OddCentre + (radius * std::cos(angle)) * OddAside + (radius * std::sin(angle)) * OddUp;
@@ -39,7 +39,7 @@ inline Vector3 OnOddCircle(double radius, double angle)
 
 constexpr double TwoPi = 6.283185307179586;
 
-/** Numbers between two bounds, each as likely. */
+/** Draws numbers between two bounds with equal probability. */
 class Uniform
 {
 public:

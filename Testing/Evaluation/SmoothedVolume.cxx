@@ -38,8 +38,7 @@ Vector3 SmoothedVolume::Gradient(const Vector3& world) const
 {
   const Vector3 index = this->Model ? this->Model->DeviceToIndex(0.001 * world) : Vector3{};
   const bool isInside = this->Model && this->Model->Baked->Field.IsInside(index);
-  // Device space is the world, in metres: the axes are the same, and the gradient is per world
-  // unit.
+  // Device space is the world in metres: the axes are the same, and the gradient is per world unit.
   return isInside
     ? this->Model->GradientToDevice * this->Model->Baked->Field.Gradient(index).Gradient
     : Vector3{};
@@ -64,7 +63,7 @@ Field SmoothedVolume::RawOff(double level) const
 
 vtkSmartPointer<vtkPolyData> SmoothedVolume::ComputeSurface(double level) const
 {
-  // In steps of the index, since VTK 9.1's filters do not know of directions.
+  // Work in index coordinates, because filters of VTK 9.1 do not support image directions.
   vtkNew<vtkImageData> samples;
   int n[3];
   this->Image->GetDimensions(n);

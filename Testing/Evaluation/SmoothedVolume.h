@@ -20,26 +20,26 @@ namespace evaluation
 class SmoothedVolume
 {
 public:
-  /** Not valid after an error of the filter. The image must outlive it. */
+  /** The object is not valid after an error of the filter. The image must outlive it. */
   explicit SmoothedVolume(vtkImageData* image);
 
-  /** Whether it can be asked. */
+  /** Returns whether the volume can be read. */
   bool IsValid() const { return this->Model != nullptr; }
-  /** At a position in the world (mm); 0 outside. */
+  /** Returns the value at a position in the world (mm); 0 outside. */
   double Value(const Vector3& world) const;
-  /** Per mm, along the axes of the world. */
+  /** Returns the gradient per mm, along the axes of the world. */
   Vector3 Gradient(const Vector3& world) const;
-  /** The unsmoothed value. */
+  /** Returns the unsmoothed value. */
   double RawValue(const Vector3& world) const;
 
   /**
-   * How far (mm) a position is off a level, by value and gradient; the level of the smoothed or the
-   * raw volume.
+   * Return the distance (mm) between a position and a level, by value and gradient: a level of the
+   * smoothed volume, or of the raw volume.
    */
   Field Off(double level) const;
   Field RawOff(double level) const;
 
-  /** The isosurface, in the world, with normals. */
+  /** Returns the isosurface in the world, with normals. */
   vtkSmartPointer<vtkPolyData> ComputeSurface(double level) const;
 
 private:

@@ -13,7 +13,7 @@ namespace evaluation
 {
 namespace
 {
-/** Times (s) of ticks that slide round a ball, in ascending order. */
+/** Returns the times (s), in ascending order, of ticks that slide round a ball. */
 std::vector<double> TimeTicks(const Candidate& candidate, double millimetersPerTick, int ticks)
 {
   const Volume volume([](const Vector3& x)

@@ -13,12 +13,12 @@ namespace
 {
 constexpr double Slope = 100.0; // per mm
 /**
- * A surface begins this far (mm) ahead of the device. It rests some 10 um deep and swings no
- * further: a longer way to the wall, and it would bounce on it, at any stiffness.
+ * Distance (mm) of a surface in front of the device. The device rests some 10 um deep and swings no
+ * further. If the way to the wall were longer, it would bounce on the wall at any stiffness.
  */
 constexpr double Ahead = 1e-4;
 
-/** 2 b / T. */
+/** Returns the theoretical limit 2 b / T. */
 Curve Theory()
 {
   return { "2 b / T", { 0.0, 1.0 }, { 0.0, 2000.0 }, 4 };
@@ -56,7 +56,7 @@ Table CompareStability(const Effort& effort, std::vector<Plot>& plots)
       const double damping = 1.0 * i / points;
       rows.push_back({ Number(damping), std::to_string(delay), Number(2000.0 * damping) });
     }
-    // If the methods agree, their curves coincide: the first ones are drawn wider.
+    // If the methods agree, their curves coincide, so the first curves are drawn wider.
     float width = 5.0f + 4.0f * static_cast<float>(methods.size() - 1);
     for (const Method& method : methods)
     {

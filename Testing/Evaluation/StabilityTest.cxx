@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The stiffest wall of every method that has one is what theory says of a sampled spring.
+ * For every method that has a wall, the stiffest stable wall is what theory predicts for a sampled
+ * spring.
  */
 
 #include "Comparison.h"
@@ -28,7 +29,7 @@ TEST(Stability, EveryWallIsAsStiffAsTheoryAllows)
       ++walls;
       for (std::size_t i = 0; i < curve.X.size(); ++i)
       {
-        // A tick of delay leaves a third.
+        // With one tick of delay, a third of the stiffness remains.
         const double theory = 2000.0 * curve.X[i] / (isLate ? 3.0 : 1.0);
         EXPECT_NEAR(curve.Y[i], theory, 0.02 * theory) << curve.Name << ", " << curve.X[i];
       }

@@ -4,10 +4,10 @@
  * @file
  * volumehaptics-evaluation-stage [HANDS]
  *
- * Prints how much energy the safety stage returns (Documentation/evaluation.md): of a mass that
- * strikes a wall, with the stage and without, and of random presses through each of its rules. Each
- * of the hands, 200 by default, presses five times. The exit status is the number of rebounds and
- * rules that return too much.
+ * Prints how much energy the safety stage returns (Documentation/evaluation.md): for a mass that
+ * strikes a wall, with the stage and without, and for random presses through each of its rules.
+ * Each of the HANDS hands (200 by default) presses five times. The exit status is the number of
+ * rebounds and rules that return too much.
  */
 #include "Rigs/Impacts.h"
 #include "Rigs/RandomPresses.h"

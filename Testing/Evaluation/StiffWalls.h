@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How stiff a wall the hand is shown, without and with ForceAugmentation.h.
+ * The stiffness of walls that a hand can be shown, without and with ForceAugmentation.h.
  */
 #ifndef Evaluation_StiffWalls_h
 #define Evaluation_StiffWalls_h
@@ -12,7 +12,7 @@
 namespace evaluation
 {
 
-/** Arms like a Falcon and a Touch, pressed by weights and hands (Rigs/StiffWalls.h). */
+/** Measures arms like a Falcon and a Touch, pressed by weights and hands (Rigs/StiffWalls.h). */
 Table MeasureStiffWalls();
 
 } // namespace evaluation

@@ -16,7 +16,7 @@ namespace
 {
 constexpr double HalfTurn = 0.5 * TwoPi;
 
-/** The position of a sample in the world. */
+/** Returns the position of a sample in the world. */
 Vector3 WorldPosition(vtkImageData* image, int i, int j, int k)
 {
   double position[3];
@@ -24,7 +24,7 @@ Vector3 WorldPosition(vtkImageData* image, int i, int j, int k)
   return { position[0], position[1], position[2] };
 }
 
-/** The middle of all samples of a label, and their box, which is empty if there are none. */
+/** The centre of all samples of a label, and their box, which is empty without samples. */
 struct LabelPlace
 {
   Vector3 Middle;
@@ -64,7 +64,7 @@ LabelPlace FindLabel(vtkImageData* labels, int label)
   return place;
 }
 
-/** Planes through the dome of a liver; it has a level, seen from inside. */
+/** Returns planes through the dome of a liver, with a level, seen from inside. */
 Course OverLiver(const LabelPlace& liver, double level, const Effort& effort)
 {
   Course up;
@@ -83,7 +83,7 @@ Course OverLiver(const LabelPlace& liver, double level, const Effort& effort)
   return up;
 }
 
-/** An image with a label alone. */
+/** Returns an image that has only one label. */
 vtkSmartPointer<vtkImageData> KeepLabel(vtkImageData* labels, int label)
 {
   auto kept = vtkSmartPointer<vtkImageData>::New();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The surfaces of scans that are stroked, with the presets that are for them.
+ * The surfaces of scans that are stroked, with the presets for them.
  */
 #ifndef Evaluation_Surfaces_h
 #define Evaluation_Surfaces_h
@@ -16,7 +16,7 @@
 namespace evaluation
 {
 
-/** The ramp of FeltSurface for the preset "Labels", whose functions go over within half a label. */
+/** The WideRamp of the preset "Labels", whose functions change within half a label. */
 constexpr double LabelRamp = 0.25;
 
 /** A surface of a scan and the strokes over it. */
@@ -28,29 +28,32 @@ struct FeltSurface
   vtkSmartPointer<vtkImageData> Image;
   double Level = 0.0; ///< value of the surface
   std::vector<Arc> Arcs;
-  /// scalar units, to which ramps between materials are widened to see what steep ones do
+  /// scalar units: width to which ramps between materials are widened, to measure the effect of
+  /// steep ramps
   double WideRamp = 60.0;
-  bool IsRequired = false; ///< to be smooth
-  /// % of the mean between 30 and 500 Hz; 0 stands for what a mesh of smoothed data has
+  bool IsRequired = false; ///< must be smooth
+  /// largest allowed roughness, % of the mean between 30 and 500 Hz; 0: that of a mesh of smoothed
+  /// data
   double RoughestFraction = 0.0;
 };
 
-/** Scalp (-300 HU) and skull (300 HU) of a head CT. */
+/** Returns scalp (-300 HU) and skull (300 HU) of a head CT. */
 std::vector<FeltSurface> FindHeadSurfaces(vtkImageData* volume, const Effort& effort);
 
 /**
- * The skin of the front (-300 HU) and, from the lung, the dome of the liver (-400 HU) of a chest
- * CT in DICOM's axes. The liver has a value in the label image; without labels it is left out.
+ * Returns surfaces of a chest CT with DICOM's axes: the skin of the front (-300 HU) and, stroked
+ * from the lung, the dome of the liver (-400 HU). `liver` is the liver's value in the label image;
+ * without labels, the liver is left out.
  */
 std::vector<FeltSurface> FindChestSurfaces(
   vtkImageData* volume, vtkImageData* labels, int liver, const Effort& effort);
 
-/** Scalp and cortex of a T1-weighted MRI of a head, of 0 to 255 grey levels. */
+/** Returns scalp and cortex of a T1-weighted MRI of a head with grey levels of 0 to 255. */
 std::vector<FeltSurface> FindMriSurfaces(vtkImageData* volume, const Effort& effort);
 
 /**
- * The dome of the liver, stroked from the lung, in a label image that is touched itself: in one
- * that has the liver alone, and among all labels. None without the liver's label.
+ * Returns the dome of the liver, stroked from the lung, in a label image that is touched itself:
+ * once with the liver alone, and once among all labels. Returns none without the liver's label.
  */
 std::vector<FeltSurface> FindLabelSurfaces(vtkImageData* labels, int liver, const Effort& effort);
 

@@ -11,7 +11,7 @@ namespace evaluation
 {
 namespace
 {
-/** Words in lines of a terminal's width. */
+/** Prints words in lines of a terminal's width. */
 void PrintText(const std::string& text)
 {
   std::istringstream words(text);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Tables of any columns, for a terminal and for the report.
+ * Tables with any columns, for a terminal and for the report.
  */
 #ifndef Evaluation_Table_h
 #define Evaluation_Table_h
@@ -22,12 +22,15 @@ struct Table
   std::vector<std::vector<std::string>> Rows;
 };
 
-/** Three significant digits; of thousands, all. */
+/**
+ * Formats a number with three significant digits; from a thousand on, with all digits before the
+ * point.
+ */
 std::string Number(double value);
 
-/** On the terminal, at once. */
+/** Prints a table to the terminal at once. */
 void PrintTable(const Table& table);
-/** As Markdown. */
+/** Writes a table as Markdown. */
 void WriteTable(const Table& table, std::ostream& out);
 
 } // namespace evaluation

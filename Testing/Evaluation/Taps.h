@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a tap on a wall feels, without and with ContactTransient.h.
+ * The force of a tap on a wall, without and with ContactTransient.h.
  */
 #ifndef Evaluation_Taps_h
 #define Evaluation_Taps_h
@@ -12,7 +12,9 @@
 namespace evaluation
 {
 
-/** Arms like a Falcon and a Touch are thrown at walls of one stiffness (Rigs/Taps.h). */
+/**
+ * Measures arms like a Falcon and a Touch that are thrown at walls of one stiffness (Rigs/Taps.h).
+ */
 Table MeasureTaps();
 
 } // namespace evaluation

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * By how much a setting makes a tick longer, on strokes over a scan.
+ * How much longer ticks take with a setting, on strokes over a scan.
  */
 #ifndef Evaluation_TickRatio_h
 #define Evaluation_TickRatio_h
@@ -14,12 +14,13 @@
 namespace evaluation
 {
 
-/** Sets a filter that has the surface's image and preset. */
+/** Changes the settings of a filter that has the surface's image and preset. */
 using Setting = std::function<void(vtkVolumeHapticsFilter*)>;
 
 /**
- * The median time of a tick with one setting over that with another, both measured in turns on the
- * same strokes, so that what else the machine does counts for both. 0 after an error.
+ * Returns the median time of a tick with one setting divided by that with another; 0 after an
+ * error. Both are measured in turns on the same strokes, so that other work of the machine affects
+ * both.
  */
 double MeasureTickRatio(
   const FeltSurface& surface, const Setting& measured, const Setting& reference);

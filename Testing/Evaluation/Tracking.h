@@ -12,23 +12,23 @@
 namespace evaluation
 {
 
-constexpr double SphereRadius = 20.0; // mm, of voxels of 1 mm
-/** 0.2 mm a tick. */
+constexpr double SphereRadius = 20.0; // mm, with voxels of 1 mm
+/** Number of ticks per turn: 0.2 mm per tick. */
 constexpr int TicksPerTurn = 565;
 
 struct Wall
 {
   std::string Name;
-  std::function<double(double)> TheField; ///< of the radius
+  std::function<double(double)> TheField; ///< by the radius
   VolumeHaptics::ScalarType Type;
   double TipRadius;    ///< mm
-  bool IsEdge = false; ///< with a plateau on either side, not a ramp
+  bool IsEdge = false; ///< with a plateau on each side; otherwise a ramp
 };
 
-/** Balls and cavities. */
+/** Returns balls and cavities. */
 std::vector<Wall> GetWalls();
 
-/** The proxy's radius (mm) after each tick. */
+/** Returns the proxy's radius (mm) after each tick. */
 std::vector<double> TrackSphere(const Candidate& candidate, const Wall& wall, int turns);
 
 } // namespace evaluation

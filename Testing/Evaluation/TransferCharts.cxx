@@ -36,10 +36,10 @@ struct Extent
 
 constexpr Extent Values{ "scalar value (HU)", -1200.0, 1200.0 };
 constexpr Extent Gradients{ "gradient magnitude (HU/mm)", 0.0, 100.0 };
-/** A device's strength: what is beyond it is impenetrable by it. */
+/** A device's largest force. A surface that holds more is impenetrable for the device. */
 constexpr double StrongestForce = 4.0; // N
 
-/** Around a chart's axes, in pixels. */
+/** Margins (pixels) around a chart's axes. */
 constexpr struct
 {
   double Left = 62.0;
@@ -98,7 +98,7 @@ void AddCurve(vtkChartXY* chart, vtkPiecewiseFunction* function, const Extent& e
   line->SetWidth(2.5f);
 }
 
-/** A bar for each few HU. */
+/** Adds a bar for every few HU. */
 void AddColours(vtkChartXY* chart, vtkColorTransferFunction* colours)
 {
   vtkNew<vtkDoubleArray> x;
@@ -127,7 +127,7 @@ constexpr unsigned char Orange[] = { 222, 110, 0 };
 constexpr unsigned char Blue[] = { 0, 92, 175 };
 constexpr unsigned char Green[] = { 0, 140, 95 };
 
-/** Largest value on the axis; 1 if there is none. */
+/** Returns the largest value on the axis; 1 if there is none. */
 double LargestOf(vtkPiecewiseFunction* function)
 {
   double largest = 0.0;
@@ -139,7 +139,8 @@ double LargestOf(vtkPiecewiseFunction* function)
 }
 
 /**
- * Three quantities in one chart: each as the fraction of its largest value, which its name tells.
+ * Adds a function as a fraction of its largest value, which the curve's name tells. So three
+ * quantities fit in one chart.
  */
 void AddShare(vtkChartXY* chart, vtkPiecewiseFunction* function, const std::string& name,
   const std::string& unit, const unsigned char (&colour)[3])
@@ -163,7 +164,7 @@ void AddTransferCharts(vtkContextScene* scene, vtkVolumeProperty* look, vtkHapti
 {
   const auto place = [&](vtkChartXY* chart, int row, int column)
   {
-    // Axes line up from row to row, whatever is written beside them.
+    // The axes align from row to row, whatever is written beside them.
     chart->SetAutoSize(false);
     chart->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
     const double cell[] = { 0.5 * width, height / 3.0 };

@@ -30,10 +30,12 @@ namespace
 {
 constexpr int Width = 1500;
 constexpr int Height = 900;
-/** Of the width: the rendered CT. */
+/** Fraction of the width that the rendered CT takes. */
 constexpr double Fraction = 0.36;
 
-/** The explorer's look of a volume, with opacity by the gradient as surfaces are distinct by it. */
+/**
+ * Adds the CT with the explorer's look. Its opacity depends on the gradient, as distinctness does.
+ */
 void AddHead(
   vtkRenderer* renderer, vtkVolume* head, const Explore::Volume& volume, const Effort& effort)
 {
@@ -45,14 +47,14 @@ void AddHead(
   mapper->SetInputData(body);
   if (!effort.IsFull)
   {
-    mapper->SetRequestedRenderModeToRayCast(); // Grainy, but soon done without a graphics card.
+    mapper->SetRequestedRenderModeToRayCast(); // grainy, but fast without a graphics card
   }
   head->SetMapper(mapper);
   Explore::SetVolumeLook(values, head->GetProperty());
   renderer->AddVolume(head);
   Explore::FitCamera(renderer, Explore::MakeViewFrame(values.Centre, "-y", "+z"), values.BodyBounds,
     Fraction * Width / Height, false);
-  renderer->GetActiveCamera()->Zoom(1.2); // The box has corners, a head has none.
+  renderer->GetActiveCamera()->Zoom(1.2); // a head does not fill the box's corners
 }
 } // namespace
 
@@ -95,7 +97,7 @@ Picture DrawTransferPicture(
   vtkNew<vtkWindowToImageFilter> picture;
   picture->SetInput(window);
   picture->ReadFrontBufferOff();
-  picture->ShouldRerenderOff(); // Without a graphics card, seconds.
+  picture->ShouldRerenderOff(); // takes seconds without a graphics card
   vtkNew<vtkPNGWriter> writer;
   writer->SetFileName((folder + "/transfer.png").c_str());
   writer->SetInputConnection(picture->GetOutputPort());

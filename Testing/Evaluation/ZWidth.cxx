@@ -12,12 +12,13 @@ namespace
 {
 constexpr double Mass = 0.1;     // kg
 constexpr double Period = 0.001; // s
-constexpr double Pull = 2.0;     // N/m, of the hand
+constexpr double Pull = 2.0;     // N/m, spring of the hand
 constexpr int Ticks = 6000;
 
 /**
- * Whether the simulated device swings less at the end than in the middle of a long rest on a wall,
- * without ever leaving it: what bounces for ever may do so a little lower at the end.
+ * Returns whether the simulated device swings less at the end than in the middle of a long rest on
+ * a wall, without ever leaving the wall: a device that bounces for ever may do so a little lower at
+ * the end.
  */
 bool ComesToRest(const HapticModel& model, double damping, int delay)
 {
@@ -34,7 +35,7 @@ bool ComesToRest(const HapticModel& model, double damping, int delay)
   {
     DeviceSample sample;
     device.Read(Period, sample);
-    // Not before the slow loop of a local surface has looked.
+    // Wait until the slow loop of a local surface has fitted a surface.
     if (i == 50)
     {
       device.Lead({ 0.0, 0.0, 0.02 });

@@ -12,12 +12,14 @@
 namespace evaluation
 {
 
-/** A model of a wall of a stiffness (N/m) that begins at the device's z of 0 or little more. */
+/**
+ * Makes a model of a wall of a stiffness (N/m) that begins at the device's z = 0 or slightly above.
+ */
 using WallMaker = std::function<std::shared_ptr<const VolumeHaptics::HapticModel>(double)>;
 
 /**
- * The stiffest wall (N/m) on which a device of 0.1 kg with a damping (N s/m) comes to rest, with
- * the force some ticks late. Theory (Gil et al. 2004; T16): 2 b / T without delay.
+ * Returns the stiffest wall (N/m) on which a device of 0.1 kg with a damping (N s/m) comes to rest,
+ * with the force some ticks late. Theory (Gil et al. 2004; T16): 2 b / T without delay.
  */
 double FindStiffestWall(const WallMaker& makeWall, double damping, int delay);
 
