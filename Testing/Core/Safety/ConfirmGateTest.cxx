@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The force gate of a device whose signs have yet to be confirmed, beside a gate that gets the same
- * events and has nothing to confirm: the state is the same, but for Confirming in place of Ramping
- * and Armed, and no share of the volume's force ever passes.
+ * The force gate of a device whose signs are not yet confirmed, compared with a gate that gets the
+ * same events and has nothing to confirm. The states are the same, except for Confirming instead of
+ * Ramping and Armed, and none of the volume's force ever passes.
  */
 
 #include "Core/Safety/ForceGate.h"
@@ -23,7 +23,8 @@ GateState Expect(GateState confirmed)
                                                                           : confirmed;
 }
 
-/// The end of a tick, as SafetyStage reports it; the share that the force is multiplied by.
+/// Reports the end of a tick as SafetyStage does. Returns the factor by which the force is
+/// multiplied.
 double Tick(ForceGate& gate, bool isStale, bool flows)
 {
   double share = 0.0;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The pulse at touch-down has the impulse and the frequency that it is said to have, makes walls
- * stiffer to a tap, and gives no energy.
+ * The pulse at touch-down has the specified impulse and frequency, makes walls feel stiffer to a
+ * tap, and gives no energy.
  */
 
 #include "Rigs/Taps.h"
@@ -17,7 +17,7 @@ using namespace VolumeHaptics;
 
 namespace
 {
-constexpr double Speed = 0.2;        // m/s, of the approach
+constexpr double Speed = 0.2;        // m/s: speed of the approach
 constexpr double Period = 1e-3;      // s
 constexpr double Stiffness = 2000.0; // N/m
 
@@ -42,8 +42,9 @@ SafetyLimits MakeLimits(double gain, bool movesTip)
 }
 
 /**
- * The pulse (N) in each tick since the touch. A tip that no force moves approaches, and rests as
- * soon as it has touched, in a wall that pushes with 50 N, so that no pulse is cut off at zero.
+ * Returns the pulse (N) in each tick since the touch. The tip approaches independently of the
+ * force, and rests as soon as it has touched. The wall pushes with 50 N, so that no pulse is cut
+ * off at zero.
  */
 std::vector<double> Play(double frequency, double gain, int ticks)
 {
@@ -80,7 +81,7 @@ double Sum(const std::vector<double>& values, int from, int to)
 
 TEST(ContactTransient, StopsAnArmInItsFirstHalfWaveAndDecays)
 {
-  // At 100 Hz a half wave is five ticks, and the next is exp(-1/2) of it.
+  // At 100 Hz, a half wave takes five ticks, and the next half wave is smaller by exp(-1/2).
   const std::vector<double> pulses = Play(100.0, 1.0, 40);
   const double momentum = ContactTransient::TouchMass * Speed;
   const double first = Period * Sum(pulses, 0, 5);
@@ -95,7 +96,7 @@ TEST(ContactTransient, StopsAnArmInItsFirstHalfWaveAndDecays)
 
 TEST(ContactTransient, TellsMaterialsOfOneStiffnessApart)
 {
-  // 400 N/m that holds 1 and 4 N: 120 and 240 Hz.
+  // A wall of 400 N/m that holds 1 N or 4 N: 120 Hz or 240 Hz.
   EXPECT_NEAR(ContactTransient::ComputeFrequency(400.0, 1.0), 120.0, 1e-9);
   EXPECT_NEAR(ContactTransient::ComputeFrequency(400.0, 4.0), 240.0, 1e-9);
   EXPECT_EQ(ContactTransient::ComputeFrequency(400.0, 0.0), 0.0);
@@ -103,7 +104,7 @@ TEST(ContactTransient, TellsMaterialsOfOneStiffnessApart)
   for (const double frequency : { 120.0, 240.0 })
   {
     const std::vector<double> pulses = Play(frequency, 1.0, 25);
-    // The frequency with the most power, by Fourier's integral of what was sent.
+    // Find the frequency with the most power by Fourier's integral of the sent force.
     double best = 0.0;
     double most = 0.0;
     for (double f = 60.0; f < 400.0; f += 1.0)
@@ -151,7 +152,7 @@ TEST(ContactTransient, MakesWallsStifferAndReturnsLess)
 
 TEST(ContactTransient, GivesNoMoreThanItTakesToAHandThatLeadsTheTip)
 {
-  // The same path with and without: the difference of the work is that of the pulse.
+  // The same path with and without the pulse: the difference in work is the pulse's.
   double most = 0.0;
   double least = 0.0;
   for (unsigned seed = 0; seed < 300; ++seed)

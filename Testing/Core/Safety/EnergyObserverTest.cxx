@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A loop that swings by itself is found, and no hand is: against the theory of sampled springs
- * (SampledLoop.h), and in random sessions of an arm, a device and a volume (ArmSessions.h).
+ * The observer finds unstable loops, and raises no alarm at hands: compared with the theory of
+ * sampled springs (SampledLoop.h), and in random sessions of an arm, a device and a volume
+ * (ArmSessions.h).
  */
 
 #include "Core/Safety/EnergyObserver.h"
@@ -21,11 +22,11 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 
-/// A tip that moves as it is told, against a force that is told: whether the port gives energy.
+/// A tip and a force that the test sets. Tells whether the port gives energy.
 class Watched
 {
 public:
-  /// One millisecond.
+  /// Runs one tick of 1 ms.
   bool Step(const Vector3& tip, const Vector3& force)
   {
     this->IsFound = this->Observer.Observe(tip, 1e-3) || this->IsFound;
@@ -36,7 +37,8 @@ public:
   bool IsFound = false;
 };
 
-/// A tip that is pressed 10 mm into a sampled spring and swings freely, by the exact solution.
+/// Presses a tip 10 mm into a sampled spring and lets it swing freely, by the exact solution.
+/// Returns whether the observer finds it.
 bool SwingsFreely(double k, int delay, double swing)
 {
   using namespace servotest;
@@ -76,10 +78,11 @@ TEST(EnergyObserver, FindsWhatTheTheoryCallsUnstable)
     {
       const double growth = servotest::SpectralRadius(servotest::MakeLoop(k, delay));
       const double rate = std::sqrt(k / servotest::Mass);
-      // Of the energy, in a cycle.
+      // Factor by which the energy grows in a cycle.
       const double cycle = std::pow(growth, 2.0 * 2.0 * Pi / (rate * servotest::Period));
       const bool isQuick = rate > 2.0 * Pi * 1.1 / EnergyObserver::LongestCycle;
-      // Above, the tip has left the wall before it is found: ArmSessions.h has clamped walls.
+      // With larger growth, the tip leaves the wall before it is found: ArmSessions.h has walls
+      // with a clamped force.
       if (cycle > 1.01 && cycle < 2.0 && isQuick)
       {
         EXPECT_TRUE(SwingsFreely(k, delay, 3e-4)) << k << " N/m, delay " << delay;
@@ -98,7 +101,7 @@ TEST(EnergyObserver, FindsWhatTheTheoryCallsUnstable)
 
 TEST(EnergyObserver, TellsTheEnergyOfAStretchedSpring)
 {
-  // A spring k, pressed by x in n steps: it takes k x^2 / 2, less half a step's force.
+  // A spring k that is pressed by x in n steps takes k x^2 / 2, less half a step's force.
   EnergyObserver observer;
   constexpr double k = 1000.0;
   constexpr int steps = 1000;
@@ -113,7 +116,7 @@ TEST(EnergyObserver, TellsTheEnergyOfAStretchedSpring)
 
 TEST(EnergyObserver, FindsNoHandThatKeepsASwingGoing)
 {
-  // Taps of 2 to 8 Hz on 3000 N/m, and a tremor of 12 Hz and 1 mm while it presses.
+  // Taps at 2 to 8 Hz on 3000 N/m, and a tremor of 12 Hz and 1 mm while pressing.
   for (const double rate : { 2.0, 5.0, 8.0, 12.0 })
   {
     for (const double pressed : { 0.0, 2e-3 })
@@ -131,7 +134,8 @@ TEST(EnergyObserver, FindsNoHandThatKeepsASwingGoing)
 
 TEST(EnergyObserver, FindsNoRippledSurface)
 {
-  // 0.2 m/s over ripples of 2 mm and 0.1 mm, pressed by 2 N: 100 Hz, for seconds.
+  // A stroke at 0.2 m/s over ripples of 2 mm length and 0.1 mm height, pressed with 2 N: 100 Hz for
+  // seconds.
   Watched watched;
   for (int i = 0; i < 5000; ++i)
   {
@@ -145,7 +149,8 @@ TEST(EnergyObserver, FindsNoRippledSurface)
 
 TEST(EnergyObserver, FindsNoFrictionAndNoStepsOfAnEncoder)
 {
-  // To and fro at 25 Hz against friction; and a tip at rest between two steps, pressed by 8 N.
+  // Rubbing at 25 Hz against friction; and a tip at rest that jumps between two encoder steps,
+  // pressed by 8 N.
   Watched rubbed;
   Watched still;
   double before = 0.0;
@@ -162,7 +167,7 @@ TEST(EnergyObserver, FindsNoFrictionAndNoStepsOfAnEncoder)
 
 TEST(EnergyObserver, ExcusesWhatMovesTheForce)
 {
-  // A swing of 20 Hz that a wall makes, which a program publishes 30 times a second.
+  // A swing of 20 Hz that a wall causes, which a program publishes 30 times a second.
   for (const bool isExcused : { false, true })
   {
     Watched watched;
@@ -191,7 +196,7 @@ TEST(EnergyObserver, FindsNoHonestDevice)
 
 TEST(EnergyObserver, ABuzzingWallIsDampedUntilItRests)
 {
-  // 100 g on 2000 N/m with a third of the friction that the sampling needs.
+  // 100 g on 2000 N/m with a third of the damping that sampling needs.
   for (std::uint32_t seed = 0; seed < 10; ++seed)
   {
     rigs::ArmScene scene;
@@ -211,7 +216,7 @@ TEST(EnergyObserver, ABuzzingWallIsDampedUntilItRests)
 
 TEST(EnergyObserver, AWallThatBuzzesInSpiteOfDampingIsAFault)
 {
-  // Three more ticks late, the damping comes too late itself.
+  // Three more ticks of delay: the damping itself comes too late.
   int cut = 0;
   for (std::uint32_t seed = 0; seed < 10; ++seed)
   {

@@ -4,9 +4,9 @@
 /**
  * Walls that are stiffer than the loop can hold by itself.
  *
- * Theory: a sampled spring is passive with a viscous friction b up to K = 2 b / T (Colgate and
- * Schenkel 1997), and with steps q of the encoder up to 2 f / q, f being the dry friction (Abbott
- * and Okamura 2005). Energies are those of the arm, exact, not what the account believes.
+ * Theory: a sampled spring with a viscous friction b is passive up to K = 2 b / T (Colgate and
+ * Schenkel 1997), and with encoder steps q and dry friction f up to 2 f / q (Abbott and Okamura
+ * 2005). Energies are the exact ones of the arm, not those of the account.
  */
 
 #include "Rigs/StiffWalls.h"
@@ -20,7 +20,9 @@ using namespace rigs;
 
 namespace
 {
-/** Hits at up to 0.1 m/s are not slowed down by this (N/s): 6000 N/m at 0.5 m/s. */
+/**
+ * Slew limit (N/s), which is that of 6000 N/m at 0.5 m/s. It does not limit hits at up to 0.1 m/s.
+ */
 constexpr double FastRate = 3000.0;
 
 std::vector<StiffPress> MakePresses(double gain, bool augments)
@@ -58,7 +60,7 @@ TEST(StiffWalls, ArePassiveUpToWhatTheorySaysOfASampledSpring)
     }
     for (const StiffPress& press : MakePresses(2.0, false))
     {
-      // The maximum force bounds what a heavier weight can do.
+      // For heavier weights, the maximum force is the limit.
       if (!press.IsHeld && press.Force == 1.0)
       {
         EXPECT_GT(PressStiffly(arm, press).Ratio, 1.0) << Describe(arm, press);
@@ -97,7 +99,7 @@ TEST(ForceAugmentation, GivesNoMoreThanItsTolerance)
       EXPECT_LE(PressStiffly(arm, press).MostWithoutFriction, tolerance) << "the largest gain";
     }
   }
-  // So stiff that the loop can't be damped; without the account, it gives 35 mJ.
+  // A wall so stiff that the loop can't be damped. Without the account, it gives 35 mJ.
   const StiffArm arm = StiffArm::FalconLike();
   double without = 0.0;
   for (StiffPress press : MakePresses(20.0, true))
@@ -105,7 +107,8 @@ TEST(ForceAugmentation, GivesNoMoreThanItsTolerance)
     SCOPED_TRACE(Describe(arm, press));
     const StiffResult result = PressStiffly(arm, press);
     EXPECT_LE(result.MostGiven, tolerance);
-    // Measured. It would be 6 mJ if the account gave away what the soft spring still gives back.
+    // A measured bound. It would be 6 mJ if the account also spent what the soft spring still gives
+    // back.
     EXPECT_LE(result.MostWithoutFriction, 2.5 * tolerance);
     press.Augments = false;
     without = std::max(without, PressStiffly(arm, press).MostGiven);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The force gate: random sequences of events, against a model that keeps a flag for everything.
+ * The force gate in random sequences of events, compared with a model that has a flag for each
+ * cause.
  */
 
 #include "Core/Safety/ForceGate.h"
@@ -18,13 +19,13 @@ using namespace VolumeHaptics;
 namespace
 {
 
-/// The gate as it was before it was one: flags, each with rules of its own.
+/// The model of the gate: flags, each with its own rules.
 struct Flags
 {
   bool IsArmed = false;
   GateReason Fault = GateReason::None;
   bool FadesOut = false;
-  GateReason EndFault = GateReason::None; ///< at the end of a fade
+  GateReason EndFault = GateReason::None; ///< takes effect at the end of a fade
   bool IsHeld = false;
   bool IsClutched = false;
   bool Returns = false;
@@ -126,7 +127,7 @@ struct Flags
       : wanted < this->Opening - most             ? this->Opening - most
                                                   : wanted;
   }
-  /// The rest of a tick: what is found, and the force that would be there.
+  /// The rest of a tick: the faults, and the force that would act.
   void Finish(GateReason fault, bool gap, bool isStale, bool flows, double step)
   {
     const bool retreated = this->Retreats;
@@ -269,7 +270,7 @@ TEST(ForceGate, DoesInRandomSequencesWhatFlagsWouldDo)
       const bool wasStale = isStale;
       isStale = chance(isStale ? 0.5 : trouble);
       const bool gap = isStale || wasStale;
-      // A command may follow its share late.
+      // A command may be late relative to the opening.
       const bool wants = chance(flags.Opening > 0.0 ? 0.8 : 0.3);
       flags.Finish(fault, gap, isStale, wants, step);
       if (fault != GateReason::None)
@@ -308,7 +309,7 @@ TEST(ForceGate, DoesInRandomSequencesWhatFlagsWouldDo)
       ++seen[static_cast<int>(expected)];
       ASSERT_EQ(gate.GetReason() == GateReason::None, gate.GetShare() == 1.0)
         << sequence << ", " << tick;
-      // Of the share itself: never a jump upwards.
+      // The opening itself never jumps upwards.
       const double opens = period / ForceGate::FadeTime;
       ASSERT_GE(gate.GetShare(), 0.0);
       ASSERT_LE(gate.GetShare(), std::min(1.0, before + step + opens + 1e-12));

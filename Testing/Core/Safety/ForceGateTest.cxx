@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The force gate: every event in every state, against a table that is written by hand.
+ * The force gate: every event in every state, compared with a table that is written by hand.
  */
 
 #include "Core/Safety/ForceGate.h"
@@ -17,7 +17,7 @@ using namespace VolumeHaptics;
 namespace
 {
 
-/// A letter for each state with its reason.
+/// The letter of a state with its reason.
 struct Outcome
 {
   char Letter;
@@ -56,33 +56,33 @@ enum Event
 {
   Arm,            ///< while no force flows
   ArmFlowing,     ///< while force flows
-  ArmAmongOthers, ///< the same, together with other orders
+  ArmAmongOthers, ///< while force flows, together with other orders
   Disarm,
   FadeOut,
   Hold,
-  Release,       ///< while the hold may still fade
-  ReleaseAtRest, ///< once no force flows
+  Release,       ///< while the hold may still be fading
+  ReleaseAtRest, ///< when no force flows any more
   Silence,
   NotReady,
   Lost,
-  GapOver,       ///< samples were missing and are back; no force flows
+  GapOver,       ///< samples were missing and have returned; no force flows
   GapOn,         ///< samples are missing
   Force,         ///< a tick whose command is not zero
   NoForce,       ///< a tick whose command is zero
-  NoForceClosed, ///< the same, with the opening at its target
+  NoForceClosed, ///< a tick whose command is zero, with the opening at its target
   ClutchIn,
   ClutchOut,
   Jump, ///< a new model
   Events
 };
 
-/// The causes: f an ordered fade, s a fade since the owner is silent, h a hold, r a retreat, c a
-/// clutch, C a clutch after which the force returns. D, d, O and o stand for the shut states and
-/// for an open one.
+/// The causes: f an ordered fade, s a fade because the owner is silent, h a hold, r a retreat, c a
+/// clutch, C a clutch after which the force returns. D, d, O and o are the closed states and the
+/// open ones.
 struct Row
 {
   const char* Causes;
-  const char* Expected; ///< a letter an event
+  const char* Expected; ///< a letter for each event
 };
 // clang-format off
 constexpr Row Table[] = {
@@ -119,7 +119,7 @@ constexpr Row Table[] = {
   { "osr", "rrr" "DSS" "SSS" "NL" "SS" "SSU" "KS" "S" },
   { "osh", "HHH" "DSS" "SSS" "NL" "SS" "SSU" "KS" "S" },
   { "oshr", "HHH" "DSS" "SSS" "NL" "SS" "SSU" "KS" "S" },
-  // Clutched while no force was let through.
+  // The clutch was pressed while no force was let through.
   { "Dc", "KKK" "DDD" "DDD" "ND" "DD" "DDD" "DD" "D" },
   { "Dfc", "KKK" "DNN" "NNN" "NN" "NN" "NND" "NN" "N" },
   { "Dsc", "KKK" "DNN" "NNN" "NN" "NN" "NNN" "NN" "N" },
@@ -138,7 +138,7 @@ constexpr Row Table[] = {
   { "Ohc", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "OO" "O" },
   { "Ofhc", "OOO" "dOO" "OOO" "dO" "OO" "OOd" "OO" "O" },
   { "Oshc", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "OO" "O" },
-  // Clutched, and the force returns.
+  // The clutch was pressed, and the force returns.
   { "DC", "KKK" "DDK" "KKK" "NL" "KK" "KKK" "Kr" "K" },
   { "DhC", "KKK" "DDK" "KKK" "NL" "KK" "KKK" "KH" "K" },
   { "dC", "ddd" "ddd" "ddd" "dL" "dd" "ddd" "dr" "d" },
@@ -153,7 +153,7 @@ bool Has(const std::string& causes, char cause)
   return causes.find(cause) != std::string::npos;
 }
 
-/// The end of a tick, as SafetyStage reports it; the ramp stays unchanged.
+/// Reports the end of a tick as SafetyStage does. The ramp stays unchanged.
 void Tick(ForceGate& gate, bool flows, bool isStale = false)
 {
   if (!gate.IsOpen())
@@ -172,7 +172,8 @@ void Tick(ForceGate& gate, bool flows, bool isStale = false)
   gate.ReportCommand(flows);
 }
 
-/// Brings a gate into the state of a row; with a ramp from 0 to 1, and force or not in an open one.
+/// Brings a gate into the state of a row, with a ramp from 0 to 1. If the gate is open, `flows`
+/// tells whether force flows.
 ForceGate Make(const std::string& causes, double ramp, bool flows)
 {
   ForceGate gate;
@@ -200,7 +201,7 @@ ForceGate Make(const std::string& causes, double ramp, bool flows)
   }
   if (causes[0] == 'd' || (causes[0] == 'D' && causes.find_first_of("fs") != std::string::npos))
   {
-    gate.ReportNotReady(); // it leaves a fade unchanged
+    gate.ReportNotReady(); // leaves a fade unchanged
     Tick(gate, false);
   }
   else if (causes[0] == 'D' && !Has(causes, 'C'))
@@ -291,7 +292,7 @@ void Apply(ForceGate& gate, Event event)
   }
 }
 
-/// Whether the proxy has to begin at the tip afterwards.
+/// Returns whether the proxy must start at the tip afterwards.
 bool ExpectsRestart(const std::string& causes, Event event)
 {
   const bool isClutched = Has(causes, 'c') || Has(causes, 'C');
@@ -428,7 +429,7 @@ TEST(ForceGate, SharesRampAndOpening)
   gate.ReportCommand(true);
   EXPECT_EQ(gate.GetState(), GateState::Armed);
   EXPECT_EQ(gate.Pass(0.1), 1.0);
-  // The data go, and come back to two thirds.
+  // The data disappear, and return to two thirds.
   gate.ReportData(0.0, 0.25 * ForceGate::FadeTime);
   EXPECT_EQ(gate.Pass(0.1), 0.75);
   EXPECT_EQ(gate.GetReason(), GateReason::NoData);
@@ -436,7 +437,7 @@ TEST(ForceGate, SharesRampAndOpening)
   EXPECT_EQ(gate.Pass(0.1), 2.0 / 3.0);
   gate.ReportData(1.0, 0.25 * ForceGate::FadeTime);
   EXPECT_EQ(gate.GetReason(), GateReason::Rising);
-  // Twice as fast would be a jump.
+  // A larger step would be a jump.
   gate.ReportData(1.0, 0.25 * ForceGate::FadeTime);
   EXPECT_EQ(gate.Pass(0.1), 1.0);
   EXPECT_EQ(gate.GetReason(), GateReason::None);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The safety stage with StiffnessGain and TransientGain: whatever they add, the force grows by no
- * more than the slew limit, fades with the gate, and gives no energy.
+ * The safety stage with StiffnessGain and TransientGain: whatever they add, the force grows at most
+ * by the slew limit, fades with the gate, and gives no energy.
  */
 
 #include "SafetyRig.h"
@@ -18,7 +18,7 @@ using namespace servotest;
 
 namespace
 {
-constexpr double Soft = 1000.0; // N/m, that the loop holds by itself
+constexpr double Soft = 1000.0; // N/m that the loop holds by itself
 
 class Gains : public SafetyTest
 {
@@ -36,7 +36,7 @@ protected:
     this->Input.Stiffness = stiffness;
     this->Input.Feedback = augments ? Soft : 0.0;
   }
-  /// One tick with the tip at a height (m) over the wall.
+  /// Runs a tick with the tip at a height (m) above the wall.
   double Touch(double height)
   {
     this->Stage.Gate.ReportData(1.0, this->Input.Period);
@@ -45,7 +45,7 @@ protected:
     this->Input.Frequency = height < 0.0 ? this->Pitch : 0.0;
     return this->Apply({ 0.0, 0.0, this->Wall * this->Input.Stretch }).Z;
   }
-  /// Moves from here to a height (m) at a speed (m/s); the watcher judges each tick.
+  /// Moves the tip to a height (m) at a speed (m/s). The rig checks each tick.
   double Move(double height, double speed)
   {
     const double step = speed * this->Input.Period;
@@ -63,7 +63,8 @@ protected:
     }
     return this->Output.Z;
   }
-  /// Presses against a wall of ten times the stiffness, with so much debt that it is soft.
+  /// Presses against a wall of ten times the stiffness, and makes a debt so large that the wall is
+  /// soft.
   void PressInDebt()
   {
     this->SetWall(10.0 * Soft, true);
@@ -92,7 +93,7 @@ TEST_F(Gains, ARetreatBeginsAtWhatWasSent)
 TEST_F(Gains, AnAccountThatIsPaidAgainRaisesTheForceByTheSlewLimit)
 {
   this->PressInDebt();
-  this->Input.WallWork = 0.1; // of the whole force; a tenth is felt
+  this->Input.WallWork = 0.1; // work of the whole force, of which a tenth is felt
   this->Rest(1);
   this->Input.WallWork = 0.0;
   EXPECT_GT(this->Rest(30), 3.9);
@@ -146,7 +147,7 @@ TEST_F(Gains, AForceThatTurnsRoundGrowsFromZero)
   EXPECT_GT(this->Output.Z, 3.0);
   for (int i = 0; i < 5; ++i)
   {
-    this->Input.Tip.Z += 5e-5; // against the new push
+    this->Input.Tip.Z += 5e-5; // towards the new push
     this->Apply({ 0.0, 0.0, -5.0 });
   }
 }
@@ -162,7 +163,7 @@ TEST_F(Gains, DampingAndPulseFadeWithTheGate)
     this->Limits.TransientGain = augments ? 0.0 : 1.0;
     this->Stage.Arm();
     this->Move(0.02, 0.3);
-    this->Rest(600); // ends debts
+    this->Rest(600); // until debts have ended
     this->Move(-1e-3, 0.3);
     double most = 0.0;
     this->Stage.Gate.FadeOut();
@@ -201,7 +202,8 @@ TEST_F(Gains, APulsePaysNoDebtOfTheWall)
 
 TEST_F(Gains, WhatWasOffHasSeenNothing)
 {
-  // Above the wall with it, into it without it, and then it is switched on again.
+  // With the gain above the wall, without it into the wall, and there the gain is switched on
+  // again.
   for (const bool augments : { false, true })
   {
     const auto use = [&](bool isOn)
@@ -260,7 +262,8 @@ TEST_F(Gains, NoPulseBeforeTheRoundTripIsKnown)
 
 TEST(GainsAccount, APulseReckonsWithThePushOfTheWall)
 {
-  // A stylus of 50 g at rest in a wall of 5 N: p.dx of the next tick is at most what is there.
+  // A stylus of 50 g at rest in a wall of 5 N: the work of the pulse in the next tick is at most
+  // what the account has.
   constexpr double period = 1e-3;
   ContactTransient transient;
   TransientInput input;
@@ -296,8 +299,9 @@ struct Path
 };
 
 /**
- * Leads a tip through a wall of a stiffness (N/m), and returns the largest energy (J) that it ever
- * got in excess of what it put in: from the pulses alone, or from all, with b v^2 on its side.
+ * Leads a tip through a wall of a stiffness (N/m). Returns the largest energy (J) that the tip ever
+ * got beyond what it had put in: from the pulses alone, or from all forces, with the damping's b
+ * v^2 on its side.
  */
 double FindMostGiven(const Path& path, double stiffness, bool augments, double gain, bool isPulse)
 {
@@ -362,7 +366,8 @@ double FindMostGiven(const Path& path, double stiffness, bool augments, double g
 
 TEST(GainsAccount, APulseCountsForAsManyTicksAsItMayBeLate)
 {
-  // A measurement every 4 ticks of 1 ms, forces 4 ms late: any of the last 8 may have acted.
+  // Measurements every 4 ticks of 1 ms, and forces 4 ms late: any of the last 8 forces may have
+  // acted.
   ContactTransient transient;
   transient.Observe({}, 4e-3, 4e-3, 1e-3);
   for (int i = 0; i < 4; ++i)

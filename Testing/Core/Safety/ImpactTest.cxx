@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A mass without damping that flies against a spring, in closed loop through the safety stage: with
- * the slew limit it never leaves with more energy than without.
+ * A mass without damping flies against a spring, in closed loop through the safety stage. With the
+ * slew limit, it never leaves with more energy than without.
  *
- * The mass moves exactly as under a constant force in every tick: x += v T + a T^2 / 2, v += a T.
- * Undamped, a sampled spring feeds energy in by itself: the characteristic polynomial of x, v under
- * f = -k x held for T is z^2 - (2 - k T^2 / 2m) z + 1 + k T^2 / 2m, so that in a tick the energy
- * grows by 1 + k T^2 / 2m.
+ * In each tick, the mass moves exactly as under a constant force: x += v T + a T^2 / 2, v += a T.
+ * An undamped sampled spring adds energy by itself: the characteristic polynomial of x, v under f =
+ * -k x held for T is z^2 - (2 - k T^2 / 2m) z + 1 + k T^2 / 2m, so that in a tick the energy grows
+ * by 1 + k T^2 / 2m.
  */
 
 #include "Rigs/Impacts.h"
@@ -111,7 +111,7 @@ TEST(Impact, NoWallReturnsMoreToADeviceThatReportsSlowly)
 
 TEST(Impact, AWallThatTurnsReturnsNoMoreEither)
 {
-  // The inside of a tube: struck aslant, its force turns while the mass slides along.
+  // The inside of a tube, struck obliquely: the force turns while the mass slides along the wall.
   constexpr double radius = 0.01;
   const Field tube = [](const Vector3& x)
   {
@@ -135,9 +135,9 @@ TEST(Impact, AWallThatTurnsReturnsNoMoreEither)
 
 TEST(Impact, WorkLostToFrictionDoesNotHideWhatAWallIsOwed)
 {
-  // 40 J of friction along x, then a wall in the same contact. The friction never lets go, so the
-  // spring's stiffness says what can come back: of the spring that friction has stretched, too, 5 %
-  // of what the wall gets.
+  // 40 J of friction along x, then a wall in the same contact. The friction never ends, so the
+  // spring's stiffness tells what can come back. It also counts the spring that friction has
+  // stretched: 5 % of the wall's energy.
   constexpr double k = 3000.0;
   SafetyLimits limits;
   limits.MaximumForce = 8.0;
@@ -173,8 +173,8 @@ TEST(Impact, WorkLostToFrictionDoesNotHideWhatAWallIsOwed)
 
 TEST(Impact, DragDoesNotHideWhatAWallIsOwed)
 {
-  // As friction, of a force that no stiffness is known of: 5 N s/m at 0.1 m/s along x, 0.5 m before
-  // the wall.
+  // A drag like friction, from a force without a known stiffness: 5 N s/m at 0.1 m/s along x, 0.5 m
+  // in front of the wall.
   constexpr double k = 3000.0;
   const Vector3 drag{ -0.5, 0.0, 0.0 };
   const auto fly = [&](double rate)
@@ -207,8 +207,8 @@ TEST(Impact, DragDoesNotHideWhatAWallIsOwed)
 
 TEST(Impact, SlowGrowthGivesNothingBackThatWasNotPutIn)
 {
-  // A hand that is moved, quickly compared with the force. At the turn the force is what Paid /
-  // Work = 1 / 64 leaves of it, and may be found to be too much after one tick of the way back.
+  // A hand that moves quickly compared with the growth of the force. At the turn, the force is
+  // reduced to Paid / Work = 1 / 64; that this is still too much may be found one tick later.
   constexpr double k = 1000.0;
   constexpr double depth = 0.02;
   constexpr double speed = 0.5;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * No rule of the safety stage adds energy, alone or with the others: a hand that is led through a
- * conservative force field, in and out again, gets no more out of the stage than it put in.
+ * No rule of the safety stage adds energy, alone or with the others: a hand that is led into a
+ * conservative force field and out again gets no more energy from the stage than it has put in.
  */
 
 #include "Rigs/RandomPresses.h"
@@ -45,8 +45,9 @@ INSTANTIATE_TEST_SUITE_P(Rules, PassiveStage, testing::ValuesIn(AllStageRules),
 
 TEST(PassiveRetreat, GivesNoMoreThanTheHandPutIn)
 {
-  // A hand presses quickly, so that it works against a part of the wall only; the samples stay away
-  // until the force retreats, and come back while it does.
+  // The hand presses faster than the slew limit lets the force grow, so it does less work than the
+  // full wall would take. Then positions are missing until the gate retreats, and return while the
+  // force falls.
   constexpr double k = 3000.0;
   SafetyLimits limits;
   limits.MaximumForce = 8.0;

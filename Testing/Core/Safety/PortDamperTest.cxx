@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Damping at the port takes energy only, whatever the hand does.
+ * Damping at the port only takes energy, whatever the hand does.
  */
 
 #include "Core/Safety/PortDamper.h"
@@ -33,7 +33,7 @@ TEST(PortDamper, LeavesTheForceAsItIsUntilItIsEngaged)
 
 TEST(PortDamper, GivesNoEnergyWhateverTheHandDoes)
 {
-  // The hand is led by random swings of up to 60 Hz, and leaps now and then.
+  // The hand swings at random at up to 60 Hz, and sometimes leaps.
   for (unsigned seed = 0; seed < 300; ++seed)
   {
     std::mt19937 engine(seed);
@@ -55,7 +55,8 @@ TEST(PortDamper, GivesNoEnergyWhateverTheHandDoes)
       const double t = 2e-3 * std::acos(-1.0) * i;
       const Vector3 next{ leapt + size * std::sin(rate * t), size * std::cos(other * t), 0.0 };
       given += Dot(added, next - tip);
-      // The damper learns of it at the next measurement: of no more than one way of its force.
+      // The damper learns of the motion only at the next measurement, so its force may give the
+      // energy of one interval's way.
       most = std::max(most, Norm(added) * Norm(next - tip) * every);
       tip = next;
       if (i % every == 0)
@@ -87,7 +88,8 @@ TEST(PortDamper, TakesUpToTheLimitOfTheDevice)
     return 2.0 - sent.Z;
   };
   EXPECT_NEAR(damp(2.0), 0.2, 1e-12) << "0.1 m/s";
-  // B tau / m = 1/2: half of the measurement over 2 ms, a period and a tick on the way.
+  // B tau / m = 1/2. The delay is half of the measurement over 2 ms, plus a period and a tick of
+  // transport.
   EXPECT_NEAR(damp(0.0), 0.1 * 0.5 * PortDamper::LightMass / 3e-3, 1e-9);
   EXPECT_NEAR(damp(1e3), damp(0.0), 1e-12);
 }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A device that runs away against its force is found, and no honest one is: in closed form, and in
- * random sessions of a hand, a device and a wall (PortSessions.h).
+ * The observer finds a device that runs away against its force, and raises no alarm at honest
+ * devices: in closed form, and in random sessions of a hand, a device and a wall (PortSessions.h).
  *
- * With the sign wrong, a spring k on a mass m obeys x'' = +(k / m) x: x = a cosh(w t), w^2 = k / m.
+ * With a wrong sign, a spring k on a mass m obeys x'' = +(k / m) x: x = a cosh(w t), w^2 = k / m.
  * With the right sign, x = v / w sin(w t).
  */
 
@@ -32,7 +32,7 @@ struct Finding
   double Way = 0.0;  ///< m
 };
 
-/// The tip goes along -X, with a spring that pushes it along +X if x > 0.
+/// Moves the tip along -X, with a spring that pushes it along +X if x > 0.
 template <class Path>
 Finding Follow(double stiffness, double duration, const Path& path)
 {
@@ -73,7 +73,7 @@ TEST(PortObserver, FindsNothingInASpringWithTheRightSign)
     for (const double k : { 100.0, 1000.0, 5000.0 })
     {
       const double rate = std::sqrt(k / mass);
-      // Flies in, turns in the spring, and flies out.
+      // The tip flies in, turns in the spring, and flies out.
       const auto bounce = [&](double t)
       {
         const double phase = rate * (t - 0.02);
@@ -87,7 +87,7 @@ TEST(PortObserver, FindsNothingInASpringWithTheRightSign)
 
 TEST(PortObserver, FindsNothingInAHandThatIsStrongerThanTheForce)
 {
-  // At any speed, with 11.9 m/s^2 from rest, and with a rebound of 1 m/s.
+  // Motions that raise no alarm: constant speed, 11.9 m/s^2 from rest, and a rebound at 1 m/s.
   EXPECT_FALSE(Follow(500.0, 0.1, [](double t) { return 1.0 * t; }).IsFound);
   EXPECT_FALSE(Follow(500.0, 0.3, [](double t) { return 0.5 * 11.9 * t * t; }).IsFound);
   EXPECT_FALSE(Follow(500.0, 0.3, [](double t) { return 0.05 - std::fabs(t - 0.1); }).IsFound);
@@ -141,7 +141,7 @@ TEST(PortObserver, FindsDevicesThatRunAwayWithoutAHand)
 
 TEST(PortObserver, IsAskedOnlyIfForcesMoveTheTip)
 {
-  // A path that is played runs through the force as it likes.
+  // A recorded path ignores the force, so it may run through it in any direction.
   for (const bool moves : { false, true })
   {
     SafetyLimits limits;

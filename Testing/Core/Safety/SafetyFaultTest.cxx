@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Faults cut the force, and hold it cut until the user arms again.
+ * Faults cut the force, and the force stays cut until the user arms again.
  */
 
 #include "SafetyRig.h"
@@ -54,7 +54,7 @@ TEST_F(SafetyFaults, TipsThatAreNotFinite)
 TEST_F(SafetyFaults, OverSpeed)
 {
   this->Activate(Force);
-  // 2.4 m/s are allowed, 2.6 are not.
+  // 2.4 m/s are allowed; 2.6 m/s are not.
   for (int i = 0; i < 50; ++i)
   {
     this->Input.Tip.X += 0.0024;
@@ -68,7 +68,7 @@ TEST_F(SafetyFaults, OverSpeed)
 TEST_F(SafetyFaults, OverSpeedGoesByTheTimeThatPassed)
 {
   this->Activate(Force);
-  // Ten ticks late, and ten times as far.
+  // The sample is ten times as late, and the tip may move ten times as far.
   this->Input.Elapsed = 0.01;
   this->Input.Tip.X += 0.024;
   this->Apply(Force);
@@ -81,7 +81,7 @@ TEST_F(SafetyFaults, OverSpeedGoesByTheTimeThatPassed)
 TEST_F(SafetyFaults, OverSpeedIsNotMadeUpByALateWakeUp)
 {
   this->Activate(Force);
-  // A device that moves 2 m/s by its own clock, read late and then on time again.
+  // By its own clock, the device moves at 2 m/s; it is read late and then on time again.
   for (int i = 0; i < 20; ++i)
   {
     this->Input.Elapsed = i % 2 == 0 ? 0.0019 : 0.0001;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A safety stage that is driven tick by tick, and watched: whatever happens, its output is finite,
- * within the maximum, and grows by at most the slew limit.
+ * A safety stage that is driven and checked tick by tick: its output must be finite, within the
+ * maximum, and grow at most by the slew limit.
  */
 #ifndef SafetyRig_h
 #define SafetyRig_h
@@ -39,7 +39,7 @@ protected:
     this->Input.Fresh = true;
   }
 
-  /// One tick with this force wanted.
+  /// Runs one tick with this wanted force.
   Vector3 Apply(const Vector3& force)
   {
     this->Input.Force = force;
@@ -61,7 +61,7 @@ protected:
     return this->Output;
   }
 
-  /// Armed, and through the ramp with this force.
+  /// Arms, and waits through the ramp with this force.
   void Activate(const Vector3& force)
   {
     this->Stage.Arm();
@@ -69,7 +69,7 @@ protected:
     ASSERT_LT(Norm(this->Output - force), 1e-12);
   }
 
-  /// Cut at once, with a fault that holds until the stage is armed again.
+  /// Expects that the force is cut at once, with a fault that holds until the stage is armed again.
   void ExpectLatched(GateReason fault, const Vector3& force)
   {
     EXPECT_TRUE(IsZero(this->Output));

@@ -39,7 +39,7 @@ TEST_F(Safety, NothingLeavesWithoutAMaximum)
 TEST_F(Safety, EnormousForcesStayFinite)
 {
   this->Stage.Arm();
-  this->Repeat({ 1e300, -1e300, 1e308 }, 1000); // watched by Apply
+  this->Repeat({ 1e300, -1e300, 1e308 }, 1000); // Apply() checks each tick
 }
 
 TEST_F(Safety, GrowsAtTheLimitAndFallsAtOnce)
@@ -67,7 +67,7 @@ TEST_F(Safety, AForceThatIsReversedGrowsFromZero)
 
 TEST_F(Safety, AForceThatTurnsKeepsItsPartAlongTheNewDirection)
 {
-  // By a right angle: nothing. By 60 degrees: half.
+  // If the force turns by a right angle, nothing of it counts; if by 60 degrees, half of it counts.
   this->Activate({ 0.0, 0.0, 4.0 });
   EXPECT_NEAR(this->Apply({ 4.0, 0.0, 0.0 }).X, 0.5, 1e-12);
   EXPECT_EQ(this->Output.Z, 0.0);
@@ -84,7 +84,7 @@ TEST_F(Safety, AForceThatTurnsSlowlyIsWhatIsWantedToTheBit)
   {
     const double angle = i * std::acos(-1.0) / 180.0;
     const Vector3 wanted{ 3.9 * std::cos(angle), 3.9 * std::sin(angle), 0.0 };
-    this->Input.Tip = 0.001 * wanted; // moves, along and across
+    this->Input.Tip = 0.001 * wanted; // moves along the force and across it
     const Vector3 output = this->Apply(wanted);
     ASSERT_TRUE(output.X == wanted.X && output.Y == wanted.Y) << "in tick " << i;
   }
@@ -100,7 +100,7 @@ TEST_F(Safety, GrowsNeverTooFastWhateverIsWanted)
     const auto draw = [&engine] { return static_cast<double>(engine() % 2001) / 100.0 - 10.0; };
     const double shift = 1e-4 * draw();
     this->Input.Tip += Vector3{ shift, -shift, 0.5 * shift };
-    this->Apply({ draw(), draw(), draw() }); // watched by Apply
+    this->Apply({ draw(), draw(), draw() }); // Apply() checks each tick
   }
 }
 
@@ -149,7 +149,7 @@ TEST_F(Safety, StaleSamplesLeadToZeroAndRampInAgain)
   const Vector3 force{ 3.0, 0.0, 0.0 };
   this->Activate(force);
   this->Input.Fresh = false;
-  // Up to the watchdog's time the last force is held.
+  // Until the watchdog's time, the last force is held.
   EXPECT_EQ(Norm(this->Repeat(force, 29)), 3.0);
   EXPECT_FALSE(this->Stage.IsStale());
   this->Repeat(force, 2);
@@ -207,7 +207,7 @@ TEST_F(Safety, ARetreatPushesNoHandThatIsKnownToBeElsewhere)
     ASSERT_LT(left, 3.0);
     EXPECT_NEAR(this->Apply(wanted).X, left - 0.5, 1e-12) << "as long as it is not known";
     this->Input.Fresh = true;
-    // In the direction of what is wanted now: the part of the last force along it counts.
+    // The force has the direction of the wanted force. The part of the last force along it counts.
     const double along = std::max(0.0, (left - 0.5) * wanted.X);
     const double norm = along > 0.0 ? std::min(left - 1.0, along / Norm(wanted)) : 0.0;
     const Vector3 sent = this->Apply(wanted);

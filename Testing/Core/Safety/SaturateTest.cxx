@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Joint commands are scaled down together.
+ * The commands of all joints are scaled down by the same factor.
  */
 
 #include "SafetyRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The torque that leaves: within its bound, never growing faster than its limit, only while force
- * may flow, and with no more energy than the hand has put in.
+ * The outgoing torque stays within its bound, grows at most by its limit, acts only while force may
+ * flow, and gives no more energy than the hand has put in.
  */
 
 #include "Core/Safety/TorqueStage.h"
@@ -79,7 +79,7 @@ TEST_F(Torques, FlowOnlyWhileForceMayFlow)
   this->Gated.Arm();
   this->Repeat(torque, 200);
   this->Gated.Gate.FadeOut();
-  // The gate fades by the data's opening, which the servo tells it each tick.
+  // The gate fades by the opening of the data, which the servo reports in each tick.
   for (int i = 0; i < 60; ++i)
   {
     this->Gated.Gate.ReportData(1.0, 1e-3);
@@ -132,9 +132,9 @@ TEST_F(Torques, EndAtOnceWithoutSamples)
   EXPECT_NEAR(ticks, 1000.0 * this->Limits.WatchdogTime, 2.0);
 }
 
-/// A spring of k_r about an axis, that is turned into while the ramp rises or the growth is
-/// limited, and back again: the hand gets no more than it has put in. The device holds the torque
-/// of a tick until the next one, which leaks k_r dtheta^2/2 a tick even without the stage.
+/// A spring of k_r about an axis. The hand turns into it while the ramp rises or the growth is
+/// limited, and back again: it gets no more energy than it has put in. The device holds the torque
+/// of a tick until the next one, which leaks k_r dtheta^2/2 per tick even without the stage.
 TEST_F(Torques, GiveNoMoreThanTheHandPutIn)
 {
   constexpr double k = 0.5; // N m/rad
@@ -153,7 +153,7 @@ TEST_F(Torques, GiveNoMoreThanTheHandPutIn)
     const int in = 5 + static_cast<int>(100.0 * uniform(engine));
     const int wait = static_cast<int>(150.0 * uniform(engine));
     const int out = 5 + static_cast<int>(200.0 * uniform(engine));
-    double given = 0.0; // J, to the hand
+    double given = 0.0; // J, given to the hand
     double leak = 0.0;  // J
     double before = 0.0;
     const auto turn = [&](double angle)
