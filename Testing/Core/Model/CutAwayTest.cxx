@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Where a cut leaves a volume, and how far its faces are: from the definitions of planes and of
- * VTK's 27 cropping regions, in an oblique image with voxels of three lengths.
+ * Where a cut keeps a volume, and how far away its faces are, compared with the definitions of
+ * planes and of VTK's 27 cropping regions, in an oblique image with three different spacings.
  */
 
 #include "Core/Model/CutAway.h"
@@ -20,7 +20,8 @@ using namespace VolumeHaptics;
 
 namespace
 {
-/// Turned by 30 degrees about z and 40 degrees about the new x; voxels of 0.5, 1 and 2.
+/// Returns an image rotated by 30 degrees about z and 40 degrees about the new x, with spacings
+/// 0.5, 1 and 2.
 Affine3 ObliqueImage()
 {
   const double a = std::acos(-1.0) / 6.0;
@@ -60,8 +61,8 @@ TEST_F(CutAwayPlaces, APlaneIsAsFarAsItsEquationSays)
   }
 }
 
-// The face is halfway between the voxels 4 and 5 along the first axis, along which voxels are 0.5
-// long. The region begins at (2, 1, 0) of the whole.
+// The face is halfway between the voxels 4 and 5 along the first axis, whose spacing is 0.5. The
+// region begins at (2, 1, 0) of the whole.
 TEST_F(CutAwayPlaces, AHiddenVoxelEndsHalfwayToTheNextOne)
 {
   constexpr std::int64_t size[3] = { 8, 6, 4 };
@@ -127,7 +128,7 @@ TEST_F(CutAwayPlaces, RegionsKeepWhatTheirFlagsSay)
     }
     regions.Kept = static_cast<std::uint32_t>(this->Engine()) & (CutRegions::All >> 1);
     const CutAway cut({}, regions, this->Image, false);
-    // vtkVolumeMapper::SetCroppingRegionFlags: the first axis is the fastest.
+    // As in vtkVolumeMapper::SetCroppingRegionFlags(), the first axis varies fastest.
     const auto isKept = [&](const Vector3& i)
     {
       const double c[3] = { i.X, i.Y, i.Z };
@@ -147,8 +148,8 @@ TEST_F(CutAwayPlaces, RegionsKeepWhatTheirFlagsSay)
       {
         continue;
       }
-      // The face lies where it is said to lie: a little before it all is as here, and a little
-      // behind it is not.
+      // The face is where it is reported: slightly in front of it, the state is that of the
+      // position, and slightly behind it is the other one.
       ++faces;
       EXPECT_NEAR(Norm(place.Normal), 1.0, 1e-12);
       const auto at = [&](double fraction)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The wall in front of forbidden labels stands where geometry says: closed forms of balls,
+ * The wall in front of forbidden labels is where geometry places it: closed forms of balls,
  * cylinders and planes.
  */
 
@@ -37,7 +37,7 @@ TestVolume MakeLabels(std::int64_t side, const std::function<int(const Vector3&)
   return volume;
 }
 
-/// Evenly spread over the sphere.
+/// Returns one of `count` directions that are spread evenly over the sphere.
 Vector3 Direction(int i, int count)
 {
   const double z = 1.0 - (2.0 * i + 1.0) / count;
@@ -49,7 +49,8 @@ Vector3 Direction(int i, int count)
 
 TEST(ForbiddenZone, StandsOffFromABall)
 {
-  // L5: on voxels of 1 mm, 2 mm in front of a ball of R, the hand is held at R + 2 +- 0.1 voxel.
+  // L5: with voxels of 1 mm and a stand-off of 2 mm in front of a ball of radius R, the hand is
+  // held at R + 2 +- 0.1 voxel.
   for (const double ball : { 8.0, 14.0 })
   {
     const Vector3 centre{ 24.13, 23.69, 24.42 };
@@ -102,7 +103,7 @@ TEST(ForbiddenZone, StandsOffFromABall)
 
 TEST(ForbiddenZone, KnowsAnisotropicVoxels)
 {
-  // A half space that ends at z = 10 world units, on voxels of 0.5 x 1 x 2.
+  // A half-space that begins at z = 10 world units, on voxels of 0.5 x 1 x 2.
   const TestVolume labels = MakeLabels(24, [](const Vector3& x) { return x.Z >= 6.0 ? 3 : 0; });
   const LabelView view(labels.View);
   Affine3 map;
@@ -120,7 +121,7 @@ TEST(ForbiddenZone, KnowsAnisotropicVoxels)
 
 TEST(ForbiddenZone, StandsOffFromASlab)
 {
-  // Of four voxels, from z = 11.5 to 15.5, with both faces near one another.
+  // A layer of four voxels, from z = 11.5 to 15.5, whose faces are close to each other.
   const TestVolume labels =
     MakeLabels(28, [](const Vector3& x) { return x.Z > 11.5 && x.Z < 15.5 ? 1 : 0; });
   const LabelView view(labels.View);
@@ -133,7 +134,7 @@ TEST(ForbiddenZone, StandsOffFromASlab)
 
 TEST(ForbiddenZone, StandsOffFromAVessel)
 {
-  // A cylinder along x of 2.5 and of 1.5 voxels, which smoothing alone would make thinner.
+  // Cylinders along x with radii of 2.5 and 1.5 voxels, which smoothing alone would make thinner.
   for (const double radius : { 2.5, 1.5 })
   {
     const TestVolume labels = MakeLabels(
@@ -155,7 +156,8 @@ TEST(ForbiddenZone, StandsOffFromAVessel)
 
 TEST(ForbiddenZone, KeepsThinVesselsAndSpecks)
 {
-  // One voxel thick along x; and one voxel alone. Half a voxel around each is forbidden, at least.
+  // A line along x, one voxel thick, and a single voxel. At least half a voxel around each is
+  // forbidden.
   const TestVolume labels = MakeLabels(40,
     [](const Vector3& x) {
       return (x.Y == 10.0 && x.Z == 10.0) || (x.X == 30.0 && x.Y == 30.0 && x.Z == 30.0) ? 1 : 0;

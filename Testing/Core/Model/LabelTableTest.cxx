@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The table of labels finds what was put into it, and only that. The model is std::map.
+ * The table of labels finds what was put into it, and nothing else. It is compared with std::map.
  */
 
 #include "Core/Model/BakedLabels.h"
@@ -37,8 +37,8 @@ TEST(LabelTable, FindsAMillionLabelsOfAllSignsAndSizes)
 {
   std::mt19937_64 engine(5);
   std::map<std::int64_t, double> model;
-  // A run, as segmentations have them; multiples of a power of two, which a poor hash piles up; and
-  // any numbers.
+  // A run of labels, as in segmentations; multiples of a power of two, for which a poor hash has
+  // collisions; and random numbers.
   for (std::int64_t i = 0; i < 400000; ++i)
   {
     model[i - 200000] = static_cast<double>(i);
@@ -89,7 +89,7 @@ TEST(LabelTable, MixesByFractionsAndLeavesTheRestToTheFunctions)
     labels.Mix({ x, 0.5, 0.5 }, 1, memory, values);
     return values;
   };
-  // Label 0 has no entry, 10 has k and T_N, 20 is not felt.
+  // Label 0 has no entry, label 10 has k and T_N, and label 20 is not felt.
   EXPECT_EQ(mixed(0.0), functions);
   EXPECT_EQ(mixed(1.0), (MaterialTable::Values{ 200.0, 0.3, 1.0, 0.7, 1.0 }));
   EXPECT_EQ(mixed(2.0), (MaterialTable::Values{ 900.0, 0.3, 0.0, 0.0, 1.0 }));
@@ -107,7 +107,7 @@ TEST(LabelTable, MixesByFractionsAndLeavesTheRestToTheFunctions)
 
 TEST(LabelTable, RemembersACellOnlyIfItIsStillTheSame)
 {
-  // Two label images with tables of their own; blocks of three voxels have one label.
+  // Two label images with their own tables. Blocks of three voxels have one label.
   constexpr std::int64_t side = 12;
   std::vector<TestVolume> volumes;
   std::vector<BakedLabels> labels(2);
@@ -133,7 +133,7 @@ TEST(LabelTable, RemembersACellOnlyIfItIsStillTheSame)
     double* const axes[] = { &at.X, &at.Y, &at.Z };
     for (double* const axis : axes)
     {
-      // Back from two voxels beyond the image, and onto voxels now and then.
+      // Turn back two voxels beyond the image, and sometimes round to a voxel.
       *axis = *axis < -2.0 ? -1.0 : *axis > side + 1.0 ? side - 1.0 : *axis;
       *axis = dice(engine) == 0 ? std::round(*axis) : *axis;
     }

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Walls between labels are those of a slow reference, in random volumes.
+ * Walls between labels equal those of a slow reference, in random volumes.
  *
- * The reference knows the equations of LabelWalls.h and GradientKernel.h, and nothing of the module
- * but the interface: it computes the window at every tap with exp(), adds up the fraction of each
- * label in a map, voxel by voxel, and takes the slopes of the weights from central differences.
+ * The reference knows the equations of LabelWalls.h and GradientKernel.h, and only the module's
+ * interface. It computes the window at every tap with exp(), sums the fraction of each label in a
+ * map, voxel by voxel, and takes the slopes of the weights from central differences.
  */
 
 #include "Core/Law/MaterialLaw.h"
@@ -28,7 +28,8 @@ namespace
 using Index = std::array<std::int64_t, 3>;
 using Entries = std::map<std::int64_t, LabelledMaterial>;
 
-/// From soft to hard: not felt, without an entry, with one; then T_N, k and the number.
+/// Order from soft to hard: not felt, without an entry, with an entry; then by T_N, k and the
+/// label.
 using Hardness = std::tuple<int, double, double, std::int64_t>;
 
 Hardness HardnessOf(const Entries& entries, std::int64_t label)
@@ -43,7 +44,7 @@ Hardness HardnessOf(const Entries& entries, std::int64_t label)
   return material.IsFelt ? Hardness{ 2, value(2), value(0), label } : Hardness{ 0, 0.0, 0.0, 0 };
 }
 
-/// The fitted value's weights of a Gaussian that ends at c with its slope.
+/// Returns the weights of the smoothed value: a Gaussian whose value and slope are zero at c.
 std::vector<double> Weights(int radius, double fraction)
 {
   const double c = radius + 1.0;
@@ -177,7 +178,7 @@ private:
   std::mt19937_64 Engine;
 };
 
-/// Anywhere in an image: also on voxels, at faces, edges and corners.
+/// Returns a position anywhere in an image, including voxels, faces, edges and corners.
 Vector3 DrawPosition(Draw& draw, const Index& size)
 {
   double x[3];
@@ -206,14 +207,14 @@ LabelledMaterial Entry(std::int64_t label, Draw& draw)
 {
   LabelledMaterial entry;
   entry.Label = label;
-  // Few values, so that labels also differ in one of them only, or not at all.
+  // Few values, so that some labels differ in one value only, or not at all.
   entry.Material.Value = { 100.0 * double(draw.Below(3)), 0.0, 0.5 * double(draw.Below(3)), 0.0 };
   entry.Material.IsSet = { draw.Below(4) > 0, false, draw.Below(4) > 0, false };
   entry.Material.IsFelt = draw.Below(5) > 0;
   return entry;
 }
 
-/// Compares at random positions; returns at how many of them there was a wall.
+/// Compares at random positions. Returns the number of positions at which there was a wall.
 int Compare(
   const TestVolume& volume, const Entries& entries, int radius, int positions, unsigned seed)
 {
@@ -236,7 +237,7 @@ int Compare(
     }
     ++there;
     EXPECT_NEAR(std::abs(wall.Value), std::abs(expected.Value), 1e-8);
-    // If another wall is as near, either may count.
+    // If two walls are equally near, either may be found.
     if (expected.SecondValue - std::abs(expected.Value) > 1e-7)
     {
       EXPECT_NEAR(wall.Value, expected.Value, 1e-8);
@@ -246,7 +247,7 @@ int Compare(
   return there;
 }
 
-/// Cubes of a few voxels, of random labels out of a list.
+/// Returns cubes of a few voxels with random labels from a list.
 TestVolume MakeCubes(ScalarType type, const Index& size, std::int64_t step, std::int64_t cube,
   const std::function<std::int64_t(std::int64_t)>& label)
 {
@@ -284,7 +285,7 @@ TEST(LabelWallsReference, AgreesForEveryTypeAndLayout)
         ++seed;
         SCOPED_TRACE(testing::Message()
           << "type " << static_cast<int>(type) << " step " << step << " labels " << labels);
-        // Negative ones, too, where the type has them.
+        // Include negative labels, if the type has them.
         const std::int64_t least = IsSigned(type) ? -(labels / 2) : 0;
         const TestVolume volume = MakeCubes(type, size, step, 4,
           [&](std::int64_t cube) { return least + Mix(cube + seed) % labels; });
@@ -317,7 +318,8 @@ TEST(LabelWallsReference, AgreesForOtherRadii)
 
 TEST(LabelWallsReference, AgreesInNoise)
 {
-  // Two labels, voxel by voxel; and so many that a look meets most of them.
+  // Labels that change from voxel to voxel: two labels, and so many that one evaluation meets most
+  // of them.
   for (const std::int64_t labels : { 2, 30 })
   {
     SCOPED_TRACE(labels);
@@ -348,7 +350,7 @@ TEST(LabelWallsReference, AgreesWithAMillionLabelsInTheTable)
   {
     entries.emplace_hint(entries.end(), label, Entry(label, draw));
   }
-  // At most 27 in one look.
+  // At most 27 labels in one evaluation.
   const TestVolume volume = MakeCubes(ScalarType::Int32, { 40, 40, 40 }, 1, 4,
     [](std::int64_t cube) { return Mix(cube) % count - count / 2; });
   EXPECT_GT(Compare(volume, entries, 3, 200, 19), 190);
@@ -356,7 +358,7 @@ TEST(LabelWallsReference, AgreesWithAMillionLabelsInTheTable)
 
 TEST(LabelWallsReference, MemoryOfTheLastLookChangesNothing)
 {
-  // A walk of small steps, in turns through two images that share one memory.
+  // A walk of small steps, alternating between two images that share one memory.
   const auto make = [](std::int64_t labels)
   {
     return MakeCubes(ScalarType::UInt8, { 30, 30, 30 }, 1, 15,
@@ -389,7 +391,7 @@ TEST(LabelWallsReference, MemoryOfTheLastLookChangesNothing)
 
 TEST(LabelWallsReference, AgreesWithTheSurfaceOfAnAnisotropicLabelImage)
 {
-  // As a solver sees it: on the device's axes a gradient is divided by the spacing.
+  // The wall as a solver gets it: along the device's axes, the gradient is divided by the spacing.
   const Vector3 spacing{ 0.6, 1.0, 2.5 };
   const TestVolume scalars = MakeRamp(40);
   const TestVolume volume = MakeCubes(
@@ -424,7 +426,8 @@ TEST(LabelWallsReference, AgreesWithTheSurfaceOfAnAnisotropicLabelImage)
     EXPECT_NEAR(surface.Value, expected.Value, 1e-8);
     EXPECT_NEAR(surface.GradientMagnitude, Norm(gradient), 1e-6);
     EXPECT_LT(Norm(surface.Normal - (1.0 / Norm(gradient)) * gradient), 1e-4);
-    // Of the kernel's radius of 2, in voxels along the normal, of the coarser image there.
+    // The reach is the kernel radius of 2 in voxels along the normal, in the image that is coarser
+    // there.
     const Vector3 n = surface.Normal;
     const double voxels =
       std::min(1.0, Norm({ n.X / spacing.X, n.Y / spacing.Y, n.Z / spacing.Z }));

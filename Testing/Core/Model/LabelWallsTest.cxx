@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Walls between labels lie where they should, and their normals point where they should. The
- * expectations are closed forms (planes, balls, sheets) and, for the errors that voxels leave, the
- * figures of a prototype that weighted binary balls by Gaussians of s = 1, 1.5 and 2 voxels.
+ * Walls between labels have the right positions and normals. The expectations are closed forms
+ * (planes, balls, sheets) and, for the errors due to voxels, the figures of a prototype that
+ * weighted binary balls by Gaussians of s = 1, 1.5 and 2 voxels.
  */
 
 #include "Core/Model/LabelWalls.h"
@@ -34,7 +34,7 @@ TestVolume MakeLabels(std::int64_t side, const std::function<int(const Vector3&)
   return volume;
 }
 
-/// The distance from a centre at which a wall is met along a direction.
+/// Returns the distance from a centre to the wall along a direction.
 double FindWall(const LabelWalls& walls, const Vector3& centre, const Vector3& direction,
   double inside, double outside)
 {
@@ -46,7 +46,7 @@ double FindWall(const LabelWalls& walls, const Vector3& centre, const Vector3& d
   return inside;
 }
 
-/// Evenly spread over the sphere.
+/// Returns one of `count` directions that are spread evenly over the sphere.
 Vector3 Direction(int i, int count)
 {
   const double z = 1.0 - (2.0 * i + 1.0) / count;
@@ -65,7 +65,7 @@ LabelledMaterial WithStrength(std::int64_t label, double strength, bool isFelt =
   return entry;
 }
 
-/// Errors of a ball's wall: of the normal (degrees), and of the place (voxels).
+/// Errors of a ball's wall: normal (degrees) and position (voxels).
 struct BallErrors
 {
   double Mean = 0.0;
@@ -104,7 +104,8 @@ BallErrors MeasureBall(double ball, int kernelRadius)
 
 TEST(LabelWalls, OfBallsAreAsGoodAsThePrototype)
 {
-  // L2. Scale, and for balls of 20 and 6 voxels: normal mean and worst, place rms.
+  // L2: scale, and for balls of 20 and 6 voxels the mean and largest error of the normal and the
+  // RMS error of the position.
   struct Row
   {
     int KernelRadius;
@@ -125,12 +126,12 @@ TEST(LabelWalls, OfBallsAreAsGoodAsThePrototype)
       SCOPED_TRACE(testing::Message()
         << "s = " << row.Scale << ", ball of " << balls[b] << ": mean " << errors.Mean << ", worst "
         << errors.Worst << ", rms " << errors.Rms << ", shift " << errors.Shift);
-      // The kernel ends, where the prototype's Gaussian does not: it is 5 % to 11 % narrower or
-      // wider, and balls that lie elsewhere between voxels have other worst places.
+      // The kernel has an end, unlike the prototype's Gaussian: it is 5 % to 11 % narrower or
+      // wider. Balls at other positions between voxels have other largest errors.
       EXPECT_LT(errors.Mean, 1.3 * row.Mean[b]);
       EXPECT_LT(errors.Worst, 1.35 * row.Worst[b]);
       EXPECT_LT(errors.Rms, 1.3 * row.Rms[b] + 0.03);
-      // The closed form of the shift is s^2 / R, with the kernel's own standard deviation.
+      // The closed form of the shift is s^2 / R, with s the kernel's standard deviation.
       const double deviation = 0.355 * (row.KernelRadius + 1);
       EXPECT_NEAR(errors.Shift, -deviation * deviation / balls[b], 0.03 + 0.1 * row.Rms[b]);
     }
@@ -139,7 +140,7 @@ TEST(LabelWalls, OfBallsAreAsGoodAsThePrototype)
 
 TEST(LabelWalls, OfPlanesAreExact)
 {
-  // Between the voxels 7 and 8 of each axis.
+  // The wall is between the voxels 7 and 8 of each axis.
   for (int axis = 0; axis < 3; ++axis)
   {
     const auto along = [axis](const Vector3& x) { return axis == 0 ? x.X : axis == 1 ? x.Y : x.Z; };
@@ -157,7 +158,7 @@ TEST(LabelWalls, OfPlanesAreExact)
       EXPECT_NEAR(wall.Value, 0.0, 1e-9);
       EXPECT_NEAR(Norm(wall.Gradient - Dot(wall.Gradient, normal) * normal), 0.0, 1e-9);
       EXPECT_GT(Dot(wall.Gradient, normal), 0.0) << "into the higher number";
-      // On the way through, the value is that of a smoothed step, and antisymmetric.
+      // Across the wall, the value is that of a smoothed step, and antisymmetric.
       EXPECT_NEAR(
         walls.Compute(on + 0.9 * normal).Value, -walls.Compute(on - 0.9 * normal).Value, 1e-9);
       EXPECT_GT(walls.Compute(on + 0.9 * normal).Value, 0.3);
@@ -167,7 +168,7 @@ TEST(LabelWalls, OfPlanesAreExact)
 
 TEST(LabelWalls, HaveTheGradientOfTheirValue)
 {
-  // By central differences of the value, in a heap of labels.
+  // The gradient equals central differences of the value, in a volume with many labels.
   std::mt19937_64 engine(3);
   const TestVolume volume = MakeLabels(
     20, [&](const Vector3& x) { return int(x.X / 5) + 4 * int(x.Y / 7) - int(x.Z / 6); },
@@ -189,7 +190,7 @@ TEST(LabelWalls, HaveTheGradientOfTheirValue)
       const Vector3 step{ axis == 0 ? h : 0.0, axis == 1 ? h : 0.0, axis == 2 ? h : 0.0 };
       const LabelWall ahead = walls.Compute(x + step);
       const LabelWall behind = walls.Compute(x - step);
-      // Where the nearest wall changes, the value does.
+      // Skip positions where the value leaps because the nearest wall changes.
       isOne = ahead.IsThere && behind.IsThere && std::abs(ahead.Value - behind.Value) < 10.0 * h;
       (axis == 0      ? slope.X
           : axis == 1 ? slope.Y
@@ -226,7 +227,7 @@ TEST(LabelWalls, LeadIntoTheHarderLabel)
 
 TEST(LabelWalls, OfSheetsAreThereFromTheirLeastThicknessOn)
 {
-  // Between equal labels a sheet of w voxels has a fraction of erf(w / (sqrt(8) s)) at its middle.
+  // A sheet of w voxels between equal labels has the fraction erf(w / (sqrt(8) s)) in its middle.
   for (const int thickness : { 1, 2, 3, 4 })
   {
     const TestVolume volume =

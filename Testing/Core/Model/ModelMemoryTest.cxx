@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The memory that a model needs beyond the image: under 1 MiB, and no more for a large image.
+ * The memory that a model needs in addition to the image: less than 1 MiB, and no more for a large
+ * image.
  */
 
 #include "Rigs/AllocationCounter.h"
@@ -17,19 +18,19 @@ using namespace coretest;
 namespace
 {
 constexpr std::size_t MiB = 1048576;
-/// Memory that the allocator may add to a handful of blocks.
+/// Bytes that the allocator may add to a handful of blocks.
 constexpr std::size_t Rounding = 8192;
 
 class ModelMemory : public testing::TestWithParam<std::tuple<GradientEstimator, int>>
 {
 protected:
-  /// Bytes that come with a model, as the allocator sees them.
+  /// Returns the bytes that the allocator counts for a model.
   std::size_t Measure(const HapticModelDescription& description)
   {
     const std::size_t before = CountAllocations().LiveBytes;
     const auto model = std::make_unique<const HapticModel>(description);
     const std::size_t bytes = CountAllocations().LiveBytes - before;
-    // The model's own figure is the memory that it takes, up to the allocator's rounding.
+    // The model's own figure equals this, up to the allocator's rounding.
     EXPECT_LE(model->GetMemorySize(), bytes);
     EXPECT_GE(model->GetMemorySize() + Rounding, bytes);
     return bytes;
@@ -47,7 +48,7 @@ TEST_P(ModelMemory, UnderOneMebibyteWhateverTheImage)
   const std::size_t small = this->Measure(description);
   EXPECT_LT(small, MiB);
 
-  // A model only borrows the samples; so far nothing reads them.
+  // A model only refers to the samples, and nothing reads them here.
   for (std::int64_t& n : description.View.Dimensions)
   {
     n = 2048;
@@ -71,7 +72,7 @@ TEST_P(ModelMemory, UnderOneMebibyteWithDetailedMaterials)
   {
     line->clear();
     ++shift;
-    // Far more than a person draws, and no break point shared.
+    // Far more break points than a person draws, all different.
     for (int i = 0; i < 256; ++i)
     {
       line->push_back({ 10.0 * i + shift, (i % 10) * 0.1 });

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Nearest points and swept spheres beside what is found the long way.
+ * Nearest points and swept spheres, compared with slow searches.
  */
 
 #include "Rigs/MeshScene.h"

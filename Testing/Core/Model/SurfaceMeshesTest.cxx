@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Meshes as they come: coarse, sharp, cracked, overlapped, or none; and hands as fast as they get.
+ * Meshes as they occur: coarse, sharp, cracked, overlapping or empty; with hands at high speeds.
  */
 
 #include "Rigs/SurfaceRig.h"
@@ -36,7 +36,7 @@ TEST_F(SurfaceMeshes, ShadingSmoothsTheForceOverACoarseMesh)
 
 TEST_F(SurfaceMeshes, ShadingStopsAtSharpEdges)
 {
-  // Each face of the cube with normals of its own.
+  // Each face of the cube has its own normals.
   Corners points;
   Corners normals;
   Faces faces;

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The tree of boxes beside what is found the long way, and that it takes no more time than it is
- * given.
+ * The tree of boxes, compared with a slow search; and its limit of work per tick.
  */
 
 #include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"
@@ -75,7 +74,7 @@ TEST(SurfaceTree, ASphereThatTouchesTooManyTrianglesStaysOutside)
   hand.Lead({ 0.3, 0.2, 20.0 });
   EXPECT_TRUE(hand.Record.IsUnfinished);
   EXPECT_GE(hand.Proxy().Z, 30.0);
-  // And goes on if there are fewer boxes to look at.
+  // The search continues when there are fewer boxes to visit.
   hand.Lead({ 0.3, 0.2, 60.0 });
   EXPECT_FALSE(hand.Record.IsUnfinished);
   EXPECT_EQ(Norm(hand.Record.Force), 0.0);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Walls between labels in images with thick slices lie and point as the shape does of which the
- * labels are: a ball, a plane, a shell, whose normals and places are closed forms.
+ * Walls between labels in images with thick slices have the positions and normals of the labelled
+ * shape: a ball, a plane, a shell, whose normals and positions are closed forms.
  */
 
 #include "Core/Field/FineLabels.h"
@@ -24,7 +24,7 @@ namespace
 {
 constexpr double Degree = 57.29577951308232;
 
-/// Evenly spread over the sphere.
+/// Returns one of `count` directions that are spread evenly over the sphere.
 Vector3 Spread(int i, int count)
 {
   const double z = 1.0 - (2.0 * i + 1.0) / count;
@@ -38,7 +38,7 @@ Vector3 Thick(double fine, double coarse, int axis)
   return { axis == 0 ? coarse : fine, axis == 1 ? coarse : fine, axis == 2 ? coarse : fine };
 }
 
-/// An image of a shape given in millimetres, with its fine labels, and the walls of both.
+/// An image of a shape in millimetres, with its fine labels and the walls of both.
 class Slices
 {
 public:
@@ -77,7 +77,7 @@ public:
     return wall;
   }
 
-  /// The way along a direction at which the value falls through 0.
+  /// Returns the distance along a direction at which the value falls through 0.
   double FindWall(
     const Vector3& from, const Vector3& direction, double inside, double outside) const
   {
@@ -106,10 +106,10 @@ private:
 
 struct Errors
 {
-  double Mean = 0.0;  ///< of the normal, degrees
-  double Worst = 0.0; ///< the same
-  double Shift = 0.0; ///< mm, mean of the place
-  double Rms = 0.0;   ///< mm, of the place
+  double Mean = 0.0;  ///< degrees: mean error of the normal
+  double Worst = 0.0; ///< degrees: largest error of the normal
+  double Shift = 0.0; ///< mm: mean error of the position
+  double Rms = 0.0;   ///< mm: RMS error of the position
 };
 
 Errors MeasureBall(double fine, double coarse, int axis, double ball)
@@ -147,11 +147,12 @@ TEST(ThickLabels, WallsOfABallPointOutwards)
     const Errors errors = MeasureBall(0.4, 0.4 * ratio, axis, 16.0);
     SCOPED_TRACE(testing::Message() << "1:" << ratio << " along axis " << axis << ": mean "
                                     << errors.Mean << ", worst " << errors.Worst << " degrees");
-    // Of cubes of 0.4 mm: 1.35 and 10.5.
+    // For cubes of 0.4 mm, the errors are 1.35 and 10.5 degrees.
     EXPECT_LT(errors.Mean, 2.0);
     EXPECT_LT(errors.Worst, 15.0);
     EXPECT_LT(errors.Rms, 0.25 * 0.4);
-    // Sums over voxels draw a ball in by s^2/R, smoothed slices by about as much again.
+    // Sums over voxels move a ball's wall inwards by s^2/R; smoothed slices add about as much
+    // again.
     const double s = 0.355 * 4.0 * 0.4;
     EXPECT_NEAR(errors.Shift, -2.0 * s * s / 16.0, 0.1 * 0.4);
     axis = (axis + 1) % 3;
@@ -186,7 +187,7 @@ TEST(ThickLabels, WallsOfAPlaneStandWhereItIs)
 
 TEST(ThickLabels, AShellThatSlicesShowHasNoHole)
 {
-  // Where outlines in neighbouring slices of 3 mm overlap: up to a height z of the direction.
+  // Directions up to the height z at which outlines in neighbouring slices of 3 mm still overlap.
   struct Row
   {
     double Thickness;
@@ -241,7 +242,7 @@ TEST(ThickLabels, SheetsAcrossTheSlicesStayAsTheyAre)
       const LabelWall expected = image.At(at);
       const LabelWall found = fine.At(at);
       ASSERT_EQ(found.IsThere, expected.IsThere);
-      // From about four voxels on, boundaries are smoothed, and shares have steps of 1/254.
+      // From about four voxels on, boundaries are smoothed, and fractions have steps of 1/254.
       ASSERT_NEAR(found.Value, expected.Value, voxels < 4 ? 1e-6 : 1.0 / 254.0)
         << voxels << " voxels at " << at.X;
     }
@@ -310,7 +311,7 @@ TEST(ThickLabels, OnlyChangedSlicesAreFoundAgain)
   const LabelView view(slices.Volume.View);
   const auto same = FineLabels::Make(view, slices.Spacing, nullptr, last.get());
   EXPECT_EQ(same->GetSlicesFound(), 0);
-  // A stroke of a brush in one slice.
+  // Paint a stroke in one slice.
   auto* const data = static_cast<std::uint8_t*>(const_cast<void*>(slices.Volume.View.Data));
   for (int i = 10; i < 20; ++i)
   {
@@ -372,7 +373,7 @@ TEST(ThickLabels, AHandGlidesOverABall)
     Tick(model, state, 0.001 * (centre + (ball - depth) * out), record);
     if (i > first)
     {
-      // k times the depth of 2 mm, without stairs.
+      // k times the depth of 2 mm, without steps.
       ASSERT_NEAR(Norm(record.Force), 1.0, 0.15) << i;
       ASSERT_LT(Norm(record.Force - last), 0.04) << i;
       leaning += Degree * std::acos(std::min(1.0, Dot(record.Force, out) / Norm(record.Force)));
