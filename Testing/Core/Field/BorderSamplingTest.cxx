@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Everything that the sampler computes near the border and beyond, against naive code.
+ * All results of the sampler near the border and beyond, compared with naive code.
  */
 
 #include "NaiveField.h"
@@ -19,7 +19,7 @@ struct NaiveSample
   double Gradient[3];
 };
 
-/// The expected result of FieldSampler at a position; the gradient's position lies inside.
+/// Returns the expected result of FieldSampler at a position inside the volume.
 NaiveSample Naive(const TestVolume& volume, GradientEstimator estimator, int r, const Vector3& p)
 {
   const bool spline = estimator == GradientEstimator::CubicBSpline;
@@ -56,19 +56,19 @@ TEST_P(BorderSampling, ValuesAndGradientsAreThoseOfNaiveCode)
 {
   std::mt19937_64 engine(11);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  const double scale = 1e6; // FillRandom's largest sample
+  const double scale = 1e6; // upper bound of FillRandom()'s samples
   for (const int radius : { 1, 2, 3, 5 })
   {
     for (const std::int64_t step : { 1, 3 })
     {
-      // No position of this volume is further than 3 voxels from a border.
+      // In this volume, each position is within 3 voxels of a border.
       TestVolume volume(ScalarType::Float64, { 5, 6, 7 }, step);
       volume.FillRandom(static_cast<unsigned>(radius));
       const GradientKernel kernel(this->GetParam(), radius);
       const FieldSampler sampler(volume.View, kernel);
       for (int n = 0; n < 300; ++n)
       {
-        // Some of the positions stand on voxels, and on the border itself.
+        // Some positions are on voxels and on the border itself.
         const auto along = [&](std::int64_t samples)
         {
           const double x = uniform(engine) * static_cast<double>(samples - 1);

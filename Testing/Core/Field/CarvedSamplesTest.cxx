@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Reading a volume of which tissue was removed gives what a volume of the samples that are left
- * gives, to the bit; and where nothing was removed, what the volume gives without bricks.
+ * Reading a volume with removed tissue gives the same bits as reading a volume of the remaining
+ * samples; where nothing was removed, it gives the same bits as reading without bricks.
  */
 
 #include "Core/Field/FieldSampler.h"
@@ -50,7 +50,7 @@ protected:
     }
   }
 
-  /// Compares at random places, also outside and on samples.
+  /// Compares at random positions, including positions outside the volume and on samples.
   void Compare(const TestVolume& volume, const CarvedBricks& bricks, int radius)
   {
     const double air = -250.0;
@@ -125,7 +125,8 @@ TEST_P(CarvedSamples, OfARegionAreThoseOfTheVolume)
   this->Compare(volume, bricks, 2);
 }
 
-/// Also after something was removed elsewhere, and with the memory of a place that is carved later.
+/// This also holds after tissue was removed elsewhere, and with the memory of a place that is
+/// carved later.
 TEST_P(CarvedSamples, ArePlainWhereNothingWasRemoved)
 {
   TestVolume volume(ScalarType::UInt16, { 40, 12, 12 });

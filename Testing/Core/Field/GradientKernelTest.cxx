@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The Gaussian's weights, read off the sampler by means of an impulse: tabulated and interpolated,
- * they must be those of the documented formula.
+ * The Gaussian's weights, measured with impulses: tabulated and interpolated, they must equal those
+ * of the documented formula.
  */
 
 #include "NaiveField.h"
@@ -22,7 +22,8 @@ protected:
   const std::int64_t Size = 2 * this->Taps;
 };
 
-/// Fractions of a voxel: dense ones, the intervals' ends, and just beside them.
+/// Returns fractions of a voxel: evenly dense ones, the intervals' ends, and values just beside
+/// them.
 std::vector<double> Fractions()
 {
   std::vector<double> fractions;
@@ -57,7 +58,8 @@ TEST_P(GradientKernelOf, WeightsAreThoseOfTheFormula)
       EXPECT_NEAR(slope[i], expected.Slope[i], 1e-13);
     }
   }
-  // A plane of ones: the smoothing weights across it add up to one, so that a tap's weight is left.
+  // The samples are a plane of ones. The smoothing weights across it add up to one, so that the
+  // result is the weight of one tap.
   for (int tap = 0; tap < this->Taps; ++tap)
   {
     TestVolume volume(ScalarType::UInt8, { this->Size, this->Size, this->Size });
@@ -70,7 +72,7 @@ TEST_P(GradientKernelOf, WeightsAreThoseOfTheFormula)
         return at[axis] == plane;
       });
     const FieldSampler sampler(volume.View, kernel);
-    // The wide kernels take thousands of taps a sample.
+    // Wide kernels read thousands of taps per sample, so fewer fractions are tested.
     const std::size_t stride = this->Radius > 6 ? 37 : 1;
     const std::vector<double> fractions = Fractions();
     for (std::size_t f = 0; f < fractions.size(); f += stride)
@@ -81,7 +83,7 @@ TEST_P(GradientKernelOf, WeightsAreThoseOfTheFormula)
       const double slopes[3] = { sample.Gradient.X, sample.Gradient.Y, sample.Gradient.Z };
       worst = std::max(worst, std::abs(sample.Value - expected.Smooth[tap]));
       worst = std::max(worst, std::abs(slopes[axis] - expected.Slope[tap]));
-      // Across the plane nothing changes.
+      // Along the plane, the slope is zero.
       EXPECT_NEAR(slopes[(axis + 1) % 3], 0.0, 1e-13);
     }
   }
@@ -106,7 +108,7 @@ TEST_P(GradientKernelOf, EveryCoefficientSumsUpSoThatLinearFieldsAreExact)
       derivative += weights[this->Taps + i];
       moment += weights[this->Taps + i] * (i - this->Radius);
     }
-    // The constant coefficients carry the sums; the others must not change them.
+    // The constant coefficients carry the sums. The other coefficients must not change them.
     const bool constant = row % order == 0;
     const double tolerance = constant ? 1e-13 : 1e-11;
     EXPECT_NEAR(smoothing, constant ? 1.0 : 0.0, tolerance);

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Every instruction set gives the same answer, to the bit: a trace must not depend on the
- * processor.
+ * All instruction sets give the same bits, so that a trace does not depend on the processor.
  */
 
 #include "Core/Field/LabelSampler.h"
@@ -15,7 +14,7 @@ using namespace coretest;
 
 namespace
 {
-/// Equal bits; NaNs count as equal, whatever they carry.
+/// Returns whether two numbers have equal bits. All NaNs count as equal.
 bool IsSame(double a, double b)
 {
   return std::memcmp(&a, &b, sizeof(a)) == 0 || (std::isnan(a) && std::isnan(b));
@@ -59,7 +58,8 @@ protected:
       const Vector3 inside{ along(n[0]), along(n[1]), along(n[2]) };
       const Vector3 around = 1.5 * inside + Vector3{ -3.0, -3.0, -3.0 };
       ASSERT_TRUE(IsSame(baseline.Gradient(inside), avx2.Gradient(inside)));
-      // A memory changes nothing: of one place after another, and of two in the same voxel.
+      // With a memory, the results are the same: at one position after another, and at two
+      // positions in the same voxel.
       const auto beside = [&](double x, std::int64_t samples)
       { return std::min(std::floor(x) + uniform(engine), static_cast<double>(samples - 1)); };
       for (const Vector3& at : { inside,
@@ -89,7 +89,8 @@ TEST_P(InstructionSets, AgreeForEveryTypeAndLayout)
   {
     for (const std::int64_t step : { 1, 3 })
     {
-      // The radii whose kernels differ: one unrolled for each number of taps, one for all others.
+      // Radii with different kernels: those unrolled for their number of taps, and one of the
+      // general kernel.
       for (const int radius : { 1, 2, 3, 4 })
       {
         SCOPED_TRACE(testing::Message()
@@ -147,7 +148,7 @@ TEST_P(InstructionSets, StridedAndContiguousSamplesAgree)
 
 TEST_P(InstructionSets, MemoriesAreOfOneField)
 {
-  // Other samples in the same place of the memory, as a model that follows another one has them.
+  // The same memory with other samples, as when one model follows another.
   TestVolume volume(ScalarType::Int16, { 12, 11, 10 });
   const GradientKernel kernel(this->GetParam(), 2);
   TapMemory memory;
@@ -162,7 +163,7 @@ TEST_P(InstructionSets, MemoriesAreOfOneField)
 
 TEST_P(InstructionSets, ABlendIsAsAVolumeOfBlendedSamples)
 {
-  // Kernels of many taps are blended after they are summed.
+  // Kernels with many taps are summed first and then blended.
   const auto isBefore = [this](int radius)
   { return this->GetParam() != GradientEstimator::Gaussian || radius < 4; };
   const auto hasTaps = [this](int radius)
@@ -210,7 +211,7 @@ TEST_P(InstructionSets, ABlendIsAsAVolumeOfBlendedSamples)
           ASSERT_TRUE(isBefore(radius) ? IsSame(sample, blend) : isNear(sample, blend, largest));
           const BlendMemories memories{ &memory.Of(0), &memory.Of(1), &memory };
           ASSERT_TRUE(IsSame(a.Gradient(other, at, memories), sample));
-          // At another instant, which takes the same memories in turn.
+          // At another instant, with the same memories.
           ASSERT_TRUE(IsSame(a.Gradient(before, at, memories), a.Gradient(before, at)));
           ASSERT_TRUE(IsSame(a.Gradient(other, at, memories), sample));
           ASSERT_TRUE(IsSame(a.Gradient(own, at), a.Gradient(at)));
@@ -218,7 +219,7 @@ TEST_P(InstructionSets, ABlendIsAsAVolumeOfBlendedSamples)
           const FractionPair pair = a.Values(other, half, at);
           ASSERT_TRUE(IsSame(pair.First, a.Value(other, at)));
           ASSERT_TRUE(IsSame(pair.Second, a.Value(before, at)));
-          // Values from the gradient's samples, where those reach so far.
+          // Values computed from the gradient's samples, where those suffice.
           const TimeStepTaps* const taps = a.GetTaps(other, memory);
           ASSERT_TRUE(!taps || hasTaps(radius));
           const FractionPair tapped = a.Values(other, half, at, taps);
@@ -302,7 +303,7 @@ TEST_P(InstructionSets, TwoTimeStepsAtOnceAreAsEachAlone)
       compare(first, second, radius);
       compare(first, strided, radius);
     }
-    // Frames that share no weights.
+    // Time steps that share no weights.
     TestVolume shorts(ScalarType::Int16, { 12, 11, 10 });
     TestVolume floats(ScalarType::Float32, { 12, 11, 10 });
     TestVolume smaller(ScalarType::Int16, { 10, 10, 10 });
@@ -314,7 +315,7 @@ TEST_P(InstructionSets, TwoTimeStepsAtOnceAreAsEachAlone)
   }
 }
 
-/// V goes to that of the next frame without a step, also where one frame lacks a sample.
+/// V changes to the next time step's value without a step, also where one time step lacks a sample.
 TEST_P(InstructionSets, ASampleThatOneTimeStepLacksMakesNoStep)
 {
   const GradientKernel kernel(this->GetParam(), 2);
@@ -380,7 +381,7 @@ TEST(InstructionSetsOfLabels, AgreeForEveryTypeAndLayout)
           [&](auto t)
           {
             using T = decltype(t);
-            // Those of few labels lie in slabs, the many are noise.
+            // Few labels lie in slabs; many labels are random.
             volume.Fill<T>(
               [&](std::int64_t i, std::int64_t j, std::int64_t k) {
                 return labels < 100 ? (i + j / 2 + k) / 7 % labels : std::int64_t(engine() % 100);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Labels are read as they are stored, whatever their type and layout. The expectations are the
- * numbers that the test stores, and the textbook's trilinear weights.
+ * Labels are read as they are stored, for all types and layouts. The expectations are the numbers
+ * that the test stores, and the textbook's trilinear weights.
  */
 
 #include "Core/Field/LabelView.h"
@@ -18,7 +18,8 @@ using namespace coretest;
 
 namespace
 {
-/// -60 to 60, in an order that differs along each axis; not negative for unsigned types.
+/// Returns a label from -60 to 60, in an order that differs along each axis; not negative for
+/// unsigned types.
 std::int64_t LabelAt(ScalarType type, std::int64_t i, std::int64_t j, std::int64_t k)
 {
   const bool isUnsigned = type == ScalarType::UInt8 || type == ScalarType::UInt16 ||
@@ -39,7 +40,7 @@ TestVolume MakeLabels(ScalarType type, std::int64_t step)
   return volume;
 }
 
-/// The sum of the fractions of a label in a cell.
+/// Returns the sum of a label's weights in a cell.
 double FractionOf(const LabelCell& cell, std::int64_t label)
 {
   if (cell.IsUniform)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Values and gradients of a TestVolume, straight from the formulas and without any shortcut: every
- * tap is asked for by its index, and an index beyond the border gives the border sample.
+ * Values and gradients of a TestVolume, computed directly from the formulas: each tap is read by
+ * its index, and an index beyond the border gives the border's sample.
  */
 #ifndef NaiveField_h
 #define NaiveField_h
@@ -14,7 +14,7 @@
 
 namespace coretest
 {
-/// A separable kernel along one axis: taps, and weights of the value and of the derivative.
+/// A separable kernel along one axis: its first tap, and the weights of value and derivative.
 struct AxisKernel
 {
   std::int64_t First;
@@ -27,7 +27,7 @@ inline double Clamp(double x, std::int64_t samples)
   return std::max(0.0, std::min(x, static_cast<double>(samples - 1)));
 }
 
-/// w(t) = G(t) - G(c), with G of the scale s = 0.53 r and c = r + 1.
+/// Returns the Gaussian kernel w(t) = G(t) - G(c), with G of scale s = 0.53 r and c = r + 1.
 inline AxisKernel NaiveGaussian(int r, double x)
 {
   AxisKernel kernel{ static_cast<std::int64_t>(std::floor(x)) - r, {}, {} };
@@ -60,7 +60,7 @@ inline AxisKernel NaiveGaussian(int r, double x)
   return kernel;
 }
 
-/// The uniform cubic B-spline as a function of the distance, and its derivative.
+/// Returns the uniform cubic B-spline and its derivative as functions of the distance.
 inline AxisKernel NaiveSpline(double x)
 {
   AxisKernel kernel{ static_cast<std::int64_t>(std::floor(x)) - 1, {}, {} };
@@ -77,14 +77,14 @@ inline AxisKernel NaiveSpline(double x)
   return kernel;
 }
 
-/// Linear interpolation as a kernel; its derivative is not asked for.
+/// Returns linear interpolation as a kernel. Its derivative is not used.
 inline AxisKernel NaiveLinear(double x)
 {
   const double cell = std::floor(x);
   return { static_cast<std::int64_t>(cell), { 1.0 - (x - cell), x - cell }, { -1.0, 1.0 } };
 }
 
-/// The sum over all taps; `derivative` is the axis along which to differentiate, or -1.
+/// Returns the sum over all taps. `derivative` is the axis to differentiate along, or -1.
 inline double NaiveSum(const TestVolume& volume, const AxisKernel (&axes)[3], int derivative)
 {
   double sum = 0.0;
@@ -106,7 +106,7 @@ inline double NaiveSum(const TestVolume& volume, const AxisKernel (&axes)[3], in
   return sum;
 }
 
-/// The kernels of `along` at a position that is clamped to the volume first.
+/// Returns the sum with the kernels of `along` at a position that is first clamped to the volume.
 template <typename F>
 double NaiveAt(const TestVolume& volume, const Vector3& p, int derivative, F&& along)
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The device may stand anywhere in the world, turned and at any scale. The offline filter shows an
- * upright one only.
+ * The device may be placed anywhere in the world, rotated and at any scale. The offline filter has
+ * an upright device only.
  */
 
 #include "Rigs/CoreScene.h"
@@ -73,7 +73,7 @@ TEST(Placement, LargerOnTheScreenIsNotStiffer)
   TickRecord b;
   for (int i = 0; i <= 10; ++i)
   {
-    // The same motion of the hand, over half the way in the world.
+    // The same motion of the hand is half as long in the world of `twice`.
     const double depth = 1e-4 * i;
     Tick(life, states[0], { 0.012, 0.012, 0.012 + depth }, a);
     Tick(twice, states[1], { 0.024, 0.024, 0.024 + depth }, b);

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * No sample in front of the first or behind the last is ever read: the volume stands once at the
- * very end of the accessible memory and once at its very beginning. A stray read ends the test.
+ * The sampler reads no sample in front of the first or behind the last one. The volume is placed
+ * once at the end of the accessible memory and once at its beginning, so that a stray read ends the
+ * test.
  */
 
 #include "Rigs/TestVolume.h"
@@ -22,7 +23,7 @@ using namespace coretest;
 
 namespace
 {
-/// Memory between two pages that must not be touched.
+/// Memory between two pages that cannot be accessed.
 class GuardedMemory
 {
 public:
@@ -75,7 +76,7 @@ private:
   std::byte* All = nullptr;
 };
 
-/// Samples at the corners, on voxels, at random places inside, and far outside.
+/// Reads at corners, on voxels, at random positions inside, and far outside.
 double SampleEverywhere(const FieldSampler& sampler)
 {
   std::mt19937_64 engine(2);
@@ -128,7 +129,7 @@ TEST_P(ReadBounds, NothingButTheSamplesIsRead)
           {
             if (radius > 4 && size[0] > 3)
             {
-              continue; // no larger footprint than in the small volumes, but a long wait
+              continue; // reads the same range as in small volumes, but takes long
             }
             const GradientKernel kernel(estimator, radius);
             for (const InstructionSet set : { InstructionSet::Baseline, DetectInstructionSet() })

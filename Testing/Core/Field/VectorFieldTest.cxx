@@ -3,7 +3,7 @@
 
 /**
  * Vectors and tensors at continuous positions, compared with analytic fields and with a slow sum
- * over all taps, each component by itself.
+ * over all taps, component by component.
  */
 
 #include "Core/Field/VectorField.h"
@@ -17,11 +17,11 @@ using namespace coretest;
 
 namespace
 {
-/// Interleaved components, in a block that is not one byte too large.
+/// Interleaved components in a block without a spare byte.
 class VectorVolume
 {
 public:
-  /// Components stand `step` elements apart.
+  /// Components are `step` elements apart.
   VectorVolume(ScalarType type, const TestVolume::Size& n, int components, std::int64_t step = 1)
     : Row(components * step)
     , Memory(type, { this->Row * n[0], n[1], n[2] })
@@ -33,7 +33,7 @@ public:
     this->View.Stride = step;
   }
 
-  /// Samples from f(component, index).
+  /// Fills in the samples f(component, index).
   template <typename F>
   void Fill(F&& f)
   {
@@ -45,7 +45,7 @@ public:
           {
             const std::int64_t i = element / this->Row;
             const std::int64_t rest = element % this->Row;
-            // What lies between components must not be read as one.
+            // The elements between components have the value 77, which must not be read.
             return rest % this->View.Stride == 0 ? f(int(rest / this->View.Stride), i, j, k) : 77.0;
           });
       });
@@ -68,7 +68,7 @@ public:
   TestVolume Memory;
 };
 
-/// One component by the sum over all taps; `derivative` is an axis, or -1.
+/// Returns one component as the sum over all taps. `derivative` is an axis, or -1.
 double SumSlowly(const VectorVolume& volume, int c, const Vector3& p, int derivative)
 {
   const std::int64_t* const n = volume.View.Volume.Dimensions;
@@ -102,7 +102,7 @@ Matrix3 Minus(const Matrix3& a, const Matrix3& b)
   return { { a.Row[0] - b.Row[0], a.Row[1] - b.Row[1], a.Row[2] - b.Row[2] } };
 }
 
-/// Anisotropic, turned and mirrored.
+/// Returns an anisotropic, rotated and mirrored grid.
 Affine3 AnyPlace()
 {
   const Vector3 a{ 0.36, 0.48, -0.8 };
@@ -178,7 +178,7 @@ TEST(VectorField, LinearFieldsAreExactAndQuadraticOnesHaveTheirOffset)
   };
   linear.Fill([&](int c, std::int64_t i, std::int64_t j, std::int64_t k)
     { return component(slope * world(i, j, k) + offset, c); });
-  // x^2, y z and z^2 in index space.
+  // The field x^2, y z and z^2 in index space.
   quadratic.Fill(
     [&](int c, std::int64_t i, std::int64_t j, std::int64_t k) {
       return component({ double(i * i), double(j * k), double(k * k) }, c);
@@ -214,7 +214,7 @@ TEST(VectorField, ComponentsOnImageAxesAreTurned)
   VectorVolume nine(ScalarType::Float64, { 8, 8, 8 }, 9);
   vectors.FillRandom(1);
   six.FillRandom(2);
-  // XX YY ZZ XY YZ XZ; the nine have an antisymmetric part, too.
+  // The order is XX YY ZZ XY YZ XZ. The tensor with nine components also has an antisymmetric part.
   constexpr int places[9] = { 0, 3, 5, 3, 1, 4, 5, 4, 2 };
   constexpr int signs[9] = { 0, 1, 1, -1, 0, 1, -1, -1, 0 };
   nine.Fill([&](int c, std::int64_t i, std::int64_t j, std::int64_t k)

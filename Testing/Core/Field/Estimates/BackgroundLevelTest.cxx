@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Where the background of made volumes ends. Balls of known values lie in a background of 0: the
- * threshold is between the two values that the test put there. Otsu's threshold of two values with
- * noise of one strength is their middle (IEEE Transactions on Systems, Man, and Cybernetics 9,
- * 1979).
+ * Where the background of synthetic volumes ends. Balls of known values lie in a background of 0,
+ * so the threshold must be between these two values. Otsu's threshold of two values with equal
+ * noise is their middle (IEEE Transactions on Systems, Man, and Cybernetics 9, 1979).
  */
 
 #include "Core/Field/Estimates/BackgroundLevel.h"
@@ -29,7 +28,7 @@ struct Ball
   double Rise;
 };
 
-/// White noise, smoothed along x over `passes` voxels, so that neighbours share it.
+/// Returns white noise, smoothed along x over `passes` voxels, so that neighbours are correlated.
 std::vector<double> MakeNoise(double sigma, int passes)
 {
   std::mt19937_64 engine(3);
@@ -56,7 +55,7 @@ std::vector<double> MakeNoise(double sigma, int passes)
   return noise;
 }
 
-/// Balls around one middle, blurred by a voxel, and noise.
+/// Returns balls around one centre, blurred by a voxel, with noise.
 std::vector<double> MakeBalls(const std::vector<Ball>& balls, double sigma, int passes = 0)
 {
   std::vector<double> volume = MakeNoise(sigma, passes);
@@ -114,7 +113,7 @@ TEST(BackgroundLevel, IsThereWithFewLevelsAndClippedAir)
 
 TEST(BackgroundLevel, LeavesNoDarkMaterialToTheBackground)
 {
-  // A marker of metal has most of the variance; the body around it is no background.
+  // A metal marker causes most of the variance. The body around it must not count as background.
   const BackgroundLevel level = Find(MakeBalls({ { 32.0, 100.0 }, { 10.0, 900.0 } }, 5.0));
   ASSERT_TRUE(level.IsThere);
   EXPECT_NEAR(level.Threshold, 50.0, 5.0);

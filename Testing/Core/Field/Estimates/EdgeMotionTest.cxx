@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Edges that a Gaussian has blurred, so that their widths are known, and that move by known ways.
+ * Edges blurred by a Gaussian, so that their widths are known, which move by known distances.
  */
 
 #include "Core/Field/Estimates/EdgeMotion.h"
@@ -19,7 +19,7 @@ namespace
 {
 using EdgeDistance = std::function<double(double x, double y, double z)>;
 
-/// 1000 on the inner side (a distance below 0), blurred; with white noise.
+/// Makes a blurred edge with white noise. The value is 1000 on the inner side (negative distance).
 TestVolume MakeEdge(const EdgeDistance& distance, double sigma, ScalarType type = ScalarType::Int16,
   double noise = 0.0, unsigned seed = 1)
 {
@@ -42,7 +42,7 @@ TestVolume MakeEdge(const EdgeDistance& distance, double sigma, ScalarType type 
   return volume;
 }
 
-/// A ball, in the middle.
+/// A ball in the middle of the volume.
 EdgeDistance BallOf(double radius)
 {
   return [radius](double x, double y, double z)
@@ -54,7 +54,7 @@ EdgeDistance BallOf(double radius)
   };
 }
 
-/// A wall that is not along the axes, at a distance from the first sample.
+/// An oblique wall at a distance from the first sample.
 EdgeDistance WallAt(double at)
 {
   return [at](double x, double y, double z) { return 0.8 * x + 0.6 * y + 0.0 * z - at; };
@@ -83,7 +83,7 @@ TEST(EdgeMotion, FindsMotionsOfMoreThanTwoWidths)
       EXPECT_EQ(found.IsFast(), c.Widths > 2.0);
       if (c.Widths > 2.0)
       {
-        // The steepest slope is read between samples, which makes an edge a little wider.
+        // The steepest slope is read between samples, which makes an edge slightly wider.
         EXPECT_NEAR(found.Width, c.Sigma, 0.15 * c.Sigma);
         EXPECT_NEAR(found.Motion, s, isBall ? 0.15 * s : 0.03 * s);
       }
@@ -93,7 +93,7 @@ TEST(EdgeMotion, FindsMotionsOfMoreThanTwoWidths)
 
 TEST(EdgeMotion, IsInWorldUnitsAcrossTheEdge)
 {
-  // Samples are 2 x 0.5 x 1 in size, turned: the wall is at x = 20 samples, 40 away.
+  // Samples of 2 x 0.5 x 1, rotated. A wall at x = 20 samples is at a distance of 40.
   const Matrix3 map{ { { 0.0, -0.5, 0.0 }, { 2.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } } };
   const auto at = [](double x) { return [x](double i, double, double) { return i - x; }; };
   const EdgeMotion found = MeasureEdgeMotion(MakeEdge(at(18.0), 1.5, ScalarType::Float64).View,

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The noise of volumes of any size, against the standard deviation that was put in: a sample's
+ * The noise estimate of volumes of any size, compared with the known standard deviation: a sample's
  * noise is uniform among the whole numbers -a ... a, whose variance is a (a + 1) / 3.
  */
 
@@ -21,7 +21,7 @@ constexpr std::int64_t Amplitude = 34;
 const double Sigma = std::sqrt(Amplitude * (Amplitude + 1) / 3.0);
 constexpr double Padding = -2000.0;
 
-/// A volume that is nowhere in memory: a smooth hill, padding in a fifth of it, and noise.
+/// A volume that is computed and not stored: a smooth hill, padding in a fifth of it, and noise.
 struct Computed
 {
   std::int64_t Size[3];
@@ -41,7 +41,7 @@ struct Computed
     {
       hill += std::sin(3.0 * static_cast<double>(at[a]) / static_cast<double>(this->Size[a]));
     }
-    // The finalizer of splitmix64 (public domain) makes a random number of a sample's number.
+    // The finalizer of splitmix64 (public domain) turns a sample's number into a random number.
     auto bits = static_cast<std::uint64_t>(number) + 0x9e3779b97f4a7c15ULL;
     bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9ULL;
     bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebULL;
@@ -88,7 +88,7 @@ TEST(NoiseEstimate, BlockByBlockIsTheSameToTheBit)
   {
     Computed volume{ { n, n + 1, n } };
     NoiseSamples samples = volume.Collect(0, n - 1);
-    // With a hole in one block.
+    // The samples have a hole in one block.
     const std::int64_t hole = n / 2 + n * (n / 2 + (n + 1) * (n / 2));
     const auto read = [&](std::int64_t number)
     { return number == hole ? std::nan("") : volume.Sample(number); };
@@ -116,8 +116,7 @@ TEST(NoiseEstimate, BlockByBlockIsTheSameToTheBit)
 
 TEST(NoiseEstimate, OfALargerVolumeLooksForPaddingAmongItsOwnSamples)
 {
-  // Two values: the one is the padding's; the other one is smaller, in a single sample that no
-  // block has.
+  // Two values: one is the padding; the other is smaller, in a single sample outside of all blocks.
   for (const std::int64_t n : { 203, 204 })
   {
     Computed volume{ { n, n, n } };
@@ -143,7 +142,7 @@ TEST(NoiseEstimate, OfALargeVolumeTakesNoMoreReadsThanOfAnother)
   {
     Computed volume{ { n, n, n } };
     volume.Collect(0, n - 1);
-    // Eight blocks along each axis, or nine if the size is no multiple of eight; and the corners.
+    // Eight blocks along each axis (nine if the size is not a multiple of eight), and the corners.
     EXPECT_LE(volume.Reads, 9 * 9 * 9 * 125 + 8) << n << "^3";
     EXPECT_GE(volume.Reads, 500 * 125) << n << "^3";
   }

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * How the Hounsfield units of made bodies are stored. Air is at -1000 and water at 0 by the
+ * How Hounsfield units of synthetic bodies are stored. Air is at -1000 and water at 0 by the
  * definition of the unit (Hounsfield, British Journal of Radiology 46, 1973); fat, muscle, lung and
- * bone have textbook values (Bushberg, The Essential Physics of Medical Imaging, table 10-1). What
- * is added to them is what the test added: 1024 is the usual Rescale Intercept of DICOM (PS3.3
- * C.11.1), 1000 and 32768 occur, too.
+ * bone have textbook values (Bushberg, The Essential Physics of Medical Imaging, table 10-1). The
+ * test adds a known offset: 1024 is the usual Rescale Intercept of DICOM (PS3.3 C.11.1); 1000 and
+ * 32768 also occur.
  */
 
 #include "Core/Field/Estimates/StoredShift.h"
@@ -24,7 +24,7 @@ namespace
 constexpr std::int64_t Width = 72;
 constexpr std::int64_t Dimensions[3] = { Width, Width, Width };
 
-/// A body of muscle under fat, with bone and, in a chest, lungs; air around it.
+/// Makes a body of muscle under fat, with bone and, in a chest, lungs, surrounded by air.
 std::vector<double> MakeBody(double sigma, bool hasLungs)
 {
   std::mt19937_64 engine(5);
@@ -72,7 +72,7 @@ TEST(StoredShift, IsWhatWasAddedToACT)
           [added](double value) { return std::max(0.0, value + added); });
         const StoredShift found = Find(stored);
         EXPECT_EQ(found.Shift, -added) << "noise of " << sigma << " HU";
-        // Nearer to it than to another offset.
+        // The estimate is nearer to the right offset than to any other.
         EXPECT_NEAR(found.Air, added - 1000.0, 12.0);
         EXPECT_FALSE(found.IsStrange);
       }
@@ -98,7 +98,7 @@ TEST(StoredShift, IsNotMovedByPadding)
 
 TEST(StoredShift, IsNotSeenInOtherData)
 {
-  // A masked head: nothing outside is air.
+  // A masked head: the values outside are not those of air.
   std::vector<double> masked = MakeBody(10.0, false);
   std::transform(masked.begin(), masked.end(), masked.begin(),
     [](double value) { return value < -500.0 ? 0.0 : value; });
@@ -115,7 +115,7 @@ TEST(StoredShift, IsNotSeenInOtherData)
     EXPECT_FALSE(Find(bone).IsStrange);
   }
 
-  // Magnitudes of a resonance: a dark background and one heap.
+  // Magnitudes of a magnetic resonance: a dark background and a single peak.
   std::vector<double> magnitudes = MakeBody(10.0, false);
   std::transform(magnitudes.begin(), magnitudes.end(), magnitudes.begin(),
     [](double value) { return value < -500.0 ? 8.0 : 300.0 + value; });
@@ -135,7 +135,7 @@ TEST(StoredShift, TellsWhatCannotBeHounsfieldUnits)
     return found.IsStrange;
   };
   EXPECT_TRUE(isStrange(1000.0, 0.0005)); // attenuation
-  EXPECT_TRUE(isStrange(1100.0, 25.0));   // 16 bits of grey
+  EXPECT_TRUE(isStrange(1100.0, 25.0));   // grey values of 16 bits
   EXPECT_TRUE(isStrange(3000.0, 1.0));    // neither air nor tissue
   EXPECT_FALSE(isStrange(0.0, 1.0));
 }
