@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Shares in bricks, against a table of all samples.
+ * Fractions in bricks, compared with a table of all samples.
  */
 
 #include "Core/Carving/CarvedBricks.h"
@@ -42,7 +42,7 @@ TEST(CarvedBricks, KeepShares)
   EXPECT_TRUE(bricks.IsEmpty());
   std::map<SampleIndex, std::uint8_t> expected;
   std::mt19937_64 engine(3);
-  // Somewhere in a volume of 2048^3, and in its farthest brick.
+  // Indices near the beginning of a volume of 2048^3, and in its farthest bricks.
   const auto random = [&engine]()
   {
     const auto along = [&engine]()
@@ -68,7 +68,7 @@ TEST(CarvedBricks, KeepShares)
     ASSERT_EQ(bricks.GetFraction(i, j, k), fraction);
   }
   EXPECT_EQ(bricks.GetFraction(16000000, 3, 2047), CarvedBricks::Whole);
-  // Boxes.
+  // Test random boxes.
   for (int n = 0; n < 2000; ++n)
   {
     const auto [i, j, k] = random();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * One thread removes, another one follows it without a lock, and asks for undo and redo. The thread
- * sanitizer runs this.
+ * One thread removes tissue. Another thread follows it without a lock, and requests undo and redo.
+ * The test also runs under the thread sanitizer.
  */
 
 #include "Core/Carving/TissueRemoval.h"
@@ -32,7 +32,7 @@ Rows CopyRows(const CarvedBricks& bricks, std::uint32_t brick)
   return rows;
 }
 
-/// What the reader has seen of it at last.
+/// The rows of each brick that the reader saw last.
 using Mirror = std::map<std::uint64_t, Rows>;
 
 void Follow(CarvedBricks& bricks, int follower, Mirror& mirror)
@@ -89,7 +89,7 @@ TEST(RemovalHandOff, AReaderMissesNoChange)
     {
       second = removal.Bricks.AddFollower();
     }
-    // Any thread may look a fraction up.
+    // Any thread may read a fraction.
     const std::uint8_t fraction =
       removal.Bricks.GetFraction(static_cast<std::int64_t>(engine() % 4000), 0, 0);
     EXPECT_LE(fraction, CarvedBricks::Whole);
@@ -114,7 +114,8 @@ TEST(RemovalHandOff, AReaderMissesNoChange)
   EXPECT_TRUE(!removal.IsUsedUp() || removal.Bricks.GetCount() == removal.Bricks.GetMost());
 }
 
-/// A snapshot that the servo completes is that of one tick, though another thread copies the most.
+/// A snapshot that the servo completes belongs to one tick, although another thread copies most of
+/// it.
 TEST(RemovalHandOff, ASnapshotIsOfOneTick)
 {
   TissueRemoval removal(500, 300);

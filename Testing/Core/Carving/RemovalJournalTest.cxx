@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Undo, redo and reset, against copies of all shares after each stroke.
+ * Undo, redo and reset, compared with copies of all fractions after each stroke.
  */
 
 #include "Core/Carving/TissueRemoval.h"
@@ -19,7 +19,7 @@ namespace
 {
 using Shares = std::map<std::uint64_t, std::vector<std::uint64_t>>;
 
-/// All bricks of which something was removed.
+/// Returns all bricks from which something was removed.
 Shares ReadBricks(const CarvedBricks& bricks)
 {
   Shares shares;
@@ -40,7 +40,7 @@ Shares ReadBricks(const CarvedBricks& bricks)
   return shares;
 }
 
-/// Random changes of random bricks.
+/// Makes random changes to random bricks.
 class Strokes
 {
 public:

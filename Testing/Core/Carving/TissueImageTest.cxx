@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * B4: what was removed, as an image and back, to the bit.
+ * B4: removed tissue is written to an image and read back, equal to the bit.
  */
 
 #include "Core/Carving/TissueImage.h"
@@ -45,7 +45,7 @@ TEST(TissueImage, HasTheTissueOfEachSample)
   EXPECT_EQ(Write(bricks, WholeBox), std::vector<std::uint8_t>(37 * 29 * 21, 255));
   RemoveSome(bricks, 1, 3000);
   EXPECT_EQ(Write(bricks, WholeBox), CopyTissue(bricks, Lengths));
-  // A part of it, and one that is beyond all bricks.
+  // A part of the volume, and a part beyond all bricks.
   const TissueBox part{ { 5, 8, 3 }, { 20, 13, 16 } };
   const std::vector<std::uint8_t> image = Write(bricks, part);
   for (std::int64_t at = 0; at < 20 * 13 * 16; ++at)
@@ -65,7 +65,7 @@ TEST(TissueImage, IsReadToTheBit)
   ASSERT_TRUE(ReadTissue(copy, WholeBox, image.data()));
   EXPECT_EQ(CopyTissue(copy, Lengths), CopyTissue(bricks, Lengths));
   EXPECT_EQ(copy.GetCount(), bricks.GetCount()) << "whole bricks need no memory";
-  // Over other removal, of which nothing is left.
+  // Read over another removal, of which nothing must be left.
   CarvedBricks other(100);
   RemoveSome(other, 3, 500);
   SetFraction(other, 90, 0, 0, 3);
@@ -97,7 +97,7 @@ TEST(TissueImage, ThatHasNoRoomChangesNothing)
   }
 }
 
-/// A reader that writes only the bricks that were changed has the whole image.
+/// A reader that writes only the changed bricks gets the complete image.
 TEST(TissueImage, IsFollowedBrickByBrick)
 {
   CarvedBricks bricks(100);

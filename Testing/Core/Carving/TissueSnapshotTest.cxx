@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Copies of shares at one tick, in one thread; RemovalHandOffTest has them in two.
+ * Copies of the fractions at one tick, in one thread; RemovalHandOffTest tests them with two
+ * threads.
  */
 
 #include "Core/Carving/TissueRemoval.h"

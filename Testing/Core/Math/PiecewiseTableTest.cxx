@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The baked table is the piecewise-linear function itself, however its break points lie.
+ * The baked table equals the piecewise-linear function, for any positions of its break points.
  */
 
 #include "PolylineChecks.h"
@@ -37,7 +37,8 @@ TEST(PiecewiseTable, AtAStepTheLeftValueHolds)
 
 TEST(PiecewiseTable, CrowdedBreakPointsAreFoundAllTheSame)
 {
-  // Thousands of breaks in one bin of the lookup, in front of, behind and between far ones.
+  // Thousands of break points in one bin of the lookup: in front of, behind and between distant
+  // ones.
   std::mt19937_64 engine(4);
   for (const double at : { 0.0, 1e-3, 0.5, 1.0 })
   {

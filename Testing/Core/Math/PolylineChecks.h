@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Piecewise-linear functions, evaluated the obvious way and compared with their baked table.
+ * Piecewise-linear functions, evaluated in the simplest way and compared with their baked table.
  */
 #ifndef PolylineChecks_h
 #define PolylineChecks_h
@@ -18,7 +18,7 @@ namespace coretest
 {
 using namespace VolumeHaptics;
 
-/// The function as documented: left value at a step, end values outside.
+/// Evaluates the function as documented: the left value at a step, and the end values outside.
 inline double Evaluate(const Polyline& line, double x)
 {
   if (x <= line.front().X)
@@ -37,7 +37,7 @@ inline double Evaluate(const Polyline& line, double x)
   return line.back().Y;
 }
 
-/// Break points, their neighbours, the middles between them, and random ones.
+/// Returns the break points, their neighbours, the middles between them, and random arguments.
 inline std::vector<double> Arguments(const std::array<Polyline, 5>& lines, std::mt19937_64& engine)
 {
   std::vector<double> breaks;
@@ -84,7 +84,8 @@ inline Polyline RandomLine(std::mt19937_64& engine, double low, double width, in
   Polyline line(vertices);
   for (Vertex& v : line)
   {
-    // On a grid of 64, so that channels share break points and steps occur.
+    // Half of the break points are on a grid of 1/64, so that functions share break points and
+    // steps occur.
     const double fraction =
       uniform(engine) < 0.5 ? std::floor(64.0 * uniform(engine)) / 64.0 : uniform(engine);
     v = { low + fraction * width, 2000.0 * uniform(engine) };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Masks against their definition, evaluated the obvious way.
+ * Masks, compared with their definition.
  */
 
 #include "Core/Math/PolylineMask.h"
@@ -12,7 +12,7 @@ using namespace coretest;
 
 namespace
 {
-/// Levels of 0, 1 and 2, with steps and ramps between them.
+/// Returns a function with levels of 0, 1 and 2, with steps and ramps between them.
 Polyline Levels(std::mt19937_64& engine)
 {
   Polyline line = RandomLine(engine, -3.0, 6.0, 1 + int(engine() % 12));
@@ -37,8 +37,8 @@ TEST(PolylineMask, IsOneWhereTheFunctionIsAboveTheFloor)
     for (const double x : Arguments(lines, engine))
     {
       const double value = Evaluate(line, x);
-      // A ramp from below the floor may count as above it from its beginning on; there, beside 0,
-      // its value is rounded to 0.
+      // A ramp from below the floor may count as above it from its beginning on. Near 0, its value
+      // there is rounded to 0.
       if (value > 0.001 || (value == 0.0 && (x == 0.0 || std::isnormal(x))))
       {
         EXPECT_EQ(Evaluate(mask, 2.0 * x), value > 0.001 ? 1.0 : 0.0) << x;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Quaternions turn as Rodrigues' formula says: v cos a + (n x v) sin a + n (n v) (1 - cos a).
+ * Quaternions rotate as in Rodrigues' formula: v cos a + (n x v) sin a + n (n v) (1 - cos a).
  * Testing/VTK/Device/OrientationTest.cxx compares them with VTK's own.
  */
 
@@ -48,7 +48,7 @@ Quaternion Turn(const Vector3& axis, double angle)
   return { std::cos(0.5 * angle), n.X, n.Y, n.Z };
 }
 
-/// The same orientation, q or -q.
+/// Returns the difference between two orientations; q and -q are the same.
 double Difference(const Quaternion& a, const Quaternion& b)
 {
   const double dot = a.W * b.W + a.X * b.X + a.Y * b.Y + a.Z * b.Z;
@@ -94,7 +94,7 @@ TEST(Quaternions, ComeBackFromAMatrix)
     random.Axis() };
   for (const Vector3& axis : corners)
   {
-    // Near half a turn the first number vanishes, and near none the others do.
+    // The first component vanishes near half a turn; the others vanish near no turn.
     for (const double angle : { 0.0, 1e-9, 1.0, 2.0, 3.0, 3.141592653589793 - 1e-9,
            3.141592653589793, 3.141592653589793 + 1e-9, 6.0 })
     {

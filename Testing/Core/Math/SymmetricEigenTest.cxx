@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Eigenvalues and eigenvectors of matrices that are made of known ones, and what defines them.
+ * Eigenvalues and eigenvectors of matrices made from known ones, and their defining properties.
  */
 
 #include "Core/Math/SymmetricEigen.h"
@@ -26,7 +26,7 @@ TEST(SymmetricEigen, KnownSystemsAreFoundAgain)
     Vector3 e2 = Cross(e1, any());
     e2 = (1.0 / Norm(e2)) * e2;
     const Matrix3 turn = Matrix3::FromColumns(e1, e2, Cross(e1, e2));
-    // Equal, almost equal and vanishing values, too.
+    // Include equal, almost equal and zero eigenvalues.
     const double scale = round % 7 == 0 ? 1e150 : (round % 7 == 1 ? 1e-150 : 1.0);
     double values[3] = { scale * uniform(engine), 0.0, 0.0 };
     values[1] = round % 3 == 0 ? values[0] : scale * uniform(engine);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The memory that a control group leaves, from folders as both versions of the kernel's interface
- * lay them out (Documentation/admin-guide/cgroup-v1/memory.rst and cgroup-v2.rst of Linux).
+ * The memory that a control group leaves, read from folders with the layouts of both kernel
+ * interfaces (Documentation/admin-guide/cgroup-v1/memory.rst and cgroup-v2.rst of Linux).
  */
 
 #include "Core/Platform/ControlGroup.h"
@@ -64,7 +64,7 @@ TEST_F(ControlGroup, IsLimitedByThoseAboveIt)
   this->Write("user/memory.max", "3000");
   this->Write("user/memory.current", "2000");
   EXPECT_EQ(this->Read(), 1000.0);
-  // A container sees its own group as the root, whatever the process's path says.
+  // A container sees its own group as the root, whatever path the process has.
   this->Write("memory.max", "900");
   this->Write("memory.current", "100");
   EXPECT_EQ(this->Read(), 800.0);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What the process that reads files lets a file take: it answers here with the limits that it has
- * while it reads. The bytes of requests and answers are written here a second time.
+ * The limits of the process that reads files: here it answers with the limits that it has while it
+ * reads. The bytes of requests and answers are written out again in this test.
  */
 
 #include "Core/Platform/ReaderProcess.h"
@@ -25,7 +25,7 @@
 
 using VolumeHaptics::ReadTask;
 
-void vtkHapticServeReading(int) {} // that of the module, which is not in this program
+void vtkHapticServeReading(int) {} // replaces the module's, which is not in this program
 
 namespace
 {
@@ -49,7 +49,7 @@ protected:
   Reader() { std::filesystem::create_directories(this->Folder); }
   ~Reader() override { std::filesystem::remove_all(this->Folder); }
 
-  /// Writes a file of holes.
+  /// Writes a sparse file of a size (bytes).
   std::string Write(const std::string& name, std::uintmax_t size) const
   {
     const std::string path = this->Folder + "/" + name;
@@ -59,7 +59,7 @@ protected:
     return path;
   }
 
-  /// Asks a new process with a limit of its own, which none is if `own` is 0.
+  /// Asks a new process that has its own limit (bytes); 0: no limit.
   static Limits Ask(ReadTask task, const std::string& path, rlim_t own = 0)
   {
     int links[2];
@@ -102,7 +102,7 @@ TEST_F(Reader, OfASmallFileDoesNotCountWhatLiesBesideIt)
   this->Write("large.bin", 50 * gibibyte);
   const Limits limits = Ask(ReadTask::Grid, path);
   EXPECT_LE(limits.Seconds, 121);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // they map terabytes
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // sanitizers map terabytes
   EXPECT_LE(limits.Bytes, 5 * gibibyte);
 #endif
 }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A servo without privileges asks RealtimeKit, and no answer of it does harm.
+ * A servo without privileges asks RealtimeKit, and no answer does harm.
  *
- * The service is played, on a bus of the test's own: see played_rtkit.py, which is written from
- * what rtkit publishes. What the kernel did is read from the kernel.
+ * The service is simulated on the test's own bus by played_rtkit.py, which is written from rtkit's
+ * published interface. The test reads the results from the kernel.
  */
 
 #include "Core/Realtime/RealtimeKit.h"
@@ -41,7 +41,7 @@ rlim_t HardTimeLimit()
   return limit.rlim_max;
 }
 
-/// Each case is a process of its own, whose limits and environment may change.
+/// Each case is a separate process, whose limits and environment may change.
 class RealtimeKitService : public testing::Test
 {
 protected:
@@ -174,7 +174,7 @@ TEST_F(RealtimeKitService, TheBusMayEndWhileTheServiceIsAsked)
   EXPECT_EQ(answer.load(), Answer::Refused);
 }
 
-// Without heed to the stop it would go on to the next property.
+// Without the stop, it would go on to the next property.
 TEST_F(RealtimeKitService, IsAskedNothingMoreAfterAStop)
 {
   PlayedRealtimeKit service({ "--silent", "Get" });
@@ -269,7 +269,7 @@ TEST(ServoPriority, TakesWhatNeedsNoPrivilege)
       sched_param parameters{};
       EXPECT_EQ(pthread_getschedparam(pthread_self(), &policy, &parameters), 0);
       EXPECT_EQ(policy, SCHED_OTHER);
-      // struct sched_attr of linux/sched/types.h: the slice is its fifth number, after 24 bytes.
+      // struct sched_attr in linux/sched/types.h: the slice is its fifth number, after 24 bytes.
       std::uint64_t attributes[6] = {};
       ASSERT_EQ(syscall(SYS_sched_getattr, 0, attributes, sizeof(attributes), 0), 0);
       utsname kernel{};

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A value of several cache lines, in which a mix of two writes shows, and its reader.
+ * A value of several cache lines that shows if two writes are mixed, and its reader.
  */
 #ifndef SealedValue_h
 #define SealedValue_h
@@ -41,7 +41,7 @@ private:
   std::uint64_t Word[Words] = {};
 };
 
-/// Counts what is wrong with the values that one thread gets from another, which numbers them.
+/// Counts the errors in numbered values that one thread gets from another.
 class SealedReader
 {
 public:

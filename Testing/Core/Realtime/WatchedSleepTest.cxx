@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A sleeper whose processor does not wake it up is woken up on another one, and nothing else about
- * it changes. Where a thread runs and may run is read from the kernel.
+ * If a sleeper's processor does not wake it up, it is woken up on another processor, and nothing
+ * else about it changes. The tests read from the kernel where a thread runs and may run.
  */
 
 #include "Core/Realtime/WatchedSleep.h"
@@ -38,7 +38,7 @@ bool MayRunOn(const cpu_set_t& processors)
   return CPU_EQUAL(&now, &processors);
 }
 
-/// Watches until it is destroyed, at first on a processor of this number, or on any.
+/// Watches until it is destroyed. Starts on the given processor; -1: on any.
 class Watcher
 {
 public:
@@ -75,7 +75,7 @@ private:
   std::thread Thread;
 };
 
-/// Two processors or more, and a kernel that lets threads choose among them.
+/// Needs at least two processors, and a kernel that lets threads choose among them.
 class WatchedSleepElsewhere : public testing::Test
 {
 protected:
@@ -104,7 +104,7 @@ TEST_F(WatchedSleepElsewhere, EndsOnAnotherProcessor)
     {
       const int processor = sched_getcpu();
       const std::int64_t planned = ServoClock::Now() + 5 * ServoClock::Millisecond;
-      sleep.SleepUntil(planned, planned + 30 * Second); // a processor that forgets its timer
+      sleep.SleepUntil(planned, planned + 30 * Second); // as if the processor forgot its timer
       const std::int64_t end = ServoClock::Now();
       ASSERT_TRUE(MayRunOn(this->Before));
       ASSERT_GE(end, planned);
@@ -112,14 +112,14 @@ TEST_F(WatchedSleepElsewhere, EndsOnAnotherProcessor)
       changes += sched_getcpu() == processor ? 0 : 1;
     }
   }
-  // On a busy machine the thread may be moved, or come late to its sleep, by itself.
+  // On a busy machine, the kernel may move the thread, or the thread may begin its sleep late.
   EXPECT_GE(sleep.GetRescues(), static_cast<std::uint64_t>(times / 2));
   EXPECT_GE(changes, times / 2);
 }
 
 TEST_F(WatchedSleepElsewhere, IsNotShortenedByAHastyWatcher)
 {
-  WatchedSleep sleep(2); // ns: so the watcher waits for 1 ns only
+  WatchedSleep sleep(2); // ns: the watcher waits for only 1 ns
   {
     const Watcher watcher(sleep);
     for (int i = 0; i < 3000; ++i)
@@ -158,7 +158,7 @@ TEST(WatchedSleep, EndsByItselfWithoutAWatcher)
   const std::int64_t planned = ServoClock::Now() + 2 * ServoClock::Millisecond;
   sleep.SleepUntil(planned);
   EXPECT_GE(ServoClock::Now(), planned);
-  sleep.SleepUntil(planned - Second); // over before it begins
+  sleep.SleepUntil(planned - Second); // already over at its beginning
   EXPECT_LT(ServoClock::Now(), planned + 60 * Second);
 }
 

@@ -3,10 +3,10 @@
 
 /**
  * Where a surface gives way, the hand feels it over some milliseconds. Ticks with a release time
- * are compared with the same ticks without one: what remains of the force before a leap fades as
- * e dt/(tau + dt) or 150 N/s (Core/State/ProxyRelease.h). No tick changes the force by more than
- * 0.25 N, and the work on the hand, by trapezoids, is no more than the |F|^2/(2 k) of a spring that
- * is released slowly.
+ * are compared with the same ticks without one: what remains of the force before a leap fades as e
+ * dt/(tau + dt) or 150 N/s (Core/State/ProxyRelease.h). No tick changes the force by more than 0.25
+ * N, and the work on the hand, by trapezoids, is at most the |F|^2/(2 k) of a spring that is
+ * released slowly.
  */
 
 #include "Core/State/ServoStateNumbers.h"
@@ -22,9 +22,9 @@ namespace
 {
 constexpr double Tau = 0.005;     // s
 constexpr double Period = 0.001;  // s
-constexpr double MostStep = 0.25; // N in a tick, at a release
+constexpr double MostStep = 0.25; // N per tick, at a release
 
-/// A bright shell, 4 mm thick, across z = 20 mm, in a volume of 1 mm voxels.
+/// A bright shell, 4 mm thick, across z = 20 mm, in a volume with voxels of 1 mm.
 TestVolume MakeShell()
 {
   TestVolume volume(ScalarType::Float32, { 24, 24, 48 });
@@ -47,7 +47,7 @@ HapticModelDescription DescribeShell(const TestVolume& volume, double strength)
   return d;
 }
 
-/// A model with a release time, and the same one without.
+/// A model with a release time, and the same model without one.
 class Pair
 {
 public:
@@ -57,7 +57,7 @@ public:
   {
   }
 
-  /// Ticks both. The law is the same: so is the proxy from which it goes on.
+  /// Runs a tick of both models. The law is the same, so both continue from the same proxy.
   void Tick(const Vector3& tip)
   {
     const Vector3 before = this->A.Force;
@@ -80,7 +80,7 @@ public:
     EXPECT_TRUE(this->A.IsUnfinished || Norm(this->A.Force - pull) < 1e-9)
       << "the force is that of the spring, as ever";
   }
-  /// What remains of earlier forces.
+  /// Returns what remains of earlier forces.
   Vector3 GetRemainder() const { return this->A.Force - this->B.Force; }
 
   TickRecord A;
@@ -120,7 +120,7 @@ TEST(ProxyRelease, GoesOverInSomeMilliseconds)
     Pair pair(DescribeShell(volume, strength));
     double highest = 0.0;
     int releases = 0;
-    // 40 mm/s through the shell.
+    // Go through the shell at 40 mm/s.
     for (int i = 0; i < 1050; ++i)
     {
       const double remained = Norm(pair.GetRemainder());
@@ -129,7 +129,7 @@ TEST(ProxyRelease, GoesOverInSomeMilliseconds)
       const double remains = Norm(pair.GetRemainder());
       if (pair.StepWithout < 0.02)
       {
-        // In a tick without a leap: the closed form.
+        // In a tick without a leap, the remainder has a closed form.
         const double fall = std::min(remained * Period / (Tau + Period), 150.0 * Period);
         EXPECT_NEAR(remains, remained - fall > 1e-3 ? remained - fall : 0.0, 1e-9) << i;
       }
@@ -146,9 +146,9 @@ TEST(ProxyRelease, GoesOverInSomeMilliseconds)
 
 TEST(ProxyRelease, GoesOverWhereTheProxyDoesNotReachTheTipInATick)
 {
-  // A spring of 50 N/m that is 100 voxels long: when the shell gives way, the proxy has farther to
-  // go than the samples of a tick allow. The solver then goes on from a tip nearer to the proxy,
-  // and the friction would let a step as long as that change the force by far more.
+  // A spring of 50 N/m with a length of 100 voxels. When the shell gives way, the proxy has farther
+  // to go than the samples of a tick allow. The solver then continues from a tip nearer to the
+  // proxy, and friction would let such a long step change the force by far more.
   TestVolume volume(ScalarType::Float32, { 24, 24, 160 });
   volume.Fill<float>(
     [](std::int64_t, std::int64_t, std::int64_t k)
@@ -191,8 +191,8 @@ TEST(ProxyRelease, LeavesWhatDoesNotLeapToTheBit)
 
 TEST(ProxyRelease, GivesAHandThatTurnsBackNoMoreThanItsSpringHeld)
 {
-  // It breaks through at 40 mm/s, and goes back along the force after so many ticks, slowly or at
-  // 0.5 m/s, where a spring of 400 N/m changes by 0.2 N in a tick.
+  // The tip breaks through at 40 mm/s. After so many ticks, it goes back along the force, slowly or
+  // at 0.5 m/s, where a spring of 400 N/m changes by 0.2 N per tick.
   const TestVolume volume = MakeShell();
   for (const double strength : { 1.0, 3.0, 8.0 })
   {
@@ -204,8 +204,8 @@ TEST(ProxyRelease, GivesAHandThatTurnsBackNoMoreThanItsSpringHeld)
         Pair pair(DescribeShell(volume, strength));
         double z = 0.002;
         int since = -1;
-        double held = 0.0;   // J, before the release
-        double before = 0.0; // J, of the work until then
+        double held = 0.0;   // J, in the spring before the release
+        double before = 0.0; // J, work until then
         for (int i = 0; i < 1200 && z > 0.001; ++i)
         {
           const double force = Norm(pair.A.Force);
@@ -222,14 +222,15 @@ TEST(ProxyRelease, GivesAHandThatTurnsBackNoMoreThanItsSpringHeld)
           EXPECT_LE(pair.Work - before, held + 1e-12) << i;
           EXPECT_LE(pair.Work, 1e-12) << i;
         }
-        for (int i = 0; i < 100; ++i) // it rests
+        for (int i = 0; i < 100; ++i) // the tip rests
         {
           pair.Tick(At(z));
         }
         EXPECT_GT(since, late);
         EXPECT_LT(pair.Most, MostStep);
         EXPECT_GT(pair.MostWithout, 0.5 * strength);
-        // The back of the shell may hold it then, and what the hand has not put in it does not get.
+        // The back of the shell may then hold the proxy. The hand does not get what it has not put
+        // in.
         EXPECT_TRUE(Norm(pair.GetRemainder()) == 0.0 || Norm(pair.A.Force) < Norm(pair.B.Force));
       }
     }
@@ -238,7 +239,8 @@ TEST(ProxyRelease, GivesAHandThatTurnsBackNoMoreThanItsSpringHeld)
 
 TEST(ProxyRelease, GoesOverForAHandOnItsWayBack)
 {
-  // The shell ends at x = 12 mm. A hand below it slides to its end while it goes up, and off.
+  // The shell ends at x = 12 mm. A hand below it slides to its end while it moves up, and slips
+  // off.
   TestVolume volume(ScalarType::Float32, { 24, 24, 48 });
   volume.Fill<float>(
     [](std::int64_t i, std::int64_t, std::int64_t k)
@@ -275,7 +277,7 @@ TEST(ProxyRelease, GoesOverForAHandOnItsWayBack)
   }
 }
 
-/// Random walks of up to 0.5 m/s, 400 N/m, in noise that has surfaces everywhere.
+/// Random walks at up to 0.5 m/s with 400 N/m, in noise that has surfaces everywhere.
 TEST(ProxyRelease, HoldsItsLimitsOnRandomWalks)
 {
   int remains = 0;
@@ -300,7 +302,7 @@ TEST(ProxyRelease, HoldsItsLimitsOnRandomWalks)
     }
     for (int i = 0; i < 4000; ++i)
     {
-      // Lissajous ways, which turn back at all places, at a speed that changes along them.
+      // Lissajous curves, which turn back everywhere, at a varying speed.
       const double t = 1e-3 * i + 0.15 * std::sin(0.0021 * i);
       const double rates[3] = { 13.0 + 0.7 * seed, 17.0 - 0.9 * seed, 19.0 + 0.3 * seed };
       for (int axis = 0; axis < 3; ++axis)
@@ -322,9 +324,9 @@ TEST(ProxyRelease, HoldsItsLimitsOnRandomWalks)
 }
 
 /**
- * Tissue of another stiffness at each place, 50 to 1000 N/m, and a hand at up to 0.1 m/s, whose
- * springs are millimetres long: a proxy that creeps by hundredths of a voxel comes to one that is
- * softer by percents, of some newtons.
+ * Tissue whose stiffness varies from 50 to 1000 N/m, and a hand at up to 0.1 m/s whose springs are
+ * millimetres long. A proxy that creeps by hundredths of a voxel reaches tissue that is softer by
+ * percents, which changes a force of several newtons.
  */
 TEST(ProxyRelease, HoldsItsLimitsWhereAProxyCreepsToSofterTissue)
 {
@@ -405,7 +407,7 @@ TEST(ProxyRelease, GoesOnToTheBitIfStored)
 
 TEST(ProxyRelease, EndsWithTheTouch)
 {
-  // A tip that is lost, and one of another model without a release time, feel nothing of before.
+  // A lost tip, and a tip in another model without a release time, feel nothing of earlier forces.
   const TestVolume volume = MakeShell();
   HapticModelDescription d = DescribeShell(volume, 3.0);
   const HapticModel model(d);
