@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A file of one's own that keeps what is known of devices.
- *
- * It has to be made before an emulator and outlive it: the emulator's threads read the environment
- * with each call that umockdev looks at, which must not happen while a variable is set.
+ * A file of devices for one test. It has to be made before an emulator, and to outlive it: the
+ * emulator's threads read the environment with each call that umockdev looks at, which must not
+ * happen while a variable is set.
  */
 #ifndef DevicesFile_h
 #define DevicesFile_h
@@ -37,7 +36,7 @@ public:
   DevicesFile(const DevicesFile&) = delete;
   DevicesFile& operator=(const DevicesFile&) = delete;
 
-  /** Forgets what emulators that were made meanwhile have noted as confirmed. */
+  /** Forgets the devices that other emulators have confirmed meanwhile. */
   void Clear() const noexcept
   {
     std::error_code ignored;
@@ -47,7 +46,7 @@ public:
   const std::string Path = TemporaryPath("devices-" + std::to_string(getpid()) + ".txt");
 
 private:
-  const std::string Others = std::getenv("VOLUMEHAPTICS_DEVICES"); // EmulatedMain.cxx names it
+  const std::string Others = std::getenv("VOLUMEHAPTICS_DEVICES"); // EmulatedMain.cxx sets it
 };
 } // namespace emulated
 

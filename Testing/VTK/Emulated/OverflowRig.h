@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A child process in which the thread of a device overflows its stack while force flows. The device
- * is emulated by the parent, so that it outlives the child.
+ * A child process in which a device's thread overflows its stack while force flows. The parent
+ * emulates the device, so the device outlives the child.
  */
 #ifndef OverflowRig_h
 #define OverflowRig_h
@@ -26,7 +26,7 @@
 namespace emulated
 {
 
-/// Calls itself until the stack has no more room.
+/// Calls itself until the stack overflows.
 #if defined(__GNUC__)
 __attribute__((noinline, no_sanitize("address", "undefined")))
 #endif
@@ -48,7 +48,7 @@ inline std::set<int> ListThreads()
   return threads;
 }
 
-/// The first thread that was started since then.
+/// Returns the first thread that has started since `before` was listed.
 inline int FindNewThread(const std::set<int>& before)
 {
   int thread = 0;
@@ -60,9 +60,10 @@ inline int FindNewThread(const std::set<int>& before)
 }
 
 /**
- * Opens the device `id` in a child, and overflows its thread's stack as soon as force is felt.
- * `lead` leads the hand into the face (true) or out of it, until the child has ended. Returns the
- * number of the signal that ended the child, or minus what went wrong in it.
+ * Opens the device `id` in a child process, and overflows its thread's stack as soon as force is
+ * felt. Calls `lead`, which moves the hand into the face (true) or out of it, until the child has
+ * ended. Returns the number of the signal that ended the child, or a negative number that tells
+ * what failed in it.
  */
 template <typename Lead>
 int OverflowDeviceThread(PhantomHand& hand, const std::string& id, Lead&& lead)
@@ -75,7 +76,7 @@ int OverflowDeviceThread(PhantomHand& hand, const std::string& id, Lead&& lead)
   {
     const rlimit none{ 0, 0 };
     setrlimit(RLIMIT_CORE, &none);
-    // Crash signals are the only ones that a device's thread does not block.
+    // A device's thread blocks all signals except crash signals.
     std::signal(SIGTRAP, [](int) { std::_Exit(Overflow(0)); });
     const std::set<int> before = ListThreads();
     if (!hand.Device->Open(id.c_str()))
@@ -87,7 +88,7 @@ int OverflowDeviceThread(PhantomHand& hand, const std::string& id, Lead&& lead)
     {
       std::_Exit(2);
     }
-    // A busy machine may leave the device unwatched for a moment, and it begins anew.
+    // On a busy machine, the device may be unwatched for a moment and begin anew.
     bool isFelt = false;
     for (int attempt = 0; attempt < 5 && !isFelt; ++attempt)
     {
@@ -124,7 +125,7 @@ int OverflowDeviceThread(PhantomHand& hand, const std::string& id, Lead&& lead)
     hasEnded = Eventually(
       [&]
       {
-        // What is armed in the face is not felt there.
+        // A hand that is armed inside the face feels nothing, so the hand moves out and in.
         lead(*isArmed && ++looks % 1000 > 300);
         return waitpid(child, &status, WNOHANG) == child;
       });

@@ -3,8 +3,8 @@
 
 /**
  * Applications in which a hand presses a device onto the face of the phantom: an arm with an hfab
- * controller behind a pseudo-terminal, and devices of stand-ins for vendors' libraries through
- * their plug-ins. The devices are those of the emulators' sources (Emulators/HfabEmulator.h,
+ * controller behind a pseudo-terminal, and devices of stand-ins for vendors' libraries, loaded as
+ * plug-ins. The devices are emulated (Emulators/HfabEmulator.h,
  * ForceDimension/FakeForceDimension.h, OpenHaptics/FakeOpenHaptics.h).
  */
 
@@ -21,23 +21,26 @@ using namespace emulated;
 
 namespace
 {
-/** A device of which one axis of its own points out of the face. */
+/** A device with one axis that points out of the face. */
 class PressedDevice
 {
 public:
   virtual ~PressedDevice() = default;
   virtual std::string GetId() const = 0;
-  /** As the user's file of devices has it. */
+  /** The name of the device in the user's file of devices. */
   virtual std::string GetIdentity() const = 0;
-  /** The hand puts it into its pose for calibration. False if it needs none. */
+  /** Puts the device into its pose for calibration. Returns false if it needs none. */
   virtual bool PutIntoPose() { return false; }
   ///@{
-  /** Out of the face: where the hand is led (m), where the tip is, and the force (N). */
+  /**
+   * Along the axis out of the face: moves the hand (m), and returns the tip's place (m) and the
+   * force (N).
+   */
   virtual void Lead(double out) = 0;
   virtual double GetTip() = 0;
   virtual double GetForce() = 0;
   ///@}
-  /** Takes it away, and the words that tell it. */
+  /** Breaks the device, and returns the words with which the status text reports that. */
   virtual const char* Break() = 0;
 };
 
@@ -152,8 +155,8 @@ protected:
     return this->Device->GetStatus() == status;
   }
   /**
-   * Calibrates it if it needs that: again, as a user does, if a busy machine has lost it. Its fault
-   * is told then until it is armed.
+   * Calibrates the device if needed. If a busy machine has lost it, calibrates it again, as a user
+   * does; its fault is then shown until it is armed.
    */
   void MakeReady()
   {
@@ -177,13 +180,13 @@ protected:
     ASSERT_TRUE(Eventually([this] { return !this->IsAt(vtkHapticDevice::HOMING); }))
       << this->Device->GetStatusText();
   }
-  /// A device that is lost does not ask where it is led.
+  /// Moves the hand; returns false if the tip does not follow, as for a device that was lost.
   bool LeadTo(double out)
   {
     this->Arm.Lead(out);
     return Eventually([&] { return std::abs(this->Arm.GetTip() - out) < 0.002; });
   }
-  /// Pressed in until it is felt, and for a while.
+  /// Presses until the force is felt, and keeps the press for 1000 ticks.
   bool IsFeltForLong()
   {
     this->Arm.Lead(-Depth);
@@ -195,7 +198,7 @@ protected:
     return felt && this->Device->GetState()->GetContact() != 0 && this->Hand.WaitTicks(1000) &&
       !this->IsAt(vtkHapticDevice::FAULT);
   }
-  /** The hand's spring and the skin hold each other, and the program tells the same force. */
+  /** Returns whether the skin's force, the hand's spring and the reported force agree. */
   bool IsFelt()
   {
     this->Device->UpdateState();
@@ -226,7 +229,7 @@ TYPED_TEST(PhantomArms, PressThePhantomAndLetGoAtAFault)
   ASSERT_TRUE(device->Start());
   EXPECT_TRUE(device->GetSignsConfirmed());
   bool felt = false;
-  // A busy machine may leave the device unwatched for a moment, and the force begins anew.
+  // On a busy machine, the device may be unwatched for a moment, and the force begins anew.
   for (int attempt = 0; attempt < this->MostAttempts && !felt; ++attempt)
   {
     device->Disarm();

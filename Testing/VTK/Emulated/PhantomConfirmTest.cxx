@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The first arming of an emulated Falcon, whose motors are wired right or the other way round.
+ * The first arming of an emulated Falcon whose motors are wired correctly, or the wrong way round.
  */
 
 #include "DevicesFile.h"
@@ -30,7 +30,7 @@ protected:
   {
     this->Memory.Clear();
   }
-  /// The hand holds it in front of the face, and arms it.
+  /// Homes the device, holds it in front of the face, and arms it.
   void ArmInTheHand()
   {
     ASSERT_TRUE(this->Device->Open("falcon"));
@@ -85,7 +85,7 @@ TEST_F(PhantomConfirm, ACalibratedDeviceIsAskedForWhatItReallyGives)
   ASSERT_EQ(this->Log.Errors.size(), 2u);
   EXPECT_NE(this->Log.Errors[0].find("0.1 to 10"), std::string::npos) << this->Log.Errors[0];
   this->Log.Errors.clear();
-  // Stronger than thought: no more is asked of it than before.
+  // If the device is stronger than thought, the limit stays as it was.
   ASSERT_TRUE(this->Device->CalibrateForce(2.0));
   EXPECT_DOUBLE_EQ(this->Device->GetMaximumForce(), 4.0);
   ASSERT_TRUE(this->Device->CalibrateForce(0.5));
@@ -102,7 +102,7 @@ TEST_F(PhantomConfirm, ACalibratedDeviceIsAskedForWhatItReallyGives)
   this->Device->Arm();
   ASSERT_TRUE(this->LeadTo(0.0, 0.0, SkinHeight + 0.01));
   ASSERT_TRUE(this->LeadTo(0.0, 0.0, SkinHeight - 0.006));
-  // The model gives what it is asked for: twice what is told.
+  // The model gives the force that it gets: twice the reported force.
   EXPECT_TRUE(this->Hand.Wait(
     [&]
     {

@@ -43,15 +43,15 @@ protected:
     ASSERT_TRUE(this->LeadTo(0.0, 0.0, 0.172));
     ASSERT_TRUE(this->Hand.WaitFor(vtkHapticDevice::READY)) << this->Device->GetStatusText();
   }
-  /** The height of the skin beside the line, where the face recedes. */
+  /** Returns the height of the skin beside the line, where the face recedes. */
   double HeightOfSkin(double x, double y) const
   {
     return SkinHeight - 1e-3 * this->Phantom.SkinBehind(-1e3 * y, 1e3 * x);
   }
   /**
-   * From the front of the skin the hand goes on until it is so far (m) beyond, and feels it, in
-   * balance with its own spring. If a busy machine left the device unwatched meanwhile, the force
-   * has begun again from there: once more.
+   * Presses from in front of the skin to `beyond` (m) behind it. Expects that the force balances
+   * the hand's own spring. Tries again, since the force begins anew if a busy machine has left the
+   * device unwatched.
    */
   void Press(double x, double y, double beyond)
   {
@@ -83,7 +83,7 @@ protected:
     EXPECT_GT(Phantom.DepthOf(this->Device->GetState()->GetTipPosition()),
       Phantom.DepthOf(this->Device->GetState()->GetProxyPosition()));
   }
-  /** The servo has felt nothing but zero for so many ticks. */
+  /** Expects that the force is 0 for so many ticks. */
   void ExpectNoForce(vtkIdType ticks)
   {
     const vtkIdType end = this->Device->GetState()->GetTick() + ticks;

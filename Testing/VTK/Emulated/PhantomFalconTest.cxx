@@ -21,8 +21,8 @@ TEST_F(PhantomFalcon, IsFeltLostAndFeltAgain)
   std::ofstream(firmware, std::ios::binary) << std::string(4000, 'F');
   this->Device->SetFirmwareFile(firmware);
 
-  // Its loader does not answer until what is going on was seen: else the image may be there before
-  // anything was read.
+  // The boot loader does not answer until the status was seen. Otherwise the firmware might be
+  // loaded before the test has read anything.
   this->Falcon.Break(FalconFault::NoGreeting);
   ASSERT_TRUE(this->Device->Open("falcon"));
   ASSERT_TRUE(this->Device->Start());
@@ -48,7 +48,7 @@ TEST_F(PhantomFalcon, IsFeltLostAndFeltAgain)
   this->ExpectNoForce(20);
   this->Falcon.SwitchOff();
   this->Usb.PlugIn();
-  // It is opened by itself, gets its firmware, and is homed by hand.
+  // The device is opened again without a user, gets its firmware, and is homed by hand.
   ASSERT_TRUE(this->Hand.WaitFor(vtkHapticDevice::HOMING)) << this->Device->GetStatusText();
   ASSERT_TRUE(this->LeadTo(0.0, 0.0, 0.1735));
   ASSERT_TRUE(this->LeadTo(0.0, 0.0, 0.08));

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An application in which a hand presses an arm of a played Inverse service onto the face of the
- * phantom. Haply's y points forward, into the face.
+ * An application in which a hand presses an arm of an emulated Inverse service onto the face of the
+ * phantom. Haply's y axis points forward, into the face.
  */
 
 #include "Emulators/HaplyService.h"
@@ -60,7 +60,7 @@ protected:
       return force > 0.1 && std::abs(shown - force) < 0.05 && std::abs(spring - force) < 0.1;
     };
     bool felt = false;
-    // A busy machine may leave the device unwatched for a moment, and the force begins anew.
+    // On a busy machine, the device may be unwatched for a moment, and the force begins anew.
     for (int attempt = 0; attempt < 5 && !felt; ++attempt)
     {
       ASSERT_TRUE(this->LeadTo(-0.01));
@@ -97,7 +97,7 @@ TEST_F(PhantomHaply, IsFeltLostAndFeltAgain)
   EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
   this->Service.reset();
   this->Service.emplace();
-  // It is opened by itself.
+  // The device is opened again without a user.
   ASSERT_TRUE(this->Hand.Wait([&] { return this->Hand.Says("is back. Arm() again"); }))
     << this->Device->GetStatusText();
   EXPECT_TRUE(this->Hand.WaitTicks(100));
@@ -114,7 +114,8 @@ TEST_F(PhantomHaply, IsFeltLostAndFeltAgain)
   EXPECT_TRUE(this->Hand.Wait(
     [&]
     {
-      // A quarter about the vertical, in the world too: the cosine of half of it.
+      // The device has turned by a quarter about the vertical, also in the world: the product of
+      // the quaternions is the cosine of half the angle.
       const double* const turn = this->Device->GetState()->GetTipOrientation();
       const double same = std::inner_product(start.begin(), start.end(), turn, 0.0);
       return std::abs(std::abs(same) - half) < 1e-6;
@@ -139,7 +140,7 @@ TEST_F(PhantomHaply, TheFirstArmingIsGentle)
     << this->Device->GetStatusText();
   ASSERT_TRUE(this->Hand.Wait([&] { return this->Device->GetSignsConfirmed(); }))
     << this->Device->GetStatusText();
-  // A tenth of 2 N.
+  // The limit is a tenth of 2 N while the signs are being confirmed.
   double largest = 0.0;
   for (const Triple& force : this->Service->GetSessions().back().Forces)
   {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An application on the phantom with a gamepad: contact is felt, rest is silent, and the texts say
- * that it is vibration.
+ * An application on the phantom with a gamepad: contact vibrates, rest is silent, and the texts
+ * call it vibration, not force.
  */
 
 #include "Emulators/EmulatedEvdev.h"
@@ -31,7 +31,7 @@ TEST(PhantomPad, TheFaceIsFeltAsVibrationAndRestIsSilent)
   ASSERT_TRUE(hand.WaitFor(vtkHapticDevice::READY)) << device->GetStatusText();
   EXPECT_TRUE(hand.Says("vibration:pad (vibration, not force)")) << device->GetStatusText();
   device->Arm();
-  // Towards the hand, and back into the face.
+  // The tip moves towards the hand, and then back into the face.
   pad.Move(ABS_RY, 1.0);
   EXPECT_TRUE(
     hand.Wait([&] { return phantom.DepthOf(device->GetState()->GetTipPosition()) < -20.0; }));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A head phantom with a device in front of its face, as an application builds it.
+ * A head phantom with a device in front of its face, as in an application.
  */
 #ifndef PhantomRig_h
 #define PhantomRig_h
@@ -18,7 +18,7 @@ using devicetest::Length;
 
 inline constexpr double SkinValue = -300.0; ///< HU, half-way between air and skin
 
-/** The filter on the phantom, and the position of its skin on a line into the face. */
+/** A filter on the phantom, and the position of its skin on a line into the face. */
 class Phantom
 {
 public:
@@ -34,14 +34,14 @@ public:
   }
 
   /**
-   * Puts a device's origin onto the skin, so that one of its axes (0 to 2), or with a sign of -1
-   * the other end of it, points out of the face.
+   * Returns a placement whose origin is on the skin, and in which one axis of the device (0 to 2),
+   * or its opposite (a sign of -1), points out of the face.
    */
   vtkSmartPointer<vtkMatrix4x4> Place(int outward, double sign) const
   {
     auto place = vtkSmartPointer<vtkMatrix4x4>::New();
-    // Out of the face is -y; the others follow in a cycle, which is no mirror, and change sides
-    // with the sign.
+    // The chosen axis is -y of the world (out of the face). The other axes follow in a cycle, and
+    // the sign turns them so that nothing is mirrored.
     const double axes[3][3] = { { 0.0, -sign, 0.0 }, { 0.0, 0.0, sign }, { -1.0, 0.0, 0.0 } };
     for (int i = 0; i < 3; ++i)
     {
@@ -54,9 +54,11 @@ public:
     place->SetElement(2, 3, Height);
     return place;
   }
-  /** How far (mm) a point of the world is inside the skin, near the line. */
+  /** Returns how far (mm) a point of the world is inside the skin, near the line. */
   double DepthOf(const double point[3]) const { return point[1] - this->Skin; }
-  /** How much deeper (mm) the skin is at another place, which is that far (mm) from the line. */
+  /**
+   * Returns how much deeper (mm) the skin is at a place with these distances (mm) from the line.
+   */
   double SkinBehind(double x, double z) const
   {
     return this->ComputeSkin(x, Height + z) - this->Skin;
@@ -65,7 +67,7 @@ public:
   vtkNew<vtkVolumeHapticsFilter> Filter;
 
 private:
-  static constexpr double Height = 60.0; // mm, of the line
+  static constexpr double Height = 60.0; // mm, height of the line
 
   double ComputeSkin(double x, double z) const
   {
@@ -76,7 +78,7 @@ private:
     }
     return point[1];
   }
-  /** Between the eight voxels around a point. */
+  /** Interpolates between the eight voxels around a point. */
   double ValueAt(const double point[3]) const
   {
     int index[3];
@@ -102,13 +104,13 @@ private:
   double Skin = 0.0;
 };
 
-/** A device of an application, and what its user sees of it. */
+/** A device of an application, with its status as a user sees it. */
 class PhantomHand
 {
 public:
   PhantomHand(const Phantom& phantom, int outward, double sign)
   {
-    // Tests look after one device, and then after the other one.
+    // Tests look after one device at a time, so this must not end the force of the other one.
     this->Device->SetAttentionTime(0.0);
     this->Device->SetVolumeHaptics(phantom.Filter);
     this->Device->SetDeviceToWorld(phantom.Place(outward, sign));

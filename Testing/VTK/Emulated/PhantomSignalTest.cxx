@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A signal that ends the application while a hand feels the face: the device has got zero before
- * the signal goes on.
+ * A signal that ends the application while a hand feels the face: the device gets zero force before
+ * the signal is passed on.
  */
 
 #include "PhantomFalconRig.h"
@@ -30,7 +30,7 @@ protected:
 
 TEST_P(PhantomSignal, GoesOnOnceTheDeviceHasGotZero)
 {
-  // As an application's own handler, which was there before the device.
+  // An application's own handler is installed before the device is opened.
   HasSignal = 0;
   std::signal(this->GetParam(), [](int) { HasSignal = 1; });
   ASSERT_TRUE(this->Device->Open("falcon"));

@@ -3,7 +3,7 @@
 
 /**
  * Applications on the phantom with devices of fewer directions: a force-feedback stick, and a
- * SpaceMouse, without any; and the first arming of a stick with two motors.
+ * SpaceMouse, which has no force; and the first arming of a stick with two motors.
  */
 
 #include "DevicesFile.h"
@@ -22,7 +22,7 @@ using namespace emulated;
 
 namespace
 {
-/// A stick with two motors, at rest in the air before the face, which is armed for the first time.
+/// A stick with two motors, at rest in front of the face, which is armed for the first time.
 class PhantomJoystick : public testing::Test
 {
 protected:
@@ -31,7 +31,8 @@ protected:
     this->Memory.Clear();
     this->Hand.Device->SetNewtonsPerFullScale(FfbHandle::FullScale, FfbHandle::FullScale);
   }
-  /// Until the check has a verdict. The largest force (N) along each axis of the device meanwhile.
+  /// Arms the device, and waits until its signs are confirmed or refused. Returns the largest force
+  /// (N) along each axis of the device meanwhile.
   void Arm(double largest[3])
   {
     vtkHapticDevice* const device = this->Hand.Device;
@@ -45,7 +46,7 @@ protected:
     EXPECT_TRUE(this->Hand.Wait(
       [&]
       {
-        // Out of the face (-y of the world) is -x of the device; see Phantom::Place.
+        // The device's -x axis is -y of the world, out of the face; see Phantom::Place().
         const double* const force = device->GetState()->GetForce();
         largest[0] = std::max(largest[0], std::abs(force[1]));
         largest[1] = std::max(largest[1], std::abs(force[2]));
@@ -98,7 +99,7 @@ TEST(PhantomStick, IsFelt)
   OpenFfboardModel stick;
   EmulatedHid hid(stick);
   ModelClock clock([&] { stick.Step(); });
-  // The face is to the right: its outside is to the left.
+  // The face is on the right, so the hand is on its left.
   PhantomHand hand(phantom, 0, -1.0);
   vtkHapticDevice* const device = hand.Device;
   device->SetNewtonsPerFullScale(FfbHandle::FullScale, 0.0);
@@ -109,7 +110,7 @@ TEST(PhantomStick, IsFelt)
   ASSERT_TRUE(hand.WaitFor(vtkHapticDevice::READY)) << device->GetStatusText();
   device->Arm();
   bool felt = false;
-  // A busy machine may leave the device unwatched for a moment, and the force begins anew.
+  // On a busy machine, the device may be unwatched for a moment, and the force begins anew.
   for (int attempt = 0; attempt < 5 && !felt; ++attempt)
   {
     stick.SetGoal(-0.01, 0.0);
@@ -162,7 +163,7 @@ TEST(PhantomSpaceMouse, PushesTheTipAgainstTheFaceAndTurnsTheVolume)
   ASSERT_TRUE(device->Start());
   ASSERT_TRUE(hand.WaitFor(vtkHapticDevice::READY)) << device->GetStatusText();
   device->Arm();
-  // The device's y is towards the hand: out of the face, and back into it.
+  // The device's y axis points to the hand: the tip moves out of the face, and then back into it.
   mouse.Push({ 0, 350, 0, 0, 0, 0 });
   EXPECT_TRUE(
     hand.Wait([&] { return phantom.DepthOf(device->GetState()->GetTipPosition()) < -20.0; }));
@@ -175,7 +176,8 @@ TEST(PhantomSpaceMouse, PushesTheTipAgainstTheFaceAndTurnsTheVolume)
   EXPECT_LT(phantom.DepthOf(device->GetState()->GetProxyPosition()),
     phantom.DepthOf(device->GetState()->GetTipPosition()));
   EXPECT_EQ(Length(device->GetState()->GetForce()), 0.0);
-  // About its z, which points down: what is up for the hand turns the other way.
+  // A turn about the device's z axis, which points down, is a turn the other way about the axis
+  // that points up.
   EXPECT_TRUE(hand.Wait([&] { return device->GetState()->GetTurnRate()[1] < -0.4; }));
   mouse.Push({});
   EXPECT_TRUE(hand.Wait([&] { return Length(device->GetState()->GetTurnRate()) == 0.0; }));

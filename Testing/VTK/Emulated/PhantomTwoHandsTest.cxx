@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Two devices at once in one scene: each has its proxy on the same phantom, and neither notices
- * what happens to the other.
+ * Two devices in one scene: each has its own proxy on the same phantom, and a fault of one does not
+ * disturb the other.
  */
 
 #include "Emulators/EmulatedHid.h"
@@ -25,7 +25,7 @@ protected:
     : PhantomFalcon(true)
   {
   }
-  /** The stick's hand goes in and out until it feels the face. */
+  /** Moves the stick's hand in and out until it feels the face; false if it never does. */
   bool FeelsStick()
   {
     bool felt = false;
@@ -77,7 +77,7 @@ TEST_F(PhantomTwoHands, FeelTheSameFaceAndLiveTheirOwnLives)
   EXPECT_TRUE(this->FeelsStick()) << this->Stick.GetForce()[0];
   EXPECT_TRUE(this->Hand.WaitTicks(1000));
   EXPECT_EQ(this->Second->GetStatus(), vtkHapticDevice::ACTIVE);
-  // Two proxies, a centimetre and a half apart.
+  // The two proxies are 1.5 cm apart.
   this->Device->UpdateState();
   this->Second->UpdateState();
   const double* const a = this->Device->GetState()->GetProxyPosition();

@@ -19,8 +19,8 @@ class PhantomWooden : public testing::Test
 {
 protected:
   /**
-   * To a place (m) beyond the skin, which is at the arm's own x of 0: towards the hand is out of
-   * the face.
+   * Moves the hand to a place (m) beyond the skin, which is at x = 0 of the arm; negative places
+   * are in front of the face.
    */
   bool LeadTo(double beyond)
   {
@@ -32,7 +32,7 @@ protected:
     ASSERT_TRUE(this->Hand.WaitFor(vtkHapticDevice::HOMING)) << this->Device->GetStatusText();
     ASSERT_TRUE(this->Hand.Wait([&] { return this->Hand.Says("rest pose"); }));
     this->Device->Home();
-    // A device that is back has its fault until it is armed.
+    // A device that has come back keeps its fault until it is armed.
     ASSERT_TRUE(this->Hand.Wait(
       [&]
       {
@@ -51,7 +51,7 @@ protected:
       return force > 0.1 && std::abs(shown[0] - force) < 0.05 && std::abs(spring - force) < 0.1;
     };
     bool felt = false;
-    // A busy machine may leave the device unwatched for a moment, and the force begins anew.
+    // On a busy machine, the device may be unwatched for a moment, and the force begins anew.
     for (int attempt = 0; attempt < 5 && !felt; ++attempt)
     {
       ASSERT_TRUE(this->LeadTo(-0.01));
@@ -92,7 +92,7 @@ TEST_F(PhantomWooden, IsFeltLostAndFeltAgain)
     EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
     this->Arm.PowerUp();
     this->Hid.PlugIn();
-    // It is opened by itself, and asks for its rest pose.
+    // The device is opened again without a user, and asks for its rest pose.
     EXPECT_TRUE(this->Hand.WaitFor(vtkHapticDevice::HOMING)) << this->Device->GetStatusText();
     EXPECT_TRUE(this->Hand.WaitTicks(100));
     EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
@@ -101,7 +101,7 @@ TEST_F(PhantomWooden, IsFeltLostAndFeltAgain)
 
 TEST_F(PhantomWooden, AStackThatOverflowsLeavesNoForce)
 {
-  // The handler that was there before ends the thread alone, so that the test goes on.
+  // The earlier handler ends only its thread, so that the test goes on.
   struct sigaction end = {};
   end.sa_handler = [](int)
   {
@@ -119,7 +119,7 @@ TEST_F(PhantomWooden, AStackThatOverflowsLeavesNoForce)
   ASSERT_GT(Length(this->Arm.GetForce().data()), 0.0);
   syscall(SYS_tgkill, getpid(), thread, SIGTRAP);
   ASSERT_TRUE(Eventually([] { return HasOverflowed != 0; }));
-  // It has no time, and so no watchdog, without packets.
+  // The device counts time by packets, so without packets it has no watchdog.
   EXPECT_TRUE(Eventually([this] { return Length(this->Arm.GetForce().data()) == 0.0; }))
     << Length(this->Arm.GetForce().data());
 }

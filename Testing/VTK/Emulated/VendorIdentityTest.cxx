@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What is remembered of a vendor's device, with and without a serial number. The device is played
- * by the test; the hand that holds it is a mass on a spring (Emulators/EmulatedHand.h).
+ * What is remembered of a vendor's device, with and without a serial number. The test plays the
+ * device; the hand that holds it is a mass on a spring (Emulators/EmulatedHand.h).
  */
 
 #include "Devices/Vendor/PlayedVendor.h"
@@ -52,7 +52,7 @@ protected:
     const std::lock_guard<std::mutex> lock(this->Played.Mutex);
     this->Played.Serial = serial;
   }
-  /// Until it is confirmed: again if the machine stood still in between.
+  /// Arms until the device is confirmed; tries again if the machine was busy in between.
   void ArmForTheFirstTime()
   {
     ASSERT_FALSE(this->Device->GetSignsConfirmed());
@@ -128,7 +128,7 @@ TEST_F(VendorIdentity, WithASerialNumberItIsRemembered)
 
 TEST_F(VendorIdentity, WithoutASerialNumberItIsConfirmedAnewEachTime)
 {
-  // It says that of a device of this number, which need not be this one.
+  // The line belongs to some device with this number, which need not be this one.
   const std::string line =
     "vendor:played:number:0 confirmed=2026-11-01 scale=0.25 calibrated=2026-11-01\n";
   std::ofstream(this->Memory) << line;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Material functions with values that no material has.
+ * Material functions with values that no material can have.
  */
 
 #include "Rigs/ApiRig.h"
@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(All, BadValueTest, testing::ValuesIn(BadValues));
 
 TEST_F(ApiTest, LogarithmicScaleNeedsPositiveNodes)
 {
-  // vtkPiecewiseFunction has no number to say between such nodes.
+  // vtkPiecewiseFunction has no finite value between such nodes.
   vtkPiecewiseFunction* const function = this->Property->GetStiffness();
   function->UseLogScaleOn();
   function->AddPoint(-100.0, 100.0);

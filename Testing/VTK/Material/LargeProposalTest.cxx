@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Of a large volume, ProposeFromImage looks at rows only. It finds the same: balls whose edges are
- * known in closed form (ProposalRig.h), and the tissues of the head phantom, beside each other in
- * mirror images (the numbers of Data/phantom.py).
+ * In a large volume, ProposeFromImage looks at rows only. It finds the same as in a small one:
+ * balls whose edges are known in closed form (ProposalRig.h), and the tissues of the head phantom,
+ * in mirror images beside each other (the numbers of Data/phantom.py).
  */
 
 #include "ProposalRig.h"
@@ -18,21 +18,21 @@ using namespace proposaltest;
 
 namespace
 {
-constexpr int LargeSize = 408; // 68 million voxels; 2^26 are not large
+constexpr int LargeSize = 408; // 68 million voxels; volumes count as large above 2^26
 constexpr double LargeMiddle = 0.5 * (LargeSize - 1);
 constexpr double OuterRadius = 173.0;
 constexpr double InnerRadius = 92.0;
-// The areas of the balls: 512 rows meet the larger ball some 290 times, the smaller one 80.
+// Ratio of the balls' areas. Of 512 rows, some 290 meet the larger ball, 80 the smaller one.
 constexpr double Areas = OuterRadius * OuterRadius / (InnerRadius * InnerRadius);
 
 class LargeProposal : public Proposal
 {
 protected:
-  /// Three materials, 0, 100 and 250, with noise of 2 %; `bias` is the fraction of the value that
-  /// is added at the last voxel of the first axis and taken away at the first.
+  /// Makes three materials, 0, 100 and 250, with noise of 2 %. The value is raised by the fraction
+  /// `bias` at the last voxel of the first axis, and lowered by it at the first.
   vtkSmartPointer<vtkImageData> MakeBalls(double outer, double inner, double bias)
   {
-    // Values against the radius, and noise, from tables: there are many voxels.
+    // Values by radius, and noise, come from tables, since there are many voxels.
     constexpr int perVoxel = 64;
     std::vector<float> values;
     for (int i = 0; i <= 2 * LargeSize * perVoxel; ++i)
@@ -100,7 +100,7 @@ TEST_F(LargeProposal, TheHeadPhantomsTissuesAreFound)
     vtkShortArray::SafeDownCast(head->GetOutput()->GetPointData()->GetScalars());
   ASSERT_NE(samples, nullptr);
   constexpr int n = 64;
-  constexpr int times = 7; // 90 million voxels
+  constexpr int times = 7; // gives 90 million voxels
   constexpr int size = times * n;
   ASSERT_EQ(samples->GetNumberOfTuples(), n * n * n);
   const auto mirror = [](int i) { return i / n % 2 == 0 ? i % n : n - 1 - i % n; };

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What is proposed if the background has noise, dark or bright, and its end is near the next
- * material: nothing resists there, and the functions of all materials are as they are without it.
+ * Proposals for a background with noise, dark or bright, whose end is near the next material: the
+ * background does not resist, and the functions of the other materials are the same as without
+ * noise.
  */
 
 #include "Core/Proposal/MaterialProposal.h"
@@ -22,7 +23,7 @@ namespace
 {
 constexpr double Grey = 111.5; // between 0 outside and 215 inside
 
-/// Two boundaries; `sign` -1 makes all that is bright dark.
+/// Proposes from two boundaries; a `sign` of -1 exchanges bright and dark.
 MaterialProposal Propose(double sign, std::optional<double> end)
 {
   Boundary outer;

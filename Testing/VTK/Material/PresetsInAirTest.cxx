@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Presses through 60 mm of noisy air into a wall, with every preset: 5 mm under the surface, a hand
- * feels 0.1 N at least. So it does on the slopes of knobs of skin, off which it slides.
+ * With every preset, a hand that presses through 60 mm of noisy air into a wall feels at least 0.1
+ * N at a depth of 5 mm. It also feels the slopes of knobs of skin, on which it slides off.
  */
 
 #include "Rigs/ApiRig.h"
@@ -24,7 +24,7 @@ constexpr double Felt = 0.1; // N
 constexpr int Side = 20;     // voxels of 1 mm
 constexpr int Presses = 6;   // in one volume
 
-/// Values of air and of a wall; the noise of 60 HU in the units of the preset.
+/// Values of air and of a wall, and noise equivalent to 60 HU.
 struct Scan
 {
   double Outside = -1000.0;
@@ -61,7 +61,7 @@ vtkSmartPointer<vtkImageData> MakeScan(const Scan& scan, double noise, unsigned 
       for (int i = 0; i < Side; ++i)
       {
         const double sample = value + noise * random(engine);
-        // No scan of grey levels is below 0.
+        // Scans of grey levels have no values below 0.
         image->SetScalarComponentFromDouble(
           i, j, k, 0, scan.Outside >= 0.0 ? std::max(0.0, sample) : sample);
       }
@@ -70,7 +70,7 @@ vtkSmartPointer<vtkImageData> MakeScan(const Scan& scan, double noise, unsigned 
   return image;
 }
 
-/// The force (N) at the end of each press.
+/// Returns the force (N) at the end of each press.
 std::vector<double> Press(vtkVolumeHapticsFilter* filter)
 {
   std::vector<double> forces;
@@ -119,7 +119,7 @@ const Method Methods[] = {
 };
 } // namespace
 
-/// A knob of skin in air, as an ear or a chin has them: a ball of one value.
+/// Makes a knob of skin in air, like an ear or a chin: a ball with one value.
 vtkSmartPointer<vtkImageData> MakeKnob(double radius, double value)
 {
   constexpr double middle = 24.0;
@@ -149,7 +149,7 @@ TEST_P(PresetsInAir, LeaveNoWallUnfelt)
       const bool isOfValues = std::string(method.Name).find("_") == std::string::npos;
       if (scan.MostNoise == 0.0 && !isOfValues)
       {
-        continue; // labels are no values: the method is PROXY
+        continue; // scalars that are labels are only felt by PROXY
       }
       vtkNew<vtkVolumeHapticsFilter> filter;
       filter->GetProperty()->ApplyPreset(this->GetParam().c_str());
@@ -169,10 +169,10 @@ TEST_P(PresetsInAir, LeaveNoSlopeUnfelt)
 {
   if (this->GetParam().find("CT ") != 0)
   {
-    return; // of other values
+    return; // is not for CT values
   }
-  // Under 40 degrees to the normal, a finger slides off what is slippery. Just under the skin, the
-  // values of a head CT go from -56 to 37 HU (Documentation/materials.md).
+  // On a slope of 40 degrees, a finger slides off slippery skin. Just below the skin, values of a
+  // head CT go from -56 to 37 HU (Documentation/materials.md).
   constexpr double middle = 24.0;
   constexpr double slope = 40.0 * 3.14159265358979 / 180.0;
   for (const double radius : { 6.0, 9.0, 12.0 })

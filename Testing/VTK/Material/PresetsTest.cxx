@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The presets, against the tables of Documentation/materials.md and what it says of all of them.
+ * The presets are those of the tables in Documentation/materials.md, and keep what it says of all
+ * of them.
  */
 
 #include "Rigs/ApiRig.h"
@@ -24,17 +25,17 @@ namespace
 {
 constexpr double Endless = std::numeric_limits<double>::infinity();
 
-/// A row of a table: k, mu, R and T_N from one value to another.
+/// A row of a table: k, mu, R and T_N between two values.
 struct Tissue
 {
   std::string Name;
   double Low = -Endless;
   double High = Endless;
   double Values[4] = {};
-  double Lows[4] = {}; ///< where each of them begins: at Low, or "from" another value
+  double Lows[4] = {}; ///< where each of them begins: at Low, or at a value given by "from"
 };
 
-/// The cells of a row of a Markdown table.
+/// Returns the cells of a row of a Markdown table.
 std::vector<std::string> Cells(const std::string& row)
 {
   std::vector<std::string> cells;
@@ -48,7 +49,7 @@ std::vector<std::string> Cells(const std::string& row)
   return cells;
 }
 
-/// The table under the heading of a preset.
+/// Reads the table under the heading of a preset.
 std::vector<Tissue> ReadTable(const std::string& preset)
 {
   std::ifstream file(std::string(VolumeHaptics_SOURCE_DIR) + "/Documentation/materials.md");
@@ -135,7 +136,7 @@ TEST_F(Presets, AreThoseOfTheTables)
           EXPECT_NEAR(this->Functions()[f]->GetValue(value), tissue.Values[f], 1e-12)
             << tissue.Name << " at " << value << ", function " << f;
         }
-        if (t > 0) // between them: halfway
+        if (t > 0) // in the middle between two rows
         {
           const double middle = 0.5 * (table[t - 1].High + tissue.Lows[f]);
           EXPECT_NEAR(this->Functions()[f]->GetValue(middle),
@@ -149,8 +150,8 @@ TEST_F(Presets, AreThoseOfTheTables)
 
 TEST_F(Presets, AreSmoothForARealScan)
 {
-  // A value that wanders by 10 units must not change what holds by a third. All have one stiffness,
-  // and strengths do not fall.
+  // A change of the value by 10 units changes the strength by less than a third. All have one
+  // stiffness, and strengths do not fall.
   for (const char* const name : { "CT contrast", "CT angiography", "CT chest", "MRI" })
   {
     SCOPED_TRACE(name);
@@ -176,7 +177,8 @@ TEST_F(Presets, AreSmoothForARealScan)
 
 TEST_F(Presets, MriTakesUpItsSurfacesSlowly)
 {
-  // A gradient that wanders by 10 grey levels a millimetre changes what holds by less than a fifth.
+  // A change of the gradient by 10 grey levels per millimetre changes the distinctness by less than
+  // a fifth.
   ASSERT_TRUE(this->Property->ApplyPreset("MRI"));
   vtkPiecewiseFunction* const distinct = this->Property->GetDistinctness();
   for (double gradient = 0.0; gradient < 200.0; gradient += 1.0)
@@ -188,8 +190,8 @@ TEST_F(Presets, MriTakesUpItsSurfacesSlowly)
 
 TEST_F(Presets, MriIsFittedToTheGreyLevelsOfAnImage)
 {
-  // A head of grey matter, most of it, and white matter, in other grey levels: times 2^n, so that
-  // the functions are multiplied exactly. Forces do not depend on them.
+  // A head of grey matter, mostly, and white matter, in grey levels multiplied by 2^n, so that the
+  // functions scale exactly. Forces do not depend on the factor.
   vtkNew<vtkVolumeHapticsFilter> filter;
   filter->SetPathData(MakePath(Line({ 15.5, 15.5, 0.5 }, { 15.5, 15.5, 14.5 }, 200)));
   std::vector<double> expected;
@@ -205,7 +207,7 @@ TEST_F(Presets, MriIsFittedToTheGreyLevelsOfAnImage)
         return times * (brain + 3.0 * noise);
       });
     ASSERT_TRUE(this->Property->ApplyPreset("MRI", head));
-    // The rows "background" and "grey matter, muscle" of the table.
+    // These values are in the rows "background" and "grey matter, muscle" of the table.
     EXPECT_EQ(this->Property->GetSurfaceStrength()->GetValue(times * 8.0), 0.0);
     EXPECT_NEAR(this->Property->GetSurfaceStrength()->GetValue(times * 83.0), 1.4, 0.1);
     EXPECT_GT(this->Property->GetSurfaceStrength()->GetValue(times * 120.0), 1.8);
@@ -249,8 +251,8 @@ TEST_F(Presets, MriIsFittedToTheValuesThatFunctionsTake)
 
 TEST_F(Presets, MriFeelsEdgesOfCoarseVoxels)
 {
-  // The same samples, so that the same values are on both sides of an edge, over one voxel more or
-  // less: what it holds is the same, whatever the voxels' width, of the same image to the bit.
+  // The samples are the same, so an edge has the same values on both sides, within one voxel: it
+  // holds the same force for any voxel width.
   vtkNew<vtkVolumeHapticsFilter> filter;
   double expected = 0.0;
   for (const double width : { 1.0, 0.5, 2.0, 4.0 })
@@ -280,7 +282,7 @@ TEST_F(Presets, MriFeelsEdgesOfCoarseVoxels)
     EXPECT_GT(largest, 0.5);
     EXPECT_NEAR(largest, expected, 0.1 * expected);
   }
-  // Thick slices: the mean width.
+  // In thick slices, the mean voxel width counts.
   const auto thick = MakeImage(32, VTK_DOUBLE,
     [](const Point& x)
     { return 45.0 * std::erfc(std::hypot(x[0] - 15.5, x[1] - 15.5, x[2] - 15.5) - 11.0); });
@@ -297,8 +299,8 @@ TEST_F(Presets, MriFeelsEdgesOfCoarseVoxels)
 
 TEST_F(Presets, MriHasNoStrengthInTheNoiseOfAnImage)
 {
-  // The magnitude of a complex signal with normal noise, as MRI has it: without signal, Rayleigh's
-  // distribution, whose mean is sqrt(pi/2) standard deviations.
+  // MRI gives the magnitude of a complex signal with normal noise. Without signal, this is
+  // Rayleigh's distribution, whose mean is sqrt(pi/2) standard deviations.
   constexpr double sigma = 2.3;
   constexpr double body = 60.0;
   std::mt19937_64 engine(5);
@@ -317,16 +319,16 @@ TEST_F(Presets, MriHasNoStrengthInTheNoiseOfAnImage)
   vtkPiecewiseFunction* const strength = this->Property->GetSurfaceStrength();
   EXPECT_EQ(strength->GetValue(brightest), 0.0);
   EXPECT_EQ(this->Property->GetViscosity()->GetValue(brightest), 0.0);
-  // The background ends at 5 means, 14.4, where it would at 8 without noise: 12 times 60/90.
+  // The background ends at 5 means, 14.4. Without noise it would end at 8, which is 12 times 60/90.
   const double end = 5.0 * std::sqrt(std::acos(0.0)) * sigma;
   EXPECT_EQ(strength->GetValue(0.97 * end), 0.0);
   EXPECT_GT(strength->GetValue(1.03 * end), 0.0);
   EXPECT_GE(strength->GetValue(body), 0.8) << "as fluid";
-  // Edges are as high as the body is bright: 70 for 90.
+  // The height of edges follows the brightness of the body: 70 for a body of 90.
   vtkPiecewiseFunction* const distinct = this->Property->GetDistinctness();
   EXPECT_EQ(distinct->GetValue(70.0 * body / 90.0 * 1.03), 1.0);
   EXPECT_LT(distinct->GetValue(70.0 * body / 90.0 * 0.97), 1.0);
-  // A region has the grey levels of the whole.
+  // A region uses the grey levels of the whole volume.
   vtkNew<vtkHapticRegionFilter> region;
   region->SetInputData(head);
   region->SetRegion(14, 25, 14, 25, 14, 25);
@@ -342,7 +344,8 @@ TEST_F(Presets, MriHasNoStrengthInTheNoiseOfAnImage)
 
 TEST_F(Presets, MriTakesNoTissueForNoise)
 {
-  // Of a brain without anything around it, grey matter is the darker heap: no background of noise.
+  // In a brain without surroundings, grey matter is the darker cluster; it is not taken for a
+  // background of noise.
   const auto brain = MakeImage(32, VTK_DOUBLE,
     [](const Point& x)
     { return 75.0 + 20.0 * std::erfc(std::hypot(x[0] - 15.5, x[1] - 15.5, x[2] - 15.5) - 11.0); });
@@ -359,7 +362,7 @@ TEST_F(Presets, AnImageIsLookedAtOnlyIfThereIsNoUnit)
   ASSERT_EQ(this->Log.Errors.size(), 1U);
   EXPECT_NE(this->Log.Errors[0].find("call ApplyPreset(name)"), std::string::npos);
   EXPECT_TRUE(this->Property->GetSolidFromImage()) << "nothing has changed";
-  // One value tells no background: the table as it is.
+  // An image with a single value has no background, so the table is used unchanged.
   const auto image = MakeImage(16, VTK_DOUBLE, [](const Point&) { return 900.0; });
   ASSERT_TRUE(this->Property->ApplyPreset("MRI", image));
   EXPECT_EQ(this->Property->GetSurfaceStrength()->GetValue(12.0), 0.0);
@@ -369,9 +372,9 @@ TEST_F(Presets, AnImageIsLookedAtOnlyIfThereIsNoUnit)
 TEST_F(Presets, PhysicalHasThePublishedLiver)
 {
   ASSERT_TRUE(this->Property->ApplyPreset("CT physical"));
-  // 2 E a / (1 - nu^2) for a shear modulus of 1.8 kPa and a = 2 mm.
+  // 2 E a / (1 - nu^2), for a shear modulus of 1.8 kPa and a = 2 mm.
   EXPECT_NEAR(this->Property->GetStiffness()->GetValue(55.0), 28.0, 1.0);
-  // The same for a Young's modulus of 10 kPa: skin in place, at its softest.
+  // The same formula for a Young's modulus of 10 kPa, the softest value of skin in place.
   EXPECT_NEAR(this->Property->GetStiffness()->GetValue(-100.0), 2.0 * 10e3 * 2e-3 / 0.75, 1.0);
   const double friction = this->Property->GetFriction()->GetValue(1000.0);
   EXPECT_TRUE(friction >= 0.29 && friction <= 0.36) << "bone on muscle";
@@ -379,7 +382,8 @@ TEST_F(Presets, PhysicalHasThePublishedLiver)
 
 TEST_F(Presets, ANeedleHasCuttingForcesOfItsOwn)
 {
-  // One drag for soft tissues; a needle tells the layers of Documentation/method.md apart.
+  // The presets have one drag for all soft tissues; a needle distinguishes the layers of
+  // Documentation/method.md.
   vtkNew<vtkHapticNeedle> needle;
   vtkPiecewiseFunction* const force = needle->GetCuttingForce();
   for (const char* const name : { "CT contrast", "CT physical", "CT angiography", "CT chest" })
@@ -437,7 +441,7 @@ TEST_F(Presets, EveryPresetMakesSense)
       EXPECT_EQ(used->GetStiffness()->GetValue(value), k) << "whatever was there before";
     }
     vtkPiecewiseFunction* const distinct = used->GetDistinctness();
-    if (name == "Micro-CT" || name == "Labels") // of any unit
+    if (name == "Micro-CT" || name == "Labels") // presets for any unit
     {
       EXPECT_EQ(distinct->GetSize(), 0);
       EXPECT_TRUE(used->GetDistinctnessFromNoise());

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The rest of vtkHapticProperty's state: component, side, visibility.
+ * Other state of vtkHapticProperty: component, side, visibility.
  */
 
 #include "Rigs/ApiRig.h"

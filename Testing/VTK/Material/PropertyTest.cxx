@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * vtkHapticProperty by itself: what it owns, when it counts as modified, what it prints and copies.
+ * vtkHapticProperty alone: what it owns, when it counts as modified, and what it prints and copies.
  */
 
 #include "Rigs/ApiRig.h"

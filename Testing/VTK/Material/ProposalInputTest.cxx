@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The images that ProposeFromImage takes: every scalar type, any unit, components, NaN; and those
- * from which nothing can be proposed.
+ * Images for ProposeFromImage: every scalar type, any unit, components, NaN, and images from which
+ * nothing can be proposed.
  */
 
 #include "ProposalRig.h"
@@ -21,7 +21,7 @@ constexpr double Missing = std::numeric_limits<double>::quiet_NaN();
 
 constexpr int Small = 48; // voxels of an image along an axis
 
-/// 0, 40 and 100.
+/// Returns 0, 40 or 100, blurred at the edges and rounded.
 double Rounded(const Point& x)
 {
   return std::round(Value({ { 20.0, 40.0, 1.5 }, { 11.0, 60.0, 1.5 } }, x, Small));
@@ -30,7 +30,7 @@ double Rounded(const Point& x)
 class ProposalInput : public testing::Test
 {
 protected:
-  /// The materials of the balls, in some unit, with a tolerance in fractions of the range.
+  /// Expects the materials of the balls in this unit, with a tolerance in fractions of the range.
   void ExpectBalls(double unit, double tolerance)
   {
     const std::vector<Found> found = Boundaries(this->Property);
@@ -105,7 +105,7 @@ const Useless UselessImages[] = {
     },
     { "\"Density\"", "noise", "vtkImageGaussianSmooth" } },
   { "NoEdge", [] { return apitest::MakeRamp(48); }, { "\"Density\"", "edge", "by hand" } },
-  // Rounded to float, it has a little noise.
+  // Rounding to float gives it a little noise.
   { "WideEdge",
     []
     {
@@ -162,7 +162,7 @@ TEST_P(ProposalRefusal, NamesTheInputAndChangesNothing)
 INSTANTIATE_TEST_SUITE_P(ProposalInput, ProposalRefusal, testing::ValuesIn(UselessImages),
   [](const auto& test) { return test.param.Name; });
 
-// The same volume in another unit: everything that has the unit scales with it.
+// In another unit, everything that has the unit scales with it.
 TEST_F(ProposalInput, UnitsDoNotMatter)
 {
   vtkNew<vtkHapticProperty> other;
@@ -241,7 +241,7 @@ TEST_F(ProposalInput, StepsAreEdges)
   EXPECT_EQ(this->Property->GetSurfaceStrength()->GetValue(1.0), 12.0);
 }
 
-// The same voxels are looked at in the same order, however many threads look.
+// The same voxels are read in the same order with any number of threads.
 TEST_F(ProposalInput, RepetitionsAgreeToTheBit)
 {
   Noise noise(1.0);

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Balls in balls with blurred edges, and what a proposal says about them.
- *
- * An edge blurred by a Gaussian of scale s is V1 + (V2 - V1) Phi(x/s), Phi the normal distribution:
- * the closed form of Kindlmann and Durkin, "Semi-automatic generation of transfer functions for
- * direct volume rendering", 1998. Nothing here uses the project's own kernels.
+ * Nested balls with blurred edges, and what a proposal tells about them.
+ * An edge blurred by a Gaussian of scale s is V1 + (V2 - V1) Phi(x/s), where Phi is the normal
+ * distribution: the closed form of Kindlmann and Durkin, "Semi-automatic generation of transfer
+ * functions for direct volume rendering", 1998. Nothing here uses the project's own kernels.
  */
 #ifndef ProposalRig_h
 #define ProposalRig_h
@@ -24,7 +23,7 @@ namespace proposaltest
 {
 using apitest::Point;
 
-/// A ball around the middle of the image: a step of the value, blurred.
+/// A ball around the middle of the image: a blurred step of the value.
 struct Ball
 {
   double Radius;
@@ -40,7 +39,7 @@ inline double Phi(double x)
   return 0.5 * std::erfc(-x / std::sqrt(2.0));
 }
 
-/// In an image of `size` voxels along an axis.
+/// Returns the value of the balls at a voxel of an image with `size` voxels along an axis.
 inline double Value(const std::vector<Ball>& balls, const Point& x, int size = Size)
 {
   const double middle = 0.5 * (size - 1);
@@ -53,16 +52,16 @@ inline double Value(const std::vector<Ball>& balls, const Point& x, int size = S
   return value;
 }
 
-constexpr double Range = 250.0;        // of the three materials
-constexpr double Sigma = 0.02 * Range; // of their noise
+constexpr double Range = 250.0;        // of the values of the three materials
+constexpr double Sigma = 0.02 * Range; // standard deviation of their noise
 
-/// Three materials, 0, 100 and 250; edges of widths s.
+/// Returns three materials, 0, 100 and 250, with edges of these widths s.
 inline std::vector<Ball> ThreeMaterials(double outer, double inner)
 {
   return { { 34.0, 100.0, outer }, { 18.0, 150.0, inner } };
 }
 
-/// Normal noise, always the same.
+/// Normal noise with a fixed seed.
 class Noise
 {
 public:
@@ -88,7 +87,7 @@ struct Found
   double Fraction;
 };
 
-/// The boundaries in ascending order of their lower value.
+/// Returns the boundaries, sorted by their lower value.
 inline std::vector<Found> Boundaries(vtkHapticProperty* property)
 {
   std::vector<Found> all;
@@ -103,7 +102,7 @@ inline std::vector<Found> Boundaries(vtkHapticProperty* property)
   return all;
 }
 
-/// The value of the n-th point of a function, and what it is there.
+/// Returns the value and the function's value at the n-th point.
 inline std::array<double, 2> NodeOf(vtkPiecewiseFunction* function, int n)
 {
   double node[4] = { std::nan(""), std::nan(""), 0.0, 0.0 };
@@ -111,11 +110,12 @@ inline std::array<double, 2> NodeOf(vtkPiecewiseFunction* function, int n)
   return { node[0], node[1] };
 }
 
-/// What is found in three materials with noise, and in the head phantom.
+/// Checks proposals for three materials with noise, and for the head phantom.
 class Proposal : public testing::Test
 {
 protected:
-  /// Edges of widths s; `areas` is the area of the outer ball as a multiple of the inner one's.
+  /// Expects edges of these widths s; `areas` is the ratio of the outer ball's area to the inner
+  /// ball's.
   void ExpectMaterials(double outer, double inner, double areas, double areasError)
   {
     const std::vector<Found> found = Boundaries(this->Property);
@@ -129,11 +129,11 @@ protected:
     EXPECT_NEAR(found[0].Fraction / found[1].Fraction, areas, areasError);
   }
 
-  /// The start lies above what noise reaches, the end below every edge.
+  /// Expects that the distinctness starts above the noise, and ends below every edge.
   void ExpectDistinctness(double leastStep, double width)
   {
-    // White noise through the derivative of a Gaussian of scale t: the integrals of G^2 and G'^2.
-    // An edge through it has the width sqrt(s^2 + t^2).
+    // The noise of white noise after the derivative of a Gaussian of scale t follows from the
+    // integrals of G^2 and G'^2. An edge then has the width sqrt(s^2 + t^2).
     const double t = 0.5 * this->Property->GetProposedKernelRadius();
     const double noise = Sigma / (4.0 * std::pow(vtkMath::Pi(), 0.75) * std::pow(t, 2.5));
     const double arc = leastStep / (std::sqrt(2.0 * vtkMath::Pi()) * std::hypot(width, t));
@@ -149,7 +149,7 @@ protected:
     EXPECT_GE(full[0], 0.4 * arc);
   }
 
-  /// Of the head phantom: the numbers of Data/phantom.py.
+  /// Expects the tissues of the head phantom: the numbers of Data/phantom.py.
   void ExpectTissues()
   {
     vtkPiecewiseFunction* const strength = this->Property->GetSurfaceStrength();

@@ -15,7 +15,7 @@ using namespace proposaltest;
 
 namespace
 {
-constexpr double Areas = (34.0 * 34.0) / (18.0 * 18.0); // of the balls
+constexpr double Areas = (34.0 * 34.0) / (18.0 * 18.0); // ratio of the balls' areas
 
 struct Widths
 {
@@ -90,8 +90,8 @@ TEST_F(Proposal, StrengthsAreInProportionAndTheInnermostIsTheStrongest)
   }
 }
 
-// A steep function makes the force rough: between two materials, a step takes at least half of the
-// way from value to value, and around each value nothing changes.
+// A steep function makes the force rough. Between two materials, a step takes at least half of the
+// way from value to value; around each value the function is constant.
 TEST_F(Proposal, MaterialsAreConstantAndBlendsAreWide)
 {
   const auto image = apitest::MakeImage(
@@ -108,7 +108,7 @@ TEST_F(Proposal, MaterialsAreConstantAndBlendsAreWide)
   }
 }
 
-// From outside, the surfaces are where the balls are, and as strong as the functions say.
+// The surfaces are felt where the balls are, from outside, with the strengths of the functions.
 TEST_F(Proposal, SurfacesAreFelt)
 {
   Noise noise(Sigma);
@@ -123,7 +123,7 @@ TEST_F(Proposal, SurfacesAreFelt)
   filter->Update();
   vtkPolyData* const trace = filter->GetOutput();
   double before = 0.0; // at the outer ball
-  double after = 0.0;  // at the inner one, 10 mm inside of which the tip stops: 500 N/m give 5 N
+  double after = 0.0;  // at the inner ball, where the tip ends 10 mm inside: 500 N/m give 5 N
   for (vtkIdType i = 0; i < trace->GetNumberOfPoints(); ++i)
   {
     const double force = -apitest::Get(trace, "Force", i, 2);
@@ -148,7 +148,7 @@ TEST_F(Proposal, DarkInsideIsFeltTowardsLowerValues)
   EXPECT_EQ(strength->GetValue(0.0), 12.0);
 }
 
-// A hollow ball: a material that is met towards lower values inside another one.
+// A hollow ball: inside of it, a surface is met towards lower values.
 TEST_F(Proposal, DarkInsideBrightIsFeltFromBothSides)
 {
   const auto image = apitest::MakeImage(Size, VTK_FLOAT,
@@ -163,7 +163,7 @@ TEST_F(Proposal, DarkInsideBrightIsFeltFromBothSides)
   EXPECT_NEAR(strength->GetValue(120.0), 3.0 * 130.0 / 250.0, 0.02);
 }
 
-// Widths and slopes are in world units, in a volume that is turned and stretched.
+// Widths and slopes are in world units, also in a volume that is turned and stretched.
 TEST_F(Proposal, WidthsAreInWorldUnits)
 {
   const double spacing[3] = { 0.6, 0.8, 1.1 };
@@ -183,13 +183,13 @@ TEST_F(Proposal, WidthsAreInWorldUnits)
   const std::vector<Found> found = Boundaries(this->Property);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NEAR(found[0].Width, width, 0.05 * width);
-  // V(x_s) is read at the kernel radius.
+  // V(x_s) is read at the distance of the kernel radius.
   EXPECT_GE(1.1 * this->Property->GetProposedKernelRadius(), 2.0 * 0.95 * width);
 }
 
 TEST_F(Proposal, TheRadiusCountsVoxelsAcrossTheEdge)
 {
-  // A tube along thick slices has the edge of one in cubes.
+  // A tube along thick slices has the same edge as a tube in cubes.
   constexpr double width = 0.9;
   int radius[2];
   for (int thick = 0; thick < 2; ++thick)

@@ -3,7 +3,7 @@
 
 /**
  * Voxels that a volume property's opacities hide are not felt: surface strength and viscosity are
- * zero there and only there; and so they are for a proxy that is at a hidden value.
+ * zero there and only there, also for a proxy that is at a hidden value.
  */
 
 #include "Rigs/ApiRig.h"
@@ -22,7 +22,7 @@ class Visibility : public ApiTest
 protected:
   Visibility()
   {
-    // V = 4 z^2 over voxels of 1 x 2 x 3: gradient magnitudes vary, and the spacing's average is 2.
+    // V = 4 z^2 on voxels of 1 x 2 x 3: the gradient's magnitude varies, and the mean spacing is 2.
     this->Image = MakeImage(16, VTK_DOUBLE, [](const Point& x) { return 36.0 * x[2] * x[2]; });
     this->Image->SetSpacing(1.0, 2.0, 3.0);
     this->Filter->SetInputDataObject(0, this->Image);
@@ -38,8 +38,8 @@ protected:
     this->Property->SetVisibilityFrom(this->Volume);
   }
 
-  /// 1 visible, 0 hidden, -1 if rounding decides, or the error of a steep curve beside nothing. No
-  /// function hides nothing.
+  /// Returns 1 if the value is visible, 0 if it is hidden, -1 if rounding, or the table's error
+  /// beside a steep curve, decides. An empty function hides nothing.
   static int Look(vtkPiecewiseFunction* opacity, double x)
   {
     if (opacity->GetSize() == 0)
@@ -54,7 +54,8 @@ protected:
     return low > AllowedError(opacity, x) ? 1 : -1;
   }
 
-  /// The same for the value at a proxy, which may be this many voxels from the last look.
+  /// Returns the same for the value at a proxy, which may have moved by 2e-3 voxels since its
+  /// visibility was read.
   static int LookAround(vtkPiecewiseFunction* opacity, double z)
   {
     constexpr double near = 2e-3;
@@ -62,7 +63,8 @@ protected:
     {
       const double below = std::floor(index);
       const double value =
-        36.0 * (below * below + (index - below) * (2.0 * below + 1.0)); // between the samples
+        // Interpolated between the samples.
+        36.0 * (below * below + (index - below) * (2.0 * below + 1.0));
       return Look(opacity, value);
     };
     const int look = lookAt(z / 3.0);
@@ -71,7 +73,7 @@ protected:
 
   void ExpectHiddenExactly(vtkPiecewiseFunction* scalar, vtkPiecewiseFunction* gradient)
   {
-    // At an edge what is seen, too, is without strength before its middle.
+    // With EDGE, a visible surface also has no strength before the middle of its edge.
     for (const int alignment :
       { vtkVolumeHapticsFilter::EDGE, vtkVolumeHapticsFilter::DISTINCTNESS })
     {
@@ -100,7 +102,8 @@ protected:
     }
   }
 
-  /// Half of the nodes at zero, so that there are plateaus, spikes and touching points.
+  /// Makes a function with about half of its nodes at zero: it has plateaus, spikes and touching
+  /// points.
   static vtkSmartPointer<vtkPiecewiseFunction> RandomOpacity(int seed, double width)
   {
     std::mt19937_64 engine(seed);

@@ -23,11 +23,11 @@ class VisibilityUse : public ApiTest
 protected:
   VisibilityUse()
   {
-    // Opaque above 700 only; the path of ApiTest runs from 500 to 1000, and r is 2 mm.
+    // Only values above 700 are opaque. The path of ApiTest goes from 500 to 1000, and r is 2 mm.
     this->Opacity->AddPoint(700.0, 0.0);
     this->Opacity->AddPoint(701.0, 1.0);
     this->Volume->SetScalarOpacity(this->Opacity);
-    // Shows the material at the beginning of a tick, which is easier to predict.
+    // PAPER reports the material at the beginning of a tick, which is easier to predict.
     this->Filter->SetSolverToPaper();
   }
 
@@ -44,7 +44,7 @@ TEST_F(VisibilityUse, AttachEditDetach)
   this->Property->SetVisibilityFrom(this->Volume);
   EXPECT_EQ(Get(this->Run(51), "SurfaceValue", 1), 700.0);
   EXPECT_EQ(this->StrengthAt(1), 0.0);
-  // A hidden surface does not hold the proxy: it is at the tip, with no force.
+  // A hidden surface does not hold the proxy, which stays at the tip without a force.
   EXPECT_EQ(Get(this->Run(51), "Force", 1, 2), 0.0);
 
   this->Opacity->AddPoint(650.0, 0.25);
@@ -67,7 +67,7 @@ TEST_F(VisibilityUse, NothingElseIsScaled)
     EXPECT_EQ(Get(output, "Stiffness", tick), 500.0);
     EXPECT_EQ(Get(output, "Friction", tick), 0.3);
   }
-  // Half opaque is fully felt: hidden or not is all that counts.
+  // A half opaque voxel is fully felt: a voxel is either hidden or not.
   SetConstant(this->Opacity, 0.01);
   EXPECT_EQ(this->StrengthAt(1), 2.0);
 }
@@ -109,8 +109,8 @@ TEST_F(VisibilityUse, ForceFieldIsNotConcerned)
 
 TEST_F(VisibilityUse, AWideEdgeIsFeltWhereItIsSeen)
 {
-  // A step to 50, blurred by 2 mm, that is seen from 47 on: that is 2 mm x 1.5548 (the quantile of
-  // 0.94 of the normal distribution) behind its middle.
+  // A step to 50, blurred by 2 mm, is visible from 47 on: 2 mm x 1.5548 (the quantile of 0.94 of
+  // the normal distribution) behind its middle.
   this->Image = MakeImage(34, VTK_DOUBLE,
     [](const Point& p) { return 25.0 * std::erfc((14.0 - p[2]) / std::sqrt(8.0)); });
   this->Filter->SetInputDataObject(0, this->Image);
@@ -121,7 +121,7 @@ TEST_F(VisibilityUse, AWideEdgeIsFeltWhereItIsSeen)
   this->Filter->SetSolverToPrecise();
   this->Filter->SetPathData(MakePath(Line({ 16, 16, 6 }, { 16, 16, 20 }, 140)));
   vtkPolyData* const output = this->Run(141);
-  // Between the samples at 17 and 18, which are 46.66 and 48.86, the picture is linear.
+  // The picture is linear between the samples at 17 and 18, which are 46.66 and 48.86.
   const double below = 25.0 * std::erfc(-3.0 / std::sqrt(8.0));
   const double above = 25.0 * std::erfc(-4.0 / std::sqrt(8.0));
   const double seen = 17.0 + (47.0 - below) / (above - below);
@@ -136,7 +136,7 @@ TEST_F(VisibilityUse, AWideEdgeIsFeltWhereItIsSeen)
 
 TEST_F(VisibilityUse, WhatIsBesideSomethingSeenIsNotFelt)
 {
-  // The same edge. A hand that comes from the side passes 0.5 mm in front of what is seen.
+  // The same edge: a hand that comes from the side passes 0.5 mm in front of its visible part.
   this->Image = MakeImage(34, VTK_DOUBLE,
     [](const Point& p) { return 25.0 * std::erfc((14.0 - p[2]) / std::sqrt(8.0)); });
   this->Filter->SetInputDataObject(0, this->Image);
@@ -178,8 +178,8 @@ TEST_F(VisibilityUse, NothingIsFeltBesideTheVolume)
 
 TEST_F(VisibilityUse, LabelsThatAreShownByNearestSamplesAreFeltByThem)
 {
-  // From 0 to 90 between z = 14 and 15, seen from 1 on: at 14.1 the blend of both samples is seen,
-  // the nearest one is not.
+  // Values go from 0 to 90 between z = 14 and 15, and are visible from 1 on: at 14.1 the blend of
+  // both samples is visible, the nearest sample is not.
   this->Image = MakeImage(30, VTK_DOUBLE, [](const Point& p) { return p[2] < 14.5 ? 0.0 : 90.0; });
   this->Filter->SetInputDataObject(0, this->Image);
   SetConstant(this->Property->GetViscosity(), 0.2);
@@ -195,7 +195,7 @@ TEST_F(VisibilityUse, LabelsThatAreShownByNearestSamplesAreFeltByThem)
     this->Filter->SetPathData(MakePath(Line({ 6, 16, z }, { 26, 16, z }, 200)));
     return Get(this->Run(201), "Viscosity", 150);
   };
-  // R belongs to what lies behind the proxy, and that is hidden on this side.
+  // R belongs to the value behind the proxy, which is hidden on this side.
   this->Property->SetSurfaceSideToLower();
   this->Volume->SetInterpolationTypeToLinear();
   EXPECT_GT(drag(14.1), 0.1);
@@ -206,7 +206,7 @@ TEST_F(VisibilityUse, LabelsThatAreShownByNearestSamplesAreFeltByThem)
 
 TEST_F(VisibilityUse, AThinSheetThatIsSeenHolds)
 {
-  // Of 60, seen from 50 on.
+  // The sheet has a value of 60, and is visible from 50 on.
   this->Image = MakeImage(34, VTK_DOUBLE,
     [](const Point& p) { return 60.0 * std::exp(-0.5 * std::pow((p[2] - 16.0) / 0.8, 2.0)); });
   this->Filter->SetInputDataObject(0, this->Image);

@@ -23,7 +23,7 @@ namespace editortest
 using Editor = vtkHapticFunctionEditor;
 using Place = std::array<int, 2>;
 
-/// The position of a viewport matters: the editor's is not the only one.
+/// Has two viewports, since the editor must work in a viewport that does not begin at 0.
 class View
 {
 public:
@@ -48,7 +48,7 @@ public:
     }
   }
 
-  /// On the display, of a value and a function's value.
+  /// Returns the place on the display of a value and a function's value.
   Place At(double value, double functionValue)
   {
     double x[2];
@@ -56,7 +56,8 @@ public:
     return { static_cast<int>(std::lround(x[0])), static_cast<int>(std::lround(x[1])) };
   }
 
-  /// Presses at one place and releases at another one; whether the editor took all of it.
+  /// Presses at one place and releases at another one; returns whether the editor handled all
+  /// events.
   bool Drag(int button, const Place& from, const Place& to)
   {
     bool taken = this->Shown->ButtonPress(button, from[0], from[1]);

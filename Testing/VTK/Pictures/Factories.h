@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** The factories of VTK that draw text and charts, beside those of the test driver. */
+/** Factories of VTK for text and charts, in addition to those of the test driver. */
 #ifndef Factories_h
 #define Factories_h
 

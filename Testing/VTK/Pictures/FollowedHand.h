@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A virtual hand that feels modes, and the picture of what they hold it on.
+ * A virtual hand that feels modes, and the picture of the lines and fronts that hold it.
  */
 #ifndef FollowedHand_h
 #define FollowedHand_h
@@ -32,7 +32,7 @@ inline bool Fail(const char* what, double is, double should)
   return false;
 }
 
-/// A hand at a place, a few ticks after it came. Returns false if the device does not run.
+/// Puts a hand at a place, and waits for a few ticks. Returns false if the device does not run.
 inline bool FeelAt(
   vtkVolumeHapticsFilter* filter, double x, double y, double z, vtkHapticDevice* device)
 {
@@ -51,7 +51,8 @@ inline bool FeelAt(
   return true;
 }
 
-/// The hand, and what it is held on, within 20 mm around the origin, seen from a place.
+/// Compares the picture of the hand, and of what holds it, within 20 mm around the origin, seen
+/// from a place.
 inline int CompareFollowed(
   vtkHapticDevice* device, double x, double y, double z, int argc, char* argv[])
 {

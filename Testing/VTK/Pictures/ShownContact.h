@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The representation over a plane on which a real device presses, in each state of contact.
+ * The representation over a plane that a real device presses, in each state of contact.
  */
 #ifndef ShownContact_h
 #define ShownContact_h
@@ -42,17 +42,17 @@ namespace scenetest
 
 struct ContactScript
 {
-  int Contact;   ///< that the last tick is to have
-  double Depth;  ///< of the tip below the plane, mm
-  double Across; ///< how far it is dragged along x, mm
+  int Contact;   ///< contact of the last tick
+  double Depth;  ///< depth of the tip below the plane, mm
+  double Across; ///< distance of the drag along x, mm
   double Friction;
   double Strength; ///< N
   bool Markers = false;
   bool Trail = false;
-  const double* Orientation = nullptr; ///< of the stylus: w, x, y, z
+  const double* Orientation = nullptr; ///< orientation of the stylus: w, x, y, z
 };
 
-/// A value that rises with depth; the surface is felt from z = 0 downwards.
+/// Makes a value that rises with depth; the surface is felt from z = 0 downwards.
 inline vtkSmartPointer<vtkImageData> MakeDepths()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -66,8 +66,8 @@ inline vtkSmartPointer<vtkImageData> MakeDepths()
   return image;
 }
 
-/// Down from 6 mm above and then across, a tenth of a millimetre a tick; then it creeps on for
-/// twenty seconds, so slowly that the picture does not change, but the contact lasts.
+/// Makes a path down from 6 mm above and then across, by 0.1 mm per tick. It then creeps on for
+/// twenty seconds, so slowly that the picture does not change while the contact lasts.
 inline vtkSmartPointer<vtkPolyData> MakePath(const ContactScript& script, vtkIdType& ticks)
 {
   vtkNew<vtkPoints> points;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What modes hold the hand on: the stream line through the proxy, the core of the vortex, a guide
-// and a front. A helix around z: its lines keep their distance from the axis, and climb in
-// proportion to the angle; its core is the axis.
+// Shows what holds the hand in modes: the stream line through the proxy, the core of the vortex, a
+// guide and a front. The flow is a helix around z: its lines keep their distance from the axis, and
+// climb in proportion to the angle; its core is the axis.
 #include "FollowedHand.h"
 
 #include <vtkCellArray.h>
@@ -28,7 +28,7 @@ using scenetest::Fail;
 
 namespace
 {
-constexpr double Pitch = 0.12; // climb (mm) for a mm around the axis at a distance of 1 mm
+constexpr double Pitch = 0.12; // climb (mm) per millimetre around the axis, at a distance of 1 mm
 
 vtkSmartPointer<vtkImageData> MakeHelix()
 {
@@ -47,7 +47,7 @@ vtkSmartPointer<vtkImageData> MakeHelix()
   return image;
 }
 
-/// Upright, at x = y = -12.
+/// Makes an upright line at x = y = -12.
 vtkSmartPointer<vtkPolyData> MakeGuide()
 {
   vtkNew<vtkPoints> points;
@@ -58,7 +58,7 @@ vtkSmartPointer<vtkPolyData> MakeGuide()
   return guide;
 }
 
-/// The lines: of mode 0 a helix through the proxy, of mode 1 the axis, of mode 2 the guide.
+/// Expects a helix through the proxy for mode 0, the axis for mode 1, and the guide for mode 2.
 bool CheckLines(vtkPolyData* shapes, const double* proxy)
 {
   vtkDataArray* const modes = shapes->GetCellData()->GetArray("Mode");

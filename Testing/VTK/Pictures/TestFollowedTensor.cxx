@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a mode about tensors holds the hand on: the fibre through the proxy, the sheet across the
+// Shows what holds the hand in a tensor mode: the fibre through the proxy, the sheet across the
 // least eigenvector, and the tensor itself as an ellipsoid. Fibres are circles around z, and sheets
 // lie at z: the eigenvalues are 1 along the circle, 0.5 along the radius and 0.2 along z.
 #include "FollowedHand.h"
@@ -50,7 +50,7 @@ vtkSmartPointer<vtkImageData> MakeFibres()
   return image;
 }
 
-/// The tensor times a direction, against a multiple of that direction.
+/// Expects that the tensor times a direction is the eigenvalue times the direction.
 bool CheckTensor(const double* tensor, const double (&direction)[3], double eigenvalue)
 {
   for (int row = 0; row < 3; ++row)
@@ -60,7 +60,7 @@ bool CheckTensor(const double* tensor, const double (&direction)[3], double eige
     {
       product += tensor[3 * row + column] * direction[column];
     }
-    // What interpolation and a hand that is not at a sample add.
+    // The tolerance allows for interpolation, and for a hand between samples.
     if (std::abs(product - eigenvalue * direction[row]) > 0.02 * Reach / 8.0)
     {
       return Fail("the tensor", product, eigenvalue * direction[row]);
@@ -84,7 +84,7 @@ bool CheckShapes(vtkPolyData* shapes, const double* proxy)
   const double along[3] = { -proxy[1] / radius, proxy[0] / radius, 0.0 };
   const double outwards[3] = { proxy[0] / radius, proxy[1] / radius, 0.0 };
   const double upright[3] = { 0.0, 0.0, 1.0 };
-  const double length = Reach / 8.0; // of the first one
+  const double length = Reach / 8.0; // of the longest axis
   if (!CheckTensor(tensor, along, length) ||
     !CheckTensor(tensor, outwards, length * Radial / Along) ||
     !CheckTensor(tensor, upright, length * Upright / Along))

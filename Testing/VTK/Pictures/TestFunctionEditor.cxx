@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The editor over a view: the stiffness of a preset over the histogram of the head phantom, with a
-// ramp from air.
+// Shows the editor over a view: the stiffness of a preset, with a ramp from air, over the histogram
+// of the head phantom.
 #include "Factories.h"
 
 #include "vtkHapticFunctionEditor.h"
@@ -14,7 +14,7 @@
 #include "vtkTestUtilities.h"
 #include "vtkXMLImageDataReader.h"
 
-// VTK's test driver initializes what draws volumes, not what draws charts and their text.
+// VTK's test driver initializes the modules that draw volumes, not those for charts and their text.
 
 int TestFunctionEditor(int argc, char* argv[])
 {
@@ -28,7 +28,7 @@ int TestFunctionEditor(int argc, char* argv[])
   property->ApplyPreset("CT contrast");
   property->GetStiffness()->AddPoint(-1024.0, 0.0);
   property->GetStiffness()->AddPoint(-955.0, 0.0);
-  property->GetViscosity()->RemoveAllPoints(); // a drag on the ramp would be a warning
+  property->GetViscosity()->RemoveAllPoints(); // a drag on the ramp would give a warning
   vtkNew<vtkHapticFunctionEditor> editor;
   editor->SetProperty(property);
   editor->SetInputData(head->GetOutput());

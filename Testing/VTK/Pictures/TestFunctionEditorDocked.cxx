@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The editor below a view: the surface strength of a preset over the histogram of the head phantom
-// and its tissues, whose materials stand beside it.
+// Shows the editor below a view: the surface strength of a preset over the histogram of the head
+// phantom, and beside it the materials of the preset's tissues.
 #include "Factories.h"
 
 #include "VTK/Scene/Editor/EditorProbe.h"
@@ -15,7 +15,7 @@
 #include "vtkTestUtilities.h"
 #include "vtkXMLImageDataReader.h"
 
-// VTK's test driver initializes what draws volumes, not what draws charts and their text.
+// VTK's test driver initializes the modules that draw volumes, not those for charts and their text.
 
 int TestFunctionEditorDocked(int argc, char* argv[])
 {
@@ -43,7 +43,7 @@ int TestFunctionEditorDocked(int argc, char* argv[])
   window->SetMultiSamples(0);
   window->SetSize(760, 400);
   window->AddRenderer(renderer);
-  window->Render(); // the editor learns of its window
+  window->Render(); // the editor learns the size of its window
   window->Render();
   return vtkRegressionTestImage(window) == vtkTesting::PASSED ? EXIT_SUCCESS : EXIT_FAILURE;
 }

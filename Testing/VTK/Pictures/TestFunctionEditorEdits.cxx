@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Axes that are dragged, edits that are taken back, sliders of tissues, and the editor beside the
-// scene, with slices and without.
+// Drags axes, undoes edits, moves sliders of tissues, and puts the editor beside the scene, with
+// and without slices.
 #include "EditorMouse.h"
 #include "Factories.h"
 
@@ -13,7 +13,7 @@
 
 #include <algorithm>
 
-// VTK's test driver initializes what draws volumes, not what draws charts and their text.
+// VTK's test driver initializes the modules that draw volumes, not those for charts and their text.
 
 using namespace editortest;
 
@@ -32,20 +32,20 @@ void TestAxes(View& view, vtkHapticProperty* property)
   const Place low = view.At(0, 0);
   const Place high = view.At(100, 1000);
   const int width = high[0] - low[0];
-  // By a quarter of its width, from below the axis of values; a point goes along.
+  // Drags by a quarter of the width, below the axis of values; the points move along.
   view.Drag(
     Editor::LEFT_BUTTON, { low[0] + 40, low[1] - 12 }, { low[0] + 40 + width / 4, low[1] - 12 });
   view.Window->Render();
   view.Check(IsNear(view.At(0, 0)[0], low[0] + width / 4, 2), "the axis of values is dragged");
   view.Check(IsNear(view.At(50, 400)[0], low[0] + width / 4 + width / 2, 2), "with the points");
-  // The wheel stretches it about the mouse: what is there stays there.
+  // The wheel stretches the axis about the mouse, where the value stays.
   const Place middle = view.At(40, 300);
   view.Check(editor->TurnWheel(2.0, middle[0], middle[1]), "the wheel");
   view.Window->Render();
   view.Check(IsNear(view.At(40, 300)[0], middle[0], 2), "what is under the mouse stays");
   view.Check(IsNear(view.At(50, 0)[0] - view.At(40, 0)[0], 0.1 * width * 1.25 * 1.25, 2),
     "a step stretches by a quarter");
-  // What is under the mouse goes along: twice as high.
+  // The drag takes along what is under the mouse: the function is twice as high.
   const int up = view.At(40, 200)[1] - low[1];
   view.Drag(
     Editor::LEFT_BUTTON, { low[0] - 15, (low[1] + high[1]) / 2 }, { low[0] - 15, high[1] - 1 });
@@ -53,11 +53,11 @@ void TestAxes(View& view, vtkHapticProperty* property)
   view.Check(IsNear(view.At(40, 200)[1] - low[1], 2.0 * up, 3), "the axis of the function");
   view.Check(property->GetMTime() == before, "all of that edits nothing");
   view.Check(!editor->Undo(), "and is no step to undo");
-  // A point is dragged where it is seen now.
+  // A point is dragged from where it is drawn now.
   view.Drag(Editor::LEFT_BUTTON, view.At(50, 400), view.At(55, 300));
   view.Check(IsNode(stiffness, 1, 55, 300, 1.0, 20.0), "a drag in a part of the axes");
   view.Check(editor->Undo() && IsNode(stiffness, 1, 50, 400, 0.0, 0.0), "is undone to the bit");
-  // Both are fitted again.
+  // Double clicks fit both axes again.
   for (const Place& axis : { Place{ low[0] + 40, low[1] - 12 }, Place{ low[0] - 15, low[1] + 30 } })
   {
     editor->DoubleClick(Editor::LEFT_BUTTON, axis[0], axis[1]);
@@ -162,7 +162,7 @@ void TestDock(vtkHapticProperty* property)
     return IsNear(v[0], left, 1e-9) && IsNear(v[1], bottom, 1e-9) && IsNear(v[2], right, 1e-9) &&
       IsNear(v[3], top, 1e-9);
   };
-  View checks; // for its messages
+  View checks; // reports the messages
   editor->DockedOn();
   for (int i = 0; i < 3; ++i)
   {
@@ -172,7 +172,7 @@ void TestDock(vtkHapticProperty* property)
   double at[2];
   checks.Check(VolumeHaptics::EditorProbe::GetTissuePosition(editor, 2, at) && at[0] > 500,
     "the tissues beside the function");
-  // In the window's corner, as the column of the slices takes the whole of its edge.
+  // The editor keeps the corner of the window only: the column of slices takes the whole edge.
   vtkNew<vtkHapticSliceView> slices;
   slices->SetRenderWindow(window);
   for (int i = 0; i < 3; ++i)
@@ -201,7 +201,7 @@ void TestDock(vtkHapticProperty* property)
   window->Render();
   window->Render();
   checks.Check(isAt(scene, 0.5, 0, 1, 1), "and put back");
-  // A drag of the border, far beyond the window.
+  // Drags the border far beyond the window.
   checks.Check(editor->ButtonPress(Editor::LEFT_BUTTON, 400, 250), "the border is taken");
   editor->MouseMove(5000, 250);
   editor->ButtonRelease(Editor::LEFT_BUTTON, 5000, 250);
@@ -221,7 +221,7 @@ int TestFunctionEditorEdits(int, char*[])
   stiffness->AddPoint(0.0, 0.0);
   stiffness->AddPoint(50.0, 400.0);
   stiffness->AddPoint(100.0, 1000.0);
-  property->GetFriction(); // each is made when it is asked for
+  property->GetFriction(); // functions are created when they are asked for
   property->GetViscosity();
   property->GetSurfaceStrength();
   property->GetDistinctness();

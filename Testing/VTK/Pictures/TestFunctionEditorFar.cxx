@@ -13,7 +13,7 @@
 
 #include <limits>
 
-// VTK's test driver initializes what draws volumes, not what draws charts and their text.
+// VTK's test driver initializes the modules that draw volumes, not those for charts and their text.
 
 using namespace editortest;
 
@@ -30,8 +30,8 @@ int TestFunctionEditorFar(int, char*[])
   vtkPiecewiseFunction* const stiffness = property->GetStiffness();
   view.Shown->SetProperty(property);
 
-  // As places and as values of points, without data and with those on the value axis, one by one
-  // and all together.
+  // The numbers are places and values of points, without data and with data on the value axis, one
+  // by one and all together.
   vtkNew<vtkImageData> image;
   image->SetDimensions(2, 2, 2);
   vtkNew<vtkDoubleArray> scalars;
@@ -58,7 +58,7 @@ int TestFunctionEditorFar(int, char*[])
       }
     }
   }
-  // Afterwards it works as before.
+  // Afterwards the editor works as before.
   view.Shown->SetInputData(nullptr);
   stiffness->RemoveAllPoints();
   stiffness->AddPoint(0.0, 0.0);
@@ -68,7 +68,7 @@ int TestFunctionEditorFar(int, char*[])
   view.Drag(Editor::LEFT_BUTTON, view.At(50, 400), view.At(70, 800));
   view.Check(IsNode(stiffness, 1, 70, 800, 1.0, 20.0), "a point moves again");
 
-  // A point far beyond does not push the others together: it stays out of sight, and unchanged.
+  // A point far beyond does not compress the axis: it stays out of sight, and unchanged.
   stiffness->AddPoint(1e308, 5.0);
   view.Window->Render();
   stiffness->AddPoint(inf, 7.0);

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The peculiarities of each function: beyond the axis, empty, or missing.
+// Special cases of each function: values beyond the axis, no points, or no function.
 #include "EditorMouse.h"
 #include "Factories.h"
 
 #include "vtkHapticProperty.h"
 #include "vtkVolumeProperty.h"
 
-// VTK's test driver initializes what draws volumes, not what draws charts and their text.
+// VTK's test driver initializes the modules that draw volumes, not those for charts and their text.
 
 using namespace editortest;
 
@@ -24,17 +24,17 @@ int TestFunctionEditorFunctions(int, char*[])
   visible->GetScalarOpacity()->AddPoint(100.0, 1.0);
   View view;
   Editor* const editor = view.Shown;
-  view.Window->Render(); // without anything to edit
+  view.Window->Render(); // there is nothing to edit yet
   editor->SetProperty(property);
 
-  // An impenetrable surface stays so, as long as it is not dragged down.
+  // An impenetrable surface stays so unless its point is dragged down.
   editor->SetFunctionToSurfaceStrength();
   view.Window->Render();
   const Place top = view.At(60, 1e6);
   view.Drag(Editor::LEFT_BUTTON, view.At(50, 12), { top[0], 229 });
   view.Check(IsNode(strength, 1, 60, 1e6, 1.0, 0.0), "a value beyond the axis stays");
 
-  // Looking at an empty function does not fill it; the first point does.
+  // Showing an empty function adds no point; the first click does.
   vtkPiecewiseFunction* const friction = property->GetFriction();
   editor->SetFunctionToFriction();
   view.Window->Render();
@@ -44,7 +44,7 @@ int TestFunctionEditorFunctions(int, char*[])
       IsNode(friction, 1, 0.5, 0.5, 0.02, 0.02),
     "the first point brings the default along");
 
-  // A ramp of the stiffness from 0 beside a drag: noise reads the one with the other.
+  // A stiffness that rises from 0 beside a drag warns, since noise mixes both values.
   editor->SetFunctionToStiffness();
   view.Check(editor->GetWarning().empty(), "500 N/m and no drag");
   property->GetViscosity()->AddPoint(0.0, 0.0);
@@ -70,7 +70,7 @@ int TestFunctionEditorFunctions(int, char*[])
   property->RemoveAllTissues();
   friction->RemoveAllPoints();
 
-  // Opacity: nothing to edit at first.
+  // The opacity has no function to edit at first.
   editor->SetFunctionToOpacity();
   view.Window->Render();
   view.Check(editor->ButtonPress(Editor::LEFT_BUTTON, 200, 100) &&

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Points that are dragged and removed with the mouse change the function itself.
+// Dragging and removing points with the mouse changes the function itself.
 #include "EditorMouse.h"
 #include "Factories.h"
 #include "Rigs/EventCounter.h"
 
 #include "vtkHapticProperty.h"
 
-// VTK's test driver initializes what draws volumes, not what draws charts and their text.
+// VTK's test driver initializes the modules that draw volumes, not those for charts and their text.
 
 using namespace editortest;
 

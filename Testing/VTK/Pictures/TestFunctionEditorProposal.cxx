@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Functions that the head phantom proposes: over its edges, dashed, beside those of a preset; taken
-// and dropped.
+// Shows the functions that the head phantom proposes: dashed, over its edges, beside those of a
+// preset. The proposal is taken and dropped.
 #include "Factories.h"
 #include "Rigs/EventCounter.h"
 
@@ -22,7 +22,7 @@
 #include "vtkTestUtilities.h"
 #include "vtkXMLImageDataReader.h"
 
-// VTK's test driver initializes what draws volumes, not what draws charts and their text.
+// VTK's test driver initializes the modules that draw volumes, not those for charts and their text.
 
 namespace
 {
@@ -65,7 +65,7 @@ int TestFunctionEditorProposal(int argc, char* argv[])
 
   bool passed = Check(!editor->HasProposal() && !editor->TakeProposal() && !editor->DropProposal(),
     "no proposal at first");
-  // One that is dropped changes nothing.
+  // A proposal that is dropped changes nothing.
   passed &= Check(editor->Propose() && editor->HasProposal(), "the phantom proposes functions");
   window->Render();
   passed &= Check(editor->DropProposal() && !editor->HasProposal(), "a proposal is dropped");
@@ -83,7 +83,7 @@ int TestFunctionEditorProposal(int argc, char* argv[])
       property->GetProposedBoundaries() && property->GetProposedKernelRadius() >= 2,
     "the property has the proposal");
   window->Render();
-  // The points of what was taken are dragged as any other.
+  // Points of a taken proposal are dragged like other points.
   double place[2];
   const double height = strength->GetValue(1500.0);
   VolumeHaptics::EditorProbe::GetPosition(
@@ -94,7 +94,7 @@ int TestFunctionEditorProposal(int argc, char* argv[])
   editor->MouseMove(x, y - 30);
   editor->ButtonRelease(vtkHapticFunctionEditor::LEFT_BUTTON, x, y - 30);
   passed &= Check(strength->GetValue(3000.0) < height - 0.5, "a point of it is dragged");
-  // One that is taken during a drag ends the drag's step, and is one itself.
+  // A proposal that is taken during a drag ends the drag's step, and is a step of its own.
   const double before = strength->GetValue(3000.0);
   passed &= Check(editor->Propose(), "a proposal during a drag");
   window->Render();
@@ -108,7 +108,8 @@ int TestFunctionEditorProposal(int argc, char* argv[])
     Check(editor->Undo() && strength->GetValue(3000.0) == dragged, "the proposal is undone");
   passed &= Check(editor->Undo() && strength->GetValue(3000.0) == before, "then the drag");
 
-  // Of a head that is stored 1024 higher, the picture is the same: its axis is in Hounsfield units.
+  // A head that is stored 1024 higher gives the same picture, since the axis is in Hounsfield
+  // units.
   vtkNew<vtkImageShiftScale> stored;
   stored->SetInputConnection(head->GetOutputPort());
   stored->SetShift(1024.0);
@@ -123,7 +124,7 @@ int TestFunctionEditorProposal(int argc, char* argv[])
   editor->SetInputData(stored->GetOutput());
   passed &= Check(editor->Propose(), "one of a head that is stored higher");
   window->Render();
-  // But for the phase of the dashes.
+  // The tolerance allows for another phase of the dashes.
   const int same = vtkRegressionTestImageThreshold(window, 25.0);
   passed &= Check(editor->TakeProposal() && shifted->GetScalarShift() == -1024.0 &&
       shifted->GetSurfaceStrength()->GetValue(-1000.0) == 0.0 &&

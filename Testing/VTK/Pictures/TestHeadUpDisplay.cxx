@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The head-up display: a press, a slide and a release as a plot; a device that waits as a text; a
-// hint.
+// Shows the head-up display: a press, a slide and a release as a plot, the status of a device that
+// waits, and a hint.
 #include "Factories.h"
 #include "Rigs/ScriptedStates.h"
 
@@ -21,7 +21,7 @@ int TestHeadUpDisplay(int argc, char* argv[])
     const double hold = t < 1.0 ? 0.0 : (t < 1.5 ? 2.0 * (t - 1.0) : (t < 4.0 ? 1.0 : 0.0));
     return 1.6 * hold * (1.0 + 0.1 * std::sin(12.0 * t));
   };
-  vtkNew<vtkVolumeHapticsFilter> filter; // its method is the plot's title
+  vtkNew<vtkVolumeHapticsFilter> filter; // its method is the title of the plot
   vtkNew<vtkHapticDevice> device;
   device->Open("virtual");
   device->SetVolumeHaptics(filter);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The head-up display with modes: a curve and a line of text for each, in its colour; one is off.
-// Their lines can be found.
+// Shows the head-up display with modes: each has a curve and a line of text in its colour; one is
+// off. The test finds their lines.
 #include "Factories.h"
 #include "Rigs/ScriptedStates.h"
 

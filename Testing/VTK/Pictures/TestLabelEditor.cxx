@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The editor's list of labels: 89 of them with colours and names, scrolled to the one whose
-// material is edited, which has two quantities of its own.
+// Shows the editor's list of 89 labels with colours and names, scrolled to the label whose material
+// is edited; the label has two quantities of its own.
 #include "Factories.h"
 
 #include "vtkHapticFunctionEditor.h"
@@ -14,7 +14,7 @@
 #include <cmath>
 #include <string>
 
-// VTK's test driver initializes what draws volumes, not what draws charts and their text.
+// VTK's test driver initializes the modules that draw volumes, not those for charts and their text.
 
 int TestLabelEditor(int argc, char* argv[])
 {
@@ -27,10 +27,10 @@ int TestLabelEditor(int argc, char* argv[])
   }
   table->SetLabelName(40,
     "pr\xC3\xA9"
-    "cord \xC3\xA0 droite, derri\xC3\xA8re le foie"); // shortened
+    "cord \xC3\xA0 droite, derri\xC3\xA8re le foie"); // is shortened
   table->SetLabelName(41, "Kr\xC3\xB6pfchen");
   table->SetStiffness(42, 300.0);
-  table->SetSurfaceStrength(42, 7.5); // more than is usual: the slider's end is larger
+  table->SetSurfaceStrength(42, 7.5); // an unusually high value, so that the slider's end is larger
   table->SetFelt(41, false);
   table->SetForbidden(43, true);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Labels that are clicked on, and their sliders, change the table itself. Values of sliders are
-// compared with the table within a pixel, which is a hundredth of the slider or less.
+// Clicks on labels, and their sliders, change the table itself. Values of sliders are compared with
+// the table within a pixel, which is at most a hundredth of the slider.
 #include "EditorMouse.h"
 #include "Factories.h"
 #include "Rigs/EventCounter.h"
@@ -21,13 +21,13 @@
 #include <string>
 #include <vector>
 
-// VTK's test driver initializes what draws volumes, not what draws charts and their text.
+// VTK's test driver initializes the modules that draw volumes, not those for charts and their text.
 
 using namespace editortest;
 
 namespace
 {
-/// Slices with these labels, a slice each; the second half of each slice has the label 7.
+/// Makes an image with one slice for each label; the second half of each slice has the label 7.
 vtkSmartPointer<vtkImageData> MakeSlices(int type, const std::vector<double>& labels)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -94,7 +94,8 @@ void TestImages(LabelView& view)
   view.Check(view.Lists({ -2147483647 - 1, 2, 7 }), "whole numbers that a table can have");
   view.Shown->SetLabelData(MakeSlices(VTK_UNSIGNED_LONG_LONG, { 1, 4294967301.0, 2147483647.0 }));
   view.Check(view.Lists({ 1, 7, 2147483647 }), "a number beyond int is not cut off");
-  // Heart in Greek and in Chinese, which VTK's own font may not have; no UTF-8; and a long name.
+  // The names are "heart" in Greek and Chinese, which VTK's font may lack, bytes that are not
+  // UTF-8, and a long name.
   view.Table->SetLabelName(1, "\xCE\xBA\xCE\xB1\xCF\x81\xCE\xB4\xCE\xB9\xCE\xAC");
   view.Table->SetLabelName(7, "\xE5\xBF\x83\xE8\x87\x9F");
   view.Table->SetLabelName(2147483647, "\xE9\xFF" + std::string(100000, '\xE9'));
@@ -159,7 +160,7 @@ void TestMaterials(LabelView& view)
   view.Check(near(table->GetFriction(5), 0.8, 1.0) && near(table->GetViscosity(5), 0.3, 1.0),
     "drags to both sides");
 
-  // Beyond the end of the slider, three times: the end grows when the slider is left.
+  // Drags beyond the end of the slider three times: the end grows when the slider is released.
   for (const double end : { 5.0, 6.0, 8.0 })
   {
     const Place last = view.AtSlider(Editor::SURFACE_STRENGTH, end);
@@ -185,7 +186,7 @@ void TestMaterials(LabelView& view)
   view.Check(table->GetMTime() == before, "other buttons, and moves without one, change nothing");
   view.Check(!editor->TurnWheel(1.0, 5, 5) && !editor->MouseMove(5, 5), "nor is it beside");
 
-  // The button stands right of the selected label's name, above the sliders.
+  // The button is to the right of the selected label's name, above the sliders.
   const Place end = view.AtSlider(Editor::STIFFNESS, 1000.0);
   view.Click({ end[0] - 10, end[1] + (end[1] - view.AtSlider(Editor::FRICTION, 0.0)[1]) });
   view.Check(!table->HasMaterial(5), "by the functions again");
@@ -201,7 +202,7 @@ void TestMany(LabelView& view)
   image->AllocateScalars(VTK_INT, 1);
   for (int i = 0; i < labels; ++i)
   {
-    // A permutation, since the factor is odd and no multiple of 5: nothing is in order.
+    // The labels are in no order: the factor is odd and no multiple of 5, so this is a permutation.
     image->GetPointData()->GetScalars()->SetComponent(
       i, 0, (i * std::int64_t{ 777777 }) % labels - labels / 2);
   }
@@ -218,13 +219,13 @@ void TestMany(LabelView& view)
 
   const Place list = view.AtLabel(123457, VolumeHaptics::EditorProbe::LabelName);
   double at[2];
-  editor->TurnWheel(-1000.0, list[0], list[1]); // three rows a step
+  editor->TurnWheel(-1000.0, list[0], list[1]); // three rows per step
   view.Check(!VolumeHaptics::EditorProbe::GetLabelPosition(
                editor, 123457, VolumeHaptics::EditorProbe::LabelName, at) &&
       VolumeHaptics::EditorProbe::GetLabelPosition(
         editor, 126457, VolumeHaptics::EditorProbe::LabelName, at),
     "the wheel scrolls towards the user");
-  // The bar is at the right edge: its ends show the first and the last label.
+  // The bar is at the right edge; its ends show the first and the last label.
   const Place right = { 120 + 20 + 300 - 9, list[1] };
   view.Drag(Editor::LEFT_BUTTON, right, { right[0], 1000 });
   view.Check(VolumeHaptics::EditorProbe::GetLabelPosition(
@@ -249,7 +250,7 @@ int TestLabelEditorMouse(int, char*[])
   TestMaterials(view);
   TestMany(view);
 
-  // The page comes after the functions, if there is a table.
+  // With a table, the page of labels comes after the functions.
   vtkNew<vtkHapticProperty> property;
   view.Shown->SetProperty(property);
   view.Shown->SetFunctionToSurfaceStrength();

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A point, a distance, an angle, a path and an area on a ball, with their values; one end of a
-// distance that is being measured; and the list in the head-up display, which no label covers.
+// Shows a point, a distance, an angle, a path and an area on a ball, with their values; the first
+// end of a distance that is being measured; and the list in the head-up display, which no label
+// covers.
 #include "Factories.h"
 #include "VTK/Scene/Display/DisplayProbe.h"
 
@@ -32,7 +33,7 @@ namespace
 {
 constexpr double Radius = 20.0;
 
-/// Seen from -y; degrees to the right and upwards.
+/// Returns a place on the ball, seen from -y, by degrees to the right and upwards.
 std::array<double, 3> On(double right, double up)
 {
   const double u = 0.01745329252 * right;

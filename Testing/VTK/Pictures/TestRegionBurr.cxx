@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A large volume from which tissue was removed looks like one whose samples were carved by a loop:
-// finely in the box around the hand, coarsely elsewhere, and at both sides of the box's faces.
+// A large volume from which tissue was removed looks like a volume whose samples were carved by a
+// loop: fine in the box around the hand, coarse elsewhere, and on both sides of the box's faces.
 #include "Rigs/DrawnPixels.h"
 #include "Rigs/Eventually.h"
 #include "Rigs/RemovalRig.h"
@@ -28,13 +28,13 @@ namespace
 using removaltest::Hole;
 
 constexpr int BurrPictureSize = 90;
-constexpr int LastSample = 79; // even numbers of samples
+constexpr int LastSample = 79; // makes an even number of samples
 constexpr double AirOfScene = 0.0;
 constexpr double SolidValue = 1000.0;
-/// Where the hand begins.
+/// The hole where the hand begins.
 const Hole NearHole{ { 52.0, 14.0, 50.0 }, 12.0 };
 
-/// Tissue between air on all sides, carved or not.
+/// Fills a block of tissue with air on all sides, carved if there is a hole.
 bool FillBlock(const int extent[6], void* samples, const Hole* hole)
 {
   auto* sample = static_cast<float*>(samples);
@@ -72,7 +72,7 @@ struct BurrScene
     this->Source->SetWholeExtent(0, LastSample, 0, LastSample, 0, LastSample);
     this->Source->SetScalarType(VTK_FLOAT);
     this->Source->SetMemoryLimit(2097152); // a region of some 50^3 samples
-    this->Source->SetMaximumSpeed(0.0);    // regions that do not depend on the time of reading
+    this->Source->SetMaximumSpeed(0.0);    // so that regions do not depend on the time of reading
     this->Source->SetReader(
       [hole](const int extent[6], void* samples) { return FillBlock(extent, samples, hole); });
     this->Source->SetOrigin(5.0, -3.0, 2.0);
@@ -116,7 +116,7 @@ struct BurrScene
     camera->SetPosition(105.0, -117.0, 120.0);
     camera->SetViewUp(0.0, 0.0, 1.0);
   }
-  /// Until the box is around a position.
+  /// Moves the tip until the box is around a position.
   bool Refine(double x, double y, double z)
   {
     const double tip[3] = { x, y, z };
@@ -178,7 +178,7 @@ int CheckMapper(
   compare("the box in the hole", 0.0);
   expect(scene.Refine(25.0, 57.0, 22.0) && carved.Refine(25.0, 57.0, 22.0), "it has moved");
   compare("the box far from the hole", 0.0);
-  // All tissue comes back.
+  // Reset() restores all tissue.
   scene.Touch->GetRemoval()->Reset();
   const std::vector<double> wholeAgain = scene.Draw();
   scene.Picture.SetVolumeHaptics(nullptr);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A coarse image that has all samples of the volume, and a fine box in it, are to look like one
-// volume: from all sides, in perspective or not, as the same image does without the box. It is a
-// translucent shell around a core, so that what is drawn in another order looks different.
+// A coarse image with all samples of the volume, and a fine box in it, look like one volume: from
+// all sides, in perspective or not, as the same image does without the box. The volume is a
+// translucent shell around a core, so a wrong drawing order is seen.
 #include "Rigs/DrawnPixels.h"
 #include "Rigs/Eventually.h"
 #include "VTK/Scene/Volumes/RegionPicture.h"
@@ -150,7 +150,7 @@ int TestRegionPicture(int, char*[])
   {
     const double angle = 0.55 * view;
     const double tilt = 1.3 * std::sin(1.7 * view);
-    // The last ones are near, so that the eye is between the planes of the box.
+    // The last views are near, so that the eye is between the planes of the box.
     const double r = view < 9 ? distance : 45.0;
     camera->SetParallelProjection(view % 3 == 2);
     camera->SetPosition(focus[0] + r * std::cos(angle) * std::cos(tilt),

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Above the surface: tip and proxy at one position, no force; the positions at which materials are
-// read; a ring on the surface, 7.9 mm away along the line of sight: 3 mm above z = 0, seen from
-// (10, -60, 28), that is 3 mm * 65.8 / 25.
+// Shows a tip above the surface: tip and proxy at one position, no force, the positions at which
+// materials are read, and a ring on the surface. The ring is 7.9 mm away along the line of sight: 3
+// mm above z = 0, seen from (10, -60, 28), are 3 mm * 65.8 / 25.
 #include "ShownContact.h"
 
 int TestRepresentationFree(int argc, char* argv[])

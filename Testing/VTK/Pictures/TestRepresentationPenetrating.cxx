@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Pressed harder than the surface can hold: the proxy follows through it.
+// Shows a press beyond the strength of the surface: the proxy passes through it.
 #include "ShownContact.h"
 
 int TestRepresentationPenetrating(int argc, char* argv[])

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Dragged along: friction holds back; the trail is coloured by the force.
+// Shows a drag along the surface: friction holds back, and the force colours the trail.
 #include "ShownContact.h"
 
 int TestRepresentationSliding(int argc, char* argv[])

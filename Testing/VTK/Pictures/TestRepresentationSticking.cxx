@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Pressed straight in: the proxy stays on the surface, the force is normal.
+// Shows a press straight into the surface: the proxy stays on the surface, and the force is normal.
 #include "ShownContact.h"
 
 int TestRepresentationSticking(int argc, char* argv[])

@@ -65,13 +65,13 @@ TEST_P(Border, StrengthFadesOverOneKernelRadius)
 }
 
 // "So nothing pops at the box": across the border the force never changes faster than the springs
-// of probe and fade together would.
+// of probe and fade together allow.
 TEST_P(Border, NothingPops)
 {
   Scene scene;
   this->Begin(scene);
-  // Over 2 mm the fade is a spring of 400 N/m in series with k = 500 N/m: inwards it stiffens,
-  // outwards (k c / (k - c)) it softens, but it stays one. Without the fade the force would jump by
+  // Over 2 mm the fade is a spring of 400 N/m in series with k = 500 N/m. It stiffens inwards, and
+  // softens outwards (k c / (k - c)), but stays a spring. Without the fade, the force would jump by
   // 0.8 N.
   const double strength = 0.8;
   SetMaterial(scene, 500.0, 0.0, 0.0, strength);
@@ -102,7 +102,7 @@ TEST_P(Border, ValuesClamp)
   Random random(11);
   for (int n = 0; n < 300; ++n)
   {
-    Vec3 inner; // clear of the spline's taps, which repeat the border's voxels
+    Vec3 inner; // away from the spline's taps, which repeat the border's voxels
     for (int axis = 0; axis < 3; ++axis)
     {
       inner[axis] = random.Uniform(-Half + 2.0, Half - 2.0);

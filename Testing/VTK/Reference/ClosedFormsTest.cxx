@@ -3,10 +3,10 @@
 
 /**
  * The specification's closed forms: T1 to T5, a flat surface, penetration, friction and drag; T6 to
- * T9, drag without a surface, and distinctness; T10 to T13, curved walls. The latter document the
- * faults of the paper's solver (it moves along a tangent, so it drifts outward) to the figures that
- * its recursion gives. Each is played twice: by the module, and by the reference, which has to earn
- * its trust.
+ * T9, drag without a surface, and distinctness; T10 to T13, curved walls. The last ones document
+ * the faults of the paper's solver (it moves along a tangent, so it drifts outward), with the
+ * figures of its recursion. The module plays each of them, and so does the reference, which has to
+ * earn trust.
  */
 
 #include "SampledImage.h"
@@ -58,7 +58,7 @@ double Angle(const Vec3& x)
   return std::atan2(x[1], x[0]);
 }
 
-// The record of the tick whose tip is `z` mm deep, first or last on the way.
+// Returns the first or last tick whose tip is `mm` deep on the way.
 const TickRecord& AtTick(const Trace& trace, double mm)
 {
   return trace[std::size_t(std::lround(mm / Step))];
@@ -81,8 +81,8 @@ std::string PlayerName(const testing::TestParamInfo<std::tuple<Player, Estimator
 class ClosedForms : public testing::TestWithParam<std::tuple<Player, Estimator>>
 {
 protected:
-  /// k = 500 N/m, T_N = 2 N, W_d = 1, R = mu = 0 in a field around the origin; the path has one
-  /// point.
+  /// Begins with k = 500 N/m, T_N = 2 N, W_d = 1 and R = mu = 0, in a field around the origin. The
+  /// path has one point.
   void Begin(double halfSize, const Field& field, const Vec3& start, double spacing = 1.0)
   {
     this->TheScene.image = Sample(Cube(halfSize, spacing), field);
@@ -97,10 +97,12 @@ protected:
                                                            : RunReference(this->TheScene);
   }
 
-  // Touch the wall at radius 20 and go round on `radius`; the last tick of turn i is i x ticks + 1.
+  // Touches the wall at radius 20, and goes round on `radius`. The last tick of turn i is i x ticks
+  // + 1.
   Trace Circle(const Field& field, double friction, double radius, int ticks, int turns)
   {
-    // On half millimetres: a sampled Gaussian is exact on linear fields, and near it on squares.
+    // Samples are half a millimetre apart: a sampled Gaussian is exact on linear fields, and nearly
+    // so on squares.
     this->Begin(24.0, field, OnCircle(20.0, 0.0), 0.5);
     SetMaterial(this->TheScene, 500.0, friction, 0.0, Impenetrable);
     for (int tick = 0; tick <= ticks * turns; ++tick)
@@ -188,7 +190,7 @@ TEST_P(ClosedForms, T6AndT7DragInAUniformRegion)
     SetMaterial(this->TheScene, 500.0, 0.3, 0.5, 2.0);
     this->TheScene.MoveTo({}, step);
     const std::size_t turn = this->TheScene.path.size() - 1;
-    this->TheScene.MoveTo({ { 0.0, 1.0, 0.0 } }, 0.001); // steps small enough for T7's limit
+    this->TheScene.MoveTo({ { 0.0, 1.0, 0.0 } }, 0.001); // steps are small enough for T7's limit
     const Trace trace = this->Play();
     ExpectNear(trace[turn].force[0], -0.5, 0.5);
     ExpectNear(trace[turn].dragForce, 0.5, 0.5);
@@ -201,7 +203,8 @@ TEST_P(ClosedForms, T6AndT7DragInAUniformRegion)
 
 TEST_P(ClosedForms, T8AndT9DistinctnessMakesTwoSprings)
 {
-  // On half millimetres: a sampled Gaussian is exact on linear fields, and near it on squares.
+  // Samples are half a millimetre apart: a sampled Gaussian is exact on linear fields, and nearly
+  // so on squares.
   this->Begin(
     16.0, [](const Vec3& x) { return 50.0 * x[2] * x[2]; }, {}, 0.5);
   vtkPiecewiseFunction* distinctness = this->TheScene.property->GetDistinctness();
@@ -213,14 +216,14 @@ TEST_P(ClosedForms, T8AndT9DistinctnessMakesTwoSprings)
   ExpectNear(trace[40].force[2], -1.0, 1.0);
   ExpectNear(trace[100].force[2], -2.0, 2.0);
 
-  // T9, the paper's fault: it reads W_d before it moves, so a jump meets nothing.
+  // T9, a fault of the paper's solver: it reads W_d before it moves, so a jump meets nothing.
   this->TheScene.path = { {}, { { 0.0, 0.0, 4.0 } } };
   EXPECT_NEAR(Norm(this->Play().back().force), 0.0, 1e-9);
 }
 
 TEST_P(ClosedForms, T10DriftsOutwardOnABall)
 {
-  // As printed, to the last digit printed.
+  // The expected values are as printed, to the last printed digit.
   const Trace coarse = this->Circle(Ball, 0.0, 18.0, 1000, 1);
   EXPECT_NEAR(Norm(coarse[1].proxy), 20.0, 1e-9);
   EXPECT_NEAR(Norm(coarse.back().proxy), 20.399, 0.002 * 0.399);
@@ -246,8 +249,8 @@ TEST_P(ClosedForms, T12LagsByTheFrictionAngle)
   EXPECT_NEAR(Norm(printed.proxy), 20.04, 0.001);
   EXPECT_NEAR(lag(printed), 0.0342, 0.002 * 0.0342);
 
-  // The formula by its own radius. The paper's normal is a tick old, which in 10000 ticks a turn
-  // would alone make 0.23 % of the lag.
+  // The formula is evaluated with the radius of this trace. The paper's normal is a tick old: with
+  // 10000 ticks per turn, this alone would make 0.23 % of the lag.
   const TickRecord fine = this->Circle(Ball, 0.3, 18.0, 40000, 1).back();
   const double phi = std::atan(0.3);
   const double expected = std::asin(Norm(fine.proxy) / 18.0 * std::sin(phi)) - phi;

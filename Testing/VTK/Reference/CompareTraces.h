@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * How far one trace is from another, array by array.
+ * The difference between two traces, array by array.
  */
 #ifndef CompareTraces_h
 #define CompareTraces_h
@@ -15,22 +15,22 @@ namespace reference
 {
 struct Difference
 {
-  double worst = 0.0; // of all arrays, each relative to its scale
-  std::string text;   // which array, which tick, what was expected and what came
+  double worst = 0.0; // largest of all arrays, each relative to its scale
+  std::string text;   // the array, the tick, and the expected and actual values
 };
 
-/// The largest force of a trace (N), the scale of everything that is a force.
+/// Returns the largest force of a trace (N), by which all forces are scaled.
 double ForceScale(const Trace& trace);
 
-/// Forces count relative to the largest force of the trace, other arrays relative to their own
-/// largest value, positions absolutely in world units (mm), contacts as wrong (1) or right (0): a
-/// contact decided by less than 1e-9 N may be either.
+/// Compares all arrays. Forces are relative to the trace's largest force, other arrays to their own
+/// largest value, positions are absolute in world units (mm), and contacts are wrong (1) or right
+/// (0). A contact that less than 1e-9 N decides may be either.
 Difference CompareTraces(const Trace& expected, const Trace& actual);
 
-/// Only the force on the hand.
+/// Compares only the force on the hand.
 Difference CompareForces(const Trace& expected, const Trace& actual);
 
-/// As CompareTraces, but only the arrays that FORCE_FIELD defines.
+/// Like CompareTraces(), with only the arrays that FORCE_FIELD defines.
 Difference CompareForceFields(const Trace& expected, const Trace& actual);
 } // namespace reference
 

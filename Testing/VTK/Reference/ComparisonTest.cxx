@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The module against the reference on random volumes, materials, settings and walks. Nothing in
- * here knows how the module works.
+ * The module against the reference on random volumes, materials, settings and walks. This test
+ * knows nothing of the module's implementation.
  */
 
 #include "CompareTraces.h"
@@ -40,7 +40,7 @@ std::string Describe(int seed, const Scene& scene)
 }
 } // namespace
 
-// Piecewise linear functions are baked without loss: every array, 1e-9, tick by tick.
+// Piecewise linear functions are baked without loss: each array agrees within 1e-9 in each tick.
 TEST(ReferenceComparison, EveryTickAgrees)
 {
   double worst = 0.0;
@@ -55,9 +55,9 @@ TEST(ReferenceComparison, EveryTickAgrees)
   std::cout << "worst relative difference of a tick: " << worst << std::endl;
 }
 
-// The same over whole walks, in which differences could pile up. The material is gentle, because
-// the paper's tick can itself multiply a difference: its drag does so if the stiffness falls
-// steeply.
+// Traces also agree over whole walks, in which differences could accumulate. The material is
+// gentle, since the paper's tick itself can amplify a difference, by its drag where the stiffness
+// falls steeply.
 TEST(ReferenceComparison, EveryWalkAgrees)
 {
   double worst = 0.0;
@@ -75,7 +75,7 @@ TEST(ReferenceComparison, EveryWalkAgrees)
   std::cout << "worst relative difference of a walk: " << worst << std::endl;
 }
 
-// Curved functions are tabulated: the force stays within 0.1 % of the trace's largest one.
+// Curved functions are tabulated: the force stays within 0.1 % of the trace's largest force.
 TEST(ReferenceComparison, CurvedMaterialsStayWithinATenthOfAPercent)
 {
   double worst = 0.0;

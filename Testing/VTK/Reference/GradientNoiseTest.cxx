@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The effect of white noise on a gradient, against the weights that the kernel really has and
- * against the documented formula for the ideal Gaussian.
+ * The effect of white noise on a gradient, compared with the kernel's actual weights and with the
+ * documented formula for the ideal Gaussian.
  */
 
 #include "Random.h"
@@ -20,8 +20,8 @@ namespace
 {
 constexpr int Size = 72;
 
-// RMS of a component of the gradient of unit noise, at `fraction` above the voxels, in voxels^-1;
-// with `tail`, also how many of the magnitudes exceed 3.4 of it.
+// Returns the RMS of a gradient component of unit noise (1/voxel), at a `fraction` above the
+// voxels. `tail` gets the fraction of magnitudes above 3.4 times this value.
 double MeasuredNoise(Estimator estimator, int radius, double fraction, double* tail = nullptr)
 {
   Random random(42);
@@ -93,7 +93,7 @@ TEST(GradientNoise, GaussianIsAsQuietAsItsWeights)
       ReferenceField::GaussianWeights(radius, fraction, smoothing, derivative);
       const double expected = std::sqrt(SumOfSquares(derivative)) * SumOfSquares(smoothing);
       const double measured = MeasuredNoise(Estimator::Gaussian, radius, fraction);
-      // 180000 components, correlated within a kernel's reach: about 1 %.
+      // 180000 components that are correlated within a kernel's reach have an error of about 1 %.
       EXPECT_NEAR(measured, expected, 0.02 * expected);
       std::cout << "GAUSSIAN r = " << radius << ", " << fraction << " off the voxels: sigma_g "
                 << measured << ", its weights say " << expected

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Every estimator reproduces a linear field's gradient, and so do the values, on any grid.
+ * Every estimator reproduces the gradient and the values of a linear field, on any grid.
  */
 
 #include "RandomScene.h"
@@ -24,7 +24,7 @@ struct Linear
   double operator()(const Vec3& x) const { return Dot(this->slope, x) + this->offset; }
 };
 
-// Random world positions whose kernels stay clear of the border.
+// Returns random world positions whose kernels do not reach the border.
 std::vector<Vec3> InnerPoints(Random& random, const Geometry& geometry, int radius, int count)
 {
   std::vector<Vec3> points(count);
@@ -49,7 +49,7 @@ void ExpectLinear(Scene& scene, const Linear& field)
   {
     valueScale = std::max(valueScale, std::abs(field(point)));
   }
-  // Nothing resists, so the proxy is the tip and the next tick takes its gradient there.
+  // Nothing resists, so the proxy is the tip, and the next tick reads its gradient there.
   SetMaterial(scene, 500.0, 0.0, 0.0, 0.0);
   const Trace trace = RunFilter(scene);
   for (std::size_t tick = 1; tick < trace.size(); ++tick)
@@ -95,7 +95,7 @@ TEST_P(Gradient, LinearFieldsAreExactOnAnyGrid)
   }
 }
 
-// A tilted gantry: the direction matrix need not be orthonormal, only regular.
+// A tilted gantry: the direction matrix need not be orthonormal, only invertible.
 TEST_P(Gradient, LinearFieldsAreExactOnShearedGrids)
 {
   for (int seed = 0; seed < 8; ++seed)

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What holds in any scene, by the module's own trace arrays. Every tick keeps the limits of the
- * material and the spring. The hand feels neither the placement of the volume, nor the grid on
+ * Invariants of any scene, checked by the module's own trace arrays. Every tick keeps the limits of
+ * the material and the spring. The hand feels neither the placement of the volume, nor the grid on
  * which a linear field was sampled. If the material is the same everywhere, a small motion of the
- * tip changes the force of PRECISE by no more than the spring's.
+ * tip changes the force of PRECISE by no more than the spring would.
  */
 
 #include "CompareTraces.h"
@@ -25,7 +25,7 @@ namespace
 constexpr int Scenes = 80;
 constexpr int Ticks = 150;
 
-// The rounding error of a force: positions of some hundred mm, some thousand N/m.
+// Rounding error of a force: positions of some hundred mm, times some thousand N/m.
 constexpr double Rounding = 1e-10;
 
 template <typename Check>
@@ -54,10 +54,11 @@ Trace MovedBack(const Trace& trace, const Mat3& rotation, const Vec3& translatio
   return back;
 }
 
-/// The solver ends its search within some thousandths of a voxel in a tick.
+/// The solver ends its search within some thousandths of a voxel in each tick.
 constexpr double ToleranceInVoxels = 2e-2;
 
-/// The same walk with its jumps walked: friction remembers the steps that a jump is taken in.
+/// Returns the walk with steps instead of jumps, since friction depends on the steps in which a
+/// jump is taken.
 std::vector<Vec3> WithoutJumps(const std::vector<Vec3>& path)
 {
   std::vector<Vec3> walked = { path.front() };
@@ -73,7 +74,7 @@ std::vector<Vec3> WithoutJumps(const std::vector<Vec3>& path)
   return walked;
 }
 
-/// N, of a spring that is off by the solver's tolerance.
+/// Returns the force (N) of a spring that is off by the solver's tolerance.
 double Tolerance(const Scene& scene, double stiffness)
 {
   double spacing[3];
@@ -149,7 +150,8 @@ TEST(Invariants, NothingIsFeltWithoutStrengthAndViscosity)
       {
         if (tick.surfaceStrength == 0.0 && tick.viscosity == 0.0)
         {
-          // Not bit for bit: the specification's proxy gets to the tip by two moves that round.
+          // Equal within rounding only: the specification's proxy reaches the tip by two moves that
+          // round.
           EXPECT_LE(Norm(tick.force), Rounding);
           EXPECT_LE(Norm(tick.proxy - tick.tip), 1e-10);
           EXPECT_EQ(tick.contact, 0);
@@ -174,8 +176,8 @@ class InvariantsOfSolver : public testing::TestWithParam<Solver>
 {
 };
 
-// The waves are long against the depth: if the tip is deeper than the surface's radius of
-// curvature, the paper's solver chatters (T13), and chatter doubles any rounding at every tick.
+// The waves are long compared with the depth. If the tip is deeper than the surface's radius of
+// curvature, the paper's solver chatters (T13), and chatter doubles any rounding in each tick.
 TEST_P(InvariantsOfSolver, RigidMotionOfVolumeAndPathIsNotFelt)
 {
   const bool isPaper = this->GetParam() == Solver::Paper;
@@ -214,8 +216,8 @@ INSTANTIATE_TEST_SUITE_P(Solvers, InvariantsOfSolver,
   [](const testing::TestParamInfo<Solver>& info)
   { return info.param == Solver::Paper ? "Paper" : "Precise"; });
 
-// Other spacings change r = KernelRadius x the largest spacing, the reach of x_s and x_v, and so
-// which material is looked up: if the material varies, the largest spacing has to stay.
+// Another spacing changes r = KernelRadius x the largest spacing, and so the reach of x_s and x_v
+// and the material that is read there. If the material varies, the largest spacing has to stay.
 TEST(Invariants, PaperDoesNotFeelTheGridOfALinearField)
 {
   double worst = 0.0;
@@ -292,11 +294,11 @@ TEST(Invariants, TheForceFollowsTheTipNoStifferThanTheSpring)
     Scene scene;
     scene.solver = Solver::Precise;
     scene.estimator = AllEstimators[seed % 3];
-    // A plane, or a cavity some way off: what is free there is convex, and a projection onto it
-    // shortens.
+    // The field is a plane, or a cavity around a distant point: its free part is convex, and a
+    // projection onto a convex set shortens distances.
     const Vec3 slope = random.UnitVector();
     const bool isPlane = seed % 2;
-    // An edge's strength would grow with the depth in the cavity, and limit 1e9 N to some.
+    // With an edge, the strength would grow with the depth in the cavity, and limit 1e9 N.
     scene.placesAsThePaper = !isPlane;
     const auto field = [&](const Vec3& x)
     {

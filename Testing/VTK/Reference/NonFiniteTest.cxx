@@ -34,8 +34,8 @@ bool IsFinite(const TickRecord& tick)
   return finite;
 }
 
-// Not at the border, of which outside samples are made, nor next to it: see
-// NonFiniteValues.AZeroWeightIsNoSample.
+// Returns a random voxel that is neither at the border, from which outside samples are made, nor
+// next to it: see NonFiniteValues.AZeroWeightIsNoSample.
 vtkIdType InnerVoxel(Random& random, const Geometry& geometry)
 {
   vtkIdType id = 0;
@@ -52,9 +52,8 @@ class NonFinite : public testing::TestWithParam<Estimator>
 {
 };
 
-// The reference's sums turn NaN wherever a bad voxel takes part. There the gradient counts as 0,
-// which the reference does too; the values are then not compared, only finite. Elsewhere nothing
-// may change.
+// The reference's sums become NaN where a bad voxel takes part. There the gradient counts as 0, in
+// the reference, too, and values are only expected to be finite. Elsewhere nothing may change.
 TEST_P(NonFinite, BadVoxelsAreFeltAsNothing)
 {
   int touched = 0;

@@ -49,8 +49,8 @@ TEST_P(NonFiniteValues, TheBorderValueStandsIn)
   }
 }
 
-// Outside, a value is that of the nearest border point. A voxel further in that has no part in it
-// must not spoil it: the next one for trilinear values, the one after that for splines.
+// Outside, a value is that of the nearest border point. A bad voxel with a weight of zero must not
+// spoil it: the next voxel inwards for trilinear values, the one after it for splines.
 TEST_P(NonFiniteValues, AZeroWeightIsNoSample)
 {
   const double layer = this->GetParam() == Estimator::CubicBSpline ? 6.0 : 7.0;

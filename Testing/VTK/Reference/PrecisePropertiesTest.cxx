@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The invariants of every tick of solver PRECISE in unlikely scenes: more than 10^5 ticks of random
+ * Invariants of every tick of solver PRECISE in unlikely scenes: more than 10^5 ticks of random
  * volumes, materials and walks, with jumps and excursions out of the volume.
  */
 
@@ -18,10 +18,10 @@ namespace
 {
 constexpr int Scenes = 300;
 constexpr int Ticks = 400;
-// The rounding error of a force: positions of some hundred mm, some thousand N/m.
+// Rounding error of a force: positions of some hundred mm, times some thousand N/m.
 constexpr double Rounding = 1e-9;
 
-/// Half of the scenes with a constant stiffness.
+/// Runs the check on random scenes, half of them with a constant stiffness.
 template <typename Check>
 void OnRandomScenes(Check&& check)
 {
@@ -41,14 +41,15 @@ void OnRandomScenes(Check&& check)
   }
 }
 
-/// Whether the solver has followed the tip all its way (after a jump it may need some ticks).
+/// Returns whether the solver has followed the tip all the way (after a jump it may need some
+/// ticks).
 bool IsThere(const Scene& scene, const TickRecord& tick)
 {
   const Vec3 spring = tick.stiffness * scene.metersPerWorldUnit * (tick.proxy - tick.tip);
   return Norm(tick.force - spring) <= Rounding;
 }
 
-/// Of the spring, J.
+/// Returns the energy of the spring, J.
 double Energy(const Scene& scene, const TickRecord& tick)
 {
   return 0.5 * Dot(tick.force, scene.metersPerWorldUnit * (tick.proxy - tick.tip));
@@ -87,11 +88,11 @@ TEST(PreciseProperties, ARestingTipGainsNoEnergy)
     {
       if (scene.estimator == Estimator::CentralDifference)
       {
-        return; // its normals are not those of any function's levels
+        return; // its normals are not those of any function's level sets
       }
       scene.path = WithStops(scene.path);
       const Trace trace = RunFilter(scene);
-      // The solver's: 2e-3 of a voxel, that is, of the spring.
+      // The solver's tolerance: 2e-3 of a voxel, as a length of the spring.
       double spacing[3];
       scene.image->GetSpacing(spacing);
       const double longest =

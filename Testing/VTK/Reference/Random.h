@@ -3,7 +3,7 @@
 
 /**
  * Random numbers that are the same with every standard library (the std distributions are not), and
- * the rotations made of them.
+ * rotations made of them.
  */
 #ifndef Random_h
 #define Random_h
@@ -48,7 +48,7 @@ public:
     return (1.0 / Norm(v)) * v;
   }
 
-  /// Orthonormal to rounding.
+  /// Returns a matrix that is orthonormal within rounding.
   Mat3 Rotation(bool leftHanded = false)
   {
     const Vec3 a = this->UnitVector();

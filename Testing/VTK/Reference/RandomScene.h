@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Scenes no one would think of: random volumes, materials, settings and walks.
+ * Unlikely scenes: random volumes, materials, settings and walks.
  */
 #ifndef RandomScene_h
 #define RandomScene_h
@@ -25,34 +25,36 @@ Field RandomField(Random& random, const Geometry& geometry, double shortest = 5.
 /// Random size, spacing, origin, direction (left-handed too) and first index.
 Geometry RandomGeometry(Random& random, int kernelRadius);
 
-/// The scalars of the scene that are felt.
+/// Returns the scalars of the scene that are felt.
 vtkDataArray* FeltScalars(const Scene& scene);
 
-/// A volume of `scalarType`, maybe one component of several in an array that is not the active one.
+/// Makes a volume of `scalarType`, perhaps as one component of several in an array that is not
+/// active.
 void RandomVolume(
   Scene& scene, Random& random, const Geometry& geometry, int scalarType, double shortest = 5.0);
 
 /// Random functions of the scalar for every property of the material.
 void RandomMaterial(Scene& scene, Random& random, Curves curves);
 
-/// Mild slopes between the ends of the scalar range and little depth: neither lets rounding grow.
-/// The paper's solver chatters if the tip is deeper than the surface's radius of curvature (T13),
-/// and its drag multiplies an error if the stiffness falls steeply.
+/// Sets mild slopes between the ends of the scalar range, and a small depth, so that rounding does
+/// not grow. The paper's solver chatters if the tip is deeper than the surface's radius of
+/// curvature (T13), and its drag amplifies an error if the stiffness falls steeply.
 void GentleMaterial(Scene& scene, double low, double high);
 
-/// A smooth walk that presses, slides, jumps now and then and strays out of the volume.
+/// Makes a smooth walk that presses, slides, sometimes jumps, and strays out of the volume.
 void RandomWalk(Scene& scene, Random& random, const Geometry& geometry, int ticks);
 
-/// The walk, stopping for 20 ticks at every 30th.
+/// Returns the walk with a stop of 20 ticks at every 30th.
 std::vector<Vec3> WithStops(const std::vector<Vec3>& path);
 
-/// The same stiffness, of 50 to 2000 N/m, everywhere.
+/// Sets one stiffness, of 50 to 2000 N/m, everywhere.
 void ConstantStiffness(Scene& scene, Random& random);
 
 /// A random volume, material, settings and walk.
 void RandomScene(Scene& scene, Random& random, Curves curves, int ticks);
 
-/// A long-waved field of some random geometry, which is returned, a gentle material and a walk.
+/// Makes a field with long waves, a gentle material and a walk; returns the field's random
+/// geometry.
 Geometry GentleScene(Scene& scene, Random& random, int ticks);
 
 /// Moves the volume and the path: x -> rotation x + translation.

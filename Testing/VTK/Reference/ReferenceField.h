@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * V and grad V as the formulas say them: double loops, exp(), taps clamped to the border.
+ * V and grad V directly by their formulas: double loops, exp(), taps clamped to the border.
  */
 #ifndef ReferenceField_h
 #define ReferenceField_h
@@ -25,7 +25,7 @@ public:
   /// grad V per world unit; 0 outside the volume and if a tap is not finite.
   Vec3 Gradient(const Vec3& world) const;
 
-  /// A gradient this small is rounding of the taps and counts as none.
+  /// Returns the magnitude up to which a gradient is rounding of the taps, and counts as none.
   double GradientFloor(const Vec3& world) const;
 
   /// 1 inside, falling to 0 over one kernel radius towards the border, 0 outside.
@@ -34,8 +34,8 @@ public:
   /// KernelRadius times the largest spacing.
   double KernelLength() const;
 
-  /// The weights of one axis of the Gaussian for a position of fraction `f` above a voxel:
-  /// smoothing[i] and derivative[i] belong to the tap at offset i - radius.
+  /// Computes the weights of one axis of the Gaussian for a position with the fraction `f` above a
+  /// voxel: smoothing[i] and derivative[i] belong to the tap at offset i - radius.
   static void GaussianWeights(
     int radius, double f, std::vector<double>& smoothing, std::vector<double>& derivative);
 

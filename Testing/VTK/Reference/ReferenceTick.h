@@ -3,7 +3,7 @@
 
 /**
  * One tick of method PROXY with the paper's solver, step by step as the specification lists them,
- * and one of FORCE_FIELD. Positions given and returned are world units; inside it works in metres.
+ * and one of FORCE_FIELD. Arguments and results are in world units; the computation is in metres.
  */
 #ifndef ReferenceTick_h
 #define ReferenceTick_h

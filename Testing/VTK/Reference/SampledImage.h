@@ -33,17 +33,18 @@ using Field = std::function<double(const Vec3& world)>;
 /// A cube of side 2 x `half` around the origin.
 Geometry Cube(double half, double spacing);
 
-/// The same volume somewhere else: world -> rotation * world + translation.
+/// Returns the geometry of the same volume elsewhere: world -> rotation * world + translation.
 Geometry Moved(const Geometry& geometry, const Mat3& rotation, const Vec3& translation);
 
 /// An image of this geometry, without scalars.
 vtkSmartPointer<vtkImageData> MakeImage(const Geometry& geometry);
 
-/// The field in component 0 of the active scalars; integer types get the nearest value, saturated.
+/// Samples the field to component 0 of the active scalars; integer types get the nearest value,
+/// saturated.
 vtkSmartPointer<vtkImageData> Sample(
   const Geometry& geometry, const Field& field, int scalarType = VTK_DOUBLE);
 
-/// Fill one component of an array with a value per voxel, saturated to the array's type.
+/// Fills one component of an array with a value per voxel, saturated to the array's type.
 void Fill(vtkDataArray* array, int component, const Geometry& geometry, const Field& field);
 } // namespace reference
 

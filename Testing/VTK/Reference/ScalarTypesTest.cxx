@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The same numbers feel the same in every scalar type, component and memory layout.
+ * The same numbers give the same forces in every scalar type, component and memory layout.
  */
 
 #include "CompareTraces.h"
@@ -38,7 +38,7 @@ vtkSmartPointer<vtkDataArray> MakeArray(int scalarType, Layout layout)
   return vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(scalarType));
 }
 
-// Whole numbers around `middle` in the last of some components, and a walk through them.
+// Sets whole numbers around `middle` in the last of some components, and a walk through them.
 void Begin(Scene& scene, Estimator estimator, vtkDataArray* array, int components, double middle)
 {
   Random random(77);
@@ -99,7 +99,7 @@ TEST_P(ScalarTypes, FeelTheSame)
   }
 }
 
-// The ends of a type's range come through, as far as a double can hold them.
+// Values at the ends of a type's range are reported, as far as a double can hold them.
 TEST_P(ScalarTypes, ReachTheirLimits)
 {
   const auto array = MakeArray(this->GetParam(), Layout::OfStructures);

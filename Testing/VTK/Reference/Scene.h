@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Everything that decides a trace: a volume, a property, the settings and a tip path. A scene can
- * be played by the module (through its public VTK classes only) or by the reference.
+ * Everything that determines a trace: a volume, a property, the settings and a tip path. The module
+ * can play a scene (through its public VTK classes only), and so can the reference.
  */
 #ifndef Scene_h
 #define Scene_h
@@ -36,7 +36,7 @@ enum class Estimator
 inline constexpr Estimator AllEstimators[] = { Estimator::CentralDifference, Estimator::Gaussian,
   Estimator::CubicBSpline };
 
-/// The reference plays the paper's; only the module has the other one.
+/// The reference has only the paper's solver.
 enum class Solver
 {
   Paper,
@@ -68,22 +68,22 @@ struct Scene
   double forceFieldDamping = 0.0;
   std::vector<Vec3> path;
 
-  /// Append points on the way to `goal`, `step` apart; the last one is exactly `goal`.
+  /// Appends points on the way to `goal`, `step` apart; the last one is exactly `goal`.
   void MoveTo(const Vec3& goal, double step);
 };
 
-/// Constant material functions, the closed forms' usual case.
+/// Sets constant material functions, as most closed forms need.
 void SetMaterial(Scene& scene, double stiffness, double friction, double viscosity,
   double surfaceStrength, double distinctness = 1.0);
 
-/// Play the scene with vtkVolumeHapticsFilter. Throws std::runtime_error if the output is not as
+/// Plays the scene with vtkVolumeHapticsFilter. Throws std::runtime_error if the output is not as
 /// documented.
 Trace RunFilter(Scene& scene);
 
-/// Play the scene with the reference. If the gradient vanishes, the method leaves the normal free
-/// although x_s and x_v depend on it: `played`, if given, tells which one was taken, and the
-/// reference only checks that it is a unit vector. With `resume`, every tick starts at the proxy of
-/// the tick before in `played`, so that each tick is judged alone.
+/// Plays the scene with the reference. If the gradient vanishes, the method leaves the normal free
+/// although x_s and x_v depend on it: `played`, if given, has the normal that was used, and the
+/// reference only checks that it is a unit vector. With `resume`, every tick starts at the last
+/// proxy in `played`, so that each tick is compared alone.
 Trace RunReference(Scene& scene, const Trace* played = nullptr, bool resume = false);
 } // namespace reference
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * One servo tick as the filter's output reports it, and the names its point arrays go by.
+ * A servo tick as the filter's output reports it, and the names of its point arrays.
  */
 #ifndef Trace_h
 #define Trace_h
@@ -32,8 +32,8 @@ struct TickRecord
   double viscosity = 0.0;       // N
   double surfaceStrength = 0.0; // N
   int contact = 0;
-  // Reference only: the force (N) by which the tick's closest decision was made. A tick decided by
-  // less than rounding may go either way.
+  // Reference only: the force (N) by which the tick's closest decision was made. A tick that less
+  // than rounding decides may go either way.
   double margin = 0.0;
 };
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The three-vectors of the reference. Deliberately plain: nothing here is shared with the module.
+ * The three-vectors of the reference. They are deliberately simple: nothing here is shared with the
+ * module.
  */
 #ifndef Vec3_h
 #define Vec3_h
@@ -54,7 +55,7 @@ inline bool IsFinite(const Vec3& a)
   return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
 }
 
-/// Three columns; what an image's direction times its spacing makes.
+/// Three columns, such as an image's direction times its spacing.
 struct Mat3
 {
   Vec3 column[3] = { { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } }, { { 0.0, 0.0, 1.0 } } };
@@ -65,7 +66,8 @@ inline Vec3 operator*(const Mat3& m, const Vec3& a)
   return a[0] * m.column[0] + a[1] * m.column[1] + a[2] * m.column[2];
 }
 
-/// The rows of the inverse are the columns of the result: Cramer's rule, straight.
+/// Returns the inverse transposed by Cramer's rule: the rows of the inverse are the columns of the
+/// result.
 inline Mat3 InverseTransposed(const Mat3& m)
 {
   const double det = Dot(m.column[0], Cross(m.column[1], m.column[2]));

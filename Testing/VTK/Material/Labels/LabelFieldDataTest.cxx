@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A table of labels in the field data of an image and of its file. Names and meanings of the arrays
- * are those of the comment in vtkHapticLabelTable.h.
+ * A table of labels in the field data of an image and of its file. The comment in
+ * vtkHapticLabelTable.h defines the names and meanings of the arrays.
  */
 
 #include "LabelFilesRig.h"
@@ -86,7 +86,7 @@ TEST_F(LabelFieldData, HasItsNames)
   EXPECT_EQ(data->GetArray("LabelSpecificEnergy")->GetTuple1(1), 12.5);
   EXPECT_EQ(data->GetArray("LabelSpecificEnergy")->GetTuple1(0), -1.0);
   EXPECT_EQ(data->GetNumberOfArrays(), 12);
-  // Again: no array twice.
+  // Writing again adds no array twice.
   this->Table->WriteFieldData(data);
   EXPECT_EQ(data->GetNumberOfArrays(), 12);
 }
@@ -119,7 +119,7 @@ TEST_F(LabelFieldData, GoesThroughAFile)
     read->DeepCopy(this->Table);
     EXPECT_EQ(read->GetMTime(), before) << mode;
 
-    // Half a file.
+    // A file that is cut off is refused.
     std::ifstream in(file, std::ios::binary);
     std::ostringstream bytes;
     bytes << in.rdbuf();

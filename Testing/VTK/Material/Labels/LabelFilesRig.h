@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Files of labels that tests write, and what a table makes of them.
+ * Files of labels that tests write, and the tables that are read from them.
  */
 #ifndef LabelFilesRig_h
 #define LabelFilesRig_h
@@ -39,7 +39,7 @@ inline std::string Compress(const std::string& bytes)
 class LabelFiles : public testing::Test
 {
 protected:
-  /// Reads a file that has these bytes; fails the test if that fails.
+  /// Reads a file with these bytes, and expects success.
   void Read(const std::string& bytes, const std::string& name = "Labels.txt")
   {
     const std::string file = TemporaryPath(name);
@@ -52,8 +52,8 @@ protected:
     this->Log.Errors.clear();
   }
 
-  /// Reads a file that has these bytes, into a table that has something; expects one error that
-  /// names the file and has all these words, and no change.
+  /// Reads a file with these bytes into a table with contents. Expects one error that has all these
+  /// words and names the file, and an unchanged table.
   void Refuse(const std::string& bytes, const std::vector<std::string>& words,
     const std::string& name = "Labels.txt")
   {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * vtkHapticLabelTable by itself: what it keeps, what it refuses, and when it counts as modified.
- * Expectations are those of its class comment.
+ * vtkHapticLabelTable alone: what it keeps, what it refuses, and when it counts as modified. Its
+ * class comment defines the expectations.
  */
 
 #include "Rigs/ApiRig.h"
@@ -157,7 +157,7 @@ TEST_F(LabelTable, NamesAreUtf8)
     this->Table->SetLabelName(5, name);
     this->ExpectChange(false);
   }
-  // ISO 8859-1, whose characters are Unicode's first 256.
+  // Bytes that are not UTF-8 are read as ISO 8859-1, the first 256 characters of Unicode.
   this->Table->SetLabelName(5, "H\xF6hle");
   EXPECT_EQ(this->Table->GetLabelName(5), "H\xC3\xB6hle");
   this->Table->SetLabelName(5, "a\nb\tc");
@@ -257,7 +257,7 @@ TEST_F(LabelTable, AMillionLabels)
   constexpr int count = 1000000;
   for (int i = 0; i < count; ++i)
   {
-    // In an order that is neither rising nor falling: 7919 and the count have no common divisor.
+    // The order is neither rising nor falling: 7919 and the count have no common divisor.
     const int label = static_cast<int>(i * 7919LL % count) - count / 2;
     this->Table->SetStiffness(label, 1e6 + label);
   }

@@ -69,7 +69,7 @@ struct Extension
   std::string Data;
 };
 
-/// Header, extensions and some samples.
+/// Makes a NIfTI file with a header, extensions and some samples.
 std::string Nifti(
   const NiftiKind& kind, const std::vector<Extension>& extensions, const std::string& plain = "")
 {
@@ -81,7 +81,7 @@ std::string Nifti(
   bytes += plain;
   for (const Extension& extension : extensions)
   {
-    // A multiple of 16 bytes, filled up with zeros.
+    // The length is a multiple of 16 bytes, padded with zeros.
     const std::size_t length = (extension.Data.size() + 8 + 15) / 16 * 16;
     const std::size_t start = bytes.size();
     bytes.resize(start + length);
@@ -152,11 +152,11 @@ TEST_F(LabelFiles, SlicerSegmentation)
 
 TEST_F(LabelFiles, SlicerLayers)
 {
-  // Values that differ stay labels.
+  // Values that differ between layers stay labels.
   this->Read(Nrrd("Segment0_LabelValue:=3\nSegment0_Layer:=0\nSegment0_Name:=head\n"
                   "Segment1_LabelValue:=7\nSegment1_Layer:=1\nSegment1_Name:=mass\n"));
   this->ExpectLabels({ 3, 7 });
-  // Values that occur in two layers do not.
+  // A value that occurs in two layers gets a new label.
   this->Table->RemoveAllLabels();
   this->Read(Nrrd("Segment0_LabelValue:=1\nSegment0_Layer:=0\nSegment0_Name:=head\n"
                   "Segment1_LabelValue:=2\nSegment1_Layer:=0\nSegment1_Name:=neck\n"
@@ -173,7 +173,7 @@ TEST_F(LabelFiles, SlicerLayers)
 TEST_F(LabelFiles, NrrdEscapesInValues)
 {
   this->Read(Nrrd("Segment0_LabelValue:=1\nSegment0_Name:=a\\\\b\\nc\\d\n"));
-  // Control characters are blanks in names.
+  // Control characters in names become blanks.
   EXPECT_EQ(this->Table->GetLabelName(1), "a\\b c\\d");
 }
 
@@ -197,7 +197,7 @@ TEST_P(NiftiFiles, TotalSegmentator)
     "<![CDATA[spleen]]></Label>\n"
     "<Label Key=\"52\" Red=\"0.5019607843137255\" Green=\"0.5019607843137255\" "
     "Blue=\"0.5019607843137255\" Alpha=\"1\"><![CDATA[aorta <left> & \xC3\xB6]]></Label>\n";
-  // AFNI's extension, of code 4, comes first.
+  // An extension of AFNI, with code 4, comes first.
   this->Read(
     Nifti(this->GetParam(), { { 4, "<AFNI_attributes>x</AFNI_attributes>" }, { 0, Xml(labels) } }),
     "Segmentation.nii");
