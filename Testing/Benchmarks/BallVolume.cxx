@@ -8,10 +8,11 @@ using namespace VolumeHaptics;
 
 namespace benchmarks
 {
-// Seven tissues as plateaus with ramps between them, spread over the values of the volume.
+// Returns materials with seven tissues: plateaus with ramps between them, spread over the volume's
+// values.
 HapticMaterial MakeMaterial(const BallVolume& volume)
 {
-  // k, mu, R, T_N. Stiffness and strength are nowhere 0, so that every tick does its full work.
+  // k, mu, R, T_N. Stiffness and strength are zero nowhere, so that every tick does its full work.
   const double tissues[7][4] = { { 50, 0.05, 0.05, 1.0 }, { 80, 0.10, 0.05, 1.0 },
     { 150, 0.15, 0.2, 1.2 }, { 100, 0.05, 0.3, 1.2 }, { 350, 0.25, 0.4, 1.5 },
     { 600, 0.20, 0.4, 2.5 }, { 1000, 0.30, 0.1, 8.0 } };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The volumes that are touched, and models of them.
+ * The volumes that are touched, and their models.
  */
 #ifndef BallVolume_h
 #define BallVolume_h
@@ -19,14 +19,14 @@
 namespace benchmarks
 {
 
-/** Radius in voxels (and mm) of the level that the slide runs along. */
+/** Radius, in voxels and mm, of the level along which the tip slides. */
 constexpr double BallRadius = 100.0;
-/** The value there. */
+/** The value at that level. */
 constexpr double BallLevel = 2000.0 - BallRadius * BallRadius / 20.0;
 
 /**
- * An int16 volume whose value falls with the squared distance from its centre: every level is a
- * ball, there is a gradient everywhere, and filling it is cheap. Voxels of 1 mm.
+ * An int16 volume whose value falls with the squared distance from its centre. Every level is a
+ * ball, the gradient is nonzero everywhere, and filling the volume is fast. Voxels are 1 mm.
  */
 struct BallVolume
 {
@@ -44,14 +44,14 @@ struct Estimator
   std::string Name;
   VolumeHaptics::GradientEstimator Kind;
   int Radius;
-  /** Taps along an axis of the sum that its gradient is; 0 when it is not such a sum. */
+  /** Taps per axis, if the gradient is a sum over taps; otherwise 0. */
   int Taps;
 };
 
-/** All that are measured. */
+/** Returns all estimators that are measured. */
 const std::vector<Estimator>& GetEstimators();
 
-/** How a model is touched. */
+/** The settings with which a model is touched. */
 struct ModelChoice
 {
   VolumeHaptics::HapticMethod Method = VolumeHaptics::HapticMethod::Proxy;
@@ -61,16 +61,19 @@ struct ModelChoice
   VolumeHaptics::LocalSurfaceShape LocalShape = VolumeHaptics::LocalSurfaceShape::Plane;
   std::shared_ptr<const VolumeHaptics::BakedLabels> Labels;
   VolumeHaptics::SurfaceGeometry Geometry = VolumeHaptics::SurfaceGeometry::Scalars;
-  /** Surfaces of the paper with PRECISE: alignment Distinctness, materials of the kernel. */
+  /** Whether PRECISE has the paper's surfaces: alignment Distinctness, materials of the kernel. */
   bool IsPlacedAsThePaper = false;
-  /** Of a volume that moves. */
+  /** For a moving volume. */
   std::vector<VolumeHaptics::VolumeTimeStep> TimeSteps;
 };
 
-/** Materials like those of a CT. */
+/** Returns materials like those of a CT. */
 VolumeHaptics::HapticMaterial MakeMaterial(const BallVolume& volume);
 
-/** A model in life size with a material table like that of a CT. Borrows the volume. */
+/**
+ * Makes a model with a material table like that of a CT; 1 mm in the world is 1 mm of the hand. The
+ * model does not own the volume.
+ */
 std::unique_ptr<VolumeHaptics::HapticModel> MakeModel(
   const BallVolume& volume, const Estimator& estimator, const ModelChoice& choice = {});
 

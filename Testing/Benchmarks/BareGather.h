@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The least that a gradient can cost: reading its taps.
+ * The smallest possible cost of a gradient: reading its taps.
  */
 #ifndef BareGather_h
 #define BareGather_h
@@ -13,12 +13,12 @@ namespace benchmarks
 {
 
 /**
- * A number to which every sample of a cube contributes (the sum of its columns' sums modulo 2^16),
- * given the cube's corner and the distances between lines and between planes.
+ * Returns a number to which each sample of a cube contributes (the sum of its columns' sums modulo
+ * 2^16). Takes the cube's corner and the distances between lines and between planes.
  */
 using Gather = std::int32_t (*)(const std::int16_t* corner, std::int64_t line, std::int64_t plane);
 
-/** For 4, 6 or 8 taps along an axis. */
+/** Returns the function for 4, 6 or 8 taps along each axis. */
 Gather SelectGather(int taps);
 
 } // namespace benchmarks

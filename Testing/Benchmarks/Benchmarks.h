@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The measurements. Each registration borrows its volume.
+ * The measurements. Each registered benchmark refers to its volume, which must outlive it.
  */
 #ifndef Benchmarks_h
 #define Benchmarks_h
@@ -13,8 +13,9 @@ namespace benchmarks
 {
 
 /**
- * slide:  along a level of the ball, as a hand does it: what is read is in the cache.
- * random: somewhere else every time, and waiting for each result before the next.
+ * The motion is one of:
+ * slide:  along a level of the ball, as a hand moves; the samples are in the cache.
+ * random: at another place each time, waiting for each result before the next one.
  */
 inline std::string NameOf(const std::string& subject, const std::string& variant,
   const std::string& motion, const std::string& volume)
@@ -22,40 +23,50 @@ inline std::string NameOf(const std::string& subject, const std::string& variant
   return subject + "/" + variant + "/" + motion + "/" + volume;
 }
 
-/** Whole servo ticks: the paper's proxy with each estimator, and the force field. */
+/** Registers whole servo ticks: the paper's proxy with each estimator, and the force field. */
 void RegisterTickBenchmarks(const BallVolume& volume);
 
 /**
- * Whole ticks in contact with labels on the same grid: a ball of one label in another. The labels
- * give the materials, or the geometry, or both.
+ * Registers whole ticks in contact with labels on the same grid: a ball of one label in another.
+ * The labels give the materials, the geometry, or both.
  */
 void RegisterLabelBenchmarks(const BallVolume& volume);
 
-/** Whole ticks of the methods that touch an isosurface: a mesh, and what a slow loop fits. */
+/**
+ * Registers whole ticks of the methods that touch an isosurface: a mesh, and the surface that a
+ * slow loop fits.
+ */
 void RegisterSurfaceBenchmarks(const BallVolume& volume);
 
-/** Whole ticks of the method PRIMITIVES: one mode, and four whose primitives are oblique. */
+/**
+ * Registers whole ticks of the method PRIMITIVES: one mode, and four modes with oblique primitives.
+ */
 void RegisterModeBenchmarks();
 
-/** Ticks of a tool of 10^4 points, a quarter in contact, and the bare reading of its taps. */
+/**
+ * Registers ticks of a tool of 10^4 points, a quarter of them in contact, and the mere reading of
+ * their taps.
+ */
 void RegisterShellBenchmarks(const BallVolume& volume);
 
 /**
- * Ticks of a burr of four voxels that slides and removes soft or hard tissue; and of burrs of 16
- * and 30 voxels, if the volume has room for them. With their 99th percentile.
+ * Registers ticks of a burr of four voxels that slides and removes soft or hard tissue, and, if the
+ * volume has room for them, of burrs of 16 and 30 voxels. Includes their 99th percentile.
  */
 void RegisterBurrBenchmarks(const BallVolume& volume);
 
-/** The offline filter with its trace, beside its ticks alone; by the tick. */
+/** Registers the offline filter with its trace, and its ticks alone; times are per tick. */
 void RegisterFilterBenchmarks(const BallVolume& volume);
 
-/** Measures and prints what a second thread brings to the filter, in real time. */
+/** Measures and prints the gain of a second thread for the filter, in real time. */
 void PrintThroughput(const BallVolume& volume, bool isQuick);
 
-/** Gradients and values alone, with each instruction set, beside a bare gather of the taps. */
+/**
+ * Registers gradients and values alone, with each instruction set, and a bare gather of the taps.
+ */
 void RegisterFieldBenchmarks(const BallVolume& volume);
 
-/** VTK's own ways to a value and its surroundings. */
+/** Registers VTK's own functions that return a value and its surroundings. */
 void RegisterPeerBenchmarks(const BallVolume& volume);
 
 } // namespace benchmarks

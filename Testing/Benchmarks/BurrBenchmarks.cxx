@@ -24,16 +24,16 @@ namespace
 struct BurrChoice
 {
   const char* Name;
-  double Radius; ///< mm, and voxels
+  double Radius; ///< mm, which are voxels
   double Energy; ///< J/mm^3, at 60 000/min
 };
 
 /**
- * A burr of the size for which the surface that it leaves is within 0.05 voxel, in tissue so soft
- * that it removes a layer of bone, or so hard that little.
+ * A burr large enough that the surface it leaves is within 0.05 voxel: in tissue so soft that it
+ * removes a layer of bone, and in tissue so hard that it removes little.
  */
 constexpr BurrChoice SmallBurrs[] = { { "soft", 4.0, 1.0 }, { "hard", 4.0, 100.0 } };
-/** Burrs that take all the time that a tick has for removal. */
+/** Burrs that use all the time that a tick has for removal. */
 constexpr BurrChoice LargeBurrs[] = { { "radius16", 16.0, 0.05 }, { "radius30", 30.0, 0.05 } };
 
 /** A burr that slides around the ball, 2 mm deep, and removes tissue. */
@@ -55,7 +55,7 @@ struct BurrSlide
     d.Tool = std::make_shared<const BakedBurr>(tool);
     this->Model = std::make_unique<HapticModel>(d);
     this->Points = std::make_unique<ShellMemory>(*tool.Head.Points);
-    // From outside, until it is in contact.
+    // Come from outside into contact.
     const Vector3 out = this->Ways.front() - volume.GetCentre();
     for (int i = 100; i > 0; --i)
     {
@@ -103,7 +103,7 @@ void MeasureBurr(benchmark::State& bench, const BallVolume* volume, const BurrCh
     times.push_back(ReadClock() - begin);
   }
   bench.counters["p50"] = Summarize(times).Median;
-  bench.counters["p99"] = times[times.size() * 99 / 100]; // they are sorted now
+  bench.counters["p99"] = times[times.size() * 99 / 100]; // `times` is sorted now
   bench.counters["mm3_removed"] = slide.Removed;
   if (!(slide.Removed > 0.0))
   {

@@ -13,7 +13,7 @@ namespace benchmarks
 namespace
 {
 
-/** The volume and the kernel of a measurement. */
+/** The volume, the kernel and the motion of a measurement. */
 struct Sampling
 {
   const BallVolume& Volume;
@@ -106,7 +106,7 @@ void RegisterFieldBenchmarks(const BallVolume& volume)
       {
         add("gather", MeasureGather, sampling);
       }
-      // Values are trilinear with all the others.
+      // All other estimators have trilinear values.
       if (estimator.Kind != GradientEstimator::Gaussian)
       {
         add("value", MeasureValue, sampling);

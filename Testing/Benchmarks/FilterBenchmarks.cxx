@@ -27,12 +27,12 @@ namespace benchmarks
 namespace
 {
 
-/** How deep the tip is held below the surface, mm. */
+/** Depth (mm) at which the tip is held below the surface. */
 constexpr double Depth = 2.0;
-/** Long enough that what an Update() takes beside its ticks does not count. */
+/** Number of ticks, so large that the rest of an Update() does not matter. */
 constexpr int Ticks = 100000;
 
-/** Into the ball, and then along its surface again and again. */
+/** Returns a path into the ball and then along its surface again and again. */
 std::vector<Vector3> SlideFor(const BallVolume& volume, int ticks)
 {
   constexpr int approach = 100; // ticks
@@ -77,7 +77,7 @@ void SetFunction(vtkPiecewiseFunction* function, const Polyline& points)
   }
 }
 
-/** The filter on the model that MakeModel makes for the same estimator. */
+/** Makes a filter for the model that MakeModel() makes with the same estimator. */
 vtkSmartPointer<vtkVolumeHapticsFilter> MakeFilter(
   const BallVolume& volume, HapticSolver solver, vtkPolyData* paths)
 {
@@ -98,7 +98,7 @@ vtkSmartPointer<vtkVolumeHapticsFilter> MakeFilter(
   return filter;
 }
 
-/** The ticks alone, as the filter does them; with the value at the proxy or without. */
+/** Measures the ticks alone, as the filter runs them, with or without the value at the proxy. */
 void Bare(benchmark::State& bench, const BallVolume& volume, HapticSolver solver, bool withValue)
 {
   const std::vector<Vector3> tips = SlideFor(volume, Ticks);
@@ -106,7 +106,7 @@ void Bare(benchmark::State& bench, const BallVolume& volume, HapticSolver solver
     [](const Estimator& estimator)
     { return estimator.Kind == GradientEstimator::Gaussian && estimator.Radius == 2; });
   ModelChoice choice{ HapticMethod::Proxy, solver };
-  choice.IsPlacedAsThePaper = true; // as MakeFilter says
+  choice.IsPlacedAsThePaper = true; // as in MakeFilter()
   const auto model = MakeModel(volume, *found, choice);
   TickRecord record;
   while (bench.KeepRunningBatch(Ticks))
@@ -125,7 +125,7 @@ void Bare(benchmark::State& bench, const BallVolume& volume, HapticSolver solver
   }
 }
 
-/** An Update() of the filter, by the tick. */
+/** Measures an Update() of the filter; the time is per tick. */
 void Whole(
   benchmark::State& bench, const BallVolume& volume, HapticSolver solver, const char* arrays)
 {
@@ -143,7 +143,7 @@ void Whole(
   }
 }
 
-/** Seconds of an Update(). */
+/** Returns the time (s) of an Update(). */
 double Time(vtkVolumeHapticsFilter* filter)
 {
   filter->Modified();
@@ -152,13 +152,13 @@ double Time(vtkVolumeHapticsFilter* filter)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/** Seconds of a work that needs nothing but arithmetic, shared by threads. */
+/** Returns the time (s) of a purely arithmetic task that is divided among threads. */
 double TimeArithmetic(int threads)
 {
   constexpr int steps = 40000000;
   const auto work = [=]
   {
-    // Independent sums, which keep all of the processor's units for such numbers busy.
+    // Independent sums, which keep all floating-point units of the processor busy.
     double sums[8] = { 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0 };
     for (int i = 0; i < steps / threads; ++i)
     {
@@ -183,7 +183,7 @@ double TimeArithmetic(int threads)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/** Prints by how much two threads are faster than one, alternating; returns the median. */
+/** Measures one and two threads in turns and prints the speed-up. Returns the median. */
 template <typename Timing>
 double PrintSpeedup(const std::string& name, int repetitions, const Timing& timing)
 {
@@ -237,7 +237,8 @@ void PrintThroughput(const BallVolume& volume, bool isQuick)
   constexpr double target = 1.9;
   std::printf("\n%-70s %7s %7s %7s\n", "Ticks a second on two threads beside one", "median", "best",
     "target");
-  // What this machine's processors give at all: they may share a core, or have other work.
+  // The speed-up that this machine's processors allow at all: they may share a core, or have other
+  // work.
   const double machine = PrintSpeedup("arithmetic alone", repetitions, TimeArithmetic);
   std::printf("\n");
   for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })

@@ -15,7 +15,7 @@ namespace benchmarks
 namespace
 {
 
-/** Entries for the ball and its surroundings. */
+/** Returns a table with entries for the ball and its surroundings. */
 LabelTable MakeTable()
 {
   std::vector<LabelledMaterial> entries(2);
@@ -30,7 +30,7 @@ LabelTable MakeTable()
   return LabelTable(entries);
 }
 
-/** Label 1 within BallRadius of the volume's centre, 0 elsewhere. */
+/** Returns labels: 1 within BallRadius of the volume's centre, 0 elsewhere. */
 template <typename T>
 BakedLabels MakeBall(const BallVolume& volume, ScalarType type)
 {
@@ -63,7 +63,7 @@ void MeasureSlide(benchmark::State& bench, const BallVolume& volume, const Model
   const auto model = MakeModel(volume, GetEstimators()[2], choice);
   const Slide slide(volume);
   TickRecord record = slide.Measure(bench, *model);
-  // One more round, tick by tick; a proxy sticks to a wall of voxels now and then.
+  // Run one more round tick by tick, because a proxy sometimes sticks to a wall of voxels.
   ServoState state = slide.Start;
   std::size_t sliding = 0;
   std::vector<double> times;
@@ -82,7 +82,8 @@ void MeasureSlide(benchmark::State& bench, const BallVolume& volume, const Model
   {
     bench.SkipWithError("the proxy does not slide");
   }
-  // Else the materials are not those of a contact: the labels' border is at x_v. PAPER drifts.
+  // A deeper proxy would not have the materials of a contact, because the labels' border is at x_v.
+  // PAPER drifts.
   const double depth = BallRadius - Norm(1000.0 * state.Proxy - volume.GetCentre());
   if (choice.Solver == HapticSolver::Precise && depth > 0.5 * Depth)
   {

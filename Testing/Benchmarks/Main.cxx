@@ -6,11 +6,11 @@
  * volumehaptics-benchmark --scale [largest size]
  * volumehaptics-benchmark --playing [size]
  *
- * Measures what a servo tick costs, beside what else one could do, in repetitions that are shuffled
- * over the whole run, and prints medians and their ratios. Asserts nothing. --quick leaves out the
- * volume of 1 GiB and most repetitions: it shows that everything runs, its figures are rough.
- * --scale measures the calls of an application with volumes of 256^3 up to 2048^3 samples instead,
- * --playing a servo under which frames of 256^3 change 20 times a second, in real time, beside one
+ * Measures the cost of a servo tick and of alternatives, in repetitions that are shuffled over the
+ * whole run, and prints medians and their ratios. It checks nothing. --quick leaves out the volume
+ * of 1 GiB and most repetitions: it shows that everything runs, with rough figures. --scale instead
+ * measures the calls of an application with volumes of 256^3 up to 2048^3 samples. --playing
+ * measures a servo while frames of 256^3 change 20 times a second, in real time, beside a servo
  * without a volume.
  */
 #include "Benchmarks.h"
@@ -40,7 +40,7 @@ int main(int argc, char* argv[])
   }
   bool isQuick = false;
   std::vector<char*> arguments = { argv[0] };
-  // Defaults go first, so that options on the command line override them.
+  // Defaults come first, so that options on the command line override them.
   char interleaved[] = "--benchmark_enable_random_interleaving=true";
   char repetitions[] = "--benchmark_repetitions=31";
   char time[] = "--benchmark_min_time=0.01";
@@ -70,8 +70,9 @@ int main(int argc, char* argv[])
   std::vector<BallVolume> volumes = { BallVolume("256^3", 256, 256, 256) };
   if (!isQuick)
   {
-    // Not powers of two: 1024 samples to a row, all rows of a kernel compete for the same few lines
-    // of the cache (measured: 7 times the bare gather at radius 3), which says nothing of the size.
+    // The sizes are not powers of two. With 1024 samples per row, all rows of a kernel compete for
+    // the same cache lines (measured: 7 times the bare gather at radius 3), which would hide the
+    // effect of the size.
     volumes.emplace_back("1GiB", 1016, 1016, 520);
   }
   for (const BallVolume& volume : volumes)

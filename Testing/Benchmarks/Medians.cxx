@@ -14,7 +14,8 @@ namespace benchmarks
 namespace
 {
 
-// Why a run gave no time, or an empty text. Google Benchmark has other names for it from 1.8.0 on.
+// Returns why a run gave no time, or an empty text. Google Benchmark has other names for this from
+// 1.8.0 on.
 template <class RUN>
 auto GetError(const RUN& run, int) -> decltype(run.error_occurred, std::string())
 {

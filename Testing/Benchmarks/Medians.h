@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Collects what Google Benchmark measures.
+ * Collects the results of Google Benchmark.
  */
 #ifndef Medians_h
 #define Medians_h
@@ -16,20 +16,20 @@
 namespace benchmarks
 {
 
-/** Processor time of an iteration in ns. */
+/** Processor time of an iteration (ns). */
 struct IterationTime
 {
-  double Median; ///< of the repetitions
-  double Least;  ///< of the run in which the processor was least busy otherwise
+  double Median; ///< median of the repetitions
+  double Least;  ///< shortest, when the processor had the least other work
 };
 
-/** Of times of at least one iteration (ns), which it sorts. */
+/** Returns median and shortest of at least one time (ns). Sorts the times. */
 IterationTime Summarize(std::vector<double>& times);
 
-/** Of the clock that never goes back (ns). */
+/** Returns the time (ns) of the monotonic clock. */
 double ReadClock();
 
-/** Prints a line for each benchmark, and keeps its times for the ratios that follow. */
+/** Prints a line for each benchmark, and keeps its times for the ratios. */
 class Medians : public benchmark::BenchmarkReporter
 {
 public:
@@ -37,8 +37,8 @@ public:
   void ReportRuns(const std::vector<Run>& runs) override;
 
   /**
-   * NaN for what was not measured. With "/p50" after its name, what a benchmark has measured of its
-   * iterations one by one: its counter p50 (ns).
+   * Returns the time of a benchmark; NaN if it was not measured. With "/p50" after the name,
+   * returns the benchmark's counter p50 (ns): its own measurement of single iterations.
    */
   IterationTime operator[](const std::string& name) const;
 

@@ -22,7 +22,7 @@ namespace
 constexpr int GridSize = 96; // points along each axis, 1 mm apart
 const Vector3 GridMiddle{ 0.5 * (GridSize - 1), 0.5 * (GridSize - 1), 0.5 * (GridSize - 1) };
 
-/** A rotation of the grid's flow around an axis, and along it. */
+/** Returns a flow that rotates around an axis and moves along it. */
 ModeDescription MakeFlow(ModeKind kind, const Vector3& axis, double strength)
 {
   auto samples = std::make_shared<std::vector<float>>();
@@ -73,7 +73,7 @@ HapticModelDescription Describe(const std::vector<ModeDescription>& modes)
   return d;
 }
 
-/** A tip near a circle of 20 mm, at 0.1 m/s, with a lag that the modes hold in part. */
+/** Measures a tip near a circle of 20 mm, at 0.1 m/s, with a lag that the modes hold in part. */
 void MeasureModes(benchmark::State& bench, const std::vector<ModeDescription>& modes)
 {
   const HapticModel model(Describe(modes));
@@ -90,7 +90,7 @@ void MeasureModes(benchmark::State& bench, const std::vector<ModeDescription>& m
   }
   ServoState state;
   TickRecord record;
-  for (const Vector3& tip : tips) // until it is in contact
+  for (const Vector3& tip : tips) // until the tip is in contact
   {
     Tick(model, state, tip, record);
   }
@@ -120,7 +120,7 @@ void MeasureModes(benchmark::State& bench, const std::vector<ModeDescription>& m
   }
 }
 
-/** The work of servo and filter after each tick that tells the force of each mode. */
+/** Measures the work of servo and filter after a tick that computes the force of each mode. */
 void MeasureModeForces(benchmark::State& bench, const std::vector<ModeDescription>& modes)
 {
   const HapticModel model(Describe(modes));

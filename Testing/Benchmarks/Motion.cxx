@@ -51,7 +51,7 @@ TickRecord Slide::Measure(benchmark::State& bench, const HapticModel& model) con
     benchmark::DoNotOptimize(record);
     if (tip.IsAtStart())
     {
-      state = this->Start; // else the proxy drifts away from its level in thousands of turns
+      state = this->Start; // otherwise, the proxy drifts from its level in thousands of turns
     }
   }
   return record;

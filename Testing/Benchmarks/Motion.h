@@ -17,37 +17,37 @@
 namespace benchmarks
 {
 
-/** How deep the tip is held below the surface, mm. */
+/** Depth (mm) at which the tip is held below the surface. */
 constexpr double Depth = 2.0;
 
-/** Continuous indices, which are also mm, unless it is said that they are m. */
+/** Continuous indices, which are also mm; some are stated to be in m. */
 using Positions = std::vector<VolumeHaptics::Vector3>;
 
 /**
- * Once around the volume's centre on a great circle oblique to all axes, 0.1 mm a step, which is
- * 0.1 m/s at 1 kHz.
+ * Returns positions once around the volume's centre on a great circle oblique to all axes, in steps
+ * of 0.1 mm, which are 0.1 m/s at 1 kHz.
  */
 Positions SlideAt(const BallVolume& volume, double radius);
 
-/** A tip that slides along the ball's surface, below it by Depth. */
+/** A tip that slides along the ball's surface at the depth Depth. */
 struct Slide
 {
   explicit Slide(const BallVolume& volume);
 
   Positions Tips;                  ///< m, once around
-  VolumeHaptics::ServoState Start; ///< in contact, with the proxy on the surface
+  VolumeHaptics::ServoState Start; ///< state in contact, with the proxy on the surface
 
-  /** Measures ticks, round after round, and returns the last one. */
+  /** Measures ticks, round after round. Returns the last tick's record. */
   VolumeHaptics::TickRecord Measure(
     benchmark::State& bench, const VolumeHaptics::HapticModel& model) const;
-  /** Whether the proxy slides in nine tenths of a round: it sticks for single ticks. */
+  /** Returns whether the proxy slides in nine tenths of a round. It may stick for single ticks. */
   bool IsSliding(const VolumeHaptics::HapticModel& model) const;
 };
 
-/** Anywhere, but clear of the border. Touches far more memory than a cache holds. */
+/** Returns random positions away from the border. They touch far more memory than a cache holds. */
 Positions Scattered(const BallVolume& volume);
 
-/** Goes through positions again and again. */
+/** Repeats positions endlessly. */
 class Cycle
 {
 public:
@@ -69,8 +69,8 @@ private:
 };
 
 /**
- * A zero that depends on a result. Added to the next position it keeps the processor from starting
- * on that one early: out of the cache a servo waits for every one of its ticks.
+ * Returns a zero that depends on a result. Added to the next position, it keeps the processor from
+ * starting with that position early, because a servo waits for each of its ticks.
  */
 inline double Wait(double result)
 {

@@ -30,14 +30,18 @@ namespace
 
 constexpr int TimeSteps = 8;
 constexpr double FramesPerSecond = 20.0;
-/** Turns, so that what disturbs the machine for a while falls on all rows. */
+/**
+ * Number of turns. Rows are measured in turns, so that a temporary disturbance affects all of them.
+ */
 constexpr int Turns = 8;
 constexpr double Turn = 1.0;     // s
-constexpr double Settling = 0.3; // s, after the start
-/** Of a GUI that draws 60 pictures a second. */
+constexpr double Settling = 0.3; // s, after Start()
+/** Pause of a GUI that draws 60 pictures per second. */
 constexpr auto Pause = std::chrono::milliseconds(16);
 
-/** Inside at lower x; the wall comes by a voxel a time step. */
+/**
+ * Makes a time step. The inside is at lower x, and the wall advances by one voxel per time step.
+ */
 vtkSmartPointer<vtkImageData> MakeFrame(int size, int number)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -58,13 +62,13 @@ vtkSmartPointer<vtkImageData> MakeFrame(int size, int number)
   return image;
 }
 
-/** What is watched in turns. */
+/** A row of the table, measured in turns. */
 struct Row
 {
   const char* Name;
   LoopCounts Counts;
-  double Longest = 0.0;   ///< ms, of what the GUI does
-  double Strongest = 0.0; ///< N
+  double Longest = 0.0;   ///< ms: longest work of the GUI
+  double Strongest = 0.0; ///< N: largest force
   int Waits = 0;
   int Looks = 0;
   int Shown = 0;
@@ -103,7 +107,7 @@ void Look(vtkHapticDevice* device, double seconds, Row* row)
   }
 }
 
-/** A turn of a device. False if it can't be started. */
+/** Measures a device for one turn. Returns false if it can't be started. */
 bool Watch(vtkHapticDevice* device, LoopWatch& watch, Row& row)
 {
   if (!device->Start())
@@ -136,9 +140,9 @@ std::uint64_t CountOwn(const LoopCounts& counts)
 }
 
 /**
- * Whether time steps that change cost a tick. Where the loop is late by itself while nothing
- * changes, too, the machine is to blame for as much as that: the clock of a virtual machine's
- * thread goes on while the host has taken the processor.
+ * Prints whether changing time steps cost a tick. If the loop is late by itself while nothing
+ * changes, the machine causes that many late ticks: the clock of a virtual machine's thread goes on
+ * while the host has taken the processor.
  */
 void Judge(const LoopCounts& still, const LoopCounts& changing)
 {
@@ -146,7 +150,7 @@ void Judge(const LoopCounts& still, const LoopCounts& changing)
   const double share = static_cast<double>(changing.Ticks) /
     static_cast<double>(std::max<std::uint64_t>(1, still.Ticks));
   const double expected = share * static_cast<double>(CountOwn(still));
-  // Two standard deviations of the difference of two rare counts.
+  // Two standard deviations of the difference between two small counts.
   const bool isChance = own - expected <= 2.0 * std::sqrt(own + share * expected);
   const char* const verdict = own == 0.0 ? "reached"
     : expected > 0.0 && isChance         ? "not told apart from the machine"
@@ -172,7 +176,7 @@ void MeasurePlaying(int size)
   {
     source->AddTimeStep(MakeFrame(size, i), i);
   }
-  vtkNew<apitest::GivenImage> reader; // its steps are copied as time comes to them
+  vtkNew<apitest::GivenImage> reader; // copies each time step when time reaches it
   reader->SetInputConnection(source->GetOutputPort());
   vtkNew<vtkVolumeHapticsFilter> filter;
   filter->SetInputConnection(0, source->GetOutputPort());

@@ -14,37 +14,46 @@ namespace
 {
 
 constexpr double NoTarget = 0.0;
-/** Warm ticks in a volume 32 times as large should cost the same; this allows for noise. */
+/**
+ * Largest ratio between ticks in a volume 32 times as large and in the small one, with warm caches.
+ * They should cost the same; the rest is noise.
+ */
 constexpr double SameCost = 1.15;
-/** PRECISE in contact costs four times PAPER at most. */
+/** Largest ratio of PRECISE to PAPER in contact. */
 constexpr double PreciseTarget = 4.0;
-/** The median tick with labels beside one without. */
+/** Largest ratio of the median tick with labels to that without. */
 constexpr double LabelTarget = 1.25;
-/** PRECISE with its default settings beside the paper's placement and alignment. */
+/** Largest ratio of PRECISE's default settings to the paper's placement and alignment. */
 constexpr double PlacementTarget = 1.25;
-/** PRECISE on a volume that moves, which is a blend of two frames, beside one that stands still. */
+/** Largest ratio of PRECISE on a moving volume (a blend of two frames) to one at rest. */
 constexpr double BlendTarget = 2.2;
-/** A gradient beside reading its taps, when they are in the cache and when they are not. */
+/**
+ * Largest ratios of a gradient to reading its taps, with the taps in the cache and not in the
+ * cache.
+ */
 constexpr double WarmTarget = 2.0;
 constexpr double ColdTarget = 1.3;
-/** Radius 3 beside radius 2, of 512 : 216 taps. */
+/** Largest ratio of radius 3 to radius 2, which read 512 and 216 taps. */
 constexpr double RadiusTarget = 1.5;
-/** A tick on a mesh of some 300 000 triangles, us. */
+/** Longest tick (us) on a mesh of some 300 000 triangles. */
 constexpr double SurfaceTarget = 10.0;
-/** A tick with one vector mode, and one with four oblique primitives, us. */
+/** Longest ticks (us) with one vector mode, and with four oblique primitives. */
 constexpr double ModeTarget = 1.5;
 constexpr double SetTarget = 4.0;
-/** The same beside a tick of PRECISE, which takes 0.6 us where these are reached. */
+/**
+ * Largest ratios of these ticks to a tick of PRECISE, which takes 0.6 us where both targets are
+ * reached.
+ */
 constexpr double ModeRatio = 2.5;
 constexpr double SetRatio = 6.7;
-/** A tick of a tool of 10^4 points, us. */
+/** Longest tick (us) of a tool of 10^4 points. */
 constexpr double ShellTarget = 250.0;
-/** The time that a step may take beside its gradient, ns. */
+/** Longest time (ns) of a step in addition to its gradient. */
 constexpr double RestTarget = 60.0;
-/** A tick of the offline filter with all that it writes, ns. */
+/** Longest ticks (ns) of the offline filter with all its outputs. */
 constexpr double PaperFilterTarget = 250.0;
 constexpr double PreciseFilterTarget = 600.0;
-/** The time of a tick that goes into its trace, ns. */
+/** Longest time (ns) per tick for the trace. */
 constexpr double TraceTarget = 150.0;
 
 void PrintTitle(const char* title)
@@ -52,7 +61,7 @@ void PrintTitle(const char* title)
   std::printf("\n%-70s %7s %7s %7s\n", title, "median", "least", "target");
 }
 
-/** The target is for the median; nothing is printed of what was not measured. */
+/** Prints a line. The target is for the median. Prints nothing for what was not measured. */
 void PrintLine(const std::string& name, double median, double least, double target)
 {
   if (!std::isfinite(median))
@@ -74,7 +83,7 @@ void PrintRatio(
     medians[over].Least / medians[under].Least, target);
 }
 
-/** The whole tick beside seven linear interpolations of VTK's. */
+/** Returns the largest ratio of a whole tick to seven linear interpolations by VTK. */
 double TickTarget(const Estimator& estimator)
 {
   if (estimator.Kind == VolumeHaptics::GradientEstimator::CubicBSpline)
@@ -191,7 +200,8 @@ void PrintRatios(const Medians& medians)
     {
       const IterationTime whole = medians[nameOf(arrays)];
       const bool isAll = arrays == std::string("_all");
-      // What all arrays need of the volume beside the ticks is the value at the proxy.
+      // In addition to the ticks, all arrays together read only the value at the proxy from the
+      // volume.
       const std::string computed = isAll ? "_bare+value" : "_bare";
       const IterationTime bare = medians[nameOf(computed.c_str())];
       const double target =
@@ -200,7 +210,7 @@ void PrintRatios(const Medians& medians)
       PrintLine(nameOf(arrays) + " less " + computed.substr(1), whole.Median - bare.Median,
         whole.Least - bare.Least, TraceTarget);
       PrintRatio(medians, nameOf(arrays), nameOf("_bare"), NoTarget);
-      // The least that a tick has to do: to read what its gradient sums.
+      // The least work of a tick: reading the samples that its gradient sums.
       PrintRatio(medians, nameOf(arrays),
         NameOf("gather", GetEstimators()[2].Name, "slide", "256^3"), NoTarget);
     }

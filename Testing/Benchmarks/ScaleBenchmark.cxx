@@ -32,14 +32,14 @@ namespace benchmarks
 namespace
 {
 constexpr double LongestBlock = 50.0; // ms
-/** It waits for what BeginProposal() does in the background, and has no limit. */
+/** This call does at once what BeginProposal() does in the background; it has no limit. */
 constexpr const char* WithoutHand = "without a hand: ProposeFromImage()";
 constexpr double MebiBytes = 1.0 / (1 << 20);
 
 struct CallCost
 {
   double Milliseconds = 0.0;
-  double Resident = 0.0; // MiB of the volume that came into memory since the call before
+  double Resident = 0.0; // MiB of the volume that came into memory since the previous call
 };
 
 /** The calls of an application with a hand on a volume, in the order of a session. */
@@ -126,13 +126,13 @@ private:
     const auto time = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
     const double resident =
       MebiBytes * static_cast<double>(this->Volume.GetResident() + this->Labels.GetResident());
-    // Calls that attend for some time are judged by the longest of them.
+    // For calls that attend for some time, the longest single call counts.
     const double longest = std::exchange(this->Longest, 0.0);
     this->Names.push_back(name);
     this->Costs[name] = { longest > 0.0 ? longest : time, resident - this->Resident };
     this->Resident = resident;
   }
-  /** Calls UpdateState() as a GUI does, for some milliseconds. */
+  /** Calls UpdateState() as a GUI does, for a number of milliseconds. */
   void Attend(int milliseconds)
   {
     using Clock = std::chrono::steady_clock;
@@ -173,7 +173,7 @@ private:
   double Longest = 0.0;
 };
 
-/** Until work on earlier volumes, which no hand feels any more, has ended. */
+/** Waits until the background work on earlier volumes, which no hand feels any more, has ended. */
 void AwaitBackground()
 {
   constexpr auto pause = std::chrono::milliseconds(200);
@@ -181,7 +181,7 @@ void AwaitBackground()
   std::clock_t before;
   do
   {
-    before = std::clock(); // of all threads
+    before = std::clock(); // time of all threads
     std::this_thread::sleep_for(pause);
   } while (std::clock() - before > idle);
 }

@@ -11,9 +11,9 @@ namespace benchmarks
 {
 
 /**
- * Prints, for cubes of 256^3 samples up to `largest`^3 in files that are mapped into memory, the
- * longest time of each call, how that grows, and what comes into memory by it. Returns whether a
- * call took longer than 50 ms.
+ * Prints, for cubes of 256^3 samples up to `largest`^3 in memory-mapped files, the longest time of
+ * each call, its growth with the size, and how much of the volume it brings into memory. Returns
+ * whether a call took longer than 50 ms.
  */
 bool MeasureScale(int largest);
 

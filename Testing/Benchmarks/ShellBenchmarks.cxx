@@ -20,12 +20,12 @@ namespace
 
 constexpr int ShellPoints = 10000;
 /**
- * The hand is 4 mm deep in the ball, and the tool 2 mm, since both springs share the way. So a
- * quarter of the sphere's area is inside.
+ * Radius (mm) of the tool. The hand is 4 mm deep in the ball and the tool 2 mm, because both
+ * springs share the lag. So a quarter of the sphere's area is inside.
  */
 constexpr double ToolRadius = 4.0;
 
-/** Points of equal areas on a sphere. */
+/** Returns points of equal areas on a sphere. */
 std::vector<ShellPoint> MakeTool()
 {
   const double pi = std::acos(-1.0);
@@ -42,7 +42,7 @@ std::vector<ShellPoint> MakeTool()
   return points;
 }
 
-/** A tool that slides around the ball and turns, at 0.1 m/s. */
+/** A tool that slides around the ball at 0.1 m/s and turns. */
 struct ShellSlide
 {
   explicit ShellSlide(const BallVolume& volume)
@@ -55,7 +55,7 @@ struct ShellSlide
     this->Model = std::make_unique<HapticModel>(description);
     this->Settings.Level = BallLevel;
     this->Ways = SlideAt(volume, BallRadius + ToolRadius - 4.0);
-    // From outside, until it is in contact.
+    // Come from outside into contact.
     const Vector3 out = this->Ways.front() - volume.GetCentre();
     for (int i = 100; i > 0; --i)
     {
@@ -121,7 +121,10 @@ void MeasureShell(benchmark::State& bench, const BallVolume* volume)
   }
 }
 
-/** The least that a tick can cost: reading the 8 taps of all points, 32 and 8 of each contact. */
+/**
+ * Measures the least cost of a tick: reading the 8 taps of all points, and 32 and 8 more for each
+ * contact.
+ */
 void MeasureTaps(benchmark::State& bench, const BallVolume* volume)
 {
   ShellSlide slide(*volume);
@@ -165,7 +168,7 @@ void MeasureTaps(benchmark::State& bench, const BallVolume* volume)
       sum += cell(p) + line(0) + line(sy) + line(sz) + line(sy + sz);
       sum += pair(p - sy) + pair(p - sy + sz) + pair(p + 2 * sy) + pair(p + 2 * sy + sz);
       sum += pair(p - sz) + pair(p - sz + sy) + pair(p + 2 * sz) + pair(p + 2 * sz + sy);
-      sum += cell(p + 2); // where its material is read
+      sum += cell(p + 2); // reads where the material is read
     }
     benchmark::DoNotOptimize(sum);
   }

@@ -24,7 +24,10 @@ struct Mapping
   std::size_t Bytes;
 };
 
-/** Work in the background may read an array for some milliseconds after it was cancelled. */
+/**
+ * Unmaps the file when the array is deleted. Background work may read the array for some
+ * milliseconds after it was cancelled.
+ */
 void UnmapWith(vtkDataArray* array, const Mapping& mapping)
 {
   const vtkNew<vtkCallbackCommand> command;
@@ -66,13 +69,13 @@ SparseVolume::SparseVolume(int size, vtkShortArray* array)
     : MAP_FAILED;
   if (file)
   {
-    std::fclose(file); // the mapping keeps what it has
+    std::fclose(file); // the mapping stays valid
   }
   if (this->Begin == MAP_FAILED)
   {
     throw std::runtime_error("there is no room for a file of a volume");
   }
-  // Without reading ahead: what is in memory is what was read.
+  // Disable read-ahead, so that memory contains only what was read.
   (void)madvise(this->Begin, this->Bytes, MADV_RANDOM);
   const vtkNew<vtkShortArray> own;
   vtkShortArray* const samples = array ? array : own.Get();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A cubic image of int16 in a file that is mapped into memory and almost all hole, so that a volume
- * of any size takes neither memory nor disk until something reads it. It ends with its array.
+ * A cubic int16 image in a memory-mapped file that is almost all hole, so that a volume of any size
+ * takes neither memory nor disk space until something reads it. The mapping ends with its array.
  */
 #ifndef SparseVolume_h
 #define SparseVolume_h
@@ -17,22 +17,22 @@
 namespace benchmarks
 {
 
-/** 0 everywhere, and in its middle a cube of 64^3 samples in which the value is 20 k. */
+/** The value is 0 everywhere but in a cube of 64^3 samples in the middle, where it is 20 k. */
 class SparseVolume
 {
 public:
   /**
-   * Throws std::runtime_error if there is no room for the file, which has no name. The array gets
-   * the samples; null: an array of its own does.
+   * Throws std::runtime_error if there is no room for the file, which has no name. Puts the samples
+   * into `array`, or into an array of its own if it is null.
    */
   explicit SparseVolume(int size, vtkShortArray* array = nullptr);
   SparseVolume(const SparseVolume&) = delete;
   SparseVolume& operator=(const SparseVolume&) = delete;
 
   vtkImageData* GetImage() const { return this->Image; }
-  /** The middle of the cube, in indices along each axis, which are world units as well. */
+  /** Returns the middle of the cube, in indices along each axis, which are also world units. */
   double GetMiddle() const { return 0.5 * this->Size; }
-  /** Bytes that are in memory. */
+  /** Returns the number of bytes that are in memory. */
   std::size_t GetResident() const;
 
 private:

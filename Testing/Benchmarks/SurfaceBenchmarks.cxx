@@ -19,7 +19,7 @@ namespace benchmarks
 namespace
 {
 
-/** The level that the slide runs along, as vtkFlyingEdges3D cuts it. */
+/** Returns the level along which the tip slides, as cut by vtkFlyingEdges3D. */
 std::shared_ptr<const SurfaceMesh> MakeMesh(const BallVolume& volume)
 {
   vtkNew<vtkFlyingEdges3D> contour;
@@ -50,14 +50,14 @@ std::shared_ptr<const SurfaceMesh> MakeMesh(const BallVolume& volume)
   return std::make_shared<const SurfaceMesh>(points, triangles, directions);
 }
 
-/** Once round and round again, in contact all the way. */
+/** Measures rounds in contact. */
 void MeasureRounds(benchmark::State& bench, const BallVolume& volume, const ModelChoice& choice)
 {
   const auto model = MakeModel(volume, GetEstimators()[2], choice);
   const Positions tips = Slide(volume).Tips;
   ServoState state;
   TickRecord record;
-  // From outside, where the slide begins.
+  // Come from outside to the beginning of the slide.
   const Vector3 centre = 0.001 * volume.GetCentre();
   constexpr int approach = 200;
   for (int i = 0; i <= approach; ++i)
@@ -71,7 +71,8 @@ void MeasureRounds(benchmark::State& bench, const BallVolume& volume, const Mode
     Tick(*model, state, tip.Next(), record);
     benchmark::DoNotOptimize(record);
   }
-  // A round more, as the proxy may stick for single ticks on the edges of flat triangles.
+  // Run one more round, because the proxy may stick for single ticks on the edges of flat
+  // triangles.
   std::size_t sliding = 0;
   for (std::size_t i = 0; i < tips.size(); ++i)
   {

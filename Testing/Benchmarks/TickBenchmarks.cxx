@@ -14,7 +14,10 @@ namespace benchmarks
 namespace
 {
 
-/** The parts of a model, so that only the running benchmark takes memory and caches. */
+/**
+ * The parts of a model. The model itself is made in the benchmark, so that only the running
+ * benchmark takes memory and cache.
+ */
 struct Scene
 {
   const BallVolume& Volume;
@@ -39,7 +42,7 @@ void MeasureSlide(benchmark::State& bench, const Scene& scene)
   }
 }
 
-/** Whether time steps tell where the material goes. */
+/** Whether time steps have displacements, which tell where the material goes. */
 enum class Displacements
 {
   None,
@@ -47,7 +50,7 @@ enum class Displacements
 };
 
 /**
- * A ball that grows and shrinks by 1 mm in 50 ms, in a window of three time steps, as a servo has.
+ * A ball that grows and shrinks by 1 mm in 50 ms, in a span of three time steps, as a servo has it.
  */
 class Beating
 {
@@ -59,7 +62,7 @@ public:
     this->Grown.assign(from, from + n[0] * n[1] * n[2]);
     for (std::int16_t& sample : this->Grown)
     {
-      sample = static_cast<std::int16_t>(sample + 10); // the value falls by 10 a mm at the surface
+      sample = static_cast<std::int16_t>(sample + 10); // V falls by 10 per mm at the surface
     }
     VolumeView grown = volume.View;
     grown.Data = this->Grown.data();
@@ -80,7 +83,8 @@ public:
 
 private:
   /**
-   * Outwards by 1 mm in the first time step, inwards in the second one; none at the very middle.
+   * Displaces outwards by 1 mm in the first time step and inwards in the second; not at the very
+   * middle.
    */
   void FillMotion(const BallVolume& volume)
   {
@@ -128,7 +132,7 @@ void MeasureBlended(benchmark::State& bench, const Scene& scene, Displacements d
   double step = 0.001;
   for (auto _ : bench)
   {
-    // To and fro through the window: no leap of time.
+    // The time goes to and fro through the span without a leap.
     step = state.DataTime + step > 2.0 * Beating::FrameTime || state.DataTime + step < 0.0 ? -step
                                                                                            : step;
     state.DataTime += step;

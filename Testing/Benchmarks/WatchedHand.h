@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A hand at rest, which watches the servo's loop from its own thread: how late the ticks come, and
+ * A hand at rest that observes the servo's loop from the loop's own thread: how late ticks are, and
  * why.
  */
 #ifndef WatchedHand_h
@@ -17,43 +17,43 @@
 namespace benchmarks
 {
 
-/** Of the ticks of a loop. */
+/** Counts of a loop's ticks. */
 struct LoopCounts
 {
   /** Why the loop left out ticks between two of its ticks. */
   enum Cause
   {
-    Computed, ///< its thread had a processor for longer than a period
-    Waited,   ///< its thread waited for something other than its next tick: a lock, or the disk
-    Machine,  ///< neither: its thread was ready to run, or to be woken, and did not run
+    Computed, ///< the thread had a processor for longer than a period
+    Waited,   ///< the thread waited for something other than its next tick: a lock, or the disk
+    Machine,  ///< neither: the thread was ready to run, or to be woken, and did not run
     Causes
   };
   std::uint64_t Ticks = 0;
   std::uint64_t LeftOut[Causes] = {};
-  std::int64_t LongestWork = 0; ///< ns of its processor between two ticks
+  std::int64_t LongestWork = 0; ///< ns of processor time between two ticks
 
   LoopCounts& operator+=(const LoopCounts& other);
 };
 
-/** For a loop of a period of 1 ms. */
+/** Observes a loop with a period of 1 ms. */
 class LoopWatch
 {
 public:
-  /** For a loop that does not run. */
+  /** Requests that the next tick set the counts to zero. Any thread may call it. */
   void Reset() { this->IsResetWanted = true; }
-  /** From any thread. */
+  /** Returns the counts. Any thread may call it. */
   LoopCounts GetCounts() const;
 
-  /** On the loop's thread, once a tick. */
+  /** Records a tick. Call it once per tick on the loop's thread. */
   void RecordTick() noexcept;
 
 private:
-  /** What the loop's thread has used so far. */
+  /** Resources that the loop's thread has used so far. */
   struct Usage
   {
-    std::int64_t Work = 0;  ///< ns of a processor, without what others took of it
-    std::int64_t Waits = 0; ///< each tick, and each wait for something else
-    std::int64_t Reads = 0; ///< pages from the disk
+    std::int64_t Work = 0;  ///< ns of processor time, without time taken by others
+    std::int64_t Waits = 0; ///< number of waits: one per tick, and one for each other wait
+    std::int64_t Reads = 0; ///< number of pages read from the disk
   };
   static Usage ReadUsage() noexcept;
 
@@ -62,10 +62,13 @@ private:
   std::atomic<std::uint64_t> LeftOut[LoopCounts::Causes] = {};
   std::atomic<std::int64_t> LongestWork{ 0 };
   Usage Last;
-  std::int64_t Planned = 0; ///< ns, of the last tick
+  std::int64_t Planned = 0; ///< ns: planned time of the last tick
 };
 
-/** The kind of device "watched": a hand that rests at a place (m). The watch has to outlive it. */
+/**
+ * Returns the device kind "watched": a hand that rests at a position (m). The watch must outlive
+ * it.
+ */
 VolumeHaptics::DeviceKind MakeWatchedKind(const VolumeHaptics::Vector3& tip, LoopWatch* watch);
 
 } // namespace benchmarks

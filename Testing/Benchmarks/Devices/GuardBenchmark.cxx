@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The time from a force to the sample that answers it, at 1 kHz, with a device that answers at
- * once: its driver on a thread of this process, and in a guard process. No bus is in it: what
- * differs is what the guard costs.
+ * The time from a force to the sample that answers it, at 1 kHz, for a device that answers at once:
+ * with its driver on a thread of this process, and in a guard process. There is no bus, so the
+ * difference is the cost of the guard.
  *
- * usage: volumehaptics-guard-benchmark [--seconds S]   (S a line of the table, 5 by default)
+ * usage: volumehaptics-guard-benchmark [--seconds S]   (S is the time of a line of the table, 5 s
+ * by default)
  */
 
 #include "Core/Realtime/ServoClock.h"
@@ -27,7 +28,7 @@ namespace
 constexpr std::int64_t Period = ServoClock::Millisecond;
 constexpr double Microsecond = 1e3; // ns
 
-/** Tells each force as a position, as soon as it comes. */
+/** Reports each force as a position, as soon as the force arrives. */
 class EchoDriver : public HardwareDriver
 {
 public:
@@ -52,8 +53,8 @@ public:
 struct Figures
 {
   double Median = 0.0;  ///< us, from the force to its sample
-  double Late = 0.0;    ///< us, of the slowest of a hundred
-  double Call = 0.0;    ///< us, the median of what Write takes the servo
+  double Late = 0.0;    ///< us, 99th percentile
+  double Call = 0.0;    ///< us, median duration of Write() for the servo
   std::size_t Lost = 0; ///< forces without an answer within a period
 };
 
@@ -64,7 +65,10 @@ double At(std::vector<double>& times, double part)
   return *place;
 }
 
-/** Looks for the answer to one force all the time; below zero if none comes within a period. */
+/**
+ * Polls for the answer to one force. Returns its time, or a negative number if none comes within a
+ * period.
+ */
 double WaitFor(DeviceBackend& device, double force, std::int64_t since)
 {
   DeviceSample sample;

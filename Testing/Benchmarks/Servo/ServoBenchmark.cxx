@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The servo's cost beyond the solver, and its punctuality on this machine: with all that the user
- * may have, and in turn without any of it; alone, and beside as many busy threads as the machine
- * has processors. To see it without a privilege, run it as an ordinary user.
+ * The servo's cost in addition to the solver, and its punctuality on this machine: with all
+ * privileges that the user may have, and in turns without any; alone, and beside as many busy
+ * threads as the machine has processors. To see it without a privilege, run it as an ordinary user.
  *
  * usage: volumehaptics-servo-benchmark [--seconds S] [--drilling [SIZE]]
  *
- * S is the time of a line of the table, 2 by default. With --drilling, it is the punctuality of
- * burrs instead, beside that of the same burrs that do not spin, in volumes of 256^3 samples to
- * SIZE^3, 1024 by default: 1 GiB.
+ * S is the time of a line of the table, 2 s by default. With --drilling, it measures the
+ * punctuality of burrs instead, in turns with the same burrs at rest, in volumes of 256^3 samples
+ * to SIZE^3; SIZE is 1024 (1 GiB) by default.
  */
 
 #include "Core/Realtime/ServoClock.h"
@@ -37,7 +37,10 @@ using namespace coretest;
 namespace
 {
 
-/** Slides over the ramp, 0.1 m/s at 1 kHz. A plain one returns all that the loop was granted. */
+/**
+ * Slides over the ramp at 0.1 m/s and 1 kHz. A plain slide gives back all privileges that the loop
+ * got.
+ */
 class Slide : public DeviceBackend
 {
 public:
@@ -54,8 +57,8 @@ public:
     if (this->Tick == 0 && this->Plain)
     {
       const sched_param none{};
-      pthread_setschedparam(pthread_self(), SCHED_OTHER, &none); // and the slice that is usual
-      prctl(PR_SET_TIMERSLACK, 0UL);                             // as it was
+      pthread_setschedparam(pthread_self(), SCHED_OTHER, &none); // also sets the usual time slice
+      prctl(PR_SET_TIMERSLACK, 0UL);                             // restores the slack
     }
     const double phase = 0.02 * static_cast<double>(this->Tick++);
     sample.Tip = { 0.012 + 0.005 * std::sin(phase), 0.012, 0.012 + 0.002 * std::sin(0.1 * phase) };
@@ -71,8 +74,8 @@ private:
 };
 
 /**
- * A hand that goes 2 mm deep into the volume's upper half within half a second, and then to and
- * fro, 20 mm/s; with the button pressed, it drills.
+ * A hand that goes 2 mm deep into the volume's upper half within half a second, while it moves to
+ * and fro at up to 20 mm/s. If its button is pressed, it drills.
  */
 class Drill : public DeviceBackend
 {
@@ -226,7 +229,7 @@ const char* NameScheduling(bool plain, RealTimeGrant grant)
                                           : "short slices";
 }
 
-/** What short runs of one kind told. */
+/** Results of short runs of one kind. */
 struct Punctuality
 {
   double Ticks = 0.0;
@@ -236,7 +239,7 @@ struct Punctuality
 };
 constexpr double WakeFractions[4] = { 0.5, 0.9, 0.99, 0.999 };
 
-/** In turn, so that what else the machine does falls on each way of scheduling alike. */
+/** Measures in turns, so that other work of the machine affects each kind of scheduling equally. */
 void PrintTimeKeeping(
   const std::shared_ptr<const HapticModel>& model, double seconds, unsigned busy)
 {
@@ -280,7 +283,7 @@ void PrintTimeKeeping(
   }
 }
 
-/** Bone in the upper half of a cube, voxels of 1 mm. */
+/** A cube whose upper half is bone, with voxels of 1 mm. */
 class HalfCube
 {
 public:
@@ -310,7 +313,7 @@ public:
     d.Tool = std::make_shared<const BakedBurr>(tool);
     return std::make_shared<const HapticModel>(d);
   }
-  /** m: 1 mm above the surface */
+  /** Returns the start (m), 1 mm above the surface. */
   Vector3 GetStart(double radius) const
   {
     const double half = 0.5 * static_cast<double>(this->Size);
@@ -322,7 +325,7 @@ private:
   std::vector<std::uint8_t> Samples;
 };
 
-/** In turn, as PrintTimeKeeping. */
+/** Measures in turns, as PrintTimeKeeping() does. */
 void PrintDrilling(double seconds, int largest)
 {
   constexpr int turns = 5;
@@ -404,7 +407,7 @@ int main(int argc, char** argv)
   const auto model = std::make_shared<const HapticModel>(description);
   PrintCost(model, seconds);
   PrintHandOff(model);
-  // Of the second row of each pair the kernel is told nothing.
+  // In the second row of each pair, the loop has given its privileges back.
   PrintTimeKeeping(model, seconds, 0);
   PrintTimeKeeping(model, seconds, std::thread::hardware_concurrency());
   return 0;
