@@ -11,7 +11,7 @@
 namespace
 {
 #if defined(_WIN32)
-/** Windows does not tell the size of aligned memory: it stands before the memory. */
+/** Windows does not report the size of aligned memory, so the size is stored in front of it. */
 struct Head
 {
   std::size_t Size = 0;

@@ -22,7 +22,7 @@ struct Allocations
 };
 
 Allocations CountAllocations();
-/// Whether malloc is counted, too.
+/// Returns whether malloc is counted as well.
 bool CountsMalloc();
 } // namespace coretest
 

@@ -43,18 +43,19 @@ private:
   vtkNew<vtkCallbackCommand> Command;
 };
 
-/// An image of n^3 voxels of 1 world unit, from the origin on; its scalars are called "Density".
+/// Returns an image of n^3 voxels of 1 world unit, beginning at the origin, with scalars named
+/// "Density".
 vtkSmartPointer<vtkImageData> MakeImage(
   int n, int scalarType, const std::function<double(const Point&)>& value);
 
-/// The ramp V = 100 z.
+/// Returns the ramp V = 100 z.
 vtkSmartPointer<vtkImageData> MakeRamp(int n = 16, int scalarType = VTK_DOUBLE);
 
-/// A path with one point a tick, or with `times` (s) in a point array "Time".
+/// Returns a path with one point per tick, or with `times` (s) in a point array "Time".
 vtkSmartPointer<vtkPolyData> MakePath(
   const std::vector<Point>& points, const std::vector<double>& times = {});
 
-/// A path from a to b, both included, in `steps` steps.
+/// Returns a path from a to b, both included, in `steps` steps.
 std::vector<Point> Line(const Point& a, const Point& b, int steps);
 
 /// Makes a function constant: removes all points and adds one.
@@ -63,11 +64,11 @@ void SetConstant(vtkPiecewiseFunction* function, double value);
 /// Returns an entry of an output's point array; fails the test if there is no such array.
 double Get(vtkPolyData* output, const char* array, vtkIdType tick, int component = 0);
 
-/// Whether points, lines and all point arrays of the first `ticks` ticks (all: -1) are equal to the
-/// bit.
+/// Returns whether points, lines and all point arrays of the first `ticks` ticks (-1: all) are
+/// equal to the bit.
 bool IsSame(vtkPolyData* a, vtkPolyData* b, vtkIdType ticks = -1);
 
-/// A copy of a filter's output that outlives the next update.
+/// Returns a copy of a filter's output that outlives the next update.
 vtkSmartPointer<vtkPolyData> Keep(vtkVolumeHapticsFilter* filter);
 
 /// The ramp, pushed 5 mm along z from z = 5 in 50 ticks: T1 of the specification.
@@ -86,7 +87,7 @@ protected:
   vtkNew<vtkVolumeHapticsFilter> Filter;
   vtkHapticProperty* const Property = this->Filter->GetProperty();
   MessageLog Log{ this->Filter };
-  /// If a filter fails, VTK's executive also reports an error: ignore it.
+  /// If a filter fails, VTK's executive also reports an error. It is ignored.
   MessageLog ExecutiveLog;
 };
 } // namespace apitest

@@ -3,20 +3,21 @@
 /**
  * @file
  * Random sessions of an arm, a device and a volume in closed loop through the safety stage: honest
- * ones, and loops that are unstable.
+ * sessions, and unstable loops.
  *
- * These sessions share nothing with PortSessions.h, on which the bounds of the observers were
+ * These sessions share nothing with PortSessions.h, with which the bounds of the observers were
  * chosen. The arm is a second mass, led by muscles along a path, that holds the device's mass by a
- * soft grip; the device has viscous friction and friction with a Stribeck curve, so that it sticks
+ * soft grip. The device has viscous friction and friction with a Stribeck curve, so that it sticks
  * and slips:
  *
  *   m x''  = F - b x' - f(x') + c (y' - x') + g (y - x),
  *   M y''  = -c (y' - x') - g (y - x) + C (p' - y') + K (p - y),
  *
- * with x the device, y the arm and p the path, which has a tremor of three sinuses of 8 to 12 Hz.
- * Classical Runge-Kutta steps of at most 125 us. Figures of arm and grip: hands of 0.2 to 1.2 kg
- * on 20 to 400 N/m (Hajian and Howe, "Identification of the mechanical impedance at the human
- * finger tip", 1997), voluntary motion of at most 6 Hz and 10 m/s^2, tremor as in HeldDevice.h.
+ * with x the device, y the arm and p the path, which has a tremor of three sines of 8 to 12 Hz. It
+ * is integrated with classical Runge-Kutta steps of at most 125 us. Figures of arm and grip: hands
+ * of 0.2 to 1.2 kg on 20 to 400 N/m (Hajian and Howe, "Identification of the mechanical impedance
+ * at the human finger tip", 1997), voluntary motion of at most 6 Hz and 10 m/s^2, tremor as in
+ * HeldDevice.h.
  *
  * The volume is a plane or a sphere with friction, a rippled surface, tissue that yields, a thick
  * fluid, a wall that is published at a new place 30 or 60 times a second, or the force fields of
@@ -75,8 +76,8 @@ struct ArmScene
   double Damping = 1.0;  ///< N s/m, of the device
   double Static = 0.0;   ///< N, friction of the device at rest
   double Kinetic = 0.0;  ///< N
-  bool IsHeld = true;    ///< otherwise only a weight presses
-  double Weight = 0.0;   ///< N, down
+  bool IsHeld = true;    ///< if not held, only a weight presses
+  double Weight = 0.0;   ///< N, downwards
   double ArmMass = 0.5;  ///< kg
   double Grip = 500.0;   ///< N/m
   double GripLoss = 5.0; ///< N s/m
@@ -249,10 +250,10 @@ public:
 
 private:
   using Vector3 = VolumeHaptics::Vector3;
-  using State = std::array<Vector3, 4>; ///< device, its velocity, arm, its velocity
+  using State = std::array<Vector3, 4>; ///< position and velocity of the device, then of the arm
 
   static constexpr double Pi = 3.14159265358979323846;
-  /** A fraction of the stiffness, so that no direction is stiffer. */
+  /** A fraction of the stiffness, so that the surface is not stiffer in any direction. */
   static constexpr double RippleFraction = 0.4;
   double Pick(double from, double to) { return from + (to - from) * (this->Engine() * 0x1p-32); }
 
@@ -269,9 +270,9 @@ private:
   {
     Vector3 path;
     const double beat = 2.0 * Pi * this->S.Beat;
-    // No hand accelerates faster than this.
+    // No hand accelerates faster than 10 m/s^2.
     const double most = 10.0 / (beat * beat);
-    // Starts from rest.
+    // The motion starts from rest.
     const double begun = std::clamp((time - 0.1) / 0.5, 0.0, 1.0);
     const double share = begun * begun * (3.0 - 2.0 * begun);
     const double down = share * this->S.Depth;
@@ -369,9 +370,9 @@ private:
   }
 
   /**
-   * A wall with a proxy, whose goal is the surface point next to the tip: friction holds the proxy,
-   * until it slides along the surface, down to the friction cone. `place` projects a point onto the
-   * surface.
+   * Computes a wall with a proxy, whose goal is the surface point next to the tip. Friction holds
+   * the proxy until it slides along the surface, down to the friction cone. `place` projects a
+   * point onto the surface.
    */
   template <class Place>
   Vector3 Push(const Vector3& tip, const Vector3& goal, bool isInside, const Place& place)
@@ -391,7 +392,7 @@ private:
     }
     return VolumeHaptics::ClampNorm(this->S.Stiffness * (this->Proxy - tip), this->S.MaximumForce);
   }
-  /// A floor that sinks where it yields, and stays there while the tip is in it.
+  /// Computes a floor that sinks where it yields, and stays there while the tip is in it.
   Vector3 PushFloor(const Vector3& tip, double floor, double yield)
   {
     this->Sunk = tip.Z < floor ? std::max(this->Sunk, floor - tip.Z - yield) : 0.0;
@@ -434,7 +435,7 @@ private:
     return { a[0] + h * b[0], a[1] + h * b[1], a[2] + h * b[2], a[3] + h * b[3] };
   }
 
-  /// Moves for a tick; returns the energy (J) that the device gives.
+  /// Moves for one tick. Returns the energy (J) that the device gives.
   double Move(double time, const Vector3& force)
   {
     const double period = 1.0 / this->S.Rate;

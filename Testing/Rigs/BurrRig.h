@@ -13,7 +13,7 @@
 
 namespace coretest
 {
-/// A volume that is solid above z = surface, with the tissue removed below; voxels of `size` mm.
+/// A volume that is solid above z = surface, with its removed tissue; voxels of `size` mm.
 struct HalfSpace
 {
   HalfSpace(const TestVolume::Size& n, double size, std::int64_t surface)
@@ -52,7 +52,7 @@ inline BurrDescription DescribeBurr(
   return tool;
 }
 
-/// A burr led through a volume, a millisecond a tick.
+/// A burr led through a volume, one millisecond per tick.
 class BurrInVolume
 {
 public:
@@ -72,7 +72,7 @@ public:
     TissueRemoval* const removal = this->Model.Baked->Removal.get();
     if (removal && removal->Serve())
     {
-      // Do what the servo does (ServoTick.h).
+      // Prepare the state as the servo does (ServoTick.h).
       this->Shell.Enabled = false;
       this->State = BurrState{};
       this->Record = BurrRecord{};
@@ -142,7 +142,7 @@ private:
   }
 };
 
-/// A burr of 2 mm at 60 000/min, mu 0.3, on bone of stiffness `kappa` N/m^3.
+/// Returns a burr of 2 mm at 60 000/min, mu 0.3, on bone of stiffness `kappa` N/m^3.
 inline BurrInHand MakeBurr(double kappa, double level)
 {
   BurrInHand settings;

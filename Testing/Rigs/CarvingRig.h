@@ -25,7 +25,7 @@ inline void SetFraction(
   bricks.MarkChanged(brick);
 }
 
-/// The remaining values of a volume, as doubles: V - (1 - rho) (V - V_air).
+/// Returns the remaining values of a volume as doubles: V - (1 - rho) (V - V_air).
 inline TestVolume MakeLeft(const TestVolume& volume, const CarvedBricks& bricks, double air)
 {
   const std::int64_t* const n = volume.View.Dimensions;
@@ -44,7 +44,7 @@ inline TestVolume MakeLeft(const TestVolume& volume, const CarvedBricks& bricks,
   return left;
 }
 
-/// The fractions of all samples, x first.
+/// Returns the fractions of all samples; x varies fastest.
 inline std::vector<std::uint8_t> CopyTissue(const CarvedBricks& bricks, const std::int64_t* n)
 {
   std::vector<std::uint8_t> fractions;

@@ -10,7 +10,7 @@
 
 namespace coretest
 {
-/// A world of millimetres around a volume of 1 mm voxels, with the default material.
+/// Describes a volume of 1 mm voxels in a world of millimetres, with the default material.
 inline HapticModelDescription Describe(const TestVolume& volume)
 {
   HapticModelDescription description;
@@ -27,7 +27,7 @@ inline void PlaceAsThePaper(HapticModelDescription& description)
   description.Settings.Placement = MaterialPlacement::Kernel;
 }
 
-/// V = 100 z: a surface everywhere, whose normal is z.
+/// Returns V = 100 z: a surface everywhere, with the normal z.
 inline TestVolume MakeRamp(std::int64_t samples = 24)
 {
   TestVolume volume(ScalarType::Float64, { samples, samples, samples });
@@ -50,7 +50,7 @@ public:
     for (double* x : { &this->Tip.X, &this->Tip.Y, &this->Tip.Z })
     {
       *x += 2e-4 * (this->Uniform() - 0.5);
-      // Reflect the walk 5 mm outside the volume; some ticks jump.
+      // The walk is reflected 5 mm outside the volume. In some ticks it jumps.
       const double low = -0.005;
       const double high = 0.001 * this->Size + 0.005;
       *x = *x < low ? 2.0 * low - *x : (*x > high ? 2.0 * high - *x : *x);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** A virtual device on a ramp; the test moves it. */
+/** A virtual device on a ramp. The test moves it. */
 #ifndef DeviceRig_h
 #define DeviceRig_h
 
@@ -24,7 +24,7 @@ inline double Length(const double v[3])
   return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-/// Whether the whole force flows: no ramp after arming, hold or gap is in progress.
+/// Returns whether the whole force passes: no ramp after arming, hold or gap is in progress.
 inline bool IsFullyArmed(vtkHapticDevice* device)
 {
   return device->GetStatus() == vtkHapticDevice::ACTIVE &&
@@ -56,8 +56,8 @@ protected:
     ASSERT_TRUE(this->Device->Start());
     ASSERT_TRUE(this->WaitTicks(2));
   }
-  /// Starts the servo, armed, with a light tip that a far goal makes faster than the limit of a
-  /// hand.
+  /// Starts and arms the servo, with a light tip that a distant goal accelerates above the speed
+  /// limit of a hand.
   void BeginFast()
   {
     ASSERT_TRUE(this->Device->Open("virtual"));
@@ -73,7 +73,7 @@ protected:
     const vtkIdType end = this->Device->GetState()->GetTick() + ticks;
     return this->Wait([&] { return this->Device->GetState()->GetTick() >= end; });
   }
-  /// Polls the device until something holds in a state without a preceding pause of the loop.
+  /// Polls the device until `holds` returns true for a state without a preceding pause of the loop.
   template <typename F>
   bool Wait(F&& holds)
   {
@@ -172,7 +172,7 @@ private:
     const double way[3] = { tip[0] - place[0], tip[1] - place[1], tip[2] - place[2] };
     return Length(way) < 1e-6;
   }
-  /// Repeats the path of Lead from its start; continues when a ramp is over.
+  /// Repeats the path of Lead() from its start, and continues when a ramp is over.
   void GoAgain()
   {
     this->Pauses.Forget();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** The pixels of a window, as numbers. */
+/** Returns the pixels of a window as numbers. */
 #ifndef DrawnPixels_h
 #define DrawnPixels_h
 
@@ -14,7 +14,7 @@
 
 namespace apitest
 {
-/// Three levels (0 to 255) for each pixel of a rectangle, both corners included.
+/// Returns three levels (0 to 255) for each pixel of a rectangle, including both corners.
 inline std::vector<double> ReadPixels(
   vtkRenderWindow* window, int left, int bottom, int right, int top)
 {
@@ -23,7 +23,7 @@ inline std::vector<double> ReadPixels(
   return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
 }
 
-/// The mean difference of levels.
+/// Returns the mean difference between levels.
 inline double ComputeMeanDifference(const std::vector<double>& a, const std::vector<double>& b)
 {
   double sum = 0.0;

@@ -16,8 +16,7 @@ namespace apitest
 {
 
 /**
- * Counts the invocations of an object's event, from the beginning to the end of this counter's
- * life.
+ * Counts the invocations of an object's event during this counter's life.
  */
 class EventCounter
 {

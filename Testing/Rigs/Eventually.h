@@ -10,7 +10,7 @@
 
 namespace devicetest
 {
-/// Polls until something holds; false after a generous time.
+/// Polls until `holds` returns true. Returns false after a generous time.
 template <typename F>
 bool Eventually(F&& holds)
 {

@@ -19,7 +19,7 @@ protected:
     : TickRate(rate)
   {
   }
-  /// Reads the next tick; its force must not change faster than the limits and the fade allow.
+  /// Reads the next tick. Its force must not change faster than limits and fade allow.
   void Take(RunningLoop& loop)
   {
     const double most =

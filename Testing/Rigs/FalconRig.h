@@ -43,7 +43,7 @@ protected:
     this->Options.HomingTime = 60.0;
   }
 
-  /** False, with this->Error, on a failure. */
+  /** Returns false, with this->Error, on failure. */
   bool Open(const std::string& id = "falcon")
   {
     this->Device = MakeDevice(id, this->Options, this->Error);
@@ -75,7 +75,7 @@ protected:
     this->Home();
     this->LeadTo(Middle);
   }
-  /** Writes a force at intervals, as a servo does, until something holds. */
+  /** Writes a force at intervals, as a servo does, until `holds` returns true. */
   template <typename F>
   bool Push(const Vector3& force, F&& holds)
   {
@@ -96,8 +96,8 @@ protected:
       });
   }
   /**
-   * Whether commands stay zero over this number of packets, whatever the servo gives; ignores the
-   * packet that may be on its way already.
+   * Returns whether commands stay zero during a number of packets, whatever the servo writes.
+   * Ignores the packet that may already be under way.
    */
   bool StaysAtZero(long packets)
   {
@@ -110,7 +110,7 @@ protected:
     this->Falcon.DrainLargestCommand();
     return arrived && pass(packets) && this->Falcon.DrainLargestCommand() == 0.0;
   }
-  /** Expects that the device is lost, says why, and has zero as last commands. */
+  /** Expects that the device is lost, reports why, and got zero as its last commands. */
   void ExpectLost(const std::string& why)
   {
     EXPECT_TRUE(this->Push(
@@ -128,7 +128,7 @@ protected:
   std::string Error;
 };
 
-/** A file that is removed at the end. */
+/** A file that is removed with this object. */
 class TemporaryFile
 {
 public:
@@ -144,7 +144,7 @@ public:
   const std::filesystem::path Path;
 };
 
-/** Every byte value, in no simple order; no firmware. */
+/** Returns a firmware image for tests: every byte value, in no simple order. */
 inline std::vector<std::uint8_t> MakeImage(std::size_t size)
 {
   std::vector<std::uint8_t> image(size);

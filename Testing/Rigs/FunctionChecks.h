@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** The allowed distance of a baked value from a vtkPiecewiseFunction. */
+/** Returns the allowed distance of a baked value from a vtkPiecewiseFunction. */
 #ifndef FunctionChecks_h
 #define FunctionChecks_h
 
@@ -16,8 +16,8 @@
 
 namespace apitest
 {
-/// Documented in vtkHapticProperty.h: a curved piece is off by at most 0.01 % of its height, and by
-/// at most 0.1 % of the value there (down to the last digits beside a much larger height).
+/// Bounds documented in vtkHapticProperty.h: a curved piece is off by at most 0.01 % of its height,
+/// and by at most 0.1 % of the value there (except for rounding beside a much larger height).
 inline constexpr double CurveBound = 1e-4;
 inline constexpr double ValueBound = 1e-3;
 inline constexpr double LastDigits = 1e-8;
@@ -37,10 +37,11 @@ inline std::vector<Node> NodesOf(vtkPiecewiseFunction* function)
   return nodes;
 }
 
-/// Whether the sharpest piece is a steep curve, as in VTK 9.3 and 9.6. It is a step in VTK 9.1.
+/// Whether the sharpest piece is a steep curve, as in VTK 9.3 and 9.6; in VTK 9.1 it is a step.
 inline constexpr bool SharpestIsCurve = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0);
 
-/// The largest error that baking may cause at x: rounding on linear pieces and plateaus.
+/// Returns the largest error that baking may cause at x: only rounding, on linear pieces and
+/// plateaus.
 inline double AllowedError(vtkPiecewiseFunction* function, double x)
 {
   const std::vector<Node> nodes = NodesOf(function);
@@ -66,8 +67,8 @@ inline double AllowedError(vtkPiecewiseFunction* function, double x)
   return rounding;
 }
 
-/// The range of the function's values at x and a few roundings of x (or of its logarithm) beside
-/// it, with both ends of a step there.
+/// Returns the range of the function's values at x and a few roundings of x (or of its logarithm)
+/// beside it, including both ends of a step there.
 inline std::pair<double, double> ValuesAround(vtkPiecewiseFunction* function, double x)
 {
   const double value = function->GetValue(x);

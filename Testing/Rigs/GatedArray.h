@@ -13,7 +13,7 @@
 
 namespace devicetest
 {
-/// An array whose values other threads than the one that made it get only while it is open.
+/// An array that lets only the thread that made it read the values, until the array is opened.
 class GatedArray : public vtkShortArray
 {
 public:

@@ -16,9 +16,8 @@ namespace apitest
 {
 
 /**
- * Gives the image that it gets, with its time steps. Behind a source whose time steps are felt
- * without a copy, it acts like a reader of files: its steps are copied one by one when time reaches
- * them.
+ * Passes its input on, with its time steps. Behind a source whose time steps are felt without a
+ * copy, it acts like a file reader: its steps are copied one by one when time reaches them.
  */
 class GivenImage : public vtkImageAlgorithm
 {

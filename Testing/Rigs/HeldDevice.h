@@ -7,10 +7,10 @@
  *   m x'' = f - w - friction - b (x' - p') - k (x - p)
  *
  * with m the mass of hand and device, f the force of the motors, w a weight, Coulomb friction with
- * a static and a smaller kinetic force, and p(t) where the hand wants to be: a steady drift, a
- * wander (an Ornstein-Uhlenbeck velocity) and a tremor of 8 to 12 Hz. Axes may be coupled by a
- * stiffness matrix that is not diagonal. Integrated with semi-implicit Euler steps of an eighth of
- * a millisecond.
+ * a static and a smaller kinetic force, and p(t) the position that the hand wants: a steady drift,
+ * a wander (an Ornstein-Uhlenbeck velocity) and a tremor of 8 to 12 Hz. Axes may be coupled by a
+ * stiffness matrix that is not diagonal. It is integrated with semi-implicit Euler steps of an
+ * eighth of a millisecond.
  *
  * The figures of a hand come from the literature on tremor and hand impedance: physiological tremor
  * of 8 to 12 Hz and about 0.1 mm (Elble and Koller, Tremor, 1990), fingers of 0.05 to 0.5 kg, up to
@@ -45,7 +45,7 @@ struct Hand
   double WanderTime = 0.5;       ///< s
 };
 
-/// A hand and a device of 3 axes; motion starts at rest, in balance.
+/// A hand and a device with 3 axes. The motion starts at rest, in balance.
 class HeldDevice
 {
 public:
@@ -67,7 +67,7 @@ public:
     this->Place[1] -= hand.Stiffness > 0.0 ? hand.Weight / hand.Stiffness : 0.0;
   }
 
-  /// Moves for a time under a command; the motors turn it by the device's signs.
+  /// Moves for a time under a command. The device's signs turn the motors' force.
   void Move(const Triple& command, double seconds)
   {
     const int steps = static_cast<int>(std::lround(seconds / Step));
@@ -79,7 +79,7 @@ public:
   }
 
   const Triple& GetPlace() const { return this->Place; }
-  /// The motors' work on the hand so far, and its maximum so far (J).
+  /// Return the motors' work on the hand so far (J), and its maximum so far.
   double GetWork() const { return this->Work; }
   double GetMostWork() const { return this->MostWork; }
 

@@ -53,7 +53,8 @@ struct Loop
   double Stiffness = 0.0;    ///< N/m, stiffness for the stage
   double LargestGrowth = 0.0;
 
-  /// Flies until the body has touched and is free again; returns the energy with which it leaves.
+  /// Flies until the body has touched and is free again. Returns the energy (J) with which it
+  /// leaves.
   double Fly(Body body, const Field& field)
   {
     SafetyLimits limits;
@@ -67,7 +68,7 @@ struct Loop
     input.Tip = body.Place;
     GatedStage stage;
     stage.Arm();
-    stage.Apply(input, limits); // through the ramp, in free space
+    stage.Apply(input, limits); // passes the ramp in free space
     std::deque<Vector3> onTheWay(this->Delay);
     Vector3 last;
     bool touched = false;
@@ -89,9 +90,9 @@ struct Loop
       body.Move(onTheWay.front(), this->Tick);
       onTheWay.pop_front();
     }
-    return std::numeric_limits<double>::infinity(); // the body never gets free again
+    return std::numeric_limits<double>::infinity(); // the body never becomes free again
   }
-  /// Flies without a slew limit; also without a clamp if `most` (N) is more than any force.
+  /// Flies without a slew limit, and without a clamp if `most` (N) is larger than any force.
   double FlyFreely(const Body& body, const Field& field, double most = 0.0) const
   {
     Loop loop = *this;
@@ -101,7 +102,7 @@ struct Loop
   }
 };
 
-/// A plain spring below z = 0.
+/// Returns a plain spring below z = 0.
 inline Field MakeWall(double stiffness)
 {
   return [stiffness](const Vector3& x) {
@@ -109,7 +110,7 @@ inline Field MakeWall(double stiffness)
   };
 }
 
-/// A body that flies towards the wall and reaches it after `phase` of a tick.
+/// Returns a body that flies towards the wall and reaches it after `phase` of a tick.
 inline Body Throw(double mass, double speed, double phase)
 {
   return { mass, { 0.0, 0.0, phase * speed * Period }, { 0.0, 0.0, -speed } };
@@ -128,8 +129,8 @@ struct Rebound
   double Free = 0.0;         ///< J, without the stage
 };
 
-/// Flies a case. The phase of the ticks changes the energy that sampling adds: the results are
-/// means over a hundred phases.
+/// Computes a case. The phase of the ticks changes the energy that sampling adds, so the results
+/// are means over a hundred phases.
 inline Rebound Fly(Rebound r)
 {
   constexpr int phases = 100;
@@ -147,7 +148,7 @@ inline Rebound Fly(Rebound r)
   return r;
 }
 
-/// Lists all 144 cases.
+/// Returns all 144 cases.
 inline std::vector<Rebound> FlyAll()
 {
   std::vector<Rebound> all;

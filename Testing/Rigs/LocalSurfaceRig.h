@@ -23,8 +23,8 @@ inline HapticModelDescription DescribeLocal(
   return description;
 }
 
-/// Values of 100 on a sphere around (20, 20, 20), and 10 more per voxel towards its middle; or
-/// less, for a cavity.
+/// Returns a volume with the value 100 on a sphere around (20, 20, 20), which rises by 10 per voxel
+/// towards the middle, or falls, for a cavity.
 inline TestVolume MakeLocalBall(double sign)
 {
   TestVolume volume(ScalarType::Float64, { 41, 41, 41 });

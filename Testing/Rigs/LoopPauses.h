@@ -14,7 +14,8 @@
 class LoopPauses
 {
 public:
-  /// Call after every UpdateState. The lag of the states behind the clock grows with every pause.
+  /// Call this after every UpdateState(). Each pause increases the lag of the states behind the
+  /// clock.
   void Look(vtkHapticDevice* device)
   {
     const double lag = device->GetState()->GetTime() -
@@ -22,7 +23,7 @@ public:
     this->HeldUp = this->HeldUp || lag > this->Lag + 0.02;
     this->Lag = lag;
   }
-  /// Whether there was a pause in the states since Forget; may also be true without one.
+  /// Returns whether there was a pause in the states since Forget(). May also be true without one.
   bool WasHeldUp() const { return this->HeldUp; }
   void Forget() { this->HeldUp = false; }
 

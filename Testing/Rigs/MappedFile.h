@@ -33,7 +33,7 @@ constexpr bool CanLock = true;
 
 inline const std::size_t PageSize = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 
-/// The bytes that this process has locked.
+/// Returns the number of bytes that this process has locked.
 inline std::size_t LockedBytes()
 {
   std::ifstream status("/proc/self/status");
@@ -48,7 +48,7 @@ inline std::size_t LockedBytes()
   return 0;
 }
 
-/// A mapped file with no data, only a hole.
+/// A mapped file without data: one hole.
 class MappedFile
 {
 public:
@@ -65,7 +65,7 @@ public:
   }
   ~MappedFile() { munmap(this->Begin, this->Size); }
 
-  /// The file's bytes in memory.
+  /// Returns the number of the file's bytes in memory.
   std::size_t Resident() const
   {
     std::vector<unsigned char> pages(this->Size / PageSize);
@@ -78,7 +78,7 @@ public:
     return resident * PageSize;
   }
 
-  /// The file's locked bytes, from the rows of /proc/self/smaps inside it.
+  /// Returns the number of the file's locked bytes, from its rows in /proc/self/smaps.
   std::size_t Locked() const
   {
     const auto begin = reinterpret_cast<std::uintptr_t>(this->Begin);

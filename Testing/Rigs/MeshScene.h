@@ -18,7 +18,7 @@ using namespace VolumeHaptics;
 using Corners = std::vector<Vector3>;
 using Faces = std::vector<SurfaceMesh::Indices>;
 
-/// The square |x|, |y| <= 50 at z = 0, of 2 n^2 triangles.
+/// Returns the square |x|, |y| <= 50 at z = 0, made of 2 n^2 triangles.
 inline std::shared_ptr<SurfaceMesh> MakeFloor(int n = 1)
 {
   Corners points;
@@ -39,7 +39,7 @@ inline std::shared_ptr<SurfaceMesh> MakeFloor(int n = 1)
   return std::make_shared<SurfaceMesh>(points, faces, Corners{});
 }
 
-/// The cube |x|, |y|, |z| <= half.
+/// Returns the cube |x|, |y|, |z| <= half.
 inline std::shared_ptr<SurfaceMesh> MakeCube(double half)
 {
   Corners points;
@@ -52,7 +52,8 @@ inline std::shared_ptr<SurfaceMesh> MakeCube(double half)
   return std::make_shared<SurfaceMesh>(points, faces, Corners{});
 }
 
-/// A ball around 0 of n x 2n facets, with the normals of the sphere or none.
+/// Returns a ball around the origin with n x 2n facets, with the sphere's normals or without
+/// normals.
 inline std::shared_ptr<SurfaceMesh> MakeBall(double radius, int n, bool hasNormals)
 {
   Corners points;

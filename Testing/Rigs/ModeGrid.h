@@ -57,7 +57,7 @@ public:
     }
   }
 
-  /// One mode, in a world of millimetres.
+  /// Sets one mode, in a world of millimetres.
   void Bake(ModeKind kind, const Polyline& first, const Polyline& second = ConstantPolyline(0.0))
   {
     this->Mode.Kind = kind;
@@ -70,7 +70,7 @@ public:
     this->Memory = {};
   }
 
-  /// The primitives at a position (mm).
+  /// Returns the primitives at a position (mm).
   PrimitiveSet At(const Vector3& place) const
   {
     PrimitiveSet set;
@@ -79,7 +79,7 @@ public:
     return set;
   }
 
-  /// Runs a tick; mm.
+  /// Runs a tick with a tip (mm).
   void Move(const Vector3& tip)
   {
     this->Motion = SolvePrimitives(this->Field->GetField(), CouplingOf, this->QuarterVoxel,
@@ -92,8 +92,9 @@ public:
   }
   void StartAt(const Vector3& place) { this->Motion.Proxy = 1e-3 * place; }
 
-  /// The largest total pull (N) of the primitives near the proxy: at the corners of a cube around
-  /// it, as large as the last part of a step, by which the proxy may be ahead of its force.
+  /// Returns the largest total strength (N) of the primitives near the proxy: at the corners of a
+  /// cube around it, of the size of the last part of a step, by which the proxy may be ahead of its
+  /// force.
   double ComputeStrengths() const
   {
     const double part = PrimitiveFollower::FinishedFraction * this->QuarterVoxel;

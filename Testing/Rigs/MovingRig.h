@@ -34,8 +34,8 @@ inline double BallRadius(double t)
   return 20.0 + 2.0 * std::sin(2.0 * Pi * t / Period);
 }
 
-/// Time steps of a volume of 25 mm along x, whose x side has its middle at `From`: 26 x 25 x 25
-/// voxels of 1 mm, or as wide in voxels of another size (mm).
+/// The time steps of a volume of 25 mm along x, whose side of lower x has its middle at `From`: 26
+/// x 25 x 25 voxels of 1 mm, or as wide in voxels of another size (mm).
 class Movie
 {
 public:
@@ -138,8 +138,8 @@ inline HapticModelDescription WithStrength(HapticModelDescription description, d
   return description;
 }
 
-/// Uses the spline: the Gaussian's blur moves the surface of a ball by 0.03 mm, as the evaluation
-/// shows; the spline's by 0.016 mm.
+/// Selects the spline. The Gaussian's blur moves the surface of a ball by 0.03 mm, as the
+/// evaluation shows; the spline's blur by 0.016 mm.
 inline HapticModelDescription WithSpline(HapticModelDescription description)
 {
   description.Estimator = GradientEstimator::CubicBSpline;

@@ -18,8 +18,8 @@ namespace hardwaretest
 struct Stick
 {
   std::uint8_t FirstId = 0x11;
-  std::int16_t Magnitude = 10000; ///< the range is -this to this
-  bool HasSign = true;            ///< else the range is 0 to Magnitude
+  std::int16_t Magnitude = 10000; ///< the range is -Magnitude to Magnitude
+  bool HasSign = true;            ///< if false, the range is 0 to Magnitude
   bool ControlInBits = false;     ///< Device Control is six bits, not one of six values
   bool HasAxesEnable = true;
   const char* Without = ""; ///< the omitted part
@@ -66,7 +66,7 @@ inline Bytes ControlFields(const Stick& stick)
                          : Bytes{ 0x15, 0x01, 0x25, 0x06, 0x75, 0x08, 0x95, 0x01, 0x91, 0x00 });
 }
 
-/** The whole descriptor; ids count up in this order. */
+/** Returns the whole descriptor; ids count up in this order. */
 inline Bytes Describe(const Stick& stick)
 {
   const auto low = static_cast<std::uint16_t>(stick.HasSign ? -stick.Magnitude : 0);
@@ -122,7 +122,7 @@ inline PidDevice Mapped(const Stick& stick)
   return device;
 }
 
-/** The descriptor as hidapi returns it. */
+/** Returns the descriptor as hidapi returns it. */
 inline Bytes Wire(const HidReport& report)
 {
   return { report.Bytes.begin(), report.Bytes.begin() + 1 + static_cast<long>(report.Size) };

@@ -28,7 +28,8 @@ public:
   std::string GetName() const override { return "played"; }
   DeviceLimits GetLimits() const override { return {}; }
 
-  /// A path up and down along z, a little sideways; at most 0.3 m/s by the loop's clock at 5 kHz.
+  /// Returns a position on a path up and down along z and slightly sideways; at most 0.3 m/s by the
+  /// loop's clock at 5 kHz.
   static Vector3 TipOf(std::uint64_t tick)
   {
     const double phase = 2e-3 * static_cast<double>(tick);
@@ -83,10 +84,10 @@ public:
   std::atomic<std::uint64_t> LastPush{ 0 }; ///< number of the last write of a nonzero force
   std::atomic<double> Force{ 0.0 };         ///< norm of the last force
   std::atomic<double> LargestForce{ 0.0 };
-  double LargestGrowth = 0.0; ///< N in a tick; read it once the loop has ended
+  double LargestGrowth = 0.0; ///< N per tick; read it when the loop has ended
 
 protected:
-  /// Called on the servo's thread, once a tick.
+  /// Called once per tick on the servo's thread.
   virtual void InTick() noexcept {}
 
 private:
@@ -94,8 +95,8 @@ private:
 };
 
 /**
- * While this exists, the loop waits for its reader. The ring holds 0.4 s; a reader under a
- * sanitizer on a busy machine takes longer.
+ * While this object exists, the loop waits for its reader. The ring holds 0.4 s, and a reader under
+ * a sanitizer on a busy machine takes longer.
  */
 class ReaderPace
 {
@@ -126,13 +127,13 @@ inline SafetyLimits QuickLimits()
   SafetyLimits limits;
   limits.MaximumForce = 4.0;
   limits.RampTime = 0.01;
-  // Avoid the watchdog: a busy machine must not look like a frozen device.
+  // Disable the watchdog, because a busy machine must not look like a frozen device.
   limits.WatchdogTime = 60.0;
   return limits;
 }
 
-/// The number of loops that a test makes in a row. A sanitizer makes loops slowly, but sees a race
-/// within a few.
+/// Returns the number of loops that a test makes in a row. A sanitizer makes loops slowly, but
+/// detects a race within a few.
 constexpr int Lives(int count)
 {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

@@ -30,7 +30,7 @@ struct PlayedHardware
     static PlayedHardware played;
     return played;
   }
-  /** Adds the kind "played"; call it once in a program. */
+  /** Adds the kind "played". Call it once per program. */
   static bool Add();
 };
 

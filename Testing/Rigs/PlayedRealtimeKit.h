@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** A D-Bus of the test's own, with a service that plays RealtimeKit (played_rtkit.py). */
+/** The test's own D-Bus, with a simulated RealtimeKit service (played_rtkit.py). */
 #ifndef PlayedRealtimeKit_h
 #define PlayedRealtimeKit_h
 
@@ -70,7 +70,7 @@ public:
       this->Process = -1;
     }
   }
-  /// Waits for a line. Empty at the end of the output.
+  /// Waits for a line. Returns an empty text at the end of the output.
   std::string ReadLine()
   {
     std::string line;
@@ -97,7 +97,8 @@ private:
   std::FILE* Output = nullptr;
 };
 
-/// Becomes the system bus of this process, and the session bus of processes that it starts.
+/// A bus that becomes the system bus of this process, and the session bus of processes that it
+/// starts.
 class PlayedBus
 {
 public:
@@ -107,7 +108,7 @@ public:
     setenv("DBUS_SESSION_BUS_ADDRESS", this->Address.c_str(), 1);
   }
   void Kill() { this->Daemon.Kill(); }
-  /// What the test's system lacks; null if nothing is missing.
+  /// Returns what the system lacks for the test; null if nothing is missing.
   const char* DetectMissing() const
   {
     return this->Address.empty() ? "dbus-daemon is missing (on Debian: dbus)"
@@ -122,7 +123,7 @@ private:
   const std::string Address{ this->Daemon.ReadLine() };
 };
 
-/// Waits until the service exists.
+/// A simulated RealtimeKit. The constructor waits until the service exists.
 class PlayedRealtimeKit
 {
 public:

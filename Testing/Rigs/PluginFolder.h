@@ -18,8 +18,8 @@ namespace devicetest
 {
 
 /**
- * Lies in the system's folder for temporary files, which is sticky: other users may be able to
- * write the folders above the build tree.
+ * The folder is in the system's folder for temporary files, which is sticky. Other users may be
+ * able to write the folders above the build tree.
  */
 class PluginFolder
 {

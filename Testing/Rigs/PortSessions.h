@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Random sessions of a hand, a device and a wall in closed loop through the safety stage,
- * with honest devices and devices with wrong signs. Unstable loops are in ArmSessions.h.
+ * Random sessions of a hand, a device and a wall in closed loop through the safety stage, with
+ * honest devices and devices with wrong signs. Unstable loops are in ArmSessions.h.
  *
- * The hand is a mass with a spring and a damper to its goal: a minimum-jerk
- * motion (Flash and Hogan 1985) to a depth and back, taps, strokes along the wall, with or without
- * a tremor of 8 to 12 Hz. A limp device has no hand. The motion is integrated in steps of 80 us at
- * most. The device has encoders with a quantum, and may take forces a tick late or report every 8
- * ms. The wall is a half space with a proxy: a spring, friction, and tissue that yields.
+ * The hand is a mass with a spring and a damper to its goal: a minimum-jerk motion (Flash and Hogan
+ * 1985) to a depth and back, taps, strokes along the wall, with or without a tremor of 8 to 12 Hz.
+ * A limp device has no hand. The motion is integrated in steps of at most 80 us. The device has
+ * encoders with a quantum, and may apply forces one tick late or report every 8 ms. The wall is a
+ * half-space with a proxy: a spring, friction, and tissue that yields.
  *
  * A loop is honest if damping outweighs what sampling and delay add: b > 1.3 k (T / 2 + delay).
  */
@@ -41,9 +41,9 @@ enum class PortKind : std::uint8_t
 struct PortResult
 {
   bool IsFound = false;
-  double Given = 0.0;   ///< J, given to the hand until detection, or the largest
-  double Way = 0.0;     ///< m, from the first force to there, or the longest
-  double Rising = 0.0;  ///< J, the largest of PortObserver
+  double Given = 0.0;   ///< J, given to the hand until detection, or the largest value
+  double Way = 0.0;     ///< m, from the first force to detection, or the longest
+  double Rising = 0.0;  ///< J, the largest value of PortObserver
   double RunAway = 0.0; ///< J
 };
 
@@ -70,7 +70,7 @@ public:
     limits.RampTime = 0.0;
     ForceGate gate;
     SafetyStage stage;
-    // A second observer beside the stage's, for its figures.
+    // A second observer in addition to the stage's, for its figures.
     PortObserver watch;
     gate.Arm();
     stage.Reset();
@@ -169,7 +169,7 @@ private:
     this->Normal = this->PickDirection();
     while (this->Kind == PortKind::WrongSign && Dot(this->Normal, this->Turn(this->Normal)) > -0.5)
     {
-      // Press against the wrong axes: other walls do not show a wrong sign.
+      // Press along the wrong axes, because other walls do not reveal a wrong sign.
       const std::uint32_t wrong = 1 + this->Engine() % 7;
       for (int i = 0; i < 3; ++i)
       {
@@ -198,7 +198,7 @@ private:
     this->Depth = Dot(this->Start, this->Normal) + this->Pick(0.002, 0.05);
     const double speed = this->PickScale(0.03, 1.0);
     const double acceleration = this->Pick(3.0, 10.0);
-    // The peaks of a minimum-jerk motion are 1.875 D / T and 5.77 D / T^2.
+    // The peaks of a minimum-jerk motion are 1.875 D / T (speed) and 5.77 D / T^2 (acceleration).
     this->Time =
       std::max(1.875 * this->Depth / speed, std::sqrt(5.7735 * this->Depth / acceleration));
     this->Tremor = this->Chance(0.5) ? 0.0 : this->PickScale(5e-5, 5e-4);
@@ -240,8 +240,8 @@ private:
   }
 
   /**
-   * The force of a half space with a proxy: friction holds the proxy, and it sinks if the tissue
-   * yields.
+   * Returns the force of a half-space with a proxy. Friction holds the proxy, and the proxy sinks
+   * if the tissue yields.
    */
   Vector3 ComputeWallForce(const Vector3& tip)
   {
@@ -268,8 +268,8 @@ private:
   }
 
   /**
-   * Moves for a tick under a force; returns the energy (J) that it gives. Semi-implicit, in fine
-   * steps.
+   * Moves for one tick under a force, in fine semi-implicit steps. Returns the energy (J) that the
+   * force gives.
    */
   double Move(double time, const Vector3& force)
   {
@@ -299,7 +299,7 @@ private:
   std::mt19937 Engine;
   PortKind Kind;
   bool IsHeld;
-  double Stiffness; ///< N/m; 0 chooses one
+  double Stiffness; ///< N/m; 0: a random stiffness
 
   double Period = 1e-3;
   int Delay = 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** What tests use of POSIX and Windows has under other names. */
+/** POSIX functions that tests use and that Windows has under other names. */
 #ifndef Portable_h
 #define Portable_h
 
@@ -20,7 +20,7 @@
 #endif
 
 #if defined(_WIN32)
-/// Names and values are UTF-8.
+/// Names and values are in UTF-8.
 inline int setenv(const char* name, const char* value, int)
 {
   const std::string text = std::string(name) + "=" + value;
@@ -41,7 +41,7 @@ inline long GetProcessNumber()
 #endif
 }
 
-/// Makes a folder that did not exist, whose name begins so.
+/// Makes a new folder whose name starts with `begin`.
 inline std::filesystem::path MakeNewFolder(const std::filesystem::path& begin)
 {
 #if defined(_WIN32)

@@ -11,7 +11,7 @@
 
 namespace devicetest
 {
-/// Whether there are two or more, and the kernel lets the thread choose.
+/// Returns whether there are at least two processors and the kernel lets the thread choose.
 inline bool MayChooseProcessor(cpu_set_t& processors)
 {
   return sched_getaffinity(0, sizeof(processors), &processors) == 0 && CPU_COUNT(&processors) > 1 &&

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** vtkPiecewiseFunctions of every kind, and critical arguments for them. */
+/** vtkPiecewiseFunctions of all kinds, and critical arguments for them. */
 #ifndef RandomFunctions_h
 #define RandomFunctions_h
 
@@ -21,7 +21,8 @@ struct Shape
   bool LogScale;
 };
 
-/// Values from 0 to `height` over [low, low + width]; low has to be positive with a log scale.
+/// Returns a function with values from 0 to `height` over [low, low + width]. With a log scale, low
+/// must be positive.
 inline vtkSmartPointer<vtkPiecewiseFunction> RandomFunction(
   std::mt19937_64& engine, const Shape& shape, double low, double width, double height)
 {
@@ -34,8 +35,8 @@ inline vtkSmartPointer<vtkPiecewiseFunction> RandomFunction(
   const int nodes = 1 + static_cast<int>(engine() % 8);
   for (int i = 0; i < nodes; ++i)
   {
-    // Put nodes on a grid, so that duplicates and steep edges occur. (VTK's own difference of two
-    // logarithms has no digits left for edges as steep as with a linear scale.)
+    // Put nodes on a grid, so that duplicates and steep edges occur. (With a log scale, VTK's
+    // difference of two logarithms loses all digits at edges as steep as with a linear scale.)
     double share = std::floor(8.0 * uniform(engine)) / 8.0;
     share += uniform(engine) < 0.3 ? (shape.LogScale ? 1e-3 : 1e-6) * uniform(engine) : 0.0;
     const double sharpness = shape.Sharpness < 0.0 ? corner(uniform(engine)) : shape.Sharpness;
@@ -45,7 +46,7 @@ inline vtkSmartPointer<vtkPiecewiseFunction> RandomFunction(
   return function;
 }
 
-/// Arguments: nodes, their neighbours, positions all over the pieces, and outside.
+/// Returns arguments: nodes, their neighbours, positions all over the pieces, and outside.
 inline std::vector<double> ArgumentsOf(vtkPiecewiseFunction* function, std::mt19937_64& engine)
 {
   const std::vector<Node> nodes = NodesOf(function);

@@ -3,18 +3,18 @@
 
 /**
  * Random presses of a hand that is led through a conservative force field, in and out again,
- * through the safety stage, to find out how much more energy it gets than it put in.
+ * through the safety stage. They measure how much more energy the hand gets than it has put in.
  *
- * The field is a spring wall, a plane or the inside of a sphere. Half of the walls have a proxy:
+ * The field is a spring wall: a plane or the inside of a sphere. Half of the walls have a proxy:
  * where the gate makes the proxy begin at the tip, the wall begins there, too, until the tip has
- * gone back. Walls without a proxy are armed only while the hand is outside: inside, the hand would
+ * gone back. Walls without a proxy are armed only while the hand is outside; inside, the hand would
  * get the energy of its position.
  *
  * The device holds the force of a tick until the next one, so that a tick gives the hand the energy
- * F . dx. Around a closed path a spring k gives k |dx|^2 / 2 a tick even without the stage: W held
- * over dx is W . dx, and the integral of W along dx is W . dx - k |dx|^2 / 2. This leak of sampling
- * is allowed for all motions with force. While a device does not report its motion, or the loop
- * stands still, the energy of the last force is allowed.
+ * F . dx. Around a closed path, a spring k gives k |dx|^2 / 2 per tick even without the stage: W
+ * held over dx is W . dx, and the integral of W along dx is W . dx - k |dx|^2 / 2. This leak of
+ * sampling is allowed for all motions with force. While a device does not report its motion, or the
+ * loop stands still, the energy of the last force is allowed.
  */
 #ifndef RandomPresses_h
 #define RandomPresses_h
@@ -34,11 +34,11 @@ struct StageRules
   const char* Name;
   bool Clamp = false;
   bool Slew = false;
-  bool Ramp = false; ///< arms the gate anew at random moments of a press
+  bool Ramp = false; ///< arms the gate again at random moments of a press
   bool Fade = false; ///< moves the opening up and down, for data that come and go
   bool Hold = false; ///< the owner holds and releases
   bool Gap = false;  ///< samples are missing, the loop stands still
-  bool Trip = false; ///< faults, disarming, fades, the clutch; armed again later
+  bool Trip = false; ///< faults, disarming, fades, the clutch; arms again later
 };
 
 inline constexpr StageRules AllStageRules[] = {
@@ -77,7 +77,7 @@ public:
     this->Stage.Arm();
   }
 
-  /// Presses once; returns the energy (J) that the hand got above the leak of sampling.
+  /// Presses once. Returns the energy (J) that the hand got above the leak of sampling.
   double Press()
   {
     this->Given = this->Leak = 0.0;
@@ -106,7 +106,8 @@ private:
   bool Happens(double perSecond) { return this->Draw(0.0, 1.0) < perSecond * Period; }
 
   VolumeHaptics::Vector3 Home() const { return { 0.0, 0.0, this->IsSphere ? 0.0 : 0.005 }; }
-  /// The depth (m) towards the wall, and where the wall begins without a proxy.
+  /// Depth() returns the depth (m) towards the wall; Surface() returns the depth at which the wall
+  /// begins without a proxy.
   double Depth(const VolumeHaptics::Vector3& x) const { return this->IsSphere ? Norm(x) : -x.Z; }
   double Surface() const { return this->IsSphere ? 0.008 : 0.0; }
   VolumeHaptics::Vector3 Field(const VolumeHaptics::Vector3& x) const
@@ -139,7 +140,7 @@ private:
     }
   }
 
-  /// Runs a tick: the force at the last known tip, held while the hand moves.
+  /// Runs a tick with the force at the last known tip, which is held while the hand moves.
   void Step(const VolumeHaptics::Vector3& way)
   {
     this->Input.Elapsed += Period;
@@ -154,7 +155,7 @@ private:
     this->Given += Dot(this->Force, way);
     this->Leak += isSilent || isStanding ? Norm(this->Force) * Norm(way) : 0.0;
   }
-  /// True if the position of the tip is not known.
+  /// Runs the stage's part of a tick. Returns true if the tip's position is not known.
   bool Tick()
   {
     this->Trouble();

@@ -45,7 +45,7 @@ protected:
     this->Device->SetDeviceToWorld(m);
     ASSERT_TRUE(this->Device->Publish());
   }
-  /// The recording and the filter's replay of it.
+  /// Compares the recording with the filter's replay of it.
   void ExpectSame(double leastForce = 0.5)
   {
     ASSERT_TRUE(this->Device->GetRecorder()->Stop());

@@ -30,7 +30,7 @@
 
 namespace removaltest
 {
-/// A ball without tissue, with an edge of three samples, as FRONTIER 3.3 has it.
+/// A ball without tissue, with an edge of three samples, as in FRONTIER 3.3.
 struct Hole
 {
   double Middle[3]; ///< index
@@ -46,7 +46,7 @@ struct Hole
   }
 };
 
-/// The remaining value V' = V - (1 - rho) (V - V_air), rho the fraction.
+/// Returns the remaining value V' = V - (1 - rho) (V - V_air), where rho is the fraction.
 inline double LeftOf(double value, double fraction, double air)
 {
   return value - (1.0 - fraction / 255.0) * (value - air);
@@ -55,7 +55,7 @@ inline double LeftOf(double value, double fraction, double air)
 /// Loads the fractions of a hole into a removal, through a file.
 inline bool LoadHole(vtkHapticRemoval* removal, vtkImageData* volume, const Hole& hole, double air)
 {
-  // Use a name of its own: tests may run at the same time in one folder.
+  // Use a unique name, because tests may run at the same time in one folder.
   const std::string file = "LoadedHole" + std::to_string(getpid()) + ".vti";
   const int* const extent = volume->GetExtent();
   vtkNew<vtkImageData> image;
@@ -90,8 +90,8 @@ inline bool LoadHole(vtkHapticRemoval* removal, vtkImageData* volume, const Hole
   return isRead;
 }
 
-/// A copy of an image with the hole in a component. Each sample has the mean of a cube of
-/// fractions, of a volume that begins at `first` and is `step` times as fine.
+/// Returns a copy of an image with the hole in a component. Each sample has the mean of a cube of
+/// fractions, from a volume that begins at `first` and is `step` times as fine.
 inline vtkSmartPointer<vtkImageData> MakeLeft(
   vtkImageData* image, int component, const Hole& hole, double air, int step = 1)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** A device's states, made by a formula. */
+/** States of a device, made by a formula. */
 #ifndef ScriptedStates_h
 #define ScriptedStates_h
 
@@ -15,8 +15,8 @@
 namespace scenetest
 {
 
-/// States at a kilohertz from a time to another (s): a normal force, and the values that belong to
-/// it.
+/// Returns states at 1 kHz from one time to another (s): a normal force, and the values that belong
+/// to it.
 template <typename F>
 vtkSmartPointer<vtkTable> MakeStates(double from, double to, F&& normal)
 {

@@ -44,7 +44,7 @@ inline bool BeginsWith(const std::string& text, const std::string& beginning)
   return text.compare(0, beginning.size(), beginning) == 0;
 }
 
-/// Returns the path of a public header, in the room of its parts.
+/// Returns the path of a public header, wherever it is under Module/VTK.
 inline std::filesystem::path PublicHeader(const std::string& header)
 {
   for (const std::filesystem::directory_entry& entry :

@@ -14,10 +14,11 @@
 namespace coretest
 {
 constexpr double Pi = 3.14159265358979323846;
-/// The pressure at 1 m depth: the default stiffness, 500 N/m, on the default area, 25 mm^2.
+/// The pressure at a depth of 1 m: the default stiffness, 500 N/m, over the default area, 25 mm^2.
 constexpr double Kappa = 2e7;
 
-/// Points of equal areas on a sphere around the origin, along a spiral by the golden angle.
+/// Returns points of equal areas on a sphere around the origin, along a spiral with the golden
+/// angle.
 inline std::vector<ShellPoint> MakeSphere(double radius, int count)
 {
   std::vector<ShellPoint> points;
@@ -33,7 +34,7 @@ inline std::vector<ShellPoint> MakeSphere(double radius, int count)
   return points;
 }
 
-/// A square normal to z through the origin.
+/// Returns a square through the origin, perpendicular to z.
 inline std::vector<ShellPoint> MakeSquare(double side, int count)
 {
   std::vector<ShellPoint> points;
@@ -72,7 +73,7 @@ Quaternion RandomTurn(Engine& engine)
   return (1.0 / std::sqrt(SquaredNorm(q))) * q;
 }
 
-/// V = 100 r around the middle of a cube.
+/// Returns V = 100 r around the middle of a cube.
 inline TestVolume MakeCavity(std::int64_t samples)
 {
   TestVolume volume(ScalarType::Float64, { samples, samples, samples });
@@ -106,7 +107,7 @@ public:
     const ShellRecord last = this->Record;
     if (this->State.Enabled)
     {
-      // The energy of the springs while the tool rests.
+      // Work of the hand on the springs while the tool rests.
       this->Work += this->EnergyOfSprings(this->Record.Tool, pose) -
         this->EnergyOfSprings(this->Record.Tool, last.Hand);
     }
@@ -135,7 +136,8 @@ public:
     }
     return this->Record;
   }
-  /// Computed from the angle between both, unlike the tick's formula.
+  /// Returns the energy (J) of the springs. Computed from the angle between both, unlike the tick's
+  /// formula.
   double EnergyOfSprings(const ShellPose& tool, const ShellPose& hand) const
   {
     const Vector3 lag = tool.Position - hand.Position;

@@ -18,7 +18,7 @@ namespace signtest
 struct Port
 {
   double Rate = 1000.0;     ///< Hz, of the servo
-  double ReportTime = 0.0;  ///< s between two reports; 0: one a tick
+  double ReportTime = 0.0;  ///< s between two reports; 0: one per tick
   double Quantum = 0.06e-3; ///< m
   bool IsLate = false;      ///< forces act one tick later
   double Force = 8.0;       ///< N, the largest force
@@ -32,14 +32,14 @@ struct Outcome
   double Seconds = 0.0; ///< s until the verdict
 };
 
-/// Checks the signs of a device in a hand until there is a verdict, for two minutes at most.
+/// Checks the signs of a device in a hand until there is a verdict, for at most two minutes.
 inline Outcome CheckSigns(const Hand& hand, const Port& port, const Triple& signs, unsigned seed)
 {
   using namespace VolumeHaptics;
   HeldDevice held(hand, signs, seed);
   HeldDevice free(hand, signs, seed);
-  // Friction holds the tip against the hand's own spring, and a push releases the stored force:
-  // then only the motion since the beginning of each push belongs to the push.
+  // Friction holds the tip against the hand's own spring, and a push releases the stored force. In
+  // this case, only the motion since the beginning of each push belongs to the push.
   const bool isComparable = hand.StaticFriction == 0.0;
   SignCheck check;
   check.Begin(7, port.Force);
@@ -103,10 +103,10 @@ public:
     hand.Mass = 0.05 * std::pow(10.0, this->Between(0.0, 1.0));
     hand.Stiffness = this->Pick({ 0.0, 0.0, 50.0, 150.0, 300.0, 500.0 });
     hand.Damping = this->Pick({ 0.0, 0.5, 2.0, 5.0, 20.0 });
-    // A hand is damped, by a tenth of critical damping or more.
+    // A hand has at least a tenth of critical damping.
     hand.Damping = std::max(hand.Damping, 0.2 * std::sqrt(hand.Stiffness * hand.Mass));
-    // A hand that leans on friction by more than a millimetre leaps by itself once it slips:
-    // exclude it.
+    // Exclude a hand that leans on friction by more than a millimetre, because it leaps by itself
+    // once it slips.
     const double friction = this->Pick({ 0.0, 0.0, 0.05, 0.15 });
     hand.StaticFriction =
       hand.Stiffness > 0.0 ? std::min(friction, 1e-3 * hand.Stiffness) : friction;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** A direction off the axes. */
+/** A direction that is not along an axis. */
 #ifndef Slanted_h
 #define Slanted_h
 
@@ -11,7 +11,7 @@ namespace coretest
 {
 using namespace VolumeHaptics;
 
-/// A rotation about a slanted axis.
+/// Returns a rotation about an oblique axis.
 inline Matrix3 Slanted()
 {
   const double c = 0.36;

@@ -40,7 +40,7 @@ struct StiffArm
 
   static constexpr double Period = 1e-3; ///< s
   double RoundTrip() const { return Period * (1 + 2 * this->Delay); }
-  /** 2 b / T */
+  /** Returns 2 b / T. */
   double Sampled() const { return 2.0 * this->Damping / this->RoundTrip(); }
 
   static StiffArm FalconLike() { return { "Falcon-like", 0.1, 0.5, 0.2, 6e-5, 1, 8.0 }; }
@@ -66,15 +66,15 @@ struct StiffResult
   double Swing = 0.0; ///< m, of the tip during the hold
   /** Energy that port and friction gave to the hand, divided by that which they took. */
   double Ratio = 0.0;
-  double MostGiven = 0.0; ///< J, the largest that the hand ever got in excess of what it put in
-  /** The same without the help of the dry friction, of which the account knows nothing. */
+  double MostGiven = 0.0; ///< J: largest energy that the hand ever got beyond what it had put in
+  /** The same without the help of the dry friction, which the account does not know. */
   double MostWithoutFriction = 0.0;
   double Deepest = 0.0;  ///< m
-  bool IsDamped = false; ///< by PortDamper
-  bool IsCut = false;    ///< by a fault
+  bool IsDamped = false; ///< PortDamper acted
+  bool IsCut = false;    ///< a fault cut the force
 };
 
-/** Presses for two seconds, of which the last but one is the hold, and lets go for one. */
+/** Presses for two seconds and releases for one. The hold is measured from 1.0 to 1.9 s. */
 inline StiffResult PressStiffly(const StiffArm& arm, const StiffPress& press)
 {
   using namespace VolumeHaptics;
@@ -150,7 +150,7 @@ inline StiffResult PressStiffly(const StiffArm& arm, const StiffPress& press)
       const bool isFelt = x < 0.0 || force > 0.0;
       v += h / mass * (force - lost + push);
       x += h * v;
-      // The friction acts on the hand's side of the port.
+      // Friction acts on the hand's side of the port.
       const double friction = isFelt ? h * v * lost : 0.0;
       taken += friction;
       net -= friction;

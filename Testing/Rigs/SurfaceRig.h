@@ -12,7 +12,7 @@
 
 namespace coretest
 {
-/// Describes a mesh in world units of a millimetre, a proxy of 1 mm radius, and 500 N/m.
+/// Describes a mesh in millimetres with a proxy of 1 mm radius and 500 N/m.
 inline HapticModelDescription DescribeMesh(
   const TestVolume& volume, std::shared_ptr<const SurfaceMesh> mesh, double friction = 0.0)
 {

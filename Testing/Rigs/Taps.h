@@ -4,9 +4,9 @@
  * @file
  * A tap on a wall in closed loop through the safety stage, with the arms of StiffWalls.h.
  *
- * A hand throws the arm, with 50 g of a finger, and does not press: what stops the arm is the wall
- * alone. An ideal spring K would stop it after x = v sqrt(m / K); so K = m (v / x)^2 is
- * the effective stiffness of a wall that stops it after x.
+ * A hand throws the arm together with 50 g of a finger, and does not press, so that only the wall
+ * stops the arm. An ideal spring K would stop it after x = v sqrt(m / K). So K = m (v / x)^2 is the
+ * effective stiffness of a wall that stops it after x.
  */
 #ifndef Taps_h
 #define Taps_h
@@ -24,15 +24,15 @@ struct Tap
   double Stiffness = 0.0; ///< N/m
   double Frequency = 0.0; ///< Hz, of the material
   double Gain = 0.0;      ///< of the transient
-  double Phase = 0.0;     ///< fraction of a tick by which the touch is later
+  double Phase = 0.0;     ///< fraction of a tick by which the touch is delayed
   bool MovesTip = true;
 };
 
 struct TapResult
 {
   double Effective = 0.0; ///< N/m
-  double Returned = 0.0;  ///< energy with which the arm leaves / that with which it came
-  /** J, the largest energy that the port and the friction ever gave in excess of what they took. */
+  double Returned = 0.0;  ///< energy with which the arm leaves, divided by that with which it came
+  /** J: largest energy that port and friction ever gave beyond what they took */
   double MostGiven = 0.0;
   std::vector<double> Forces; ///< N, sent in each tick since the touch
 };

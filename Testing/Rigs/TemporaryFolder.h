@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Files of a test program, in a folder of its own that is removed at its end. */
+/** The files of a test program, in its own folder, which is removed at the program's end. */
 #ifndef TemporaryFolder_h
 #define TemporaryFolder_h
 
@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <string>
 
-/// The path of a file in the folder, which ends with a slash and has "VolumeHaptics" in its name.
+/// Returns the path of a file in the folder. The folder's path has "VolumeHaptics" in its name.
 inline std::string TemporaryPath(const std::string& name)
 {
   struct Folder

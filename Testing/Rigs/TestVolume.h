@@ -46,7 +46,8 @@ public:
     return elements * WithSampleType(type, [](auto t) { return sizeof(t); });
   }
 
-  /// A random value that the type can hold; floating-point values up to 1e6 in size.
+  /// Fills the volume with random values that the type can hold; floating-point values are up to
+  /// 1e6 in size.
   void FillRandom(unsigned seed)
   {
     std::mt19937_64 engine(seed);
@@ -81,7 +82,7 @@ public:
     }
   }
 
-  /// The sample at an index; indices beyond the border give the border's sample.
+  /// Returns the sample at an index. An index beyond the border gives the border's sample.
   double operator()(std::int64_t i, std::int64_t j, std::int64_t k) const
   {
     const std::int64_t at[3] = { i, j, k };
