@@ -10,7 +10,8 @@
  * are as soft as they really are, have no noticeable drag; they must not have grains either.
  *
  * Fat near ribs has more noise than other fat, and reaches -190 HU. Muscle has septa of fat that
- * are thinner than the kernel, so that they are shallow dips, 60 HU below the muscle.
+ * are thinner than the kernel, so that they are shallow dips, 60 HU below the muscle. Vessels of
+ * the lung that are thinner than the kernel reach -470 HU, as a blanket around a body does.
  */
 
 #include "Roughness.h"
@@ -51,7 +52,7 @@ struct GrainOf
   double Mean;
   double Deviation;
   bool IsFelt = true;  ///< whether its drag is more than 0.05 N
-  double Septum = 0.0; ///< depth of septa across x, HU
+  double Septum = 0.0; ///< depth of septa across x, HU; negative for vessels
 };
 
 constexpr double SeptumWidth = 1.2;    // mm, of a Gaussian
@@ -176,6 +177,7 @@ std::vector<GrainOf> ListGrains()
     grains.push_back({ preset, "Lung", -883.0, 37.0, false });
     grains.push_back({ preset, "NoisyFat", -112.0, 20.0, isFelt });
     grains.push_back({ preset, "MuscleWithSepta", 60.0, 6.0, isFelt, 75.0 });
+    grains.push_back({ preset, "LungWithVessels", -870.0, 12.0, false, -400.0 });
   }
   return grains;
 }

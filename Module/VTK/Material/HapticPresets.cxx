@@ -120,13 +120,14 @@ const std::vector<Preset>& Presets()
     // Just under the skin of a head CT the values reach 37 HU, so the stiffness of organs begins
     // above that, and at 37 HU a finger that leaves a slope still feels 0.1 N.
     // Values without surface strength have the stiffness of an organ, so that springs begin without
-    // slack.
+    // slack. Skin holds from -400 HU on: a blanket, a foam and the thin vessels of a lung have at
+    // most -450 HU, and hold nothing.
     { "CT physical",
       {
         { "air", -1024, -955, 28, 0.00, 0.00, 0.00 },
         { "lung", -950, -700, 28, 0.46, 0.01, 0.00 },
-        { "skin", -500, -200, 53, 0.46, 0.02, 0.30 },
-        { "fat under skin", -150, -30, 53, 0.46, 0.02, 0.30 },
+        { "edge of skin, cloth", -500, -400, 53, 0.46, 0.02, 0.00 },
+        { "skin, fat under skin", -200, -30, 53, 0.46, 0.02, 0.30 },
         { "fluid", -10, 15, 53, 0.46, 0.02, 0.30 },
         { "skin, brain", 20, 27, 53, 0.46, 0.02, 0.30 },
         { "muscle, organ", 47, 80, 28, 0.46, 0.03, 0.40 },
