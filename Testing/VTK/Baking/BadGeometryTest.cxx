@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Images without extent or with a place in the world that makes no sense.
+ * Images without extent, or with a place in the world that makes no sense.
  */
 
 #include "Rigs/BadImage.h"
@@ -63,7 +63,7 @@ const BadImage BadGeometries[] = {
 };
 } // namespace
 
-/// The cure that the error names works.
+/// The cure that the error names works: images with this many points are felt.
 TEST(ThinImages, AreFeltWithAsManyPointsAsTheErrorNames)
 {
   for (const auto& [radius, points] : { std::pair(1, 3), std::pair(2, 5), std::pair(4, 9) })

@@ -97,7 +97,8 @@ TEST_F(BadLabelsTest, GeometryNeedsLabels)
 
 TEST_F(BadLabelsTest, AThinImageIsFelt)
 {
-  // One voxel thin, far away: labels need no gradient, and nothing is there.
+  // An image that is one voxel thin is accepted, since labels need no gradient. It is far away from
+  // the path.
   vtkNew<vtkImageData> thin;
   thin->SetDimensions(1, 4, 4);
   thin->SetOrigin(1e6, 0.0, 0.0);

@@ -73,7 +73,7 @@ const BadImage BadScalars[] = {
   { "ComponentWithoutMemory",
     [](auto* image, auto* filter)
     {
-      // As if an application gave its own memory for one of two components.
+      // An application gave its own memory to one of two components only.
       vtkNew<vtkSOADataArrayTemplate<float>> separate;
       separate->SetName("Density");
       separate->SetNumberOfComponents(2);
@@ -99,7 +99,7 @@ TEST_P(BadScalarsTest, GivesOneErrorAndRecovers)
 
 using ComponentMemory = ApiTest;
 
-/// The ramp as component 1 of two, first without its memory, then with it.
+/// The ramp is component 1 of two: first it has no memory, then it has.
 TEST_F(ComponentMemory, IsGivenAsTheErrorSays)
 {
   const vtkSmartPointer<vtkDataArray> density = this->Image->GetPointData()->GetScalars();

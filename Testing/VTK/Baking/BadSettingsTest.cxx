@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Settings that are not numbers: refused or reported, but never felt.
+ * Settings that are not numbers are refused or reported, and never felt.
  */
 
 #include "Rigs/ApiRig.h"
@@ -51,7 +51,8 @@ TEST_P(BadSettingTest, NeverReachesTheOutput)
     this->Filter->SetMethod(method);
     this->Log.Errors.clear();
     this->Filter->Update();
-    // One error that names the setting and an empty output, or a setting that kept to its range.
+    // Expects one error that names the setting and an empty output, or a setting that stays in its
+    // range.
     EXPECT_LE(this->Log.Errors.size(), 1U);
     vtkPolyData* const output = this->Filter->GetOutput();
     EXPECT_EQ(output->GetNumberOfPoints(), this->Log.Errors.empty() ? 51 : 0);

@@ -33,12 +33,12 @@ TEST_F(BadSurface, WithoutAnIsosurfaceThereIsAnErrorThatSaysTheRange)
 
 TEST_F(BadSurface, TheRangeOfALargeVolumeIsThatOfSomeSamples)
 {
-  // More than 2^26 samples.
+  // The volume has more than 2^26 samples, so only some of them are read for the range.
   constexpr int n = 408;
   vtkNew<vtkSignedCharArray> samples;
   samples->SetNumberOfValues(vtkIdType{ n } * n * n);
   samples->FillValue(7);
-  samples->SetValue(1000, 9); // lies between those that are looked at
+  samples->SetValue(1000, 9); // lies between the samples that are read
   vtkNew<vtkImageData> image;
   image->SetDimensions(n, n, n);
   image->GetPointData()->SetScalars(samples);

@@ -103,8 +103,8 @@ TEST(BakingOf, NoPointsMeansTheDefault)
 
 TEST(BakingOf, SmoothMaterialsStaySmall)
 {
-  // Three smooth bumps in each of the four material functions, no break point shared: together with
-  // the kernel's table (a tenth of that by default) the model has to stay under 1 MiB.
+  // The four material functions have three smooth bumps each, and share no break point. With the
+  // kernel's table (by default a tenth of that), the model must stay below 1 MiB.
   std::array<VolumeHaptics::Polyline, 5> lines;
   lines.fill(VolumeHaptics::ConstantPolyline(1.0));
   for (int f = 0; f < 4; ++f)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * One stiffness everywhere, through the filter and with every method that has a spring.
+ * SameShape sets one stiffness everywhere, with every method that has a spring.
  */
 
 #include "Rigs/ApiRig.h"
@@ -18,7 +18,8 @@ class SameShape : public ApiTest
 protected:
   SameShape()
   {
-    // 80 N/m at 700, 400 N/m at 1300: the ramp of V = 100 z has all of them.
+    // Stiffness rises from 80 N/m at 700 to 400 N/m at 1300; the ramp V = 100 z has all these
+    // values.
     this->Property->GetStiffness()->AddPoint(700.0, 80.0);
     this->Property->GetStiffness()->AddPoint(1300.0, 400.0);
     this->Filter->SetIsoValue(800.0);
@@ -47,7 +48,7 @@ TEST_F(SameShape, IsTheStiffnessOfEveryMethod)
     EXPECT_NEAR(Get(output, "Force", 50, 2), -0.321 * lag, 1e-9);
     if (force < 0.0)
     {
-      // T1 of the specification: the strength decides how much is held at last.
+      // T1 of the specification: in the end the strength limits the force.
       this->Filter->SetCouplingStiffness(500.0);
       EXPECT_NEAR(Get(this->Run(51), "Force", 50, 2), force, 1e-9);
     }
@@ -64,7 +65,7 @@ TEST_F(SameShape, IsWhatASpringOfThatStiffnessGives)
   this->Filter->SameShapeOff();
   const auto own = (this->Run(51), Keep(this->Filter));
   EXPECT_FALSE(IsSame(one, own));
-  // A stiffness of 500 N/m, which is the default of both.
+  // The stiffness is the default of both, 500 N/m.
   this->Property->GetStiffness()->RemoveAllPoints();
   this->Run(51);
   EXPECT_TRUE(IsSame(this->Filter->GetOutput(), one));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A hand feels nothing in the air beside a body, where an eye sees nothing. Places come from the
+ * A hand feels nothing in the air beside a body, where nothing is visible. Places follow from the
  * formulas of the volumes.
  */
 
@@ -17,7 +17,7 @@ using namespace apitest;
 
 namespace
 {
-/// A volume of voxels of 1 mm, by a formula of the place (mm).
+/// Makes a volume of 1 mm voxels from a formula of the indices.
 template <typename Formula>
 vtkSmartPointer<vtkImageData> MakeVolume(int x, int y, int z, int type, const Formula& formula)
 {
@@ -37,7 +37,8 @@ vtkSmartPointer<vtkImageData> MakeVolume(int x, int y, int z, int type, const Fo
   return image;
 }
 
-/// The fraction of an edge that is blurred by a Gaussian, `distance` behind its middle.
+/// Returns the value (0 to 1) of an edge that is blurred by a Gaussian, at a `distance` behind its
+/// middle.
 double Blurred(double distance, double width)
 {
   return 0.5 * (1.0 + std::erf(distance / (width * std::sqrt(2.0))));
@@ -59,10 +60,10 @@ double LargestForce(vtkPolyData* trace)
   return largest;
 }
 
-/// N, from which on a hand feels something: as the evaluation's presses count it.
+/// Force (N) above which a hand feels something, as in the presses of the evaluation.
 constexpr double Felt = 0.1;
 
-/// The largest force on a straight way past a ball of radius 8 about (20, 20, 20).
+/// Returns the largest force on a straight path past a ball with a radius of 8 around (20, 20, 20).
 double PassBy(const char* preset, vtkImageData* ball, double distance)
 {
   vtkNew<vtkVolumeHapticsFilter> filter;
@@ -132,7 +133,8 @@ TEST(SeenFirst, AirBesideATwoSidedSurfaceDoesNotDrag)
 
 TEST(SeenFirst, AGradualEdgeIsFeltWhereItIsShown)
 {
-  // Values rise by 2.5 a voxel, less than what is distinct; the picture begins at 50, at y = 20.
+  // Values rise by 2.5 per voxel, too little to be distinct. The picture begins at the value 50, at
+  // y = 20.
   const vtkSmartPointer<vtkImageData> ramp =
     MakeVolume(41, 41, 41, VTK_FLOAT, [](int, int j, int) { return 2.5 * j; });
   vtkNew<vtkVolumeProperty> look;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * SURFACE_PROXY: isosurfaces and given surfaces, touched.
+ * SURFACE_PROXY on isosurfaces and on given surfaces.
  */
 
 #include "Rigs/ApiRig.h"
@@ -18,7 +18,7 @@ namespace
 constexpr double Middle = 20.0;
 constexpr double BallRadius = 12.0;
 
-/// Round a ball, 2 mm below its surface.
+/// Makes a path around a ball, 2 mm below its surface.
 vtkSmartPointer<vtkPolyData> MakeTurn()
 {
   std::vector<Point> points =
@@ -43,8 +43,8 @@ protected:
     this->Filter->SetPathData(this->Turn);
     this->Filter->SetIsoValue(100.0);
   }
-  /// The distance (RMS) of the proxy from the right centre of a sphere on the ball, after the
-  /// approach.
+  /// Returns the distance (RMS) of the proxy from the ideal centre of a sphere on the ball, after
+  /// the approach.
   double Deviation(vtkPolyData* output, double proxyRadius)
   {
     double sum = 0.0;
@@ -59,7 +59,7 @@ protected:
     return std::sqrt(sum / double(output->GetNumberOfPoints() - first));
   }
 
-  /// 100 on the surface of a ball, 10 a voxel steeper towards its middle.
+  /// The value is 100 on the surface of a ball, and rises by 10 per voxel towards its middle.
   const vtkSmartPointer<vtkImageData> Ball = MakeImage(41, VTK_FLOAT,
     [](const Point& x)
     {
@@ -118,7 +118,7 @@ TEST_F(SurfaceTest, AGivenSurfaceTakesTheIsosurfacesPlace)
   sphere->SetThetaResolution(120);
   sphere->SetPhiResolution(120);
   this->Filter->SetSurfaceConnection(sphere->GetOutputPort());
-  this->Filter->SetIsoValue(1e6); // of no image, but a material
+  this->Filter->SetIsoValue(1e6); // no sample has this value; it only selects the material
   this->Filter->SetProxyRadius(1.0);
   EXPECT_LT(this->Deviation(this->Run(this->Turn->GetNumberOfPoints()), 1.0), 0.01);
   sphere->SetRadius(5.0);

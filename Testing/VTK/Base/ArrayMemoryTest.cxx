@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Arrays of a size that comes from data: they are as VTK's own ones, but without memory there is an
- * exception. VTK's end the process there, in a build of VTK without NDEBUG.
+ * Arrays whose size comes from data equal VTK's own ones, but throw an exception if there is no
+ * memory. VTK's own arrays end the process then, in a build of VTK without NDEBUG.
  */
 
 #include "VTK/Base/ArrayMemory.h"
@@ -19,7 +19,7 @@
 #include <limits>
 #include <new>
 
-// The sanitizers' memory ends the process, too, if they are not told to return nothing.
+// The sanitizers' allocators also end the process unless they are told to return null.
 extern "C" const char* __asan_default_options()
 {
   return "allocator_may_return_null=1";
@@ -33,7 +33,7 @@ using namespace VolumeHaptics;
 
 namespace
 {
-constexpr vtkIdType OfNoMachine = vtkIdType{ 1 } << 50; // samples: a million GiB
+constexpr vtkIdType OfNoMachine = vtkIdType{ 1 } << 50; // samples, which take a million GiB
 }
 
 TEST(ArrayMemory, HoldsTuplesOfEachType)
@@ -50,7 +50,7 @@ TEST(ArrayMemory, HoldsTuplesOfEachType)
     {
       array->SetTuple3(i, static_cast<double>(i % 2), 1.0, 0.0);
     }
-    array->InsertNextTuple3(1.0, 0.0, 1.0); // it can grow, as others
+    array->InsertNextTuple3(1.0, 0.0, 1.0); // can grow like other arrays
     EXPECT_EQ(array->GetComponent(5, 0), 1.0);
     EXPECT_EQ(array->GetComponent(6, 0), 0.0);
     EXPECT_EQ(array->GetComponent(7, 2), 1.0);
@@ -74,7 +74,7 @@ TEST(ArrayMemory, ThrowsIfThereIsNone)
     EXPECT_THROW(NewArray(type, 3, std::numeric_limits<vtkIdType>::max()), std::bad_alloc);
     EXPECT_THROW(NewArray(type, 9, std::numeric_limits<vtkIdType>::max() / 9), std::bad_alloc);
   }
-  // What was there before is kept.
+  // Existing values are kept.
   vtkNew<vtkFloatArray> array;
   array->InsertNextValue(3.0F);
   EXPECT_THROW(AllocateTuples(array, OfNoMachine), std::bad_alloc);

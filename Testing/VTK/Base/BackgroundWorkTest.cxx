@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Work in the background: its owner never waits for it unless it says so, and never gets a result
- * of data that have changed.
+ * Work in the background: its owner waits for it only on request, and never gets a result for data
+ * that have changed.
  */
 
 #include "VTK/Base/BackgroundWork.h"
@@ -30,7 +30,7 @@ namespace
 {
 using Work = KeyedWork<int, std::string>;
 
-/// A task that goes on until it is opened or cancelled. Copies share their state, as a task may
+/// A task that runs until it is opened or cancelled. Copies share their state, since a task may
 /// outlive the gate of a test.
 class Gate
 {
@@ -102,7 +102,7 @@ TEST(BackgroundWork, OfDataThatChangeBeginsAgain)
   const std::string* result = nullptr;
   ASSERT_TRUE(Eventually([&] { return (result = work.Poll(2, gate.Make("new"))) != nullptr; }));
   EXPECT_EQ(*result, "new");
-  // A change after the work has returned, before its owner has looked.
+  // The key changes after the work has returned, and before its owner has polled.
   Work other;
   other.Poll(1, gate.Make("old"));
   ASSERT_TRUE(other.WaitFor(60.0));
@@ -127,7 +127,7 @@ TEST(BackgroundWork, IsCancelledByItsOwner)
     ASSERT_TRUE(Eventually([&] { return gate.Entered == 2; }));
   }
   EXPECT_TRUE(Eventually([&] { return gate.Left == 2; }));
-  // It can begin again.
+  // The work can begin again.
   gate.IsOpen = true;
   ASSERT_TRUE(Eventually([&] { return work.Poll(1, gate.Make("one")) != nullptr; }));
 }
@@ -139,7 +139,7 @@ TEST(BackgroundWork, ThatIsAbandonedIsNotWaitedForAndHasNoResult)
   const Work::Maker stubborn = [&](WorkMonitor& monitor) -> std::optional<std::string>
   {
     ++entered;
-    while (!isOpen) // hears no cancellation
+    while (!isOpen) // ignores cancellation
     {
       std::this_thread::yield();
     }
@@ -148,7 +148,7 @@ TEST(BackgroundWork, ThatIsAbandonedIsNotWaitedForAndHasNoResult)
   Work work;
   EXPECT_EQ(work.Poll(1, stubborn), nullptr);
   ASSERT_TRUE(Eventually([&] { return entered == 1; }));
-  work.Abandon(); // would never return if it waited
+  work.Abandon(); // does not wait, or it would never return
   EXPECT_TRUE(work.IsUnderWay());
   EXPECT_FALSE(work.IsOf(1));
   EXPECT_EQ(work.Find(1), nullptr);
@@ -187,7 +187,7 @@ TEST(BackgroundWork, LetsItsOwnerReleaseWhatItHolds)
   EXPECT_EQ(releaser, std::this_thread::get_id());
 }
 
-/// Work that hears no cancellation would hold its owner up for as long as it likes.
+/// The owner must not wait for work that ignores cancellation.
 TEST(BackgroundWork, ThatEndsIsNotWaitedFor)
 {
   std::atomic<bool> isOpen{ false };
@@ -219,7 +219,7 @@ TEST(BackgroundWork, ThatEndsIsNotWaitedFor)
   Work work;
   EXPECT_EQ(work.Poll(1, makeStubborn()), nullptr);
   ASSERT_TRUE(Eventually([&] { return entered == 1; }));
-  work.Forget(); // would never return if it waited
+  work.Forget(); // does not wait, or it would never return
   EXPECT_EQ(work.Poll(2, makeStubborn()), nullptr);
   EXPECT_EQ(work.Poll(3, makeStubborn()), nullptr);
   {
@@ -243,7 +243,7 @@ TEST(BackgroundWork, ThatEndsIsNotWaitedFor)
     << released << ": each by the owner";
 }
 
-/// The end of a thread that owns work is waited for, so that nothing outlives it.
+/// The end of a thread waits for the work that the thread owns, so that nothing outlives it.
 TEST(BackgroundWork, EndsWithTheThreadThatBeganIt)
 {
   Gate gate;
@@ -261,7 +261,7 @@ TEST(BackgroundWork, EndsWithTheThreadThatBeganIt)
 
 namespace
 {
-/// As a static object of a program: it ends after all that the work has kept for its thread.
+/// Like a static object of a program: it ends after everything that the work keeps for its thread.
 struct LateOwner
 {
   ~LateOwner()
@@ -286,7 +286,7 @@ TEST(BackgroundWork, EndsWithAnOwnerThatOutlivesItsThread)
   std::thread(
     [&]
     {
-      thread_local LateOwner owner; // constructed first, so that it ends last
+      thread_local LateOwner owner; // is constructed first, so that it ends last
       owner.Left = &left;
       owner.HeldWork = std::make_unique<Work>();
       owner.HeldWork->Poll(1,
@@ -334,7 +334,7 @@ TEST(BackgroundWork, WithoutMemoryHasNoResult)
   EXPECT_FALSE(work.IsUnderWay());
 }
 
-// The sanitizer can't follow a fork of a program with threads.
+// The thread sanitizer can't follow a fork of a program with threads.
 #if defined(__unix__) && !defined(__SANITIZE_THREAD__)
 TEST(BackgroundWork, OfAParentIsNotWaitedForInAForkedChild)
 {
@@ -360,12 +360,13 @@ TEST(BackgroundWork, OfAParentIsNotWaitedForInAForkedChild)
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
 }
 
-/// Work that the parent has ended, and whose piece has not, is not waited for in the child either.
+/// The child does not wait for work of the parent either, if the parent has ended it while its task
+/// still runs.
 TEST(BackgroundWork, OfAParentThatHasEndedItDoesNotHoldBackThatOfAChild)
 {
   Gate gate;
   Work work;
-  // Shared, as the task outlives this test.
+  // The flags are shared, since the task outlives this test.
   const auto mayLeave = std::make_shared<std::atomic<bool>>(false);
   const auto isEntered = std::make_shared<std::atomic<bool>>(false);
   work.Poll(1,

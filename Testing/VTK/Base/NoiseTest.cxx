@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Distinctness from the image's noise, if the user has not set one.
+ * The distinctness follows the image's noise, unless the user has set one.
  */
 
 #include "Rigs/ApiRig.h"
@@ -26,7 +26,7 @@ constexpr double Sigma = 20.0;
 class Noise : public testing::Test
 {
 protected:
-  /// Noise on a function of z.
+  /// Makes an image of a function of z with normal noise.
   vtkSmartPointer<vtkImageData> MakeNoisy(const std::function<double(double)>& clean, double sigma)
   {
     std::mt19937 random(5);
@@ -34,7 +34,7 @@ protected:
     return MakeImage(48, VTK_SHORT,
       [&](const Point& x) { return std::round(clean(x[2]) + sigma * normal(random)); });
   }
-  /// The ramp's start after a tick in the image.
+  /// Returns the start of the noise ramp, after two ticks in the image.
   double ComputeStart(vtkImageData* image)
   {
     this->Filter->SetInputData(0, image);
@@ -52,8 +52,8 @@ double Edge(double z)
   return 500.0 * (1.0 + std::erf((z - 24.0) / 1.5));
 }
 
-/// Counts the values that are read one by one, as the estimate does. A bake reads the eight corners
-/// at most.
+/// Counts values that are read one by one, as by the estimate. A bake reads at most the eight
+/// corners.
 class CountingArray : public vtkFloatArray
 {
 public:
@@ -64,7 +64,7 @@ public:
     ++this->Reads;
     return this->Superclass::GetComponent(tuple, component);
   }
-  /// Whether the estimate was made since the last call.
+  /// Returns whether the estimate has read the array since the last call.
   bool WasRead()
   {
     const bool was = this->Reads > 8;
@@ -77,7 +77,8 @@ private:
 };
 vtkStandardNewMacro(CountingArray);
 
-/// An image whose scalars count, and have noise of another standard deviation in each component.
+/// An image whose scalars count reads, with another standard deviation of the noise in each
+/// component.
 class NoiseOnce : public Noise
 {
 protected:
@@ -103,7 +104,7 @@ protected:
       }
     }
   }
-  /// The ramp of a new filter with the same settings.
+  /// Returns the start of the ramp of a new filter with the same settings.
   double ComputeAnew()
   {
     vtkNew<vtkVolumeHapticsFilter> fresh;
@@ -125,8 +126,8 @@ protected:
 
 TEST_F(Noise, IsEstimatedWhereverTheImageIsFlattest)
 {
-  // Documentation/method.md: 0.106 sigma per voxel of the default Gaussian; up to 3.4 times that
-  // is noise.
+  // Documentation/method.md: noise of 0.106 sigma per voxel for the default Gaussian. Gradients up
+  // to 3.4 times this value count as noise.
   const double expected = 3.4 * 0.106 * Sigma;
   EXPECT_NEAR(this->ComputeStart(this->MakeNoisy(Edge, Sigma)), expected, 0.1 * expected);
   EXPECT_NEAR(this->ComputeStart(this->MakeNoisy([](double z) { return 3.0 * z * z; }, Sigma)),
@@ -190,12 +191,13 @@ TEST_F(Noise, IsFeltInOneOfAHundredPlacesOnly)
 
 TEST_F(Noise, InSlicesIsFeltNoMoreThanInCubes)
 {
-  // With w the gradient per index step, of which the noise does not know the spacings S, the rise
-  // in a voxel along the normal is |S^-1 w|^2/|S^-2 w|: at most |w|, by Cauchy and Schwarz.
+  // w is the gradient per index step, which depends on no spacing. The rise in a voxel along the
+  // normal is |S^-1 w|^2/|S^-2 w| with the spacings S: at most |w|, by Cauchy and Schwarz.
   const vtkSmartPointer<vtkImageData> noisy = this->MakeNoisy([](double) { return 0.0; }, Sigma);
   this->Filter->SetMaterialPlacementToKernel();
   this->Filter->SetContactAlignmentToDistinctness();
-  SetConstant(this->Filter->GetProperty()->GetSurfaceStrength(), 1e-6); // holds the proxy nowhere
+  // Too little to hold the proxy anywhere.
+  SetConstant(this->Filter->GetProperty()->GetSurfaceStrength(), 1e-6);
   SetConstant(this->Filter->GetProperty()->GetViscosity(), 0.0);
   const auto findStrengths = [&](const Point& spacing)
   {
@@ -243,7 +245,7 @@ TEST_F(Noise, InSlicesIsFeltNoMoreThanInCubes)
         {
           largest = std::max(largest, slices[i] - cubes[i]);
         }
-        // Proxies are found to the solver's tolerance.
+        // The tolerance is that of the solver, which finds the proxies.
         EXPECT_LT(largest, 1e-8);
       }
     }
@@ -252,8 +254,8 @@ TEST_F(Noise, InSlicesIsFeltNoMoreThanInCubes)
 
 TEST_F(Noise, HidesNoWallAcrossSlices)
 {
-  // Noise from slice to slice: across them, the samples are those of cubes of their thickness, and
-  // so is what is felt. The wall is 10 times the noise.
+  // The noise changes from slice to slice. Across the slices, the samples equal those of cubes with
+  // the slices' thickness, and so does what is felt. The wall is 10 times the noise.
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
   std::vector<double> noise(48);
@@ -304,7 +306,7 @@ TEST_F(NoiseOnce, IsEstimatedAgainWhenTheScalarsHaveChanged)
   this->Counting->Modified();
   EXPECT_NEAR(this->ComputeStart(this->Image), 3.0 * before, 0.3 * before);
   this->Fill(this->Counting, { 100.0, 40.0 }, 7);
-  this->Image->Modified(); // as some programs announce new scalars
+  this->Image->Modified(); // some programs announce new scalars in this way
   EXPECT_NEAR(this->ComputeStart(this->Image), 5.0 * before, 0.5 * before);
   EXPECT_TRUE(this->Counting->WasRead());
   this->Image->SetDimensions(Size, Size / 2, 2 * Size);

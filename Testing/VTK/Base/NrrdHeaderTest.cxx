@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The header of NRRD files. What is expected is written in teem's "Definition of NRRD File Format":
- * section 3 for lines, fields and key/value pairs, section 4 for types, section 5 for spaces.
+ * The header of NRRD files. Expectations come from teem's "Definition of NRRD File Format": section
+ * 3 for lines, fields and key/value pairs, section 4 for types, section 5 for spaces.
  */
 
 #include "VTK/Base/NrrdHeader.h"
@@ -72,8 +72,8 @@ TEST(NrrdHeader, PlacesSamplesInLeftPosteriorSuperior)
   }
 }
 
-// teem's "Definition of NRRD File Format": "space units" belong to the axes of space, "units" to
-// those of the samples, whose "axis mins" is the border of the first sample if it is a cell.
+// teem's "Definition of NRRD File Format": "space units" belong to the axes of the space, "units"
+// to the axes of the samples. "axis mins" is the border of the first sample if samples are cells.
 TEST(NrrdHeader, TurnsUnitsIntoMillimetres)
 {
   const NrrdHeader space = ParseNrrdHeader("NRRD0005\nspace: right-anterior-superior\n"
@@ -96,7 +96,7 @@ TEST(NrrdHeader, TurnsUnitsIntoMillimetres)
   EXPECT_EQ(*ReadNrrdAxes(plain), (std::array<std::size_t, 3>{ 1, 2, 3 }));
   EXPECT_EQ(FindNrrdSpacings(plain), (NrrdVector{ 20, 3, 4 }));
   EXPECT_EQ(*FindNrrdOrigin(plain), (NrrdVector{ 20, 2, 3 }));
-  // Two cells of 3, and three steps of 2 between four nodes.
+  // One axis has two cells of 3, another one has four nodes with three steps of 2 between them.
   const NrrdHeader ends = ParseNrrdHeader(axes +
     "axis mins: nan 0 0 1\naxis maxs: nan 6 6 9\n"
     "centerings: none cell node node\n\n");
@@ -115,7 +115,7 @@ TEST(NrrdHeader, FindsTheAxesOfSpace)
   EXPECT_EQ(*axes("sizes: 2 3 4 5\nkinds: domain domain domain list"), (Axes{ 0, 1, 2 }));
   EXPECT_EQ(
     *axes("sizes: 2 3 4 5\nspace directions: (1,0,0) none (0,1,0) (0,0,1)"), (Axes{ 0, 2, 3 }));
-  // A series of ITK has four axes of space, the last of which is time.
+  // A series of ITK has four space axes, the last of which is time.
   const std::string series =
     "sizes: 2 3 4 5\nkinds: domain domain domain domain\nspace origin: (1,2,3,0)\n"
     "space directions: (1,0,0,0) (0,2,0,0) (0,0,3,0) (0,0,0,1)";

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The public headers, ParaView's XML and the core say the same as Module/VTK/Settings.json.
+ * The public headers, ParaView's XML and the core have the same settings as
+ * Module/VTK/Settings.json.
  */
 
 #include "Rigs/SettingChecks.h"
@@ -36,7 +37,7 @@ using namespace VolumeHaptics;
 
 namespace
 {
-/// The words of a text, with one space between them.
+/// Returns the words of a text, separated by single spaces.
 std::string Words(const std::string& text)
 {
   std::istringstream stream(text);
@@ -48,7 +49,7 @@ std::string Words(const std::string& text)
   return words;
 }
 
-/// The filter or the device as ParaView gets it: the first proxy of a file that CMake has made.
+/// The filter or the device in ParaView: the first proxy of an XML file that CMake has made.
 class ParaViewProxy
 {
 public:
@@ -58,7 +59,7 @@ public:
   {
   }
 
-  /// A property of a name; null if there is none.
+  /// Returns the property with this name; null if there is none.
   vtkXMLDataElement* Find(const std::string& name) const
   {
     vtkXMLDataElement* const proxy = this->Tree->GetNestedElement(0)->GetNestedElement(0);
@@ -86,7 +87,7 @@ public:
     return text ? std::stod(text) : std::nan("");
   }
 
-  /// ParaView offers all settings of a list, but for those that it needs not.
+  /// Expects that ParaView offers all settings of a list, except those that are needless there.
   template <typename Settings>
   void ExpectAll(const Settings& settings, const std::vector<std::string>& needless = {}) const
   {
@@ -163,7 +164,7 @@ TEST(SettingLists, EveryMacroOfTheHeadersHasARow)
   ExpectRows("vtkVolumeHapticsFilter", Names(FilterSettings));
   ExpectRows("vtkHapticProperty", Names(PropertySettings));
   std::vector<std::string> device = Names(DeviceSettings);
-  for (const char* const sent : // to the servo, so without macro
+  for (const char* const sent : // these are sent to the servo, so they have no macro
     { "ServoRate", "MaximumForce", "MaximumForceRate", "StiffnessGain", "TransientGain",
       "MaximumTorque", "AttentionTime", "UseTool" })
   {
@@ -172,14 +173,14 @@ TEST(SettingLists, EveryMacroOfTheHeadersHasARow)
   ExpectRows("vtkHapticDevice", device);
   ExpectRows("vtkHapticRegionFilter", Names(RegionFilterVectors));
   std::vector<std::string> source = Names(RegionSourceSettings, RegionSourceVectors);
-  source.erase(std::find(source.begin(), source.end(), "Direction")); // without macro
+  source.erase(std::find(source.begin(), source.end(), "Direction")); // has no macro
   source.emplace_back("FileName");                                    // a text
   ExpectRows("vtkHapticRegionSource", source);
   std::vector<std::string> path = Names(PathSettings, PathVectors);
   path.emplace_back("FileName"); // a text
   ExpectRows("vtkHapticPathSource", path);
   std::vector<std::string> mode = Names(ModeSettings);
-  mode.erase(std::find(mode.begin(), mode.end(), "Kind")); // without macro
+  mode.erase(std::find(mode.begin(), mode.end(), "Kind")); // has no macro
   ExpectRows("vtkHapticMode", mode);
   ExpectRows("vtkHapticGuideMode", Names(GuideModeSettings));
   ExpectRows("vtkHapticNeedle", Names(NeedleSettings));
@@ -229,7 +230,7 @@ TEST(SettingLists, ParaViewHasAllSettings)
       function.Default);
   }
   const ParaViewProxy device("HapticDevice.xml");
-  // ParaView calls the device all the time, and has no tools.
+  // ParaView calls the device all the time, so it needs no AttentionTime, and it has no tools.
   device.ExpectAll(DeviceSettings, { "AttentionTime", "MaximumTorque", "UseTool" });
   device.ExpectAll(DeviceVectors);
   const ParaViewProxy path("HapticPath.xml");
@@ -305,7 +306,8 @@ TEST(SettingLists, TheCoreHasTheSameDefaults)
   for (const FilterSetting& setting : FilterSettings)
   {
     const std::string name = setting.Name;
-    // The core's own 0 pushes nowhere; its radius is more than 0, which stands for half a voxel.
+    // Two defaults differ: the core's gain is 0, which gives no force, and its radius is above 0,
+    // while a 0 of the filter stands for half a voxel.
     if (setting.Bake && name != "ForceFieldGain" && name != "ProxyRadius")
     {
       HapticModelDescription baked;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A ball in air with streaks, as micro-CT has them: their noise is neither white nor the same
- * everywhere, and air is clipped at 0. The wall is where the ball was made, and nowhere else.
+ * A ball in air with streaks, like in micro-CT: the noise is neither white nor the same everywhere,
+ * and air is clipped at 0. A wall is felt where the ball was made, and nowhere else.
  */
 
 #include "Rigs/ApiRig.h"
@@ -32,7 +32,8 @@ constexpr double Start = 44.0; // mm from the middle
 constexpr double RayStep = 0.1;
 constexpr double Deep = 4.0; // mm
 
-/// White noise, smoothed along x over some voxels, and between neighbours along y and z.
+/// Makes white noise that is smoothed along x over some voxels, and between neighbours along y and
+/// z.
 std::vector<double> MakeStreaks()
 {
   std::mt19937_64 engine(11);
@@ -68,7 +69,8 @@ std::vector<double> MakeStreaks()
   return noise;
 }
 
-/// In `levels` of grey; a core of another value lies in the middle, and streaks have a fraction.
+/// Makes the ball in `levels` grey levels. A core with another value may lie in the middle;
+/// `streak` scales the streaks.
 vtkSmartPointer<vtkImageData> MakeBall(
   double levels = 256.0, double core = 0.0, double streak = 1.0)
 {
@@ -81,7 +83,7 @@ vtkSmartPointer<vtkImageData> MakeBall(
     {
       const double r = std::hypot(x[0] - Middle, x[1] - Middle, x[2] - Middle);
       const double inside = 0.5 * std::erfc((r - Ball) / (0.8 * std::sqrt(2.0)));
-      // Streaks of 1 on one side and 9 on the other.
+      // The streaks are 1 on one side and 9 on the other.
       const double fraction = std::clamp((x[2] - 30.0) / 30.0, 0.0, 1.0);
       const double noise =
         streak * (1.0 + 8.0 * fraction) * streaks[number++] + 0.4 * random(engine);
@@ -92,7 +94,7 @@ vtkSmartPointer<vtkImageData> MakeBall(
     });
 }
 
-/// Rays from all sides towards the middle; each is a line of its own.
+/// Makes rays from all sides to the middle; each is a separate line.
 vtkSmartPointer<vtkPolyData> MakeRays()
 {
   constexpr double from = Start;
@@ -103,7 +105,7 @@ vtkSmartPointer<vtkPolyData> MakeRays()
   const int ticks = static_cast<int>((from - to) / RayStep);
   for (int ray = 0; ray < Rays; ++ray)
   {
-    // Evenly spread: a Fibonacci lattice on the sphere.
+    // The directions are spread evenly: a Fibonacci lattice on the sphere.
     const double z = 1.0 - (2.0 * ray + 1.0) / Rays;
     const double around = ray * 2.399963229728653;
     const double across = std::sqrt(1.0 - z * z);
@@ -121,12 +123,12 @@ vtkSmartPointer<vtkPolyData> MakeRays()
   return path;
 }
 
-/// What all rays have felt.
+/// The result of all rays.
 struct FeltRays
 {
-  int Off = 0;       ///< first contact too far beside the ball's surface, or none
-  double Air = 0.0;  ///< N, the largest force more than 3 mm before it
-  double Step = 0.0; ///< N, the largest one from tick to tick
+  int Off = 0;       ///< rays whose first contact is too far from the ball's surface, or missing
+  double Air = 0.0;  ///< largest force more than 3 mm before the surface, N
+  double Step = 0.0; ///< largest change from tick to tick, N
 };
 
 FeltRays Feel(vtkVolumeHapticsFilter* filter, double farthest = 2.0)
@@ -182,7 +184,7 @@ TEST(UnevenNoise, MicroCTHasNoWallInStreaks)
       {
         filter->SetSolver(
           isPrecise ? vtkVolumeHapticsFilter::PRECISE : vtkVolumeHapticsFilter::PAPER);
-        // PAPER meets a wall by up to a kernel radius and a half voxel earlier.
+        // PAPER meets a wall earlier, by up to a kernel radius and half a voxel.
         const FeltRays felt = Feel(filter, isPrecise ? 2.0 : 3.0);
         SCOPED_TRACE(levels * 100 + estimator * 10 + isPrecise);
         EXPECT_LE(felt.Off, Rays / 50);
@@ -231,7 +233,7 @@ TEST(UnevenNoise, ARegionHasTheLevelOfTheWhole)
   filter->SetInputData(0, MakeBall());
   filter->Update();
   EXPECT_TRUE(IsSame(felt, filter->GetOutput()));
-  // Regions that say nothing of a level are felt as before.
+  // A region without the level is felt by its own values.
   part->GetFieldData()->RemoveArray("HapticSolid");
   part->Modified();
   filter->SetInputData(0, part);

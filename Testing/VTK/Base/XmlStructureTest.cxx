@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Files of VTK's XML formats that VTK wrote, then changed: VTK's own reader ends the program, or
- * writes behind its memory, unless they are refused before it opens them.
+ * Files in VTK's XML formats, written by VTK and then changed: VTK's own reader would end the
+ * program, or write outside of its memory, if they were not refused before it opens them.
  */
 
 #include "Rigs/TemporaryFolder.h"
@@ -93,7 +93,7 @@ protected:
   {
     vtkNew<vtkXMLPolyDataWriter> writer;
     writer->SetCompressorType(compressor);
-    writer->SetBlockSize(64); // several blocks an array
+    writer->SetBlockSize(64); // gives several blocks per array
     return this->Write(writer, this->Shape, mode, ".vtp");
   }
   std::string WriteImage(int mode)
@@ -104,7 +104,7 @@ protected:
     vtkNew<vtkXMLImageDataWriter> writer;
     return this->Write(writer, wave->GetOutput(), mode, ".vti");
   }
-  /// Reads a file as replays, paths, measurements and removed tissue are read.
+  /// Reads a file like the readers of replays, paths, measurements and removed tissue.
   static bool Read(const std::string& file)
   {
     if (file.back() == 'i')
@@ -116,7 +116,7 @@ protected:
     VolumeHaptics::ReadXmlPolyData(file, hasFailed);
     return !hasFailed;
   }
-  /// Expects the file to be refused, after a change, before VTK's reader opens it.
+  /// Changes the file, and expects that it is refused before VTK's reader opens it.
   void Refuse(const std::string& file, const std::string& from, const std::string& to)
   {
     SCOPED_TRACE(from + " -> " + to);
@@ -182,7 +182,7 @@ TEST_F(XmlStructure, ThatLiesIsRefused)
     plain, "header_type=\"UInt32\"", "header_type=\"UInt32\" compressor=\"vtkZLibDataCompressor\"");
 }
 
-/// With VOLUME_HAPTICS_XML_FILES=1000000 it takes minutes.
+/// Takes minutes with VOLUME_HAPTICS_XML_FILES=1000000.
 TEST_F(XmlStructure, ThatIsDamagedEndsNothing)
 {
   std::vector<std::string> good;
@@ -204,7 +204,7 @@ TEST_F(XmlStructure, ThatIsDamagedEndsNothing)
   const char* const wanted = std::getenv("VOLUME_HAPTICS_XML_FILES");
   const int count = wanted ? std::atoi(wanted) : 3000;
   int read = 0;
-  vtkObject::GlobalWarningDisplayOff(); // unknown information keys are told as warnings
+  vtkObject::GlobalWarningDisplayOff(); // unknown information keys give warnings
   for (int i = 0; i < count; ++i)
   {
     const std::size_t which = below(good.size());

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Child processes that hold an armed device without a watchdog of its own. It keeps the last force
- * that it was sent in memory that outlives the child, as the motors of such a device keep it.
+ * Child processes that hold an armed device without a watchdog. The device keeps its last force in
+ * memory that outlives the child, as the motors of such a device keep it.
  */
 #ifndef EndingsRig_h
 #define EndingsRig_h
@@ -20,7 +20,7 @@
 namespace devicetest
 {
 
-/// A device, and what a child notes for its parent.
+/// A device, and the records of a child for its parent.
 struct LastingDevice
 {
   std::atomic<double> Sent{ 0.0 }; ///< N, the norm of the last force
@@ -28,7 +28,7 @@ struct LastingDevice
   std::atomic<bool> IsPressed{ false };
   std::atomic<bool> CrashesInRead{ false };
   std::atomic<bool> IsCrashing{ false };
-  std::atomic<int> TimeToCrash{ 0 }; ///< ms, from the one to the other
+  std::atomic<int> TimeToCrash{ 0 }; ///< time from CrashesInRead to the crash, ms
   std::atomic<bool> CrashesInQuench{ false };
   std::atomic<bool> HadForce{ false };
   std::atomic<int> Handled{ 0 };
@@ -43,7 +43,7 @@ struct LastingDevice
   }
 };
 
-/// Of the test that runs, in memory that its children share.
+/// The device of the running test, in memory that is shared with its children.
 inline LastingDevice* Lasting = nullptr;
 
 #if defined(__GNUC__)
@@ -77,7 +77,7 @@ public:
       WriteToNowhere();
     }
     this->Time += period;
-    // In front of what is felt, and then in it.
+    // The tip is in front of the wall, and then in it.
     const double depth = Lasting->IsPressed ? 0.009 + 0.001 * std::sin(10.0 * this->Time) : 0.005;
     sample.Tip = { 0.007, 0.007, depth };
     sample.Fresh = true;
@@ -123,7 +123,7 @@ protected:
   ~Endings() override { munmap(Lasting, sizeof(LastingDevice)); }
 
   /// Lets force flow. The servo is so slow that an ending which does not wait for its next tick is
-  /// seen.
+  /// noticed.
   void Feel(double rate = 100.0)
   {
     const rlimit none{ 0, 0 };
@@ -140,7 +140,8 @@ protected:
           return this->Device->GetState()->GetTipPosition()[2] == 5.0;
         });
     this->Device->Arm();
-    // A wall that is pressed during the ramp stays soft.
+    // A wall that is pressed during the ramp stays soft, so the press waits for the end of the
+    // ramp.
     const bool isArmed = Eventually(
       [this]
       {
@@ -155,7 +156,8 @@ protected:
     Lasting->Handled = 0;
     Lasting->ForceWhenHandled = 0.0;
   }
-  /// How a child ends that feels force before: its result, or minus the signal. No force is left.
+  /// Lets a child feel force and then ends it with `how`. Returns its result, or minus the signal.
+  /// Expects that no force is left.
   template <typename F>
   int End(F&& how)
   {
@@ -164,7 +166,7 @@ protected:
       {
         this->Feel();
         how();
-        return 77; // it was to end before
+        return 77; // not reached if the child ends as it should
       });
     EXPECT_TRUE(Lasting->HadForce);
     EXPECT_EQ(Lasting->GetForce(), 0.0);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * However a process ends that can still do something about it, its device has no force, and the
- * process ends as it would without that.
+ * However a process ends that can still act, its device has no force afterwards, and the process
+ * ends as it would without a device.
  */
 
 #include "EndingsRig.h"
@@ -18,14 +18,14 @@ using namespace devicetest;
 
 namespace
 {
-/// Ends by the signal that is sent to it, once it is dealt with.
+/// Raises a signal, and waits until it ends the process.
 void Raise(int signal)
 {
   std::raise(signal);
   Eventually([] { return false; });
 }
 
-/// Fills the stack.
+/// Overflows the stack.
 int Recurse(int depth)
 {
   volatile char room[4096];
@@ -33,7 +33,7 @@ int Recurse(int depth)
   return depth < 0 ? 0 : Recurse(depth + 1) + room[0];
 }
 
-/// Divides such that no compiler sees it.
+/// Divides by zero in a way that compilers can't detect.
 #if defined(__GNUC__)
 __attribute__((no_sanitize("undefined")))
 #endif
@@ -59,7 +59,7 @@ void Handle(int signal, void (*handler)(int, siginfo_t*, void*))
   sigaction(signal, &action, nullptr);
 }
 
-/// As crash reporters do: report, put back what was there before, and let the signal go on to that.
+/// Like a crash reporter: reports, restores the earlier action, and raises the signal again.
 struct sigaction BeforeReporter;
 void Report(int signal)
 {
@@ -111,7 +111,7 @@ TEST_F(Endings, ByACrash)
                 [[maybe_unused]] int done = pipe(ends);
                 close(ends[0]);
                 [[maybe_unused]] const ssize_t size = write(ends[1], "", 1);
-                std::_Exit(5); // who writes to a closed pipe does not get here
+                std::_Exit(5); // not reached by a process that writes to a closed pipe
               }),
     -SIGPIPE);
 }
@@ -132,7 +132,7 @@ TEST_F(Endings, ByACrashWhileItIsStopped)
   EXPECT_EQ(this->End(
               [this]
               {
-                Lasting->TimeToCrash = 20; // after which nothing but a guard has ended the force
+                Lasting->TimeToCrash = 20; // after this time, only a guard can have ended the force
                 Lasting->CrashesInRead = true;
                 Eventually([] { return Lasting->IsCrashing.load(); });
                 this->Device->Stop(); // waits for the servo
@@ -142,7 +142,7 @@ TEST_F(Endings, ByACrashWhileItIsStopped)
 
 TEST_F(Endings, ByASignalWhileItIsArmed)
 {
-  // The handler must not wait for what the thread that it interrupts is in the middle of.
+  // The handler must not wait for a lock that the interrupted thread holds.
   for (const int signal : { SIGUSR1, SIGABRT })
   {
     const auto kills = [&]
@@ -235,7 +235,7 @@ TEST_F(Endings, ByManyThreadsThatCrashAtOnce)
   Handle(SIGSEGV,
     [](int number, siginfo_t* info, void* context)
     {
-      poll(nullptr, 0, 50); // a report takes its time
+      poll(nullptr, 0, 50); // a report takes some time
       OnFatal(number, info, context);
     });
   EXPECT_EQ(this->End(crash), 42) << "none of them passes a handler by";
@@ -355,7 +355,7 @@ TEST_F(Endings, OfAChildProcessAreItsOwn)
                 return Wait(child) == -SIGSEGV && Lasting->GetForce() > 0.0 ? 0 : 1;
               }),
     0);
-  // One with a device of its own, forked by a process that had one.
+  // A process whose parent had a device has a device of its own.
   EXPECT_EQ(InChild(
               [this]
               {
@@ -373,7 +373,8 @@ TEST_F(Endings, AreStopsToo)
     const pid_t child = fork();
     if (child == 0)
     {
-      setpgid(0, 0); // a process without a group that a shell looks after is not stopped
+      // Makes a process group of its own, since the kernel stops no process of an orphaned group.
+      setpgid(0, 0);
       this->Feel();
       std::raise(signal);
       Eventually([] { return false; });

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Programs that die or exit while they record, and children that are forked meanwhile.
+ * Programs that crash or exit while they record, and children that are forked meanwhile.
  */
 
 #include "Rigs/RecordingFailureRig.h"
@@ -21,8 +21,7 @@ struct EventCount
   int Count = 0;
 };
 
-/// Closes a device when the process exits, after the destructors of everything that was made in
-/// main().
+/// Closes a device when the process exits, after the destructors of all objects in main().
 struct LastOwner
 {
   ~LastOwner()
@@ -53,7 +52,7 @@ TEST_F(RecordingFailure, OfTheProgramKeepsWhatThereIs)
   ASSERT_TRUE(WIFSIGNALED(status));
   EXPECT_FALSE(Exists(file));
 
-  // The next recording of that name neither fails nor takes it away.
+  // The next recording with this name neither fails nor removes the journal.
   this->Begin();
   ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
   ASSERT_EQ(this->Log.Warnings.size(), 1U);
@@ -64,8 +63,8 @@ TEST_F(RecordingFailure, OfTheProgramKeepsWhatThereIs)
   this->ExpectError("under way");
   ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   this->Device->Close();
-  // Two groups are 512 lines of 20 us each, which a hand under the shortest attention (0.05 s) may
-  // notice.
+  // Two groups are 512 lines of 20 us each, which is long work for the shortest attention time
+  // (0.05 s).
   EventCount begins;
   this->Device->AddObserver(vtkCommand::StartEvent, &begins, &EventCount::Add);
   this->Device->SetAttentionTime(0.05);
@@ -106,7 +105,7 @@ TEST_F(RecordingFailure, DoesNotComeFromAForkedChild)
   const pid_t child = fork();
   if (child == 0)
   {
-    // It neither waits for threads that it does not have, nor ends the recording.
+    // The child neither waits for threads that it does not have, nor ends the recording.
     this->Device->Close();
     _exit(this->Log.Errors.empty() ? 0 : 1);
   }

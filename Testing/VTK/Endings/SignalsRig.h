@@ -21,7 +21,8 @@ inline vtkHapticDevice* Watched = nullptr;
 inline std::atomic<int> Handled{ 0 };
 inline std::atomic<int> ForceWhenHandled{ 0 };
 
-/// The handler that was there before: it sees the last command that the device got.
+/// The application's own handler, installed before the device: it looks at the last command that
+/// the device got.
 inline void OnSignal(int)
 {
   Watched->UpdateState();
@@ -32,7 +33,7 @@ inline void OnSignal(int)
 class Signals : public DeviceTest
 {
 protected:
-  /// Runs something in a child; its result, or minus the signal that ended it.
+  /// Runs `body` in a child; returns its result, or minus the signal that ended it.
   template <typename F>
   static int InChild(F&& body)
   {
@@ -55,7 +56,8 @@ protected:
     }
     return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
   }
-  /// Force flows, on a slow servo: code that does not wait for its next tick is too early.
+  /// Lets force flow on a slow servo, so that code which does not wait for its next tick is
+  /// noticed.
   bool Activate()
   {
     Watched = this->Device;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A process that is told to end has no force on its device when its own handler runs. Each test
- * is a child process, since it ends with a signal.
+ * If a process is told to end, its device has no force when the process's own handler runs. Each
+ * test is a child process, since it ends with a signal.
  */
 
 #include "SignalsRig.h"

@@ -3,8 +3,8 @@
 
 /**
  * Manifests of actions in the form that VTK's vtkOpenXRRenderWindowInteractor reads: "actions",
- * "default_bindings" and "localization" of one file, "bindings" with "sources" and "haptics" of the
- * others (its LoadActions and LoadDefaultBinding, 9.2 to 9.6).
+ * "default_bindings" and "localization" in one file, "bindings" with "sources" and "haptics" in the
+ * others (see its LoadActions and LoadDefaultBinding, 9.2 to 9.6).
  */
 
 #include "Rigs/ApiRig.h"
@@ -67,7 +67,7 @@ protected:
     file >> root;
     return root;
   }
-  /// "action at path" of each.
+  /// Returns "action at path" for each haptic output of a binding.
   static std::vector<std::string> Haptics(const std::string& name)
   {
     const Json::Value binding = Load(name);
@@ -107,7 +107,7 @@ TEST_F(XRActions, AreCopiedWithTheMotorsOfBothHandsBound)
   Json::Value expected;
   std::ifstream(this->From + "/actions.json") >> expected;
   EXPECT_EQ(this->Load("actions.json"), expected) << "the action was there";
-  // A second time it changes nothing.
+  // A second call changes nothing.
   ASSERT_TRUE(this->Controller->WriteActions(
     TemporaryPath("to/deep/actions.json").c_str(), TemporaryPath("to/deep").c_str()));
   EXPECT_EQ(this->Haptics("simple.json"), both);
@@ -143,7 +143,8 @@ TEST_F(XRActions, FilesThatAreNoneAreOneErrorWithTheCure)
   this->Save("actions.json", nested);
   this->ExpectError("is no manifest");
   this->Save("actions.json",
-    "{ \"actions\": " + std::string(70, '[') + std::string(70, ']') + " }"); // deep, but complete
+    // Nested deeply, but complete.
+    "{ \"actions\": " + std::string(70, '[') + std::string(70, ']') + " }");
   this->ExpectError("nested more than 64 deep");
   this->Log.Errors.clear();
   EXPECT_FALSE(this->Controller->WriteActions(nullptr, "x"));

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A controller of a headset on a ramp: VTK's own events of controllers lead the tip, and frames
- * make the controller vibrate, through a stand-in for VTK's interactor that records the calls
+ * A controller of a headset on a ramp: VTK's events of controllers lead the tip, and frames make
+ * the controller vibrate, through a stand-in for VTK's interactor that records the calls
  * (Testing/Emulators/OpenXR).
  */
 
@@ -34,7 +34,7 @@ protected:
   }
   ~XRController() override { this->Device->Stop(); }
 
-  /// An event of a controller that points to -z, as the interactor sends it.
+  /// Sends an event of a controller that points to -z, like the interactor.
   void Send(unsigned long type, const Point& position,
     vtkEventDataAction action = vtkEventDataAction::Unknown,
     vtkEventDataDevice hand = vtkEventDataDevice::RightController)
@@ -49,7 +49,8 @@ protected:
     this->Interactor->InvokeEvent(type, event.GetPointer());
   }
   void Move(const Point& position) { this->Send(vtkCommand::Move3DEvent, position); }
-  /// 3 mm into the ramp within six frames: fast enough to be felt, too slow for the slew limit.
+  /// Presses 3 mm into the ramp within six frames: fast enough to be felt, too slow for the slew
+  /// limit.
   bool Press()
   {
     int frame = 0;
@@ -61,7 +62,7 @@ protected:
         return Length(this->Device->GetState()->GetForce()) > 1.0;
       });
   }
-  /// Frames of a headset until something holds.
+  /// Sends frames of a headset until `holds` is true.
   template <typename F>
   bool Frames(F&& holds)
   {
@@ -83,7 +84,7 @@ protected:
   vtkNew<Headset> Interactor;
   vtkNew<vtkHapticXRController> Controller;
   Point Direction{ 0.0, 0.0, -1.0 };
-  std::array<double, 4> Turn{ 0.0, 0.0, 0.0, 1.0 }; // degrees, and the axis
+  std::array<double, 4> Turn{ 0.0, 0.0, 0.0, 1.0 }; // angle in degrees, and the axis
 };
 } // namespace
 
@@ -93,17 +94,17 @@ TEST_F(XRController, LeadsTheTipByThePoseOfItsHand)
   ASSERT_TRUE(this->Device->Start());
   this->Move({ 7.0, 7.0, 5.0 });
   EXPECT_TRUE(this->Frames([&] { return this->IsTipAt({ 7.0, 7.0, 5.0 }); }));
-  // The other hand, and the head, lead nothing.
+  // The other hand and the head lead nothing.
   this->Send(vtkCommand::Move3DEvent, { 1.0, 1.0, 1.0 }, vtkEventDataAction::Unknown,
     vtkEventDataDevice::LeftController);
   this->Send(vtkCommand::Move3DEvent, { 1.0, 1.0, 1.0 }, vtkEventDataAction::Unknown,
     vtkEventDataDevice::HeadMountedDisplay);
-  // A controller out of sight.
+  // A controller that is out of sight has no position.
   this->Move({ std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0 });
   this->Interactor->InvokeEvent(vtkCommand::Move3DEvent, nullptr);
   EXPECT_TRUE(this->WaitTicks(5));
   EXPECT_TRUE(this->IsTipAt({ 7.0, 7.0, 5.0 }));
-  // 10 mm in front of the hand in the room, in which 200 units of the world are a metre.
+  // The tip is 10 mm in front of the hand in the room, where a metre is 200 world units.
   this->Controller->SetReach(0.01);
   this->Interactor->PhysicalScale = 200.0;
   this->Direction = { 0.6, 0.0, -0.8 };
@@ -171,7 +172,7 @@ TEST_F(XRController, ContactVibratesAndRestIsSilent)
       EXPECT_GE(gap.count(), 0.0099) << "its rate is limited";
     }
   }
-  // A force that rises by more than 1 N at once reaches 0.64 on the strong motor's way alone.
+  // A force that rises by more than 1 N at once reaches 0.64 on the way of the strong motor alone.
   EXPECT_GT(largest, 0.5F);
   const std::size_t before = calls.size();
   for (int i = 0; i < 30; ++i)
@@ -180,7 +181,7 @@ TEST_F(XRController, ContactVibratesAndRestIsSilent)
     this->Interactor->InvokeEvent(vtkCommand::RenderEvent);
   }
   EXPECT_EQ(calls.size(), before) << "silence is not renewed";
-  // Let go of, it falls silent.
+  // A controller that loses its interactor falls silent.
   this->Move({ 7.0, 7.0, 5.0 });
   EXPECT_TRUE(this->Frames([&] { return calls.back().Amplitude > 0.2F; }));
   this->Controller->SetInteractor(nullptr);

@@ -4,7 +4,7 @@
 /**
  * Markups of 3D Slicer. The files were written by hand from the published schema
  * (Modules/Loadable/Markups/Resources/Schema/markups-schema-v1.0.3.json of 3D Slicer) and from the
- * example in its developer's guide, "Markups json file format", and not by the code under test.
+ * example in its developer's guide, "Markups json file format", not by the code under test.
  */
 
 #include "MeasureRig.h"
@@ -63,7 +63,7 @@ protected:
 
 TEST_F(Markups, ReadsTheExampleOfTheDevelopersGuide)
 {
-  // Without units and states of positions, and of version 1.0.0.
+  // The example has version 1.0.0, no units, and no states of positions.
   ASSERT_TRUE(this->Read(
     R"({"@schema": "https://raw.githubusercontent.com/Slicer/Slicer/main/Modules/Loadable/Markups/Resources/Schema/markups-schema-v1.0.0.json#",
 "markups": [{"type": "Fiducial", "coordinateSystem": "LPS", "controlPoints": [
@@ -200,7 +200,7 @@ TEST_F(Markups, WritesWhatTheSchemaAllows)
   const Json::Value& markups = root["markups"];
   ASSERT_EQ(markups.size(), 5u) << "the two points are one list";
   const char* const types[] = { "Fiducial", "Line", "Angle", "Curve", "ClosedCurve" };
-  // The members of a control point, and those of a measurement, that the schema names.
+  // The schema names these members of a control point and of a measurement.
   const std::set<std::string> ofPoint = { "id", "label", "description", "associatedNodeID",
     "position", "orientation", "selected", "locked", "visibility", "positionStatus" };
   const std::set<std::string> ofMeasurement = { "name", "enabled", "value", "units", "description",

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A list of measurements with all that it says recorded, and comparisons of lists.
+ * A list of measurements whose messages are recorded, and comparisons of lists.
  */
 #ifndef MeasureRig_h
 #define MeasureRig_h
@@ -38,7 +38,7 @@ inline std::string WriteTextFile(const std::string& name, const std::string& tex
   return File(name);
 }
 
-/// Points with what was felt at each: a time of 1 ms more, a force along z, and a value.
+/// Makes points at which a force along z and a value were felt, 1 ms apart.
 inline vtkSmartPointer<vtkPolyData> MakeFelt(const std::vector<Point>& positions)
 {
   vtkNew<vtkPoints> points;
@@ -82,7 +82,7 @@ inline void ExpectSameArray(vtkPolyData* a, vtkPolyData* b, const char* name)
   }
 }
 
-/// Names, kinds, values, points, cells and what was felt, to the bit.
+/// Expects the same names, kinds, values, points, cells and felt arrays, to the bit.
 inline void ExpectSame(vtkHapticMeasurements* a, vtkHapticMeasurements* b)
 {
   ASSERT_EQ(a->GetNumberOfMeasurements(), b->GetNumberOfMeasurements());
@@ -125,7 +125,7 @@ inline void ExpectSame(vtkHapticMeasurements* a, vtkHapticMeasurements* b)
 class MeasureTest : public testing::Test
 {
 protected:
-  /// One error, with all these words in it.
+  /// Expects one error with all these words.
   void ExpectError(const std::vector<std::string>& words)
   {
     ASSERT_EQ(this->Log.Errors.size(), 1u);

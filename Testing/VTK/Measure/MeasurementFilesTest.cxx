@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Files of measurements give the same list again, and those that can't be read say why.
+ * Files of measurements give the same list when they are read, and errors tell why a file can't be
+ * read.
  */
 
 #include "MeasureRig.h"
@@ -16,7 +17,7 @@ using namespace measuretest;
 
 namespace
 {
-/// Decimal commas and points between thousands, as in German.
+/// German numbers: a decimal comma, and points between thousands.
 struct GermanNumbers : std::numpunct<char>
 {
   char do_decimal_point() const override { return ','; }
@@ -24,7 +25,7 @@ struct GermanNumbers : std::numpunct<char>
   std::string do_grouping() const override { return "\3"; }
 };
 
-/// One of each kind, with numbers that need all digits, and names that need quotes.
+/// Adds a measurement of each kind, with numbers that need all digits and names that need quotes.
 void Fill(vtkHapticMeasurements* list)
 {
   using M = vtkHapticMeasurements;
@@ -90,7 +91,7 @@ TEST_F(MeasurementFiles, ComeBackToTheBit)
   }
 }
 
-/// Positions alone, as those of a plan that nobody has touched: there is no force, value or time.
+/// Planned measurements, which were not touched, have positions only: no force, value or time.
 TEST_F(MeasurementFiles, OfPositionsAloneComeBack)
 {
   for (const char* const name : { "Plan.csv", "Plan.vtp", "Plan.mrk.json" })
@@ -154,7 +155,7 @@ TEST_F(MeasurementFiles, OfNothingAreReadAsNothing)
 
 TEST_F(MeasurementFiles, ATableNeedsOnlyPositions)
 {
-  // Of a spreadsheet in German.
+  // The table is from a German spreadsheet.
   const std::string file = WriteTextFile("Points.csv",
     "Name;X (mm);Y (mm);Z (mm)\r\n"
     "Apex;1,5;-2;3\r\n\r\n;4;5;6,25\r\n");

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Values of measurements on a sphere against closed forms of elementary geometry, and the list.
+ * Values of measurements on a sphere, compared with closed forms of elementary geometry, and the
+ * list.
  */
 
 #include "MeasureRig.h"
@@ -19,7 +20,7 @@ namespace
 {
 constexpr double Radius = 40.0; // mm
 
-/// On a sphere about (10, -20, 30).
+/// Returns a point on a sphere around (10, -20, 30).
 Point OnSphere(double longitude, double latitude)
 {
   const double u = longitude * vtkMath::Pi() / 180.0;
@@ -43,7 +44,8 @@ TEST_F(MeasureTest, ADistanceOnASphereIsItsChord)
 
 TEST_F(MeasureTest, AnAngleOnACircleIsHalfOfThatAtItsCentre)
 {
-  // The inscribed angle, Euclid III.20; over a diameter it is a right angle.
+  // Euclid III.20: an inscribed angle is half of the central angle; over a diameter it is a right
+  // angle.
   for (const double arc : { 20.0, 90.0, 180.0, 300.0 })
   {
     const vtkIdType i = this->List->AddAngle(
@@ -88,7 +90,7 @@ TEST_F(MeasureTest, AnAreaIsThatOfVtk)
   sphere->SetRadius(Radius);
   sphere->SetThetaResolution(64);
   sphere->SetPhiResolution(64);
-  sphere->SetEndPhi(70.0); // a cap
+  sphere->SetEndPhi(70.0); // leaves a cap
   sphere->Update();
   vtkNew<vtkMassProperties> vtks;
   vtks->SetInputConnection(sphere->GetOutputPort());
@@ -123,7 +125,7 @@ TEST_F(MeasureTest, LengthsHaveTheUnitOfTheWorld)
   this->List->SetMetersPerWorldUnit(1e-6);
   EXPECT_EQ(this->List->GetUnit(0), "um");
   EXPECT_EQ(this->List->GetText(0), "d: 2.50 \xC2\xB5m");
-  this->List->SetMetersPerWorldUnit(0.0254); // an inch has no name here
+  this->List->SetMetersPerWorldUnit(0.0254); // an inch, which has no name here
   EXPECT_NEAR(this->List->GetValue(0), 63.5, 1e-12);
   EXPECT_EQ(this->List->GetText(0), "d: 63.5 mm");
 }

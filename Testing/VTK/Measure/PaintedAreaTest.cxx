@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Areas that a brush paints, against closed forms: a dab on a plane or a sphere covers pi r^2 (of a
- * sphere that is the cap within a chord of r), a straight stroke on a plane 2 r L + pi r^2.
- *
+ * Areas that a brush paints, against closed forms: a dab on a plane or a sphere covers pi r^2 (on a
+ * sphere, the cap within a chord of r), a straight stroke on a plane 2 r L + pi r^2.
  * The border is a polygon with a corner on each edge of the surface's triangles. Edges are up to
- * the diagonal of a voxel h long, so that an area is wrong by a fraction of (h / r)^2 / 4 at most:
- * 1.6 % for a radius of four voxels, 0.4 % for one of eight.
+ * the diagonal of a voxel h long, so the relative error of an area is at most (h / r)^2 / 4: 1.6 %
+ * for a radius of four voxels, 0.4 % for a radius of eight.
  */
 
 #include "MeasureRig.h"
@@ -24,13 +23,13 @@ using namespace measuretest;
 namespace
 {
 
-/// The share by which an area may be wrong, of a radius in voxels.
+/// Returns the relative error that an area may have, for a radius in voxels.
 double Bound(double radius)
 {
   return 0.25 / (radius * radius);
 }
 
-/// Voxels of 1 mm about the origin, 61 a side.
+/// Makes an image with 61 voxels of 1 mm along each axis, around the origin.
 vtkSmartPointer<vtkImageData> Sample(const std::function<double(const Point&)>& value)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -51,7 +50,7 @@ double Length(const Point& x)
   return std::hypot(x[0], x[1], x[2]);
 }
 
-/// Inside positive, in mm.
+/// Makes a sphere whose value is the distance to its surface (mm), positive inside.
 vtkSmartPointer<vtkImageData> MakeSphere(double radius)
 {
   return Sample([radius](const Point& x) { return radius - Length(x); });
@@ -70,7 +69,7 @@ protected:
 
 TEST_F(PaintedArea, ADabOnAPlaneIsADisc)
 {
-  // Slanted, so that voxels are cut in every way.
+  // The plane is slanted, so that voxels are cut in every way.
   const auto plane =
     Sample([](const Point& x) { return (x[0] + 2.0 * x[1] + 3.0 * x[2] - 0.3) / std::sqrt(14.0); });
   for (const double radius : { 4.0, 8.0 })
@@ -83,10 +82,10 @@ TEST_F(PaintedArea, ADabOnAPlaneIsADisc)
 TEST_F(PaintedArea, AStrokeOnAPlaneIsAStadium)
 {
   const auto plane = Sample([](const Point& x) { return 0.25 - x[2]; });
-  // In front of the plane, as a proxy is.
+  // The path is in front of the plane, like a proxy.
   std::vector<Point> path = Line({ -15.0, 3.0, 1.5 }, { 15.0, 3.0, 1.5 }, 300);
   EXPECT_NEAR(this->Paint(plane, path, 5.0) / (300.0 + 25.0 * vtkMath::Pi()), 1.0, Bound(5.0));
-  // Over it again: what is painted is painted.
+  // A second stroke over the same place adds nothing.
   const std::vector<Point> back = Line({ 15.0, 3.0, 1.5 }, { -15.0, 3.0, 1.5 }, 7);
   path.insert(path.end(), back.begin(), back.end());
   EXPECT_NEAR(this->Paint(plane, path, 5.0) / (300.0 + 25.0 * vtkMath::Pi()), 1.0, Bound(5.0));
@@ -105,7 +104,8 @@ TEST_F(PaintedArea, ADabOnASphereIsTheCapWithinAChord)
 
 TEST_F(PaintedArea, ABrushThatCoversASphereHasAllOfIt)
 {
-  // Its triangles are inside of it, along both directions: it lacks up to (h / R)^2 / 2.
+  // The triangles lie inside the sphere, which lacks up to (h / R)^2 / 2 of its area for both
+  // directions together.
   EXPECT_NEAR(
     this->Paint(MakeSphere(8.0), { { 0.0, 0.0, 9.0 } }, 20.0) / (4.0 * vtkMath::Pi() * 64.0), 1.0,
     0.5 / 64.0);
@@ -127,7 +127,7 @@ TEST_F(PaintedArea, TheOtherSideOfAThinWallIsNotPainted)
 TEST_F(PaintedArea, PartsWithoutSurfaceBetweenThemAreNotJoined)
 {
   const auto plane = Sample([](const Point& x) { return 0.25 - x[2]; });
-  // Lifted by 20 mm from one to the other.
+  // The brush is lifted by 20 mm between both dabs.
   const double area = this->Paint(plane,
     { { -15.0, 0.0, 1.0 }, { -5.0, 0.0, 20.0 }, { 5.0, 0.0, 20.0 }, { 15.0, 0.0, 1.0 } }, 4.0);
   EXPECT_NEAR(area / (2.0 * vtkMath::Pi() * 16.0), 1.0, Bound(4.0));
@@ -136,13 +136,13 @@ TEST_F(PaintedArea, PartsWithoutSurfaceBetweenThemAreNotJoined)
 TEST_F(PaintedArea, ImagesMayBeTurnedAndStretched)
 {
   const auto image = Sample([](const Point& x) { return 0.25 - x[2]; });
-  vtkNew<vtkMatrix3x3> turn; // index z becomes world x
+  vtkNew<vtkMatrix3x3> turn; // the image's z axis becomes the world's x axis
   const double rows[9] = { 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0 };
   turn->DeepCopy(rows);
   image->SetDirectionMatrix(turn);
   image->SetSpacing(0.5, 0.8, 0.4);
   image->SetOrigin(100.0, -15.0, -24.0);
-  // The plane is at index 30.25 along z, in the world at x = 100 + 0.4 * 30.25.
+  // The plane is at index 30.25 along z: in the world at x = 100 + 0.4 * 30.25.
   const double area = this->Paint(image, { { 112.1, 0.2, -0.3 } }, 4.0);
   EXPECT_NEAR(area / (vtkMath::Pi() * 16.0), 1.0, Bound(5.0)) << "voxels of 0.8 mm at most";
   vtkNew<vtkPolyData> shape;

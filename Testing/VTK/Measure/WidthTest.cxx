@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The width of a ball, between the proxies that touch it from two sides, against its diameter. The
- * ball is as a CT scanner sees one of water: a step of Hounsfield units, which a point spread
- * blurs. A step that is blurred evenly is halfway up where it was.
+ * The width of a ball between the proxies that touch it from two sides, compared with its diameter.
+ * The ball looks like water in a CT scan: a step of Hounsfield units, blurred by a point spread. An
+ * evenly blurred step is halfway up where the step was.
  */
 
 #include "MeasureRig.h"
@@ -40,7 +40,7 @@ protected:
     this->Filter->SetInputData(0, ScanBall());
     this->Filter->GetProperty()->ApplyPreset("CT contrast");
   }
-  /// Where the proxy rests when the tip is 1 mm inside, from a direction.
+  /// Returns the proxy's place when the tip is 1 mm inside the ball, coming from a direction.
   Point Touch(const Point& direction)
   {
     const auto at = [&direction](double r) {
@@ -78,11 +78,11 @@ TEST_F(Width, PreciseRestsHalfwayUpTheEdge)
 TEST_F(Width, SurfaceProxyRestsItsRadiusInFrontOfTheIsosurface)
 {
   this->Filter->SetMethodToSurfaceProxy();
-  this->Filter->SetIsoValue(-480.0); // halfway
+  this->Filter->SetIsoValue(-480.0); // halfway between air and water
   for (const double radius : { 0.0, 2.0 })
   {
     this->Filter->SetProxyRadius(radius);
-    const double gap = radius > 0.0 ? radius : 0.5; // by default half a voxel
+    const double gap = radius > 0.0 ? radius : 0.5; // the default is half a voxel
     for (const Point& direction : { Point{ 0.0, 1.0, 0.0 }, Point{ 0.48, 0.6, 0.64 } })
     {
       EXPECT_NEAR(this->MeasureAcross(direction), 2.0 * (BallRadius + gap), 0.1) << "of triangles";

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Volumes for vtkHapticRegionSource: computed ones, and the same in memory.
+ * Volumes for vtkHapticRegionSource: computed ones, and the same volumes in memory.
  */
 #ifndef LargeRig_h
 #define LargeRig_h
@@ -25,8 +25,8 @@ namespace largetest
 {
 using namespace apitest;
 
-// The thread sanitizer watches each access to memory. Tests compute millions of values, from tables
-// that never change: unwatched, they end within seconds instead of minutes.
+// The thread sanitizer checks each access to memory. Tests compute millions of values from constant
+// tables: without these checks, they take seconds instead of minutes.
 #if defined(__SANITIZE_THREAD__)
 #define LARGE_RIG_UNWATCHED __attribute__((no_sanitize("thread")))
 #else
@@ -36,7 +36,7 @@ using namespace apitest;
 using Extent = std::array<int, 6>;
 using ValueAt = std::function<double(int, int, int)>;
 
-/// Numbers from -1 to 1 without a pattern (a hash of the place).
+/// Returns a number from -1 to 1 without a pattern (a hash of the place).
 LARGE_RIG_UNWATCHED inline double Noise(int i, int j, int k)
 {
   std::uint64_t x = static_cast<std::uint64_t>(i) * 0x9E3779B97F4A7C15U +
@@ -47,7 +47,7 @@ LARGE_RIG_UNWATCHED inline double Noise(int i, int j, int k)
   return static_cast<double>(x >> 11) / 4503599627370496.0 - 1.0;
 }
 
-/// A wave along an axis, from a table: tests compute it for millions of samples.
+/// A wave along an axis, from a table, since tests compute it for millions of samples.
 class Wave
 {
 public:
@@ -66,7 +66,7 @@ private:
   std::array<double, Count> Values;
 };
 
-/// The height of the bed below.
+/// Returns the height of the bed's surface.
 LARGE_RIG_UNWATCHED inline double TopAt(int i, int j)
 {
   static const Wave alongX(4.0, 0.05);
@@ -74,7 +74,7 @@ LARGE_RIG_UNWATCHED inline double TopAt(int i, int j)
   return 50.0 + alongX.At(i) + alongY.At(j);
 }
 
-/// A wavy bed that fills the lower part of a long volume, with noise.
+/// Returns the value of a wavy bed with noise, which fills the lower part of a long volume.
 LARGE_RIG_UNWATCHED inline double BedAt(int i, int j, int k)
 {
   const double above = k - TopAt(i, j);
@@ -106,14 +106,14 @@ inline void FillBox(int type, const int extent[6], void* samples, const ValueAt&
   }
 }
 
-/// How often a reader was called, and for how many samples.
+/// Counts the calls of a reader, and its largest number of samples.
 struct Reads
 {
   std::atomic<int> Calls{ 0 };
   std::atomic<std::int64_t> Most{ 0 };
 };
 
-/// A source whose reader computes the values.
+/// Makes a source whose reader computes the values.
 inline vtkSmartPointer<vtkHapticRegionSource> MakeSource(const Extent& extent, int type,
   const ValueAt& value, const std::shared_ptr<Reads>& reads = std::make_shared<Reads>())
 {
@@ -133,7 +133,7 @@ inline vtkSmartPointer<vtkHapticRegionSource> MakeSource(const Extent& extent, i
   return source;
 }
 
-/// The same volume in memory.
+/// Makes the same volume in memory.
 inline vtkSmartPointer<vtkImageData> MakeWhole(
   vtkHapticRegionSource* source, int type, const ValueAt& value)
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Regions that follow a tip, without a device: what stands in for samples that are late, how much
- * memory there is, and a day of it. Values are closed forms of the indices.
+ * Regions that follow a tip, without a device: what replaces late samples, how much memory is used,
+ * and a day of use. Values are closed forms of the indices.
  */
 
 #include "LargeRig.h"
@@ -32,10 +32,10 @@ using devicetest::Eventually;
 
 namespace
 {
-/// 125 million samples: 512 blocks tell the noise.
+/// 125 million samples, of which 512 blocks give the noise.
 constexpr Extent Cube = { 0, 499, 0, 499, 0, 499 };
 
-/// Linear in the indices, so that it is also the value between them.
+/// Returns a value that is linear in the indices, so that it is also exact between samples.
 double PlainAt(int i, int j, int k)
 {
   return 2.0 * i + 3.0 * j - 5.0 * k + 7.0;
@@ -66,7 +66,7 @@ protected:
         ++gate->Calls;
         if (gate->IsBroken)
         {
-          throw 7; // no std::exception
+          throw 7; // throws no std::exception
         }
         gate->IsFlat ? FillFlat(box, samples) : FillBox<short>(box, samples, PlainAt);
         return true;
@@ -94,7 +94,7 @@ protected:
   {
     std::memset(samples, 0, static_cast<std::size_t>(Count(box)) * sizeof(short));
   }
-  /// The world's position of an index.
+  /// Returns the world position of an index.
   static Point At(double i, double j, double k)
   {
     return { -3.0 + 0.5 * i, 4.0 + j, 5.0 + 2.0 * k };
@@ -105,14 +105,15 @@ protected:
     this->Touch->ConfigureSource(this->Source);
     return this->Source->Follow(tip.data(), this->Time);
   }
-  /// The share that the output tells.
+  /// Returns the value of the output's "HapticShare" array, or 1 without it.
   double GetShare()
   {
     this->Source->Update();
     vtkDataArray* const share = this->Source->GetOutput()->GetFieldData()->GetArray("HapticShare");
     return share ? share->GetComponent(0, 0) : 1.0;
   }
-  /// Follows a tip until the output has its samples: the volume's own, or those that stand in.
+  /// Follows a tip until the output has its samples: the volume's own (1), or those of the coarse
+  /// image.
   bool Await(const Point& tip, double share = 1.0)
   {
     return Eventually(
@@ -150,7 +151,7 @@ protected:
   double Time = 0.0;
 };
 
-/// Every fourth sample along each axis, from the first to the last but three.
+/// Makes a coarse image of every fourth sample along each axis.
 vtkSmartPointer<vtkImageData> MakeCoarse()
 {
   constexpr int n = 125;
@@ -177,7 +178,7 @@ TEST_F(LiveRegions, AreOfTheCoarseImageWhereTheFineOneIsLate)
   EXPECT_FALSE(this->Follow(At(300, 200, 250))) << "the stand-in is there";
   ASSERT_TRUE(this->Await(At(100, 400, 50), 0.5)) << "it follows the tip";
   this->ExpectPlain(100, 400, 50);
-  // What comes for a place that the tip has left does not take the stand-in's place.
+  // Samples for a place that the tip has left must not replace the coarse samples at the tip.
   ASSERT_TRUE(Eventually([&] { return this->Gate->Waiting == 1; }));
   this->Gate->IsOpen = true;
   ASSERT_TRUE(this->Await(At(100, 400, 50)));
@@ -216,11 +217,12 @@ TEST_F(LiveRegions, OfACoarseImageWithoutScalarsAreToldAsWrong)
 
 TEST_F(LiveRegions, BeyondACoarseImageAreAsAtItsBorderAndRoundedToTheType)
 {
-  // Of 3 values along x: 0, 10.4 and 1e9, which is too large for the type.
+  // The coarse image has three values along x: -0.6, 10.4, and 1e9, which is too large for the
+  // type.
   vtkNew<vtkImageData> coarse;
   coarse->SetDimensions(3, 2, 2);
   coarse->SetSpacing(100.0, 499.0, 998.0);
-  coarse->SetOrigin(47.0, 4.0, 5.0); // at i = 100, 300 and 500
+  coarse->SetOrigin(47.0, 4.0, 5.0); // the samples are at i = 100, 300 and 500
   coarse->AllocateScalars(VTK_DOUBLE, 1);
   FillBox<double>(coarse->GetExtent(), coarse->GetScalarPointer(),
     [](int i, int, int) { return i == 0 ? -0.6
@@ -241,7 +243,7 @@ TEST_F(LiveRegions, BeyondACoarseImageAreAsAtItsBorderAndRoundedToTheType)
 
 TEST_F(LiveRegions, GoThroughADayInTheirMemory)
 {
-  // A hand that wanders for 24 hours, in steps of half a second.
+  // A hand wanders for 24 hours, in steps of half a second.
   this->Gate->IsFlat = true;
   ASSERT_TRUE(this->Await(At(250, 250, 250)));
   std::mt19937 random(5);
@@ -269,7 +271,7 @@ TEST_F(LiveRegions, GoThroughADayInTheirMemory)
   EXPECT_LE(4 * this->Gate->Most * 2, 4194304) << "a region takes a quarter of the memory";
   EXPECT_EQ(this->Source->GetStatusText().find("can't"), std::string::npos);
   EXPECT_EQ(this->Log.Errors.size(), 0U);
-  // And the samples of the last place come.
+  // In the end, the samples at the last place come.
   EXPECT_TRUE(Eventually(
     [&]
     {
@@ -283,7 +285,7 @@ TEST_F(LiveRegions, OfAFileThatShrinksAreToldAndComeBackWhenItGrows)
   const std::string name = TemporaryPath("shrinks.raw");
   constexpr std::uintmax_t bytes = 500ULL * 500 * 500 * 2;
   std::ofstream(name).put('\0');
-  std::filesystem::resize_file(name, bytes); // a hole
+  std::filesystem::resize_file(name, bytes); // makes a sparse file
   this->Source->SetReader({});
   this->Source->SetFileName(name.c_str());
   ASSERT_TRUE(this->Await(At(100, 100, 100)));

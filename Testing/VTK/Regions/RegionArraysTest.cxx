@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The facts about the whole that a region carries, and the errors if they are wrong.
+ * The arrays of a region that describe the whole volume, and the errors if they are wrong.
  */
 
 #include "Rigs/BadImage.h"
@@ -27,7 +27,7 @@ void SetField(vtkImageData* image, const char* name, const std::vector<double>& 
   image->GetFieldData()->AddArray(array);
 }
 
-/// The ramp as a region of a volume, as it should be, but for what a test breaks.
+/// Makes the ramp a valid region of a volume; each test breaks one array.
 void MakeRegion(vtkImageData* image)
 {
   SetField(image, "HapticWholeExtent", { 0, 15, 0, 15, -10, 15 });

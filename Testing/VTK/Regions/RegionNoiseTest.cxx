@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The noise of a volume in pieces is that of the whole, to the bit, and is collected once; what is
- * outside is found in all of them.
+ * The noise of a volume in pieces equals the noise of the whole, to the bit, and is estimated once.
+ * Samples that were not measured are found in all pieces.
  */
 
 #include "RegionRig.h"
@@ -18,7 +18,7 @@ using namespace apitest;
 
 namespace
 {
-/// Collects the samples from so many slabs across an axis, as processes that hold one each would.
+/// Collects the samples from some slabs across an axis, as if a process held each slab.
 class SlabFilter : public vtkHapticRegionFilter
 {
 public:
@@ -37,7 +37,7 @@ protected:
     int whole[6];
     image->GetExtent(whole);
     samples.clear();
-    // The last first: the order of the pieces must not matter.
+    // The last slab comes first, since the order of the pieces must not matter.
     for (int i = this->Slabs - 1; i >= 0; --i)
     {
       int part[6];
@@ -62,7 +62,7 @@ protected:
 };
 vtkStandardNewMacro(SlabFilter);
 
-/// Gathers the samples of all pieces, as a process of a server that has no piece itself does.
+/// Gathers the samples of all pieces, like a server's process that has no piece itself.
 class FilterWithoutPiece : public vtkHapticRegionFilter
 {
 public:
@@ -123,7 +123,7 @@ TEST_F(RegionNoise, OfPiecesIsThatOfTheWhole)
     scalars->GetRange(range, 0);
     for (vtkIdType i = 0; i < 40000; ++i)
     {
-      scalars->SetComponent(i, 0, range[0]); // padding, with the first corner in it
+      scalars->SetComponent(i, 0, range[0]); // padding, which contains the first corner
     }
     vtkNew<vtkHapticRegionFilter> one;
     one->SetInputData(image);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The plans of RegionPlanner, also for numbers that make no sense.
+ * Plans of RegionPlanner, also for numbers that make no sense.
  */
 
 #include "Rigs/ApiRig.h"
@@ -86,7 +86,7 @@ TEST_F(Plan, LeavesAHandThatStopsItsData)
   const int whole[6] = { 0, 999, 0, 999, 0, 999 };
   this->SetWhole(whole);
   this->Planner.SetMaximumVoxels(44 * 44 * 44);
-  const double needed = 13.0; // world units, of the 22 that a region has to each side
+  const double needed = 13.0; // world units; a region has 22 to each side
   this->Planner.SpringLength = 4.0;
   this->Planner.Reach = 5.0;
   this->Planner.Band = 4.0;
@@ -109,7 +109,8 @@ TEST_F(Plan, LeavesAHandThatStopsItsData)
   }
 }
 
-/// A region of 20^3 has 10 to each side, and a tick needs 60: half of the 10 is when to order.
+/// A region of 20^3 reaches 10 to each side, while a tick needs 60: the next region is ordered when
+/// half of the 10 is left.
 TEST_F(Plan, OrdersTheNextCutRegionBeforeTheTipLeavesThisOne)
 {
   const int whole[6] = { 0, 999, 0, 999, 0, 999 };
@@ -150,7 +151,7 @@ TEST_F(Plan, SmoothsLatenciesAndKnowsWholesFromRegions)
   std::string error;
   EXPECT_TRUE(this->Planner.SetWhole(crop->GetOutput(), error)) << error;
   EXPECT_EQ(this->Planner.GetWhole().Extent[1], 15);
-  vtkNew<vtkVolumeHapticsFilter> touch; // 500 N/m and 2 N, a kernel of 2 voxels
+  vtkNew<vtkVolumeHapticsFilter> touch; // has 500 N/m, 2 N, and a kernel of 2 voxels
   VolumeHaptics::ConfigurePlanner(this->Planner, touch);
   EXPECT_DOUBLE_EQ(this->Planner.SpringLength, 4.0);
   EXPECT_DOUBLE_EQ(this->Planner.Reach, 9.0) << "as far as the walk to the far side goes";

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Which region is fetched, and when, for hands that rest, tremble and move.
+ * The choice of the region to fetch, and its time, for hands that rest, tremble and move.
  */
 
 #include "VTK/Regions/RegionPlanner.h"
@@ -22,7 +22,7 @@ protected:
   Planner()
   {
     this->SetWhole({ 0, 999, 0, 999, 0, 999 });
-    this->Plan.AddLatency(0.1); // 50 world units at 0.5 m/s
+    this->Plan.AddLatency(0.1); // a hand of 0.5 m/s moves 50 world units in this time
     this->Plan.SetMaximumVoxels(1 << 24);
   }
   void SetWhole(const std::array<int, 6>& extent, double spacing = 1.0)
@@ -49,7 +49,7 @@ protected:
 
 TEST_F(Planner, TellsTheRoomThatARegionGivesATip)
 {
-  // Less T_N/k, reach and band: 4 + 8 + 4.
+  // The room is less by T_N/k, reach and band: 4 + 8 + 4.
   const double tip[3] = { 520.0, 300.0, 5.0 };
   const int around[6] = { 480, 600, 200, 400, 0, 70 };
   EXPECT_DOUBLE_EQ(this->Plan.ComputeRoom(tip, around), 40.0 - 16.0) << "the volume's end is none";
@@ -113,7 +113,7 @@ TEST_F(Planner, IsInTimeAtEverySteadySpeed)
         std::copy(this->Resident, this->Resident + 6, here);
         comes = -1.0;
       }
-      // Spring, reach and band, which are 16, stay within what is here.
+      // The resident region includes the spring, the reach and the band around the tip, 16 in all.
       ASSERT_GE(x - 16.0, here[0]) << speed << " at " << time;
       ASSERT_LE(x + 16.0, here[1]) << speed << " at " << time;
       if (comes < 0.0 && this->Wants(x, speed))

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The thread that reads regions: its owner never waits for it, but for the read that is under way
- * when it ends; it goes on after readers that fail, throw or are slow.
+ * The thread that reads regions: its owner never waits for it, except for a read that is under way
+ * when the reader ends. The thread survives readers that fail, throw or are slow.
  */
 
 #include "VTK/Regions/RegionReader.h"
@@ -30,7 +30,8 @@ constexpr BoxExtent Here = { 10, 13, 20, 22, 30, 31 };
 constexpr BoxExtent There = { 500, 503, 20, 22, 30, 31 };
 constexpr BoxExtent Elsewhere = { 700, 703, 20, 22, 30, 31 };
 
-/// A volume whose samples are the index along x, read through a gate that tests open and close.
+/// A volume whose samples are the index along x. Tests open and close the gate through which it is
+/// read.
 struct GatedVolume
 {
   GatedVolume()
@@ -84,7 +85,7 @@ std::optional<RegionSamples> Await(RegionReader& reader)
   return region;
 }
 
-/// Ends a reader while it reads through a closed gate, which is opened a little later.
+/// Ends a reader while it reads through a closed gate, and opens the gate a little later.
 void EndMeanwhile(std::unique_ptr<RegionReader>& reader, GatedVolume& gate)
 {
   std::atomic<bool> begins{ false };
@@ -136,7 +137,7 @@ TEST(RegionReader, LeavesOutOrdersThatALaterOneReplaces)
   reader.Order(Elsewhere);
   gate.IsOpen = true;
   ASSERT_TRUE(Eventually([&] { return gate.Left == 2; }));
-  // The first may have been replaced by the last before anything took it.
+  // The last region may have replaced the first one before anything drained it.
   std::optional<RegionSamples> region;
   ASSERT_TRUE(Eventually(
     [&]
@@ -291,7 +292,7 @@ TEST(RegionReader, DoesNotWaitForAReaderThatOwnsWhatItUses)
     RegionReader reader(std::move(volume), Known);
     reader.Order(Here);
     ASSERT_TRUE(Eventually([&] { return owned->IsEntered.load(); }));
-  } // without waiting
+  } // does not wait
   EXPECT_EQ(ends, 0);
   owned->IsOpen = true;
   owned.reset();

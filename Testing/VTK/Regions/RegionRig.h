@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A noisy ball in an image that stands askew in the world, and regions of it.
+ * A noisy ball in an image that is turned in the world, and regions of it.
  */
 #ifndef RegionRig_h
 #define RegionRig_h
@@ -18,8 +18,8 @@
 
 namespace apitest
 {
-/// 60 x 56 x 52 voxels, with indices that do not begin at 0; a surface of 20 voxels' radius, and
-/// noise.
+/// Makes 60 x 56 x 52 voxels whose indices do not begin at 0, with a surface at a radius of 20
+/// voxels, and noise.
 inline vtkSmartPointer<vtkImageData> MakeBall(int scalarType = VTK_SHORT, double sigma = 10.0)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -44,7 +44,8 @@ inline vtkSmartPointer<vtkImageData> MakeBall(int scalarType = VTK_SHORT, double
   return image;
 }
 
-/// A path that presses the ball at its top, slides over it, and goes through its surface and back.
+/// Makes a path that presses the ball at its top, slides over it, and passes its surface in and
+/// out.
 inline std::vector<Point> SlideOver(vtkImageData* image, int ticks)
 {
   double centre[3];
@@ -60,7 +61,7 @@ inline std::vector<Point> SlideOver(vtkImageData* image, int ticks)
   return path;
 }
 
-/// The largest difference of a point array of two outputs.
+/// Returns the largest difference of a point array between two outputs.
 inline double FarthestApart(vtkPolyData* a, vtkPolyData* b, const char* name)
 {
   double most = a->GetNumberOfPoints() == b->GetNumberOfPoints() ? 0.0 : HUGE_VAL;

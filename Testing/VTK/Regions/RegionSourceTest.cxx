@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Paths through a volume that is read region by region are felt as those through the whole volume
- * in memory, to the bit, whatever is read when. The reference is the filter on a vtkImageData.
+ * Paths through a volume that is read region by region give the same trace as through the whole
+ * volume in memory, to the bit, in whatever order regions are read. The reference is the filter on
+ * a vtkImageData.
  */
 
 #include "LargeRig.h"
@@ -41,13 +42,13 @@ protected:
     }
     this->TouchRegions->SetInputConnection(0, this->Source->GetOutputPort());
   }
-  /// World position of an index.
+  /// Returns the world position of an index.
   Point At(double i, double j, double k)
   {
     const double x = 0.8 * i;
     return { -20.0 + 0.8 * x - 0.6 * j, 7.0 + 0.6 * x + 0.8 * j, 3.0 + 1.2 * k };
   }
-  /// Slides along the bed over most of its length, in and out of it.
+  /// Makes a path along most of the bed, in and out of it.
   std::vector<Point> Slide(int ticks, double j = 57.0)
   {
     std::vector<Point> path;
@@ -118,7 +119,7 @@ TEST_P(RegionSource, IsFeltAsTheWhole)
   EXPECT_EQ(felt->GetNumberOfPoints(), 3000);
   if (isMeshed)
   {
-    // In another mesh the sphere meets its triangles in another order.
+    // In another mesh, the sphere meets its triangles in another order.
     vtkDataArray* const a = this->Felt()->GetPointData()->GetArray("Force");
     vtkDataArray* const b = felt->GetPointData()->GetArray("Force");
     for (vtkIdType t = 0; t < 3 * 3000; ++t)
@@ -130,7 +131,8 @@ TEST_P(RegionSource, IsFeltAsTheWhole)
   {
     EXPECT_TRUE(IsSame(this->Felt(), felt));
   }
-  // The whole takes 6.6 million samples: several regions along the path, none of them large.
+  // The whole volume has 6.6 million samples, so it is read in several regions along the path, none
+  // of them large.
   EXPECT_GT(this->Counted->Calls, 12);
   EXPECT_LE(this->Counted->Most, 1 << 20);
 }
@@ -151,7 +153,7 @@ TEST_F(LargePaths, AreFeltAsIfEachWereAlone)
   vtkNew<vtkCellArray> lines;
   for (vtkIdType line = 0; line < 9; ++line)
   {
-    // From the far end on, so that each begins in another region than the one before ended in.
+    // The lines are in an order in which each begins in another region than the last one ended in.
     lines->InsertNextCell(100);
     for (vtkIdType t = 0; t < 100; ++t)
     {
@@ -287,7 +289,7 @@ TEST(RegionSourceSettings, TheEndingsAreThoseOfTheFormats)
     { ".hdf", "VTKHDF" }, { ".mhd", "MetaImage" }, { ".mha", "MetaImage" }, { ".nrrd", "NRRD" },
     { ".nhdr", "NRRD" }, { ".mgh", "FreeSurfer" }, { ".mgz", "FreeSurfer" }, { ".mnc", "MINC" },
     { ".tif", "TIFF" }, { ".tiff", "TIFF" }, { ".zarr", "Zarr" }, { ".zarr/", "Zarr" } };
-  std::size_t count = 1; // ".zarr/" is no ending of its own
+  std::size_t count = 1; // ".zarr/" is not listed separately
   for (std::string ending; endings >> ending; ++count)
   {
     EXPECT_EQ(formats.count(ending), 1U) << ending;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A region that vtkHapticRegionFilter has made is felt as the whole image is.
+ * A region that vtkHapticRegionFilter has made is felt like the whole image.
  */
 
 #include "RegionRig.h"
@@ -44,8 +44,8 @@ protected:
     EXPECT_EQ(this->Log.Errors.size(), 0U);
   }
 
-  /// N. In another mesh the sphere meets its triangles in another order; of two that are parallel
-  /// to 1e-6 rad, the first one's normal counts.
+  /// Tolerance (N). In another mesh, the sphere meets its triangles in another order; of two that
+  /// are parallel within 1e-6 rad, the first one's normal counts.
   const double Tolerance = std::string(this->GetParam()) == "surface-proxy" ? 1e-7 : 1e-9;
   vtkSmartPointer<vtkImageData> Whole = MakeBall();
   vtkNew<vtkHapticRegionFilter> Crop;
@@ -57,7 +57,8 @@ protected:
 
 TEST_P(Region, IsFeltAsTheWhole)
 {
-  // The upper half, less the outermost voxels: five of six borders are the region's own.
+  // The region is the upper half without the outermost voxels: five of its six borders are inside
+  // the volume.
   this->Crop->SetRegion(-4, 53, 4, 57, 22, 70);
   this->Crop->Update();
   int extent[6];
@@ -83,7 +84,7 @@ TEST_P(Region, WithSamplesThatAreNotNumbersIsFeltAsTheWhole)
     scalars->SetComponent(
       holes->FindPoint(centre[0] + dx, centre[1] - 4.0, centre[2] + 17.0), 0, NAN);
   }
-  scalars->SetComponent(0, 0, 345.0); // the first corner, which stands in
+  scalars->SetComponent(0, 0, 345.0); // the first corner, whose value replaces bad samples
   this->Crop->SetInputData(holes);
   this->Crop->SetRegion(-4, 53, 4, 57, 22, 61);
   this->Touch->SetInputData(0, holes);

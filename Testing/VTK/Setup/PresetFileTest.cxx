@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Presets as files: what comes back, and what is said of files that are none.
+ * Presets as files: what is restored, and the errors for other files.
  */
 
 #include "SetupRig.h"
@@ -32,7 +32,7 @@ protected:
     return { p->GetStiffness(), p->GetFriction(), p->GetViscosity(), p->GetSurfaceStrength(),
       p->GetDistinctness() };
   }
-  /// Two nodes at a time have the same numbers, to the bit.
+  /// Expects that both have functions with the same nodes, to the bit.
   static void ExpectSame(vtkHapticProperty* a, vtkHapticProperty* b)
   {
     for (std::size_t f = 0; f < 5; ++f)
@@ -72,7 +72,7 @@ protected:
   {
     return this->Log.Errors.size() == 1 && this->Log.Errors[0].find(words) != std::string::npos;
   }
-  /// One error that names the file and says these words, and nothing has changed.
+  /// Expects one error with these words that names the file, and an unchanged property.
   void ExpectRefused(const std::string& file, const std::string& words)
   {
     SCOPED_TRACE(words);
@@ -189,10 +189,10 @@ TEST_F(PresetFile, ThatIsNoneIsOneErrorWithTheCure)
   refuse(head + R"("Stiffness": {}, "Tissues": {"": [0, 2]}})", "lower one first");
   refuse(head + R"("Stiffness": {}, "Tissues": {"a": "b"}})", "a list of 2 numbers");
   refuse(head + R"("Stiffness": {}, "Note": )" + std::string(70, '[') + std::string(70, ']') + "}",
-    "nested more than 64 deep"); // deep lists are freed by recursion
+    "nested more than 64 deep"); // deep lists would be freed by recursion
   refuse(std::string(2 << 20, ' '), "can't be read");
 
-  // A file that was cut off is no preset.
+  // A file that is cut off is refused.
   ASSERT_TRUE(this->Property->WritePreset(file.c_str()));
   const std::string good = Read(file);
   for (std::size_t size = 0; size < good.size() - 2; size += 7)

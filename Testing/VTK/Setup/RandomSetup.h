@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A scene with settings of its own.
+ * A scene whose settings are random.
  */
 #ifndef RandomSetup_h
 #define RandomSetup_h
@@ -16,7 +16,7 @@
 
 namespace setuptest
 {
-/// Numbers with all their digits, none of them a default.
+/// All numbers are random with all their digits, and none is a default.
 class RandomScene : public Scene
 {
 public:
@@ -107,7 +107,7 @@ private:
     }
   }
 
-  /// A turn about z, scaled and moved.
+  /// Sets a random turn about z, with a scale and a shift.
   void Turn()
   {
     const double angle = this->Draw(3.0);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A scene whose settings no bad file changes.
+ * A scene whose settings must survive bad files.
  */
 #ifndef SetupErrorsRig_h
 #define SetupErrorsRig_h
@@ -34,7 +34,7 @@ protected:
     this->Target.Log.Errors.clear();
   }
 
-  /// Loads a text, and expects an error with these words and the settings as they were.
+  /// Loads a text, and expects an error with these words and unchanged settings.
   void Refuse(const std::string& text, std::vector<std::string> words)
   {
     const std::string file = File("Bad.json");
@@ -45,7 +45,7 @@ protected:
     EXPECT_EQ(this->Save("After.json"), this->Good);
   }
 
-  /// The good file, in which the value of a key (the first of that name) is another one.
+  /// Returns the good file with another value for a key (the first with this name).
   std::string With(const std::string& key, const std::string& value)
   {
     const std::size_t colon = this->Good.find(" : ", this->Good.find('"' + key + '"'));
@@ -53,7 +53,8 @@ protected:
     return this->Good.substr(0, colon) + " : " + value + this->Good.substr(end);
   }
 
-  /// A file whose haptics differ from the target's in the first key, and are bad in the second.
+  /// Returns a file whose haptics differ from the target's in the first key, and are bad in the
+  /// second.
   std::string Haptics(const std::string& bad)
   {
     return R"({"Format":"VTK Volume Haptics setup","Version":1,"DeviceToWorld":)"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A setup that can't be used: one error that names file, key and cure, and nothing changes.
+ * A setup that can't be used gives one error that names file, key and cure, and changes nothing.
  */
 
 #include "Rigs/FullDisk.h"
@@ -86,7 +86,7 @@ TEST_F(SetupErrors, FilesThatHaveNoEnd)
   EXPECT_FALSE(this->Target.Setup->Save(pipe.c_str()));
   this->ExpectError({ pipe, "is a pipe" });
   unlink(pipe.c_str());
-  // Without a byte of it on the disk.
+  // Make a sparse file of 2 GiB: truncate() extends the setup without writing the added bytes.
   const std::string large = File("Large.json");
   std::ofstream(large) << this->Good;
   ASSERT_EQ(truncate(large.c_str(), off_t{ 1 } << 31), 0);
@@ -96,7 +96,7 @@ TEST_F(SetupErrors, FilesThatHaveNoEnd)
 
 TEST_F(SetupErrors, NamesAndTextsThatAreNotUtf8)
 {
-  // Python drops a message that is not UTF-8.
+  // Python drops messages that are not UTF-8.
   EXPECT_FALSE(this->Target.Setup->Load("/no/such/\xE4.json"));
   this->ExpectError({ "/no/such/\\xE4.json" });
   EXPECT_FALSE(this->Target.Setup->Save("/no/such/\xE4.json"));
@@ -119,7 +119,7 @@ TEST_F(SetupErrors, Saving)
   this->ExpectError({ "/no/such/folder/setup.json", "folder exists" });
   EXPECT_FALSE(this->Target.Setup->Save(""));
   this->ExpectError({ "no file" });
-  // Nor does a full disk take the good file away.
+  // A full disk does not remove the good file.
   const std::string good = File("Good.json");
   chmod(good.c_str(), 0640);
   {
@@ -128,7 +128,7 @@ TEST_F(SetupErrors, Saving)
   }
   this->ExpectError({ good, "Make room" });
   EXPECT_EQ(Read(good), this->Good);
-  // A link stays one, and permissions stay.
+  // A link stays a link, and its target keeps its permissions.
   const std::string link = File("Link.json");
   unlink(link.c_str());
   ASSERT_EQ(symlink(good.c_str(), link.c_str()), 0);
@@ -139,7 +139,7 @@ TEST_F(SetupErrors, Saving)
   ASSERT_EQ(stat(good.c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777, 0640U);
   unlink(link.c_str());
-  // A link to a file that is not there yet leads to it.
+  // A link to a missing file creates that file.
   const std::string later = File("Later.json");
   ASSERT_EQ(symlink("Later.json", link.c_str()), 0);
   EXPECT_TRUE(this->Target.Setup->Save(link.c_str()));
@@ -147,7 +147,7 @@ TEST_F(SetupErrors, Saving)
   ASSERT_EQ(lstat(link.c_str(), &status), 0);
   EXPECT_TRUE(S_ISLNK(status.st_mode));
   unlink(link.c_str());
-  // A setting that could not be loaded again leaves the good file alone.
+  // A setting that could not be loaded again is not saved, and the good file stays.
   this->Target.Filter->SetForceFieldGain(std::numeric_limits<double>::quiet_NaN());
   EXPECT_FALSE(this->Target.Setup->Save(File("Good.json").c_str()));
   this->ExpectError({ "Haptics.ForceFieldGain", "not saved" });
@@ -177,8 +177,8 @@ TEST_F(SetupErrors, SavingKeepsOwnerAndGroup)
   EXPECT_TRUE(this->Target.Setup->Save(file.c_str()));
   expect(0660);
   EXPECT_EQ(Read(file), this->Good);
-  // One who is neither, but may write, can't give a new file to the group: this one is written in
-  // place.
+  // A user who may write the file, but is neither its owner nor in its group, can't give a new file
+  // to that group, so the file is written in place.
   std::ofstream(file) << "old and longer than nothing";
   ASSERT_EQ(chmod(file.c_str(), 0666), 0);
   const auto before = std::filesystem::current_path();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The label table in a setup: it comes back as it was, and a file that is wrong about it names the
- * label. Tables are compared by their getters and by the CSV that they write.
+ * The label table in a setup is restored, and an error in the file names the label. Tables are
+ * compared by their getters and by the CSV that they write.
  */
 
 #include "SetupErrorsRig.h"
@@ -19,7 +19,8 @@ namespace
 constexpr int Least = std::numeric_limits<int>::min();
 constexpr int Most = std::numeric_limits<int>::max();
 
-/// Labels of all signs with each subset of what can be set.
+/// Fills a table with positive and negative labels, with each subset of the values that a label can
+/// have.
 void FillTable(vtkHapticLabelTable* table, unsigned int seed)
 {
   std::mt19937 random(seed);
@@ -94,12 +95,12 @@ TEST(SetupLabels, ComeBackAsTheyWere)
     saved.Filter->SetGeometryFromLabels();
     ASSERT_TRUE(saved.Setup->Save(file.c_str()));
 
-    Scene loaded; // without a table
+    Scene loaded; // has no table
     ASSERT_TRUE(loaded.Setup->Load(file.c_str()));
     ASSERT_NO_FATAL_FAILURE(ExpectSame(loaded.Filter->GetLabelTable(), table));
     EXPECT_EQ(loaded.Filter->GetGeometry(), vtkVolumeHapticsFilter::FROM_LABELS);
 
-    // With another one, in place.
+    // A table that is there already is filled in place.
     vtkNew<vtkHapticLabelTable> other;
     FillTable(other, seed + 100);
     loaded.Filter->SetLabelTable(other);
@@ -133,7 +134,7 @@ TEST(SetupLabels, StayAsTheyAreWithAFileThatHasNone)
   ASSERT_TRUE(loaded.Setup->Load(file.c_str()));
   ASSERT_NO_FATAL_FAILURE(ExpectSame(table, before));
 
-  // An empty table is one, too.
+  // An empty table is restored, too.
   vtkNew<vtkHapticLabelTable> empty;
   saved.Filter->SetLabelTable(empty);
   ASSERT_TRUE(saved.Setup->Save(file.c_str()));
@@ -217,7 +218,7 @@ TEST_F(SetupErrors, LabelsThatCannotBe)
     refuse('"' + std::string(key) + R"(":{"Stiffness":300})",
       { "Haptics.Labels.Table." + std::string(key) + " is", "whole number", "2147483647" });
   }
-  refuse(R"("4":{"Friction":0.2})", { "not JSON", "4" }); // twice
+  refuse(R"("4":{"Friction":0.2})", { "not JSON", "4" }); // the key is there twice
   this->Refuse(this->Haptics(R"("Labels":[1,2])"), { "Haptics.Labels", "object" });
   this->Refuse(this->Haptics(R"("Labels":{"Table":[1,2]})"), { "Haptics.Labels.Table", "object" });
   this->Refuse(this->Haptics(R"("Labels":{"StandOff":-1})"), { "Labels.StandOff", "0 or more" });

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Modes in a setup: they come back as they were, guides keep their paths, and a file that is wrong
- * about a mode names it.
+ * Modes in a setup are restored, guides keep their paths, and an error in the file names the mode.
  */
 
 #include "SetupErrorsRig.h"
@@ -82,7 +81,7 @@ TEST_F(SetupModes, ComeBackAsTheyWere)
   EXPECT_EQ(back->GetPath(), path.Get());
   EXPECT_EQ(back->GetSide(), vtkHapticGuideMode::INSIDE);
   EXPECT_EQ(back->GetDistance(), -0.3);
-  // A setup without modes leaves those that are there.
+  // A setup without modes leaves the filter's modes.
   const std::string none = File("None.json");
   ASSERT_TRUE(Scene().Setup->Save(none.c_str()));
   ASSERT_TRUE(b.Setup->Load(none.c_str()));

@@ -33,7 +33,7 @@ inline void Append(Numbers& list, const Numbers& more)
   list.insert(list.end(), more.begin(), more.end());
 }
 
-/// Everything that a setup has to bring back, as numbers.
+/// Returns everything that a setup restores, as numbers.
 inline Numbers Everything(Scene& s)
 {
   vtkVolumeHapticsFilter* const f = s.Filter;

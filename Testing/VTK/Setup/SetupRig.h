@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Everything that a setup saves, and files to put it in.
+ * All objects whose settings a setup saves, and files for it.
  */
 #ifndef SetupRig_h
 #define SetupRig_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A setup restores all that it saved to the bit, in place, and changes nothing else.
+ * A setup restores everything that it saved, to the bit and in place, and changes nothing else.
  */
 
 #include "RandomSetup.h"
@@ -24,7 +24,7 @@ TEST(Setup, EverythingComesBackToTheBit)
     ASSERT_TRUE(loaded.Setup->Load(file.c_str()));
     ASSERT_EQ(Everything(loaded), Everything(saved)) << "seed " << seed;
     EXPECT_EQ(loaded.Filter->GetProperty()->GetStiffness(), stiffness) << "not in place";
-    // The same setup, written again, is the same file.
+    // Saving the loaded setup gives the same file.
     const std::string text = Read(file);
     ASSERT_TRUE(loaded.Setup->Save(file.c_str()));
     ASSERT_EQ(Read(file), text);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tools in a setup: they come back as they were, and a file that is wrong about one names it.
+ * Tools in a setup are restored, and an error in the file names the tool.
  */
 
 #include "SetupErrorsRig.h"
@@ -41,7 +41,7 @@ TEST_F(SetupTool, ComesBackAsItWas)
   EXPECT_EQ(read->GetLateralStrength(), 1.0 / 3.0);
   EXPECT_EQ(read->GetShaftFriction()->GetValue(0.1), 20.0);
   EXPECT_EQ(read->GetCuttingForce()->GetSize(), 1);
-  // A setup without a tool leaves the one that is there.
+  // A setup without a tool leaves the filter's tool.
   const std::string none = File("None.json");
   ASSERT_TRUE(Scene().Setup->Save(none.c_str()));
   ASSERT_TRUE(b.Setup->Load(none.c_str()));
@@ -85,7 +85,7 @@ TEST_F(SetupTool, ABurrComesBackAsItWas)
   EXPECT_EQ(read->GetSpecificEnergy()->GetValue(300.0), 2.0);
 }
 
-/// As the shapes of guides, the mesh is no setting: that of the scene stays.
+/// The mesh is no setting, like the shapes of guides: the scene keeps its mesh.
 TEST_F(SetupTool, AShapeKeepsItsMesh)
 {
   Scene a;

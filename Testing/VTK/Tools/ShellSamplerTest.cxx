@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * From a mesh to points with areas: their sum, their distances, forces of the design in closed
- * form, and meshes that are no tools.
+ * Points with areas from a mesh: the sum of their areas, their distances, the design's forces in
+ * closed form, and meshes that are no tools.
  */
 
 #include "VTK/Tools/ShellSampler.h"
@@ -60,7 +60,7 @@ void ExpectRefused(vtkPolyData* mesh, const std::string& text)
   EXPECT_TRUE(triangles.empty());
 }
 
-/// Of long thin triangles at its poles.
+/// Makes a ball with long thin triangles at its poles.
 vtkSmartPointer<vtkPolyData> MakeBall(double radius, int resolution)
 {
   vtkNew<vtkSphereSource> sphere;
@@ -81,7 +81,7 @@ vtkSmartPointer<vtkPolyData> MakeBox(double x, double y, double z)
   return cube->GetOutput();
 }
 
-/// Points of a mesh in mm on the ramp, whose surface is at 10 mm.
+/// Forces on the points of a mesh (mm) in the ramp, whose surface is at 10 mm.
 class MeshForces : public testing::Test
 {
 protected:
@@ -115,7 +115,7 @@ protected:
 };
 } // namespace
 
-/// Against VTK's own area of the mesh.
+/// Compares with VTK's area of the mesh.
 TEST(ShellSampler, TheAreasSumToThatOfTheMesh)
 {
   const vtkSmartPointer<vtkPolyData> ball = MakeBall(5.0, 100);
@@ -156,7 +156,8 @@ TEST(ShellSampler, ThePointsAreSpreadEvenly)
   EXPECT_GE(least, 0.55 * best);
 }
 
-/// S1 of the design: a sphere of 5 mm, 1 mm deep in a half-space, pi kappa a delta^2 = 0.3142 N.
+/// S1 of the design: a sphere of 5 mm, 1 mm deep in a half-space, gives pi kappa a delta^2 = 0.3142
+/// N.
 TEST_F(MeshForces, ASphereHasItsForce)
 {
   const PointShell shell(Sample(MakeBall(5.0, 600), 10000));
@@ -170,9 +171,9 @@ TEST_F(MeshForces, ASphereHasItsForce)
   }
 }
 
-/// S4 of the design, with a face of a box: kappa times its area times the depth, and tilted by
-/// theta, kappa b h^3/12 theta about its middle. It is so little deep that the sides of the box add
-/// 0.2 % and 0.8 % at most.
+/// S4 of the design for a face of a box: the force is kappa times the face's area times the depth.
+/// Tilted by theta, it gives the torque kappa b h^3/12 theta about its middle. The depth is so
+/// small that the sides of the box add at most 0.2 % and 0.8 %.
 TEST_F(MeshForces, AFaceOfABoxHasItsForceAndTorque)
 {
   const PointShell shell(Sample(MakeBox(10.0, 10.0, 6.0), 4000));
@@ -186,7 +187,7 @@ TEST_F(MeshForces, AFaceOfABoxHasItsForceAndTorque)
   EXPECT_NEAR(tilted.Gradient[3] - flat.Gradient[3], torque, 0.01 * torque);
 }
 
-/// The two sides of a blade have their own points, half of its area each.
+/// Each side of a blade has its own points, with half of the area.
 TEST(ShellSampler, AThinBladeHasPointsOnBothSides)
 {
   const std::vector<ShellPoint> points = Sample(MakeBox(10.0, 10.0, 0.01), 400);
@@ -246,13 +247,13 @@ TEST(ToolMesh, ThatIsNoToolIsRefused)
   inverted->ReverseCellsOn();
   inverted->Update();
   ExpectRefused(inverted->GetOutput(), "is inside out");
-  // One triangle of it alone.
+  // One triangle of the ball is turned.
   vtkNew<vtkPolyData> turned;
   turned->DeepCopy(ball);
   turned->BuildCells();
   turned->ReverseCell(7);
   ExpectRefused(turned, "face opposite sides, at 3 of");
-  // And without it.
+  // One triangle of the ball is missing.
   vtkNew<vtkPolyData> open;
   open->DeepCopy(ball);
   open->BuildCells();
@@ -278,7 +279,7 @@ TEST(ToolMesh, ThatIsNoToolIsRefused)
   ExpectRefused(missing, "a polygon with the point 1000000");
 }
 
-/// As STL files have them: each triangle with corners of its own.
+/// STL files have separate corners for each triangle.
 TEST(ToolMesh, TrianglesNeedNotShareTheirCorners)
 {
   const vtkSmartPointer<vtkPolyData> ball = MakeBall(1.0, 20);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The lists of the arrays of traces and recordings: no number of a row is written twice, none lies
- * outside of its row, and units are those of the quantities.
+ * Lists of the arrays of traces and recordings: no number of a row is written twice or lies outside
+ * of its row, and units are those of the quantities.
  */
 
 #include "VTK/Trace/HapticTraceColumns.h"
@@ -54,7 +54,7 @@ TEST(TraceColumns, LieApartInTheirRows)
   ExpectApart(VolumeHaptics::GetRecordingColumns(), sizeof(VolumeHaptics::RecordingRow));
 }
 
-/// 8 bytes for numbers and ticks, 4 for int32, 1 for flags (IEEE 754, ISO C++).
+/// Numbers and ticks take 8 bytes, int32 takes 4, flags take 1 (IEEE 754, ISO C++).
 TEST(TraceColumns, AreAsWideAsTheirNumbers)
 {
   EXPECT_EQ((TraceColumn{ "", "", ColumnType::Float64, 3, 0 }.GetWidth()), 24u);
@@ -63,7 +63,8 @@ TEST(TraceColumns, AreAsWideAsTheirNumbers)
   EXPECT_EQ((TraceColumn{ "", "", ColumnType::UInt8, 3, 0 }.GetWidth()), 3u);
 }
 
-/// A recording has all arrays of a trace, so that both are read alike; its proxy comes last.
+/// A recording has all arrays of a trace, so that both are read in the same way; the proxy comes
+/// last.
 TEST(TraceColumns, OfARecordingHoldThoseOfATrace)
 {
   const std::vector<TraceColumn>& all = VolumeHaptics::GetRecordingColumns();
@@ -80,7 +81,7 @@ TEST(TraceColumns, OfARecordingHoldThoseOfATrace)
     offsetof(VolumeHaptics::RecordingRow, Trace) + offsetof(VolumeHaptics::TraceRow, Proxy));
 }
 
-/// Dimensions of the quantities: forces in N, spring constants in N/m, torques in N m, work in J.
+/// Forces are in N, spring constants in N/m, torques in N m, work in J.
 TEST(TraceColumns, HaveTheUnitsOfTheirQuantities)
 {
   const std::map<std::string, std::string> units = { { "Time", " (s)" }, { "Tip", " (world)" },
@@ -121,7 +122,7 @@ TEST(ContactRows, ComeBackAsTheyWere)
   }
 }
 
-/// A file may hold what no tick computes: each number is checked by itself.
+/// A file may hold numbers that no tick computes, so each number is checked.
 TEST(ContactRows, RefuseWhatNoTickComputes)
 {
   const ContactRow good{ 5.0, 1e-3, 2e-3, 3e-3, 4e-4, 5e-5, 6e-6, 7e9, 8e4, 1.0 };
@@ -140,7 +141,7 @@ TEST(ContactRows, RefuseWhatNoTickComputes)
     }
     ContactRow row = good;
     row[i] = -1e-9;
-    const bool mayBeNegative = i >= 1 && i <= 3; // the offset
+    const bool mayBeNegative = i >= 1 && i <= 3; // these are the offset
     EXPECT_EQ(VolumeHaptics::FromRow(row, contact, fraction), mayBeNegative) << i;
   }
   for (const double point : { 4294967296.0, 0.5, 1e300 })

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tables of traces: their text by RFC 4180 (a line of titles, fields between commas), their numbers
- * by std::from_chars of the C++ standard, and their .vtp by VTK's reader.
+ * Tables of traces: their text follows RFC 4180 (a line of titles, fields between commas), their
+ * numbers are read by std::from_chars of the C++ standard, and their .vtp by VTK's reader.
  */
 
 #include "VTK/Trace/TraceWriter.h"
@@ -63,7 +63,7 @@ double ToNumber(const std::string& text)
   return number;
 }
 
-/// Decimal commas and points between thousands, as in German.
+/// German numbers: a decimal comma, and points between thousands.
 class GermanNumbers : public std::numpunct<char>
 {
 protected:
@@ -72,7 +72,7 @@ protected:
   std::string do_grouping() const override { return "\3"; }
 };
 
-/// A trace of two ticks with an array of each shape.
+/// Makes a trace of two ticks with an array of each shape.
 vtkSmartPointer<vtkPolyData> MakeTrace()
 {
   auto trace = vtkSmartPointer<vtkPolyData>::New();
@@ -190,7 +190,7 @@ TEST(TraceWriter, LeavesTheOldFileIfItCannotWrite)
   EXPECT_FALSE(WriteTracePolyData(MakeTrace(), file + ".vtp", error));
   EXPECT_NE(error.find(folder), std::string::npos) << error;
 
-  // A folder at the file's place can't be replaced; nothing else may be left beside it.
+  // A folder with the file's name can't be replaced, and no other file may be left beside it.
   ASSERT_TRUE(vtksys::SystemTools::MakeDirectory(file + ".csv/inside"));
   error.clear();
   EXPECT_FALSE(WriteTraceTable(MakeTrace(), file + ".csv", error));

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The work on the hand, the array Energy of traces, against closed forms of mechanics: the integral
- * of F dx of constant forces, springs and closed ways, and of the torque over a turn.
+ * The work on the hand (the array Energy of traces) against closed forms of mechanics: the integral
+ * of F dx for constant forces, springs and closed paths, and the integral of the torque over a
+ * turn.
  */
 
 #include "VTK/Trace/TraceRow.h"
@@ -31,7 +32,7 @@ TickRecord MakeRecord(const Vector3& tip, const Vector3& force)
   return record;
 }
 
-/// The unit quaternion of a turn about z.
+/// Returns the unit quaternion of a turn about z.
 Quaternion TurnAboutZ(double angle)
 {
   return { std::cos(0.5 * angle), 0.0, 0.0, std::sin(0.5 * angle) };
@@ -88,12 +89,13 @@ TEST(WorkMeter, AroundACircleIsThatOfFriction)
     byFriction = friction.Add(MakeRecord(r * out, -f * along));
     bySpring = spring.Add(MakeRecord(r * out, -500.0 * r * out));
   }
-  // A chord is shorter than its arc by the fraction (angle/2)^2/6, and the mean force by as much.
+  // A chord is shorter than its arc by the fraction (angle/2)^2/6, and the mean force is smaller by
+  // the same fraction.
   EXPECT_NEAR(byFriction, -FullTurn * r * f, FullTurn * r * f * 2e-6);
   EXPECT_NEAR(bySpring, 0.0, 1e-15);
 }
 
-/// A constant torque does torque times angle, over any number of turns.
+/// A constant torque does the work torque times angle, over any number of turns.
 TEST(WorkMeter, OfATorqueIsTorqueTimesAngle)
 {
   constexpr double torque = 0.02;
@@ -101,7 +103,8 @@ TEST(WorkMeter, OfATorqueIsTorqueTimesAngle)
   double work = 0.0;
   for (int i = 0; i <= 100; ++i)
   {
-    work = meter.Add(MakeTurn(0.09 * i, { 0.5, 0.1, torque })); // across its axis it does nothing
+    // A torque across the turn's axis does no work.
+    work = meter.Add(MakeTurn(0.09 * i, { 0.5, 0.1, torque }));
   }
   EXPECT_NEAR(work, torque * 9.0, 1e-14);
   for (int i = 99; i >= 0; --i)
@@ -131,7 +134,8 @@ TEST(WorkMeter, OfATorsionSpringIsItsPotentialWhateverTheSignOfQuaternions)
   EXPECT_NEAR(work, -0.5 * kappa * 4.0, 1e-14);
 }
 
-/// What a device does not measure does no work, and what follows is counted again.
+/// A position that was not measured does no work; the next motion between measured positions counts
+/// again.
 TEST(WorkMeter, LeavesOutWhatIsNotMeasured)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Raw files: the bytes at the places where a reader of the format expects them, of all types and
- * both byte orders; files that are short, shrink, or are none; and a file of 40 GB, almost all of
- * which is a hole. The tests write the bytes one by one.
+ * Raw files: samples of all types and both byte orders at the places that the format defines; files
+ * that are short, shrink, or are no files; and a sparse file of 40 GB. The tests write the bytes
+ * one by one.
  */
 
 #include "Rigs/TemporaryFolder.h"
@@ -95,7 +95,7 @@ void ExpectUnread(vtkHapticRegionSource* source, const std::vector<std::string>&
   }
 }
 
-/// A line of /proc/self/status, in MiB.
+/// Returns a line of /proc/self/status, in MiB.
 double StatusOf(const std::string& name)
 {
   std::ifstream status("/proc/self/status");
@@ -166,7 +166,7 @@ TEST(RawVolumeFile, ThatIsNoneIsToldWithoutHanging)
   ExpectUnread(OpenFile("/nowhere/Bone.raw", VTK_SHORT), { "/nowhere/Bone.raw", "No such file" });
 }
 
-/// A source that has opened a header, which is written first; null if that fails.
+/// Writes a header, and returns a source that has opened it; null if that fails.
 vtkSmartPointer<vtkHapticRegionSource> OpenHeader(
   const std::string& name, const std::string& text, std::string& error)
 {
@@ -176,7 +176,7 @@ vtkSmartPointer<vtkHapticRegionSource> OpenHeader(
   return source->OpenFile(path.c_str(), error) ? source : nullptr;
 }
 
-/// All samples, in the order of the file, and where the corner at (1, 2, 3) is.
+/// Expects all samples in the order of the file, and the corner at (1, 2, 3) at a place.
 void ExpectOpened(vtkHapticRegionSource* source, int type, const Point& corner)
 {
   ASSERT_TRUE(source);
@@ -203,8 +203,8 @@ void ExpectOpened(vtkHapticRegionSource* source, int type, const Point& corner)
   }
 }
 
-// The places are worked out by hand from the formats' descriptions: MetaImage has the direction of
-// index axis c in row c of its matrix, NRRD the step along axis c in its vector c. Half a turn
+// The places are computed by hand from the formats' descriptions. MetaImage has the direction of
+// index axis c in row c of its matrix, NRRD has the step along axis c in its vector c. Half a turn
 // about z takes right-anterior-superior to left-posterior-superior.
 TEST(RawVolumeFile, IsOpenedByTheHeaderOfAMetaImageOrANrrd)
 {
@@ -272,7 +272,8 @@ TEST(RawVolumeFile, OfFortyGigabytesIsFeltInALittleMemory)
   const int file = open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   ASSERT_GE(file, 0);
   ASSERT_EQ(ftruncate(file, off_t{ 2 } * size * size * size), 0) << "40 GB, without taking them";
-  // A ball in the middle, and the same in an image that says of what it is a part.
+  // Writes a ball in the middle of the file, and to an image that knows of which volume it is a
+  // part.
   vtkNew<vtkImageData> part;
   part->SetExtent(first, first + side - 1, first, first + side - 1, first, first + side - 1);
   part->AllocateScalars(VTK_SHORT, 1);
@@ -293,7 +294,7 @@ TEST(RawVolumeFile, OfFortyGigabytesIsFeltInALittleMemory)
   close(file);
   vtkNew<vtkIntArray> whole;
   whole->SetName("HapticWholeExtent");
-  vtkNew<vtkDoubleArray> noise; // of blocks that are all zeros
+  vtkNew<vtkDoubleArray> noise; // 0, since almost all blocks are zeros
   noise->SetName("HapticNoise");
   noise->InsertNextValue(0.0);
   vtkNew<vtkDoubleArray> border;
@@ -312,7 +313,7 @@ TEST(RawVolumeFile, OfFortyGigabytesIsFeltInALittleMemory)
   std::vector<Point> points;
   for (int t = 0; t < 20000; ++t)
   {
-    // Around the ball and over it, in and out.
+    // The path goes around the ball, in and out of it.
     const double angle = 0.0009 * t;
     const double tilt = 0.7 * std::sin(0.0004 * t);
     const double r = 80.0 + 2.0 * std::sin(0.01 * t);

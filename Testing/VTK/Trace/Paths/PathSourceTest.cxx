@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The shapes of vtkHapticPathSource against closed forms.
+ * The shapes of vtkHapticPathSource, compared with closed forms.
  */
 
 #include "Rigs/ApiRig.h"
@@ -22,8 +22,8 @@ constexpr double Pi = 3.14159265358979323846;
 class PathSource : public testing::Test
 {
 protected:
-  /// Update, expecting a polyline with times, whose steps are all as long as the first, or shorter
-  /// by `bend`.
+  /// Updates, and expects a polyline with times, whose steps are as long as the first one, or
+  /// shorter by up to `bend`.
   vtkPolyData* Run(double length, double bend)
   {
     this->Source->Update();
@@ -73,7 +73,8 @@ TEST_F(PathSource, LineGoesFromEndToEnd)
   this->ExpectAt(250, { -25, 0, 0 });
   this->ExpectAt(1000, { 50, 0, 0 });
   this->Source->SetSpeed(30.0);
-  EXPECT_EQ(this->Run(100.0, 1e-9)->GetNumberOfPoints(), 3335); // shorter steps, to the very end
+  // Steps are shorter, so that the path reaches its end.
+  EXPECT_EQ(this->Run(100.0, 1e-9)->GetNumberOfPoints(), 3335);
 }
 
 TEST_F(PathSource, CircleStaysAtItsRadiusInItsPlane)
@@ -90,7 +91,7 @@ TEST_F(PathSource, CircleStaysAtItsRadiusInItsPlane)
     EXPECT_NEAR(std::hypot(x[0] - 1, x[1] - 2, x[2] - 3), 20.0, 1e-9);
   }
   this->ExpectAt(0, { 21, 2, 3 });
-  this->ExpectAt(this->Last(), { -19, 2, 3 }); // half a turn on
+  this->ExpectAt(this->Last(), { -19, 2, 3 }); // half a turn beyond the start
 }
 
 TEST_F(PathSource, SpiralGoesOutEvenlyWithItsTurns)
