@@ -113,7 +113,7 @@ private:
   }
 
   std::vector<std::int16_t> Grown;
-  std::vector<float> Motion[2]; ///< world units
+  std::vector<float> Motion[2]; ///< displacements, world units
 };
 
 void MeasureBlended(benchmark::State& bench, const Scene& scene, Displacements displacements)

@@ -47,7 +47,7 @@ constexpr double Step = 0.1; // mm
 
 Form Push()
 {
-  // T1 and T2.
+  // T1 and T2: press 10 mm deep and return.
   Form form{ "T1, T2", Slab, MakeMaterial(), { Start }, {} };
   for (const double depth : { 10.0, 0.0 })
   {

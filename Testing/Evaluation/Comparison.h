@@ -37,7 +37,10 @@ constexpr double BoneValue = 300.0;
  */
 Comparison CompareMethods(vtkImageData* volume, const Effort& effort);
 
-/** Returns the fraction of the Z-width that each method reaches. Adds a plot for each delay. */
+/**
+ * Compares the stiffest wall on which a device comes to rest with each method. Adds a plot for each
+ * delay.
+ */
 Table CompareStability(const Effort& effort, std::vector<Plot>& plots);
 
 } // namespace evaluation

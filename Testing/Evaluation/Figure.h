@@ -36,7 +36,7 @@ struct Figure
 
 using Figures = std::vector<Figure>;
 
-/** How much to measure. */
+/** How much is measured: a reduced run or a full one. */
 struct Effort
 {
   bool IsFull = false;
@@ -104,25 +104,30 @@ inline Touching TouchingOf(const Candidate& candidate, const VolumeHaptics::Hapt
   return touching;
 }
 
-/** Force against the closed forms T1 to T13, as fractions of each form's largest force. */
+/**
+ * Measures the force against the closed forms T1 to T13, as fractions of each form's largest force.
+ */
 Figures MeasureClosedForms(const Candidate& candidate, const Effort& effort);
-/** Iso-level tracking and drift on balls and in cavities of 20 voxels. */
+/**
+ * Measures how well the proxy tracks an iso-level, and its drift, on balls and in cavities of 20
+ * voxels.
+ */
 Figures MeasureTracking(const Candidate& candidate, const Effort& effort);
-/** Crossings of a blurred wall that fall through it. */
+/** Counts the crossings of a blurred wall that fall through it. */
 Figures MeasureFallThrough(const Candidate& candidate, const Effort& effort);
-/** Force on a clean plane between 100 and 500 Hz. */
+/** Measures the force on a clean plane between 100 and 500 Hz. */
 Figures MeasureRipple(const Candidate& candidate, const Effort& effort);
-/** Energy that the hand gets in closed cycles. */
+/** Measures the energy that the hand gets in closed cycles. */
 Figures MeasureEnergy(const Candidate& candidate, const Effort& effort);
-/** Angle of the frictionless force to the normal of an 8-bit sphere. */
+/** Measures the angle between the frictionless force and the normal of an 8-bit sphere. */
 Figures MeasureAngle(const Candidate& candidate, const Effort& effort);
-/** The position at which alignment Edge first holds on a blurred step. */
+/** Measures the position at which alignment Edge first holds on a blurred step. */
 Figures MeasureAlignment(const Candidate& candidate, const Effort& effort);
-/** Proxy and force on a bumpy ball, with alignment Edge. */
+/** Measures proxy and force on a bumpy ball, with alignment Edge. */
 Figures MeasureBumps(const Candidate& candidate, const Effort& effort);
-/** Force of volumes that move under a tip that rests, against closed forms. */
+/** Measures the force of moving volumes on a resting tip, compared with closed forms. */
 Figures MeasureMovingWall(const Candidate& candidate, const Effort& effort);
-/** The cost of a tick. For the report only, not for tests. */
+/** Measures the cost of a tick. For the report only, not for tests. */
 Figures MeasureSpeed(const Candidate& candidate, const Effort& effort);
 
 /** Returns the plots of the report, for both solvers. */

@@ -42,7 +42,7 @@ TEST(IdealHand, OfTwoIsRightByPhiOfHalfTheDistance)
   const IdealHand hand(0.1, { 1e-9, 1e-9 });
   for (const double distance : { 0.0, 0.5, 1.0, 2.0, 4.0 })
   {
-    // Along a line through two cues, in the ratio 3 : 4.
+    // Two cues change along a line, in the ratio 3 : 4.
     const auto cue = [](double units) { return std::exp(units * std::log(1.1)); };
     const FeltTissue one{ "one", { { 1.0, 1.0 } } };
     const FeltTissue other{ "other", { { cue(0.6 * distance), cue(0.8 * distance) } } };

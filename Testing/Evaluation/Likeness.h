@@ -53,7 +53,7 @@ struct Differences
   void Add(const Stroke& stroke, const Trace& reference, const Trace& other);
 };
 
-/** A surface to compare on. */
+/** A surface on which methods are compared. */
 struct Subject
 {
   std::string Name;

@@ -7,13 +7,13 @@
  *
  * Measures the figures of Documentation/evaluation.md for PAPER and PRECISE, compares them with
  * other methods, prints the tables, and writes a report with plots to FOLDER (default: evaluation).
- * The exit status is the number of figures (times aside) that PRECISE does not reach with the
- * default estimator or the B-spline, and of false alarms about honest devices. --quick takes
- * seconds instead of minutes. --volume is a CT of a head, --chest a folder with cxr.nii.gz,
- * mask.nii.gz and structures.csv, --mri a T1-weighted MRI of a head: scans to be felt; --scans is
- * the folder of all others (see get_real_volumes in Data/scans.sh). --feel measures only how these
- * feel, --table only the table of all real volumes, with --only those lines that have TEXT in
- * "volume, preset". Tables are printed as soon as they are measured; without a display there are no
+ * The exit status is the number of figures, without times, that PRECISE does not reach with the
+ * default estimator or the B-spline, plus the number of false alarms about honest devices. --quick
+ * takes seconds instead of minutes. Scans to be felt: --volume is a CT of a head, --chest a folder
+ * with cxr.nii.gz, mask.nii.gz and structures.csv, --mri a T1-weighted MRI of a head; --scans is
+ * the folder of all other volumes (see get_real_volumes in Data/scans.sh). --feel measures only how
+ * the scans feel, --table only the table of all real volumes, --only the lines that have TEXT in
+ * "volume, preset". Tables are printed as soon as they are measured. Without a display there are no
  * plots.
  */
 #include "BumpyBall.h"

@@ -64,7 +64,7 @@ double Pulse(double time)
 struct MovingCase
 {
   const char* Name;
-  double Curvature;     ///< radius, mm
+  double Curvature;     ///< mm, radius of the surface
   double FramePeriod;   ///< s
   double Strength;      ///< N
   bool HasDisplacement; ///< whether the time steps have displacements
@@ -97,7 +97,7 @@ std::vector<MovingCase> MakeMovingCases()
   slipping.Strength = 1.0;
   slipping.End = 0.9; // after that, the ball returns
   slipping.Force = Slipping;
-  // From 5 mm in front of the tip to 4 mm behind it.
+  // The wall moves from 5 mm in front of the tip to 4 mm behind it.
   const Motion leap = [](double time) { return -6.0 + LeapLength * time; };
   const Motion come = [](double time) { return -3.0 + WallSpeed * time; };
   return { pulse("V1, ball that pulsates", 0.01), slipping,
@@ -145,8 +145,8 @@ public:
       const double surface = std::min({ held, middle, most });
       if (middle <= tip || surface < held)
       {
-        // Without contact, the next level is that of the middle. In contact, it is that of the
-        // surface.
+        // Without contact, the level becomes that of the middle. After a slip, it becomes that of
+        // the surface.
         level = this->Read(middle <= tip ? middle : surface, time, this->OwnVariance);
       }
       forces.push_back(middle <= tip ? 0.0 : 1e-3 * WallStiffness * std::max(0.0, surface - tip));

@@ -29,7 +29,7 @@ namespace evaluation
 /** The names of a scan's labels, as in the table of a segmentation. */
 using LabelNames = std::map<int, std::string>;
 
-/** The values of the label image that matter for a path. */
+/** The labels that matter for a path, by kind. */
 struct NeedleLabels
 {
   std::set<int> Liver;

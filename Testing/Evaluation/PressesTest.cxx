@@ -66,7 +66,7 @@ TEST(Presses, IsAstrayIfNoStructureIsNear)
   vtkSmartPointer<vtkImageData> image;
   PressedVolume ball = MakeBall(1000.0, image);
   EXPECT_EQ(PressFromAllSides(ball, 60).Astray, 0);
-  for (const double radius : { 10.5, 9.5 }) // 1.5 and 2.5 voxels deeper
+  for (const double radius : { 10.5, 9.5 }) // the core is 1.5 and 2.5 voxels deeper
   {
     vtkSmartPointer<vtkImageData> other;
     ball.Structures = MakeBall(1000.0, other, radius).Shape;

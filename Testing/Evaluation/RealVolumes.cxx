@@ -117,7 +117,7 @@ Outline MakeOutline(const Explore::Volume& volume, const Explore::Analysis& valu
   }
   vtkNew<vtkImageThreshold> any;
   any->SetInputData(volume.Image);
-  any->ThresholdByUpper(1.0); // cast to the type of the labels
+  any->ThresholdByUpper(1.0); // casts to the type of the labels
   any->SetInValue(1.0);
   any->SetOutValue(0.0);
   any->SetOutputScalarTypeToUnsignedChar();

@@ -121,7 +121,7 @@ public:
         this->Pick(-1.0, 1.0), this->Pick(-1.0, 1.0) };
     }
     this->WaveLength = this->Pick(0.5e-3, 4e-3);
-    // Along the surface the force changes by k depth height (2 pi / length)^2: limit this to k.
+    // Along the surface, the force changes by k depth height (2 pi / length)^2. Limit this to k.
     const double turn = 2.0 * Pi / this->WaveLength;
     const double deepest = scene.MaximumForce / (RippleFraction * scene.Stiffness);
     this->WaveHeight =
@@ -171,7 +171,7 @@ public:
     limits.MaximumForce = this->S.MaximumForce;
     limits.MaximumDamping = this->S.MaximumDamping;
     limits.MovesTip = true;
-    // A weight, unlike a hand, does not wait for the force.
+    // A weight, unlike a hand, does not wait for the force, so it gets no ramp.
     limits.RampTime = this->S.IsHeld ? limits.RampTime : 0.0;
     ForceGate gate;
     SafetyStage stage;

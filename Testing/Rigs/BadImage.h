@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An image that can't be touched gets one error that names the input, the array and the cure, and
- * an empty output, even if there was one before. Everything works again with a good image.
+ * Tests that an image that can't be touched gives one error, which names the input, the array and
+ * the cure, and an empty output, even if there was an output before. With a good image, everything
+ * works again.
  */
 #ifndef BadImage_h
 #define BadImage_h

@@ -19,8 +19,8 @@ inline HapticModelDescription Describe(const TestVolume& volume)
   return description;
 }
 
-/// Makes surfaces hold from their first distinct gradient on, with the materials a kernel radius
-/// ahead.
+/// Sets the paper's placement: surfaces hold from the first distinct gradient on, with the
+/// materials one kernel radius ahead.
 inline void PlaceAsThePaper(HapticModelDescription& description)
 {
   description.Settings.Alignment = ContactAlignment::Distinctness;
@@ -35,7 +35,7 @@ inline TestVolume MakeRamp(std::int64_t samples = 24)
   return volume;
 }
 
-/// A random walk that also leaves the volume: metres, for a volume of `size` voxels of 1 mm.
+/// A random walk (m) through a volume of `size` voxels of 1 mm, which also leaves the volume.
 class Wanderer
 {
 public:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A full disk for tests: beyond RLIMIT_FSIZE, write(2) gives EFBIG, as it gives ENOSPC on a full
- * disk (setrlimit(2), SIGXFSZ in signal(7)).
+ * Simulates a full disk: beyond RLIMIT_FSIZE, write(2) fails with EFBIG, as it fails with ENOSPC on
+ * a full disk (setrlimit(2), SIGXFSZ in signal(7)).
  */
 #ifndef FullDisk_h
 #define FullDisk_h

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Values that a worker gets only when a test allows it. */
+/** An array that a worker can read only when a test allows it. */
 #ifndef GatedArray_h
 #define GatedArray_h
 

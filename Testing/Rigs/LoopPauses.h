@@ -3,8 +3,8 @@
 
 /**
  * Detects pauses of the servo loop. If a busy machine stops the loop for longer than the watchdog
- * allows (30 ms), the proxy begins again from the tip, which may be inside by then, and force rises
- * from zero: the test has to prepare its situation again.
+ * allows (30 ms), the proxy starts again at the tip, which may be inside by then, and the force
+ * rises from zero. Then the test has to prepare its situation again.
  */
 #ifndef LoopPauses_h
 #define LoopPauses_h

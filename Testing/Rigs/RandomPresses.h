@@ -169,7 +169,7 @@ private:
     this->Input.Force = this->Field(this->Input.Tip);
     const bool isFelt = wasFelt || Norm(this->Input.Force) > 0.0;
     const VolumeHaptics::Vector3 leap = this->Input.Tip - before;
-    // Exact for a plane; in a sphere, for steps much shorter than its radius.
+    // This is exact for a plane; in a sphere, it is exact for steps much shorter than the radius.
     this->Leak += isFelt ? 0.505 * this->Stiffness * Dot(leap, leap) : 0.0;
     this->Input.Stretch = Norm(this->Input.Force) / this->Stiffness;
     this->Force = this->Stage.Apply(this->Input, this->Limits);

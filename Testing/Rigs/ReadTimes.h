@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Reads a back end once a millisecond, as a servo does, and checks the times of its samples. */
+/** Reads a back end every millisecond, as a servo does, and checks the times of its samples. */
 #ifndef ReadTimes_h
 #define ReadTimes_h
 

@@ -68,7 +68,7 @@ protected:
       if (name == "Label" || name == "Depth" || name == "ShaftForce" ||
         name == "ForbiddenTouches" || name.compare(0, 10, "ModeForce_") == 0)
       {
-        continue; // every replay computes this array again
+        continue; // each replay computes this array again
       }
       ASSERT_TRUE(there) << here->GetName();
       vtkIdType different = 0;

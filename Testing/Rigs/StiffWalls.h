@@ -56,7 +56,7 @@ struct StiffPress
   double Gain = 1.0;  ///< stiffness of the wall, in units of 2 b / T
   bool Augments = false;
   double MaximumForceRate = 500.0; ///< N/s
-  /** Slack of the wall's spring (m), as PassiveSpring.h has it: |f| = K (|d| - slack). */
+  /** Slack (m) of the wall's spring as in PassiveSpring.h: |f| = K (|d| - slack). */
   double Slack = 0.0;
 };
 
@@ -64,7 +64,7 @@ struct StiffResult
 {
   double Shown = 0.0; ///< N/m, mean force divided by mean depth during the hold
   double Swing = 0.0; ///< m, of the tip during the hold
-  /** Energy that port and friction gave to the hand, divided by that which they took. */
+  /** The energy that port and friction gave to the hand, divided by the energy that they took. */
   double Ratio = 0.0;
   double MostGiven = 0.0; ///< J: largest energy that the hand ever got beyond what it had put in
   /** The same without the help of the dry friction, which the account does not know. */

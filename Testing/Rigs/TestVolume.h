@@ -21,7 +21,8 @@ class TestVolume
 public:
   using Size = std::array<std::int64_t, 3>;
 
-  /// Samples are `step` elements apart. `place`, if given, is used instead of the heap.
+  /// Makes a volume whose samples are `step` elements apart, at `place` if given, otherwise on the
+  /// heap.
   TestVolume(ScalarType type, const Size& n, std::int64_t step = 1, std::byte* place = nullptr)
   {
     this->View.Type = type;
@@ -31,7 +32,7 @@ public:
     this->View.Stride[2] = step * n[0] * n[1];
     if (!place)
     {
-      // Use new std::byte[], not a vector: the block ends with the samples.
+      // Use new std::byte[] instead of a vector, so that the block ends with the samples.
       this->Memory.reset(new std::byte[Bytes(type, n, step)]());
       place = this->Memory.get();
     }
@@ -39,7 +40,8 @@ public:
     this->View.Data = place;
   }
 
-  /// Bytes from the first sample to the end of the last one; nothing may be read behind them.
+  /// Returns the bytes from the first sample to the end of the last one. Nothing behind them may be
+  /// read.
   static std::size_t Bytes(ScalarType type, const Size& n, std::int64_t step)
   {
     const std::size_t elements = static_cast<std::size_t>((n[0] * n[1] * n[2] - 1) * step + 1);

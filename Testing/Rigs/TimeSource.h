@@ -25,7 +25,7 @@
 namespace apitest
 {
 
-/// Time steps of an image, written to the same memory each time, as by a reader.
+/// Produces the time steps of an image, and writes each to the same memory, as a reader does.
 class TimeSource : public vtkImageAlgorithm
 {
 public:

@@ -21,7 +21,7 @@ namespace
 {
 using SampleIndex = std::tuple<std::int64_t, std::int64_t, std::int64_t>;
 
-/// Sets the fraction at one sample.
+/// Sets the fraction of one sample.
 void PutTissue(CarvedBricks& bricks, const SampleIndex& index, std::uint8_t fraction)
 {
   const auto [i, j, k] = index;

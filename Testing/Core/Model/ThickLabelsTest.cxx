@@ -42,7 +42,7 @@ Vector3 Thick(double fine, double coarse, int axis)
 class Slices
 {
 public:
-  /// @param size mm
+  /// @param size of the image, mm
   Slices(const Vector3& spacing, const Vector3& size,
     const std::function<int(const Vector3&)>& label, bool isFine = true,
     ScalarType type = ScalarType::UInt8)

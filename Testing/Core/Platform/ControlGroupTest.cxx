@@ -76,7 +76,7 @@ TEST_F(ControlGroup, OfTheFirstVersionIsRead)
   this->Write("memory/box/app/memory.limit_in_bytes", "5000");
   this->Write("memory/box/app/memory.usage_in_bytes", "1500");
   this->Write("memory/box/app/memory.stat", "cache 1\ninactive_file 2\ntotal_inactive_file 300");
-  this->Write("memory/memory.limit_in_bytes", "9223372036854771712"); // none
+  this->Write("memory/memory.limit_in_bytes", "9223372036854771712"); // means no limit
   this->Write("memory/memory.usage_in_bytes", "8000");
   EXPECT_EQ(this->Read(), 3800.0);
 }

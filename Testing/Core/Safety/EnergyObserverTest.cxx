@@ -167,7 +167,8 @@ TEST(EnergyObserver, FindsNoFrictionAndNoStepsOfAnEncoder)
 
 TEST(EnergyObserver, ExcusesWhatMovesTheForce)
 {
-  // A swing of 20 Hz that a wall causes, which a program publishes 30 times a second.
+  // A swing of 20 Hz caused by a wall. With `isExcused`, a program publishes the wall 30 times a
+  // second.
   for (const bool isExcused : { false, true })
   {
     Watched watched;

@@ -86,9 +86,9 @@ struct Row
 };
 // clang-format off
 constexpr Row Table[] = {
-  // Arm: no force, force, among others; Disarm, FadeOut, Hold; Release: early, at rest; Silence;
-  // NotReady, Lost; gap: over, on; command: force, zero, zero with the opening at its target; the
-  // clutch: in, out; a jump.
+  // The columns are Arm (without force, with force, together with other orders); Disarm, FadeOut,
+  // Hold; Release (early, at rest); Silence; NotReady, Lost; gap (over, on); command (force, zero,
+  // zero with the opening at its target); clutch (in, out); and a jump.
   { "D", "rrr" "DDD" "DDD" "ND" "DD" "DDD" "DD" "D" },
   { "Df", "rrr" "DNN" "NNN" "NN" "NN" "NND" "NN" "N" },
   { "Ds", "rrr" "DNN" "NNN" "NN" "NN" "NNN" "NN" "N" },

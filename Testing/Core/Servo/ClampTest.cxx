@@ -72,7 +72,7 @@ double Throw(double rate, HapticSolver solver)
   const TestVolume volume = MakeRamp(48);
   HapticModelDescription description = Describe(volume);
   description.Material.Stiffness = ConstantPolyline(3000.0);
-  description.Material.SurfaceStrength = ConstantPolyline(1e12); // no depth moves the proxy
+  description.Material.SurfaceStrength = ConstantPolyline(1e12); // the proxy stays at any depth
   description.Settings.Solver = solver;
   description.Settings.MaximumForce = 2.0;
   ThrownBody body;
@@ -104,8 +104,7 @@ TEST(Clamp, OfTheModelDoesNotMakeAWallActive)
 
 TEST(Clamp, OfTheModelLeavesItsPartOfADrag)
 {
-  // Eq. 1 with C2 = 5 N s/m at 0.1 m/s along x, across a gradient of 100 per mm along z with C1 =
-  // 0.01.
+  // Eq. 1 with C2 = 5 N s/m at 0.1 m/s along x. The gradient is 100 per mm along z, and C1 = 0.01.
   const TestVolume volume = MakeRamp();
   HapticModelDescription description = Describe(volume);
   description.Settings.Method = HapticMethod::ForceField;

@@ -343,7 +343,7 @@ TEST(DataClock, GoesToAPlaceAtOnceOrWhenItsTimeStepsCome)
   EXPECT_EQ(hand.GetTime(), 4.8);
   EXPECT_EQ(hand.Step(RestingTip), DataClock::Leap::None);
 
-  hand.Publish(wall.Pick(2, 2)); // 4.5 to 5
+  hand.Publish(wall.Pick(2, 2)); // data times 4.5 to 5
   hand.Orders = { Playback::Once, true, 1.0, 2.2, 3 };
   for (int i = 0; i < 20; ++i)
   {
@@ -355,7 +355,7 @@ TEST(DataClock, GoesToAPlaceAtOnceOrWhenItsTimeStepsCome)
   hand.Publish(wall.Pick(0, 2));
   EXPECT_EQ(hand.Step(RestingTip), DataClock::Leap::Away);
   EXPECT_NEAR(hand.GetTime(), 2.2, 1.1 * ClockPeriod);
-  EXPECT_EQ(Norm(hand.Record.Force), 0.0); // a new contact
+  EXPECT_EQ(Norm(hand.Record.Force), 0.0); // begins a new contact
   EXPECT_FALSE(hand.GetReport().IsWaiting);
 
   hand.Orders = { Playback::Once, false, 1.0, 99.0, 4 };
@@ -389,7 +389,7 @@ TEST(DataClock, GoesToAPlaceByWayOfOneTimeStep)
         hand.Orders.Plays = plays;
         hand.Step(tip);
         ASSERT_TRUE(hand.GetReport().IsWaiting);
-        hand.Publish(wall.Pick(2, 1)); // 4.5, where the wall is at 1.6 mm
+        hand.Publish(wall.Pick(2, 1)); // data time 4.5, wall at 1.6 mm
         EXPECT_EQ(hand.Step(tip), DataClock::Leap::Away);
         EXPECT_EQ(Norm(hand.Record.Force), 0.0);
         for (int i = 0; i < 20; ++i)

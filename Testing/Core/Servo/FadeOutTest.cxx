@@ -96,7 +96,7 @@ TEST(FadeOutOrder, NeverUndoesADisarmOfAnotherThread)
     EXPECT_TRUE(Eventually([&] { return loop.Drain(first); }));
     loop.RequestStop();
     servo.join();
-    // A fade would have begun in this tick.
+    // If a fade had begun, the residency would be smaller in this tick.
     ASSERT_EQ(first.Residency, 1.0) << "after " << i << " rounds";
   }
 }

@@ -130,7 +130,7 @@ TEST_F(Hold, NeedsNoAttention)
   ASSERT_TRUE(this->WaitRest(loop));
   this->Limits.AttentionTime = 0.01;
   loop->SetLimits(this->Limits);
-  ASSERT_NO_FATAL_FAILURE(this->ExpectNone(loop)); // 0.1 s
+  ASSERT_NO_FATAL_FAILURE(this->ExpectNone(loop)); // during 0.1 s
   EXPECT_EQ(this->Last.GetFault(), GateReason::None);
   EXPECT_TRUE(this->Last.IsArmed());
   this->Limits.AttentionTime = 60.0;

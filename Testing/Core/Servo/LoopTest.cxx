@@ -164,7 +164,7 @@ TEST_F(Servo, SamplesThatComeBackWhileTheForceFallsMakeNoStepAndBeginFromTheTip)
   ASSERT_TRUE(Eventually(
     [&] { return loop->ReadState() && loop->GetState().IsArmed() && device.Reads > 200; }));
   device.IsIn.store(true);
-  ASSERT_TRUE(Eventually([&] { return device.Force.load() >= 0.99; })); // 500 N/m
+  ASSERT_TRUE(Eventually([&] { return device.Force.load() >= 0.99; })); // 500 N/m times 2 mm
   device.Frozen.store(true);
   ASSERT_TRUE(Eventually([&] { return device.Force.load() == 0.0; }));
   EXPECT_LE(device.LargestFall.load(), limits.MaximumForceRate / 5000.0 * (1.0 + 1e-9));

@@ -201,7 +201,7 @@ TEST(LoopTiming, ASpringCappedByTheMeasuredRoundTripIsPassiveAndByTheServosPerio
     {
       if (every == 1 && delay == 0)
       {
-        continue; // the servo's period is the round trip
+        continue; // here the servo's period is the round trip
       }
       DeviceLimits limits;
       limits.Damping = Damping;

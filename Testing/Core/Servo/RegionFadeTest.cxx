@@ -28,7 +28,7 @@ protected:
     this->Limits.MaximumForceRate = 500.0;
     this->Model = this->MakeRegion(TipOf(0), 24);
     this->Stage.Arm();
-    this->Walk(Outside, Outside, 600); // through the ramp
+    this->Walk(Outside, Outside, 600); // until the ramp has ended
     this->Walk(Outside, TipOf(0), 100);
     this->Walk(TipOf(0), TipOf(0), 100); // with the tip pressed into the surface
   }

@@ -26,7 +26,7 @@ TEST_P(ServoLimits, AbsurdButFiniteTipsPoisonNothing)
            Vector3{ absurd, -absurd, absurd }, Vector3{ 0.01, 0.01, 0.01 } })
     {
       const TickRecord record = this->Step(model, state, tip);
-      EXPECT_LE(Norm(record.Force), 4.0 + 1e-12); // false for NaN, too
+      EXPECT_LE(Norm(record.Force), 4.0 + 1e-12); // also fails for NaN
       EXPECT_TRUE(IsFinite(record.Proxy));
       EXPECT_FALSE(std::isnan(record.NormalForce + record.FrictionForce + record.DragForce));
     }

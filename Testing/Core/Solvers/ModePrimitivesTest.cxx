@@ -21,7 +21,7 @@ Vector3 AtAngle(double radius, double angle)
   return { radius * std::cos(angle), radius * std::sin(angle), 0.0 };
 }
 
-/// A vortex around z with the speed `speed(r)`.
+/// Returns a vortex around z with the speed `speed(r)`.
 template <typename F>
 ModeGrid MakeVortex(F&& speed)
 {

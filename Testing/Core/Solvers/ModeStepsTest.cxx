@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * How much the force of a mode may change with the tip.
+ * Bounds for the change of a mode's force when the tip moves.
  *
- * For one set of primitives, with its anchors, the force is k-Lipschitz in the tip: the proxy is a
- * proximal map (PrimitiveSolver.h). A mode has other primitives at each place. Let K(x) be the
- * forces that those of the place x can have, and let them change by L along the proxy's way: for
- * each force of K(x), K(x + dx) has one that differs by L |dx| at most. For a line along q of the
- * strength S, that is |S grad q| + |grad S|: how fast the flow turns, and how fast it lets go. A
- * proxy that moves has a force f of K(x) that does all it can against that: dx.(f - g) <= 0 for all
- * g of K(x). So forces before and after a motion have
+ * For one set of primitives with its anchors, the force is k-Lipschitz in the tip: the proxy is a
+ * proximal map (PrimitiveSolver.h). A mode has other primitives at each place. Let K(x) be the set
+ * of forces that the primitives at x can have, and let K change by L along the proxy's way: for
+ * each force in K(x), K(x + dx) has a force that differs by at most L |dx|. For a line along q of
+ * strength S, L is |S grad q| + |grad S|: how fast the flow turns, and how fast its strength
+ * changes. A moving proxy has the force f in K(x) that opposes the motion most: dx.(f - g) <= 0 for
+ * all g in K(x). So the forces before and after a motion have
  *
  *   dx.df <= L |dx|^2,   df = k (dx - dy),   and, with q = L/k < 1,
  *   |dx| <= |dy|/(1 - q)                     since dx.df = k (|dx|^2 - dx.dy),
@@ -18,11 +18,11 @@
  *
  *   |df| <= k |dy| (1 + sqrt(1 + 4 q/(1 - q)^2))/2 = k |dy|/(1 - q).
  *
- * On a circle of radius R, with the tip a lead d inside of it, q is d/R: where the tip comes to the
- * centre, the proxy runs around it. Where q is 1 or more, there is no such bound, but that of the
- * strengths: |df| <= S(x) + S(x + dx). With S(|v|)/|v| and its slope at most s, q is at most
- * s |J|/k for flows and fronts, since S v/|v| is a function of v that is s-Lipschitz; so these are
- * within 1/(1 - q) wherever s |J| < k.
+ * On a circle of radius R, with the tip at a distance d inside of it, q is d/R. If the tip comes to
+ * the centre, the proxy runs around the circle. If q is 1 or more, the only bound is that of the
+ * strengths: |df| <= S(x) + S(x + dx). If S(|v|)/|v| and the slope of S are at most s, q is at most
+ * s |J|/k for flows and fronts, because S v/|v| is an s-Lipschitz function of v. So flows and
+ * fronts are within 1/(1 - q) wherever s |J| < k.
  */
 
 #include "Rigs/ModeGrid.h"

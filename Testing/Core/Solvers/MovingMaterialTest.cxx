@@ -215,7 +215,7 @@ TEST(MovingMaterial, AVolumeThatMovesIsAHandThatGoes)
 /// y.
 TEST(MovingMaterial, ABreathTakesAStickingHandAlong)
 {
-  constexpr double stretch = 0.2; // a unit of time
+  constexpr double stretch = 0.2; // per unit of time
   constexpr double fixed = 4.0;   // y that does not move
   const MaterialMovie movie(
     2, [](const Vector3& index, int) { return 500.0 * (1.0 - std::tanh((index.X - 12.0) / 1.5)); },

@@ -192,7 +192,7 @@ TEST(PrimitiveFollower, WhereStrengthRisesOutwardsItHoldsNoLessThanThat)
 
 TEST(PrimitiveFollower, GoesThroughAShearWithoutJumpsAndRestsWhereFlowsMeet)
 {
-  // P8: v = (y, 0, 0), S = 2 N min(1, |v|/10 mm).
+  // P8: shear flow v = (y, 0, 0), S = 2 N min(1, |v|/10 mm).
   const AnalyticFlow flow{ [](const Vector3& x) {
                             return Vector3{ x.Y, 0.0, 0.0 };
                           },

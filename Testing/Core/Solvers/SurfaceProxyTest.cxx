@@ -66,8 +66,8 @@ TEST_F(SurfaceProxy, IsHeldWhereItBeganAndNotThrownOut)
     EXPECT_LT(Norm(hand.Lead({ 5.0, 4.0, 0.4 * side }).Force), 1e-5) << "nothing pushes it out";
     hand.Lead({ 5.0, 4.0, -2.0 * side });
     this->ExpectAt(hand, { 5.0, 4.0, 0.4 * side });
-    // Nothing holds the tip on the way away from the floor. When it returns, the proxy stays at the
-    // sphere's radius.
+    // On the way away from the floor, no force acts. After the return, the floor holds the sphere
+    // at its radius.
     double most = 0.0;
     for (const double z : { 0.4, 1.2, 3.0 })
     {

@@ -48,9 +48,9 @@ Vector3 Thick(double ratio, int axis)
 struct Wall
 {
   /**
-   * @param normal along the axes of the volume
-   * @param place between the slices of its middle
-   * @param thickness mm; finite: a sheet in front of which and behind which is air
+   * @param normal along the volume's axes
+   * @param place of the wall between the slices in the middle of the volume
+   * @param thickness mm; if finite, the wall is a sheet with air on both sides
    */
   Wall(const Vector3& spacing, const Matrix3& turn, const Vector3& normal, double place = 0.6,
     double blur = Blur, double thickness = HUGE_VAL)

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Random drilling against a slow reference, written from the design alone: at every sample of a
- * small volume, in double precision, a burr of radius a that has moved along a line from p to q
- * leaves
+ * Random drilling, compared with a slow reference that is written from the design alone: at every
+ * sample of a small volume, in double precision, a burr of radius a that has moved along a line
+ * from p to q leaves
  *
  *   rho <- min(rho, clamp(r + (d - a)/w)),   w = 3 voxels,
  *
  * with the distance d to the line, and r = (V_c - V_air)/(V - V_air) of the sample, so that the
- * level V_c is at d = a (method.md, "The burr"). It takes what removal decides, how far the centre
- * follows the head, and how much larger a sphere is that gives it room; and tells what that has
- * cost. The random way is one on which no step is given up.
+ * level V_c is at d = a (method.md, "The burr"). The reference takes two decisions from the
+ * removal: how far the centre follows the head, and how much larger the sphere is that gives it
+ * room. It returns the cost of the removal. No step is given up on the random way of this test.
  */
 
 #include "Rigs/BurrRig.h"

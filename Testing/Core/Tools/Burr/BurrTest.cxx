@@ -28,7 +28,7 @@ double ComputeDepth(double a, double volume)
 }
 } // namespace
 
-/// B1: 7.54 W, and 0.754 mm^3/s at 10 J/mm^3.
+/// B1: the power is 7.54 W, which removes 0.754 mm^3/s at 10 J/mm^3.
 TEST(Burr, HasThePowerOfItsRim)
 {
   const BakedBurr burr({ MakeBurr(5e10, 100.0), ConstantPolyline(10.0) });

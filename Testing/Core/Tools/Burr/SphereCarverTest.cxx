@@ -15,7 +15,7 @@ using namespace coretest;
 
 namespace
 {
-/// Tissue of value 1000 everywhere.
+/// Returns tissue of value 1000 everywhere.
 TestVolume MakeTissue(std::int64_t samples)
 {
   TestVolume volume(ScalarType::Int16, { samples, samples, samples });

@@ -144,7 +144,7 @@ protected:
         before.Stiffness = isSame ? p.Stiffness * this->Law.PerContactArea : 1e7;
         before.Strength = isSame ? p.Strength * this->Law.PerContactArea : 1e4;
         before.Energy = p.Area * EnergyOf(before.Stiffness, before.Strength, before.Stretch);
-        before.Energy = before.Energy > 0.0 ? before.Energy : 0.0; // nothing is felt there
+        before.Energy = before.Energy > 0.0 ? before.Energy : 0.0; // the stiffness is zero there
       }
       const Vector3 normal = ToMatrix(RandomTurn(engine)) * Vector3{ 1.0, 0.0, 0.0 };
       const Vector3 arm = RandomIn(engine, 5e-3);

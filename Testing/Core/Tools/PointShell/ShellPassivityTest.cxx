@@ -165,7 +165,8 @@ TEST(ShellPassivitySlow, AStifferPlaceIsFeltByPressingOn)
   EXPECT_LE(hand.Record.Energy, 1.05 * energy);
   EXPECT_GT(slid, soft) << "the same energy in a stiffer spring";
   const double pressed = press(hand, 24.0, 10.9);
-  // Springs in series: 4e6 N/m^3 times 9 mm^2 = 36 and 144 N/m, with 2000.
+  // Springs in series: the tissue's 4e6 N/m^3 times 9 mm^2 = 36 N/m and 144 N/m, with the hand's
+  // 2000 N/m.
   const double stiff = 144.0 * 2000.0 / 2144.0;
   EXPECT_NEAR((pressed - slid) / 1e-4, stiff, 0.05 * stiff);
 }

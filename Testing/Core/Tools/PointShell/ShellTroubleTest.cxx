@@ -110,7 +110,7 @@ TEST_F(ShellTrouble, AToolThatBeginsInTissueIsFree)
   ShellHand hand(this->Scene, MakeSphere(3.0, 300), this->Settings);
   ExpectNothing(hand.Tick(Vector3{ 12.0, 12.0, 11.0 }));
   ExpectNothing(hand.Rest());
-  ExpectNothing(hand.Lead({ 12.0, 12.0, 5.0 })); // it may leave
+  ExpectNothing(hand.Lead({ 12.0, 12.0, 5.0 })); // the tool can leave the tissue
   hand.Lead({ 12.0, 12.0, 9.0 });
   EXPECT_LT(hand.Record.Force.Z, -0.1) << "and is held when it comes back";
 }
