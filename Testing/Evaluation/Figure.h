@@ -109,8 +109,8 @@ inline Touching TouchingOf(const Candidate& candidate, const VolumeHaptics::Hapt
  */
 Figures MeasureClosedForms(const Candidate& candidate, const Effort& effort);
 /**
- * Measures how well the proxy tracks an iso-level, and its drift, on balls and in cavities of 20
- * voxels.
+ * Measures how well the proxy tracks an iso-level, and its drift, on balls and in cavities of
+ * 20 voxels.
  */
 Figures MeasureTracking(const Candidate& candidate, const Effort& effort);
 /** Counts the crossings of a blurred wall that fall through it. */

@@ -97,14 +97,14 @@ public:
   std::shared_ptr<const VolumeHaptics::HapticModel> Bake(const Method& method);
 
   /**
-   * Returns a record for each of the stroke's tips; nothing after an error. 1 mm of the stroke is 1
-   * mm of the hand.
+   * Returns a record for each of the stroke's tips; nothing after an error. 1 mm of the stroke is
+   * 1 mm of the hand.
    *
    * The sphere of SURFACE_PROXY rolls on the surface with its centre one radius outside. For the
    * comparison, proxy and force are corrected by this offset, so that they are those of the
-   * touching point. Only friction still contains it, as mu k ProbeRadius: 3 mN at 500 N/m and mu =
-   * 0.3. Methods other than PROXY begin outside of the surface, because they need to know their
-   * side.
+   * touching point. Only friction still contains it, as mu k ProbeRadius: 3 mN at 500 N/m and
+   * mu = 0.3. Methods other than PROXY begin outside of the surface, because they need to know
+   * their side.
    */
   Trace Feel(const Method& method, const Stroke& stroke);
 

@@ -34,8 +34,8 @@ struct Spot
 
 /**
  * Returns the cues of a spot: the depth (mm) under constant force, or the force (N) at constant
- * depth; the force against the stroke (N); and the force (N) at which the tissue yields, at most 4
- * N.
+ * depth; the force against the stroke (N); and the force (N) at which the tissue yields, at most
+ * 4 N.
  */
 std::vector<double> Palpate(
   const VolumeHaptics::HapticModel& model, const Spot& spot, HandStrategy strategy);

@@ -25,8 +25,8 @@ namespace evaluation
 constexpr double PartRadius = 40.0;
 
 /**
- * Returns the grey value of the metal ball without noise: a step blurred by 1.2 voxels, lower by 12
- * % in the middle because of beam hardening.
+ * Returns the grey value of the metal ball without noise: a step blurred by 1.2 voxels, lower by
+ * 12 % in the middle because of beam hardening.
  */
 double MetalValue(const Vector3& x);
 

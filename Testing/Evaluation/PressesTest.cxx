@@ -114,10 +114,10 @@ TEST(Presses, ReachTwoVoxelsBehindTheSurfaceOfCoarseVoxels)
 
 TEST(Presses, GlassIsSeenThrough)
 {
-  // A core of 9 mm in clear glass. A ray at a distance b from the middle passes through sqrt(12^2 -
-  // b^2) - sqrt(9^2 - b^2) of glass: 3 mm for b = 0, and 5.5 mm at 45 degrees to the normal, where
-  // b = 12 / sqrt(2). The ray has half of its opacity within 0.1 mm of the core. The felt place is
-  // off by a fraction of a voxel.
+  // A core of 9 mm in clear glass. A ray at a distance b from the middle passes through
+  // sqrt(12^2 - b^2) - sqrt(9^2 - b^2) of glass: 3 mm for b = 0, and 5.5 mm at 45 degrees to the
+  // normal, where b = 12 / sqrt(2). The ray has half of its opacity within 0.1 mm of the core. The
+  // felt place is off by a fraction of a voxel.
   vtkSmartPointer<vtkImageData> image;
   PressedVolume ball = MakeBall(1000.0, image);
   ball.Extinction = [](const Vector3& x) { return Norm(x) < 9.0 ? 50.0 : 0.0; };
@@ -140,8 +140,8 @@ TEST(Presses, GlassIsSeenThrough)
 TEST(Presses, HalfOfTheOpacityOfALookAlongAWay)
 {
   // An eye at (-20, 0, 0) looks along x at fog of 0.1 per mm that begins at -12. Of its 42 mm
-  // within reach, the eye sees 1 - exp(-4.2), and half of that in the first -10 ln(1 - 0.5 (1 -
-  // exp(-4.2))) = 6.782 mm. These end at -5.218, which is 4.782 behind -10.
+  // within reach, the eye sees 1 - exp(-4.2), and half of that in the first -10 ln(1 - 0.5
+  // (1 - exp(-4.2))) = 6.782 mm. These end at -5.218, which is 4.782 behind -10.
   PressedVolume fog;
   fog.Voxel = { 0.5, 1.0, 1.0 };
   fog.Scale = 2.0; // mm per unit

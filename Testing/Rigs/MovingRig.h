@@ -34,8 +34,8 @@ inline double BallRadius(double t)
   return 20.0 + 2.0 * std::sin(2.0 * Pi * t / Period);
 }
 
-/// The time steps of a volume of 25 mm along x, whose side of lower x has its middle at `From`: 26
-/// x 25 x 25 voxels of 1 mm, or as wide in voxels of another size (mm).
+/// The time steps of a volume of 25 mm along x, whose side of lower x has its middle at `From`:
+/// 26 x 25 x 25 voxels of 1 mm, or as wide in voxels of another size (mm).
 class Movie
 {
 public:

@@ -200,8 +200,8 @@ TEST(MovingEdges, ABallHoldsBehindItsMiddleByThatAndByHowItsBlurGrows)
   const Movie ball = MakeBall(0.01);
   for (const double strength : { 2.0, 1.0 })
   {
-    // With a strength of 2 N, the surface holds while the radius is between 22 mm and 19 mm. With 1
-    // N, it slips at a radius of 21 mm, from t = 1/12 s on, and not before.
+    // With a strength of 2 N, the surface holds while the radius is between 22 mm and 19 mm. With
+    // 1 N, it slips at a radius of 21 mm, from t = 1/12 s on, and not before.
     const bool isHeld = strength > 1.5;
     const double grown = isHeld ? 1.0 / 19.0 - 1.0 / 22.0 : 0.0;
     RestingHand hand(DescribeEdge(ball, edge, strength), 24.0, 19.0);
@@ -217,9 +217,9 @@ TEST(MovingEdges, ABallHoldsBehindItsMiddleByThatAndByHowItsBlurGrows)
   }
 }
 
-/// Solver PAPER, V1 and V7, after a ball of radius r has pressed once: at its largest radius of 22
-/// mm the surface slipped at its strength of 2 N. From then on f = 2 N - k (22 mm - r), so that no
-/// work is left over from a period, and the offset of PAPER's surface has no effect.
+/// Solver PAPER, V1 and V7, after a ball of radius r has pressed once: at its largest radius of
+/// 22 mm the surface slipped at its strength of 2 N. From then on f = 2 N - k (22 mm - r), so that
+/// no work is left over from a period, and the offset of PAPER's surface has no effect.
 TEST(MovingEdges, PaperGivesNoWorkOnceItHasSlipped)
 {
   const Movie ball = MakeBall(0.01);

@@ -148,11 +148,13 @@ bool SolveSmall(Long (&a)[3][4], int size)
 }
 
 /**
- * Returns the force (N) of planes: with t_i the force of each, the minimum of |sum t_i q_i|^2 / 2 +
- * sum t_i q_i.k (y - c_i) for t_i in [0, s_i]. Tries each t_i at its lower end, at its upper end,
- * and between both, where its slope is 0; if more than three are between, three give the same sum.
- * The trial that violates the Kuhn-Tucker conditions least is the minimum. Sets `violation` to its
- * violation.
+ * Returns the force (N) of planes: with t_i the force of each, it minimises
+ *
+ *   |sum t_i q_i|^2 / 2 + sum t_i q_i.k (y - c_i)   for t_i in [0, s_i].
+ *
+ * Tries each t_i at its lower end, at its upper end, and between both, where its slope is 0; if
+ * more than three are between, three give the same sum. The trial that violates the Kuhn-Tucker
+ * conditions least is the minimum. Sets `violation` to its violation.
  */
 Vector3 TryAllPlanes(const PrimitiveSet& set, const Vector3& tip, Long& violation)
 {

@@ -3,9 +3,9 @@
 
 /**
  * Where a surface gives way, the hand feels it over some milliseconds. Ticks with a release time
- * are compared with the same ticks without one: what remains of the force before a leap fades as e
- * dt/(tau + dt) or 150 N/s (Core/State/ProxyRelease.h). No tick changes the force by more than 0.25
- * N, and the work on the hand, by trapezoids, is at most the |F|^2/(2 k) of a spring that is
+ * are compared with the same ticks without one: what remains of the force before a leap fades as
+ * e dt/(tau + dt) or 150 N/s (Core/State/ProxyRelease.h). No tick changes the force by more than
+ * 0.25 N, and the work on the hand, by trapezoids, is at most the |F|^2/(2 k) of a spring that is
  * released slowly.
  */
 

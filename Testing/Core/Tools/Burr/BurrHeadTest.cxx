@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A burr on a real head CT, which Examples/explore.sh fetches; without it the test is skipped. Q =
- * mu F v/U (method.md, "The burr"): while the burr is pressed, its energy removes tissue.
+ * A burr on a real head CT, which Examples/explore.sh fetches; without it the test is skipped.
+ * Q = mu F v/U (method.md, "The burr"): while the burr is pressed, its energy removes tissue.
  */
 
 #include "Rigs/BurrRig.h"

@@ -84,8 +84,8 @@ SurfaceError MeasureSurface(const TestVolume& left, const Vector3& centre, doubl
 }
 } // namespace
 
-/// Spheres off the grid with radii of 4 voxels and more. The design gives 0.044 voxel and 0.22
-/// degrees for 4 voxels, 0.022 voxel and 0.17 degrees for 8.
+/// Spheres off the grid with radii of 4 voxels and more. The design gives 0.044 voxel and
+/// 0.22 degrees for 4 voxels, 0.022 voxel and 0.17 degrees for 8.
 TEST_F(CarvedSphere, HasASmoothSurfaceInItsPlace)
 {
   const TestVolume tissue = MakeTissue(32);
