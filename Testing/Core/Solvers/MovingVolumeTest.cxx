@@ -139,9 +139,9 @@ INSTANTIATE_TEST_SUITE_P(MovingVolume, RestingHands,
     Reading{ GradientEstimator::CubicBSpline, 1.0 }, Reading{ GradientEstimator::Gaussian, 0.5 }));
 
 /// V2 for PAPER, which holds a ball in front of the middle of its edge. The distance has no effect
-/// once the surface has slipped at 2 N, at a radius of 22 mm. From then on, each period has the force
-/// 2 N - k (22 mm - r) = 1 N + sin(2 pi t) N. The test needs the spline, with which V has no ripple
-/// from voxel to voxel.
+/// once the surface has slipped at 2 N, at a radius of 22 mm. From then on, each period has the
+/// force 2 N - k (22 mm - r) = 1 N + sin(2 pi t) N. The test needs the spline, with which V has no
+/// ripple from voxel to voxel.
 TEST(MovingVolume, PaperCarriesByTheLevelAtWhichItSlipped)
 {
   const Movie ball = MakeBall(0.01);
