@@ -261,7 +261,7 @@ TEST(BackgroundWork, EndsWithTheThreadThatBeganIt)
 
 namespace
 {
-/// Like a static object of a program: it ends after everything that the work keeps for its thread.
+/// An owner of work that ends, like a static object, after everything that is kept for its thread.
 struct LateOwner
 {
   ~LateOwner()

@@ -196,7 +196,7 @@ TEST_F(Noise, InSlicesIsFeltNoMoreThanInCubes)
   const vtkSmartPointer<vtkImageData> noisy = this->MakeNoisy([](double) { return 0.0; }, Sigma);
   this->Filter->SetMaterialPlacementToKernel();
   this->Filter->SetContactAlignmentToDistinctness();
-  // Too little to hold the proxy anywhere.
+  // This strength is too little to hold the proxy anywhere.
   SetConstant(this->Filter->GetProperty()->GetSurfaceStrength(), 1e-6);
   SetConstant(this->Filter->GetProperty()->GetViscosity(), 0.0);
   const auto findStrengths = [&](const Point& spacing)

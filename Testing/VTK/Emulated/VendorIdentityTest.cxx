@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What is remembered of a vendor's device, with and without a serial number. The test plays the
+ * The program's memory of a vendor's device, with and without a serial number. The test plays the
  * device; the hand that holds it is a mass on a spring (Emulators/EmulatedHand.h).
  */
 

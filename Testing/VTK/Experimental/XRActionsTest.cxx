@@ -143,7 +143,7 @@ TEST_F(XRActions, FilesThatAreNoneAreOneErrorWithTheCure)
   this->Save("actions.json", nested);
   this->ExpectError("is no manifest");
   this->Save("actions.json",
-    // Nested deeply, but complete.
+    // The text is nested deeply, but complete.
     "{ \"actions\": " + std::string(70, '[') + std::string(70, ']') + " }");
   this->ExpectError("nested more than 64 deep");
   this->Log.Errors.clear();

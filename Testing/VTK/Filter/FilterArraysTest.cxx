@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Which array and which component is touched.
+ * The choice of the touched array and component.
  */
 
 #include "Rigs/ApiRig.h"

@@ -63,7 +63,7 @@ protected:
     {
       const double below = std::floor(index);
       const double value =
-        // Interpolated between the samples.
+        // Interpolates between the samples.
         36.0 * (below * below + (index - below) * (2.0 * below + 1.0));
       return Look(opacity, value);
     };

@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Factories of VTK for text and charts, in addition to those of the test driver. */
+/**
+ * Initializes VTK's modules for charts and their text. VTK's test driver initializes only the
+ * modules that draw volumes.
+ */
 #ifndef Factories_h
 #define Factories_h
 

@@ -14,8 +14,6 @@
 #include "vtkTestUtilities.h"
 #include "vtkXMLImageDataReader.h"
 
-// VTK's test driver initializes the modules that draw volumes, not those for charts and their text.
-
 int TestFunctionEditor(int argc, char* argv[])
 {
   vtkNew<vtkXMLImageDataReader> head;

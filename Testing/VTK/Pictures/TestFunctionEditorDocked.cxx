@@ -15,8 +15,6 @@
 #include "vtkTestUtilities.h"
 #include "vtkXMLImageDataReader.h"
 
-// VTK's test driver initializes the modules that draw volumes, not those for charts and their text.
-
 int TestFunctionEditorDocked(int argc, char* argv[])
 {
   vtkNew<vtkXMLImageDataReader> head;

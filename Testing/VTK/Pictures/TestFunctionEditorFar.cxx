@@ -13,8 +13,6 @@
 
 #include <limits>
 
-// VTK's test driver initializes the modules that draw volumes, not those for charts and their text.
-
 using namespace editortest;
 
 int TestFunctionEditorFar(int, char*[])

@@ -7,8 +7,6 @@
 #include "vtkHapticProperty.h"
 #include "vtkVolumeProperty.h"
 
-// VTK's test driver initializes the modules that draw volumes, not those for charts and their text.
-
 using namespace editortest;
 
 int TestFunctionEditorFunctions(int, char*[])

@@ -22,8 +22,6 @@
 #include "vtkTestUtilities.h"
 #include "vtkXMLImageDataReader.h"
 
-// VTK's test driver initializes the modules that draw volumes, not those for charts and their text.
-
 namespace
 {
 bool Check(bool holds, const char* what)

@@ -14,8 +14,6 @@
 #include <cmath>
 #include <string>
 
-// VTK's test driver initializes the modules that draw volumes, not those for charts and their text.
-
 int TestLabelEditor(int argc, char* argv[])
 {
   vtkNew<vtkHapticLabelTable> table;

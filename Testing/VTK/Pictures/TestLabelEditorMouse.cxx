@@ -21,8 +21,6 @@
 #include <string>
 #include <vector>
 
-// VTK's test driver initializes the modules that draw volumes, not those for charts and their text.
-
 using namespace editortest;
 
 namespace

@@ -223,7 +223,7 @@ TEST_F(StreamedTimeSteps, ThatWereLeftOutAreGoneOver)
   ASSERT_TRUE(this->Device->Publish());
   this->GoTo(6.4);
   EXPECT_GT(this->Device->GetState()->GetComputedForce()[0], 1.65);
-  // The same backwards, and while time holds between two time steps.
+  // The wall also moves through missing parts backwards, and after time has held between steps.
   this->Give(4.6, 5.4);
   ASSERT_TRUE(this->Device->Publish());
   this->SetSpeed(-2.0);

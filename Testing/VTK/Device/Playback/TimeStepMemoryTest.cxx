@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * How many time steps of a moving volume are in memory at once, beside the one that its source
+ * The number of time steps of a moving volume in memory at once, beside the one that its source
  * writes to. The test plays, and jumps through, arrays that count themselves.
  */
 

@@ -244,7 +244,7 @@ TEST_F(LabelFiles, ThatAreNoTables)
   this->Refuse("", { "empty" });
   this->Refuse("\n \n\t\n", { "empty" });
   const std::string compressed = Compress(ItkSnap);
-  // Bytes of the check sum, all of the check sum, and also bytes of the labels.
+  // Cuts off a part of the check sum, the whole check sum, and also a part of the labels.
   for (const std::size_t lost : { 1, 9, 40 })
   {
     this->Refuse(

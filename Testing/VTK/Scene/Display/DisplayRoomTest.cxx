@@ -154,7 +154,7 @@ TEST_F(DisplayRoom, PlotKeepsClearOfOrientationAxes)
 {
   this->Display->TextVisibilityOff();
   this->Display->AddStates(scenetest::MakeStates(0.0, 5.0, [](double) { return 1.0; }));
-  // Like the orientation axes of ParaView and of vtkOrientationMarkerWidget.
+  // These axes stand for those of ParaView and of vtkOrientationMarkerWidget.
   vtkNew<vtkRenderer> axes;
   vtkNew<vtkActor> arrows;
   axes->AddViewProp(arrows);
@@ -225,7 +225,7 @@ TEST_F(DisplayRoom, TwiceTheDotsPerInchDrawTwiceAsLarge)
   ASSERT_GT(panel, 200);
   this->Window->SetDPI(2 * this->Window->GetDPI());
   const Ink large = this->Read(1400, 1120);
-  // Pixels: margins keep their width, and letters are fitted to whole pixels.
+  // Tolerance (pixels): margins keep their width, and letters are fitted to whole pixels.
   constexpr double rounding = 16.0;
   EXPECT_NEAR(panelRight(), 2 * panel, 2 * rounding);
   EXPECT_NEAR(large.Left, 2 * small.Left, rounding);

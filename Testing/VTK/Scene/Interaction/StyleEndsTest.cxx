@@ -134,7 +134,7 @@ TEST_F(StyleEnds, WithTheWindow)
       this->Window->SetOffScreenRendering(1);
       this->Style->RemoveObservers(vtkInteractorStyleHaptic::StatesEvent);
       this->ExpectNoForce();
-      // Instead of TerminateApp(), which writes to the closed window in VTK 9.1.
+      // Ends the loop without TerminateApp(), which writes to the closed window in VTK 9.1.
       this->Interactor->SetDone(true);
     });
   this->ExpectNoForce();

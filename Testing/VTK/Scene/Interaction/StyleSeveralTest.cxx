@@ -29,7 +29,7 @@ protected:
     this->Show(this->Volume, this->Ball);
     this->Show(this->Other, MakeBall());
     this->Renderer->GetActiveCamera()->SetParallelScale(150.0); // a pixel is 1 mm
-    // No force is held back on a busy machine.
+    // Switches the attention time off, since a busy machine may exceed it.
     this->Device->SetAttentionTime(0.0);
     this->Device->Open("virtual");
     this->Device->Start();

@@ -127,7 +127,7 @@ TEST_F(StyleTest, AStrokeGoesOnAroundABall)
   this->Style->TouchModeOn();
   this->RunUntilFullyArmed();
   const double start = this->Device->GetState()->GetTipPosition()[2];
-  // Of the first contact: touch mode begins half a voxel in front of it.
+  // Radius of the first contact: touch mode begins half a voxel in front of it.
   const double radius = start - 0.5;
   for (int i = 0; i < 4; ++i)
   {
