@@ -32,7 +32,7 @@ namespace benchmarks
 namespace
 {
 constexpr double LongestBlock = 50.0; // ms
-/** This call does at once what BeginProposal() does in the background; it has no limit. */
+/** This call waits for the work that BeginProposal() does in the background, so it has no limit. */
 constexpr const char* WithoutHand = "without a hand: ProposeFromImage()";
 constexpr double MebiBytes = 1.0 / (1 << 20);
 

@@ -175,7 +175,7 @@ Table MeasureCost(const Effort& effort, std::vector<Plot>& plots)
   {
     if (method.Kind != vtkVolumeHapticsFilter::PROXY)
     {
-      continue; // has no gradient kernel, or nothing else
+      continue; // has no gradient kernel, or only the gradient
     }
     Curve measured{ method.Name, {}, TimeRadii(scene, method, effort), method.Colour, true };
     for (const Range& range : Ranges)

@@ -44,7 +44,8 @@ Hardness HardnessOf(const Entries& entries, std::int64_t label)
   return material.IsFelt ? Hardness{ 2, value(2), value(0), label } : Hardness{ 0, 0.0, 0.0, 0 };
 }
 
-/// Returns the weights of the smoothed value: a Gaussian whose value and slope are zero at c.
+/// Returns the weights of the fitted value: a Gaussian that ends at c, where its slope is zero as
+/// well.
 std::vector<double> Weights(int radius, double fraction)
 {
   const double c = radius + 1.0;

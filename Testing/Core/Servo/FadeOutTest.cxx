@@ -33,7 +33,7 @@ protected:
     this->Limits.MaximumForce = this->GetParam().Force;
     this->Limits.MaximumForceRate = this->GetParam().ForceRate;
   }
-  /// Arms the loop on a hand that is held still, and waits until force acts.
+  /// Arms the loop, waits until force acts, and holds the hand still.
   void Hold(RunningLoop& loop)
   {
     const double enough = std::min(0.5, 0.9 * this->Limits.MaximumForce);

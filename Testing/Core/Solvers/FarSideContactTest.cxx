@@ -105,9 +105,9 @@ double SpreadOf(const std::vector<TickRecord>& trace)
 
 TEST(FarSideContact, BeforeAnEdgeNothingHolds)
 {
-  // An edge without noise, sampled between the voxels too. Up to a distance of 0.7 of its blur in
-  // front of the surface, the edge rises by less than a quarter of its height; interpolation shifts
-  // that place by at most one voxel.
+  // An edge without noise, which the hand meets between the samples. Farther in front of its middle
+  // than 0.7 of its blur, the edge has risen by less than a quarter of its height; interpolation
+  // shifts that place by at most one voxel.
   const std::int64_t n = 40;
   for (const double blur : { 0.05, 0.3, 0.6, 1.3 })
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Where the surface method places its proxy when the method before had left it elsewhere.
+ * Where the surface method starts its proxy if another method was used at that position before.
  */
 
 #include "Rigs/MeshScene.h"

@@ -197,7 +197,7 @@ TEST_P(Needles, IsHeldAcrossItsAxis)
   EXPECT_NEAR(AlongNeedle(hand.Record), along, 1e-9);
   hand.MoveTo({ 17.5, 11.5, 25.0 });
   EXPECT_NEAR(hand.Record.Force.X, -1.0, 1e-9);
-  // The needle was moved aside and stays there.
+  // The needle was moved aside by more than it is held, and stays there.
   hand.MoveTo({ 15.5, 11.5, 25.0 });
   EXPECT_NEAR(hand.Record.Force.X, 0.0, 1e-9);
 }
