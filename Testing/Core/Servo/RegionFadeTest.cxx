@@ -90,8 +90,8 @@ TEST_P(RegionFade, ATipThatTravelsInTheDarkComesBackWithoutAStep)
   EXPECT_TRUE(this->Servo.IsAwaiting());
   EXPECT_EQ(Norm(this->Command), 0.0);
   EXPECT_TRUE(IsSame(this->Record.Proxy, there)) << "the proxy went along";
-  // Load the region around the tip, which has travelled 40 mm. In the first tick, the force is
-  // still zero.
+  // Load the region next to the tip, which is just outside the ball's volume. In the first tick,
+  // the force is still zero.
   const auto next = this->MakeRegion(there, 24);
   CarryState(*this->Model, *next, this->State);
   this->Model = next;
