@@ -85,7 +85,8 @@ TEST(BakingOf, DuplicateScalarsIsAStepAtTheNode)
   const VolumeHaptics::PiecewiseTable<2> table(
     { VolumeHaptics::ToPolyline(function, 0.0), VolumeHaptics::ConstantPolyline(1.0) });
   EXPECT_NEAR(table(std::nextafter(5.0, 0.0))[0], 2.0, 1e-15);
-  EXPECT_EQ(table(5.0)[0], function->GetValue(5.0)); // 2 in VTK 9.1, 8 in VTK 9.3
+  // 2 in VTK 9.1, 8 in VTK 9.3: either node may count.
+  EXPECT_EQ(table(5.0)[0], function->GetValue(5.0));
   EXPECT_EQ(table(std::nextafter(5.0, 9.0))[0], 8.0);
   EXPECT_NEAR(table(2.5)[0], 1.5, 1e-15);
 }

@@ -264,7 +264,7 @@ TEST(SettingLists, ParaViewsPropertiesAreOfTheirTypes)
   expect("VolumeHapticsFilter.xml", "ReleaseTime", "DoubleVectorProperty SetReleaseTime 1 0.005",
     "<DoubleRangeDomain name=\"range\" min=\"0\" max=\"1\"/>");
   expect("VolumeHapticsFilter.xml", "ServoRate", "DoubleVectorProperty SetServoRate 1 1000",
-    "<DoubleRangeDomain name=\"range\" min=\"1\"/>"); // no slider up to 100000
+    "<DoubleRangeDomain name=\"range\" min=\"1\"/>"); // no maximum, so no slider
   expect("VolumeHapticsFilter.xml", "SameShape", "IntVectorProperty SetSameShape 1 0",
     "<BooleanDomain name=\"bool\"/>");
   expect("VolumeHapticsFilter.xml", "Solver", "IntVectorProperty SetSolver 1 1",

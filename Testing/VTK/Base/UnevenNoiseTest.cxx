@@ -28,7 +28,7 @@ constexpr double Middle = 0.5 * (Width - 1);
 constexpr double Ball = 20.0; // mm
 constexpr double Bright = 90.0;
 constexpr int Rays = 120;
-constexpr double Start = 44.0; // mm from the middle
+constexpr double Start = 44.0; // distance from the middle, mm
 constexpr double RayStep = 0.1;
 constexpr double Deep = 4.0; // mm
 

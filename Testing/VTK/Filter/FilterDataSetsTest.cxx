@@ -30,7 +30,7 @@ namespace
 {
 constexpr int Edge = 21;          // points
 constexpr double HalfEdge = 16.0; // mm
-constexpr double PerMm = 0.5;     // N/mm, the spring
+constexpr double PerMm = 0.5;     // stiffness of the spring, N/mm
 
 /// Adds a flow around z, and scalars of 100 z.
 void AddFields(vtkDataSet* data)

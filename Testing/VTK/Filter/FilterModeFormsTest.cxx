@@ -351,7 +351,7 @@ TEST_F(FilterModeForms, PullNoMoreThanTheirStrengths)
   {
     SetGuide(felt.Mode, [](const Point& p) { return p; });
   }
-  for (const double stride : { 0.2, 3.0 }) // mm a tick: a hand, and leaps
+  for (const double stride : { 0.2, 3.0 }) // mm per tick: a hand's motion, and leaps
   {
     this->Follow(RandomWalk(20000, stride));
     for (std::size_t i = 0; i <= modes.size(); ++i)

@@ -113,7 +113,7 @@ TEST_F(FilterRemoval, AFileIsFeltWithoutABurr)
   this->Filter->GetRemoval()->SetAirValue(-800.0);
   ASSERT_TRUE(this->Drill()->WriteFile(this->File));
   this->Filter->SetTool(nullptr);
-  this->Filter->SetMethodToForceField(); // so that the proxy is at the tip
+  this->Filter->SetMethodToForceField(); // keeps the proxy at the tip
   this->Path = MakePath(Line({ 15.2, 15.4, 7.0 }, { 15.2, 15.4, 15.0 }, 80));
   this->Filter->SetPathData(this->Path);
   const vtkSmartPointer<vtkPolyData> felt = (this->Run(81), Keep(this->Filter));

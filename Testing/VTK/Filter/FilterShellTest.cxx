@@ -29,7 +29,7 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 /// Pressure per metre of depth (N/m^3): 500 N/m on 25 mm^2.
 constexpr double Kappa = 2e7;
-constexpr double Surface = 8.0; // mm: V = 800
+constexpr double Surface = 8.0; // mm, where V = 800
 
 class FilterShell : public ApiTest
 {
@@ -271,7 +271,7 @@ TEST_F(FilterShell, OnePointIsAPoint)
   vtkPolyData* const trace = this->Press(5.0, 12.0);
   // The point lies anywhere on the box, which extends 1.02 mm to each side.
   const double force = -Get(trace, "Force", this->Last, 2);
-  const double depth = 2e3 * force / 500.0; // mm of the hand beyond the surface
+  const double depth = 2e3 * force / 500.0; // depth of the hand, mm
   EXPECT_NEAR(depth, 4.0, 1.03);
 }
 

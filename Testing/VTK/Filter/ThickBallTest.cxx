@@ -25,7 +25,7 @@ namespace
 constexpr double BallRadius = 22.0; // mm
 constexpr double Blur = 0.45;       // mm
 constexpr double Fine = 0.5;        // mm
-constexpr double PressDepth = 1.5;  // mm, of the press
+constexpr double PressDepth = 1.5;  // depth of the press, mm
 constexpr int PressTicks = 90;
 
 enum class Method
@@ -48,8 +48,8 @@ constexpr Slices Cubes{ 1.0, 0, false };
 
 struct Press
 {
-  double Contact = std::numeric_limits<double>::quiet_NaN(); ///< mm from the centre
-  double Force = 0.0;                                        ///< N, outwards, at the end
+  double Contact = std::numeric_limits<double>::quiet_NaN(); ///< distance from the centre, mm
+  double Force = 0.0;                                        ///< at the end, outwards, N
 };
 
 class ThickBall : public ApiTest

@@ -22,7 +22,7 @@ constexpr double Air = 60.0; // mm
 constexpr double Deep = 5.0; // mm
 constexpr double Felt = 0.1; // N
 constexpr int Side = 20;     // voxels of 1 mm
-constexpr int Presses = 6;   // in one volume
+constexpr int Presses = 6;   // presses in one volume
 
 /// Values of air and of a wall, and noise equivalent to 60 HU.
 struct Scan

@@ -13,7 +13,7 @@ using namespace measuretest;
 
 namespace
 {
-constexpr double BallRadius = 30.0; // mm; voxels of 1 mm
+constexpr double BallRadius = 30.0; // mm; voxels are 1 mm
 
 vtkSmartPointer<vtkImageData> ScanBall()
 {

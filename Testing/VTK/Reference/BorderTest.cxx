@@ -18,7 +18,7 @@ using namespace reference;
 class Border : public testing::TestWithParam<Estimator>
 {
 protected:
-  static constexpr double Half = 12.0; // mm, voxels
+  static constexpr double Half = 12.0; // half of the cube's side, mm or voxels
 
   static double Slope(const Vec3& x) { return 10.0 * x[0] + 4.0 * x[1] - 7.0 * x[2]; }
 

@@ -19,10 +19,11 @@ enum class Curves
   Curved  // midpoints, sharpness, steep edges
 };
 
-/// A smooth random function of the position, in [-1, 1]: waves of 1 to 5 times `shortest` voxels.
+/// Returns a smooth random function of the position, in [-1, 1]: waves of 1 to 5 times `shortest`
+/// voxels.
 Field RandomField(Random& random, const Geometry& geometry, double shortest = 5.0);
 
-/// Random size, spacing, origin, direction (left-handed too) and first index.
+/// Returns a random size, spacing, origin, direction (left-handed too) and first index.
 Geometry RandomGeometry(Random& random, int kernelRadius);
 
 /// Returns the scalars of the scene that are felt.
@@ -33,7 +34,7 @@ vtkDataArray* FeltScalars(const Scene& scene);
 void RandomVolume(
   Scene& scene, Random& random, const Geometry& geometry, int scalarType, double shortest = 5.0);
 
-/// Random functions of the scalar for every property of the material.
+/// Sets random functions of the scalar for every property of the material.
 void RandomMaterial(Scene& scene, Random& random, Curves curves);
 
 /// Sets mild slopes between the ends of the scalar range, and a small depth, so that rounding does
@@ -50,7 +51,7 @@ std::vector<Vec3> WithStops(const std::vector<Vec3>& path);
 /// Sets one stiffness, of 50 to 2000 N/m, everywhere.
 void ConstantStiffness(Scene& scene, Random& random);
 
-/// A random volume, material, settings and walk.
+/// Makes a random volume, material, settings and walk.
 void RandomScene(Scene& scene, Random& random, Curves curves, int ticks);
 
 /// Makes a field with long waves, a gentle material and a walk; returns the field's random

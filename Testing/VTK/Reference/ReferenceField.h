@@ -19,19 +19,19 @@ public:
   ReferenceField(vtkImageData* image, vtkDataArray* scalars, int component, Estimator estimator,
     int kernelRadius);
 
-  /// V at a world position; outside the volume the value of the nearest border point.
+  /// Returns V at a world position; outside of the volume, the value of the nearest border point.
   double Value(const Vec3& world) const;
 
-  /// grad V per world unit; 0 outside the volume and if a tap is not finite.
+  /// Returns grad V per world unit; 0 outside of the volume, and if a tap is not finite.
   Vec3 Gradient(const Vec3& world) const;
 
   /// Returns the magnitude up to which a gradient is rounding of the taps, and counts as none.
   double GradientFloor(const Vec3& world) const;
 
-  /// 1 inside, falling to 0 over one kernel radius towards the border, 0 outside.
+  /// Returns 1 inside, 0 outside, and between 1 and 0 within one kernel radius of the border.
   double BorderFade(const Vec3& world) const;
 
-  /// KernelRadius times the largest spacing.
+  /// Returns KernelRadius times the largest spacing.
   double KernelLength() const;
 
   /// Computes the weights of one axis of the Gaussian for a position with the fraction `f` above a

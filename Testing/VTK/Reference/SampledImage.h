@@ -30,13 +30,13 @@ struct Geometry
 
 using Field = std::function<double(const Vec3& world)>;
 
-/// A cube of side 2 x `half` around the origin.
+/// Returns a cube of side 2 x `half` around the origin.
 Geometry Cube(double half, double spacing);
 
 /// Returns the geometry of the same volume elsewhere: world -> rotation * world + translation.
 Geometry Moved(const Geometry& geometry, const Mat3& rotation, const Vec3& translation);
 
-/// An image of this geometry, without scalars.
+/// Makes an image of this geometry, without scalars.
 vtkSmartPointer<vtkImageData> MakeImage(const Geometry& geometry);
 
 /// Samples the field to component 0 of the active scalars; integer types get the nearest value,

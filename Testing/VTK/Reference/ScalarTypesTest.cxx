@@ -104,7 +104,7 @@ TEST_P(ScalarTypes, ReachTheirLimits)
 {
   const auto array = MakeArray(this->GetParam(), Layout::OfStructures);
   const bool real = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
-  // A double cannot hold the largest 64-bit number: stay below.
+  // A double cannot hold the largest 64-bit number, so the limits are below it.
   const double low = std::max(array->GetDataTypeMin(), real ? -1e30 : -0x1p62);
   const double high = std::min(array->GetDataTypeMax(), real ? 1e30 : 0x1p62);
   Scene scene;

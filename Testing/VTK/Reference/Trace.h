@@ -23,7 +23,7 @@ struct TickRecord
   double normalForce = 0.0;       // N, before the drag step
   double frictionForce = 0.0;     // N, before the drag step
   double dragForce = 0.0;         // N
-  double value = 0.0;             // at the proxy at the end of the tick
+  double value = 0.0;             // value at the proxy at the end of the tick
   double gradientMagnitude = 0.0; // scalar units per world unit
   double surfaceValue = 0.0;
   double mediumValue = 0.0;

@@ -164,7 +164,7 @@ TEST_F(StreamedTimeSteps, ThatAreEarlyOrLateAreFeltOneAfterTheOther)
   std::mt19937 random(3);
   this->Give(0.0, 1.0, region);
   this->Begin();
-  this->SetSpeed(10.0); // 100 ms a time step
+  this->SetSpeed(10.0); // a time step takes 100 ms
   double at = 1.0;
   int waited = 0;
   for (int i = 0; i < 24; ++i)

@@ -121,8 +121,9 @@ TEST_F(StyleTest, TheWorkspaceFollowsTheCamera)
   ASSERT_TRUE(this->Device->Open(id.c_str()));
   ASSERT_TRUE(this->Device->Start());
   this->Run(5);
-  ExpectAt(this->Device->GetState()->GetTipPosition(), 10, 4, 2); // right, up and towards the user
-  this->Renderer->GetActiveCamera()->Azimuth(90.0);               // the camera now looks along -x
+  // The jump goes right, up and towards the user.
+  ExpectAt(this->Device->GetState()->GetTipPosition(), 10, 4, 2);
+  this->Renderer->GetActiveCamera()->Azimuth(90.0); // the camera now looks along -x
   this->Style->UpdateHaptics();
   this->Run(5);
   ExpectAt(this->Device->GetState()->GetTipPosition(), 2, 4, -10);

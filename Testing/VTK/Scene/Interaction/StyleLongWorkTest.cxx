@@ -78,7 +78,7 @@ protected:
     this->Device->GetState()->Drain(this->States, 1);
     this->Shown.clear();
   }
-  /// A histogram of 43 million samples, which is counted in the background.
+  /// Gives the editor 43 million samples, whose histogram is counted in the background.
   void GiveEditorMuch()
   {
     constexpr int n = 350;

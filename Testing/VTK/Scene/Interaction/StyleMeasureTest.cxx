@@ -43,7 +43,7 @@ protected:
       this->Run(4);
     }
     this->Pointer(to, 150);
-    this->Run(200); // until the proxy rests
+    this->Run(200); // long enough for the proxy to rest
   }
   std::array<double, 3> Proxy()
   {

@@ -90,7 +90,7 @@ TEST_F(StyleMethod, TheServoFeelsWithTheMethodAtOnce)
   this->Settle();
   EXPECT_NEAR(this->Device->GetState()->GetProxyPosition()[2], 30.5, 0.02)
     << "a sphere of half a voxel";
-  this->ExpectForce(0.0, 0.0, 0.5 * (depth + 0.5)); // 500 N/m
+  this->ExpectForce(0.0, 0.0, 0.5 * (depth + 0.5)); // the spring has 500 N/m
 }
 
 TEST_F(StyleMethod, TheForceGoesOverWithoutAJolt)

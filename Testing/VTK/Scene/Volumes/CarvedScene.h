@@ -214,7 +214,7 @@ public:
   vtkSmartPointer<vtkRenderWindow> Window;
 };
 
-/// The largest difference of two pictures, in grey levels.
+/// Returns the largest difference of two pictures, in grey levels.
 inline int Difference(const std::vector<int>& a, const std::vector<int>& b)
 {
   int most = a.size() == b.size() ? 0 : 256;
