@@ -270,10 +270,11 @@ planned=$((test_seconds + sanitizer_seconds))
 loop_tests=VolumeHapticsLoopTests
 without_services=-DVolumeHaptics_USE_BEAST=OFF # which none of the tests meets that run under sanitizers
 sanitized='^VolumeHaptics[.]Core[.]Servo'
-# Hundreds of simulated hands: these tests count faults of rules, and run no code that others do not.
+# Hundreds of simulated hands, and long walks through flows: these tests run no code that others do not run here, too.
 # Loops that take half a minute under the thread sanitizer; with --full they run there, too.
 slow_loops='ToolLoop[.](WhateverIsPublishedStaysWithinTheLimits|WhatIsKeptBeginsAReplay)$'
 scans='(FindsNoHonestDevice|NoHonestDeviceIsCalledWrong|TheReboundIsNeverFasterThanWithoutTheStage)$'
+scans+='|ModesInASwirl[.]StepByTheSpringAsFarAsTheFieldAllows/[0-9]|OfWeakFlowsAndFrontsAreWithinABoundOfTheirStrength$'
 if [ $full = yes ]; then
   loop_tests=VolumeHapticsThreadTests
   without_services=
