@@ -103,6 +103,13 @@ TRIED = {
         "has … segments, and none with the number …": "and none with the number",
         "voxels are in several segments: they belong to that with the highest number": "voxels are in several segments",
     },
+    "Data/Formats/write_odd.py": {
+        "instead of values in …export it again as grey values": "PALETTE COLOR", "holds an array of NumPy": "array of NumPy",
+        "is a file of MATLAB": "file of MATLAB", "is a density map (MRC)": "density map",
+        "is a microscope's own format": "microscope's own format", "has no header: neither": "has no header",
+        "is HDF5, of which VTKHDF": "is HDF5", "is a CIFTI file, whose": "CIFTI",
+        "and the first page has its own. Take that page away": "the first page has its own",
+    },
     "Data/Formats/write_nifti.py": {"has … volumes along its fourth axis, and none with the number": "and none with the number"},
     "Data/Formats/write_threads.py": {
         "it is a collection of …": "collection of", "masks, and none with the number": "masks, and none with the number",
@@ -291,7 +298,7 @@ OUTSIDE = {
     ),
     "a program of others, which Debian does not have or which reads what is not written here": (
         "turn it into NIfTI with 3dAFNItoNIFTI", "turn it into NIfTI with dcm2niix", "with nibabel: nib.save(", "mri_convert in.mgz out.mgz",
-        "mincconvert in.mnc out.mnc", "mincresample in.mnc out.mnc", "turn them into NIfTI with dcm2niix",
+        "mincconvert in.mnc out.mnc", "mincresample in.mnc out.mnc", "turn them into NIfTI with dcm2niix", "export the series again without compression",
         "make labels of it first, e.g. with plastimatch convert or 3D Slicer", "write it as a DICOM SEG, or as .seg.nrrd",
         "resample it on the grid of its volume, e.g. in 3D Slicer", "export it again from the planning system",
         "a segmentation (SEG) that ends before its pixels…copy or export it again",

@@ -8,6 +8,7 @@
 #include "VTK/Reading/Dicom/DicomMessage.h"
 
 #include <gdcmByteValue.h>
+#include <gdcmFragment.h>
 #include <gdcmImageReader.h>
 #include <gdcmReader.h>
 #include <gdcmSequenceOfFragments.h>
@@ -22,6 +23,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <sys/mman.h>
 #include <sys/prctl.h>
@@ -41,8 +43,9 @@ using VolumeHaptics::SendAll;
 
 constexpr std::uint32_t LONGEST_VALUE = 1024; // bytes of the longest value that is passed on
 constexpr std::uint32_t LONGEST_OFFSETS = 65536;
-const gdcm::Tag OFFSETS(0x3004, 0x000c);         // of a dose's frames
-constexpr std::uint32_t REAL_WORLD = 0x00409096; // RealWorldValueMappingSequence
+const gdcm::Tag OFFSETS(0x3004, 0x000c);             // of a dose's frames
+constexpr std::uint32_t REAL_WORLD = 0x00409096;     // RealWorldValueMappingSequence
+constexpr std::uint32_t MODALITY_TABLE = 0x00283000; // ModalityLUTSequence
 const gdcm::Tag ROWS(0x0028, 0x0010), BEFORE_PIXELS(0x7fe0, 0x0007);
 const gdcm::Tag PIXELS(0x7fe0, 0x0010), FLOAT_PIXELS(0x7fe0, 0x0008), DOUBLE_PIXELS(0x7fe0, 0x0009);
 
@@ -107,10 +110,11 @@ bool IsGroup(std::uint32_t tag)
 }
 
 /// Whether a sequence has items whose values are needed: segments, the map to real-world values,
-/// what all frames share, and what each frame has.
+/// the places of detectors, what all frames share, and what each frame has.
 bool IsWanted(std::uint32_t tag)
 {
-  return tag == 0x00620002 || tag == REAL_WORLD || tag == 0x52009229 || tag == 0x52009230;
+  return tag == 0x00620002 || tag == 0x00540022 || tag == REAL_WORLD || tag == 0x52009229 ||
+    tag == 0x52009230;
 }
 
 /// Appends the values of a data set; within the wanted sequences also those of groups.
@@ -119,6 +123,12 @@ void AppendValues(const gdcm::DataSet& set, std::uint32_t sequence, int item, st
   for (auto at = set.Begin(); at != set.End(); ++at)
   {
     const std::uint32_t tag = ToNumber(at->GetTag());
+    if (tag == MODALITY_TABLE) // only that it is there
+    {
+      const DicomElement head{ tag, sequence, item, 0 };
+      out.append(reinterpret_cast<const char*>(&head), sizeof(head));
+      continue;
+    }
     if (sequence == 0 ? !IsWanted(tag) : !IsGroup(tag))
     {
       AppendValue(*at, sequence, item, out);
@@ -320,6 +330,43 @@ bool IsYbr(const gdcm::Image& image)
     meaning == gdcm::PhotometricInterpretation::YBR_FULL_422;
 }
 
+/// Joins the fragments of each frame, because GDCM wants one fragment for each of several frames.
+/// Streams of JPEG, JPEG-LS and JPEG 2000 show where a frame begins.
+void JoinFragments(gdcm::Image& image)
+{
+  const gdcm::SequenceOfFragments* const parts = image.GetDataElement().GetSequenceOfFragments();
+  const std::size_t frames = image.GetNumberOfDimensions() > 2 ? image.GetDimension(2) : 1;
+  if (!parts || frames < 2 || parts->GetNumberOfFragments() <= frames)
+  {
+    return;
+  }
+  std::vector<std::string> whole;
+  for (std::size_t i = 0; i < parts->GetNumberOfFragments(); ++i)
+  {
+    const gdcm::ByteValue* const value = parts->GetFragment(i).GetByteValue();
+    const std::string bytes =
+      value ? std::string(value->GetPointer(), value->GetLength()) : std::string();
+    const bool isFirst =
+      bytes.compare(0, 2, "\xff\xd8") == 0 || bytes.compare(0, 2, "\xff\x4f") == 0;
+    isFirst || whole.empty() ? whole.push_back(bytes) : void(whole.back() += bytes);
+  }
+  if (whole.size() != frames)
+  {
+    return; // GDCM refuses it
+  }
+  const auto joined = gdcm::SequenceOfFragments::New();
+  for (const std::string& bytes : whole)
+  {
+    gdcm::Fragment fragment;
+    fragment.SetByteValue(bytes.data(), gdcm::VL(static_cast<std::uint32_t>(bytes.size())));
+    joined->AddFragment(fragment);
+  }
+  gdcm::DataElement element(PIXELS);
+  element.SetVR(gdcm::VR::OB);
+  element.SetValue(*joined);
+  image.SetDataElement(element);
+}
+
 bool Unpack(
   const DicomRequest& request, const std::string& path, DicomAnswer& answer, std::string& bytes)
 {
@@ -329,7 +376,8 @@ bool Unpack(
   {
     return false;
   }
-  const gdcm::Image& image = reader.GetImage();
+  gdcm::Image& image = reader.GetImage();
+  JoinFragments(image);
   const std::size_t size = image.GetBufferLength();
   if (size == 0 || size > request.MostBytes)
   {

@@ -327,8 +327,9 @@ NrrdSpace FindNrrdSpace(const NrrdHeader& header)
   {
     return { true, true, { 1.0, -1.0, 1.0 } };
   }
-  return { is("left-posterior-superior", "lps"), is("3d-left-handed", "3d-left-handed"),
-    { 1.0, 1.0, 1.0 } };
+  const bool isLeftHanded = is("3d-left-handed", "3dl");
+  return { is("left-posterior-superior", "lps"), isLeftHanded,
+    { 1.0, 1.0, isLeftHanded ? -1.0 : 1.0 } };
 }
 
 std::vector<std::string> SplitNrrdVectors(const std::string& text)
@@ -434,6 +435,25 @@ std::optional<NrrdVector> FindNrrdOrigin(const NrrdHeader& header)
     }
   }
   return origin;
+}
+
+std::string DescribeNrrdGuess(const NrrdHeader& header)
+{
+  const auto axes = ReadNrrdAxes(header);
+  bool isSpaced = true;
+  for (std::size_t a = 0; axes && a < 3 && !FindNrrdSteps(header); ++a)
+  {
+    isSpaced = isSpaced &&
+      (NumberOfAxis(header, "spacings", (*axes)[a]) ||
+        NumberOfAxis(header, "axis maxs", (*axes)[a]));
+  }
+  const std::string encoding = header.GetField("encoding");
+  const bool isOrdered = header.GetType().Size < 2 || !header.GetField("endian").empty() ||
+    encoding == "ascii" || encoding == "text" || encoding == "txt";
+  const std::string spacing =
+    isSpaced ? "" : "no distance of samples along an axis: 1 mm is assumed";
+  return spacing + (isSpaced || isOrdered ? "" : "; ") +
+    (isOrdered ? "" : "no order of bytes (endian): the lower byte first is assumed");
 }
 
 std::string DescribeNrrdUnits(const NrrdHeader& header)

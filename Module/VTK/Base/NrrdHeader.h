@@ -95,6 +95,9 @@ NrrdVector FindNrrdSpacings(const NrrdHeader& header);
  */
 std::optional<NrrdVector> FindNrrdOrigin(const NrrdHeader& header);
 
+/** Returns a note on what is assumed because the header does not tell it; empty if it tells all. */
+std::string DescribeNrrdGuess(const NrrdHeader& header);
+
 /** Returns a note on the unit of length; empty if it is the millimetre or not given. */
 std::string DescribeNrrdUnits(const NrrdHeader& header);
 

@@ -73,6 +73,21 @@ constexpr UnreadableFile UNREADABLE[] = {
   { " .jpg .jpeg .png .bmp ",
     "is a picture, which has one slice, or less than the values of a scan",
     "name the volume that it was made of" },
+  { " .npy .npz ", "holds an array of NumPy, which has no spacing and no place",
+    "give it to volumehaptics.image() in Python, or write it as .nii.gz or .nrrd" },
+  { " .mat ", "is a file of MATLAB, which is not read here",
+    "write its array with niftiwrite, or with pynrrd or nibabel" },
+  { " .mrc .map .ccp4 ", "is a density map (MRC), which is not read here",
+    "turn it into NRRD or TIFF, e.g. with mrcfile and tifffile in Python" },
+  { " .czi .lif .nd2 .oib .oif .vsi .lsm .ims .oir .dm3 .dm4 ",
+    "is a microscope's own format, which is not read here",
+    "turn it into OME-TIFF or OME-Zarr, e.g. with bioformats2raw or Fiji" },
+  { " .raw .vol .bin .dat ", "has no header: neither its size nor its type is known",
+    "write a header for it, such as .mhd with DimSize, ElementType and ElementDataFile" },
+  { " .h5 .hdf5 .nxs ", "is HDF5, of which VTKHDF is read here",
+    "write its array as .vtkhdf, .nrrd, TIFF or Zarr" },
+  { " .gii .surf .pial .white .inflated ", "is a surface of a brain, not a volume",
+    "name the volume that it was made of" },
   { " .stl .ply .obj ", "is a surface, not a volume",
     "name a volume; a surface can be a tool or a guide in it" },
 };
@@ -347,11 +362,15 @@ Volume ReadMetaImage(const std::string& path, int series)
     ? ReadAsRegions(path, "MetaImage", series,
         "do what stands there, or write it with samples of 8, 16 or 32 bits")
     : Volume{ Run(reader.Get(), path, "MetaImage"), {}, "MetaImage", {}, {}, {} };
+  const VolumeHaptics::HeaderText header(path);
+  if (!isRaw)
+  {
+    Explore::ScaleLengths(volume.Image, header.GetMetaUnit());
+    volume.Notes = header.DescribeMeta();
+  }
   Explore::ApplyMetaImageOrientation(path, volume.Image);
   volume.Axes = Explore::ReadMetaImageAxes(path);
-  volume.HasPlace = !VolumeHaptics::HeaderText(path)
-                       .Value({ "TransformMatrix", "Orientation", "Rotation" })
-                       .empty();
+  volume.HasPlace = !header.Value({ "TransformMatrix", "Orientation", "Rotation" }).empty();
   return volume;
 }
 
@@ -432,6 +451,21 @@ Volume ReadNifti(const std::string& path, bool timesAreComponents)
   vtkNew<vtkNIFTIImageReader> reader;
   reader->SetTimeAsVector(timesAreComponents);
   Volume volume{ Run(reader.Get(), path, "NIfTI"), {}, "NIfTI", {}, {}, {} };
+  constexpr int firstOfCifti = 3000, lastOfCifti = 3099;
+  const int intent = reader->GetNIFTIHeader()->GetIntentCode();
+  if (intent >= firstOfCifti && intent <= lastOfCifti)
+  {
+    throw InputError(path, "is a CIFTI file, whose values belong to places of a brain's surface",
+      "take its volume out with wb_command -cifti-separate, or name the volume it was made of");
+  }
+  for (int axis = 1; axis <= 3; ++axis)
+  {
+    if (!(std::abs(reader->GetNIFTIHeader()->GetPixDim(axis)) > 0.0) && !reader->GetSFormMatrix())
+    {
+      volume.Notes.push_back("no distance of voxels along index axis " + std::to_string(axis) +
+        " (pixdim): 1 is assumed");
+    }
+  }
   ApplyNiftiScale(reader->GetRescaleSlope(), reader->GetRescaleIntercept(), volume);
   vtkMatrix4x4* matrix = reader->GetSFormMatrix();
   const char* form = "sform";

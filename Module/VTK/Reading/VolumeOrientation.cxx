@@ -114,9 +114,12 @@ void ApplyMetaImageOrientation(const std::string& path, vtkImageData* image)
 
 std::string DescribeNrrdTurn(const VolumeHaptics::NrrdHeader& header)
 {
-  const bool isTurned = VolumeHaptics::FindNrrdSpace(header).Signs[1] < 0.0;
-  return isTurned && VolumeHaptics::FindNrrdSteps(header)
+  const VolumeHaptics::NrrdVector signs = VolumeHaptics::FindNrrdSpace(header).Signs;
+  return !VolumeHaptics::FindNrrdSteps(header) ? std::string()
+    : signs[1] < 0.0
     ? "orientation turned from " + header.GetField("space") + " to left-posterior-superior"
+    : signs[2] < 0.0
+    ? "the file's space is left-handed: its z is turned, so that nothing is mirrored"
     : std::string();
 }
 

@@ -36,8 +36,14 @@ if [ "${2:-}" = only ]; then
   PYTHONDONTWRITEBYTECODE=1 exec "$libraries/bin/python" "$here/write.py" "${@:3}"
 fi
 flock -u $lock
-rm -rf "$build_dir/files"
-PYTHONDONTWRITEBYTECODE=1 "$libraries/bin/python" "$here/write.py" "$build_dir/files"
-PYTHONDONTWRITEBYTECODE=1 "$libraries/bin/python" "$here/libraries_files.py" "$build_dir/files/libraries"
+# The files are kept until their writers change.
+writers=$(cat "$here"/write*.py "$here/cases.py" "$here/phantom.py" "$here/libraries_files.py" "$here/requirements.txt" |
+  sha256sum)
+if [ "$(cat "$build_dir/files/writers" 2> /dev/null)" != "$writers" ]; then
+  rm -rf "$build_dir/files"
+  PYTHONDONTWRITEBYTECODE=1 "$libraries/bin/python" "$here/write.py" "$build_dir/files"
+  PYTHONDONTWRITEBYTECODE=1 "$libraries/bin/python" "$here/libraries_files.py" "$build_dir/files/libraries"
+  echo "$writers" > "$build_dir/files/writers"
+fi
 VOLUMEHAPTICS_FORMATS=$build_dir/files PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -m pytest "$here/TestFormats.py" -q \
   -p no:cacheprovider

@@ -18,6 +18,7 @@ BALLS = (  # centre (mm, beside CENTRE), radius (mm)
 )
 AIR, TISSUE = -1000.0, 60.0
 EDGE = 4.0  # mm
+_sampled = {}  # what grids have sampled, because most writers write the same grid
 
 
 def distance(points):
@@ -60,7 +61,10 @@ class Grid:
 
     def sample(self, dtype=np.int16, **limits):
         """The phantom's values at all voxels, of the shape (nx, ny, nz)."""
-        return np.round(values(self.points(), **limits)).astype(dtype)
+        key = (self.size, self.affine.tobytes(), *limits.items())
+        if key not in _sampled:
+            _sampled[key] = np.round(values(self.points(), **limits))
+        return _sampled[key].astype(dtype)
 
 
 def turned(degrees, axis=(1.0, 2.0, 3.0)):

@@ -19,9 +19,11 @@ def _make_small(self, size=(SIZE, SIZE, SIZE), **options):
 phantom.Grid.__init__ = _make_small
 
 import write_brain  # noqa: E402, F401 the writers register their cases
+import write_codecs  # noqa: E402, F401
 import write_dicom  # noqa: E402, F401
 import write_images  # noqa: E402, F401
 import write_nifti  # noqa: E402, F401
+import write_odd  # noqa: E402, F401
 import write_threads  # noqa: E402, F401
 from cases import CASES  # noqa: E402
 

@@ -9,11 +9,10 @@ import numpy as np
 
 from cases import case
 from phantom import CENTRE, Grid, turned, values
-from pydicom import dcmwrite
+from pydicom import config, dcmwrite
 from pydicom.dataset import Dataset, FileDataset, FileMetaDataset
 from pydicom.sequence import Sequence
 from pydicom.uid import (
-
     CTImageStorage,
     DeflatedExplicitVRLittleEndian,
     EnhancedCTImageStorage,
@@ -34,6 +33,7 @@ from pydicom.uid import (
     generate_uid,
 )
 
+config.settings.writing_validation_mode = config.IGNORE  # takes a quarter of the time
 _PREFIX = "1.2.826.0.1.3680043.10.1.7."
 
 

@@ -66,6 +66,20 @@ void CheckSlices(
       throw InputError(path, "holds a dose without its scale (DoseGridScaling) in " + NameOf(slice),
         "export it again from the planning system");
     }
+    if (slice.IsPalette)
+    {
+      throw InputError(path,
+        "holds numbers of colours (PALETTE COLOR) instead of values in " + NameOf(slice),
+        "export it again as grey values");
+    }
+    if (slice.HasValueTable)
+    {
+      throw InputError(path,
+        "gives its samples a meaning by a table (ModalityLUTSequence), which is not read here, "
+        "in " +
+          NameOf(slice),
+        "apply it, e.g. by pydicom.pixels.apply_modality_lut, and write it with RescaleSlope");
+    }
     if (!slice.HasPlaces)
     {
       throw InputError(path,
@@ -468,7 +482,6 @@ Volume LoadSeries(
     {
       ReadPhases(path, series, along, volume);
     }
-    volume.Notes.push_back(std::to_string(slices.size()) + " slices, sorted by position");
   }
   for (std::size_t i = 0; i < all.size(); ++i)
   {

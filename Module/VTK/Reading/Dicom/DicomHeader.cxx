@@ -29,6 +29,7 @@ constexpr std::uint32_t OFFSETS = 0x3004000c; // tag of the offsets of a dose's 
 constexpr std::uint32_t SEGMENTS = 0x00620002;
 constexpr std::uint32_t SHARED_GROUPS = 0x52009229;
 constexpr std::uint32_t FRAME_GROUPS = 0x52009230;
+constexpr std::uint32_t DETECTORS = 0x00540022;
 constexpr int MOST_FRAMES = 100000;
 constexpr const char* IMPLICIT_LITTLE = "1.2.840.10008.1.2";
 constexpr const char* EXPLICIT_LITTLE = "1.2.840.10008.1.2.1";
@@ -52,6 +53,8 @@ struct ObjectKind
   const char* Cure;
 };
 constexpr const char* NAME_IMAGES = "name the folder of its images";
+constexpr const char* UNCOMPRESS =
+  "export it again without compression, or unpack it by pydicom: dcmread(FILE).decompress()";
 constexpr ObjectKind OBJECTS[] = {
   { "1.2.840.10008.5.1.4.1.1.481.3",
     "an RT structure set (RTSTRUCT), whose contours have no voxels",
@@ -200,10 +203,7 @@ void ReadValue(
       ReadDecimals(value, &header.Thickness, 1);
       break;
     case 0x00180088:
-      if (ReadDecimals(value, &header.Step, 1))
-      {
-        header.Step = std::abs(header.Step);
-      }
+      ReadDecimals(value, &header.Step, 1);
       break;
     case 0x00201041:
     {
@@ -245,6 +245,9 @@ void ReadValue(
     case 0x0020000e:
       header.Series = TrimValue(value);
       break;
+    case 0x00100020:
+      header.Patient = TrimValue(value);
+      break;
     case 0x00200011:
       header.SeriesNumber = ReadWhole(value, 0);
       break;
@@ -260,6 +263,7 @@ void ReadValue(
     case 0x00280004:
       header.IsYbr = TrimValue(value) == "YBR_FULL";
       header.IsHalved = TrimValue(value) == "YBR_FULL_422";
+      header.IsPalette = TrimValue(value) == "PALETTE COLOR";
       break;
     case 0x00280008:
       header.Frames = ReadWhole(value, 1);
@@ -290,6 +294,12 @@ void ReadValue(
       break;
     case 0x00280101:
       header.Stored = number();
+      break;
+    case 0x00280102:
+      header.HighBit = number();
+      break;
+    case 0x00283000:
+      header.HasValueTable = true;
       break;
     case 0x00280103:
       header.IsSigned = number() == 1;
@@ -438,6 +448,12 @@ public:
       case FRAME_GROUPS:
         this->ReadOfFrame(element, value);
         break;
+      case DETECTORS: // all detectors of a reconstruction tell the same place
+        if (element.Item > 0)
+        {
+          break;
+        }
+        [[fallthrough]];
       default: // of the file, or of all frames
         ReadValue(element.Tag, value, this->Header, this->Orientation);
         if (element.Tag == OFFSETS)
@@ -577,6 +593,20 @@ std::vector<DicomSegment> ReadDicomSegments(const std::string& path)
   return places.Segments;
 }
 
+std::string NameUnreadSyntax(const std::string& transferSyntax)
+{
+  const std::string standard = "1.2.840.10008.1.2.";
+  const auto begins = [&](const std::string& end)
+  { return transferSyntax.compare(0, standard.size() + end.size(), standard + end) == 0; };
+  return begins("4.20")                ? "High-Throughput JPEG 2000 (HTJ2K)"
+    : begins("4.11")                   ? "JPEG XL"
+    : begins("4.10")                   ? "a video (MPEG, H.264 or H.265)"
+    : begins("4.94") || begins("4.95") ? "JPIP, whose pixels are on a server"
+    : transferSyntax.empty() || transferSyntax.compare(0, 17, standard, 0, 17) == 0
+    ? ""
+    : "a transfer syntax of its maker (" + transferSyntax + ")";
+}
+
 DicomObject FindDicomObject(const std::string& path)
 {
   DicomHeader header;
@@ -584,6 +614,12 @@ DicomObject FindDicomObject(const std::string& path)
   if (ReadHeader(path, header, places))
   {
     return {};
+  }
+  const std::string syntax = NameUnreadSyntax(header.TransferSyntax);
+  if (!syntax.empty() && header.Width == 0)
+  {
+    return { "a DICOM file whose pixels are compressed as " + syntax + ", which is not read here",
+      UNCOMPRESS };
   }
   for (const auto& [begin, name, cure] : OBJECTS)
   {
@@ -663,7 +699,7 @@ std::vector<DicomHeader> ReadDicomSlices(const std::string& path)
     const double step = !haveOffsets ? header.Step * static_cast<double>(i)
                                      : (places.Offsets[i] - places.Offsets[0]) *
         (areAbsolute && slice.Normal[2] < 0.0 ? -1.0 : 1.0);
-    slice.HasPlaces = haveOffsets || header.Step > 0.0;
+    slice.HasPlaces = haveOffsets || header.Step != 0.0;
     for (int axis = 0; axis < 3; ++axis)
     {
       slice.Position[axis] += step * slice.Normal[axis];

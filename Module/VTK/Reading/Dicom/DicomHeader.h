@@ -59,7 +59,8 @@ struct DicomHeader
   std::string Class;    // kind of the object (SOPClassUID)
   std::string Instance; // unique identifier of the file
   std::string ImageType;
-  std::string Series; // unique identifier of the series
+  std::string Series;  // unique identifier of the series
+  std::string Patient; // identifier of the patient
   int SeriesNumber = 0;
   std::string Description; // description of the series
   std::string Modality;
@@ -68,8 +69,11 @@ struct DicomHeader
   bool ArePlanes = false; // whether the samples of each colour are stored together
   // whether colours are stored as luminance and two differences (YBR_FULL) instead of RGB
   bool IsYbr = false;
-  bool IsHalved = false;    // whether two pixels share their differences (YBR_FULL_422)
-  int Bits = 0, Stored = 0; // bits of a sample in the file, and the number of those that are used
+  bool IsHalved = false;      // whether two pixels share their differences (YBR_FULL_422)
+  bool IsPalette = false;     // whether samples are numbers of colours
+  bool HasValueTable = false; // whether a table (ModalityLUTSequence) gives samples their meaning
+  int Bits = 0, Stored = 0;   // bits of a sample in the file, and the number of those that are used
+  int HighBit = -1;           // number of the highest bit that is used; -1: not given
   bool IsSigned = false;
   bool IsFloat = false;
   bool HasPixels = false;
@@ -106,14 +110,16 @@ struct DicomHeader
   double Along = 0.0;               // position along the normal, mm
   double Spacing[2] = { 0.0, 0.0 }; // between pixels along a row and along a column, mm; 0: unknown
   bool IsDetectorSpacing = false;   // measured at the detector, not in the patient
-  double Step = 0.0;                // distance of slices in the file, mm; 0: not known
-  double Thickness = 0.0;           // mm; 0: not known
-  std::optional<double> Location;   // SliceLocation, mm
-  bool HasPosition = false;         // whether the file gives the position
-  std::uint64_t Pixels = 0;         // where the pixels begin in the file
-  bool IsDeflated = false;          // whether the whole data set is packed by deflate
-  bool IsWhole = false;             // whether the file is long enough for its pixels
-  bool HasPlaces = true;            // whether the file has the place of each frame
+  // distance of slices in the file, mm, negative if they follow each other against the normal; 0:
+  // not known
+  double Step = 0.0;
+  double Thickness = 0.0;         // mm; 0: not known
+  std::optional<double> Location; // SliceLocation, mm
+  bool HasPosition = false;       // whether the file gives the position
+  std::uint64_t Pixels = 0;       // where the pixels begin in the file
+  bool IsDeflated = false;        // whether the whole data set is packed by deflate
+  bool IsWhole = false;           // whether the file is long enough for its pixels
+  bool HasPlaces = true;          // whether the file has the place of each frame
   // For a segmentation: the frame's segment, and the sample of a voxel that is wholly inside.
   int Segment = 1;
   double Whole = 1.0;
@@ -149,6 +155,9 @@ struct DicomObject
   std::string Cure;
 };
 DicomObject FindDicomObject(const std::string& path);
+
+/// Names a compression of pixels that is not read here, such as "JPEG XL"; empty if it is none.
+std::string NameUnreadSyntax(const std::string& transferSyntax);
 
 /// Reads a header. Returns false if a file is not a DICOM file with pixels. Follows PS3.5 of the
 /// standard, sections 7 and A.

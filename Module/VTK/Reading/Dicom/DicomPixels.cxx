@@ -26,6 +26,14 @@ namespace
 {
 InputError Unreadable(const std::string& path, const DicomHeader& slice, const std::string& fault)
 {
+  const std::string syntax = NameUnreadSyntax(slice.TransferSyntax);
+  if (!syntax.empty())
+  {
+    return InputError(path,
+      "has slices that are compressed as " + syntax + ", which is not read here (" +
+        vtksys::SystemTools::GetFilenameName(slice.File) + ")",
+      "export the series again without compression");
+  }
   return InputError(path,
     "has a slice that cannot be " + fault + " (" +
       vtksys::SystemTools::GetFilenameName(slice.File) + ")",
@@ -118,8 +126,8 @@ double ToReal(std::uint64_t bits, int count)
   return real;
 }
 
-/// Returns sample number `at` of a slice. Bits above the stored bits may belong to an overlay.
-double Sample(const std::string& bytes, std::size_t at, const DicomHeader& slice)
+/// Returns the bits of sample number `at` of a slice.
+std::uint64_t ReadBits(const std::string& bytes, std::size_t at, const DicomHeader& slice)
 {
   const auto size = static_cast<std::size_t>(slice.Bits / 8);
   std::uint64_t bits = 0;
@@ -128,6 +136,33 @@ double Sample(const std::string& bytes, std::size_t at, const DicomHeader& slice
     const std::size_t byte = at * size + (slice.IsBig ? i : size - 1 - i);
     bits = bits << 8 | static_cast<unsigned char>(bytes[byte]);
   }
+  return bits;
+}
+
+/// Returns the number of unused bits below the stored bits, as old files have them (HighBit). A
+/// file whose samples use these bits has a wrong HighBit.
+int CountBitsBelow(const std::string& bytes, std::size_t samples, const DicomHeader& slice)
+{
+  const int below = slice.HighBit + 1 - slice.Stored;
+  if (slice.IsFloat || below <= 0 || slice.HighBit >= slice.Bits)
+  {
+    return 0;
+  }
+  const std::uint64_t mask = (std::uint64_t{ 1 } << below) - 1;
+  for (std::size_t i = 0; i < samples; ++i)
+  {
+    if ((ReadBits(bytes, i, slice) & mask) != 0)
+    {
+      return 0;
+    }
+  }
+  return below;
+}
+
+/// Returns sample number `at` of a slice. Bits above the stored bits may belong to an overlay.
+double Sample(const std::string& bytes, std::size_t at, const DicomHeader& slice, int below)
+{
+  std::uint64_t bits = ReadBits(bytes, at, slice) >> below;
   if (slice.IsFloat)
   {
     return ToReal(bits, slice.Bits);
@@ -143,10 +178,11 @@ void Fill(const std::string& bytes, const DicomHeader& slice, Value* values)
 {
   const auto samples = static_cast<std::size_t>(slice.Samples);
   const std::size_t pixels = static_cast<std::size_t>(slice.Width) * slice.Height;
+  const int below = CountBitsBelow(bytes, samples * pixels, slice);
   for (std::size_t i = 0; i < samples * pixels; ++i)
   {
     const std::size_t at = slice.ArePlanes ? i % samples * pixels + i / samples : i;
-    values[i] = static_cast<Value>(slice.Slope * Sample(bytes, at, slice) + slice.Intercept);
+    values[i] = static_cast<Value>(slice.Slope * Sample(bytes, at, slice, below) + slice.Intercept);
   }
 }
 
@@ -301,6 +337,7 @@ std::string DicomPixels::Read(const std::string& path, DicomHeader& slice)
     this->Unpack(path, slice);
     slice.Bits = this->Unpacked.Bits;
     slice.Stored = this->Unpacked.Stored;
+    slice.HighBit = -1;
     slice.ArePlanes = this->Unpacked.ArePlanes;
     slice.IsBig = false;
     const std::size_t size = slice.GetSize();

@@ -27,8 +27,8 @@ constexpr double SAME_PLACE = 1e-3;      // mm
 
 bool IsAlike(const DicomHeader& a, const DicomHeader& b)
 {
-  return a.Series == b.Series && a.Width == b.Width && a.Height == b.Height &&
-    a.Samples == b.Samples && (a.Frames > 1) == (b.Frames > 1) &&
+  return a.Series == b.Series && a.Patient == b.Patient && a.Width == b.Width &&
+    a.Height == b.Height && a.Samples == b.Samples && (a.Frames > 1) == (b.Frames > 1) &&
     vtkMath::Dot(a.Normal, b.Normal) > SAME_DIRECTION && (!a.IsSegmentation() || a.File == b.File);
 }
 
@@ -366,8 +366,9 @@ bool ArePhases(const std::vector<std::string>& folders)
     slices = slices.empty() ? others : slices;
     const auto isSame = [](const DicomHeader& a, const DicomHeader& b)
     {
-      return a.Width == b.Width && a.Height == b.Height &&
-        vtkMath::Dot(a.Normal, b.Normal) > SAME_DIRECTION && IsSamePlace(a, b);
+      return a.Patient == b.Patient && a.Modality == b.Modality && a.Width == b.Width &&
+        a.Height == b.Height && vtkMath::Dot(a.Normal, b.Normal) > SAME_DIRECTION &&
+        IsSamePlace(a, b);
     };
     const auto isCopy = [](const DicomHeader& a, const DicomHeader& b)
     { return a.Instance == b.Instance && a.Series == b.Series && a.File != b.File; };

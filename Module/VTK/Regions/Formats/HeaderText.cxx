@@ -4,6 +4,7 @@
 
 #include "Core/Math/NumberText.h"
 #include "VTK/Base/HapticFiles.h"
+#include "VTK/Base/LengthUnit.h"
 
 #include <algorithm>
 #include <fstream>
@@ -80,6 +81,35 @@ bool HeaderText::IsTrue(const std::vector<std::string>& keys, bool otherwise) co
 {
   const std::string value = this->Value(keys);
   return value.empty() ? otherwise : std::string("Tt1").find(value[0]) != std::string::npos;
+}
+
+double HeaderText::GetMetaUnit() const
+{
+  const double unit = MillimetresPerUnit(this->Value({ "DistanceUnits" }));
+  return unit > 0.0 ? unit : 1.0;
+}
+
+std::vector<std::string> HeaderText::DescribeMeta() const
+{
+  std::vector<std::string> notes;
+  if (this->GetMetaUnit() != 1.0)
+  {
+    notes.push_back("lengths turned from the unit " + Printable(this->Value({ "DistanceUnits" })) +
+      " into millimetres");
+  }
+  if (this->Numbers({ "ElementSpacing", "ElementSize" }).empty())
+  {
+    notes.emplace_back("the header gives no ElementSpacing: voxels of 1 mm are assumed");
+  }
+  const std::vector<double> slope = this->Numbers({ "ElementToIntensityFunctionSlope" });
+  const std::vector<double> offset = this->Numbers({ "ElementToIntensityFunctionOffset" });
+  if ((!slope.empty() && slope.front() != 1.0) || (!offset.empty() && offset.front() != 0.0))
+  {
+    notes.emplace_back(
+      "the header's scale of values (ElementToIntensityFunction) is not used, as in "
+      "ITK: the stored values are felt");
+  }
+  return notes;
 }
 
 std::vector<double> HeaderText::Numbers(const std::vector<std::string>& keys) const

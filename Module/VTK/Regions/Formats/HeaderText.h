@@ -47,6 +47,12 @@ public:
    */
   bool IsPlain() const { return this->Size > 0 && this->HasPlainLines; }
 
+  /** Returns the length (mm) of a MetaImage's DistanceUnits; 1 if it is not given or not known. */
+  double GetMetaUnit() const;
+
+  /** Returns notes on a MetaImage's facts that are assumed, converted or left out. */
+  std::vector<std::string> DescribeMeta() const;
+
 private:
   bool HasPlainLines = true;
   std::size_t Size = 0;

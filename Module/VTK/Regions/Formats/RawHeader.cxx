@@ -178,6 +178,12 @@ RawHeader ReadMetaHeader(const HeaderText& text, const std::string& name)
     step *= header.Size[axis];
   }
   header.Size.resize(std::min<std::size_t>(header.Size.size(), 3));
+  const double unit = text.GetMetaUnit();
+  for (std::vector<double>* const lengths : { &header.Spacing, &header.Origin })
+  {
+    std::for_each(lengths->begin(), lengths->end(), [unit](double& length) { length *= unit; });
+  }
+  header.Notes = text.DescribeMeta();
   header.Type = FindMetaType(text.Value({ "ElementType" }));
   header.IsBig = text.IsTrue({ "BinaryDataByteOrderMSB", "ElementByteOrderMSB" });
   const std::string data = text.Value({ "ElementDataFile" });
@@ -278,8 +284,10 @@ RawHeader ConvertNrrdHeader(const NrrdHeader& nrrd, const std::string& name)
     const NrrdVector spacings = FindNrrdSpacings(nrrd);
     header.Spacing.assign(spacings.begin(), spacings.end());
   }
-  const std::string unit = DescribeNrrdUnits(nrrd);
-  header.Notes.insert(header.Notes.end(), unit.empty() ? 0 : 1, unit);
+  for (const std::string& note : { DescribeNrrdUnits(nrrd), DescribeNrrdGuess(nrrd) })
+  {
+    header.Notes.insert(header.Notes.end(), note.empty() ? 0 : 1, note);
+  }
   const NrrdType type = nrrd.GetType();
   header.Type = ChooseScalarType(type.IsInteger, type.IsSigned, type.Size);
   header.IsBig = nrrd.IsBig();

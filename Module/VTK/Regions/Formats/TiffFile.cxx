@@ -581,6 +581,57 @@ std::size_t AddPages(std::size_t file, TiffStack& stack)
   return others;
 }
 
+/** Adds the pages of a folder. Returns the number of other pages. */
+std::size_t AddFiles(TiffStack& stack)
+{
+  std::size_t others = 0;
+  std::string left;
+  for (std::size_t i = 0; i < stack.Files.size(); ++i)
+  {
+    const std::size_t before = stack.Pages.size();
+    others += AddPages(i, stack);
+    const std::string name = vtksys::SystemTools::GetFilenameName(stack.Files[i]);
+    if (stack.Pages.size() == before)
+    {
+      left = name;
+    }
+    else if (before > 1 && !left.empty())
+    {
+      throw std::runtime_error("its pages have several sizes or types: " + Printable(left) +
+        ", between others, has its own. Write all slices alike, or take that file away.");
+    }
+  }
+  return others;
+}
+
+/** Returns the last number in a name of a file; -1 if there is none. */
+double ReadLastNumber(const std::string& path)
+{
+  const std::string name = vtksys::SystemTools::GetFilenameWithoutLastExtension(path);
+  const std::size_t last = name.find_last_of("0123456789");
+  if (last == std::string::npos)
+  {
+    return -1.0;
+  }
+  const std::size_t first = name.find_last_not_of("0123456789", last);
+  return NumberOr(name.substr(first + 1, last - first).c_str(), -1.0);
+}
+
+/** Returns a note if the numbers in the names of slices have gaps; else an empty text. */
+std::string DescribeGaps(const std::vector<std::string>& files)
+{
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < files.size(); ++i)
+  {
+    steps.push_back(ReadLastNumber(files[i]) - ReadLastNumber(files[i - 1]));
+  }
+  const double least = steps.empty() ? 0.0 : *std::min_element(steps.begin(), steps.end());
+  const double most = steps.empty() ? 0.0 : *std::max_element(steps.begin(), steps.end());
+  return least >= 1.0 && most > least ? "the numbers in the names of the slices have gaps: slices "
+                                        "beside a gap are taken for neighbours"
+                                      : std::string();
+}
+
 /** Chooses a channel and a time by the number of their volume: see ChooseVolume(). */
 TiffVolume ChooseChannel(const TiffText& text, int number, LargeFile& file)
 {
@@ -878,6 +929,12 @@ LargeFile OpenTiff(const std::string& name, bool, int number)
   LargeFile told; // its notes and volumes
   TiffText text = ReadText(Describe(tiff.get()), vtksys::SystemTools::GetFilenameName(path));
   AddResolution(tiff.get(), text, told.Notes);
+  if (const auto turn = Tag<uint16_t>(tiff.get(), TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
+      turn != ORIENTATION_TOPLEFT)
+  {
+    told.Notes.push_back("the TIFF file's Orientation (" + std::to_string(turn) +
+      ") is not used: if it is true, the volume is mirrored or turned");
+  }
   const TiffVolume volume = ChooseChannel(isFolder ? TiffText() : text, number, told);
   LargeFile file;
   const bool isHeadless = !isFolder && text.Whole > 1 && TIFFNumberOfDirectories(tiff.get()) == 1;
@@ -888,16 +945,19 @@ LargeFile OpenTiff(const std::string& name, bool, int number)
   else
   {
     const bool areElsewhere = !isFolder && !text.Planes.empty();
-    std::size_t others = 0;
-    for (std::size_t i = 0; i < stack->Files.size() && !areElsewhere; ++i)
-    {
-      others += AddPages(i, *stack);
-    }
+    const std::size_t others = areElsewhere ? 0 : AddFiles(*stack);
+    const std::string gaps = isFolder ? DescribeGaps(stack->Files) : std::string();
+    told.Notes.insert(told.Notes.end(), gaps.empty() ? 0 : 1, gaps);
     if (areElsewhere)
     {
       CollectPlanes(GetFolder(path), text, volume, *stack);
       told.Notes.push_back("slices are in " + std::to_string(stack->Files.size()) +
         (stack->Files.size() == 1 ? " file" : " files") + ", as the OME-XML says");
+    }
+    if (others > 0 && stack->Pages.size() == 1)
+    {
+      throw std::runtime_error("its pages have several sizes or types, and the first page has its "
+                               "own. Take that page away, or write all slices alike.");
     }
     if (others > 0)
     {

@@ -307,8 +307,9 @@ LargeFile OpenFolder(const std::string& folder, int volume, bool mayBeCollection
     const Json::Value& scales = attributes["multiscales"];
     if (!scales.isArray() || scales.empty())
     {
-      throw std::runtime_error("it is a group of Zarr without OME-Zarr's multiscales. Name one of "
-                               "its arrays.");
+      throw std::runtime_error(attributes["plate"].isObject()
+          ? "it is a plate of wells. Name an image in it, such as A/1/0."
+          : "it is a group of Zarr without OME-Zarr's multiscales. Name one of its arrays.");
     }
     return OpenMultiscales(folder, attributes, volume);
   }
