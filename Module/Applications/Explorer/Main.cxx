@@ -32,6 +32,9 @@
 
 namespace
 {
+constexpr const char* LABELS_OFFERED =
+  "it looks like a label map: F4, or --as-labels, takes it as labels";
+
 enum ExitCode
 {
   DONE = 0,
@@ -200,7 +203,7 @@ int Inspect(const Explore::Options& options)
   }
   else if (volume.MayBeLabels)
   {
-    volume.Notes.emplace_back("it looks like a label map: --as-labels takes it as labels");
+    volume.Notes.emplace(volume.Notes.begin(), LABELS_OFFERED);
   }
   Explore::Analysis values = Explore::AnalyseVolume(
     volume.Image, volume.IsField, volume.AreLabels, Explore::MayBeHounsfield(volume.Modality));
@@ -245,7 +248,7 @@ int Run(const Explore::Options& options, Explore::FileChoice& next)
   }
   else if (volume.MayBeLabels)
   {
-    volume.Notes.emplace_back("looks like a label map: --as-labels shows it as labels");
+    volume.Notes.emplace(volume.Notes.begin(), LABELS_OFFERED);
   }
   Explore::Exploration exploration = Explore::ExploreVolume(volume, options.How, tell);
   const std::string summary = Explore::Summarise(exploration);

@@ -50,4 +50,4 @@ def read(path: str | os.PathLike, series: int = 0, option: str = "series=") -> t
     ValueError: the file or folder can't be read; the text has the cure."""
     reader = run(path, series, option=option)
     said = in_words(reader.GetNotes(), option).splitlines()
-    return take(reader), [line.strip() for line in said if line.strip() and "slices, sorted by" not in line]
+    return take(reader), [line.strip() for line in said if line.strip()]

@@ -40,6 +40,7 @@ __all__ = ["View", "main", "serve", "show"]
 EVERYWHERE = ("0.0.0.0", "::")
 NOTEBOOK = "volumehaptics"  # the server of all notebook views
 OPACITY = [0, 0.35, 0.35, 0.2, 0.14, 0.6, 0.9, 1]  # opacities of a head CT between -600 and 1000 HU
+MOST_TOLD = 6  # lines over the picture on what was assumed, dropped, filled or turned
 COLORS = ["#edb08f", "#e0977d", "#f5ebd8", "#ffffff"]
 
 
@@ -184,6 +185,7 @@ def main(arguments: list[str]) -> int:
     if options.demo == bool(options.volume):
         parser.error("give one volume, or --demo")
     try:
+        told: list[str] = []
         if options.demo:
             from .examples import phantom
 
@@ -193,6 +195,7 @@ def main(arguments: list[str]) -> int:
             for note in told:
                 print(note)
         haptics = make_plotter(image, options.preset, device=options.device)
+        haptics.head_up_display.SetNotice("\n".join(told[:MOST_TOLD]))
         if options.method and not haptics.filter.SetMethodByName(options.method):
             return 2
     except (RuntimeError, TypeError, ValueError) as error:

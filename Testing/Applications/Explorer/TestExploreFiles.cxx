@@ -5,6 +5,7 @@
 // (itk.org), with the sizes of MET_ValueTypeSize in its metaTypes.h, by which MET_LONG has 4 bytes
 // and MET_LONG_LONG 8; the header is that of SimpleITK.WriteImage() of int64. NRRD after
 // teem.sourceforge.net/nrrd/format.html, and NIfTI after nifti1.h.
+#include "Applications/Explorer/Exploration/Inspection.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
 #include "VTK/Reading/InputError.h"
@@ -277,7 +278,19 @@ int TestExploreFiles(int argc, char* argv[])
       onTable.Image->SetScalarComponentFromDouble(0, j, k, 0, 100.0);
     }
   }
-  const std::string hidden = Explore::ExploreVolume(onTable, Explore::Settings()).Hidden;
-  Expect(hidden.find("Felt but not shown") == 0, "a table is hidden, and told is: " + hidden);
+  const Explore::Exploration felt = Explore::ExploreVolume(onTable, Explore::Settings());
+  Expect(
+    felt.Hidden.find("Felt but not shown") == 0, "a table is hidden, and told is: " + felt.Hidden);
+  const Explore::Inspection facts(felt.Input, felt.Values, felt.Materials, felt.Filter);
+  Expect(facts.ListTold().find(felt.Hidden) != std::string::npos,
+    "the window tells: " + facts.ListTold());
+  // The list of keys has all that --inspect tells.
+  for (const char* const fact :
+    { "format\t", "voxels\t", "size\t", "from\t", "axes\t", "values\t", "kind\tCT", "padding\tnone",
+      "noise\t", "least\tsheets of ", "preset\tCT contrast, because ", "\tFelt but not shown" })
+  {
+    Expect(facts.ListFacts().find(fact) != std::string::npos,
+      std::string(fact) + " is not in: " + facts.ListFacts());
+  }
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

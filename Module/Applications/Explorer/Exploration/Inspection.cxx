@@ -168,6 +168,11 @@ std::string Round(double number)
   return text.str();
 }
 
+std::string FirstLine(const std::string& text)
+{
+  return text.substr(0, text.find('\n'));
+}
+
 /// Breaks a text into rows of a sheet, of which the first has the name.
 std::string Wrap(const std::string& name, const std::string& text)
 {
@@ -378,34 +383,48 @@ std::string Inspection::ToJson() const
 std::string Inspection::ListFacts() const
 {
   std::ostringstream text;
-  const bool isKnown = this->Modality != NameModality(VolumeKind::Other);
   text << "Volume\n"
-       << "format\t" << this->Format << (isKnown ? ", " + this->Modality : std::string()) << ", "
-       << this->Type << "\n"
+       << "format\t" << this->Format << ", " << this->Type << "\n"
        << "voxels\t" << Join(this->Size, 3, " x ") << "\n"
        << "size\t" << Round(this->Spacing[0]) << " x " << Round(this->Spacing[1]) << " x "
        << Round(this->Spacing[2]) << " mm\n"
-       << "axes\t" << this->Axes.substr(0, this->Axes.find(':')) << "\n"
+       << "from\t" << Round(this->Origin[0]) << ", " << Round(this->Origin[1]) << ", "
+       << Round(this->Origin[2]) << " mm\n"
+       << Wrap("axes", this->Axes);
+  if (this->MetersPerUnit != 0.001)
+  {
+    text << "felt at\t" << Round(1000.0 * this->MetersPerUnit) << " times its size\n";
+  }
+  text << "Values\n"
        << "values\t" << Round(this->Range[0]) << " to " << Round(this->Range[1]) << this->Unit
        << "\n"
-       << "noise\t" << this->DescribeNoise() << "\n";
-  if (this->SmallestStep > 0.0)
-  {
-    text << "felt\tsteps of " << Round(this->SmallestStep) << this->Unit << "\n";
-  }
-  text << "preset\t" << this->Preset << "\n";
+       << Wrap("kind", this->Modality)
+       << Wrap("padding", this->Padding.empty() ? "none" : this->Padding)
+       << Wrap("noise", this->DescribeNoise()) << "Felt\n"
+       << Wrap("least", this->DescribeFeature())
+       << Wrap("preset", this->Preset + ", because " + this->PresetReason);
   // The sheet has no room for more notes; --inspect lists all of them.
-  constexpr std::size_t most = 3;
+  constexpr std::size_t most = 5;
   text << (this->Notes.empty() ? "" : "Told of the volume\n");
   for (std::size_t i = 0; i < std::min(most, this->Notes.size()); ++i)
   {
-    const std::string& note = this->Notes[i];
-    text << Wrap(std::to_string(i + 1), note.substr(0, note.find('\n')));
+    text << Wrap(std::to_string(i + 1), FirstLine(this->Notes[i]));
   }
   if (this->Notes.size() > most)
   {
     text << "...\t" << this->Notes.size() - most << " more, by --inspect\n";
   }
   return text.str();
+}
+
+std::string Inspection::ListTold() const
+{
+  constexpr std::size_t most = 4; // lines over the picture
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, this->Notes.size()); ++i)
+  {
+    text += (i > 0 ? "\n" : "") + FirstLine(this->Notes[i]);
+  }
+  return this->Notes.size() > most ? text + "\nF1 tells more of the volume" : text;
 }
 } // namespace Explore

@@ -27,8 +27,10 @@ public:
   std::string Describe() const;
   /// Returns a JSON object for programs.
   std::string ToJson() const;
-  /// Returns a title and lines with a word, a tab and a value, for the list of keys.
+  /// Returns titles, and lines with a word, a tab and a value, for the list of keys.
   std::string ListFacts() const;
+  /// Returns what was guessed, left out, filled, resampled or turned, a line each, for the window.
+  std::string ListTold() const;
 
 private:
   void MeasureNoise(vtkImageData* image);

@@ -394,12 +394,10 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
                                     .c_str());
   touch.Scene.Renderer->GetActiveCamera()->SetWindowCenter(BESIDE_PLOT, 0.0);
   std::cout << touch.Scene.MapperName << "\n\n" << Align(touch.Style->GetKeys()) << std::endl;
-  const bool mayAsk = exploration.Input.MayBeLabels && !exploration.Input.AreLabels;
   const std::string offer = kept->GetOffer();
-  const std::string notice = !wanted.Notice.empty() ? wanted.Notice
-    : !offer.empty()                                ? offer
-    : mayAsk ? "This looks like a label map: F4 shows it as labels"
-             : exploration.Hidden;
+  const std::string told = facts.ListTold();
+  const std::string asked = !wanted.Notice.empty() ? wanted.Notice : offer;
+  const std::string notice = asked + (asked.empty() || told.empty() ? "" : "\n") + told;
   if (!notice.empty())
   {
     touch.Display->SetNotice(notice.c_str());
