@@ -46,10 +46,12 @@ def open_volume(case):
     return rig.HapticVolume(Series=series_of(case), FileName=case["path"])
 
 
-def read_quietly(source, time=None):
-    """What ParaView says when a source is updated."""
+def read_quietly(source, time=None, **settings):
+    """What ParaView says when a source is set and updated."""
     log, console = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
     vtkOutputWindow.SetInstance(log)
+    for name, value in settings.items():
+        setattr(source, name, value)
     source.UpdatePipeline() if time is None else source.UpdatePipeline(time)
     vtkOutputWindow.SetInstance(console)
     return log.GetOutput()
@@ -87,10 +89,8 @@ def check_refusal(case, said):
 
 for case in cases.values():
     if case["refused"]:
-        # No property has the name of a file at first, so that the refusal is that of the update.
         source = rig.HapticVolume()
-        source.Series, source.FileName = series_of(case), case["path"]
-        check_refusal(case, read_quietly(source))
+        check_refusal(case, read_quietly(source, Series=series_of(case), FileName=case["path"]))
         assert source.GetDataInformation().GetNumberOfPoints() == 0
         continue
     source = open_volume(case)
@@ -105,8 +105,7 @@ for case in cases.values():
     if case["name"].startswith(("dicom", "nifti", "analyze", "refused")) or case["labels"]:
         continue
     source = rig.HapticLargeFile()
-    source.Series, source.FileName = series_of(case), case["path"]
-    said = read_quietly(source)
+    said = read_quietly(source, Series=series_of(case), FileName=case["path"])
     if "ERR" in said:
         assert re.search(r"Cure: |\. [A-Z][a-z]+ ", said), said
     else:

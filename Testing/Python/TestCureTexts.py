@@ -108,7 +108,7 @@ TRIED = {
         "is a file of MATLAB": "file of MATLAB", "is a density map (MRC)": "density map",
         "is a microscope's own format": "microscope's own format", "has no header: neither": "has no header",
         "is HDF5, of which VTKHDF": "is HDF5", "is a CIFTI file, whose": "CIFTI",
-        "and the first page has its own. Take that page away": "the first page has its own",
+        "Write it with these axes last": "as the last ones", "and the first page has its own. Take that page away": "the first page has its own",
     },
     "Data/Formats/write_nifti.py": {"has … volumes along its fourth axis, and none with the number": "and none with the number"},
     "Data/Formats/write_threads.py": {

@@ -224,7 +224,8 @@ def _open_dataset(group: Any, path: str, scales: dict, dataset: dict, series: in
     axes = len(array.shape)
     names = [one["name"] if isinstance(one, dict) else one for one in scales.get("axes", "tczyx"[-axes:])]
     if axes < 3 or [name.lower() for name in names[-3:]] != ["z", "y", "x"]:
-        raise ValueError(f"{path} has the axes {names}, and a volume needs z, y and x, as the last ones")
+        raise ValueError(f"{path} has the axes {names}, and a volume needs z, y and x, as the last ones. Cure: open its "
+                         "array with zarr, and give open_large() that, transposed, with spacing and origin")
     steps = [*dataset.get("coordinateTransformations", []), *scales.get("coordinateTransformations", [])]
     scale, translation = _scale_and_translation(steps, axes)
     told = scales.get("axes", [])
@@ -260,7 +261,11 @@ def _open_array(array: Any, path: str, series: int) -> _Level:
 
 def _open_path(path: str, level: int, series: int) -> list[_Level]:
     if path.endswith(".npy"):
-        return [_open_array(np.load(path, mmap_mode="r"), path, series)]
+        try:
+            array = np.load(path, mmap_mode="r")
+        except (EOFError, ValueError) as error:
+            raise ValueError(f"{path} can't be read by NumPy: {error}. Cure: check that its copy is complete") from error
+        return [_open_array(array, path, series)]
     if os.path.exists(path) and not path.endswith(".zip") and vtkHapticRegionSource.GetFileFormat(path) == "":
         raise ValueError(f"{path} can't be read in parts: that works for Zarr, .npy, "
                          f"{vtkHapticRegionSource.GetFileEndings().replace(' ', ', ')}. Cure: give it to touch(), which reads "

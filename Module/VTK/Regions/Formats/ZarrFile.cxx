@@ -109,8 +109,8 @@ void CheckAxes(const Json::Value& axes, std::size_t rank)
     [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
   if (axes.size() != rank || last.size() < 3 || last.substr(last.size() - 3) != "zyx")
   {
-    throw std::runtime_error(
-      "its axes are " + Printable(last) + ", and a volume needs z, y and x, as the last ones.");
+    throw std::runtime_error("its axes are " + Printable(last) +
+      ", and a volume needs z, y and x, as the last ones. Write it with these axes last.");
   }
 }
 
