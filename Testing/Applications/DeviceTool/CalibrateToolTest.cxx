@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * volumehaptics-device calibrate with a simulated handle of known strength, and a user who does
- * what is asked of him.
+ * Runs "volumehaptics-device calibrate" with a simulated handle of known strength and a user who
+ * follows all requests.
  */
 
 #include "Devices/Common/DeviceKind.h"
@@ -25,7 +25,7 @@ using namespace VolumeHaptics;
 namespace
 {
 
-/// All devices of the kind "hung" share this with the test.
+/// The state that all devices of the kind "hung" share with the test.
 struct Bench
 {
   std::mutex Lock;
@@ -34,7 +34,7 @@ struct Bench
   double FirstAsked = -1.0; ///< N; negative: none yet
   double LargestAsked = 0.0;
   std::chrono::steady_clock::time_point LastWrite;
-  bool HasPaused = false; ///< the servo, while the handle was pushed
+  bool HasPaused = false; ///< the servo paused during a push
   std::atomic<bool> IsLost{ false };
 
   static Bench& Get()
@@ -53,7 +53,7 @@ struct Bench
   }
 };
 
-/// The servo takes a longer pause for a gap, after which the spring begins anew (SafetyLimits).
+/// The servo treats a longer pause as a gap, after which the spring begins anew (SafetyLimits).
 constexpr auto LongestTick = std::chrono::milliseconds(20);
 
 class HungDevice : public DeviceBackend
@@ -122,7 +122,7 @@ bool AddKind()
   return added;
 }
 
-/// The tool's output, of which each line is shown to a user at once.
+/// The tool's output. Each line is shown to the user at once.
 class Screen : public std::streambuf
 {
 public:
@@ -132,7 +132,7 @@ public:
     const std::string text = this->Text.substr(0, this->Text.find_last_not_of('\n') + 1);
     return text.substr(text.rfind('\n') + 1);
   }
-  std::function<void(const std::string&)> Shows; ///< a line that is flushed
+  std::function<void(const std::string&)> Shows; ///< called with each flushed line
 
 protected:
   std::streamsize xsputn(const char* text, std::streamsize size) override
@@ -155,7 +155,7 @@ private:
   std::string Text;
 };
 
-/// Follows the requests on the screen with hand and weight, and types.
+/// A simulated user: follows the requests on the screen with hand and weight, and types.
 class User : public std::streambuf
 {
 public:
@@ -165,11 +165,11 @@ public:
   {
     screen.Shows = [this](const std::string& line) { this->Follow(line); };
   }
-  std::vector<std::string> Answers; ///< what is typed first in place of grams
-  std::string Breaks;               ///< the device is lost once this is asked for
+  std::vector<std::string> Answers; ///< typed first, in place of grams
+  std::string Breaks;               ///< a request at which the device is lost
 
 protected:
-  /// A line, whenever the tool wants one.
+  /// Returns a line whenever the tool reads one.
   int underflow() override
   {
     const bool wantsGrams = this->Seen.GetLastLine().find("How many grams") != std::string::npos;
@@ -205,8 +205,8 @@ private:
   const double Weight; // kg
   std::string Line;
   std::size_t Typed = 0;
-  double Grams = 0.0;     ///< that the scale showed last
-  bool IsReading = false; ///< the scale
+  double Grams = 0.0;     ///< the scale's last reading
+  bool IsReading = false; ///< the user looks at the scale
 };
 
 class CalibrateToolTest : public testing::Test
@@ -219,7 +219,7 @@ protected:
     setenv("VOLUMEHAPTICS_DEVICES", this->File.c_str(), 1);
     std::ofstream(this->File) << "hung:1 confirmed=2026-11-20\n";
   }
-  /// A measurement in which the machine stood still is none: then once more.
+  /// Runs the tool, and repeats the run if the machine stood still during the measurement.
   int Run(std::vector<std::string> arguments)
   {
     arguments.insert(arguments.begin(), { "calibrate", "hung" });
@@ -260,7 +260,7 @@ protected:
     all << in.rdbuf();
     return all.str();
   }
-  /// As the file of devices has it; 0: it has none.
+  /// The factor in the file of devices, or 0 without one.
   double GetStored() const
   {
     const std::string all = this->ReadFile();
@@ -321,7 +321,7 @@ TEST_F(CalibrateToolTest, StoresNothingIfNoWeightIsHung)
 
 TEST_F(CalibrateToolTest, StoresNothingIfTheFactorIsNone)
 {
-  // The user has said 3 kg, and hung 100 g.
+  // The user says 3 kg but hangs 100 g.
   EXPECT_EQ(this->Run({ "--weight", "3000" }), 1);
   EXPECT_NE(this->Errors.find("0.1 to 10"), std::string::npos) << this->Errors;
   EXPECT_EQ(this->GetStored(), 0.0);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A weight that is hung, and a scale that is pressed, in closed loop with a handle of known
- * strength, in simulated time.
+ * Tests calibration with a hung weight and with a pressed scale, in closed loop with a handle of
+ * known strength, in simulated time.
  */
 
 #include "Applications/DeviceTool/HungWeight.h"
@@ -23,7 +23,7 @@ constexpr double Tick = 1e-3;       // s
 constexpr int TicksPerLook = 10;
 constexpr double LongestTime = 300.0; // s
 
-/// A spring as the servo's, with the ramp and the limit of the force path.
+/// A spring like the servo's, with the ramp and the force limit of the force path.
 class Loop
 {
 public:
@@ -32,7 +32,8 @@ public:
     , Start(handle.GetTip())
   {
   }
-  /// The device for a moment, with the spring's end shifted along an axis.
+  /// Advances the device by some ticks with the spring's end shifted along an axis, and returns its
+  /// state.
   HeldSample Look(int axis, double shift, int ticks = TicksPerLook)
   {
     Triple force{};
@@ -68,7 +69,7 @@ private:
   double Time = 0.0;
 };
 
-/// A user's actions, a second after each request.
+/// Simulates a user, who does what is requested a second after each request.
 struct User
 {
   double Weight = 0.1; ///< kg
@@ -171,7 +172,8 @@ TEST(Calibration, FindsItOfHandlesThatAreHeavyLightBalancedOrPulledUp)
 
 TEST(Calibration, OfAProgramThatIsHeldUpTakesLonger)
 {
-  // It looks at the handle every 0.6 s, so that a way takes longer than a stuck handle may.
+  // The program samples the handle only every 0.6 s, so that a sweep in one direction takes longer
+  // than HandleSweep::MostTime. The handle must not count as stuck.
   HungHandle handle;
   handle.Strength = 0.7;
   const HungWeight weight = Weigh(handle, {}, 1, 20.0, 600);
@@ -198,7 +200,7 @@ TEST(Calibration, RefusesAWeightThatCanTBeMeasured)
     ExpectRefusal(Weigh(handle, user), "Nothing has changed");
   }
   {
-    HungHandle handle; // lighter than the friction
+    HungHandle handle; // the weight is less than the friction
     handle.Friction = 0.5;
     User user;
     user.Weight = 0.03;
@@ -276,7 +278,7 @@ TEST(Calibration, FindsTheStrengthByAScale)
         {
           HungHandle handle;
           handle.Strength = strength;
-          handle.Friction = std::min(friction, 0.5 * strength); // less than half of the first level
+          handle.Friction = std::min(friction, 0.5 * strength); // at most half of the strength
           handle.HasScale = true;
           handle.PlateBelow = below;
           double grams = 0.0;
@@ -309,12 +311,12 @@ TEST(Calibration, RefusesReadingsThatAreNotOnALine)
 {
   ScaleFit fit;
   std::string error;
-  // By hand: the line 0.5 + 2 x.
+  // Expected by hand: the points lie on the line 0.5 + 2 x.
   ASSERT_TRUE(FitScale({ { 1.0, 2.5 }, { 2.0, 4.5 }, { 3.0, 6.5 } }, fit, error));
   EXPECT_NEAR(fit.Factor, 2.0, 1e-12);
   EXPECT_NEAR(fit.Offset, 0.5, 1e-12);
   EXPECT_NEAR(fit.Residual, 0.0, 1e-12);
-  // By hand: factor 1, residuals 1/3, -2/3, 1/3 of 0.3, so that the sum of squares is 0.06.
+  // Expected by hand: factor 1, residuals of 0.1, -0.2 and 0.1, so that the sum of squares is 0.06.
   ASSERT_FALSE(FitScale({ { 1.0, 1.1 }, { 2.0, 1.8 }, { 3.0, 3.1 } }, fit, error));
   EXPECT_NEAR(fit.Factor, 1.0, 1e-12);
   EXPECT_NEAR(fit.Residual, std::sqrt(0.06), 1e-12);

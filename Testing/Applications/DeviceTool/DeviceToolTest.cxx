@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * volumehaptics-device with an emulated Falcon: what a person sees who tries one for the first
- * time.
+ * Runs volumehaptics-device with an emulated Falcon, as a person who tries one for the first time.
  */
 
 #include "Emulators/EmulatedUsb.h"
@@ -21,17 +20,17 @@ namespace
 class DeviceToolTest : public PageTest
 {
 protected:
-  /// Homes the device whenever it asks for it, and goes on to a place in between: a step a call.
+  /// Moves the hand by one step a call: homes the device whenever it asks for that, then goes to
+  /// 0.172 m or presses in and out.
   void MoveHand()
   {
     const int lights = this->Falcon.GetLights();
-    const bool homes = (lights & 8) != 0; // red: it wants to be moved through its range
+    const bool homes = (lights & 8) != 0; // red: the device asks to be homed
     this->IsHomed = this->IsHomed || (this->WasHoming && !homes);
     this->WasHoming = this->WasHoming || homes;
     const double t = 0.001 * this->Steps++;
     const double z = this->IsHomed ? 0.172 : 0.127 + 0.0465 * std::cos(4.0 * t);
-    // In and out, as a busy machine may leave the device unwatched for a moment, and the force
-    // begins anew.
+    // Move in and out of the wall: after a pause of a busy machine the force begins anew.
     const double pressed = 0.12 + 0.02 * std::cos(4.0 * t);
     this->Falcon.SetAim({ 0.0, 0.0, this->IsPressing && this->IsHomed ? pressed : z });
   }
@@ -75,7 +74,7 @@ TEST_F(DeviceToolTest, HomesMonitorsAndRecords)
   EXPECT_EQ(this->Run({ "home", "falcon" }), 0) << this->Errors;
   EXPECT_TRUE(this->Shows("Homing of falcon")) << this->Out;
   EXPECT_TRUE(this->Shows("falcon is ready")) << this->Out;
-  this->Falcon.SetButtons(4); // the centre one
+  this->Falcon.SetButtons(4); // the centre button
   EXPECT_EQ(this->Run({ "monitor", "falcon", "--seconds", "0.5" }), 0) << this->Errors;
   EXPECT_TRUE(this->Shows("buttons 01")) << this->Out;
   EXPECT_TRUE(this->Shows("force   0.00   0.00   0.00 N")) << this->Out;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Types what the page of a device says, line by line, as its owner would.
+ * Types the commands on a device's page, line by line, as the device's owner would.
  */
 #ifndef PageRig_h
 #define PageRig_h
@@ -19,7 +19,7 @@ namespace emulated
 class PageTest : public ToolTest
 {
 protected:
-  /// Nobody has confirmed the device before.
+  /// Starts with an empty file of devices: nobody has confirmed the device before.
   PageTest()
   {
     const std::string file = TemporaryPath("devices.txt");
@@ -28,8 +28,9 @@ protected:
   }
 
   /**
-   * Types the lines of Documentation/devices/PAGE with this id. `instead` is the id of the emulated
-   * device, if it has another port. Enter answers each question. Returns how many lines there were.
+   * Types the volumehaptics-device commands of Documentation/devices/PAGE, except those that name
+   * another id, and Enter at each question. `instead` is the emulated device's id if it differs
+   * from the page's. Returns the number of commands.
    */
   int Type(const std::string& page, const std::string& id, const std::string& instead = "",
     const std::string& firmware = "")

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The lines of the pages of wheels, gamepads and SpaceMice, typed with emulated ones. Those of
- * Falcons and WoodenHaptics are in DeviceToolTest.cxx and WoodenToolTest.cxx.
+ * Types the command lines on the pages of wheels, gamepads and SpaceMice, with emulated devices.
+ * DeviceToolTest.cxx and WoodenToolTest.cxx do so for Falcons and WoodenHaptics.
  */
 
 #include "Emulators/EmulatedEvdev.h"

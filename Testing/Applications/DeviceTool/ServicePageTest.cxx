@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The lines of the pages of Haply's arms, of hfab's controllers, of vendors' libraries and of what
- * vibrates by a service, typed with played ones.
+ * Types the command lines on the pages of Haply's arms, hfab's controllers, vendors' libraries and
+ * devices that vibrate through a service, with emulated devices and services.
  */
 
 #include "Emulators/ForceDimension/FakeForceDimension.h"
@@ -46,7 +46,7 @@ TEST_F(ServicePages, OfHfabLeadToTheFirstForce)
 {
   HfabEmulator arm(3);
   arm.PlaceAtHome();
-  // Its pseudo-terminal is not listed: a board is found by its name. So is the port named.
+  // Name the port: the emulator's pseudo-terminal is not listed, as boards are found by name.
   EXPECT_EQ(this->Type("woodenhaptics.md", "hfab", "hfab:" + arm.GetPort()), 5);
   EXPECT_GT(arm.GetMessages(), 0);
 }

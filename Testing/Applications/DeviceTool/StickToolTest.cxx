@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * volumehaptics-device with an emulated stick of 4 N at full scale: a gentle wall stays gentle if
- * the strength of the stick was not set.
+ * Runs volumehaptics-device with an emulated stick of 4 N at full scale: a gentle wall stays gentle
+ * if the stick's strength was not set.
  */
 
 #include "Applications/DeviceTool/DeviceTool.h"
@@ -21,7 +21,7 @@ using namespace emulated;
 
 namespace
 {
-/// The largest force (N) on a hand that presses into the wall and comes back, and what was said.
+/// Presses into the wall and comes back. Returns the largest force (N) on the hand, and the output.
 double PressedWith(std::vector<std::string> options, std::string& said)
 {
   OpenFfboardModel model;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The command line of volumehaptics-device.
+ * Tests the command line of volumehaptics-device.
  */
 
 #include "Applications/DeviceTool/ToolOptions.h"

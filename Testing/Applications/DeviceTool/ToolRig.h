@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * volumehaptics-device, the input that a user types, and its output.
+ * Runs volumehaptics-device with input that a user types, and keeps its output.
  */
 #ifndef ToolRig_h
 #define ToolRig_h

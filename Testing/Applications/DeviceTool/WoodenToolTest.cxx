@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * volumehaptics-device with an emulated WoodenHaptics, whose zero the user confirms by pressing
+ * Runs volumehaptics-device with an emulated WoodenHaptics, whose zero the user confirms with
  * Enter.
  */
 
@@ -30,7 +30,7 @@ TEST_F(WoodenToolTest, IsCalibratedAfterEnterWheneverItIsOpened)
   EXPECT_EQ(this->Run(monitor, "\n"), 0) << this->Errors;
   EXPECT_TRUE(this->Asks()) << this->Out;
   EXPECT_EQ(this->Model.GetPresets(), 1);
-  // It can't say whether it kept its zero.
+  // The device can't say whether it kept its zero, so the tool asks again.
   EXPECT_EQ(this->Run(monitor, "\n"), 0) << this->Errors;
   EXPECT_TRUE(this->Asks()) << this->Out;
   EXPECT_EQ(this->Model.GetPresets(), 2);

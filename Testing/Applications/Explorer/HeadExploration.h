@@ -11,7 +11,7 @@
 #include <cstring>
 #include <string>
 
-/// The argument after an option, such as `--volume`.
+/// Returns the argument after an option, such as `--volume`.
 inline std::string Argument(int argc, char* argv[], const char* option)
 {
   for (int i = 1; i + 1 < argc; ++i)
@@ -29,7 +29,7 @@ inline vtkSmartPointer<vtkImageData> LoadHead(int argc, char* argv[])
   return Explore::LoadVolume(Argument(argc, argv, "--volume")).Image;
 }
 
-/// A folder of the test's own to write to.
+/// Makes the test's own folder for files and returns its path.
 inline std::string MakeTestFolder(int argc, char* argv[], const char* name)
 {
   const std::string folder = Argument(argc, argv, "-T") + "/" + name;
@@ -37,7 +37,7 @@ inline std::string MakeTestFolder(int argc, char* argv[], const char* name)
   return folder;
 }
 
-/// The main job on the head phantom.
+/// Runs the standard exploration of the head phantom.
 inline Explore::Exploration ExploreHead(
   int argc, char* argv[], const Explore::Settings& settings = Explore::Settings())
 {

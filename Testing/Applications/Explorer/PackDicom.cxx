@@ -13,8 +13,8 @@
 
 namespace
 {
-/// Tells that colours are luminance and differences, of which rows have half: so most writers do,
-/// but GDCM's says RGB.
+/// Sets the photometric interpretation to YBR_FULL_422 (luminance, and colour differences at half
+/// the resolution along rows), as most writers do. GDCM's writer says RGB.
 bool TellYbr(const std::string& packed)
 {
   gdcm::Reader reader;
@@ -38,7 +38,8 @@ bool TellYbr(const std::string& packed)
 bool PackDicom(
   const std::string& plain, const std::string& packed, const std::string& how, double step)
 {
-  // GDCM's writer can't write an icon without all its elements, as that of these tests.
+  // Remove the icon first: GDCM's writer can't write an icon without all its elements, and the icon
+  // of these tests lacks some.
   gdcm::Reader elements;
   elements.SetFileName(plain.c_str());
   if (!elements.Read())
@@ -79,7 +80,7 @@ bool PackDicom(
   const gdcm::SmartPointer<gdcm::Image> image = new gdcm::Image(change.GetOutput());
   if (image->GetNumberOfDimensions() == 3)
   {
-    image->SetSpacing(2, step); // of frames, which GDCM does not know of a CT
+    image->SetSpacing(2, step); // frames; GDCM doesn't read it from a CT
   }
   writer.SetImage(*image);
   return writer.Write() && (how != "baseline-422" || TellYbr(packed));

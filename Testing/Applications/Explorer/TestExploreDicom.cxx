@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// DICOM files as they come from a medium: several series in folders of folders, in any order, with
-// a rescale and a direction of their own; and files that cannot be read. They are written here, as
-// parts 5 and 10 of the standard say, and their values are a function of the place in the patient.
+// Reads DICOM files as they come on a medium: several series in nested folders, in any order, each
+// with its own rescale and direction; and files that cannot be read. The test writes the files by
+// parts 5 and 10 of the standard. Their values are a function of the position in the patient.
 #include "Applications/Explorer/Options.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
@@ -36,7 +36,7 @@ const char* const IMPLICIT = "1.2.840.10008.1.2";
 const char* const EXPLICIT = "1.2.840.10008.1.2.1";
 const char* const RUN_LENGTH = "1.2.840.10008.1.2.5";
 
-/// A slice of a series: number k along the normal.
+/// A file of a series: slice number `Slice` along the normal, or `Frames` slices from there on.
 struct SliceFile
 {
   std::string Series = "1.2.3";
@@ -46,13 +46,14 @@ struct SliceFile
   bool IsSagittal = false;
   std::string Modality = "CT";
   std::string Syntax = EXPLICIT;
-  std::string Instance = "1.2."; // the begin of its unique identifier
+  std::string Instance = "1.2."; // prefix of the SOP instance UID
   int Columns = DICOM_COLUMNS;
   int Rows = DICOM_ROWS;
   int Frames = 1;
   ///@{
-  /// How a file with several frames tells where they are: frame f is slice Slice + f with a step or
-  /// offsets, and slice Slice + Frames - 1 - f with functional groups, which say it of each.
+  /// How a file with several frames gives their positions. With a step or with offsets, frame f is
+  /// slice Slice + f. With functional groups, which give the position of each frame, it is slice
+  /// Slice + Frames - 1 - f.
   bool HasStep = false;
   bool HasOffsets = false;
   bool HasGroups = false;
@@ -87,7 +88,8 @@ std::string Part(std::uint32_t tag, const std::string& type, std::string value, 
   return head + type + (isBinary ? Bytes(0, 2) + Bytes(length, 4) : Bytes(length, 2)) + value;
 }
 
-/// Hounsfield units where column i, row j and slice k meet; even, for slopes of 2.
+/// The value (HU) at column i, row j and slice k. It is even, so that a rescale slope of 2 stores
+/// it exactly.
 double UnitsAt(int i, int j, int k)
 {
   return 2.0 * (i + 10 * j + 60 * k) - 500.0;
@@ -117,7 +119,7 @@ std::string Encode(const SliceFile& slice)
       }
     }
   }
-  // Sequences and items of known and of unknown length, by turns.
+  // Alternate between sequences and items of known and of unknown length.
   const std::string itemEnd = Bytes(0xfffe, 2) + Bytes(0xe00d, 2) + Bytes(0, 4);
   const std::string sequenceEnd = Bytes(0xfffe, 2) + Bytes(0xe0dd, 2) + Bytes(0, 4);
   const auto itemOf = [&](const std::string& content, bool isKnown)
@@ -153,7 +155,8 @@ std::string Encode(const SliceFile& slice)
     itemOf(sequenceOf(0x00209116, itemOf(part(0x00200037, "DS", "1\\0\\0\\0\\1\\0"), false), true) +
         sequenceOf(0x00289110, itemOf(part(0x00280030, "DS", "0.5\\0.75"), true), false),
       true);
-  // The preview in front of the pixels is in an item of unknown length in a sequence of one.
+  // A preview image comes before the pixels: an item of unknown length in a sequence of unknown
+  // length.
   const std::string unknown(4, '\xff');
   const std::string item = Bytes(0xfffe, 2) + Bytes(0xe000, 2) + unknown + number(0x00280010, 64) +
     part(0x7fe00010, "OW", "abcdefgh") + Bytes(0xfffe, 2) + Bytes(0xe00d, 2) + Bytes(0, 4) +
@@ -198,7 +201,7 @@ std::string WriteDicom(const std::string& name, const std::string& bytes)
   return path;
 }
 
-/// Names run against the order of the slices.
+/// Writes the slices of a series. File names run in the opposite order of the slices.
 void WriteSlices(const std::string& where, SliceFile slice, int count)
 {
   for (slice.Slice = 0; slice.Slice < count; ++slice.Slice)
@@ -207,7 +210,7 @@ void WriteSlices(const std::string& where, SliceFile slice, int count)
   }
 }
 
-/// Every sample is where it was in the patient.
+/// Expects every sample at its position in the patient, with its value.
 void ExpectSlices(const std::string& what, const Explore::Volume& volume, int count,
   bool isSagittal, const SliceFile& like = SliceFile())
 {
@@ -283,8 +286,8 @@ void ExpectSeriesOption()
   }
 }
 
-/// A run-length encoded slice, as part 5 of the standard says in annex G: the high bytes of all
-/// samples, and then the low ones, each as one literal run.
+/// Returns a run-length encoded slice by annex G of part 5 of the standard: the high bytes of all
+/// samples, then the low bytes, each as one literal run.
 std::string EncodeRuns(const std::string& plain, const std::string& pixels)
 {
   std::string high, low;
@@ -309,7 +312,7 @@ std::string EncodeRuns(const std::string& plain, const std::string& pixels)
     Bytes(0xfffe, 2) + Bytes(0xe0dd, 2) + Bytes(0, 4);
 }
 
-/// Compressed slices have the values that they had before.
+/// Expects that compressed slices are read with the values of the uncompressed ones.
 void ExpectUnpacked(SliceFile slice)
 {
   slice.Syntax = RUN_LENGTH;
@@ -342,8 +345,8 @@ std::string ReadBytes(const std::string& path)
   return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
 }
 
-/// JPEG 2000, which has no images of a few pixels: slices, a file with several frames, and slices
-/// that end too early or are damaged.
+/// Tests JPEG 2000, whose images must be larger than a few pixels: slices, a file with several
+/// frames, slices that end too early, and a damaged slice.
 void ExpectWavelets(SliceFile slice)
 {
   slice.Columns = slice.Rows = 64;
@@ -374,7 +377,7 @@ void ExpectWavelets(SliceFile slice)
   WriteDicom("wavelets/I898", damaged);
   try
   {
-    Explore::LoadVolumes({ where }); // what is damaged only shows in the samples: some are wrong
+    Explore::LoadVolumes({ where }); // may succeed: some samples are then wrong
   }
   catch (const Explore::InputError& error)
   {
@@ -389,7 +392,7 @@ void ExpectWavelets(SliceFile slice)
     "frames of wavelets", Explore::LoadVolumes({ folder + "/wavelet-frames" }), 6, false, slice);
 }
 
-/// One file with all slices.
+/// Tests one file that holds all slices as frames.
 void ExpectFrames(SliceFile slice)
 {
   slice.Slice = 0;
@@ -422,7 +425,8 @@ void ExpectFrames(SliceFile slice)
   }
 }
 
-/// However a file ends too early, its header is refused, or the slice is known not to be whole.
+/// Expects of a file cut at any length that its header is refused, or that the slice counts as not
+/// whole.
 void ExpectCutFiles()
 {
   for (const char* const syntax : { EXPLICIT, IMPLICIT })
@@ -443,10 +447,12 @@ void ExpectCutFiles()
   }
 }
 
-/// The file with its data set packed by deflate, as part 5 of the standard says in section A.5.
+/// Returns the file with its data set compressed by deflate, by section A.5 of part 5 of the
+/// standard.
 std::string Deflate(const std::string& plain)
 {
-  // The meta group is of the plain syntax, whose number is one level shorter.
+  // Write the meta group anew: the original one names the uncompressed transfer syntax, whose UID
+  // has another length.
   const std::size_t begin = plain.find(Part(0x00080016, "UI", "", true).substr(0, 6));
   const std::string kind = "1.2.840.10008.5.1.4.1.1.2";
   const std::string meta =
@@ -466,8 +472,8 @@ std::string Deflate(const std::string& plain)
     Part(0x00020000, "UL", Bytes(static_cast<std::uint32_t>(meta.size()), 4), true) + meta + packed;
 }
 
-/// Any change of a file's bytes is refused in words, or read: nothing else is thrown, and no slice
-/// has more pixels than the file.
+/// Changes bytes of files at random. Expects that each file is read or refused with a message: no
+/// other exception is thrown, and no slice claims more pixels than the file has.
 void ExpectSpoiltFiles()
 {
   SliceFile one, frames, segmentation;
@@ -510,7 +516,8 @@ void ExpectSpoiltFiles()
   Expect(whole > 100, "only " + std::to_string(whole) + " are read");
 }
 
-/// Any change of compressed pixels is refused in words, or read.
+/// Changes bytes of compressed pixels at random. Expects that each file is read or refused with a
+/// message.
 void ExpectSpoiltPixels()
 {
   SliceFile slice;
@@ -541,7 +548,8 @@ void ExpectSpoiltPixels()
   }
 }
 
-/// A forked process reads beside its parent: each gets its own slices, also after the child's end.
+/// Expects that a forked process and its parent, which read at the same time, each get their own
+/// slices, and the parent still after the child's end.
 void ExpectForkedReads(SliceFile slice)
 {
   WriteSlices("of-parent", slice, 7);
@@ -567,7 +575,7 @@ void ExpectForkedReads(SliceFile slice)
   }
   if (child == 0)
   {
-    std::exit(isRead ? EXIT_SUCCESS : EXIT_FAILURE); // with what runs at the end of a program
+    std::exit(isRead ? EXIT_SUCCESS : EXIT_FAILURE); // exit(), so that handlers run
   }
   int status = -1;
   Expect(isRead, "slices of a parent");
@@ -606,7 +614,7 @@ int TestExploreDicom(int argc, char* argv[])
   ExpectFault(disk, 3, "has no series 3");
   ExpectSlices("the folders of two series", Explore::LoadVolumes({ disk + "/PAT0" }), 7, false);
 
-  // Both in one folder: a slice tells its series.
+  // With both series in one folder, the named slice decides which series is read.
   WriteSlices("mixed", thorax, 7);
   for (scout.Slice = 0; scout.Slice < 5; ++scout.Slice)
   {
@@ -617,7 +625,7 @@ int TestExploreDicom(int argc, char* argv[])
   ExpectSlices("the series of a slice", oneOf("S1.dcm"), 5, true);
   ExpectSlices("the series of a slice without an ending", oneOf("I900"), 7, false);
 
-  // The phases of a volume that moves are of the same size at the same places.
+  // Two series of the same size at the same positions are read as time steps of a moving volume.
   WriteSlices("beat/at2", thorax, 5);
   thorax.Series = "1.2.32";
   WriteSlices("beat/at10", thorax, 5);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// DICOM slices of 8 bits, grey and in colours, plain and as baseline JPEG. The values are ramps,
-// and luminance and differences are those of PS3.3, section C.7.6.3.1.2.
+// Reads DICOM slices of 8 bits, grey and coloured, uncompressed and as baseline JPEG. The values
+// are ramps. Luminance and colour differences follow PS3.3, section C.7.6.3.1.2.
 #include "Expectations.h"
 #include "HeadExploration.h"
 #include "PackDicom.h"
@@ -39,7 +39,7 @@ std::string Whole(int number)
   return { char(number & 0xff), char(number >> 8 & 0xff) };
 }
 
-/// Red, green and blue; or grey, the first of them.
+/// The colour (0 to 255) of a sample. A grey sample has the red component as its value.
 void ColourAt(int i, int j, int k, double rgb[3])
 {
   rgb[0] = 3.0 * i + 5.0 * k;
@@ -87,7 +87,8 @@ std::string EncodeSlice(int k, const std::string& meaning)
     Element(0x28, 0x0103, "US", Whole(0)) + Element(0x7fe0, 0x0010, "OB", pixels);
 }
 
-/// The volume of a folder has the ramps, or their brightness; JPEG is off by a few levels.
+/// Expects the ramps in a folder's volume, or the ramps' brightness for colours. JPEG may be off by
+/// a few grey levels (`allowed`).
 void ExpectRamps(const std::string& name, bool isGrey, double allowed)
 {
   const Explore::Volume volume = Explore::LoadVolumes({ folder + "/" + name });
@@ -114,7 +115,7 @@ void ExpectRamps(const std::string& name, bool isGrey, double allowed)
   Expect(worst <= allowed, name + " is off by " + std::to_string(worst));
 }
 
-/// `how`: empty for plain slices.
+/// Writes and reads slices. `how` is empty for uncompressed slices, else see PackDicom().
 void ExpectColourSlices(
   const std::string& name, const std::string& meaning, const std::string& how, double allowed)
 {
@@ -136,7 +137,8 @@ int TestExploreDicomColours(int argc, char* argv[])
   vtksys::SystemTools::RemoveADirectory(folder);
   vtksys::SystemTools::MakeDirectory(folder);
   ExpectColourSlices("grey", "MONOCHROME2", "", 0.0);
-  // Of the brightness the fraction is cut off; luminance and differences are rounded before.
+  // Tolerances: the brightness is truncated, and luminance and colour differences are rounded
+  // before.
   ExpectColourSlices("rgb", "RGB", "", 1.0);
   ExpectColourSlices("ybr", "YBR_FULL", "", 2.5);
   ExpectColourSlices("grey-jpeg", "MONOCHROME2", "baseline", 2.0);

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Files of types and sizes that the readers of VTK do not know, headers that lie, and samples that
-// are no numbers. They are written byte by byte: MetaImage after "ITK/MetaIO/Documentation"
-// (itk.org), with the sizes of MET_ValueTypeSize in its metaTypes.h, by which MET_LONG has 4 bytes
-// and MET_LONG_LONG 8; the header is that of SimpleITK.WriteImage() of int64. NRRD after
-// teem.sourceforge.net/nrrd/format.html, and NIfTI after nifti1.h.
+// Reads files of types and sizes that VTK's readers do not know, headers that contradict the data,
+// and samples that are not numbers. The test writes the files byte by byte: MetaImage by
+// "ITK/MetaIO/Documentation" (itk.org), with the sizes of MET_ValueTypeSize in its metaTypes.h,
+// where MET_LONG has 4 bytes and MET_LONG_LONG 8; the header is the one that SimpleITK.WriteImage()
+// writes for int64. NRRD is written by teem.sourceforge.net/nrrd/format.html, and NIfTI by
+// nifti1.h.
 #include "Applications/Explorer/Exploration/Inspection.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
@@ -28,7 +29,7 @@ namespace
 constexpr int SIZE[3] = { 12, 8, 7 };
 constexpr int COUNT = SIZE[0] * SIZE[1] * SIZE[2];
 
-/// Of voxel i: negative ones, too, and no two neighbours alike.
+/// The value of voxel i. Some values are negative, and no two neighbours are equal.
 int ValueAt(int i)
 {
   return i % 500 - 200;
@@ -73,7 +74,7 @@ std::string Nrrd(const std::string& type, const std::string& sizes = "12 8 7")
     "little\nencoding: raw\nspace origin: (5,6,7)\n\n";
 }
 
-/// With the same axes, in right-anterior-superior.
+/// A NIfTI file with the same axes as the other formats, in right-anterior-superior.
 std::string Nifti(int datatype, int bits, const short size[3])
 {
   std::string header(352, '\0');
@@ -100,7 +101,7 @@ std::string File(const std::string& name, const std::string& content)
   return path;
 }
 
-/// Voxel (i, j, k) is at (5 - 2 j, 6 + i/2, 7 + 4 k) in left-posterior-superior.
+/// Expects voxel (i, j, k) at (5 - 2 j, 6 + i/2, 7 + 4 k) in left-posterior-superior.
 void ExpectVolume(const std::string& path)
 {
   try
@@ -159,8 +160,9 @@ void ExpectRefusal(const std::string& path, const std::string& fault)
   }
 }
 
-/// A CT of which some values are none: it is still taken for CT, what is outside is air, and what
-/// stood there is told. Of the head phantom, whose air is -1000 HU; so much is added to it.
+/// Writes the head phantom (air: -1000 HU) with some samples set to `bad`, all around it or one in
+/// the middle, and with `added` added to the rest. Expects that the volume still counts as a CT,
+/// that samples around the head read as air, and that a note contains `told`.
 void ExpectCT(vtkImageData* head, const std::string& name, double bad, bool isAround,
   const std::string& told, double added = 0.0)
 {
@@ -266,7 +268,7 @@ int TestExploreFiles(int argc, char* argv[])
       "Hounsfield units + " + std::to_string(static_cast<int>(added)), added);
   }
 
-  // What the picture leaves out is felt, and told.
+  // What the picture does not show is felt, and the message says so.
   Explore::Volume onTable = Explore::LoadVolume(Argument(argc, argv, "--volume"));
   Expect(Explore::ExploreVolume(onTable, Explore::Settings()).Hidden.empty(),
     "something of the head is hidden");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The plot of the force: three components and the whole, units on the axes, what the hand did on
-// top.
+// Shows the plot of the force: three components and the norm, units on the axes, and the names of
+// the phases at the top.
 #include "Applications/Explorer/Report/ForcePicture.h"
 #include "HeadExploration.h"
 

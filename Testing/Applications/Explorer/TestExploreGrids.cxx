@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Grids of all kinds are opened. The flow of a rotating block, (-y, x, 0), and the pressure x + 2 y
-// are linear, so that every way of resampling gives the same numbers as the formulas; and what a
-// hand feels of them is the flow, without being asked for it.
+// Opens grids of all kinds. The flow of a rotating block, (-y, x, 0), and the pressure x + 2 y are
+// linear, so that every way of resampling gives the numbers of the formulas. By default, the hand
+// feels the flow.
 #include "Applications/Explorer/Exploration/ModeChoice.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/Report/TraceSummary.h"
@@ -34,7 +34,7 @@ namespace
 {
 constexpr int EDGE = 21; // points along an edge of a block of 20 mm
 
-/// A block of hexahedra from x = `left` on, of which the flow may be left out.
+/// A block of hexahedra whose x begins at `left`. Its flow may be left out.
 vtkSmartPointer<vtkStructuredGrid> MakeBlock(double left, bool flows)
 {
   auto block = vtkSmartPointer<vtkStructuredGrid>::New();
@@ -76,7 +76,7 @@ std::string WriteGrid(const std::string& name, vtkDataObject* data)
   return path;
 }
 
-/// The arrays at all samples, against the formulas.
+/// Expects the formulas' values in the arrays at all samples.
 void ExpectFormulas(const std::string& path)
 {
   const Explore::Volume volume = Explore::LoadVolumes({ path });
@@ -102,7 +102,8 @@ void ExpectFormulas(const std::string& path)
   Expect(chosen.Flow.empty(), "whoever wants pressures does not follow the flow");
 }
 
-/// Of a block: its 12 edges, as many lines each as cells, and nothing but them.
+/// Expects the outline of a block: its 12 edges, each with as many lines as cells, and nothing
+/// else.
 void ExpectOutline(const std::string& path)
 {
   const vtkSmartPointer<vtkPolyData> outline = Explore::LoadVolumes({ path }).Outline;
@@ -127,7 +128,7 @@ void ExpectOutline(const std::string& path)
     path + " has its edges as outline");
 }
 
-/// A block that is swollen to a ball, which has no edges: its outline is a box.
+/// Expects a box as the outline of a block that is swollen to a ball, which has no edges.
 void ExpectBox()
 {
   const vtkSmartPointer<vtkStructuredGrid> ball = MakeBlock(-10.0, false);
@@ -216,7 +217,7 @@ int TestExploreGrids(int argc, char* argv[])
       told.find("Contact state") != std::string::npos,
     "and the summary names none: " + told);
 
-  // What has no flow is felt as an image is.
+  // A grid without a flow is felt as an image is.
   const std::string still = WriteGrid("still.vts", MakeBlock(-10.0, false));
   const Explore::Exploration plain =
     Explore::ExploreVolume(Explore::LoadVolumes({ still }), Explore::Settings());

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// --guide: a hand over the head is led along a line, held on a surface, or led along a path that
-// was measured; and what is said of files that can't guide.
+// Tests --guide: a hand over the head is led along a line, held on a surface, or led along a
+// measured path. Files that can't guide get an error message.
 #include "Applications/Explorer/Exploration/ModeChoice.h"
 #include "Applications/Explorer/HelpText.h"
 #include "Applications/Explorer/Options.h"
@@ -64,7 +64,7 @@ vtkSmartPointer<vtkPolyData> MakeLine(vtkImageData* head)
   return line->GetOutput();
 }
 
-/// A line pulls with 2 N at most, straight to it: never along it.
+/// Expects that a line pulls straight towards itself with at most 2 N, never along itself.
 void ExpectLed(const Explore::Exploration& e, vtkPolyData* line)
 {
   vtkPointData* const trace = e.Trace->GetPointData();
@@ -155,7 +155,7 @@ int TestExploreGuide(int argc, char* argv[])
   Expect(both.Filter->GetNumberOfModes() == 2 && both.Filter->GetMode(1)->GetActive(),
     "a mode that is named is felt, too");
 
-  // Other files: the same line in the old format, as a measured path, and a surface.
+  // Read other files: the same line in the legacy format, as a measured path, and a surface.
   const auto read = [head](const std::string& file)
   {
     vtkNew<vtkVolumeHapticsFilter> filter;

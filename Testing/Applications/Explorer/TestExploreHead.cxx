@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The main job's picture: head upright and shaded, trail on the skin and, beneath it, on the skull.
+// Shows the picture of the standard exploration: the head upright and shaded, the trail on the skin
+// and, beneath it, on the skull.
 #include "Applications/Explorer/Scene/ExplorerScene.h"
 #include "HeadExploration.h"
 

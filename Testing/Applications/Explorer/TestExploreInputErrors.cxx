@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whatever cannot be explored gets one message that says what is wrong and how to cure it.
+// Expects one message that says what is wrong and how to cure it for every input that cannot be
+// explored.
 #include "Applications/Explorer/Live/ToolFile.h"
 #include "Applications/Explorer/Options.h"
 #include "Applications/Explorer/Record/DemoScript.h"
@@ -64,7 +65,7 @@ std::string Image(const std::string& name, vtkImageData* image)
   return path;
 }
 
-/// Returns what is said if something is refused; "nothing" otherwise.
+/// Returns the message of a refusal, or "nothing" if nothing is refused.
 template <typename Action>
 std::string TellRefusal(const Action& action)
 {
@@ -91,7 +92,9 @@ void ExpectRefusal(const std::string& path, const std::string& fault)
   }
 }
 
-/// Without its last bytes, or with another one, a file is refused. The whole one is read.
+/// Expects that a file is read when it is complete, and refused when its end is missing or, if it
+/// is compressed (`isPacked`), when one byte is changed. `lost` are the numbers of bytes to cut
+/// off.
 void ExpectWhole(const std::string& path, const std::string& part,
   const std::vector<std::size_t>& lost, bool isPacked)
 {
@@ -115,7 +118,8 @@ void ExpectWhole(const std::string& path, const std::string& part,
   Explore::LoadVolume(path);
 }
 
-/// What VTK's writers write, and gzip. VTK's readers take whatever was in memory for the rest.
+/// Cuts files of VTK's writers and of gzip. VTK's readers fill missing samples with whatever was in
+/// memory.
 void ExpectCutOff()
 {
   vtkNew<vtkRTAnalyticSource> wavelet;
@@ -145,8 +149,8 @@ void ExpectCutOff()
   const auto oldWriter = vtkSmartPointer<vtkStructuredPointsWriter>::New();
   oldWriter->SetFileTypeToBinary();
   const std::string old = write(oldWriter, "cut.vtk");
-  ExpectWhole(old, old, { 40, 100 }, false); // behind its samples is what nobody reads
-  // A NRRD file with the same samples.
+  ExpectWhole(old, old, { 40, 100 }, false); // bytes after the samples are not read
+  // Write a NRRD file with the same samples.
   const vtkSmartPointer<vtkImageData> samples = wavelet->GetOutput();
   const std::string packed = folder + "/cut.nrrd";
   WriteBytes(packed,
@@ -155,7 +159,7 @@ void ExpectCutOff()
   gzwrite(gzip, samples->GetScalarPointer(), 20 * 18 * 16 * sizeof(float));
   gzclose(gzip);
   ExpectWhole(packed, packed, ends, true);
-  // A grid, and one in a file that names it.
+  // Write a grid, and a file that refers to the grid's file.
   const auto grid = appended(vtkSmartPointer<vtkXMLUnstructuredGridWriter>::New());
   vtkNew<vtkAppendFilter> cells;
   cells->SetInputConnection(wavelet->GetOutputPort());
@@ -177,7 +181,7 @@ Explore::Options ParseNewtons(std::string newtons)
   return Explore::ParseOptions(4, arguments);
 }
 
-/// Of a closed surface of triangles that face outwards, by the divergence theorem.
+/// The volume of a closed surface of triangles that face outwards, by the divergence theorem.
 double ComputeVolume(vtkPolyData* surface)
 {
   double volume = 0.0;
@@ -193,7 +197,7 @@ double ComputeVolume(vtkPolyData* surface)
   return volume;
 }
 
-/// What --write-volume takes.
+/// Tests which files --write-volume accepts.
 void ExpectWrittenVolumes()
 {
   const auto answer = [](const std::string& file)
@@ -213,7 +217,7 @@ void ExpectWrittenVolumes()
   Expect(answer(folder + "/written.VTI") == "nothing", "a volume is written");
 }
 
-/// What --tool takes, and the surfaces in files.
+/// Tests which files --tool accepts, and files of surfaces.
 void ExpectTools()
 {
   const auto expectError = [](const std::string& tool, bool isRead, const std::string& fault)
@@ -239,7 +243,7 @@ void ExpectTools()
   expectError("tool.step", false, "is not known");
   expectError(folder + "/missing.stl", true, "there is no such file");
   expectError(WriteText("none.stl", "solid none\nendsolid none\n"), true, "Cure: take the closed");
-  // A tetrahedron beside the origin, whose box is then in the middle.
+  // A tetrahedron beside the origin. Once read, the middle of its box is at the origin.
   const auto write = [](const char* name, int count, const std::string& faces)
   {
     return WriteText(name,
@@ -258,7 +262,7 @@ void ExpectTools()
   Expect(tool->GetNumberOfPolys() == 4, "a tetrahedron has four faces");
   Expect(bounds[0] == -1.5 && bounds[1] == 1.5 && bounds[3] == 2.0 && bounds[5] == 2.5,
     "a tool that does not have the origin is put around it");
-  // VTK's reader of binary files goes on without what is missing.
+  // VTK's readers of binary files ignore that the end is missing.
   vtkNew<vtkSphereSource> sphere;
   const std::string cut = folder + "/cut.stl", cutXml = folder + "/cut.vtp";
   vtkNew<vtkSTLWriter> writer;
@@ -284,7 +288,7 @@ void ExpectTools()
     WriteBytes(path, whole);
     Expect(Explore::ReadToolFile(path)->GetNumberOfPolys() == faces, path + " is read again");
   }
-  // 3 * 4 * 5/6, whichever way its triangles face in the file.
+  // The volume is 3 * 4 * 5/6, whichever way the triangles face in the file.
   const std::string inward = write("inward.ply", 4, "3 0 1 2\n3 0 3 1\n3 1 3 2\n3 0 2 3\n");
   for (const std::string& name : { file, inward })
   {
@@ -293,7 +297,7 @@ void ExpectTools()
   }
 }
 
-/// The strength of a stick along its two axes, and what is none.
+/// Tests --newtons, a stick's force along its two axes, and texts that are not such forces.
 void ExpectNewtons()
 {
   const auto isRead = [](const char* text, double x, double y)
@@ -318,7 +322,8 @@ void ExpectNewtons()
     }
   }
 }
-/// Files that the window writes, and demonstrations: an option, its value, and what its error says.
+/// Tests the options for files that the window writes and for demonstrations: option, value,
+/// expected error.
 void ExpectWindowFiles()
 {
   const auto isRefused = [](std::string option, std::string value, const std::string& wanted)
@@ -360,7 +365,7 @@ void ExpectWindowFiles()
     ++failures;
   }
 }
-/// A preset of one's own, and files that are none.
+/// Tests a preset file of the user's own, and files that are not presets.
 void ExpectPresetFiles(vtkImageData* head)
 {
   const std::string volume = Image("preset.vti", head);
@@ -397,7 +402,8 @@ void ExpectPresetFiles(vtkImageData* head)
   }
 }
 
-/// What is used of several components is told: of colours the brightness, else the first one.
+/// Expects a note on what is used of several components: the brightness of colours, else the first
+/// component.
 void ExpectComponents(int type, int components, const std::string& told, double first)
 {
   vtkNew<vtkImageData> image;
@@ -423,8 +429,8 @@ void ExpectComponents(int type, int components, const std::string& told, double 
     told + ", but the first value is " + std::to_string(used->GetComponent(0, 0)));
 }
 
-/// Names a pipe, for which a reader would wait for ever, and a device, which never ends, wherever a
-/// file can be named, by another file, too. ctest's time limit fails this test if one is opened.
+/// Names a pipe, on which a reader would wait for ever, and a device, which never ends, wherever a
+/// file can be named, also by another file. ctest's time limit fails this test if either is opened.
 void ExpectPipesAreRefused()
 {
   const std::string pipes = folder + "/pipes";

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// A segmentation and tables of its labels: what is felt, what the summary says, and what cannot be.
-// The .seg.nrrd is made after 3D Slicer's documentation "Segmentation labelmap file format".
+// Tests a segmentation and tables of its labels: what is felt, what the summary says, and which
+// errors are reported. The .seg.nrrd follows 3D Slicer's documentation "Segmentation labelmap file
+// format".
 #include "Applications/Explorer/Options.h"
 #include "Applications/Explorer/Report/TraceSummary.h"
 #include "Expectations.h"
@@ -30,7 +31,8 @@ std::string File(const std::string& name, const std::string& content)
   return path;
 }
 
-/// One label everywhere in the volume, in left-posterior-superior, as the volume itself.
+/// A segmentation with one label everywhere in the volume, in left-posterior-superior as the
+/// volume.
 std::string Segmentation(vtkImageData* volume)
 {
   const int* const size = volume->GetDimensions();
@@ -84,7 +86,8 @@ void Refuse(const Explore::Volume& head, const std::string& segmentation,
     Expect(message.find(word) != std::string::npos, message + " says " + word);
   }
 }
-/// Half balls with the labels 2 and 7 around a middle at 0, in millimetres; with noise, a scan.
+/// Writes two half balls (radius 40 mm, centre 0) with the labels 2 and 7. With noise, the file
+/// looks like a scan, not like a label map.
 std::string LabelMap(const std::string& name, bool isNoisy)
 {
   constexpr int size = 48;
@@ -110,7 +113,7 @@ std::string LabelMap(const std::string& name, bool isNoisy)
   return path;
 }
 
-/// A volume that is a label map is recognised, and felt where its labels meet.
+/// Expects that a label map is recognised, and that its outer surface is felt.
 void ExpectLabelMap(const Explore::Volume& head)
 {
   Expect(!head.MayBeLabels, "a head is no label map");
@@ -129,7 +132,7 @@ void ExpectLabelMap(const Explore::Volume& head)
   vtkDataArray* const contact = felt.Trace->GetPointData()->GetArray("Contact");
   vtkDataArray* const normal = felt.Trace->GetPointData()->GetArray("NormalForce");
   Expect(normal && normal->GetMaxNorm() > 0.3, "the wall of a label is felt");
-  // Where contact begins, the proxy is on the ball, a voxel off at most.
+  // Where contact begins, the proxy is at most a voxel (2 mm) off the ball.
   vtkIdType first = 0;
   while (contact && first < contact->GetNumberOfTuples() && contact->GetComponent(first, 0) == 0.0)
   {
@@ -186,7 +189,7 @@ int TestExploreLabels(int argc, char* argv[])
       std::string::npos,
     "the summary says so: " + summary);
 
-  // The same through VTK's own format.
+  // Read the same labels from VTK's own format.
   vtkNew<vtkImageData> image;
   image->ShallowCopy(volume.Labels);
   volume.LabelTable->WriteFieldData(image->GetFieldData());

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// A volume that is felt from its file is felt as the same in memory, to the bit, in every form that
-// it may have; and what can't be read is told. The files are written byte by byte, after the
-// descriptions of the formats.
+// Expects that a volume felt from its file feels exactly like the same volume in memory, to the
+// bit, in every supported format; and that files that can't be read get a message. The files are
+// written byte by byte, by the descriptions of the formats.
 #include "Applications/Explorer/Live/TouchScene.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
@@ -28,7 +28,7 @@ std::string WriteLarge(const std::string& name, const std::string& content)
   return path;
 }
 
-/// The samples as 16-bit integers, least or most significant byte first.
+/// The samples as 16-bit integers, little endian or big endian (`isBig`).
 std::string MakeSamples(vtkImageData* head, bool isBig)
 {
   vtkDataArray* const values = head->GetPointData()->GetScalars();
@@ -107,7 +107,7 @@ void ExpectLargeError(const std::string& path, const std::string& fault)
     "should say '" + fault + "', but said: " + message);
 }
 
-/// The hand on the surface gets its samples from the file.
+/// Expects that the samples around a hand on the surface are loaded from the file.
 void ExpectFelt(const Explore::Exploration& exploration)
 {
   Explore::TouchScene touch;
@@ -158,7 +158,8 @@ int TestExploreLarge(int argc, char* argv[])
   ExpectSame(large, small, "a MetaImage");
   ExpectFelt(large);
   Expect(!Explore::LoadVolumes({ mhd }).Large, "a small MetaImage is large");
-  // Without a place of their own they are felt where their own images are.
+  // This NRRD header gives no origin, and Zarr gives no spacing either: compare with the head at
+  // the origin, and then with a spacing of 1.
   vtkNew<vtkImageData> moved;
   moved->ShallowCopy(head);
   moved->SetOrigin(0.0, 0.0, 0.0);

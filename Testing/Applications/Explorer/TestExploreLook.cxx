@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// What lies around a body in a CT, such as foam (-700 HU), a blanket (-550 HU) and clothes
-// (-450 HU), is neither seen nor felt in the window: the first surface for the hand and for the eye
-// is the skin, whose middle is where the formula has it. Half of the opacity in front of the eye is
-// that of 1 - exp(-sum), by the definition of vtkVolumeProperty. So it is with grey values: a sheet
-// in front of the body that reaches only the value at which the picture begins is hardly seen, and
-// not felt. Where the body is what is dark, the picture shows the dark.
+// Expects that what lies around a body in a CT, such as foam (-700 HU), a blanket (-550 HU) and
+// clothes (-450 HU), is neither seen nor felt in the window: the first surface for the hand and for
+// the eye is the skin, at the position that the formula gives. The eye sees a surface where half of
+// the opacity, 1 - exp(-sum) by the definition of vtkVolumeProperty, lies in front. Grey values
+// behave alike: a sheet in front of the body whose peak only reaches the value at which the picture
+// begins is hardly seen, and not felt. Where the body is dark, the picture shows the dark.
 #include "Applications/Explorer/Analysis/VolumeAnalysis.h"
 #include "Applications/Explorer/Scene/VolumeLook.h"
 #include "Expectations.h"
@@ -33,7 +33,8 @@ namespace
 constexpr int ROW = 60;          // voxels of 1 mm
 constexpr double SKIN_AT = 30.0; // mm
 
-/// HU along x: air, 10 mm of what lies around, and tissue in which a bone is; edges of 2 mm.
+/// HU along x: air, 10 mm of surrounding material (`around`), and tissue with a bone in it. Edges
+/// are 2 mm wide.
 double HounsfieldAt(double x, double around)
 {
   const auto step = [x](double at) { return 0.5 + 0.5 * std::tanh(x - at); };
@@ -41,7 +42,7 @@ double HounsfieldAt(double x, double around)
     950.0 * step(SKIN_AT + 20.0);
 }
 
-/// Grey values along x: 20, a sheet of 2 mm with this peak, and a body of 180.
+/// Grey values along x: 20, a sheet of 2 mm with the value `peak`, and a body of 180.
 double GreyAt(double x, double peak)
 {
   const double off = (x - SKIN_AT + 12.0) / 0.85;
@@ -63,7 +64,7 @@ vtkSmartPointer<vtkImageData> MakeImage(const Row& valueAt)
   return image;
 }
 
-/// All edges hold: the look alone decides which are felt.
+/// Lets every edge hold, so that the look alone decides which edges are felt.
 void HoldEverywhere(vtkHapticProperty* property)
 {
   property->GetStiffness()->AddPoint(0.0, 400.0);
@@ -71,8 +72,8 @@ void HoldEverywhere(vtkHapticProperty* property)
   property->GetDistinctness()->AddPoint(0.0, 1.0);
 }
 
-/// Where the proxy is when the hand first feels 0.1 N, and where half of the opacity is. Without a
-/// preset, all edges hold.
+/// Computes where the proxy is when the hand first feels 0.1 N, and where half of the opacity is
+/// reached. Without a preset, all edges hold.
 void FeelAndLook(
   const Row& valueAt, const char* preset, double& felt, double& seen, bool isDark = false)
 {

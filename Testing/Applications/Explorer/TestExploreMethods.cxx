@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Every method feels the same path over the same head, with forces that a hand can bear, and the
-// output says which it was.
+// Expects that every method feels the same path over the same head with forces that a hand can
+// bear, and that the output names the method.
 #include "Applications/Explorer/HelpText.h"
 #include "Applications/Explorer/Options.h"
 #include "Applications/Explorer/Report/TraceSummary.h"
@@ -34,7 +34,7 @@ Explore::Options Parse(std::vector<std::string> words)
   return Explore::ParseOptions(static_cast<int>(arguments.size()), arguments.data());
 }
 
-/// The largest norm of an array of the trace in a phase.
+/// The largest norm of an array of the trace during a phase.
 double Largest(const Explore::Exploration& e, const char* array, const std::string& phase)
 {
   vtkDataArray* const values = e.Trace->GetPointData()->GetArray(array);
@@ -53,7 +53,8 @@ double Largest(const Explore::Exploration& e, const char* array, const std::stri
   }
   return largest;
 }
-/// A flow around z, as the only array of a file; and what is said of modes that it does not have.
+/// Explores a flow around z, the only array of its file, and expects errors for modes that a file
+/// without it does not support.
 void ExpectModesOfAFlow(const std::string& head)
 {
   vtkNew<vtkImageData> image;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The head comes out of every format the same way up, at the same place, with the same values,
-// whatever the order of its voxels in the file and the numbers that are stored there.
+// Expects that the head comes out of every format the same way up, at the same place and with the
+// same values, whatever the order of its voxels and the stored numbers in the file.
 #include "Applications/Explorer/Report/ReportFiles.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
@@ -16,7 +16,7 @@ namespace
 {
 void ExpectSamePlace(const std::string& what, vtkImageData* head, vtkImageData* image)
 {
-  // Headers and NIfTI's single precision keep fewer digits than a double.
+  // Text headers and NIfTI's single precision keep fewer digits than a double.
   constexpr double tolerance = 1e-4;
   bool same = head->GetNumberOfPoints() == image->GetNumberOfPoints();
   for (int i = 0; same && i < head->GetDimensions()[0]; i += 3)
@@ -67,7 +67,8 @@ int TestExploreOrientation(int argc, char* argv[])
         " times the stored ones plus " + std::to_string(intercept),
       head, Explore::LoadVolume(WriteNifti(folder, shuffled, slope, intercept)).Image);
   }
-  // As NRRD's and MetaIO's definitions of their headers say; NIfTI's forms are of a patient.
+  // The axes are those of NRRD's and MetaIO's definitions of their headers; NIfTI's forms refer to
+  // a patient.
   const auto axesOf = [](const std::string& path) { return Explore::LoadVolume(path).Axes; };
   Expect(axesOf(WriteNifti(folder, shuffled, 1.0, 0.0)) == Explore::WorldAxes::Patient,
     "a NIfTI form is of a patient");

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Volumes that no preset fits feel as their own edges suggest: the head phantom in 8 bits, and as
-// numbers from 0 to 1. Without edges, the histogram decides, but never in noise of the air.
+// Volumes that no preset fits get materials from their own edges: the head phantom in 8 bits, and
+// as numbers from 0 to 1. Without edges, the histogram decides, but never within the noise of the
+// air.
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/Scene/VolumeLook.h"
 #include "Expectations.h"
@@ -25,7 +26,7 @@
 
 namespace
 {
-/// Hounsfield units from -1000 to 1500 as 0 to `most`.
+/// The head with -1000 to 1500 HU scaled to 0 to `most`.
 Explore::Volume Scaled(const Explore::Volume& head, double most, int type)
 {
   vtkNew<vtkImageShiftScale> scale;
@@ -60,7 +61,7 @@ void ExpectProposal(const std::string& what, const Explore::Volume& volume, doub
   }
   Expect(largest > 0.5 && largest < 20.0, what + ": the path feels it");
 }
-/// The force on the outer surface, as the path feels it.
+/// The largest force (N) on the outer surface along the path.
 double LargestOutside(const Explore::Exploration& e)
 {
   vtkDataArray* const force = e.Trace->GetPointData()->GetArray("NormalForce");
@@ -75,7 +76,7 @@ double LargestOutside(const Explore::Exploration& e)
   return largest;
 }
 
-/// A ball of 40 voxels of 3 mm; values by the distance from its middle (mm).
+/// A volume of 40^3 voxels of 3 mm. The values depend on the distance (mm) from its middle.
 Explore::Volume MakeSoftBall(const std::function<double(double)>& valueAt)
 {
   constexpr int size = 40;
@@ -97,7 +98,8 @@ Explore::Volume MakeSoftBall(const std::function<double(double)>& valueAt)
   return ball;
 }
 
-/// A ball of 20 (mm) in air of 0, with noise that neighbours share, clipped at 0 and in 32 levels.
+/// A ball with the value 20 in air of 0, with noise that neighbours share, clipped at 0 and rounded
+/// to 32 levels. `radius` is in mm.
 Explore::Volume MakeNoisyBall(double radius, double deviation)
 {
   constexpr int size = 40;
@@ -112,7 +114,7 @@ Explore::Volume MakeNoisyBall(double radius, double deviation)
   return MakeSoftBall(
     [&](double r)
     {
-      double noise = 0.0; // of 4 samples along x, with a standard deviation of 1
+      double noise = 0.0; // sum over 4 samples along x; standard deviation 1
       for (std::size_t i = 0; i < 4; ++i)
       {
         noise += 0.5 * white[number + i];
@@ -123,8 +125,8 @@ Explore::Volume MakeNoisyBall(double radius, double deviation)
     });
 }
 
-/// As of a CT that shows contrast medium: the histogram begins in the noise. Between ball and air
-/// it says where the body ends, and no force holds in the noise.
+/// Expects that noise is no body, as in a CT with contrast medium, where the histogram begins in
+/// the noise. The threshold lies between air and ball, and nothing holds in the noise.
 void ExpectNoiseIsNoBody()
 {
   const Explore::Volume ball = MakeNoisyBall(40.0, 1.0);
@@ -144,7 +146,8 @@ void ExpectNoiseIsNoBody()
   Expect(LargestOutside(felt) > 0.5, "the ball is felt");
 }
 
-/// The noise in which "Micro-CT" has no wall is not seen, though the histogram begins in it.
+/// Expects that the noise in which "Micro-CT" has no wall is not seen, although the histogram
+/// begins in it.
 void ExpectNoiseIsHidden()
 {
   Explore::Settings settings;
@@ -159,9 +162,9 @@ void ExpectNoiseIsHidden()
   Expect(look->GetScalarOpacity()->GetValue(15.0) > 0.5, "the ball is seen");
 }
 
-/// What a hand presses is what it feels, also if edges are several voxels wide, run into each other
-/// or are none. The hand presses 2.5 mm deep: 500 N/m give at most 1.25 N, and less since a kernel
-/// of scale s sees the edge of a ball of radius R about s^2/R (1.4 mm) inside.
+/// Expects the force that the pressed depth implies, also if edges are several voxels wide, merge,
+/// or are missing. The hand presses 2.5 mm deep: 500 N/m give at most 1.25 N, and less because a
+/// kernel of scale s sees the edge of a ball of radius R about s^2/R (1.4 mm) further inside.
 void ExpectSoftSurfaces()
 {
   const auto edge = [](double r, double radius, double width)

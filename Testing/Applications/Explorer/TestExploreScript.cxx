@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The mouse of a demonstration is where its script says, wherever the real pointer is.
+// Expects that the mouse of a demonstration is where its script says, wherever the real pointer is.
 #include "Applications/Explorer/Record/DemoScript.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
@@ -33,7 +33,7 @@ int TestExploreScript(int argc, char* argv[])
       auto* const at = static_cast<vtkRenderWindowInteractor*>(caller);
       const int* const place = at->GetEventPosition();
       static_cast<std::vector<Place>*>(to)->push_back({ place[0], place[1] });
-      // As X11 does, when the real pointer enters the window.
+      // Sets another position, as X11 does when the real pointer enters the window.
       at->SetEventInformation(3, 5);
     });
   for (const unsigned long event : { vtkCommand::MouseMoveEvent, vtkCommand::KeyPressEvent,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// A volume that moves, in every form that it may have: time steps, times and voxels are those that
-// were written, and the window plays them.
+// Expects that a moving volume, in every supported form, is read with the time steps, times and
+// voxels that were written, and that the window plays it.
 #include "Expectations.h"
 #include "HeadExploration.h"
 #include "Rigs/Eventually.h"
@@ -23,7 +23,7 @@ namespace
 {
 constexpr int COUNT = 3;
 
-/// The head, with values that tell its time step.
+/// The head, with values that identify its time step.
 vtkSmartPointer<vtkImageData> MakeFrame(vtkImageData* head, int number)
 {
   auto timeStep = vtkSmartPointer<vtkImageData>::New();
@@ -36,8 +36,7 @@ vtkSmartPointer<vtkImageData> MakeFrame(vtkImageData* head, int number)
   return timeStep;
 }
 
-/// The head, which goes up by so many slices from time step to time step; and that, as
-/// displacements.
+/// The head lifted by `slices` slices a time step, with the motion as an array of displacements.
 vtkSmartPointer<vtkImageData> MakeLiftedFrame(vtkImageData* head, int number, int slices)
 {
   auto timeStep = vtkSmartPointer<vtkImageData>::New();
@@ -113,7 +112,7 @@ void ExpectError(const std::vector<std::string>& paths, const std::string& fault
     "should say '" + fault + "', but said: " + message);
 }
 
-/// How many messages of a kind a filter gave, instead of on the terminal.
+/// Counts a filter's messages of one kind and keeps them off the terminal.
 struct MessageCount
 {
   MessageCount(vtkVolumeHapticsFilter* filter, unsigned long kind)
@@ -124,7 +123,8 @@ struct MessageCount
   int Count = 0;
 };
 
-/// Time step after time step is felt and seen, with an array of displacements or none.
+/// Expects that every time step is felt and seen. `displacements` names their array, if there is
+/// one.
 void ExpectPlaying(const std::vector<std::string>& paths, const std::string& displacements = "")
 {
   Explore::Volume volume = Explore::LoadVolumes(paths);
@@ -169,7 +169,7 @@ int TestExploreSeries(int argc, char* argv[])
   const vtkSmartPointer<vtkImageData> head = LoadHead(argc, argv);
   std::vector<std::string> files;
   vtkNew<vtkImageAppendComponents> times;
-  // In the order of names without numbers, 10 would come first.
+  // Use names in which an order without regard to numbers would put 10 first.
   const char* const names[COUNT] = { "phases/at2.vti", "phases/at9.vti", "phases/at10.vti" };
   for (int i = 0; i < COUNT; ++i)
   {

@@ -24,7 +24,7 @@ std::string Ply(const std::string& format, const std::string& points, const std:
     "\nproperty list uchar int vertex_indices\nend_header\n";
 }
 
-/// A triangle with the arrays of a recording.
+/// A .vtp file with one triangle and the arrays of a recording.
 std::string Vtp(
   const std::string& points, const std::string& ids, const std::string& axes, const char* force)
 {
@@ -43,7 +43,7 @@ std::string Vtp(
     "</Polys></Piece></PolyData></VTKFile>\n";
 }
 
-/// Reads a file, or says why not.
+/// Reads a file, and expects success (an empty `fault`) or a message that contains `fault`.
 void ExpectShape(const std::string& name, const std::string& content, const std::string& fault)
 {
   const std::string path = WriteText(name, content);
@@ -86,7 +86,7 @@ int TestExploreShapes(int argc, char* argv[])
   folder = MakeTestFolder(argc, argv, "ExploreShapes");
   const std::string absent = "point that does not exist", promise = "promises elements";
   const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
-  const std::string zeros(40, '\0'); // of three points, which take 36 bytes
+  const std::string zeros(40, '\0'); // 36 bytes for three points, 4 for empty faces
   ExpectShape("good.obj", Solid + "3\n", "");
   ExpectShape("points.obj", Solid + "999999999\n", absent);
   ExpectShape("good.ply", Ply("ascii", "3", "1") + points + "3 0 1 2\n", "");
@@ -113,7 +113,7 @@ int TestExploreShapes(int argc, char* argv[])
   ExpectRecording(
     head, "huge.vtp", Vtp("900000000000", "0 1 2", "3", forces), "is no recording of a touch (");
 
-  // A recording that can't be read again, as it is a table.
+  // Saving a recording as a table is refused, as a table can't be read again.
   std::string message;
   try
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is heard on the head phantom: its skin over fat, a temple and the skull, where its
-// description (Data/README.md) has fat, muscle and bone; and where nothing may be heard.
+// Tests the sound on the head phantom: skin over fat, a temple (muscle) and the skull (bone), at
+// the places that its description (Data/README.md) gives; and silence where nothing may be heard.
 #include "Applications/Explorer/Exploration/HeardTicks.h"
 #include "Applications/Explorer/Options.h"
 #include "Applications/Explorer/Report/TraceSound.h"
@@ -44,8 +44,9 @@ void Feel(Exploration& exploration, vtkPoints* points)
   exploration.Trace->DeepCopy(exploration.Filter->GetOutput());
 }
 
-/// Presses from outside towards the head's axis, at a height and an angle, until so deep below the
-/// first contact, and slides upwards by 15 mm. Returns the tick in which the slide begins.
+/// Presses from outside towards the head's axis at a height (mm) and an angle, to `depth` (mm)
+/// below the first contact, and slides upwards by 15 mm. Returns the tick in which the slide
+/// begins.
 vtkIdType Stroke(Exploration& exploration, double height, double degrees, double depth)
 {
   const double x = std::cos(degrees * PI / 180.0), y = std::sin(degrees * PI / 180.0);
@@ -80,11 +81,12 @@ vtkIdType Stroke(Exploration& exploration, double height, double degrees, double
 
 std::vector<float> Cut(const std::vector<float>& sound, vtkIdType from, vtkIdType to)
 {
-  constexpr vtkIdType samples = Explore::SAMPLES_PER_SECOND / 1000; // a tick
+  constexpr vtkIdType samples = Explore::SAMPLES_PER_SECOND / 1000; // samples per tick
   return { sound.begin() + from * samples, sound.begin() + to * samples };
 }
 
-/// The mean frequency of the sound of some ticks, which have to slide on values of a tissue.
+/// The mean frequency (Hz) of the sound of a range of ticks. Most of these ticks must slide on
+/// values from `low` to `high` (HU).
 double Hear(const Exploration& exploration, vtkIdType from, vtkIdType to, double low, double high,
   const std::string& tissue)
 {
@@ -105,14 +107,15 @@ void CheckTissues(int argc, char* argv[])
   Explore::Settings settings;
   settings.Preset = "CT contrast";
   Exploration exploration = ExploreHead(argc, argv, settings);
-  // The voxels are thicker than skin and fat: only the kernel's values are theirs.
+  // Skin and fat are thinner than a voxel: only values from the kernel placement belong to them.
   exploration.Filter->SetMaterialPlacementToKernel();
   exploration.Filter->SetContactAlignmentToDistinctness();
   constexpr vtkIdType start = 100; // ticks
   vtkIdType begin = Stroke(exploration, -110.0, 30.0, 6.0);
   const double skin =
     Hear(exploration, begin + start, begin + SLIDE, -150.0, -80.0, "skin over fat (neck)");
-  // Where the muscle under the fat holds: deeper, the hand goes through it.
+  // Press 10 mm deep, where the muscle under the fat holds. A hand pressed deeper breaks through
+  // it.
   begin = Stroke(exploration, 40.0, 0.0, 10.0);
   const double muscle =
     Hear(exploration, begin + start, begin + SLIDE, 35.0, 80.0, "muscle (temple)");
@@ -123,7 +126,7 @@ void CheckTissues(int argc, char* argv[])
     [](const Explore::Phase& phase) { return phase.Name == "slide inside"; });
   const vtkIdType middle = (inside->First + inside->Last) / 2;
   const double bone = Hear(exploration, middle - 250, middle + 250, 350.0, 3000.0, "bone (skull)");
-  const double third = std::cbrt(2.0); // of an octave
+  const double third = std::cbrt(2.0); // a third of an octave
   Expect(muscle > third * skin, "muscle is brighter than skin by a third of an octave");
   Expect(bone > third * muscle, "bone is brighter than muscle by a third of an octave");
 }
@@ -149,7 +152,7 @@ void CheckPath(int argc, char* argv[])
   Explore::WriteSound(exploration, file);
   Expect(vtksys::SystemTools::FileLength(file) == 44 + 2 * sound.size(), "a head and samples");
 
-  // A device gets only a share of the force: half of it while it ramps, none if it is disarmed.
+  // A device plays only a share of the force: half of it while it ramps, none if it is disarmed.
   vtkDataArray* const force = trace->GetPointData()->GetArray("Force");
   vtkNew<vtkDoubleArray> command;
   command->SetName("Command");

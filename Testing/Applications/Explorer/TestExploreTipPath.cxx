@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The planned path is one that a hand can follow, and it touches what it should.
+// Expects that a hand can follow the planned path, and that the path touches the tissues it should.
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
@@ -15,7 +15,7 @@
 
 namespace
 {
-/// The fastest tick of the path and the hardest change of speed, in m/s and m/s^2.
+/// Computes the highest speed (m/s) and acceleration (m/s^2) along the path.
 void Motion(const Explore::Exploration& e, double& speed, double& acceleration)
 {
   double last[3] = { 0, 0, 0 };
@@ -36,8 +36,8 @@ void Motion(const Explore::Exploration& e, double& speed, double& acceleration)
   }
 }
 
-/// The tissues that an array of the trace names while in contact during a phase: `Value` at the
-/// proxy, or `SurfaceValue`, which it feels.
+/// The tissues in contact during a phase, by an array of the trace: `Value` at the proxy, or
+/// `SurfaceValue`, the value of the surface that is felt.
 std::set<std::string> Touched(
   const Explore::Exploration& e, const std::string& phase, const char* array)
 {

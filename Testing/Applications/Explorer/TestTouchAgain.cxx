@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Another volume in the same window has its picture where the hand is: the renderers of the second
-// scene lie in the memory of the first one's, as they may after F2, and each has the aspect ratio
-// of its own size. VTK 9.1 leaves the members uninitialised that tell if the ratio is up to date.
+// Expects that a second volume in the same window is drawn where the hand is. The renderers of the
+// second scene use the memory of the first scene's, as may happen after F2, and each must have the
+// aspect ratio of its own size. VTK 9.1 leaves the members uninitialised that tell whether the
+// ratio is up to date.
 #include "Applications/Explorer/Live/TouchScene.h"
 #include "Applications/Explorer/View/LoadingScreen.h"
 #include "HeadExploration.h"
@@ -23,7 +24,7 @@
 
 namespace
 {
-/// A renderer in the memory of the one that was deleted last, as that one left it.
+/// A renderer that is created in the memory of the last deleted one, with its old content.
 class ReusedRenderer : public vtkOpenGLRenderer
 {
 public:
@@ -75,7 +76,7 @@ protected:
 };
 vtkStandardNewMacro(ReusedRendererFactory);
 
-/// How many renderers of the window have another aspect ratio than that of their size.
+/// Counts renderers of the window whose aspect ratio differs from that of their size.
 int CountWrong(vtkRenderWindow* window)
 {
   int wrong = 0;
@@ -88,7 +89,7 @@ int CountWrong(vtkRenderWindow* window)
     const double* const aspect = renderer->GetAspect();
     const int* const size = renderer->GetSize();
     const double expected = static_cast<double>(size[0]) / size[1];
-    if (std::abs(aspect[0] / aspect[1] - expected) > 0.02 * expected) // whole pixels
+    if (std::abs(aspect[0] / aspect[1] - expected) > 0.02 * expected) // rounded to pixels
     {
       std::cerr << size[0] << " x " << size[1] << " has the aspect ratio " << aspect[0] / aspect[1]
                 << "\n";
@@ -98,7 +99,7 @@ int CountWrong(vtkRenderWindow* window)
   return wrong;
 }
 
-/// The window of Explore::RunTouchWindow, off the screen.
+/// Builds the scene as Explore::RunTouchWindow does, off the screen, and counts wrong renderers.
 int CountWrongInScene(vtkRenderWindow* window, const Explore::Exploration& exploration)
 {
   window->SetOffScreenRendering(1);

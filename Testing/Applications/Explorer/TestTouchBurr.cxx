@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// A burr in the explorer's window: the hole that it drills into the forehead is seen, though the
-// picture is of a copy in which what is not the body is hidden; and undone, it is gone.
+// Drills into the forehead with a burr in the explorer's window. The hole is seen, although the
+// picture shows a copy of the volume without what is not body; after undo it is gone.
 #include "Applications/Explorer/Live/HandTool.h"
 #include "Expectations.h"
 #include "Rigs/DrawnPixels.h"
@@ -29,12 +29,12 @@ constexpr int X = 165; // pixels, the forehead
 constexpr int Y = 160;
 constexpr int Around = 12;
 
-/// The volume around the pointer, without the hand; in the file it is seen whole.
+/// Returns the picture around the pointer without the hand, and writes the whole picture to `file`.
 std::vector<double> Draw(TouchedHead& head, const std::string& file)
 {
   head.Touch.Style->TouchModeOff();
   Explore::ExplorerScene& scene = head.Touch.Scene;
-  for (int i = 0; i < 4; ++i) // the first one may come before the texture
+  for (int i = 0; i < 4; ++i) // the texture may be missing in the first frame
   {
     head.Touch.Style->UpdateHaptics();
     vtkPropCollection* const props = scene.Renderer->GetViewProps();
@@ -57,7 +57,7 @@ std::vector<double> Draw(TouchedHead& head, const std::string& file)
   return apitest::ReadPixels(scene.Window, X - Around, Y - Around, X + Around, Y + Around);
 }
 
-/// Pixels that differ clearly.
+/// Counts pixels that differ clearly.
 int CountChanges(const std::vector<double>& a, const std::vector<double>& b)
 {
   int count = 0;

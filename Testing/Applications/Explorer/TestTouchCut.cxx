@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// A head that is cut open: keys and mouse cut, what is cut away is not felt, and the mouse is the
-// handle's while it drags one. The picture shows the box of which a face was dragged; the brain in
-// the cut face, whose gradients point anywhere, is not black in it.
+// Cuts a head open: keys and mouse cut, what is cut away is not felt, and a drag that begins on a
+// handle moves only the handle. The picture shows the box after a face was dragged. The brain in
+// the cut face, whose gradients have any direction, must not be black.
 #include "TouchedHead.h"
 
 #include "vtkMatrix4x4.h"
@@ -46,7 +46,7 @@ struct CutHead : TouchedHead
     this->Mapper->GetCroppingRegionPlanes(planes.data());
     return planes;
   }
-  /// What the mapper hides, as a position in the picture: of the middle of a face of the box.
+  /// Computes where the middle of a face of the mapper's box is in the picture (pixels).
   void ComputeFace(int face, int display[2])
   {
     const std::array<double, 6> planes = this->GetPlanes();
@@ -70,7 +70,8 @@ struct CutHead : TouchedHead
     }
     this->Event(from[0] + dx, from[1] + dy, vtkCommand::LeftButtonReleaseEvent);
   }
-  /// Whether the filter has the mapper's regions: its own are along the axes of the image.
+  /// Whether the filter crops the mapper's regions. The filter's planes are in the image's
+  /// coordinates: the mapper's planes plus the image's origin.
   bool FeelsRegions()
   {
     vtkVolumeHapticsFilter* const filter = this->Exploration.Filter;
@@ -84,7 +85,7 @@ struct CutHead : TouchedHead
     }
     return isSame;
   }
-  /// Whether a position (world) is cut away by the box, by more than a voxel.
+  /// Whether a position (world) is in the box that is cut away, by more than a voxel.
   bool IsCutAway(const double world[3])
   {
     vtkNew<vtkMatrix4x4> toVolume;
@@ -100,7 +101,7 @@ struct CutHead : TouchedHead
     }
     return isInside;
   }
-  /// The proxy of a hand that presses in there.
+  /// Presses there and returns the proxy.
   std::array<double, 3> Touches(int x, int y)
   {
     this->TouchAt(x, y, [&] { this->TouchedHead::Press(x, y, 4); });
@@ -121,7 +122,7 @@ struct CutHead : TouchedHead
   }
 };
 
-/// A plane that the key x makes, and X turns over, is the same object for eye and hand.
+/// Expects that hand and eye use the same plane object, made by the key x and turned over by X.
 void CutByPlane(CutHead& head)
 {
   head.Press('x', "x");
@@ -144,7 +145,7 @@ void CutByPlane(CutHead& head)
   head.Expect(IsSame(vtkMath::Dot(before, plane->GetNormal()), -1.0), "X keeps the other part");
 }
 
-/// The handle of a face moves that face, and nothing else that the mouse could move.
+/// Expects that dragging the handle of a face moves that face, and nothing else.
 void DragFace(CutHead& head)
 {
   vtkCamera* const camera = head.Touch.Scene.Renderer->GetActiveCamera();
@@ -163,7 +164,7 @@ void DragFace(CutHead& head)
     std::equal(before.begin(), before.begin() + 5, after.begin(), IsSame), "the other faces stay");
   head.Expect(eye == eyeAfter, "the camera stays");
   head.Expect(head.FeelsRegions(), "the filter follows the handle");
-  head.Drag(at, 0, 40); // the handle is no longer there
+  head.Drag(at, 0, 40); // the handle has moved away from here
   head.Expect(!(eye == (camera->GetPosition(eyeAfter.data()), eyeAfter)),
     "beside the handles the mouse turns the camera");
   head.Drag(at, 0, -40);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The explorer's window: the tip is pressed through the skin of the forehead, the proxy stays on
-// the surface, arrows show the force.
+// Presses the tip through the skin of the forehead in the explorer's window. The proxy stays on the
+// surface, and arrows show the force.
 #include "TouchedHead.h"
 
 #include "vtkRegressionTestImage.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The surface that the hand meets first is the one that the eye sees first: half of the opacity
-// along the ray of sight is within a voxel of the proxy. Key O shows the inside, and the hand goes
-// through the skin, which is hidden, to the skull.
+// Expects that hand and eye meet the same surface first: along the ray of sight, half of the
+// opacity lies within a voxel of the proxy. Key O shows the inside; the hand then goes through the
+// hidden skin to the skull.
 #include "Applications/Explorer/Analysis/ValueProbe.h"
 #include "Applications/Explorer/Live/LookSwitch.h"
 #include "TouchedHead.h"
@@ -17,8 +17,9 @@
 
 namespace
 {
-/// How many voxels behind the proxy, seen from the camera, half of the opacity is, by the
-/// definition of vtkVolumeProperty: a layer of the unit distance has the function's opacity.
+/// Computes how many voxels behind the proxy, along the ray from the camera, half of the opacity is
+/// reached. By the definition of vtkVolumeProperty, a layer of the unit distance has the function's
+/// opacity.
 double MeasureHalfOpacity(TouchedHead& head)
 {
   vtkVolumeProperty* const look = head.Touch.Scene.Look;
@@ -48,7 +49,7 @@ double MeasureHalfOpacity(TouchedHead& head)
   return (step * static_cast<double>(half) - reach) / head.Exploration.Values.Voxel;
 }
 
-/// Presses until something holds; false if nothing does.
+/// Presses until there is contact. Returns false without contact.
 bool Meet(TouchedHead& head, int x, int y)
 {
   for (int i = 0; i < 12 && head.Touch.Device->GetState()->GetContact() == 0; ++i)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Functions that were edited in a window and not saved come back in the next one: those of the
-// materials, and the opacity; and so do measurements, which do not take the place of those that
-// were made since. Without changes, nothing is kept.
+// Expects that the next window offers functions that were edited and not saved (materials and
+// opacity), and unsaved measurements, which never replace newer ones. Without changes, nothing is
+// kept.
 #include "Applications/Explorer/Live/KeptWork.h"
 #include "TouchedHead.h"
 
@@ -17,7 +17,7 @@
 
 namespace
 {
-/// A window with what keeps its work.
+/// A window with the parts that keep its work.
 struct KeptHead : TouchedHead
 {
   KeptHead(int argc, char* argv[], const std::string& file = "")
@@ -49,7 +49,7 @@ struct KeptHead : TouchedHead
   Explore::KeptWork Kept;
 };
 
-/// Of points, this one alone.
+/// Whether the list has this point and nothing else.
 bool HasOnly(vtkHapticMeasurements* list, const double point[3])
 {
   if (list->GetNumberOfMeasurements() != 1)
@@ -103,7 +103,7 @@ int TestTouchKept(int argc, char* argv[])
       isRight;
     const bool isUnasked = head.GetOpacity()->GetValue(77.0) == 0.77;
     isRight = Expect(!isUnasked, "they came back unasked") && isRight;
-    // Those of the outside, whatever is shown.
+    // F11 restores the functions of the outside, whether or not the inside is shown.
     head.Press('O', "O");
     isRight = Expect(head.GetOpacity()->GetValue(40.0) == 0.0, "O shows no inside") && isRight;
     vtkHapticMeasurements* const list = head.Touch.Measurements;

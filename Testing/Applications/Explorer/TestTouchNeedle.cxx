@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// A needle in the explorer's window: pressed into the forehead, key T writes its track; on a full
-// disk it says so, and leaves no file.
+// Presses a needle into the forehead in the explorer's window. Key T writes its track. On a full
+// disk, it reports that and leaves no file.
 #include "Applications/Explorer/Live/HandTool.h"
 #include "Expectations.h"
 #include "Rigs/FullDisk.h"
@@ -17,7 +17,7 @@
 
 namespace
 {
-/// The text that a key prints.
+/// Presses a key and returns the text that it prints.
 std::string PressKey(TouchedHead& head, char key)
 {
   std::ostringstream text;
@@ -37,7 +37,7 @@ bool Contains(const std::string& text, const std::string& part)
 int TestTouchNeedle(int argc, char* argv[])
 {
   TouchedHead head(argc, argv, Explore::MapperChoice::CPU);
-  // The program writes to where it runs.
+  // Run in the test's folder, as the program writes to the current folder.
   const std::filesystem::path file =
     std::filesystem::path(MakeTestFolder(argc, argv, "TouchNeedle")) / "track-001.vtp";
   std::filesystem::remove(file);

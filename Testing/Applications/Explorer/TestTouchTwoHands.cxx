@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The explorer's window with two devices: both are felt and seen at once, the display tells of
+// Opens the explorer's window with two devices: both are felt and seen at once, the display reports
 // both, and only the first hand holds the tool.
 #include "Applications/Explorer/Live/FreeFile.h"
 #include "Applications/Explorer/Live/WindowFiles.h"
@@ -21,7 +21,7 @@
 
 namespace
 {
-/// Pixels that differ clearly with and without the second hand.
+/// Counts pixels that change clearly with the second hand.
 int CountSecondHand(TouchedHead& head)
 {
   vtkRenderWindow* const window = head.Touch.Scene.Window;
@@ -36,7 +36,7 @@ int CountSecondHand(TouchedHead& head)
   int count = 0;
   for (std::size_t i = 0; i + 2 < with.size(); i += 3)
   {
-    // It is lilac: more blue than green, and more red than green.
+    // The second hand is lilac: more blue than green, and more red than green.
     const bool isLilac = with[i + 2] > with[i + 1] + 20.0 && with[i] > with[i + 1] + 5.0;
     count += isLilac && std::abs(with[i + 2] - without[i + 2]) > 10.0 ? 1 : 0;
   }
@@ -61,7 +61,7 @@ int TestTouchTwoHands(int argc, char* argv[])
       std::copy_n(head.Touch.Device->GetState()->GetProxyPosition(), 3, start);
     });
   Expect(head.Touch.Device->GetState()->GetContact() != 0, "the first hand touches");
-  // Out of the face is -y: from there, beside the first hand, into the skin.
+  // Begin beside the first hand, outside the face (-y), and press into the skin.
   second->GetVirtualHand()->SetPosition(start[0] + 25.0, start[1] - 30.0, start[2]);
   head.Run(200);
   second->Arm();

@@ -13,7 +13,7 @@
 #include <chrono>
 #include <thread>
 
-/// The explorer's window on the head phantom, off the screen, with a hand at the mouse.
+/// The explorer's window on the head phantom, off the screen; the mouse moves the hand.
 struct TouchedHead
 {
   TouchedHead(
@@ -29,7 +29,7 @@ struct TouchedHead
     this->Touch.Scene.Renderer->GetActiveCamera()->Zoom(2.2);
     this->Interactor->SetRenderWindow(this->Touch.Scene.Window);
     this->Interactor->SetInteractorStyle(this->Touch.Style);
-    // The text of a live servo is never the same twice.
+    // Hide the text and the plot of the live servo, which differ in every run.
     this->Touch.Display->SetTextVisibility(0);
     this->Touch.Display->SetPlotVisibility(0);
   }
@@ -40,7 +40,7 @@ struct TouchedHead
     this->Interactor->SetEventInformation(x, y);
     this->Interactor->InvokeEvent(event);
   }
-  /// The GUI's timer, for some ticks of the servo.
+  /// Runs the GUI's timer until the servo has made some ticks.
   void Run(vtkIdType ticks)
   {
     const vtkIdType end = this->Touch.Device->GetState()->GetTick() + ticks;
@@ -51,8 +51,8 @@ struct TouchedHead
       this->Pauses.Look(this->Touch.Device);
     }
   }
-  /// Does something with the pointer there in the touch mode, from the start until no pause of the
-  /// loop came between.
+  /// Calls `act` in touch mode with the pointer at (x, y). Repeats it if a pause held up the
+  /// servo's loop meanwhile.
   template <typename F>
   void TouchAt(int x, int y, F&& act)
   {
@@ -66,7 +66,7 @@ struct TouchedHead
       act();
     }
   }
-  /// Presses in there by some steps of the wheel.
+  /// Moves the hand into the tissue there by some steps of the wheel.
   void Press(int x, int y, int steps)
   {
     for (int i = 0; i < steps; ++i)
@@ -74,7 +74,7 @@ struct TouchedHead
       this->Event(x, y, vtkCommand::MouseWheelForwardEvent);
       this->Run(20);
     }
-    this->Run(600); // the ramp after arming
+    this->Run(600); // until the ramp after arming is over
   }
 
   Explore::Exploration Exploration;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// The sound of contact against the closed forms of its class comment: those of a damped
-/// oscillation (A. P. French, Vibrations and Waves, 1971, chapter 4: its spectrum is largest at
-/// sqrt(w^2 - a^2)), and of white noise behind band-passes, by numerical integration. Spectra are
-/// sums by the definition of the Fourier transform.
+/// Compares the sound of contact with the closed forms of its class comment: a damped oscillation
+/// (A. P. French, Vibrations and Waves, 1971, chapter 4: its spectrum is largest at sqrt(w^2 -
+/// a^2)), and white noise behind band-passes, integrated numerically. Spectra are sums by the
+/// definition of the Fourier transform.
 
 #include "Applications/Explorer/Sound/ContactSound.h"
 #include "Spectrum.h"
@@ -23,12 +23,12 @@ using Explore::SurfaceContact;
 namespace
 {
 
-constexpr double FAT_STRENGTH = 1.0; // N, as in the preset "CT contrast"; so are the others
+constexpr double FAT_STRENGTH = 1.0; // N; strengths as in the preset "CT contrast"
 constexpr double MUSCLE_STRENGTH = 2.2;
 constexpr double BONE_STRENGTH = 12.0;
 constexpr double STIFFNESS = 400.0;
 
-/** A hand that does something for a while: ticks of 1 ms, and what is heard of them. */
+/** Plays ticks of 1 ms of a hand's contact, and keeps the sound that they make. */
 struct Hand
 {
   SoundTick Tick;
@@ -70,7 +70,7 @@ struct Hand
     this->Tick.Speed = watts / 0.4;
     this->Do(seconds);
   }
-  /** What was heard since a time (s). */
+  /** The sound from a time (s) on. */
   std::vector<float> Since(double seconds) const
   {
     return { this->Heard.begin() + static_cast<std::ptrdiff_t>(seconds * RATE), this->Heard.end() };
@@ -101,7 +101,7 @@ struct Hand
   }
 };
 
-/** A first touch and nothing else: what is heard from the strike on, 5 ms later. */
+/** The sound of a single first touch, from the impact on (5 ms after the touch). */
 std::vector<float> Click(double strength, double stiffness, double newtons)
 {
   Hand hand(strength, stiffness);
@@ -142,7 +142,7 @@ TEST(ContactSound, RingsAtThePitch)
 TEST(ContactSound, DecaysAsItSays)
 {
   const std::vector<float> y = Click(FAT_STRENGTH, STIFFNESS, 0.02);
-  // Periods of 96 samples: the ratio of the effective values of two of them, 14 periods apart.
+  // A period is 96 samples. Compare the effective values of two periods that are 14 periods apart.
   const auto effective = [&y](std::size_t first)
   {
     double sum = 0.0;
@@ -159,7 +159,7 @@ TEST(ContactSound, IsLouderTheHarderTheTouch)
 {
   const double omega = 2.0 * PI * 500.0;
   const double decay = 1.0 / 0.015;
-  const double first = std::atan(omega / decay) / omega; // s, of the first maximum
+  const double first = std::atan(omega / decay) / omega; // s, time of the first maximum
   for (const double newtons : { 0.01, 0.1, 1.0 })
   {
     const std::vector<float> y = Click(FAT_STRENGTH, STIFFNESS, newtons);
@@ -184,7 +184,7 @@ TEST(ContactSound, HasTheLoudnessOfTheFrictionPower)
     }
     const double power = watts - 1e-6;
     const double expected = 0.15 * std::sqrt(power / (power + 0.02));
-    // 5 s of a band of some 400 Hz are 4000 values.
+    // 5 s of noise in a band of some 400 Hz amount to about 4000 independent values.
     EXPECT_NEAR(std::sqrt(sum / static_cast<double>(y.size())), expected, 0.05 * expected);
   }
 }
@@ -286,7 +286,8 @@ TEST(ContactSound, ClicksWhereASurfaceIsPierced)
   EXPECT_TRUE(press(SurfaceContact::Sticking, 0.02).IsSilent(0.0)) << "withdrawn";
   EXPECT_TRUE(press(SurfaceContact::Sliding, 0.02).IsSilent(0.0)) << "withdrawn";
   EXPECT_TRUE(press(SurfaceContact::Penetrating, 0.02).IsSilent(0.8));
-  // At 2 s for 2 N the force is above half of its peak while it is above 50 ms of fall: 0.05 N.
+  // The force falls by 1 N/s. Its peak decays with a time constant of 50 ms and stays about 0.05 N
+  // above the force, which therefore falls below half of the peak only at about 0.05 N.
   EXPECT_LT(press(SurfaceContact::Penetrating, 2.0).Peak(0.0), 0.3) << "gives way slowly";
 }
 
@@ -333,7 +334,7 @@ TEST(ContactSound, NeverExceedsItsBound)
 
 TEST(ContactSound, BeginsAndEndsWithoutACrack)
 {
-  // The slope of 0.6 sin(2 pi f t), f at the highest pitch of a preset.
+  // The largest step is the slope of 0.6 sin(2 pi f t), with f the highest pitch of a preset.
   const double pitch = 500.0 * std::sqrt(BONE_STRENGTH);
   Hand click(BONE_STRENGTH);
   click.Leave(0.1);
@@ -346,6 +347,7 @@ TEST(ContactSound, BeginsAndEndsWithoutACrack)
   const double steady = noise.LargestJump(0.5);
   noise.Leave(0.5);
   EXPECT_GT(steady, 0.0);
-  // The noise stays below six effective values, which change by 1 in 240 samples.
+  // The noise stays below six effective values. The effective value changes by at most 1 in 240
+  // samples.
   EXPECT_LE(noise.LargestJump(0.0), steady + 6.0 / 240.0);
 }

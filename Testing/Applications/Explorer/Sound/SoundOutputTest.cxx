@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// What comes out of a real sound server; one that is not there, dies or hangs. The pitch that is
-/// expected is that of the class comment of ContactSound, 500 Hz sqrt(12) for bone.
+/// Tests what a real sound server plays, and a server that is missing, dies or hangs. The expected
+/// pitch is that of the class comment of ContactSound, 500 Hz sqrt(12) for bone.
 
 #include "Applications/Explorer/Sound/SoundOutput.h"
 #include "Applications/Explorer/Sound/SoundStream.h"
@@ -23,7 +23,7 @@ using Explore::SoundTick;
 namespace
 {
 
-/** Taps on bone, three a second, in bursts of 20 ms, for as long as a condition holds. */
+/** Taps on bone three times a second, in bursts of 20 ms, while a condition holds. */
 template <typename F>
 void Tap(SoundStream& stream, F&& goesOn)
 {
@@ -104,7 +104,7 @@ TEST_F(Output, IsWhatWasRendered)
   std::memcpy(heard.data(), bytes.data(), heard.size() * sizeof(float));
   EXPECT_GT(*std::max_element(heard.begin(), heard.end()), 0.2f);
   EXPECT_LE(*std::max_element(heard.begin(), heard.end()), 0.3f) << "0.6 J / (J + 0.1 N)";
-  // From one click, since several of them interfere.
+  // Analyse one click, since several clicks interfere.
   const auto click = std::find_if(heard.begin(), heard.end(), [](float x) { return x > 0.15f; });
   std::vector<float> one(click, std::min(click + 4000, heard.end()));
   const double pitch = 500.0 * std::sqrt(12.0);
@@ -142,7 +142,7 @@ TEST_F(Output, DoesNotWaitForAServerThatHangs)
     TapFor(this->Stream, 20);
   }
   {
-    const auto output = SoundOutput::Open(this->Stream); // answers nothing
+    const auto output = SoundOutput::Open(this->Stream); // the server does not answer
     TapFor(this->Stream, 20);
     EXPECT_EQ(output->DrainTrouble(), "");
   }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * PulseAudio's own server, without a loudspeaker: it records what it is given. It has neither the
- * configuration of the computer nor anything of the user, and ends with the test.
+ * Runs a PulseAudio server without a loudspeaker, which records what it is given. It uses neither
+ * the computer's nor the user's configuration, and ends with the test.
  */
 #ifndef SoundServer_h
 #define SoundServer_h
@@ -60,7 +60,7 @@ public:
       this->Wait();
     }
   }
-  /** Waits until it ends by itself; its exit status. */
+  /** Waits until the program ends by itself. Returns its exit status. */
   int Wait()
   {
     int status = -1;
@@ -101,7 +101,7 @@ public:
   SoundServer(const SoundServer&) = delete;
   SoundServer& operator=(const SoundServer&) = delete;
 
-  /** What it is playing, one line for each stream. */
+  /** Lists the streams that are playing, one line each. */
   static std::string ListStreams()
   {
     const std::string file = TemporaryPath("streams");
@@ -117,7 +117,10 @@ public:
   }
 
 private:
-  /** Not in the folder of the build, whose path may be longer than a socket's (107 characters). */
+  /**
+   * The server's folder. It is outside the build folder, whose path may be longer than a socket's
+   * may be (107 characters).
+   */
   const std::string Folder;
 
 public:

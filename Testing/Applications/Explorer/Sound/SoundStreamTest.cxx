@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// Ticks come in bursts, late, too many, or not at all; the sound is what it would be otherwise.
+/// Expects the same sound whether ticks come in bursts, late, too many at once, or not at all.
 
 #include "Applications/Explorer/Sound/SoundStream.h"
 #include "Spectrum.h"
@@ -57,7 +57,7 @@ struct Player
       this->Stream.Render(this->Heard.data() + this->Heard.size() - 48, 48);
     }
   }
-  /** When clicks begin: loud after 50 ms without (s). */
+  /** The times (s) at which clicks begin: a loud sample after 50 ms without one. */
   std::vector<double> Onsets() const
   {
     std::vector<double> onsets;
@@ -92,7 +92,7 @@ TEST(SoundStream, PlaysBurstsAtThePaceOfTheirTicks)
     Player player;
     for (int first = 0; first < 3000; first += burst)
     {
-      player.Play(burst); // the frame whose ticks come at its end
+      player.Play(burst); // a frame; its ticks come at its end
       for (int i = 0; i < burst && first + i < 3000; ++i)
       {
         player.Stream.Push(TapAt(first + i));
@@ -100,13 +100,14 @@ TEST(SoundStream, PlaysBurstsAtThePaceOfTheirTicks)
     }
     player.Play(300);
     const std::vector<double> onsets = player.Onsets();
-    // The sound begins with the newest tick of the first burst.
+    // If a burst is longer than the first tap, the sound begins only after that tap.
     ASSERT_EQ(onsets.size(), burst > 100 ? 14u : 15u) << burst;
     for (std::size_t i = 1; i < onsets.size(); ++i)
     {
       EXPECT_NEAR(onsets[i] - onsets[i - 1], 0.2, 0.0025) << burst;
     }
-    // A frame until the ticks come, one of them until they are played, and 5 ms for the impact.
+    // Allow one frame until the ticks come, another frame until they are played, and 5 ms for the
+    // impact.
     EXPECT_LE(onsets.back() - (0.001 * 2900 + 0.005), 0.001 * (2 * burst + 4)) << burst;
   }
 }
@@ -142,14 +143,14 @@ TEST(SoundStream, CatchesUpWithoutSkipping)
   };
   push(100);
   player.Play(1);
-  push(250); // a frame that took long
+  push(250); // a long frame
   for (int i = 0; i < 15000; ++i)
   {
     push(1);
     player.Play(1);
   }
   const std::vector<double> onsets = player.Onsets();
-  // 350 ticks are ahead of the player at first: a tap at tick n comes at n - 350 ms or later.
+  // At first, 350 ticks are waiting: a tap at tick n is heard at n - 350 ms or later.
   const double last = 0.001 * (15300 - 350) + 0.005;
   EXPECT_NEAR(onsets.back(), last, 0.03);
   for (std::size_t i = 1; i < onsets.size(); ++i)
@@ -215,7 +216,7 @@ TEST(SoundStream, IsMutedAndComesBackWithoutACrack)
   play(2000, 3000);
   for (std::size_t i = 1; i < sound.Heard.size(); ++i)
   {
-    // The same noise times a gain that changes by 1 in 480 samples.
+    // Both sounds are the same noise. The muted one has a gain that changes by 1 in 480 samples.
     const double jump = std::abs(static_cast<double>(sound.Heard[i]) - sound.Heard[i - 1]);
     ASSERT_LE(std::abs(static_cast<double>(muted.Heard[i]) - muted.Heard[i - 1]),
       jump + 0.9 / 480.0 + 1e-6);

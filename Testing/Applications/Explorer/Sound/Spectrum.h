@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Spectra by the definition of the discrete Fourier transform, one frequency after the other.
+ * Computes spectra by the definition of the discrete Fourier transform, one frequency at a time.
  */
 #ifndef Spectrum_h
 #define Spectrum_h
@@ -18,7 +18,7 @@ namespace soundtest
 inline constexpr double PI = 3.14159265358979323846;
 inline constexpr double RATE = 48000.0;
 
-/** |X(f)|^2 of samples from `first` on, under a Hann window if wished. */
+/** |X(f)|^2 of `count` samples from `first` on, with a Hann window if `isWindowed`. */
 inline double Density(const std::vector<float>& x, std::size_t first, std::size_t count, double f,
   bool isWindowed = false)
 {
@@ -50,8 +50,8 @@ inline double FindPeak(const std::vector<float>& x, double low, double high, dou
 }
 
 /**
- * The energy from one frequency to another, as the mean over frames of `length` samples: at each
- * frequency of the frame's transform.
+ * The energy between two frequencies, as the mean over frames of `length` samples, summed over the
+ * frequencies of a frame's transform.
  */
 inline double BandEnergy(
   const std::vector<float>& x, std::size_t length, double low, double high, double power = 0.0)

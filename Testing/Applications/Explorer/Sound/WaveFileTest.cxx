@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// The bytes of a sound file, by "Multimedia Programming Interface and Data Specifications 1.0"
-/// (IBM and Microsoft, 1991), pages 56 to 60.
+/// Checks the bytes of a sound file against "Multimedia Programming Interface and Data
+/// Specifications 1.0" (IBM and Microsoft, 1991), pages 56 to 60.
 
 #include "Applications/Explorer/Sound/WaveFile.h"
 #include "Rigs/TemporaryFolder.h"
