@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A device by its id, with a servo loop on it that touches a floor.
+ * Opens a device by its id and runs a servo loop on it that touches a floor.
  */
 #ifndef DeviceBench_h
 #define DeviceBench_h
@@ -18,18 +18,18 @@ namespace emulated
 {
 using namespace servotest;
 
-inline constexpr double Radius = 1e-3;          ///< m, of the sphere that touches
-inline constexpr double Friction = 0.3;         ///< of the floor
+inline constexpr double Radius = 1e-3;          ///< m, the sphere that touches
+inline constexpr double Friction = 0.3;         ///< coefficient of the floor
 inline constexpr double FloorStiffness = 500.0; ///< N/m
 
 /**
- * A floor on which the sphere's middle is at a height (m) along a direction of the device's, which
- * points outward.
+ * A floor. The touching sphere rests on it with its middle at `height` (m) along the outward
+ * normal, a direction of the device.
  */
 class Floor
 {
 public:
-  /// `linear` turns the device's axes into those of the floor, of which z is out.
+  /// `linear` turns the device's axes into the floor's axes, whose z points outward.
   explicit Floor(double height, const Matrix3& linear = {})
   {
     HapticModelDescription description = DescribeMesh(this->Volume, MakeFloor(), Friction);
@@ -45,14 +45,15 @@ private:
 };
 
 /**
- * How deep (m) a hand's spring presses that is led to a depth (m): both springs hold each other.
+ * The depth (m) of a hand's spring that is led to a depth (m), where it balances the floor's
+ * spring.
  */
 inline double BalancedDepth(double led)
 {
   return led * EmulatedHand::Stiffness / (EmulatedHand::Stiffness + FloorStiffness);
 }
 
-/** Opens a device, runs a loop on it, waits for what it tells. */
+/** Opens a device, runs a loop on it, and waits for its states and texts. */
 class DeviceBench
 {
 public:
@@ -80,7 +81,7 @@ public:
     ASSERT_TRUE(Eventually([&] { return this->State().IsArmed(); }));
   }
 
-  /// The latest of the loop.
+  /// The loop's latest state.
   const ServoSnapshot& State()
   {
     (*this)->ReadState();
@@ -90,7 +91,7 @@ public:
   {
     return Eventually([&] { return this->Device->GetCondition().Stage == stage; });
   }
-  /// Waits until the text has this in it.
+  /// Waits until the device's text contains `part`.
   bool WaitForText(const char* part)
   {
     return Eventually([&] { return this->Text().find(part) != std::string::npos; });
@@ -108,8 +109,8 @@ public:
 
   /**
    * Leads a hand to the surface, and in until it feels the expected force. If a busy machine made
-   * the servo stand still meanwhile, the force has begun again from inside, and would hold the hand
-   * there: then this tries once more, and leads the hand out without force.
+   * the servo stand still meanwhile, the force has begun again from inside and would hold the hand
+   * there. In that case, leads the hand out without force and tries again.
    */
   template <typename Approach, typename Enter, typename IsFelt>
   bool Press(Approach&& approach, Enter&& enter, IsFelt&& isFelt)
@@ -135,7 +136,8 @@ public:
     return felt;
   }
 
-  /// Cut, said, and not back by arming it.
+  /// Expects that the force is cut, that the text gives the reason, and that arming does not bring
+  /// the force back.
   void ExpectLost(const char* text)
   {
     EXPECT_TRUE(this->WaitForFault(GateReason::DeviceLost));
@@ -147,7 +149,7 @@ public:
   }
 
   /**
-   * An unplugged device that is plugged in again was connected by itself, and gets no force before
+   * Expects that a device that is plugged in again reconnects by itself and gives no force before
    * the user arms it.
    */
   void ExpectBack()
@@ -171,14 +173,14 @@ inline double Size(const Triple& v)
   return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-/// Within a tolerance (N) of an expected force.
+/// Whether a force is within a tolerance (N) of the expected one.
 inline bool IsNear(const Triple& force, const Triple& expected, double tolerance)
 {
   return Size({ force[0] - expected[0], force[1] - expected[1], force[2] - expected[2] }) <
     tolerance;
 }
 
-/// The error of an id that can't be opened.
+/// Returns the error of an id that can't be opened.
 inline std::string ErrorOf(const std::string& id, const DeviceOptions& options = {})
 {
   DeviceBench bench;

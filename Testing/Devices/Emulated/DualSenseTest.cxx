@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Sessions with a DualSense through hidapi, by cable and by Bluetooth, of which a guard takes care:
- * contact is felt, and the motors stop with the program, however it ends.
+ * Tests sessions with a guarded DualSense through hidapi, by cable and by Bluetooth: contact is
+ * felt, and the motors stop when the program ends, however it ends.
  */
 
 #include "DeviceBench.h"
@@ -21,7 +21,7 @@ using namespace emulated;
 
 namespace
 {
-constexpr int RightY = 3; ///< of the model's sticks
+constexpr int RightY = 3; ///< the model's axis of the right stick
 
 class DualSenses : public testing::TestWithParam<bool>
 {
@@ -32,7 +32,7 @@ protected:
     this->Model.Move(RightY, 0);
     EXPECT_TRUE(Eventually([&] { return !this->Model.IsStill(); }));
   }
-  /// Forces that change all the time, until it is felt.
+  /// Writes a force that keeps changing, until the motors run.
   void Shake(DeviceBackend& device)
   {
     for (int i = 0; i < 20000 && this->Model.IsStill(); ++i)
@@ -113,7 +113,7 @@ TEST_P(DualSenses, AProgramThatStandsStillIsSilent)
   ASSERT_TRUE(this->Bench.Open("vibration:pad")) << this->Bench.Error;
   ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready));
   this->Shake(*this->Bench.Device);
-  // Nothing is said any more: the force ends, and with it its changes.
+  // No force is written any more: it fades, and so does its vibration.
   EXPECT_TRUE(Eventually([&] { return this->Model.IsStill(); }));
 }
 

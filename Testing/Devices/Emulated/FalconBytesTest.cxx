@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The bytes on the wire, written by hand from the published protocol.
+ * Compares the bytes on the wire with bytes written by hand from the published protocol.
  */
 
 #include "Rigs/FalconRig.h"
@@ -44,7 +44,7 @@ TEST_F(FalconBytes, TheFirstWords)
   ASSERT_TRUE(Eventually([&] { return this->Falcon.GetPackets() > 10; }));
   this->Device->Close();
   const Lines all = this->Falcon.DrainTranscript();
-  // Latency 1 ms, the run mode's rate, purge of both directions, then zero.
+  // Expect latency 1 ms, the baud rate of run mode, a purge of both directions, then zero force.
   const Lines first = { "c 40 09 0001", "c 40 03 0002", "c 40 00 0001", "c 40 00 0002", Zero,
     Homing, Homing, Homing };
   EXPECT_EQ(Head(all, first.size()), first);
@@ -58,12 +58,12 @@ TEST_F(FalconBytesLoading, TheLoadersDialogue)
   ASSERT_TRUE(this->Open()) << this->Error;
   ASSERT_TRUE(Eventually([&] { return this->Falcon.GetPackets() > 2; })) << this->GetText();
   const Lines all = this->Falcon.DrainTranscript();
-  // The device is asked first whether it runs.
+  // Before this, the driver asks the device whether its firmware runs.
   const auto begin = std::find(all.begin(), all.end(), "c 40 09 0010");
   ASSERT_NE(begin, all.end());
   ASSERT_GE(begin - all.begin(), 2);
-  // Purge, latency 16, 9600 baud, 8N1, no flow control, RTS low, DTR low then high; the greeting;
-  // DTR low, 140 kbaud, the handshake.
+  // Expect purge, latency 16, 9600 baud, 8N1, no flow control, RTS low, DTR low then high; the
+  // greeting; DTR low, 140 kbaud, the handshake.
   const Lines expected = { "c 40 00 0001", "c 40 00 0002", "c 40 09 0010", "c 40 03 4138",
     "c 40 04 0008", "c 40 02 0000", "c 40 01 0200", "c 40 01 0100", "c 40 01 0101", "o 0a 43 0d",
     "c 40 01 0100", "c 40 03 0015", "o 41" };
@@ -72,7 +72,7 @@ TEST_F(FalconBytesLoading, TheLoadersDialogue)
   const Lines blocks(tail.begin() + 13, tail.begin() + 13 + 18);
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    // 17 of 62 bytes, and 46.
+    // Expect 17 blocks of 62 bytes, and one of 46.
     EXPECT_EQ(blocks[i].size(), 1 + 3 * (i < 17 ? 62u : 46u)) << i;
   }
   const Lines after(tail.begin() + 31, tail.end());
@@ -86,14 +86,14 @@ TEST_F(FalconBytes, Commands)
   this->Falcon.DrainTranscript();
   ASSERT_TRUE(this->Feels({ 0.0, 0.0, 1.0 }));
   ASSERT_TRUE(this->Push({}, [&] { return this->Falcon.GetCommands() == Numbers{}; }));
-  // 1 N is an eighth of -2019 near the middle: 0xFF04 to 0xFF03, low nibble first. Blue: 0x41 +
-  // 0x04 + 0x01.
+  // 1 N along z is an eighth of -2019 for each motor near the middle: 0xFF04 to 0xFF03, low nibble
+  // first. The blue light is 0x41 + 0x04 + 0x01.
   const Lines all = this->Falcon.DrainTranscript();
   EXPECT_TRUE(std::any_of(all.begin(), all.end(),
     [](const std::string& line) {
       return line.size() == 49 && line.substr(10, 6) == " 50 50" && line.substr(40, 3) == " 46";
     }));
-  // The homing bit, without which the device is not homed any more, is in all of them.
+  // Every packet has the homing bit, without which the device would forget its homing.
   for (const std::string& line : all)
   {
     if (line.size() == 49)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The force that the device makes of what it was sent: all over the workspace and far beyond what
- * it can.
+ * Tests the direction of the device's force all over the workspace, and for forces far beyond its
+ * limits.
  */
 
 #include "Rigs/FalconRig.h"
@@ -34,15 +34,16 @@ protected:
   {
     return std::max({ std::fabs(commands[0]), std::fabs(commands[1]), std::fabs(commands[2]) });
   }
-  /** Commands as the force (N) that the motors make of them. */
+  /** The force (N) that the motors make of commands. */
   Vector3 ForceOf(const Numbers& commands)
   {
     const Numbers made = FalconMotorForce(this->Falcon.GetGrip(), commands);
     return { made[0], made[1], made[2] };
   }
   /**
-   * The force that the device got after one was sent: as it is wanted, or as much as it can give.
-   * On a busy machine a force that is not renewed may have faded meanwhile.
+   * Writes a force until the device gets it, whole or at the motors' limit, and returns the
+   * commands. On a busy machine, a force that is not renewed in time fades, so this waits for the
+   * whole force.
    */
   Numbers Realise(const Vector3& wanted)
   {
@@ -65,7 +66,7 @@ protected:
   }
 
   std::mt19937 Random{ 11 };
-  Vector3 Tip; ///< m, as reported
+  Vector3 Tip; ///< m, as the driver reports it
 };
 } // namespace
 

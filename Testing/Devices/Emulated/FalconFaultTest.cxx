@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Faults of a device under force: it is lost, tells the reason, gets zero, and resumes only after
- * it was homed.
+ * Tests faults of a device under force: the device counts as lost, its text gives the reason, its
+ * force becomes zero, and it resumes only after homing.
  */
 
 #include "Rigs/FalconRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A device that has no firmware yet: the source of the image, and its possible faults.
+ * Tests a device that has no firmware yet: where the image comes from, and its possible faults.
  */
 
 #include "Rigs/FalconRig.h"
@@ -30,7 +30,7 @@ protected:
     EXPECT_TRUE(Has(this->Error, "--firmware")) << this->Error;
     EXPECT_FALSE(this->Usb.IsClaimed()) << "it lets go of the device";
   }
-  /** Lets every try to load an image fail in this way. */
+  /** Lets every attempt to load an image fail with this fault. */
   void Break(FalconFault fault, const std::string& why)
   {
     const TemporaryFile file(MakeImage(2000));
@@ -41,7 +41,7 @@ protected:
     EXPECT_TRUE(Has(this->GetText(), why)) << this->GetText();
     EXPECT_TRUE(Has(this->GetText(), "Home()")) << this->GetText();
     EXPECT_EQ(this->Falcon.GetPackets(), 0) << "no run packet for what does not run";
-    // The file is not needed any more.
+    // The driver keeps the image, so that it does not need the file again.
     this->Falcon.Break(FalconFault::None);
     this->Device->Home();
     EXPECT_TRUE(Eventually([&] { return this->Falcon.IsRunning(); })) << this->GetText();
@@ -70,7 +70,7 @@ TEST_F(FalconFirmware, IsLoadedByteForByte)
   ASSERT_TRUE(this->IsAt(DeviceStage::Homing)) << this->GetText();
   EXPECT_EQ(this->Falcon.GetImage(), image);
   this->Home();
-  // It stays in the device.
+  // The firmware stays in the device.
   this->Device->Close();
   this->Options.FirmwareFile.clear();
   this->Falcon.DrainTranscript();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The guard itself: it may end, or not begin, and it keeps apart from the application's signals,
- * files and forks.
+ * Tests the guard process itself: it may end or fail to start, and the application's signals, files
+ * and forks do not reach it.
  */
 
 #include "GuardProcesses.h"
@@ -24,7 +24,7 @@ class FalconGuardEnds : public FalconTest
 protected:
   ~FalconGuardEnds() override { unsetenv("VOLUMEHAPTICS_GUARD"); }
 
-  /** Of a process that was found: 0 and below would be many processes. */
+  /** Sends a signal to one process. A process id of 0 or below would address many processes. */
   static void Signal(pid_t process, int number)
   {
     ASSERT_GT(process, 1);
@@ -36,7 +36,7 @@ protected:
     ASSERT_TRUE(this->Feels({ 0.0, 0.0, 2.0 }));
     ASSERT_GT(FindGuard(), 1);
   }
-  /** Killed or stopped, which is no end that it sees coming. */
+  /** Kills or stops the guard, which can't prepare for either. */
   void BreakOff(int signal)
   {
     const pid_t guard = FindGuard();
@@ -87,7 +87,7 @@ TEST_F(FalconGuardEnds, KilledWhenAnotherDeviceHasItsNumber)
   EmulatedUsb port(other, "1-7");
   ASSERT_TRUE(this->Open("falcon:1")) << this->Error;
   EXPECT_EQ(this->Device->GetIdentity(), "falcon:port:1-7");
-  // The first one is unplugged, and two are plugged in before the second one.
+  // Unplug the first device, and plug in two new ones, which are listed before the second device.
   this->Usb.Unplug();
   FalconModel near;
   FalconModel far;
@@ -97,7 +97,7 @@ TEST_F(FalconGuardEnds, KilledWhenAnotherDeviceHasItsNumber)
   Signal(guard, SIGKILL);
   EXPECT_TRUE(Eventually([=] { return FindGuard() != guard; }));
   EXPECT_EQ(this->Device->GetIdentity(), "falcon:port:1-7");
-  // The device can be claimed from here only now.
+  // Only now can this process claim the device.
   const long packets = other.GetPackets();
   port.ForgetProgram();
   EXPECT_TRUE(Eventually([&] { return this->Device->IsAtRest(); }));

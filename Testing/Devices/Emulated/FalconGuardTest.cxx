@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An application that presses with a Falcon dies, or is stopped, in every way: the guard sends
- * zero, and it stays. An end that the system tells counts at once; silence counts after 50 ms,
- * which are 25 of the driver's idle rounds.
+ * Lets an application that presses with a Falcon die, or stops it, in every way: the guard sends
+ * zero force, and the force stays zero. An end that the system reports counts at once; silence
+ * counts after 50 ms, which are 25 of the driver's idle rounds.
  */
 
 #include "GuardProcesses.h"
@@ -28,23 +28,24 @@ using namespace emulated;
 
 namespace
 {
-/** Rounds with force after the end: those of 50 ms, and as many for a busy machine. */
+/** The most rounds with force after the end: 50 ms take 25 rounds; a busy machine gets 25 more. */
 constexpr long MostRounds = 50;
 
 class FalconGuard : public FalconTest
 {
 protected:
-  /** Until it presses, in the middle of the workspace. */
+  /** Leads the hand until the device presses in the middle of the workspace. */
   void BringToPress()
   {
     ASSERT_TRUE(Eventually([&] { return this->Falcon.GetPackets() > 10; }));
-    if (!this->IsHomed) // else it presses as soon as it is out
+    if (!this->IsHomed) // a homed device presses as soon as it is out
     {
       this->LeadTo({ 0.0, 0.0, 0.1735 });
       this->LeadTo({ 0.0, 0.0, 0.08 });
       this->IsHomed = true;
     }
-    // It presses as soon as it is out far enough, which may keep it from arriving.
+    // Stop at the rest position first: the force begins as soon as the hand is far enough out, and
+    // may keep it from arriving.
     this->Falcon.SetAim(Rest);
     ASSERT_TRUE(this->Presses());
     this->Falcon.SetHeld(true);
@@ -74,7 +75,7 @@ protected:
     return Eventually([&] { return !this->Usb.IsClaimed(); });
   }
   bool IsHomed = false;
-  long End = 0; ///< packets at the end of the application
+  long End = 0; ///< number of packets at the application's end
   std::chrono::steady_clock::time_point EndTime;
 };
 
@@ -111,8 +112,8 @@ TEST_F(FalconGuard, OutlivesAnApplicationThatIsKilled)
 }
 
 /**
- * Applications are killed one after the other, each at any time: before the guard begins, while the
- * device is homing, or under force, which half of them have.
+ * Kills applications one after the other at random times: before the guard begins, while the device
+ * is homing, or under force (half of them).
  */
 class FalconGuardKills
   : public FalconGuard
@@ -138,7 +139,7 @@ TEST_P(FalconGuardKills, EndInZeroEachTime)
       const long pressed = this->Falcon.GetPackets();
       ASSERT_TRUE(Eventually([&] { return this->Falcon.GetPackets() >= pressed + rounds; }));
     }
-    else if (rounds > 5) // else before it has begun, or nearly so
+    else if (rounds > 5) // else kill it at its start
     {
       ASSERT_TRUE(Eventually([&] { return this->Falcon.GetPackets() >= start + rounds; }));
     }
@@ -162,7 +163,8 @@ INSTANTIATE_TEST_SUITE_P(, FalconGuardKills,
     std::pair("Many8", 100), std::pair("Many9", 100)),
   [](const auto& info) { return std::string(info.param.first); });
 
-/// A guard whose clock is behind would not see for that time that the application stands still.
+/// A guard with another clock than the application would notice too late that the application
+/// stands still.
 class FalconGuardsClock
   : public FalconGuard
   , public testing::WithParamInterface<int>
@@ -171,7 +173,8 @@ class FalconGuardsClock
 
 TEST_P(FalconGuardsClock, IsThatOfTheApplication)
 {
-  // Of children only; privileged, and not in all kernels.
+  // The time namespace applies to children only. Making one needs privileges, and not all kernels
+  // can.
   std::ofstream offsets;
   if (unshare(CLONE_NEWTIME) == 0)
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Homing: what is asked of the hand, the time it has, and once more.
+ * Tests homing: the requests to the hand, the time limit, and homing a second time.
  */
 
 #include "Rigs/FalconRig.h"
@@ -55,7 +55,7 @@ TEST_F(FalconHomes, TheFirstSampleBegins)
     this->Device->Home();
     ASSERT_TRUE(
       Eventually([&] { return this->Device->Read(0.001, sample) == DeviceState::NotReady; }));
-    // The grip is out already and the encoders are homed, so that it is ready at once.
+    // The grip is already out and the encoders are homed, so the device is ready at once.
     ASSERT_TRUE(this->IsAt(DeviceStage::Ready)) << this->GetText();
   }
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An answer that comes a round late, as libnifalcon knows them: see FalconModel.h. The driver and
- * the device are in step again soon, and not a round apart for good.
+ * Tests an answer that comes a round late, as libnifalcon describes (see FalconModel.h): driver and
+ * device must be in step again soon, instead of a round apart for good.
  */
 
 #include "Rigs/FalconRig.h"
@@ -17,7 +17,7 @@ class FalconLate : public FalconTest
 protected:
   ~FalconLate() override { this->Falcon.SetTimed(false); }
 
-  /** As a servo of more than 1 kHz does, for so many packets. */
+  /** Writes a force as fast as a servo of more than 1 kHz, for `packets` packets. */
   bool PushFor(long packets)
   {
     const long end = this->Falcon.GetPackets() + packets;
@@ -40,7 +40,8 @@ TEST_F(FalconLate, OneAnswerDoesNotStayARoundBehind)
   this->Falcon.SetTimed(true);
   ASSERT_TRUE(this->PushFor(50));
   ASSERT_GT(this->Falcon.GetInStep(), 20) << "the driver waits for each answer";
-  // A machine that is busy for a whole period looks like a silent line: that may fail now and then.
+  // On a busy machine, a pause of a whole period looks like a silent line, so some of the ten
+  // attempts may fail.
   int inStep = 0;
   for (int i = 0; i < 10; ++i)
   {

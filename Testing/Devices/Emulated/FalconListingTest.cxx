@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Which devices there are, who may have them, and who has.
+ * Tests which devices are listed, which of them may be opened, and which are in use.
  */
 
 #include "Rigs/FalconRig.h"
@@ -106,7 +106,7 @@ TEST_F(FalconListing, TwoOfOneKindComeBackEachAsItself)
   ASSERT_TRUE(second && second->Open(this->Error)) << this->Error;
   const auto isLost = [](DeviceBackend& device)
   { return Eventually([&] { return device.GetCondition().Stage == DeviceStage::Lost; }); };
-  // Their hub is unplugged. The one that had been the second comes back first.
+  // Unplug the hub of both devices. The second device comes back first.
   this->Usb.Unplug();
   port.Unplug();
   EXPECT_TRUE(isLost(*this->Device));

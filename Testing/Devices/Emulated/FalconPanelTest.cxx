@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The grip's lights and buttons, bit by bit.
+ * Tests the grip's lights and buttons, bit by bit.
  */
 
 #include "Rigs/FalconRig.h"
@@ -51,7 +51,8 @@ TEST_F(FalconPanel, LightsShowTheConditionOrWhatIsWanted)
 TEST_F(FalconPanel, ButtonsAreInTheirOrder)
 {
   this->MakeReady();
-  // Plus, forward, centre, minus of the device; centre, plus, minus, forward of ours.
+  // Button bits of the device (plus, forward, centre, minus) and of the driver (centre, plus,
+  // minus, forward).
   const int pairs[][2] = { { 0, 0 }, { 4, 1 }, { 1, 2 }, { 8, 4 }, { 2, 8 }, { 15, 15 } };
   for (const auto& pair : pairs)
   {

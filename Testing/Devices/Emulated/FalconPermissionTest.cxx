@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A device that this user may not open.
+ * Tests a device that this user may not open.
  */
 
 #include "Emulators/Testbed.h"
@@ -22,7 +22,7 @@ TEST_F(FalconPermission, MissingGivesTheRule)
 {
   const std::string rule =
     "SUBSYSTEM==\"usb\", ATTR{idVendor}==\"0403\", ATTR{idProduct}==\"cb48\", TAG+=\"uaccess\"";
-  // Root may do everything. So the test runs as the user "nobody" for a while, who sees the whole
+  // Root may open everything, so the test runs as the user "nobody" for a while, who sees the whole
   // system but can't open this device.
   char* const root = umockdev_testbed_get_root_dir(Testbed());
   using std::filesystem::perms;
@@ -36,7 +36,7 @@ TEST_F(FalconPermission, MissingGivesTheRule)
   }
   g_free(root);
   ASSERT_EQ(chmod(this->Usb.GetNode().c_str(), 0600), 0);
-  // A program that runs for another effective user is not put under umockdev.
+  // Do without the guard: a program that runs for another effective user is not put under umockdev.
   setenv("VOLUMEHAPTICS_GUARD", "off", 1);
   const uid_t user = geteuid();
   const bool isRoot = user == 0;

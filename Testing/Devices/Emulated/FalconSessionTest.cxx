@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A whole session: from a device without firmware to a hand that feels a wall, loses the device,
- * and feels it again.
+ * Tests a whole session: from a device without firmware to a hand that feels a wall, loses the
+ * device, and feels the wall again.
  */
 
 #include "Rigs/FalconRig.h"
@@ -15,8 +15,8 @@ using namespace emulated;
 
 namespace
 {
-constexpr double Stiffness = 500.0; // N/m, of the wall
-constexpr double Radius = 0.001;    // m, of the proxy on it
+constexpr double Stiffness = 500.0; // N/m, the wall
+constexpr double Radius = 0.001;    // m, the proxy's sphere
 constexpr double Middle = 0.125;    // m, the wall's position in the device's own frame
 
 class FalconSession : public FalconTest
@@ -37,8 +37,8 @@ protected:
     this->Home();
   }
   /**
-   * The hand is beyond the wall (m) at x, y; the grip rests at the balance of its spring and
-   * the wall's.
+   * Leads the hand `beyond` (m) beyond the wall at x, y, and expects the grip at the balance of the
+   * hand's spring and the wall's.
    */
   void PressAt(double x, double y, double beyond)
   {
@@ -54,7 +54,7 @@ protected:
     EXPECT_TRUE(Eventually([&] { return AreClose(this->Falcon.GetForce(), force, 0.06); }))
       << this->Falcon.GetForce()[2] << " N instead of " << force[2] << ". " << this->GetText();
   }
-  /** No command was ever into the wall. */
+  /** Expects that no command ever pointed into the wall. */
   void ExpectPushedOut(servotest::RunningLoop& loop)
   {
     ServoSnapshot snapshot;
@@ -62,8 +62,8 @@ protected:
     while (loop->Drain(snapshot))
     {
       EXPECT_GE(snapshot.Command.Z, 0.0);
-      // Nothing but what a sphere feels of the triangles' edges that begins overlapping them, after
-      // a pause of the loop.
+      // The only sideways force is the one that a sphere feels of the triangles' edges if it
+      // overlaps them at the start, after a pause of the loop.
       EXPECT_LT(std::hypot(snapshot.Command.X, snapshot.Command.Y), 0.01);
       most = std::max(most, snapshot.Command.Z);
     }
@@ -92,7 +92,7 @@ TEST_F(FalconSession, FromFirmwareToFeelingAndBack)
     loop->SetRecording(true);
     loop->Publish(this->Model);
     loop->Arm();
-    // The proxy has to be outside when it begins.
+    // Let the loop begin with the proxy outside of the wall.
     ASSERT_TRUE(Eventually([&] { return loop->GetTickCount() > 20; }));
     const long before = this->Falcon.GetPackets();
     const std::uint64_t from = loop->GetTickCount();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The computer falls asleep while force flows, and wakes up.
+ * Suspends the computer while force acts, and wakes it up.
  */
 
 #include "Devices/Falcon/FalconDriver.h"
@@ -14,7 +14,7 @@ namespace
 {
 std::atomic<std::int64_t> TimeAsleep{ 0 };
 
-/** A device whose computer's sleep is played. */
+/** A device on a computer whose sleep is simulated. */
 class SleepyDevice : public DeviceBackend
 {
 public:

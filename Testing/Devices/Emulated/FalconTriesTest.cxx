@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A loader that is as flaky as libnifalcon knows it: see FalconModel.h. Loading is tried again with
- * the device closed and opened in between, tells which try it is, and gives up after ten.
+ * Tests a loader that fails as often as libnifalcon describes (see FalconModel.h). Loading is tried
+ * again after the device was closed and opened, the text tells the number of the attempt, and the
+ * driver gives up after ten.
  */
 
 #include "Rigs/FalconRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Unplugged or closed at any moment.
+ * Tests unplugging and closing at any moment.
  */
 
 #include "Rigs/FalconRig.h"
@@ -26,7 +26,8 @@ protected:
     EXPECT_EQ(this->Device->Read(0.001, sample), DeviceState::Lost);
     EXPECT_EQ(this->Device->Write({ 0.0, 0.0, 1.0 }), DeviceState::Lost);
     this->Usb.PlugIn();
-    // It is opened by itself, and homed by hand. A force from before does not flow.
+    // The driver opens the device by itself, and the hand homes it. A force from before must not
+    // flow.
     this->Falcon.DrainLargestCommand();
     this->Home();
     EXPECT_EQ(this->Falcon.DrainLargestCommand(), 0.0);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Processes about a guard: the guard itself, and an application that ends while its device gives
- * force.
+ * The processes of a test of the guard: the guard itself, and an application that ends while its
+ * device gives force.
  */
 #ifndef GuardProcesses_h
 #define GuardProcesses_h
@@ -26,12 +26,12 @@ extern char** environ;
 namespace emulated
 {
 
-/** The process that this one has started for the device; 0 without one. */
+/** The guard process that this process has started for the device, or 0. */
 inline pid_t FindGuard()
 {
   for (const auto& process : std::filesystem::directory_iterator("/proc"))
   {
-    // "PID (NAME) STATE PARENT", with the name cut to 15 characters.
+    // Parse "PID (NAME) STATE PARENT", with the name cut to 15 characters.
     std::string text;
     std::getline(std::ifstream(process.path() / "stat"), text);
     const std::size_t end = text.find(") ");
@@ -44,13 +44,13 @@ inline pid_t FindGuard()
   return 0;
 }
 
-/** GuardedApplication.cxx as a process of its own. */
+/** Runs GuardedApplication.cxx as a process of its own. */
 class GuardedProgram
 {
 public:
   explicit GuardedProgram(const std::string& way, const std::string& device = "falcon")
   {
-    prctl(PR_SET_CHILD_SUBREAPER, 1); // the application's guard is this process's child afterwards
+    prctl(PR_SET_CHILD_SUBREAPER, 1); // adopt the application's guard at its end
     int input[2];
     if (pipe2(input, O_CLOEXEC) != 0)
     {
@@ -90,7 +90,7 @@ public:
       kill(this->Process, number);
     }
   }
-  /** How it ended: minus the signal, or its exit status. */
+  /** Waits for the end. Returns the exit status, or the signal's number with a minus sign. */
   int Wait()
   {
     if (this->Process > 0)

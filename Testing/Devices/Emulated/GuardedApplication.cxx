@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An application that presses with a device, and comes to its end in the way that its argument says
- * once there is something to read: see FalconGuardTest.cxx. It never says zero. The second argument
- * names the device. One that vibrates gets a force that changes.
+ * An application that presses with a device. Once it can read from its input, it ends in the way
+ * that its first argument names (see FalconGuardTest.cxx), without ever sending zero force. The
+ * second argument names the device. A device that vibrates gets a changing force.
  */
 
 #include "Devices/Kinds/DeviceRegistry.h"
@@ -52,7 +52,7 @@ void End(const std::string& way)
   }
   else if (way == "fork")
   {
-    // A child that goes on has everything open that the application had.
+    // The child lives on with everything open that the application had.
     if (fork() == 0)
     {
       sleep(5);

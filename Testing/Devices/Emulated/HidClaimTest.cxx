@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Which devices are listed, what ids open, and that a device is held by one alone.
+ * Tests which devices are listed, what ids open, and that only one program holds a device.
  */
 
 #include "Emulators/WoodenModel.h"
@@ -112,7 +112,7 @@ TEST(HidClaim, WithoutPermissionTheRuleIsSaid)
   OpenFfboardModel model;
   EmulatedHid hid(model);
   hid.SetPermissions(0);
-  // Of this thread alone: root may open everything.
+  // Change the file system user of this thread only, as root may open everything.
   const int owner = setfsuid(65534);
   const char* const rule =
     "SUBSYSTEM==\"hidraw\", ATTRS{idVendor}==\"1209\", ATTRS{idProduct}==\"ffb0\"";
@@ -123,8 +123,8 @@ TEST(HidClaim, WithoutPermissionTheRuleIsSaid)
   setfsuid(static_cast<uid_t>(owner));
 }
 
-/// Users found that ATTRS{idVendor} matches nothing by Bluetooth (preFlight issue 244, spnavcfg
-/// issue 60): there is no USB device above.
+/// With Bluetooth, ATTRS{idVendor} matches nothing, as there is no USB device above; users found
+/// this (preFlight issue 244, spnavcfg issue 60).
 TEST(HidClaim, ByBluetoothTheRuleNamesTheKernelsDevice)
 {
   OpenFfboardModel model;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Two different devices at once, each with its own loop: neither disturbs the other.
+ * Tests two different devices at once, each with its own loop: neither disturbs the other.
  */
 
 #include "StickRig.h"
@@ -67,7 +67,7 @@ TEST(HidTogether, TwoOfOneKindComeBackEachAsItself)
   ASSERT_NE(one, second.Bench.Device->GetIdentity());
   ASSERT_NO_FATAL_FAILURE(first.Feel());
   ASSERT_NO_FATAL_FAILURE(second.Feel());
-  // Their hub is unplugged. The second one comes back first.
+  // Unplug the hub of both devices. The second device comes back first.
   first.Hid.Unplug();
   second.Hid.Unplug();
   EXPECT_TRUE(first.Bench.WaitForFault(GateReason::DeviceLost));
@@ -110,7 +110,7 @@ TEST(HidTogether, AStickWithoutASerialNumberDoesNotComeBackByItself)
   stick.Hid.Unplug();
   stick.Bench.ExpectLost("was unplugged. Plug it in, then Open() and Start() it.");
   stick.Hid.PlugIn();
-  // Another one may have the other sign.
+  // The stick that is plugged in may be another one, with the opposite sign of force.
   EXPECT_TRUE(stick.Bench.WaitForTicks(1500));
   EXPECT_EQ(stick.Bench.Device->GetCondition().Stage, DeviceStage::Lost);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Sessions with gamepads: sticks lead the tip, and the motors turn when the force changes.
+ * Tests sessions with gamepads: sticks lead the tip, and the motors turn when the force changes.
  */
 
 #include "DeviceBench.h"
@@ -90,12 +90,12 @@ TEST_P(Pads, SticksAndTriggersLeadTheTip)
 TEST_P(Pads, ContactIsFeltAndRestIsSilent)
 {
   this->Begin();
-  // In the air: nothing changes, and nothing is felt.
+  // Move in the air: the force does not change, so nothing vibrates.
   this->Model.Move(ABS_X, 1.0);
   EXPECT_TRUE(Eventually([&] { return this->Bench.State().Record.Tip.X > 0.02; }));
   this->Model.Move(ABS_X, 0.0);
   EXPECT_TRUE(this->Model.GetHistory().empty());
-  // Into the floor: the force rises by up to 50 N/s.
+  // Move into the floor: the force rises by up to 50 N/s.
   this->Model.Move(ABS_RY, -1.0);
   EXPECT_TRUE(Eventually([&] { return !this->Model.IsStill(); }));
   EXPECT_TRUE(Eventually([&] { return Norm(this->Bench.State().Command) > 1.5; }));
@@ -123,7 +123,7 @@ TEST_P(Pads, AFaultIsOnePulseThenSilence)
   this->Model.Move(ABS_RY, 0.0);
   EXPECT_TRUE(Eventually([&] { return this->Model.IsStill(); }));
   this->Model.ForgetHistory();
-  // Any motion is too fast from now on.
+  // From now on, any motion exceeds the speed limit.
   SafetyLimits limits = QuickLimits();
   limits.MaximumSpeed = 1e-3;
   this->Bench->SetLimits(limits);
@@ -172,8 +172,8 @@ TEST_P(Pads, AStepOfTheForceHasItsAmplitude)
   ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready));
   DeviceBackend& device = *this->Bench.Device;
   DeviceSample sample;
-  // By the two filters' closed form a step of 0.5 N has 0.32 of the slow motor at most, after
-  // 46 ms, and 0.41 of the fast one after 4 ms; pads get a new speed every 10 ms.
+  // By the two filters' closed form, a step of 0.5 N gives at most 0.32 of the slow motor's speed,
+  // after 46 ms, and 0.41 of the fast motor's, after 4 ms. Pads get a new speed every 10 ms.
   bool isRight = false;
   int strong = 0;
   int weak = 0;
@@ -197,7 +197,7 @@ TEST_P(Pads, AStepOfTheForceHasItsAmplitude)
       strong = std::max(strong, change.Strong);
       weak = std::max(weak, change.Weak);
     }
-    // Until a busy machine has let it be written without a pause.
+    // Repeat until a busy machine has written the force without a pause.
     isRight = std::abs(strong / FullSpeed - 0.318) < 0.02 && weak > 0.25 * FullSpeed &&
       weak < 0.46 * FullSpeed;
   }
@@ -209,7 +209,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 namespace
 {
-/** A program that shows levels, by its own file of the node. */
+/** A program that writes motor speeds through its own open file of the device node. */
 class Rumbling : public testing::Test
 {
 protected:
@@ -247,14 +247,14 @@ TEST_F(Rumbling, FallsSilentIfTheProgramStandsStill)
   const std::vector<PadModel::Change> history = this->Model.GetHistory();
   ASSERT_EQ(history.size(), 2U);
   EXPECT_GT(history[1].Time - history[0].Time, 0.14) << "the length of the effect";
-  // It goes on as if nothing had been.
+  // After that, the motors run again as if nothing had happened.
   ASSERT_TRUE(this->Rumble.Show({ 1.0, 0.5 }));
   EXPECT_TRUE(this->Turns());
 }
 
 TEST_F(Rumbling, StopsWithTheProgramAlsoAfterAChange)
 {
-  // The kernel closes the files of a program, however it ends, and at any moment.
+  // The kernel closes a program's files however and whenever the program ends.
   for (int i = 0; i < 40; ++i)
   {
     ASSERT_TRUE(this->Rumble.Begin(this->Node));
@@ -284,7 +284,7 @@ TEST_F(Rumbling, GoesOnWithoutGapsIfItIsRenewed)
       longest = std::max(longest, this->Model.GetTime() - last);
       last = this->Model.GetTime();
     }
-    // A busy machine may have made a pause itself.
+    // Count only an attempt in which a busy machine made no pause of its own.
     isWhole = longest < 0.05;
     for (const PadModel::Change& change : this->Model.GetHistory())
     {
@@ -297,7 +297,7 @@ TEST_F(Rumbling, GoesOnWithoutGapsIfItIsRenewed)
 TEST_F(Rumbling, SilenceIsAtOnceAlsoAfterAChange)
 {
   ASSERT_TRUE(this->HasBegun);
-  // A change and its end may come within one tick of the kernel's timer.
+  // The kernel's timer may see a change and its end in one tick.
   for (int i = 0; i < 40; ++i)
   {
     ASSERT_TRUE(this->Rumble.Show({ 0.2, 0.4 }));
@@ -317,7 +317,7 @@ TEST_F(Rumbling, TheFullGainIsAskedForAndErasedEffectsAreMadeAnew)
   this->Rumble.End();
   EXPECT_EQ(this->Model.CountEffects(), 0);
   EXPECT_TRUE(this->Model.IsStill());
-  // As an older kernel does when a child of this program ends.
+  // Erase all effects, as a kernel before Linux 5.7 does when a child of this program ends.
   ASSERT_TRUE(this->Rumble.Show({ 0.5, 0.5 }));
   for (int id = 0; id < 16; ++id)
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Faults of a stick: no force is left, and the text tells the reason.
+ * Tests faults of a stick: no force is left, and the text gives the reason.
  */
 
 #include "StickRig.h"
@@ -108,7 +108,8 @@ TEST_F(PidFaults, ForcesThatAreNotRenewedFadeAndQuenchIsAtOnce)
     DeviceSample sample;
     this->Bench.Device->Read(0.001, sample);
     this->Bench.Device->Write({ 0.5, 0.0, 0.0 });
-    // To the right, from the left. Block 1, and -4096 of 32767 for 0.5 N of 4 N.
+    // HID-PID gives the direction from which a force comes: for 0.5 N of 4 N to the right, block 1
+    // gets -4096 of 32767.
     return this->Model.GetForce()[0] > 0.4 &&
       this->Model.GetLast(5) == std::vector<std::uint8_t>{ 5, 1, 0x00, 0xF0 };
   };

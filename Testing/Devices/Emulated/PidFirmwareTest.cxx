@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Published force-feedback firmwares: a force arrives along the axis and with the sign that was
- * asked for, as the firmware's own arithmetic has it.
+ * Tests published force-feedback firmwares: a force arrives along the requested axis and with the
+ * requested sign, by the firmware's own arithmetic.
  */
 
 #include "DeviceBench.h"
@@ -29,7 +29,7 @@ template <typename Model>
 class Bench
 {
 public:
-  /// `second` is the force (N) at full scale of the second axis; 0 where that has no motor.
+  /// `second` is the force (N) at full scale of the second axis, or 0 if that axis has no motor.
   template <typename... Arguments>
   explicit Bench(double second, Arguments... arguments)
     : Device(arguments...)
@@ -41,7 +41,7 @@ public:
     ASSERT_TRUE(this->Hid.Open("pid", this->Options)) << this->Hid.Error;
     ASSERT_TRUE(this->Hid.WaitFor(DeviceStage::Ready)) << this->Hid.Text();
   }
-  /// Whether a force (N) that the servo asks for is the force on the hand.
+  /// Whether a force (N) that the servo requests arrives at the hand.
   bool Gets(const Vector3& force, double tolerance = 0.01)
   {
     return Eventually(
@@ -102,7 +102,7 @@ TEST(PidFirmware, AnOpenFfboardStickIsPushedTheRightWayAlongBothAxes)
 
 TEST(PidFirmware, AnArduinoStickIsPushedTheRightWayAlongBothAxes)
 {
-  // Its directions are 255 parts of a circle: 90 degrees are 90.35.
+  // The firmware divides a circle into 255 parts: 90 degrees become 90.35.
   Bench<ArduinoFfbModel> bench(FfbHandle::FullScale, 2);
   ExpectEachDirection(bench, true, 0.03);
 }
@@ -162,7 +162,7 @@ TEST(PidFirmware, APedalDoesNotMoveAWheelsTip)
 
 TEST(PidFirmware, AnOldOpenFfboardIsDrivenAlongItsFirstAxisOnly)
 {
-  // Versions differ in the sign of y, and only the newer ones can be told by their name.
+  // Versions differ in the sign of y, and only the newer versions can be told by their name.
   {
     Bench<OpenFfboardModel> bench(FfbHandle::FullScale, Kind::Joystick, Version::V1_16_0);
     const std::vector<DeviceListing> all = ListDevices();
@@ -185,7 +185,7 @@ TEST(PidFirmware, ADeviceThatRepeatsItselfRarelyMayRest)
 {
   Bench<OpenFfboardModel> bench(0.0, Kind::Wheel);
   ASSERT_NO_FATAL_FAILURE(bench.MakeReady());
-  // It says where it is ten times a second: a few dozen of these.
+  // A resting device reports ten times a second. Wait for some 40 reports.
   for (int i = 0; i < 400; ++i)
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A stick that takes nothing any more: the kernel waits for it with each report, and no other
+ * Tests a stick that no longer accepts reports: the kernel waits with each report, and no other
  * thread may wait.
  */
 

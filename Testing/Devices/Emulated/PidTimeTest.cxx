@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A stick that reports every 8 ms, and only what is new, as the time of its samples tells.
+ * Tests a stick that reports every 8 ms and only what is new, as the timing of its samples shows.
  */
 
 #include "Rigs/ReadTimes.h"
@@ -22,7 +22,7 @@ public:
   {
     if (this->Hangs)
     {
-      // The kernel's own limit is 5 s.
+      // Time out as the kernel does, which waits up to 5 s.
       std::this_thread::sleep_for(std::chrono::milliseconds(600));
       return -ETIMEDOUT;
     }
@@ -44,7 +44,7 @@ protected:
     this->Move(waiting, 0.1);
     ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
   }
-  /// To and fro at 0.5 m/s.
+  /// Moves the hand to and fro at 0.5 m/s.
   void Move(ReadTimes& times, double seconds)
   {
     times.Run(seconds,
@@ -81,7 +81,7 @@ TEST_F(PidTime, AtRestShowsThatItIsAliveWithoutNews)
   ReadTimes moved(*this->Bench.Device);
   this->Move(moved, 0.5);
   this->Model.SetGoal(0.0, 0.0);
-  ReadTimes(*this->Bench.Device).Run(1.0); // until it swings no more
+  ReadTimes(*this->Bench.Device).Run(1.0); // until it rests
   ReadTimes times(*this->Bench.Device);
   times.Run(2.0);
   EXPECT_LE(times.Fresh, 2) << "of " << times.Ticks << " ticks";
@@ -93,7 +93,7 @@ TEST_F(PidTime, AStickThatReportsAtRestEvery100MsIsNotSilentMeanwhile)
 {
   this->Model.OnlySaysNews = false;
   this->Model.SetGoal(0.0, 0.0);
-  ReadTimes(*this->Bench.Device).Run(4.0); // it swings no more, and repeats itself often enough
+  ReadTimes(*this->Bench.Device).Run(4.0); // until it rests and has repeated itself often
   ReadTimes times(*this->Bench.Device);
   times.Run(1.0);
   EXPECT_LE(times.Fresh, 12) << "of " << times.Ticks << " ticks";

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Six-axis mice that do not do what is expected of them.
+ * Tests six-axis mice that misbehave.
  */
 
 #include "DeviceBench.h"
@@ -40,7 +40,7 @@ TEST(SpaceMouse, WhereLettingGoIsNotHeardTheTipDoesNotGoOn)
   const auto turns = [&](double rate)
   { return Eventually([&] { return std::abs(bench.State().Turn.Z - rate) < 1e-9; }); };
   EXPECT_TRUE(turns(1.0));
-  // It repeats what is held, so that this goes on.
+  // The mouse repeats its report while the cap is held, so the turn goes on.
   EXPECT_TRUE(bench.WaitForTicks(1500));
   EXPECT_TRUE(turns(1.0));
   model.IsSilent = true;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Sessions with six-axis mice: the cap moves a virtual tip and turns the view, and no force can be
- * felt.
+ * Tests sessions with six-axis mice: the cap moves a virtual tip and turns the view, and no force
+ * can be felt.
  */
 
 #include "DeviceBench.h"
@@ -17,7 +17,7 @@ using namespace emulated;
 
 namespace
 {
-constexpr double Edge = 0.1; ///< m: the border of the ball that the tip stays in
+constexpr double Edge = 0.1; ///< m, radius of the ball in which the tip stays
 
 class SpaceMice : public testing::TestWithParam<bool>
 {
@@ -30,7 +30,7 @@ protected:
   {
     return Eventually([&] { return Norm(this->Bench.State().Turn - turn) < 1e-9; });
   }
-  /// The path of the tip while it is pushed and then released.
+  /// Pushes the cap, then releases it, and returns the tip's path.
   Vector3 Go(const SpaceMouseModel::Counts& counts)
   {
     const Vector3 from = this->Bench.State().Record.Tip;
@@ -73,14 +73,15 @@ TEST_P(SpaceMice, PushesMoveTheTipAndTurnsTurn)
   ASSERT_TRUE(this->Bench.WaitForTicks(20));
   this->Bench->Arm();
 
-  // The device's x, y and z: to the right, towards the hand and down. The rates keep their ratio.
+  // The device's x, y and z point to the right, towards the hand and down. The rates keep their
+  // ratio.
   const double half = (175.0 / 350.0 - 0.03) / 0.97;
   const Vector3 way = this->Go({ 350, 175, 0, 0, 0, 0 });
   EXPECT_NEAR(way.Z / way.X, half, 1e-9);
   EXPECT_EQ(way.Y, 0.0);
   this->Model.Push({ 0, 0, 350, 0, 0, 0 });
   EXPECT_TRUE(Eventually([&] { return this->Bench.State().Record.Tip.Y < -0.03; }));
-  // Away from the hand, into the floor: a force is computed, and none is sent.
+  // Push away from the hand, into the floor: a force is computed, and none is sent.
   this->Model.Push({ 0, -350, 0, 0, 0, 0 });
   EXPECT_TRUE(Eventually([&] { return this->Bench.State().Record.Force.Z > 1.0; }));
   EXPECT_TRUE(this->Bench.State().IsArmed());
@@ -149,7 +150,7 @@ TEST(SpaceMouseModels, AnOlderOnesUpIsUpAndTheEnterprisesKeysAreHeld)
           return holds(sample);
         });
     };
-    // Up, then towards the hand.
+    // Push up, then towards the hand.
     const bool isUp = kind == Kind::PlusXt;
     const std::int16_t less = -350;
     model.Push(isUp ? SpaceMouseModel::Counts{ 0, 350, 0, 0, 0, 0 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An emulated wheel, a wall to the right of its middle, and a hand that is led into it.
+ * An emulated wheel, a wall to the right of its middle, and a hand that is led into the wall.
  */
 #ifndef StickRig_h
 #define StickRig_h
@@ -16,14 +16,14 @@
 
 namespace emulated
 {
-inline constexpr double Wall = 0.01; ///< m: to the right of the middle
-/// To the device's left is out of the wall.
+inline constexpr double Wall = 0.01; ///< m to the right of the middle
+/// Turns the device's axes into the wall's: the wall faces the device's left.
 inline const Matrix3 ToTheLeft = Matrix3::FromColumns({ 0, 0, -1 }, { 0, 1, 0 }, { 1, 0, 0 });
 
 class Pid : public testing::Test
 {
 protected:
-  // Its second axis has no motor.
+  // Sets a force of 0 N at full scale for the second axis, which has no motor.
   Pid() { this->Options.NewtonsPerFullScale = { FfbHandle::FullScale, 0.0 }; }
 
   void Feel()

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The tests of the back ends on emulated devices, by the library that they need. Both programs of them include this:
-# ../CMakeLists.txt for umockdev, ../../VirtualMachine/CMakeLists.txt for a kernel of its own.
+# Lists the tests of back ends on emulated devices by the library that they need. Both programs of these tests include
+# this file: ../CMakeLists.txt for umockdev, ../../VirtualMachine/CMakeLists.txt for a kernel of its own.
 set(libusb_tests FalconBytes FalconDirection FalconFault FalconFirmware FalconHomingAgain FalconListing FalconPanel
   FalconSession FalconSleep FalconUnplug FalconZero)
 set(hidapi_tests HidClaim HidTogether Pid PidFault PidFirmware SpaceMouse SpaceMouseFault Wooden WoodenFault)
-# For umockdev only: a kernel of its own has its own test of permissions and its own pace, and it does not tell the
-# device that a program has closed it.
+# Tests for umockdev only: a kernel of its own has another test of permissions and its own pace, and it does not tell
+# the device that a program has closed it.
 set(umockdev_libusb_tests FalconGuard FalconGuardEnds FalconLate FalconPermission FalconTries)
 set(umockdev_evdev_tests Pad PadFault Wheel)
 set(umockdev_hidapi_tests DualSense PidStuck PidTime)

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Faults of a WoodenHaptics while a floor is felt: no force is left, and the text tells the reason.
+ * Tests faults of a WoodenHaptics while a floor is felt: no force is left, and the text gives the
+ * reason.
  */
 
 #include "Rigs/ReadTimes.h"
@@ -26,14 +27,14 @@ protected:
   {
     return Eventually([&] { return Size(this->Model.GetForce()) == 0.0; });
   }
-  /// The hand puts the arm into its rest pose: upper arm upright, forearm level.
+  /// Puts the arm into its rest pose: upper arm upright, forearm level.
   bool GoToRest()
   {
     const Triple rest{ 0.245 - 0.22, 0.0, 0.205 };
     this->Model.SetGoal(rest);
     return Eventually([&] { return IsNear(this->Model.GetTip(), rest, 1e-4); });
   }
-  /// Begins at the hand's position.
+  /// Arms with the hand outside of the floor, and leads it into the floor.
   void FeelAgain()
   {
     ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
@@ -60,7 +61,7 @@ TEST_F(WoodenFaults, SilenceAndBackByHoming)
   EXPECT_TRUE(this->IsQuiet());
   this->Model.Fault = WoodenFault::None;
   this->Bench.Device->Home();
-  // It may have been without power meanwhile, of which it says nothing.
+  // The device may have lost power meanwhile without telling, so it must be calibrated again.
   ASSERT_TRUE(this->Bench.WaitForText("has to be told where its arm is")) << this->Bench.Text();
   ASSERT_TRUE(this->GoToRest());
   this->Bench.Device->Home();
@@ -85,7 +86,7 @@ TEST_F(WoodenFaults, ADeviceThatHangsFallsSilentAtOnce)
 TEST_F(WoodenFaults, WriteErrorLeavesItToTheFirmware)
 {
   this->Break(WoodenFault::WriteError, "does not take what is sent to it");
-  // Nothing keeps the watchdog from its work: half a second later the currents are gone.
+  // No packet keeps the watchdog from acting: half a second later the currents are zero.
   this->Model.Fault = WoodenFault::None;
   const int packets = this->Model.GetPackets();
   EXPECT_TRUE(this->Bench.WaitForTicks(100));
@@ -138,7 +139,7 @@ TEST_F(WoodenFaults, AZeroThatIsNotTakenIsAskedForAgain)
   ASSERT_TRUE(this->Bench.WaitForText("rest pose"));
   this->Bench.Device->Home();
   EXPECT_TRUE(this->Bench.WaitForText("did not take in where its arm is")) << this->Bench.Text();
-  // To the byte: no currents, command 1, encoders 0, 0, 6000.
+  // Expect these bytes: no currents, command 1, encoders 0, 0, 6000.
   EXPECT_EQ(this->Model.GetLastPreset(),
     (std::vector<std::uint8_t>{ 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0x70, 0x17 }));
   this->Model.IgnoresPresets = false;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An emulated WoodenHaptics, a floor that it feels, and a hand that is led into it.
+ * An emulated WoodenHaptics, a floor, and a hand that is led into the floor.
  */
 #ifndef WoodenRig_h
 #define WoodenRig_h
@@ -15,14 +15,14 @@
 
 namespace emulated
 {
-inline constexpr double Height = -0.01; ///< m, of the floor
-/// The device's right, up and towards the hand are the arm's y, z and x.
+inline constexpr double Height = -0.01; ///< m, the floor
+/// Maps the device's right, up and towards the hand to the arm's y, z and x.
 inline const Matrix3 ToTheArm = Matrix3::FromColumns({ 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 });
 
 class Wooden : public testing::Test
 {
 protected:
-  /// Calibrates, arms, and leads the hand to the floor's middle, 10 mm inside.
+  /// Calibrates and arms the device, and leads the hand 10 mm into the middle of the floor.
   void Feel()
   {
     ASSERT_TRUE(this->Bench.WaitForText("rest pose")) << this->Bench.Text();
@@ -44,7 +44,7 @@ protected:
       [&] { return this->IsHeld(); }))
       << this->Model.GetForce()[2];
   }
-  /// By the floor, against being led 10 mm inside.
+  /// Whether the floor's force balances a hand that is led 10 mm inside.
   bool IsHeld()
   {
     const double force = FloorStiffness * BalancedDepth(0.01);
