@@ -80,6 +80,13 @@ vtkHapticRegionSource* vtkPVHapticLargeFile::GetRegions()
 }
 
 //------------------------------------------------------------------------------
+const char* vtkPVHapticLargeFile::GetNotes()
+{
+  this->Notes = this->IsOpen ? this->Volume->GetFileNotes() : std::string();
+  return this->Notes.c_str();
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkHapticRegionSource> vtkPVHapticLargeFile::MakeRegions()
 {
   if (!this->Open())
@@ -160,6 +167,7 @@ void vtkPVHapticLargeFile::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "Series: " << this->Series << "\n";
+  os << indent << "Notes: " << this->Notes << "\n";
   os << indent << "IsOpen: " << this->IsOpen << "\n";
   os << indent << "Regions:\n";
   this->Volume->PrintSelf(os, indent.GetNextIndent());

@@ -18,6 +18,8 @@
 #include "vtkImageAlgorithm.h"
 #include "vtkSmartPointer.h" // for ivars
 
+#include <string> // for std::string
+
 class vtkAlgorithmOutput;
 class vtkHapticRegionSource;
 
@@ -42,6 +44,12 @@ public:
   vtkSetClampMacro(Series, int, 0, VTK_INT_MAX);
   vtkGetMacro(Series, int);
   ///@}
+
+  /**
+   * Returns what was guessed, left out or turned when the file was opened, a line each; empty if
+   * nothing was.
+   */
+  const char* GetNotes();
 
   /**
    * Returns the large file from which a connection comes, also through ParaView's own filters; null
@@ -79,6 +87,7 @@ private:
   char* FileName = nullptr;
   int Series = 0;
   vtkSmartPointer<Regions> Volume;
+  std::string Notes;
   vtkTimeStamp Opened; // time of the last try to open the file
   bool IsOpen = false;
 

@@ -13,6 +13,7 @@
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkSMHapticDeviceProxy.h"
+#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMRenderViewProxy.h"
@@ -55,6 +56,23 @@ private:
 /// The proxy's radius, and the length of the arrow for 1 N, as fractions of the volume's diagonal.
 constexpr double RadiusPart = 0.006;
 constexpr double NewtonPart = 0.05;
+
+/// Returns what the reader of the touched volume tells of its file; empty if the volume is from
+/// another source.
+std::string FindNotes(vtkSMProxy* device)
+{
+  vtkSMProxy* const filter = vtkSMPropertyHelper(device, "Touch", true).GetAsProxy();
+  vtkSMProxy* const source =
+    filter ? vtkSMPropertyHelper(filter, "Input", true).GetAsProxy() : nullptr;
+  vtkSMProperty* const notes = source ? source->GetProperty("Notes") : nullptr;
+  if (!notes)
+  {
+    return {};
+  }
+  source->UpdatePropertyInformation(notes);
+  const char* const text = vtkSMPropertyHelper(notes, true).GetAsString();
+  return text ? text : "";
+}
 
 /// Returns the largest of 1, 2 or 5 times a power of ten that does not exceed a length.
 double RoundLength(double length)
@@ -175,6 +193,7 @@ bool vtkHapticViewLink::Attach(vtkSMRenderViewProxy* view, vtkSMHapticDeviceProx
   d.Style->SetDevice(d.Device);
   d.Style->SetHeadUpDisplay(d.Props->GetDisplay());
   d.Style->SetDeviceProxy(device);
+  d.Props->GetDisplay()->SetNotice(VolumeHaptics::FindNotes(device).c_str());
   interactor->SetInteractorStyle(d.Style);
   d.Style->SetView(view);
   d.Style->SetSlicesFollowTip(this->SlicesFollowTip);

@@ -111,6 +111,10 @@ for case in cases.values():
     else:
         assert not case["refused"], case["name"]
         compare(case, source)
+        source.UpdatePropertyInformation()
+        notes = source.SMProxy.GetProperty("Notes").GetElement(0)
+        assert case["name"] != "tiff-lzw" or "cubes of 1 mm are assumed" in notes, notes
+        assert "channel" not in str(case["told"]) or "channel" in notes, (case["name"], notes)
 
 for name, count, softer in (("dicom-phases", 2, 0.0), ("nifti-4d-times", 3, 100.0)):
     source = open_volume(cases[name])
