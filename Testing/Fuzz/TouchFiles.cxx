@@ -178,6 +178,15 @@ void TouchBrain(const std::uint8_t* bytes, std::size_t size)
   Touch(size > 1 && bytes[0] == 'C' ? "volume.mnc" : "volume.mgz", bytes, size);
 }
 
+void TouchGrid(const std::uint8_t* bytes, std::size_t size)
+{
+  Dealer dealer(bytes, size);
+  const char* const names[] = { "grid.vtk", "grid.vtu", "grid.vtr", "grid.vts", "grid.vtm" };
+  const char* const name = names[dealer.Choose(5)];
+  const std::size_t first = std::min<std::size_t>(size, 1);
+  Touch(name, bytes + first, size - first);
+}
+
 void TouchHdf(const std::uint8_t* bytes, std::size_t size)
 {
   Touch("volume.vtkhdf", bytes, size);

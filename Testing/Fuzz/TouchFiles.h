@@ -17,6 +17,8 @@
 
 void TouchDicom(const std::uint8_t* bytes, std::size_t size);
 void TouchBrain(const std::uint8_t* bytes, std::size_t size);
+/** Grids of VTK: the first byte chooses the format. */
+void TouchGrid(const std::uint8_t* bytes, std::size_t size);
 void TouchHdf(const std::uint8_t* bytes, std::size_t size);
 void TouchMetaImage(const std::uint8_t* bytes, std::size_t size);
 void TouchNifti(const std::uint8_t* bytes, std::size_t size);

@@ -67,4 +67,28 @@ for case in CASES:
             into.mkdir(parents=True, exist_ok=True)
             (into / case.name).write_bytes(seed)
             written += 1
+# Grids, images and tables, by the texts of VTK's file formats; the byte in front chooses the ending.
+FRAME = '<?xml version="1.0"?><VTKFile type="{0}" version="0.1" byte_order="LittleEndian"><{0}{1}</{0}></VTKFile>'
+NUMBERS = '<DataArray type="Float32" Name="v" format="ascii"{}>{}</DataArray>'
+PLACES = " ".join(f"{i & 1} {i >> 1 & 1} {i >> 2}" for i in range(8))
+VALUES = "<PointData Scalars='v'>" + NUMBERS.format("", "0 1 2 3 4 5 6 7") + "</PointData>"
+POINTS = "<Points>" + NUMBERS.format(' NumberOfComponents="3"', PLACES) + "</Points>"
+CELL = "<Cells>" + "".join(f'<DataArray type="{kind}" Name="{name}" format="ascii">{text}</DataArray>' for kind, name, text in (
+    ("Int32", "connectivity", "0 1 2 3 4 5 6 7"), ("Int32", "offsets", "8"), ("UInt8", "types", "11"))) + "</Cells>"
+EXTENT = "0 1 0 1 0 1"
+GRIDS = {
+    b"\0": "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 float\n" + PLACES
+            + "\nCELLS 1 9\n8 0 1 2 3 4 5 6 7\nCELL_TYPES 1\n11\nPOINT_DATA 8\nSCALARS v float 1\nLOOKUP_TABLE default\n0 1 2 3 4 5 6 7\n",
+    b"\1": FRAME.format("UnstructuredGrid", '><Piece NumberOfPoints="8" NumberOfCells="1">' + VALUES + POINTS + CELL + "</Piece>"),
+    b"\2": FRAME.format("RectilinearGrid", f' WholeExtent="{EXTENT}"><Piece Extent="{EXTENT}">' + VALUES + "<Coordinates>"
+                        + 3 * NUMBERS.format("", "0 1") + "</Coordinates></Piece>"),
+    b"\3": FRAME.format("StructuredGrid", f' WholeExtent="{EXTENT}"><Piece Extent="{EXTENT}">' + VALUES + POINTS + "</Piece>"),
+}
+IMAGE = FRAME.format("ImageData", ' WholeExtent="0 4 0 4 0 4" Origin="0 0 0" Spacing="1 1 1"><Piece Extent="0 4 0 4 0 4">'
+                     + VALUES.replace("0 1 2 3 4 5 6 7", " ".join(map(str, range(125)))) + "</Piece>")
+TABLES = {b"\0": "label,name\n1,liver\n", b"\1": '1 255 0 0 1 1 1 "liver"\n', b"\2": "1 liver 255 0 0 0\n"}
+for target, texts in (("TouchGrid", GRIDS), ("TouchVti", {b"": IMAGE}), ("TouchLabelFile", TABLES)):
+    (folder / target).mkdir(parents=True, exist_ok=True)
+    for number, (choice, text) in enumerate(texts.items()):
+        (folder / target / f"text{number}").write_bytes(choice + text.encode())
 print(written, "seeds")
