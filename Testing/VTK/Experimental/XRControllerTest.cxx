@@ -172,7 +172,7 @@ TEST_F(XRController, ContactVibratesAndRestIsSilent)
       EXPECT_GE(gap.count(), 0.0099) << "its rate is limited";
     }
   }
-  // A force that rises by more than 1 N at once reaches 0.64 on the way of the strong motor alone.
+  // A force that rises by more than 1 N at once moves the strong motor alone to 0.64.
   EXPECT_GT(largest, 0.5F);
   const std::size_t before = calls.size();
   for (int i = 0; i < 30; ++i)
