@@ -178,6 +178,12 @@ bool Walk(const Line& line, Probe probe, Vector3& contact, Vector3& normal, Pres
 
 Vector3 UnderPointer(vtkRenderer* renderer, const int pointer[2], const Vector3& depth)
 {
+  const double exact[2] = { static_cast<double>(pointer[0]), static_cast<double>(pointer[1]) };
+  return UnderPointer(renderer, exact, depth);
+}
+
+Vector3 UnderPointer(vtkRenderer* renderer, const double pointer[2], const Vector3& depth)
+{
   double display[3];
   double world[4];
   vtkInteractorObserver::ComputeWorldToDisplay(renderer, depth.X, depth.Y, depth.Z, display);

@@ -18,6 +18,7 @@ namespace VolumeHaptics
 
 /** Returns the position under a pixel of the renderer, at the depth of a world position. */
 Vector3 UnderPointer(vtkRenderer* renderer, const int pointer[2], const Vector3& depth);
+Vector3 UnderPointer(vtkRenderer* renderer, const double pointer[2], const Vector3& depth);
 
 /** Returns the size (world units) of a pixel at the depth of a world position. */
 double PixelSize(vtkRenderer* renderer, const Vector3& position);

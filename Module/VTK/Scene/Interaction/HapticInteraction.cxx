@@ -272,6 +272,10 @@ bool HapticInteraction::MoveMouse()
   if (this->Scene.Style->GetState() == VTKIS_NONE && this->Turn.IsOn())
   {
     this->Turn.Roll(before, now);
+    if (this->Touch.LeadsTip())
+    {
+      this->Touch.HoldAt(now);
+    }
     return true;
   }
   if (!this->Touch.LeadsTip())
@@ -282,6 +286,7 @@ bool HapticInteraction::MoveMouse()
   {
     constexpr double stepsPerPixel = 0.25;
     this->Touch.MoveInDepth(stepsPerPixel * (now[1] - before[1]));
+    this->Touch.HoldAt(now);
   }
   else
   {
@@ -396,6 +401,21 @@ bool HapticInteraction::TurnWheel(double steps)
   }
   this->Touch.MoveInDepth(steps);
   return true;
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::Zoom(const std::function<void()>& zoom)
+{
+  const vtkSmartPointer<vtkRenderWindowInteractor> interactor = this->Scene.Style->GetInteractor();
+  if (!this->Touch.LeadsTip() || !interactor->GetEnableRender())
+  {
+    zoom();
+    return;
+  }
+  interactor->EnableRenderOff(); // draw once, with the camera in its last place
+  this->Touch.KeepInWindow(zoom);
+  interactor->EnableRenderOn();
+  this->Frames.Draw(true);
 }
 
 //------------------------------------------------------------------------------

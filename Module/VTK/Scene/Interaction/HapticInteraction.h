@@ -115,6 +115,8 @@ public:
   bool ReleaseRightButton();
   /** Handles a turn of the wheel. `steps` are positive away from the viewer. */
   bool TurnWheel(double steps);
+  /** Zooms by a function; the hand that the mouse leads stays under the pointer. */
+  void Zoom(const std::function<void()>& zoom);
   /** Handles the press of a key. `pressed` is X11's name of the key. */
   bool PressKey(const std::string& pressed);
   bool ReleaseKey(const std::string& released);

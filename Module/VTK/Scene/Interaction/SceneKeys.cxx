@@ -181,7 +181,8 @@ std::string DisplayKeys::ChooseHint()
     return Join(begin,
       this->Scene.TurnsView ? this->DescribeKey("", "question", " shows all keys") : std::string());
   }
-  if (this->HasTouched || !this->Scene.IsVirtual())
+  const bool isLost = this->Touch.IsOutOfView();
+  if (!isLost && (this->HasTouched || !this->Scene.IsVirtual()))
   {
     return "";
   }
@@ -195,7 +196,8 @@ std::string DisplayKeys::ChooseHint()
       end.replace(at, 2, " or ");
     }
   }
-  return Join("Move the mouse to stroke, turn the wheel to press",
+  return Join(
+    isLost ? "The hand is outside the view" : "Move the mouse to stroke, turn the wheel to press",
     end.empty() ? std::string() : end + " lets go");
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/Interaction/TouchMode.h"
 
+#include "VTK/Base/HapticTuples.h"
 #include "VTK/Base/HapticVolume.h"
 #include "VTK/Device/HapticLongWork.h"
 #include "VTK/Filter/HapticBaker.h"
@@ -11,17 +12,32 @@
 #include "VTK/Scene/Interaction/WorkspaceControl.h"
 
 #include "vtkCamera.h"
+#include "vtkInteractorObserver.h"
 #include "vtkInteractorStyleHaptic.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkVolumeHapticsFilter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 namespace VolumeHaptics
 {
+namespace
+{
+
+/** Returns the place of a position in the window (pixels). */
+std::array<double, 2> FindInWindow(vtkRenderer* renderer, const Vector3& position)
+{
+  double display[3];
+  vtkInteractorObserver::ComputeWorldToDisplay(
+    renderer, position.X, position.Y, position.Z, display);
+  return { display[0], display[1] };
+}
+
+} // namespace
 
 void TouchMode::Set(bool on)
 {
@@ -117,10 +133,15 @@ void TouchMode::Begin(const Vector3* at)
   {
     return;
   }
+  this->Held.IsKnown = false;
   if (leadsTip)
   {
     this->Lead = start;
     device->GetVirtualHand()->Place(start.X, start.Y, start.Z);
+    if (!at)
+    {
+      this->HoldAt(interactor->GetEventPosition());
+    }
   }
   this->IsTouching = true;
   if (!this->Workspace.IsClutched())
@@ -175,23 +196,100 @@ double TouchMode::GetFineness() const
 void TouchMode::LeadTo(const Vector3& world)
 {
   this->Lead = world;
+  this->Held.IsKnown = false;
   this->Scene.Device->GetVirtualHand()->SetPosition(world.X, world.Y, world.Z);
 }
 
 void TouchMode::MoveInDepth(double steps)
 {
   const double length = this->GetFineness() * steps * this->GetDepthStep();
+  const Grip held = this->Held;
   this->LeadTo(this->Lead + length * LineOfSight(this->Scene.ChooseRenderer(), this->Lead));
+  this->Held = held; // the hand stays under the pointer
 }
 
 void TouchMode::MoveInPlane(const int from[2], const int to[2])
 {
   vtkRenderer* const renderer = this->Scene.ChooseRenderer();
+  int before[2] = { from[0], from[1] };
+  const Vector3 held = this->FindHeld(renderer, before);
   const Vector3 motion =
-    UnderPointer(renderer, to, this->Lead) - UnderPointer(renderer, from, this->Lead);
-  const Vector3 target = this->Lead + this->GetFineness() * motion;
+    UnderPointer(renderer, to, this->Lead) - UnderPointer(renderer, before, this->Lead);
+  const Vector3 target = held + this->GetFineness() * motion;
   const bool follows = this->Scene.Style->GetTipFollowsSurface() && this->HasSurfaces();
   this->LeadTo(follows ? this->ProjectOnSurface(renderer, target) : target);
+  this->HoldAt(to);
+}
+
+void TouchMode::HoldAt(const int pointer[2])
+{
+  vtkRenderer* const renderer = this->Scene.ChooseRenderer();
+  const std::array<double, 2> at = FindInWindow(renderer, this->Lead);
+  for (int i = 0; i < 2; ++i)
+  {
+    this->Held.Pointer[i] = pointer[i];
+    this->Held.Offset[i] = at[i] - pointer[i];
+  }
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  this->Held.Sight = FromArray(camera->GetDirectionOfProjection());
+  this->Held.Up = FromArray(camera->GetViewUp());
+  this->Held.IsKnown = true;
+}
+
+Vector3 TouchMode::FindHeld(vtkRenderer* renderer, int from[2]) const
+{
+  constexpr double turned = 1e-6; // least turn of the camera (rad)
+  constexpr double moved = 1.0;   // least motion of the picture (pixels)
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  // After a turn, the hand goes on from where it is, so that it can be looked at from all sides.
+  const bool isTurned =
+    Norm(this->Held.Sight - FromArray(camera->GetDirectionOfProjection())) > turned ||
+    Norm(this->Held.Up - FromArray(camera->GetViewUp())) > turned;
+  if (!this->Held.IsKnown || isTurned)
+  {
+    return this->Lead;
+  }
+  std::copy_n(this->Held.Pointer, 2, from);
+  const std::array<double, 2> now = FindInWindow(renderer, this->Lead);
+  const double wanted[2] = { from[0] + this->Held.Offset[0], from[1] + this->Held.Offset[1] };
+  return std::hypot(now[0] - wanted[0], now[1] - wanted[1]) < moved
+    ? this->Lead
+    : UnderPointer(renderer, wanted, this->Lead);
+}
+
+void TouchMode::KeepInWindow(const std::function<void()>& zoom)
+{
+  const vtkSmartPointer<vtkRenderer> renderer = this->Scene.ChooseRenderer();
+  const std::array<double, 2> before = FindInWindow(renderer, this->Lead);
+  zoom();
+  if (!this->LeadsTip())
+  {
+    return; // an observer of the zoom has ended the touch
+  }
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  const Vector3 shift = this->Lead - UnderPointer(renderer, before.data(), this->Lead);
+  const Vector3 position = FromArray(camera->GetPosition()) + shift;
+  const Vector3 focus = FromArray(camera->GetFocalPoint()) + shift;
+  camera->SetPosition(position.X, position.Y, position.Z);
+  camera->SetFocalPoint(focus.X, focus.Y, focus.Z);
+  if (this->Scene.Style->GetAutoAdjustCameraClippingRange())
+  {
+    renderer->ResetCameraClippingRange();
+  }
+}
+
+bool TouchMode::IsOutOfView() const
+{
+  vtkRenderer* const renderer = this->Scene.ChooseRenderer();
+  if (!this->LeadsTip() || !renderer->GetRenderWindow())
+  {
+    return false;
+  }
+  const std::array<double, 2> at = FindInWindow(renderer, this->Lead);
+  const int* const origin = renderer->GetOrigin();
+  const int* const size = renderer->GetSize();
+  return at[0] < origin[0] || at[0] >= origin[0] + size[0] || at[1] < origin[1] ||
+    at[1] >= origin[1] + size[1];
 }
 
 double TouchMode::GetTravelTime() const

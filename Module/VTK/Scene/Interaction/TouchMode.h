@@ -56,6 +56,12 @@ public:
    * or in the plane of the view. See vtkInteractorStyleHaptic::SetTipFollowsSurface.
    */
   void MoveInPlane(const int from[2], const int to[2]);
+  /** Records where the pointer is (pixels) after a motion that did not move the hand with it. */
+  void HoldAt(const int pointer[2]);
+  /** Zooms by a function, and pans the camera so that the hand stays where it is in the window. */
+  void KeepInWindow(const std::function<void()>& zoom);
+  /** Whether the hand is outside the renderer's part of the window. */
+  bool IsOutOfView() const;
   /** Returns the factor for motions of the mouse, which is smaller with Shift. */
   double GetFineness() const;
   /** Presses the device's button for the mouse's button, until it is released or the mode ends. */
@@ -77,6 +83,12 @@ private:
    */
   void Begin(const Vector3* at);
   double GetDepthStep() const;
+  /**
+   * Returns the position from which the next motion begins: the target, or where the pointer holds
+   * it, if the picture has moved in the window since the last motion. Sets `from` (pixels) to where
+   * the pointer was then, because windows do not report all its positions.
+   */
+  Vector3 FindHeld(vtkRenderer* renderer, int from[2]) const;
   /** Whether the felt method has surfaces that the tip can follow. */
   bool HasSurfaces() const;
   /**
@@ -92,6 +104,17 @@ private:
   bool IsPressed = false;   ///< whether PressButton has pressed the button
   bool IsBeginning = false; ///< whether Begin() is running and was not cancelled
   Vector3 Lead;             ///< target of the tip (world)
+
+  /** How the pointer holds the hand. */
+  struct Grip
+  {
+    bool IsKnown = false;
+    int Pointer[2] = {};   ///< pixels
+    double Offset[2] = {}; ///< pixels: from the pointer to the target
+    Vector3 Sight;         ///< the camera's direction
+    Vector3 Up;            ///< the camera's upward direction
+  };
+  Grip Held;
 };
 
 } // namespace VolumeHaptics

@@ -571,7 +571,7 @@ void vtkInteractorStyleHaptic::OnMouseWheelForward()
 {
   if (HasWindow(this->Interactor) && !this->Internals->Interaction.TurnWheel(1.0))
   {
-    this->Superclass::OnMouseWheelForward();
+    this->Internals->Interaction.Zoom([this] { this->Superclass::OnMouseWheelForward(); });
   }
 }
 
@@ -580,7 +580,7 @@ void vtkInteractorStyleHaptic::OnMouseWheelBackward()
 {
   if (HasWindow(this->Interactor) && !this->Internals->Interaction.TurnWheel(-1.0))
   {
-    this->Superclass::OnMouseWheelBackward();
+    this->Internals->Interaction.Zoom([this] { this->Superclass::OnMouseWheelBackward(); });
   }
 }
 

@@ -7,6 +7,10 @@
 
 #include "StyleRig.h"
 
+#include <vtkHapticFunctionEditor.h>
+#include <vtkHapticHeadUpDisplay.h>
+#include <vtkInteractorObserver.h>
+
 using namespace scenetest;
 
 namespace
@@ -171,4 +175,140 @@ TEST_F(StyleTest, AStrokeGoesOnAroundABall)
   this->Run(10);
   x = strokeTo(180);
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], heightAt(16.0) + 1.0, 0.05);
+}
+
+namespace
+{
+/// A hand beside the middle of the ball, with an editor that can be docked.
+class HeldHand : public StyleTest
+{
+protected:
+  HeldHand()
+  {
+    this->Window->SetSize(600, 300);
+    this->Renderer->AddViewProp(this->Editor);
+    this->Renderer->AddViewProp(this->Display);
+    this->Editor->SetDockEdge(vtkHapticFunctionEditor::RIGHT_EDGE);
+    this->Editor->VisibilityOff();
+    this->Style->SetFunctionEditor(this->Editor);
+    this->Style->SetHeadUpDisplay(this->Display);
+  }
+  void Touch(int x, int y)
+  {
+    EXPECT_TRUE(this->Device->Open("virtual"));
+    EXPECT_TRUE(this->Device->Start());
+    this->Window->Render();
+    this->Pointer(x, y);
+    this->Style->TouchModeOn();
+    this->Rest();
+  }
+  /// Waits until the hand is where the mouse leads it.
+  void Rest()
+  {
+    double last[3] = { 1e9, 1e9, 1e9 };
+    EXPECT_TRUE(Eventually(
+      [&]
+      {
+        this->Run(30);
+        double now[3];
+        this->Device->GetState()->GetTipPosition(now);
+        const double moved[3] = { now[0] - last[0], now[1] - last[1], now[2] - last[2] };
+        std::copy_n(now, 3, last);
+        return Length(moved) < 1e-9;
+      }));
+  }
+  /// The distance (pixels) from the hand to a place in the window.
+  double Distance(int x, int y)
+  {
+    double display[3];
+    const double* const tip = this->Device->GetState()->GetTipPosition();
+    vtkInteractorObserver::ComputeWorldToDisplay(this->Renderer, tip[0], tip[1], tip[2], display);
+    return std::hypot(display[0] - x, display[1] - y);
+  }
+
+  vtkNew<vtkHapticFunctionEditor> Editor;
+  vtkNew<vtkHapticHeadUpDisplay> Display;
+};
+} // namespace
+
+TEST_F(HeldHand, IsUnderThePointerAfterAnEditorHasTakenPartOfTheWindow)
+{
+  this->Touch(320, 160);
+  ASSERT_LT(this->Distance(320, 160), 1.0);
+  this->Press("V");
+  this->Window->Render();
+  ASSERT_GT(this->Distance(320, 160), 50.0) << "the picture is narrower";
+  this->Pointer(322, 160);
+  this->Rest();
+  EXPECT_LT(this->Distance(322, 160), 1.0);
+  this->Press("v");
+  this->Window->Render();
+  this->Pointer(325, 162);
+  this->Rest();
+  EXPECT_LT(this->Distance(325, 162), 1.0);
+}
+
+TEST_F(HeldHand, IsUnderThePointerThatHasLeftTheWindowAndComesBackElsewhere)
+{
+  this->Touch(320, 160);
+  this->Pointer(599, 160);
+  this->Rest();
+  // Interactors take the place where the pointer comes in, and tell it as no motion.
+  this->Pointer(280, 299, vtkCommand::EnterEvent);
+  this->Pointer(282, 150);
+  this->Rest();
+  EXPECT_LT(this->Distance(282, 150), 1.0);
+}
+
+TEST_F(HeldHand, StaysUnderThePointerWhileTheViewIsZoomed)
+{
+  for (const int parallel : { 1, 0 })
+  {
+    this->Renderer->GetActiveCamera()->SetParallelProjection(parallel);
+    this->Touch(350, 180);
+    const double* const tip = this->Device->GetState()->GetTipPosition();
+    const double before[3] = { tip[0], tip[1], tip[2] };
+    const double pixel = this->Renderer->GetActiveCamera()->GetParallelScale();
+    for (int i = 0; i < 5; ++i)
+    {
+      this->Interactor->SetEventInformation(350, 180, 1, 0);
+      this->Interactor->InvokeEvent(vtkCommand::MouseWheelForwardEvent);
+    }
+    ASSERT_TRUE(parallel == 0 || this->Renderer->GetActiveCamera()->GetParallelScale() < pixel);
+    this->Pointer(350, 180);
+    this->Rest();
+    EXPECT_LT(this->Distance(350, 180), 1.0) << parallel;
+    const double moved[3] = { tip[0] - before[0], tip[1] - before[1], tip[2] - before[2] };
+    EXPECT_LT(Length(moved), 1e-6) << "the view moves, not the hand";
+    this->Style->TouchModeOff();
+    this->Device->Close();
+  }
+}
+
+TEST_F(HeldHand, StaysWhereItIsWhileTheViewIsTurned)
+{
+  this->Touch(320, 160);
+  const double* const tip = this->Device->GetState()->GetTipPosition();
+  const double before[3] = { tip[0], tip[1], tip[2] };
+  this->Pointer(320, 160, vtkCommand::RightButtonPressEvent);
+  this->Pointer(420, 160);
+  this->Pointer(420, 160, vtkCommand::RightButtonReleaseEvent);
+  this->Pointer(421, 160);
+  this->Rest();
+  const double moved[3] = { tip[0] - before[0], tip[1] - before[1], tip[2] - before[2] };
+  EXPECT_LT(Length(moved), 0.3) << "a motion of one pixel";
+}
+
+TEST_F(HeldHand, IsSaidToBeOutsideTheView)
+{
+  this->Touch(320, 160);
+  const auto isHinted = [this]
+  { return std::string(this->Display->GetHint()).find("outside the view") != std::string::npos; };
+  this->Run(2);
+  EXPECT_FALSE(isHinted()) << this->Display->GetHint();
+  this->Renderer->GetActiveCamera()->SetFocalPoint(100.0, 0.0, 0.0);
+  this->Renderer->GetActiveCamera()->SetPosition(100.0, 0.0, 200.0);
+  this->Run(2);
+  EXPECT_TRUE(isHinted()) << this->Display->GetHint();
+  EXPECT_NE(std::string(this->Display->GetHint()).find("Escape lets go"), std::string::npos);
 }
