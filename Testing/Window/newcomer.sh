@@ -102,7 +102,7 @@ feels()
   says '(0[.][1-9][0-9]*|[1-9][.][0-9]+) N of at most'
 }
 expect "says which force is felt" feels
-says '(Resting on|Sliding over|Pushed through|Pushed by) [a-z]+' || fail "it does not say what is touched"
+says '(Resting on|Sliding over|Pushed through|Force of) [a-z]+' || fail "it does not say what is touched"
 
 # The picture is taken while the hand moves, to and fro.
 stroke()

@@ -54,7 +54,7 @@ cat > needle.txt << END
 END
 run needle needle
 grep -q "The hand holds a needle" needle.log || fail "no needle is in the hand"
-[[ $(grep -c "The needle is not in tissue, and has no track" needle.log) -eq 2 ]] ||
+[[ $(grep -c "No track: the needle is not in tissue" needle.log) -eq 2 ]] ||
   fail "it has a track in air, or is stuck in tissue"
 grep -q "Written: track-001.vtp" needle.log || fail "its track was not written"
 [[ $(grep -c 'Name="ForbiddenTouches"' track-001.vtp) -eq 1 ]] || fail "its track has no forbidden touches"

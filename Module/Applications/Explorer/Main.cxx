@@ -21,6 +21,8 @@
 #include "VTK/Reading/VolumeChecks.h"
 #include "VTK/Reading/VolumeSeries.h"
 
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
 #include <vtksys/SystemTools.hxx>
 
 #include <exception>
@@ -76,13 +78,17 @@ Explore::SceneOptions MakeLook(
   const Explore::Exploration& exploration, const Explore::Options& options)
 {
   Explore::SceneOptions look;
-  look.Width = options.Width;
-  look.Height = HeightOf(options.Width);
+  vtkRenderWindow* const window = options.Place.Window;
+  look.Width = window ? window->GetSize()[0] : options.Width;
+  look.Height = window ? window->GetSize()[1] : HeightOf(options.Width);
   look.Mapper = options.Mapper;
   look.Caption = Caption(exploration);
   // If the file does not define its axes, the kind of its values decides.
   const Explore::VolumeKind kind = exploration.Values.Kind;
-  const bool isMedical = kind == Explore::VolumeKind::CT || kind == Explore::VolumeKind::EightBit;
+  // Numbers of labels have the axes that they have as values.
+  const double* const range = exploration.Values.Range;
+  const bool isMedical = kind == Explore::VolumeKind::CT || kind == Explore::VolumeKind::EightBit ||
+    (kind == Explore::VolumeKind::Labels && range[0] >= 0.0 && range[1] <= 255.0);
   const Explore::WorldAxes axes = exploration.Input.Axes;
   look.Anatomical =
     axes == Explore::WorldAxes::Patient || (axes == Explore::WorldAxes::Unknown && isMedical);
@@ -106,6 +112,14 @@ vtkSmartPointer<vtkRenderWindow> OpenWindow(const Explore::Options& options)
   {
     return nullptr;
   }
+  if (vtkRenderWindow* const before = options.Place.Window)
+  {
+    while (vtkRenderer* const renderer = before->GetRenderers()->GetFirstRenderer())
+    {
+      before->RemoveRenderer(renderer);
+    }
+    return before;
+  }
   auto window = vtkSmartPointer<vtkRenderWindow>::New();
   Explore::SetStereo(window, options.Stereo);
   window->SetMultiSamples(0);
@@ -116,8 +130,8 @@ vtkSmartPointer<vtkRenderWindow> OpenWindow(const Explore::Options& options)
 }
 
 /// Shows the touch window. Returns the file to open next; its path is empty if there is none.
-Explore::FileChoice Touch(
-  vtkRenderWindow* window, const Explore::Exploration& exploration, const Explore::Options& options)
+Explore::FileChoice Touch(vtkRenderWindow* window, const Explore::Exploration& exploration,
+  const Explore::Options& options, const Explore::OpenDevices& devices)
 {
   Explore::SceneOptions look = MakeLook(exploration, options);
   look.OffScreen = false;
@@ -129,7 +143,8 @@ Explore::FileChoice Touch(
     options.AsLabels };
   return Explore::RunTouchWindow(window, exploration, look, options.Device,
     { options.Setup, options.Measurements, options.Script, options.Movie, options.Sound,
-      options.Tool, options.Replay, now, options.Notice, options.BringBack });
+      options.Tool, options.Replay, now, options.Notice, options.BringBack, devices,
+      options.Place.View });
 }
 
 void WritePictures(Explore::Exploration& exploration, const Explore::Options& options)
@@ -226,6 +241,9 @@ int Run(const Explore::Options& options, Explore::FileChoice& next)
       loading->Report(step, fraction);
     }
   };
+  // Reading takes long. Refuse a device before it.
+  const Explore::OpenDevices devices =
+    window ? Explore::OpenDevicesOf(options.Device) : Explore::OpenDevices();
   std::cout << "Reading " << options.VolumePath << std::endl;
   tell("Reading " + vtksys::SystemTools::GetFilenameName(options.VolumePath), 0.0);
   Explore::Volume volume = Load(options);
@@ -259,7 +277,8 @@ int Run(const Explore::Options& options, Explore::FileChoice& next)
     WriteSound(exploration, options);
     tell("Drawing", 0.9);
     loading.reset();
-    next = Touch(window, exploration, options);
+    next = Touch(window, exploration, options, devices);
+    next.Place.Window = window;
     return DONE;
   }
   if (options.Sound)
@@ -311,11 +330,14 @@ int RunAll(Explore::Options options)
     options.Measurements.clear();
     // Options for one volume do not apply to another volume.
     const bool isSame = next.Path == options.VolumePath;
+    const Explore::WindowPlace place = next.Place;
+    options.Place = place;
     options.VolumePath = next.Path;
     options.Series = next.Series;
     options.AsLabels = next.AsLabels;
     if (!isSame)
     {
+      options.Place.View = nullptr;
       options.MorePaths.clear();
       options.Array.clear();
       options.Setup.clear();
@@ -336,6 +358,7 @@ int RunAll(Explore::Options options)
       const std::string what = Explore::NameOptions(error.what());
       std::cerr << what << std::endl;
       options = before;
+      options.Place = place;
       options.Notice = what;
       options.BringBack = true;
       next = {};

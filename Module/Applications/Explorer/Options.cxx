@@ -6,6 +6,7 @@
 #include "Applications/Explorer/Exploration/ModeChoice.h"
 #include "Applications/Explorer/HelpText.h"
 #include "Applications/Explorer/Live/ToolFile.h"
+#include "Applications/Explorer/Live/TouchReplay.h"
 #include "Applications/Explorer/Record/DemoScript.h"
 #include "Applications/Explorer/Record/MovieFile.h"
 #include "Applications/Explorer/Sound/SoundOutput.h"
@@ -242,6 +243,10 @@ void SetOption(Options& options, const std::string& name, const std::string& val
       throw InputError("--tool '" + value + "'", "is not known",
         "take needle, burr, or point, or a surface that ends in .stl, .ply, .obj or .vtp");
     }
+    if (Explore::IsToolFile(value))
+    {
+      Explore::ReadToolFile(value); // throws InputError, if necessary, before anything is computed
+    }
     options.Tool = value == "point" ? std::string() : value;
   }
   else if (name == "--mapper")
@@ -295,6 +300,7 @@ void SetOption(Options& options, const std::string& name, const std::string& val
   }
   else if (name == "--replay")
   {
+    Explore::TouchReplay::ReadFile(value); // throws InputError, if necessary, as above
     options.Replay = value;
   }
   else if (name == "--stereo")
@@ -376,7 +382,7 @@ Options ParseOptions(int argc, char* argv[])
       if (equals == std::string::npos && i + 1 >= argc)
       {
         // All options have a line of their own in the help.
-        const bool isKnown = Explore::HelpText().find("\n  " + name) != std::string::npos;
+        const bool isKnown = Explore::HelpText().find("\n  " + name + " ") != std::string::npos;
         throw InputError(
           word, isKnown ? "needs a value" : "is not an option", "--help lists the options");
       }

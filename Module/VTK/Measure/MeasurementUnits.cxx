@@ -90,7 +90,7 @@ std::string DescribeValue(const Measurement& measurement, double metersPerWorldU
   switch (measurement.Kind)
   {
     case MeasuredKind::Point:
-      return text.str();
+      return "value " + text.str();
     case MeasuredKind::Angle:
       return text.str() + "\xC2\xB0"; // degree sign
     case MeasuredKind::Area:

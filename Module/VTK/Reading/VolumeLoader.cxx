@@ -730,7 +730,8 @@ Volume LoadVolume(const std::string& path, int series, const std::string& array)
   else if (fields.Use(volume.Image))
   {
     volume.IsField = true;
-    volume.Notes.emplace_back("no scalars: the magnitude of the first field is shown");
+    volume.Notes.emplace_back("only the magnitude of the vectors is shown and felt; --method "
+                              "primitives follows their directions");
   }
   CheckVolume(path, volume, series);
   volume.MayBeLabels = !volume.IsGrid && !volume.IsField && LooksLikeLabels(volume.Image);

@@ -38,6 +38,7 @@ namespace Explore
 HandTool::HandTool(TouchScene& touch, const Exploration& exploration,
   vtkRenderWindowInteractor* interactor, const std::string& tool)
   : Device(touch.Device)
+  , Display(touch.Display)
   , Filter(exploration.Filter)
   , Interactor(interactor)
 {
@@ -94,18 +95,22 @@ void HandTool::PressKey()
       this->Write();
       break;
     case 'U':
-      std::cout << (this->Filter->GetRemoval()->Undo() ? "The last stroke of the burr is undone."
-                                                       : "The burr has no stroke to undo.")
-                << std::endl;
+      this->Tell(
+        this->Filter->GetRemoval()->Undo() ? "Burr stroke undone." : "No burr stroke to undo.");
       break;
     case 'J':
-      std::cout << (this->Filter->GetRemoval()->Redo() ? "A stroke of the burr is done again."
-                                                       : "The burr has no stroke to do again.")
-                << std::endl;
+      this->Tell(
+        this->Filter->GetRemoval()->Redo() ? "Burr stroke redone." : "No burr stroke to redo.");
       break;
     default:
       break;
   }
+}
+
+void HandTool::Tell(const std::string& text)
+{
+  std::cout << text << std::endl;
+  this->Display->SetNotice(text.c_str());
 }
 
 void HandTool::ChangeTool()
@@ -131,16 +136,21 @@ void HandTool::Hold(vtkHapticTool* tool)
   const std::string name = tool ? tool->GetText() : "point";
   if (tool && filter->GetMethod() != vtkVolumeHapticsFilter::PROXY)
   {
-    std::cout << "A " << name << " needs the method proxy, which key m gets to." << std::endl;
+    this->Tell("A " + name + " needs the method proxy (key m).");
     return;
   }
   if (tool && this->Device->GetPlayback()->HasTimeSteps())
   {
-    std::cout << "A " << name << " is not for a volume that moves." << std::endl;
+    this->Tell("A " + name + " can't touch a volume that moves.");
     return;
   }
   filter->SetTool(tool);
-  std::cout << "The hand holds a " << name << "." << std::endl;
+  if (this->Device->IsRunning())
+  {
+    // Now, because the style takes a notice away when it publishes a change.
+    this->Device->Publish();
+  }
+  this->Tell("The hand holds a " + name + ".");
 }
 
 void HandTool::Write()
@@ -160,14 +170,14 @@ void HandTool::WriteRemoval()
   vtkHapticRemoval* const removal = this->Filter->GetRemoval();
   if (removal->IsEmpty())
   {
-    std::cout << "The burr has removed nothing yet." << std::endl;
+    this->Tell("The burr has removed nothing yet.");
     return;
   }
   const std::string file = FindFreeFile("removal", ".vti");
   const double volume = removal->GetRemovedVolume();
   const bool isWritten = removal->WriteFile(file);
   this->WrittenVolume = isWritten ? volume : this->WrittenVolume;
-  std::cout << (isWritten ? "Written: " : "Can't be written: ") << file << std::endl;
+  this->Tell((isWritten ? "Written: " : "Can't be written: ") + file);
 }
 
 bool HandTool::HasUnwrittenRemoval() const
@@ -182,13 +192,12 @@ void HandTool::WriteTrack()
   this->Device->GetState()->GetNeedleTrack(track);
   if (track->GetNumberOfCells() == 0)
   {
-    std::cout << "The needle is not in tissue, and has no track." << std::endl;
+    this->Tell("No track: the needle is not in tissue.");
     return;
   }
   const std::string file = FindFreeFile("track", ".vtp");
   std::string error;
   const bool isWritten = VolumeHaptics::WriteTracePolyData(track, file, error);
-  std::cout << (isWritten ? "Written: " + file : "Can't be written: " + file + ": " + error)
-            << std::endl;
+  this->Tell(isWritten ? "Written: " + file : "Can't be written: " + file + ": " + error);
 }
 } // namespace Explore

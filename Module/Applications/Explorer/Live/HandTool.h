@@ -50,11 +50,14 @@ private:
   bool HasShape() const { return this->Shape->GetMesh() != nullptr; }
   void ChangeTool();
   void Hold(vtkHapticTool* tool);
+  /// Says it in the window, and in the terminal.
+  void Tell(const std::string& text);
   void Write();
   void WriteTrack();
   void WriteRemoval();
 
   vtkSmartPointer<vtkHapticDevice> Device;
+  vtkSmartPointer<vtkHapticHeadUpDisplay> Display;
   vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   vtkNew<vtkHapticNeedle> Needle;

@@ -150,7 +150,7 @@ void KeptWork::BringBack()
     this->Brought = this->Offered;
     this->Offered.clear();
   }
-  this->Touch.Display->SetNotice(error.empty() ? "The work of last time is back" : error.c_str());
+  this->Touch.Display->SetNotice(error.empty() ? "Unsaved work restored" : error.c_str());
   this->Interactor->Render();
 }
 

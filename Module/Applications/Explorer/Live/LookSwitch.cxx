@@ -65,7 +65,7 @@ void LookSwitch::Switch()
   }
   this->Swap();
   this->Touch.Display->SetNotice(
-    this->IsInside ? "The inside: what is hidden is not felt. O shows the outside" : "The outside");
+    this->IsInside ? "Inside: only what is shown is felt. O shows the outside" : "Outside");
   this->Interactor->Render();
 }
 } // namespace Explore

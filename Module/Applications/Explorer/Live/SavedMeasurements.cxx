@@ -61,9 +61,10 @@ void SavedMeasurements::SaveByKey(vtkRenderWindowInteractor* interactor)
       }
       std::string error;
       const bool isSaved = this->Save(error);
-      const std::string count = std::to_string(this->Touch.Measurements->GetNumberOfMeasurements());
-      this->Touch.Display->SetNotice(
-        (isSaved ? "Measurements saved to " + this->File + ": " + count : error).c_str());
+      const vtkIdType count = this->Touch.Measurements->GetNumberOfMeasurements();
+      const std::string saved = std::to_string(count) +
+        (count == 1 ? " measurement saved to " : " measurements saved to ") + this->File;
+      this->Touch.Display->SetNotice((isSaved ? saved : error).c_str());
       interactor->Render();
     });
 }
@@ -77,15 +78,14 @@ std::string SavedMeasurements::SaveAtEnd()
   if (this->File.empty())
   {
     this->Report(std::cout);
-    std::cout << "--measurements FILE saves them the next time." << std::endl;
+    std::cout << "Next time, --measurements FILE saves them." << std::endl;
     return {};
   }
   if (this->Touch.Measurements->GetNumberOfMeasurements() == 0)
   {
     if (this->InFile > 0)
     {
-      std::cout << "The list of measurements is empty; " << this->File << " stays as it is."
-                << std::endl;
+      std::cout << "There are no measurements; " << this->File << " is unchanged." << std::endl;
     }
     return {};
   }

@@ -63,9 +63,14 @@ TouchReplay::TouchReplay(
   : Touch(touch)
   , Interactor(interactor)
 {
-  this->ReadFile(file);
+  this->Trace = ReadFile(file);
+  vtkDataArray* const times = this->Trace->GetPointData()->GetArray("Time");
+  this->Begin = times->GetComponent(0, 0);
+  this->End = times->GetComponent(times->GetNumberOfTuples() - 1, 0);
   this->BuildActors();
   this->BuildSlider(file);
+  // The plot shows the hand, which rests; key g shows it.
+  touch.Display->PlotVisibilityOff();
   this->Observer->SetClientData(this);
   this->Observer->SetCallback(
     [](vtkObject*, unsigned long event, void* self, void*)
@@ -106,15 +111,15 @@ TouchReplay::~TouchReplay()
 
 std::string TouchReplay::ListKeys()
 {
-  return "Recording\nF5\tplay; hold\nF6\tback by 0.1 s\nF7\ton by 0.1 s\n";
+  return "Recording\nF5\tplay; pause\nF6\tback 0.1 s\nF7\tforward 0.1 s\n";
 }
 
-void TouchReplay::ReadFile(const std::string& file)
+vtkSmartPointer<vtkPolyData> TouchReplay::ReadFile(const std::string& file)
 {
   std::string error;
   const bool isThere = vtksys::SystemTools::FileExists(file, true);
-  this->Trace = isThere ? ReadPolyData(file, error) : nullptr;
-  vtkPointData* const data = this->Trace ? this->Trace->GetPointData() : nullptr;
+  const vtkSmartPointer<vtkPolyData> trace = isThere ? ReadPolyData(file, error) : nullptr;
+  vtkPointData* const data = trace ? trace->GetPointData() : nullptr;
   vtkDataArray* const times = data ? data->GetArray("Time") : nullptr;
   const auto isVector = [data](const char* name)
   { return data->GetArray(name) && data->GetArray(name)->GetNumberOfComponents() == 3; };
@@ -125,12 +130,11 @@ void TouchReplay::ReadFile(const std::string& file)
               : "there is no such file",
       "name a .vtp that key F10 or vtkHapticRecorder::Start() has written");
   }
-  this->Begin = times->GetComponent(0, 0);
-  this->End = times->GetComponent(times->GetNumberOfTuples() - 1, 0);
-  if (!(this->End > this->Begin))
+  if (!(times->GetComponent(times->GetNumberOfTuples() - 1, 0) > times->GetComponent(0, 0)))
   {
     throw InputError("--replay " + file, "has times that do not go on", "record the touch again");
   }
+  return trace;
 }
 
 void TouchReplay::BuildActors()
@@ -239,7 +243,12 @@ void TouchReplay::Show(double time)
 
   // VTK's arrow points along x, and its length is 1.
   const double newtons = vtkMath::Norm(force);
-  const double length = newtons / this->Touch.Hand->GetForceScale();
+  // As long as the arrows of the hand, and as thick.
+  constexpr double arrowRadii = 30.0;
+  constexpr double thickness = 10.0; // of VTK's arrow, whose shaft has a radius of 0.03
+  const double radius = this->Touch.Hand->GetRadius();
+  const double length = std::min(newtons / this->Touch.Hand->GetForceScale(), arrowRadii * radius);
+  const double sizes[3] = { length, thickness * radius, thickness * radius };
   double axes[3][3];
   std::copy_n(force, 3, axes[0]);
   this->ForceActor->SetVisibility(vtkMath::Normalize(axes[0]) > 0.0);
@@ -249,7 +258,7 @@ void TouchReplay::Show(double time)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      place->SetElement(line, axis, length * axes[axis][line]);
+      place->SetElement(line, axis, sizes[axis] * axes[axis][line]);
     }
     place->SetElement(line, 3, proxy[line]);
   }

@@ -37,8 +37,10 @@ public:
   /// Returns the lines for vtkHapticHeadUpDisplay::HelpText.
   static std::string ListKeys();
 
+  /// Reads a recording. Throws InputError if the file is neither a recording nor a trace.
+  static vtkSmartPointer<vtkPolyData> ReadFile(const std::string& file);
+
 private:
-  void ReadFile(const std::string& file);
   void BuildActors();
   void BuildSlider(const std::string& file);
   void PressKey();

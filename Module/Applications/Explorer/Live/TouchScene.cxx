@@ -101,6 +101,7 @@ private:
 
   vtkSmartPointer<vtkHapticDevice> Device;
   vtkSmartPointer<vtkInteractorStyleHaptic> Style;
+  vtkSmartPointer<vtkHapticHeadUpDisplay> Display;
   HeardTicks Ticks;
   SoundStream Stream;
   // after Stream, so that it is destroyed before the stream that it plays
@@ -113,6 +114,7 @@ private:
 WindowSound::WindowSound(TouchScene& touch, vtkRenderWindowInteractor* interactor)
   : Device(touch.Device)
   , Style(touch.Style)
+  , Display(touch.Display)
   , Ticks(touch.Device->GetVolumeHaptics())
   , Stream(SAMPLES_PER_SECOND)
   , Output(SoundOutput::Open(this->Stream))
@@ -143,6 +145,7 @@ void WindowSound::DrainStates()
     this->Stream.SetMuted(true);
     std::cerr << "--sound: there is no sound (" << trouble
               << "). Cure: start PulseAudio or PipeWire, then press o in the window." << std::endl;
+    this->Display->SetNotice("There is no sound: start PulseAudio or PipeWire, then press o");
   }
 }
 
@@ -155,7 +158,9 @@ void WindowSound::PressKey()
     this->HasFailed = false;
   }
   this->Stream.SetMuted(!this->Stream.IsMuted());
-  std::cout << (this->Stream.IsMuted() ? "Sound off" : "Sound on") << std::endl;
+  const char* const now = this->Stream.IsMuted() ? "Sound off" : "Sound on";
+  std::cout << now << std::endl;
+  this->Display->SetNotice(now);
 }
 } // namespace
 } // namespace Explore
@@ -190,10 +195,6 @@ void AddParts(TouchScene& touch, const Explore::Exploration& exploration)
 
   touch.Display->SetSecondDevice(touch.SecondDevice);
   touch.Display->SetDevice(touch.Device);
-  for (const Explore::Tissue& tissue : Explore::MakeTissueTable(analysis))
-  {
-    touch.Display->AddTissue(tissue.Name.c_str(), tissue.From, tissue.To);
-  }
   touch.Scene.Overlay->AddViewProp(touch.Display);
 
   // Use the scale of the volume, not that of the hand, which may enlarge a small object.
@@ -256,22 +257,38 @@ void AddSlices(
   slices->AddObserver(vtkCommand::ModifiedEvent, place);
 }
 
-/// Opens a device of the window and starts its servo. Throws InputError if that fails.
-void StartDevice(vtkHapticDevice* device, const std::string& id,
-  const Explore::Exploration& exploration, const Explore::DeviceChoice& choice)
+[[noreturn]] void RefuseDevice(const std::string& id, const std::string& error)
+{
+  throw Explore::InputError("--device " + id, error,
+    "name another device, or none; volumehaptics-device list shows what there is");
+}
+
+vtkSmartPointer<vtkHapticDevice> OpenDevice(
+  const std::string& id, const Explore::DeviceChoice& choice)
 {
   const Explore::MessageCapture capture;
-  device->SetVolumeHaptics(exploration.Filter);
-  device->SetServoRate(exploration.ServoRate);
+  auto device = vtkSmartPointer<vtkHapticDevice>::New();
   if (!choice.Firmware.empty())
   {
     device->SetFirmwareFile(choice.Firmware);
   }
   device->SetNewtonsPerFullScale(choice.Newtons.data());
-  if (!device->Open(id.c_str()) || !device->Start())
+  if (!device->Open(id.c_str()))
   {
-    throw Explore::InputError("--device " + id, capture.FirstError(),
-      "name another device, or none; volumehaptics-device list shows what there is");
+    RefuseDevice(id, capture.FirstError());
+  }
+  return device;
+}
+
+/// Starts the servo of a device of the window. Throws InputError if that fails.
+void StartDevice(vtkHapticDevice* device, const Explore::Exploration& exploration)
+{
+  const Explore::MessageCapture capture;
+  device->SetVolumeHaptics(exploration.Filter);
+  device->SetServoRate(exploration.ServoRate);
+  if (!device->Start())
+  {
+    RefuseDevice(device->GetDeviceId(), capture.FirstError());
   }
 }
 
@@ -297,13 +314,29 @@ std::string Align(const std::string& keys)
 
 namespace Explore
 {
+OpenDevices OpenDevicesOf(const DeviceChoice& choice)
+{
+  OpenDevices devices{ OpenDevice(choice.Id, choice), nullptr };
+  if (!choice.SecondId.empty())
+  {
+    devices.Second = OpenDevice(choice.SecondId, choice);
+  }
+  return devices;
+}
+
 void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const SceneOptions& options,
   const DeviceChoice& device)
 {
   BuildScene(touch.Scene, exploration, options);
   vtkVolumeHapticsFilter* const filter = exploration.Filter;
   filter->GetProperty()->SetVisibilityFrom(touch.Scene.Look);
-  StartDevice(touch.Device, device.Id, exploration, device);
+  if (!touch.Device)
+  {
+    const OpenDevices devices = OpenDevicesOf(device);
+    touch.Device = devices.First;
+    touch.SecondDevice = devices.Second;
+  }
+  StartDevice(touch.Device, exploration);
   if (!device.SecondId.empty())
   {
     if (exploration.Input.TimeSteps)
@@ -311,9 +344,8 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
       throw InputError("--device " + device.SecondId,
         "is a second hand, and a volume that moves is felt by one", "name one device");
     }
-    touch.SecondDevice = vtkSmartPointer<vtkHapticDevice>::New();
     touch.SecondDevice->UseToolOff(); // the first hand holds the tool
-    StartDevice(touch.SecondDevice, device.SecondId, exploration, device);
+    StartDevice(touch.SecondDevice, exploration);
   }
   AddParts(touch, exploration);
   AddSlices(touch, exploration, options);
@@ -346,6 +378,8 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   const std::string& setup = wanted.Setup;
   TouchScene touch;
   touch.Scene.Window = window;
+  touch.Device = wanted.Devices.First;
+  touch.SecondDevice = wanted.Devices.Second;
   BuildTouchScene(touch, exploration, options, device);
   if (!setup.empty() && vtksys::SystemTools::FileExists(setup, true))
   {
@@ -392,6 +426,11 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
     tool->ListKeys() + keys + files->ListKeys() + WindowRecorder::ListKeys() +
     "Window\n3\tstereo\n" + sound + "S\tsave measurements\n" + kept->ListKeys() + "q\tclose\n")
                                     .c_str());
+  if (wanted.View)
+  {
+    touch.Scene.Renderer->GetActiveCamera()->DeepCopy(wanted.View);
+    touch.Scene.Renderer->ResetCameraClippingRange();
+  }
   touch.Scene.Renderer->GetActiveCamera()->SetWindowCenter(BESIDE_PLOT, 0.0);
   std::cout << touch.Scene.MapperName << "\n\n" << Align(touch.Style->GetKeys()) << std::endl;
   const std::string offer = kept->GetOffer();
@@ -414,6 +453,8 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
     touch.Display->SetNotice(notice.c_str());
   }
   interactor->Start();
+  choice.Place.View = vtkSmartPointer<vtkCamera>::New();
+  choice.Place.View->DeepCopy(touch.Scene.Renderer->GetActiveCamera());
   replay.reset();
   files.reset();
   script.reset();

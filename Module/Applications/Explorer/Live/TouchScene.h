@@ -5,6 +5,7 @@
 
 #include "Applications/Explorer/Scene/ExplorerScene.h"
 
+#include "vtkCamera.h"
 #include "vtkHapticDevice.h"
 #include "vtkHapticFunctionEditor.h"
 #include "vtkHapticHeadUpDisplay.h"
@@ -34,12 +35,22 @@ struct DeviceChoice
   std::array<double, 2> Newtons{ 100.0, 100.0 };
 };
 
+/// Devices that are open, but do not run yet. Null if there are none.
+struct OpenDevices
+{
+  vtkSmartPointer<vtkHapticDevice> First;
+  vtkSmartPointer<vtkHapticDevice> Second;
+};
+
+/// Opens the devices of a window. Throws InputError if that fails.
+OpenDevices OpenDevicesOf(const DeviceChoice& choice);
+
 /// A scene that can be touched: the volume, a device with a running servo, and all displays of the
 /// device's state. Hidden tissue is not felt.
 struct TouchScene
 {
   ExplorerScene Scene;
-  vtkNew<vtkHapticDevice> Device;
+  vtkSmartPointer<vtkHapticDevice> Device; // null: BuildTouchScene opens it
   vtkNew<vtkHapticRepresentation> Hand;
   vtkSmartPointer<vtkHapticDevice> SecondDevice; // null without a second hand
   vtkNew<vtkHapticRepresentation> SecondHand;
@@ -58,12 +69,20 @@ struct TouchScene
 void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const SceneOptions& options,
   const DeviceChoice& device);
 
+/// What the next volume takes over from the one before it.
+struct WindowPlace
+{
+  vtkSmartPointer<vtkRenderWindow> Window; // null: a new one is opened
+  vtkSmartPointer<vtkCamera> View;         // null: the whole volume is shown
+};
+
 /// A file that a window shows, or the one that the user has chosen to open next.
 struct FileChoice
 {
   std::string Path;
   int Series = 0;        // see LoadVolumes
   bool AsLabels = false; // whether the values are shown as labels
+  WindowPlace Place;     // of the window in which the file was chosen
 };
 
 /// Options of the window. A file without a name is not read. If there is no name for measurements,
@@ -78,8 +97,10 @@ struct WindowOptions
   std::string Tool;   // "needle", "burr", a file, or empty for a point
   std::string Replay; // file of a recorded touch to show
   FileChoice File;
-  std::string Notice;     // notice at the beginning
-  bool BringBack = false; // whether unsaved work is restored (KeptWork.h)
+  std::string Notice;              // notice at the beginning
+  bool BringBack = false;          // whether unsaved work is restored (KeptWork.h)
+  OpenDevices Devices;             // opened before the volume was read
+  vtkSmartPointer<vtkCamera> View; // camera at the beginning; null: the whole volume is shown
 };
 
 /// Shows the scene in a window until it is closed. Returns the file to open next, or an empty path.

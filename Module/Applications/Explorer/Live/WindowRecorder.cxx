@@ -114,7 +114,7 @@ void WindowRecorder::EndMovie()
   {
     this->Movie->End();
     this->Ended.push_back({ std::move(this->Movie), this->MovieName });
-    this->Touch.Display->SetNotice(("Writing the end of " + this->MovieName).c_str());
+    this->Touch.Display->SetNotice(("Finishing " + this->MovieName).c_str());
     this->Report();
   }
 }

@@ -15,6 +15,8 @@ constexpr int MOST_LINES = 16;          // visible lines
 constexpr std::size_t WIDEST_LINE = 68; // characters in a line
 constexpr int LINES_BEFORE = 2;         // the title, and an empty line
 constexpr int LINES_AFTER = 2;          // an empty line, and the keys
+constexpr double LIST_LEFT = 0.08;      // left margin, as a fraction of the viewport
+constexpr int LEAST_LETTERS = 6;        // points
 constexpr double LIST_OPACITY = 0.85;   // opacity of the background behind the text
 
 /// Shortens a long line by leaving out its middle, which says less than its beginning and its end.
@@ -77,6 +79,9 @@ void ListOverlay::Move(int lines)
 
 int ListOverlay::Find(int x, int y) const
 {
+  const int* const origin = this->Overlay->GetOrigin();
+  x -= origin[0];
+  y -= origin[1];
   double box[4];
   this->Text->GetBoundingBox(this->Overlay, box);
   const double* const place = this->Text->GetPosition();
@@ -104,11 +109,19 @@ void ListOverlay::Write()
   }
   text += "\n\nUp, Down and Return, or a click; Escape: back to the scene";
   const int* const size = this->Overlay->GetSize();
-  const int* const origin = this->Overlay->GetOrigin();
   vtkTextProperty* const look = this->Text->GetTextProperty();
   look->SetFontSize(
     VolumeHaptics::FitLetters(size[1], 34, VolumeHaptics::PixelsPerPoint(this->Overlay), 11, 18));
   this->Text->SetInput(text.c_str());
-  this->Text->SetPosition(origin[0] + 0.08 * size[0], origin[1] + 0.5 * size[1]);
+  // The position is relative to the viewport, which docks make smaller.
+  this->Text->SetPosition(LIST_LEFT * size[0], 0.5 * size[1]);
+  double shown[2];
+  this->Text->GetSize(this->Overlay, shown);
+  const double scale =
+    std::min((1.0 - 2.0 * LIST_LEFT) * size[0] / shown[0], (1.0 - LIST_LEFT) * size[1] / shown[1]);
+  if (scale < 1.0)
+  {
+    look->SetFontSize(std::max(LEAST_LETTERS, static_cast<int>(scale * look->GetFontSize())));
+  }
 }
 } // namespace Explore

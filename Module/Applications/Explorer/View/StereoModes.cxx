@@ -32,6 +32,8 @@ void SetStereo(vtkRenderWindow* window, const std::string& name)
 {
   if (name.empty())
   {
+    // VTK's own default, red and blue, leaves no colours.
+    window->SetStereoType(VTK_STEREO_ANAGLYPH);
     return;
   }
   const int mode = FindStereoMode(name);

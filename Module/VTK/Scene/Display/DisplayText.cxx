@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/Display/DisplayText.h"
 
+#include "VTK/Filter/HapticBaker.h"
+#include "VTK/Measure/MeasurementUnits.h"
 #include "VTK/Scene/Hand/DrawnTool.h"
 #include "VTK/Tools/ToolKind.h"
 
@@ -140,11 +142,11 @@ std::string DescribeStatus(vtkHapticDevice* device)
   return asksHand ? first + "\n" + status.substr(sentence + 2) : first;
 }
 
-std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue, bool slid)
+std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue, bool slides)
 {
   static const char* const contacts[] = { "", "Resting on ", "Sliding over ", "Pushed through " };
   const int now = device->GetState()->GetContact() & 3;
-  const int contact = now == 1 && slid ? 2 : now;
+  const int contact = now == 1 || now == 2 ? (slides ? 2 : 1) : now;
   const double force = vtkMath::Norm(device->GetState()->GetForce());
   if (force < LeastForce && (contact == 0 || device->GetStatus() != vtkHapticDevice::ACTIVE))
   {
@@ -156,13 +158,15 @@ std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue, bo
   if (filter && device->GetState()->IsSpinning())
   {
     vtkHapticRemoval* const removal = filter->GetRemoval();
-    text << "Drills, " << std::fixed << std::setprecision(1) << removal->GetRemovedVolume()
-         << " mm^3 removed" << (removal->IsUsedUp() ? " (no more can be)" : "");
+    const double removed = removal->GetRemovedVolume();
+    text << "Drilling, " << std::fixed << std::setprecision(removed < 10.0 ? 1 : 0) << removed
+         << " mm^3 removed" << (removal->IsUsedUp() ? " (memory for holes is full)" : "");
   }
   else if (depth > 0.0)
   {
-    text << "Needle " << std::fixed << std::setprecision(1) << depth << " deep"
-         << (tissue.empty() ? "" : " in ") << tissue;
+    const LengthUnit unit = ChooseLengthUnit(filter ? filter->GetMetersPerWorldUnit() : 0.001);
+    text << "Needle " << std::fixed << std::setprecision(1) << unit.PerWorldUnit * depth << " "
+         << unit.Name << " deep" << (tissue.empty() ? "" : " in ") << tissue;
   }
   else if (AreOnlyFieldsFelt(device->GetVolumeHaptics()))
   {
@@ -171,7 +175,7 @@ std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue, bo
   }
   else
   {
-    text << (contact == 0 ? "Pushed by " : contacts[contact])
+    text << (contact == 0 ? "Force of " : contacts[contact])
          << (tissue.empty() ? "the volume" : tissue);
   }
   text << ", " << std::fixed << std::setprecision(2) << force << " N of at most "
@@ -201,6 +205,61 @@ double ComputeFeltValue(vtkHapticDevice* device)
   vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
   const double scalar = device->GetState()->GetSurfaceValue();
   return filter ? filter->GetProperty()->ScalarToValue(scalar) : scalar;
+}
+
+double ComputeTissueValue(vtkHapticDevice* device)
+{
+  constexpr double depth = 2.0; // voxels
+  vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
+  vtkImageData* const image = filter ? filter->GetTouchedImage() : nullptr;
+  vtkDataArray* const scalars = image ? image->GetPointData()->GetScalars() : nullptr;
+  const int component = filter ? filter->GetProperty()->GetComponent() : 0;
+  // Of a volume that moves, the image is another time step.
+  if (!scalars || component >= scalars->GetNumberOfComponents() ||
+    device->GetPlayback()->HasTimeSteps())
+  {
+    return ComputeFeltValue(device);
+  }
+  const double* const spacing = image->GetSpacing();
+  const double* const surface = device->GetState()->GetSurfacePosition();
+  const double* const normal = device->GetState()->GetNormal();
+  double below[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    below[i] = surface[i] + depth * std::min({ spacing[0], spacing[1], spacing[2] }) * normal[i];
+  }
+  double index[3];
+  image->TransformPhysicalPointToContinuousIndex(below, index);
+  const int* const extent = image->GetExtent();
+  int voxel[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    voxel[i] = static_cast<int>(std::lround(index[i]));
+    if (voxel[i] < extent[2 * i] || voxel[i] > extent[2 * i + 1])
+    {
+      return ComputeFeltValue(device);
+    }
+  }
+  const double scalar = scalars->GetComponent(image->ComputePointId(voxel), component);
+  return filter->GetProperty()->ScalarToValue(scalar);
+}
+
+std::string NameTissue(vtkHapticProperty* property, double value)
+{
+  std::string name;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < property->GetNumberOfTissues(); ++i)
+  {
+    double range[2];
+    property->GetTissueRange(i, range);
+    const double away = std::max({ range[0] - value, value - range[1], 0.0 });
+    if (away < nearest)
+    {
+      nearest = away;
+      name = property->GetTissueName(i);
+    }
+  }
+  return name;
 }
 
 std::string DescribeDetails(vtkHapticDevice* device)
@@ -279,21 +338,38 @@ std::string DescribeTime(vtkHapticDevice* device)
   {
     return {};
   }
-  static const char* const ends[] = { "once", "in a loop", "to and fro" };
+  static const char* const ends[] = { "once", "looping", "back and forth" };
+  vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
+  const std::vector<double> times =
+    filter ? filter->GetBaker().GetDataTimes() : std::vector<double>();
+  const auto shown =
+    std::lower_bound(times.begin(), times.end(), device->GetPlayback()->GetTimeStepValue());
+  const double time = device->GetPlayback()->GetDataTime();
   std::ostringstream text;
-  text << "Time " << std::setprecision(4) << device->GetPlayback()->GetDataTime() << ", shown "
-       << device->GetPlayback()->GetTimeStepValue() << ", ";
+  if (filter && filter->GetTimeUnitsPerSecond() == 1.0)
+  {
+    text << std::fixed << std::setprecision(2) << time << " s" << std::defaultfloat;
+  }
+  else
+  {
+    text << "Time " << std::setprecision(4) << time;
+  }
+  if (shown != times.end())
+  {
+    text << ", frame " << shown - times.begin() + 1 << " of " << times.size();
+  }
+  text << ", ";
   if (device->GetPlayback()->IsPlaying())
   {
-    text << "played " << ends[device->GetPlayback()->GetMode()];
+    text << ends[device->GetPlayback()->GetMode()];
     if (device->GetPlayback()->GetSpeed() != 1.0)
     {
-      text << ", speed " << device->GetPlayback()->GetSpeed();
+      text << std::setprecision(4) << ", speed " << device->GetPlayback()->GetSpeed();
     }
   }
   else
   {
-    text << "held";
+    text << "paused";
   }
   // Reading or drawing that takes long delays the time steps.
   text << (device->GetPlayback()->IsWaitingForData() ? ", waiting for data" : "");

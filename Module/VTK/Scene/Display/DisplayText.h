@@ -14,6 +14,7 @@
 
 class vtkHapticDevice;
 class vtkHapticMeasurements;
+class vtkHapticProperty;
 class vtkVolumeHapticsFilter;
 
 namespace VolumeHaptics
@@ -32,32 +33,40 @@ std::string DescribeStatus(vtkHapticDevice* device);
 class LateSlide
 {
 public:
-  /** Records a tick: its time (s), and its contact as vtkHapticState::GetContact() returns it. */
-  void Add(double time, int contact)
+  /**
+   * Records a tick: its time (s), its contact as vtkHapticState::GetContact() returns it, and the
+   * distance (m) of the hand from where it was in the tick before. A contact at the limit of its
+   * friction may rest, too.
+   */
+  void Add(double time, int contact, double moved)
   {
+    constexpr double least = 0.0005;                       // m/s
     this->Last = time < this->Now ? -1.0e300 : this->Last; // a new session began
+    const bool slides = contact == 2 && moved >= least * (time - this->Now);
     this->Now = time;
-    this->Last = contact == 2 ? time : this->Last;
+    this->Last = slides ? time : this->Last;
+    this->IsKnown = true;
   }
-  bool Is() const { return this->Now - this->Last < 0.2; }
+  /** Whether the hand has slid, for a contact of now; as the contact says if no tick is known. */
+  bool Is(int contact) const { return this->IsKnown ? this->Now - this->Last < 0.2 : contact == 2; }
   void Clear() { *this = LateSlide(); }
 
 private:
+  bool IsKnown = false;
   double Now = 0.0;
   double Last = -1.0e300;
 };
 
 /**
  * Returns a text such as "Resting on skin, 0.62 N of at most 10 N"; empty while nothing is touched.
- * `tissue` may be empty. If the hand `slid` in the last moments, the text says "Sliding" also for a
- * rest.
- * For an inserted needle, the text is a line such as "Needle 12.3 deep in fat, 0.62 N of at most 10
- * N", and a second line: "20 degrees from upright, 3 layers, forbidden tissue touched 1 time". The
- * depth is in world units, the angle is measured from the normal of the surface.
+ * `tissue` may be empty. `slides` says whether a hand in contact slides or rests.
+ * For an inserted needle, the text is a line such as "Needle 12.3 mm deep in fat, 0.62 N of at most
+ * 10 N", and a second line: "20 degrees from upright, 3 layers, forbidden tissue touched 1 time".
+ * The angle is measured from the normal of the surface.
  * For a tool with a shape, the torque follows: "turned by 3.1 N mm". Modes have no surface to rest
  * on, so the text is "Held, 0.62 N".
  */
-std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue, bool slid);
+std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue, bool slides);
 
 /** Says in words whether the faces of a cut are felt; empty if nothing is cut away. */
 std::string DescribeCut(vtkHapticDevice* device);
@@ -67,6 +76,18 @@ std::string DescribeCut(vtkHapticDevice* device);
  * property.
  */
 double ComputeFeltValue(vtkHapticDevice* device);
+
+/**
+ * Returns the value that names the touched tissue: two voxels below the surface, because the values
+ * of the surface itself are blends of both sides. On the scale of ComputeFeltValue().
+ */
+double ComputeTissueValue(vtkHapticDevice* device);
+
+/**
+ * Returns the name of a value in the tissues of a property: of the range that contains it, or else
+ * of the nearest one. Empty if the property has none.
+ */
+std::string NameTissue(vtkHapticProperty* property, double value);
 
 /** Returns the value at the surface, if a surface is touched, and the timing of the servo. */
 std::string DescribeDetails(vtkHapticDevice* device);

@@ -18,6 +18,7 @@ namespace
 {
 constexpr int LargestLetters = 14; // points
 constexpr int SmallestLetters = 6;
+constexpr int PartLetters = 9; ///< of a list of which a part is shown
 constexpr double TextColour[3] = { 0.90, 0.92, 0.95 };
 constexpr double TitleColour[3] = { 1.0, 0.78, 0.35 };
 constexpr int MostColumns = 3;
@@ -50,6 +51,7 @@ void HapticKeySheet::Show(const std::string& text, int width, int height, double
   this->Viewport[1] = height;
   this->Scale = static_cast<float>(scale);
   this->Letters = 0;
+  this->First = 0;
   this->Lines.clear();
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);)
@@ -134,32 +136,99 @@ void HapticKeySheet::Measure(vtkContext2D* painter, Column& column) const
 }
 
 //------------------------------------------------------------------------------
-bool HapticKeySheet::Fit(vtkContext2D* painter)
+void HapticKeySheet::Fit(vtkContext2D* painter)
 {
+  this->IsPart = false;
   for (int letters = LargestLetters; letters >= SmallestLetters; --letters)
   {
-    this->Letters = letters;
-    const float size = this->GetLetterHeight();
-    for (int count = 1; count <= MostColumns; ++count)
+    if (this->FitAll(painter, letters))
     {
-      this->Columns = this->Divide(static_cast<std::size_t>(count));
-      float width = -ColumnGap * size;
-      float height = 0.0f;
-      for (Column& column : this->Columns)
-      {
-        this->Measure(painter, column);
-        width += column.Width + ColumnGap * size;
-        height = std::max(height, column.Height);
-      }
-      const float around = 2.0f * (KeySheetMargin + Padding * size);
-      if (width + around <= static_cast<float>(this->Viewport[0]) &&
-        height + around <= static_cast<float>(this->Viewport[1]))
-      {
-        return true;
-      }
+      return;
     }
   }
-  return false; // the smallest letters are drawn all the same, and cut off
+  this->FitPart(painter);
+}
+
+//------------------------------------------------------------------------------
+bool HapticKeySheet::FitAll(vtkContext2D* painter, int letters)
+{
+  this->Letters = letters;
+  const float size = this->GetLetterHeight();
+  for (int count = 1; count <= MostColumns; ++count)
+  {
+    this->Columns = this->Divide(static_cast<std::size_t>(count));
+    float width = -ColumnGap * size;
+    float height = 0.0f;
+    for (Column& column : this->Columns)
+    {
+      this->Measure(painter, column);
+      width += column.Width + ColumnGap * size;
+      height = std::max(height, column.Height);
+    }
+    const float around = 2.0f * (KeySheetMargin + Padding * size);
+    if (width + around <= static_cast<float>(this->Viewport[0]) &&
+      height + around <= static_cast<float>(this->Viewport[1]))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void HapticKeySheet::FitPart(vtkContext2D* painter)
+{
+  this->IsPart = true;
+  Column all{ 0, this->Lines.size(), 0.0f, 0.0f, 0.0f };
+  for (this->Letters = PartLetters; this->Letters > SmallestLetters; --this->Letters)
+  {
+    this->Measure(painter, all);
+    const float around = 2.0f * Padding * this->GetLetterHeight();
+    if (all.Width + around <= static_cast<float>(this->Viewport[0]))
+    {
+      break;
+    }
+  }
+  this->Measure(painter, all);
+  const float size = this->GetLetterHeight();
+  // The last line says how to go on.
+  const float room = static_cast<float>(this->Viewport[1]) - (2.0f * Padding + LineHeight) * size;
+  const auto fits = [&](std::size_t first, std::size_t end)
+  {
+    Column part{ first, end, 0.0f, 0.0f, 0.0f };
+    this->Measure(painter, part);
+    return part.Height <= room;
+  };
+  std::size_t last = this->Lines.size() - 1; // the last beginning of a part
+  while (last > 0 && fits(last - 1, this->Lines.size()))
+  {
+    --last;
+  }
+  this->First = std::min(this->First, last);
+  std::size_t end = this->First + 1;
+  while (end < this->Lines.size() && fits(this->First, end + 1))
+  {
+    ++end;
+  }
+  Column part{ this->First, end, 0.0f, 0.0f, 0.0f };
+  this->Measure(painter, part);
+  // The panel stays as wide as the widest of all lines.
+  part.Width = all.Width;
+  part.KeyWidth = all.KeyWidth;
+  this->Columns = { part };
+}
+
+//------------------------------------------------------------------------------
+bool HapticKeySheet::Scroll(int lines)
+{
+  if (!this->IsPart)
+  {
+    return false;
+  }
+  const auto first = static_cast<int>(this->First) + lines;
+  this->First = static_cast<std::size_t>(std::max(0, first));
+  this->Letters = 0; // compute the part when it is painted next
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -206,7 +275,7 @@ bool HapticKeySheet::Paint(vtkContext2D* painter)
     height = std::max(height, column.Height);
   }
   width += 2.0f * Padding * size;
-  height += 2.0f * Padding * size;
+  height += (2.0f * Padding + (this->IsPart ? LineHeight : 0.0f)) * size;
   const float left = std::max(0.0f, 0.5f * (static_cast<float>(this->Viewport[0]) - width));
   const float bottom = std::max(0.0f, 0.5f * (static_cast<float>(this->Viewport[1]) - height));
   painter->GetPen()->SetLineType(vtkPen::NO_PEN);
@@ -217,6 +286,13 @@ bool HapticKeySheet::Paint(vtkContext2D* painter)
   {
     this->PaintColumn(painter, column, x, bottom + height - Padding * size);
     x += column.Width + ColumnGap * size;
+  }
+  if (this->IsPart)
+  {
+    painter->GetTextProp()->SetColor(TitleColour[0], TitleColour[1], TitleColour[2]);
+    this->SetLetters(painter, false);
+    painter->DrawString(left + Padding * size, bottom + (Padding + LineHeight) * size,
+      this->Columns.back().End < this->Lines.size() ? "The wheel shows more" : "The end");
   }
   return true;
 }

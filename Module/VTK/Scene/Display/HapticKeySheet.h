@@ -24,6 +24,12 @@ public:
    */
   void Show(const std::string& text, int width, int height, double scale = 1.0);
 
+  /**
+   * Moves a list that is too long for the viewport up by some lines, or down (negative). Returns
+   * false if all of it is shown.
+   */
+  bool Scroll(int lines);
+
   bool Paint(vtkContext2D* painter) override;
 
 protected:
@@ -51,10 +57,14 @@ private:
   };
   std::vector<Column> Divide(std::size_t count) const;
   /**
-   * Computes the largest letters that fit, and their columns. Returns false if not even the
-   * smallest letters fit.
+   * Computes the largest letters that fit, and their columns. If not even the smallest letters fit,
+   * shows a part of the lines.
    */
-  bool Fit(vtkContext2D* painter);
+  void Fit(vtkContext2D* painter);
+  /** Whether letters of this size fit; computes their columns. */
+  bool FitAll(vtkContext2D* painter, int letters);
+  /** Makes one column of as many lines as fit. */
+  void FitPart(vtkContext2D* painter);
   void Measure(vtkContext2D* painter, Column& column) const;
   void PaintColumn(vtkContext2D* painter, const Column& column, float left, float top) const;
   void SetLetters(vtkContext2D* painter, bool isBold) const;
@@ -67,6 +77,8 @@ private:
   float Scale = 1.0f; ///< pixels for each point
   int Letters = 0;    ///< size of the letters (points); 0 before Fit
   std::vector<Column> Columns;
+  bool IsPart = false;   ///< whether only a part of the lines is shown
+  std::size_t First = 0; ///< number of the first line of that part
 };
 
 #endif

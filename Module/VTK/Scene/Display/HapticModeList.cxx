@@ -10,6 +10,7 @@
 #include "vtkViewport.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace VolumeHaptics
 {
@@ -70,6 +71,16 @@ int HapticModeList::Find(int x, int y) const
     }
   }
   return -1;
+}
+
+int HapticModeList::FindLow(int left) const
+{
+  int low = std::numeric_limits<int>::max();
+  for (std::size_t i = 0; i < this->Count; ++i)
+  {
+    low = this->Lines[i].Width >= left ? std::min(low, this->Lines[i].Low) : low;
+  }
+  return low;
 }
 
 void HapticModeList::Release(vtkWindow* window)

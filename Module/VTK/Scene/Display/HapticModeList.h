@@ -44,6 +44,11 @@ public:
   void Hide() { this->Count = 0; }
   /** Returns the number of the line at a position of the viewport (pixels); -1 if there is none. */
   int Find(int x, int y) const;
+  /**
+   * Returns the lower end (pixels) of the lines that reach to the right of a position; the largest
+   * number if there are none.
+   */
+  int FindLow(int left) const;
   void Release(vtkWindow* window);
 
 private:

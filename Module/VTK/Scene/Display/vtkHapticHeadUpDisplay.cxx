@@ -216,6 +216,7 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   std::vector<TissueRange> Tissues;
   HapticForceHistory History;
   LateSlide Slide;
+  std::array<double, 3> Proxy{}; // of the last row (world)
   HapticForceChart Chart{ HapticForceChart::Ground::Panel };
   HapticOverlayPicture Picture;
   std::chrono::steady_clock::time_point Due; // time when the chart is drawn next
@@ -236,6 +237,8 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   {
     return this->Device ? this->Device->GetMethodText() : std::string();
   }
+  /** Returns the distance (m) of a row's proxy from the proxy of the row before. */
+  double MeasureStep(vtkDataArray* proxies, vtkIdType row);
   std::string GetStatus(vtkHapticHeadUpDisplay& self);
   std::string GetSecondStatus(vtkHapticHeadUpDisplay& self) const;
   int RenderText(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
@@ -350,6 +353,7 @@ void vtkHapticHeadUpDisplay::AddStates(vtkTable* states)
   auto* const contacts = vtkDataArray::SafeDownCast(states->GetColumnByName("Contact"));
   auto* const modes = vtkDataArray::SafeDownCast(states->GetColumnByName("ModeForces"));
   auto* const armed = vtkDataArray::SafeDownCast(states->GetColumnByName("Armed"));
+  auto* const proxies = vtkDataArray::SafeDownCast(states->GetColumnByName("Proxy"));
   const vtkIdType rows = columns[0]->GetNumberOfTuples();
   for (vtkIdType i = 0; i < rows; ++i)
   {
@@ -378,9 +382,24 @@ void vtkHapticHeadUpDisplay::AddStates(vtkTable* states)
     this->Internals->History.Add(state, GetShownSpan(this->TimeSpan));
     if (contacts && i < contacts->GetNumberOfTuples())
     {
-      this->Internals->Slide.Add(state.Time, static_cast<int>(contacts->GetComponent(i, 0)));
+      this->Internals->Slide.Add(state.Time, static_cast<int>(contacts->GetComponent(i, 0)),
+        this->Internals->MeasureStep(proxies, i));
     }
   }
+}
+
+//------------------------------------------------------------------------------
+double vtkHapticHeadUpDisplay::vtkInternals::MeasureStep(vtkDataArray* proxies, vtkIdType row)
+{
+  if (!proxies || proxies->GetNumberOfComponents() != 3 || row >= proxies->GetNumberOfTuples())
+  {
+    return 1.0; // not known: a slide is what the contact says
+  }
+  const std::array<double, 3> before = this->Proxy;
+  proxies->GetTuple(row, this->Proxy.data());
+  vtkVolumeHapticsFilter* const filter = this->Device ? this->Device->GetVolumeHaptics() : nullptr;
+  const double meters = filter ? filter->GetMetersPerWorldUnit() : 0.001;
+  return meters * std::sqrt(vtkMath::Distance2BetweenPoints(before.data(), this->Proxy.data()));
 }
 
 //------------------------------------------------------------------------------
@@ -408,6 +427,12 @@ void vtkHapticHeadUpDisplay::RemoveAllTissues()
 std::string vtkHapticHeadUpDisplay::GetTissueName(double value)
 {
   const auto& all = this->Internals->Tissues;
+  vtkHapticDevice* const device = this->Internals->Device;
+  vtkVolumeHapticsFilter* const filter = device ? device->GetVolumeHaptics() : nullptr;
+  if (all.empty() && filter)
+  {
+    return NameTissue(filter->GetProperty(), value);
+  }
   const auto found = std::find_if(
     all.begin(), all.end(), [&](const TissueRange& t) { return value >= t.From && value < t.To; });
   return found == all.end() ? std::string() : found->Name;
@@ -477,7 +502,8 @@ std::string vtkHapticHeadUpDisplay::vtkInternals::GetSecondStatus(
   const bool isByValue = label.empty() && !GetModesFilter(device);
   const std::string status = DescribeStatus(device);
   const std::string touch =
-    DescribeTouch(device, isByValue ? self.GetTissueName(ComputeFeltValue(device)) : label, false);
+    DescribeTouch(device, isByValue ? self.GetTissueName(ComputeTissueValue(device)) : label,
+      device->GetState()->GetContact() == 2);
   const std::string text = status + (status.empty() || touch.empty() ? "" : " ") + touch;
   return "Second hand: " + (text.empty() ? std::string("touches nothing") : text);
 }
@@ -498,15 +524,23 @@ std::string vtkHapticHeadUpDisplay::vtkInternals::GetStatus(vtkHapticHeadUpDispl
     NameLabelAt(device->GetVolumeHaptics(), device->GetState()->GetSurfacePosition());
   // With modes, no surface is touched whose value could name the tissue.
   const bool isByValue = label.empty() && !GetModesFilter(device);
-  const std::string tissue = isByValue ? self.GetTissueName(ComputeFeltValue(device)) : label;
+  const std::string tissue = isByValue ? self.GetTissueName(ComputeTissueValue(device)) : label;
   std::string text;
-  for (const std::string& line :
-    { DescribeStatus(device), DescribeTouch(device, tissue, this->Slide.Is()), DescribeCut(device),
-      DescribeTime(device), self.DetailsVisibility ? DescribeDetails(device) : std::string() })
+  for (const std::string& line : { DescribeStatus(device),
+         DescribeTouch(device, tissue, this->Slide.Is(device->GetState()->GetContact())),
+         DescribeCut(device), DescribeTime(device),
+         self.DetailsVisibility ? DescribeDetails(device) : std::string() })
   {
     text += text.empty() || line.empty() ? line : "\n" + line;
   }
   return text;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticHeadUpDisplay::ScrollHelp(int lines)
+{
+  return this->GetVisibility() && this->HelpVisibility && !this->HelpText.empty() &&
+    this->Internals->Keys->Scroll(lines);
 }
 
 //------------------------------------------------------------------------------
@@ -608,11 +642,12 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderHint(
       break;
     }
   }
-  const double end = this->ComputeTextEnd(self, viewport) - TextGap;
+  const double left = 0.5 * (view[0] - size[0]) - TextGap;
+  const double end =
+    std::min(this->ComputeTextEnd(self, viewport), this->Modes.FindLow(static_cast<int>(left))) -
+    TextGap;
   const ViewportBox at = MoveOff(viewport,
-    { 0.5 * (view[0] - size[0]) - TextGap, 0.5 * (view[0] + size[0]) + TextGap,
-      end - size[1] - TextGap, end + TextGap },
-    0, -1);
+    { left, 0.5 * (view[0] + size[0]) + TextGap, end - size[1] - TextGap, end + TextGap }, 0, -1);
   // The position is relative to the viewport, like all boxes here.
   this->Hint->SetPosition(view[0] / 2, static_cast<int>(at[3] - TextGap));
   this->Covered.push_back(at);

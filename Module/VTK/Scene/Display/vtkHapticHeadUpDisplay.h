@@ -174,12 +174,19 @@ public:
   vtkBooleanMacro(HelpVisibility, vtkTypeBool);
   ///@}
 
+  /**
+   * Move the shown HelpText up by some lines, or down (negative), if the viewport is too small for
+   * all of it. Returns false if no help is shown, or all of it.
+   */
+  bool ScrollHelp(int lines);
+
   ///@{
   /**
    * Name ranges of values, and get the name of a value. A range begins at `from` and ends before
    * `to`; both are on the scale of vtkHapticProperty's functions (see ScalarShift). The text names
-   * the first range that contains the touched value, unless the filter's label table names the
-   * touched label.
+   * the first range that contains the value two voxels below the touched surface, unless the
+   * filter's label table names the touched label. Without ranges, the tissues of the filter's
+   * vtkHapticProperty name all values, as in vtkHapticFunctionEditor: each value the nearest one.
    */
   void AddTissue(const char* name, double from, double to);
   void RemoveAllTissues();

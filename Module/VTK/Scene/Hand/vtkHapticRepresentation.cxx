@@ -86,6 +86,7 @@ struct vtkHapticRepresentation::vtkInternals
   /// volume.
   bool IsOverVolumes = false;
   bool HasState = false;
+  bool HadState = false; ///< whether a state was known in the last frame
   bool WasFelt = false;  ///< whether forces were shown in the last frame
   bool HasLetGo = false; ///< whether the tip has not moved since it was last felt
   Vector3 LetGoAt;
@@ -211,6 +212,7 @@ void vtkHapticRepresentation::SetDevice(vtkHapticDevice* device)
   if (this->GetDevice() != device)
   {
     this->Internals->Device = device;
+    this->Internals->HadState = false;
     this->Modified();
   }
 }
@@ -260,11 +262,12 @@ void vtkHapticRepresentation::UpdateMarkers()
   vtkPolyData* const state = d.State;
   d.HasState = state->GetNumberOfPoints() > 0;
   const auto at = [&](vtkIdType point) { return FromArray(state->GetPoint(point)); };
-  // After the hand has let go, it feels nothing, even with the tip in a surface. Then show no
-  // markers, unless the application moves the tip.
+  // Before the first touch, and after the hand has let go, it feels nothing, even with the tip in a
+  // surface. Then show no markers, unless the application moves the tip.
   const bool isFelt = d.HasState && IsFelt(this->GetDevice());
   const Vector3 tip = d.HasState ? at(State::TIP) : Vector3{};
-  if (std::exchange(d.WasFelt, isFelt) && !isFelt)
+  const bool isFirst = d.HasState && !std::exchange(d.HadState, d.HasState);
+  if ((std::exchange(d.WasFelt, isFelt) || isFirst) && !isFelt)
   {
     d.HasLetGo = true;
     d.LetGoAt = tip;

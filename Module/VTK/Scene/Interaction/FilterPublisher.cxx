@@ -133,7 +133,7 @@ void FilterPublisher::TakeBack(const std::function<void()>& undo, const std::str
   this->Published = wasPublished ? this->GetChangeTime() : 0;
   vtkErrorWithObjectMacro(
     style, << "Settings " << name << " can't be felt here, for the reason given before.");
-  notify("Settings " + name + " can't be felt here: see the messages.");
+  notify("Settings " + name + " can't be felt here. The terminal says why.");
 }
 
 void FilterPublisher::GoBack(const MethodChange& change, vtkVolumeHapticsFilter* filter,
@@ -150,7 +150,8 @@ void FilterPublisher::GoBack(const MethodChange& change, vtkVolumeHapticsFilter*
   vtkErrorWithObjectMacro(style, << change.Wanted
                                  << " can't be felt here, for the reason given before; "
                                  << change.Before << " goes on.");
-  notify(change.Wanted + " can't be felt here: see the messages.\n" + change.Before + " goes on.");
+  notify(
+    change.Wanted + " can't be felt here. The terminal says why.\n" + change.Before + " goes on.");
 }
 
 void FilterPublisher::PollAwaited()
@@ -210,7 +211,7 @@ bool ComparedSettings::Swap(const std::function<void(const std::string&)>& notif
     this->Other = std::make_shared<const KeptSettings>(filter);
     this->IsB = true;
     this->Report();
-    notify("These settings are A. Change the method or a material for B.");
+    notify("A is kept. Change something: that is B. C switches.");
     return true;
   }
   const auto before = std::make_shared<const KeptSettings>(filter);

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <thread>
 #include <utility>
@@ -381,6 +382,13 @@ bool HapticInteraction::DrawSlices()
 bool HapticInteraction::TurnWheel(double steps)
 {
   const int* const at = this->Scene.Style->GetInteractor()->GetEventPosition();
+  constexpr double lines = 3.0; // of the list of keys, for a step of the wheel
+  if (this->Scene.Display &&
+    this->Scene.Display->ScrollHelp(static_cast<int>(std::lround(-lines * steps))))
+  {
+    this->Frames.Draw(true);
+    return true;
+  }
   if (this->Scene.Editor && this->Scene.Editor->TurnWheel(steps, at[0], at[1]))
   {
     this->Frames.Draw(true);
@@ -598,7 +606,7 @@ void HapticInteraction::HandleWork(vtkObject* worker, bool begins)
       if (begins && device && worker == scene.Editor)
       {
         this->DevicesAtRest.push_back(device);
-        device->BeginLongWork("functions are proposed", scene.Editor->EstimateUpdateTime());
+        device->BeginLongWork("materials are proposed", scene.Editor->EstimateUpdateTime());
       }
     }
     return;

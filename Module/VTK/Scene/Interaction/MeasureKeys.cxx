@@ -280,7 +280,7 @@ void MeasureKeys::Update(vtkTable* states)
   if (this->Brush && !this->Brush->IsOf(this->Scene.GetImage()))
   {
     this->Finish();
-    this->Report("The area ends where other samples were read: begin another one");
+    this->Report("The area ends here, because other data were read. Begin a new one");
     return;
   }
   const double spacing = this->Scene.Measurements->GetPathSpacing();

@@ -32,8 +32,8 @@ std::string Join(const std::string& first, const std::string& second)
   return first.empty() || second.empty() ? first + second : first + "\n" + second;
 }
 
-constexpr const char* ProposingNotice = "Functions are looked for";
-constexpr const char* NoProposalNotice = "No functions can be proposed for this volume";
+constexpr const char* ProposingNotice = "Looking for materials";
+constexpr const char* NoProposalNotice = "No materials can be proposed for this volume";
 
 std::vector<bool> FindActive(vtkVolumeHapticsFilter* filter)
 {
@@ -162,7 +162,7 @@ std::string DisplayKeys::ChooseHint()
   }
   if (!this->Scene.Hidden.empty())
   {
-    return "The volume is hidden,\nso that it is not felt";
+    return "The volume is hidden\nand can't be felt";
   }
   const bool isTouching =
     this->Scene.IsVirtual() ? this->Touch.IsOn() : device->GetStatus() != vtkHapticDevice::READY;
@@ -241,7 +241,7 @@ bool EditorKeys::Press(const std::string& key)
   }
   else if (key == "R")
   {
-    this->Report(editor->Reset(), "There are no edits to take back");
+    this->Report(editor->Reset(), "There are no edits to reset");
   }
   else if ((key == "Z" || key == "Y") && this->HasPointer())
   {
@@ -404,7 +404,7 @@ void ModeKeys::Set(vtkVolumeHapticsFilter* filter, const std::vector<bool>& acti
     }
     if (display)
     {
-      display->SetNotice("This mode can't be felt here: see the messages.");
+      display->SetNotice("This mode can't be felt here. The terminal says why.");
     }
   }
   else if (display)

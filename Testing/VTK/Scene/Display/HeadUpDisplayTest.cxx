@@ -152,10 +152,10 @@ TEST_F(HeadUpDisplay, SaysWhatTheDeviceDoes)
   EXPECT_EQ(this->Display->GetText(), "No device");
   this->Display->SetDevice(this->Device);
   EXPECT_NE(this->Display->GetText().find("Open()"), std::string::npos);
-  this->Display->AddTissue("soft", 0.0, 800.0);
-  this->Display->AddTissue("hard", 800.0, 1e9);
-  EXPECT_EQ(this->Display->GetTissueName(799.9), "soft");
-  EXPECT_EQ(this->Display->GetTissueName(800.0), "hard");
+  this->Display->AddTissue("soft", 0.0, 1000.0);
+  this->Display->AddTissue("hard", 1000.0, 1e9);
+  EXPECT_EQ(this->Display->GetTissueName(999.9), "soft");
+  EXPECT_EQ(this->Display->GetTissueName(1000.0), "hard");
   EXPECT_EQ(this->Display->GetTissueName(-1.0), "");
   this->Begin();
   ASSERT_TRUE(this->ArmFully());
@@ -214,6 +214,73 @@ TEST_F(HeadUpDisplay, SaysThatAHandSlidesBetweenTheStepsOfAMouse)
   add(0.25, 0.26, 2);
   add(0.0, 0.01, 1); // the device was started again
   EXPECT_TRUE(says("Resting on the volume, 1.00 N")) << this->Display->GetText();
+}
+
+TEST_F(HeadUpDisplay, NamesTissuesAsTheEditorDoes)
+{
+  vtkHapticProperty* const property = this->Filter->GetProperty();
+  this->Display->SetDevice(this->Device);
+  this->BeginPressed();
+  const auto says = [this](const char* words)
+  { return this->Wait([&] { return this->Display->GetText().find(words) == 0; }); };
+  EXPECT_TRUE(says("Resting on the volume, ")) << this->Display->GetText();
+  const double value = this->Device->GetState()->GetSurfaceValue();
+  property->AddTissue("all", value - 1.0, value + 1.0);
+  EXPECT_TRUE(says("Resting on all, ")) << this->Display->GetText();
+  // What a proposal names differently is named differently at once; between two tissues, the nearer
+  // one counts.
+  property->RemoveAllTissues();
+  property->AddTissue("low", -500.0, 0.0);
+  property->AddTissue("high", 100.0, 500.0);
+  EXPECT_EQ(this->Display->GetTissueName(-600.0), "low");
+  EXPECT_EQ(this->Display->GetTissueName(49.0), "low");
+  EXPECT_EQ(this->Display->GetTissueName(51.0), "high");
+  EXPECT_EQ(this->Display->GetTissueName(1e9), "high");
+  // The values of the surface are blends of both sides.
+  const double* const spacing = this->Image->GetSpacing();
+  double below[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    below[i] = this->Device->GetState()->GetSurfacePosition()[i] +
+      2.0 * spacing[0] * this->Device->GetState()->GetNormal()[i];
+  }
+  const double deeper =
+    this->Image->GetPointData()->GetScalars()->GetTuple1(this->Image->FindPoint(below));
+  ASSERT_GT(deeper, value + 10.0) << "the values rise";
+  property->RemoveAllTissues();
+  property->AddTissue("skin", value - 1.0, value + 1.0);
+  property->AddTissue("fat", deeper - 1.0, deeper + 1.0);
+  EXPECT_TRUE(says("Resting on fat, ")) << this->Display->GetText();
+}
+
+TEST_F(HeadUpDisplay, SaysThatAHandRestsWhereItsFrictionIsAtTheLimit)
+{
+  this->Display->SetDevice(this->Device);
+  this->BeginPressed();
+  const auto add = [this](double begin, double speed)
+  {
+    vtkNew<vtkTable> states;
+    states->DeepCopy(scenetest::MakeStates(begin, begin + 0.3, [](double) { return 1.0; }));
+    vtkNew<vtkDoubleArray> contacts;
+    contacts->SetName("Contact");
+    vtkNew<vtkDoubleArray> proxies;
+    proxies->SetName("Proxy");
+    proxies->SetNumberOfComponents(3);
+    for (vtkIdType i = 0; i < states->GetNumberOfRows(); ++i)
+    {
+      contacts->InsertNextValue(2.0);
+      proxies->InsertNextTuple3(speed * 0.001 * static_cast<double>(i), 0.0, 0.0);
+    }
+    states->AddColumn(contacts);
+    states->AddColumn(proxies);
+    this->Display->AddStates(states);
+  };
+  add(0.0, 10.0); // mm/s
+  EXPECT_EQ(this->Display->GetText().find("Sliding over the volume, "), 0U)
+    << this->Display->GetText();
+  add(0.3, 0.0);
+  EXPECT_EQ(this->Display->GetText().find("Resting on the volume, "), 0U)
+    << this->Display->GetText();
 }
 
 /// A flow along x resists a hand that moves 2 mm along z with 1 N; the text names no surface.

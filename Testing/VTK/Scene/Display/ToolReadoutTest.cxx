@@ -97,10 +97,10 @@ TEST_F(NeedleReadout, TellsDepthAngleLayersAndForbiddenTouches)
   this->Device->GetVirtualHand()->SetOrientation(std::sin(0.1), std::cos(0.1), 0.0, 0.0);
   ASSERT_TRUE(this->ArmFully());
   ASSERT_TRUE(this->LeadInto(6.0));
-  ASSERT_TRUE(this->Says(" deep in skin, ")) << this->Display->GetText();
+  ASSERT_TRUE(this->Says(" mm deep in skin, ")) << this->Display->GetText();
   EXPECT_TRUE(this->Says("\n11 degrees from upright, 1 layer")) << this->Display->GetText();
   ASSERT_TRUE(this->LeadInto(12.0));
-  ASSERT_TRUE(this->Says(" deep in fat, ")) << this->Display->GetText();
+  ASSERT_TRUE(this->Says(" mm deep in fat, ")) << this->Display->GetText();
   EXPECT_TRUE(this->Says(", 2 layers")) << this->Display->GetText();
   EXPECT_EQ(this->Display->GetText().find("forbidden"), std::string::npos);
   EXPECT_EQ(this->Number("ForbiddenTouches"), 0.0);
@@ -115,7 +115,8 @@ TEST_F(NeedleReadout, TellsDepthAngleLayersAndForbiddenTouches)
   EXPECT_NEAR(this->Number("Depth"), 10.0 / std::cos(0.2), 0.3);
   EXPECT_NEAR(this->Number("ShaftForce"), 0.02 * this->Number("Depth"), 1e-3);
   char deep[32];
-  std::snprintf(deep, sizeof(deep), "Needle %.1f deep", this->Device->GetState()->GetNeedleDepth());
+  std::snprintf(
+    deep, sizeof(deep), "Needle %.1f mm deep", this->Device->GetState()->GetNeedleDepth());
   EXPECT_TRUE(this->Says(deep)) << this->Display->GetText();
 
   // The track of the needle survives writing and reading a VTP file.

@@ -202,7 +202,7 @@ TEST_F(StyleLongWork, IsNotTheSearchForFunctions)
   ASSERT_NO_FATAL_FAILURE(this->Touch());
   vtkHapticProperty* const property = this->Filter->GetProperty();
   this->Press("p");
-  EXPECT_TRUE(this->HasShown("Functions are looked for"));
+  EXPECT_TRUE(this->HasShown("Looking for materials"));
   EXPECT_TRUE(this->Editor->GetVisibility());
   EXPECT_TRUE(this->Editor->IsProposing()) << "the key waits for nothing";
   this->Press("p");
@@ -274,7 +274,7 @@ TEST_F(StyleLongWork, LeavesNoProposalThatIsDropped)
   EXPECT_FALSE(this->Editor->HasProposal());
   EXPECT_EQ(this->Filter->GetProperty()->GetProposedBoundaries(), nullptr);
   this->Press("p");
-  EXPECT_STREQ(this->Display->GetNotice(), "Functions are looked for");
+  EXPECT_STREQ(this->Display->GetNotice(), "Looking for materials");
   this->Press("BackSpace");
   EXPECT_FALSE(this->Editor->IsProposing());
   EXPECT_STREQ(this->Display->GetNotice(), "");
@@ -292,7 +292,7 @@ TEST_F(StyleLongWork, TellsThatThereIsNothingToPropose)
   ASSERT_EQ(log.Errors.size(), 1U);
   EXPECT_NE(log.Errors[0].find("7 everywhere"), std::string::npos);
   EXPECT_FALSE(this->Editor->HasProposal());
-  EXPECT_STREQ(this->Display->GetNotice(), "No functions can be proposed for this volume");
+  EXPECT_STREQ(this->Display->GetNotice(), "No materials can be proposed for this volume");
   // An image without scalars is refused at once.
   vtkNew<vtkImageData> empty;
   this->Editor->SetInputData(empty);
@@ -437,6 +437,6 @@ TEST_F(StyleLongWork, OfAnEditorEndsWithIt)
     { static_cast<vtkInteractorStyleHaptic*>(style)->SetFunctionEditor(nullptr); });
   this->Editor->AddObserver(vtkCommand::StartEvent, take, -1.0f);
   EXPECT_TRUE(this->Editor->Propose());
-  EXPECT_TRUE(this->HasShown("Force is off while functions are proposed"));
+  EXPECT_TRUE(this->HasShown("Force is off while materials are proposed"));
   this->ExpectPause();
 }

@@ -117,10 +117,10 @@ TEST_F(StylePlayback, WhatIsSeenIsWhatIsFelt)
   EXPECT_EQ(this->Display->GetText().find("Time"), std::string::npos);
   this->Press("space");
   this->WatchTimeSteps(2.0, 5);
-  EXPECT_NE(this->Display->GetText().find("played to and fro"), std::string::npos)
+  EXPECT_NE(this->Display->GetText().find(", back and forth"), std::string::npos)
     << this->Display->GetText();
   this->Press("space");
-  EXPECT_NE(this->Display->GetText().find("held"), std::string::npos);
+  EXPECT_NE(this->Display->GetText().find("paused"), std::string::npos);
   // The shown image shares the array of the time step: nothing is copied.
   EXPECT_EQ(this->GetShown()->GetPointData()->GetScalars(),
     this->Source->GetTimeStepImage(this->GetShownNumber())->GetPointData()->GetScalars());
@@ -150,7 +150,7 @@ TEST_F(StylePlayback, TellsThatTimeStepsAreLate)
   this->Device->GetPlayback()->SetDataTime(4.0);
   ASSERT_TRUE(Eventually([&]
     { return this->Device->UpdateState() && this->Device->GetPlayback()->IsWaitingForData(); }));
-  EXPECT_NE(this->Display->GetText().find("held, waiting for data"), std::string::npos)
+  EXPECT_NE(this->Display->GetText().find("paused, waiting for data"), std::string::npos)
     << this->Display->GetText();
   // The picture may show the new time step before the servo reports that it has it.
   ASSERT_TRUE(Eventually(
