@@ -6,7 +6,7 @@
 #
 # usage: Testing/lint.sh [CHECK...]
 #
-# Checks: format, columns, spelling, python, shell, documents, site, tidy, analyze; all of them by default. The last two
+# Checks: format, columns, spelling, python, shell, documents, texts, site, tidy, analyze; all by default. The last two
 # are clang-tidy's, without and with its analyzer. They look at the real-time core only, and take a minute on two cores.
 set -euo pipefail
 
@@ -96,6 +96,12 @@ check_documents()
   Testing/Package/documents.py
 }
 
+# No text of the programs has a phrase that software doesn't say.
+check_texts()
+{
+  Testing/Package/strings.py --check
+}
+
 # The site of the documentation is built without a warning.
 check_site()
 {
@@ -147,7 +153,7 @@ check_analyze()
 }
 
 failed=()
-for check in "${@:-format columns spelling python shell documents site tidy analyze}"; do
+for check in "${@:-format columns spelling python shell documents texts site tidy analyze}"; do
   # One word each, if they are the default.
   for name in $check; do
     echo "== Checking: $name"
