@@ -346,7 +346,7 @@ OUTSIDE = {
 NONE = (
     "HapticTouch…Touch with the mouse", "Functions from a file, for Custom", "What is felt now to a file", "HapticShowAsCT…Show as CT volume",
     "Load a preset…Presets", "Save the preset…Presets", "Record to…Traces", "no active scalars: point array",
-    ": ….\\n  Cure: ….", "A is kept. Change something", "Arm with an hfab controller, if it is one", "Put the pointer on the volume and press",
+    ": ….\\n  Cure: ….", "A is kept. Change something", "Arm with an hfab controller, if it is one", "Put the pointer on the volume and press", "The hand is outside the view",
     "turn the view and keep touching", "turn the tool", "turn it about the line of sight", "propose functions; take them",
 )
 

@@ -4,7 +4,7 @@
 
 # The explorer refuses a bad device, tool or recording before it reads the volume. In its window, on a screen of its own,
 # what a person sees is read by OCR: which tool the hand holds, a list of files beside a docked editor, the list of keys
-# in a small window, and that vectors are felt by their magnitude. Another file opens at the window's place, in its size.
+# in a small window, and that vectors are felt by their magnitude. Another file opens in a window of the same size.
 #
 # usage: faults.sh EXPLORER VOLUME
 #
@@ -59,9 +59,9 @@ says()
   OMP_THREAD_LIMIT=1 tesseract letters.pgm - --psm 11 2> /dev/null | tr '\n' ' ' > read.log
   [[ "$(cat read.log)" =~ $1 ]]
 }
-find_place()
+find_size()
 {
-  xdotool getwindowgeometry --shell "$window" | grep -E '^(X|Y|WIDTH|HEIGHT)=' | tr '\n' ' '
+  xdotool getwindowgeometry --shell "$window" | grep -E '^(WIDTH|HEIGHT)=' | tr '\n' ' '
 }
 has_read()
 {
@@ -69,7 +69,7 @@ has_read()
 }
 is_there_again()
 {
-  is_there && [[ "$(find_place)" == "$place" ]]
+  is_there && [[ "$(find_size)" == "$size" ]]
 }
 
 start_window_manager
@@ -77,7 +77,7 @@ open data/first.vti --size 600
 xdotool windowsize --sync "$window" 720 540
 xdotool windowmove --sync "$window" 300 200
 xdotool mousemove --window "$window" 300 200
-place=$(find_place)
+size=$(find_size)
 xdotool key N
 wait_for "the name of the tool" says "hand holds a needle"
 xdotool key V F2
@@ -85,7 +85,7 @@ wait_for "a list of files beside the editor" says "Escape: back"
 xdotool key Down Return
 wait_for "the second volume" has_read second.vti 1
 wait_for_window "VTK Volume Haptics"
-wait_for "a window where the first one was ($place)" is_there_again
+wait_for "a window as large as the first one ($size)" is_there_again
 close
 
 # A list of keys that is too long for its window.

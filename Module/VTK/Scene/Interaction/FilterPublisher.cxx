@@ -44,8 +44,11 @@ void FilterPublisher::Update(bool isPlaced)
   const vtkMTimeType time = this->GetChangeTime();
   // If the device is published already, the application or another style has published the change.
   const bool hasChanged = time != this->Published && !device->IsPublished();
+  // A notice of the application stays when what it has set up is published for the first time.
+  const bool isFirst = this->Published == 0;
   this->Published = time;
-  if ((isPlaced || hasChanged) && device->Publish() && hasChanged && this->Scene.Display)
+  if ((isPlaced || hasChanged) && device->Publish() && hasChanged && !isFirst &&
+    this->Scene.Display)
   {
     this->Scene.Display->SetNotice("");
   }
