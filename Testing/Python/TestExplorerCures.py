@@ -197,7 +197,7 @@ COMMANDS = (
     (f"{WINDOW} --replay {{}}/none.vtp", "name a .vtp that key F10 or vtkHapticRecorder::Start() has written", (REPLAY, )),
     (f"{WINDOW} --replay {{}}/back.vtp", "record the touch again", (REPLAY, )),
     (f"{WINDOW} --device pen", "name another device, or none; volumehaptics-device list shows what there is", (OPEN, REPLAY)),
-    (f"{WINDOW.replace('ramp.vti', 'moves.pvd')} {TWO}", "is felt by one…name one device", (OPEN, )),
+    (f"{WINDOW.replace('ramp.vti', 'moves.pvd')} {TWO.replace('falcon', 'vibration:xr')}", "is felt by one…name one device", (OPEN, )),
     (f"{WINDOW} --setup {{}}/wrong.json", "--setup …correct it or name another file", (OPEN, )),
     (f"{WINDOW} --setup {{}}/none/own.json", "can't be written…name a file in a folder of yours", (OPEN, )),
     (f"{WINDOW.replace('close', 'point')} --measurements {{}}/none/list.csv", "--measurements …name a file in a folder of yours",
