@@ -136,7 +136,8 @@ TEST(Calibration, FindsTheStrengthByAWeight)
         HungHandle handle;
         handle.Strength = strength;
         handle.Friction = friction;
-        // A spring whose force is held for a tick needs some friction, or it swings by itself.
+        // The spring's force is constant during a tick, so that without damping the handle would
+        // swing.
         handle.Viscosity = friction > 0.0 ? viscosity : std::max(viscosity, strength);
         User user;
         user.Weight = strength < 0.5 ? 0.1 : 0.15;

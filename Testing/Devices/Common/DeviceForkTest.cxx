@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A forked child's copy of an open device: it neither waits for the parent's thread nor ends the
- * parent's connection.
+ * Tests a forked child's copy of an open device: it neither waits for the parent's thread nor ends
+ * the parent's connection.
  */
 
 #include "Devices/Common/HardwareDevice.h"
@@ -20,7 +20,7 @@ using namespace VolumeHaptics;
 namespace
 {
 
-/** Says in the exit status of a child that it was used there. */
+/** Ends a child with exit status 5 if the child uses the parent's driver. */
 class ParentsDriver : public HardwareDriver
 {
 public:
@@ -53,7 +53,7 @@ private:
   const pid_t Parent = getpid();
 };
 
-/** Minus the signal that ends a child, or its exit status. */
+/** Waits for a child. Returns its exit status, or the signal's number with a minus sign. */
 int WaitFor(pid_t child)
 {
   int status = 0;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The user's file of devices: what is written comes back, other lines stay, damage is told.
+ * Tests the user's file of devices: what is written is read again, other lines stay, and damage is
+ * reported.
  */
 
 #include "Devices/Common/DeviceMemory.h"
@@ -61,7 +62,7 @@ TEST_F(Memory, WhatIsWrittenComesBackAndOtherLinesStay)
   DeviceFacts wooden = falcon;
   wooden.Scale = 0.83;
   wooden.Calibrated = "2026-11-20";
-  const std::string identity = "wooden:1234:0006:A #1% B"; // as makers write serial numbers
+  const std::string identity = "wooden:1234:0006:A #1% B"; // a serial number with odd characters
   ASSERT_TRUE(DeviceMemory::Write(identity, wooden, this->Error)) << this->Error;
   falcon.Confirmed = "2026-12-01";
   ASSERT_TRUE(DeviceMemory::Write("falcon", falcon, this->Error)) << this->Error;
@@ -99,7 +100,7 @@ TEST_F(Memory, ADamagedLineCountsAsNoneAndIsTold)
     EXPECT_EQ(this->Read("wooden").Confirmed, "2026-11-01") << damage;
     EXPECT_EQ(this->Error, "") << "not of this device";
   }
-  // Confirmed anew, it is whole again, and what else is in the file stays.
+  // Confirming the device again repairs its line, and leaves the rest of the file.
   DeviceFacts facts;
   facts.Confirmed = "2026-11-22";
   ASSERT_TRUE(DeviceMemory::Write("falcon", facts, this->Error)) << this->Error;
@@ -107,8 +108,8 @@ TEST_F(Memory, ADamagedLineCountsAsNoneAndIsTold)
     this->GetText(), "# mine\nwooden confirmed=2026-11-01\n\xff\nfalcon confirmed=2026-11-22\n");
 }
 
-/// The name of the temporary file was known before, so that a link could wait there.
-#if !defined(_WIN32) // it has no such links for users
+/// Expects that a link at an earlier version's name for the temporary file is not followed.
+#if !defined(_WIN32) // users can't make such links there
 TEST_F(Memory, IsWrittenThroughNoLinkThatSomebodyLaid)
 {
   const std::string other = TemporaryPath("other");
@@ -133,7 +134,8 @@ TEST_F(Memory, AFileThatCannotBeWrittenIsTold)
   std::filesystem::remove_all(this->File);
 }
 
-/// Each of them was read without end, or for ever waited for.
+/// Expects an error for files that would be read without end, or would block: a pipe, a device, a
+/// large file.
 #if !defined(_WIN32)
 TEST_F(Memory, WaitsForNoPipeAndReadsNoDevice)
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The thread of a device without privileges gets its priority from RealtimeKit, which is played:
- * see played_rtkit.py.
+ * Expects that the thread of a device without privileges gets its priority from RealtimeKit, which
+ * is played (see played_rtkit.py).
  */
 
 #include "Devices/Common/HardwareDevice.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A device that is unplugged, and what the driver's thread does until it is back: it looks twice a
- * second, takes no other device, and forgets what was requested before.
+ * Tests what the driver's thread does while a device is unplugged: it looks for the device twice a
+ * second, takes no other device, and forgets earlier requests.
  */
 
 #include "Devices/Common/HardwareDevice.h"
@@ -19,11 +19,11 @@ using devicetest::Eventually;
 namespace
 {
 
-/** What is played, and what the driver has seen; outlives it. */
+/** The state that the test sets, and counts of the driver's calls. It outlives the driver. */
 struct Played
 {
   std::atomic<bool> IsPluggedIn{ true };
-  std::atomic<bool> Waits{ false }; ///< whether a look lasts until it must stop
+  std::atomic<bool> Waits{ false }; ///< whether a look lasts until a stop request
   std::atomic<int> Looks{ 0 };
   std::atomic<int> Homes{ 0 };
   std::atomic<int> Serves{ 0 };
@@ -32,7 +32,7 @@ struct Played
   std::string Error;
 };
 
-/** Is ready once it is homed. */
+/** A driver that is ready once it is homed. */
 class PlayedDriver : public HardwareDriver
 {
 public:
@@ -167,7 +167,7 @@ TEST_F(DeviceReturn, TheServoDoesNotWakeTheLooks)
     this->Device.Write({ 1.0, 0.0, 0.0 });
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  // A slow machine only makes this longer.
+  // Three looks take at least two periods of 0.5 s; a slow machine takes longer.
   EXPECT_GT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(990));
 }
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The life of a device's thread: begun by Open, ended by Close and by the end of the device.
+ * Tests the life of a device's thread: Open() starts it, Close() and the device's destructor end
+ * it.
  */
 
 #include "Devices/Common/HardwareDevice.h"
@@ -16,7 +17,7 @@ using namespace VolumeHaptics;
 namespace
 {
 
-/** The calls that a driver got; outlives it. */
+/** Counts the calls of a driver, which it outlives. */
 struct Calls
 {
   std::atomic<int> Connects{ 0 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * After a device was not ready, the servo is told that the hand begins anew.
+ * Expects that after a device was not ready, its next sample begins anew for the servo.
  */
 
 #include "Devices/Common/HardwareExchange.h"
@@ -13,7 +13,7 @@ using namespace VolumeHaptics;
 
 namespace
 {
-/// Whether the next sample begins.
+/// Whether the next sample begins a new motion of the hand.
 bool Begins(HardwareExchange& exchange)
 {
   DeviceSample told;

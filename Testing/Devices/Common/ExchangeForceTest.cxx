@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Forces from the servo to a device's thread: when they flow, and that neither waits for them.
+ * Tests the exchange of forces between the servo and a device's thread: when forces flow, and that
+ * neither side waits.
  */
 
 #include "ExchangeRig.h"
@@ -24,14 +25,14 @@ using ExchangeForce = ExchangeTest;
 
 namespace
 {
-constexpr int LongWait = 60000; // ms: no test waits it out
+constexpr int LongWait = 60000; // ms; no test waits that long
 
 bool IsAwake(const HardwareExchange& exchange)
 {
 #if defined(_WIN32)
   const HANDLE wake = LongToHandle(exchange.GetWakeDescriptor());
   const bool is = WaitForSingleObject(wake, 0) == WAIT_OBJECT_0;
-  return is && SetEvent(wake); // to wait has cleared it
+  return is && SetEvent(wake); // waiting has cleared the event
 #else
   pollfd wake{ exchange.GetWakeDescriptor(), POLLIN, 0 };
   return poll(&wake, 1, 0) == 1;

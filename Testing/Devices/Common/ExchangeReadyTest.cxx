@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A device that is said to be ready is so for the servo, too: what is armed then stays armed.
+ * Expects that the servo sees a device as ready as soon as its condition says so, so that arming is
+ * not undone.
  */
 
 #include "ExchangeRig.h"
@@ -36,7 +37,7 @@ TEST_F(ExchangeTest, ACallerWhoReadsReadyCanArmIt)
   int refusals = 0;
   for (int i = 1; i <= rounds; ++i)
   {
-    this->Exchange.SetCondition(DeviceStage::Homing, ""); // the device's thread waits
+    this->Exchange.SetCondition(DeviceStage::Homing, ""); // the device's thread is waiting
     this->Take();
     begun = i;
     wait([this] { return this->Exchange.GetCondition().Stage == DeviceStage::Ready; });

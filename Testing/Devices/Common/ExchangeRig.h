@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The servo's, the owner's and the device's side of an exchange, in one thread.
+ * Plays the servo's, the owner's and the device's side of an exchange in one thread.
  */
 #ifndef ExchangeRig_h
 #define ExchangeRig_h
@@ -29,7 +29,7 @@ protected:
     return this->Exchange.Receive(this->Sample);
   }
 
-  static inline std::int64_t Asleep = 0; ///< ns, that the computer has been
+  static inline std::int64_t Asleep = 0; ///< ns, the computer's time asleep so far
   HardwareExchange Exchange{ [] { return Asleep; } };
   DeviceSample Sample;
 };

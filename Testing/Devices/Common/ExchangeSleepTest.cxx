@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A computer that was asleep loses the device; a thread that is held up between two clocks does
- * not.
+ * Expects that a computer's sleep loses the device, and that a pause of the thread between reading
+ * the two clocks does not.
  */
 #include "Devices/Common/HardwareExchange.h"
 
@@ -16,7 +16,7 @@ namespace
 constexpr std::int64_t Second = 1000000000; // ns
 
 std::int64_t Asleep = 0;
-std::int64_t Late = 0; ///< by so much the next call sees too little
+std::int64_t Late = 0; ///< ns, the error of the next call: too little
 
 std::int64_t Tell()
 {
@@ -30,7 +30,7 @@ TEST(ExchangeSleep, IsToldFromBeingHeldUp)
 {
   Asleep = 100 * Second;
   HardwareExchange exchange(&Tell);
-  Late = Second; // also at the beginning
+  Late = Second; // a pause at the beginning, too
   exchange.Begin();
   exchange.SetCondition(DeviceStage::Ready, "");
   for (int round = 0; round < 3; ++round)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Samples and conditions between the servo and a device's thread.
+ * Tests the exchange of samples and conditions between the servo and a device's thread.
  */
 
 #include "ExchangeRig.h"
@@ -63,7 +63,7 @@ TEST_F(DeviceExchange, ATextBeginsWithTheDevicesNameUnlessItIsEmpty)
 TEST_F(DeviceExchange, ASleepOfTheComputerIsALoss)
 {
   this->Exchange.SetCondition(DeviceStage::Ready, "");
-  Asleep = 1000; // the difference of the two clocks
+  Asleep = 1000; // ns: only the clocks' difference
   EXPECT_FALSE(this->Exchange.HasSlept());
   Asleep = 3600 * std::int64_t{ 1000000000 };
   EXPECT_TRUE(this->Exchange.HasSlept());

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * When a device is believed, and what it is sent then and otherwise.
+ * Tests when a device's reports are believed, and what is sent to the device in each case.
  */
 
 #include "Devices/Falcon/FalconController.h"
@@ -48,7 +48,7 @@ protected:
 TEST_F(FalconControllers, BelievesAFastHand)
 {
   this->BecomeReady();
-  // 4 m/s, which the servo stops for other reasons.
+  // Move at 4 m/s. The controller accepts this; the servo has a speed limit of its own.
   for (double z = 0.171; z > 0.09; z -= 0.004)
   {
     this->Take({ 0.0, 0.0, z });

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Forces as motor commands: the published numbers, and the direction through saturation.
+ * Tests forces as motor commands: the published numbers, and the force's direction at saturation.
  */
 
 #include "FalconWorkspace.h"
@@ -28,7 +28,7 @@ Matrix3 JacobianAt(const Vector3& position)
   return jacobian;
 }
 
-/** The force (N) that commands make: F = J^-T tau, tau = -command / 1e4. */
+/** Returns the force (N) that commands make: F = J^-T tau, tau = -command / 1e4. */
 Vector3 RealisedForce(const Matrix3& jacobian, const FalconCounts& commands)
 {
   const Vector3 torque = -1e-4 * Vector3{ 1.0 * commands[0], 1.0 * commands[1], 1.0 * commands[2] };
@@ -50,10 +50,10 @@ TEST(FalconForce, GivesThePublishedCommands)
 TEST(FalconForce, ScalesAllThreeTogether)
 {
   const Matrix3 jacobian = JacobianAt({ 0.0, 0.0, 0.125 });
-  // 4096/4848 of -1431 and of -3417.
+  // The largest command is cut to 4096, the others to 4096/4848 of -1431 and -3417.
   EXPECT_EQ(FalconCommandsOf(jacobian, { 8.0, 0.0, 0.0 }), (FalconCounts{ -1209, 4096, -2887 }));
   EXPECT_EQ(FalconCommandsOf(jacobian, { -8.0, 0.0, 0.0 }), (FalconCounts{ 1209, -4096, 2887 }));
-  // Commands that would wrap if they were cut to 16 bits.
+  // A cut to 16 bits would let these commands wrap around.
   EXPECT_EQ(FalconCommandsOf(jacobian, { 1e9, 0.0, 0.0 }), (FalconCounts{ -1209, 4096, -2887 }));
 }
 
@@ -63,7 +63,7 @@ TEST(FalconForce, KeepsItsDirectionThroughSaturation)
   for (const Vector3& position : SampleWorkspace(0.01))
   {
     const Matrix3 jacobian = JacobianAt(position);
-    // Half a unit a motor, through J^-T.
+    // Rounding is off by at most half a unit for each motor, mapped by J^-T.
     const double rounding =
       0.5e-4 * std::sqrt(3.0) * std::sqrt(3.0) * LargestColumn(Inverse(Transpose(jacobian)));
     for (const double size : { 0.5, 4.0, 8.0, 40.0, 1e4, 1e12 })

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * From switched on to ready, and what keeps it from there.
+ * Tests homing from power-on to ready, and what prevents it.
  */
 
 #include "Devices/Falcon/FalconHoming.h"
@@ -39,7 +39,7 @@ TEST_F(FalconHomes, StepByStep)
 {
   EXPECT_EQ(this->Homing.GetState(), FalconHomingState::OutAndIn);
   EXPECT_EQ(this->Homing.GetOrder().Lights & FalconHome, FalconHome);
-  // Before they are homed the encoders mean nothing.
+  // Before homing, the encoders' counts mean nothing.
   this->Update(0, 0.172);
   this->Update(0b011, 0.172);
   EXPECT_EQ(this->Homing.GetMissing(), 0b100);
@@ -112,7 +112,8 @@ TEST_F(FalconHomes, AZeroThatIsLostStaysLost)
 
 TEST_F(FalconHomes, CountsOutOfReachAreNotOut)
 {
-  // 102 degrees each: the iteration stops outside, far above the height that is asked for.
+  // At 102 degrees for each arm, the iteration stops outside of the reach, far above the height
+  // that makes a device ready.
   const FalconReport report{ { 1850, 1850, 1850 }, 0, FalconAllHomed };
   const FalconPose pose = FalconForward(FalconAnglesOf(report.Encoders));
   ASSERT_TRUE(pose.Reach != FalconReach::Reached && pose.Position.Z > FalconReadyHeight);

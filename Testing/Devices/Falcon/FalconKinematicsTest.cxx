@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Forward, inverse and Jacobian of the Falcon, within its reach and beyond.
+ * Tests the Falcon's forward and inverse kinematics and its Jacobian, within its reach and beyond.
  */
 
 #include "FalconWorkspace.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Every deviation from the loader's dialogue ends in a state that says so.
+ * Expects that every deviation from the loader's dialogue ends in a fault that names it.
  */
 
 #include "FalconLoaderRig.h"

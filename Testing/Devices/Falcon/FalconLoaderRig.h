@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A loader, played with by hand: what it wants to send is checked, what comes back is told.
+ * Plays the device for a loader step by step: checks what the loader sends, and gives the answers.
  */
 #ifndef FalconLoaderRig_h
 #define FalconLoaderRig_h
@@ -57,7 +57,7 @@ protected:
   {
     EXPECT_EQ(this->Loader.GetFault(), fault);
     EXPECT_EQ(this->Loader.GetStep().What, Kind::Failed);
-    // Nothing brings it back.
+    // Expect that the fault is final: no later event ends it.
     this->Loader.Done();
     this->Receive(GreetingAnswer);
     this->Loader.TimeOut();
@@ -68,8 +68,8 @@ protected:
 
   void Prepare()
   {
-    this->ExpectRequest(0, 1);      // purge what was to be sent
-    this->ExpectRequest(0, 2);      // and what was received
+    this->ExpectRequest(0, 1);      // purge data to send
+    this->ExpectRequest(0, 2);      // purge received data
     this->ExpectRequest(9, 16);     // latency
     this->ExpectRequest(3, 0x4138); // 9600 baud
     this->ExpectRequest(4, 8);      // 8N1
@@ -100,7 +100,7 @@ protected:
     return { this->Image.begin() + first, this->Image.begin() + first + size };
   }
 
-  /** Two blocks and a rest, of every byte there is. */
+  /** An image of two blocks and a rest (150 bytes), whose values wrap around at 255. */
   std::vector<std::uint8_t> Image = []
   {
     std::vector<std::uint8_t> image(150);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The loader's dialogue to the byte, when all goes well.
+ * Tests the loader's dialogue to the byte, without faults.
  */
 
 #include "FalconLoaderRig.h"
@@ -76,7 +76,7 @@ TEST_F(FalconLoads, AZeroMayComeBeforeTheGreeting)
   this->ExpectDue(4);
   this->Receive(GreetingAnswer);
   this->SpeedUp();
-  // One, and nowhere else.
+  // Only one zero may come first, and only before the greeting's answer.
   this->Loader = { this->Image.data(), this->Image.size() };
   this->Prepare();
   this->ExpectWrite(Greeting);
@@ -127,7 +127,7 @@ TEST_F(FalconLoads, AHundredGreetings)
   {
     this->ExpectWrite(Greeting);
     i % 2 == 0 ? this->Loader.TimeOut() : this->Receive("\x0A\x43");
-    this->ExpectRequest(0, 2); // so that a late answer is not taken for the next
+    this->ExpectRequest(0, 2); // purge, so that a late answer is not taken for the next
   }
   this->Greet();
   this->SpeedUp();

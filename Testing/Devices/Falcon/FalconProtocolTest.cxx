@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Run packets to the byte, both ways, and what is no packet.
+ * Tests run packets to the byte, in both directions, and what counts as no packet.
  */
 
 #include "Devices/Falcon/FalconProtocol.h"
@@ -41,7 +41,7 @@ TEST(FalconProtocol, SendsOrders)
   order.Lights = FalconGreen | FalconBlue | FalconRed;
   EXPECT_EQ(Text(FalconEncode(order)), "<AAABAAAPEDCBOA>");
   order.Motors = { -1, 32767, -32768 };
-  order.Lights = 0xF0; // no light is one of these
+  order.Lights = 0xF0; // bits that belong to no light
   EXPECT_EQ(Text(FalconEncode(order)), "<PPPPPPPHAAAIAA>");
 }
 
@@ -59,7 +59,7 @@ TEST(FalconProtocol, TakesReports)
   EXPECT_EQ(report.Buttons, FalconCenter);
   EXPECT_EQ(report.Homed, FalconAllHomed);
 
-  // 0x41 + 0x2B: plus, forward and minus; the second encoder is homed.
+  // 0x41 + 0x2B: the buttons plus, forward and minus; the second encoder is homed.
   ASSERT_EQ(Read("<AAAAAAAAAAAAlA>", report), FalconFlaw::None);
   EXPECT_EQ(report.Encoders, FalconCounts{});
   EXPECT_EQ(report.Buttons, FalconPlus | FalconForwardButton | FalconMinus);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The functions that the servo calls neither allocate nor lock, whatever the device sends.
+ * Expects that the functions that the servo calls neither allocate nor lock, whatever the device
+ * sends.
  */
 
 #include "Devices/Falcon/FalconHoming.h"

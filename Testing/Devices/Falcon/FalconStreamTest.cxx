@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Reports out of transfers: status bytes, packets in pieces, and what lies between them.
+ * Tests reading reports from transfers: status bytes, packets in pieces, and bytes between packets.
  */
 
 #include "Devices/Falcon/FalconStream.h"
@@ -23,7 +23,7 @@ const std::string Good = "<JFKPAAAABAAA\xB2"
 const std::string Second = "<CAAAAAAABAAA\xB2"
                            "A>";
 
-/** Bytes as a bulk IN transfer: two status bytes before every 62. */
+/** Returns bytes as a bulk IN transfer: two status bytes precede every 62 bytes. */
 std::string Wrapped(const std::string& bytes)
 {
   std::string transfer;
@@ -39,7 +39,7 @@ class FalconStreamed : public testing::Test
 protected:
   int ReceiveTransfer(const std::string& transfer)
   {
-    // Its own allocation, so that the address sanitizer sees a byte too far.
+    // Copy to an allocation of this size, so that the address sanitizer sees a read beyond the end.
     const std::vector<std::uint8_t> exact(transfer.begin(), transfer.end());
     return this->Stream.Receive(exact.data(), exact.size(), this->Report);
   }
@@ -72,7 +72,7 @@ TEST_F(FalconStreamed, NothingToSay)
 
 TEST_F(FalconStreamed, TheLastOfMany)
 {
-  // 80 bytes: a packet of the bus cuts through one of the device.
+  // 80 bytes: the border between two USB packets lies inside a packet of the device.
   EXPECT_EQ(this->Take(Good + Good + Good + Good + Second), 5);
   EXPECT_EQ(this->Report.Encoders[0], 2);
   EXPECT_EQ(this->Stream.GetDropped(), 0u);

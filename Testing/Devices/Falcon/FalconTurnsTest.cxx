@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Host and device take turns, in played time. The device answers every packet in its order, each
- * answer a round after its packet and after the answer before: a serial line. Its faults are those
- * that libnifalcon/libnifalcon (commit f7c727a) copes with: an answer that only comes after the
- * next packet was sent (isFirmwareLoaded() in src/core/FalconFirmware.cpp), and none at all.
+ * Tests how host and device take turns, in simulated time. The device answers every packet in
+ * order, each answer a round after its packet and after the answer before, as a serial line does.
+ * It has the faults that libnifalcon/libnifalcon (commit f7c727a) copes with: an answer that comes
+ * only after the next packet was sent (isFirmwareLoaded() in src/core/FalconFirmware.cpp), and no
+ * answer.
  */
 
 #include "Devices/Falcon/FalconTurns.h"
@@ -25,7 +26,7 @@ constexpr std::int64_t Round = 1000 * Microsecond;
 class FalconTakesTurns : public testing::Test
 {
 protected:
-  /** A step of 10 us; the servo gives a force every period. */
+  /** Advances by 10 us. The servo gives a force every `period`. */
   void Step(std::int64_t period)
   {
     this->Now += 10 * Microsecond;
@@ -88,7 +89,7 @@ protected:
   std::int64_t Now = 0;
   int Packet = 0;
   int Answered = 0;
-  int Behind = 0; ///< how many answers were missing when the last packet was sent
+  int Behind = 0; ///< answers missing when the last packet was sent
   int Held = 0;
   int Misses = 0;
   bool IsWoken = false;
@@ -120,7 +121,7 @@ TEST_P(FalconTakesTurnsAt, ALateAnswerLeavesNoneBehind)
     this->IsLate = true;
     this->Run(this->GetPeriod(), 2);
     EXPECT_EQ(this->Misses, again + 1);
-    // The packet after the late one is sent without its answer, and no other is.
+    // Only the packet after the late answer's packet is sent while an answer is missing.
     this->Run(this->GetPeriod(), 1);
     for (int i = 0; i < 20; ++i)
     {
@@ -154,7 +155,8 @@ TEST_P(FalconTakesTurnsAt, WhateverComesTheyEndInStep)
     int faults = 0;
     for (int i = 0; i < 8; ++i)
     {
-      // At most two in a row: with more the host can't tell a late answer from a lost one.
+      // Make at most two faults in a row: with more, the host can't tell a late answer from a lost
+      // one.
       const auto fault = random() % 5;
       faults = fault < 2 && faults < 2 ? faults + 1 : 0;
       this->IsLate = faults > 0 && fault == 0;
@@ -189,6 +191,6 @@ TEST(FalconTurns, AFailedTransferIsNotWaitedFor)
   turns.Abandon();
   EXPECT_TRUE(turns.MaySend(1));
   EXPECT_FALSE(turns.CheckMissed(1, false));
-  turns.Answered(2, 1); // which nobody is waiting for
+  turns.Answered(2, 1); // an answer for which nobody waits
   EXPECT_TRUE(turns.MaySend(2));
 }

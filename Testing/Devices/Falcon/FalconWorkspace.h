@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The positions that a Falcon's grip can have.
+ * Positions in a Falcon's workspace, and encoder counts at a position.
  */
 #ifndef FalconWorkspace_h
 #define FalconWorkspace_h
@@ -16,8 +16,8 @@ namespace hardwaretest
 using namespace VolumeHaptics;
 
 /**
- * A cylinder of 0.06 m radius, from 0.075 to 0.15 m: wider than a haptic workspace of 0.04 m
- * radius.
+ * Samples a cylinder of 0.06 m radius, from 0.075 to 0.15 m along z, which is wider than a haptic
+ * workspace of 0.04 m radius.
  */
 inline std::vector<Vector3> SampleWorkspace(double step = 0.005)
 {
@@ -39,7 +39,10 @@ inline std::vector<Vector3> SampleWorkspace(double step = 0.005)
   return positions;
 }
 
-/** The counts that lead to a position, for emulated reports; 35 degrees and 0.0364347 a count. */
+/**
+ * The encoder counts at a position, for emulated reports: 0 counts are 35 degrees, a count is
+ * 0.0364347 degrees.
+ */
 inline FalconCounts CountsAt(const Vector3& position)
 {
   Vector3 angles;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A device behind a guard, as its owner and the servo see it. The guard is a real process, its
- * device is played: PlayedGuard.cxx. How the guard outlives a program:
- * Emulated/FalconGuardTest.cxx.
+ * Tests a device behind a guard, as its owner and the servo see it. The guard is a real process
+ * whose device is played (PlayedGuard.cxx). Emulated/FalconGuardTest.cxx tests how the guard
+ * outlives a program.
  */
 
 #include "Devices/Guard/GuardedDevice.h"
@@ -31,7 +31,7 @@ using devicetest::Eventually;
 namespace
 {
 
-/** Counts how often zero would be sent from here. */
+/** A driver in this process that counts how often it is asked to send zero in the guard's place. */
 class Rescuer : public HardwareDriver
 {
 public:
@@ -53,7 +53,7 @@ public:
     const std::string& identity, const std::function<bool()>& /*mustStop*/, std::string&) override
   {
     EXPECT_EQ(identity, "played:SN1") << "as the guard has told it";
-    // As if the system took its time.
+    // Succeed at the third attempt, as if the system took its time.
     return ++this->Count >= 3;
   }
   void Serve(HardwareExchange&) override {}
@@ -92,7 +92,7 @@ protected:
     ASSERT_TRUE(this->IsAt(DeviceStage::Ready)) << this->GetText();
     ASSERT_GT(this->GetGuard(), 1);
   }
-  /** The device gets a force, and says so. */
+  /** Writes a force until the device reports it as its position. */
   bool Feels(const Vector3& force)
   {
     return Eventually(
@@ -128,11 +128,11 @@ TEST_F(Guarded, IsRememberedAndGivesTrueNewtons)
         return Norm(this->Sample.Tip - asked) < 1e-12;
       });
   };
-  // It gives 2 N for each one that it is asked for, and is asked for no more than before.
+  // The device gives 2 N for each requested newton, and its limit stays at 3 N.
   this->Device->SetForceScale(2.0);
   EXPECT_EQ(this->Device->GetLimits().MaximumForce, 3.0);
   EXPECT_TRUE(gets({ 2.0, -1.0, 0.0 }, { 1.0, -0.5, 0.0 }));
-  // It gives half of what it is asked for, and is asked for 3 N at the most.
+  // The device gives half of the requested force, and requests stay at or below 3 N.
   this->Device->SetForceScale(0.5);
   EXPECT_EQ(this->Device->GetLimits().MaximumForce, 1.5);
   EXPECT_TRUE(gets({ 1.0, 0.0, 0.0 }, { 2.0, 0.0, 0.0 }));
@@ -194,7 +194,7 @@ TEST_F(Guarded, SaysWhyItCantBeOpened)
   ASSERT_TRUE(this->Device->Open(this->Error));
   ASSERT_TRUE(this->IsAt(DeviceStage::Lost));
   EXPECT_NE(this->GetText().find("out of order"), std::string::npos) << this->GetText();
-  // Its end does not hide the reason.
+  // The guard's end does not replace the reason in the text.
   ASSERT_TRUE(Eventually([this] { return this->Rescues > 0 && this->Device->IsAtRest(); }));
   EXPECT_NE(this->GetText().find("out of order"), std::string::npos) << this->GetText();
 }
@@ -230,7 +230,7 @@ TEST_F(Guarded, ItsSignsAreCheckedThroughTheGuard)
     this->OpenIt();
     {
       servotest::RunningLoop loop(*this->Device, 1000.0);
-      loop->RequireConfirmation(2, 8.0); // y alone
+      loop->RequireConfirmation(2, 8.0); // axis y only
       loop->Arm();
       const auto state = [&]
       {
@@ -269,18 +269,19 @@ TEST_F(Guarded, IsTheParentsAfterAFork)
 
 TEST_F(Guarded, OfAnotherVersionIsRefused)
 {
-  // As if an older library had started it: there is nothing behind the descriptors.
+  // Start it as an older library would, without anything behind the descriptors.
   const int status = std::system(VOLUME_HAPTICS_PLAYED_GUARD " 0.0 3 4 1 0 echo");
   EXPECT_EQ(WEXITSTATUS(status), 1);
   EXPECT_EQ(WEXITSTATUS(std::system(VOLUME_HAPTICS_PLAYED_GUARD " 2> /dev/null")), 2);
 }
 
-/// As OwnFile.h says of plug-ins: it would run with all rights of the user, who may be root.
+/// Expects the rule of OwnFile.h for plug-ins: such a program would run with all rights of the
+/// user, who may be root.
 TEST(GuardProgram, OneThatAnotherUserCouldHaveWrittenIsPassedOver)
 {
   namespace fs = std::filesystem;
   const fs::path top = fs::canonical(TemporaryPath(""));
-  // As far below the top as it is looked for.
+  // The library is as many folders below the top as the search goes up.
   const fs::path library = top / "app" / "a" / "b" / "c" / "d" / "lib" / "library.so";
   const fs::path planted = top / "volumehaptics-guard";
   const fs::path own = top / "app" / "bin" / "volumehaptics-guard";
@@ -308,7 +309,7 @@ TEST(GuardProgram, OneThatAnotherUserCouldHaveWrittenIsPassedOver)
       << obstacle;
     ASSERT_EQ(chmod(open.c_str(), 0700), 0);
   }
-  // A link in a folder that others may write leads to another one.
+  // A link on the way is in a folder that others may write.
   fs::rename(planted, top / "safe");
   fs::create_directory(top / "open");
   ASSERT_EQ(chmod((top / "open").c_str(), 0777), 0);

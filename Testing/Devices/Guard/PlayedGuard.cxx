@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A guard whose device is played, for GuardedDeviceTest.cxx: it tells each force as a position and
- * its lights as an orientation, or is held in a hand that the force moves, with motors the right
- * way round ("held") or not ("crossed").
+ * A guard with a played device, for GuardedDeviceTest.cxx. The device reports each force as a
+ * position and its lights as an orientation; or a hand holds it, and the force moves the hand, with
+ * motors of the right sign ("held") or not ("crossed").
  */
 
 #include "Devices/Guard/GuardMain.h"
@@ -66,7 +66,7 @@ public:
   void Disconnect() noexcept override {}
 
 private:
-  /** In steps of a millisecond of the real time that has gone by. */
+  /** Advances the held device in steps of a millisecond, up to the real time. */
   void ServeHeld(HardwareExchange& exchange)
   {
     using Clock = std::chrono::steady_clock;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Whatever goes wrong with a played Inverse service ends in zero force and a text.
+ * Expects that every fault of a played Inverse service ends in zero force and a text.
  */
 
 #include "HaplyRig.h"
@@ -28,7 +28,7 @@ protected:
   }
 };
 
-/// The reason why this computer has none, as the list of kinds gives it.
+/// Returns the reason why this computer has no Haply device, from the list of missing kinds.
 std::string MissingText()
 {
   std::string text;
@@ -77,7 +77,8 @@ TEST_F(HaplyFaults, TheServiceFallsSilent)
 TEST_F(HaplyFaults, TheServiceIsSlow)
 {
   this->Service->Break(HaplyFault::Slow);
-  // Forces of positions that are so old must not flow; nor does the stream fall behind for good.
+  // A force computed from such an old position must not flow. Afterwards, the client must catch up
+  // with the stream.
   EXPECT_TRUE(Eventually([&] { return Size(this->LastForce()) == 0.0; }));
   this->Service->Break(HaplyFault::None);
   EXPECT_TRUE(this->Bench.Press(
@@ -101,7 +102,8 @@ TEST_F(HaplyFaults, TheServiceAnswersTwice)
   const std::size_t before = this->LastSession().Forces.size();
   this->Service->Break(HaplyFault::Twice);
   ASSERT_TRUE(Eventually([&] { return this->LastSession().Forces.size() > before + 600; }));
-  // One state too many for each of the 600: a client that takes one at a time is 300 behind.
+  // Each of 600 messages gets an extra state: a client that reads one state at a time would be 300
+  // behind.
   EXPECT_LT(this->CountBehind(), 100.0);
   this->Service->Break(HaplyFault::None);
   EXPECT_TRUE(Eventually([&] { return this->CountBehind() < 1.5; })) << this->CountBehind();
@@ -143,7 +145,7 @@ TEST_F(HaplyFaults, TheServiceSendsPingsWithoutEndAndReadsNothing)
 {
   this->Service->Break(HaplyFault::DeafPings);
   this->Bench.ExpectLost("the Inverse service does not answer");
-  this->Service->Break(HaplyFault::Silent); // it reads what came
+  this->Service->Break(HaplyFault::Silent); // the service now reads what has arrived
   EXPECT_TRUE(Eventually([&] { return Size(this->LastForce()) == 0.0; }));
 }
 
@@ -187,7 +189,7 @@ TEST_F(HaplyFaults, ThePositionIsNotTold)
 
 TEST_F(HaplyFaults, ThePositionIsNotToldAndTheServiceIsSlow)
 {
-  // It answers: a message is nearly always under way.
+  // The service does answer, so a message is nearly always on its way.
   this->Service->Break(HaplyFault::SlowBlind);
   this->ExpectLost("does not tell its position");
 }
@@ -243,7 +245,7 @@ TEST_F(HaplyFaults, TheWorkspaceIsMovedUnderTheHand)
 {
   this->Service->SetTransform({ 0.0, 0.001, 0.0 }, 1.0);
   this->ExpectLost("was moved without the hand");
-  // Where it is now is as good as anywhere else, as long as it stays.
+  // The new position is accepted, as long as it stays.
   this->Bench.Device->Home();
   ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
   this->Bench.Stop();
@@ -288,7 +290,7 @@ TEST_F(HaplyFaults, TheServoStandsStill)
   EXPECT_TRUE(Eventually([&] { return Size(this->LastForce()) == 0.0; }));
 }
 
-/// Whoever is on this computer may listen at the service's port before it does.
+/// Any user of this computer may listen at the service's port before the service does.
 TEST(HaplyErrors, AnotherUsersProgramIsNotAsked)
 {
   if (geteuid() != 0)
@@ -329,7 +331,7 @@ TEST(HaplyErrors, AnotherUsersProgramIsNotAsked)
 
 TEST(HaplyErrors, SayWhatToDo)
 {
-  // A port that was free a moment ago.
+  // Take a port that was free a moment ago.
   emulated::HaplyShape shape;
   {
     const HaplyService service(shape);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The messages of Haply's Inverse service: those of the examples in its public documentation
+ * Reads the messages of Haply's Inverse service: the examples of its public documentation
  * (docs.haply.co/inverseSDK: service/api/simulation of 3.1, service/realtime/websocket-protocol,
  * service/commons/types, service/events, service/api/http, 3.0.2/service), whole, shortened and
  * spoilt.
@@ -210,7 +210,7 @@ TEST(HaplyMessages, DeepJsonIsRefused)
     EXPECT_NE(ReadHaplyEvent(R"({"data":)" + deep + "}", event), nullptr);
     EXPECT_NE(ReadHaplyVersion(R"({"git_tag":"3.5.0","data":)" + deep + "}", version), nullptr);
   }
-  // Later services may tell more, in lists of lists; and brackets in texts are none.
+  // Later services may add members, also nested lists; brackets inside strings do not count.
   const std::string texts = R"("\"[[\\":")" + std::string(100, '[') + "\"";
   EXPECT_EQ(ReadHaplyMessage(R"({"a":[[[[[[[[[[]]]]]]]]]],)" + texts + "}", message), nullptr);
 }
@@ -302,7 +302,7 @@ TEST(HaplyMessages, ForcesAreWrittenAsEachVersionTakesThem)
 
 TEST(HaplyMessages, AxesTurnAndDoNotMirror)
 {
-  // Haply: right, forward, up. Devices here: right, up, towards the hand.
+  // Haply's axes are right, forward, up. The device's axes are right, up, towards the hand.
   const Vector3 right = ToDevice(Vector3{ 1.0, 0.0, 0.0 });
   const Vector3 forward = ToDevice(Vector3{ 0.0, 1.0, 0.0 });
   const Vector3 up = ToDevice(Vector3{ 0.0, 0.0, 1.0 });
@@ -314,8 +314,7 @@ TEST(HaplyMessages, AxesTurnAndDoNotMirror)
   EXPECT_EQ(back.X, 1.0);
   EXPECT_EQ(back.Y, 2.0);
   EXPECT_EQ(back.Z, 3.0);
-  // A grip that is turned a quarter about the vertical, to the left, then points left: a stylus
-  // that is turned about y.
+  // A grip that is turned to the left about the vertical turns the stylus about the device's y.
   const Quaternion turn = ToDevice(Quaternion{ 0.6, 0.0, 0.0, 0.8 });
   EXPECT_EQ(turn.W, 0.6);
   EXPECT_EQ(turn.Y, 0.8);
@@ -325,8 +324,8 @@ TEST(HaplyMessages, AxesTurnAndDoNotMirror)
 
 TEST(HaplyPorts, AnotherUsersListenerIsFound)
 {
-  // As proc_net_tcp of the kernel's documentation lists them: port 10001 is 2711 in hexadecimal
-  // digits; 0A listens, 01 is a connection.
+  // Lines as in proc_net_tcp of the kernel's documentation: port 10001 is 2711 in hexadecimal
+  // digits; 0A is a listener, 01 a connection.
   const std::string head = "  sl  local_address rem_address   st tx_queue rx_queue tr tm->when "
                            "retrnsmt   uid  timeout inode\n";
   const auto find = [&head](const char* local, const char* state, int user)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A played Inverse service, a floor that its arm feels, and a hand that is led into it.
+ * A played Inverse service, a floor that its arm feels, and a hand that is led into the floor.
  */
 #ifndef HaplyRig_h
 #define HaplyRig_h
@@ -14,7 +14,7 @@
 
 namespace emulated
 {
-/// The device's y, Haply's z, is up: it points out of the floor.
+/// The floor's outward axis is the device's y, which is up (Haply's z).
 inline const Matrix3 Upward = Matrix3::FromColumns({ 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 });
 
 class HaplyTest : public testing::Test
@@ -28,10 +28,11 @@ protected:
     ASSERT_TRUE(this->Bench.Open(id)) << this->Bench.Error;
     ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
   }
-  /// Arms, and leads the hand to the floor's middle, 10 mm inside.
+  /// Arms the device, and leads the hand 5 mm into the middle of the floor.
   void Feel(double rate = 1000.0)
   {
-    // Before the loop begins: below the floor, it would feel the floor from below.
+    // Lead the hand above the floor before the loop begins: a loop that begins below feels the
+    // floor from below.
     this->LeadAbove();
     this->Bench.Start(this->Ground.Model, rate);
     ASSERT_TRUE(this->Bench.WaitForTicks(20));
@@ -49,7 +50,8 @@ protected:
     EXPECT_TRUE(Eventually(
       [&]
       {
-        // On a busy machine the service may fall silent, so that the arm does not move.
+        // On a busy machine the device may be lost because the service was late, and then the arm
+        // does not move.
         if (this->Bench.Device->GetCondition().Stage == DeviceStage::Lost)
         {
           this->Bench.Device->Home();
@@ -59,21 +61,22 @@ protected:
       }))
       << this->Bench.Text();
   }
-  /// By the floor, straight up, against being led 5 mm inside.
+  /// Whether the floor pushes straight up, in balance with a hand that is led 5 mm inside.
   bool IsHeld()
   {
     const double force = FloorStiffness * BalancedDepth(0.005);
     return IsNear(this->Service->GetForce(), { 0.0, 0.0, force }, 0.05);
   }
-  /// Cut, said, not back by itself, and the last message had no force.
+  /// Expects a cut force, the reason in the text, no return by itself, and no force in the last
+  /// message.
   void ExpectLost(const char* text)
   {
     this->Bench.ExpectLost(text);
     EXPECT_TRUE(Eventually([&] { return Size(this->LastForce()) == 0.0; }));
   }
   /**
-   * By how many of its messages the client's position is behind, at most one of them being under
-   * way. For services that number their positions; not while a loop runs.
+   * By how many messages the client's position is behind, of which one may be on its way. The
+   * service must number its positions, and no loop may run.
    */
   double CountBehind()
   {
@@ -95,7 +98,7 @@ protected:
     return session.Forces.empty() ? Triple{} : session.Forces.back();
   }
 
-  static constexpr double Floor = -0.01; ///< m, its height
+  static constexpr double Floor = -0.01; ///< m, the floor's height
   std::optional<HaplyService> Service;
   emulated::Floor Ground{ Floor, Upward };
   DeviceBench Bench;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A hand on an arm of a played Inverse service: the whole way of positions and forces over real
- * WebSockets of this computer. The service is written from Haply's documentation, see
- * Emulators/HaplyService.h; the balance on the floor is that of two springs.
+ * Leads a hand on an arm of a played Inverse service: positions and forces go over real WebSockets
+ * of this computer. The service is written from Haply's documentation (see
+ * Emulators/HaplyService.h). On the floor, the hand's spring and the floor's must balance.
  */
 
 #include "HaplyRig.h"
@@ -130,7 +130,7 @@ TEST_F(HaplySessions, TheGripTurnsTheStylusAndHasAButton)
 {
   this->Serve();
   ASSERT_NO_FATAL_FAILURE(this->Open());
-  // A quarter about the vertical, which is y here.
+  // Turn by a quarter about the vertical, the device's y.
   const double half = std::sqrt(0.5);
   this->Service->SetGrip({ half, 0.0, 0.0, half }, true);
   DeviceSample sample;
@@ -169,7 +169,7 @@ TEST_F(HaplySessions, ItIsReadyOnlyIfThatIsTold)
   ASSERT_TRUE(this->Bench.WaitForText("is not calibrated"));
   this->Service->SetReady(false);
   this->Service->SetCalibrated(true);
-  this->Bench.Device->Home(); // a new inventory
+  this->Bench.Device->Home(); // requests a new inventory
   ASSERT_TRUE(this->Bench.WaitForText("is not ready"));
   EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Homing);
   this->Service->SetReady(true);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The arms of hfab controllers against the published arithmetic (forsslund/hfabapi, commit cf00e97,
- * in Emulators/HfabEmulator.cxx), whose slopes are differences of positions.
+ * Compares the arms of hfab controllers with the published arithmetic (forsslund/hfabapi, commit
+ * cf00e97, in Emulators/HfabEmulator.cxx), whose slopes are differences of positions.
  */
 
 #include "Devices/Hfab/HfabModel.h"
@@ -23,7 +23,7 @@ namespace
 {
 constexpr double Circle = 6.283185307179586;
 
-/** The pose for calibration first, then poses about the middle of each arm's workspace. */
+/** Yields the pose for calibration first, then random poses about the middle of the workspace. */
 class HfabPoses
 {
 public:
@@ -40,8 +40,8 @@ public:
       this->IsFirst = false;
       return geometry.Home;
     }
-    // rad; Polhem's pose for calibration is at the end of its joints. Its middle was found from the
-    // published position, which is the origin there.
+    // Angles in rad. Polhem's pose for calibration is at the end of its joints; its middle is where
+    // the published position is the origin.
     const HfabModel::Angles home = HfabModel::ComputeAngles(geometry, geometry.Home);
     const HfabModel::Angles middle =
       this->Model == 1 ? HfabModel::Angles{ 0.0, 0.913, 2.36 } : home;
@@ -97,10 +97,11 @@ TEST(HfabModels, PositionsAreThePublishedOnes)
 
 TEST(HfabModels, PosesForCalibrationCanBeWorkedOutByHand)
 {
-  // WoodenHaptics: upright, the forearm level (6000 counts of 2000, geared 1:12, a quarter turn).
+  // WoodenHaptics' calibration pose: upper arm upright, forearm level (6000 counts of 2000, geared
+  // 1:12, a quarter turn).
   EXPECT_LT(Norm(TipAtHome(3) - Vector3{ 0.245 - 0.22, 0.0, 0.205 }), 1e-12);
-  // PHANToM: the upper arm level (7700 counts of 4000, geared 1:7.7, a quarter turn), the forearm
-  // hanging.
+  // PHANToM's calibration pose: upper arm level (7700 counts of 4000, geared 1:7.7, a quarter
+  // turn), forearm hanging.
   EXPECT_LT(Norm(TipAtHome(2) - Vector3{ 0.0, 0.0, 0.097 - 0.112 }), 1e-12);
 }
 
@@ -181,8 +182,8 @@ TEST(HfabModels, CurrentsSaturateTogetherAndWhatIsNoNumberIsNone)
 TEST(HfabModels, ALinkageThatCannotCloseHasNoTip)
 {
   const HfabGeometry& geometry = *HfabModel::Find(1);
-  // The cranks' ends are 151 mm apart, nearer than the folded rod (190 mm) and its crank (34 mm)
-  // let them.
+  // The cranks' ends are 151 mm apart, closer than the folded rod (190 mm) and its crank (34 mm)
+  // allow.
   const HfabModel::Angles folded{ 0.0, 2.178, 3.6 };
   Vector3 tip;
   EXPECT_TRUE(std::isnan(HfabEmulator::TipOf(1, { folded[0], folded[1], folded[2] })[0]));
@@ -204,7 +205,7 @@ TEST(HfabModels, ThePolhemsHandleTurnsWithItsEncoders)
   HfabModel::Counts counts = geometry.Home;
   const Quaternion before = HfabModel::ComputeOrientation(geometry, counts);
   EXPECT_NEAR(SquaredNorm(before), 1.0, 1e-12);
-  // The last joint turns the handle about its own axis, the stylus' z, by a quarter turn.
+  // The last joint turns the handle by a quarter turn about its own axis, the stylus' z.
   counts[5] += 256;
   const Quaternion turn = Conjugate(before) * HfabModel::ComputeOrientation(geometry, counts);
   EXPECT_NEAR(std::abs(turn.W), std::sqrt(0.5), 1e-12);
@@ -238,7 +239,7 @@ TEST(HfabModels, ThePhantomsHandleTurnsWithItsForearmAndItsGimbal)
     { HfabModel::Counts{ 0, 7700, 0, 0, 0, 0 }, HfabModel::Counts{ 900, 5000, -6000, 0, 0, 0 },
       HfabModel::Counts{ -1500, 9000, 4000, 0, 0, 0 } })
   {
-    // A forearm that is 1 m longer has its tip 1 m farther along it: the handle's axis at rest.
+    // Lengthen the forearm by 1 m: the tip moves 1 m along it, which is the handle's axis at rest.
     const HfabModel::Angles angles = HfabModel::ComputeAngles(geometry, counts);
     Vector3 tip;
     Vector3 farther;
@@ -248,8 +249,8 @@ TEST(HfabModels, ThePhantomsHandleTurnsWithItsForearmAndItsGimbal)
     const Quaternion rest = HfabModel::ComputeOrientation(geometry, counts);
     EXPECT_NEAR(SquaredNorm(rest), 1.0, 1e-12);
     EXPECT_NEAR(Norm(pointsAlong(rest, { 0.0, 0.0, 1.0 }) - forearm), 0.0, 1e-12);
-    // Quarter turns of the gimbal about the handle's own axes: up (y), right (x), and itself (z),
-    // with the published signs.
+    // Turn the gimbal by quarters about the handle's own axes, with the published signs: up (y),
+    // right (x), and the handle itself (z).
     const auto by = [&](std::size_t encoder)
     {
       HfabModel::Counts turned = counts;

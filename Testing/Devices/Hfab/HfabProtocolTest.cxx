@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The lines of hfab controllers: the formats are those of forsslund/hfabapi, hfab_protocol.h and
+ * Tests the lines of hfab controllers, in the formats of forsslund/hfabapi, hfab_protocol.h and
  * hfab_serial.cpp (commit cf00e97).
  */
 

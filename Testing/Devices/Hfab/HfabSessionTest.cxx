@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Sessions with arms of hfab controllers behind pseudo-terminals: each arm presses a floor in
- * closed loop, and each fault ends in zero force and a text. Controllers and arms are those of the
+ * Tests sessions with arms of hfab controllers behind pseudo-terminals: each arm presses a floor in
+ * closed loop, and each fault ends in zero force and a text. Controllers and arms follow the
  * published firmware and host (Emulators/HfabEmulator.h).
  */
 
@@ -20,7 +20,7 @@ using namespace emulated;
 
 namespace
 {
-// The device's right, up and towards the hand are the arm's y, z and x.
+// Maps the device's right, up and towards the hand to the arm's y, z and x.
 const Matrix3 ToTheHfabArm = Matrix3::FromColumns({ 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 });
 const std::array<int, 3> NoCurrents{};
 
@@ -41,7 +41,8 @@ struct HfabRig
     return Eventually([&] { return this->Arm.GetCurrents() == NoCurrents; });
   }
   bool IsAt(DeviceStage stage) { return this->Bench.Device->GetCondition().Stage == stage; }
-  /// Again if a busy machine has kept the controller's answers back for too long.
+  /// Calibrates the arm. Tries again if a busy machine delayed the controller's answers for too
+  /// long.
   void Calibrate()
   {
     for (int attempt = 0; attempt < MostAttempts && !this->IsAt(DeviceStage::Ready); ++attempt)
@@ -58,19 +59,20 @@ struct HfabRig
     }
     ASSERT_TRUE(this->IsAt(DeviceStage::Ready)) << this->Bench.Text();
   }
-  /// A place above the middle of the floor (m).
+  /// The position (m) at a height above the middle of the floor.
   Triple At(double above) const
   {
     return { this->Middle[0], this->Middle[1], this->Height + above };
   }
-  /// Leads the hand there, slowly. A device that is lost does not ask where it is.
+  /// Leads the hand to a goal (m), slowly. Returns false if the device is lost meanwhile, and no
+  /// longer asks for positions.
   bool Lead(const Triple& goal)
   {
     this->Arm.SetGoal(goal);
     const auto isThere = [&] { return IsNear(this->Arm.GetTip(), goal, 1e-3); };
     return Eventually([&] { return isThere() || this->IsAt(DeviceStage::Lost); }) && isThere();
   }
-  /// Calibrates, arms, and leads the hand to 5 mm inside the floor.
+  /// Calibrates and arms the device, and leads the hand 5 mm into the floor.
   void Feel()
   {
     bool isAbove = false;
@@ -87,7 +89,7 @@ struct HfabRig
       [&] { this->Arm.SetGoal(this->At(-0.005)); }, [&] { return this->IsHeld(); }))
       << this->Arm.GetForce()[2] << " " << this->Bench.Text();
   }
-  /// By the floor, against being led 5 mm inside.
+  /// Whether the floor's force balances a hand that is led 5 mm inside.
   bool IsHeld()
   {
     const double force = FloorStiffness * BalancedDepth(0.005);
@@ -174,7 +176,7 @@ TEST_F(Hfab, AFirmwareThatWantsItsButtonIsNotCalibratedBeforeIt)
 
 TEST_F(Hfab, TheFirmwaresWatchdogIsTheLastResort)
 {
-  // A program that sends once and no more.
+  // Play a program that sends one message and then nothing.
   SerialPort port;
   std::string error;
   ASSERT_TRUE(port.Open(this->Rig.Arm.GetPort(), error)) << error;
@@ -203,7 +205,7 @@ TEST_F(Hfab, AJumpCutsTheForce)
   DeviceBench& bench = this->Rig.Bench;
   ASSERT_TRUE(bench.Open(this->Rig.GetId())) << bench.Error;
   ASSERT_NO_FATAL_FAILURE(this->Rig.Feel());
-  // After a pause of a busy machine the hand may have gone as far: so it jumps again and again.
+  // Repeat the jump: after a pause of a busy machine, a hand may have gone as far.
   EXPECT_TRUE(Eventually(
     [&]
     {
@@ -246,7 +248,8 @@ TEST_F(Hfab, ItsButtonElsewhereCutsTheForce)
     ASSERT_TRUE(rig.Bench.Open(rig.GetId())) << rig.Bench.Error;
     ASSERT_NO_FATAL_FAILURE(rig.Feel());
     const Triple tip = rig.Arm.GetTip();
-    // The counts are those of power-up again: so the arm seems to be where it was then.
+    // The button sets the counts to zero as power-up does, so the arm seems to be where it was
+    // then.
     const double jump = Size({ tip[0] - atPower[0], tip[1] - atPower[1], tip[2] - atPower[2] });
     rig.Arm.DrainLongestPause();
     const int messages = rig.Arm.GetMessages();
@@ -261,7 +264,7 @@ TEST_F(Hfab, ItsButtonElsewhereCutsTheForce)
     }
     else
     {
-      // Only in a pause of a busy machine may a hand have gone as far.
+      // A hand may have gone as far, but only during a pause of a busy machine.
       EXPECT_GT(rig.Arm.DrainLongestPause(), 0.5 * jump / HfabDriver::FastestHand);
     }
   }
@@ -307,14 +310,14 @@ TEST_F(Hfab, AnArmThatIsBackAsksForItsPose)
   this->Rig.Arm.Unplug();
   std::filesystem::remove(port);
   bench.ExpectLost("was unplugged. Plug it in again");
-  // Another arm at the port is not this one.
+  // A different arm at the port is not accepted.
   HfabRig other(2);
   std::filesystem::create_symlink(other.Arm.GetPort(), port);
   bench.Device->Home();
   EXPECT_TRUE(bench.WaitForText("drives another arm than before")) << bench.Text();
   EXPECT_EQ(bench.Device->GetCondition().Stage, DeviceStage::Lost);
   std::filesystem::remove(port);
-  // Its controller begins anew, as another pseudo-terminal.
+  // The same kind of arm comes back with a restarted controller, at another pseudo-terminal.
   HfabRig again(3);
   std::filesystem::create_symlink(again.Arm.GetPort(), port);
   bench.ExpectBack();
@@ -336,7 +339,7 @@ TEST_F(Hfab, LateAnswersAreNotTakenForTheNextOnes)
   this->Rig.Arm.Fault = HfabFault::Late;
   std::this_thread::sleep_for(std::chrono::milliseconds(60));
   this->Rig.Arm.Fault = HfabFault::None;
-  // The tip that is told is where the arm is.
+  // Expect that the reported tip follows the arm.
   const Triple goal{ this->Rig.Home[0] + 0.02, 0.0, this->Rig.Home[2] - 0.005 };
   this->Rig.Arm.SetGoal(goal);
   EXPECT_TRUE(Eventually(
@@ -388,8 +391,8 @@ TEST_F(Hfab, APortThatCannotBeUsedIsAnErrorWithACure)
   EXPECT_TRUE(Has(ErrorOf("hfab:" + other.GetPort()), "the model 7"));
 }
 
-/// Names of udev's links: chohh7391/lerobot_teleoperator_inverse3 99063dc, SETUP.md, has a Haply
-/// Inverse3 as ID_VENDOR Teensyduino, ID_MODEL Haply_inverse3, ID_SERIAL_SHORT 16894910.
+/// Uses the names of udev's links from chohh7391/lerobot_teleoperator_inverse3 99063dc, SETUP.md: a
+/// Haply Inverse3 has ID_VENDOR Teensyduino, ID_MODEL Haply_inverse3, ID_SERIAL_SHORT 16894910.
 TEST_F(Hfab, NothingIsWrittenToAHaplyArm)
 {
   namespace fs = std::filesystem;

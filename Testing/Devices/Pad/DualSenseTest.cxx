@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The reports of a DualSense. Layout: drivers/hid/hid-playstation.c of Linux, as byte counts from
- * its structures. The check value of the CRC-32 is that of its definition (IEEE 802.3).
+ * Tests the reports of a DualSense. The layout is that of Linux' drivers/hid/hid-playstation.c, as
+ * byte counts of its structures. The CRC-32's check value is from its definition (IEEE 802.3).
  */
 
 #include "Devices/Pad/DualSense.h"
@@ -26,7 +26,10 @@ const char* Take(const Bytes& bytes, Link& link, PadState& state)
   return DualSense::Decode(bytes.data(), bytes.size(), link, state);
 }
 
-/** By cable: x, y, rx, ry, l2, r2, a counter, three bytes of buttons. */
+/**
+ * Returns a report by cable that begins with: x, y, rx, ry, l2, r2, a counter, three bytes of
+ * buttons.
+ */
 Bytes MakeCableReport(const Bytes& first)
 {
   Bytes report(64, 0);
@@ -61,7 +64,7 @@ TEST(DualSense, ByCableSticksAndButtonsAreRead)
   EXPECT_EQ(state.RightY, 1.0);
   EXPECT_EQ(state.LeftTrigger, 0.0);
   EXPECT_EQ(state.RightTrigger, 1.0);
-  // The cross, R1 and PS; 8 is the direction pad at rest.
+  // The buttons are the cross, R1 and PS; 8 is the direction pad at rest.
   EXPECT_EQ(state.Buttons, PadSouth | PadRightShoulder | PadMode);
   const std::pair<Bytes, std::uint32_t> buttons[] = { { { 0x10, 0, 0 }, PadWest },
     { { 0x40, 0, 0 }, PadEast }, { { 0x80, 0, 0 }, PadNorth }, { { 0, 0x01, 0 }, PadLeftShoulder },
@@ -127,7 +130,7 @@ TEST(DualSense, ReportsToItHaveTheKernelsLayout)
   DualSense::Report report = DualSense::Encode(Link::Cable, false, 200, 100, 7);
   Bytes bytes(report.Bytes.begin(), report.Bytes.begin() + static_cast<long>(report.Size));
   Bytes expected(63, 0);
-  expected[0] = 0x02; // the report
+  expected[0] = 0x02; // report id
   expected[1] = 0x03; // valid_flag0: compatible vibration, haptics select
   expected[3] = 100;  // motor_right
   expected[4] = 200;  // motor_left
@@ -136,7 +139,7 @@ TEST(DualSense, ReportsToItHaveTheKernelsLayout)
   report = DualSense::Encode(Link::Cable, true, 1, 300, 7);
   bytes.assign(report.Bytes.begin(), report.Bytes.begin() + static_cast<long>(report.Size));
   expected[1] = 0x02; // haptics select
-  expected[3] = 255;  // no more than a byte
+  expected[3] = 255;  // limited to a byte
   expected[4] = 1;
   expected[1 + 38] = 0x04; // valid_flag2: compatible vibration, the newer way
   EXPECT_EQ(bytes, expected);
@@ -145,8 +148,8 @@ TEST(DualSense, ReportsToItHaveTheKernelsLayout)
   bytes.assign(report.Bytes.begin(), report.Bytes.begin() + static_cast<long>(report.Size));
   expected.assign(78, 0);
   expected[0] = 0x31;
-  expected[1] = 0xB0; // the number, modulo 16
-  expected[2] = 0x10; // the tag
+  expected[1] = 0xB0; // sequence number, modulo 16
+  expected[2] = 0x10; // tag
   expected[3] = 0x02;
   expected[6] = 1;
   expected[3 + 38] = 0x04;

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What Linux tells of pads. The texts of sysfs are those that drivers of the kernel show, as dumps
- * in public bug reports have them: xpad's key=7cdb000000000000 0 0 0 0, ff=107030000 0.
+ * Tests how Linux' descriptions of pads are read. The texts of sysfs are those that the kernel's
+ * drivers show, from dumps in public bug reports: xpad's key=7cdb000000000000 0 0 0 0, ff=107030000
+ * 0.
  */
 
 #include "Devices/Pad/EvdevReader.h"
@@ -78,7 +79,7 @@ TEST(EvdevReader, FollowsReports)
   Take(reader, EV_ABS, ABS_RZ, 255);
   Take(reader, EV_KEY, BTN_SOUTH, 1);
   Take(reader, EV_KEY, BTN_TR, 1);
-  Take(reader, EV_ABS, ABS_MISC, 9); // an axis that it does not have
+  Take(reader, EV_ABS, ABS_MISC, 9); // an axis that the pad does not have
   EXPECT_EQ(Take(reader, EV_SYN, SYN_REPORT, 0), EvdevReader::News::Report);
   const PadState state = reader.Get();
   EXPECT_EQ(state.LeftX, 1.0);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Sticks and buttons of gamepads, and the way in which they lead the tip.
+ * Tests gamepads' sticks and buttons, and how they lead the tip.
  */
 
 #include "Devices/Pad/PadState.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * From a force to the motors of a pad: closed forms of the two low-pass filters that Vibration.h
- * describes, and the limits of the rates over random forces.
+ * Tests how a force drives the motors of a pad: the closed forms of the two low-pass filters that
+ * Vibration.h describes, and the limits of the rates with random forces.
  */
 
 #include "Devices/Pad/Vibration.h"
@@ -22,7 +22,9 @@ namespace
 constexpr double Fast = 0.02; // s
 constexpr double Slow = 0.15; // s
 
-/** Of a force that steps from 0 to `step` (N) at time 0: what the motors are asked for. */
+/**
+ * The speed requested of the weak motor after a force has stepped from 0 to `step` (N) at time 0.
+ */
 double WeakOf(double step, double time)
 {
   return std::min(1.0, step * std::exp(-time / Fast));
@@ -32,7 +34,7 @@ double StrongOf(double step, double time)
   return std::min(1.0, step * (std::exp(-time / Slow) - std::exp(-time / Fast)));
 }
 
-/** Where a level that rises by 100 a second meets the weak motor's curve. */
+/** The time (s) at which a level that rises by 100 per second meets the weak motor's curve. */
 double MeetingTime(double step)
 {
   double low = 0.0;
@@ -50,7 +52,7 @@ TEST(Vibration, AStepHasItsClosedForm)
 {
   for (const double step : { 0.05, 0.3, 1.0 })
   {
-    // In different directions, and in steps of different lengths.
+    // Sample with ticks of different lengths.
     for (const double tick : { 1e-4, 1e-3, 2e-3 })
     {
       Vibration vibration;
@@ -63,7 +65,7 @@ TEST(Vibration, AStepHasItsClosedForm)
         const VibrationLevels levels = vibration.Advance(force, tick);
         largest = std::max(largest, levels.Weak);
         ASSERT_NEAR(levels.Strong, StrongOf(step, time), 1e-12) << step << " N, " << time << " s";
-        // It rises with 100 a second, meets its curve, and falls no faster than 10 a second.
+        // The level rises by 100 per second, meets its curve, and falls by at most 10 per second.
         const double expected = time < MeetingTime(step)
           ? 100.0 * time
           : std::max(WeakOf(step, time), weakBefore - 10.0 * tick);

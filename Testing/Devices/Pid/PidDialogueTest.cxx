@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A force-feedback device is made ready step by step, or it is said why not; then it is kept alive.
- * What devices need is Linux's knowledge (torvalds/linux, drivers/hid/usbhid/hid-pidff.c, commit
- * 02b5a60): the pool is "sometimes messed up", up to twenty times, and a first effect in the second
- * block means that the first block is the device's spring towards the centre. Stopping all effects
- * after the reset is of its pidff_reset() from 6.15 on. A magnitude without a sign gets the
- * absolute value there (pidff_set_signed()), and the direction tells where the force acts.
+ * Tests the dialogue that makes a force-feedback device ready, reports why it can't, and keeps the
+ * device alive. What devices need is known from Linux (torvalds/linux,
+ * drivers/hid/usbhid/hid-pidff.c, commit 02b5a60): the pool is "sometimes messed up", up to twenty
+ * times, and a first effect in the second block means that the first block is the device's spring
+ * towards the centre. Its pidff_reset() stops all effects after the reset since 6.15. A magnitude
+ * without a sign gets the absolute value there (pidff_set_signed()), and the direction tells where
+ * the force acts.
  */
 
 #include "Devices/Pid/PidDialogue.h"
@@ -21,7 +22,8 @@ using namespace hardwaretest;
 
 namespace
 {
-/// Answers a dialogue: waits for so many polls, then gives blocks 7, 8. The first pools are empty.
+/// Answers a dialogue as a device that is busy for `polls` polls and then gives blocks 7, 8 and so
+/// on. Its first `emptyPools` pool reports are empty.
 std::vector<Bytes> Talk(PidDialogue& dialogue, int polls, const Bytes& pool, std::uint8_t status,
   std::uint8_t block = 6, int emptyPools = 0)
 {
@@ -147,7 +149,7 @@ TEST(PidStream, WithoutASignTwoEffectsOfAnAxisPushInOppositeDirections)
   settings.NewtonsPerFullScale = { 4.0, -4.0 };
   PidDialogue dialogue(device, settings);
   const std::vector<Bytes> said = Talk(dialogue, 0, Pool, 0x01);
-  // A device after its descriptor: the angle, of 0 to 255, of each block, and its magnitude.
+  // Decode the device's angle (0 to 255 in the report) and magnitude of each block.
   std::map<int, double> angles;
   std::map<int, double> magnitudes;
   for (const Bytes& report : said)
@@ -171,7 +173,7 @@ TEST(PidStream, WithoutASignTwoEffectsOfAnAxisPushInOppositeDirections)
         magnitudes[report.Bytes[1]] = report.Bytes[2] | report.Bytes[3] << 8;
       }
     }
-    // In polar coordinates, clockwise from the north.
+    // Add the effects in polar coordinates, clockwise from north.
     double x = 0.0;
     double y = 0.0;
     for (const auto& [block, magnitude] : magnitudes)
@@ -200,7 +202,7 @@ TEST(PidStream, StartsAgainInTimeAndSendsOnlyWhatChanged)
   const PidDevice device = Mapped({});
   PidSettings settings;
   settings.NewtonsPerFullScale = { 4.0, -4.0 };
-  settings.Duration = 5.0; // more than is safe: 0.1 s it is
+  settings.Duration = 5.0; // s; limited to a safe 0.1 s
   PidDialogue dialogue(device, settings);
   EXPECT_EQ(Talk(dialogue, 0, Pool, 0x01)[8][3], 0x64);
   PidStream stream(device, settings, dialogue);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Devices without what constant forces need are refused by name.
+ * Expects that a device without what constant forces need is refused, and that the error names what
+ * is missing.
  */
 
 #include "Rigs/PidRig.h"
@@ -20,7 +21,7 @@ std::string Refusal(const Bytes& bytes)
   EXPECT_FALSE(device.Map(Parsed(bytes), error));
   return error;
 }
-/// Replaces bytes by others at the first position at which they follow each other.
+/// Replaces the first occurrence of a sequence of bytes.
 Bytes Replace(Bytes bytes, const Bytes& from, const Bytes& to)
 {
   const auto at = std::search(bytes.begin(), bytes.end(), from.begin(), from.end());
@@ -68,7 +69,7 @@ TEST(PidMissing, NamesTheDirectionIfTheMagnitudeHasNoSign)
   PidDevice device;
   std::string error;
   EXPECT_TRUE(device.Map(Parsed(withIt), error)) << error;
-  // No Direction Enable.
+  // Remove Direction Enable.
   EXPECT_EQ(Refusal(Replace(withIt, { 0x09, 0x56 }, { 0x09, 0x53 })),
     "No force feedback with this HID device; missing: a Magnitude that can be below and above "
     "zero, or a direction");

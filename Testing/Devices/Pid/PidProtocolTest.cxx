@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A force-feedback device's reports are found by their usages and filled to the byte.
+ * Expects that a force-feedback device's reports are found by their usages, and filled to the byte.
  */
 
 #include "Rigs/PidRig.h"
@@ -22,7 +22,8 @@ TEST(PidProtocol, FillsReportsToTheByte)
   EXPECT_EQ(Wire(device.FullGain()), (Bytes{ 0x14, 0xFF }));
   EXPECT_EQ(Wire(device.CreateConstant()), (Bytes{ 0x18, 0x01, 0x00, 0x00 }));
   EXPECT_EQ(device.CreateConstant().Kind, HidReportKind::Feature);
-  // Block 5, constant, 100 ms, full gain, Direction Enable and no axis' bit, and 90 or 0 degrees.
+  // Expect block 5, constant force, 100 ms, full gain, Direction Enable without the axes' bits, and
+  // 90 or 0 degrees.
   EXPECT_EQ(Wire(device.SetEffect(5, 0, 0.1)),
     (Bytes{ 0x11, 0x05, 0x01, 0x64, 0x00, 0xFF, 0x04, 0x40, 0x00 }));
   EXPECT_EQ(Wire(device.SetEffect(6, 1, 0.05)),
@@ -59,7 +60,7 @@ TEST(PidProtocol, OfSharesItTakesTheWholeAxis)
 {
   PidDevice device = Mapped({});
   device.UseShares();
-  // The bit of x, no Direction Enable, and the end of the range.
+  // Expect the bit of x, no Direction Enable, and the end of the direction's range.
   EXPECT_EQ(Wire(device.SetEffect(5, 0, 0.1)),
     (Bytes{ 0x11, 0x05, 0x01, 0x64, 0x00, 0xFF, 0x01, 0xFF, 0x00 }));
 }
@@ -85,7 +86,7 @@ TEST(PidProtocol, NewtonsBecomeMagnitudesOfAnyRange)
     double Newtons;
     Bytes Expected;
   };
-  // Of 4 N: 1 N is a quarter; 10 N is more than there is.
+  // The full scale is 4 N: 1 N is a quarter of the range, and 10 N is limited to the full scale.
   const Case cases[] = { { 10000, 1.0, { 0x12, 0x02, 0xC4, 0x09 } },
     { 10000, -1.0, { 0x12, 0x02, 0x3C, 0xF6 } }, { 10000, 10.0, { 0x12, 0x02, 0x10, 0x27 } },
     { 10000, -10.0, { 0x12, 0x02, 0xF0, 0xD8 } }, { 32767, 1.0, { 0x12, 0x02, 0x00, 0x20 } },

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Descriptors that can't be understood are refused, with the fault and its byte.
+ * Expects that descriptors that can't be understood are refused, with the fault and its byte.
  */
 
 #include "Rigs/DescriptorRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Values go into reports, and come out of them, bit by bit.
+ * Tests writing values into reports and reading values from reports, bit by bit.
  */
 
 #include "Devices/Transport/Hid/HidField.h"
@@ -68,7 +68,7 @@ TEST(HidField, ExcessIsClampedAndNeverTurnsTheSign)
   EXPECT_TRUE(WriteValue(magnitude, report.data(), report.size(), -40000));
   EXPECT_TRUE(ReadValue(magnitude, report.data(), report.size(), value));
   EXPECT_EQ(value, -10000);
-  // A range that the bits can't hold.
+  // The logical range is wider than the bits can hold.
   const HidField narrow = Field(0, 8, -1000, 1000);
   EXPECT_TRUE(WriteValue(narrow, report.data(), report.size(), 200));
   EXPECT_EQ(report[0], 0x7F);

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Where the system has no descriptors to read, hidapi from 0.14 on hands them out. The library is
- * played (Emulators/Hidapi), and the module's sources are compiled as on another system.
+ * Tests hidapi from 0.14 on, which returns report descriptors where the system offers none to read.
+ * The library is played (Emulators/Hidapi), and the module's sources are compiled as on such a
+ * system.
  */
 
 #include "Devices/Transport/Hid/HidDeviceInfo.h"
@@ -26,7 +27,7 @@ struct hid_device
 
 namespace
 {
-/// A stick of one axis: X, 0 to 255, eight bits.
+/// A stick with one axis: X from 0 to 255 in eight bits.
 const std::vector<unsigned char> Stick{ 0x05, 0x01, 0x09, 0x04, 0xA1, 0x01, 0x09, 0x30, 0x15, 0x00,
   0x26, 0xFF, 0x00, 0x75, 0x08, 0x95, 0x01, 0x81, 0x02, 0xC0 };
 hid_device Device;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The plug-in for Force Dimension's library in closed loop: a hand presses a floor through it. The
- * library is a stand-in, which behaves as the SDK's public documentation says
+ * Tests the plug-in for Force Dimension's library in closed loop: a hand presses a floor through
+ * it. The library is a stand-in that behaves as the SDK's public documentation says
  * (Emulators/ForceDimension/FakeForceDimension.h): x is towards the user, y right, z up.
  */
 
@@ -14,8 +14,8 @@ using namespace vendortest;
 
 namespace
 {
-constexpr double Height = -0.01; // m, of the floor
-// Ours are right, up, towards the user: the library's y, z, x.
+constexpr double Height = -0.01; // m, the floor
+// Maps the device's right, up and towards the user to the library's y, z and x.
 const Matrix3 ToTheLibrary = Matrix3::FromColumns({ 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 });
 
 class ForceDimension : public testing::Test
@@ -98,7 +98,7 @@ TEST_F(ForceDimension, PressesAFloorAndLetsGo)
   EXPECT_EQ(this->Bench.Device->GetLimits().MaximumForce, 12.0) << "an omega";
   EXPECT_EQ(this->Bench.Device->GetIdentity(), "vendor:forcedimension:4711");
   ASSERT_NO_FATAL_FAILURE(this->Feel());
-  // It slides to the right, the library's y: friction holds the hand back.
+  // Slide to the right, the library's y: friction holds the hand back.
   this->Lead({ 0.0, 0.03, Height - 0.01 });
   EXPECT_TRUE(Eventually([&] { return this->Force()[1] < -0.5 * Friction; }));
   this->Bench.Stop();
@@ -112,7 +112,7 @@ TEST_F(ForceDimension, PressesAFloorAndLetsGo)
 
 TEST_F(ForceDimension, OrientationAndButtonsAreInOurAxes)
 {
-  // The pen turned by 90 degrees about the library's z, up: from towards the user to the right.
+  // Turn the pen by 90 degrees about the library's z (up): from towards the user to the right.
   this->With(
     [](FakeForceDimension& fake)
     {
@@ -129,7 +129,8 @@ TEST_F(ForceDimension, OrientationAndButtonsAreInOurAxes)
       return sample.HasOrientation;
     }));
   EXPECT_EQ(sample.Buttons, 3u);
-  // About our y, up: the handle goes from z (towards the user) to x (to the right).
+  // Expect a turn about the device's y (up): the handle goes from z (towards the user) to x
+  // (right).
   const Vector3 handle = ToMatrix(sample.Orientation) * Vector3{ 0.0, 0.0, 1.0 };
   EXPECT_NEAR(handle.X, 1.0, 1e-9);
   EXPECT_NEAR(handle.Y, 0.0, 1e-9);
@@ -196,7 +197,7 @@ TEST_F(ForceDimension, IsNotReadyWhileItsForceIsOff)
   this->With([](FakeForceDimension& fake) { fake.IsInitialised = false; });
   ASSERT_TRUE(this->Bench.Open("vendor:forcedimension")) << this->Bench.Error;
   ASSERT_TRUE(this->Bench.WaitForText("it moves by itself")) << this->Bench.Text();
-  // It is led to its zero by hand, and its force is still off.
+  // A hand leads the device to its zero; its force is still off.
   this->With([](FakeForceDimension& fake) { fake.IsInitialised = true; });
   ASSERT_TRUE(this->Bench.WaitForText("has its force switched off")) << this->Bench.Text();
   EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Homing);
@@ -282,7 +283,7 @@ TEST_F(ForceDimension, ADeviceThatIsBackWaitsForTheUser)
   this->Bench.Device->Home();
   EXPECT_TRUE(this->Bench.WaitForText("was unplugged"));
   EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Lost);
-  // Without power it has forgotten its zero, and is where the hand has put it.
+  // The device has lost its zero without power, and is where the hand has put it.
   this->With(
     [](FakeForceDimension& fake)
     {
@@ -319,7 +320,7 @@ TEST_F(ForceDimension, AReadThatFailsCutsTheForce)
 
 TEST_F(ForceDimension, AWriteThatFailsIsAFault)
 {
-  // The library takes no zero either: only its watchdog can end the force.
+  // The library rejects zero as well: only its watchdog can end the force.
   this->Break([](FakeForceDimension& fake) { fake.FailsToWrite = true; }, "does not take a force");
 }
 

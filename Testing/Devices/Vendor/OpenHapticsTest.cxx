@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The plug-in for OpenHaptics in closed loop: a hand presses a floor through it. The library is a
- * stand-in, which behaves as the toolkit's public documentation says
- * (Emulators/OpenHaptics/FakeOpenHaptics.h): right, up, towards the user; millimetres.
+ * Tests the plug-in for OpenHaptics in closed loop: a hand presses a floor through it. The library
+ * is a stand-in that behaves as the toolkit's public documentation says
+ * (Emulators/OpenHaptics/FakeOpenHaptics.h): axes right, up, towards the user; millimetres.
  */
 
 #include "Devices/Vendor/VendorPlugin.h"
@@ -17,8 +17,8 @@ using namespace vendortest;
 
 namespace
 {
-constexpr double Height = -0.01; // m, of the floor
-// Up is the floor's normal.
+constexpr double Height = -0.01; // m, the floor
+// Maps the device's up (y) to the floor's normal.
 const Matrix3 ToTheFloor = Matrix3::FromColumns({ 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 });
 
 class OpenHaptics : public testing::Test
@@ -109,7 +109,7 @@ TEST_F(OpenHaptics, PressesAFloorAndLetsGo)
 
 TEST_F(OpenHaptics, OrientationComesFromTheTransformsColumns)
 {
-  // Turned by 90 degrees about up, y: its handle goes from z to x.
+  // Turn the stylus by 90 degrees about y (up): its handle goes from z to x.
   this->With(
     [](FakeOpenHaptics& fake)
     {
@@ -147,7 +147,7 @@ TEST_F(OpenHaptics, IsCalibratedByItselfOrByTheInkwell)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   EXPECT_EQ(this->Force(), Triple{});
-  // In the inkwell the library asks for the update.
+  // With the stylus in the inkwell, the library asks for an update of the calibration.
   this->With([](FakeOpenHaptics& fake) { fake.Calibration = HD_CALIBRATION_NEEDS_UPDATE; });
   ASSERT_NO_FATAL_FAILURE(this->Feel());
   EXPECT_EQ(this->With([](const FakeOpenHaptics& fake) { return fake.ForcesBeforeZero; }), 0);
@@ -260,7 +260,7 @@ TEST_F(OpenHaptics, ABrokenConnectionCutsTheForce)
 
 TEST_F(OpenHaptics, ASchedulerThatStandsStillIsAFault)
 {
-  // Its callback sets no zero any more: only the library's watchdog can end the force.
+  // The plug-in's callback no longer sets zero: only the library's watchdog can end the force.
   this->Break(
     [](FakeOpenHaptics& fake) { fake.StandsStill = true; }, "the library's scheduler stands still");
 }
@@ -273,7 +273,7 @@ TEST_F(OpenHaptics, APositionThatIsNoNumberCutsTheForce)
 
 TEST_F(OpenHaptics, AForceThatIsNotRenewedEndsInTheCallback)
 {
-  // The plug-in alone: a driver writes zero by itself.
+  // Use the plug-in without its driver, which would write zero by itself.
   std::string error;
   void* const library = VolumeHaptics::Libraries::Load(this->File.string(), error);
   ASSERT_NE(library, nullptr) << error;
@@ -352,7 +352,7 @@ TEST_F(OpenHaptics, TwoArmsHaveEachItsOwnPoseAndForce)
   EXPECT_NEAR(second.Tip.X, -0.01, 1e-9);
   EXPECT_NEAR(second.Tip.Z, 0.02, 1e-9);
 
-  // A fault of one is not the other's.
+  // A fault of one device does not affect the other.
   this->With([](FakeOpenHaptics& fake) { fake.Right.Faults.push_back(HD_WARM_MOTORS); });
   EXPECT_TRUE(right.WaitForText("Motors too warm"));
   EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Ready);
@@ -383,7 +383,7 @@ TEST_F(OpenHaptics, AnArmThatIsOpenedOrClosedDisarmsTheOther)
   };
   const auto feelAgain = [&]
   {
-    // Out first: a loop that begins below the floor feels it from below.
+    // Lead the hand out first: a loop that begins below the floor feels it from below.
     this->Bench.Stop();
     this->Lead({ 0.0, Height + 0.005, 0.0 });
     EXPECT_TRUE(Eventually(
@@ -403,7 +403,7 @@ TEST_F(OpenHaptics, AnArmThatIsOpenedOrClosedDisarmsTheOther)
   }
   expectDisarmed();
   feelAgain();
-  // One that can't be opened, too.
+  // A failed attempt to open the second device disarms the first one, too.
   this->With([](FakeOpenHaptics& fake) { fake.IsPluggedIn = false; });
   EXPECT_TRUE(Has(ErrorOf("vendor:openhaptics:1"), "Communication error"));
   expectDisarmed();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A plug-in whose device a test plays. The test finds it in the loaded plug-in by the function
- * GetPlayedVendor.
+ * A plug-in with a device that a test plays. The test finds the device in the loaded plug-in by the
+ * function GetPlayedVendor.
  */
 #ifndef PlayedVendor_h
 #define PlayedVendor_h
@@ -31,10 +31,10 @@ struct PlayedVendor
   int HomeResult = VOLUME_HAPTICS_VENDOR_DONE;
   int ReadTime = 0; ///< ms that the next read takes
   int Homes = 0;
-  int Asked = 0; ///< Count and Describe
+  int Asked = 0; ///< number of calls of Count and Describe
   std::array<double, 3> Force{};
   std::array<double, 3> Torque{};
-  std::vector<std::string> Calls; ///< apart from reads, and writes of the same force
+  std::vector<std::string> Calls; ///< without reads and repeated writes of a force
 };
 
 #endif

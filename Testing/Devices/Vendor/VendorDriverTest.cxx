@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A device behind a plug-in, from opening to closing, and its faults: each ends in zero force and a
- * text. The plug-in is played by the test; what it may expect is what VendorPlugin.h promises.
+ * Tests a device behind a plug-in, from opening to closing, and its faults: each ends in zero force
+ * and a text. The test plays the plug-in, and expects what VendorPlugin.h promises.
  */
 
 #include "PlayedVendor.h"
@@ -51,8 +51,8 @@ protected:
     ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
   }
   /**
-   * Reads and writes as the servo does, until the device has exactly that force: one that a busy
-   * machine renews late is fading.
+   * Reads and writes as the servo does until the device has exactly this force. If a busy machine
+   * renews it late, the force fades for a while.
    */
   bool Push(const DeviceCommand& command)
   {
@@ -72,7 +72,7 @@ protected:
           });
       });
   }
-  /// A fault while a force flows.
+  /// Causes a fault while force acts, and expects zero force and the text.
   template <typename F>
   void Break(F&& change, const char* text)
   {
@@ -89,7 +89,7 @@ protected:
       }));
     EXPECT_TRUE(Has(this->Bench.Text(), text)) << this->Bench.Text();
     EXPECT_TRUE(Eventually([&] { return this->Force() == std::array<double, 3>{}; }));
-    // Nothing comes back by itself.
+    // The force does not return by itself.
     this->Bench.Device->Send({ { 1.0, 0.0, 0.0 }, {} });
     std::this_thread::sleep_for(std::chrono::milliseconds(30));
     EXPECT_EQ(this->Force(), (std::array<double, 3>{}));
@@ -155,7 +155,7 @@ TEST_F(VendorDevice, TellsPoseButtonsAndOrientation)
   const auto now = std::chrono::duration_cast<std::chrono::nanoseconds>(
     std::chrono::steady_clock::now().time_since_epoch());
   EXPECT_GE(now.count() - sample.Time, 2'000'000) << "it was measured two milliseconds before";
-  // Nothing new is a sign of life, with the same sample.
+  // A read without news counts as a sign of life, with the same sample.
   this->Play([](PlayedVendor& played) { played.ReadResult = VOLUME_HAPTICS_VENDOR_DONE; });
   EXPECT_TRUE(Eventually(
     [&]
@@ -165,8 +165,9 @@ TEST_F(VendorDevice, TellsPoseButtonsAndOrientation)
     }));
 }
 
-/// A ball of 3 mm that is held 1 mm beside its middle, 2 mm deep in solid material above z = 10 mm:
-/// the force goes down, and the torque is that of the arm, which turns with the stylus.
+/// Presses a ball of 3 mm radius, held 1 mm beside its middle, 2 mm into solid material above z =
+/// 10 mm. Expects a force downward, and the torque of the lever of 1 mm, which turns with the
+/// stylus.
 TEST_F(VendorDevice, AToolWithAShapeIsFeltInSixDegrees)
 {
   const TestVolume volume = MakeRamp();
@@ -205,7 +206,8 @@ TEST_F(VendorDevice, AToolWithAShapeIsFeltInSixDegrees)
     {
       place(0.006 + 5e-5 * i, turns[turn]);
     }
-    // k (2 mm - depth) = pi kappa a depth^2, and the arm times it.
+    // Force balance: k (2 mm - depth) = pi kappa a depth^2. The torque is the force times the
+    // lever.
     const double b = 500.0 / (coretest::Pi * coretest::Kappa * 3e-3);
     const double force = 500.0 * (2e-3 - 0.5 * (std::sqrt(b * b + 4.0 * b * 2e-3) - b));
     const auto isFelt = [&]
@@ -244,7 +246,7 @@ TEST_F(VendorDevice, ForceAndTorqueArriveWithinTheLimits)
       });
   };
   EXPECT_TRUE(Eventually(isCut));
-  // A force that the servo no longer renews becomes zero, and so does one that is quenched.
+  // A force becomes zero when the servo stops renewing it, and when it is quenched.
   const auto isZero = [&]
   {
     return this->Ask(
@@ -269,7 +271,7 @@ TEST_F(VendorDevice, BeginsAndEndsWithZero)
   EXPECT_EQ(calls[0], "open");
   EXPECT_EQ(calls[1], "zero");
   EXPECT_EQ(calls[2], "force");
-  // In between are as many as it fades and comes back if the machine is busy.
+  // Between them are further calls if a busy machine let the force fade and return.
   EXPECT_EQ(calls[calls.size() - 2], "zero");
   EXPECT_EQ(calls.back(), "close");
 }
@@ -357,7 +359,7 @@ TEST_F(VendorDevice, AnotherOneInItsPlaceIsOpenedOnceAndLeft)
   EXPECT_EQ(countOpens(), 2);
   EXPECT_EQ(this->Bench.Device->GetName(), "Played stylus 0 (vendor:played:0)");
   EXPECT_EQ(this->Force(), (std::array<double, 3>{}));
-  // It is back beside the other one.
+  // Plug the device in again beside the other one.
   this->Play(
     [&](PlayedVendor& played)
     {
@@ -456,7 +458,7 @@ TEST_F(VendorDevice, APeakFadesToTheContinuousForceAndIsTold)
   EXPECT_TRUE(Has(this->Bench.Text(), "gives 1 N now, so that its motors don't get warm"))
     << this->Bench.Text();
   EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Ready);
-  // A weaker one has no limit, and ends the text.
+  // A weaker force has no time limit, and ends the text.
   EXPECT_TRUE(this->Push({ { 0.9, 0.0, 0.0 }, {} }));
   EXPECT_TRUE(Eventually([&] { return this->Bench.Text().empty(); })) << this->Bench.Text();
   const auto rested = std::chrono::steady_clock::now() + std::chrono::milliseconds(2600);

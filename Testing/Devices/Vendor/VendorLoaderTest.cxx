@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Which plug-ins are loaded, and the texts of those that are not: by the rules that the page
- * Documentation/devices.md states. The modes of files are POSIX'.
+ * Tests which plug-ins are loaded, and the error texts of those that are not, by the rules in
+ * Documentation/devices.md. File modes are POSIX modes.
  */
 
 #include "VendorRig.h"
@@ -21,7 +21,7 @@ namespace
 class VendorLoader : public testing::Test
 {
 protected:
-  /// The text if the played plug-in can't be opened.
+  /// Returns the error of opening the played plug-in.
   static std::string Refused(const std::string& id = "vendor:played") { return ErrorOf(id); }
   const PluginFolder Folder;
 };
@@ -73,14 +73,14 @@ TEST_F(VendorLoader, LoadsNothingThatOthersMayWrite)
     }
     ASSERT_EQ(chmod(open.c_str(), 0700), 0);
   }
-  // A folder above that is open lets others put another folder in the place of this one.
+  // If others may write a folder above, they can replace this folder.
   const fs::path inner = this->Folder.Path / "open" / "inner";
   fs::create_directories(inner);
   fs::rename(file, inner / file.filename());
   setenv("VOLUMEHAPTICS_VENDOR_PATH", inner.c_str(), 1);
   ASSERT_EQ(chmod(inner.parent_path().c_str(), 0777), 0);
   EXPECT_TRUE(Has(Refused(), "others may write")) << Refused();
-  // Unless they can't replace what they do not own.
+  // With the sticky bit, others can't replace what they do not own.
   ASSERT_EQ(chmod(inner.parent_path().c_str(), 01777), 0);
   DeviceBench bench;
   EXPECT_TRUE(bench.Open("vendor:played")) << bench.Error;
@@ -107,7 +107,7 @@ TEST_F(VendorLoader, ALinkIsAsSafeAsTheFoldersOnItsWay)
   fs::rename(file, safe / "real.so");
   ASSERT_EQ(chmod(safe.c_str(), 0700), 0);
   ASSERT_EQ(chmod((safe / "real.so").c_str(), 0700), 0);
-  // Others can put a link into the folder that is searched.
+  // Others could put a link into this folder, which is searched.
   fs::create_symlink(safe / "real.so", open / file.filename());
   setenv("VOLUMEHAPTICS_VENDOR_PATH", open.c_str(), 1);
   for (const mode_t mode : { 0777, 01777, 0770 })
@@ -116,11 +116,11 @@ TEST_F(VendorLoader, ALinkIsAsSafeAsTheFoldersOnItsWay)
     EXPECT_TRUE(Has(Refused(), ("chmod go-w '" + open.string()).c_str())) << Refused();
     EXPECT_TRUE(ListVendors().empty());
   }
-  // They can replace a link to which another one leads.
+  // Others could replace the second of two links.
   fs::create_symlink(open / file.filename(), file);
   setenv("VOLUMEHAPTICS_VENDOR_PATH", this->Folder.Path.c_str(), 1);
   EXPECT_TRUE(Has(Refused(), ("chmod go-w '" + open.string()).c_str())) << Refused();
-  // A link to the folder is one of these, too.
+  // A link to the folder is checked as well.
   fs::create_directory_symlink(open, this->Folder.Path / "plugins");
   setenv("VOLUMEHAPTICS_VENDOR_PATH", (this->Folder.Path / "plugins").c_str(), 1);
   EXPECT_TRUE(Has(Refused(), ("chmod go-w '" + open.string()).c_str())) << Refused();
@@ -152,7 +152,7 @@ TEST_F(VendorLoader, LoadsNothingThatBelongsToAnotherUser)
     EXPECT_TRUE(ListVendors().empty());
     ASSERT_EQ(chown(given.c_str(), 0, 0), 0);
   }
-  // A link, too.
+  // A link of another user is refused, too.
   fs::rename(file, this->Folder.Path / "real.so");
   fs::create_symlink("real.so", file);
   ASSERT_EQ(lchown(file.c_str(), other, other), 0);
@@ -181,10 +181,10 @@ TEST_F(VendorLoader, AFileThatIsNoPluginIsRefusedWithItsReason)
   std::ofstream(junk) << "not a library";
   fs::permissions(junk, fs::perms::owner_all);
   EXPECT_TRUE(Has(Refused("vendor:junk"), "can't be loaded")) << Refused("vendor:junk");
-  // A library, but no plug-in: it exports nothing that is known.
+  // A library without the plug-in's function is refused.
   this->Folder.Add("empty");
   EXPECT_TRUE(Has(Refused("vendor:empty"), "does not export VolumeHapticsVendorGetPlugin"));
-  // Its vendor's library is not installed: the loader's own words name it.
+  // The vendor's library is not installed: the error contains the loader's own words.
   this->Folder.Add("orphan");
   EXPECT_TRUE(Has(Refused("vendor:orphan"), "libvolumehaptics-no-such-sdk.so"))
     << Refused("vendor:orphan");
@@ -212,7 +212,7 @@ TEST_F(VendorLoader, APluginOfALaterVersionIsRefused)
   setenv("PLAYED_VENDOR", "without-write", 1);
   EXPECT_TRUE(Has(Refused(), "leaves functions out")) << Refused();
   unsetenv("PLAYED_VENDOR");
-  // Its threads may still run.
+  // The library stays loaded, as its threads may still run.
   const fs::path file = this->Folder.Path / "libvolumehaptics-played.so";
   EXPECT_NE(dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NOLOAD), nullptr);
 }

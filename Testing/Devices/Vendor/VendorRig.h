@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The rows of the list of devices that plug-ins have.
+ * Finds the plug-ins' rows in the list of devices.
  */
 #ifndef VendorRig_h
 #define VendorRig_h

@@ -25,7 +25,7 @@ for plugin in forcedimension openhaptics; do
     { echo "libvolumehaptics-$plugin.so is no plug-in" >&2; exit 1; }
 done
 
-# Without an SDK it says what to give.
+# Without an SDK, the error says which option to give.
 if cmake -S "$source_dir/Examples/Vendor" -B "$work/none" >/dev/null 2>"$work/none.txt"; then
   echo "a build without an SDK was configured" >&2
   exit 1

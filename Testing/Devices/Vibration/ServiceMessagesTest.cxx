@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Messages of bHaptics, WEART and Hapbeat against what their makers publish (ServiceMessages.h
- * names the sources).
+ * Compares messages of bHaptics, WEART and Hapbeat with what their makers publish
+ * (ServiceMessages.h names the sources).
  */
 
 #include "Devices/Vibration/ServiceMessages.h"
@@ -14,8 +14,8 @@ using namespace VolumeHaptics;
 
 TEST(ServiceMessages, APacketOfHapbeatHasItsPublishedBytes)
 {
-  // docs/wire-format.md: 42 48, version 1, the command, the packet's number and the length of what
-  // follows, all little-endian; a beginning has 16000, one channel, PCM, 0 samples, the gain 1.0.
+  // By docs/wire-format.md: 42 48, version 1, command, packet number and length of the rest,
+  // little-endian. A beginning has 16000 Hz, one channel, PCM, 0 samples, and the gain 1.0.
   const HapbeatPacket begin{ 0x42, 0x48, 0x01, 0x30, 0x02, 0x01, 0x0C, 0x00, 0x80, 0x3E, 0x01, 0x00,
     0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x80, 0x3F };
   EXPECT_EQ(WriteHapbeatBegin(0x0102), begin);
@@ -52,7 +52,8 @@ TEST(ServiceMessages, ADeviceOfHapbeatTellsItsName)
 
 TEST(ServiceMessages, WeartsLinesHaveTheirPublishedFields)
 {
-  // WeArtMessages.cpp: index, three velocities, volume, hand, point; numbers by std::to_string().
+  // By WeArtMessages.cpp: index, three velocities, volume, hand, point; numbers by
+  // std::to_string().
   EXPECT_EQ(
     WriteWeartTexture("LEFT", 40), "texture:9:0.500000:0.000000:0.500000:40.000000:LEFT:INDEX");
   EXPECT_EQ(WriteWeartStop("RIGHT"), "stopTexture:RIGHT:INDEX");
@@ -105,7 +106,7 @@ TEST(ServiceMessages, AnswersThatAreNestedDeeplyAreRead)
 
 TEST(ServiceMessages, AFrameOfBhapticsHasItsPublishedMembers)
 {
-  // As haptic_player.py writes one.
+  // A frame as haptic_player.py writes it.
   EXPECT_EQ(WriteBhapticsFrame("HandR", 60, 150),
     R"({"Submit":[{"Type":"frame","Key":"volumehaptics","Frame":{"Position":"HandR",)"
     R"("PathPoints":[],"DotPoints":[{"Index":0,"Intensity":60},{"Index":1,"Intensity":60},)"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Sessions with played services that vibrate, over real sockets of this computer: a tip is led into
- * a floor.
+ * Tests sessions with played services that vibrate, over real sockets of this computer: a tip is
+ * led into a floor.
  */
 
 #include "Devices/Emulated/DeviceBench.h"
@@ -27,7 +27,7 @@ namespace
 class VibrationSession : public testing::Test
 {
 protected:
-  /// Opens, starts and arms, with the tip in the air.
+  /// Opens and arms a device with the tip above the floor.
   void Begin(const std::string& id, bool usesGuard = false)
   {
     DeviceOptions options;
@@ -47,7 +47,7 @@ protected:
     ASSERT_NE(led, nullptr) << "the mouse has to lead it";
     led->Lead({ 0.0, 0.0, height });
   }
-  /// In and out of the floor, until that is felt.
+  /// Moves the tip in and out of the floor until `isFelt`.
   template <typename IsFelt>
   bool Knock(IsFelt&& isFelt, int tries = 50)
   {
@@ -83,7 +83,7 @@ TEST_F(VibrationSession, BhapticsFeelsAContactAndEndsStopped)
   EXPECT_EQ(Largest(player.Get()), 0) << "in the air";
   EXPECT_TRUE(this->Knock([&] { return player.GetDot("GloveL", 1) > 20; }));
   EXPECT_EQ(player.GetDot("GloveR", 1), 0);
-  // A force that stays is not felt.
+  // A constant force does not vibrate.
   this->Lead(-0.005);
   EXPECT_TRUE(Eventually([&] { return Norm(this->Bench.State().Command) > 1.0; }));
   EXPECT_TRUE(Eventually([&] { return player.GetDot("GloveL", 1) == 0; }));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The device without hardware does what its settings say, tick by tick.
+ * Expects that the device without hardware does what its settings say, tick by tick.
  */
 
 #include "Devices/Virtual/VirtualDevice.h"
@@ -31,7 +31,7 @@ protected:
     this->State = this->Device.Read(Period, sample);
     return sample;
   }
-  /// With these settings, from the origin.
+  /// Starts from the origin with these settings.
   void Begin(const VirtualDynamics& dynamics)
   {
     this->Device.SetDynamics(dynamics);
@@ -62,7 +62,7 @@ TEST_F(Virtual, PlacingTakesTheStylusUpAnewAndSaysSoOnce)
   this->Device.Lead({ 0.1, 0.2, 0.4 });
   EXPECT_FALSE(this->Read().Begins);
   this->Device.Place({ 0.0, 0.0, 0.1 });
-  // Led on before anybody looked.
+  // The tip is led on before the next read.
   this->Device.Lead({ 0.0, 0.0, 0.1001 });
   const DeviceSample sample = this->Read();
   EXPECT_TRUE(sample.Begins);

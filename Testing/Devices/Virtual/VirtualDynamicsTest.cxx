@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A simulated device in a simulated hand moves as the closed form says.
+ * Expects that a simulated device in a simulated hand moves by the closed form.
  */
 
 #include "Devices/Virtual/VirtualDevice.h"
@@ -24,7 +24,7 @@ Vector3 Read(VirtualDevice& device)
   return sample.Tip;
 }
 
-/// From rest at the origin.
+/// Starts at rest at the origin.
 void Begin(VirtualDevice& device, const VirtualDynamics& dynamics)
 {
   device.SetDynamics(dynamics);

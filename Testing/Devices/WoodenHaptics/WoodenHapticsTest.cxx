@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * WoodenHaptics' packets, kinematics and currents.
+ * Tests WoodenHaptics' packets, kinematics and currents.
  */
 
 #include "Devices/WoodenHaptics/WoodenHaptics.h"
@@ -100,11 +100,11 @@ TEST(WoodenHaptics, CurrentsHoldTheForceAndKeepItsDirection)
 {
   const WoodenHaptics device;
   using Currents = WoodenHaptics::Currents;
-  // At rest each axis has its own motor: 0.245 m and 0.205 m levers.
+  // At rest, each axis has its own motor, with levers of 0.245 m and 0.205 m.
   EXPECT_EQ(device.ComputeCurrents(Rest, { 0.0, 1.0, 0.0 }), (Currents{ 591, 0, 0 }));
   EXPECT_EQ(device.ComputeCurrents(Rest, { 1.0, 0.0, 0.0 }), (Currents{ 0, 660, 0 }));
   EXPECT_EQ(device.ComputeCurrents(Rest, { 0.0, 0.0, -1.0 }), (Currents{ 0, 0, -788 }));
-  // C would get 6306 mA and A 3/8 of that.
+  // Motor C would get 6306 mA and is limited to 3000 mA; motor A gets 3/8 of that.
   EXPECT_EQ(device.ComputeCurrents(Rest, { 0.0, 4.0, 8.0 }), (Currents{ 1125, 0, 3000 }));
   EXPECT_EQ(device.ComputeCurrents(Rest, { 0.0, -4e200, -8e200 }), (Currents{ -1125, 0, -3000 }));
   for (const double bad : { std::numeric_limits<double>::quiet_NaN(), HUGE_VAL, -HUGE_VAL })
@@ -114,7 +114,7 @@ TEST(WoodenHaptics, CurrentsHoldTheForceAndKeepItsDirection)
   }
   WoodenHapticsGeometry geometry;
   geometry.Signs = { -1.0, 1.0, -1.0 };
-  geometry.MaximumCurrent = 1000.0; // more than the wire can say
+  geometry.MaximumCurrent = 1000.0; // more than a packet can express
   const WoodenHaptics turned(geometry);
   EXPECT_EQ(turned.ComputeAngles({ 8000, 0, 6000, 0, 0, 0 })[0], -Right);
   EXPECT_EQ(turned.ComputeCurrents(Rest, { 0.0, 400.0, 800.0 }), (Currents{ -12288, 0, -32767 }));

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A controller of a headset as the servo sees it: what it asks for in a frame, by the closed form
- * of the filters in Vibration.h, and what the list of devices says of it.
+ * Tests a headset's controller as the servo sees it: the amplitude requested in a frame, by the
+ * closed form of the filters in Vibration.h, and its row in the list of devices.
  */
 
 #include "Devices/Xr/XrDevice.h"
@@ -26,7 +26,7 @@ namespace
 {
 constexpr double TickOfXr = 1e-3; // s
 
-/** So many ticks with a force; what is asked for after them. */
+/** Writes a force for some ticks, and returns the amplitude requested then. */
 double AmplitudeAfter(XrDevice& device, int ticks, const Vector3& force)
 {
   DeviceSample sample;
@@ -38,7 +38,7 @@ double AmplitudeAfter(XrDevice& device, int ticks, const Vector3& force)
   return device.DrainAmplitude();
 }
 
-/** Of a step of 1 N at the time 0 (s), the strong motor's level. */
+/** The strong motor's level at a time (s) after a step of 1 N. */
 double StrongOfStep(double time)
 {
   return std::exp(-time / 0.15) - std::exp(-time / 0.02);
@@ -56,10 +56,10 @@ TEST(XrDevice, AFrameGetsTheLargestAmplitudeOfItsTicks)
   std::string error;
   ASSERT_TRUE(device.Open(error));
   const Vector3 force{ 0.6, 0.0, -0.8 };
-  // 20 ms: the weak motor's level rises to 0.70 within them, and is lower at their end.
+  // Within 20 ms, the weak motor's level rises to 0.70 and falls again.
   EXPECT_NEAR(AmplitudeAfter(device, 20, force), 0.70, 0.03);
   EXPECT_EQ(device.DrainAmplitude(), 0.0) << "nothing came since";
-  // From 40 to 50 ms after the step the strong motor's level is the larger one, about its maximum.
+  // From 40 to 50 ms after the step, the strong motor's level is the larger one, near its maximum.
   AmplitudeAfter(device, 20, force);
   EXPECT_NEAR(AmplitudeAfter(device, 10, force), StrongOfStep(0.046), 0.005);
   for (int frame = 0; frame < 100; ++frame)
@@ -114,7 +114,7 @@ TEST(XrDevice, GivesNoForceAndIsLedByTheProgram)
   DeviceSample sample;
   EXPECT_EQ(device->Read(TickOfXr, sample), DeviceState::Running);
   EXPECT_EQ(Norm(sample.Tip - Vector3{ 0.1, 0.2, 0.3 }), 0.0);
-  // Others of its kind are made by their own kinds.
+  // Other kinds make the other vibrating devices.
   for (const char* const id : { "vibration:x", "vibration:xr:0", "vibration:xrs" })
   {
     EXPECT_EQ(MakeDevice(id, {}, error), nullptr) << id;
@@ -131,7 +131,7 @@ TEST(XrDevice, TheListSaysWhatIsMissing)
 #if defined(__linux__)
   EXPECT_TRUE(HasWords(WhyNoXr(true, ""), "no OpenXR runtime is active"));
 #endif
-  // Here it is either listed or missing, never both, and never neither.
+  // The kind is either listed or missing, never both or neither.
   const std::vector<DeviceListing> listed = ListDevices();
   const std::vector<DeviceObstacle> missing = ListMissingKinds();
   const auto count = std::count_if(listed.begin(), listed.end(),
@@ -143,7 +143,7 @@ TEST(XrDevice, TheListSaysWhatIsMissing)
 
 TEST(XrDevice, FindsTheRuntimeAsTheLoaderOfOpenXRDoes)
 {
-  // The order of the loader's specification, "Linux Active Runtime Location".
+  // Expect the order of the loader's specification, "Linux Active Runtime Location".
   const std::string folder = TemporaryPath("xr");
   const std::string own = folder + "/own/openxr/1/active_runtime.json";
   const std::string other = folder + "/second/openxr/1/active_runtime.json";
