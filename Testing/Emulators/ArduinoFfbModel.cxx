@@ -34,7 +34,7 @@ enum ReportId : std::uint8_t
 };
 constexpr int ConstantForce = 1;
 constexpr int Infinite = 0x7FFF;     ///< ms
-constexpr int DirectionEnable = 4;   ///< the bit
+constexpr int DirectionEnable = 4;   ///< its bit in Set Effect
 constexpr int FullGain = 100;        ///< per cent, from the sketch
 constexpr int FullForce = 250;       ///< largest force that a sketch gets
 constexpr int FullMagnitude = 10000; ///< largest magnitude of a report
@@ -56,7 +56,7 @@ void Ordinals(HidItems& items)
   items.Open(HidItems::LogicalCollection).Usages(0x000A0001, 0x000A0002);
 }
 
-/** Divides as the board's processor does: a quotient by 0 has all bits set. */
+/** Divides as the board's processor does: division by 0 gives a quotient with all bits set. */
 int Divide(int a, int b)
 {
   return b == 0 ? -1 : a / b;
@@ -147,7 +147,8 @@ void DescribeFeatures(HidItems& items)
 
 std::vector<std::uint8_t> ArduinoFfbModel::GetReportDescriptor() const
 {
-  // The sketch's joystick: four buttons and X, Y, Z. The reports of force feedback are inside it.
+  // The sketch's joystick has four buttons and X, Y, Z. Its collection contains the reports of
+  // force feedback.
   HidItems items;
   items.Page(0x01).Usage(0x08).Open(HidItems::ApplicationCollection).Usage(0x01).Id(Place);
   items.Open(HidItems::PhysicalCollection).Page(0x09).UsageRange(1, 4).Logical(0, 1).Fields(1, 4);
@@ -239,7 +240,8 @@ int ArduinoFfbModel::ReceiveOutput(const std::uint8_t* report, int size)
       effect.Duration = report[3] > 0 ? effect.Duration * report[3] & 0xFFFF : effect.Duration;
       effect.Duration = report[3] == 0xFF ? Infinite : effect.Duration;
     }
-    // The state is then Playing, no longer Allocated: the block of a stopped effect is free.
+    // The state changes from Allocated to Playing, so that the block becomes free when the effect
+    // stops.
     effect.IsPlaying = true;
     effect.IsAllocated = false;
     effect.Start = this->GetClock();

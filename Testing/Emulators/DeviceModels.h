@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The behaviour of an emulated device, apart from its carrier: umockdev in the tests, or a virtual
- * USB port of a real kernel.
- *
- * The carrier calls a model from one thread at a time, but not always from the same thread.
+ * The behaviour of an emulated device, apart from its carrier (umockdev in the tests, or a virtual
+ * USB port of a real kernel). The carrier calls a model from one thread at a time, but not always
+ * from the same thread.
  */
 #ifndef DeviceModels_h
 #define DeviceModels_h
@@ -18,7 +17,7 @@
 namespace emulated
 {
 
-/** A USB device: results are sizes in bytes, or -errno; -EPIPE stalls. */
+/** A USB device. Results are sizes in bytes or -errno; -EPIPE stalls. */
 class UsbModel
 {
 public:
@@ -27,16 +26,18 @@ public:
   virtual std::vector<std::uint8_t> GetDescriptors() const = 0;
   virtual int Control(const std::uint8_t setup[8], std::uint8_t* data, int size) = 0;
   virtual int Out(std::uint8_t endpoint, const std::uint8_t* bytes, int size) = 0;
-  /** -EAGAIN if no data are ready: the carrier asks again after every Out and every Ready. */
+  /**
+   * Returns -EAGAIN if no data are ready. The carrier asks again after every Out and every Ready.
+   */
   virtual int In(std::uint8_t endpoint, std::uint8_t* bytes, int size) = 0;
   /** The host has closed the device, if the carrier can detect that. */
   virtual void Released() {}
 
-  /** Set by the carrier: the model calls it if In has data of its own accord. */
+  /** The carrier sets this. The model calls it if In has data that no Out has caused. */
   std::function<void()> Ready = [] {};
 };
 
-/** A HID device: reports begin with their id, 0 if the device has none. */
+/** A HID device. Reports begin with their id, or 0 if the device has no ids. */
 class HidModel
 {
 public:
@@ -52,13 +53,12 @@ public:
   virtual int GetFeature(std::uint8_t* report, int size) = 0;
 
   /**
-   * Set by the carrier: the model calls it with an input report, without the id if the device has
-   * none.
+   * The carrier sets this. The model calls it with an input report, which has no id if the device
+   * has none.
    */
   std::function<void(const std::uint8_t* report, int size)> Input = [](const std::uint8_t*, int) {};
-  bool TellsSerial = true; ///< whether it has a serial number
-  bool IsBluetooth =
-    false; ///< its bus is 0005 instead of USB's 0003, and it has no USB device above
+  bool TellsSerial = true;  ///< whether it has a serial number
+  bool IsBluetooth = false; ///< on bus 0005 (USB: 0003), without a USB device above
 };
 
 } // namespace emulated

@@ -51,7 +51,7 @@ public:
   std::string GetName() const override { return "DualSense Wireless Controller"; }
   std::vector<std::uint8_t> GetReportDescriptor() const override
   {
-    // A gamepad with six axes of a byte; the rest is the vendor's.
+    // A gamepad with six axes of a byte. The other fields are the vendor's.
     return { 0x05, 0x01, 0x09, 0x05, 0xA1, 0x01, 0x85, 0x01, 0x09, 0x30, 0x09, 0x31, 0x09, 0x32,
       0x09, 0x35, 0x09, 0x33, 0x09, 0x34, 0x15, 0x00, 0x26, 0xFF, 0x00, 0x75, 0x08, 0x95, 0x06,
       0x81, 0x02, 0x06, 0x00, 0xFF, 0x09, 0x21, 0x95, 0x39, 0x81, 0x02, 0x85, 0x02, 0x09, 0x23,
@@ -90,7 +90,7 @@ public:
       this->Most = { std::max(this->Most.Left, this->Now.Left),
         std::max(this->Most.Right, this->Now.Right) };
     }
-    // Other requests: lights, sound, triggers.
+    // The report may also request lights, sound and triggers, which the driver must not use.
     for (int i = 0; i < 47; ++i)
     {
       const bool isKnown = i == 0 || i == 2 || i == 3 || i == 38;
@@ -119,7 +119,10 @@ public:
   }
 
   ///@{
-  /** The hand: sticks x, y, rx, ry, then the triggers, each 0 to 255; bits of the buttons. */
+  /**
+   * Moves the hand: the sticks x, y, rx, ry, then the triggers (each 0 to 255), and the buttons'
+   * bits.
+   */
   void Move(int axis, int value)
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
@@ -132,7 +135,7 @@ public:
   }
   ///@}
 
-  /** Advances by a millisecond: it reports every four. */
+  /** Advances by a millisecond. The pad reports every 4 ms. */
   void Step()
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
@@ -186,7 +189,7 @@ public:
   }
 
   std::atomic<bool> IsSilent{ false };
-  std::atomic<bool> IsSpoilt{ false }; ///< over Bluetooth
+  std::atomic<bool> IsSpoilt{ false }; ///< spoils reports over Bluetooth
   std::atomic<bool> RefusesReports{ false };
   std::atomic<int> BadReports{ 0 }; ///< unexpected reports, or parts of reports
   std::atomic<int> Reports{ 0 };

@@ -97,7 +97,7 @@ int AnswerIoctl(PadModel& model, UMockdevIoctlClient* client, unsigned long requ
 {
   if (_IOC_NR(request) == _IOC_NR(EVIOCGRAB) || _IOC_NR(request) == _IOC_NR(EVIOCRMFF))
   {
-    // These ioctls have a value instead of an address.
+    // The argument of these ioctls is a value, not an address.
     unsigned long value = 0;
     std::memcpy(&value, umockdev_ioctl_client_get_arg(client)->data, sizeof(value));
     return _IOC_NR(request) == _IOC_NR(EVIOCGRAB) ? model.Grab(client, value != 0)
@@ -107,7 +107,10 @@ int AnswerIoctl(PadModel& model, UMockdevIoctlClient* client, unsigned long requ
     [&](std::uint8_t* bytes) { return Fill(model, client, request, bytes); });
 }
 
-/** Formats bits as sysfs does: words of a long, the highest first, without leading zeros. */
+/**
+ * Formats bits as sysfs does: words of the size of a long, the highest first, without leading
+ * zeros.
+ */
 std::string WordsOf(const std::set<unsigned>& bits)
 {
   constexpr unsigned width = sizeof(long) * CHAR_BIT;
@@ -126,7 +129,7 @@ std::string WordsOf(const std::set<unsigned>& bits)
   return text;
 }
 
-/** The entries of udev: an input device and its node. */
+/** Returns udev's entries for an input device and its node. */
 FifoNode::Device Describe(const PadModel& model, int number)
 {
   char device[80];
@@ -152,7 +155,7 @@ FifoNode::Device Describe(const PadModel& model, int number)
 
 std::unique_ptr<FifoNode> MakeNode(PadModel& model)
 {
-  // The second node has two digits, and its number is larger.
+  // Begin with 9, so that the second node has two digits and a larger number.
   static std::atomic<int> next{ 9 };
   const int number = next++;
   FifoNode::Answers answers;

@@ -20,13 +20,13 @@ class FifoNode;
 class EmulatedEvdev
 {
 public:
-  /** Plugs the gamepad in, as a node of a new number. The model has to outlive this. */
+  /** Plugs the gamepad in, with a new number for its node. The model has to outlive this object. */
   explicit EmulatedEvdev(PadModel& model);
   ~EmulatedEvdev();
   EmulatedEvdev(const EmulatedEvdev&) = delete;
   EmulatedEvdev& operator=(const EmulatedEvdev&) = delete;
 
-  /** Unplugs the gamepad: every open file gets ENODEV from then on. */
+  /** Unplugs the gamepad. From then on, every open file gets ENODEV. */
   void Unplug();
 
   /** The node, such as /dev/input/event9. */

@@ -24,7 +24,7 @@ struct EmulatedHid::Plug : public FifoNode
 
 namespace
 {
-/** Ioctls: hidraw's own letter, and the numbers in linux/hidraw.h. */
+/** Ioctls of hidraw, by their numbers in linux/hidraw.h. */
 enum HidIoctl
 {
   DescriptorSize = 1,
@@ -75,7 +75,9 @@ int AnswerIoctl(HidModel& model, UMockdevIoctlClient* client, unsigned long requ
     client, size, [&](std::uint8_t* bytes) { return Fill(model, request, bytes); });
 }
 
-/** The entries of udev: a hidraw node of a HID device, of an interface of a USB device. */
+/**
+ * Returns udev's entries for a hidraw node of a HID device, which is an interface of a USB device.
+ */
 FifoNode::Device Describe(const HidModel& model, int number, int serialNumber)
 {
   char usb[64];
@@ -139,7 +141,8 @@ EmulatedHid::EmulatedHid(HidModel& model, int serialNumber)
 
 void EmulatedHid::PlugIn()
 {
-  // The kernel reuses numbers, but umockdev does not; the second node has two digits.
+  // The kernel reuses numbers, but umockdev does not. Begin with 9, so that the second node has two
+  // digits.
   static std::atomic<int> next{ 9 };
   const int number = next++;
   this->SerialNumber = this->SerialNumber == 0 ? number : this->SerialNumber;

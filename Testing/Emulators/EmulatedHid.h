@@ -18,9 +18,9 @@ class EmulatedHid
 {
 public:
   /**
-   * Plugs the device in, as a node of a new number each time: the old node may still be open. The
-   * serial number stays, if the model tells one; 0 stands for one that no other device has. The
-   * model has to outlive this.
+   * Plugs the device in. Its node gets a new number each time, as the old node may still be open.
+   * The serial number stays, if the model has one; 0 requests a number that no other device has.
+   * The model has to outlive this object.
    */
   explicit EmulatedHid(HidModel& model, int serialNumber = 0);
   ~EmulatedHid();
@@ -42,13 +42,15 @@ public:
   /** Sets the mode of the node, such as 0000, as the kernel would. */
   void SetPermissions(unsigned mode);
 
-  /** The target of a handle on the node, for one plug. For this carrier alone. */
+  /**
+   * The target of the handles on a node, from plugging in to unplugging. Private to this carrier.
+   */
   struct Plug;
 
 private:
   HidModel& Model;
   int SerialNumber;
-  std::mutex Guard; ///< guards Current; models send to it from their own threads
+  std::mutex Guard; ///< guards Current, which models use from their threads
   Plug* Current = nullptr;
   std::vector<Plug*> Old; ///< kept, because handles on them may still be open
 };

@@ -45,7 +45,7 @@ EmulatedUsb::Plug::Plug(UsbModel& model, const std::string& port, int address)
   this->Path = "/sys/devices/usb" + std::to_string(bus) + "/" + port;
   g_signal_connect(this->Base, "handle-ioctl", G_CALLBACK(&Plug::OnIoctl), this);
   g_signal_connect(this->Base, "client-vanished", G_CALLBACK(&Plug::OnVanished), this);
-  // Attach before there is a device, or udev is asked.
+  // Attach before the device exists, so that udev is not asked.
   GError* error = nullptr;
   Check(umockdev_testbed_attach_ioctl(Testbed(), this->Node.c_str(), this->Base, &error), error);
   this->AddDevice(port, address);
@@ -72,8 +72,8 @@ void EmulatedUsb::Plug::AddDevice(const std::string& port, int address)
 }
 
 /**
- * Replaces the node by a pipe. A plain file is always ready, so poll would always succeed; a full
- * pipe is not ready for writing, an empty one is.
+ * Replaces the node by a pipe, as poll() would always succeed on a plain file. A full pipe is not
+ * ready for writing, and an empty pipe is.
  */
 void EmulatedUsb::Plug::ReplaceNode()
 {
@@ -146,14 +146,15 @@ EmulatedUsb::~EmulatedUsb()
 {
   this->Model.Ready = [] {};
   this->Unplug();
-  // A caller with an open handle would wait for an answer in vain.
+  // Keep the plugs: a caller with an open handle would otherwise wait for an answer for ever.
   static auto& kept = *new std::vector<std::unique_ptr<Plug>>;
   std::move(this->Plugs.begin(), this->Plugs.end(), std::back_inserter(kept));
 }
 
 void EmulatedUsb::PlugIn()
 {
-  // The kernel never gives an unplugged device's address to the next device.
+  // Use a new address, as the kernel does not give an unplugged device's address to the next
+  // device.
   static int address = 1;
   this->Plugs.push_back(std::make_unique<Plug>(this->Model, this->Port, ++address));
   Plug* const plug = this->Plugs.back().get();

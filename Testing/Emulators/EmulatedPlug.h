@@ -3,7 +3,7 @@
 
 /**
  * A USB device from plugging in to unplugging: the file under /dev/bus/usb, and its ioctls. It
- * answers until the program ends.
+ * answers requests until the program ends.
  */
 #ifndef EmulatedPlug_h
 #define EmulatedPlug_h
@@ -27,7 +27,7 @@ public:
   bool IsGone() const { return this->Gone; }
   std::string GetFile() const { return this->File; }
 
-  /** Passes data that the model sends of its own accord to the waiting caller. */
+  /** Passes data that the model sends unasked to the waiting caller. */
   void Pump();
 
   mutable std::mutex Mutex;
@@ -47,7 +47,7 @@ private:
   void AddDevice(const std::string& port, int address);
   void ReplaceNode();
   ///@{
-  /** Called under the mutex; returns 0 or -errno. */
+  /** Call these under the mutex. They return 0 or -errno. */
   int Answer(UMockdevIoctlClient* client, unsigned long request, UMockdevIoctlData* argument);
   int Claim(UMockdevIoctlClient* client);
   int DisconnectAndClaim(UMockdevIoctlClient* client, UMockdevIoctlData* argument);
@@ -64,7 +64,7 @@ private:
   UMockdevIoctlBase* const Base;
   std::string Node; ///< /dev/bus/usb/...
   std::string Path; ///< /sys/devices/...
-  std::string File; ///< replaces the node
+  std::string File; ///< file that replaces the node
   std::list<Urb> Waiting;
   std::list<Urb> Ended;
   int Pipe = -1;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A port of the computer that umockdev plays, and a USB device in it: it answers libusb's requests
+ * A port of the computer that umockdev plays, with a USB device in it. It answers libusb's requests
  * to the kernel, and passes sent data to a model.
  */
 #ifndef EmulatedUsb_h
@@ -19,11 +19,10 @@ class EmulatedUsb
 {
 public:
   /**
-   * Plugs the device in, under an address of its own. The port has sysfs' form: "1-2" is bus 1,
-   * port 2.
+   * Plugs the device in, with a new address. The port has sysfs' form: "1-2" is bus 1, port 2.
    */
   EmulatedUsb(UsbModel& model, const std::string& port);
-  /** Unplugs it. */
+  /** Unplugs the device. */
   ~EmulatedUsb();
   EmulatedUsb(const EmulatedUsb&) = delete;
   EmulatedUsb& operator=(const EmulatedUsb&) = delete;
@@ -39,15 +38,17 @@ public:
 
   /** The file that replaces the device, for chmod. */
   std::string GetNode() const;
-  /** Binds a kernel driver to interface 0, as if the device were plugged in; "" for none. */
+  /**
+   * Binds a kernel driver to interface 0, as if the device had just been plugged in; "" for none.
+   */
   void BindDriver(const std::string& name);
   std::string GetDriver() const;
   /** Whether a program has claimed interface 0. */
   bool IsClaimed() const;
 
   /**
-   * Plays that the program that claimed it was killed. umockdev does not report a program that ends
-   * in the middle of an answer.
+   * Acts as if the program that claimed the device had been killed. umockdev does not report a
+   * program that ends in the middle of an answer.
    */
   void ForgetProgram();
 

@@ -23,14 +23,14 @@ Numbers FalconArmAngles(const Numbers& grip);
 Numbers FalconEncoderCounts(const Numbers& grip);
 
 /**
- * The force (N) on the grip for motor commands: -1e-4 N m a unit, by the angles' differences along
- * each axis.
+ * Returns the force (N) on the grip for motor commands (-1e-4 N m a unit), from differences of the
+ * arms' angles along each axis.
  */
 Numbers FalconMotorForce(const Numbers& grip, const Numbers& commands);
 
 /**
- * A grip of 0.1 kg between the motors and a hand, which is a spring and a damper on a wandering
- * point.
+ * A grip of 0.1 kg between the motors and a hand. The hand is a spring and a damper whose end moves
+ * towards an aim.
  */
 class FalconGrip
 {
@@ -49,7 +49,7 @@ public:
   Numbers Velocity{};
   Numbers Hand = Place; ///< position of the hand
   Numbers Aim = Place;  ///< target of the hand
-  bool IsHeld = false;  ///< in a vice: no force moves it
+  bool IsHeld = false;  ///< whether a vice holds it: no force moves it
 };
 
 } // namespace emulated

@@ -286,13 +286,14 @@ void FalconModel::ReceivePacket()
   }
   if (this->Packets % 8 == 0 && !this->Clock)
   {
-    this->Send(""); // the converter has no data yet
+    this->Send(""); // a transfer without data
   }
   this->Send(report);
 }
 
 /**
- * A leg has its zero once it has been at both ends, and keeps it while every packet requests it.
+ * Sets a leg's zero once the leg has been at both ends, and clears all zeros by a packet that does
+ * not request homing.
  */
 void FalconModel::FindZero(const Numbers& counts, bool asked)
 {

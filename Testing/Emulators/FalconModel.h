@@ -64,7 +64,7 @@ enum class FalconFault
   LateGreeting, ///< the answer to a greeting comes just before the host's next request
   LeadingZero,  ///< a 0x00 comes before the answer to a greeting
   LeadingShake, ///< a 0x13 comes before the answer at the loading rate
-  StuckLoader,  ///< no answer until the device is closed and opened again, a count each
+  StuckLoader,  ///< no answer until the device is reopened as often as given
   WrongEcho,    ///< a byte of the image comes back changed
   NoEcho,       ///< a block of the image does not come back
   DeadImage     ///< the image is accepted, but does not run
@@ -87,40 +87,44 @@ public:
   ///@{
   /** Injects a fault; any thread. It lasts for this number of packets, greetings or blocks. */
   void Break(FalconFault fault, int packets = 1 << 30);
-  /** Whether answers take time and come one by one, or follow their packets at once. */
+  /** Sets whether answers take time and come one by one, or follow their packets at once. */
   void SetTimed(bool timed);
-  /** The number of packets in a row that came when no answer was still on its way to the host. */
+  /**
+   * Returns the number of consecutive packets that came when no answer was still on its way to the
+   * host.
+   */
   long GetInStep() const;
-  /** The faults of the loader's next attempts, in order; None: the attempt succeeds. */
+  /** Sets the faults of the loader's next attempts, in order. None lets an attempt succeed. */
   void BreakAttempts(const std::vector<FalconFault>& faults);
   void SetButtons(int bits);
   void SetAim(const Numbers& aim);
-  /** The sign of all motors: 1, or -1 if they are wired the other way round. */
+  /** Sets the sign of all motors: 1, or -1 if they are wired the other way round. */
   void SetMotorSign(double sign);
-  void SetHeld(bool held); ///< in a vice, which moves to the aim
+  void SetHeld(bool held); ///< holds the grip in a vice, which moves to the aim
   Numbers GetGrip() const;
   Numbers GetHand() const;
   Numbers GetCommands() const; ///< commands of the last packet
   Numbers GetForce() const;    ///< N, force of the motors at the last packet
   int GetLights() const;       ///< lights of the last packet
   long GetPackets() const;
-  double DrainLargestCommand(); ///< since the last call
+  double DrainLargestCommand(); ///< largest command since the last call
   /** The number of the last packet with a command other than zero, and its time. */
   std::pair<long, std::chrono::steady_clock::time_point> GetLastPush() const;
   std::vector<std::uint8_t> GetImage() const;
-  void SetImageSize(std::size_t bytes); ///< fewer bytes of an image do not run
+  void SetImageSize(std::size_t bytes); ///< an image with fewer bytes does not run
   bool IsRunning() const;
   /** Interrupts the power: the device loses its firmware and its zero. */
   void SwitchOff();
   /**
-   * The transfers that the host sent since the last call, one line each: "c 40 09 0010" is a
-   * request of type 0x40, number 9, value 0x10; "o " and the bytes in hexadecimal a transfer.
+   * Returns the transfers that the host sent since the last call, one line each. "c 40 09 0010" is
+   * a control request of type 0x40, number 9, value 0x10. "o " and hexadecimal bytes are a transfer
+   * of data.
    */
   std::vector<std::string> DrainTranscript();
   ///@}
 
 private:
-  int GetMode() const; ///< 0 greets, 1 loads, 2 runs, -1 none
+  int GetMode() const; ///< 0 greeting, 1 loading, 2 running, -1 none
   bool Takes(FalconFault fault);
   void Send(const std::string& bytes);
   void Deliver();
@@ -158,7 +162,7 @@ private:
   long InStep = 0;
   std::deque<FalconFault> Attempts; ///< faults of loading
   std::vector<std::string> Transcript;
-  std::unique_ptr<ModelClock> Clock; ///< last: its thread ends first
+  std::unique_ptr<ModelClock> Clock; ///< the last member, so that its thread ends first
 };
 
 } // namespace emulated

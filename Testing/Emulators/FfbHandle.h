@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A handle on one or two axes that motors push: the mechanics around a force-feedback firmware. The
+ * A handle on one or two axes with motors: the mechanics around a force-feedback firmware. The
  * firmwares are OpenFfboardModel and ArduinoFfbModel.
  */
 #ifndef FfbHandle_h
@@ -25,7 +25,7 @@ enum class FfbFault
   Garbage, ///< reports with random positions
   Silence,
   WriteError,
-  NoBlockLoad, ///< the report about a new effect can't be read
+  NoBlockLoad, ///< the report on a new effect can't be read
   FullPool
 };
 
@@ -33,7 +33,7 @@ class FfbHandle : public HidModel
 {
 public:
   static constexpr double FullScale = 4.0; ///< N, at each motor's full torque
-  static constexpr double Travel = 0.05;   ///< m, of the handle at the end of an axis
+  static constexpr double Travel = 0.05;   ///< m, the handle's position at the end of an axis
 
   int Output(const std::uint8_t* report, int size) override;
   int SetFeature(const std::uint8_t* report, int size) override;
@@ -42,15 +42,18 @@ public:
   /** Advances by a millisecond. */
   void Step();
   void PowerUp();
-  /** The target (m) of the hand with the handle: to the right, and away from itself. */
+  /** Sets the goal (m) of the hand on the handle: to the right, and away from the user. */
   void SetGoal(double right, double away);
-  /** The handle (m). Along an axis without a motor, only the hand moves the handle, or a pedal. */
+  /**
+   * The handle's position (m). Without a motor on an axis, only the hand or a pedal moves it along
+   * that axis.
+   */
   Triple GetTip() const;
-  /** The force (N) on the hand: to the right, and away from it. */
+  /** The force (N) on the hand: to the right, and away from the user. */
   Triple GetForce() const;
   int CountPlaying() const;
   int CountEffects() const;
-  /** The last report with an id. */
+  /** Returns the last report with this id. */
   std::vector<std::uint8_t> GetLast(std::uint8_t id) const;
   int GetResets() const { return this->Resets; }
   int CountOutputs() const { return this->Outputs; }
@@ -60,14 +63,14 @@ public:
   std::atomic<FfbFault> Fault{ FfbFault::None };
   ///@{
   /**
-   * Unlike the published firmware: reports every millisecond, or only new values, or checks for new
-   * values less often than every millisecond.
+   * Deviations from the published firmware: reports every millisecond, or only new values, or
+   * checks for new values less often than every millisecond.
    */
   std::atomic<bool> Streams{ false };
   std::atomic<bool> OnlySaysNews{ false };
   std::atomic<int> ReportPeriod{ 1 }; ///< ms
   ///@}
-  /** -1: the second motor is wired the other way round. */
+  /** The second motor's sign: -1 if it is wired the other way round. */
   std::atomic<double> SecondSign{ 1.0 };
   std::atomic<int> Buttons{ 0 };
 
@@ -81,7 +84,8 @@ protected:
 
   ///@{
   /**
-   * The firmware, called under the lock. Outputs and features include their id; sizes or -errno.
+   * The firmware. Called under the lock. Outputs and features include their id. Returns sizes or
+   * -errno.
    */
   virtual int ReceiveOutput(const std::uint8_t* report, int size) = 0;
   virtual int ReceiveFeature(const std::uint8_t* report, int size) = 0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Checks the force-feedback firmwares' arithmetic against numbers worked out by hand from the
+ * Checks the arithmetic of the force-feedback firmwares against numbers worked out by hand from the
  * published formulas.
  */
 #include "ArduinoFfbModel.h"
@@ -24,7 +24,7 @@ void Send(FfbHandle& model, const Report& report)
     model.Output(report.data(), static_cast<int>(report.size())), static_cast<int>(report.size()));
 }
 
-/// Starts a constant effect in block 1, of 100 ms.
+/// Starts a constant effect of 100 ms in block 1.
 void Play(OpenFfboardModel& model, int bits, int x, int y, int magnitude, int gain)
 {
   const Report create{ 0x11, 1, 0, 0 };
@@ -60,11 +60,12 @@ TEST(FfbModels, OpenFfboardPushesAwayFromTheDirectionAndOlderOnesTurnY)
 
 TEST(FfbModels, OpenFfboardWithoutDirectionGoesByShares)
 {
-  // Half of x and half of y: -(9000 - 18000) / 18000.
+  // Shares of x and y: (27000 - 18000) / 18000 = 0.5, and -(9000 - 18000) / 18000 = 0.5.
   OpenFfboardModel model(Kind::Joystick);
   Play(model, 3, 27000, 9000, 20000, 255);
   ExpectForce(model, -10000 * Unit, 10000 * Unit);
-  // A wheel built with the one-axis descriptor does not read that descriptor's Direction Enable.
+  // A wheel built with the one-axis descriptor does not use the bit that this descriptor calls
+  // Direction Enable.
   OpenFfboardModel wheel(Kind::OneAxisWheel);
   Play(wheel, 2, 9000, 0, 20000, 255);
   ExpectForce(wheel, 0.0, 0.0);
@@ -106,12 +107,13 @@ TEST(FfbModels, ArduinosLibraryPushesTowardsTheDirection)
     Send(model, { 10, 1, 1, 1 });
   };
   constexpr double unit = FfbHandle::FullScale / 250.0; // N
-  // 64 of 255 are 90.35 degrees. 5000 becomes 4999, which is mapped to 124 of 250; y's 30 to 0.
+  // 64 of 255 parts are 90.35 degrees. 5000 becomes 4999 along x, which is mapped to 124 of 250.
+  // Along y, 30 becomes 0.
   play(4, 64, 0, 255);
   ExpectForce(model, 124 * unit, 0.0);
   play(4, 64, 0, 51);
   ExpectForce(model, 124 * unit, 0.0); // the division loses the effect's gain
-  // North: -5000 along HID's y, which is away from the hand.
+  // North: -5000 along HID's y, which pushes away from the user.
   play(4, 0, 0, 255);
   ExpectForce(model, 0.0, 125 * unit);
   // With the bits of both axes, each axis has its own direction, and 0 is north for y.

@@ -59,8 +59,8 @@ FifoNode::FifoNode(const std::string& node, const Device& device, const Answers&
   // A FIFO can't be opened in packet mode; it has to be switched to it.
   this->Fifo = open(file.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
   Require(this->Fifo >= 0 && fcntl(this->Fifo, F_SETFL, O_NONBLOCK | O_DIRECT) == 0, "fifo");
-  // Only now: before, the node is a pseudo-terminal, which a program that looks for devices could
-  // open. Without ioctls it can't use it, and tries again.
+  // Attach the ioctls only now. Until then, the node is a pseudo-terminal, which a program that
+  // looks for devices could open; without ioctls the program can't use it, and tries again.
   Require(umockdev_testbed_attach_ioctl(Testbed(), node.c_str(), this->Base, nullptr), "attach");
 }
 
@@ -77,7 +77,8 @@ void FifoNode::Unplug()
   {
     return;
   }
-  // A poll wakes up, and the read fails, even after earlier reads have taken some of these bytes.
+  // Send some bytes, so that a poll wakes up and its read fails, even if earlier reads take some of
+  // the bytes.
   const std::uint8_t byte = 0;
   for (int i = 0; i < 4; ++i)
   {
@@ -146,7 +147,7 @@ gboolean FifoNode::OnWrite(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpoi
 gboolean FifoNode::OnRead(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer node)
 {
   const FifoNode& self = *static_cast<FifoNode*>(node);
-  // Leave it unhandled: the FIFO is read.
+  // Leave the read unhandled, so that the FIFO is read.
   return self.IsGone ? Complete(client, self.Answer.GoneResult) : FALSE;
 }
 

@@ -26,7 +26,7 @@ namespace emulated
 class FifoNode
 {
 public:
-  /** Answers a program's calls; results are 0 or more, or -errno. */
+  /** Answers of a node to a program's calls. Results are 0 or more, or -errno. */
   struct Answers
   {
     unsigned IoctlType; ///< type in _IOC(); other types are not handled
@@ -35,14 +35,16 @@ public:
     std::function<int(UMockdevIoctlClient* client, unsigned long request)> Ioctl;
   };
 
-  /** The entries of udev in umockdev's format, and their devices, the innermost first. */
+  /**
+   * The entries in umockdev's format for udev, and the paths of their devices, the innermost first.
+   */
   struct Device
   {
     std::string Entries;
     std::vector<std::string> SysPaths;
   };
 
-  /** Plugs it in; `node` is the path that programs see, such as /dev/hidraw8. */
+  /** Plugs a device in. `node` is the path that programs see, such as /dev/hidraw8. */
   FifoNode(const std::string& node, const Device& device, const Answers& answers);
   ~FifoNode();
   FifoNode(const FifoNode&) = delete;
@@ -50,7 +52,7 @@ public:
 
   /** Makes calls of open files fail from then on. */
   void Unplug();
-  /** Sends data to the program that reads, from any thread. If the FIFO is full, they are lost. */
+  /** Sends data to the reading program, from any thread. The data are lost if the FIFO is full. */
   void Send(const void* bytes, std::size_t size);
 
   const std::string& GetNode() const { return this->Node; }

@@ -151,7 +151,7 @@ struct HaplyService::Server
     return std::any_of(this->Sessions.begin(), this->Sessions.end(),
       [&arm](const HaplySession& session) { return session.IsOpen && session.Arm == arm; });
   }
-  /// The view of a session that has configured nothing yet.
+  /// Returns the view of a session that has configured nothing yet.
   HaplyView MakeView() const
   {
     HaplyView view;
@@ -237,7 +237,7 @@ struct HaplyService::Server
       }
     }
   }
-  /// Sends pings, two bytes each, until the fault or the connection ends.
+  /// Sends pings of two bytes each until the fault or the connection ends.
   void Flood(int number, HaplyFault fault)
   {
     std::string pings;
@@ -259,7 +259,7 @@ struct HaplyService::Server
       goesOn = this->Arms.Fault == fault && (sent >= 0 || errno == EAGAIN);
     }
   }
-  /// Answers by what no service should do; frames are by RFC 6455, section 5.2.
+  /// Answers in ways that no service should. Frames follow RFC 6455, section 5.2.
   std::future<void> Misbehave(int number, HaplyFault fault)
   {
     const auto send = [number](const char* bytes, std::size_t size)
@@ -306,7 +306,7 @@ struct HaplyService::Server
       ++session.Refused;
       return;
     }
-    // An object, even for one name: a bare string is not taken.
+    // The preset must be an object, even for one name; a bare string is not accepted.
     const Json::json_pointer preset(arm + "/configure/preset/preset");
     const Json::json_pointer basis("/session/configure/basis/permutation");
     if (this->Arms.IsNew() && this->Shape.TakesPresets && message.contains(preset) &&
@@ -350,13 +350,13 @@ struct HaplyService::Server
     if (hasHttp && !body.empty())
     {
       answer.result(http::status::ok);
-      // The envelope of 3.5; tutorial 00 has the same without an envelope.
+      // The envelope of 3.5. Tutorial 00 has the same content without an envelope.
       answer.body() = this->Arms.IsNew() ? "{\"ok\":true,\"data\":" + body + "}" : body;
     }
     answer.prepare_payload();
     http::write(socket, answer);
   }
-  /// Serves a listener to the events until it leaves.
+  /// Serves a listener of events until the listener leaves.
   void Hold(tcp::socket& socket)
   {
     websocket::stream<tcp::socket&> stream(socket);
@@ -378,7 +378,7 @@ struct HaplyService::Server
       this->Listeners.push_back(&stream);
     }
     beast::flat_buffer buffer;
-    stream.read(buffer); // the client sends nothing: this ends when it leaves
+    stream.read(buffer); // returns when the client leaves, as it sends nothing
   }
 };
 

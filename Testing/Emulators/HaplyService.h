@@ -72,7 +72,7 @@ public:
   void SetGoal(const Triple& goal);
   Triple GetTip();
   ///@}
-  /** Moves the arm without its hand (m), as a change of the preset would. */
+  /** Moves the arm (m) without its hand, as a change of the preset would. */
   void Shift(const Triple& by);
   /** The present force (N) of the arm. */
   Triple GetForce();
@@ -81,7 +81,7 @@ public:
   void SetReady(bool isReady);
   void Unplug();
   void PlugIn();
-  /** Sets the session's transform, as a program of the Hub does: its position (m) and its scale. */
+  /** Sets the session's transform, position (m) and scale, as a program of the Hub does. */
   void SetTransform(const Triple& position, double scale);
   /** Sets the wireless grip: orientation (w, x, y, z) and its button a. */
   void SetGrip(const std::array<double, 4>& orientation, bool isPressed);

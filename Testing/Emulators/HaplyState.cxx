@@ -12,12 +12,13 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 
-/// The position in the documentation's example of an inventory: a tip in front of the arm's base.
+/// The position in the documentation's example of an inventory: the tip is in front of the arm's
+/// base.
 constexpr Triple BaseToMiddle{ 0.0, -0.12, 0.15 };
-constexpr double LongestStep = 5e-3; // s: a machine that stands still longer does not move the hand
+constexpr double LongestStep = 5e-3; // s; a longer pause moves the hand by no more
 constexpr double ShortStep = 1e-4;   // s
 
-/// Haply's axis for each axis of a session, and its sign.
+/// Returns Haply's axis for each axis of a session, and its sign.
 std::array<std::pair<int, double>, 3> ReadBasis(const std::string& basis)
 {
   std::array<std::pair<int, double>, 3> axes{};
@@ -60,7 +61,7 @@ Triple HaplyView::FromSession(const Triple& session) const
 std::array<double, 4> HaplyView::ToSession(const std::array<double, 4>& haply) const
 {
   const auto axes = ReadBasis(this->Basis);
-  // Axes of the other handedness turn the other way.
+  // If the session's axes have the other handedness, rotations change their sign.
   const bool isCyclic = (axes[0].first + 1) % 3 == axes[1].first;
   const double hand = (isCyclic ? 1.0 : -1.0) * axes[0].second * axes[1].second * axes[2].second;
   const Triple axis = this->ToSession(Triple{ haply[1], haply[2], haply[3] });
@@ -127,7 +128,7 @@ public:
     }
     return this->Object(members);
   }
-  /// Either a list or a map.
+  /// Writes a family of devices as a list or a map.
   std::string Family(const std::vector<std::pair<std::string, Members>>& devices) const
   {
     if (this->Shape.HasMaps)
@@ -203,8 +204,7 @@ HaplyState::Members HaplyState::MakeArm(
     arm.emplace_back("config", write.Object(config));
   }
   arm.emplace_back("state", write.Object(state));
-  // Always tell flags, or omit all false ones: the documentation states no default for a missing
-  // flag.
+  // Write all flags or omit all false flags: the documentation gives no default for a missing flag.
   Members status;
   for (const auto& [name, value] : { std::pair("calibrated", this->IsCalibrated),
          std::pair("in_use", isInUse), std::pair("power_supply", true),

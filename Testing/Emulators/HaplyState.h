@@ -34,14 +34,17 @@ struct HaplyShape
   bool OmitsFalseFlags = false; ///< omits false flags of a status
   bool HasStatus = true;        ///< status in states, too; else only in the inventory
   int DropTime = 0;             ///< ms until a closed session is no longer in use
-  /** The basis of a session that names none: Haply's Hub applies a previous one again. */
+  /**
+   * The basis of a session that names none. Haply's Hub may apply the basis of an earlier session
+   * again.
+   */
   std::string Basis = "XYZ";
   /** Sets a position's x (m) to this times the number of the session's message that it answers. */
   double NumberScale = 0.0;
   /** The preset of a session that names none. */
   std::string Preset = "defaults";
   bool TakesPresets = true; ///< else a session keeps the preset that it has
-  bool TellsConfig = true;  ///< a full state, which a session asks for, has the configuration
+  bool TellsConfig = true;  ///< a requested full state has the configuration
   std::string VersionNotes; ///< JSON sent with the version
 };
 
@@ -52,7 +55,7 @@ enum class HaplyFault
   Slow,      ///< delays each state by 60 ms
   Junk,      ///< sends states that are no JSON
   Blind,     ///< sends states without a position
-  SlowBlind, ///< delays them by 60 ms, too
+  SlowBlind, ///< as Blind, and delays each state by 60 ms
   NoNumber,  ///< a coordinate is NaN, which nlohmann's library writes as null
   NoScale,   ///< the transform's scale is null
   Deep,      ///< sends states with a further member: HaplyState::DeepJson
@@ -63,21 +66,21 @@ enum class HaplyFault
   HalfEnds,  ///< ends its half of the connection without a word
   Resets,    ///< resets the connection
   Pings,     ///< sends pings without end, and answers no message
-  DeafPings  ///< does so, and reads nothing meanwhile
+  DeafPings  ///< as Pings, and reads nothing meanwhile
 };
 
 /// The axes of a session's vectors.
 struct HaplyView
 {
   std::string Preset = "defaults"; ///< sets the origin: the arm's base, or the workspace's centre
-  bool IsWhole = false;            ///< the next state has the configuration, too
+  bool IsWhole = false;            ///< the next state includes the configuration
   /// "YZX": the session's x is Haply's y, its y Haply's z, and its z Haply's x; a minus before a
   /// letter reverses that axis.
   std::string Basis = "XYZ";
 
   Triple ToSession(const Triple& haply) const;
   Triple FromSession(const Triple& session) const;
-  /// A quaternion, w first.
+  /// Converts a quaternion, w first.
   std::array<double, 4> ToSession(const std::array<double, 4>& haply) const;
 };
 
@@ -94,7 +97,7 @@ public:
   {
   }
   bool IsNew() const { return this->Shape.Version >= "3.5"; }
-  /// The inventory, or a state; `number` is the number of the message that it answers.
+  /// Returns the inventory or a state. `number` is the number of the message that it answers.
   std::string MakeMessage(bool hasConfig, const HaplyView& view,
     const std::function<bool(const std::string&)>& isInUse, std::size_t number);
   /// Moves the hand up to now.

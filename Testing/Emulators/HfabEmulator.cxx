@@ -23,12 +23,12 @@ using Clock = std::chrono::steady_clock;
 constexpr double Pi = 3.14159265358979323846;
 constexpr double LargestCurrent = 6000.0; // mA, escon_max_milliamps
 constexpr auto Watchdog = std::chrono::milliseconds(100);
-/// Unless the first message is answered, a host waits longer than this before it sends a second.
+/// A host waits longer than this before its second message, unless the first is answered.
 constexpr auto Patience = std::chrono::milliseconds(15);
-/// After such a pause, answers and messages cross each other for a while.
+/// For this time after such a pause, answers and messages may cross each other.
 constexpr auto Confusion = std::chrono::milliseconds(200);
 
-/** A row of the host's tables, in the host's order and words. */
+/** A row of the host's tables, in the host's order and with its names. */
 struct Row
 {
   Triple CapstanDiameters;
@@ -60,7 +60,7 @@ double Square(double x)
   return x * x;
 }
 
-/** The host's positions of Polhem, from three angles of triangles at the elbow. */
+/** Polhem's tip position by the host's formula, from three angles of triangles at the elbow. */
 Triple PolhemTip(const Triple& t)
 {
   constexpr double l0 = 34e-3;
@@ -87,7 +87,7 @@ double Determinant(const Triple& a, const Triple& b, const Triple& c)
     a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/** The tip's derivatives by each angle, from differences. */
+/** The derivatives of the tip's position by each angle, from differences. */
 std::array<Triple, 3> SlopesOf(int model, const Triple& angles)
 {
   constexpr double h = 1e-5;
@@ -108,7 +108,7 @@ std::array<Triple, 3> SlopesOf(int model, const Triple& angles)
   return slopes;
 }
 
-/** The angles for a tip position, by Newton's method from nearby. */
+/** Computes the angles for a tip position by Newton's method, from angles nearby. */
 void Follow(int model, const Triple& tip, Triple& angles)
 {
   for (int i = 0; i < 8; ++i)
@@ -209,7 +209,7 @@ HfabEmulator::HfabEmulator(int model)
   }
   this->Port = ptsname(this->Master);
   this->PlaceAtHome();
-  // When power comes, the arm is where it was left, and the encoders begin at 0.
+  // At power-on, the arm is where it was left, and the encoders begin at 0.
   this->Angles[0] += 0.1;
   this->Hand.Place(TipOf(model, this->Angles));
   this->PressButton();
@@ -324,13 +324,13 @@ void HfabEmulator::Run()
     {
       if ((port.revents & (POLLHUP | POLLNVAL)) != 0)
       {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1)); // no program has the port open
+        std::this_thread::sleep_for(std::chrono::milliseconds(1)); // no program has opened the port
       }
       continue;
     }
     const ssize_t size = read(master, bytes, sizeof(bytes));
-    // A controller never stalls, but this thread does, and so do bytes on their way to it: treat
-    // bytes that arrive together as sent one message after the other.
+    // A controller never stalls, but this thread may, and bytes on their way may be delayed. After
+    // a pause, treat messages that arrive together as sent one after the other.
     const auto now = Clock::now();
     this->HeldUpUntil = now - this->LastBytes > Patience ? now + Confusion : this->HeldUpUntil;
     const bool wasHeldUp = now < this->HeldUpUntil && this->Fault != HfabFault::Late;

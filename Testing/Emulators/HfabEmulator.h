@@ -45,7 +45,7 @@ enum class HfabFault
 class HfabEmulator
 {
 public:
-  /** The model: 1 Polhem, 2 PHANToM, 3 WoodenHaptics. */
+  /** Plugs in an arm of a model: 1 Polhem, 2 PHANToM, 3 WoodenHaptics. */
   explicit HfabEmulator(int model);
   ~HfabEmulator();
   HfabEmulator(const HfabEmulator&) = delete;
@@ -57,17 +57,17 @@ public:
   /** Puts the arm into its pose for calibration, at once. */
   void PlaceAtHome();
   void PressButton();
-  /** The firmware wants its button to be pressed first, as with calibration_needed. */
+  /** Requires that the button is pressed first, as the firmware with calibration_needed does. */
   void NeedButton() { this->NeedsButton = true; }
   void SetGoal(const Triple& goal);
-  /** Turns the handle; the counts of its encoders. */
+  /** Turns the handle to these counts of its encoders. */
   void SetHandle(const std::array<int, 3>& counts);
   Triple GetTip() const;
   /** The force (N) on the hand from the present currents. */
   Triple GetForce() const;
   std::array<int, 3> GetCurrents() const;
   int GetMessages() const { return this->Messages; }
-  /** The number of times the watchdog switched currents off, and the errors in messages (bits). */
+  /** The number of times the watchdog switched currents off, and the bits of errors in messages. */
   int GetWatchdogs() const { return this->Watchdogs; }
   int GetErrors() const { return this->Errors; }
   /** The longest time (s) between two messages since the last call. */
@@ -80,7 +80,7 @@ public:
   static Triple TipOf(int model, const Triple& angles);
   static Triple AnglesOf(int model, const std::array<int, 3>& counts);
   static std::array<int, 3> HomeOf(int model);
-  /** Milliamperes for a force (N). */
+  /** Returns the currents (mA) for a force (N). */
   static Triple CurrentsOf(int model, const Triple& angles, const Triple& force);
   ///@}
 
@@ -99,7 +99,7 @@ private:
   mutable std::mutex Guard;
   EmulatedHand Hand;
   Triple Angles{};
-  std::array<int, 3> Offset{}; ///< the encoders' counts if they had counted from home
+  std::array<int, 3> Offset{}; ///< counts of encoders that begin at home, at the zero
   std::array<int, 3> Counts{};
   std::array<int, 3> Handle{};
   std::array<int, 3> Currents{};
@@ -114,7 +114,7 @@ private:
   std::atomic<int> Errors{ 0 };
   std::atomic<bool> Stop{ false };
   std::atomic<bool> NeedsButton{ false };
-  int Pretended = 0; ///< number of answers with counts that are none
+  int Pretended = 0; ///< number of answers whose counts are no positions
   std::thread Thread;
 };
 

@@ -28,7 +28,7 @@ std::uint8_t High(std::size_t number)
   return static_cast<std::uint8_t>(number >> 8 & 0xFF);
 }
 
-/** Whether a report descriptor has an item Report ID. */
+/** Whether a report descriptor contains a Report ID item. */
 bool DetectIds(const Bytes& descriptor)
 {
   std::size_t at = 0;
@@ -62,7 +62,7 @@ HidOverUsb::HidOverUsb(HidModel& model)
   {
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
-      // There may be no reader; a device keeps its newest reports.
+      // If nobody reads, keep the newest reports, as a device does.
       if (this->Inputs.size() == MostInputs)
       {
         this->Inputs.pop_front();
@@ -84,12 +84,12 @@ std::vector<std::uint8_t> HidOverUsb::GetDescriptors() const
   const std::size_t vendor = this->Model.GetVendor();
   const std::size_t product = this->Model.GetProduct();
   const Bytes hid = this->MakeHidDescriptor();
-  // The maker is string 1, the product 2; no serial number.
+  // String 1 is the maker, string 2 the product; there is no serial number.
   Bytes all = { 18, 1, 0x00, 0x02, 0, 0, 0, 64, Low(vendor), High(vendor), Low(product),
     High(product), 0x00, 0x01, 1, 2, 0, 1 };
   const Bytes configuration = { 9, 2, 41, 0, 1, 1, 0, 0x80, 50 };
   const Bytes interface = { 9, 4, 0, 0, 2, 3, 0, 0, 0 };
-  // Interrupt endpoint, 64 bytes, every millisecond.
+  // Two interrupt endpoints of 64 bytes, polled every millisecond.
   const Bytes endpoints = { 7, 5, 0x81, 3, 64, 0, 1, 7, 5, 0x02, 3, 64, 0, 1 };
   for (const Bytes& part : { configuration, interface, hid, endpoints })
   {
@@ -116,7 +116,7 @@ int HidOverUsb::GetDescriptor(const std::uint8_t setup[8], std::uint8_t* data, i
   {
     return -EPIPE;
   }
-  Bytes text = { 4, DescriptorString, 0x09, 0x04 }; // the list of languages: English
+  Bytes text = { 4, DescriptorString, 0x09, 0x04 }; // list of languages: English
   if (index > 0)
   {
     const std::string name = index == 1 ? "Emulated" : this->Model.GetName();
@@ -156,7 +156,7 @@ int HidOverUsb::GetReport(std::uint8_t type, std::uint8_t id, std::uint8_t* data
   {
     return -EPIPE;
   }
-  // Models always put an id in front; the wire only if there are ids.
+  // Models always begin a report with an id. The wire has one only if the device uses ids.
   Bytes report(static_cast<std::size_t>(size) + 64, 0);
   report[0] = id;
   const int given = this->Model.GetFeature(report.data(), static_cast<int>(report.size()));

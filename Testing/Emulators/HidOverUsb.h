@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Makes a USB device from the model of a HID device: descriptors, the requests of the HID class,
+ * Makes a USB device from the model of a HID device: descriptors, requests of the HID class, and
  * two interrupt endpoints.
  */
 #ifndef HidOverUsb_h
@@ -18,7 +18,10 @@ namespace emulated
 class HidOverUsb : public UsbModel
 {
 public:
-  /** The model has to outlive this; its Input is set here, and may be called from any thread. */
+  /**
+   * The model has to outlive this object, which sets the model's Input. Input may be called from
+   * any thread.
+   */
   explicit HidOverUsb(HidModel& model);
 
   std::vector<std::uint8_t> GetDescriptors() const override;
@@ -26,7 +29,7 @@ public:
   int Out(std::uint8_t endpoint, const std::uint8_t* bytes, int size) override;
   int In(std::uint8_t endpoint, std::uint8_t* bytes, int size) override;
 
-  /** Drops input reports that were not requested, like a loss of power. */
+  /** Drops input reports that were not fetched, as a loss of power does. */
   void Forget();
 
 private:

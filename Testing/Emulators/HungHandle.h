@@ -22,22 +22,22 @@ public:
   static constexpr double Gravity = 9.80665; ///< m/s^2
 
   double Strength = 1.0;          ///< N for each newton of a command
-  double Mass = 0.15;             ///< kg, of handle and arm
+  double Mass = 0.15;             ///< kg, handle and arm
   double Balance = 0.9;           ///< fraction of the handle's weight that the arm carries
-  double ArmStiffness = 15.0;     ///< N/m, of the arm's own springs
+  double ArmStiffness = 15.0;     ///< N/m, the arm's own springs
   double Viscosity = 1.0;         ///< N s/m
-  double Friction = 0.1;          ///< N, Coulomb's
+  double Friction = 0.1;          ///< N, Coulomb friction
   Triple Down{ 0.0, -1.0, 0.0 };  ///< the direction of gravity, a unit vector
-  double Quantum = 0.02e-3;       ///< m, of the encoders
-  double Weight = 0.0;            ///< kg, of the weight on it
+  double Quantum = 0.02e-3;       ///< m, resolution of the encoders
+  double Weight = 0.0;            ///< kg, the hung weight
   bool IsHeld = true;             ///< a hand holds it in place
-  double Tremor = 0.0;            ///< m, of the holding hand
-  bool HasScale = false;          ///< its plate is below, across y
-  double PlateBelow = 0.005;      ///< m, below the start
+  double Tremor = 0.0;            ///< m, tremor of the holding hand
+  bool HasScale = false;          ///< whether a scale's plate is below, across y
+  double PlateBelow = 0.005;      ///< m, the plate's distance below the start
   double ScaleStiffness = 5000.0; ///< N/m
   double ScaleDamping = 20.0;     ///< N s/m
 
-  /// Commands a force (N) for a time (s).
+  /// Applies a force command (N) for a time (s).
   void Step(const Triple& asked, double time)
   {
     constexpr double shortest = 1e-4;

@@ -33,7 +33,8 @@ private:
     while (!this->Stop)
     {
       step();
-      // Do not catch up missed ticks: a busy machine makes the model slow, not jumpy.
+      // Don't make up for missed ticks: on a busy machine the model becomes slow instead of
+      // jumping.
       next = std::max(std::chrono::steady_clock::now(), next + std::chrono::milliseconds(1));
       std::this_thread::sleep_until(next);
     }

@@ -9,7 +9,7 @@ namespace emulated
 {
 namespace
 {
-/** From ffb_defs.h. Input reports share their numbers with outputs. */
+/** Numbers of reports, from ffb_defs.h. Input reports share their numbers with outputs. */
 enum ReportId : std::uint8_t
 {
   Place = 0x01,
@@ -30,7 +30,7 @@ enum ReportId : std::uint8_t
   Command = 0xA1
 };
 constexpr int ConstantForce = 1;
-constexpr int EffectSize = 152; ///< bytes: nobody relies on it
+constexpr int EffectSize = 152; ///< bytes; no driver relies on it
 
 void BlockIndex(HidItems& items)
 {
@@ -45,7 +45,8 @@ void EffectTypes(HidItems& items)
 }
 
 /**
- * The vendor's access to the board's settings, both ways: 64 bits each for a value and an address.
+ * Describes the vendor's reports for the board's settings, in both directions: a value and an
+ * address of 64 bits each.
  */
 void DescribeCommands(HidItems& items)
 {
@@ -166,7 +167,7 @@ std::vector<std::uint8_t> OpenFfboardModel::GetReportDescriptor() const
   BlockIndex(items);
   items.Close();
 
-  // Eight bits, one each, with a range of 1 to 6.
+  // Eight fields of one bit each, with a logical range of 1 to 6.
   items.Usage(0x95)
     .Open(HidItems::LogicalCollection)
     .Id(DeviceControl)

@@ -39,7 +39,7 @@ class OpenFfboardModel : public FfbHandle
 public:
   enum class Kind : std::uint8_t
   {
-    Wheel,        ///< one motor, the descriptor of two axes: as published
+    Wheel,        ///< one motor and the two-axis descriptor, as published
     OneAxisWheel, ///< built with the one-axis descriptor
     Joystick      ///< two motors
   };
@@ -64,7 +64,7 @@ public:
   }
   std::vector<std::uint8_t> GetReportDescriptor() const override;
 
-  /** An analogue input of a wheel, -1 to 1: its second axis in the input report. */
+  /** An analogue input of a wheel, -1 to 1, which is the second axis of its input report. */
   std::atomic<double> Pedal{ 0.0 };
 
 private:

@@ -117,7 +117,7 @@ void PadModel::MoveUnheard(unsigned axis, double share)
   input_event rest{};
   rest.type = EV_ABS;
   rest.code = static_cast<__u16>(axis);
-  rest.value = this->Axes.at(axis).minimum; // previous value; not valid any more
+  rest.value = this->Axes.at(axis).minimum; // no longer valid: the previous value
   this->Input({ dropped, rest, {} });
 }
 
@@ -378,7 +378,7 @@ void PadModel::Step()
   }
   if (this->Model == Kind::Wheel)
   {
-    // The spring at its full strength gives the full force at the end of the axis.
+    // At full strength, the spring gives the full force at the end of the axis.
     const double spring = -FullScale * this->Autocentre / 0xFFFF * this->Hand.Tip[0] / Travel;
     this->Hand.Step(1e-3, { this->ComputeForce() + spring, 0.0, 0.0 });
     this->Move(ABS_X, std::clamp(this->Hand.Tip[0] / Travel, -1.0, 1.0));

@@ -59,7 +59,7 @@ public:
   explicit PadModel(Kind kind);
 
   ///@{
-  /** The entries of sysfs. */
+  /** The pad's entries in sysfs. */
   std::string GetName() const;
   int GetVendor() const;
   int GetProduct() const;
@@ -71,41 +71,44 @@ public:
 
   ///@{
   /**
-   * Moves the hand: a stick or a trigger to a fraction of its range (-1 to 1, 0 to 1), a button.
+   * Moves a stick or trigger to a fraction of its range (-1 to 1, or 0 to 1), or presses a button.
    */
   void Move(unsigned axis, double share);
   void Press(unsigned button, bool isHeld);
-  /** Moves it, but loses the event with others: the buffer was full. */
+  /** Moves an axis but loses the event with others, as if the buffer was full. */
   void MoveUnheard(unsigned axis, double share);
   ///@}
 
   ///@{
-  /** A program's file, named by any number. Results are 0 or more, or -errno. */
+  /** Requests of a program's file, which any number may name. Results are 0 or more, or -errno. */
   int Grab(const void* file, bool isOn);
   int Upload(const void* file, ff_effect& effect);
   int Erase(const void* file, int id);
   int Write(const input_event& event);
-  /** The program has ended in any way, and the kernel has closed its files. */
+  /** Acts as the kernel when a program ends: closes the program's files. */
   void CloseFiles();
   input_absinfo GetAxis(unsigned code);
   bool IsPressed(unsigned button);
   int GetSlots() const { return this->HasForce() ? 16 : 0; }
   ///@}
 
-  /** The kernel's timer and the hand on a wheel; call it every millisecond. */
+  /** Runs the kernel's timer and the hand on a wheel. Call it every millisecond. */
   void Step();
   /** Steps with the right stick pushed forward and pulled back, half a second each. */
   void StepInAndOut();
 
   ///@{
-  /** A wheel: the goal of its hand, its place (m, to the right), and the force on the hand (N). */
+  /**
+   * For a wheel: the goal of its hand, its position (m to the right), and the force (N) on the
+   * hand.
+   */
   static constexpr double FullScale = 4.0; ///< N
-  static constexpr double Travel = 0.05;   ///< m, at the end of the axis
+  static constexpr double Travel = 0.05;   ///< m, the position at the end of the axis
   void SetGoal(double right);
   double GetPlace();
   double GetForce();
   int GetAutocentre();
-  /** The next program's effects are refused, as by a device that does not answer. */
+  /** Whether effects of the next program are refused, as by a device that does not answer. */
   std::atomic<bool> Refuses{ false };
   std::string Serial; ///< as the driver tells it, or empty
   ///@}
@@ -117,11 +120,11 @@ public:
   void ForgetHistory();
   double GetTime() const;
   int CountEffects();
-  /** The longest effect requested so far, in ms. 0: an effect without end. */
+  /** Returns the length (ms) of the longest effect requested so far; 0 is an effect without end. */
   int GetLongestReplay();
   ///@}
 
-  /** Set by the carrier: passes events to the program that reads. */
+  /** The carrier sets this. It passes events to the reading program. */
   std::function<void(const std::vector<input_event>&)> Input = [](const auto&) {};
 
 private:
@@ -154,8 +157,8 @@ private:
   std::array<Effect, 16> Effects{};
   long TimerAt = -1;
   int Gain = 0xFFFF;
-  int Autocentre = 0x8000; ///< as another program has left it
-  int Force = 0x80;        ///< byte in the wheel: to the left above 0x80
+  int Autocentre = 0x8000; ///< as another program left it
+  int Force = 0x80;        ///< byte sent to the wheel: above 0x80 pushes left
   EmulatedHand Hand;
   int LongestReplay = 1;
   Change Motors;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The kernel's side of USB/IP, played by a test: one command after the other.
+ * Plays the kernel's side of USB/IP for a test, one command after the other.
  */
 #ifndef PlayedKernel_h
 #define PlayedKernel_h
@@ -46,7 +46,7 @@ public:
   }
 
   ///@{
-  /** Sends a transfer; false if the device does not understand it. */
+  /** Sends a transfer. Returns false if the device does not understand it. */
   bool In(std::uint32_t number, std::uint32_t endpoint, std::uint32_t size)
   {
     return this->Send({ 1, number, 0, 1, endpoint, 0, size, 0, 0, 0 }, Bytes(8), {});
@@ -63,7 +63,7 @@ public:
   bool Raw(const std::vector<std::uint32_t>& numbers) { return this->Send(numbers, Bytes(8), {}); }
   ///@}
 
-  /** Makes a control request; the answer is data, or the size of the sent data. */
+  /** Makes a control request. The answer has the data, or the size of the sent data. */
   Reply Request(const Bytes& setup, const Bytes& data = {})
   {
     const std::uint32_t isIn = setup[0] >> 7;

@@ -14,7 +14,9 @@
 
 namespace machinetest
 {
-/** A device with two bulk endpoints; vendor's requests without data succeed, all others stall. */
+/**
+ * A device with two bulk endpoints. Vendor requests without data succeed, all other requests stall.
+ */
 class EchoUsb : public emulated::UsbModel
 {
 public:
@@ -53,8 +55,8 @@ private:
 };
 
 /**
- * A device with reports of four bytes, with or without ids: outputs come back as inputs, a feature
- * keeps its value.
+ * A device with reports of four bytes, with or without ids. Outputs come back as inputs, and a
+ * feature keeps its value.
  */
 class EchoHid : public emulated::HidModel
 {
@@ -68,7 +70,7 @@ public:
   std::string GetName() const override { return this->HasIds ? "Echo with ids" : "Echo"; }
   std::vector<std::uint8_t> GetReportDescriptor() const override
   {
-    // Four bytes each for input, output and feature.
+    // Input, output and feature have four bytes each.
     std::vector<std::uint8_t> all = { 0x06, 0x00, 0xFF, 0x09, 0x01, 0xA1, 0x01, 0x85, 5, //
       0x15, 0x00, 0x26, 0xFF, 0x00, 0x75, 0x08, 0x95, 0x04,                              //
       0x09, 0x02, 0x81, 0x02, 0x09, 0x03, 0x91, 0x02, 0x09, 0x04, 0xB1, 0x02, 0xC0 };

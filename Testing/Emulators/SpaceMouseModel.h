@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A six-axis mouse: a hand pushes and turns its cap by counts, which the mouse repeats while the
- * cap is held. Which models there are, that of most y is towards the hand and z down and of some y
- * is up and z away from the hand, and the numbers of the Enterprise's keys: FreeSpacenav/spacenavd,
- * src/dev.c, commit bac572a (usbdb, bnhack_sment(), where the kernel's code of a key is 255 more
- * than its number in the report). That file does not state the lengths of reports, because it reads
- * evdev; here they are 3Dconnexion's, as in other public drivers.
+ * A six-axis mouse. A hand pushes and turns its cap by counts, which the mouse repeats while the
+ * cap is held. The models, their axes (for most of them y is towards the hand and z down, for some
+ * y is up and z away from the hand) and the numbers of the Enterprise's keys are from
+ * FreeSpacenav/spacenavd, src/dev.c, commit bac572a (usbdb; bnhack_sment(), where the kernel's code
+ * of a key is 255 more than its number in the report). That file does not state the lengths of
+ * reports, because it reads evdev; they are 3Dconnexion's here, as in other public drivers.
  */
 #ifndef SpaceMouseModel_h
 #define SpaceMouseModel_h
@@ -25,12 +25,12 @@ namespace emulated
 class SpaceMouseModel : public HidModel
 {
 public:
-  using Counts = std::array<std::int16_t, 6>; ///< pushes along its axes, turns about them
+  using Counts = std::array<std::int16_t, 6>; ///< pushes along the axes, then turns about them
 
   enum class Kind : std::uint8_t
   {
-    Navigator, ///< sends pushes and turns one after the other
-    PlusXt,    ///< sends both one after the other, too; its y is up
+    Navigator, ///< sends pushes and turns in separate reports
+    PlusXt,    ///< as Navigator, but its y is up
     Compact,
     Enterprise ///< numbers keys up to 176
   };
@@ -86,14 +86,14 @@ public:
   }
   int GetFeature(std::uint8_t*, int) override { return -EPIPE; }
 
-  /** Sets the motion from now on; zeros are reported once. */
+  /** Sets the motion from now on. Zeros are reported once. */
   void Push(const Counts& counts)
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
     this->Held = counts;
     this->Report();
   }
-  /** Advances by a millisecond: a held motion is repeated every 16. */
+  /** Advances by a millisecond. The mouse repeats a held motion every 16 ms. */
   void Step()
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
@@ -107,7 +107,7 @@ public:
     const std::uint8_t report[3]{ 3, buttons, 0 };
     this->Input(report, 3);
   }
-  /** Presses one key of the Enterprise, 1 to 176; 0 releases it. */
+  /** Presses a key of the Enterprise (1 to 176), or releases it (0). */
   void PressKey(int number)
   {
     std::uint8_t report[23]{ 3 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** The kernel that umockdev plays: one per program. */
+/** The kernel that umockdev plays, one for each program. */
 #ifndef Testbed_h
 #define Testbed_h
 
@@ -13,8 +13,7 @@ namespace emulated
 {
 UMockdevTestbed* Testbed();
 /**
- * Marks the signs of a device with this identity as confirmed, as in the user's file of devices,
- * for tests of other subjects.
+ * Enters a device as confirmed into the user's file of devices, for tests of other subjects.
  */
 void RememberConfirmed(const std::string& identity);
 } // namespace emulated

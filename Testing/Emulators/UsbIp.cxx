@@ -102,7 +102,7 @@ bool UsbIp::Submit(const Message& message)
   std::memcpy(setup, &message[10], sizeof(setup));
   const int room = static_cast<int>(size);
   const int result = this->Control(setup, data.data(), room);
-  // A transfer out that did not stall was sent completely.
+  // A transfer to the device that did not stall was sent completely.
   return this->Answer(number, result < 0 || isIn ? result : room, isIn ? data.data() : nullptr);
 }
 
@@ -119,7 +119,7 @@ bool UsbIp::Unlink(const Message& message)
   const std::uint32_t victim = ntohl(message[5]);
   const auto found = std::find_if(this->Waiting.begin(), this->Waiting.end(),
     [victim](const Transfer& transfer) { return transfer.Number == victim; });
-  // Numbers grow, and wrap around.
+  // Compare by difference, as the growing numbers wrap around.
   const bool isYetToCome = static_cast<std::int32_t>(victim - this->Newest) > 0;
   Message answer{};
   answer[0] = htonl(AnswerUnlink);
@@ -142,7 +142,7 @@ bool UsbIp::Unlink(const Message& message)
 
 bool UsbIp::AnswerWaiting()
 {
-  // Output first: the model may answer with the input.
+  // Serve outputs first: the model may answer them with the input.
   for (const int direction : { 0, 0x80 })
   {
     for (auto transfer = this->Waiting.begin(); transfer != this->Waiting.end();)
@@ -172,7 +172,7 @@ int UsbIp::Describe(std::size_t from, std::size_t size, std::uint8_t* data, int 
   return static_cast<int>(given);
 }
 
-/** Handles the requests that are the same for every device; the model handles the rest. */
+/** Handles the requests that are the same for every device, and passes the others to the model. */
 int UsbIp::Control(const std::uint8_t setup[8], std::uint8_t* data, int size)
 {
   constexpr std::uint8_t GetStatus = 0, ClearFeature = 1, GetDescriptor = 6, SetConfiguration = 9,

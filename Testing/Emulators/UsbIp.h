@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The device's side of USB/IP, in which Linux speaks to USB devices over a socket.
- *
- * Messages are 48 bytes of numbers, big-endian, and data. A transfer waits until the model has data
+ * The device's side of USB/IP, the protocol that Linux uses to speak to USB devices over a socket.
+ * A message has 48 bytes of big-endian numbers, and data. A transfer waits until the model has data
  * or room for it, or until the kernel unlinks it.
  */
 #ifndef UsbIp_h
@@ -21,7 +20,7 @@ namespace emulated
 class UsbIp
 {
 public:
-  /** Answers on the socket; socket and model have to outlive this. */
+  /** Answers on the socket. Socket and model have to outlive this object. */
   UsbIp(UsbModel& model, int socket)
     : Model(model)
     , Socket(socket)
@@ -29,7 +28,10 @@ public:
   {
   }
 
-  /** Reads one message and answers it; false if the other side has hung up or sends nonsense. */
+  /**
+   * Reads one message and answers it. Returns false if the other side has hung up or sends
+   * nonsense.
+   */
   bool Receive();
   /**
    * Answers the waiting transfers for which the model now has data or room. Returns false if
@@ -44,7 +46,7 @@ private:
   {
     std::uint32_t Number;
     std::uint8_t Endpoint; ///< number of the endpoint
-    Bytes Data;            ///< its size is the requested one, or that of the sent data
+    Bytes Data;            ///< sent data, or room of the requested size
   };
 
   int Control(const std::uint8_t setup[8], std::uint8_t* data, int size);
@@ -53,7 +55,10 @@ private:
   bool Unlink(const Message& message);
   /** Returns a size or -errno; -EAGAIN if the model has no data or no room. */
   int Try(Transfer& transfer);
-  /** Returns a size or -errno; sets the data if there are any. */
+  /**
+   * Sends an answer with a size or -errno, and data if there are any. Returns false if sending
+   * fails.
+   */
   bool Answer(std::uint32_t number, int result, const std::uint8_t* data);
   bool Send(const void* bytes, std::size_t size);
 
@@ -62,7 +67,9 @@ private:
   const Bytes Descriptors;
   std::list<Transfer> Waiting; ///< in order of arrival
   std::uint32_t Newest = 0;    ///< number of a transfer
-  /** Unlinked before they arrived: the kernel's sending thread may swap both messages. */
+  /**
+   * Transfers unlinked before they arrived, as the kernel's sending thread may swap both messages.
+   */
   std::set<std::uint32_t> TakenBack;
 };
 } // namespace emulated

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Checks the device's side of USB/IP; the test plays the kernel. */
+/** Tests the device's side of USB/IP. The test plays the kernel. */
 #include "PlayedKernel.h"
 #include "SmallModels.h"
 
@@ -50,7 +50,7 @@ TEST_F(UsbIpTest, LetsTransfersWait)
   EXPECT_EQ(in.Number, 1u) << "the one that has waited longest";
   EXPECT_EQ(in.Data, Bytes({ 7, 8, 9 }));
 
-  // A report that the model sends of its own accord.
+  // The model sends a report unasked.
   const std::uint8_t byte = 5;
   this->Model.Out(2, &byte, 1);
   EXPECT_TRUE(this->Kernel.GetDevice().AnswerWaiting());

@@ -37,7 +37,7 @@ using Json = nlohmann::json;
 using Clock = std::chrono::steady_clock;
 using boost::system::error_code;
 
-/// Accepts one client after another on a thread, until it ends.
+/// Accepts one client after another on its own thread, until it is destroyed.
 class OneClientServer
 {
 public:
@@ -116,7 +116,7 @@ struct PlayedBhaptics::Server
   std::mutex Mutex; // guards all members below
   Vibrations Told;
   std::vector<std::string> Places;
-  std::map<std::string, Frame> Frames; // by their keys
+  std::map<std::string, Frame> Frames; // by key
   bool SendsJunk = false;
   std::atomic<bool> Floods{ false };
   bool HasNews = false;
@@ -231,7 +231,7 @@ struct PlayedBhaptics::Server
     {
       if (this->Floods)
       {
-        std::string frames; // each a whole text of two letters
+        std::string frames; // each frame is a whole text of two letters
         for (int i = 0; i < 10000; ++i)
         {
           frames += "\x81\x02{}";
@@ -239,7 +239,7 @@ struct PlayedBhaptics::Server
         asio::write(stream.next_layer(), asio::buffer(frames));
         continue;
       }
-      // Either what came, or news after a short wait.
+      // Read the next message, or look for news after a short wait.
       pollfd waited{ stream.next_layer().native_handle(), POLLIN, 0 };
       if (::poll(&waited, 1, 5) > 0)
       {
@@ -329,7 +329,7 @@ struct PlayedWeart::Server
   std::string Status;
   bool IsActuating = true;
   bool HasNews = false;
-  std::map<std::string, double> Volumes; // by hand
+  std::map<std::string, double> Volumes; // by side of the hand
 
   std::string MakeStatus()
   {
@@ -346,7 +346,7 @@ struct PlayedWeart::Server
           { "actuationsEnabled", this->IsActuating }, { "connectedDevices", devices } } }
     }.dump();
   }
-  /// Takes a line of fields, or returns false.
+  /// Handles a line of fields. Returns false if the line is not understood.
   bool Take(const std::vector<std::string>& fields)
   {
     const std::string& id = fields[0];
@@ -519,7 +519,7 @@ struct PlayedHapbeat::Server
   int LastNumber = -1;
   int Lost = 0;
   std::deque<int> Ring;
-  std::deque<int> Played; // the last 16 ms
+  std::deque<int> Played; // samples of the last 16 ms
   Clock::time_point At = Clock::now();
 
   template <typename Number>
@@ -529,7 +529,7 @@ struct PlayedHapbeat::Server
     std::memcpy(&number, packet.data() + at, sizeof(number)); // tests run on little-endian machines
     return number;
   }
-  /// Plays what is due.
+  /// Plays the samples that are due.
   void Step()
   {
     const Clock::time_point now = Clock::now();
@@ -548,7 +548,8 @@ struct PlayedHapbeat::Server
       }
     }
   }
-  /// Takes a packet; returns the answer, or false.
+  /// Handles a packet, and sets the answer if there is one. Returns false if the packet is
+  /// malformed or unknown.
   bool Take(const std::vector<std::uint8_t>& packet, std::vector<std::uint8_t>& answer)
   {
     if (packet.size() < 8 || packet[0] != 0x42 || packet[1] != 0x48 || packet[2] != 1 ||
@@ -591,7 +592,7 @@ struct PlayedHapbeat::Server
         }
         return packet.size() <= 1472;
       case 0x32:
-        this->IsStreaming = false; // what is in the ring is still played
+        this->IsStreaming = false; // the ring's samples are still played
         this->Told.EndsStopped = true;
         return packet.size() == 8;
       default:

@@ -34,11 +34,11 @@
 namespace emulated
 {
 
-/** What a service did with the messages that it got. */
+/** Records what a service did with the messages it received. */
 struct Vibrations
 {
-  std::vector<std::string> Messages; ///< as they came
-  std::vector<int> Levels;           ///< of the messages that set one; 0 for a stop
+  std::vector<std::string> Messages; ///< as they arrived
+  std::vector<int> Levels;           ///< of messages that set a level; 0 for a stop
   int Refused = 0;                   ///< messages that are not understood
   bool IsOpen = false;               ///< whether a client is connected
   bool EndsStopped = false;          ///< whether the last message before the end was a stop
@@ -52,11 +52,11 @@ public:
   ~PlayedBhaptics();
 
   Vibrations Get();
-  /** The intensity of a dot now, 0 to 100. */
+  /** The present intensity of a dot, 0 to 100. */
   int GetDot(const std::string& place, int index);
   void SetPlaces(const std::vector<std::string>& places);
   void SendJunk();
-  /** Sends messages that are no status as fast as they are read, and answers nothing. */
+  /** Sends messages other than statuses as fast as they are read, and answers nothing. */
   void Flood();
   void Die();
 
@@ -73,12 +73,12 @@ public:
   ~PlayedWeart();
 
   Vibrations Get();
-  /** The volume of the texture that plays at the index finger now, 0 to 100. */
+  /** The present volume of the texture at the index finger, 0 to 100. */
   double GetVolume(const std::string& hand);
   std::string GetStatus();
   void SetActuating(bool isActuating);
   void SetHands(const std::vector<std::string>& hands);
-  /** Ends the connection, and runs on. */
+  /** Ends the connection and continues to run. */
   void HangUp();
   void Die();
 
@@ -95,7 +95,7 @@ public:
 
   std::uint16_t GetPort() const;
   Vibrations Get();
-  /** The largest sample of the last 16 ms that were played, as a fraction of the largest number. */
+  /** The largest sample played in the last 16 ms, as a fraction of the largest number. */
   double GetLoudness();
   /** The number of samples that the ring could not hold. */
   int CountLost();

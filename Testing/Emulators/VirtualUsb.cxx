@@ -22,7 +22,7 @@ namespace
 const std::string Hub = "/sys/devices/platform/vhci_hcd.0/";
 constexpr int FullSpeed = 2;
 
-/** False if the kernel refuses. */
+/** Writes a text to a file of the hub. Returns false if the kernel refuses it. */
 bool WriteText(const std::string& file, const std::string& text)
 {
   std::ofstream stream(Hub + file);
@@ -127,7 +127,7 @@ void VirtualUsb::Serve()
   {
     if (poll(sources, 2, -1) < 0)
     {
-      // Interrupted by a signal, such as when the process changes its user.
+      // A signal has interrupted poll(), for example when the process changes its user.
       goesOn = errno == EINTR;
       continue;
     }

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A port of the kernel's virtual USB hub (vhci_hcd) with a model plugged in; everything above is a
- * real kernel.
- *
- * Needs root and the module vhci_hcd; meant for a virtual machine of its own.
+ * A port of the kernel's virtual USB hub (vhci_hcd) with a model plugged in. Everything above it is
+ * a real kernel. It needs root and the module vhci_hcd, and is meant for a virtual machine of its
+ * own.
  */
 #ifndef VirtualUsb_h
 #define VirtualUsb_h
@@ -21,8 +20,8 @@ class VirtualUsb
 {
 public:
   /**
-   * Begins with nothing plugged in. The model has to outlive the port; its Ready is set here, and
-   * stays set.
+   * Begins with nothing plugged in. The model has to outlive the port, which sets the model's Ready
+   * for good.
    */
   VirtualUsb(UsbModel& model, int port);
   /** Unplugs the device. */
@@ -31,11 +30,11 @@ public:
   VirtualUsb& operator=(const VirtualUsb&) = delete;
 
   /**
-   * Plugs it in: the kernel requests descriptors. std::runtime_error if the kernel accepts no
-   * devices.
+   * Plugs the device in: the kernel requests descriptors. Throws std::runtime_error if the kernel
+   * accepts no devices.
    */
   void Plug();
-  /** Unplugs it at any moment. Returns once the port is free again. */
+  /** Unplugs the device at any moment. Returns once the port is free again. */
   void Unplug();
 
   bool IsPlugged() const { return this->Thread.joinable(); }

@@ -32,7 +32,7 @@ Triple TipOf(const Triple& t)
     Height + Upper * std::cos(t[1]) - Fore * std::cos(t[2]) - Foot[2] };
 }
 
-/** Columns: the motion of the tip with each angle, by differences. */
+/** The derivatives of the tip's position by each angle, as columns, from differences. */
 std::array<Triple, 3> Slopes(const Triple& angles)
 {
   constexpr double h = 1e-6;
@@ -62,7 +62,7 @@ Triple RowOf(const std::array<Triple, 3>& m, int row)
   return { m[0][row], m[1][row], m[2][row] };
 }
 
-/** The angles for a tip position, by Newton's method from nearby. */
+/** Computes the angles for a tip position by Newton's method, from angles nearby. */
 void Follow(const Triple& tip, Triple& angles)
 {
   for (int i = 0; i < 8; ++i)
@@ -90,7 +90,7 @@ void WoodenModel::PowerUp()
   const std::lock_guard<std::mutex> lock(this->Guard);
   this->Angles = RestAngles;
   this->Hand.Place(TipOf(RestAngles));
-  // The counts of encoders that were switched on in that pose.
+  // The counts of encoders that were switched on in the rest pose.
   this->Offset = { 0, 0, 6000 };
   this->Currents = {};
   this->Button = false;
@@ -99,7 +99,7 @@ void WoodenModel::PowerUp()
 
 std::vector<std::uint8_t> WoodenModel::GetReportDescriptor() const
 {
-  // A page of the vendor's own, bytes each way, no ids: the same for both boards.
+  // A vendor page with byte fields in both directions and no ids, the same for both boards.
   HidItems items;
   const auto bytes = static_cast<unsigned>(this->GetPacketSize());
   items.Page(0xFFAB).Usage(0x0200).Open(HidItems::ApplicationCollection).Logical(0, 255);
@@ -113,7 +113,7 @@ int WoodenModel::Output(const std::uint8_t* report, int size)
   {
     return -EIO;
   }
-  // USB hands packets over once a millisecond.
+  // USB transfers a packet once a millisecond.
   const auto now = std::chrono::steady_clock::now();
   this->Next = std::max(now, this->Next + std::chrono::milliseconds(1));
   std::this_thread::sleep_until(this->Next);

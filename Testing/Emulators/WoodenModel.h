@@ -37,10 +37,10 @@ enum class WoodenFault
   Silence,
   WriteError,
   Jump,    ///< an encoder jumps by 2000 counts
-  LostZero ///< the controller restarts without notice: its encoders begin anew
+  LostZero ///< the controller restarts without notice: encoders begin at 0
 };
 
-/** Each packet that it gets advances its time by a millisecond, and is answered by a packet. */
+/** Each received packet advances the model's time by a millisecond, and is answered by a packet. */
 class WoodenModel : public HidModel
 {
 public:
@@ -62,7 +62,7 @@ public:
   int Output(const std::uint8_t* report, int size) override;
   int GetFeature(std::uint8_t*, int) override { return -EPIPE; }
 
-  /** Switches power on: the arm is in its rest pose, which the encoders do not know. */
+  /** Switches power on. The arm is in its rest pose, which the encoders do not know. */
   void PowerUp();
   void SetGoal(const Triple& goal);
   Triple GetTip() const;
@@ -70,14 +70,14 @@ public:
   Triple GetForce() const;
   std::vector<std::uint8_t> GetLastPacket() const;
   std::vector<std::uint8_t> GetLastPreset() const;
-  /** The time (s) without a packet: after half a second the firmware switches the currents off. */
+  /** Lets a time (s) pass without a packet. After 0.5 s the firmware switches the currents off. */
   void PassTime(double time);
   int GetPresets() const { return this->Presets; }
   int GetPackets() const { return this->Packets; }
   std::atomic<WoodenFault> Fault{ WoodenFault::None };
   std::atomic<bool> IgnoresPresets{ false };
   std::atomic<int> MissedPresets{ 0 }; ///< presets to miss, as another packet follows at once
-  std::atomic<bool> Button{ false };   ///< pressed, without a preset since
+  std::atomic<bool> Button{ false };   ///< pressed, and no preset since then
 
 private:
   bool IsMbed() const { return this->Controller == Board::Mbed; }
@@ -90,7 +90,7 @@ private:
   mutable std::mutex Guard;
   EmulatedHand Hand;
   Triple Angles{};             ///< rad
-  std::array<int, 3> Offset{}; ///< counts, zero of the encoders
+  std::array<int, 3> Offset{}; ///< counts at the encoders' zero
   std::array<int, 3> Currents{};
   std::vector<std::uint8_t> Last;
   std::vector<std::uint8_t> LastPreset;

@@ -37,7 +37,7 @@ struct Opened
   const bool Is;
 };
 
-/** Moves the hand for the time since the last read, in steps of a millisecond at most. */
+/** Moves the hand by the time since the last read, in steps of at most a millisecond. */
 bool Move(FakeForceDimension& fake)
 {
   const auto now = Clock::now();

@@ -34,8 +34,8 @@ struct FakeForceDimensionState
   int Count = 1;
   int Type = 34; ///< an omega.6
   ///@{
-  double MaxForce = -1.0;  ///< N; a limit that was set in the SDK; negative: none
-  double MaxTorque = -1.0; ///< N m; the same
+  double MaxForce = -1.0;  ///< N, a limit set in the SDK; negative: none
+  double MaxTorque = -1.0; ///< N m, such a limit; negative: none
   ///@}
   bool HasWrist = true;
   bool HasGripper = false;
@@ -46,7 +46,7 @@ struct FakeForceDimensionState
   bool IsPluggedIn = true;
   bool HasPower = true;
   bool ForceIsOn = false;
-  bool IsRegulating = false; ///< regulates by itself, since the search for its zero
+  bool IsRegulating = false; ///< regulates by itself from the search for its zero on
   bool FailsToInit = false;
   bool FailsToOpen = false;
   bool FailsToRead = false;
@@ -58,7 +58,7 @@ struct FakeForceDimensionState
   EmulatedHand Hand;
   Triple Force{};                 ///< N, last set force
   Triple Torque{};                ///< N m
-  int ForcesBeforeZero = 0;       ///< number of nonzero forces set before it knew its zero
+  int ForcesBeforeZero = 0;       ///< number of nonzero forces before the zero was known
   std::vector<std::string> Calls; ///< calls, without reads and writes of the same force
 };
 
@@ -68,7 +68,7 @@ struct FakeForceDimension : FakeForceDimensionState
 
   /** Forgets what an earlier test did. The device must be closed. */
   void Reset() { static_cast<FakeForceDimensionState&>(*this) = {}; }
-  /** The fake in the library, if the program is linked to it. */
+  /** Returns the fake in the library, if the program is linked to the library. */
   static FakeForceDimension& Get();
 };
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What hidapi 0.14 declares and the module uses where a device is listed, by the public reference
- * of its API (libusb.info/hidapi, "hidapi API"): hid_get_report_descriptor() returns the number of
- * bytes that it has copied, or -1, and is new in 0.14. NewerHidapiTest.cxx plays it.
+ * Declares what the module uses of hidapi 0.14 to list devices, by the public reference of its API
+ * (libusb.info/hidapi, "hidapi API"): hid_get_report_descriptor() is new in 0.14, and returns the
+ * number of bytes that it has copied, or -1. NewerHidapiTest.cxx implements it.
  */
 #ifndef PlayedHidapi_h
 #define PlayedHidapi_h

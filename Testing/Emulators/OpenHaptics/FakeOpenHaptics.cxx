@@ -43,7 +43,7 @@ bool IsOpen(HHD handle)
   return (handle == FirstHandle || handle == RightHandle) && Arm(handle).IsOpen;
 }
 
-// A fault is one of the current device's.
+// Pushes a fault on the current device's stack.
 void Push(HDerror fault)
 {
   Arm(current).Faults.push_back(fault);

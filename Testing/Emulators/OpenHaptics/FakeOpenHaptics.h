@@ -45,13 +45,13 @@ struct FakeArm
   Triple Force{};               ///< N, from the last frame
   Triple Torque{};              ///< mN m
   ///@{
-  /// Set in the frame that has begun.
+  /// Force and torque set in the current frame.
   Triple FrameForce{};
   Triple FrameTorque{};
   ///@}
 };
 
-/// Has the first arm, and one more.
+/// The first arm, and a second one in `Right`.
 struct FakeOpenHapticsState : FakeArm
 {
   FakeArm Right;
@@ -60,15 +60,15 @@ struct FakeOpenHapticsState : FakeArm
   int OutputDof = 3;
   unsigned Calibration = 301;    ///< HD_CALIBRATION_OK
   int Styles = 5;                ///< bits of the ways to calibrate it: a Touch's
-  std::string Name;              ///< the device's only name; empty: the default, too
+  std::string Name;              ///< the device's only name; empty: answers to the default
   double ContinuousForce = 0.88; ///< N; 0: not known to the library
   int Buttons = 0;
   bool TellsNonsense = false;
-  /// The stylus: three columns of a rotation.
+  /// The stylus' orientation: the three columns of a rotation matrix.
   std::array<double, 9> Turn{ 1, 0, 0, 0, 1, 0, 0, 0, 1 };
-  int ForcesBeforeZero = 0;       ///< set in frames before it knew its zero
+  int ForcesBeforeZero = 0;       ///< forces in frames before the zero was known
   int ForcesAtTheEnd = 0;         ///< number of scheduler stops under force of any arm
-  std::vector<std::string> Calls; ///< set outside frames
+  std::vector<std::string> Calls; ///< calls outside frames
 };
 
 struct FakeOpenHaptics : FakeOpenHapticsState
@@ -78,7 +78,7 @@ struct FakeOpenHaptics : FakeOpenHapticsState
 
   /** Forgets what an earlier test did. The scheduler must not run. */
   void Reset() { static_cast<FakeOpenHapticsState&>(*this) = {}; }
-  /** The fake in the library, if the program is linked to it. */
+  /** Returns the fake in the library, if the program is linked to the library. */
   static FakeOpenHaptics& Get();
 };
 
