@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from TestLargeFiles import ENDLESS, EXTENT, LATEST, SHAPE, Hdf5, error_of, make_array, region_of, write_attribute
-from TestLargeFiles import write_vtkhdf
+from TestLargeFiles import tiff, write_vtkhdf
 from vtkmodules.vtkCommonCore import VTK_SHORT
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from volumehaptics import vtkHapticRegionSource
@@ -525,32 +525,6 @@ def _(folder):
 
 
 # TIFF: pages as TIFF 6.0, section 2, has them, each with one strip.
-
-def tiff(path, pages=ARRAY, cut=0, description="", **entries):
-    """Writes pages. `entries` are further or other ones: the tag as t256, with a number; None leaves it out."""
-    file = bytearray(b"II*\0")
-    link = len(file)
-    file += bytes(4)
-    for page in pages:
-        samples = page.tobytes()
-        at = len(file)
-        file += samples
-        tags = {256: page.shape[1], 257: page.shape[0], 258: 8 * page.dtype.itemsize, 259: 1, 262: 1, 273: at, 277: 1,
-                278: page.shape[0], 279: len(samples), 339: 2, **{int(tag[1:]): value for tag, value in entries.items()}}
-        text = description.encode() + b"\0"
-        if description:
-            tags[270] = len(file)
-            file += text + bytes(len(text) % 2)
-        file[link:link + 4] = struct.pack("<I", len(file))
-        kept = [(tag, value) for tag, value in sorted(tags.items()) if value is not None]
-        file += struct.pack("<H", len(kept))
-        for tag, value in kept:
-            file += struct.pack("<HHII", tag, 2, len(text), value) if tag == 270 else struct.pack("<HHII", tag, 4, 1, value)
-        link = len(file)
-        file += bytes(4)
-    path.write_bytes(file[:len(file) - cut])
-    return path
-
 
 def tiff_case(words, **wrong):
     @case(words)

@@ -326,10 +326,6 @@ def test_a_grid_that_asks_for_much_memory_is_refused(tmp_path):
     path = tmp_path / "a.vtk"
     path.write_text(GRID.format(point=6, kind=10).replace("CELLS 2 10", "CELLS 2 5000000000"))
 
-    def most_memory():
-        """In KiB, with memory that was never touched, which is most of what the file asks for."""
-        return int(re.search(r"VmPeak:\s+(\d+)", Path("/proc/self/status").read_text())[1])
-
     before = most_memory()
     with pytest.raises(ValueError, match="legacy VTK"):
         _files.read(path)
@@ -467,6 +463,74 @@ print(region.GetScalarRange(), resource.getrusage(resource.RUSAGE_SELF).ru_maxrs
 """
     told = subprocess.run([sys.executable, "-c", program, path], check=True, capture_output=True, text=True).stdout
     assert told.startswith("(0.0, 8.0)") and int(told.split()[-1]) < 65536, told  # KiB
+
+
+def tiff(path, pages=None, cut=0, description="", **entries):
+    """Writes pages. `entries` are further or other ones: the tag as t256, with a number; None leaves it out."""
+    file = bytearray(b"II*\0")
+    link = len(file)
+    file += bytes(4)
+    for page in make_array() if pages is None else pages:
+        samples = page.tobytes()
+        at = len(file)
+        file += samples
+        tags = {256: page.shape[1], 257: page.shape[0], 258: 8 * page.dtype.itemsize, 259: 1, 262: 1, 273: at, 277: 1,
+                278: page.shape[0], 279: len(samples), 339: 2, **{int(tag[1:]): value for tag, value in entries.items()}}
+        text = description.encode() + b"\0"
+        if description:
+            tags[270] = len(file)
+            file += text + bytes(len(text) % 2)
+        file[link:link + 4] = struct.pack("<I", len(file))
+        kept = [(tag, value) for tag, value in sorted(tags.items()) if value is not None]
+        file += struct.pack("<H", len(kept))
+        for tag, value in kept:
+            file += struct.pack("<HHII", tag, 2, len(text), value) if tag == 270 else struct.pack("<HHII", tag, 4, 1, value)
+        link = len(file)
+        file += bytes(4)
+    path.write_bytes(file[:len(file) - cut])
+    return path
+
+
+def most_memory():
+    """In KiB, with memory that was never touched, which is most of what a false file asks for."""
+    return int(re.search(r"VmPeak:\s+(\d+)", Path("/proc/self/status").read_text())[1])
+
+
+def test_tiff_is_read_in_another_process(tmp_path):
+    """libtiff, which a damaged file may end. Boxes have a process of their own, that no whole file keeps waiting."""
+    array = make_array("uint16")
+    tiff(tmp_path / "a.tif", array, t339=1)
+    running = set(helpers())
+    expect_samples(tmp_path / "a.tif", array)
+    assert running != set(helpers())
+    for one in helpers():
+        os.kill(one, signal.SIGKILL)
+    expect_samples(tmp_path / "a.tif", array)
+
+
+def test_a_damaged_tiff_ends_nothing(tmp_path):
+    chance, path = np.random.default_rng(4), tmp_path / "a.tif"
+
+    def write():
+        tiff(path, make_array())
+        for changed in damaged(path.read_bytes(), chance, 200):
+            path.write_bytes(changed)
+            yield path
+
+    expect_samples_or_an_error(write())
+
+
+def test_a_tiff_that_asks_for_much_memory_is_refused(tmp_path):
+    """Strips of 2 GB in 120 kB."""
+    path = tmp_path / "a.tif"
+    tiff(path, np.zeros((2, 60, 1000), "uint8"), t257=2000000, t278=2000000, t259=8)
+    before = most_memory()
+    source = vtkHapticRegionSource()
+    assert source.OpenFile(str(path))
+    with Errors(source) as errors:
+        assert not source.ReadRegion((0, 9, 0, 9, 0, 1), vtkImageData())
+    assert "it is damaged" in errors[0]
+    assert most_memory() - before < 1 << 20
 
 
 @pytest.mark.parametrize("name", ["a.mha", "a.mhd", "a.nrrd", "a.nhdr"])

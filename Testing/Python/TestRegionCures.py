@@ -89,7 +89,8 @@ def rectilinear(heights=32, name="V", components=1):
 
 
 @result("for example with vtkDelaunay3D, or an image with vtkPointInterpolator",
-        "Give it cells in three dimensions, or set another SampleSpacing", "there is nothing to touch. Give it one",
+        "Give it cells in three dimensions, or set another SampleSpacing",
+        "Correct its cells, or make tetrahedra where they come from", "there is nothing to touch. Give it one",
         "Name one of these: ")
 def grids(_):
     b = Bench()
@@ -107,6 +108,10 @@ def grids(_):
     mesh, sampled = vtkDelaunay3D(), vtkPointInterpolator()
     mesh.SetInputData(grid_of_points())
     mesh.Update()
+    false = vtkUnstructuredGrid()
+    false.DeepCopy(mesh.GetOutput())
+    false.GetCells().GetConnectivityArray().SetComponent(0, 0, 999999999)
+    refuses(false, "Correct its cells, or make tetrahedra where they come from")
     feels(mesh.GetOutput())
     place = vtkImageData()
     place.SetDimensions(24, 17, 32)

@@ -37,21 +37,22 @@
 namespace VolumeHaptics
 {
 #if defined(_WIN32)
-ReadResult AskReader(ReadTask, const std::string&, std::string&)
+ReadResult AskReader(ReadTask, const std::string&, std::string&, const std::string&)
 {
   return ReadResult::NoProcess;
 }
-void ServeReading(int, std::string (*)(ReadTask, const std::string&)) {}
+void ServeReading(int, ReadAnswer*) {}
 #else
 namespace
 {
 
-/** The two texts follow. */
+/** The three texts follow. */
 struct Request
 {
   ReadTask Task = ReadTask::Grid;
   std::uint32_t FolderLength = 0; ///< length of the folder in which the asker works
   std::uint32_t PathLength = 0;
+  std::uint32_t DetailLength = 0;
 };
 
 /** The bytes follow. */
@@ -84,7 +85,8 @@ void SetLimits(ReadTask task, const std::string& path)
   const bool isGrid = task == ReadTask::Grid || task == ReadTask::Case;
   std::uint64_t bytes = (std::uint64_t{ isGrid ? 4U : 1U } << 30) + perByte * size;
   std::uint64_t seconds = leastSeconds + size / slowest;
-  if (task == ReadTask::Case) // it does not tell how large what it names is
+  // A case does not tell how large what it names is, nor a folder how large its files are.
+  if (task == ReadTask::Case || std::filesystem::is_directory(Files::ToPath(path), failure))
   {
     bytes = std::max(bytes, GetPhysicalMemory() / 2);
     seconds = std::max<std::uint64_t>(seconds, 3600);
@@ -125,8 +127,8 @@ bool ReceiveText(int link, std::uint32_t size, std::string& text)
 }
 
 /** Reads a file, and sends what was read. */
-void Serve(int link, const Request& request, const std::string& folder, const std::string& path,
-  std::string (*read)(ReadTask, const std::string&), volatile bool& isSending)
+void Serve(int link, ReadTask task, const std::string& folder, const std::string& path,
+  const std::string& detail, ReadAnswer* read, volatile bool& isSending)
 {
 #if defined(__linux__)
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -137,8 +139,8 @@ void Serve(int link, const Request& request, const std::string& folder, const st
   {
     if (folder.empty() || chdir(folder.c_str()) == 0)
     {
-      SetLimits(request.Task, path);
-      bytes = read(request.Task, path);
+      SetLimits(task, path);
+      bytes = read(task, path, detail);
       answer.IsRead = 1;
     }
   }
@@ -156,17 +158,21 @@ void Serve(int link, const Request& request, const std::string& folder, const st
 
 } // namespace
 
-ReadResult AskReader(ReadTask task, const std::string& path, std::string& answer)
+ReadResult AskReader(
+  ReadTask task, const std::string& path, std::string& answer, const std::string& detail)
 {
   const void* const code = reinterpret_cast<const void*>(&vtkHapticServeReading);
-  static HelperProcess process;
-  static std::mutex access;
-  const std::lock_guard<std::mutex> lock(access);
+  // Boxes have a process of their own, because those who wait for them can't wait for a whole file.
+  static HelperProcess processes[2];
+  static std::mutex accesses[2];
+  const std::size_t number = task == ReadTask::TiffBox ? 1 : 0;
+  HelperProcess& process = processes[number];
+  const std::lock_guard<std::mutex> lock(accesses[number]);
   answer.clear();
   const std::string library = Libraries::FindFileOf(code);
   const std::string folder = Files::GetWorkingFolder();
   const Request request{ task, static_cast<std::uint32_t>(folder.size()),
-    static_cast<std::uint32_t>(path.size()) };
+    static_cast<std::uint32_t>(path.size()), static_cast<std::uint32_t>(detail.size()) };
   std::string obstacle;
   const auto send = [&]
   {
@@ -174,7 +180,7 @@ ReadResult AskReader(ReadTask task, const std::string& path, std::string& answer
     const int link = process.GetLink();
     return SendAll(link, &request, sizeof(request)) &&
       SendAll(link, folder.data(), folder.size()) && SendAll(link, path.data(), path.size()) &&
-      ReceiveAll(link, &isReady, 1);
+      SendAll(link, detail.data(), detail.size()) && ReceiveAll(link, &isReady, 1);
   };
   bool isSent = false;
   // It may have ended since the last file: then start it again.
@@ -212,7 +218,7 @@ ReadResult AskReader(ReadTask task, const std::string& path, std::string& answer
   return isRead && head.IsRead != 0 ? ReadResult::Answered : ReadResult::Ended;
 }
 
-void ServeReading(int link, std::string (*read)(ReadTask task, const std::string& path))
+void ServeReading(int link, ReadAnswer* read)
 {
   IsServing = true;
   const rlimit none = {};
@@ -222,16 +228,18 @@ void ServeReading(int link, std::string (*read)(ReadTask task, const std::string
   Request request;
   std::string folder;
   std::string path;
+  std::string detail;
   constexpr char ready = 1;
   while (isSending != MAP_FAILED && ReceiveAll(link, &request, sizeof(request)) &&
     ReceiveText(link, request.FolderLength, folder) &&
-    ReceiveText(link, request.PathLength, path) && SendAll(link, &ready, 1))
+    ReceiveText(link, request.PathLength, path) &&
+    ReceiveText(link, request.DetailLength, detail) && SendAll(link, &ready, 1))
   {
     *isSending = false;
     const pid_t reader = fork();
     if (reader == 0)
     {
-      Serve(link, request, folder, path, read, *isSending);
+      Serve(link, request.Task, folder, path, detail, read, *isSending);
     }
     int state = 0;
     const bool hasEnded = reader > 0 && waitpid(reader, &state, 0) == reader;

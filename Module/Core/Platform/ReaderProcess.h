@@ -37,6 +37,8 @@ enum class ReadTask : std::uint32_t
   VtkHdf,  ///< where the samples are in a VTKHDF file
   Surface, ///< a mesh
   Case,    ///< a grid, from files that this file names, wherever they are
+  Tiff,    ///< which pages a TIFF file or a folder of them has
+  TiffBox, ///< samples of TIFF pages
 };
 
 enum class ReadResult : std::uint8_t
@@ -51,16 +53,18 @@ constexpr const char* ReaderEnded =
   "its reader ended, or took more memory or time than such a file needs";
 
 /**
- * Asks the process to read a file. Starts it if it does not run. If there is none because another
- * user could have written its program, `answer` receives a note of that for the user.
+ * Asks the process to read a file, or the part of it that `detail` describes. Starts the process if
+ * it does not run. If there is none because another user could have written its program, `answer`
+ * receives a note of that for the user.
  */
-ReadResult AskReader(ReadTask task, const std::string& path, std::string& answer);
+ReadResult AskReader(ReadTask task, const std::string& path, std::string& answer,
+  const std::string& detail = std::string());
 
-/**
- * The work of vtkHapticServeReading(): answers until the other side closes the socket. `read`
- * returns the answer, or throws.
- */
-void ServeReading(int link, std::string (*read)(ReadTask task, const std::string& path));
+/** Returns the answer, or throws. */
+using ReadAnswer = std::string(ReadTask task, const std::string& path, const std::string& detail);
+
+/** The work of vtkHapticServeReading(): answers until the other side closes the socket. */
+void ServeReading(int link, ReadAnswer* read);
 
 } // namespace VolumeHaptics
 

@@ -13,7 +13,6 @@
 #include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
-#include "vtkCellType.h"
 #include "vtkCleanPolyData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -30,8 +29,6 @@
 #include "vtkResampleToImage.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
 #include "vtkVersion.h"
 #include "vtkXMLGenericDataObjectReader.h"
 
@@ -205,34 +202,6 @@ vtkSmartPointer<vtkDataObject> Read(const std::string& path, const Format& forma
   return reader->GetOutputDataObject(0);
 }
 
-/// Throws InputError if a part has polyhedra without faces. VTK before 9.4 does not read the faces
-/// that later versions write, and its filters then read past the end of its memory.
-#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 90)
-void RefusePolyhedraWithoutFaces(const std::string& path, const std::vector<vtkDataSet*>& parts)
-{
-  for (vtkDataSet* const part : parts)
-  {
-    auto* const grid = vtkUnstructuredGrid::SafeDownCast(part);
-    vtkUnsignedCharArray* const types = grid ? grid->GetCellTypesArray() : nullptr;
-    if (!types || grid->GetFaces())
-    {
-      continue;
-    }
-    const unsigned char* const first = types->GetPointer(0);
-    const unsigned char* const last = first + types->GetNumberOfTuples();
-    if (std::find(first, last, static_cast<unsigned char>(VTK_POLYHEDRON)) != last)
-    {
-      throw InputError(path,
-        std::string("has polyhedra, whose faces VTK ") + vtkVersion::GetVTKVersion() +
-          " can't read",
-        "write it as tetrahedra (filter Tetrahedralize of ParaView), or use VTK 9.4 or later");
-    }
-  }
-}
-#else
-void RefusePolyhedraWithoutFaces(const std::string&, const std::vector<vtkDataSet*>&) {}
-#endif
-
 double ComputeFinestSpacing(const vtkBoundingBox& box)
 {
   double edges[3] = { 0.0, 0.0, 0.0 };
@@ -349,7 +318,12 @@ Volume ReadGridHere(const std::string& path)
     return volume;
   }
   const std::vector<vtkDataSet*> parts = VolumeHaptics::CollectParts(data);
-  RefusePolyhedraWithoutFaces(path, parts);
+  if (VolumeHaptics::LackFaces(parts))
+  {
+    throw InputError(path,
+      std::string("has polyhedra, whose faces VTK ") + vtkVersion::GetVTKVersion() + " can't read",
+      "write it as tetrahedra (filter Tetrahedralize of ParaView), or use VTK 9.4 or later");
+  }
   volume.Image = Resample(data, MakeFrame(path, parts, volume));
   FillOutside(volume.Image);
   volume.Outline = Explore::MakeGridOutline(parts);

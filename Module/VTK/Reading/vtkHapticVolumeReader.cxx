@@ -259,7 +259,7 @@ std::string vtkHapticVolumeReader::ReadSurface(const char* file, vtkPolyData* su
 void vtkHapticServeReading(int link)
 {
   VolumeHaptics::ServeReading(link,
-    [](VolumeHaptics::ReadTask task, const std::string& path)
+    [](VolumeHaptics::ReadTask task, const std::string& path, const std::string& detail)
     {
       switch (task)
       {
@@ -268,6 +268,10 @@ void vtkHapticServeReading(int link)
           return Explore::PackGrid(path);
         case VolumeHaptics::ReadTask::Surface:
           return Explore::PackSurface(path);
+        case VolumeHaptics::ReadTask::Tiff:
+          return VolumeHaptics::PackTiff(path, detail);
+        case VolumeHaptics::ReadTask::TiffBox:
+          return VolumeHaptics::PackTiffBox(detail);
         case VolumeHaptics::ReadTask::VtkHdf:
           break;
       }

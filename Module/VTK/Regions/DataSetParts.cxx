@@ -2,13 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Regions/DataSetParts.h"
 
+#include "vtkCellArray.h"
+#include "vtkCellType.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkGenericCell.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace VolumeHaptics
 {
@@ -25,6 +34,47 @@ void GetEdges(const vtkBoundingBox& box, double edges[3])
   {
     box.GetLengths(edges);
   }
+}
+
+bool HasFaces(vtkUnstructuredGrid* grid)
+{
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 90)
+  return grid->GetFaces() != nullptr;
+#else
+  return grid->GetPolyhedronFaces() != nullptr;
+#endif
+}
+
+bool HasPointsOf(vtkCellArray* cells, vtkIdType points)
+{
+  double range[2] = { 0.0, -1.0 };
+  if (cells && cells->GetNumberOfConnectivityIds() > 0)
+  {
+    cells->GetConnectivityArray()->GetRange(range, 0);
+  }
+  return range[0] >= 0.0 && range[1] < static_cast<double>(points);
+}
+
+/** Whether all cells have the corners that their kinds need. */
+bool HasCorners(vtkUnstructuredGrid* grid)
+{
+  std::map<int, vtkIdType> needed;
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    const int kind = grid->GetCellType(i);
+    const auto found = needed.find(kind);
+    if (found == needed.end())
+    {
+      const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(kind));
+      needed[kind] = cell ? cell->GetNumberOfPoints() : 0; // 0 also if their number may vary
+      --i;
+    }
+    else if (grid->GetCells()->GetCellSize(i) < found->second)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 } // namespace
@@ -50,6 +100,50 @@ std::vector<vtkDataSet*> CollectParts(vtkDataObject* data)
     }
   }
   return parts;
+}
+
+bool LackFaces(const std::vector<vtkDataSet*>& parts)
+{
+  return std::any_of(parts.begin(), parts.end(),
+    [](vtkDataSet* part)
+    {
+      auto* const grid = vtkUnstructuredGrid::SafeDownCast(part);
+      vtkUnsignedCharArray* const types = grid ? grid->GetCellTypesArray() : nullptr;
+      if (!types || HasFaces(grid))
+      {
+        return false;
+      }
+      const unsigned char* const first = types->GetPointer(0);
+      const unsigned char* const last = first + types->GetNumberOfTuples();
+      return std::find(first, last, static_cast<unsigned char>(VTK_POLYHEDRON)) != last;
+    });
+}
+
+std::string DetectFalseCells(const std::vector<vtkDataSet*>& parts)
+{
+  if (LackFaces(parts))
+  {
+    return "has polyhedra without faces";
+  }
+  for (vtkDataSet* const part : parts)
+  {
+    const vtkIdType points = part->GetNumberOfPoints();
+    auto* const grid = vtkUnstructuredGrid::SafeDownCast(part);
+    auto* const shape = vtkPolyData::SafeDownCast(part);
+    const bool areThere = grid ? HasPointsOf(grid->GetCells(), points)
+                               : !shape ||
+        (HasPointsOf(shape->GetVerts(), points) && HasPointsOf(shape->GetLines(), points) &&
+          HasPointsOf(shape->GetPolys(), points) && HasPointsOf(shape->GetStrips(), points));
+    if (!areThere)
+    {
+      return "has a cell at a point that does not exist";
+    }
+    if (grid && !HasCorners(grid))
+    {
+      return "has a cell with fewer corners than its kind";
+    }
+  }
+  return {};
 }
 
 double CountCells(const std::vector<vtkDataSet*>& parts)

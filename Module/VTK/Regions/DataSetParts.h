@@ -9,6 +9,7 @@
 
 #include "vtkBoundingBox.h"
 
+#include <string>
 #include <vector>
 
 class vtkDataObject;
@@ -30,6 +31,18 @@ struct SamplingGrid
 
 /** Returns the parts that have cells: the data set itself, or the leaves of a composite one. */
 std::vector<vtkDataSet*> CollectParts(vtkDataObject* data);
+
+/**
+ * Whether a part has polyhedra without faces. VTK before 9.4 does not read the faces that later
+ * versions write, and its filters then read past the end of memory.
+ */
+bool LackFaces(const std::vector<vtkDataSet*>& parts);
+
+/**
+ * Returns the reason why the cells of the parts make no sense, so that VTK's filters would read
+ * past the end of memory; empty if they do.
+ */
+std::string DetectFalseCells(const std::vector<vtkDataSet*>& parts);
 
 double CountCells(const std::vector<vtkDataSet*>& parts);
 

@@ -92,6 +92,14 @@ std::shared_ptr<DataSetSampler> DataSetSampler::Make(
       "cells of points, for example with vtkDelaunay3D, or an image with vtkPointInterpolator.";
     return nullptr;
   }
+  const std::string fault = DetectFalseCells(parts);
+  if (!fault.empty())
+  {
+    error = std::string("The ") + data->GetClassName() + " on input port 0 " + fault +
+      ", with which VTK's filters would end the program. Correct its cells, or make tetrahedra "
+      "where they come from.";
+    return nullptr;
+  }
   std::shared_ptr<DataSetSampler> sampler(new DataSetSampler);
   const vtkBoundingBox box = ComputeBox(parts);
   if (!PlaceGrid(

@@ -35,7 +35,7 @@ struct Limits
   std::uint64_t Seconds = 0;
 };
 
-std::string TellLimits(ReadTask, const std::string&)
+std::string TellLimits(ReadTask, const std::string&, const std::string&)
 {
   rlimit memory = {};
   getrlimit(RLIMIT_DATA, &memory);
@@ -77,8 +77,8 @@ protected:
       _exit(0);
     }
     close(links[1]);
-    const std::uint32_t head[3] = { static_cast<std::uint32_t>(task), 0,
-      static_cast<std::uint32_t>(path.size()) };
+    const std::uint32_t head[4] = { static_cast<std::uint32_t>(task), 0,
+      static_cast<std::uint32_t>(path.size()), 0 };
     std::string request(reinterpret_cast<const char*>(head), sizeof(head));
     request += path;
     EXPECT_EQ(write(links[0], request.data(), request.size()), ssize_t(request.size()));
@@ -113,6 +113,11 @@ TEST_F(Reader, OfACaseLeavesRoomForWhatIsElsewhere)
   const std::uint64_t pages = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES));
   EXPECT_GE(limits.Seconds, 3590);
   EXPECT_GE(limits.Bytes, pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) / 2);
+}
+
+TEST_F(Reader, OfAFolderLeavesRoomForItsFiles)
+{
+  EXPECT_GE(Ask(ReadTask::Tiff, this->Folder).Seconds, 3590);
 }
 
 TEST_F(Reader, OfAFileOfHolesHasAnEnd)

@@ -9,15 +9,19 @@
 #include "Rigs/ApiRig.h"
 
 #include <vtkAppendFilter.h>
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
 #include <vtkHapticDevice.h>
 #include <vtkHapticMode.h>
 #include <vtkHapticRegionSource.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkStructuredGrid.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <chrono>
@@ -223,6 +227,43 @@ TEST_F(FilterDataSets, ThatCanNotBeFeltGiveOneErrorWithTheCure)
   grid->GetPointData()->Initialize();
   grid->Modified();
   this->ExpectError({ "vtkRectilinearGrid", "no numeric point or cell array" });
+}
+
+TEST_F(FilterDataSets, WithCellsThatMakeNoSenseAreRefused)
+{
+  const auto make = [](int kind, std::initializer_list<vtkIdType> corners)
+  {
+    const vtkIdType good[] = { 0, 1, 2, 4 };
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkFloatArray> values;
+    values->SetName("height");
+    for (int i = 0; i < 8; ++i)
+    {
+      points->InsertNextPoint(i % 2, i / 2 % 2, i / 4);
+      values->InsertNextValue(static_cast<float>(i));
+    }
+    auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    grid->SetPoints(points);
+    grid->GetPointData()->SetScalars(values);
+    grid->InsertNextCell(VTK_TETRA, 4, good);
+    vtkNew<vtkCellArray> cells;
+    cells->DeepCopy(grid->GetCells());
+    cells->InsertNextCell(corners);
+    grid->SetCells(VTK_TETRA, cells);
+    grid->GetCellTypesArray()->SetValue(
+      1, static_cast<unsigned char>(kind)); // SetCells() reads faces
+    return grid;
+  };
+  this->Filter->SetInputData(0, make(VTK_TETRA, { 7, 4, 5, 999999999 }));
+  this->ExpectError({ "vtkUnstructuredGrid", "port 0", "point that does not exist" });
+  this->Filter->SetInputData(0, make(VTK_TETRA, { 7, 4, 5, -1 }));
+  this->ExpectError({ "point that does not exist" });
+  this->Filter->SetInputData(0, make(VTK_HEXAHEDRON, { 7, 4, 5, 6 }));
+  this->ExpectError({ "fewer corners" });
+  this->Filter->SetInputData(0, make(VTK_POLYHEDRON, { 7, 4, 5, 6 }));
+  this->ExpectError({ "polyhedra without faces" });
+  vtkNew<vtkHapticRegionSource> source;
+  EXPECT_TRUE(source->OpenDataSet(make(VTK_TETRA, { 7, 4, 5, 6 }), 0.5, "height"));
 }
 
 TEST_F(FilterDataSets, AreResampledWithASpacingOfTheUsersChoice)

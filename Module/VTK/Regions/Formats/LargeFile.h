@@ -86,6 +86,14 @@ LargeFileOpener OpenMgh, OpenMinc;
  * axes; it is converted to mm. The notes list what was assumed.
  */
 LargeFileOpener OpenTiff;
+///@{
+/**
+ * Read which pages TIFF files have, and samples of pages, in the process that the library may end;
+ * return what OpenTiff() and its reader unpack. `detail` is what these have packed.
+ */
+std::string PackTiff(const std::string& name, const std::string& detail);
+std::string PackTiffBox(const std::string& detail);
+///@}
 
 /**
  * Whether a name ends with .tif or .tiff, or is that of a folder that contains TIFF files but no

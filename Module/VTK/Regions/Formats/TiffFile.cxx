@@ -1,7 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * TIFF files. libtiff reads them in another process, which a damaged file may end: first which
+ * pages they have, and then the samples of boxes.
+ */
 #include "VTK/Regions/Formats/LargeFile.h"
 
+#include "Core/Platform/PackedBytes.h"
+#include "Core/Platform/ReaderProcess.h"
 #include "VTK/Base/ArrayMemory.h"
 #include "VTK/Base/ByteOrder.h"
 #include "VTK/Base/HapticFiles.h"
@@ -68,10 +75,44 @@ struct TiffStack
   std::vector<TiffPage> Pages; ///< pages, one for each slice
   TiffLayout Layout;
 
+  /** Returns the number of bytes that a box has in each slice. */
+  std::size_t CountSliceBytes(const int box[6]) const
+  {
+    return static_cast<std::size_t>(vtkAbstractArray::GetDataTypeSize(this->Layout.ScalarType)) *
+      static_cast<std::size_t>(box[1] - box[0] + 1) * static_cast<std::size_t>(box[3] - box[2] + 1);
+  }
+  /** Reads a box in the other process. */
   bool Read(const int box[6], void* samples) const;
+  void ReadHere(const int box[6], void* samples) const;
 
 private:
   void ReadPage(TIFF* tiff, const int box[6], char* samples) const;
+};
+
+/** Where the samples are of an image and those that follow it without directories. */
+struct TiffSamples
+{
+  std::uint8_t AreUsed = 0;
+  std::uint8_t AreSwapped = 0; ///< whether their byte order differs from this computer's
+  std::uint64_t Offset = 0;
+  ///@{
+  /** Pages before the first slice, and from one slice to the next. */
+  std::uint64_t First = 0;
+  std::uint64_t Step = 1;
+  ///@}
+};
+
+/** What OpenTiff() learns from files. */
+struct TiffFacts
+{
+  TiffStack Stack;
+  TiffSamples Headless;
+  std::size_t Slices = 0;
+  std::array<double, 3> Spacing{}; ///< mm
+  /** ImageJ shows the value Line[0] + Line[1] * sample. */
+  std::array<double, 2> Line{ 0.0, 1.0 };
+  bool IsCurved = false; ///< whether ImageJ's values follow another function
+  LargeFile Told;        ///< its notes and volumes
 };
 
 /** The facts that a description states about the pages and the distances between voxels. */
@@ -134,6 +175,7 @@ int IgnoreMessage(TIFF*, void*, const char*, const char*, va_list)
 /** Opens a file without printing messages: calls return errors. */
 TiffPointer OpenQuietly(const std::string& name)
 {
+  const OpenedFile isThere(name); // throws if it is missing, or a pipe
 #if defined(TIFFLIB_VERSION) && TIFFLIB_VERSION >= 20221213
   TIFFOpenOptions* const options = TIFFOpenOptionsAlloc();
   TIFFOpenOptionsSetErrorHandlerExtR(options, IgnoreMessage, nullptr);
@@ -717,7 +759,7 @@ void CollectPlanes(
  * line[0] + line[1] * sample.
  */
 template <typename Value>
-BoxReader ApplyLine(const LargeFile& file, const double line[2])
+BoxReader ApplyLine(const LargeFile& file, const std::array<double, 2>& line)
 {
   const BoxReader stored = file.Read;
   const int type = file.ScalarType;
@@ -744,21 +786,21 @@ BoxReader ApplyLine(const LargeFile& file, const double line[2])
  * Converts stored samples to the values that ImageJ shows. They become floats, except signed 16-bit
  * integers, which ImageJ stores as unsigned ones 32768 higher.
  */
-void Calibrate(const TiffText& text, LargeFile& file)
+void Calibrate(const TiffFacts& facts, LargeFile& file)
 {
-  const bool isLine = text.Line[0] != 0.0 || text.Line[1] != 1.0;
+  const bool isLine = facts.Line[0] != 0.0 || facts.Line[1] != 1.0;
   std::ostringstream note;
-  if (text.IsCurved || !std::isfinite(text.Line[0]) || !std::isfinite(text.Line[1]))
+  if (facts.IsCurved || !std::isfinite(facts.Line[0]) || !std::isfinite(facts.Line[1]))
   {
     note << "ImageJ's calibration of values is not applied: the stored ones are felt";
   }
   else if (isLine)
   {
     const bool isSigned =
-      text.Line[0] == -32768.0 && text.Line[1] == 1.0 && file.ScalarType == VTK_UNSIGNED_SHORT;
-    file.Read = isSigned ? ApplyLine<short>(file, text.Line) : ApplyLine<float>(file, text.Line);
+      facts.Line[0] == -32768.0 && facts.Line[1] == 1.0 && file.ScalarType == VTK_UNSIGNED_SHORT;
+    file.Read = isSigned ? ApplyLine<short>(file, facts.Line) : ApplyLine<float>(file, facts.Line);
     file.ScalarType = isSigned ? VTK_SHORT : VTK_FLOAT;
-    note << "values are " << text.Line[0] << " plus " << text.Line[1]
+    note << "values are " << facts.Line[0] << " plus " << facts.Line[1]
          << " times the stored ones, as ImageJ shows them";
   }
   if (!note.str().empty())
@@ -786,27 +828,33 @@ LargeFile MakeFile(const TiffLayout& layout, std::size_t slices)
 }
 
 /**
- * Opens a stack of more than 4 GiB, which ImageJ writes as one page, followed by all other images.
+ * Finds the samples of a stack of more than 4 GiB, which ImageJ writes as one page, followed by all
+ * other images.
  */
-LargeFile OpenHeadless(
+TiffSamples FindHeadless(
   const std::string& name, TIFF* tiff, const TiffLayout& layout, const TiffVolume& volume)
 {
   CheckPage(tiff, layout, static_cast<double>(OpenedFile(name).GetSize()), volume.GetLastPage());
   uint64_t* offsets = nullptr;
   TIFFGetField(tiff, TIFFTAG_STRIPOFFSETS, &offsets);
-  LargeFile file = MakeFile(layout, volume.Slices);
+  return { 1, TIFFIsByteSwapped(tiff) != 0, offsets[0], volume.First, volume.Step };
+}
+
+BoxReader ReadHeadless(const std::string& name, const TiffFacts& facts, const BoxExtent& extent)
+{
+  const TiffLayout& layout = facts.Stack.Layout;
+  const TiffSamples& where = facts.Headless;
   const auto page = static_cast<std::int64_t>(layout.Width) * layout.Height; // samples
-  const RawVolumeFile samples{ name, file.Extent,
+  const RawVolumeFile samples{ name, extent,
     static_cast<std::size_t>(vtkAbstractArray::GetDataTypeSize(layout.ScalarType)),
-    static_cast<vtkTypeInt64>(offsets[0]), TIFFIsByteSwapped(tiff) != 0,
-    { 1, layout.Width, page * static_cast<std::int64_t>(volume.Step) },
-    page * static_cast<std::int64_t>(volume.First) };
-  file.Read = [samples](const int box[6], void* to)
+    static_cast<vtkTypeInt64>(where.Offset), where.AreSwapped != 0,
+    { 1, layout.Width, page * static_cast<std::int64_t>(where.Step) },
+    page * static_cast<std::int64_t>(where.First) };
+  return [samples](const int box[6], void* to)
   {
     samples.Read(box, to);
     return true;
   };
-  return file;
 }
 
 [[noreturn]] void ThrowDamaged()
@@ -868,12 +916,8 @@ void TiffStack::ReadPage(TIFF* tiff, const int box[6], char* samples) const
   }
 }
 
-bool TiffStack::Read(const int box[6], void* samples) const
+void TiffStack::ReadHere(const int box[6], void* samples) const
 {
-  // Open the files for each box, so that several threads may read.
-  const std::size_t slice =
-    static_cast<std::size_t>(vtkAbstractArray::GetDataTypeSize(this->Layout.ScalarType)) *
-    static_cast<std::size_t>(box[1] - box[0] + 1) * static_cast<std::size_t>(box[3] - box[2] + 1);
   TiffPointer tiff(nullptr, TIFFClose);
   std::size_t opened = this->Files.size();
   for (int k = box[4]; k <= box[5]; ++k)
@@ -889,10 +933,248 @@ bool TiffStack::Read(const int box[6], void* samples) const
     {
       throw std::runtime_error("it has changed since it was opened. Open it again.");
     }
-    this->ReadPage(
-      tiff.get(), box, static_cast<char*>(samples) + static_cast<std::size_t>(k - box[4]) * slice);
+    this->ReadPage(tiff.get(), box,
+      static_cast<char*>(samples) +
+        static_cast<std::size_t>(k - box[4]) * this->CountSliceBytes(box));
+  }
+}
+
+/** Returns a stack of some slices of another one, with the files that they need. */
+TiffStack TakeSlices(const TiffStack& stack, int first, int last)
+{
+  TiffStack some;
+  some.Layout = stack.Layout;
+  for (int k = first; k <= last; ++k)
+  {
+    const TiffPage& page = stack.Pages[static_cast<std::size_t>(k)];
+    const std::string& name = stack.Files[page.File];
+    if (some.Files.empty() || some.Files.back() != name)
+    {
+      some.Files.push_back(name);
+    }
+    some.Pages.push_back({ some.Files.size() - 1, page.Offset });
+  }
+  return some;
+}
+
+void PackTexts(const std::vector<std::string>& texts, BytePacker& packer)
+{
+  packer.Put<std::uint64_t>(texts.size());
+  for (const std::string& text : texts)
+  {
+    packer.PutText(text);
+  }
+}
+
+std::vector<std::string> UnpackTexts(ByteUnpacker& unpacker)
+{
+  std::vector<std::string> texts;
+  for (auto left = unpacker.Get<std::uint64_t>(); left > 0; --left)
+  {
+    texts.push_back(unpacker.GetText());
+  }
+  return texts;
+}
+
+void PackStack(const TiffStack& stack, BytePacker& packer)
+{
+  PackTexts(stack.Files, packer);
+  packer.PutList(stack.Pages);
+  packer.Put(stack.Layout);
+}
+
+/** Unpacks a stack, and checks what libtiff has not to be believed. */
+TiffStack UnpackStack(ByteUnpacker& unpacker)
+{
+  TiffStack stack;
+  stack.Files = UnpackTexts(unpacker);
+  stack.Pages = unpacker.GetList<TiffPage>();
+  stack.Layout = unpacker.Get<TiffLayout>();
+  constexpr auto most = static_cast<uint32_t>(std::numeric_limits<int>::max());
+  const TiffLayout& layout = stack.Layout;
+  if (layout.Width < 1 || layout.Height < 1 || layout.Width > most || layout.Height > most ||
+    vtkAbstractArray::GetDataTypeSize(layout.ScalarType) < 1 ||
+    std::any_of(stack.Pages.begin(), stack.Pages.end(),
+      [&](const TiffPage& page) { return page.File >= stack.Files.size(); }))
+  {
+    ThrowDamaged();
+  }
+  return stack;
+}
+
+/** Throws what the other process found wrong, which is the first text of its answer. */
+void CheckAnswer(ReadResult result, ByteUnpacker& unpacker)
+{
+  if (result == ReadResult::Ended)
+  {
+    throw std::runtime_error(
+      std::string("it is damaged: ") + ReaderEnded + ". Copy or write it again.");
+  }
+  const std::string fault = unpacker.GetText();
+  if (!fault.empty())
+  {
+    throw std::runtime_error(fault);
+  }
+}
+
+bool TiffStack::Read(const int box[6], void* samples) const
+{
+  constexpr std::size_t most = 64 << 20; // bytes of an answer, if a slice has fewer
+  const std::size_t slice = this->CountSliceBytes(box);
+  const int atOnce = std::max(1, static_cast<int>(most / slice));
+  auto* to = static_cast<char*>(samples);
+  for (int k = box[4]; k <= box[5]; k += atOnce)
+  {
+    const int last = std::min(k + atOnce - 1, box[5]);
+    const TiffStack some = TakeSlices(*this, k, last);
+    const std::array<int, 6> part{ box[0], box[1], box[2], box[3], 0, last - k };
+    BytePacker packer;
+    PackStack(some, packer);
+    packer.Put(part);
+    std::string answer;
+    const ReadResult result =
+      AskReader(ReadTask::TiffBox, some.Files.front(), answer, packer.Bytes);
+    const std::size_t bytes = slice * some.Pages.size();
+    if (result == ReadResult::NoProcess)
+    {
+      some.ReadHere(part.data(), to);
+    }
+    else
+    {
+      ByteUnpacker unpacker(answer);
+      CheckAnswer(result, unpacker);
+      std::memcpy(to, unpacker.Take(bytes, 1), bytes);
+    }
+    to += bytes;
   }
   return true;
+}
+
+TiffFacts ReadFacts(const std::string& path, int number)
+{
+  TiffFacts facts;
+  TiffStack& stack = facts.Stack;
+  const bool isFolder = vtksys::SystemTools::FileIsDirectory(path);
+  stack.Files = isFolder ? ListFiles(path) : std::vector<std::string>{ path };
+  const TiffPointer tiff = OpenQuietly(stack.Files.front());
+  TiffText text = ReadText(Describe(tiff.get()), vtksys::SystemTools::GetFilenameName(path));
+  AddResolution(tiff.get(), text, facts.Told.Notes);
+  if (const auto turn = Tag<uint16_t>(tiff.get(), TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
+      turn != ORIENTATION_TOPLEFT)
+  {
+    facts.Told.Notes.push_back("the TIFF file's Orientation (" + std::to_string(turn) +
+      ") is not used: if it is true, the volume is mirrored or turned");
+  }
+  const TiffVolume volume = ChooseChannel(isFolder ? TiffText() : text, number, facts.Told);
+  std::copy_n(text.Spacing, 3, facts.Spacing.begin());
+  std::copy_n(text.Line, 2, facts.Line.begin());
+  facts.IsCurved = text.IsCurved;
+  if (!isFolder && text.Whole > 1 && TIFFNumberOfDirectories(tiff.get()) == 1)
+  {
+    stack.Layout = ReadLayout(tiff.get());
+    facts.Headless = FindHeadless(path, tiff.get(), stack.Layout, volume);
+    facts.Slices = volume.Slices;
+    return facts;
+  }
+  const bool areElsewhere = !isFolder && !text.Planes.empty();
+  const std::size_t others = areElsewhere ? 0 : AddFiles(stack);
+  const std::string gaps = isFolder ? DescribeGaps(stack.Files) : std::string();
+  facts.Told.Notes.insert(facts.Told.Notes.end(), gaps.empty() ? 0 : 1, gaps);
+  if (areElsewhere)
+  {
+    CollectPlanes(GetFolder(path), text, volume, stack);
+    facts.Told.Notes.push_back("slices are in " + std::to_string(stack.Files.size()) +
+      (stack.Files.size() == 1 ? " file" : " files") + ", as the OME-XML says");
+  }
+  if (others > 0 && stack.Pages.size() == 1)
+  {
+    throw std::runtime_error("its pages have several sizes or types, and the first page has its "
+                             "own. Take that page away, or write all slices alike.");
+  }
+  if (others > 0)
+  {
+    facts.Told.Notes.push_back(
+      std::to_string(others) + " TIFF pages of another size or type are left out");
+  }
+  if (!isFolder && !areElsewhere)
+  {
+    KeepVolume(text, volume, stack, facts.Told);
+  }
+  facts.Slices = stack.Pages.size();
+  return facts;
+}
+
+void PackFacts(const TiffFacts& facts, BytePacker& packer)
+{
+  PackStack(facts.Stack, packer);
+  packer.Put(facts.Headless);
+  packer.Put(facts.Slices);
+  packer.Put(facts.Spacing);
+  packer.Put(facts.Line);
+  packer.Put(facts.IsCurved);
+  PackTexts(facts.Told.Notes, packer);
+  PackTexts(facts.Told.Volumes, packer);
+  packer.Put(facts.Told.Volume);
+}
+
+TiffFacts UnpackFacts(ByteUnpacker& unpacker, const std::string& path)
+{
+  TiffFacts facts;
+  facts.Stack = UnpackStack(unpacker);
+  facts.Headless = unpacker.Get<TiffSamples>();
+  facts.Slices = unpacker.Get<std::size_t>();
+  facts.Spacing = unpacker.Get<std::array<double, 3>>();
+  facts.Line = unpacker.Get<std::array<double, 2>>();
+  facts.IsCurved = unpacker.Get<bool>();
+  facts.Told.Notes = UnpackTexts(unpacker);
+  facts.Told.Volumes = UnpackTexts(unpacker);
+  facts.Told.Volume = unpacker.Get<int>();
+  const TiffSamples& where = facts.Headless;
+  const double pages = static_cast<double>(where.First) +
+    static_cast<double>(where.Step) * static_cast<double>(facts.Slices);
+  if (where.AreUsed != 0 ? static_cast<double>(where.Offset) +
+          (pages - static_cast<double>(where.Step) + 1.0) * CountPageBytes(facts.Stack.Layout) >
+        static_cast<double>(OpenedFile(path).GetSize())
+                         : facts.Slices != facts.Stack.Pages.size())
+  {
+    ThrowDamaged();
+  }
+  return facts;
+}
+
+TiffFacts AskForFacts(const std::string& path, int number)
+{
+  BytePacker packer;
+  packer.Put(number);
+  std::string answer;
+  const ReadResult result = AskReader(ReadTask::Tiff, path, answer, packer.Bytes);
+  if (result == ReadResult::NoProcess)
+  {
+    TiffFacts facts = ReadFacts(path, number);
+    facts.Told.Notes.insert(facts.Told.Notes.end(), answer.empty() ? 0 : 1, answer);
+    return facts;
+  }
+  ByteUnpacker unpacker(answer);
+  CheckAnswer(result, unpacker);
+  return UnpackFacts(unpacker, path);
+}
+
+/** Returns what a function packs; or, if it throws, the reason. */
+template <typename Function>
+std::string PackAnswer(const Function& pack)
+{
+  BytePacker packer;
+  try
+  {
+    packer.PutText({});
+    pack(packer);
+  }
+  catch (const std::runtime_error& fault)
+  {
+    packer.Bytes.clear();
+    packer.PutText(fault.what());
+  }
+  return std::move(packer.Bytes);
 }
 
 } // namespace
@@ -918,64 +1200,49 @@ bool IsTiffFolder(const std::string& folder)
     2 * ListFiles(folder).size() > all.GetNumberOfFiles() - links;
 }
 
+std::string PackTiff(const std::string& name, const std::string& detail)
+{
+  return PackAnswer(
+    [&](BytePacker& packer)
+    {
+      ByteUnpacker unpacker(detail);
+      PackFacts(ReadFacts(name, unpacker.Get<int>()), packer);
+    });
+}
+
+std::string PackTiffBox(const std::string& detail)
+{
+  return PackAnswer(
+    [&](BytePacker& packer)
+    {
+      ByteUnpacker unpacker(detail);
+      const TiffStack stack = UnpackStack(unpacker);
+      const auto box = unpacker.Get<std::array<int, 6>>();
+      const std::size_t begin = packer.Bytes.size();
+      packer.Bytes.resize(begin + stack.CountSliceBytes(box.data()) * stack.Pages.size());
+      stack.ReadHere(box.data(), &packer.Bytes[begin]);
+    });
+}
+
 LargeFile OpenTiff(const std::string& name, bool, int number)
 {
   const std::string path = MakeAbsolute(name);
-  const auto stack = std::make_shared<TiffStack>();
-  const bool isFolder = vtksys::SystemTools::FileIsDirectory(path);
-  stack->Files = isFolder ? ListFiles(path) : std::vector<std::string>{ path };
-  const OpenedFile isThere(stack->Files.front()); // throws if the file is missing
-  const TiffPointer tiff = OpenQuietly(stack->Files.front());
-  LargeFile told; // its notes and volumes
-  TiffText text = ReadText(Describe(tiff.get()), vtksys::SystemTools::GetFilenameName(path));
-  AddResolution(tiff.get(), text, told.Notes);
-  if (const auto turn = Tag<uint16_t>(tiff.get(), TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
-      turn != ORIENTATION_TOPLEFT)
+  TiffFacts facts = AskForFacts(path, number);
+  LargeFile file = MakeFile(facts.Stack.Layout, facts.Slices);
+  file.Spacing = facts.Spacing;
+  file.Notes = std::move(facts.Told.Notes);
+  file.Volumes = std::move(facts.Told.Volumes);
+  file.Volume = facts.Told.Volume;
+  if (facts.Headless.AreUsed != 0)
   {
-    told.Notes.push_back("the TIFF file's Orientation (" + std::to_string(turn) +
-      ") is not used: if it is true, the volume is mirrored or turned");
-  }
-  const TiffVolume volume = ChooseChannel(isFolder ? TiffText() : text, number, told);
-  LargeFile file;
-  const bool isHeadless = !isFolder && text.Whole > 1 && TIFFNumberOfDirectories(tiff.get()) == 1;
-  if (isHeadless)
-  {
-    file = OpenHeadless(path, tiff.get(), ReadLayout(tiff.get()), volume);
+    file.Read = ReadHeadless(path, facts, file.Extent);
   }
   else
   {
-    const bool areElsewhere = !isFolder && !text.Planes.empty();
-    const std::size_t others = areElsewhere ? 0 : AddFiles(*stack);
-    const std::string gaps = isFolder ? DescribeGaps(stack->Files) : std::string();
-    told.Notes.insert(told.Notes.end(), gaps.empty() ? 0 : 1, gaps);
-    if (areElsewhere)
-    {
-      CollectPlanes(GetFolder(path), text, volume, *stack);
-      told.Notes.push_back("slices are in " + std::to_string(stack->Files.size()) +
-        (stack->Files.size() == 1 ? " file" : " files") + ", as the OME-XML says");
-    }
-    if (others > 0 && stack->Pages.size() == 1)
-    {
-      throw std::runtime_error("its pages have several sizes or types, and the first page has its "
-                               "own. Take that page away, or write all slices alike.");
-    }
-    if (others > 0)
-    {
-      told.Notes.push_back(
-        std::to_string(others) + " TIFF pages of another size or type are left out");
-    }
-    if (!isFolder && !areElsewhere)
-    {
-      KeepVolume(text, volume, *stack, told);
-    }
-    file = MakeFile(stack->Layout, stack->Pages.size());
+    const auto stack = std::make_shared<const TiffStack>(facts.Stack);
     file.Read = [stack](const int box[6], void* samples) { return stack->Read(box, samples); };
   }
-  std::copy_n(text.Spacing, 3, file.Spacing.begin());
-  file.Notes = std::move(told.Notes);
-  file.Volumes = std::move(told.Volumes);
-  file.Volume = told.Volume;
-  Calibrate(text, file);
+  Calibrate(facts, file);
   return file;
 }
 
