@@ -136,7 +136,7 @@ int EmulatedUsb::Plug::Answer(
       return this->DriverIoctl(argument);
     case USBDEVFS_CLEAR_HALT:
     {
-      // As on the wire: CLEAR_FEATURE, ENDPOINT_HALT.
+      // Clear the halt by the request on the wire: CLEAR_FEATURE, ENDPOINT_HALT.
       const std::uint8_t setup[8] = { 0x02, 1, 0, 0,
         static_cast<std::uint8_t>(*Argument<unsigned int>(argument)), 0, 0, 0 };
       return this->Model.Control(setup, nullptr, 0);

@@ -201,7 +201,7 @@ struct HaplyService::Server
   void Converse(websocket::stream<tcp::socket&>& stream, std::size_t session)
   {
     HaplyView view = this->MakeView();
-    std::future<void> flood; // its destructor waits
+    std::future<void> flood; // the destructor waits for its end
     for (beast::flat_buffer buffer;; buffer.clear())
     {
       stream.read(buffer);

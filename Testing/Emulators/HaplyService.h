@@ -36,7 +36,7 @@
 namespace emulated
 {
 
-/** What the service received in a session. */
+/** Records what the service received in a session. */
 struct HaplySession
 {
   std::string Greeting;       ///< the first message

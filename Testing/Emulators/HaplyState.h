@@ -43,7 +43,7 @@ struct HaplyShape
   double NumberScale = 0.0;
   /** The preset of a session that names none. */
   std::string Preset = "defaults";
-  bool TakesPresets = true; ///< else a session keeps the preset that it has
+  bool TakesPresets = true; ///< false: a session keeps its preset
   bool TellsConfig = true;  ///< a requested full state has the configuration
   std::string VersionNotes; ///< JSON sent with the version
 };

@@ -99,7 +99,7 @@ private:
   mutable std::mutex Guard;
   EmulatedHand Hand;
   Triple Angles{};
-  std::array<int, 3> Offset{}; ///< counts of encoders that begin at home, at the zero
+  std::array<int, 3> Offset{}; ///< counts, relative to home, of the encoders' zero
   std::array<int, 3> Counts{};
   std::array<int, 3> Handle{};
   std::array<int, 3> Currents{};

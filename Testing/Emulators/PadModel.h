@@ -110,7 +110,7 @@ public:
   int GetAutocentre();
   /** Whether effects of the next program are refused, as by a device that does not answer. */
   std::atomic<bool> Refuses{ false };
-  std::string Serial; ///< as the driver tells it, or empty
+  std::string Serial; ///< serial number that the driver reports, or empty
   ///@}
 
   ///@{
@@ -157,7 +157,7 @@ private:
   std::array<Effect, 16> Effects{};
   long TimerAt = -1;
   int Gain = 0xFFFF;
-  int Autocentre = 0x8000; ///< as another program left it
+  int Autocentre = 0x8000; ///< spring's strength that another program left
   int Force = 0x80;        ///< byte sent to the wheel: above 0x80 pushes left
   EmulatedHand Hand;
   int LongestReplay = 1;

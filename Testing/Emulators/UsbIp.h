@@ -41,7 +41,7 @@ public:
 
 private:
   using Bytes = std::vector<std::uint8_t>;
-  using Message = std::array<std::uint32_t, 12>; ///< in network byte order
+  using Message = std::array<std::uint32_t, 12>; ///< numbers in network byte order
   struct Transfer
   {
     std::uint32_t Number;
@@ -65,7 +65,7 @@ private:
   UsbModel& Model;
   const int Socket;
   const Bytes Descriptors;
-  std::list<Transfer> Waiting; ///< in order of arrival
+  std::list<Transfer> Waiting; ///< transfers in order of arrival
   std::uint32_t Newest = 0;    ///< number of a transfer
   /**
    * Transfers unlinked before they arrived, as the kernel's sending thread may swap both messages.

@@ -116,7 +116,7 @@ struct PlayedBhaptics::Server
   std::mutex Mutex; // guards all members below
   Vibrations Told;
   std::vector<std::string> Places;
-  std::map<std::string, Frame> Frames; // by key
+  std::map<std::string, Frame> Frames; // frames by their key
   bool SendsJunk = false;
   std::atomic<bool> Floods{ false };
   bool HasNews = false;
@@ -329,7 +329,7 @@ struct PlayedWeart::Server
   std::string Status;
   bool IsActuating = true;
   bool HasNews = false;
-  std::map<std::string, double> Volumes; // by side of the hand
+  std::map<std::string, double> Volumes; // volumes by hand
 
   std::string MakeStatus()
   {

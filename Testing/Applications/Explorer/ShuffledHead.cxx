@@ -91,7 +91,7 @@ std::string WriteNrrd(const std::string& folder, vtkImageData* shuffled, const s
 std::string WriteNifti(
   const std::string& folder, vtkImageData* shuffled, double slope, double intercept)
 {
-  vtkNew<vtkMatrix4x4> form; // to right-anterior-superior
+  vtkNew<vtkMatrix4x4> form; // transform to right-anterior-superior
   for (int row = 0; row < 3; ++row)
   {
     const double sign = row < 2 ? -1.0 : 1.0;
@@ -101,7 +101,7 @@ std::string WriteNifti(
     }
     form->SetElement(row, 3, sign * shuffled->GetOrigin()[row]);
   }
-  vtkNew<vtkImageData> plain; // its origin is in the matrix
+  vtkNew<vtkImageData> plain; // the matrix holds the origin
   plain->DeepCopy(shuffled);
   plain->SetOrigin(0.0, 0.0, 0.0);
   vtkDataArray* const stored = plain->GetPointData()->GetScalars();

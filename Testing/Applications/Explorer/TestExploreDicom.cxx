@@ -163,7 +163,7 @@ std::string Encode(const SliceFile& slice)
     Bytes(0xfffe, 2) + Bytes(0xe0dd, 2) + Bytes(0, 4);
   const std::string preview = Bytes(0x0088, 2) + Bytes(0x0200, 2) +
     (isExplicit ? "SQ" + Bytes(0, 2) : std::string()) + unknown + item;
-  const std::string kind = "1.2.840.10008.5.1.4.1.1.2"; // of a CT
+  const std::string kind = "1.2.840.10008.5.1.4.1.1.2"; // CT Image Storage
   const std::string meta =
     Part(0x00020002, "UI", kind, true) + Part(0x00020010, "UI", slice.Syntax, true);
   return std::string(128, '\0') + "DICM" +

@@ -268,7 +268,7 @@ int TestExploreFiles(int argc, char* argv[])
       "Hounsfield units + " + std::to_string(static_cast<int>(added)), added);
   }
 
-  // What the picture does not show is felt, and the message says so.
+  // Expects that tissue which the picture leaves out is felt, and that a message says so.
   Explore::Volume onTable = Explore::LoadVolume(Argument(argc, argv, "--volume"));
   Expect(Explore::ExploreVolume(onTable, Explore::Settings()).Hidden.empty(),
     "something of the head is hidden");

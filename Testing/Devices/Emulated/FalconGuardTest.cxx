@@ -139,7 +139,7 @@ TEST_P(FalconGuardKills, EndInZeroEachTime)
       const long pressed = this->Falcon.GetPackets();
       ASSERT_TRUE(Eventually([&] { return this->Falcon.GetPackets() >= pressed + rounds; }));
     }
-    else if (rounds > 5) // else kill it at its start
+    else if (rounds > 5) // with fewer rounds, it is killed at its start
     {
       ASSERT_TRUE(Eventually([&] { return this->Falcon.GetPackets() >= start + rounds; }));
     }

@@ -50,7 +50,7 @@ class GuardedProgram
 public:
   explicit GuardedProgram(const std::string& way, const std::string& device = "falcon")
   {
-    prctl(PR_SET_CHILD_SUBREAPER, 1); // adopt the application's guard at its end
+    prctl(PR_SET_CHILD_SUBREAPER, 1); // adopt the guard when the application ends
     int input[2];
     if (pipe2(input, O_CLOEXEC) != 0)
     {

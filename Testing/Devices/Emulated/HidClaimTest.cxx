@@ -123,8 +123,9 @@ TEST(HidClaim, WithoutPermissionTheRuleIsSaid)
   setfsuid(static_cast<uid_t>(owner));
 }
 
-/// With Bluetooth, ATTRS{idVendor} matches nothing, as there is no USB device above; users found
-/// this (preFlight issue 244, spnavcfg issue 60).
+/// Expects the kernel's own device in the rule for Bluetooth. ATTRS{idVendor} matches nothing
+/// there, as there is no USB device above; users found this (preFlight issue 244, spnavcfg issue
+/// 60).
 TEST(HidClaim, ByBluetoothTheRuleNamesTheKernelsDevice)
 {
   OpenFfboardModel model;

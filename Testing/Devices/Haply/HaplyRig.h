@@ -75,8 +75,8 @@ protected:
     EXPECT_TRUE(Eventually([&] { return Size(this->LastForce()) == 0.0; }));
   }
   /**
-   * By how many messages the client's position is behind, of which one may be on its way. The
-   * service must number its positions, and no loop may run.
+   * The number of messages by which the client's position is behind; one of them may be on its way.
+   * The service must number its positions, and no loop may run.
    */
   double CountBehind()
   {

@@ -100,7 +100,8 @@ TEST(SoundStream, PlaysBurstsAtThePaceOfTheirTicks)
     }
     player.Play(300);
     const std::vector<double> onsets = player.Onsets();
-    // If a burst is longer than the first tap, the sound begins only after that tap.
+    // The sound begins with the newest tick of the first burst, so that a burst of more than 100
+    // ticks skips the first tap.
     ASSERT_EQ(onsets.size(), burst > 100 ? 14u : 15u) << burst;
     for (std::size_t i = 1; i < onsets.size(); ++i)
     {
