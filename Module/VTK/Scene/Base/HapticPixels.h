@@ -37,12 +37,12 @@ inline int ScalePixels(double scale, int pixels)
 /**
  * Returns the size of letters (points) in a layout that grows with its room: one point for each
  * `fraction` pixels. If a point takes more than one pixel, the size may be less than `least`, down
- * to 6.
+ * to 6, but only in a room of less than nine such letters.
  */
 inline int FitLetters(int pixels, int fraction, double scale, int least, int most)
 {
-  const int smallest =
-    scale > 1.0 ? std::max(6, static_cast<int>(static_cast<double>(least) / scale)) : least;
+  const auto room = static_cast<int>(pixels / (9.0 * scale));
+  const int smallest = scale > 1.0 ? std::clamp(room, std::min(6, least), least) : least;
   return std::clamp(static_cast<int>(pixels / (fraction * scale)), std::min(smallest, most), most);
 }
 

@@ -8,6 +8,7 @@
 #include "Rigs/ScriptedStates.h"
 
 #include "Rigs/DeviceRig.h"
+#include "VTK/Scene/Base/HapticPixels.h"
 
 #include <vtkActor.h>
 #include <vtkHapticHeadUpDisplay.h>
@@ -232,4 +233,15 @@ TEST_F(DisplayRoom, TwiceTheDotsPerInchDrawTwiceAsLarge)
   EXPECT_NEAR(large.Right, 2 * small.Right, rounding);
   EXPECT_NEAR(large.Top, 2 * small.Top, rounding);
   ExpectInside(large, 1400, 1120);
+}
+
+/// A slice in a third of a window of 700 pixels, and a list over it: letters that are readable with
+/// 72 dots per inch are larger with 144, though the window is not.
+TEST_F(DisplayRoom, LettersOfSlicesAndListsGrowWithTheDots)
+{
+  using VolumeHaptics::FitLetters;
+  EXPECT_GT(2 * FitLetters(233, 15, 2.0, 9, 14), FitLetters(233, 15, 1.0, 9, 14));
+  EXPECT_GT(2 * FitLetters(700, 34, 2.0, 11, 18), FitLetters(700, 34, 1.0, 11, 18));
+  // Where there is room for a few letters only, they become smaller.
+  EXPECT_EQ(FitLetters(100, 15, 2.0, 9, 14), 6);
 }
