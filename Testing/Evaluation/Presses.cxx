@@ -190,7 +190,7 @@ bool IsAstray(const PressedVolume& volume, const Vector3& place)
         const Vector3 offset = step * Vector3{ double(i), double(j), double(k) };
         if (Norm(offset) <= FarAstray && field.IsInside(index + offset))
         {
-          const bool isAbove = field.Value(index + offset) >= volume.Level;
+          const bool isAbove = field.Value(index + offset) >= volume.StructureLevel;
           isIn = isIn || isAbove;
           isOut = isOut || !isAbove;
         }
@@ -262,6 +262,50 @@ Presses PressFromAllSides(const PressedVolume& volume, int rays)
     if (const auto met = FindMeeting(volume, ray))
     {
       Press(volume, ray, *met, found);
+    }
+  }
+  return found;
+}
+
+Steps WalkAtRandom(const PressedVolume& pressed, int walks, double stiffest)
+{
+  constexpr int length = 3000;     // ticks at full speed
+  constexpr double usual = 400.0;  // N/m
+  constexpr double release = 0.25; // N
+  constexpr double noLeap = 0.02;  // N, in addition to the hand's step (Documentation/method.md)
+  const double pace = std::min(1.0, usual / std::max(stiffest, 1.0));
+  Steps found;
+  const auto& b = pressed.Box;
+  const double sizes[3] = { b[1] - b[0], b[3] - b[2], b[5] - b[4] };
+  for (int walk = 0; walk < walks; ++walk)
+  {
+    Path tips;
+    for (int tick = 0; tick < length / pace; ++tick)
+    {
+      double x[3];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        // Each of the two oscillations has a speed of at most 0.13 m/s along each axis.
+        const double swing = 0.25 * sizes[axis];
+        const double fast = 130.0 / (pressed.Scale * swing);
+        const double slow = fast * (0.3 + 0.08 * std::fmod(0.618 * (3 * walk + axis), 1.0));
+        x[axis] = b[2 * axis] + 0.5 * sizes[axis] +
+          swing *
+            (std::sin(1e-3 * pace * fast * tick + walk + 2.0 * axis) +
+              std::sin(1e-3 * pace * slow * tick + 1.7 * walk + axis));
+      }
+      tips.push_back(pressed.Scale * Vector3{ x[0], x[1], x[2] });
+    }
+    const Trace trace = Play(*pressed.Model, tips);
+    for (std::size_t i = 1; i < trace.size(); ++i)
+    {
+      const TickRecord& before = trace[i - 1];
+      const TickRecord& now = trace[i];
+      const double step = Norm(now.Force - before.Force);
+      const double own = std::max(before.Stiffness, now.Stiffness) *
+        std::hypot(1.0, std::max(before.Friction, now.Friction)) * Norm(now.Tip - before.Tip);
+      found.Largest = std::max(found.Largest, step);
+      found.Beyond = std::max(found.Beyond, step - std::max(release, own + noLeap));
     }
   }
   return found;

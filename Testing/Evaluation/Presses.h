@@ -3,7 +3,7 @@
 /**
  * @file
  * Straight presses from all sides onto the outer surface of a volume: what the hand meets, and what
- * the eye sees there.
+ * the eye sees there. Random walks through the volume: how much the force changes in a tick.
  */
 #ifndef Evaluation_Presses_h
 #define Evaluation_Presses_h
@@ -39,6 +39,8 @@ struct PressedVolume
   /** The same values without those structures above the level that are not larger than noise. */
   std::shared_ptr<const VolumeHaptics::HapticModel> Structures;
   double Level = 0.0; ///< value of the surface; values inside are larger
+  /** Value of the structures: the least one whose material holds FeltForce. */
+  double StructureLevel = 0.0;
   double Scale = 1.0; ///< mm in the hand's space per world unit
   std::array<double, 6> Box{};
   Vector3 Middle;   ///< point that the rays pass
@@ -75,6 +77,21 @@ struct Presses
  * The press is only that deep and slides off: 0.1 N at 500 N/m take 0.2 mm.
  */
 Presses PressFromAllSides(const PressedVolume& volume, int rays);
+
+/** Changes of the force in a tick (N). */
+struct Steps
+{
+  double Largest = 0.0;
+  double Beyond = 0.0; ///< part that neither a release (0.25 N) nor the hand's own step explains
+};
+
+/**
+ * Walks through the body in random directions at up to 0.45 m/s. At that speed, a spring of 400 N/m
+ * alone changes by 0.18 N per tick. If the volume's stiffest material (N/m) is stiffer, the walks
+ * are slower in proportion: no law keeps the change of a spring below stiffness times the hand's
+ * step, because a force that falls more slowly gives the hand energy.
+ */
+Steps WalkAtRandom(const PressedVolume& pressed, int walks, double stiffest);
 
 /**
  * Returns the direction in which values rise at a place (mm in the hand's space); nothing if they

@@ -24,12 +24,12 @@ namespace
 {
 constexpr double BallRadius = 12.0;
 
-/** Returns a ball of value 100 in 0, with a stiffness (N/m). */
+/** Returns a ball of a value in 0, with a stiffness (N/m). */
 PressedVolume MakeBall(double stiffness, vtkSmartPointer<vtkImageData>& image,
-  double radius = BallRadius, double scale = 1.0)
+  double radius = BallRadius, double scale = 1.0, double value = 100.0)
 {
   image =
-    SampleImage([=](const Vector3& x) { return BlurredStep(radius - Norm(x), 1.0, 100.0); }, 20.0);
+    SampleImage([=](const Vector3& x) { return BlurredStep(radius - Norm(x), 1.0, value); }, 20.0);
   vtkNew<vtkVolumeHapticsFilter> filter;
   filter->SetInputDataObject(0, image);
   filter->SetMetersPerWorldUnit(0.001 * scale);
@@ -41,7 +41,7 @@ PressedVolume MakeBall(double stiffness, vtkSmartPointer<vtkImageData>& image,
   SetConstant(feel->GetDistinctness(), 1.0);
   PressedVolume ball;
   ball.Model = ball.Shape = ball.Structures = filter->GetBaker().Bake(1000.0, {}, nullptr);
-  ball.Level = 50.0;
+  ball.Level = ball.StructureLevel = 50.0;
   ball.Scale = scale;
   ball.Box = { -BallRadius, BallRadius, -BallRadius, BallRadius, -BallRadius, BallRadius };
   ball.Voxel = { 1.0, 1.0, 1.0 };
@@ -73,6 +73,33 @@ TEST(Presses, IsAstrayIfNoStructureIsNear)
     const Presses found = PressFromAllSides(ball, 60);
     EXPECT_EQ(found.Astray, radius < 10.0 ? found.Count : 0);
   }
+}
+
+TEST(Presses, AStructureIsWhatTheMaterialHolds)
+{
+  // A ball that is dimmer than the level of the surface is no structure of that level, but one of
+  // the values that the material holds.
+  vtkSmartPointer<vtkImageData> image;
+  vtkSmartPointer<vtkImageData> dim;
+  PressedVolume ball = MakeBall(1000.0, image);
+  ball.Structures = MakeBall(1000.0, dim, BallRadius, 1.0, 40.0).Shape;
+  const Presses unknown = PressFromAllSides(ball, 60);
+  EXPECT_EQ(unknown.Astray, unknown.Count);
+  ball.StructureLevel = 20.0;
+  EXPECT_EQ(PressFromAllSides(ball, 60).Astray, 0);
+}
+
+TEST(Presses, WalksAreSlowWhereASpringIsStiff)
+{
+  // 0.45 mm a tick at 1000 N/m are 0.45 N, without any leap; at 0.18 mm they are 0.18 N.
+  vtkSmartPointer<vtkImageData> image;
+  const PressedVolume ball = MakeBall(1000.0, image);
+  const Steps fast = WalkAtRandom(ball, 3, 0.0);
+  EXPECT_GT(fast.Largest, 0.25);
+  EXPECT_EQ(fast.Beyond, 0.0);
+  const Steps slow = WalkAtRandom(ball, 3, 1000.0);
+  EXPECT_GT(slow.Largest, 0.1);
+  EXPECT_LT(slow.Largest, 0.25);
 }
 
 TEST(Presses, WhatIsSoftIsUnfelt)
@@ -176,7 +203,7 @@ TEST(Presses, TheHandComesByAllThatTheEyeSees)
   SetConstant(feel->GetDistinctness(), 1.0);
   PressedVolume ball;
   ball.Model = ball.Shape = ball.Structures = filter->GetBaker().Bake(1000.0, {}, nullptr);
-  ball.Level = 50.0;
+  ball.Level = ball.StructureLevel = 50.0;
   ball.Scale = unit;
   ball.Box = { -BallRadius, BallRadius, -BallRadius, BallRadius, -BallRadius, BallRadius };
   ball.Voxel = { 1.0, 1.0, 1.0 };

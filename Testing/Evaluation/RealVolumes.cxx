@@ -269,56 +269,37 @@ Roughness Stroke(const PressedVolume& pressed, const Outline& outline, const Eff
   return Average(strokes);
 }
 
-/** Changes of the force in a tick (N). */
-struct Steps
+/** Returns the stiffness (N/m) of the stiffest material in a range of values. */
+double FindStiffest(const HapticModel& model, const double range[2])
 {
-  double Largest = 0.0;
-  double Beyond = 0.0; ///< part that neither a release (0.25 N) nor the hand's own step explains
-};
+  constexpr int parts = 4096;
+  double stiffest = 0.0;
+  for (int i = 0; i <= parts; ++i)
+  {
+    const double value = range[0] + (range[1] - range[0]) * i / parts;
+    stiffest = std::max(stiffest, model.Baked->Materials(value)[0]);
+  }
+  return stiffest;
+}
 
 /**
- * Walks through the body in random directions at up to 0.45 m/s. At that speed, a spring of 400 N/m
- * alone changes by 0.18 N per tick.
+ * Returns the value from which on materials hold FeltForce, as a value of the outline: an edge that
+ * leads there is a surface, whatever the outline's level is.
  */
-Steps WalkAtRandom(const PressedVolume& pressed, const Effort& effort)
+double FindHoldingLevel(
+  const HapticModel& model, const Outline& outline, const double range[2], bool isBelow)
 {
-  constexpr double release = 0.25; // N
-  constexpr double noLeap = 0.02;  // N, in addition to the hand's step (Documentation/method.md)
-  Steps found;
-  const auto& b = pressed.Box;
-  const double sizes[3] = { b[1] - b[0], b[3] - b[2], b[5] - b[4] };
-  for (int walk = 0; walk < effort.Pick(5, 60); ++walk)
+  constexpr int parts = 4096;
+  for (int i = 0; i <= parts; ++i)
   {
-    Path tips;
-    for (int tick = 0; tick < 3000; ++tick)
+    const double along = (range[1] - range[0]) * i / parts;
+    const double value = isBelow ? range[1] - along : range[0] + along;
+    if (model.Baked->Materials(value)[2] >= FeltForce)
     {
-      double x[3];
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        // Each of the two oscillations has a speed of at most 0.13 m/s along each axis.
-        const double swing = 0.25 * sizes[axis];
-        const double fast = 130.0 / (pressed.Scale * swing);
-        const double slow = fast * (0.3 + 0.08 * std::fmod(0.618 * (3 * walk + axis), 1.0));
-        x[axis] = b[2 * axis] + 0.5 * sizes[axis] +
-          swing *
-            (std::sin(1e-3 * fast * tick + walk + 2.0 * axis) +
-              std::sin(1e-3 * slow * tick + 1.7 * walk + axis));
-      }
-      tips.push_back(pressed.Scale * Vector3{ x[0], x[1], x[2] });
-    }
-    const Trace trace = Play(*pressed.Model, tips);
-    for (std::size_t i = 1; i < trace.size(); ++i)
-    {
-      const TickRecord& before = trace[i - 1];
-      const TickRecord& now = trace[i];
-      const double step = Norm(now.Force - before.Force);
-      const double own = std::max(before.Stiffness, now.Stiffness) *
-        std::hypot(1.0, std::max(before.Friction, now.Friction)) * Norm(now.Tip - before.Tip);
-      found.Largest = std::max(found.Largest, step);
-      found.Beyond = std::max(found.Beyond, step - std::max(release, own + noLeap));
+      return isBelow ? -value : value;
     }
   }
-  return found;
+  return outline.Level;
 }
 
 /**
@@ -362,13 +343,16 @@ std::vector<std::string> MeasureVolume(const std::string& name, const Explore::V
   PressedVolume pressed;
   pressed.Model = filter->GetBaker().Bake(1000.0, {}, nullptr);
   pressed.Shape = BakeShape(outline.Image, values.MetersPerWorldUnit);
+  pressed.Level = outline.Level;
+  pressed.StructureLevel = pressed.Model && !volume.AreLabels
+    ? FindHoldingLevel(*pressed.Model, outline, values.Range, isBelow)
+    : outline.Level;
   pressed.Structures =
-    BakeShape(RemoveSpecks(outline.Image, outline.Level), values.MetersPerWorldUnit);
+    BakeShape(RemoveSpecks(outline.Image, pressed.StructureLevel), values.MetersPerWorldUnit);
   if (!pressed.Model || !pressed.Shape || !pressed.Structures)
   {
     return { name, materials, "can't be touched" };
   }
-  pressed.Level = outline.Level;
   pressed.Scale = 1000.0 * values.MetersPerWorldUnit;
   std::copy_n(values.BodyBounds, 6, pressed.Box.begin());
   pressed.Middle = { values.Centre[0], values.Centre[1], values.Centre[2] };
@@ -388,7 +372,9 @@ std::vector<std::string> MeasureVolume(const std::string& name, const Explore::V
     [](double off) { return std::abs(off) > 2.0; });
   const double felt = std::max<double>(1.0, static_cast<double>(presses.OffSurface.size()));
   const double seconds = std::max(strokes.Duration, 1e-9);
-  const Steps walks = WalkAtRandom(pressed, effort);
+  const int walkCount = effort.Pick(5, 60);
+  const Steps walks = WalkAtRandom(pressed, walkCount, FindStiffest(*pressed.Model, values.Range));
+  const Steps fastWalks = WalkAtRandom(pressed, walkCount, 0.0);
   return { name, materials, std::to_string(presses.Count), std::to_string(presses.Unfelt),
     Number(ComputeMedian(presses.OffSurface)), Number(FindLargest(presses.OffSurface, 0.95)),
     Number(100.0 * static_cast<double>(far) / felt), Number(100.0 * presses.Astray / felt),
@@ -400,7 +386,7 @@ std::vector<std::string> MeasureVolume(const std::string& name, const Explore::V
     Number(FindLargest(inWindow.OffSeenTouched, 0.95)), Number(ComputeMedian(seen)),
     Number(FindLargest(seen, 0.95)), Number(strokes.Mean), Number(strokes.Both),
     Number(strokes.Drops / seconds), Number(strokes.LargestStep), Number(presses.LargestStep),
-    Number(walks.Largest), Number(walks.Beyond) };
+    Number(walks.Largest), Number(fastWalks.Beyond) };
 }
 
 void PrintLine(const std::vector<std::string>& row)
@@ -423,9 +409,11 @@ Table MeasureRealVolumes(const VolumePlaces& places, const Effort& effort)
     "as the kernel smooths it, and from it to half of the opacity along the ray, each the median "
     "and the magnitude that 95 % do not exceed. Felt places are counted that are more than 2 "
     "voxels from this isosurface, and that are from any, of the samples without specks of less "
-    "than 27: structures that the kernel smooths away have one, too. Strokes as above, in planes "
+    "than 27, at the value from which on the preset holds 0.1 N: structures that the kernel "
+    "smooths away have one, too. Strokes as above, in planes "
     "through the middle; along the normal, half of the opacity is by so many voxels behind the "
-    "proxy. Walks are random ways through the body, at up to 0.45 m/s; beyond the bound is what "
+    "proxy. Walks are random ways through the body, at up to 0.45 m/s, and slower where the "
+    "stiffest material has more than 400 N/m, by as much; beyond the bound is what, at 0.45 m/s, "
     "neither 0.25 N, to which releases are bound, nor the hand's own step explains: stiffness "
     "times sqrt(1 + friction^2) times its length, and 0.02 N. For what is seen, what the picture "
     "hides is not felt, as in the explorer's window: what is unfelt there is hidden, or it is seen "
