@@ -143,14 +143,16 @@ allow(Devices/Kinds ${device_basis} Devices/Common Devices/Falcon Devices/Haply 
 # VTK: Base <- Material <- Baking <- Tools, Modes <- Trace <- Regions <- Filter <- Device <- Setup, Measure <- Scene.
 # How numbers are read in any locale.
 set(numbers Core/Math/NumberText.h)
+# Long work beside the GUI thread.
+set(work Core/Realtime/BackgroundWork.h)
 set(samples ${field} Core/Field/Estimates Core/Model)
 allow(VTK/Base ${samples} Core/Realtime Core/Platform)
 allow(VTK/Material/Labels ${numbers} Core/Platform VTK/Base)
-allow(VTK/Material ${samples} Core/Proposal VTK/Base VTK/Material/Labels)
+allow(VTK/Material ${samples} ${work} Core/Proposal VTK/Base VTK/Material/Labels)
 set(baking VTK/Base VTK/Material VTK/Material/Labels)
-allow(VTK/Baking ${samples} ${baking})
+allow(VTK/Baking ${samples} ${work} ${baking})
 list(APPEND baking VTK/Baking)
-allow(VTK/Tools ${samples} Core/State ${each_tool} ${baking})
+allow(VTK/Tools ${samples} ${work} Core/State ${each_tool} ${baking})
 allow(VTK/Modes ${samples} Core/Solvers/Primitives ${baking})
 # Recordings keep the contacts of a tool with a shape.
 set(contacts Core/Tools/PointShell)
@@ -179,7 +181,7 @@ allow(VTK/Scene/Hand ${touched} ${scene})
 allow(VTK/Scene/Volumes ${touched} ${scene})
 allow(VTK/Scene/Display ${touched} ${scene} VTK/Scene/Hand)
 allow(VTK/Scene/Slices ${touched} ${scene} VTK/Scene/Volumes VTK/Scene/Display)
-allow(VTK/Scene/Editor VTK/Base VTK/Material VTK/Material/Labels ${scene})
+allow(VTK/Scene/Editor ${work} VTK/Base VTK/Material VTK/Material/Labels ${scene})
 allow(VTK/Scene/Interaction ${touched} ${scene} VTK/Scene/Frames VTK/Scene/Hand VTK/Scene/Volumes VTK/Scene/Display
   VTK/Scene/Slices VTK/Scene/Editor)
 allow(VTK/Experimental Core/Realtime Devices/Pad VTK/Base VTK/Device ${scene})

@@ -8,7 +8,7 @@
 #define HapticLabels_h
 
 #include "Core/Model/BakedLabels.h"
-#include "VTK/Base/BackgroundWork.h"
+#include "Core/Realtime/BackgroundWork.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"

@@ -9,7 +9,7 @@
 
 #include "Core/Model/HapticModelDescription.h"
 #include "Core/Model/SurfaceMesh.h"
-#include "VTK/Base/BackgroundWork.h"
+#include "Core/Realtime/BackgroundWork.h"
 
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"

@@ -7,7 +7,7 @@
 #ifndef HapticHash_h
 #define HapticHash_h
 
-#include "VTK/Base/BackgroundWork.h"
+#include "Core/Realtime/BackgroundWork.h"
 #include "VTK/Base/TouchedArray.h"
 
 #include <functional>

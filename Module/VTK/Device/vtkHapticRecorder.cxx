@@ -3,7 +3,7 @@
 #include "vtkHapticRecorder.h"
 
 #include "Core/Platform/Files.h"
-#include "VTK/Base/BackgroundWork.h"
+#include "Core/Realtime/BackgroundWork.h"
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/HapticHash.h"
 #include "VTK/Base/TouchedArray.h"

@@ -9,7 +9,7 @@
 #define FunctionSearch_h
 
 #include "Core/Proposal/MaterialProposal.h"
-#include "VTK/Base/BackgroundWork.h"
+#include "Core/Realtime/BackgroundWork.h"
 
 #include "vtkType.h"
 

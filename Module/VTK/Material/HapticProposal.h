@@ -10,7 +10,7 @@
 
 #include "Core/Proposal/EdgeLine.h"
 #include "Core/Proposal/MaterialProposal.h"
-#include "VTK/Base/BackgroundWork.h"
+#include "Core/Realtime/BackgroundWork.h"
 #include "VTK/Base/HapticVolume.h"
 
 #include "vtkImageData.h"

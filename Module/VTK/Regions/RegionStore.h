@@ -8,7 +8,7 @@
 #ifndef RegionStore_h
 #define RegionStore_h
 
-#include "VTK/Base/BackgroundWork.h"
+#include "Core/Realtime/BackgroundWork.h"
 #include "VTK/Regions/CoarseImage.h"
 #include "VTK/Regions/Formats/LargeVolume.h"
 #include "VTK/Regions/RegionPlanner.h"

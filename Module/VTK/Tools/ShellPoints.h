@@ -8,8 +8,8 @@
 #ifndef ShellPoints_h
 #define ShellPoints_h
 
+#include "Core/Realtime/BackgroundWork.h"
 #include "Core/Tools/PointShell/PointShell.h"
-#include "VTK/Base/BackgroundWork.h"
 
 #include "vtkType.h"
 

@@ -19,8 +19,8 @@
 #define ShellSampler_h
 
 #include "Core/Math/Vector3.h"
+#include "Core/Realtime/BackgroundWork.h"
 #include "Core/Tools/PointShell/PointShell.h"
-#include "VTK/Base/BackgroundWork.h"
 
 #include <cstddef>
 #include <string>

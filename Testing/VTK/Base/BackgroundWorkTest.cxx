@@ -6,7 +6,7 @@
  * that have changed.
  */
 
-#include "VTK/Base/BackgroundWork.h"
+#include "Core/Realtime/BackgroundWork.h"
 
 #include "Rigs/Eventually.h"
 

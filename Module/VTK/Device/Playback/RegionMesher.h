@@ -7,8 +7,8 @@
 #ifndef RegionMesher_h
 #define RegionMesher_h
 
+#include "Core/Realtime/BackgroundWork.h"
 #include "VTK/Baking/HapticSurface.h"
-#include "VTK/Base/BackgroundWork.h"
 #include "VTK/Base/TouchedArray.h"
 #include "VTK/Regions/RegionPlanner.h"
 

@@ -8,8 +8,8 @@
 #define TimeStepMesher_h
 
 #include "Core/Model/HapticModelDescription.h"
+#include "Core/Realtime/BackgroundWork.h"
 #include "VTK/Baking/ImageTimeSteps.h"
-#include "VTK/Base/BackgroundWork.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"

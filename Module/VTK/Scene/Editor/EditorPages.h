@@ -7,7 +7,7 @@
 #ifndef EditorPages_h
 #define EditorPages_h
 
-#include "VTK/Base/BackgroundWork.h"
+#include "Core/Realtime/BackgroundWork.h"
 #include "VTK/Material/FunctionSearch.h"
 #include "VTK/Scene/Editor/EditHistory.h"
 #include "VTK/Scene/Editor/HapticFunctionChart.h"

@@ -7,7 +7,7 @@
 #ifndef HapticFunctionChart_h
 #define HapticFunctionChart_h
 
-#include "VTK/Base/BackgroundWork.h"
+#include "Core/Realtime/BackgroundWork.h"
 #include "VTK/Scene/Base/HapticHistogram.h"
 #include "VTK/Scene/Editor/HapticChartBackground.h"
 #include "VTK/Scene/Editor/HapticValueScale.h"

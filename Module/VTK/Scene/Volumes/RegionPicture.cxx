@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/Volumes/RegionPicture.h"
 
+#include "Core/Realtime/BackgroundWork.h"
 #include "VTK/Base/ArrayMemory.h"
-#include "VTK/Base/BackgroundWork.h"
 #include "VTK/Base/HapticVolume.h"
 #include "VTK/Scene/Volumes/CarvedArray.h"
 #include "VTK/Scene/Volumes/CarvedImage.h"
