@@ -175,6 +175,25 @@ def dicom_zip(folder):
     return folder / "series.zip"
 
 
+@case("dicom-two-pixel-spacings", source="two reconstructions with one SeriesInstanceUID", told=("of 2 series",), scale=0.0)
+def two_pixel_spacings(folder):
+    sets = slices(GRID)
+    for data in sets[20:]:
+        data.PixelSpacing = [3.2, 3.0]
+    return save_all(folder, sets)
+
+
+@case("dicom-enhanced-two-pixel-spacings", source="PS3.3 C.7.6.16.2.1: each frame has its own", told=("of 2 series",), scale=0.0)
+def two_pixel_spacings_of_frames(folder):
+    data = enhanced(GRID, range(GRID.size[2]))
+    del data.SharedFunctionalGroupsSequence[0].PixelMeasuresSequence
+    for k, item in enumerate(data.PerFrameFunctionalGroupsSequence):
+        measures = Dataset()
+        measures.PixelSpacing, measures.SliceThickness = ([1.6, 1.5] if k < 20 else [3.2, 3.0]), 1.7
+        item.PixelMeasuresSequence = Sequence([measures])
+    return save(folder, data, "enhanced.dcm")
+
+
 @case("dicom-two-patients", source="two patients with one SeriesInstanceUID, after an anonymiser", told=("of 2 series",))
 def two_patients(folder):
     for number in range(2):
@@ -445,7 +464,26 @@ def number_lost(folder):
     return folder
 
 
+@case("tiff-folder-of-stacks", told=("files of several pages: they are put one behind the other",), scale=0.0,
+      source="a folder with a stack for each time")
+def stacks(folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    for time in range(3):
+        tifffile.imwrite(folder / f"t{time}.tif", UNSIGNED.transpose(2, 1, 0), photometric="minisblack")
+    return folder
+
+
 # Zarr
+
+
+@case("zarr-no-unit", source="OME-NGFF 0.4: the unit may be missing", told=("axes have no unit",))
+def no_unit(folder):
+    path = ngff(folder, "0.4")
+    text = json.loads((path / ".zattrs").read_text())
+    for axis in text["multiscales"][0]["axes"]:
+        del axis["unit"]
+    (path / ".zattrs").write_text(json.dumps(text))
+    return path
 
 
 @case("zarr-big-endian", steps=(1.0, 1.0, 1.0), source="Zarr 2: >i2", told=("voxel|spacing",))

@@ -25,11 +25,19 @@ constexpr int DEEPEST_FOLDER = 8;
 constexpr double SAME_DIRECTION = 0.999; // cosine
 constexpr double SAME_PLACE = 1e-3;      // mm
 
+bool HaveSameSpacing(const DicomHeader& a, const DicomHeader& b)
+{
+  constexpr double rounding = 1e-2;
+  return std::abs(a.Spacing[0] - b.Spacing[0]) <= rounding * a.Spacing[0] &&
+    std::abs(a.Spacing[1] - b.Spacing[1]) <= rounding * a.Spacing[1];
+}
+
 bool IsAlike(const DicomHeader& a, const DicomHeader& b)
 {
   return a.Series == b.Series && a.Patient == b.Patient && a.Width == b.Width &&
     a.Height == b.Height && a.Samples == b.Samples && (a.Frames > 1) == (b.Frames > 1) &&
-    vtkMath::Dot(a.Normal, b.Normal) > SAME_DIRECTION && (!a.IsSegmentation() || a.File == b.File);
+    HaveSameSpacing(a, b) && vtkMath::Dot(a.Normal, b.Normal) > SAME_DIRECTION &&
+    (!a.IsSegmentation() || a.File == b.File);
 }
 
 bool IsSamePlace(const DicomHeader& a, const DicomHeader& b)

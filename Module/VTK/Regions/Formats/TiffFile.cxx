@@ -1078,7 +1078,12 @@ TiffFacts ReadFacts(const std::string& path, int number)
   }
   const bool areElsewhere = !isFolder && !text.Planes.empty();
   const std::size_t others = areElsewhere ? 0 : AddFiles(stack);
-  const std::string gaps = isFolder ? DescribeGaps(stack.Files) : std::string();
+  const bool areStacks =
+    isFolder && stack.Files.size() > 1 && stack.Pages.size() > stack.Files.size();
+  const std::string gaps = areStacks
+    ? "the folder has files of several pages: they are put one behind the other"
+    : isFolder ? DescribeGaps(stack.Files)
+               : std::string();
   facts.Told.Notes.insert(facts.Told.Notes.end(), gaps.empty() ? 0 : 1, gaps);
   if (areElsewhere)
   {

@@ -208,8 +208,12 @@ LargeFile OpenDataset(const std::string& folder, const Json::Value& attributes,
     const double unit = ReadUnit(scales["axes"], rank - 1 - a);
     file.Spacing[a] = axis.Scale * unit;
     file.Origin[a] = axis.Translation * unit;
-    const std::string name = a == 0 ? NameUnit(scales["axes"], rank - 1) : std::string();
-    if (!name.empty() && name != "millimeter")
+    const std::string name = NameUnit(scales["axes"], rank - 1);
+    if (a == 0 && name.empty())
+    {
+      file.Notes.emplace_back("its axes have no unit: lengths are taken for millimetres");
+    }
+    else if (a == 0 && name != "millimeter")
     {
       file.Notes.push_back(MillimetresPerUnit(name) > 0.0
           ? "lengths turned from the unit " + Printable(name) + " into millimetres"
