@@ -190,9 +190,9 @@ bool IsAstray(const PressedVolume& volume, const Vector3& place)
         const Vector3 offset = step * Vector3{ double(i), double(j), double(k) };
         if (Norm(offset) <= FarAstray && field.IsInside(index + offset))
         {
-          const bool isAbove = field.Value(index + offset) >= volume.StructureLevel;
-          isIn = isIn || isAbove;
-          isOut = isOut || !isAbove;
+          const double value = field.Value(index + offset);
+          isIn = isIn || value >= std::min(volume.Level, volume.StructureLevel);
+          isOut = isOut || value < std::max(volume.Level, volume.StructureLevel);
         }
       }
     }

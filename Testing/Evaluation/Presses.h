@@ -39,7 +39,10 @@ struct PressedVolume
   /** The same values without those structures above the level that are not larger than noise. */
   std::shared_ptr<const VolumeHaptics::HapticModel> Structures;
   double Level = 0.0; ///< value of the surface; values inside are larger
-  /** Value of the structures: the least one whose material holds FeltForce. */
+  /**
+   * Least value whose material holds FeltForce. Structures have isosurfaces of all levels between
+   * this value and Level.
+   */
   double StructureLevel = 0.0;
   double Scale = 1.0; ///< mm in the hand's space per world unit
   std::array<double, 6> Box{};

@@ -348,7 +348,8 @@ std::vector<std::string> MeasureVolume(const std::string& name, const Explore::V
     ? FindHoldingLevel(*pressed.Model, outline, values.Range, isBelow)
     : outline.Level;
   pressed.Structures =
-    BakeShape(RemoveSpecks(outline.Image, pressed.StructureLevel), values.MetersPerWorldUnit);
+    BakeShape(RemoveSpecks(outline.Image, std::min(outline.Level, pressed.StructureLevel)),
+      values.MetersPerWorldUnit);
   if (!pressed.Model || !pressed.Shape || !pressed.Structures)
   {
     return { name, materials, "can't be touched" };
@@ -409,7 +410,8 @@ Table MeasureRealVolumes(const VolumePlaces& places, const Effort& effort)
     "as the kernel smooths it, and from it to half of the opacity along the ray, each the median "
     "and the magnitude that 95 % do not exceed. Felt places are counted that are more than 2 "
     "voxels from this isosurface, and that are from any, of the samples without specks of less "
-    "than 27, at the value from which on the preset holds 0.1 N: structures that the kernel "
+    "than 27, at any level between this threshold and the value from which on the preset holds "
+    "0.1 N: structures that the kernel "
     "smooths away have one, too. Strokes as above, in planes "
     "through the middle; along the normal, half of the opacity is by so many voxels behind the "
     "proxy. Walks are random ways through the body, at up to 0.45 m/s, and slower where the "
