@@ -90,7 +90,7 @@ if "$program" "$volume" --size 240 --replay head.csv > "$folder/refused.log" 2>&
 then
   fail "a list of measurements is shown as a recording"
 fi
-grep -q "is no recording of a touch" "$folder/refused.log" || fail "nobody tells what a recording is"
+grep -q "is not a recording of a touch" "$folder/refused.log" || fail "nobody tells what a recording is"
 
 # A window that nothing changes leaves the file alone.
 before=$(stat -c %i head.csv)

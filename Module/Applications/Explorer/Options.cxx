@@ -89,7 +89,7 @@ std::array<double, 2> ParseNewtons(const std::string& text)
   const double second = comma == std::string::npos ? first : ParseNumber(text.substr(comma + 1));
   if (!(std::abs(first) <= MOST_NEWTONS) || !(std::abs(second) <= MOST_NEWTONS))
   {
-    throw InputError("--newtons '" + text + "'", "is no force of a stick",
+    throw InputError("--newtons '" + text + "'", "is not a force in newtons",
       "take -100 to 100, or two such numbers, as in 2.5,0 for a wheel");
   }
   return { first, second };
@@ -113,7 +113,7 @@ int ParseSeries(const std::string& text)
   constexpr double most = 1e6;
   if (!(number >= 1.0) || number > most || number != std::floor(number))
   {
-    throw InputError("--series '" + text + "'", "is not a number of the list of series",
+    throw InputError("--series '" + text + "'", "is not the number of a series",
       "take 1 or more; without --series, the largest is taken and all are listed");
   }
   return static_cast<int>(number);
@@ -144,7 +144,7 @@ void CheckMovieFile(const std::string& name)
   }
   if (!Explore::MovieFile::IsAvailable())
   {
-    throw InputError("--movie", "this program was built with a VTK that writes no movies",
+    throw InputError("--movie", "the VTK of this program can't write movies",
       "build it with a VTK that has the module IOOggTheora, as Debian's has");
   }
 }
@@ -157,7 +157,7 @@ void SetSound(Options& options, const std::string& file)
     if (!IsSoundFile(file))
     {
       throw InputError(
-        "--sound " + file, "is no name of a sound file", "take one that ends in .wav");
+        "--sound " + file, "is not the name of a sound file", "take one that ends in .wav");
     }
     options.SoundFile = file;
     return;
@@ -176,7 +176,7 @@ void SetDevice(Options& options, const std::string& id)
 {
   if (options.HasDevice && !options.Device.SecondId.empty())
   {
-    throw InputError("--device " + id, "is a third one", "name two devices at most, one a hand");
+    throw InputError("--device " + id, "is a third device", "name two devices at most, one a hand");
   }
   if (options.HasDevice && (id == "virtual" || id.compare(0, 7, "replay:") == 0))
   {
@@ -422,7 +422,7 @@ Options ParseOptions(int argc, char* argv[])
   }
   if (!options.Materials.empty() && options.Labels.empty() && !options.AsLabels)
   {
-    throw InputError("--materials " + options.Materials.front(), "has no labels that it is for",
+    throw InputError("--materials " + options.Materials.front(), "has no labels to describe",
       "name the segmentation, as in --labels Liver.seg.nrrd");
   }
   return options;

@@ -109,9 +109,9 @@ int TestExploreShapes(int argc, char* argv[])
   ExpectRecording(head, "points.vtp", Vtp("3", "0 1 99999999", "3", forces), absent);
   ExpectRecording(head, "wide.vtp",
     Vtp("3", "0 1 2", "9", "0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0"),
-    "is no recording");
+    "is not a recording");
   ExpectRecording(
-    head, "huge.vtp", Vtp("900000000000", "0 1 2", "3", forces), "is no recording of a touch (");
+    head, "huge.vtp", Vtp("900000000000", "0 1 2", "3", forces), "is not a recording of a touch (");
 
   // Saving a recording as a table is refused, as a table can't be read again.
   std::string message;

@@ -128,12 +128,11 @@ std::string NameModality(Explore::VolumeKind kind)
 
 std::string ExplainPreset(const std::string& preset, const std::string& modality)
 {
-  return preset == "propose"
-    ? "no preset knows its grey levels, so that its own edges say what is solid"
-    : preset == "histogram" ? "no edges were found to propose from, so that its histogram is used"
-    : modality == "CT"      ? "its values are Hounsfield units"
-    : modality == "labels"  ? "its values are numbers of labels"
-                            : "it was chosen";
+  return preset == "propose" ? "no preset fits its grey levels: what is solid is found by its edges"
+    : preset == "histogram"  ? "no edges were found to propose from, so that its histogram is used"
+    : modality == "CT"       ? "its values are Hounsfield units"
+    : modality == "labels"   ? "its values are numbers of labels"
+                             : "it was chosen";
 }
 
 template <typename Number>
@@ -405,7 +404,7 @@ std::string Inspection::ListFacts() const
        << Wrap("preset", this->Preset + ", because " + this->PresetReason);
   // The sheet has no room for more notes; --inspect lists all of them.
   constexpr std::size_t most = 5;
-  text << (this->Notes.empty() ? "" : "Told of the volume\n");
+  text << (this->Notes.empty() ? "" : "Notes\n");
   for (std::size_t i = 0; i < std::min(most, this->Notes.size()); ++i)
   {
     text << Wrap(std::to_string(i + 1), FirstLine(this->Notes[i]));
@@ -425,6 +424,6 @@ std::string Inspection::ListTold() const
   {
     text += (i > 0 ? "\n" : "") + FirstLine(this->Notes[i]);
   }
-  return this->Notes.size() > most ? text + "\nF1 tells more of the volume" : text;
+  return this->Notes.size() > most ? text + "\nF1 shows more" : text;
 }
 } // namespace Explore

@@ -126,13 +126,14 @@ vtkSmartPointer<vtkPolyData> TouchReplay::ReadFile(const std::string& file)
   if (!times || !isVector("Force") || !isVector("Tip") || times->GetNumberOfTuples() < 2)
   {
     throw InputError("--replay " + file,
-      isThere ? "is no recording of a touch" + (error.empty() ? "" : " (" + error + ")")
+      isThere ? "is not a recording of a touch" + (error.empty() ? "" : " (" + error + ")")
               : "there is no such file",
       "name a .vtp that key F10 or vtkHapticRecorder::Start() has written");
   }
   if (!(times->GetComponent(times->GetNumberOfTuples() - 1, 0) > times->GetComponent(0, 0)))
   {
-    throw InputError("--replay " + file, "has times that do not go on", "record the touch again");
+    throw InputError(
+      "--replay " + file, "has times that do not increase", "record the touch again");
   }
   return trace;
 }

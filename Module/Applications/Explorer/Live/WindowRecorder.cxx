@@ -135,7 +135,7 @@ void WindowRecorder::ReportEnded(bool waits)
     }
     const std::string told = state == MovieFile::State::Written ? "Movie saved to " + ended->Name
       : state == MovieFile::State::Empty
-      ? ended->Name + ": no movie, for nothing was drawn meanwhile"
+      ? ended->Name + ": no movie, because nothing was drawn"
       : ended->Name + ": the movie can't be written. Cure: check the space on the disk";
     std::cout << (state == MovieFile::State::Written ? "Written: " + ended->Name : told)
               << std::endl;
