@@ -34,11 +34,12 @@ struct StageRules
   const char* Name;
   bool Clamp = false;
   bool Slew = false;
-  bool Ramp = false; ///< arms the gate again at random moments of a press
-  bool Fade = false; ///< moves the opening up and down, for data that come and go
-  bool Hold = false; ///< the owner holds and releases
-  bool Gap = false;  ///< samples are missing, the loop stands still
-  bool Trip = false; ///< faults, disarming, fades, the clutch; arms again later
+  bool Ramp = false;  ///< arms the gate again at random moments of a press
+  bool Fade = false;  ///< moves the opening up and down, for data that come and go
+  bool Hold = false;  ///< the owner holds and releases
+  bool Gap = false;   ///< samples are missing, the loop stands still
+  bool Trip = false;  ///< faults, disarming, fades, the clutch; arms again later
+  bool Speed = false; ///< limits the speed of the tip; arms again after each trip
 };
 
 inline constexpr StageRules AllStageRules[] = {
@@ -51,6 +52,7 @@ inline constexpr StageRules AllStageRules[] = {
   { "Hold", false, false, false, false, true },
   { "Gap", false, false, false, false, false, true },
   { "Trip", false, false, false, false, false, false, true },
+  { "Speed", false, false, false, false, false, false, false, true },
   { "All", true, true, true, true, true, true, true },
 };
 
@@ -66,6 +68,7 @@ public:
   {
     this->Limits.MaximumForce = rules.Clamp ? this->Draw(1.0, 6.0) : 1e6;
     this->Limits.MaximumForceRate = rules.Slew ? std::pow(10.0, this->Draw(1.0, 3.0)) : 1e9;
+    this->Limits.MaximumSpeed = rules.Speed ? std::pow(10.0, this->Draw(-1.5, 0.0)) : 0.0;
     this->Limits.RampTime = rules.Ramp ? this->Draw(0.02, 0.5) : 0.0;
     this->Stiffness = std::pow(10.0, this->Draw(2.0, 3.5));
     this->IsSphere = this->Draw(0.0, 1.0) < 0.5;
@@ -180,7 +183,7 @@ private:
   void Trouble()
   {
     VolumeHaptics::ForceGate& gate = this->Stage.Gate;
-    if (this->Active.Ramp && this->MayArm() && this->Happens(20.0))
+    if ((this->Active.Ramp || this->Active.Speed) && this->MayArm() && this->Happens(20.0))
     {
       this->Stage.Arm();
     }
