@@ -52,12 +52,12 @@ removed = arrays["RemovedVolume"].sum()
 assert expected > 0.5, expected
 assert abs(removed - expected) < 0.02 * expected, (removed, expected)
 
-# Paths begin with what a hand has left; without one there is nothing to bring back.
+# Paths start with the tissue that a live hand has left. No hand has removed any here, so these commands change nothing.
 for command in ("UndoRemoval", "RedoRemoval", "RestoreTissue"):
     touch.InvokeCommand(command)
     assert rig.arrays_of(touch)["RemovedVolume"].sum() == removed, command
 
-# Harder tissue above 500, of which all is.
+# Above 500, tissue is ten times as hard. All values here are above 500.
 touch.BurrSpecificEnergy = f"0 {ENERGY}, 500 {10 * ENERGY}, 2000 {10 * ENERGY}"
 assert rig.arrays_of(touch)["RemovedVolume"].sum() < 0.3 * removed
 touch.BurrSpecificEnergy = "hard"

@@ -30,7 +30,7 @@ def touch(**inputs):
 head = rig.read("Head.vti")
 line = rig.HapticPath(Point1=[0, 0, 115], Point2=[0, 0, 98])
 
-# Applied without a path: empty, and no error; with one and without it again.
+# Applied without a path, the output is empty without an error; then with a path, and without it again.
 haptics = touch(Input=head)
 rig.expect(haptics)
 assert haptics.GetDataInformation().GetNumberOfPoints() == 0
@@ -41,7 +41,7 @@ haptics.Path = None
 rig.expect(haptics)
 assert haptics.GetDataInformation().GetNumberOfPoints() == 0
 
-# A path that is no polygonal data is not in the list that the panel offers.
+# The panel's list offers no path that is not polygonal data.
 chooser = haptics.SMProxy.GetProperty("Path")
 chooser.SetUncheckedInputConnection(0, line.SMProxy, 0)
 assert chooser.IsInDomains(), "a line is no path"
@@ -66,7 +66,7 @@ rig.expect(rig.HapticPath(Point1=[1, 2, 3], Point2=[1, 2, 3]), "Point1 and Point
 rig.expect(rig.HapticPath(Shape="From file", FileName="nowhere.vtp"), "nowhere.vtp", "does not exist")
 rig.expect(rig.HapticPath(Shape="Spiral", Radius=-1.0), "Radius", "more than 0")
 
-# And what is right still works.
+# After the errors, a correct path still works.
 haptics.Path = line
 rig.expect(haptics)
 assert haptics.GetDataInformation().GetNumberOfPoints() == 171

@@ -33,7 +33,7 @@ for shape, (first, last) in ends.items():
     assert steps.max() <= 0.1 * (1 + 1e-9), f"{shape}: {steps.max()}"
     assert (numpy.diff(arrays["Time"]) > 0).all(), shape
 
-# A table of ParaView's own, and a trace that is felt again.
+# Save the path as .csv with ParaView, and read it again.
 table = os.path.join(rig.OUTPUT, "path.csv")
 path.Shape = "Line"
 path.Point1, path.Point2 = [0, 0, 115], [0, 0, 98]
@@ -47,7 +47,7 @@ haptics.Path = path
 felt = rig.arrays_of(haptics)
 assert numpy.linalg.norm(felt["Force"], axis=1).max() > 0.1
 
-# One row a tick, with all the arrays, against the time.
+# The plot has one row for each tick, with all arrays, against the time.
 plot = simple.PlotData(Input=haptics)
 plot.UpdatePipeline()
 assert plot.GetDataInformation().GetNumberOfPoints() == len(felt["Time"])

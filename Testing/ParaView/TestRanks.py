@@ -38,7 +38,7 @@ for name, settings in (("Wavelet", {"Scalars": ["POINTS", "RTData"], "IsoValue":
     haptics.ProxyRadius, haptics.ForceShading = 1.0, 0
     compare(haptics, name, "SurfaceProxy")
 
-# A source that makes its piece of the image on each rank, and one of the paths.
+# A source that makes its piece of the image on each rank, and a source of a path.
 wavelet = simple.Wavelet()
 simple.SetActiveSource(wavelet)
 path = rig.HapticPath(Shape="Circle", Radius=8.0)
@@ -48,7 +48,8 @@ if rig.is_first_rank():
     assert len(ticks["Force"]) == 1509, len(ticks["Force"])
     assert numpy.linalg.norm(ticks["Force"], axis=1).max() > 0.1
 
-# Only the first rank shows a view in which a device can be; what the others are told to do without it was done above.
+# Only the first rank shows a view that can hold a device. The other ranks get an error, whose cure (feel a path) was
+# tried above.
 device, view = rig.HapticDevice(Touch=haptics), simple.CreateRenderView()
 log, console = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
 vtkOutputWindow.SetInstance(log)

@@ -16,7 +16,7 @@ def build():
     volume = rig.read("Head.vti")
     simple.SetActiveSource(volume)
     touch = rig.VolumeHaptics(registrationName="touch", Input=volume, Path=path, KernelRadius=3)
-    # The work of the panel's button Apply, for the trace.
+    # Record in the trace what the panel's button Apply does.
     applied = [smtrace.PropertiesModified(proxy.SMProxy) for proxy in (path, touch)]
     path.BoxCorner, path.BoxSize = [-30, -5, 0], [30, 10, 105]
     touch.Scalars = ["POINTS", "HU"]

@@ -87,8 +87,8 @@ for data in (flow, cells, grouped, block(vtkRectilinearGrid), block(vtkStructure
     data.UpdatePipeline()
     feel_across(data, 3.0)
 
-# A case of OpenFOAM, whose flow is there at its second time step: a row of cells. They are so thin that samples, as
-# far apart as a cell is wide on average, are 1.5 apart.
+# Write a case of OpenFOAM whose flow exists at its second time step: a row of cells. The cells are so thin that the
+# samples, as far apart as a cell is wide on average, are 1.5 apart.
 case = write_foam(pathlib.Path(rig.OUTPUT) / "case", (20.0, 6.0, 12.0), numpy.tile([3.0, 0.0, 0.0], (850, 1)))
 reader = simple.OpenFOAMReader(FileName=str(case))
 reader.UpdatePipeline(10.0)

@@ -62,7 +62,7 @@ check()
     echo "$2 is no build of the plugin. Cure: cmake --preset paraview -DParaView_DIR=..., and cmake --build" >&2
     exit 2
   fi
-  # What is made for the plugin itself, then headers of others, whose own faults are not counted.
+  # First the headers that are made for the plugin, then headers of others, whose own faults are not counted.
   local options=(-std=c++17 -fPIC -fsyntax-only -Werror=deprecated -Werror=deprecated-declarations -DVTK_LEGACY_REMOVE
     "-I$build/settings" "-I$build/Module/VTK" "-I$root/Module")
   for folder in "$root"/Plugin/*/ "$root"/Plugin/Live/Regions/; do

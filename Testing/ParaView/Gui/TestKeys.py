@@ -101,7 +101,7 @@ def removal(view, device, link):
     """The panel's buttons take strokes of a burr back and do them again, to the last bit of what is left of the tissue."""
     touch = device.Touch
     touch.Tool, touch.BurrRadius, touch.BurrSpecificEnergy = "Burr", 8.0, "0.02"
-    # In the air before the face: its trace has what the hand has left.
+    # The line lies in the air before the face. Its trace holds the tissue's state that the hand has left.
     line = simple.Line(Point1=[-25, -140, 45], Point2=[-25, -139, 45], Resolution=1)
     touch.Path = line
     interactor = view.GetInteractor()

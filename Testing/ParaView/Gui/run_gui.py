@@ -42,7 +42,7 @@ def main():
         skip("there is no display for paraview to open a window on. Run ctest under xvfb-run.")
     shutil.rmtree(OUTPUT, ignore_errors=True)
     os.makedirs(OUTPUT)
-    # Settings of a user of this computer are neither read nor written.
+    # The settings of this computer's user must be neither read nor written.
     with tempfile.TemporaryDirectory() as home:
         environment = dict(os.environ, HOME=home, XDG_CONFIG_HOME=home, XDG_RUNTIME_DIR=home, QT_QPA_PLATFORM="xcb",
                            GUI_SESSION=os.path.join(HERE, "session.py"), GUI_VOLUME=VOLUME,

@@ -109,7 +109,7 @@ class Session:
         with open(os.path.join(OUTPUT, "saved.json"), encoding="utf-8") as file:
             preset = json.load(file)
         assert preset["Tissues"]["fat"] == [-150, -80], preset["Tissues"]
-        # Bone, as the table of Documentation/materials.md has it: its strength from 350 HU on.
+        # Bone as in the table of Documentation/materials.md: its strength begins at 350 HU.
         assert [350, 12] in [node[:2] for node in preset["SurfaceStrength"]["Nodes"]]
         preset["SurfaceStrength"]["Nodes"][-1][1] = 10  # at 3071 HU
         with open(os.path.join(OUTPUT, "saved.json"), "w", encoding="utf-8") as file:
@@ -120,7 +120,7 @@ class Session:
         assert touch.Preset == "Custom" and touch.Method == "Proxy"
         strongest = touch.SurfaceStrength.Points[-3] * touch.SurfaceStrengthScale
         assert touch.SurfaceStrength.Points[-4] == 3071 and abs(strongest - 10) < 1e-9, touch.SurfaceStrength.Points
-        # The next step presses the button that shows it again.
+        # Show only the outline. The next step presses the button that shows the volume again.
         shown = simple.GetDisplayProperties(simple.FindSource("HeadPhantom.vti"), simple.GetActiveView())
         shown.SetRepresentationType("Outline")
         simple.Render()
@@ -136,7 +136,8 @@ class Session:
         opacity = simple.GetOpacityTransferFunction("HU").Points
         assert opacity[0] == -1024 and opacity[1] == 0, "air is clear"
         assert opacity[-4] == 3000 and opacity[-3] == 0.998, "bone is not"
-        # As in the explorer: four voxels of what the hand meets let 1 - 0.998 of the light through.
+        # As in the explorer, four voxels of the first tissue that the hand meets let the fraction 1 - 0.998 of the
+        # light through.
         skin = [opacity[i + 1] for i in range(0, len(opacity), 4) if opacity[i] == -300]
         bounds, extent = head.GetDataInformation().GetBounds(), head.GetDataInformation().GetExtent()
         voxel = min((bounds[2 * a + 1] - bounds[2 * a]) / (extent[2 * a + 1] - extent[2 * a]) for a in range(3))
@@ -181,7 +182,7 @@ class Session:
         tip = self.tip()
         way = sum((a - b) ** 2 for a, b in zip(tip, self.start)) ** 0.5
         assert way > 5, f"the mouse led the tip by {way} mm only"
-        # If the machine stood still meanwhile, force was cut off, as it must be: once more from outside.
+        # If the machine stalled, the force was cut off, as it must be. Then approach again from outside.
         for _ in range(5):
             if self.force(device) > 0.5:
                 return
@@ -243,13 +244,14 @@ class Session:
     def keys(self):
         """None of the view's is one of the main window's, of its actions and shortcuts, whether or not they are enabled."""
         window = self.main_window()
-        # Which are in QtGui since Qt 6.
+        # Qt 6 moved QAction and QShortcut from QtWidgets to QtGui.
         actions, shortcuts = (getattr(QtGui, name, None) or getattr(QtWidgets, name) for name in ("QAction", "QShortcut"))
         theirs = {key.toString() for action in window.findChildren(actions) for key in action.shortcuts()}
         theirs |= {shortcut.key().toString() for shortcut in window.findChildren(shortcuts)}
-        # Those that are known of ParaView 5.11 to 6.1: pqStandardViewFrameActionsImplementation.cxx.
+        # Keys that ParaView 5.11 to 6.1 uses: pqStandardViewFrameActionsImplementation.cxx.
         assert {"S", "D", "F", "G", "B", "+", "-", "Esc", "F1"} <= theirs, theirs
-        # Qt writes letters large, which are small without Shift; X11 has names. Escape lets go, whoever else has it.
+        # Qt writes letters as capitals, even without Shift; X11 has names for other keys. Escape always ends the touch,
+        # even if ParaView uses it.
         names = {"plus": "+", "minus": "-", "KP_Add": "+", "KP_Subtract": "-", "question": "?", "space": "Space",
                  "comma": ",", "period": ".", "Delete": "Del", "BackSpace": "Backspace", "greater": ">", "less": "<"}
         theirs = {key.lower() if len(key) == 1 else key for key in theirs}

@@ -55,12 +55,12 @@ def lead(name, speed, longest):
 try:
     with live.Server(relay=relay):
         live.load_plugin(remote=True)
-        # 128^3 samples, of which a region has 44^3 at most.
+        # The image has 128^3 samples; a region has 44^3 at most.
         wavelet = simple.Wavelet(WholeExtent=[-64, 63, -64, 63, -64, 63])
         touch = simple.VolumeHaptics(Input=wavelet)
         device = simple.HapticDevice(Touch=touch, MaximumRegionVoxels=44**3)
         live.press(device, [-52, 3, 2], [-50, 3, 2])
-        # A computer that is busy elsewhere makes no slow hand a fast one.
+        # Limit the length of a step, so that a stall of the computer does not make the slow hand leap.
         absent = lead("slow", 20.0, 1.0 if ROUND_TRIP == 0 else 100.0)
         live.check(ROUND_TRIP > 0 or absent == 0.0, "a slow hand always has its data", absent)
         lead("fast", 200.0, 100.0)

@@ -30,7 +30,7 @@ with server:
     began = time.monotonic()
     later("CONT")
     os.killpg(server.process.pid, signal.SIGSTOP)
-    # The client asks the server, and gets no answer until that goes on.
+    # The client asks the server, and waits for the answer until the stopped server continues.
     simple.Wavelet(WholeExtent=[-3, 3, -3, 3, -3, 3]).UpdatePipeline()
     waited = time.monotonic() - began
     device.UpdatePipeline()

@@ -72,7 +72,7 @@ live.check(live.norm(device.Force) == 0.0 or live.poll(device, lambda: live.norm
 device.Running = 0
 live.check("Running" not in device.StatusText or live.poll(device, lambda: device.TickRate == 0), "stopped")
 
-# Of a state, armed and recording, only what is no danger comes back.
+# A state that was saved while the device was armed and recording restores neither; it restores harmless settings only.
 live.press(device, OUTSIDE, INSIDE)
 device.RecordingFile = os.path.join(live.FOLDER, "state.vtp")
 device.Recording = 1
@@ -84,7 +84,7 @@ live.check(not any(" = 1" in line and "." + order + " " in line for line in scri
            "no order in a script")
 values = {p.get("name"): p.findall("Element") for p in ElementTree.parse(state).iter("Property")}
 live.check(values["VirtualTip"] and not any(values.get(order) for order in orders), "no order in a state")
-# A state does not arm either, even if its file says so.
+# A state does not arm the device even if its file sets Armed to 1.
 text = open(state).read()
 tip = text.index('<Property name="VirtualTip"')
 forged = "".join('<Property name="%s" number_of_elements="1"><Element index="0" value="1"/></Property>' % order

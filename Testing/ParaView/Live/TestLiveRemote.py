@@ -16,7 +16,8 @@ HEAD = sys.argv[4]
 
 def touch_head():
     head = simple.XMLImageDataReader(FileName=[HEAD])
-    # A power of two takes tips from the device's space to the world and back to the bit.
+    # With a power of two as the scale, a tip converted from the device's space to the world and back is the same to the
+    # bit.
     return simple.VolumeHaptics(Input=head, Preset="CT contrast", MetersPerWorldUnit=2.0**-10)
 
 
@@ -78,7 +79,7 @@ resident = numpy.array(log["Residency"])
 whole = offline(touch_head(), tips)
 live.check(len(whole) == len(felt), "ticks are complete", len(whole), len(felt))
 first_absent = int(numpy.argmax(resident < 1.0)) if (resident < 1.0).any() else len(resident)
-# After a pause of the loop, as on a busy machine, a new contact begins.
+# After a pause of the loop, as a busy machine causes, a new contact begins.
 pauses = numpy.nonzero(numpy.diff(log["Time (s)"]) > 0.02)[0]
 first_end = min(first_absent, pauses[0] + 1) if len(pauses) else first_absent
 difference = numpy.abs(whole - felt).max(axis=1)

@@ -25,7 +25,7 @@ for i in range(5):
     information.Append(executive.TIME_STEPS(), float(i))
 information.Set(executive.TIME_RANGE(), [0.0, 4.0], 2)
 """
-# All of it is on the last rank.
+# All of the data is on the last rank.
 DATA = """
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk
@@ -79,7 +79,7 @@ def touch():
     keeper = simple.GetTimeKeeper()
     scene.AnimationTime = 0.0
     filter = simple.VolumeHaptics(Input=volume, Scalars=["POINTS", "Wall"], MaterialPlacement=0)
-    # More than the wall needs, which is 1 N at its end: there it would begin to slip.
+    # The strength is above the 1 N that the wall needs at its end, where it would otherwise begin to slip.
     filter.SurfaceStrength.Points = [0.0, 1.5, 0.5, 0.0, 1000.0, 1.5, 0.5, 0.0]
     if MESH:
         filter.Method, filter.IsoValue, filter.ProxyRadius = "Surface proxy", 500.0, RADIUS
@@ -91,7 +91,8 @@ def touch():
         go(scene.GoToNext, time)
     for time in (3.0, 2.0):
         go(scene.GoToPrevious, time)
-    # As it plays, while the hand slides: on a server into other regions, with both of their frames.
+    # Play the animation while the hand slides. On a server, the hand slides into other regions, with both time steps of
+    # each.
     for i, time in enumerate((3.0, 4.0, 3.0, 4.0, 3.0, 4.0)):
         scene.AnimationTime = time
         for j in range(8):
@@ -100,7 +101,7 @@ def touch():
     live.check(live.poll(device, lambda: is_force(4.0) and device.Residency == 1.0), "the force after sliding",
                list(device.ComputedForce), device.StatusText)
     device.Recording = 0
-    # A button that skips steps, and other settings of the pipeline at the same time.
+    # Press a button that skips time steps, and change other settings of the pipeline at the same time.
     scene.GoToFirst()
     live.check(live.poll(device, lambda: is_force(0.0)), "the wall is gone", list(device.ComputedForce))
     volume.Script = DATA.replace("10.0 - time", "14.0")
@@ -161,7 +162,7 @@ def come_back():
 
 def check_steps(forces, resident):
     steps = [abs(b - a) for a, b, r in zip(forces, forces[1:], resident[1:]) if r == 1.0]
-    # The wall goes by a millimetre in 18 ticks at least.
+    # The wall moves by a millimetre in at least 18 ticks.
     strongest, largest = builtins.max(forces), builtins.max(steps)
     live.check(strongest > 0.9 and largest < 0.1, "no step of the force", strongest, largest)
 
@@ -186,7 +187,7 @@ else:
     ticks = servermanager.Fetch(reader).GetPointData()
     forces, times = (vtk_to_numpy(ticks.GetArray(name)) for name in ("Force", "DataTime"))
     wrong = builtins.max(abs(f[2] - expected(t)) for f, t in zip(forces, times))
-    # A blend of two edges that are a voxel apart is off by 0.02 of their width.
+    # Blending two edges that are a voxel apart has an error of 0.02 of their width.
     live.check(wrong < 0.02, "the force is that of where the wall is, in every tick", wrong)
     check_steps(list(forces[:, 2]), [1.0] * len(forces))
     come_back()

@@ -23,7 +23,7 @@ live.poll(second, lambda: live.norm(second.Force) > 0.5)
 live.check(live.distance(second.ComputedForce, alone) < 1e-3, "the same force beside another hand", alone, list(second.ComputedForce))
 live.check(live.distance(first.ProxyPosition, second.ProxyPosition) > 5.0, "two proxies")
 
-# Each has a recording of its own.
+# Each device writes its own recording.
 for device, name in ((first, "first.vtp"), (second, "second.vtp")):
     device.RecordingFile = os.path.join(live.FOLDER, name)
     device.Recording = 1
