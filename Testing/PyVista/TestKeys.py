@@ -67,7 +67,7 @@ def test_no_key_does_two_things(hand):
         assert begin(hand), key
         called.clear()
         hand.press(key)
-        # There is no measurement that could be removed.
+        # Key Delete has no measurement to remove here, so it passes to PyVista.
         assert called == ([] if is_listed(haptics, key) and key != "Delete" else [key]), f"{key}, in the touch"
         hand.press("Escape")
     assert is_alive(hand)  # after each of ours

@@ -25,7 +25,7 @@ def test_nothing_is_felt_before_the_user_touches(window, hands):
 def test_mouse_touches(window, hands, columns):
     hand = hands(columns=columns)
     hand.push(steps=2)  # 4 mm, of which 500 N/m and 2 N hold 4: more goes through
-    # The hand is pushed back, against the line of sight.
+    # The force points back at the viewer, against the line of sight.
     sight = np.array(hand.plotter.camera.direction)
     assert np.dot(hand.device.GetState().GetForce(), sight) < -0.1
     tick = hand.device.GetState().GetTick()

@@ -37,7 +37,7 @@ def test_trace_is_that_of_the_package(head, tip):
 
 
 def test_force_is_that_of_the_spring():
-    # Default: 500 N/m, held by 2 N; 3 mm of stretch are 1.5 N against the hand.
+    # Defaults: 500 N/m, limited to 2 N. A stretch of 3 mm gives 1.5 N against the hand.
     trace = touch(ramp(), PRESS)
     assert abs(trace["Force"][-1] - (0, 0, -1.5)).max() < 1e-3
 

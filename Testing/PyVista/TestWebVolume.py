@@ -56,7 +56,7 @@ def write_nifti(path, frame):
     header[344:348] = b"n+1\0"
     with (gzip.open if path.suffix == ".gz" else open)(path, "wb") as file:
         file.write(bytes(header) + bytes(4) + voxels())
-    # NIfTI's world is right, anterior, superior; that of the volume left, posterior, superior.
+    # NIfTI's world axes point right, anterior, superior; the volume's axes point left, posterior, superior.
     return np.diag([-1, -1, 1]) @ (frame @ (np.array(SPACING) * BRIGHT) + ORIGIN)
 
 

@@ -34,7 +34,7 @@ def test_image_shares_memory(dtype):
     assert np.shares_memory(scalars(volume), array) and scalars(volume).dtype == array.dtype
     array[3, 4, 5] = 99
     assert volume.GetScalarComponentAsDouble(5, 4, 3, 0) == 99.0
-    # And it is felt: with a spring of 500 N/m, 1 mm deep.
+    # The ramp is felt: a spring of 500 N/m, 1 mm deep, gives 0.5 N.
     trace = touch(image(ramp(dtype)), [(5.0, 6.0, 6.0), (5.0, 6.0, 7.0)])
     assert abs(arrays(trace)["Force"][1, 2] + 0.5) < 1e-6
 

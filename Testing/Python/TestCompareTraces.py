@@ -85,7 +85,7 @@ def test_arrays_that_only_one_has(write, baseline):
 
 
 def test_first_difference(write, baseline):
-    # The last bit of one number, then a larger difference later.
+    # A difference in the last bit of one number, and a larger difference later.
     bit = write("bit.vtp", make_trace([(17, 2, 4.5e-16), (30, 0, -0.25)]))
     expect(1, ["first difference in tick 17: Force[2]", "instead of 2.0", "0.25"], bit, baseline)
     expect(1, ["tick 30: Force[0]", "1 value(s)"], bit, baseline, "--tolerance", "1e-9")

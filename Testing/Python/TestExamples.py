@@ -26,7 +26,7 @@ def test_first_touch_is_the_force_of_the_stroke(capsys):
     newtons = float(re.fullmatch(r"(\d\.\d+) N\n", capsys.readouterr().out)[1])
     trace = volumehaptics.touch(examples.phantom(), examples.stroke(), "CT contrast")
     assert abs(newtons - max(math.hypot(*force) for force in arrays.arrays(trace)["Force"])) < 1e-3
-    # It begins and ends in the air.
+    # The stroke begins and ends in the air.
     contact = arrays.arrays(trace)["Contact"]
     assert contact[0] == contact[-1] == 0 and contact.any()
 

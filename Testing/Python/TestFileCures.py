@@ -267,7 +267,7 @@ def recordings(folder):
     left = part.read_bytes()
     assert device.GetRecorder().Stop() and file.stat().st_size > 0
     assert len(left) > 0
-    # One that was left by a program that ended.
+    # Start() warns of a part that a program left when it ended.
     part.write_bytes(left)
     with Errors(device, event="WarningEvent") as warnings:
         assert device.GetRecorder().Start(str(file))

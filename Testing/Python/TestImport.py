@@ -68,7 +68,7 @@ for name in set(globals()) - before - {"before", "volumehaptics"}:
 assert touch is volumehaptics.touch
 assert {"arrays", "examples", "image", "path", "touch", "vtkHapticDevice"} <= set(dir(volumehaptics))
 """
-# As if there is none: importing a module that is None in there fails.
+# Simulates a Python without NumPy: importing a module that is None in sys.modules fails.
 NO_NUMPY = """
 import sys
 sys.modules["numpy"] = None
@@ -83,7 +83,7 @@ except ImportError as error:
 """
 
 
-# As if another VTK is installed over the one that it was compiled with.
+# Simulates another VTK, installed over the version that the package was compiled with.
 OTHER_VTK = """
 from vtkmodules import vtkCommonCore
 class Other(vtkCommonCore.vtkVersion):
