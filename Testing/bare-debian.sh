@@ -75,7 +75,7 @@ if [ ! -f "$tree/etc/made" ]; then
   chmod 440 "$tree/etc/sudoers.d/tester"
   touch "$tree/etc/made"
 fi
-# This computer's way to the network, with the certificates that it trusts.
+# Use this computer's network configuration, and the certificates that it trusts.
 cp --remove-destination /etc/resolv.conf "$tree/etc/resolv.conf"
 cp -r /usr/local/share/ca-certificates "$tree/usr/local/share"
 inside root update-ca-certificates > /dev/null

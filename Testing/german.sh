@@ -31,7 +31,7 @@ run()
   rm -rf "$folder/temporary"
   return $status
 }
-# Each case in a process of its own, as CTest runs them: some change what the process may do.
+# Run each case in its own process, as CTest does: some cases change what their process may do.
 for program in "$@"; do
   cases=$("$program" --gtest_list_tests --gtest_filter="${GTEST_FILTER:-*}" | sed 's/ *#.*//')
   suite=

@@ -62,7 +62,7 @@ check_format()
   list_files .h .cxx | xargs -0 "$tool" --dry-run --Werror
 }
 
-# Code and comments. Help texts in raw strings may be wider.
+# Checks code and comments. Help texts in raw strings may be wider.
 check_columns()
 {
   list_files .h .cxx | xargs -0 awk '
@@ -96,13 +96,13 @@ check_documents()
   Testing/Package/documents.py
 }
 
-# No text of the programs has a phrase that software doesn't say.
+# Checks that no text of the programs has a phrase that software does not use.
 check_texts()
 {
   Testing/Package/strings.py --check
 }
 
-# The site of the documentation is built without a warning.
+# Checks that the documentation's site is built without a warning.
 check_site()
 {
   local status=0
@@ -154,7 +154,7 @@ check_analyze()
 
 failed=()
 for check in "${@:-format columns spelling python shell documents texts site tidy analyze}"; do
-  # One word each, if they are the default.
+  # The default is one argument with all names; split it into words.
   for name in $check; do
     echo "== Checking: $name"
     "check_$name" || failed+=("$name")

@@ -238,7 +238,7 @@ configure release "$build_dir" -DVolumeHaptics_WHEEL_FOLDER="$wheel_dir" \
 finish lint
 cmake --build "$build_dir" -j "$jobs"
 build_seconds=$((SECONDS - build_seconds))
-# Those with a device in real time have the machine for themselves. What fails is told at the end, too.
+# Tests with a device in real time run alone. Their failures are printed at the end, too.
 echo "== Tests with devices"
 status=0
 run_tests "$build_dir" "$((3 * jobs))" -L '^device$' -LE "^($left_out_of_device)\$" || status=$?
@@ -329,7 +329,7 @@ still_fits()
 }
 
 # usage: test_sanitized
-# The tests with the sanitizers, whose builds are under way.
+# Runs the tests with the sanitizers, whose builds are under way.
 test_sanitized()
 {
   finish sanitize
@@ -349,7 +349,7 @@ test_sanitized()
       -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Base|Device|Filter[.]FilterPaths|Regions|Scene|Setup)[.])' ||
       status=$?
   else
-    # No more than there are processors: a loop that is made to wait for long repeats what it tests.
+    # Run at most as many tests as there are processors: a loop that is made to wait for long repeats what it tests.
     run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.]Core[.]Servo' -E "$slow_loops" || status=$?
   fi
   unset TSAN_OPTIONS VTK_SMP_BACKEND_IN_USE

@@ -24,7 +24,7 @@ settings=(-G Ninja "-DCMAKE_TOOLCHAIN_FILE=$root/CMake/windows/mingw.cmake" "-DV
   -DCMAKE_BUILD_TYPE=Release '-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG')
 wine=$(command -v wine64 || command -v wine64-stable || echo /usr/lib/wine/wine64)
 export WINEPREFIX=$folder/wine WINEDEBUG=-all TEST_TMPDIR=$folder
-# Programs find the libraries of the compiler there.
+# Wine finds the compiler's libraries in these folders.
 gcc=$(dirname "$(x86_64-w64-mingw32-g++-posix -print-file-name=libstdc++-6.dll)")
 WINEPATH="Z:$gcc;Z:/usr/x86_64-w64-mingw32/lib;Z:$build/bin"
 export WINEPATH=${WINEPATH//\//\\}
@@ -41,7 +41,7 @@ ln -sfn /usr/include/nlohmann "$prefix/include/nlohmann"
 cmake -S "$root" -B "$build" "${settings[@]}" -DVolumeHaptics_USE_VTK=OFF -DCMAKE_UNITY_BUILD=ON -DBUILD_TESTING=ON
 cmake --build "$build"
 
-# The files of tests that can't run there: PATTERN in Testing, and why.
+# Lists the files of tests that can't run under Wine: PATTERN in Testing, and the reason.
 reasons=(
   'Core/Realtime/RealtimeKit|RealtimeKit is a service of Linux'
   'Core/Realtime/WatchedSleep|only Linux lets a thread wake another one on its own processor'

@@ -50,11 +50,11 @@ TEST(Fuzz, RandomLabelsAreTouched)
   {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
-    // 768 bytes are a palette.
+    // A file of 768 bytes is a palette.
     std::vector<std::uint8_t> bytes(seed % 10 == 0 ? 768 : random() % 800);
     for (std::uint8_t& byte : bytes)
     {
-      // Texts, too.
+      // Half of the files are made of characters of texts.
       byte = static_cast<std::uint8_t>(
         seed % 2 == 0 ? random() : "0123 ,;\"#\n\r:=_aN.-"[random() % 19]);
     }

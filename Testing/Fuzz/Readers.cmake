@@ -28,7 +28,7 @@ endforeach ()
 if (TARGET volumehaptics-read) # loads the module, and so has to have the sanitizers that the module needs
   target_compile_options(volumehaptics-read PRIVATE ${sanitizers})
   target_link_options(volumehaptics-read PRIVATE ${sanitizers})
-  # What limits its memory is not instrumented, and sanitizers map terabytes.
+  # The code that limits the memory is not instrumented. It must be told of the sanitizers, which map terabytes.
   target_compile_definitions(VolumeHapticsPlatform PRIVATE VOLUME_HAPTICS_SANITIZED)
 endif ()
 if (TARGET volumehaptics-dicom) # the process in which GDCM reads, which is not instrumented

@@ -82,12 +82,12 @@ void Deal(Dealer& dealer, Scene& scene)
   scene.Samples.resize(count * size);
   if (dealer.Choose(2))
   {
-    // Raw bytes: any number that the type has.
+    // Raw bytes give any number that the type has.
     dealer.Fill(scene.Samples.data(), scene.Samples.size() / 2);
   }
   else
   {
-    // Something that is like a volume: few bytes, and a pattern of them.
+    // Fills the samples with a pattern of few bytes, similar to a volume.
     const std::uint8_t seed = dealer.Byte();
     for (std::size_t i = 0; i < scene.Samples.size(); i += size)
     {
@@ -113,7 +113,7 @@ void DealTimeSteps(Dealer& dealer, Scene& scene)
   }
   if (dealer.Choose(2) == 1)
   {
-    // Numbers of all sizes, and what is no number.
+    // Displacements of all sizes, and values that are not numbers.
     const std::int64_t* const n = d.View.Dimensions;
     scene.Displacements.resize(static_cast<std::size_t>(3 * n[0] * n[1] * n[2]));
     dealer.Fill(reinterpret_cast<char*>(scene.Displacements.data()),
@@ -221,7 +221,7 @@ void DealLabels(Dealer& dealer, Scene& scene)
 
 Vector3 DealTip(Dealer& dealer, const Vector3& before)
 {
-  // A hand that is a hundred metres away is odd enough; numbers beyond are refused.
+  // A hand a hundred metres away is odd enough; larger numbers are refused.
   constexpr double oddities[] = { HUGE_VAL, 1e300, 100.0, -100.0 };
   switch (dealer.Choose(16))
   {
@@ -269,13 +269,13 @@ void TouchAnything(const std::uint8_t* bytes, std::size_t size)
     Tick(model, stored, next, again);
     Check(IsFinite(record.Force) && IsFinite(record.Proxy), "force and proxy are finite");
     Check(Norm(record.Force - again.Force) == 0.0, "a stored state goes on the same");
-    // If the tip was far away, rounding is large, too.
+    // If the tip is far away, rounding errors are large, too.
     constexpr double far = 1e-9;
     const bool isLocal = model.Baked->Settings.Method == HapticMethod::LocalSurface;
     const double bound = isLocal
       ? std::hypot(record.NormalForce, record.FrictionForce)
       : record.SurfaceStrength * std::hypot(1.0, record.Friction) + record.Viscosity;
-    // After a leap, a part of the force before it is felt as well.
+    // After a leap, a part of the earlier force is felt as well.
     const double whole = bound + Norm(state.Release.Force);
     Check(Norm(record.Force) <= whole * (1.0 + Rounding) + far, "the material holds the force");
     tip = IsFinite(next) && Norm(next) < 1.0 ? next : tip;

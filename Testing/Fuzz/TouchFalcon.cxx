@@ -161,7 +161,8 @@ void Answer(Dealer& dealer, FalconLoader& loader, const std::vector<std::uint8_t
       answer = DealBytes(dealer);
       break;
   }
-  // A device that says nothing for ever would keep the dialogue from its end.
+  // Send a timeout for an empty answer: a device that never answers would keep the dialogue from
+  // ending.
   answer.empty() ? loader.TimeOut() : loader.Receive(answer.data(), answer.size());
 }
 

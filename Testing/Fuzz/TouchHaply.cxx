@@ -72,7 +72,7 @@ void ReceiveText(const std::string& text)
       {
         HaplyMessage ignored;
         const HaplyAddress address{ { 3, minor }, arm.Family, arm.Id };
-        // An arm that the service tells can be asked for a state, whatever its name.
+        // Any arm that the service lists can be asked for its state, whatever its name.
         Check(ReadHaplyMessage(WriteHaplyGreeting(address), ignored) == nullptr &&
             ReadHaplyMessage(WriteHaplyForce(address, { 0.5, -1.0, 2.0 }), ignored) == nullptr &&
             ignored.Arms.size() == 1,

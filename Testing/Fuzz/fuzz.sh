@@ -24,7 +24,7 @@ mapfile -t plain < <(find "$root/Testing/Fuzz" -name 'Touch*.h' -not -name Touch
   sed 's/\.h$//' | sort)
 targets=("${plain[@]}" "${readers[@]}")
 
-# All at once. What each found, and that one failed, is told at the end.
+# Run all targets at once. At the end, print what each found, and whether one failed.
 if [ "$step" = search ]; then
   processes=()
   for target in "${targets[@]}"; do
@@ -56,11 +56,11 @@ require_packages "libclang-rt-$(clang -dumpversion | cut -d. -f1)-dev"
 mkdir -p "$build_dir"
 options=(-std=c++17 -g -ffp-contract=off "-fsanitize=fuzzer-no-link,address,undefined"
   -fno-sanitize-recover=all -I"$root/Module")
-# The kernels are many: optimised they take minutes.
+# There are many kernels, which take minutes to compile with optimisation.
 clang++ "${options[@]}" -O0 -c -o "$build_dir/FieldKernels.o" \
   "$root/Module/Core/Field/Kernels/FieldKernelsBaseline.cxx" &
 objects=()
-# Without what needs a device library or VTK.
+# Compile Core, Devices and the files in labels.txt; leave out sources that need a device library or VTK.
 while read -r source; do
   file=$(basename "$source" .cxx)
   if [[ $file != FieldKernels* ]]; then
@@ -75,7 +75,7 @@ done < <(sed "s|^|$root/Module/VTK/|" "$root/Testing/Fuzz/labels.txt"
   \( -name XrKind.cxx -o -not -name '*Kind.cxx' \) -not -name DeviceRegistry.cxx -not -name ReaderProcess.cxx -not -name 'HaplyService.cxx' -not -name 'Hid[DP]*.cxx' -not -name 'FalconRounds.cxx' -not -name 'FalconSerial.cxx' \
   -not -name VibrationKinds.cxx -not -name VibrationDevice.cxx -not -path '*/Vibration/*Service.cxx')
 "$root/Testing/Data/Formats/formats.sh" "$build_dir" seeds
-# What reads files, by VTK's readers, too.
+# Build the targets that read files, including those that use VTK's readers.
 cmake -S "$root" -B "$build_dir/readers" -G Ninja -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
   -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O0 -DCMAKE_UNITY_BUILD=ON \
   -DBUILD_TESTING=OFF -DVolumeHaptics_WRAP_PYTHON=OFF -DVolumeHaptics_BUILD_TOOLS=OFF -DVolumeHaptics_USE_RENDERING=OFF \
@@ -84,7 +84,7 @@ cmake --build "$build_dir/readers" --target "${readers[@]}" >> "$build_dir/reade
   tail -50 "$build_dir/readers.log"
   exit 1
 }
-# One after the other, so that a failure is seen.
+# Wait for one job after the other, so that a failure is seen.
 for job in $(jobs -p); do
   wait "$job"
 done

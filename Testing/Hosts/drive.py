@@ -28,7 +28,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 STIFFNESS = 0.5  # N/mm
 RADIUS = 30.0  # mm, of program.py
-# With the default kernel a surface is met up to two voxels ahead.
+# With the default kernel, the hand meets a surface up to two voxels ahead.
 AHEAD = 2.5  # mm
 STEP = 1.0  # mm, which a step of the wheel presses: a voxel
 PATIENCE = 60.0  # s, for what has to come; nothing depends on how long it takes
@@ -205,7 +205,7 @@ class Program:
         keys = self.state()["keys"]
         xdotool("key", "t")
         self.wait_state("the touch mode", lambda state: state["touch"])
-        # What is pressed before that feels soft.
+        # The wheel turns before that feel soft.
         self.wait_state("all of the force", lambda state: "100 % of the force" in state["status"])
         for _ in range(12):
             if norm(self.state()["force"]) > 0.8:

@@ -90,7 +90,7 @@ allow(Core/Model ${field})
 allow(Core/Law ${model})
 allow(Core/State ${model} Core/Law)
 allow(Core/Solvers ${state})
-# A solver must not know another one.
+# A solver must not include another solver.
 foreach (solver IN LISTS each_solver)
   allow(${solver} ${state} Core/Solvers)
 endforeach ()

@@ -62,7 +62,7 @@ holds libvtkvolumehaptics-dev "$library" 'usr/include/volumehaptics/vtkVolumeHap
 holds volumehaptics-tools usr/bin/volumehaptics-{explore,device,dicom,read,guard} 'usr/lib/[^/]*/volumehaptics/libvolumehaptics-autoload[.]so' \
   usr/share/man/man1/volumehaptics-{explore,device,guard}[.]1[.]gz 'usr/lib/udev/rules[.]d/70-volume-haptics[.]rules'
 
-# Of the three without Python, as an application would have them.
+# Build against the three packages without Python, as an application would.
 lib=$(dirname "$(find "$root/usr/lib" -name "libvtkVolumeHaptics.so.$series")")
 cmake -S "$source_dir/Examples/Cxx" -B "$work/examples" -G Ninja -DCMAKE_PREFIX_PATH="$root/usr" > "$work/configure.log"
 grep -q "^VolumeHaptics_DIR:PATH=$root/" "$work/examples/CMakeCache.txt" || fail "another VolumeHaptics was found"
@@ -76,7 +76,7 @@ esac
 "$root/usr/bin/volumehaptics-explore" --help | grep '^Usage: volumehaptics-explore' > /dev/null ||
   fail "volumehaptics-explore has no help"
 
-# A file that would end the explorer, if volumehaptics-read could not load the library.
+# This file would end the explorer if volumehaptics-read could not load the library.
 refused=$("$root/usr/bin/volumehaptics-explore" "$source_dir/Testing/Data/FarPoint.vtk" --inspect 2>&1 || true)
 grep -q 'its reader ended' <<< "$refused" || fail "volumehaptics-read reads nothing: $refused"
 
@@ -87,7 +87,7 @@ from_python=$(PYTHONPATH=$root/usr/lib/python3/dist-packages LD_LIBRARY_PATH=$li
 echo "Python: $from_python"
 [ "${from_cxx%.*}" = "${from_python%%.*}" ] || fail "C++ and Python disagree"
 
-# What dpkg-shlibdeps and the rules have found.
+# Dependencies that dpkg-shlibdeps and the rules must have found.
 for dependency in 'libvtk9[.][0-9]+' libvtk9-dev "libvtkvolumehaptics$series" python3-vtk9 python3-numpy; do
   grep -qE "(^|, )$dependency( |,|$)" "$work/depends.txt" || fail "no package depends on $dependency"
 done

@@ -37,7 +37,7 @@ umask 022
 get_head_ct "$work/data" > "$work/licence.txt"
 grep -q GPL-2 "$work/licence.txt"
 check
-# One that was unpacked before is put right.
+# A file that was unpacked before gets the right permissions.
 chmod 666 "$work/data/matrix.dat"
 get_head_ct "$work/data" > "$work/licence.txt"
 check

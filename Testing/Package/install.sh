@@ -59,7 +59,7 @@ else
   [[ $from_plugin == *"others may write"* || $from_plugin == *"belongs to another user"* ]] ||
     { echo "the plug-in of the examples is not listed" >&2; exit 1; }
 fi
-# It says what it is for, and that it is not to be started by hand.
+# The guard must say what it is for, and that it is not to be started by hand.
 if "$prefix/bin/volumehaptics-guard" 2>"$work/guard.txt" || ! grep -q 'zero force' "$work/guard.txt"; then
   echo "the guard of devices is not installed" >&2
   exit 1
@@ -67,14 +67,14 @@ fi
 rules=$(find "$prefix" -path '*/udev/rules.d/70-volume-haptics.rules')
 [ -n "$rules" ] || { echo "the udev rules are not installed" >&2; exit 1; }
 
-# A program that had found VTK before.
+# Configure a program that has found VTK before this package.
 cmake -S "$source_dir/Testing/Package/Consumer" -B "$work/consumer" -G Ninja \
   -DVolumeHaptics_DIR="$(dirname "$config")" \
   ${sanitize:+-DCMAKE_CXX_FLAGS="-fsanitize=$sanitize"} >"$work/configure-consumer.log"
 cmake --build "$work/consumer" >"$work/build-consumer.log"
 "$work/consumer/consumer"
 
-# The build tree shows as little.
+# The build tree must hide the private folders as well.
 from_build=$(dirname "$(find "$build_dir/lib" -path '*/cmake/*/VolumeHapticsConfig.cmake')")
 cmake -S "$source_dir/Testing/Package/Consumer" -B "$work/build-tree" -G Ninja \
   -DVolumeHaptics_DIR="$from_build" >"$work/configure-build-tree.log"

@@ -35,7 +35,7 @@ refuse()
     echo "$2: accepted"
     exit 1
   fi
-  # CMake breaks lines.
+  # Join lines first, since CMake breaks them.
   tr -s ' \n' ' ' < "$work/$2.log" | grep -F "$1" > /dev/null || { cat "$work/$2.log"; echo "$2: nothing like '$1'"; exit 1; }
 }
 

@@ -52,7 +52,7 @@ protected:
       }));
   }
 
-  /// Qt has one for each process, as the tests have.
+  /// Qt allows one application object in a process, so the tests share it.
   int Count = 1;
   char Name[16] = "WidgetWatch";
   char* Names[2] = { Name, nullptr };

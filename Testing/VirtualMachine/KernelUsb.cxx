@@ -98,7 +98,7 @@ std::string EmulatedUsb::GetNode() const
 void EmulatedUsb::BindDriver(const std::string& name)
 {
   const auto number = [this](const char* file) { return ReadLine(Devices / this->Port / file); };
-  // The kernel's serial drivers take numbers of devices that they do not know.
+  // Make the kernel's serial driver accept the device, whose numbers it does not know.
   const std::string drivers = "/sys/bus/usb-serial/drivers/" + name + "/new_id";
   if (!name.empty())
   {

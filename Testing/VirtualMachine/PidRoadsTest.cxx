@@ -65,7 +65,7 @@ public:
   {
     this->File = open(this->Node.c_str(), O_RDWR);
     std::uint8_t create[] = { 0x11, 1, 0, 0 };
-    // EVIOC's sister: HIDIOCSFEATURE(4), as linux/hidraw.h has it.
+    // HIDIOCSFEATURE(4), as linux/hidraw.h defines it.
     constexpr unsigned long setFeature = _IOC(_IOC_WRITE | _IOC_READ, 'H', 0x06, sizeof(create));
     return this->Send({ 0x0C, 8 }) && this->Send({ 0x0C, 1 }) && this->Send({ 0x0D, 255 }) &&
       ioctl(this->File, setFeature, create) == sizeof(create) &&
@@ -211,7 +211,7 @@ TEST_P(PidRoads, LatencyAndRate)
   }
   std::cout << "\n";
 
-  // Once in a millisecond, and as fast as it goes.
+  // Send once in a millisecond, then as fast as possible.
   for (const int pause : { 1000, 0 })
   {
     const int before = this->Model.CountOutputs();
@@ -266,7 +266,7 @@ TEST_P(PidRoads, DeathOfTheHost)
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
     const auto begin = std::chrono::steady_clock::now();
     kill(child, signal);
-    // By the model's own clock, too, which a slow machine slows down.
+    // Measure also by the model's own clock, which runs slower on a slow machine.
     const int time = this->Model.GetClock();
     EXPECT_TRUE(Eventually([&] { return this->GetPush() == 0.0; }));
     std::cout << (GetParam() ? "evdev" : "hidraw") << ": "

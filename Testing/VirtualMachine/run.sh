@@ -69,8 +69,8 @@ ldd "$program" "$build_dir/bin/volumehaptics-guard" | sed -n 's/.*=> \(\/[^ ]*\)
   while read -r library; do
     install -D "$library" "$files$library"
   done
-# In the order in which they depend on each other.
-# As udev would load them: the older SpaceMice are under the care of hid-logitech.
+# List the modules in the order of their dependencies, as udev would load them: hid-logitech handles the older
+# SpaceMice.
 for module in vhci-hcd usbhid hid-generic hid-logitech evdev joydev ftdi_sio; do
   modprobe -d "$kernel" -S "$version" --show-depends "$module" | sed -n 's/^insmod \([^ ]*\).*/\1/p'
 done | awk '!seen[$0]++' > "$machine/modules"

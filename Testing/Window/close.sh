@@ -75,7 +75,7 @@ fail()
   exit 1
 }
 
-# Something is seen, and it has not changed for a second.
+# Succeeds if the window shows something that has not changed for a second.
 is_drawn()
 {
   local before=$folder/before.png
@@ -102,7 +102,7 @@ touch_volume()
   xdotool mousemove_relative -- -6 2 mousemove_relative -- 3 -2
 }
 
-# If the machine stood still, the force was cut off, as it must be: Escape and t touch anew.
+# If the machine stalled, the force was cut off, as it must be: Escape and t start a new touch.
 tries=0
 feels()
 {

@@ -30,7 +30,7 @@ fail()
   exit 1
 }
 
-# On the forehead: nothing is removed before the button is pressed, or after it was released.
+# The burr presses on the forehead. It removes nothing before the button is pressed, or after it was released.
 cat > drill.txt << END
 0.0  move 0.5 0.6
 0.5  key t

@@ -35,7 +35,7 @@ open()
   child=$!
   wait_for_window "VTK Volume Haptics"
 }
-# Into the forehead, and a point there; three times, if the machine stands still and the force pauses.
+# Presses into the forehead and sets a point there; tries three times, in case the machine stalls and the force pauses.
 press_and_measure()
 {
   local HEIGHT WIDTH

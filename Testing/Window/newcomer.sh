@@ -45,7 +45,7 @@ read_picture()
   OMP_THREAD_LIMIT=1 tesseract "$folder/letters.pgm" - --psm "$1" 2> /dev/null | tr '\n' ' ' > "$folder/read.txt"
 }
 
-# Whether the picture, or the screen, says something like this; the first part in brackets becomes $said.
+# Succeeds if the picture, or the screen, shows text like this. Sets $said to the first part in brackets.
 picture_says()
 {
   read_picture "${2:-11}" "${@:3}"
@@ -70,7 +70,7 @@ expect()
   [[ -z "$pictures" ]] || cp "$folder/screen.png" "$pictures/newcomer-$step.png"
 }
 
-# A key as it is written on the screen.
+# Presses a key, given as it is written on the screen.
 press()
 {
   case $1 in
@@ -94,7 +94,7 @@ expect "says how to go on" says 'mouse to stroke, turn the (wheel) to press'
 expect "says how to let go" says '(Escape) lets go'
 let_go=$said
 
-# One does not know which way the wheel presses, and tries.
+# Tries both directions of the wheel, since a newcomer does not know which one presses.
 feels()
 {
   xdotool click 4
@@ -104,7 +104,7 @@ feels()
 expect "says which force is felt" feels
 says '(Resting on|Sliding over|Pushed through|Force of) [a-z]+' || fail "it does not say what is touched"
 
-# The picture is taken while the hand moves, to and fro.
+# Takes the picture while the hand moves to and fro.
 stroke()
 {
   local i way

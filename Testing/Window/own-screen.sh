@@ -35,7 +35,7 @@ require_programs()
   done
 }
 
-# The script begins anew there.
+# Restarts the script on a screen of its own.
 take_own_screen()
 {
   if [[ -z "${OWN_SCREEN:-}" ]]
@@ -104,7 +104,7 @@ is_there()
   window=$(xdotool search --onlyvisible --name "^$title" | head -n 1)
   [[ -n "$window" ]]
 }
-# Interactors ask for WM_DELETE_WINDOW when they begin to listen.
+# Interactors register WM_DELETE_WINDOW when they begin to listen.
 listens()
 {
   is_there && xprop -id "$window" WM_PROTOCOLS | grep -q WM_DELETE_WINDOW

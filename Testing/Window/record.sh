@@ -76,7 +76,7 @@ assert pictures >= 6 * 20 - 20, "the last second may be missing"
 END
 fi
 
-# They are loaded, one is removed, and the rest is saved.
+# Load the measurements, remove one, and save the rest.
 printf '0.5 key Delete\n1.0 key q\n' > next.txt
 play next.txt
 grep -q "^1,Point 1,Point," head.csv || fail "the point was lost"

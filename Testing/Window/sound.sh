@@ -32,7 +32,7 @@ serves()
   pactl info
 }
 
-# Without a device and without the configuration of the computer.
+# Starts the server without a device, and without the computer's configuration.
 start_server()
 {
   pulseaudio -n --daemonize=no --use-pid-file=no --exit-idle-time=-1 \
@@ -62,7 +62,7 @@ start_program()
   sleep 1
 }
 
-# A key, which goes to the window under the pointer.
+# Presses a key, which goes to the window under the pointer.
 press()
 {
   xdotool key "$1"
@@ -80,7 +80,7 @@ touch_skin()
   done
 }
 
-# For three seconds, along the surface.
+# Slides along the surface for three seconds.
 slide()
 {
   local i

@@ -33,7 +33,7 @@ run()
   "$program" "$volume" --size 240 --tool "$2" --script "$1.txt" > "$folder/$1.log" 2>&1 &
   child=$!
   expect_end
-  # The errors of VTK.
+  # Fail if VTK has reported an error.
   if grep -q "ERR|" "$1.log"
   then
     fail "there are errors with the tool $2"
@@ -60,7 +60,7 @@ grep -q "Written: track-001.vtp" needle.log || fail "its track was not written"
 [[ $(grep -c 'Name="ForbiddenTouches"' track-001.vtp) -eq 1 ]] || fail "its track has no forbidden touches"
 ! cmp -s picture-001.png picture-002.png || fail "nothing of it is seen"
 
-# A tetrahedron, as a file that ends in .stl has it.
+# Writes a facet of a tetrahedron as .stl files have it.
 facet()
 {
   printf 'facet normal 0 0 0\nouter loop\n'

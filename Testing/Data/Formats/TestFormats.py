@@ -32,7 +32,7 @@ except ImportError:  # it was not wrapped: only the explorer is tried
 FILES = Path(os.environ["VOLUMEHAPTICS_FORMATS"])
 EXPLORE = os.environ["VOLUMEHAPTICS_EXPLORE"]
 CASES = json.loads((FILES / "cases.json").read_text())
-# Not right yet. A case that is mended fails here until its line is gone.
+# Cases that still fail. A case that is mended fails here until its line is removed.
 WRONG = set((Path(__file__).parent / "wrong.txt").read_text().split())
 BALLS = 4.0 / 3.0 * np.pi * (20.0**3 + 5.0**3 + 7.0**3)  # mm^3, a little more than the phantom's volume
 
@@ -104,7 +104,7 @@ def test_is_right_or_refused(case, tmp_path):
     said = run.stdout + run.stderr
     if case["refused"]:
         assert run.returncode == 2, said
-        # The file's own name says nothing of the cause.
+        # Remove the file's own name, which says nothing of the cause.
         cause = said.replace(case["path"], "").replace(Path(case["path"]).name, "").replace(case["name"], "")
         assert re.search(case["refused"], cause), said
         assert "Cure:" in said
@@ -232,7 +232,8 @@ def test_lengths_and_sides_are_the_patients_in_the_scene(touch, case):
     slices.SetRenderWindow(window)
     slices.SetPosition(CENTRE)
     window.Render()
-    # As radiologists look: the patient's right at the left, the front or the head at the top; from the left side.
+    # Axes as radiologists see them: the patient's right at the left, the front or the head at the top; and a view from
+    # the left side.
     for number, (right, up, letters) in enumerate((("L", "A", "RLPA"), ("L", "S", "RLIS"), ("P", "S", "APIS"))):
         renderer = slices.GetRenderer(number)
         (x, y), (width, height) = renderer.GetOrigin(), renderer.GetSize()

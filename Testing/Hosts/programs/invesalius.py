@@ -51,7 +51,7 @@ def begin():
     probe.watch_widget(widget)
 
 
-# Its tool, which sets a style of its own.
+# Switch to InVesalius's own tool, which sets its own style.
 change_style = """from invesalius import constants
 from invesalius.pubsub import pub
 pub.sendMessage("Enable style", style=constants.STATE_ZOOM)"""
