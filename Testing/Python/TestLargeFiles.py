@@ -508,6 +508,14 @@ def test_tiff_is_read_in_another_process(tmp_path):
     expect_samples(tmp_path / "a.tif", array)
 
 
+def test_a_pipe_among_slices_is_told(tmp_path):
+    """Nobody writes into it, so that who opens it waits."""
+    for number, page in enumerate(make_array()[:3]):
+        tiff(tmp_path / f"{number}.tif", [page])
+    os.mkfifo(tmp_path / "3.tif")
+    assert "no regular file" in error_of(tmp_path)
+
+
 def test_a_damaged_tiff_ends_nothing(tmp_path):
     chance, path = np.random.default_rng(4), tmp_path / "a.tif"
 
