@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# find_package(VolumeHaptics), from the build tree and from the install tree.
+# Makes find_package(VolumeHaptics) work from the build tree and from the install tree.
 include(CMakePackageConfigHelpers)
 set(package_dir "${CMAKE_BINARY_DIR}/${VolumeHaptics_CMAKE_DESTINATION}")
 configure_package_config_file(
@@ -16,7 +16,8 @@ install(
   DESTINATION "${VolumeHaptics_CMAKE_DESTINATION}"
   COMPONENT   development)
 
-# Where udev looks: not beside the libraries, whose folder may be named after the architecture.
+# The folder in which udev looks for rules. It is not beside the libraries, whose folder may be named after the
+# architecture.
 if (NOT DEFINED VolumeHaptics_UDEV_DESTINATION)
   set(VolumeHaptics_UDEV_DESTINATION lib/udev/rules.d)
 endif ()

@@ -23,7 +23,8 @@ vtk_module_wrap_python(
   ${python_options})
 unset(CMAKE_UNITY_BUILD)
 
-# Beside the wrapped classes: what is written in Python, the head that its examples touch, and type hints.
+# Copy what is written in Python beside the wrapped classes: the package, the head that its examples touch, and type
+# hints.
 get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}" DIRECTORY)
 set(package_source "${root}/Module/Python/volumehaptics")
 set(package "${CMAKE_BINARY_DIR}/${VolumeHaptics_PYTHON_SITE}/volumehaptics")

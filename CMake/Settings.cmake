@@ -15,7 +15,7 @@ set(VolumeHaptics_SETTINGS_FILE "${CMAKE_CURRENT_LIST_DIR}/../Module/VTK/Setting
 # The include folder of the headers that are made: "VTK/Filter/HapticFilterSettings.h" and the others.
 set(VolumeHaptics_SETTINGS_INCLUDE "${PROJECT_BINARY_DIR}/settings")
 
-# The elements of an array as a list, which is empty if there is no such array.
+# Sets `variable` to the elements of an array as a list, which is empty if there is no such array.
 function(_get_array variable json key)
   set(list)
   string(JSON count ERROR_VARIABLE missing LENGTH "${json}" ${key})
@@ -66,7 +66,7 @@ function(_read_file)
 endfunction()
 _read_file()
 
-# The names and texts of the choices of a setting, as two lists.
+# Sets the names and texts of a setting's choices, as two lists.
 function(_get_choices names_variable texts_variable json)
   set(names)
   set(texts)
@@ -121,7 +121,7 @@ macro(_read_setting class name)
   endif ()
 endmacro()
 
-# A C++ string literal.
+# Sets `variable` to the text as a C++ string literal.
 function(_quote variable text)
   string(REPLACE "\\" "\\\\" text "${text}")
   string(REPLACE "\"" "\\\"" text "${text}")
@@ -188,7 +188,7 @@ function(_write_changed file content)
   endif ()
 endfunction()
 
-# The rows of the settings of a class, with their lists.
+# Sets `variable` to the rows of a class's settings, with their lists.
 function(_write_rows variable class)
   get_property(rows GLOBAL PROPERTY "VolumeHaptics_rows_of_${class}")
   get_property(settings GLOBAL PROPERTY "VolumeHaptics_settings_of_${class}")
@@ -284,7 +284,7 @@ function(_get_attribute variable attributes name)
   set(${variable} "${value}" PARENT_SCOPE)
 endfunction()
 
-# ParaView's property for a setting.
+# Sets `variable` to ParaView's property for a setting.
 function(_write_property variable attributes body)
   _get_attribute(class "${attributes}" class)
   _get_attribute(name "${attributes}" name)
@@ -332,7 +332,7 @@ function(_write_property variable attributes body)
     if (minimum MATCHES "^-?[0-9]")
       string(APPEND domain " min=\"${minimum}\"")
     endif ()
-    # A slider goes from one end of a range to the other: of no use for ranges that are larger.
+    # A slider covers a whole range, so it is of no use for larger ranges.
     if (maximum MATCHES "^[0-9.]+$" AND NOT maximum GREATER 1000)
       string(APPEND domain " max=\"${maximum}\"")
     endif ()
@@ -394,7 +394,7 @@ function(volume_haptics_write_properties template file)
   _write_changed("${file}" "${content}${rest}")
 endfunction()
 
-# A range as a reader understands it.
+# Sets `variable` to a range in words for a reader.
 function(_describe_range variable)
   set(text "")
   if (setting_type STREQUAL "choice")
@@ -411,7 +411,7 @@ function(_describe_range variable)
   set(${variable} "${text}" PARENT_SCOPE)
 endfunction()
 
-# The table of the settings of a class.
+# Sets `variable` to the table of a class's settings.
 function(_describe_class variable class)
   set(table "| setting | default | range | |\n| --- | --- | --- | --- |\n")
   get_property(settings GLOBAL PROPERTY "VolumeHaptics_settings_of_${class}")

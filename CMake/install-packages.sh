@@ -54,8 +54,9 @@ require_packages()
   fi
 }
 
-# Runs a command on a screen of its own, off to the side. Left to itself, Xvfb starts anew whenever its
-# last client leaves, and refuses who connects meanwhile: one of some 400 programs run in a row.
+# Runs a command with an X server of its own, so that no window appears on the user's screen. -noreset keeps Xvfb from
+# restarting when its last client leaves. While it restarts it refuses connections, which failed one of about 400
+# programs run in a row.
 with_own_screen()
 {
   xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "$@"

@@ -50,7 +50,7 @@ foreach (external IN ITEMS {externals})
 endforeach ()
 """
 
-# The tools want a newer C library than Debian 12's, so they bring their own, with its loader.
+# These tools need a newer C library than Debian 12 has, so they bring their own, with its loader.
 TOOL = """\
 #!/bin/sh
 here=$(dirname "$(readlink -f "$0")")

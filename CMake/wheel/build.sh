@@ -28,12 +28,12 @@ vtk=$(sed -n 's/^dependencies = .*"vtk==\([0-9.]*\)".*/\1/p' "$root/pyproject.to
 tools=$folder/tools
 rm -rf "$tools" "$folder"/volumehaptics-*.whl "$folder/plain"
 "$python" -m venv "$tools"
-# As in pyproject.toml: of the version that the wheel was last built and tested with.
+# Install the versions that the wheel was last built and tested with, as in pyproject.toml.
 if ! "$tools/bin/pip" install -q --require-hashes -r "$root/CMake/wheel/requirements.txt"; then
   echo "pip reaches no registry of Python packages: no wheel" >&2
   exit 3
 fi
-# The times of all files in the wheel: that of the commit, as far as there is one.
+# All files in the wheel get the time of the commit, if there is one.
 SOURCE_DATE_EPOCH=$(git -C "$root" log -1 --format=%ct 2> /dev/null || stat -c %Y "$root/CMakeLists.txt")
 export SOURCE_DATE_EPOCH
 mkdir -p "$folder/sdk"
