@@ -18,7 +18,8 @@ modules="CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem
   FiltersFlowPaths FiltersGeneral FiltersGeometry FiltersSources IOCore IOEnSight IOGeometry IOImage IOInfovis IOLegacy IOPLY
   IOXML IOXMLParser ImagingCore RenderingCore hdf5 jsoncpp lz4 tiff vtksys"
 if [ "$2" = rendering ]; then
-  modules="$modules ChartsCore CommonComputationalGeometry InteractionStyle IOOggTheora RenderingAnnotation
+  modules="$modules ChartsCore CommonComputationalGeometry ImagingMorphological InteractionStyle InteractionWidgets
+    IOOggTheora RenderingAnnotation
     RenderingContext2D RenderingContextOpenGL2 RenderingFreeType RenderingOpenGL2 RenderingVolume
     RenderingVolumeOpenGL2 TestingRendering glew"
 fi

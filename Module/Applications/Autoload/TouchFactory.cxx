@@ -7,6 +7,7 @@
  */
 #include "Applications/Autoload/InteractorFactory.h"
 
+#include "vtkABI.h"
 #include "vtkCallbackCommand.h"
 #include "vtkHapticProperty.h"
 #include "vtkHapticWidget.h"
@@ -80,4 +81,7 @@ vtkStandardNewMacro(TouchFactory);
 
 } // namespace
 
+// VTK's header declares these functions as functions of CommonCore, which Windows refuses to define here.
+#undef VTK_FACTORY_INTERFACE_EXPORT
+#define VTK_FACTORY_INTERFACE_EXPORT VTK_ABI_EXPORT
 VTK_FACTORY_INTERFACE_IMPLEMENT(TouchFactory)

@@ -86,7 +86,7 @@ std::string FindXrRuntime()
   return "";
 }
 
-std::string WhyNoXr(bool hasModule, const std::string& runtime)
+std::string WhyNoXr(bool hasModule, [[maybe_unused]] const std::string& runtime)
 {
   if (!hasModule)
   {

@@ -6,6 +6,7 @@
 
 #include "vtkActor2D.h"
 #include "vtkAxisActor2D.h"
+#include "vtkCellPicker.h"
 #include "vtkChart.h"
 #include "vtkContextActor.h"
 #include "vtkContextScene.h"
@@ -27,7 +28,6 @@
 // only inline functions of the header are used, since VTK's module of widgets is not linked
 #if __has_include("vtkTexturedButtonRepresentation2D.h")
 #include "vtkBalloonRepresentation.h"
-#include "vtkCellPicker.h"
 #include "vtkTexturedActor2D.h"
 #include "vtkTexturedButtonRepresentation2D.h"
 #define VOLUMEHAPTICS_HAS_BUTTONS
