@@ -8,13 +8,13 @@
 #   Testing/windows.sh FOLDER
 #
 # FOLDER receives what is built. Needs Debian's packages cmake, ninja-build, g++-mingw-w64-x86-64-posix, wine64,
-# googletest, libboost-dev and nlohmann-json3-dev. The mathematics and the devices are built, with their tests; what uses
-# VTK is not.
+# googletest, libboost-dev, nlohmann-json3-dev and pkg-config, and builds libusb and hidapi from Debian's source packages.
+# The mathematics and the devices are built, with their tests; what uses VTK is not.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 case ${1:-} in
-  '' | -h | --help) sed -n '5,12s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
+  '' | -h | --help) sed -n '5,13s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
 esac
 mkdir -p "$1"
 folder=$(cd "$1" && pwd)
@@ -26,13 +26,29 @@ wine=$(command -v wine64 || command -v wine64-stable || echo /usr/lib/wine/wine6
 export WINEPREFIX=$folder/wine WINEDEBUG=-all TEST_TMPDIR=$folder
 # Wine finds the compiler's libraries in these folders.
 gcc=$(dirname "$(x86_64-w64-mingw32-g++-posix -print-file-name=libstdc++-6.dll)")
-WINEPATH="Z:$gcc;Z:/usr/x86_64-w64-mingw32/lib;Z:$build/bin"
+WINEPATH="Z:$gcc;Z:/usr/x86_64-w64-mingw32/lib;Z:$prefix/bin;Z:$build/bin"
 export WINEPATH=${WINEPATH//\//\\}
 
 if [ ! -e "$prefix/lib/libgtest.a" ]; then
   cmake -S /usr/src/googletest -B "$folder/googletest" "${settings[@]}" -DBUILD_GMOCK=OFF \
     "-DCMAKE_INSTALL_PREFIX=$prefix" -DCMAKE_INSTALL_LIBDIR=lib
   cmake --build "$folder/googletest" --target install
+fi
+# The libraries for USB and HID devices.
+if [ ! -e "$prefix/lib/pkgconfig/libusb-1.0.pc" ]; then
+  [ -d "$folder/libusb/source" ] || "$root/CMake/windows/source.sh" libusb-1.0 "$folder/libusb"
+  mkdir -p "$folder/libusb/build"
+  cd "$folder/libusb/build"
+  ../source/configure -q --host=x86_64-w64-mingw32 CC=x86_64-w64-mingw32-gcc-posix --disable-static "--prefix=$prefix"
+  make -s
+  make -s install
+  cd "$OLDPWD"
+fi
+if [ ! -e "$prefix/lib/pkgconfig/hidapi.pc" ]; then
+  [ -d "$folder/hidapi/source" ] || "$root/CMake/windows/source.sh" hidapi "$folder/hidapi"
+  cmake -S "$folder/hidapi/source" -B "$folder/hidapi/build" "${settings[@]}" "-DCMAKE_INSTALL_PREFIX=$prefix" \
+    -DCMAKE_INSTALL_LIBDIR=lib
+  cmake --build "$folder/hidapi/build" --target install
 fi
 # Libraries of headers alone are those of the system, of which MinGW must see no others.
 mkdir -p "$prefix/include"

@@ -81,7 +81,7 @@ vtkStandardNewMacro(TouchFactory);
 
 } // namespace
 
-// VTK's header declares these functions as functions of CommonCore, which Windows refuses to define here.
+// VTK declares these functions as those of CommonCore, which Windows does not let others define.
 #undef VTK_FACTORY_INTERFACE_EXPORT
 #define VTK_FACTORY_INTERFACE_EXPORT VTK_ABI_EXPORT
 VTK_FACTORY_INTERFACE_IMPLEMENT(TouchFactory)
