@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Headsets whose controllers vibrate, through a module that VTK has had since 9.2 and is built without as a rule: not
-# by Debian, nor for PyPI.
+# Adds headsets whose controllers vibrate, by a module that VTK has had since 9.2. Neither Debian's VTK nor the wheels
+# on PyPI have it.
 set(found OFF)
 if (VolumeHaptics_USE_RENDERING AND TARGET VTK::RenderingOpenXR)
   set(found ON)

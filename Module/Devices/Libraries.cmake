@@ -13,7 +13,7 @@ if (PKG_CONFIG_FOUND)
   endif ()
 endif ()
 
-# Headers only. Boost.Beast has had what is used of it since 1.70.
+# These libraries consist of headers only. Boost.Beast has had what is used here since 1.70.
 find_path(BEAST_INCLUDE_DIR boost/beast/core/tcp_stream.hpp)
 find_path(NLOHMANN_INCLUDE_DIR nlohmann/json.hpp)
 mark_as_advanced(BEAST_INCLUDE_DIR NLOHMANN_INCLUDE_DIR)

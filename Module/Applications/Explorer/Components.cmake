@@ -33,7 +33,7 @@ set(Explore_VTK_COMPONENTS
   RenderingVolumeOpenGL2
   vtksys)
 
-# Everything but main(), relative to this folder: the image tests compile it, too.
+# All sources but main(), relative to this folder. The image tests compile them, too.
 set(Explore_SOURCES
   Analysis/BodyIsolation.cxx
   Analysis/ValueProbe.cxx
