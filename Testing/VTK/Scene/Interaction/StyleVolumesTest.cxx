@@ -293,7 +293,7 @@ TEST_F(StyleVolumes, ThatShowNothingAreNotFelt)
   const auto expectLetGo = [&](const char* cure)
   {
     this->ExpectLetGo(cure);
-    EXPECT_NE(std::string(display->GetHint()).find("not felt"), std::string::npos) << cure;
+    EXPECT_NE(std::string(display->GetHint()).find("can't be felt"), std::string::npos) << cure;
   };
   this->Push();
   this->Renderer->DrawOff();
@@ -308,7 +308,7 @@ TEST_F(StyleVolumes, ThatShowNothingAreNotFelt)
   expectLetGo("SetInputData() or SetInputConnection() of the mapper");
   this->Mapper->SetInputData(this->Ball);
   this->Push();
-  EXPECT_EQ(std::string(display->GetHint()).find("not felt"), std::string::npos);
+  EXPECT_EQ(std::string(display->GetHint()).find("can't be felt"), std::string::npos);
 }
 
 TEST_F(StyleVolumes, ThatAreHiddenAreNotFelt)
@@ -320,10 +320,10 @@ TEST_F(StyleVolumes, ThatAreHiddenAreNotFelt)
   this->Push();
   this->Volume->VisibilityOff();
   this->ExpectLetGo("Cure: VisibilityOn() of the vtkVolume");
-  EXPECT_NE(std::string(display->GetHint()).find("not felt"), std::string::npos);
+  EXPECT_NE(std::string(display->GetHint()).find("can't be felt"), std::string::npos);
   this->Volume->VisibilityOn();
   this->Push();
-  EXPECT_EQ(std::string(display->GetHint()).find("not felt"), std::string::npos);
+  EXPECT_EQ(std::string(display->GetHint()).find("can't be felt"), std::string::npos);
 }
 
 // ForceGate::FadeTime is 50 ms, so at 1000 Hz the force falls by a fiftieth in each tick.
