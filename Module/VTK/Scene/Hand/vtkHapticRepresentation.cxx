@@ -26,6 +26,7 @@
 #include "vtkHapticDevice.h"
 #include "vtkHapticState.h"
 #include "vtkLookupTable.h"
+#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -183,6 +184,15 @@ bool IsFelt(vtkHapticDevice* device)
   return !device->GetVirtualHand()->MayMouseLead() || status == vtkHapticDevice::ARMED ||
     status == vtkHapticDevice::ACTIVE;
 }
+
+/** Returns the world position of the device's origin. */
+Vector3 GetOrigin(vtkHapticDevice* device)
+{
+  vtkMatrix4x4* const placement = device->GetDeviceToWorld();
+  return placement ? Vector3{ placement->GetElement(0, 3), placement->GetElement(1, 3),
+    placement->GetElement(2, 3) }
+                   : Vector3{};
+}
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -262,11 +272,13 @@ void vtkHapticRepresentation::UpdateMarkers()
   vtkPolyData* const state = d.State;
   d.HasState = state->GetNumberOfPoints() > 0;
   const auto at = [&](vtkIdType point) { return FromArray(state->GetPoint(point)); };
-  // Before the first touch, and after the hand has let go, it feels nothing, even with the tip in a
-  // surface. Then show no markers, unless the application moves the tip.
+  // After the hand has let go, it feels nothing, even with the tip in a surface. Then show no
+  // markers, unless the application moves the tip. Before the first touch show none at the origin
+  // of the device, where the tip is until somebody leads it.
   const bool isFelt = d.HasState && IsFelt(this->GetDevice());
   const Vector3 tip = d.HasState ? at(State::TIP) : Vector3{};
-  const bool isFirst = d.HasState && !std::exchange(d.HadState, d.HasState);
+  const bool isFirst = d.HasState && !std::exchange(d.HadState, d.HasState) &&
+    Norm(tip - GetOrigin(this->GetDevice())) < this->Radius;
   if ((std::exchange(d.WasFelt, isFelt) || isFirst) && !isFelt)
   {
     d.HasLetGo = true;
