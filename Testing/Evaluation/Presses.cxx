@@ -171,14 +171,15 @@ std::optional<double> MeasureHalfOpacity(const PressedVolume& volume, const Ray&
 }
 
 /**
- * Returns whether all structures are more than FarAstray away from a place (m in the hand's space).
+ * Returns whether the isosurface of a level is more than FarAstray away from a place (m in the
+ * hand's space).
  */
-bool IsAstray(const PressedVolume& volume, const Vector3& place)
+bool IsAstray(const HapticModel& structures, double level, const Vector3& place)
 {
   constexpr double step = 0.25;
   const int reach = static_cast<int>(FarAstray / step);
-  const auto& field = volume.Structures->Baked->Field;
-  const Vector3 index = volume.Structures->DeviceToIndex(place);
+  const auto& field = structures.Baked->Field;
+  const Vector3 index = structures.DeviceToIndex(place);
   bool isIn = false;
   bool isOut = false;
   for (int k = -reach; k <= reach; ++k)
@@ -190,9 +191,9 @@ bool IsAstray(const PressedVolume& volume, const Vector3& place)
         const Vector3 offset = step * Vector3{ double(i), double(j), double(k) };
         if (Norm(offset) <= FarAstray && field.IsInside(index + offset))
         {
-          const double value = field.Value(index + offset);
-          isIn = isIn || value >= std::min(volume.Level, volume.StructureLevel);
-          isOut = isOut || value < std::max(volume.Level, volume.StructureLevel);
+          const bool isAbove = field.Value(index + offset) >= level;
+          isIn = isIn || isAbove;
+          isOut = isOut || !isAbove;
         }
       }
     }
@@ -240,7 +241,11 @@ void Press(const PressedVolume& volume, const Ray& ray, const Meeting& met, Pres
     return;
   }
   found.OffSurface.push_back(Dot(*felt - surface, met.Normal) / voxel);
-  found.Astray += IsAstray(volume, 0.001 * *felt) ? 1 : 0;
+  if (IsAstray(*volume.Structures, volume.Level, 0.001 * *felt))
+  {
+    ++found.Astray;
+    found.AstrayOfHeld += IsAstray(*volume.Held, volume.HeldLevel, 0.001 * *felt) ? 1 : 0;
+  }
   if (half)
   {
     found.OffSeen.push_back(Dot(seen - *felt, ray.Way) / voxel);

@@ -36,15 +36,13 @@ struct PressedVolume
 {
   std::shared_ptr<const VolumeHaptics::HapticModel> Model; ///< what is felt
   std::shared_ptr<const VolumeHaptics::HapticModel> Shape; ///< values that have the surface
-  /** The same values without those structures above the level that are not larger than noise. */
+  /** The same values without those structures above Level that are not larger than noise. */
   std::shared_ptr<const VolumeHaptics::HapticModel> Structures;
-  double Level = 0.0; ///< value of the surface; values inside are larger
-  /**
-   * Least value whose material holds FeltForce. Structures have isosurfaces of all levels between
-   * this value and Level.
-   */
-  double StructureLevel = 0.0;
-  double Scale = 1.0; ///< mm in the hand's space per world unit
+  /** The same values without those structures above HeldLevel that are not larger than noise. */
+  std::shared_ptr<const VolumeHaptics::HapticModel> Held;
+  double Level = 0.0;     ///< value of the surface; values inside are larger
+  double HeldLevel = 0.0; ///< least value whose material holds FeltForce
+  double Scale = 1.0;     ///< mm in the hand's space per world unit
   std::array<double, 6> Box{};
   Vector3 Middle;   ///< point that the rays pass
   Vector3 Voxel;    ///< edge lengths of a voxel along the world's axes
@@ -55,10 +53,11 @@ struct PressedVolume
 struct Presses
 {
   int Count = 0;
-  int Unfelt = 0;                      ///< force below 0.1 N down to 5 mm under the surface
-  int UnfeltThoughSeen = 0;            ///< unfelt, but seen within 2 voxels behind the surface
-  std::vector<double> OffSurface;      ///< voxels from the isosurface to the felt place, inwards
-  int Astray = 0;                      ///< felt more than 2 voxels from each structure's isosurface
+  int Unfelt = 0;                 ///< force below 0.1 N down to 5 mm under the surface
+  int UnfeltThoughSeen = 0;       ///< unfelt, but seen within 2 voxels behind the surface
+  std::vector<double> OffSurface; ///< voxels from the isosurface to the felt place, inwards
+  int Astray = 0;       ///< felt more than 2 voxels from the isosurface of Level of any structure
+  int AstrayOfHeld = 0; ///< of these, more than 2 voxels from that of HeldLevel, too
   std::vector<double> OffSeen;         ///< voxels along the ray from there to half of the opacity
   std::vector<double> OffSeenStraight; ///< the same, if the seen surface is within 45 degrees, too
   std::vector<double> OffSeenTouched;  ///< voxels from the first place with 0.01 N, for all rays
@@ -74,7 +73,8 @@ struct Presses
  * A ray's own surface is that of the values smoothed by the kernel. A thin structure in front of or
  * beside the surface can be felt and seen although the kernel smooths it below the level: it has an
  * isosurface of the samples, between which values are linear. Specks of noise have such isosurfaces
- * as well, but do not count as structures.
+ * as well, but do not count as structures. HeldLevel depends on the materials under test, so only
+ * Astray judges them.
  *
  * A ray that grazes a strand sees it along a chord, however little of the strand is beside the ray.
  * The press is only that deep and slides off: 0.1 N at 500 N/m take 0.2 mm.

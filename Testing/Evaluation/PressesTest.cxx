@@ -40,8 +40,9 @@ PressedVolume MakeBall(double stiffness, vtkSmartPointer<vtkImageData>& image,
   SetConstant(feel->GetSurfaceStrength(), Impenetrable);
   SetConstant(feel->GetDistinctness(), 1.0);
   PressedVolume ball;
-  ball.Model = ball.Shape = ball.Structures = filter->GetBaker().Bake(1000.0, {}, nullptr);
-  ball.Level = ball.StructureLevel = 50.0;
+  ball.Model = ball.Shape = ball.Structures = ball.Held =
+    filter->GetBaker().Bake(1000.0, {}, nullptr);
+  ball.Level = ball.HeldLevel = 50.0;
   ball.Scale = scale;
   ball.Box = { -BallRadius, BallRadius, -BallRadius, BallRadius, -BallRadius, BallRadius };
   ball.Voxel = { 1.0, 1.0, 1.0 };
@@ -75,18 +76,43 @@ TEST(Presses, IsAstrayIfNoStructureIsNear)
   }
 }
 
-TEST(Presses, AStructureIsWhatTheMaterialHolds)
+TEST(Presses, APlateauInAirIsAstrayEvenIfTheMaterialHoldsIt)
 {
-  // A ball that is dimmer than the level of the surface is no structure of that level, but one of
-  // the values that the material holds.
+  // A blanket of value 40, below the level of the surface, begins 6 voxels in front of the ball.
+  // The materials hold it, so that the hand feels it instead of the ball.
+  constexpr double blanket = BallRadius + 6.0;
   vtkSmartPointer<vtkImageData> image;
-  vtkSmartPointer<vtkImageData> dim;
   PressedVolume ball = MakeBall(1000.0, image);
-  ball.Structures = MakeBall(1000.0, dim, BallRadius, 1.0, 40.0).Shape;
-  const Presses unknown = PressFromAllSides(ball, 60);
-  EXPECT_EQ(unknown.Astray, unknown.Count);
-  ball.StructureLevel = 20.0;
-  EXPECT_EQ(PressFromAllSides(ball, 60).Astray, 0);
+  ball.Extinction = [](const Vector3&) { return 0.0; };
+  const auto covered = SampleImage(
+    [](const Vector3& x)
+    {
+      return BlurredStep(BallRadius - Norm(x), 1.0, 60.0) +
+        BlurredStep(blanket - Norm(x), 1.0, 40.0);
+    },
+    25.0);
+  const auto bake = [&](vtkImageData* values)
+  {
+    vtkNew<vtkVolumeHapticsFilter> filter;
+    filter->SetInputDataObject(0, values);
+    filter->SetMetersPerWorldUnit(0.001);
+    SetConstant(filter->GetProperty()->GetStiffness(), 1000.0);
+    SetConstant(filter->GetProperty()->GetViscosity(), 0.0);
+    SetConstant(filter->GetProperty()->GetSurfaceStrength(), Impenetrable);
+    SetConstant(filter->GetProperty()->GetDistinctness(), 1.0);
+    return filter->GetBaker().Bake(1000.0, {}, nullptr);
+  };
+  ball.Model = ball.Shape = ball.Structures = ball.Held = bake(covered);
+  ball.HeldLevel = 20.0;
+  const Presses found = PressFromAllSides(ball, 60);
+  ASSERT_GT(found.OffSurface.size(), 10u);
+  EXPECT_LT(ComputeMedian(found.OffSurface), -4.0);
+  EXPECT_EQ(found.Astray, static_cast<int>(found.OffSurface.size()));
+  EXPECT_EQ(found.AstrayOfHeld, 0);
+  // A plateau between both levels has an isosurface of neither.
+  const auto plateau = SampleImage([](const Vector3&) { return 40.0; }, 25.0);
+  ball.Structures = ball.Held = bake(plateau);
+  EXPECT_EQ(PressFromAllSides(ball, 60).AstrayOfHeld, found.Astray);
 }
 
 TEST(Presses, WalksAreSlowWhereASpringIsStiff)
@@ -202,8 +228,9 @@ TEST(Presses, TheHandComesByAllThatTheEyeSees)
   SetConstant(feel->GetSurfaceStrength(), Impenetrable);
   SetConstant(feel->GetDistinctness(), 1.0);
   PressedVolume ball;
-  ball.Model = ball.Shape = ball.Structures = filter->GetBaker().Bake(1000.0, {}, nullptr);
-  ball.Level = ball.StructureLevel = 50.0;
+  ball.Model = ball.Shape = ball.Structures = ball.Held =
+    filter->GetBaker().Bake(1000.0, {}, nullptr);
+  ball.Level = ball.HeldLevel = 50.0;
   ball.Scale = unit;
   ball.Box = { -BallRadius, BallRadius, -BallRadius, BallRadius, -BallRadius, BallRadius };
   ball.Voxel = { 1.0, 1.0, 1.0 };

@@ -344,13 +344,14 @@ std::vector<std::string> MeasureVolume(const std::string& name, const Explore::V
   pressed.Model = filter->GetBaker().Bake(1000.0, {}, nullptr);
   pressed.Shape = BakeShape(outline.Image, values.MetersPerWorldUnit);
   pressed.Level = outline.Level;
-  pressed.StructureLevel = pressed.Model && !volume.AreLabels
+  pressed.HeldLevel = pressed.Model && !volume.AreLabels
     ? FindHoldingLevel(*pressed.Model, outline, values.Range, isBelow)
     : outline.Level;
   pressed.Structures =
-    BakeShape(RemoveSpecks(outline.Image, std::min(outline.Level, pressed.StructureLevel)),
-      values.MetersPerWorldUnit);
-  if (!pressed.Model || !pressed.Shape || !pressed.Structures)
+    BakeShape(RemoveSpecks(outline.Image, pressed.Level), values.MetersPerWorldUnit);
+  pressed.Held =
+    BakeShape(RemoveSpecks(outline.Image, pressed.HeldLevel), values.MetersPerWorldUnit);
+  if (!pressed.Model || !pressed.Shape || !pressed.Structures || !pressed.Held)
   {
     return { name, materials, "can't be touched" };
   }
@@ -372,6 +373,8 @@ std::vector<std::string> MeasureVolume(const std::string& name, const Explore::V
   const auto far = std::count_if(presses.OffSurface.begin(), presses.OffSurface.end(),
     [](double off) { return std::abs(off) > 2.0; });
   const double felt = std::max<double>(1.0, static_cast<double>(presses.OffSurface.size()));
+  const double feltInWindow =
+    std::max<double>(1.0, static_cast<double>(inWindow.OffSurface.size()));
   const double seconds = std::max(strokes.Duration, 1e-9);
   const int walkCount = effort.Pick(5, 60);
   const Steps walks = WalkAtRandom(pressed, walkCount, FindStiffest(*pressed.Model, values.Range));
@@ -379,15 +382,15 @@ std::vector<std::string> MeasureVolume(const std::string& name, const Explore::V
   return { name, materials, std::to_string(presses.Count), std::to_string(presses.Unfelt),
     Number(ComputeMedian(presses.OffSurface)), Number(FindLargest(presses.OffSurface, 0.95)),
     Number(100.0 * static_cast<double>(far) / felt), Number(100.0 * presses.Astray / felt),
-    std::to_string(inWindow.Unfelt), std::to_string(inWindow.UnfeltThoughSeen),
-    Number(100.0 * inWindow.Astray /
-      std::max<double>(1.0, static_cast<double>(inWindow.OffSurface.size()))),
-    Number(ComputeMedian(inWindow.OffSeen)), Number(FindLargest(inWindow.OffSeen, 0.95)),
+    Number(100.0 * presses.AstrayOfHeld / felt), std::to_string(inWindow.Unfelt),
+    std::to_string(inWindow.UnfeltThoughSeen), Number(100.0 * inWindow.Astray / feltInWindow),
+    Number(100.0 * inWindow.AstrayOfHeld / feltInWindow), Number(ComputeMedian(inWindow.OffSeen)),
+    Number(FindLargest(inWindow.OffSeen, 0.95)),
     Number(FindLargest(inWindow.OffSeenStraight, 0.95)),
     Number(FindLargest(inWindow.OffSeenTouched, 0.95)), Number(ComputeMedian(seen)),
     Number(FindLargest(seen, 0.95)), Number(strokes.Mean), Number(strokes.Both),
     Number(strokes.Drops / seconds), Number(strokes.LargestStep), Number(presses.LargestStep),
-    Number(walks.Largest), Number(fastWalks.Beyond) };
+    Number(walks.Largest), Number(fastWalks.Largest), Number(fastWalks.Beyond) };
 }
 
 void PrintLine(const std::vector<std::string>& row)
@@ -409,13 +412,14 @@ Table MeasureRealVolumes(const VolumePlaces& places, const Effort& effort)
     "the isosurface of the outer threshold (with \"Micro-CT\", of Otsu's) that the ray meets, "
     "as the kernel smooths it, and from it to half of the opacity along the ray, each the median "
     "and the magnitude that 95 % do not exceed. Felt places are counted that are more than 2 "
-    "voxels from this isosurface, and that are from any, of the samples without specks of less "
-    "than 27, at any level between this threshold and the value from which on the preset holds "
-    "0.1 N: structures that the kernel "
-    "smooths away have one, too. Strokes as above, in planes "
+    "voxels from this isosurface, and that are from any of this threshold, of the samples without "
+    "specks of less than 27: structures that the kernel smooths away have one, too. Of the latter, "
+    "those are counted apart that are from any of the value from which on the preset holds 0.1 N, "
+    "too; as that depends on the preset, it judges nothing. Strokes as above, in planes "
     "through the middle; along the normal, half of the opacity is by so many voxels behind the "
     "proxy. Walks are random ways through the body, at up to 0.45 m/s, and slower where the "
-    "stiffest material has more than 400 N/m, by as much; beyond the bound is what, at 0.45 m/s, "
+    "stiffest material has more than 400 N/m, by as much, and then all at 0.45 m/s; beyond the "
+    "bound is what, at 0.45 m/s, "
     "neither 0.25 N, to which releases are bound, nor the hand's own step explains: stiffness "
     "times sqrt(1 + friction^2) times its length, and 0.02 N. For what is seen, what the picture "
     "hides is not felt, as in the explorer's window: what is unfelt there is hidden, or it is seen "
@@ -423,9 +427,10 @@ Table MeasureRealVolumes(const VolumePlaces& places, const Effort& effort)
     "a press slides off it: straight are the rays that meet what they see within 45 degrees of its "
     "normal, too, and at 0.01 N is for all rays the first place with that force.",
     { "volume", "preset", "presses", "unfelt", "off surface", "95 %", "> 2 voxels (%)",
-      "from any (%)", "unfelt in window", "though seen", "from any (%)", "seen behind", "95 %",
-      "straight, 95 %", "at 0.01 N, 95 %", "by strokes", "95 %", "stroke (N)", "30-500 Hz (%)",
-      "drops / s", "largest step (N)", "of presses (N)", "of walks (N)", "beyond bound (N)" },
+      "from any (%)", "and from held (%)", "unfelt in window", "though seen", "from any (%)",
+      "and from held (%)", "seen behind", "95 %", "straight, 95 %", "at 0.01 N, 95 %", "by strokes",
+      "95 %", "stroke (N)", "30-500 Hz (%)", "drops / s", "largest step (N)", "of presses (N)",
+      "of walks (N)", "at 0.45 m/s (N)", "beyond bound (N)" },
     {} };
   for (const KnownVolume& known : ListVolumes(places))
   {
