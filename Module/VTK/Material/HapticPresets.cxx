@@ -119,14 +119,15 @@ const std::vector<Preset>& Presets()
     // with the values of fluid; their friction is that of skin, for a finger that leaves a slope.
     // Just under the skin of a head CT the values reach 37 HU, so the stiffness of organs begins
     // above that, and at 37 HU a finger that leaves a slope still feels 0.1 N.
-    // Values without surface strength have the stiffness of an organ, so that springs begin without
-    // slack. Skin holds from -400 HU on: a blanket, a foam and the thin vessels of a lung have at
-    // most -450 HU, and hold nothing.
+    // Air and lung, which hold nothing, have the stiffness of an organ, so that springs begin
+    // without slack. Skin holds from -400 HU on, with one stiffness along its edge: a blanket, a
+    // foam and the thin vessels of a lung have at most -450 HU, and hold nothing.
     { "CT physical",
       {
         { "air", -1024, -955, 28, 0.00, 0.00, 0.00 },
         { "lung", -950, -700, 28, 0.46, 0.01, 0.00 },
-        { "edge of skin, cloth", -500, -400, 53, 0.46, 0.02, 0.00 },
+        { "cloth, foam", -500, -450, 53, 0.46, 0.02, 0.00 },
+        { "edge of skin", -410, -400, 53, 0.46, 0.02, 0.00 },
         { "skin, fat under skin", -200, -30, 53, 0.46, 0.02, 0.30 },
         { "fluid", -10, 15, 53, 0.46, 0.02, 0.30 },
         { "skin, brain", 20, 27, 53, 0.46, 0.02, 0.30 },

@@ -206,6 +206,38 @@ TEST_P(PresetsInAir, LeaveNoSlopeUnfelt)
   }
 }
 
+/// In front of a wall of 60 HU lies a plateau: a blanket of at most -420 HU is passed, so that the
+/// wall is felt; from -400 HU on, skin holds, which is felt instead.
+TEST(PresetsAtTheEdgeOfSkin, PhysicalPassesABlanketAndHoldsSkin)
+{
+  constexpr double plateau = 12.0; // mm
+  constexpr double wall = 24.0;    // mm
+  for (const double value : { -550.0, -420.0, -250.0, -150.0 })
+  {
+    const auto step = [](double x) { return 0.5 * std::erfc(-x / (0.8 * std::sqrt(2.0))); };
+    const vtkSmartPointer<vtkImageData> image = MakeImage(37, VTK_FLOAT,
+      [=](const Point& x) {
+        return -1000.0 + (value + 1000.0) * step(x[2] - plateau) +
+          (60.0 - value) * step(x[2] - wall);
+      });
+    vtkNew<vtkVolumeHapticsFilter> filter;
+    filter->GetProperty()->ApplyPreset("CT physical");
+    filter->SetInputData(0, image);
+    filter->SetPathData(
+      MakePath(Line({ 18.0, 18.0, 1.0 }, { 18.0, 18.0, wall + 2.0 * Deep }, 640)));
+    filter->Update();
+    vtkPolyData* const felt = filter->GetOutput();
+    double place = 0.0; // mm, of the surface that holds the first 0.1 N
+    for (vtkIdType i = 0; i < felt->GetNumberOfPoints() && place == 0.0; ++i)
+    {
+      const double force =
+        std::hypot(Get(felt, "Force", i, 0), Get(felt, "Force", i, 1), Get(felt, "Force", i, 2));
+      place = force >= Felt ? felt->GetPoint(i)[2] : 0.0;
+    }
+    EXPECT_NEAR(place, value > -400.0 ? plateau : wall, 2.0) << value << " HU";
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, PresetsInAir,
   testing::Values(
     "CT contrast", "CT physical", "CT angiography", "CT chest", "MRI", "Micro-CT", "Labels"),

@@ -227,8 +227,8 @@ TEST_F(HeadUpDisplay, NamesTissuesAsTheEditorDoes)
   const double value = this->Device->GetState()->GetSurfaceValue();
   property->AddTissue("all", value - 1.0, value + 1.0);
   EXPECT_TRUE(says("Resting on all, ")) << this->Display->GetText();
-  // What a proposal names differently is named differently at once; between two tissues, the nearer
-  // one counts.
+  // A change of the tissues takes effect at once. A value outside all tissues gets the name of the
+  // nearest one.
   property->RemoveAllTissues();
   property->AddTissue("low", -500.0, 0.0);
   property->AddTissue("high", 100.0, 500.0);
@@ -251,6 +251,22 @@ TEST_F(HeadUpDisplay, NamesTissuesAsTheEditorDoes)
   property->AddTissue("skin", value - 1.0, value + 1.0);
   property->AddTissue("fat", deeper - 1.0, deeper + 1.0);
   EXPECT_TRUE(says("Resting on fat, ")) << this->Display->GetText();
+}
+
+/// With "CT physical", whatever holds between air and fat is called skin, and a blanket is not.
+TEST_F(HeadUpDisplay, CallsSkinWhatHoldsAsSkin)
+{
+  vtkHapticProperty* const property = this->Filter->GetProperty();
+  ASSERT_TRUE(property->ApplyPreset("CT physical"));
+  this->Display->SetDevice(this->Device);
+  for (double value = -600.0; value <= -40.0; value += 1.0)
+  {
+    const std::string name = this->Display->GetTissueName(value);
+    const bool isHeld = property->GetSurfaceStrength()->GetValue(value) > 0.0;
+    EXPECT_EQ(name.find("skin") != std::string::npos, isHeld || value > -430.0)
+      << value << ": " << name;
+    EXPECT_FALSE(isHeld && name.find("cloth") != std::string::npos) << value << ": " << name;
+  }
 }
 
 TEST_F(HeadUpDisplay, SaysThatAHandRestsWhereItsFrictionIsAtTheLimit)
