@@ -11,7 +11,9 @@ import pytest
 
 pv = pytest.importorskip("pyvista", reason="needs PyVista: pip install pyvista")
 web = pytest.importorskip("volumehaptics.web", reason="needs trame: pip install trame trame-vuetify trame-rca")
-from volumehaptics import _files  # noqa: E402 after the skip
+import volumehaptics  # noqa: E402 after the skip
+from volumehaptics import _files  # noqa: E402
+from volumehaptics.vtkVolumeHaptics import vtkHapticLabelTable  # noqa: E402
 
 SIZE = (6, 7, 8)
 BRIGHT = (1, 5, 2)  # index of the one voxel that is not 0
@@ -87,6 +89,25 @@ def test_what_is_shown_and_felt_is_the_volume_with_its_frame(window, tmp_path):
             np.testing.assert_allclose(used.origin, image.origin)
         corners = np.array(image.points)
         np.testing.assert_allclose(shown.GetBounds(), np.stack([corners.min(0), corners.max(0)], 1).ravel(), atol=1e-6)
+    finally:
+        haptics.close()
+
+
+def test_labels_of_a_file_are_felt_as_labels(window):
+    numbers = np.zeros((12, 12, 12), np.uint16)
+    numbers[2:10, 2:10, 2:6], numbers[2:10, 2:10, 6:10] = 1, 30
+    image = pv.wrap(volumehaptics.image(numbers, name="Labels"))
+    table = vtkHapticLabelTable()
+    table.SetLabelName(1, "skin")
+    table.SetLabelName(30, "bone")
+    table.WriteFieldData(image.GetFieldData())
+    haptics = web.make_plotter(image)
+    try:
+        felt = haptics.filter.GetLabelTable()
+        assert [felt.GetLabelName(number) for number in (1, 30)] == ["skin", "bone"]
+        shown = next(actor for actor in haptics._plotter().actors.values() if isinstance(actor, pv.Volume))
+        assert shown.prop.GetScalarOpacity().GetValue(1.0) > 0.9
+        assert shown.prop.GetScalarOpacity().GetValue(0.0) == 0.0
     finally:
         haptics.close()
 

@@ -123,8 +123,13 @@ void AppendValues(const gdcm::DataSet& set, std::uint32_t sequence, int item, st
   for (auto at = set.Begin(); at != set.End(); ++at)
   {
     const std::uint32_t tag = ToNumber(at->GetTag());
-    if (tag == MODALITY_TABLE) // only that it is there
+    if (tag == MODALITY_TABLE) // only that it is there, with an item
     {
+      const gdcm::SmartPointer<gdcm::SequenceOfItems> tables = at->GetValueAsSQ();
+      if (tables ? tables->GetNumberOfItems() == 0 : at->IsEmpty())
+      {
+        continue;
+      }
       const DicomElement head{ tag, sequence, item, 0 };
       out.append(reinterpret_cast<const char*>(&head), sizeof(head));
       continue;

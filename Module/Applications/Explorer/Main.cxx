@@ -332,12 +332,15 @@ int RunAll(Explore::Options options)
     const bool isSame = next.Path == options.VolumePath;
     const Explore::WindowPlace place = next.Place;
     options.Place = place;
+    if (!isSame || next.Series != options.Series)
+    {
+      options.Place.View = nullptr;
+    }
     options.VolumePath = next.Path;
     options.Series = next.Series;
     options.AsLabels = next.AsLabels;
     if (!isSame)
     {
-      options.Place.View = nullptr;
       options.MorePaths.clear();
       options.Array.clear();
       options.Setup.clear();

@@ -138,8 +138,8 @@ def _threshold(image: Any) -> float:
 
 
 def make_plotter(image: vtkImageData, preset: str | None = None, **settings: Any) -> Haptics:
-    """Makes a touchable plotter with a volume. A CT gets the look of its tissues; any other volume is shown above the
-    value that best separates it from its surroundings."""
+    """Makes a touchable plotter with a volume. A CT gets the look of its tissues; labels of a file are shown and felt as such;
+    any other volume is shown above the value that best separates it from its surroundings."""
     import pyvista as pv
 
     from .pyvista import add_haptics
@@ -153,8 +153,11 @@ def make_plotter(image: vtkImageData, preset: str | None = None, **settings: Any
         actor = plotter.add_volume(image, clim=(-600, 1000), opacity=OPACITY, cmap=COLORS, shade=True,
                                    opacity_unit_distance=4, show_scalar_bar=False)
     else:
-        value = _threshold(image)
-        ramp = 0.1 * (high - value)
+        has_labels = image.GetFieldData().HasArray("Label") and "labels" not in settings
+        if has_labels:
+            settings["labels"] = image
+        value = 0.5 if has_labels else _threshold(image)
+        ramp = 0.1 * (1.0 if has_labels else high - value)
         actor = plotter.add_volume(image, clim=(value - ramp, value + ramp), opacity=[0, 0, 0.3, 0.8, 1], cmap=COLORS,
                                    shade=True, opacity_unit_distance=2 * min(image.spacing), show_scalar_bar=False)
     actor.prop.interpolation_type = "linear"
@@ -195,7 +198,8 @@ def main(arguments: list[str]) -> int:
             for note in told:
                 print(note)
         haptics = make_plotter(image, options.preset, device=options.device)
-        haptics.head_up_display.SetNotice("\n".join(told[:MOST_TOLD]))
+        more = [f"and {len(told) - MOST_TOLD} more"] if len(told) > MOST_TOLD else []
+        haptics.head_up_display.SetNotice("\n".join(told[:MOST_TOLD] + more))
         if options.method and not haptics.filter.SetMethodByName(options.method):
             return 2
     except (RuntimeError, TypeError, ValueError) as error:

@@ -219,15 +219,15 @@ bool HasCells(const NrrdHeader& header, std::size_t axis)
   return axis < told.size() && told[axis] == "cell";
 }
 
-/** Returns the distance of samples along an axis, in its unit. */
-double ComputeAxisSpacing(const NrrdHeader& header, std::size_t axis)
+/** Returns the distance of samples along an axis, in its unit; nothing if it is not given. */
+std::optional<double> FindAxisSpacing(const NrrdHeader& header, std::size_t axis)
 {
   const std::optional<double> given = NumberOfAxis(header, "spacings", axis);
   const std::optional<double> least = NumberOfAxis(header, "axis mins", axis);
   const std::optional<double> most = NumberOfAxis(header, "axis maxs", axis);
   const double count =
     NumberOfAxis(header, "sizes", axis).value_or(1.0) - (HasCells(header, axis) ? 0.0 : 1.0);
-  return given ? *given : least && most && count > 0.0 ? (*most - *least) / count : 1.0;
+  return given || !least || !most || count <= 0.0 ? given : std::optional((*most - *least) / count);
 }
 
 } // namespace
@@ -385,8 +385,15 @@ std::optional<std::array<NrrdVector, 3>> FindNrrdSteps(const NrrdHeader& header)
   words.erase(std::remove(words.begin(), words.end(), "none"), words.end());
   const NrrdVector factors = ComputeSpaceFactors(header);
   std::array<NrrdVector, 3> steps{};
+  const NrrdVector signs = FindNrrdSpace(header).Signs;
+  const bool areTurned = words.empty() && (signs[1] < 0.0 || signs[2] < 0.0);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
+    if (areTurned) // along the axes of the space
+    {
+      steps[axis][axis] = signs[axis] * FindNrrdSpacings(header)[axis];
+      continue;
+    }
     const std::optional<NrrdVector> step = words.size() == 3 || words.size() == 4
       ? ParseNrrdVector(words[axis], factors, words.size())
       : std::nullopt;
@@ -406,7 +413,7 @@ NrrdVector FindNrrdSpacings(const NrrdHeader& header)
   NrrdVector spacings{ 1.0, 1.0, 1.0 };
   for (std::size_t a = 0; axes && a < 3; ++a)
   {
-    spacings[a] = UnitOf(units, (*axes)[a]) * ComputeAxisSpacing(header, (*axes)[a]);
+    spacings[a] = UnitOf(units, (*axes)[a]) * FindAxisSpacing(header, (*axes)[a]).value_or(1.0);
   }
   return spacings;
 }
@@ -423,6 +430,7 @@ std::optional<NrrdVector> FindNrrdOrigin(const NrrdHeader& header)
                              : ParseNrrdVector(words.front(), factors, 4);
   }
   NrrdVector origin{};
+  const NrrdVector signs = FindNrrdSpace(header).Signs;
   const std::vector<std::string> units = ReadNrrdUnits(header, "units");
   const auto axes = ReadNrrdAxes(header);
   for (std::size_t a = 0; axes && a < 3; ++a)
@@ -430,8 +438,9 @@ std::optional<NrrdVector> FindNrrdOrigin(const NrrdHeader& header)
     const std::size_t axis = (*axes)[a];
     if (const auto least = NumberOfAxis(header, "axis mins", axis))
     {
-      const double half = HasCells(header, axis) ? 0.5 * ComputeAxisSpacing(header, axis) : 0.0;
-      origin[a] = UnitOf(units, axis) * (*least + half);
+      const double half =
+        HasCells(header, axis) ? 0.5 * FindAxisSpacing(header, axis).value_or(1.0) : 0.0;
+      origin[a] = signs[a] * UnitOf(units, axis) * (*least + half);
     }
   }
   return origin;
@@ -441,13 +450,11 @@ std::string DescribeNrrdGuess(const NrrdHeader& header)
 {
   const auto axes = ReadNrrdAxes(header);
   bool isSpaced = true;
-  for (std::size_t a = 0; axes && a < 3 && !FindNrrdSteps(header); ++a)
+  for (std::size_t a = 0; axes && a < 3 && header.GetField("space directions").empty(); ++a)
   {
-    isSpaced = isSpaced &&
-      (NumberOfAxis(header, "spacings", (*axes)[a]) ||
-        NumberOfAxis(header, "axis maxs", (*axes)[a]));
+    isSpaced = isSpaced && FindAxisSpacing(header, (*axes)[a]);
   }
-  const std::string encoding = header.GetField("encoding");
+  const std::string encoding = MakePlain(header.GetField("encoding"));
   const bool isOrdered = header.GetType().Size < 2 || !header.GetField("endian").empty() ||
     encoding == "ascii" || encoding == "text" || encoding == "txt";
   const std::string spacing =

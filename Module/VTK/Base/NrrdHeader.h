@@ -81,8 +81,8 @@ std::vector<std::string> SplitNrrdVectors(const std::string& text);
 std::optional<std::array<std::size_t, 3>> ReadNrrdAxes(const NrrdHeader& header);
 
 /**
- * Returns the vectors from a sample to its neighbours along the axes of space. Returns nothing if
- * they are not given.
+ * Returns the vectors from a sample to its neighbours along the axes of space; without directions,
+ * along the axes of a space that is turned. Returns nothing if they are not given.
  */
 std::optional<std::array<NrrdVector, 3>> FindNrrdSteps(const NrrdHeader& header);
 

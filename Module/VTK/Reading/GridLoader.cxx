@@ -322,7 +322,8 @@ Volume ReadGridHere(const std::string& path)
   {
     throw InputError(path,
       std::string("has polyhedra, whose faces VTK ") + vtkVersion::GetVTKVersion() + " can't read",
-      "write it as tetrahedra (filter Tetrahedralize of ParaView), or use VTK 9.4 or later");
+      std::string("write it as tetrahedra (filter Tetrahedralize of ParaView)") +
+        (VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0) ? ", or use VTK 9.4 or later" : ""));
   }
   volume.Image = Resample(data, MakeFrame(path, parts, volume));
   FillOutside(volume.Image);

@@ -41,6 +41,15 @@ void Blend(const Value* a, const Value* b, double weight, vtkIdType count, Value
     to[i] = static_cast<Value>(std::is_integral<Value>::value ? std::round(value) : value);
   }
 }
+
+/// Sets values beyond a range to its ends.
+template <typename Value>
+void Clamp(Value* values, vtkIdType count, const double range[2])
+{
+  const auto low = static_cast<Value>(range[0]), high = static_cast<Value>(range[1]);
+  std::transform(
+    values, values + count, values, [&](Value value) { return std::clamp(value, low, high); });
+}
 } // namespace
 
 namespace Explore
@@ -218,6 +227,14 @@ vtkSmartPointer<vtkImageData> StraightenAxes(vtkImageData* image, bool areLabels
   reslice->Update();
   vtkDataArray* const scalars = reslice->GetOutput()->GetPointData()->GetScalars();
   scalars->SetName(image->GetPointData()->GetScalars()->GetName());
+  if (scalars->GetNumberOfComponents() == 1) // cubic curves go beyond their samples
+  {
+    switch (scalars->GetDataType())
+    {
+      vtkTemplateMacro(Clamp(
+        static_cast<VTK_TT*>(scalars->GetVoidPointer(0)), scalars->GetNumberOfTuples(), range));
+    }
+  }
   straight->GetPointData()->SetScalars(scalars);
   return straight;
 }

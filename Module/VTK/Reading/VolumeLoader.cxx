@@ -439,6 +439,17 @@ void ApplyNiftiScale(double slope, double intercept, Volume& volume)
   volume.Notes.push_back(note.str());
 }
 
+bool IsCifti(const std::string& path)
+{
+  vtkNew<vtkNIFTIImageReader> reader;
+  const Explore::MessageCapture capture; // the volume's reader reports faults
+  reader->SetFileName(path.c_str());
+  reader->UpdateInformation();
+  constexpr int first = 3000, last = 3099;
+  const int intent = reader->GetNIFTIHeader() ? reader->GetNIFTIHeader()->GetIntentCode() : 0;
+  return intent >= first && intent <= last;
+}
+
 Volume ReadNifti(const std::string& path, bool timesAreComponents)
 {
   const std::string fault = DetectFalseNifti(path);
@@ -448,16 +459,14 @@ Volume ReadNifti(const std::string& path, bool timesAreComponents)
       "check what the file really is; export it again as NIfTI, and check that the copy is "
       "complete");
   }
-  vtkNew<vtkNIFTIImageReader> reader;
-  reader->SetTimeAsVector(timesAreComponents);
-  Volume volume{ Run(reader.Get(), path, "NIfTI"), {}, "NIfTI", {}, {}, {} };
-  constexpr int firstOfCifti = 3000, lastOfCifti = 3099;
-  const int intent = reader->GetNIFTIHeader()->GetIntentCode();
-  if (intent >= firstOfCifti && intent <= lastOfCifti)
+  if (IsCifti(path)) // before its samples, which may be many, are read
   {
     throw InputError(path, "is a CIFTI file, whose values belong to places of a brain's surface",
       "take its volume out with wb_command -cifti-separate, or name the volume it was made of");
   }
+  vtkNew<vtkNIFTIImageReader> reader;
+  reader->SetTimeAsVector(timesAreComponents);
+  Volume volume{ Run(reader.Get(), path, "NIfTI"), {}, "NIfTI", {}, {}, {} };
   for (int axis = 1; axis <= 3; ++axis)
   {
     if (!(std::abs(reader->GetNIFTIHeader()->GetPixDim(axis)) > 0.0) && !reader->GetSFormMatrix())

@@ -280,6 +280,7 @@ int TestExploreFiles(int argc, char* argv[])
       onTable.Image->SetScalarComponentFromDouble(0, j, k, 0, 100.0);
     }
   }
+  onTable.Notes.insert(onTable.Notes.end(), 5, "a note of the file"); // more than the window tells
   const Explore::Exploration felt = Explore::ExploreVolume(onTable, Explore::Settings());
   Expect(
     felt.Hidden.find("Felt but not shown") == 0, "a table is hidden, and told is: " + felt.Hidden);

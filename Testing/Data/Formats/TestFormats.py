@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from phantom import CENTRE, Grid, distance, values
+from phantom import AIR, CENTRE, TISSUE, Grid, distance, values
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -135,6 +135,8 @@ def test_is_right_or_refused(case, tmp_path):
         wrong[((found <= air) | ~np.isfinite(found)) & (distance(points) > 2.0)] = 0.0
     assert np.isfinite(wrong).all()
     assert wrong.max() <= case["tolerance"], (wrong.max(), said)
+    if re.search("tilted|sheared", case["name"]):  # resampling goes beyond nothing that is there
+        assert AIR <= found.min() and found.max() <= TISSUE, (found.min(), found.max())
     # All of the phantom is there.
     body = voxel * np.count_nonzero(in_phantom > -470.0)
     assert 0.9 * BALLS < body < BALLS, (body, said)

@@ -754,6 +754,35 @@ def seg_alone(name, bits):
         return save(folder, segmentation(GRID, bits), "seg.dcm")
 
 
+@case("dicom-seg-labelmap-palette", labels=("ball", "knob"), source="Supplement 243: a label map may be PALETTE COLOR")
+def seg_labelmap(folder):
+    data = segmentation(GRID, bits=8)
+    data.SOPClassUID = data.file_meta.MediaStorageSOPClassUID = "1.2.840.10008.5.1.4.1.1.66.7"
+    body = GRID.sample(float) > -470.0
+    labels = np.where(body, 1 + (GRID.points()[..., 0] > CENTRE[0] + 20.5), 0).transpose(2, 1, 0)
+    data.PerFrameFunctionalGroupsSequence = Sequence()
+    for k in range(GRID.size[2]):
+        item, place = Dataset(), Dataset()
+        place.ImagePositionPatient = [f"{x:.6f}" for x in (GRID.affine @ [0, 0, k, 1])[:3]]
+        item.PlanePositionSequence = Sequence([place])
+        data.PerFrameFunctionalGroupsSequence.append(item)
+    data.SegmentationType, data.PhotometricInterpretation = "LABELMAP", "PALETTE COLOR"
+    for color in ("Red", "Green", "Blue"):
+        setattr(data, f"{color}PaletteColorLookupTableDescriptor", [3, 0, 16])
+        setattr(data, f"{color}PaletteColorLookupTableData", np.array([0, 30000, 60000], "<u2").tobytes())
+    data.NumberOfFrames, data.PixelData = GRID.size[2], labels.astype(np.uint8).tobytes()
+    return save(folder, data, "seg.dcm")
+
+
+@case("dicom-seg-spacing-negative", labels=("ball", "knob"),
+      source="PS3.3 C.7.6.2: SpacingBetweenSlices may be negative where slices follow each other against the normal")
+def seg_negative(folder):
+    data = segmentation(GRID)
+    measures = data.SharedFunctionalGroupsSequence[0].PixelMeasuresSequence[0]
+    measures.SpacingBetweenSlices, measures.SliceThickness = -GRID.spacing[2], 0.5 * GRID.spacing[2]
+    return save(folder, data, "seg.dcm")
+
+
 seg_alone("binary", 1)
 seg_alone("fractional", 8)
 

@@ -40,6 +40,31 @@ def modality_lut(folder):
     return save_all(folder, sets)
 
 
+@case("dicom-modality-lut-without-items", source="pydicom and anonymisers leave empty sequences")
+def modality_lut_empty(folder):
+    sets = slices(GRID)
+    for data in sets:
+        data.ModalityLUTSequence = Sequence([])
+    return save_all(folder, sets)
+
+
+def high_bits(name, change, told=(), **pixels):
+    @case(f"dicom-high-bit-15-{name}", source="PS3.5 8.1.1: 12 bits stored, of which the highest is bit 15", told=told)
+    def write(folder):
+        sets = slices(GRID, **pixels)
+        for data in sets:
+            stored = np.frombuffer(data.PixelData, data.PixelRepresentation and "<i2" or "<u2")
+            data.BitsStored, data.HighBit = 12, 15
+            data.PixelData = change(stored).astype(stored.dtype).tobytes()
+        return save_all(folder, sets)
+
+
+# The outer slices are air alone, which is stored as 16: its four lowest bits are 0, as if it were shifted.
+high_bits("and-samples-below", lambda stored: stored, ("not where HighBit says",), intercept=-1016.0)
+high_bits("and-signed-samples-below", lambda stored: stored, ("not where HighBit says",), intercept=0.0, signed=True)
+high_bits("and-an-overlay", lambda stored: stored << 4 | np.arange(stored.size) % 3, ("may be an overlay",))
+
+
 @case("dicom-high-bit-15", source="PS3.5 8.1.1: 12 bits stored, of which the highest is bit 15")
 def high_bit(folder):
     sets = slices(GRID)
@@ -288,6 +313,9 @@ SIZES = [f"sizes: {' '.join(str(n) for n in GRID.size)}", "dimension: 3"]
 RAW = GRID.sample().tobytes(order="F")
 
 
+RAS = Grid(axes=np.diag([-1.0, -1.0, 1.0]))
+
+
 def nrrd_text_case(name, lines, data=RAW, **facts):
     @case(f"nrrd-{name}", **facts)
     def write(folder):
@@ -307,6 +335,14 @@ nrrd_text_case("scanner-xyz", ["type: int16", *SIZES, "space: scanner-xyz", *PLA
 nrrd_text_case("left-handed-space", ["type: int16", *SIZES, "space: 3D-left-handed", *PLACE, "endian: little", "encoding: raw"],
                steps=(1.5, 1.6, -1.7), first=(GRID.origin[0], GRID.origin[1], -GRID.origin[2]), told=("left-handed",),
                source="teem: 3D-left-handed")
+nrrd_text_case("left-handed-spacings", ["type: int16", *SIZES, "space: 3D-left-handed", "spacings: 1.5 1.6 1.7", "axis mins: 3 4 5",
+                                        "endian: little", "encoding: raw"],
+               steps=(1.5, 1.6, -1.7), first=(3.0, 4.0, -5.0), told=("left-handed",), source="teem: 3D-left-handed, no directions")
+nrrd_text_case("ras-spacings", ["type: int16", *SIZES, "space: RAS", "spacings: 1.5 1.6 1.7", f"space origin: {vector(RAS.origin * [-1, -1, 1])}",
+                                "endian: little", "encoding: raw"], RAS.sample().tobytes(order="F"), told=("turned from RAS",),
+               source="teem: axes of RAS, no directions")
+nrrd_text_case("maxs-alone", ["type: int16", *SIZES, "spacings: 1.5 1.6 nan", "axis maxs: nan nan 70", "endian: little", "encoding: raw"],
+               told=("1 mm is assumed",), steps=(1.5, 1.6, 1.0), source="teem: axis maxs without axis mins")
 nrrd_text_case("quoted-units", ["type: int16", *SIZES, "space: LPS", f"space directions: {' '.join(vector(c / 10) for c in GRID.affine[:3, :3].T)}",
                                 f"space origin: {vector(GRID.origin / 10)}", 'space units: "cm" "cm" "cm"', "endian: little",
                                 "encoding: raw"], source="teem: space units are quoted")
@@ -424,6 +460,25 @@ def pyramid(folder):
                      "PhysicalSizeYUnit": "mm", "PhysicalSizeZ": 1.7, "PhysicalSizeZUnit": "mm"}, **options)
         writer.write(pages[:, ::2, ::2], subfiletype=1, **options)
     return folder / "stack.ome.tif"
+
+
+@case("tiff-folder-with-another-size-second", refused="several sizes or types", source="a page, a picture, and the rest of the stack")
+def another_size_second(folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    pages = UNSIGNED.transpose(2, 1, 0)
+    for k, written in enumerate((pages[0], pages[1, ::2, ::2], pages[1:])):
+        tifffile.imwrite(folder / f"slice{k}.tif", written, photometric="minisblack")
+    return folder
+
+
+@case("tiff-folder-with-preview-first", steps=(1.0, 1.0, 1.0), offset=1000.0, options=("--preset", "histogram"),
+      told=("1 TIFF pages .* left out",), source="TIFF 6.0, NewSubfileType: a reduced image")
+def preview_first(folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    tifffile.imwrite(folder / "slice000.tif", UNSIGNED[::2, ::2, 0].T, subfiletype=1)
+    for k in range(GRID.size[2]):
+        tifffile.imwrite(folder / f"slice{k + 1:03}.tif", UNSIGNED[:, :, k].T)
+    return folder
 
 
 @case("tiff-thumbnail-first", refused="the first page has its own", source="scanners write a small picture before the stack")

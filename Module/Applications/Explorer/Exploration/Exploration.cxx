@@ -199,7 +199,7 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings, const 
       text << "Felt but not shown: parts that are not joined to the body, such as a head rest ("
            << std::lround(100.0 * fraction) << " % of its size)";
       result.Hidden = text.str();
-      result.Input.Notes.push_back(result.Hidden);
+      result.Input.Notes.insert(result.Input.Notes.begin(), result.Hidden); // never cut off
     }
   }
   MeasureBody(result.Values, result.Body);

@@ -272,7 +272,7 @@ bool ReadFrame(const NrrdHeader& header, NrrdImage& image, std::string& error)
   const NrrdVector spacings = FindNrrdSpacings(header);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    if (directions.empty())
+    if (directions.empty() && !steps)
     {
       image.Spacing[axis] = spacings[axis];
       continue;

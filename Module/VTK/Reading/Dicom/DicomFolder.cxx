@@ -66,7 +66,7 @@ void CheckSlices(
       throw InputError(path, "holds a dose without its scale (DoseGridScaling) in " + NameOf(slice),
         "export it again from the planning system");
     }
-    if (slice.IsPalette)
+    if (slice.IsPalette && !slice.IsSegmentation()) // the colours of labels do not matter
     {
       throw InputError(path,
         "holds numbers of colours (PALETTE COLOR) instead of values in " + NameOf(slice),

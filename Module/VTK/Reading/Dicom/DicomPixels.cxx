@@ -139,24 +139,11 @@ std::uint64_t ReadBits(const std::string& bytes, std::size_t at, const DicomHead
   return bits;
 }
 
-/// Returns the number of unused bits below the stored bits, as old files have them (HighBit). A
-/// file whose samples use these bits has a wrong HighBit.
-int CountBitsBelow(const std::string& bytes, std::size_t samples, const DicomHeader& slice)
+/// Returns the number of bits below the stored bits, as old files have them (HighBit).
+int CountBitsBelow(const DicomHeader& slice)
 {
-  const int below = slice.HighBit + 1 - slice.Stored;
-  if (slice.IsFloat || below <= 0 || slice.HighBit >= slice.Bits)
-  {
-    return 0;
-  }
-  const std::uint64_t mask = (std::uint64_t{ 1 } << below) - 1;
-  for (std::size_t i = 0; i < samples; ++i)
-  {
-    if ((ReadBits(bytes, i, slice) & mask) != 0)
-    {
-      return 0;
-    }
-  }
-  return below;
+  const bool isKnown = !slice.IsFloat && slice.HighBit < slice.Bits;
+  return isKnown ? std::max(0, slice.HighBit + 1 - slice.Stored) : 0;
 }
 
 /// Returns sample number `at` of a slice. Bits above the stored bits may belong to an overlay.
@@ -178,7 +165,7 @@ void Fill(const std::string& bytes, const DicomHeader& slice, Value* values)
 {
   const auto samples = static_cast<std::size_t>(slice.Samples);
   const std::size_t pixels = static_cast<std::size_t>(slice.Width) * slice.Height;
-  const int below = CountBitsBelow(bytes, samples * pixels, slice);
+  const int below = CountBitsBelow(slice);
   for (std::size_t i = 0; i < samples * pixels; ++i)
   {
     const std::size_t at = slice.ArePlanes ? i % samples * pixels + i / samples : i;
@@ -186,8 +173,42 @@ void Fill(const std::string& bytes, const DicomHeader& slice, Value* values)
   }
 }
 
+/// Corrects the HighBit of a series whose samples are all in the low bits. Notes what else is in
+/// the bits below the stored ones, such as an overlay.
+void CheckHighBit(
+  const std::string& path, std::vector<DicomHeader>& slices, std::vector<std::string>& notes)
+{
+  bool areUsed = false, areAllLow = true;
+  DicomPixels pixels;
+  for (DicomHeader slice : slices)
+  {
+    const bool isAsked = CountBitsBelow(slice) > 0;
+    const std::string bytes = isAsked ? pixels.Read(path, slice) : std::string();
+    const int unused = slice.Bits - slice.Stored, below = CountBitsBelow(slice);
+    for (std::size_t i = 0; below > 0 && i < bytes.size() / (slice.Bits / 8); ++i)
+    {
+      const std::uint64_t bits = ReadBits(bytes, i, slice), above = bits >> slice.Stored;
+      const bool isNegative = slice.IsSigned && (bits >> (slice.Stored - 1) & 1) != 0;
+      areUsed = areUsed || (bits & ((std::uint64_t{ 1 } << below) - 1)) != 0;
+      areAllLow =
+        areAllLow && (above == 0 || (isNegative && above == (std::uint64_t{ 1 } << unused) - 1));
+    }
+  }
+  for (DicomHeader& slice : slices)
+  {
+    slice.HighBit =
+      areUsed && areAllLow ? std::min(slice.HighBit, slice.Stored - 1) : slice.HighBit;
+  }
+  if (areUsed)
+  {
+    notes.emplace_back(areAllLow
+        ? "the samples are in the low bits, not where HighBit says: they are taken from there"
+        : "the bits below the samples, which may be an overlay, are left out");
+  }
+}
+
 /// Returns the value of pixels that were not measured, if the file gives it. Its two bytes may or
-/// may not have a sign, whatever the pixels have.
+/// may not have a sign, whatever the pixels have, and may have the unused bits below.
 std::optional<double> ReadPadding(const DicomHeader& slice)
 {
   if (!slice.Padding)
@@ -195,7 +216,11 @@ std::optional<double> ReadPadding(const DicomHeader& slice)
     return {};
   }
   const int sign = slice.IsSigned && !slice.IsFloat && *slice.Padding >= 0x8000 ? 0x10000 : 0;
-  return slice.Slope * (*slice.Padding - sign) + slice.Intercept;
+  const double sample = *slice.Padding - sign, count = std::pow(2.0, slice.Stored);
+  const bool isStored =
+    slice.IsSigned ? std::abs(sample + 0.5) < 0.5 * count : sample >= 0.0 && sample < count;
+  const int below = isStored ? 0 : CountBitsBelow(slice);
+  return slice.Slope * std::floor(std::ldexp(sample, -below)) + slice.Intercept;
 }
 
 /// Sets pixels that were not measured to the least value of the others. Returns their number.
@@ -369,8 +394,10 @@ double MeasureSlices(const std::vector<DicomHeader>& slices)
 }
 
 vtkSmartPointer<vtkImageData> ReadSlices(
-  const std::string& path, const std::vector<DicomHeader>& slices, std::vector<std::string>& notes)
+  const std::string& path, const std::vector<DicomHeader>& given, std::vector<std::string>& notes)
 {
+  std::vector<DicomHeader> slices = given;
+  CheckHighBit(path, slices, notes);
   const DicomHeader& first = slices.front();
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(first.Width, first.Height, static_cast<int>(slices.size()));

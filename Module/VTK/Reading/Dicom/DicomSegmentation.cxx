@@ -63,7 +63,7 @@ double FindPlaneStep(const std::string& path, const std::vector<DicomHeader>& pl
     smallest = std::min(smallest, places[i].Along - places[i - 1].Along);
   }
   const DicomHeader& first = places.front();
-  const double told = first.Step > 0.0 ? first.Step : first.Thickness;
+  const double told = first.Step != 0.0 ? std::abs(first.Step) : first.Thickness;
   if (places.size() < 2)
   {
     return told > 0.0 ? told : 1.0;

@@ -635,9 +635,9 @@ std::size_t AddFiles(TiffStack& stack)
     const std::string name = vtksys::SystemTools::GetFilenameName(stack.Files[i]);
     if (stack.Pages.size() == before)
     {
-      left = name;
+      left = before > 0 ? name : left;
     }
-    else if (before > 1 && !left.empty())
+    else if (!left.empty())
     {
       throw std::runtime_error("its pages have several sizes or types: " + Printable(left) +
         ", between others, has its own. Write all slices alike, or take that file away.");
