@@ -17,7 +17,7 @@ enum class CropBase
   WholeExtent ///< the whole extent, whatever the image's origin and spacing are: from 5.13 on
 };
 
-/** Returns what they refer to in a version of ParaView. */
+/** Returns what a representation's scale and shift refer to in a version of ParaView. */
 constexpr CropBase ChooseCropBase(int major, int minor)
 {
   return major > 5 || (major == 5 && minor >= 13) ? CropBase::WholeExtent : CropBase::Bounds;

@@ -89,7 +89,10 @@ Plot PlotRipple()
     });
 }
 
-/** Plots the fraction of ticks with a smaller angle. */
+/**
+ * Plots the cumulative distribution of the angle between force and true normal: for each angle, the
+ * percentage of ticks with a smaller one.
+ */
 Plot PlotAngle()
 {
   return PlotSolvers("angle", "Force and true normal, 8-bit sphere, 2 voxels deep",

@@ -177,7 +177,8 @@ void DealLabels(Dealer& dealer, Scene& scene)
   }
   else
   {
-    // Blocks of few labels. For types of floating point, the bytes are mostly tiny fractions.
+    // Runs of 1 to 16 equal labels that cycle through three values: the last (highest) byte of each
+    // sample is 0, 67 or 134. MakeWhole() below makes floating-point labels whole.
     for (std::size_t i = 0; i < scene.LabelSamples.size(); i += size)
     {
       scene.LabelSamples[i + size - 1] = static_cast<char>(i / size / (1 + kind % 16) % 3 * 67);

@@ -64,7 +64,10 @@ struct StiffResult
 {
   double Shown = 0.0; ///< N/m, mean force divided by mean depth during the hold
   double Swing = 0.0; ///< m, of the tip during the hold
-  /** The energy that port and friction gave to the hand, divided by the energy that they took. */
+  /**
+   * Energy that the port gave to the hand, divided by the energy that the port took and that
+   * damping and friction lost (while the wall is felt).
+   */
   double Ratio = 0.0;
   double MostGiven = 0.0; ///< J: largest energy that the hand ever got beyond what it had put in
   /** The same without the help of the dry friction, which the account does not know. */

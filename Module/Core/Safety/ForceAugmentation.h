@@ -94,7 +94,10 @@ public:
    */
   void Observe(const Vector3& tip, double time, double late, double damping) noexcept;
 
-  /** Records that the tip has not moved for another time (s), although it was not measured. */
+  /**
+   * Records that another `time` (s) has passed without a new measurement. The tip counts as at
+   * rest, so the velocity is limited to StepSize divided by the time at rest.
+   */
   void Rest(double time) noexcept;
 
   /** Returns the force (N) of the wall by (1) and (2). Called in every tick. */

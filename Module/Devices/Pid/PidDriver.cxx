@@ -68,7 +68,10 @@ bool HasSecondAxis(const HidReportDescriptor& descriptor)
  * a rate of its own.
  */
 constexpr int RepeatsOfStream = 20;
-/** Longest pause (ns) before a repeated packet that counts. A longer one is chance. */
+/**
+ * A packet that repeats the previous one counts as a reminder only if it follows within this time
+ * (ns). A repeat after a longer pause is a coincidence.
+ */
 constexpr std::int64_t LongestReminder = 250000000;
 /** Silence, in multiples of LongestGap, after which two repeats are missing: the device is lost. */
 constexpr double MissedGaps = 2.5;

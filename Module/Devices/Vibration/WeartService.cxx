@@ -131,7 +131,7 @@ VibrationService::State WeartService::Show(double amplitude)
   }
   const bool isReady = this->Status.Status == "RUNNING" && this->Status.IsActuating;
   const int volume = isReady ? Vibration::Quantize(amplitude, FullVolume) : 0;
-  // A texture lasts until it is stopped, so that it need not be renewed.
+  // A texture lasts until it is stopped, so an unchanged one is not sent again.
   if (isOpen && volume != this->Sent &&
     Vibration::IsDue(false, volume == 0, ServoClock::SecondsSince(this->SentAt)))
   {

@@ -119,7 +119,9 @@ def apply_preset(material: vtkHapticProperty, name: str, volume: Any) -> bool:
     """Applies a preset. Fits it to the grey levels of a large volume, or of an image with scalars at its points."""
     if name == "MRI" and isinstance(volume, vtkHapticRegionSource):
         source, volume = volume, vtkImageData()
-        # Read some samples, with the facts about the whole. A failed read is reported when the volume is felt.
+        # Read a few samples (3 x 3 x 3): ReadRegion() adds field arrays that describe the whole volume, such as its
+        # noise (WholeFacts.h), and the preset is fitted with them. If the read fails, apply the preset without fitting
+        # it.
         if not source.ReadRegion([one + end for one in source.GetWholeExtent()[::2] for end in (0, 2)], volume):
             return material.ApplyPreset(name)
     if isinstance(volume, vtkImageData) and volume.GetPointData().GetScalars() is not None:

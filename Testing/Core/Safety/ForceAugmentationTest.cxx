@@ -60,7 +60,8 @@ TEST(StiffWalls, ArePassiveUpToWhatTheorySaysOfASampledSpring)
     }
     for (const StiffPress& press : MakePresses(2.0, false))
     {
-      // For heavier weights, the maximum force is the limit.
+      // Only the free weight of 1 N must gain energy here. With 2 N, MaximumForce limits the wall's
+      // force. Held presses are not checked.
       if (!press.IsHeld && press.Force == 1.0)
       {
         EXPECT_GT(PressStiffly(arm, press).Ratio, 1.0) << Describe(arm, press);

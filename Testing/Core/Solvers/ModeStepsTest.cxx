@@ -134,7 +134,8 @@ private:
     const double ratio = step / (CouplingOf * way);
     this->Met.Strongest = std::max(this->Met.Strongest, Norm(to.Force));
     this->Met.Steepest = std::max(this->Met.Steepest, ratio);
-    // The place may be ahead of the force by the last part of a step (PrimitiveFollower.h).
+    // At its end, SolvePrimitives() moves the proxy by up to FinishedFraction (1e-3) of the longest
+    // step without computing the force again. Allow for that in the ratio.
     constexpr double ofEnds = 1e-3;
     if (ratio <= 1.0 + ofEnds)
     {

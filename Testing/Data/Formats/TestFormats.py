@@ -499,7 +499,8 @@ def test_labels_of_a_table_that_are_in_no_voxel_are_told(tmp_path):
 
 LIBRARIES = json.loads((FILES / "libraries" / "libraries.json").read_text())
 
-# What the refusal of a file says, by what pydicom or nibabel says it is: patterns of the kind, and of the text.
+# Maps the kind of file that pydicom or nibabel reports to words that the reader's error must contain. Both are regular
+# expressions.
 TRUE_NAMES = {"RT Ion Plan Storage": "RT ion plan", "RT Plan Storage": "RT plan", "RT Structure Set Storage": "structure set",
               ".*SR Storage|Comprehensive SR.*": "structured report", ".*ECG.*": "waveform", "Media Storage Directory.*":
               "directory of a medium|no single DICOM slice|damaged or cut-off", "RT Beams Treatment Record.*": "RT record",

@@ -87,7 +87,10 @@ VOLUME_HAPTICS_INLINE void SumVectors(const T* corner, std::int64_t line, std::i
   }
 }
 
-/** Computes the same sums from a copy of the taps, where CopyTaps says that a copy is needed. */
+/**
+ * Computes the sums of SumVectors() from a copy of the taps. Used if taps lie outside the resident
+ * samples, if the components of a sample are not adjacent in memory, or if a sum is not a number.
+ */
 template <typename T, int C, bool WithGradient>
 VOLUME_HAPTICS_OUTLINE void SumVectorsCopy(
   const VectorView& view, const Footprint<4>& foot, VectorSample& sample)

@@ -58,8 +58,9 @@ using LargeFileOpener = LargeFile(const std::string& name, bool mayBeWhole, int 
 /** Opens the active array of the image in a VTKHDF file, following VTK's specification. */
 LargeFileOpener OpenVtkHdf;
 /**
- * Reads where the samples of a VTKHDF file are, in the process that the library may end; returns
- * what OpenVtkHdf() unpacks.
+ * Reads the layout of a VTKHDF file and packs it for OpenVtkHdf(); on failure, packs the error
+ * text. Called in the reader process (ReaderProcess.h), because the HDF5 library may crash on a
+ * damaged file.
  */
 std::string PackVtkHdf(const std::string& name);
 

@@ -165,7 +165,8 @@ void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
   {
     caster = this->Casters.insert(caster, { mapper, now, now, nullptr, {}, 0 });
     mapper->AddObserver(vtkCommand::VolumeMapperRenderStartEvent, this->Observer);
-    // An interrupted mapper reports its progress more often than the window checks for an abort.
+    // A rendering mapper reports progress more often than the window checks for an abort, so the
+    // observer also calls Interrupt() on these events.
     mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, this->Observer);
   }
   // A setting that differs from what was set here was changed by the application since the last

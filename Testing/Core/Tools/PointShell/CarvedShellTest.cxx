@@ -16,7 +16,7 @@ namespace
 {
 constexpr double Air = -100.0;
 
-/// A ball of tissue of which a random part has been removed.
+/// A ball of tissue from which three balls of radius 5 voxels have been carved.
 struct CarvedBall
 {
   CarvedBall()
