@@ -53,7 +53,7 @@ inline constexpr StageRules AllStageRules[] = {
   { "Gap", false, false, false, false, false, true },
   { "Trip", false, false, false, false, false, false, true },
   { "Speed", false, false, false, false, false, false, false, true },
-  { "All", true, true, true, true, true, true, true },
+  { "All", true, true, true, true, true, true, true, true },
 };
 
 class RandomPresses
@@ -79,6 +79,9 @@ public:
     this->Start = this->Surface();
     this->Stage.Arm();
   }
+
+  /// Returns how often the stage found the tip too fast.
+  int GetSpeedTrips() const { return this->SpeedTrips; }
 
   /// Presses once. Returns the energy (J) that the hand got above the leak of sampling.
   double Press()
@@ -175,7 +178,10 @@ private:
     // This is exact for a plane; in a sphere, it is exact for steps much shorter than the radius.
     this->Leak += isFelt ? 0.505 * this->Stiffness * Dot(leap, leap) : 0.0;
     this->Input.Stretch = Norm(this->Input.Force) / this->Stiffness;
+    const bool wasFault = this->Stage.Gate.GetFault() != VolumeHaptics::GateReason::None;
     this->Force = this->Stage.Apply(this->Input, this->Limits);
+    this->SpeedTrips +=
+      !wasFault && this->Stage.Gate.GetFault() == VolumeHaptics::GateReason::OverSpeed ? 1 : 0;
     this->Input.Elapsed = 0.0;
     return isSilent;
   }
@@ -262,6 +268,7 @@ private:
   int Standing = 0; ///< coming ticks in which the loop stands still
   double Given = 0.0;
   double Leak = 0.0;
+  int SpeedTrips = 0;
 };
 
 } // namespace rigs
