@@ -8,7 +8,11 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkExplicitStructuredGrid.h"
 #include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
@@ -48,11 +52,48 @@ bool HasFaces(vtkUnstructuredGrid* grid)
 bool HasPointsOf(vtkCellArray* cells, vtkIdType points)
 {
   double range[2] = { 0.0, -1.0 };
-  if (cells && cells->GetNumberOfConnectivityIds() > 0)
+  if (cells && cells->IsValid() && cells->GetNumberOfConnectivityIds() > 0)
   {
     cells->GetConnectivityArray()->GetRange(range, 0);
   }
-  return range[0] >= 0.0 && range[1] < static_cast<double>(points);
+  return (!cells || cells->IsValid()) && range[0] >= 0.0 && range[1] < static_cast<double>(points);
+}
+
+/** Whether the faces of all polyhedra are there, and have corners that are there. */
+bool HasWholeFaces(vtkUnstructuredGrid* grid)
+{
+  const vtkIdType count = HasFaces(grid) ? grid->GetNumberOfCells() : 0;
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 90)
+  vtkIdTypeArray* const faces = grid->GetFaces();
+  vtkIdTypeArray* const locations = grid->GetFaceLocations();
+  bool isThere = count == 0 || (locations && locations->GetNumberOfValues() >= count);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; isThere && i < count; ++i)
+  {
+    vtkIdType at = locations->GetValue(i);
+    const auto next = [&]
+    { return at >= 0 && at < faces->GetNumberOfValues() ? faces->GetValue(at++) : -1; };
+    const bool isPolyhedron = grid->GetCellType(i) == VTK_POLYHEDRON;
+    grid->GetCells()->GetCellAtId(i, corners);
+    vtkIdType left = isPolyhedron ? next() : 0;
+    for (isThere = left >= 0; isThere && left > 0; --left)
+    {
+      vtkIdType ids = next();
+      for (isThere = ids >= 0; isThere && ids > 0; --ids)
+      {
+        isThere = corners->IsId(next()) >= 0;
+      }
+    }
+  }
+  return isThere;
+#else
+  vtkCellArray* const faces = grid->GetPolyhedronFaces();
+  vtkCellArray* const locations = grid->GetPolyhedronFaceLocations();
+  return count == 0 ||
+    (locations && locations->GetNumberOfCells() >= count &&
+      HasPointsOf(faces, grid->GetNumberOfPoints()) &&
+      HasPointsOf(locations, faces->GetNumberOfCells()));
+#endif
 }
 
 /** Whether all cells have the corners that their kinds need. */
@@ -129,18 +170,32 @@ std::string DetectFalseCells(const std::vector<vtkDataSet*>& parts)
   {
     const vtkIdType points = part->GetNumberOfPoints();
     auto* const grid = vtkUnstructuredGrid::SafeDownCast(part);
+    auto* const boxes = vtkExplicitStructuredGrid::SafeDownCast(part);
     auto* const shape = vtkPolyData::SafeDownCast(part);
-    const bool areThere = grid ? HasPointsOf(grid->GetCells(), points)
-                               : !shape ||
+    vtkCellArray* const cells = grid ? grid->GetCells() : boxes ? boxes->GetCells() : nullptr;
+    const vtkIdType count = part->GetNumberOfCells();
+    vtkUnsignedCharArray* const types = grid ? grid->GetCellTypesArray() : nullptr;
+    if ((grid && (!types || types->GetNumberOfValues() < count)) ||
+      (boxes && (!cells || cells->GetNumberOfCells() < count)))
+    {
+      return "has fewer cells than it tells";
+    }
+    const bool areThere = cells ? HasPointsOf(cells, points)
+                                : !shape ||
         (HasPointsOf(shape->GetVerts(), points) && HasPointsOf(shape->GetLines(), points) &&
           HasPointsOf(shape->GetPolys(), points) && HasPointsOf(shape->GetStrips(), points));
     if (!areThere)
     {
       return "has a cell at a point that does not exist";
     }
-    if (grid && !HasCorners(grid))
+    constexpr vtkIdType corners = 8; // of a box
+    if (boxes ? cells->IsHomogeneous() < corners : grid && !HasCorners(grid))
     {
       return "has a cell with fewer corners than its kind";
+    }
+    if (grid && !HasWholeFaces(grid))
+    {
+      return "has a polyhedron with faces that do not exist";
     }
   }
   return {};

@@ -12,6 +12,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
+#include <vtkExplicitStructuredGrid.h>
 #include <vtkFloatArray.h>
 #include <vtkHapticDevice.h>
 #include <vtkHapticMode.h>
@@ -264,6 +265,78 @@ TEST_F(FilterDataSets, WithCellsThatMakeNoSenseAreRefused)
   this->ExpectError({ "polyhedra without faces" });
   vtkNew<vtkHapticRegionSource> source;
   EXPECT_TRUE(source->OpenDataSet(make(VTK_TETRA, { 7, 4, 5, 6 }), 0.5, "height"));
+
+  for (const vtkIdType offset : { -4, 3, 9 }) // before the list, less than the last one, behind it
+  {
+    const auto grid = make(VTK_TETRA, { 7, 4, 5, 6 });
+    vtkDataArray* const offsets = grid->GetCells()->GetOffsetsArray();
+    offsets->SetComponent(offset == 3 ? 2 : 1, 0, static_cast<double>(offset));
+    this->Filter->SetInputData(0, grid);
+    this->ExpectError({ "point that does not exist" });
+  }
+  const auto untyped = make(VTK_TETRA, { 7, 4, 5, 6 });
+  untyped->GetCellTypesArray()->SetNumberOfValues(1);
+  this->Filter->SetInputData(0, untyped);
+  this->ExpectError({ "fewer cells" });
+}
+
+TEST_F(FilterDataSets, WithFacesOfOtherCellsAreRefused)
+{
+  const auto make = [](vtkIdType last)
+  {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkFloatArray> values;
+    values->SetName("height");
+    for (int i = 0; i < 8; ++i)
+    {
+      points->InsertNextPoint(i % 2, i / 2 % 2, i / 4);
+      values->InsertNextValue(static_cast<float>(i));
+    }
+    const vtkIdType corners[] = { 0, 1, 2, 4 };
+    const vtkIdType faces[] = { 3, 0, 1, 2, 3, 0, 1, 4, 3, 0, 2, 4, 3, 1, 2, last };
+    vtkNew<vtkUnstructuredGrid> grid;
+    grid->SetPoints(points);
+    grid->GetPointData()->SetScalars(values);
+    grid->InsertNextCell(VTK_POLYHEDRON, 4, corners, 4, faces);
+    return vtkSmartPointer<vtkUnstructuredGrid>(grid);
+  };
+  vtkNew<vtkHapticRegionSource> source;
+  EXPECT_TRUE(source->OpenDataSet(make(4), 0.1, "height"));
+  for (const vtkIdType last : { vtkIdType{ 999999999 }, vtkIdType{ -1 }, vtkIdType{ 7 } })
+  {
+    this->Filter->SetInputData(0, make(last));
+    this->ExpectError({ "faces that do not exist" });
+  }
+}
+
+TEST_F(FilterDataSets, ThatAreExplicitGridsWithCellsThatMakeNoSenseAreRefused)
+{
+  const auto make = [](vtkIdType last, int count)
+  {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkFloatArray> values;
+    values->SetName("height");
+    for (int i = 0; i < 8; ++i)
+    {
+      points->InsertNextPoint(i % 2, i / 2 % 2, i / 4);
+      values->InsertNextValue(static_cast<float>(i));
+    }
+    const vtkIdType corners[] = { 0, 1, 3, 2, 4, 5, 7, last };
+    vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell(count, corners);
+    vtkNew<vtkExplicitStructuredGrid> grid;
+    grid->SetDimensions(2, 2, 2);
+    grid->SetPoints(points);
+    grid->GetPointData()->SetScalars(values);
+    grid->SetCells(cells);
+    return vtkSmartPointer<vtkExplicitStructuredGrid>(grid);
+  };
+  vtkNew<vtkHapticRegionSource> source;
+  EXPECT_TRUE(source->OpenDataSet(make(6, 8), 0.1, "height"));
+  this->Filter->SetInputData(0, make(999999999, 8));
+  this->ExpectError({ "point that does not exist" });
+  this->Filter->SetInputData(0, make(6, 7));
+  this->ExpectError({ "fewer corners" });
 }
 
 TEST_F(FilterDataSets, AreResampledWithASpacingOfTheUsersChoice)
