@@ -22,6 +22,7 @@ vtkMTimeType FilterPublisher::GetChangeTime() const
 void FilterPublisher::Reset()
 {
   this->Published = 0;
+  this->IsFirst = true;
   if (!this->Awaited.Wanted.empty())
   {
     this->Awaited = {};
@@ -45,7 +46,7 @@ void FilterPublisher::Update(bool isPlaced)
   // If the device is published already, the application or another style has published the change.
   const bool hasChanged = time != this->Published && !device->IsPublished();
   // A notice of the application stays when what it has set up is published for the first time.
-  const bool isFirst = this->Published == 0;
+  const bool isFirst = std::exchange(this->IsFirst, false);
   this->Published = time;
   if ((isPlaced || hasChanged) && device->Publish() && hasChanged && !isFirst &&
     this->Scene.Display)
@@ -66,6 +67,7 @@ bool FilterPublisher::Try(const std::function<void()>& change, const std::functi
   method.Wanted = filter->GetMethodText();
   this->Unfelt.clear();
   this->Awaited = {};
+  this->IsFirst = false;
   const bool isFelt = device->Publish();
   const bool isOurs = this->Scene.Device == device;
   if (!isFelt)
@@ -109,6 +111,7 @@ bool FilterPublisher::NextMethod(const std::function<void(const std::string&)>& 
   notify(isPrepared ? change.Wanted + " is being prepared ..." : "");
   this->Unfelt.clear();
   this->Awaited = {};
+  this->IsFirst = false;
   const bool isFelt = device->Publish();
   const bool isOurs = this->Scene.Device == device;
   if (isFelt)

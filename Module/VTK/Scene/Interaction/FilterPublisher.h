@@ -120,6 +120,7 @@ private:
 
   TouchedScene& Scene;
   vtkMTimeType Published = 0; ///< change time at the last attempt to publish
+  bool IsFirst = true;        ///< whether none was made
   std::string Unfelt;         ///< name of the method that the last attempt failed to make felt
   std::string FeltInstead;    ///< text of the method that was kept instead
   MethodChange Awaited;

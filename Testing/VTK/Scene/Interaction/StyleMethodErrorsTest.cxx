@@ -58,6 +58,16 @@ TEST_F(StyleMethodErrors, TheMethodBeforeStays)
   EXPECT_NE(this->Display->GetText().find("goes on"), std::string::npos) << "still to be read";
 }
 
+TEST_F(StyleMethodErrors, IsNotToldAnyMoreWhenTheNextChangeIsFelt)
+{
+  this->Begin();
+  this->Filter->SetCouplingStiffness(1.1 * this->Filter->GetCouplingStiffness()); // not published
+  EXPECT_FALSE(this->Style->NextMethod());
+  EXPECT_NE(std::string(this->Display->GetNotice()), "");
+  this->Style->UpdateHaptics();
+  EXPECT_STREQ(this->Display->GetNotice(), "");
+}
+
 TEST_F(StyleMethodErrors, IsPassedOverTheNextTimeAndTriedAgainLater)
 {
   this->Begin();
