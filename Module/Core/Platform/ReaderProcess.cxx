@@ -14,6 +14,7 @@
 #include <exception>
 #include <filesystem>
 #include <mutex>
+#include <new>
 #include <system_error>
 
 #if defined(__linux__)
@@ -37,7 +38,7 @@
 namespace VolumeHaptics
 {
 #if defined(_WIN32)
-ReadResult AskReader(ReadTask, const std::string&, std::string&, const std::string&)
+ReadResult AskReader(ReadTask, const std::string&, std::string&, const std::string&, std::uint64_t)
 {
   return ReadResult::NoProcess;
 }
@@ -53,12 +54,20 @@ struct Request
   std::uint32_t FolderLength = 0; ///< length of the folder in which the asker works
   std::uint32_t PathLength = 0;
   std::uint32_t DetailLength = 0;
+  std::uint64_t Unpacked = 0;
+};
+
+enum class End : std::uint64_t
+{
+  Broken,
+  Read,
+  TookTooMuch ///< memory or time
 };
 
 /** The bytes follow. */
 struct Answer
 {
-  std::uint64_t IsRead = 0;
+  End State = End::Broken;
   std::uint64_t ByteCount = 0;
 };
 
@@ -71,7 +80,7 @@ std::uint64_t GetPhysicalMemory()
 }
 
 /** Limits memory and time to what such a file can need. */
-void SetLimits(ReadTask task, const std::string& path)
+void SetLimits(ReadTask task, const std::string& path, std::uint64_t unpacked)
 {
   constexpr std::uint64_t leastSeconds = 120;
   alarm(leastSeconds); // a folder of the network may not tell a size
@@ -79,12 +88,13 @@ void SetLimits(ReadTask task, const std::string& path)
   std::error_code failure;
   std::uint64_t size = std::filesystem::file_size(Files::ToPath(path), failure);
   size = failure ? 0 : std::min(size, most);
+  unpacked = std::min(unpacked, most);
   constexpr std::uint64_t perByte = 64;
   constexpr std::uint64_t slowest = 256 << 10; // bytes a second
   // The image of a grid has up to 2^25 samples, with several values each.
   const bool isGrid = task == ReadTask::Grid || task == ReadTask::Case;
-  std::uint64_t bytes = (std::uint64_t{ isGrid ? 4U : 1U } << 30) + perByte * size;
-  std::uint64_t seconds = leastSeconds + size / slowest;
+  std::uint64_t bytes = (std::uint64_t{ isGrid ? 4U : 1U } << 30) + perByte * size + 4 * unpacked;
+  std::uint64_t seconds = leastSeconds + (size + unpacked) / slowest;
   // A case does not tell how large what it names is, nor a folder how large its files are.
   if (task == ReadTask::Case || std::filesystem::is_directory(Files::ToPath(path), failure))
   {
@@ -127,7 +137,7 @@ bool ReceiveText(int link, std::uint32_t size, std::string& text)
 }
 
 /** Reads a file, and sends what was read. */
-void Serve(int link, ReadTask task, const std::string& folder, const std::string& path,
+void Serve(int link, const Request& request, const std::string& folder, const std::string& path,
   const std::string& detail, ReadAnswer* read, volatile bool& isSending)
 {
 #if defined(__linux__)
@@ -139,12 +149,16 @@ void Serve(int link, ReadTask task, const std::string& folder, const std::string
   {
     if (folder.empty() || chdir(folder.c_str()) == 0)
     {
-      SetLimits(task, path);
-      bytes = read(task, path, detail);
-      answer.IsRead = 1;
+      SetLimits(request.Task, path, request.Unpacked);
+      bytes = read(request.Task, path, detail);
+      answer.State = End::Read;
     }
   }
-  catch (...) // there is too little memory
+  catch (const std::bad_alloc&)
+  {
+    answer.State = End::TookTooMuch;
+  }
+  catch (...) // what was read makes no sense
   {
     bytes.clear();
   }
@@ -158,21 +172,30 @@ void Serve(int link, ReadTask task, const std::string& folder, const std::string
 
 } // namespace
 
-ReadResult AskReader(
-  ReadTask task, const std::string& path, std::string& answer, const std::string& detail)
+ReadResult AskReader(ReadTask task, const std::string& path, std::string& answer,
+  const std::string& detail, std::uint64_t unpacked)
 {
   const void* const code = reinterpret_cast<const void*>(&vtkHapticServeReading);
-  // Boxes have a process of their own, because those who wait for them can't wait for a whole file.
-  static HelperProcess processes[2];
-  static std::mutex accesses[2];
-  const std::size_t number = task == ReadTask::TiffBox ? 1 : 0;
+  // Boxes have processes of their own, because those who wait for them can't wait for a whole file,
+  // nor threads and stacks for each other. A process holds a copy of the library's data, so there
+  // are few; a thread that finds none free waits for the last one.
+  constexpr std::size_t boxProcesses = 4;
+  static HelperProcess processes[1 + boxProcesses];
+  static std::mutex accesses[1 + boxProcesses];
+  const bool isBox = task == ReadTask::TiffBox;
+  std::size_t number = isBox ? 1 : 0;
+  std::unique_lock<std::mutex> lock(accesses[number], std::try_to_lock);
+  while (!lock && isBox && number < boxProcesses)
+  {
+    lock = std::unique_lock<std::mutex>(accesses[++number], std::try_to_lock);
+  }
+  lock ? void() : lock.lock();
   HelperProcess& process = processes[number];
-  const std::lock_guard<std::mutex> lock(accesses[number]);
   answer.clear();
   const std::string library = Libraries::FindFileOf(code);
   const std::string folder = Files::GetWorkingFolder();
   const Request request{ task, static_cast<std::uint32_t>(folder.size()),
-    static_cast<std::uint32_t>(path.size()), static_cast<std::uint32_t>(detail.size()) };
+    static_cast<std::uint32_t>(path.size()), static_cast<std::uint32_t>(detail.size()), unpacked };
   std::string obstacle;
   const auto send = [&]
   {
@@ -210,12 +233,15 @@ ReadResult AskReader(
   {
     isRead = false;
   }
-  if (!isRead)
+  isRead ? void() : process.End();
+  if (isRead && head.State == End::Read)
   {
-    answer.clear();
-    process.End();
+    return ReadResult::Answered;
   }
-  return isRead && head.IsRead != 0 ? ReadResult::Answered : ReadResult::Ended;
+  answer = head.State == End::Broken
+    ? "its reader ended, as damaged files make it"
+    : "its reader took more memory or time than such a file may need";
+  return ReadResult::Ended;
 }
 
 void ServeReading(int link, ReadAnswer* read)
@@ -239,12 +265,14 @@ void ServeReading(int link, ReadAnswer* read)
     const pid_t reader = fork();
     if (reader == 0)
     {
-      Serve(link, request.Task, folder, path, detail, read, *isSending);
+      Serve(link, request, folder, path, detail, read, *isSending);
     }
     int state = 0;
     const bool hasEnded = reader > 0 && waitpid(reader, &state, 0) == reader;
     const bool isFine = hasEnded && WIFEXITED(state) && WEXITSTATUS(state) == 0;
-    const Answer refusal;
+    Answer refusal;
+    refusal.State =
+      hasEnded && WIFSIGNALED(state) && WTERMSIG(state) == SIGALRM ? End::TookTooMuch : End::Broken;
     if (!isFine && (*isSending || !SendAll(link, &refusal, sizeof(refusal))))
     {
       return;

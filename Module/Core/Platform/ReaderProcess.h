@@ -44,21 +44,18 @@ enum class ReadTask : std::uint32_t
 enum class ReadResult : std::uint8_t
 {
   Answered,
-  Ended,    ///< the file has ended the process, or taken more memory or time than it may
+  Ended, ///< the file has ended the process, or taken more memory or time than it may: see `answer`
   NoProcess ///< there is no such process: read the file in this one
 };
-
-/** Says what ReadResult::Ended means. */
-constexpr const char* ReaderEnded =
-  "its reader ended, or took more memory or time than such a file needs";
 
 /**
  * Asks the process to read a file, or the part of it that `detail` describes. Starts the process if
  * it does not run. If there is none because another user could have written its program, `answer`
- * receives a note of that for the user.
+ * receives a note of that for the user; if the process ended, it says why. `unpacked` is the number
+ * of bytes that the file may unpack to, if the asker knows it.
  */
 ReadResult AskReader(ReadTask task, const std::string& path, std::string& answer,
-  const std::string& detail = std::string());
+  const std::string& detail = std::string(), std::uint64_t unpacked = 0);
 
 /** Returns the answer, or throws. */
 using ReadAnswer = std::string(ReadTask task, const std::string& path, const std::string& detail);

@@ -533,7 +533,7 @@ vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& name, std::string& 
   {
     return ReadHere(name, error);
   }
-  error = VolumeHaptics::ReaderEnded;
+  error = answer;
   try
   {
     VolumeHaptics::ByteUnpacker unpacker(answer);

@@ -408,7 +408,7 @@ Volume ReadGrid(const std::string& path)
     volume.Notes.insert(volume.Notes.end(), answer.empty() ? 0 : 1, answer);
     return volume;
   }
-  std::string detail = VolumeHaptics::ReaderEnded;
+  std::string detail = answer;
   if (result == VolumeHaptics::ReadResult::Answered)
   {
     VolumeHaptics::ByteUnpacker unpacker(answer);

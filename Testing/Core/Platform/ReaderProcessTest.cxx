@@ -60,7 +60,8 @@ protected:
   }
 
   /// Asks a new process that has its own limit (bytes); 0: no limit.
-  static Limits Ask(ReadTask task, const std::string& path, rlim_t own = 0)
+  static Limits Ask(
+    ReadTask task, const std::string& path, rlim_t own = 0, std::uint64_t unpacked = 0)
   {
     int links[2];
     Limits limits;
@@ -80,6 +81,7 @@ protected:
     const std::uint32_t head[4] = { static_cast<std::uint32_t>(task), 0,
       static_cast<std::uint32_t>(path.size()), 0 };
     std::string request(reinterpret_cast<const char*>(head), sizeof(head));
+    request.append(reinterpret_cast<const char*>(&unpacked), sizeof(unpacked));
     request += path;
     EXPECT_EQ(write(links[0], request.data(), request.size()), ssize_t(request.size()));
     char answer[1 + 2 * sizeof(std::uint64_t) + sizeof(limits)];
@@ -118,6 +120,14 @@ TEST_F(Reader, OfACaseLeavesRoomForWhatIsElsewhere)
 TEST_F(Reader, OfAFolderLeavesRoomForItsFiles)
 {
   EXPECT_GE(Ask(ReadTask::Tiff, this->Folder).Seconds, 3590);
+}
+
+TEST_F(Reader, LeavesRoomForWhatASmallFileUnpacksTo)
+{
+  const std::string path = this->Write("zeros.tif", 300);
+  const Limits limits = Ask(ReadTask::TiffBox, path, 0, 2 * gibibyte);
+  EXPECT_GE(limits.Seconds, 8000);           // at 256 KiB a second
+  EXPECT_GE(limits.Bytes, 2 * 2 * gibibyte); // for the unpacked page and the answer
 }
 
 TEST_F(Reader, OfAFileOfHolesHasAnEnd)

@@ -1003,12 +1003,11 @@ TiffStack UnpackStack(ByteUnpacker& unpacker)
 }
 
 /** Throws what the other process found wrong, which is the first text of its answer. */
-void CheckAnswer(ReadResult result, ByteUnpacker& unpacker)
+void CheckAnswer(ReadResult result, const std::string& answer, ByteUnpacker& unpacker)
 {
   if (result == ReadResult::Ended)
   {
-    throw std::runtime_error(
-      std::string("it is damaged: ") + ReaderEnded + ". Copy or write it again.");
+    throw std::runtime_error(answer + ". Copy or write it again.");
   }
   const std::string fault = unpacker.GetText();
   if (!fault.empty())
@@ -1016,6 +1015,9 @@ void CheckAnswer(ReadResult result, ByteUnpacker& unpacker)
     throw std::runtime_error(fault);
   }
 }
+
+/** The number of bytes that take as long to read as a file takes to be opened: about a second. */
+constexpr double OpeningBytes = 256 << 10;
 
 bool TiffStack::Read(const int box[6], void* samples) const
 {
@@ -1032,8 +1034,10 @@ bool TiffStack::Read(const int box[6], void* samples) const
     PackStack(some, packer);
     packer.Put(part);
     std::string answer;
-    const ReadResult result =
-      AskReader(ReadTask::TiffBox, some.Files.front(), answer, packer.Bytes);
+    const double unpacked = CountPageBytes(this->Layout) * static_cast<double>(some.Pages.size()) +
+      OpeningBytes * static_cast<double>(some.Files.size());
+    const ReadResult result = AskReader(ReadTask::TiffBox, some.Files.front(), answer, packer.Bytes,
+      static_cast<std::uint64_t>(std::min(unpacked, 1e15)));
     const std::size_t bytes = slice * some.Pages.size();
     if (result == ReadResult::NoProcess)
     {
@@ -1042,7 +1046,7 @@ bool TiffStack::Read(const int box[6], void* samples) const
     else
     {
       ByteUnpacker unpacker(answer);
-      CheckAnswer(result, unpacker);
+      CheckAnswer(result, answer, unpacker);
       std::memcpy(to, unpacker.Take(bytes, 1), bytes);
     }
     to += bytes;
@@ -1152,7 +1156,10 @@ TiffFacts AskForFacts(const std::string& path, int number)
   BytePacker packer;
   packer.Put(number);
   std::string answer;
-  const ReadResult result = AskReader(ReadTask::Tiff, path, answer, packer.Bytes);
+  // OME-XML may name any of the files beside it.
+  const std::size_t files = ListFiles(GetFolder(path)).size();
+  const ReadResult result = AskReader(
+    ReadTask::Tiff, path, answer, packer.Bytes, static_cast<std::uint64_t>(OpeningBytes) * files);
   if (result == ReadResult::NoProcess)
   {
     TiffFacts facts = ReadFacts(path, number);
@@ -1160,7 +1167,7 @@ TiffFacts AskForFacts(const std::string& path, int number)
     return facts;
   }
   ByteUnpacker unpacker(answer);
-  CheckAnswer(result, unpacker);
+  CheckAnswer(result, answer, unpacker);
   return UnpackFacts(unpacker, path);
 }
 

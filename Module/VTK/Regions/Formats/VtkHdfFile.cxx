@@ -329,8 +329,7 @@ VtkHdfFacts AskForFacts(const std::string& name, std::vector<std::string>& notes
       notes.insert(notes.end(), answer.empty() ? 0 : 1, answer);
       return ReadFacts(name);
     case ReadResult::Ended:
-      throw std::runtime_error(
-        std::string("it is damaged: ") + ReaderEnded + ". Copy or write it again.");
+      throw std::runtime_error(answer + ". Copy or write it again.");
     case ReadResult::Answered:
       break;
   }
