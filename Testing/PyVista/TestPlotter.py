@@ -156,7 +156,7 @@ def test_slices_lie_beside_the_scene(window, hands):
 def test_keys_measure_where_the_ball_is_touched(window, hands, tmp_path):
     hand = hands()
     hand.push(steps=2)
-    hand.press("P")
+    hand.press("1")
     measurements = hand.haptics.measurements
     assert measurements.GetNumberOfMeasurements() == 1
     point = [0.0, 0.0, 0.0]

@@ -351,7 +351,7 @@ def add_haptics(
     device that you pass, its own AttentionTime), and ends when the volume's actor is removed or, in pyvistaqt, when the
     widget or its window is hidden, minimised or closed. Closing the plotter stops everything. The plotter's style,
     keys and mouse remain its own until t is pressed, and then all that the touch does not use: haptics.style.SetKey("Compare",
-    "") gives C, for example, back to PyVista.
+    "") gives y, for example, back to PyVista.
 
     TypeError: no plotter or nothing that can be touched, or no such setting. ValueError: data or settings that
     can't be touched; the text has the reason and the cure. RuntimeError: the device does not open. UserWarning: the

@@ -3,6 +3,7 @@
 #include "VTK/Scene/Base/KeyMap.h"
 
 #include <algorithm>
+#include <cstring>
 #include <initializer_list>
 #include <iterator>
 #include <sstream>
@@ -13,52 +14,144 @@ namespace VolumeHaptics
 namespace
 {
 
+/** A group of actions in the list of keys and in menus. */
+enum class KeyGroup
+{
+  Touch,
+  Display,
+  Slices,
+  Measure,
+  Materials,
+  Time,
+  Device
+};
+
+/** The titles of the groups, in the order of KeyGroup. */
+constexpr const char* GroupTitles[] = { "Touch", "Display", "Slices", "Measure where you touch",
+  "Materials", "Time", "Device" };
+
+/** The part of a scene without which an action does nothing. */
+enum class KeyedPart
+{
+  None, ///< the action needs no part
+  Modes,
+  Slices,
+  Measurements,
+  MeasurementsOrEditor,
+  Editor,
+  Labels,
+  TimeSteps,
+  Device
+};
+
+/** An action: the list of keys, menus, and buttons of programs are made from this table. */
 struct Action
 {
   const char* Name;
   const char* Keys; ///< the first key stands for the action
+  KeyGroup Group;
+  KeyedPart Part;
+  const char* Text;
 };
 
 constexpr Action Actions[] = {
-  { "Touch", "t" },
-  { "Arm", "a" },
-  { "LetGo", "Escape End" },
-  { "NextMethod", "m" },
-  { "Compare", "C" },
-  { "NextMode", "M" },
-  { "Help", "question F1" },
-  { "Text", "h" },
-  { "Graph", "g" },
-  { "Details", "d" },
-  { "Slices", "s" },
-  { "Point", "P" },
-  { "Distance", "D" },
-  { "Angle", "A" },
-  { "Path", "L" },
-  { "Area", "B" },
-  { "Undo", "Z" },
-  { "Redo", "Y" },
-  { "RemoveLast", "Delete" },
-  { "Measurements", "I" },
-  { "FunctionEditor", "v" },
-  { "NextFunction", "n" },
-  { "Propose", "p" },
-  { "DropProposal", "BackSpace" },
-  { "DockEditor", "V" },
-  { "ResetFunctions", "R" },
-  { "Labels", "l" },
-  { "Play", "space" },
-  { "FrameBefore", "Left" },
-  { "FrameAfter", "Right" },
-  { "Slower", "comma" },
-  { "Faster", "period" },
-  { "AtTheEnd", "b" },
-  { "RecenterWorkspace", "c" },
-  { "Clutch", "k" },
-  { "LargerWorkspace", "plus KP_Add" },
-  { "SmallerWorkspace", "minus KP_Subtract" },
-  { "Home", "Home" },
+  { "Touch", "t", KeyGroup::Touch, KeyedPart::None, "touch what is under the pointer; let go" },
+  { "Arm", "a", KeyGroup::Touch, KeyedPart::None, "force on; off" },
+  { "LetGo", "Escape End", KeyGroup::Touch, KeyedPart::None, "let go, force off" },
+  { "NextMethod", "m", KeyGroup::Touch, KeyedPart::None, "the next method" },
+  { "Compare", "y", KeyGroup::Touch, KeyedPart::None, "compare settings A and B" },
+  { "NextMode", "j", KeyGroup::Touch, KeyedPart::Modes, "the next mode alone; all modes" },
+  { "Help", "question F1", KeyGroup::Display, KeyedPart::None, "these keys" },
+  { "Text", "h", KeyGroup::Display, KeyedPart::None, "text" },
+  { "Graph", "g", KeyGroup::Display, KeyedPart::None, "graph" },
+  { "Details", "d", KeyGroup::Display, KeyedPart::None, "details" },
+  { "Slices", "s", KeyGroup::Slices, KeyedPart::Slices, "show; hide" },
+  { "Point", "1", KeyGroup::Measure, KeyedPart::Measurements, "a point" },
+  { "Distance", "2", KeyGroup::Measure, KeyedPart::Measurements, "a distance: both ends" },
+  { "Angle", "3", KeyGroup::Measure, KeyedPart::Measurements, "an angle: end, corner, end" },
+  { "Path", "4", KeyGroup::Measure, KeyedPart::Measurements, "a path: begin; end" },
+  { "Area", "5", KeyGroup::Measure, KeyedPart::Measurements, "a painted area: begin; end" },
+  { "Undo", "Ctrl+z", KeyGroup::Measure, KeyedPart::MeasurementsOrEditor,
+    "undo; over the editor, an edit" },
+  { "Redo", "Ctrl+y", KeyGroup::Measure, KeyedPart::MeasurementsOrEditor, "redo" },
+  { "RemoveLast", "Delete", KeyGroup::Measure, KeyedPart::Measurements, "remove the last one" },
+  { "Measurements", "i", KeyGroup::Measure, KeyedPart::Measurements, "list" },
+  { "FunctionEditor", "v", KeyGroup::Materials, KeyedPart::Editor, "function editor" },
+  { "NextFunction", "n", KeyGroup::Materials, KeyedPart::Editor, "the next function" },
+  { "Propose", "p", KeyGroup::Materials, KeyedPart::Editor, "propose functions; take them" },
+  { "DropProposal", "BackSpace", KeyGroup::Materials, KeyedPart::Editor, "drop the proposal" },
+  { "DockEditor", "u", KeyGroup::Materials, KeyedPart::Editor, "beside the scene; over it" },
+  { "ResetFunctions", "Ctrl+BackSpace", KeyGroup::Materials, KeyedPart::Editor, "undo all edits" },
+  { "Labels", "l", KeyGroup::Materials, KeyedPart::Labels, "materials of labels" },
+  { "Play", "space", KeyGroup::Time, KeyedPart::TimeSteps, "play; hold" },
+  { "FrameBefore", "Left", KeyGroup::Time, KeyedPart::TimeSteps, "the frame before" },
+  { "FrameAfter", "Right", KeyGroup::Time, KeyedPart::TimeSteps, "the frame after" },
+  { "Slower", "comma", KeyGroup::Time, KeyedPart::TimeSteps, "half the speed" },
+  { "Faster", "period", KeyGroup::Time, KeyedPart::TimeSteps, "twice the speed" },
+  { "AtTheEnd", "b", KeyGroup::Time, KeyedPart::TimeSteps, "at the end: hold, repeat, turn back" },
+  { "RecenterWorkspace", "c", KeyGroup::Device, KeyedPart::Device,
+    "workspace back to the focal point" },
+  { "Clutch", "k", KeyGroup::Device, KeyedPart::Device, "clutch, while held" },
+  { "LargerWorkspace", "plus KP_Add", KeyGroup::Device, KeyedPart::Device, "larger workspace" },
+  { "SmallerWorkspace", "minus KP_Subtract", KeyGroup::Device, KeyedPart::Device,
+    "smaller workspace" },
+  { "Home", "Home", KeyGroup::Device, KeyedPart::Device, "find the zero of the encoders" },
 };
+
+/** The beginning of the name of a key that is pressed with Ctrl. */
+constexpr const char* ControlPrefix = "Ctrl+";
+
+bool HasControl(const std::string& key)
+{
+  return key.rfind(ControlPrefix, 0) == 0;
+}
+
+std::string RemoveControl(const std::string& key)
+{
+  return HasControl(key) ? key.substr(std::strlen(ControlPrefix)) : key;
+}
+
+bool IsCapital(const std::string& key)
+{
+  return key.size() == 1 && key[0] >= 'A' && key[0] <= 'Z';
+}
+
+std::string ToLower(const std::string& key)
+{
+  return IsCapital(key) ? std::string(1, static_cast<char>(key[0] - 'A' + 'a')) : key;
+}
+
+const Action* FindAction(const std::string& name)
+{
+  const auto* const known = std::find_if(
+    std::begin(Actions), std::end(Actions), [&](const Action& one) { return name == one.Name; });
+  return known == std::end(Actions) ? nullptr : known;
+}
+
+bool HasPart(const KeyedParts& parts, KeyedPart part)
+{
+  switch (part)
+  {
+    case KeyedPart::Modes:
+      return parts.HasModes;
+    case KeyedPart::Slices:
+      return parts.HasSlices;
+    case KeyedPart::Measurements:
+      return parts.HasMeasurements;
+    case KeyedPart::MeasurementsOrEditor:
+      return parts.HasMeasurements || parts.HasEditor;
+    case KeyedPart::Editor:
+      return parts.HasEditor;
+    case KeyedPart::Labels:
+      return parts.HasLabels;
+    case KeyedPart::TimeSteps:
+      return parts.HasTimeSteps;
+    case KeyedPart::Device:
+      return parts.HasDevice;
+    default:
+      return true;
+  }
+}
 
 std::vector<std::string> Split(const std::string& keys)
 {
@@ -75,6 +168,13 @@ bool HasKey(const std::string& keys, const std::string& key)
 /** Returns the text that is printed on a key. */
 std::string Label(const std::string& key)
 {
+  if (HasControl(key))
+  {
+    const std::string rest = RemoveControl(key);
+    const bool isLetter = rest.size() == 1 && rest[0] >= 'a' && rest[0] <= 'z';
+    return ControlPrefix +
+      (isLetter ? std::string(1, static_cast<char>(rest[0] - 'a' + 'A')) : Label(rest));
+  }
   static const std::map<std::string, std::string> labels{ { "question", "?" }, { "plus", "+" },
     { "minus", "-" }, { "comma", "," }, { "period", "." }, { "greater", ">" }, { "less", "<" },
     { "BackSpace", "Backspace" } };
@@ -95,16 +195,35 @@ const std::map<char, const char*>& CodeNames()
 bool HasCode(const std::string& key)
 {
   const auto& names = CodeNames();
-  return key.size() == 1 ||
+  return RemoveControl(key).size() == 1 ||
     std::any_of(names.begin(), names.end(), [&](const auto& one) { return key == one.second; });
 }
 
-/** A line of the list: its actions, by their default keys, and what they do. */
-struct KeyLine
+/** Returns the name of a key, whatever Ctrl says. See KeyMap::FindName. */
+std::string FindPlainName(const char* symbol, char code, bool hasShift, bool hasControl)
 {
-  std::vector<std::string> Keys;
-  const char* Meaning;
-};
+  if (symbol && *symbol)
+  {
+    return symbol;
+  }
+  if (hasShift && (code == '/' || code == '='))
+  {
+    return code == '/' ? "question" : "plus";
+  }
+  const auto name = CodeNames().find(code);
+  if (name != CodeNames().end())
+  {
+    return name->second;
+  }
+  constexpr char lastControl = 26; // the code of Ctrl+Z
+  if (hasControl && code > '\0' && code <= lastControl)
+  {
+    return std::string(1, static_cast<char>(code - 1 + 'a'));
+  }
+  const std::string letter = code == '\0' ? std::string() : std::string(1, code);
+  return hasShift ? letter : ToLower(letter);
+}
+
 struct MouseLine
 {
   const char* Motion;
@@ -119,15 +238,18 @@ public:
   {
   }
   /** Sets a title, which is written only if a line follows. */
-  void Begin(const char* title) { this->Title = title; }
-  void Add(std::initializer_list<KeyLine> lines)
+  void Begin(KeyGroup group) { this->Title = GroupTitles[static_cast<std::size_t>(group)]; }
+  /** Adds the actions of a group for which the scene has the part. */
+  void AddActions(const KeyedParts& parts, KeyGroup group)
   {
-    for (const KeyLine& line : lines)
+    for (const Action& action : Actions)
     {
-      const std::string keys = this->Keys.Describe(line.Keys);
+      const std::string keys = action.Group == group && HasPart(parts, action.Part)
+        ? this->Keys.Describe({ Split(action.Keys).front() })
+        : std::string();
       if (!keys.empty())
       {
-        this->Add(keys, line.Meaning);
+        this->Add(keys, action.Text);
       }
     }
   }
@@ -165,24 +287,10 @@ std::vector<std::string> KeyMap::ListActions()
   return names;
 }
 
-std::string KeyMap::FindName(const char* symbol, char code, bool hasShift)
+std::string KeyMap::FindName(const char* symbol, char code, bool hasShift, bool hasControl)
 {
-  if (symbol && *symbol)
-  {
-    return symbol;
-  }
-  if (hasShift && (code == '/' || code == '='))
-  {
-    return code == '/' ? "question" : "plus";
-  }
-  const auto name = CodeNames().find(code);
-  if (name != CodeNames().end())
-  {
-    return name->second;
-  }
-  const bool isCapital = code >= 'A' && code <= 'Z';
-  const char letter = isCapital && !hasShift ? static_cast<char>(code - 'A' + 'a') : code;
-  return letter == '\0' ? std::string() : std::string(1, letter);
+  const std::string name = FindPlainName(symbol, code, hasShift, hasControl);
+  return hasControl && !name.empty() ? ControlPrefix + ToLower(name) : name;
 }
 
 void KeyMap::RecordPress(const char* symbol, char code)
@@ -229,21 +337,59 @@ std::string KeyMap::Get(const std::string& action) const
   {
     return changed->second;
   }
-  const auto* const known = std::find_if(
-    std::begin(Actions), std::end(Actions), [&](const Action& one) { return action == one.Name; });
-  return known == std::end(Actions) ? "" : known->Keys;
+  const Action* const known = FindAction(action);
+  return known ? known->Keys : "";
 }
 
 std::string KeyMap::Find(const std::string& pressed) const
 {
+  const std::string found = this->FindExactly(pressed);
+  if (!found.empty())
+  {
+    return found;
+  }
+  // A capital without an action is its letter, with Caps Lock for example. Ctrl moves the mouse in
+  // depth, so a key with a name, such as Escape, keeps its action.
+  const std::string rest = RemoveControl(pressed);
+  const bool isNamed = HasControl(pressed) && rest.size() > 1;
+  return isNamed         ? this->FindExactly(rest)
+    : IsCapital(pressed) ? this->FindExactly(ToLower(pressed))
+                         : std::string();
+}
+
+std::string KeyMap::FindReleased(const std::string& released) const
+{
+  return this->Find(RemoveControl(released));
+}
+
+std::string KeyMap::FindExactly(const std::string& key) const
+{
   for (const Action& action : Actions)
   {
-    if (HasKey(this->Get(action.Name), pressed))
+    if (HasKey(this->Get(action.Name), key))
     {
       return Split(action.Keys).front();
     }
   }
   return {};
+}
+
+std::string KeyMap::FindDefaultKey(const std::string& action)
+{
+  const Action* const known = FindAction(action);
+  return known ? Split(known->Keys).front() : std::string();
+}
+
+std::string KeyMap::GetText(const std::string& action, const KeyedParts& parts)
+{
+  const Action* const known = FindAction(action);
+  return known && HasPart(parts, known->Part) ? known->Text : "";
+}
+
+std::string KeyMap::GetGroup(const std::string& action)
+{
+  const Action* const known = FindAction(action);
+  return known ? GroupTitles[static_cast<std::size_t>(known->Group)] : "";
 }
 
 std::string KeyMap::Name(const std::string& defaultKey) const
@@ -280,8 +426,7 @@ std::string KeyMap::Describe(const std::vector<std::string>& defaultKeys) const
 std::string ListKeys(const KeyedParts& parts, const KeyMap& keys)
 {
   KeyList list(keys);
-  list.Begin("Touch");
-  list.Add({ { { "t" }, "touch what is under the pointer; let go" } });
+  list.Begin(KeyGroup::Touch);
   if (parts.HasMouse)
   {
     list.AddMouse({ { "mouse", "stroke" }, { "wheel", "press, and lift" },
@@ -297,55 +442,21 @@ std::string ListKeys(const KeyedParts& parts, const KeyMap& keys)
     list.AddMouse(
       { { "Alt + mouse", "turn the tool" }, { "Alt + wheel", "turn it about the line of sight" } });
   }
-  list.Add({ { { "a" }, "force on; off" }, { { "Escape" }, "let go, force off" },
-    { { "m" }, "the next method" }, { { "C" }, "compare settings A and B" } });
-  if (parts.HasModes)
-  {
-    list.Add({ { { "M" }, "the next mode alone; all modes" } });
-  }
-  list.Begin("Display");
-  list.Add({ { { "question" }, "these keys" }, { { "h" }, "text" }, { { "g" }, "graph" },
-    { { "d" }, "details" } });
+  list.AddActions(parts, KeyGroup::Touch);
+  list.Begin(KeyGroup::Display);
+  list.AddActions(parts, KeyGroup::Display);
+  list.Begin(KeyGroup::Slices);
+  list.AddActions(parts, KeyGroup::Slices);
   if (parts.HasSlices)
   {
-    list.Begin("Slices");
-    list.Add({ { { "s" }, "show; hide" } });
     list.AddMouse({ { "click", "go there and touch" }, { "wheel", "across them" },
       { "right drag", "window, level" } });
   }
-  if (parts.HasMeasurements)
+  for (const KeyGroup group :
+    { KeyGroup::Measure, KeyGroup::Materials, KeyGroup::Time, KeyGroup::Device })
   {
-    list.Begin("Measure where you touch");
-    list.Add({ { { "P" }, "a point" }, { { "D" }, "a distance: both ends" },
-      { { "A" }, "an angle: end, corner, end" }, { { "L" }, "a path: begin; end" },
-      { { "B" }, "a painted area: begin; end" }, { { "Z", "Y" }, "undo; redo" },
-      { { "Delete" }, "remove the last one" }, { { "I" }, "list" } });
-  }
-  list.Begin("Materials");
-  if (parts.HasEditor)
-  {
-    list.Add({ { { "v" }, "function editor" }, { { "V" }, "beside the scene; over it" },
-      { { "n" }, "the next function" }, { { "Z", "Y" }, "undo; redo, over the editor" },
-      { { "R" }, "undo all edits" }, { { "p" }, "propose functions; take them" },
-      { { "BackSpace" }, "drop the proposal" } });
-  }
-  if (parts.HasLabels)
-  {
-    list.Add({ { { "l" }, "materials of labels" } });
-  }
-  if (parts.HasTimeSteps)
-  {
-    list.Begin("Time");
-    list.Add({ { { "space" }, "play; hold" }, { { "Left", "Right" }, "the frame before; after" },
-      { { "comma", "period" }, "half the speed; twice" },
-      { { "b" }, "at the end: hold, repeat, turn back" } });
-  }
-  if (parts.HasDevice)
-  {
-    list.Begin("Device");
-    list.Add({ { { "c" }, "workspace back to the focal point" }, { { "k" }, "clutch, while held" },
-      { { "plus", "minus" }, "larger, smaller workspace" },
-      { { "Home" }, "find the zero of the encoders" } });
+    list.Begin(group);
+    list.AddActions(parts, group);
   }
   return list.GetText();
 }

@@ -17,6 +17,21 @@
 namespace VolumeHaptics
 {
 
+/** The parts of a scene that have keys of their own. */
+struct KeyedParts
+{
+  bool HasMouse = true;   ///< the mouse leads the tip
+  bool TurnsView = true;  ///< the right mouse button turns the view in touch mode
+  bool HasDevice = false; ///< has a real device
+  bool HasTool = false;   ///< has a tool that the mouse can turn
+  bool HasEditor = false;
+  bool HasLabels = false; ///< the editor shows labels
+  bool HasModes = false;
+  bool HasTimeSteps = false;
+  bool HasSlices = false;
+  bool HasMeasurements = false;
+};
+
 /**
  * Maps the key that was pressed to the default key of its action, such as "t" for Touch. The parts
  * of an interaction know actions by these default keys.
@@ -30,9 +45,11 @@ public:
   /**
    * Returns the name of an event's key: its symbol, or if the toolkit sends no symbol, X11's name
    * for its code. A letter without Shift is lower case, although wx sends capital letters. wx also
-   * sends the code that a key has without Shift: `?` and `+` are found for a US keyboard.
+   * sends the code that a key has without Shift: `?` and `+` are found for a US keyboard. With
+   * Ctrl, the name begins with "Ctrl+", and a letter is lower case: "Ctrl+z".
    */
-  static std::string FindName(const char* symbol, char code, bool hasShift);
+  static std::string FindName(
+    const char* symbol, char code, bool hasShift, bool hasControl = false);
 
   /**
    * Records whether the toolkit names keys. If it sends only codes, as wx does, keys without a
@@ -49,8 +66,20 @@ public:
   /** Returns the keys of an action; empty if it has none, or if the action does not exist. */
   std::string Get(const std::string& action) const;
 
-  /** Returns the default key of the action that a key has now; empty if the key has no action. */
+  /**
+   * Returns the default key of the action that a key has now; empty if the key has no action. A
+   * capital without an action of its own has the action of its letter, and a key with a name, such
+   * as Escape, keeps its action with Ctrl.
+   */
   std::string Find(const std::string& pressed) const;
+  /** As Find(), for a key that was perhaps pressed without the Ctrl that is down now. */
+  std::string FindReleased(const std::string& released) const;
+  /** Returns the default key of an action; empty if the action does not exist. */
+  static std::string FindDefaultKey(const std::string& action);
+  /** Returns what an action does; empty if the scene has no part for it. */
+  static std::string GetText(const std::string& action, const KeyedParts& parts);
+  /** Returns the title of an action's group, such as "Touch". */
+  static std::string GetGroup(const std::string& action);
   /**
    * Returns the text that users see for an action's first key, such as "?"; empty if it has none.
    */
@@ -62,6 +91,8 @@ public:
   std::string Describe(const std::vector<std::string>& defaultKeys) const;
 
 private:
+  std::string FindExactly(const std::string& key) const;
+
   std::map<std::string, std::string> Changed; ///< action -> keys
   bool HasNames = true;                       ///< whether the last key that was pressed had a name
 };
@@ -101,21 +132,6 @@ public:
 private:
   std::string Released;
   std::int64_t ReleaseTime = 0; ///< ServoClock
-};
-
-/** The parts of a scene that have keys of their own. */
-struct KeyedParts
-{
-  bool HasMouse = true;   ///< the mouse leads the tip
-  bool TurnsView = true;  ///< the right mouse button turns the view in touch mode
-  bool HasDevice = false; ///< has a real device
-  bool HasTool = false;   ///< has a tool that the mouse can turn
-  bool HasEditor = false;
-  bool HasLabels = false; ///< the editor shows labels
-  bool HasModes = false;
-  bool HasTimeSteps = false;
-  bool HasSlices = false;
-  bool HasMeasurements = false;
 };
 
 /**

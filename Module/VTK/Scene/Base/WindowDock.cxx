@@ -40,6 +40,8 @@ public:
   /** Places the strip of a dock. Docks are distinguished by their addresses. */
   void Place(
     const WindowDock* dock, DockEdge edge, double fraction, const std::vector<vtkRenderer*>& strip);
+  /** Places the bar of a dock before all strips. */
+  void PlaceBar(const WindowDock* dock, double fraction, vtkRenderer* over);
   void Remove(const WindowDock* dock);
 
 private:
@@ -51,6 +53,7 @@ private:
     DockEdge Edge;
     double Fraction;
     std::vector<vtkWeakPointer<vtkRenderer>> Renderers;
+    bool IsBar = false; ///< whether its renderer has the whole window
   };
   struct Narrowed
   {
@@ -99,6 +102,18 @@ void DockLayout::Place(
     [dock](const Strip& one) { return one.Dock == dock; });
   Strip& placed = known != this->Strips.end() ? *known : this->Strips.emplace_back();
   placed = { dock, edge, fraction, { strip.begin(), strip.end() } };
+  this->Arrange();
+}
+
+//------------------------------------------------------------------------------
+void DockLayout::PlaceBar(const WindowDock* dock, double fraction, vtkRenderer* over)
+{
+  const bool isPlaced = !this->Strips.empty() && this->Strips.front().Dock == dock;
+  if (!isPlaced)
+  {
+    this->Strips.insert(this->Strips.begin(), Strip{});
+  }
+  this->Strips.front() = { dock, DockEdge::Top, fraction, { over }, true };
   this->Arrange();
 }
 
@@ -177,8 +192,12 @@ void DockLayout::Arrange()
     for (std::size_t i = 0; i < strip.Renderers.size(); ++i)
     {
       const auto at = static_cast<double>(i);
-      Viewport wanted = taken;
-      if (IsColumn(strip.Edge))
+      Viewport wanted = strip.IsBar ? Viewport{ { 0.0, 0.0, 1.0, 1.0 } } : taken;
+      if (strip.IsBar)
+      {
+        // The renderer draws over the others.
+      }
+      else if (IsColumn(strip.Edge))
       {
         wanted[1] = taken[1] + (parts - 1.0 - at) / parts * (taken[3] - taken[1]);
         wanted[3] = taken[1] + (parts - at) / parts * (taken[3] - taken[1]);
@@ -229,8 +248,7 @@ void DockLayout::Narrow(vtkRenderer* renderer, const Viewport& left)
   }
 }
 
-void WindowDock::Place(
-  vtkRenderWindow* window, DockEdge edge, double fraction, const std::vector<vtkRenderer*>& strip)
+void WindowDock::Enter(vtkRenderWindow* window)
 {
   if (this->Layout && this->Layout->GetWindow() != window)
   {
@@ -240,7 +258,19 @@ void WindowDock::Place(
   {
     this->Layout = DockLayout::Of(window);
   }
+}
+
+void WindowDock::Place(
+  vtkRenderWindow* window, DockEdge edge, double fraction, const std::vector<vtkRenderer*>& strip)
+{
+  this->Enter(window);
   this->Layout->Place(this, edge, fraction, strip);
+}
+
+void WindowDock::PlaceBar(vtkRenderWindow* window, double fraction, vtkRenderer* over)
+{
+  this->Enter(window);
+  this->Layout->PlaceBar(this, fraction, over);
 }
 
 void WindowDock::GiveBack()

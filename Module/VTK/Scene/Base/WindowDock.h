@@ -7,6 +7,8 @@
 #ifndef WindowDock_h
 #define WindowDock_h
 
+#include "vtkVolumeHapticsModule.h"
+
 #include <memory>
 #include <vector>
 
@@ -43,7 +45,7 @@ constexpr bool IsLow(DockEdge edge)
  * each later strip gets an edge of the rest, and all other renderers of the window get what is left
  * then.
  */
-class WindowDock
+class VTKVOLUMEHAPTICS_EXPORT WindowDock
 {
 public:
   WindowDock() = default;
@@ -59,10 +61,18 @@ public:
   void Place(vtkRenderWindow* window, DockEdge edge, double fraction,
     const std::vector<vtkRenderer*>& strip);
 
+  /**
+   * Puts a bar along the top of the window, above all strips. `over`, which draws the bar and what
+   * unfolds from it, gets the whole window. Call it before each frame.
+   */
+  void PlaceBar(vtkRenderWindow* window, double fraction, vtkRenderer* over);
+
   /** Restores the other renderers' viewports, unless they have been changed since. */
   void GiveBack();
 
 private:
+  void Enter(vtkRenderWindow* window);
+
   std::shared_ptr<DockLayout> Layout; ///< shared by the window's docks
 };
 

@@ -429,13 +429,24 @@ void HapticInteraction::Zoom(const std::function<void()>& zoom)
 //------------------------------------------------------------------------------
 bool HapticInteraction::PressKey(const std::string& pressed)
 {
-  auto& scene = this->Scene;
   const std::string key = this->Keys.Find(pressed);
   if (this->Repeat.IsRepeat(pressed) && !KeyRepeat::MayRepeat(key))
   {
     return this->IsRepeat(pressed);
   }
   this->UsedKey.clear();
+  if (!this->Perform(key))
+  {
+    return false;
+  }
+  this->UsedKey = pressed;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::Perform(const std::string& key)
+{
+  auto& scene = this->Scene;
   if (key.empty())
   {
     return false;
@@ -487,7 +498,7 @@ bool HapticInteraction::PressKey(const std::string& pressed)
   {
     this->NextMethod();
   }
-  else if (key == "C" && scene.Device)
+  else if (key == "y" && scene.Device)
   {
     this->SwapSettings();
   }
@@ -495,7 +506,7 @@ bool HapticInteraction::PressKey(const std::string& pressed)
   {
     scene.Slices->SetVisibility(!scene.Slices->GetVisibility());
   }
-  else if (key == "M" && this->Modes.Next())
+  else if (key == "j" && this->Modes.Next())
   {
     // Next() has already changed the mode.
   }
@@ -504,7 +515,6 @@ bool HapticInteraction::PressKey(const std::string& pressed)
   {
     return false;
   }
-  this->UsedKey = pressed;
   this->Frames.Draw(true);
   return true;
 }
@@ -513,7 +523,7 @@ bool HapticInteraction::PressKey(const std::string& pressed)
 bool HapticInteraction::ReleaseKey(const std::string& released)
 {
   this->Repeat.RecordRelease(released);
-  if (this->Keys.Find(released) != "k")
+  if (this->Keys.FindReleased(released) != "k")
   {
     return false;
   }
@@ -580,13 +590,12 @@ bool HapticInteraction::TypeKey(const std::string& typed) const
 {
   // In the touch mode, do not pass on keys of the superclass that would disturb: f would fly the
   // camera away from the hand. Never pass on keys that have an action here: m starts an animation,
-  // R resets the camera, p picks a prop, s shows surfaces. Nor pass on keys to which the
-  // application has moved an action.
+  // p picks a prop, s shows surfaces, 3 shows two pictures for red and blue glasses. Nor pass on
+  // keys to which the application has moved an action.
   const std::string key = this->Keys.Find(typed);
-  return (this->Touch.IsOn() && typed == "f") || key == "m" || key == "M" ||
-    (key == "R" && this->Scene.Editor) || (key == "s" && this->Scene.Slices) ||
-    (key == "p" && this->Scene.Editor) || (key == "P" && this->Scene.Measurements) ||
-    (!key.empty() && key != typed);
+  return (this->Touch.IsOn() && typed == "f") || key == "m" || key == "j" ||
+    (key == "s" && this->Scene.Slices) || ((key == "p" || key == "u") && this->Scene.Editor) ||
+    (key == "3" && this->Scene.Measurements) || (!key.empty() && key != typed);
 }
 
 //------------------------------------------------------------------------------

@@ -119,6 +119,8 @@ public:
   void Zoom(const std::function<void()>& zoom);
   /** Handles the press of a key. `pressed` is X11's name of the key. */
   bool PressKey(const std::string& pressed);
+  /** Performs the action with a default key. Returns false if the scene has no part for it. */
+  bool Perform(const std::string& key);
   bool ReleaseKey(const std::string& released);
   /** Whether a press repeats the last used press because the key is held. */
   bool IsRepeat(const std::string& pressed) const

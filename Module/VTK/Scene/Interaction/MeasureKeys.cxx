@@ -93,21 +93,21 @@ bool MeasureKeys::Press(const std::string& key)
   {
     return false;
   }
-  if (key == "P" || key == "D" || key == "A")
+  if (key == "1" || key == "2" || key == "3")
   {
-    this->SetPoint(key == "P" ? MeasuredKind::Point
-        : key == "D"          ? MeasuredKind::Distance
+    this->SetPoint(key == "1" ? MeasuredKind::Point
+        : key == "2"          ? MeasuredKind::Distance
                               : MeasuredKind::Angle);
   }
-  else if (key == "L" || key == "B")
+  else if (key == "4" || key == "5")
   {
-    this->BeginOrEnd(key == "L" ? MeasuredKind::Path : MeasuredKind::Area);
+    this->BeginOrEnd(key == "4" ? MeasuredKind::Path : MeasuredKind::Area);
   }
-  else if (key == "Z")
+  else if (key == "Ctrl+z")
   {
     this->Undo();
   }
-  else if (key == "Y")
+  else if (key == "Ctrl+y")
   {
     list->Redo();
   }
@@ -115,7 +115,7 @@ bool MeasureKeys::Press(const std::string& key)
   {
     list->Remove(list->GetNumberOfMeasurements() - 1);
   }
-  else if (key == "I" && this->Scene.Display)
+  else if (key == "i" && this->Scene.Display)
   {
     this->Scene.Display->SetMeasurementsVisibility(
       !this->Scene.Display->GetMeasurementsVisibility());

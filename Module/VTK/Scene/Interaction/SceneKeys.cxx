@@ -122,7 +122,7 @@ void DisplayKeys::HideKeys()
   }
 }
 
-std::string DisplayKeys::ListKeys() const
+KeyedParts DisplayKeys::FindParts() const
 {
   const TouchedScene& scene = this->Scene;
   vtkVolumeHapticsFilter* const filter = scene.Device ? scene.Device->GetVolumeHaptics() : nullptr;
@@ -139,7 +139,12 @@ std::string DisplayKeys::ListKeys() const
     filter->GetNumberOfModes() > 0;
   parts.HasTimeSteps = filter && filter->GetTimeUnitsPerSecond() != 0.0 &&
     filter->GetBaker().GetDataTimes().size() > 1;
-  return VolumeHaptics::ListKeys(parts, this->Keys) + this->ApplicationKeys;
+  return parts;
+}
+
+std::string DisplayKeys::ListKeys() const
+{
+  return VolumeHaptics::ListKeys(this->FindParts(), this->Keys) + this->ApplicationKeys;
 }
 
 std::string DisplayKeys::DescribeKey(
@@ -229,7 +234,7 @@ bool EditorKeys::Press(const std::string& key)
   {
     editor->SetVisibility(!editor->GetVisibility());
   }
-  else if (key == "V")
+  else if (key == "u")
   {
     // A hidden editor appears docked beside the scene.
     editor->SetDocked(!editor->GetVisibility() || !editor->GetDocked());
@@ -239,14 +244,14 @@ bool EditorKeys::Press(const std::string& key)
   {
     editor->NextFunction();
   }
-  else if (key == "R")
+  else if (key == "Ctrl+BackSpace")
   {
     this->Report(editor->Reset(), "There are no edits to reset");
   }
-  else if ((key == "Z" || key == "Y") && this->HasPointer())
+  else if ((key == "Ctrl+z" || key == "Ctrl+y") && this->HasPointer())
   {
-    key == "Z" ? this->Report(editor->Undo(), "There is no edit to undo")
-               : this->Report(editor->Redo(), "There is no edit to redo");
+    key == "Ctrl+z" ? this->Report(editor->Undo(), "There is no edit to undo")
+                    : this->Report(editor->Redo(), "There is no edit to redo");
   }
   else if (key == "l")
   {

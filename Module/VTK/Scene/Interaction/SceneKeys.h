@@ -18,6 +18,7 @@ namespace VolumeHaptics
 {
 
 class KeyMap;
+struct KeyedParts;
 class SceneFrames;
 class ToolTurn;
 class TouchMode;
@@ -45,6 +46,8 @@ public:
   void HideKeys();
   /** Returns the list of keys for the current scene. */
   std::string ListKeys() const;
+  /** Returns which parts with keys the scene has. */
+  KeyedParts FindParts() const;
   /** Shows what the user can do next, until something is touched. */
   void UpdateHint();
 

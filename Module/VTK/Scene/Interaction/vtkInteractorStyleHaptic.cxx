@@ -320,6 +320,27 @@ vtkStringArray* vtkInteractorStyleHaptic::GetKeyActions()
 }
 
 //------------------------------------------------------------------------------
+std::string vtkInteractorStyleHaptic::GetActionText(const char* action)
+{
+  return KeyMap::GetText(action ? action : "", this->Internals->Interaction.Displays.FindParts());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkInteractorStyleHaptic::GetActionGroup(const char* action)
+{
+  return KeyMap::GetGroup(action ? action : "");
+}
+
+//------------------------------------------------------------------------------
+bool vtkInteractorStyleHaptic::PerformAction(const char* action)
+{
+  // keep this alive, because observers may delete it
+  const vtkSmartPointer<vtkInteractorStyleHaptic> keep(this);
+  return HasWindow(this->Interactor) &&
+    this->Internals->Interaction.Perform(KeyMap::FindDefaultKey(action ? action : ""));
+}
+
+//------------------------------------------------------------------------------
 std::string vtkInteractorStyleHaptic::GetKeys()
 {
   return this->Internals->Interaction.Displays.ListKeys();
@@ -590,7 +611,8 @@ std::string vtkInteractorStyleHaptic::GetKeyName()
   const char* const symbol = this->Interactor->GetKeySym();
   const char code = this->Interactor->GetKeyCode();
   this->Internals->Interaction.Keys.RecordPress(symbol, code);
-  return KeyMap::FindName(symbol, code, this->Interactor->GetShiftKey() != 0);
+  return KeyMap::FindName(
+    symbol, code, this->Interactor->GetShiftKey() != 0, this->Interactor->GetControlKey() != 0);
 }
 
 //------------------------------------------------------------------------------

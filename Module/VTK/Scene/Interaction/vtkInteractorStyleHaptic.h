@@ -40,15 +40,16 @@
  *   Home        search for the zero of a real device's encoders: see vtkHapticDevice::Home()
  *   + and -     a larger and a smaller workspace
  *   m           the next method: see NextMethod()
- *   C           compare two settings, A and B, at one position: see SwapSettings()
- *   M           feel only the next mode of PRIMITIVES; after the last one, all modes. A click on a
+ *   y           compare two settings, A and B, at one position: see SwapSettings()
+ *   j           feel only the next mode of PRIMITIVES; after the last one, all modes. A click on a
  *               mode in the head-up display switches it on or off
  *   ? or F1     show the keys that do something in this scene; again, or Escape: hide them
  *   h, g and d  head-up display: text, graph, and details in the text
  *   v and n     function editor: on and off, and the next function
- *   V           function editor beside the scene, and over it
- *   Z and Y     undo and redo edits, if the pointer is over the function editor or there are no
- *               measurements; R takes back all edits
+ *   u           function editor beside the scene, and over it
+ *   Ctrl+Z, Ctrl+Y
+ *               undo and redo edits, if the pointer is over the function editor or there are no
+ *               measurements; Ctrl+Backspace takes back all edits
  *   l           materials of labels in the function editor: on, with the touched label selected,
  *               and off
  *   p           propose functions in the editor; again: accept the proposal, and the KernelRadius
@@ -206,20 +207,21 @@ public:
    * Default nullptr: these keys do nothing. They measure the position of the proxy while something
    * is touched:
    *
-   *   P           a point
-   *   D           the ends of a distance, one after the other
-   *   A           the points of an angle; the second one is its corner
-   *   L           begins and ends a path. It has a sample for each tick in contact, or samples at
-   *               the distance of vtkHapticMeasurements::SetPathSpacing. With FORCE_FIELD, L and B
+   *   1           a point
+   *   2           the ends of a distance, one after the other
+   *   3           the points of an angle; the second one is its corner
+   *   4           begins and ends a path. It has a sample for each tick in contact, or samples at
+   *               the distance of vtkHapticMeasurements::SetPathSpacing. With FORCE_FIELD, 4 and 5
    *               record nothing, because it has no contact
-   *   B           begins and ends an area, which a brush paints on an isosurface. It is the one of
+   *   5           begins and ends an area, which a brush paints on an isosurface. It is the one of
    *               SURFACE_PROXY; with other methods, its value is halfway between the values at the
    *               proxy and at the surface where the brush begins. See
    *               vtkHapticMeasurements::AddPaintedArea
-   *   Z and Y     undo and redo. While a distance or an angle is incomplete, Z takes back its last
-   *               point instead
+   *   Ctrl+Z, Ctrl+Y
+   *               undo and redo. While a distance or an angle is incomplete, Ctrl+Z takes back its
+   *               last point instead
    *   Delete      remove the last measurement of the list
-   *   I           the list in the head-up display: on and off
+   *   i           the list in the head-up display: on and off
    *
    * Escape ends a path or an area, and discards the points of an incomplete distance or angle.
    */
@@ -247,16 +249,32 @@ public:
    *   style->SetKey("Touch", "Return"); // instead of t
    *   style->SetKey("NextMethod", ""); // none
    *
-   * Actions and default keys: Touch t, Arm a, LetGo Escape End, NextMethod m, Compare C, NextMode
-   * M, Help question F1, Text h, Graph g, Details d, Slices s, Point P, Distance D, Angle A, Path
-   * L, Area B, Undo Z, Redo Y, RemoveLast Delete, Measurements I, FunctionEditor v, NextFunction n,
-   * Propose p, DropProposal BackSpace, DockEditor V, ResetFunctions R, Labels l, Play space,
-   * FrameBefore Left, FrameAfter Right, Slower comma, Faster period, AtTheEnd b, RecenterWorkspace
-   * c, Clutch k, LargerWorkspace plus KP_Add, SmallerWorkspace minus KP_Subtract, Home Home.
+   * Actions and default keys: Touch t, Arm a, LetGo Escape End, NextMethod m, Compare y, NextMode
+   * j, Help question F1, Text h, Graph g, Details d, Slices s, Point 1, Distance 2, Angle 3, Path
+   * 4, Area 5, Undo Ctrl+z, Redo Ctrl+y, RemoveLast Delete, Measurements i, FunctionEditor v,
+   * NextFunction n, Propose p, DropProposal BackSpace, DockEditor u, ResetFunctions Ctrl+BackSpace,
+   * Labels l, Play space, FrameBefore Left, FrameAfter Right, Slower comma, Faster period, AtTheEnd
+   * b, RecenterWorkspace c, Clutch k, LargerWorkspace plus KP_Add, SmallerWorkspace minus
+   * KP_Subtract, Home Home. With "Ctrl+" before its name, a key is pressed with Ctrl; its letter is
+   * lower case. A capital letter that no action has does what its small letter does.
    */
   bool SetKey(const char* action, const char* keys);
   std::string GetKey(const char* action);
   static vtkStringArray* GetKeyActions();
+  ///@}
+
+  ///@{
+  /**
+   * For buttons and menus of a program. PerformAction does what the action's key does, and returns
+   * false if the scene has no part for it; Clutch is on until SetClutch(false) or LetGo.
+   * GetActionText returns what an action does, such as "the next method", and an empty text if the
+   * scene has no part for it. GetActionGroup returns the title above it in the list of keys.
+   *
+   *   style->PerformAction("Touch"); // as key t: touch what is under the pointer; let go
+   */
+  bool PerformAction(const char* action);
+  std::string GetActionText(const char* action);
+  static std::string GetActionGroup(const char* action);
   ///@}
 
   /** Get the list of keys for the present scene, with the keys of the application. */

@@ -72,7 +72,7 @@ TEST_F(StyleCompare, TwoStiffnessesAreFeltOnOneSpot)
   this->Touch();
   EXPECT_EQ(this->Style->GetComparedSettings(), "");
   EXPECT_FALSE(this->Shows("Settings"));
-  this->Press("C");
+  this->Press("y");
   EXPECT_EQ(this->Style->GetComparedSettings(), "B");
   EXPECT_TRUE(this->Shows("Settings B")) << this->Display->GetText();
   const double before = Length(this->Device->GetState()->GetComputedForce());
@@ -90,7 +90,7 @@ TEST_F(StyleCompare, TwoStiffnessesAreFeltOnOneSpot)
     {
       SCOPED_TRACE(name);
       const double force = Length(this->Device->GetState()->GetComputedForce());
-      this->Press("C");
+      this->Press("y");
       this->Settle();
       EXPECT_EQ(this->Style->GetComparedSettings(), name);
       EXPECT_TRUE(this->Shows((std::string("Settings ") + name).c_str()));
@@ -161,12 +161,12 @@ TEST_F(StyleCompare, TheForceGoesOverWithoutAJolt)
     least = std::min(least, norm);
     last.assign(now, now + 3);
   };
-  this->Press("C");
+  this->Press("y");
   this->Filter->GetProperty()->GetStiffness()->AddPoint(0.0, 150.0);
   this->Style->UpdateHaptics();
   for (int i = 0; i < 6; ++i)
   {
-    this->Press("C");
+    this->Press("y");
     this->Run(60, watch);
     EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
   }
@@ -177,11 +177,11 @@ TEST_F(StyleCompare, TheForceGoesOverWithoutAJolt)
 TEST_F(StyleCompare, SettingsThatCantBeFeltStayAway)
 {
   this->Touch();
-  this->Press("C");
+  this->Press("y");
   this->Filter->SetMethodToSurfaceProxy();
   this->Filter->SetIsoValue(1e9); // no sample has this value, so there is no surface
   this->Style->UpdateHaptics();   // the servo keeps the previous model
-  this->Press("C");
+  this->Press("y");
   EXPECT_EQ(this->Style->GetComparedSettings(), "A");
   EXPECT_EQ(this->Filter->GetMethod(), vtkVolumeHapticsFilter::PROXY);
   this->Settle();
@@ -212,6 +212,6 @@ TEST_F(StyleCompare, AnotherFilterOrDeviceBeginsAnew)
   EXPECT_FALSE(this->Style->SwapSettings());
   ASSERT_EQ(this->Log.Errors.size(), 1U);
   EXPECT_NE(this->Log.Errors[0].find("SetVolumeHaptics()"), std::string::npos);
-  this->Press("C"); // has no effect
+  this->Press("y"); // has no effect
   EXPECT_EQ(this->Log.Errors.size(), 1U);
 }

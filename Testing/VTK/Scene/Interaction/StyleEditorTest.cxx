@@ -64,21 +64,21 @@ TEST_F(StyleEditor, KeysTakeEditsBackAndDoThemAgain)
   this->Slide(700.0);
   const double second = this->Stiffness();
   EXPECT_NEAR(second, 700.0, 8.0);
-  this->Press("Z");
+  this->Press("Ctrl+z");
   EXPECT_EQ(this->Stiffness(), first);
-  this->Press("Z");
+  this->Press("Ctrl+z");
   EXPECT_EQ(this->Stiffness(), 400.0);
-  this->Press("Z");
+  this->Press("Ctrl+z");
   EXPECT_EQ(this->Stiffness(), 400.0);
   EXPECT_TRUE(this->Notices("There is no edit to undo"));
-  this->Press("Y");
-  this->Press("Y");
+  this->Press("Ctrl+y");
+  this->Press("Ctrl+y");
   EXPECT_EQ(this->Stiffness(), second);
-  this->Press("Y");
+  this->Press("Ctrl+y");
   EXPECT_TRUE(this->Notices("There is no edit to redo"));
-  this->Press("R");
+  this->Press("Ctrl+BackSpace");
   EXPECT_EQ(this->Stiffness(), 400.0);
-  this->Press("Z");
+  this->Press("Ctrl+z");
   EXPECT_EQ(this->Stiffness(), second) << "a reset is an edit, too";
 }
 
@@ -89,12 +89,12 @@ TEST_F(StyleEditor, UndoBelongsToMeasurementsBesideTheEditor)
   list->AddPoint(point);
   this->Style->SetMeasurements(list);
   this->Slide(200.0);
-  this->Press("Z");
+  this->Press("Ctrl+z");
   EXPECT_EQ(this->Stiffness(), 400.0) << "the pointer is over the editor";
   EXPECT_EQ(list->GetNumberOfMeasurements(), 1);
-  this->Press("Y");
+  this->Press("Ctrl+y");
   this->Pointer(295, 295);
-  this->Press("Z");
+  this->Press("Ctrl+z");
   EXPECT_EQ(list->GetNumberOfMeasurements(), 0);
   EXPECT_NE(this->Stiffness(), 400.0);
 }
@@ -103,7 +103,7 @@ TEST_F(StyleEditor, AKeyPutsItBesideTheScene)
 {
   double viewport[4];
   this->Editor->VisibilityOff();
-  this->Press("V");
+  this->Press("u");
   EXPECT_TRUE(this->Editor->GetVisibility());
   EXPECT_TRUE(this->Editor->GetDocked());
   this->Window->Render();
@@ -130,7 +130,7 @@ TEST_F(StyleEditor, AKeyPutsItBesideTheScene)
   this->Pointer(150, 200);
   EXPECT_NEAR(this->Editor->GetDockShare(), 0.6, 0.01) << "it was let go";
 
-  this->Press("V");
+  this->Press("u");
   EXPECT_FALSE(this->Editor->GetDocked());
   this->Window->Render();
   this->Renderer->GetViewport(viewport);

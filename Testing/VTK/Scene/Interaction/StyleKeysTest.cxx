@@ -9,6 +9,7 @@
 #include "StyleRig.h"
 
 #include <vtkHapticHeadUpDisplay.h>
+#include <vtkHapticMeasurements.h>
 #include <vtkStringArray.h>
 
 #include <set>
@@ -134,4 +135,70 @@ TEST_F(StyleKeys, AreAllDifferentByDefault)
   }
   EXPECT_GE(actions->GetNumberOfValues(), 20);
   EXPECT_EQ(keys.size(), count);
+}
+
+TEST_F(StyleKeys, NeedNoCapitals)
+{
+  // With Caps Lock, a key has the name of its capital letter.
+  this->Start();
+  this->Press("T");
+  EXPECT_TRUE(this->Style->GetTouchMode());
+  this->Press("T");
+  EXPECT_FALSE(this->Style->GetTouchMode());
+  vtkStringArray* const actions = vtkInteractorStyleHaptic::GetKeyActions();
+  for (vtkIdType i = 0; i < actions->GetNumberOfValues(); ++i)
+  {
+    const std::string keys = this->Style->GetKey(actions->GetValue(i).c_str());
+    EXPECT_FALSE(keys.size() == 1 && keys[0] >= 'A' && keys[0] <= 'Z') << keys;
+  }
+  // A capital letter that an application chose is another key than the small letter.
+  EXPECT_TRUE(this->Style->SetKey("Graph", "T"));
+  const auto hasPlot = this->Display->GetPlotVisibility();
+  this->Press("T");
+  EXPECT_FALSE(this->Style->GetTouchMode());
+  EXPECT_NE(hasPlot, this->Display->GetPlotVisibility());
+}
+
+TEST_F(StyleKeys, AreOthersWithCtrlButThoseThatLetGo)
+{
+  this->Start();
+  vtkNew<vtkHapticMeasurements> list;
+  this->Style->SetMeasurements(list);
+  const double x[3] = { 1.0, 2.0, 3.0 };
+  list->AddPoint(x);
+  const auto control = [this](const char* symbol, char code)
+  {
+    this->Interactor->SetControlKey(1);
+    this->Interactor->SetKeyCode(code);
+    this->Press(symbol);
+    this->Interactor->SetControlKey(0);
+  };
+  control("z", '\x1a');
+  EXPECT_EQ(list->GetNumberOfMeasurements(), 0);
+  control("y", '\x19');
+  EXPECT_EQ(list->GetNumberOfMeasurements(), 1);
+  control(nullptr, '\x1a'); // from a toolkit that sends codes only
+  EXPECT_EQ(list->GetNumberOfMeasurements(), 0);
+  control("t", '\x14');
+  EXPECT_FALSE(this->Style->GetTouchMode());
+  this->Press("t");
+  EXPECT_TRUE(this->Style->GetTouchMode());
+  control("Escape", '\x1b'); // while Ctrl and the mouse press in depth
+  EXPECT_FALSE(this->Style->GetTouchMode());
+}
+
+TEST_F(StyleKeys, AreNotNeededByAProgramWithButtons)
+{
+  this->Start();
+  EXPECT_TRUE(this->Style->PerformAction("Touch"));
+  EXPECT_TRUE(this->Style->GetTouchMode());
+  EXPECT_TRUE(this->Style->PerformAction("LetGo"));
+  EXPECT_FALSE(this->Style->GetTouchMode());
+  EXPECT_EQ(this->Style->GetActionText("NextMethod"), "the next method");
+  EXPECT_EQ(vtkInteractorStyleHaptic::GetActionGroup("NextMethod"), "Touch");
+  EXPECT_EQ(this->Style->GetActionText("Point"), ""); // there is no list of measurements
+  EXPECT_FALSE(this->Style->PerformAction("Point"));
+  EXPECT_EQ(this->Style->GetActionText("Jump"), "");
+  EXPECT_FALSE(this->Style->PerformAction("Jump"));
+  EXPECT_FALSE(this->Style->PerformAction(nullptr));
 }

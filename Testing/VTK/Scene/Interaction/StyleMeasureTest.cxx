@@ -59,7 +59,7 @@ protected:
 TEST_F(StyleMeasure, APointIsWhereTheSurfaceHoldsTheProxy)
 {
   this->Push();
-  this->Press("P");
+  this->Press("1");
   ASSERT_EQ(this->List->GetNumberOfMeasurements(), 1);
   double x[3];
   this->List->GetPoint(0, 0, x);
@@ -73,16 +73,16 @@ TEST_F(StyleMeasure, APointIsWhereTheSurfaceHoldsTheProxy)
 TEST_F(StyleMeasure, ADistanceIsAChordAndAnAngleThatOfItsPoints)
 {
   this->Push();
-  this->Press("D");
+  this->Press("2");
   EXPECT_EQ(this->List->GetNumberOfMeasurements(), 0);
   EXPECT_NE(this->Display->GetText().find("Distance: 1 of 2 points"), std::string::npos);
   const double radius = Length(this->Device->GetState()->GetProxyPosition());
   const double first = std::atan2(this->Proxy()[0], this->Proxy()[2]);
-  this->Press("A");
+  this->Press("3");
   EXPECT_EQ(this->List->GetUnfinishedText(), "Angle: 1 of 3 points") << "takes the other's place";
-  this->Press("D");
+  this->Press("2");
   this->Slide(150, 190);
-  this->Press("D");
+  this->Press("2");
   ASSERT_EQ(this->List->GetNumberOfMeasurements(), 1);
   EXPECT_EQ(this->List->GetUnfinishedText(), "");
   // Without friction, the proxy is the point of the ball nearest to the tip, which has moved 8 mm
@@ -93,12 +93,12 @@ TEST_F(StyleMeasure, ADistanceIsAChordAndAnAngleThatOfItsPoints)
   EXPECT_NEAR(this->List->GetValue(0), 2.0 * radius * std::sin(0.5 * turn), 0.05) << "voxels: 1 mm";
 
   // Euclid III.20: the angle at a point of a circle is half the angle at the centre.
-  this->Press("A");
+  this->Press("3");
   this->Slide(190, 150);
-  this->Press("A");
+  this->Press("3");
   const double corner = std::atan2(this->Proxy()[0], this->Proxy()[2]);
   this->Slide(150, 110);
-  this->Press("A");
+  this->Press("3");
   ASSERT_EQ(this->List->GetNumberOfMeasurements(), 2);
   const double last = std::atan2(this->Proxy()[0], this->Proxy()[2]);
   const double centre = (first + turn) - last; // spans the arc that holds the corner
@@ -110,7 +110,7 @@ TEST_F(StyleMeasure, APathHasTheStatesOfTheServo)
 {
   this->Push();
   std::vector<std::array<double, 7>> felt; // time, proxy, force
-  this->Press("L");
+  this->Press("4");
   const auto see = [&felt](vtkTable* states, vtkIdType row)
   {
     const auto read = [&](const char* column, int component)
@@ -130,7 +130,7 @@ TEST_F(StyleMeasure, APathHasTheStatesOfTheServo)
     this->Run(5, see);
   }
   EXPECT_NE(this->Display->GetText().find("so far"), std::string::npos);
-  this->Press("L");
+  this->Press("4");
   ASSERT_EQ(this->List->GetNumberOfMeasurements(), 1);
   EXPECT_EQ(this->List->GetKind(0), vtkHapticMeasurements::PATH);
   vtkNew<vtkPolyData> shape;
@@ -155,7 +155,7 @@ TEST_F(StyleMeasure, APathHasTheStatesOfTheServo)
   EXPECT_NEAR(this->List->GetValue(0), length, 1e-9);
 
   this->List->SetPathSpacing(0.5);
-  this->Press("L");
+  this->Press("4");
   this->Slide(180, 150);
   this->Press("Escape"); // ends the path, like a second L
   ASSERT_EQ(this->List->GetNumberOfMeasurements(), 2);
@@ -176,9 +176,9 @@ TEST_F(StyleMeasure, AnAreaIsTheCapUnderTheBrush)
   this->Push();
   constexpr double brush = 6.0;
   this->List->SetBrushRadius(brush);
-  this->Press("B");
+  this->Press("5");
   this->Run(50);
-  this->Press("B");
+  this->Press("5");
   ASSERT_EQ(this->List->GetNumberOfMeasurements(), 1);
   EXPECT_EQ(this->List->GetKind(0), vtkHapticMeasurements::AREA);
   // A chord r from a point of a sphere bounds a cap with the area pi r^2, for any radius of the
@@ -188,12 +188,12 @@ TEST_F(StyleMeasure, AnAreaIsTheCapUnderTheBrush)
   // A stroke along a great circle of a sphere with radius R paints a zone with the area 2 R
   // sin(half) L, where L is its length and `half` the half angle of the brush, and half a cap at
   // each end.
-  this->Press("B");
+  this->Press("5");
   this->Run(10);
   const double first = std::atan2(this->Proxy()[0], this->Proxy()[2]);
   this->Slide(150, 200);
   const double last = std::atan2(this->Proxy()[0], this->Proxy()[2]);
-  this->Press("B");
+  this->Press("5");
   ASSERT_EQ(this->List->GetNumberOfMeasurements(), 2);
   vtkNew<vtkPolyData> shape;
   this->List->GetShape(1, shape);
@@ -209,9 +209,9 @@ TEST_F(StyleMeasure, SurfaceProxyPaintsItsIsosurface)
   this->Filter->SetMethodToSurfaceProxy();
   this->Filter->SetIsoValue(0.0);
   this->Push();
-  this->Press("B");
+  this->Press("5");
   this->Run(50);
-  this->Press("B");
+  this->Press("5");
   ASSERT_EQ(this->List->GetNumberOfMeasurements(), 1);
   vtkNew<vtkPolyData> shape;
   this->List->GetShape(0, shape);
@@ -224,14 +224,14 @@ TEST_F(StyleMeasure, NothingIsMeasuredInTheAir)
   ASSERT_TRUE(this->Device->Open("virtual"));
   ASSERT_TRUE(this->Device->Start());
   this->Run(20);
-  for (const char* const key : { "P", "D", "A" })
+  for (const char* const key : { "1", "2", "3" })
   {
     this->Press(key);
     EXPECT_EQ(this->List->GetNumberOfMeasurements(), 0);
     EXPECT_EQ(this->List->GetUnfinishedText(), "");
     EXPECT_NE(this->Display->GetText().find("Nothing is touched"), std::string::npos);
   }
-  for (const char* const key : { "L", "B" })
+  for (const char* const key : { "4", "5" })
   {
     this->Press(key);
     EXPECT_NE(this->Display->GetText().find("begins where you touch"), std::string::npos);
@@ -245,18 +245,18 @@ TEST_F(StyleMeasure, NothingIsMeasuredInTheAir)
 TEST_F(StyleMeasure, ChangesAreUndone)
 {
   this->Push();
-  this->Press("P");
-  this->Press("D");
-  this->Press("Z");
+  this->Press("1");
+  this->Press("2");
+  this->Press("Ctrl+z");
   EXPECT_EQ(this->List->GetUnfinishedText(), "") << "the point of the distance goes first";
   EXPECT_EQ(this->List->GetNumberOfMeasurements(), 1);
-  this->Press("Z");
+  this->Press("Ctrl+z");
   EXPECT_EQ(this->List->GetNumberOfMeasurements(), 0);
-  this->Press("Y");
+  this->Press("Ctrl+y");
   EXPECT_EQ(this->List->GetNumberOfMeasurements(), 1);
   this->Press("Delete");
   EXPECT_EQ(this->List->GetNumberOfMeasurements(), 0);
-  this->Press("D");
+  this->Press("2");
   this->Press("Escape");
   EXPECT_EQ(this->List->GetUnfinishedText(), "");
   EXPECT_FALSE(this->Style->GetTouchMode());
@@ -266,11 +266,11 @@ TEST_F(StyleMeasure, KeysAreListedAndTheListIsHidden)
 {
   EXPECT_NE(this->Style->GetKeys().find("a painted area"), std::string::npos);
   this->Push();
-  this->Press("P");
-  this->Press("I");
+  this->Press("1");
+  this->Press("i");
   EXPECT_EQ(this->Display->GetText().find("Point 1"), std::string::npos);
   this->Style->SetMeasurements(nullptr);
   EXPECT_EQ(this->Style->GetKeys().find("a painted area"), std::string::npos);
-  this->Press("P");
+  this->Press("1");
   EXPECT_EQ(this->List->GetNumberOfMeasurements(), 1);
 }

@@ -144,7 +144,7 @@ TEST_F(StyleMethod, AKeyFeelsOneModeAfterAnotherAndThenAll)
   ridge->GetStrength()->AddPoint(0.0, 0.0); // no force, so that the surface alone gives the force
   this->Filter->AddMode(ridge);
   this->Touch();
-  this->Press("M");
+  this->Press("j");
   EXPECT_EQ(shown(), "++") << "not the method";
   this->Filter->SetMethodToPrimitives();
   this->Style->UpdateHaptics();
@@ -163,7 +163,7 @@ TEST_F(StyleMethod, AKeyFeelsOneModeAfterAnotherAndThenAll)
   EXPECT_NEAR(curve->GetComponent(last, 0), Length(this->Device->GetState()->GetModeForce(0)), 0.1);
   for (const char* const wanted : { "+-", "-+", "++" })
   {
-    this->Press("M");
+    this->Press("j");
     EXPECT_EQ(shown(), wanted);
     this->Settle();
     // The tip is inside, so a surface that becomes active again is felt only once the hand moves.
@@ -174,11 +174,11 @@ TEST_F(StyleMethod, AKeyFeelsOneModeAfterAnotherAndThenAll)
   follow->ActiveOff();
   this->Filter->AddMode(follow);
   this->Style->UpdateHaptics();
-  this->Press("M"); // the key selects the second of three modes alone, then the first
-  this->Press("M");
+  this->Press("j"); // the key selects the second of three modes alone, then the first
+  this->Press("j");
   EXPECT_EQ(shown(), "-+-");
   EXPECT_STREQ(this->Display->GetNotice(), "");
-  this->Press("M");
+  this->Press("j");
   EXPECT_EQ(shown(), "-+-");
   EXPECT_NE(std::string(this->Display->GetNotice()).find("can't be felt"), std::string::npos);
   EXPECT_EQ(this->FilterLog.Errors.size(), 1U);
@@ -196,7 +196,7 @@ TEST_F(StyleMethod, AKeyFeelsOneModeAfterAnotherAndThenAll)
   this->Style->UpdateHaptics();
   for (const char* const wanted : { "-+-", "--+", "+--" })
   {
-    this->Press("M");
+    this->Press("j");
     EXPECT_EQ(shown(), wanted);
     EXPECT_STREQ(this->Display->GetNotice(), "");
   }
