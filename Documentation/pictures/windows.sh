@@ -77,29 +77,29 @@ explore measurements << 'END'
 0.0 move 0.46 0.62
 2.0 key t
 4.0 wheel 4
-6.0 key D        # a distance
+6.0 key 2        # a distance
 7.0 stroke 0.62 0.68 2
-12.0 key D
+12.0 key 2
 13.0 stroke 0.44 0.52 2
-18.0 key L       # a path
+18.0 key 4       # a path
 19.0 stroke 0.50 0.55 1.5
 21.0 stroke 0.58 0.53 1.5
-26.0 key L
+26.0 key 4
 27.0 stroke 0.72 0.66 1.5
-31.0 key A       # an angle
+31.0 key 3       # an angle
 32.0 stroke 0.66 0.57 1.5
-36.0 key A
+36.0 key 3
 37.0 stroke 0.77 0.56 1.5
-41.0 key A
+41.0 key 3
 42.0 stroke 0.66 0.38 1.5
-46.0 key B       # an area
+46.0 key 5       # an area
 47.0 stroke 0.70 0.40 1
 48.5 stroke 0.74 0.37 1
 50.0 stroke 0.70 0.35 1
 51.5 stroke 0.67 0.37 1
-56.0 key B
+56.0 key 5
 57.0 stroke 0.80 0.42 1.5
-61.0 key P       # a point
+61.0 key 1       # a point
 62.0 stroke 0.80 0.50 1.5
 74.0 key F12
 75.0 key q
@@ -108,7 +108,7 @@ END
 explore editor << 'END'
 0.0 move 0.60 0.80
 1.0 key v
-1.5 key V        # below the scene
+1.5 key u        # below the scene
 2.5 key n
 3.2 key n
 4.0 key n        # surface strength

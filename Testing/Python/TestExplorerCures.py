@@ -175,7 +175,7 @@ COMMANDS = (
     ("{}/ramp.vti --write-volume {}/none/copy.vti", "and the folder is there and yours", ("{}/ramp.vti --write-volume {}/copy.vti", )),
     ("{}/ramp.vti --method feel", "…take one of: …", (HEARD, )),
     ("", "name a volume file or a DICOM folder", ("{}/ramp.vti", )),
-    ("{}/ramp.vti --guide {}/wrong.csv", "name a file that key S of the window saved", ("{}/ramp.vti --guide {}/paths.csv", )),
+    ("{}/ramp.vti --guide {}/wrong.csv", "name a file that Ctrl+S in the window saved", ("{}/ramp.vti --guide {}/paths.csv", )),
     ("{}/ramp.vti --mode Find%a%vortex", "--mode '…'…take another mode", (f"{{}}/ramp.vti {GUIDED}", )),
     ("{}/flow.vti --mode vector-follow:still", "take another mode or array",
      ("{}/flow.vti --mode vector-follow:flow", )),

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # In the explorer, on a screen of its own, a burr is pressed into a head and drills while the left button is pressed.
-# Key T writes what was removed, key U brings it back, and key J removes it again. A picture shows the burr. On a busy
+# Ctrl+E writes what was removed, Ctrl+Z brings it back, and Ctrl+Y removes it again. A picture shows the burr. On a busy
 # machine the force may pause, which divides a stroke: so each is undone and done again more than once.
 #
 # usage: drill.sh PROGRAM VOLUME [--pictures FOLDER]
@@ -35,20 +35,20 @@ cat > drill.txt << END
 0.0  move 0.5 0.6
 0.5  key t
 1.0  wheel 6
-2.0  key T
+2.0  key Ctrl+e
 2.5  press left
 3.0  stroke 0.54 0.6 1.5
 5.0  key F12
 5.5  release left
-6.0  key T
-6.5  key U
-6.6  key U
-6.7  key U
-7.5  key T
-8.0  key J
-8.1  key J
-8.2  key J
-9.0  key T
+6.0  key Ctrl+e
+6.5  key Ctrl+z
+6.6  key Ctrl+z
+6.7  key Ctrl+z
+7.5  key Ctrl+e
+8.0  key Ctrl+y
+8.1  key Ctrl+y
+8.2  key Ctrl+y
+9.0  key Ctrl+e
 9.5  key q
 END
 "$program" "$volume" --size "$size" --tool burr --script drill.txt > "$folder/program.log" 2>&1 &

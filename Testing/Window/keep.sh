@@ -47,7 +47,7 @@ press_and_measure()
     sleep 0.5
     xdotool click 4 click 4
     sleep 0.5
-    xdotool key P
+    xdotool key 1
   done
 }
 is_kept()
@@ -76,10 +76,10 @@ wait_for "the first volume again" has_read first.vti 2
 wait_for_window "VTK Volume Haptics"
 grep -q "Not saved: [0-9]* measurements*, .*mm^3 that the burr removed. Kept in" program.log ||
   fail "the work was not kept when another file was opened"
-xdotool key S
+xdotool key ctrl+s
 wait_for "the points that came back" has_file measurements-001.mrk.json
 grep -q '"position"' measurements-001.mrk.json || fail "there is no point in the list that came back"
-xdotool key T
+xdotool key ctrl+e
 wait_for "the hole that came back" has_file removal-001.vti
 xdotool key q
 expect_end
@@ -93,7 +93,7 @@ is_kept || fail "the work was not kept when the window was closed"
 open
 grep -q "Not saved last time: [0-9]* measurement.*F11 brings it back" program.log || fail "nothing is offered"
 xdotool key F11
-xdotool key S
+xdotool key ctrl+s
 wait_for "the points of the window before" has_file measurements-002.mrk.json
 xdotool key q
 expect_end

@@ -44,10 +44,10 @@ cat > demo.txt << END
 0.5  key t
 1.0  wheel 4
 2.5  key F10
-3.0  key P
-3.1  key D
+3.0  key 1
+3.1  key 2
 3.2  stroke 0.56 0.6 1
-4.8  key D
+4.8  key 2
 5.0  key F10
 5.1  key F12
 6.0  key q
@@ -99,7 +99,7 @@ play quit.txt
 [[ "$(stat -c %i head.csv)" == "$before" ]] || fail "the file was written anew without a change"
 
 # A list that was emptied, here by an undo too many, does not replace the file.
-printf '0.5 key Z\n1.0 key q\n' > undo.txt
+printf '0.5 key Ctrl+z\n1.0 key q\n' > undo.txt
 play undo.txt
 grep -q "^1,Point 1,Point," head.csv || fail "an emptied list replaced the file"
 

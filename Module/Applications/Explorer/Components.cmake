@@ -38,6 +38,9 @@ set(Explore_SOURCES
   Analysis/BodyIsolation.cxx
   Analysis/ValueProbe.cxx
   Analysis/VolumeAnalysis.cxx
+  Bar/CommandBar.cxx
+  Bar/CommandTable.cxx
+  Bar/Icons.cxx
   Exploration/Exploration.cxx
   Exploration/GuideFile.cxx
   Exploration/HeardTicks.cxx
@@ -47,9 +50,9 @@ set(Explore_SOURCES
   Exploration/TissueTable.cxx
   HelpText.cxx
   Live/FreeFile.cxx
+  Live/HandHold.cxx
   Live/HandTool.cxx
   Live/KeptWork.cxx
-  Live/KeyBinding.cxx
   Live/LiveRun.cxx
   Live/LookSwitch.cxx
   Live/SavedMeasurements.cxx

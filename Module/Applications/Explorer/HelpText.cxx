@@ -57,8 +57,8 @@ VOLUME   .vti .nii .nii.gz .hdr .img; a DICOM slice, for its series; a folder of
                     less; Y is 0 if only the first axis has a motor, as that of a wheel
   --setup FILE      of the window: loaded if it is there, saved when the window is closed
   --measurements FILE
-                    of the window: points, distances, angles, paths and areas that you measure by touch (keys P,
-                    D, A, L, B; S saves). Loaded if the file is there, saved when the window is closed: .csv,
+                    of the window: points, distances, angles, paths and areas that you measure by touch (keys 1 to
+                    5; Ctrl+S saves). Loaded if the file is there, saved when the window is closed: .csv,
                     .vtp, or .mrk.json for 3D Slicer. What was not saved when a window closed, as what a burr
                     removed and edited functions, the next window on the volume offers (key F11)
   --movie FILE.ogv  of the window: a movie from its beginning to its end, 20 pictures a second. In the window, key F9
@@ -73,14 +73,14 @@ VOLUME   .vti .nii .nii.gz .hdr .img; a DICOM slice, for its series; a folder of
   --slices          of the window: three slices through the tip beside the volume (key s). A click goes
                     there and touches, the wheel moves across them, the right button sets window and level
   --cut NAME        of the window: cut open at first by a plane or a box (default: not cut). The mouse drags the
-                    handles; keys: x plane, box, none; X swaps the kept and the hidden part; z feels the
+                    handles; keys: x plane, box, none; e swaps the kept and the hidden part; z feels the
                     cut faces
   --tool NAME       of the window: what the hand holds: point (default); needle, which punctures surfaces, and
                     rubs and is held in tissue; burr, which removes tissue while the left button, or the
-                    device's, is pressed. Keys: N the next one; T saves the track of a needle, or what was
-                    removed; U undoes a stroke of the burr, J does it again
+                    device's, is pressed. Keys: w the next one; Ctrl+E saves the track of a needle, or what was
+                    removed; Ctrl+Z undoes a stroke of the burr, Ctrl+Y does it again
   --tool FILE.stl   the closed surface of a tool, also .ply, .obj or .vtp, in the volume's units: its shape is
-                    felt where it meets the outer surface. Alt + mouse turns it; key N: the next one
+                    felt where it meets the outer surface. Alt + mouse turns it; key w: the next one
   --sound           of the window: what is touched can be heard, a click where a surface is touched or
                     pierced, and noise while the tip slides; the harder, the brighter
   --sound FILE.wav  the sound along the path, in a file
@@ -119,7 +119,7 @@ VOLUME   .vti .nii .nii.gz .hdr .img; a DICOM slice, for its series; a folder of
   --guide FILE      leads the hand along the lines of a file, or on its surface, as a mode of primitives, with
                     2 N: .vtp .vtk .stl .ply .obj, in the volume's coordinates; or along the paths that you
                     measured (--measurements: .csv .mrk.json .vtp), or a trace. The modes of --mode are felt,
-                    too; without any, the window offers them (key M)
+                    too; without any, the window offers them (key j)
   --estimator NAME  gradient: central, gaussian (default), bspline
   --size PX         width of the picture (default 900)
   --mapper NAME     volume rendering: auto (default), gpu, cpu; auto takes the

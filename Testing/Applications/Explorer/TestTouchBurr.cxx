@@ -75,7 +75,7 @@ void Drill(int argc, char* argv[], Explore::MapperChoice mapper, const std::stri
   TouchedHead head(argc, argv, mapper);
   Expect(head.Exploration.Body != head.Exploration.Input.Image, "a copy is shown");
   const std::string folder = MakeTestFolder(argc, argv, "TouchBurr") + "/";
-  const Explore::HandTool tool(head.Touch, head.Exploration, head.Interactor, "burr");
+  const Explore::HandTool tool(head.Touch, head.Exploration, "burr");
   vtkHapticRemoval* const removal = head.Exploration.Filter->GetRemoval();
   const std::vector<double> before = Draw(head, folder + name + "Before.png");
   head.Touch.Device->GetVirtualHand()->SpinningOn();

@@ -65,7 +65,7 @@ bool Meet(TouchedHead& head, int x, int y)
 int TestTouchInside(int argc, char* argv[])
 {
   TouchedHead head(argc, argv, Explore::MapperChoice::CPU);
-  Explore::LookSwitch look(head.Touch, head.Exploration.Values, head.Interactor);
+  Explore::LookSwitch look(head.Touch, head.Exploration.Values);
   vtkHapticDevice* const device = head.Touch.Device;
   double outside = 0.0, skin = 0.0, skull = 0.0;
   bool isFelt = false;
@@ -79,7 +79,7 @@ int TestTouchInside(int argc, char* argv[])
     });
   const auto press = [&]
   {
-    head.Interactor->SetKeySym("O");
+    head.Interactor->SetKeySym("o");
     head.Interactor->InvokeEvent(vtkCommand::KeyPressEvent);
     head.Interactor->SetKeySym(nullptr);
   };

@@ -23,10 +23,10 @@ struct KeptHead : TouchedHead
   KeptHead(int argc, char* argv[], const std::string& file = "")
     : TouchedHead(argc, argv, Explore::MapperChoice::CPU)
     , Saved(this->Touch, file)
-    , Tool(this->Touch, this->Exploration, this->Interactor, "")
-    , Look(this->Touch, this->Exploration.Values, this->Interactor)
+    , Tool(this->Touch, this->Exploration, "")
+    , Look(this->Touch, this->Exploration.Values)
     , Kept(this->Touch, this->Exploration.Filter, this->Saved, this->Tool, this->Look,
-        this->Interactor, { Argument(argc, argv, "--volume"), 0, false })
+        { Argument(argc, argv, "--volume"), 0, false })
   {
     this->Touch.Setup->SetVolumeHaptics(this->Exploration.Filter);
   }
@@ -40,6 +40,12 @@ struct KeptHead : TouchedHead
     this->Interactor->SetKeySym(name);
     this->Interactor->InvokeEvent(vtkCommand::KeyPressEvent);
     this->Interactor->SetKeyCode(0);
+  }
+  void Save()
+  {
+    this->Interactor->SetControlKey(1);
+    this->Press('\x13', "s");
+    this->Interactor->SetControlKey(0);
   }
   vtkPiecewiseFunction* GetOpacity() { return this->Touch.Scene.Look->GetScalarOpacity(); }
 
@@ -97,27 +103,26 @@ int TestTouchKept(int argc, char* argv[])
   {
     const std::string file = folder + "/since.csv";
     KeptHead head(argc, argv, file);
-    head.Saved.SaveByKey(head.Interactor);
     isRight = Expect(head.Kept.GetOffer().find("edited functions") != std::string::npos,
                 "the functions are not offered") &&
       isRight;
     const bool isUnasked = head.GetOpacity()->GetValue(77.0) == 0.77;
     isRight = Expect(!isUnasked, "they came back unasked") && isRight;
-    // F11 restores the functions of the outside, whether or not the inside is shown.
-    head.Press('O', "O");
-    isRight = Expect(head.GetOpacity()->GetValue(40.0) == 0.0, "O shows no inside") && isRight;
+    // Those of the outside, whatever is shown.
+    head.Press('o', "o");
+    isRight = Expect(head.GetOpacity()->GetValue(40.0) == 0.0, "o shows no inside") && isRight;
     vtkHapticMeasurements* const list = head.Touch.Measurements;
     const double since[3] = { 4.0, 5.0, 6.0 };
     list->AddPoint(since, "since");
     head.Press(0, "F11");
     const std::string notice = head.Touch.Display->GetNotice();
     isRight =
-      Expect(
-        notice == "Save (S) and remove (Delete) the measurements of this window first, then F11" &&
+      Expect(notice ==
+            "Save (Ctrl+S) and remove (Delete) the measurements of this window first, then F11" &&
           HasOnly(list, since),
         "what was measured since is not kept, or nothing is said of it") &&
       isRight;
-    head.Press('S', "S");
+    head.Save();
     head.Press(0, "Delete");
     head.Press(0, "F11");
     const double before[3] = { 1.0, 2.0, 3.0 };
@@ -130,12 +135,12 @@ int TestTouchKept(int argc, char* argv[])
                   head.GetOpacity()->GetValue(77.0) == 0.77,
                 "the functions did not come back") &&
       isRight;
-    head.Press('O', "O");
+    head.Press('o', "o");
     isRight =
       Expect(head.GetOpacity()->GetValue(40.0) == 0.0, "the inside has got the work") && isRight;
-    head.Press('O', "O");
+    head.Press('o', "o");
     isRight = Expect(head.GetOpacity()->GetValue(77.0) == 0.77, "the outside lost it") && isRight;
-    head.Press('S', "S");
+    head.Save();
     head.Kept.KeepAtEnd(true);
   }
   KeptHead head(argc, argv);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Presses a needle into the forehead in the explorer's window. Key T writes its track. On a full
-// disk, it reports that and leaves no file.
+// A needle in the explorer's window: pressed into the forehead, Ctrl+E writes its track; on a full
+// disk it says so, and leaves no file.
 #include "Applications/Explorer/Live/HandTool.h"
 #include "Expectations.h"
 #include "Rigs/FullDisk.h"
@@ -17,13 +17,14 @@
 
 namespace
 {
-/// Presses a key and returns the text that it prints.
-std::string PressKey(TouchedHead& head, char key)
+/// The text that a letter with Ctrl prints.
+std::string PressWithCtrl(TouchedHead& head, const char* letter)
 {
   std::ostringstream text;
   std::streambuf* const before = std::cout.rdbuf(text.rdbuf());
-  head.Interactor->SetKeyEventInformation(0, 0, key, 0, nullptr);
+  head.Interactor->SetKeyEventInformation(1, 0, '\0', 0, letter);
   head.Interactor->InvokeEvent(vtkCommand::KeyPressEvent);
+  head.Interactor->SetControlKey(0);
   std::cout.rdbuf(before);
   return text.str();
 }
@@ -42,19 +43,20 @@ int TestTouchNeedle(int argc, char* argv[])
     std::filesystem::path(MakeTestFolder(argc, argv, "TouchNeedle")) / "track-001.vtp";
   std::filesystem::remove(file);
   std::filesystem::current_path(file.parent_path());
-  const Explore::HandTool tool(head.Touch, head.Exploration, head.Interactor, "needle");
-  Expect(Contains(PressKey(head, 'T'), "has no track"), "there is no track without a puncture");
+  const Explore::HandTool tool(head.Touch, head.Exploration, "needle");
+  Expect(
+    Contains(PressWithCtrl(head, "e"), "has no track"), "there is no track without a puncture");
   head.TouchAt(165, 160, [&] { head.Press(165, 160, 6); });
   Expect(head.Touch.Device->GetState()->GetNeedleDepth() > 0.0, "the needle is inserted");
   {
     const devicetest::FullDisk full(100);
-    const std::string text = PressKey(head, 'T');
+    const std::string text = PressWithCtrl(head, "e");
     Expect(!Contains(text, "Written"), "nothing is written to a full disk");
     Expect(Contains(text, "track-001.vtp"), "which file is not written is said: " + text);
   }
   Expect(!std::filesystem::exists(file), "no half of a file is left");
-  const std::string text = PressKey(head, 'T');
-  Expect(Contains(text, "Written: track-001.vtp"), "then it is written: " + text);
+  const std::string text = PressWithCtrl(head, "e");
+  Expect(Contains(text, "Written: " + file.string()), "then it is written: " + text);
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(file.c_str());
   reader->Update();

@@ -29,11 +29,16 @@ struct TouchedHead
     this->Touch.Scene.Renderer->GetActiveCamera()->Zoom(2.2);
     this->Interactor->SetRenderWindow(this->Touch.Scene.Window);
     this->Interactor->SetInteractorStyle(this->Touch.Style);
-    // Hide the text and the plot of the live servo, which differ in every run.
+    this->Touch.Commands.SetInteractor(this->Interactor);
+    // The text of a live servo is never the same twice.
     this->Touch.Display->SetTextVisibility(0);
     this->Touch.Display->SetPlotVisibility(0);
   }
-  ~TouchedHead() { this->Interactor->SetInteractorStyle(nullptr); }
+  ~TouchedHead()
+  {
+    this->Touch.Commands.SetInteractor(nullptr);
+    this->Interactor->SetInteractorStyle(nullptr);
+  }
 
   void Event(int x, int y, unsigned long event)
   {

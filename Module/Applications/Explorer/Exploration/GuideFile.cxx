@@ -41,7 +41,7 @@ vtkSmartPointer<vtkPolyData> ReadMeasuredPaths(const std::string& name)
       return nullptr;
     }
     throw InputError(Option + " " + name, "no measurements can be read: " + capture.FirstError(),
-      "name a file that key S of the window saved");
+      "name a file that Ctrl+S in the window saved");
   }
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -64,7 +64,7 @@ vtkSmartPointer<vtkPolyData> ReadMeasuredPaths(const std::string& name)
   if (lines->GetNumberOfCells() == 0)
   {
     throw InputError(
-      Option + " " + name, "its measurements have no path", "measure one with key L of the window");
+      Option + " " + name, "its measurements have no path", "measure one with key 4 of the window");
   }
   auto path = vtkSmartPointer<vtkPolyData>::New();
   path->SetPoints(points);

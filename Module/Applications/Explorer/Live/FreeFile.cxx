@@ -27,4 +27,9 @@ std::string FindFreeFile(const std::string& name, const std::string& ending)
     }
   }
 }
+
+std::string FindFreePath(const std::string& name, const std::string& ending)
+{
+  return vtksys::SystemTools::CollapseFullPath(FindFreeFile(name, ending));
+}
 } // namespace Explore

@@ -12,6 +12,9 @@ std::string NumberFile(const std::string& name, int number, const std::string& e
 
 /// Returns the first name of name-001.png, name-002.png and so on that does not exist yet.
 std::string FindFreeFile(const std::string& name, const std::string& ending);
+
+/// As FindFreeFile(), with the whole path.
+std::string FindFreePath(const std::string& name, const std::string& ending);
 } // namespace Explore
 
 #endif

@@ -35,12 +35,10 @@ double ComputeVoxel(vtkImageData* image)
 
 namespace Explore
 {
-HandTool::HandTool(TouchScene& touch, const Exploration& exploration,
-  vtkRenderWindowInteractor* interactor, const std::string& tool)
-  : Device(touch.Device)
-  , Display(touch.Display)
+HandTool::HandTool(TouchScene& touch, const Exploration& exploration, const std::string& tool)
+  : Touch(touch)
+  , Device(touch.Device)
   , Filter(exploration.Filter)
-  , Interactor(interactor)
 {
   vtkPiecewiseFunction* const shaft = this->Needle->GetShaftFriction();
   const double skin = exploration.Values.OuterThreshold;
@@ -50,10 +48,6 @@ HandTool::HandTool(TouchScene& touch, const Exploration& exploration,
   {
     this->Needle->ApplyPreset(exploration.Materials.c_str());
   }
-  this->KeyObserver->SetClientData(this);
-  this->KeyObserver->SetCallback(
-    [](vtkObject*, unsigned long, void* self, void*) { static_cast<HandTool*>(self)->PressKey(); });
-  this->Interactor->AddObserver(vtkCommand::KeyPressEvent, this->KeyObserver);
   this->Shape->SetSolidToAbove();
   this->Shape->SetContactValue(skin);
   this->Burr->SetSolidToAbove();
@@ -77,40 +71,52 @@ HandTool::HandTool(TouchScene& touch, const Exploration& exploration,
     this->Shape->SetMesh(ReadToolFile(tool));
     this->Hold(this->Shape);
   }
+  this->AddCommands();
 }
 
 HandTool::~HandTool()
 {
-  this->Interactor->RemoveObserver(this->KeyObserver);
+  this->Touch.Commands.Remove(this);
 }
 
-void HandTool::PressKey()
+void HandTool::AddCommands()
 {
-  switch (this->Interactor->GetKeyCode())
+  CommandTable& table = this->Touch.Commands;
+  const auto add = [&](const char* name, vtkHapticTool* tool)
   {
-    case 'N':
-      this->ChangeTool();
-      break;
-    case 'T':
-      this->Write();
-      break;
-    case 'U':
-      this->Tell(
-        this->Filter->GetRemoval()->Undo() ? "Burr stroke undone." : "No burr stroke to undo.");
-      break;
-    case 'J':
-      this->Tell(
-        this->Filter->GetRemoval()->Redo() ? "Burr stroke redone." : "No burr stroke to redo.");
-      break;
-    default:
-      break;
-  }
+    table.Add(this,
+      { "Tool", name, "", [this, tool] { this->Hold(tool); },
+        [this, tool] { return this->Filter->GetTool() == tool; },
+        [this, tool] { return tool != this->Shape.Get() || this->HasShape(); } });
+  };
+  add("point", nullptr);
+  add("needle", this->Needle);
+  add("burr: removes tissue while the left button is pressed", this->Burr);
+  add("the tool of the file", this->Shape);
+  table.Add(
+    this, { "Tool", "the next tool", "w", [this] { this->ChangeTool(); }, nullptr, nullptr });
+  table.Add(this,
+    { "Tool", "save the track; what was removed", "Ctrl+e", [this] { this->Write(); }, nullptr,
+      nullptr });
+  const auto isBurr = [this] { return this->Filter->GetTool() == this->Burr.Get(); };
+  const auto undo = [this]
+  {
+    this->Tell(this->Filter->GetRemoval()->Undo() ? "Burr stroke undone."
+                                                    : "No burr stroke to undo.");
+  };
+  const auto redo = [this]
+  {
+    this->Tell(this->Filter->GetRemoval()->Redo() ? "Burr stroke redone."
+                                                    : "No burr stroke to redo.");
+  };
+  table.Add(this, { "Tool", "undo a stroke of the burr", "Ctrl+z", undo, nullptr, isBurr });
+  table.Add(this, { "Tool", "redo a stroke of the burr", "Ctrl+y", redo, nullptr, isBurr });
 }
 
 void HandTool::Tell(const std::string& text)
 {
   std::cout << text << std::endl;
-  this->Display->SetNotice(text.c_str());
+  this->Touch.Display->SetNotice(text.c_str());
 }
 
 void HandTool::ChangeTool()
@@ -173,7 +179,7 @@ void HandTool::WriteRemoval()
     this->Tell("The burr has removed nothing yet.");
     return;
   }
-  const std::string file = FindFreeFile("removal", ".vti");
+  const std::string file = FindFreePath("removal", ".vti");
   const double volume = removal->GetRemovedVolume();
   const bool isWritten = removal->WriteFile(file);
   this->WrittenVolume = isWritten ? volume : this->WrittenVolume;
@@ -195,7 +201,7 @@ void HandTool::WriteTrack()
     this->Tell("No track: the needle is not in tissue.");
     return;
   }
-  const std::string file = FindFreeFile("track", ".vtp");
+  const std::string file = FindFreePath("track", ".vtp");
   std::string error;
   const bool isWritten = VolumeHaptics::WriteTracePolyData(track, file, error);
   this->Tell(isWritten ? "Written: " + file : "Can't be written: " + file + ": " + error);

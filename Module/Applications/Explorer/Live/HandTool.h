@@ -5,22 +5,20 @@
 
 #include "Applications/Explorer/Live/TouchScene.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkHapticBurr.h"
 #include "vtkHapticNeedle.h"
 #include "vtkHapticPointShell.h"
 #include "vtkNew.h"
-#include "vtkRenderWindowInteractor.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
 
 namespace Explore
 {
-/// Changes the tool in the hand of a window. Key N switches to the next tool: needle, burr, the
-/// tool of a file if there is one, and point. Keys U and J undo and redo strokes of the burr. Key T
-/// writes the track of a needle in tissue to track-001.vtp, or what a burr has removed to
-/// removal-001.vti, or to the next number that is free.
+/// Changes the tool in the hand of a window. Key w switches to the next tool: needle, burr, the
+/// tool of a file if there is one, and point. Ctrl+Z and Ctrl+Y undo and redo strokes of the burr
+/// while it is in the hand. Ctrl+E writes the track of a needle in tissue to track-001.vtp, or what
+/// a burr has removed to removal-001.vti, or to the next number that is free.
 ///
 /// Where the labels have no shaft friction, values above the outer surface rub along the needle.
 /// For the other tools, these values are solid. With a preset for CT,
@@ -29,24 +27,16 @@ namespace Explore
 class HandTool
 {
 public:
-  HandTool(TouchScene& touch, const Exploration& exploration, vtkRenderWindowInteractor* interactor,
-    const std::string& tool);
+  HandTool(TouchScene& touch, const Exploration& exploration, const std::string& tool);
   ~HandTool();
   HandTool(const HandTool&) = delete;
   HandTool& operator=(const HandTool&) = delete;
-
-  /// Returns the lines for vtkInteractorStyleHaptic::SetApplicationKeys.
-  std::string ListKeys() const
-  {
-    return std::string("Tool\nN\tneedle; burr; ") + (this->HasShape() ? "its shape; " : "") +
-      "point\nU, J\tundo, redo what the burr removed\nT\tsave the track; what was removed\n";
-  }
 
   /// Whether the burr has removed tissue since a file was last written.
   bool HasUnwrittenRemoval() const;
 
 private:
-  void PressKey();
+  void AddCommands();
   bool HasShape() const { return this->Shape->GetMesh() != nullptr; }
   void ChangeTool();
   void Hold(vtkHapticTool* tool);
@@ -56,15 +46,13 @@ private:
   void WriteTrack();
   void WriteRemoval();
 
+  TouchScene& Touch;
   vtkSmartPointer<vtkHapticDevice> Device;
-  vtkSmartPointer<vtkHapticHeadUpDisplay> Display;
   vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
-  vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   vtkNew<vtkHapticNeedle> Needle;
   vtkNew<vtkHapticBurr> Burr;
   vtkNew<vtkHapticPointShell> Shape;
   double WrittenVolume = 0.0; ///< removed volume in the last written file (mm^3)
-  vtkNew<vtkCallbackCommand> KeyObserver;
 };
 } // namespace Explore
 

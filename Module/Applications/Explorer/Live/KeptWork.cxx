@@ -93,24 +93,24 @@ void Append(Function* function, std::vector<double>& values)
 namespace Explore
 {
 KeptWork::KeptWork(TouchScene& touch, vtkVolumeHapticsFilter* filter,
-  SavedMeasurements& measurements, HandTool& tool, LookSwitch& look,
-  vtkRenderWindowInteractor* interactor, const FileChoice& shown)
+  SavedMeasurements& measurements, HandTool& tool, LookSwitch& look, const FileChoice& shown)
   : Touch(touch)
   , Filter(filter)
   , Measurements(measurements)
   , Tool(tool)
   , Look(look)
-  , Interactor(interactor)
   , Folder(FindFolder(shown))
   , Offered(FindLast(this->Folder))
   , Functions(this->ListFunctions())
-  , Key(interactor, "F11", [this] { this->BringBack(); })
 {
+  touch.Commands.Add(this,
+    { "File", "bring back unsaved work", "F11", [this] { this->BringBack(); }, nullptr,
+      [this] { return !this->Offered.empty(); } });
 }
 
-std::string KeptWork::ListKeys() const
+KeptWork::~KeptWork()
 {
-  return this->Offered.empty() ? "" : "F11\tbring back unsaved work\n";
+  this->Touch.Commands.Remove(this);
 }
 
 std::string KeptWork::GetOffer() const
@@ -142,8 +142,9 @@ void KeptWork::BringBack()
       (!has(MEASUREMENTS) ||
         (isFree && this->Touch.Measurements->ReadFile(name(MEASUREMENTS).c_str())));
     error = isDone ? ""
-      : isFree     ? capture.FirstError()
-                   : "Save (S) and remove (Delete) the measurements of this window first, then F11";
+      : isFree
+      ? capture.FirstError()
+      : "Save (Ctrl+S) and remove (Delete) the measurements of this window first, then F11";
   }
   if (error.empty())
   {
@@ -151,7 +152,6 @@ void KeptWork::BringBack()
     this->Offered.clear();
   }
   this->Touch.Display->SetNotice(error.empty() ? "Unsaved work restored" : error.c_str());
-  this->Interactor->Render();
 }
 
 void KeptWork::KeepAtEnd(bool isSetUp)

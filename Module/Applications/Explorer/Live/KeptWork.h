@@ -4,12 +4,10 @@
 #define Explore_KeptWork_h
 
 #include "Applications/Explorer/Live/HandTool.h"
-#include "Applications/Explorer/Live/KeyBinding.h"
 #include "Applications/Explorer/Live/LookSwitch.h"
 #include "Applications/Explorer/Live/SavedMeasurements.h"
 #include "Applications/Explorer/Live/TouchScene.h"
 
-#include "vtkRenderWindowInteractor.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
@@ -27,11 +25,11 @@ public:
   /// `shown` is the file of the window. Functions that have not changed since the window's start
   /// are not stored. The stored functions are those of the outside look.
   KeptWork(TouchScene& touch, vtkVolumeHapticsFilter* filter, SavedMeasurements& measurements,
-    HandTool& tool, LookSwitch& look, vtkRenderWindowInteractor* interactor,
-    const FileChoice& shown);
+    HandTool& tool, LookSwitch& look, const FileChoice& shown);
+  ~KeptWork();
+  KeptWork(const KeptWork&) = delete;
+  KeptWork& operator=(const KeptWork&) = delete;
 
-  /// Returns the lines for vtkHapticHeadUpDisplay::HelpText; empty if there is nothing to restore.
-  std::string ListKeys() const;
   /// Returns a notice of what F11 would restore; empty if there is nothing.
   std::string GetOffer() const;
   /// Restores the work, as F11 does.
@@ -51,13 +49,11 @@ private:
   SavedMeasurements& Measurements;
   HandTool& Tool;
   LookSwitch& Look;
-  vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   std::string Folder;            ///< folder of this volume's work without its number; empty: none
   std::string Offered;           ///< folder of the offered work; empty if there is none, or if it
                                  ///< was restored
   std::string Brought;           ///< folder of the restored work
   std::vector<double> Functions; ///< values of the functions at the beginning
-  KeyBinding Key;
 };
 } // namespace Explore
 

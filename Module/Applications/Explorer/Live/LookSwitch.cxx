@@ -7,8 +7,13 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
 
+#include <algorithm>
+
 namespace
 {
+constexpr double OPACITY_STEP = 1.5; // factor of a step
+constexpr double LEAST_OPACITY = 0.01;
+
 template <typename Function>
 void Exchange(Function* a, Function* b)
 {
@@ -21,18 +26,25 @@ void Exchange(Function* a, Function* b)
 
 namespace Explore
 {
-LookSwitch::LookSwitch(
-  TouchScene& touch, const Analysis& analysis, vtkRenderWindowInteractor* interactor)
+LookSwitch::LookSwitch(TouchScene& touch, const Analysis& analysis)
   : Touch(touch)
-  , Interactor(interactor)
   , HasOther(HasInside(analysis))
-  , Key(interactor, "O", [this] { this->Switch(); })
 {
   SetInsideLook(analysis, this->Other);
+  CommandTable& table = touch.Commands;
+  const auto hasOther = [this] { return this->HasOther; };
+  table.Add(this,
+    { "Look", "see and feel the inside; the outside", "o", [this] { this->Switch(); },
+      [this] { return this->IsInside; }, hasOther });
+  const auto scale = [this](double factor)
+  { return [this, factor] { this->ScaleOpacity(factor); }; };
+  table.Add(this, { "Look", "more transparent", "", scale(1.0 / OPACITY_STEP), nullptr, nullptr });
+  table.Add(this, { "Look", "more opaque", "", scale(OPACITY_STEP), nullptr, nullptr });
 }
 
 LookSwitch::~LookSwitch()
 {
+  this->Touch.Commands.Remove(this);
   this->ShowOutside();
 }
 
@@ -42,11 +54,6 @@ void LookSwitch::ShowOutside()
   {
     this->Swap();
   }
-}
-
-std::string LookSwitch::ListKeys() const
-{
-  return this->HasOther ? "Look\nO\tsee and feel the inside; the outside\n" : "";
 }
 
 void LookSwitch::Swap()
@@ -59,13 +66,34 @@ void LookSwitch::Swap()
 
 void LookSwitch::Switch()
 {
-  if (!this->HasOther)
-  {
-    return;
-  }
   this->Swap();
   this->Touch.Display->SetNotice(
-    this->IsInside ? "Inside: only what is shown is felt. O shows the outside" : "Outside");
-  this->Interactor->Render();
+    this->IsInside ? "Inside: only what is shown is felt. o shows the outside" : "Outside");
+}
+
+void LookSwitch::ScaleOpacity(double factor)
+{
+  vtkPiecewiseFunction* const opacity = this->Touch.Scene.Look->GetScalarOpacity();
+  double largest = 0.0;
+  for (int i = 0; i < opacity->GetSize(); ++i)
+  {
+    double node[4]; // value, opacity, midpoint and sharpness
+    opacity->GetNodeValue(i, node);
+    largest = std::max(largest, node[1]);
+  }
+  // Scale all nodes alike, so that the other direction brings the same look back.
+  if (largest * factor > 1.0 || largest * factor < LEAST_OPACITY)
+  {
+    this->Touch.Display->SetNotice(
+      factor > 1.0 ? "This is as opaque as it gets" : "This is as transparent as it gets");
+    return;
+  }
+  for (int i = 0; i < opacity->GetSize(); ++i)
+  {
+    double node[4];
+    opacity->GetNodeValue(i, node);
+    node[1] *= factor;
+    opacity->SetNodeValue(i, node);
+  }
 }
 } // namespace Explore

@@ -48,25 +48,33 @@ SavedMeasurements::SavedMeasurements(TouchScene& touch, std::string file)
     }
   }
   this->Saved = list->GetMTime();
+  touch.Commands.Add(
+    this, { "File", "save measurements", "Ctrl+s", [this] { this->SaveNow(); }, nullptr, nullptr });
 }
 
-void SavedMeasurements::SaveByKey(vtkRenderWindowInteractor* interactor)
+SavedMeasurements::~SavedMeasurements()
 {
-  this->Key = std::make_unique<KeyBinding>(interactor, "S",
-    [this, interactor]
-    {
-      if (this->File.empty())
-      {
-        this->File = FindFreeFile("measurements", ".mrk.json");
-      }
-      std::string error;
-      const bool isSaved = this->Save(error);
-      const vtkIdType count = this->Touch.Measurements->GetNumberOfMeasurements();
-      const std::string saved = std::to_string(count) +
-        (count == 1 ? " measurement saved to " : " measurements saved to ") + this->File;
-      this->Touch.Display->SetNotice((isSaved ? saved : error).c_str());
-      interactor->Render();
-    });
+  this->Touch.Commands.Remove(this);
+}
+
+void SavedMeasurements::SaveNow()
+{
+  const vtkIdType number = this->Touch.Measurements->GetNumberOfMeasurements();
+  if (number == 0)
+  {
+    this->Touch.Display->SetNotice("There are no measurements to save");
+    return;
+  }
+  if (this->File.empty())
+  {
+    this->File = FindFreeFile("measurements", ".mrk.json");
+  }
+  std::string error;
+  const bool isSaved = this->Save(error);
+  const std::string words =
+    std::to_string(number) + (number == 1 ? " measurement" : " measurements");
+  const std::string path = vtksys::SystemTools::CollapseFullPath(this->File);
+  this->Touch.Display->SetNotice((isSaved ? words + " saved to " + path : error).c_str());
 }
 
 std::string SavedMeasurements::SaveAtEnd()

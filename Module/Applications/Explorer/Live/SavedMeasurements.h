@@ -3,18 +3,16 @@
 #ifndef Explore_SavedMeasurements_h
 #define Explore_SavedMeasurements_h
 
-#include "Applications/Explorer/Live/KeyBinding.h"
 #include "Applications/Explorer/Live/TouchScene.h"
 
-#include "vtkRenderWindowInteractor.h"
+#include "vtkType.h"
 
 #include <iosfwd>
-#include <memory>
 #include <string>
 
 namespace Explore
 {
-/// Saves the measurements of a window to a file, by the key S and when the window is closed. A file
+/// Saves the measurements of a window to a file, by Ctrl+S and when the window is closed. A file
 /// that could only be read in part is not changed; the list is then saved to a new file beside it.
 class SavedMeasurements
 {
@@ -23,8 +21,9 @@ public:
   /// read.
   SavedMeasurements(TouchScene& touch, std::string file);
 
-  /// Makes the key S save from now on. Without a file, it saves to a new measurements-001.mrk.json.
-  void SaveByKey(vtkRenderWindowInteractor* interactor);
+  ~SavedMeasurements();
+  SavedMeasurements(const SavedMeasurements&) = delete;
+  SavedMeasurements& operator=(const SavedMeasurements&) = delete;
 
   /// Saves new measurements to the file. An empty list does not replace a file. If measurements
   /// can't be saved, because there is no file or it can't be written, reports and returns the
@@ -35,6 +34,8 @@ public:
   bool IsSaved() const;
 
 private:
+  /// Saves by the command. Without a file, saves to a new measurements-001.mrk.json.
+  void SaveNow();
   /// Saves the list. On failure, returns false, with the reason in `error`.
   bool Save(std::string& error);
   void Report(std::ostream& out) const;
@@ -43,7 +44,6 @@ private:
   std::string File;
   vtkMTimeType Saved;   ///< modification time of the list when it was saved
   vtkIdType InFile = 0; ///< number of measurements in the file
-  std::unique_ptr<KeyBinding> Key;
 };
 } // namespace Explore
 

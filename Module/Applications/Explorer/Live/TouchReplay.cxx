@@ -76,11 +76,7 @@ TouchReplay::TouchReplay(
     [](vtkObject*, unsigned long event, void* self, void*)
     {
       auto* const replay = static_cast<TouchReplay*>(self);
-      if (event == vtkCommand::KeyPressEvent)
-      {
-        replay->PressKey();
-      }
-      else if (event == vtkCommand::InteractionEvent)
+      if (event == vtkCommand::InteractionEvent)
       {
         replay->IsPlaying = false;
         replay->Show(replay->Begin + replay->Slider->GetValue());
@@ -90,14 +86,15 @@ TouchReplay::TouchReplay(
         replay->Update();
       }
     });
-  interactor->AddObserver(vtkCommand::KeyPressEvent, this->Observer);
   interactor->AddObserver(vtkCommand::TimerEvent, this->Observer);
   this->Widget->AddObserver(vtkCommand::InteractionEvent, this->Observer);
+  this->AddCommands();
   this->Show(this->Begin);
 }
 
 TouchReplay::~TouchReplay()
 {
+  this->Touch.Commands.Remove(this);
   this->Interactor->RemoveObserver(this->Observer);
   this->Widget->RemoveObserver(this->Observer);
   this->Widget->SetEnabled(0);
@@ -107,11 +104,6 @@ TouchReplay::~TouchReplay()
   {
     this->Touch.Scene.Overlay->RemoveViewProp(actor);
   }
-}
-
-std::string TouchReplay::ListKeys()
-{
-  return "Recording\nF5\tplay; pause\nF6\tback 0.1 s\nF7\tforward 0.1 s\n";
 }
 
 vtkSmartPointer<vtkPolyData> TouchReplay::ReadFile(const std::string& file)
@@ -196,11 +188,9 @@ void TouchReplay::BuildSlider(const std::string& file)
   this->Widget->EnabledOn();
 }
 
-void TouchReplay::PressKey()
+void TouchReplay::AddCommands()
 {
-  const char* const symbol = this->Interactor->GetKeySym();
-  const std::string key = symbol ? symbol : "";
-  if (key == "F5")
+  const auto play = [this]
   {
     this->IsPlaying = !this->IsPlaying;
     this->Played = std::chrono::steady_clock::now();
@@ -208,12 +198,21 @@ void TouchReplay::PressKey()
     {
       this->Show(this->Begin);
     }
-  }
-  else if (key == "F6" || key == "F7")
+  };
+  const auto step = [this](double seconds)
   {
-    this->IsPlaying = false;
-    this->Show(this->Now + (key == "F7" ? REPLAY_STEP : -REPLAY_STEP));
-  }
+    return [this, seconds]
+    {
+      this->IsPlaying = false;
+      this->Show(this->Now + seconds);
+    };
+  };
+  CommandTable& table = this->Touch.Commands;
+  table.Add(this,
+    { "Recording", "play the recording; pause", "F5", play, [this] { return this->IsPlaying; },
+      nullptr, Icon::Play });
+  table.Add(this, { "Recording", "back 0.1 s", "F6", step(-REPLAY_STEP), nullptr, nullptr });
+  table.Add(this, { "Recording", "forward 0.1 s", "F7", step(REPLAY_STEP), nullptr, nullptr });
 }
 
 void TouchReplay::Update()

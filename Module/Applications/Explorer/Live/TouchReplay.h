@@ -34,16 +34,13 @@ public:
   TouchReplay(const TouchReplay&) = delete;
   TouchReplay& operator=(const TouchReplay&) = delete;
 
-  /// Returns the lines for vtkHapticHeadUpDisplay::HelpText.
-  static std::string ListKeys();
-
   /// Reads a recording. Throws InputError if the file is neither a recording nor a trace.
   static vtkSmartPointer<vtkPolyData> ReadFile(const std::string& file);
 
 private:
   void BuildActors();
   void BuildSlider(const std::string& file);
-  void PressKey();
+  void AddCommands();
   void Update();
   /// Shows the state at a time of the recording (s).
   void Show(double time);

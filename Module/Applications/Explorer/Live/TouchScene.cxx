@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Live/TouchScene.h"
 
+#include "Applications/Explorer/Bar/CommandBar.h"
 #include "Applications/Explorer/Exploration/HeardTicks.h"
 #include "Applications/Explorer/Exploration/Inspection.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/Live/FreeFile.h"
+#include "Applications/Explorer/Live/HandHold.h"
 #include "Applications/Explorer/Live/HandTool.h"
 #include "Applications/Explorer/Live/KeptWork.h"
-#include "Applications/Explorer/Live/KeyBinding.h"
 #include "Applications/Explorer/Live/LookSwitch.h"
 #include "Applications/Explorer/Live/SavedMeasurements.h"
 #include "Applications/Explorer/Live/TouchReplay.h"
@@ -27,6 +28,8 @@
 #include "vtkNew.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+#include "vtkVolumeHapticsFilter.h"
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
@@ -39,34 +42,93 @@ namespace Explore
 {
 namespace
 {
-/// Saves the materials of the window by key F8 as a preset, to a new preset-001.json, which
-/// --preset accepts.
-class PresetSaver
+/// Lets the user choose a preset and a method, and saves the materials by key F8 as a preset, to a
+/// new preset-001.json, which --preset accepts.
+class FeelChoice
 {
 public:
-  PresetSaver(TouchScene& touch, vtkRenderWindowInteractor* interactor);
-
-  /// Returns the lines for vtkInteractorStyleHaptic::SetApplicationKeys.
-  static std::string ListKeys() { return "Preset\nF8\tsave the materials to a file\n"; }
+  FeelChoice(TouchScene& touch, const Exploration& exploration);
+  ~FeelChoice() { this->Touch.Commands.Remove(this); }
+  FeelChoice(const FeelChoice&) = delete;
+  FeelChoice& operator=(const FeelChoice&) = delete;
 
 private:
+  void Choose(const std::string& preset);
+  void ChooseMethod(int method);
   void Save();
 
   TouchScene& Touch;
-  vtkRenderWindowInteractor* const Interactor;
-  KeyBinding Key;
+  vtkVolumeHapticsFilter* const Filter;
+  vtkImageData* const Image;
+  Analysis Values;
+  std::string Preset; // name of the last chosen preset
 };
 
-PresetSaver::PresetSaver(TouchScene& touch, vtkRenderWindowInteractor* interactor)
+FeelChoice::FeelChoice(TouchScene& touch, const Exploration& exploration)
   : Touch(touch)
-  , Interactor(interactor)
-  , Key(interactor, "F8", [this] { this->Save(); })
+  , Filter(exploration.Filter)
+  , Image(exploration.Input.Image)
+  , Values(exploration.Values)
+  , Preset(exploration.Materials)
 {
+  CommandTable& table = touch.Commands;
+  vtkStringArray* const presets = vtkHapticProperty::GetPresetNames();
+  for (vtkIdType i = 0; i < presets->GetNumberOfValues(); ++i)
+  {
+    const std::string name = presets->GetValue(i);
+    table.Add(this,
+      { "Preset", name, "", [this, name] { this->Choose(name); },
+        [this, name] { return this->Preset == name; }, nullptr });
+  }
+  table.Add(this,
+    { "Preset", "save the materials to a file", "F8", [this] { this->Save(); }, nullptr, nullptr });
+  vtkStringArray* const methods = vtkVolumeHapticsFilter::GetMethodNames();
+  for (vtkIdType i = 0; i < methods->GetNumberOfValues(); ++i)
+  {
+    const int method = static_cast<int>(i);
+    const auto isUsable = [this, method] {
+      return method != vtkVolumeHapticsFilter::PRIMITIVES || this->Filter->GetNumberOfModes() > 0;
+    };
+    table.Add(this,
+      { "Method", methods->GetValue(i), "", [this, method] { this->ChooseMethod(method); },
+        [this, method] { return this->Filter->GetMethod() == method; }, isUsable });
+  }
 }
 
-void PresetSaver::Save()
+void FeelChoice::Choose(const std::string& preset)
 {
-  const std::string file = FindFreeFile("preset", ".json");
+  try
+  {
+    this->Preset = ApplyMaterials(preset, this->Values, this->Image, this->Filter);
+    FitThresholds(this->Filter->GetProperty(), this->Values);
+    this->Touch.Display->SetNotice(("Materials: " + this->Preset).c_str());
+  }
+  catch (const InputError& error)
+  {
+    this->Touch.Display->SetNotice(error.what());
+  }
+}
+
+void FeelChoice::ChooseMethod(int method)
+{
+  const int before = this->Filter->GetMethod();
+  std::string notice;
+  {
+    const MessageCapture capture;
+    this->Filter->SetMethod(method);
+    if (!this->Touch.Device->Publish())
+    {
+      notice = capture.FirstError();
+      this->Filter->SetMethod(before);
+      this->Touch.Device->Publish();
+    }
+  }
+  this->Touch.Display->SetNotice(notice.c_str());
+}
+
+void FeelChoice::Save()
+{
+  const std::string file = FindFreePath("preset", ".json");
   std::string notice = "Materials saved, for --preset " + file;
   {
     const MessageCapture capture;
@@ -76,19 +138,18 @@ void PresetSaver::Save()
     }
   }
   this->Touch.Display->SetNotice(notice.c_str());
-  this->Interactor->Render();
 }
 
-/// Plays the sound of touches in a scene until the object is deleted. Key o turns it off and on. If
-/// the output fails, the error is reported in one line, and the scene continues; the key then tries
-/// again.
+/// Plays the sound of touches in a scene until the object is deleted. Ctrl+M turns it off and on.
+/// If the output fails, the error is reported in one line, and the scene continues; the key then
+/// tries again.
 ///
 /// The sound uses the states that the scene's style reads for the displays (StatesEvent), so that
 /// nothing is added to the servo's loop.
 class WindowSound
 {
 public:
-  WindowSound(TouchScene& touch, vtkRenderWindowInteractor* interactor);
+  explicit WindowSound(TouchScene& touch);
   ~WindowSound();
   WindowSound(const WindowSound&) = delete;
   WindowSound& operator=(const WindowSound&) = delete;
@@ -99,6 +160,7 @@ private:
   void DrainStates();
   void PressKey();
 
+  TouchScene& Touch;
   vtkSmartPointer<vtkHapticDevice> Device;
   vtkSmartPointer<vtkInteractorStyleHaptic> Style;
   vtkSmartPointer<vtkHapticHeadUpDisplay> Display;
@@ -108,18 +170,20 @@ private:
   std::unique_ptr<SoundOutput> Output;
   bool HasFailed = false;
   vtkNew<vtkCallbackCommand> StatesObserver;
-  KeyBinding Key;
 };
 
-WindowSound::WindowSound(TouchScene& touch, vtkRenderWindowInteractor* interactor)
-  : Device(touch.Device)
+WindowSound::WindowSound(TouchScene& touch)
+  : Touch(touch)
+  , Device(touch.Device)
   , Style(touch.Style)
   , Display(touch.Display)
   , Ticks(touch.Device->GetVolumeHaptics())
   , Stream(SAMPLES_PER_SECOND)
   , Output(SoundOutput::Open(this->Stream))
-  , Key(interactor, "o", [this] { this->PressKey(); })
 {
+  touch.Commands.Add(this,
+    { "Window", "sound", "Ctrl+m", [this] { this->PressKey(); },
+      [this] { return !this->Stream.IsMuted(); }, nullptr });
   this->StatesObserver->SetClientData(this);
   this->StatesObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
     { static_cast<WindowSound*>(self)->DrainStates(); });
@@ -128,6 +192,7 @@ WindowSound::WindowSound(TouchScene& touch, vtkRenderWindowInteractor* interacto
 
 WindowSound::~WindowSound()
 {
+  this->Touch.Commands.Remove(this);
   this->Style->RemoveObserver(this->StatesObserver);
 }
 
@@ -144,8 +209,9 @@ void WindowSound::DrainStates()
     this->HasFailed = true;
     this->Stream.SetMuted(true);
     std::cerr << "--sound: there is no sound (" << trouble
-              << "). Cure: start PulseAudio or PipeWire, then press o in the window." << std::endl;
-    this->Display->SetNotice("There is no sound: start PulseAudio or PipeWire, then press o");
+              << "). Cure: start PulseAudio or PipeWire, then press Ctrl+M in the window."
+              << std::endl;
+    this->Display->SetNotice("There is no sound: start PulseAudio or PipeWire, then press Ctrl+M");
   }
 }
 
@@ -324,6 +390,30 @@ OpenDevices OpenDevicesOf(const DeviceChoice& choice)
   return devices;
 }
 
+namespace
+{
+/// Adds the commands that belong to no part of their own.
+void AddWindowCommands(TouchScene& touch, vtkRenderWindowInteractor* interactor)
+{
+  const vtkSmartPointer<vtkRenderWindow> window = touch.Scene.Window;
+  const vtkSmartPointer<vtkRenderer> renderer = touch.Scene.Renderer;
+  auto first = vtkSmartPointer<vtkCamera>::New();
+  first->DeepCopy(renderer->GetActiveCamera());
+  const auto reset = [renderer, first]
+  {
+    renderer->GetActiveCamera()->DeepCopy(first);
+    renderer->ResetCameraClippingRange();
+  };
+  touch.Commands.Add(&touch, { "Look", "the first view again", "r", reset, nullptr, nullptr });
+  touch.Commands.Add(&touch,
+    { "Window", "stereo glasses", "",
+      [window] { window->SetStereoRender(!window->GetStereoRender()); },
+      [window] { return window->GetStereoRender() != 0; }, nullptr });
+  touch.Commands.Add(&touch,
+    { "Window", "close", "q", [interactor] { interactor->ExitCallback(); }, nullptr, nullptr });
+}
+} // namespace
+
 void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const SceneOptions& options,
   const DeviceChoice& device)
 {
@@ -352,6 +442,7 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
   // A large volume has no cropping box, because its picture crops the mapper itself.
   touch.Cut.SetScene(touch.Scene.Volume, filter, touch.Scene.Overlay, exploration.Values.BodyBounds,
     !exploration.Input.Large);
+  touch.Cut.AddCommands(touch.Commands);
   touch.Setup->SetVolumeHaptics(filter);
   touch.Setup->SetVolumeProperty(touch.Scene.Look);
   touch.Setup->SetCamera(touch.Scene.Renderer->GetActiveCamera());
@@ -400,38 +491,38 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   interactor->SetRenderWindow(touch.Scene.Window);
   interactor->SetInteractorStyle(touch.Style);
   touch.Cut.SetInteractor(interactor);
-  saved.SaveByKey(interactor);
-  auto presets = std::make_unique<PresetSaver>(touch, interactor);
-  auto tool = std::make_unique<HandTool>(touch, exploration, interactor, wanted.Tool);
-  auto look = std::make_unique<LookSwitch>(touch, exploration.Values, interactor);
+  touch.Commands.SetStyle(touch.Style);
+  touch.Commands.SetInteractor(interactor);
+  auto feel = std::make_unique<FeelChoice>(touch, exploration);
+  auto tool = std::make_unique<HandTool>(touch, exploration, wanted.Tool);
+  auto look = std::make_unique<LookSwitch>(touch, exploration.Values);
+  auto hold = std::make_unique<HandHold>(touch, interactor);
   auto recorder = std::make_unique<WindowRecorder>(touch, interactor, wanted.Movie);
   auto script = wanted.Script.empty()
     ? nullptr
     : std::make_unique<DemoScript>(ReadDemoScript(wanted.Script), interactor);
-  auto heard = wanted.Sound ? std::make_unique<WindowSound>(touch, interactor) : nullptr;
+  auto heard = wanted.Sound ? std::make_unique<WindowSound>(touch) : nullptr;
   FileChoice choice;
   auto files =
     std::make_unique<WindowFiles>(touch, interactor, exploration.Input, wanted.File, choice);
   auto replay = wanted.Replay.empty()
     ? nullptr
     : std::make_unique<TouchReplay>(touch, interactor, wanted.Replay);
-  auto kept = std::make_unique<KeptWork>(
-    touch, exploration.Filter, saved, *tool, *look, interactor, wanted.File);
-  const std::string keys =
-    touch.Cut.ListKeys() + (replay ? TouchReplay::ListKeys() : std::string());
-  const std::string sound = wanted.Sound ? "o\tsound on; off\n" : "";
+  auto kept =
+    std::make_unique<KeptWork>(touch, exploration.Filter, saved, *tool, *look, wanted.File);
+  touch.Scene.Renderer->GetActiveCamera()->SetWindowCenter(BESIDE_PLOT, 0.0);
+  AddWindowCommands(touch, interactor);
+  auto bar = std::make_unique<CommandBar>(touch.Commands, touch.Scene.Window, interactor,
+    [&hold](bool isOpen) { hold->SetMenuOpen(isOpen); });
   const Inspection facts(
     exploration.Input, exploration.Values, exploration.Materials, exploration.Filter);
-  touch.Style->SetApplicationKeys((facts.ListFacts() + look->ListKeys() + PresetSaver::ListKeys() +
-    tool->ListKeys() + keys + files->ListKeys() + WindowRecorder::ListKeys() +
-    "Window\n3\tstereo\n" + sound + "S\tsave measurements\n" + kept->ListKeys() + "q\tclose\n")
-                                    .c_str());
+  touch.Style->SetApplicationKeys((facts.ListFacts() + touch.Commands.ListKeys()).c_str());
   if (wanted.View)
   {
     touch.Scene.Renderer->GetActiveCamera()->DeepCopy(wanted.View);
     touch.Scene.Renderer->ResetCameraClippingRange();
+    touch.Scene.Renderer->GetActiveCamera()->SetWindowCenter(BESIDE_PLOT, 0.0);
   }
-  touch.Scene.Renderer->GetActiveCamera()->SetWindowCenter(BESIDE_PLOT, 0.0);
   std::cout << touch.Scene.MapperName << "\n\n" << Align(touch.Style->GetKeys()) << std::endl;
   const std::string offer = kept->GetOffer();
   const std::string told = facts.ListTold();
@@ -455,12 +546,15 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   interactor->Start();
   choice.Place.View = vtkSmartPointer<vtkCamera>::New();
   choice.Place.View->DeepCopy(touch.Scene.Renderer->GetActiveCamera());
+  bar.reset();
   replay.reset();
   files.reset();
   script.reset();
   recorder.reset();
-  presets.reset();
   heard.reset();
+  hold.reset();
+  feel.reset();
+  touch.Commands.SetInteractor(nullptr);
   touch.Cut.SetInteractor(nullptr);
   touch.Device->Close();
   if (touch.SecondDevice)

@@ -3,6 +3,7 @@
 #ifndef Explore_TouchScene_h
 #define Explore_TouchScene_h
 
+#include "Applications/Explorer/Bar/CommandTable.h"
 #include "Applications/Explorer/Scene/ExplorerScene.h"
 
 #include "vtkCamera.h"
@@ -49,6 +50,7 @@ OpenDevices OpenDevicesOf(const DeviceChoice& choice);
 /// device's state. Hidden tissue is not felt.
 struct TouchScene
 {
+  CommandTable Commands; // before the parts that add commands
   ExplorerScene Scene;
   vtkSmartPointer<vtkHapticDevice> Device; // null: BuildTouchScene opens it
   vtkNew<vtkHapticRepresentation> Hand;
@@ -86,7 +88,7 @@ struct FileChoice
 };
 
 /// Options of the window. A file without a name is not read. If there is no name for measurements,
-/// the key S saves them to the first free file of measurements-001.mrk.json ...
+/// Ctrl+S saves them to the first free file of measurements-001.mrk.json ...
 struct WindowOptions
 {
   std::string Setup;

@@ -91,19 +91,33 @@ WindowFiles::WindowFiles(TouchScene& touch, vtkRenderWindowInteractor* interacto
   {
     interactor->AddObserver(event, this->Observer, FILES_PRIORITY);
   }
+  this->AddCommands();
 }
 
 WindowFiles::~WindowFiles()
 {
+  this->Touch.Commands.Remove(this);
   this->Interactor->RemoveObserver(this->Observer);
 }
 
-std::string WindowFiles::ListKeys() const
+void WindowFiles::AddCommands()
 {
-  std::string keys = "Data\nF2\topen a file\n";
-  keys += this->Series.size() > 1 ? "F3\tanother series or volume\n" : "";
-  return keys +
-    (this->MayBeLabels ? this->Now.AsLabels ? "F4\tshow as values\n" : "F4\tshow as labels\n" : "");
+  CommandTable& table = this->Touch.Commands;
+  const auto browse = [this]
+  {
+    const std::string path = Files::CollapseFullPath(this->Now.Path);
+    this->ListFolder(Files::GetFilenamePath(path), path);
+  };
+  table.Add(this, { "File", "open a file of this folder", "F2", browse, nullptr, nullptr });
+  table.Add(this,
+    { "File", "another series or volume", "F3", [this] { this->ListSeries(); }, nullptr,
+      [this] { return this->Series.size() > 1; } });
+  table.Add(this,
+    { "File", "show as labels; as values", "F4",
+      [this] {
+        this->Choose({ this->Now.Path, this->Now.Series, !this->Now.AsLabels });
+      },
+      [this] { return this->Now.AsLabels; }, [this] { return this->MayBeLabels; } });
 }
 
 void WindowFiles::Handle(unsigned long event, void* data)
@@ -151,24 +165,7 @@ bool WindowFiles::PressKey(const std::string& key)
 {
   if (!this->List.IsShown())
   {
-    if (key == "F2")
-    {
-      const std::string path = Files::CollapseFullPath(this->Now.Path);
-      this->ListFolder(Files::GetFilenamePath(path), path);
-    }
-    else if (key == "F3" && this->Series.size() > 1)
-    {
-      this->ListSeries();
-    }
-    else if (key == "F4" && this->MayBeLabels)
-    {
-      this->Choose({ this->Now.Path, this->Now.Series, !this->Now.AsLabels });
-    }
-    else
-    {
-      return false;
-    }
-    return true;
+    return false;
   }
   if (key == "Up" || key == "Down" || key == "Prior" || key == "Next")
   {

@@ -30,11 +30,9 @@ public:
   WindowFiles(const WindowFiles&) = delete;
   WindowFiles& operator=(const WindowFiles&) = delete;
 
-  /// Returns the lines for vtkHapticHeadUpDisplay::HelpText.
-  std::string ListKeys() const;
-
 private:
   void Handle(unsigned long event, void* data);
+  void AddCommands();
   bool PressKey(const std::string& key);
   /// Lists a folder. The arguments are copies, because they may be the members that the function
   /// sets.

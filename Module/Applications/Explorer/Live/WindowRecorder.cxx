@@ -10,6 +10,8 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <vtksys/SystemTools.hxx>
+
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
@@ -29,19 +31,16 @@ WindowRecorder::WindowRecorder(
   {
     throw InputError("--movie " + movie, error, "name a file in a folder of yours");
   }
-  this->KeyObserver->SetClientData(this);
-  this->KeyObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
-    { static_cast<WindowRecorder*>(self)->PressKey(); });
+  this->AddCommands();
   this->TimerObserver->SetClientData(this);
   this->TimerObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
     { static_cast<WindowRecorder*>(self)->Film(); });
-  interactor->AddObserver(vtkCommand::KeyPressEvent, this->KeyObserver);
   interactor->AddObserver(vtkCommand::TimerEvent, this->TimerObserver);
 }
 
 WindowRecorder::~WindowRecorder()
 {
-  this->Interactor->RemoveObserver(this->KeyObserver);
+  this->Touch.Commands.Remove(this);
   this->Interactor->RemoveObserver(this->TimerObserver);
   this->EndMovie();
   if (!this->TouchName.empty())
@@ -51,42 +50,37 @@ WindowRecorder::~WindowRecorder()
   this->ReportEnded(true);
 }
 
-std::string WindowRecorder::ListKeys()
+void WindowRecorder::AddCommands()
 {
-  const std::string movie = MovieFile::IsAvailable() ? "F9\tmovie: begin; end\n" : "";
-  return "Record\n" + movie + "F10\ttouch: begin; end\nF12\tpicture\n";
+  CommandTable& table = this->Touch.Commands;
+  table.Add(this,
+    { "Record", "a movie: begin; end", "F9", [this] { this->BeginOrEndMovie(); },
+      [this] { return this->Movie != nullptr; }, [] { return MovieFile::IsAvailable(); } });
+  table.Add(this,
+    { "Record", "the touch: begin; end", "F10", [this] { this->BeginOrEndTouch(); },
+      [this] { return !this->TouchName.empty(); }, nullptr });
+  table.Add(
+    this, { "Record", "a picture", "F12", [this] { this->TakePicture(); }, nullptr, nullptr });
 }
 
-void WindowRecorder::PressKey()
+void WindowRecorder::BeginOrEndMovie()
 {
-  const char* const symbol = this->Interactor->GetKeySym();
-  const std::string key = symbol ? symbol : "";
-  if (key == "F12")
-  {
-    this->TakePicture();
-  }
-  else if (key == "F9" && this->Movie)
+  if (this->Movie)
   {
     this->EndMovie();
+    return;
   }
-  else if (key == "F9")
+  std::string error;
+  const std::string file = FindFreePath("movie", ".ogv");
+  if (!this->BeginMovie(file, error))
   {
-    std::string error;
-    const std::string file = FindFreeFile("movie", ".ogv");
-    if (!this->BeginMovie(file, error))
-    {
-      this->Touch.Display->SetNotice((file + ": " + error).c_str());
-    }
-  }
-  else if (key == "F10")
-  {
-    this->BeginOrEndTouch();
+    this->Touch.Display->SetNotice((file + ": " + error).c_str());
   }
 }
 
 void WindowRecorder::TakePicture()
 {
-  const std::string file = FindFreeFile("picture", ".png");
+  const std::string file = FindFreePath("picture", ".png");
   try
   {
     WritePicture(this->Touch.Scene.Window, file);
@@ -185,7 +179,7 @@ void WindowRecorder::Film()
 void WindowRecorder::BeginOrEndTouch()
 {
   const bool begins = this->TouchName.empty();
-  const std::string file = begins ? FindFreeFile("touch", ".vtp") : this->TouchName;
+  const std::string file = begins ? FindFreePath("touch", ".vtp") : this->TouchName;
   std::string told;
   {
     const MessageCapture capture;
@@ -242,11 +236,11 @@ void WindowRecorder::Report()
     const int seconds = this->Filmed / MovieFile::RATE;
     std::ostringstream time;
     time << seconds / 60 << ":" << std::setw(2) << std::setfill('0') << seconds % 60;
-    text = this->MovieName + ", " + time.str();
+    text = vtksys::SystemTools::GetFilenameName(this->MovieName) + ", " + time.str();
   }
   if (!this->TouchName.empty())
   {
-    text += (text.empty() ? "" : " and ") + this->TouchName;
+    text += (text.empty() ? "" : " and ") + vtksys::SystemTools::GetFilenameName(this->TouchName);
   }
   if (text != this->Touch.Display->GetRecordingText())
   {

@@ -36,11 +36,9 @@ public:
   WindowRecorder(const WindowRecorder&) = delete;
   WindowRecorder& operator=(const WindowRecorder&) = delete;
 
-  /// Returns the lines for vtkHapticHeadUpDisplay::HelpText.
-  static std::string ListKeys();
-
 private:
-  void PressKey();
+  void AddCommands();
+  void BeginOrEndMovie();
   void TakePicture();
   bool BeginMovie(const std::string& file, std::string& error);
   void EndMovie();
@@ -70,7 +68,6 @@ private:
   std::chrono::steady_clock::time_point Begin; ///< when the movie began
   int Filmed = 0;                              ///< number of pictures in the movie so far
   int Size[2] = { 0, 0 };
-  vtkNew<vtkCallbackCommand> KeyObserver;
   vtkNew<vtkCallbackCommand> TimerObserver;
 };
 } // namespace Explore

@@ -231,12 +231,16 @@ void DemoScript::Point()
 
 void DemoScript::Press(const std::string& key)
 {
-  const char code = key.size() == 1 ? key[0] : '\0';
-  this->Interactor->SetKeyEventInformation(0, 0, code, 0, key.c_str());
+  const std::string control = "Ctrl+";
+  const bool hasControl = key.rfind(control, 0) == 0;
+  const std::string name = hasControl ? key.substr(control.size()) : key;
+  const char code = name.size() == 1 && !hasControl ? name[0] : '\0';
+  this->Interactor->SetKeyEventInformation(hasControl ? 1 : 0, 0, code, 0, name.c_str());
   for (const unsigned long event :
     { vtkCommand::KeyPressEvent, vtkCommand::CharEvent, vtkCommand::KeyReleaseEvent })
   {
     this->Interactor->InvokeEvent(event);
   }
+  this->Interactor->SetControlKey(0);
 }
 } // namespace Explore

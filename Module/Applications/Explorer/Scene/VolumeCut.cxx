@@ -162,9 +162,6 @@ VolumeCut::VolumeCut()
     [](vtkObject*, unsigned long, void* self, void*) { static_cast<VolumeCut*>(self)->Apply(); });
   this->PlaneWidget->AddObserver(vtkCommand::InteractionEvent, this->DragObserver);
   this->BoxWidget->AddObserver(vtkCommand::InteractionEvent, this->DragObserver);
-  this->KeyObserver->SetClientData(this);
-  this->KeyObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
-    { static_cast<VolumeCut*>(self)->PressKey(); });
 }
 
 VolumeCut::~VolumeCut()
@@ -191,37 +188,43 @@ void VolumeCut::SetInteractor(vtkRenderWindowInteractor* interactor)
   {
     this->PlaneWidget->EnabledOff();
     this->BoxWidget->EnabledOff();
-    this->Interactor->RemoveObserver(this->KeyObserver);
   }
   this->Interactor = interactor;
   this->PlaneWidget->SetInteractor(interactor);
   this->BoxWidget->SetInteractor(interactor);
   if (interactor)
   {
-    interactor->AddObserver(vtkCommand::KeyPressEvent, this->KeyObserver);
     this->ShowHandles();
   }
 }
 
-void VolumeCut::PressKey()
+void VolumeCut::AddCommands(CommandTable& table)
 {
-  switch (this->Interactor->GetKeyCode())
+  const auto add = [&](const char* text, CutKind kind)
   {
-    case 'x':
-      this->SetKind(this->Kind == CutKind::None          ? CutKind::Plane
-          : this->Kind == CutKind::Plane && this->HasBox ? CutKind::Box
-                                                         : CutKind::None);
-      break;
-    case 'X':
-      this->TurnOver();
-      break;
-    case 'z':
-      this->Filter->SetFeelCutFaces(!this->Filter->GetFeelCutFaces());
-      break;
-    default:
-      return;
-  }
-  this->Interactor->Render();
+    table.Add(this,
+      { "Cut", text, "", [this, kind] { this->SetKind(kind); },
+        [this, kind] { return this->Kind == kind; },
+        [this, kind] { return kind != CutKind::Box || this->HasBox; } });
+  };
+  add("no cut", CutKind::None);
+  add("by a plane", CutKind::Plane);
+  add("by a box", CutKind::Box);
+  const auto next = [this]
+  {
+    this->SetKind(this->Kind == CutKind::None          ? CutKind::Plane
+        : this->Kind == CutKind::Plane && this->HasBox ? CutKind::Box
+                                                       : CutKind::None);
+  };
+  const auto isCut = [this] { return this->Kind != CutKind::None; };
+  table.Add(this, { "Cut", "plane; box; none", "x", next, nullptr, nullptr });
+  table.Add(this,
+    { "Cut", "swap the kept and the hidden part", "e", [this] { this->TurnOver(); }, nullptr,
+      isCut });
+  table.Add(this,
+    { "Cut", "feel the cut faces: on; off", "z",
+      [this] { this->Filter->SetFeelCutFaces(!this->Filter->GetFeelCutFaces()); },
+      [this] { return this->Filter->GetFeelCutFaces() != 0; }, nullptr });
 }
 
 void VolumeCut::SetKind(CutKind kind)
@@ -264,14 +267,6 @@ void VolumeCut::TurnOver()
   }
   this->IsTurned = !this->IsTurned;
   this->Apply();
-}
-
-const char* VolumeCut::ListKeys() const
-{
-  return this->HasBox
-    ? "Cut\nx\tplane; box; none\nX\tswap the kept and the hidden part\nz\tfeel the cut faces: on; "
-      "off\n"
-    : "Cut\nx\tplane; none\nX\tswap the kept and the hidden part\nz\tfeel the cut faces: on; off\n";
 }
 
 void VolumeCut::GetAxis(int axis, double direction[3]) const

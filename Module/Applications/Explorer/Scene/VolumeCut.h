@@ -3,6 +3,8 @@
 #ifndef Explore_VolumeCut_h
 #define Explore_VolumeCut_h
 
+#include "Applications/Explorer/Bar/CommandTable.h"
+
 #include "vtkBoxWidget2.h"
 #include "vtkCallbackCommand.h"
 #include "vtkImplicitPlaneWidget2.h"
@@ -34,7 +36,7 @@ enum class CutKind
 ///   box        the balls move its faces, the one in the middle moves it
 ///
 ///   x          plane, box, none; in front of the viewer
-///   X          the other part is cut away
+///   e          the other part is cut away
 ///   z          the faces of the cut hold like the material behind them, or are open
 class VolumeCut
 {
@@ -50,7 +52,10 @@ public:
   void SetScene(vtkVolume* volume, vtkVolumeHapticsFilter* filter, vtkRenderer* handles,
     const double body[6], bool hasRegions);
 
-  /// Sets the interactor whose mouse and keys move the cut; null stands for none.
+  /// Adds the commands that cut. The table is used until the cut is deleted.
+  void AddCommands(CommandTable& table);
+
+  /// Sets the interactor whose mouse moves the cut; null stands for none.
   void SetInteractor(vtkRenderWindowInteractor* interactor);
 
   /// Cuts away everything between the viewer and the middle of the body.
@@ -59,11 +64,7 @@ public:
   bool HasRegions() const { return this->HasBox; }
   void TurnOver();
 
-  /// Returns the list of keys, in the form of vtkHapticHeadUpDisplay::HelpText.
-  const char* ListKeys() const;
-
 private:
-  void PressKey();
   void PlacePlane();
   void PlaceBox();
   void ShowHandles();
@@ -87,7 +88,6 @@ private:
   vtkNew<vtkImplicitPlaneWidget2> PlaneWidget;
   vtkNew<vtkBoxWidget2> BoxWidget;
   vtkNew<vtkCallbackCommand> DragObserver;
-  vtkNew<vtkCallbackCommand> KeyObserver;
 };
 } // namespace Explore
 

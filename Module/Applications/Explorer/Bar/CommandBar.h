@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_CommandBar_h
+#define Explore_CommandBar_h
+
+#include "Applications/Explorer/Bar/CommandTable.h"
+#include "VTK/Scene/Base/WindowDock.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkContextActor.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkContext2D;
+
+namespace Explore
+{
+/// A bar with buttons along the top of a window, with a hint for the button under the pointer, and
+/// the menus that its buttons open: those of a group of commands, and one of all commands. The rest
+/// of the window gets what is below the bar.
+class CommandBar
+{
+public:
+  /// `whenMenu` is called when a menu opens (true) and closes.
+  CommandBar(CommandTable& commands, vtkRenderWindow* window, vtkRenderWindowInteractor* interactor,
+    std::function<void(bool)> whenMenu);
+  ~CommandBar();
+  CommandBar(const CommandBar&) = delete;
+  CommandBar& operator=(const CommandBar&) = delete;
+
+  /// Draws the bar. The context item calls this in each frame.
+  bool Paint(vtkContext2D* painter);
+
+private:
+  struct Box
+  {
+    float Left = 0.0f, Bottom = 0.0f, Width = 0.0f, Height = 0.0f; // pixels
+    bool Contains(int x, int y) const;
+  };
+  struct Button
+  {
+    Icon Picture;
+    std::string Label; // below the icon, if there is room
+    Box Place;
+    bool IsOn = false;
+    bool IsUsable = true;
+  };
+  struct Row
+  {
+    std::string Text;
+    std::string Key;
+    bool IsTitle = false;
+    bool IsOn = false;
+    Command What;
+    Box Place; // empty if the row is not visible
+  };
+
+  void Dock();
+  bool Handle(unsigned long event);
+  void Activate(const Button& button);
+  void OpenMenu(const std::string& group, const Button& from);
+  void CloseMenu();
+  void Scroll(int rows);
+  void PointAt(int x, int y);
+  int FindButton(int x, int y) const;
+  int FindRow(int x, int y) const;
+
+  void UpdateButtons();
+  void LayOut(vtkContext2D* painter);
+  void DrawButtons(vtkContext2D* painter);
+  void DrawPicture();
+  bool LayOutMenu(vtkContext2D* painter, int letters);
+  void DrawMenu(vtkContext2D* painter);
+  void DrawTip(vtkContext2D* painter);
+  std::string DescribeButton(const Button& button, std::string& key) const;
+  void SetLetters(vtkContext2D* painter, double points, const RGB& colour, bool isBold) const;
+  float MeasureWidth(vtkContext2D* painter, const std::string& text) const;
+  float ToPixels(double points) const;
+
+  CommandTable& All;
+  const vtkSmartPointer<vtkRenderWindow> Window;
+  const vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
+  const std::function<void(bool)> WhenMenu;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkContextActor> Actor;
+  VolumeHaptics::WindowDock Strip;
+  bool IsShown = true;
+  std::vector<Button> Buttons;
+  int Pointed = -1; ///< button under the pointer
+  float Height = 0.0f;
+  bool HasLabels = true;
+  std::vector<float> LabelWidths; ///< for the present scale
+  double LabelScale = 0.0;
+  std::string Drawn; ///< what the picture of the bar shows
+  vtkNew<vtkImageData> Picture;
+
+  std::vector<Row> Rows; ///< rows of the open menu
+  bool IsMenuOpen = false;
+  Icon Opener = Icon::None;
+  float MenuLeft = 0.0f; ///< wanted left end
+  int First = 0;         ///< first visible row
+  int Visible = 0;       ///< number of visible rows
+  int PointedRow = -1;
+  int Letters = 11; ///< points
+  Box Menu;
+
+  bool HasPress = false; ///< whether the release of a button belongs to the bar
+  vtkNew<vtkCallbackCommand> MouseObserver;
+  vtkNew<vtkCallbackCommand> FrameObserver;
+};
+} // namespace Explore
+
+#endif

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_CommandTable_h
+#define Explore_CommandTable_h
+
+#include "Applications/Explorer/Bar/Icons.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkInteractorStyleHaptic.h"
+#include "vtkNew.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace Explore
+{
+/// Something that the user can do in the window.
+struct Command
+{
+  std::string Group; // title in the menu and in the list of keys
+  std::string Text;  // such as "open a file"
+  std::string Key;   // such as "F8", "x" or "Ctrl+o"; empty: no key
+  std::function<void()> Run;
+  std::function<bool()> IsOn;     // whether it is switched on or chosen; null: it has no state
+  std::function<bool()> IsUsable; // null: always
+  Icon Button = Icon::None;       // the button of the bar that runs the command, if there is one
+};
+
+/// A group of commands: a title of the menu, and perhaps a button that shows only the group.
+struct CommandGroup
+{
+  const char* Title;
+  Icon Button; // Icon::None: the group is only in the menu
+  const char* Tip;
+};
+
+/// All commands of the window. Keys, buttons, menus and the list of keys are made from this table:
+/// the parts of the window add their commands, and the actions of vtkInteractorStyleHaptic are
+/// commands, too.
+class CommandTable
+{
+public:
+  CommandTable();
+  ~CommandTable();
+  CommandTable(const CommandTable&) = delete;
+  CommandTable& operator=(const CommandTable&) = delete;
+
+  /// Adds a command of a part, which calls Remove() before it is deleted.
+  void Add(const void* part, const Command& command);
+  void Remove(const void* part);
+
+  /// Sets the interactor whose keys run the commands; null for none.
+  void SetInteractor(vtkRenderWindowInteractor* interactor);
+  vtkRenderWindowInteractor* GetInteractor() const { return this->Interactor; }
+  /// Sets the style whose actions are commands.
+  void SetStyle(vtkInteractorStyleHaptic* style);
+
+  /// Returns all groups, in the order of the menu.
+  static const std::vector<CommandGroup>& GetGroups();
+  /// Returns the commands of a group that can be used now.
+  std::vector<Command> ListGroup(const std::string& title) const;
+  /// Returns the command of a button; one without Run if the scene has no part for it.
+  Command FindButton(Icon button) const;
+  /// Runs a command and draws the scene.
+  void Run(const Command& command);
+
+  /// Returns the keys of the parts, in the form of vtkHapticHeadUpDisplay::HelpText. The list of
+  /// the style has its own actions.
+  std::string ListKeys() const;
+  /// Returns what is printed on a key, such as "Ctrl+O".
+  static std::string LabelKey(const std::string& key);
+
+private:
+  struct Added
+  {
+    const void* Part;
+    Command What;
+  };
+
+  bool PressKey();
+  Command MakeAction(const std::string& name) const;
+
+  std::vector<Added> All;
+  vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
+  vtkSmartPointer<vtkInteractorStyleHaptic> Style;
+  std::string UsedKey; ///< key of the last command that was run by a key
+  vtkNew<vtkCallbackCommand> Observer;
+};
+} // namespace Explore
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_Icons_h
+#define Explore_Icons_h
+
+#include "vtkImageData.h"
+
+#include <array>
+
+namespace Explore
+{
+/// The pictures of the bar's buttons, in the order of the buttons.
+enum class Icon
+{
+  Menu,
+  Open,
+  Touch,
+  Hold,
+  Method,
+  Preset,
+  Tool,
+  Cut,
+  Slices,
+  Measure,
+  Record,
+  Play,
+  Look,
+  None
+};
+
+using RGB = std::array<double, 3>; // 0 to 1
+
+/// Draws an icon over an image of unsigned char RGB: a square with the lower left corner at (x, y)
+/// and `size` pixels a side. The lines are smooth at every size.
+void DrawIcon(vtkImageData* image, Icon icon, int x, int y, int size, const RGB& colour);
+} // namespace Explore
+
+#endif
