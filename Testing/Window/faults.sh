@@ -78,9 +78,9 @@ xdotool windowsize --sync "$window" 720 540
 xdotool windowmove --sync "$window" 300 200
 xdotool mousemove --window "$window" 300 200
 size=$(find_size)
-xdotool key N
+xdotool key w
 wait_for "the name of the tool" says "hand holds a needle"
-xdotool key V F2
+xdotool key u F2
 wait_for "a list of files beside the editor" says "Escape: back"
 xdotool key Down Return
 wait_for "the second volume" has_read second.vti 1

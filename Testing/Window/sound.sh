@@ -144,12 +144,12 @@ wait_for "a stream" is_playing
 heard=$(count_heard sleep 2)
 [[ $heard -eq 0 ]] || fail "$heard bytes of sound in the air"
 expect_sound "at first"
-press o
+press ctrl+m
 wait_for "the line 'Sound off'" grep -q "^Sound off" "$folder/program.log"
 sleep 1
 heard=$(count_heard slide)
 [[ $heard -eq 0 ]] || fail "$heard bytes of sound while it was off"
-press o
+press ctrl+m
 wait_for "the line 'Sound on'" grep -q "^Sound on" "$folder/program.log"
 expect_sound "after it was off"
 is_playing || fail "the stream ended too early"
@@ -173,7 +173,7 @@ slide
 wait_for "a line about sound" grep -q "^--sound: there is no sound" "$folder/program.log"
 expect_lines 1
 start_server
-press o
+press ctrl+m
 wait_for "a new stream" is_playing
 expect_sound "by the new server"
 end_program

@@ -49,13 +49,16 @@ set(Explore_SOURCES
   Exploration/ShapeFile.cxx
   Exploration/TissueTable.cxx
   HelpText.cxx
+  Live/FileDialog.cxx
   Live/FreeFile.cxx
   Live/HandHold.cxx
+  Live/HandLabel.cxx
   Live/HandTool.cxx
   Live/KeptWork.cxx
   Live/LiveRun.cxx
   Live/LookSwitch.cxx
   Live/SavedMeasurements.cxx
+  Live/TimeSlider.cxx
   Live/ToolFile.cxx
   Live/TouchReplay.cxx
   Live/TouchScene.cxx

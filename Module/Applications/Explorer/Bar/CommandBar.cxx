@@ -12,6 +12,7 @@
 #include "vtkPen.h"
 #include "vtkStdString.h"
 #include "vtkTextProperty.h"
+#include "vtkTextRenderer.h"
 
 #include <algorithm>
 #include <cctype>
@@ -178,6 +179,7 @@ void CommandBar::Dock()
   const float most = static_cast<float>(size[0]) / static_cast<float>(this->Buttons.size());
   const float icon = std::clamp(most, this->ToPixels(SMALLEST), this->ToPixels(BUTTON));
   this->Height = this->HasLabels ? this->ToPixels(BUTTON + LABEL_HEIGHT) : icon;
+  this->LayOut();
   this->Strip.PlaceBar(this->Window, this->Height / static_cast<float>(size[1]), this->Renderer);
 }
 
@@ -331,6 +333,7 @@ void CommandBar::OpenMenu(const std::string& wanted, const Button& from)
   this->MenuLeft = from.Place.Left;
   this->First = 0;
   this->PointedRow = -1;
+  this->LayOutMenu();
   if (this->IsMenuOpen && this->WhenMenu)
   {
     this->WhenMenu(true);
@@ -361,6 +364,7 @@ void CommandBar::Scroll(int rows)
   if (first != this->First)
   {
     this->First = first;
+    this->LayOutMenu();
     this->PointedRow = -1;
     this->Interactor->Render();
   }
@@ -381,14 +385,16 @@ void CommandBar::SetLetters(
   look->SetVerticalJustificationToCentered();
 }
 
-float CommandBar::MeasureWidth(vtkContext2D* painter, const std::string& text) const
+float CommandBar::MeasureWidth(const std::string& text, double points, bool isBold) const
 {
-  float bounds[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
-  if (!text.empty())
+  int box[4] = { 0, -1, 0, -1 };
+  this->Measured->SetFontSize(static_cast<int>(std::lround(points)));
+  this->Measured->SetBold(isBold);
+  if (vtkTextRenderer* const renderer = vtkTextRenderer::GetInstance(); renderer && !text.empty())
   {
-    painter->ComputeStringBounds(text, bounds);
+    renderer->GetBoundingBox(this->Measured, text, box, this->Window->GetDPI());
   }
-  return bounds[2];
+  return static_cast<float>(box[1] - box[0] + 1);
 }
 
 void CommandBar::UpdateButtons()
@@ -407,17 +413,16 @@ void CommandBar::UpdateButtons()
   }
 }
 
-void CommandBar::LayOut(vtkContext2D* painter)
+void CommandBar::LayOut()
 {
   const double scale = VolumeHaptics::PixelsPerPoint(this->Renderer.Get());
   if (this->LabelWidths.empty() || scale != this->LabelScale)
   {
     this->LabelScale = scale;
     this->LabelWidths.clear();
-    this->SetLetters(painter, LABEL_LETTERS, INK, false);
     for (const Button& button : this->Buttons)
     {
-      this->LabelWidths.push_back(this->MeasureWidth(painter, button.Label));
+      this->LabelWidths.push_back(this->MeasureWidth(button.Label, LABEL_LETTERS, false));
     }
   }
   const int* const size = this->Window->GetSize();
@@ -542,7 +547,7 @@ void CommandBar::DrawTip(vtkContext2D* painter)
   for (; letters >= SMALLEST_LETTERS; --letters)
   {
     this->SetLetters(painter, letters, INK, false);
-    width = this->MeasureWidth(painter, label) + 2.0f * padding;
+    width = this->MeasureWidth(label, letters, false) + 2.0f * padding;
     if (width <= right)
     {
       break;
@@ -558,7 +563,15 @@ void CommandBar::DrawTip(vtkContext2D* painter)
   painter->DrawString(left + padding, bottom + 0.5f * height, label);
 }
 
-bool CommandBar::LayOutMenu(vtkContext2D* painter, int letters)
+void CommandBar::LayOutMenu()
+{
+  for (int letters = LARGEST_LETTERS; !this->LayOutMenu(letters) && letters > SMALLEST_LETTERS;
+       --letters)
+  {
+  }
+}
+
+bool CommandBar::LayOutMenu(int letters)
 {
   const int* const size = this->Window->GetSize();
   const float padding = this->ToPixels(PADDING);
@@ -569,9 +582,8 @@ bool CommandBar::LayOutMenu(vtkContext2D* painter, int letters)
   float key = 0.0f;
   for (const Row& row : this->Rows)
   {
-    this->SetLetters(painter, letters, INK, row.IsTitle);
-    text = std::max(text, this->MeasureWidth(painter, row.Text));
-    key = std::max(key, this->MeasureWidth(painter, row.Key));
+    text = std::max(text, this->MeasureWidth(row.Text, letters, row.IsTitle));
+    key = std::max(key, this->MeasureWidth(row.Key, letters, false));
   }
   const float column = mark + text + (key > 0.0f ? gap + key : 0.0f) + padding;
   const float above = this->IsShown ? this->Height : 0.0f;
@@ -580,7 +592,7 @@ bool CommandBar::LayOutMenu(vtkContext2D* painter, int letters)
   const auto width = static_cast<float>(size[0]);
   const int most = std::max(1, static_cast<int>((width - padding) / column));
   const int count = static_cast<int>(this->Rows.size());
-  const int columns = std::min(most, (count + perColumn - 1) / perColumn);
+  const int columns = std::max(1, std::min(most, (count + perColumn - 1) / perColumn));
   const int lines = std::min(perColumn, (count + columns - 1) / columns);
   this->Visible = std::min(count, columns * lines);
   this->First = std::clamp(this->First, 0, count - this->Visible);
@@ -608,10 +620,7 @@ bool CommandBar::LayOutMenu(vtkContext2D* painter, int letters)
 
 void CommandBar::DrawMenu(vtkContext2D* painter)
 {
-  for (int letters = LARGEST_LETTERS;
-       !this->LayOutMenu(painter, letters) && letters > SMALLEST_LETTERS; --letters)
-  {
-  }
+  this->LayOutMenu();
   painter->GetPen()->SetLineType(vtkPen::NO_PEN);
   painter->GetBrush()->SetColor(ToByte(GROUND[0]), ToByte(GROUND[1]), ToByte(GROUND[2]), 250);
   painter->DrawRect(this->Menu.Left, this->Menu.Bottom, this->Menu.Width, this->Menu.Height);
@@ -642,7 +651,7 @@ void CommandBar::DrawMenu(vtkContext2D* painter)
     if (!row.Key.empty())
     {
       this->SetLetters(painter, this->Letters, FAINT, false);
-      const float width = this->MeasureWidth(painter, row.Key);
+      const float width = this->MeasureWidth(row.Key, this->Letters, false);
       painter->DrawString(row.Place.Left + row.Place.Width - 0.8f * mark - width, middle, row.Key);
     }
   }
@@ -664,7 +673,7 @@ bool CommandBar::Paint(vtkContext2D* painter)
   this->UpdateButtons();
   if (this->IsShown)
   {
-    this->LayOut(painter);
+    this->LayOut();
     this->DrawButtons(painter);
     this->DrawTip(painter);
   }

@@ -14,6 +14,7 @@
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
+#include "vtkTextProperty.h"
 
 #include <array>
 #include <functional>
@@ -75,15 +76,19 @@ private:
   int FindRow(int x, int y) const;
 
   void UpdateButtons();
-  void LayOut(vtkContext2D* painter);
+  void LayOut();
   void DrawButtons(vtkContext2D* painter);
   void DrawPicture();
-  bool LayOutMenu(vtkContext2D* painter, int letters);
+  /// Chooses the largest letters with which the menu fits.
+  void LayOutMenu();
+  bool LayOutMenu(int letters);
   void DrawMenu(vtkContext2D* painter);
   void DrawTip(vtkContext2D* painter);
   std::string DescribeButton(const Button& button, std::string& key) const;
   void SetLetters(vtkContext2D* painter, double points, const RGB& colour, bool isBold) const;
-  float MeasureWidth(vtkContext2D* painter, const std::string& text) const;
+  /// Measures without drawing, because input may end a frame before the bar is drawn, and the
+  /// next click has to find its place all the same.
+  float MeasureWidth(const std::string& text, double points, bool isBold) const;
   float ToPixels(double points) const;
 
   CommandTable& All;
@@ -112,6 +117,7 @@ private:
   int PointedRow = -1;
   int Letters = 11; ///< points
   Box Menu;
+  vtkNew<vtkTextProperty> Measured; ///< look of the text that is measured
 
   bool HasPress = false; ///< whether the release of a button belongs to the bar
   vtkNew<vtkCallbackCommand> MouseObserver;

@@ -4,6 +4,7 @@
 #define Explore_FreeFile_h
 
 #include <string>
+#include <vector>
 
 namespace Explore
 {
@@ -15,6 +16,15 @@ std::string FindFreeFile(const std::string& name, const std::string& ending);
 
 /// As FindFreeFile(), with the whole path.
 std::string FindFreePath(const std::string& name, const std::string& ending);
+
+/// Returns the folder for what programs keep from run to run, $XDG_STATE_HOME or ~/.local/state;
+/// empty if the user has none.
+std::string FindStateFolder();
+
+/// Returns the files that the user has opened, the latest first.
+std::vector<std::string> ReadRecentFiles();
+/// Puts a file at the beginning of that list.
+void AddRecentFile(const std::string& path);
 } // namespace Explore
 
 #endif

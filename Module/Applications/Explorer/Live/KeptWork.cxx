@@ -28,20 +28,11 @@ constexpr const char* SETUP = "/setup.json";
 constexpr const char* REMOVAL = "/removal.vti";
 constexpr const char* SUMMARY = "/summary.txt";
 
-std::string Variable(const char* name)
-{
-  std::string value;
-  Files::GetEnv(name, value);
-  return value;
-}
-
 /// Returns the folder for the work on a file, without the number at its end; empty if the user has
 /// no folder.
 std::string FindFolder(const Explore::FileChoice& shown)
 {
-  const std::string home = Variable("HOME");
-  std::string state = Variable("XDG_STATE_HOME");
-  state = !state.empty() || home.empty() ? state : home + "/.local/state";
+  const std::string state = Explore::FindStateFolder();
   if (state.empty())
   {
     return {};

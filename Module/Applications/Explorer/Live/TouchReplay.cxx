@@ -3,6 +3,7 @@
 #include "Applications/Explorer/Live/TouchReplay.h"
 
 #include "Applications/Explorer/Exploration/ShapeFile.h"
+#include "Applications/Explorer/View/SliderLook.h"
 #include "VTK/Reading/InputError.h"
 
 #include "vtkDataArray.h"
@@ -11,8 +12,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkProperty2D.h"
-#include "vtkTextProperty.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -24,7 +23,6 @@
 namespace
 {
 constexpr double REPLAY_STEP = 0.1; // s, the step of F6 and F7
-constexpr float SLIDER_PRIORITY = 1.0f;
 
 void DrawSource(vtkAlgorithm* source, vtkActor* actor, const double color[3])
 {
@@ -165,27 +163,7 @@ void TouchReplay::BuildSlider(const std::string& file)
   slider->SetMaximumValue(this->End - this->Begin);
   slider->SetTitleText(vtksys::SystemTools::GetFilenameName(file).c_str());
   slider->SetLabelFormat("%.2f s");
-  slider->GetPoint1Coordinate()->SetCoordinateSystemToNormalizedDisplay();
-  slider->GetPoint1Coordinate()->SetValue(0.34, 0.07);
-  slider->GetPoint2Coordinate()->SetCoordinateSystemToNormalizedDisplay();
-  slider->GetPoint2Coordinate()->SetValue(0.66, 0.07);
-  slider->SetTubeWidth(0.006);
-  slider->SetSliderLength(0.012);
-  slider->SetSliderWidth(0.022);
-  slider->SetEndCapLength(0.004);
-  slider->SetTitleHeight(0.022);
-  slider->SetLabelHeight(0.022);
-  slider->GetTubeProperty()->SetColor(0.45, 0.52, 0.62);
-  slider->GetSliderProperty()->SetColor(0.93, 0.95, 0.98);
-  slider->GetSelectedProperty()->SetColor(1.0, 0.75, 0.25);
-  this->Widget->SetInteractor(this->Interactor);
-  this->Widget->SetRepresentation(slider);
-  this->Widget->SetCurrentRenderer(this->Touch.Scene.Overlay);
-  this->Widget->SetDefaultRenderer(this->Touch.Scene.Overlay);
-  this->Widget->SetPriority(SLIDER_PRIORITY);
-  this->Widget->KeyPressActivationOff();
-  this->Widget->SetAnimationModeToJump();
-  this->Widget->EnabledOn();
+  ShowTimeSlider(this->Widget, slider, this->Interactor, this->Touch.Scene.Overlay);
 }
 
 void TouchReplay::AddCommands()

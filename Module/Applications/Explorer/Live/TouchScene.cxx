@@ -8,10 +8,12 @@
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/Live/FreeFile.h"
 #include "Applications/Explorer/Live/HandHold.h"
+#include "Applications/Explorer/Live/HandLabel.h"
 #include "Applications/Explorer/Live/HandTool.h"
 #include "Applications/Explorer/Live/KeptWork.h"
 #include "Applications/Explorer/Live/LookSwitch.h"
 #include "Applications/Explorer/Live/SavedMeasurements.h"
+#include "Applications/Explorer/Live/TimeSlider.h"
 #include "Applications/Explorer/Live/TouchReplay.h"
 #include "Applications/Explorer/Live/WindowFiles.h"
 #include "Applications/Explorer/Live/WindowRecorder.h"
@@ -33,6 +35,7 @@
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
+#include <chrono>
 #include <iostream>
 #include <memory>
 #include <sstream>
@@ -412,6 +415,54 @@ void AddWindowCommands(TouchScene& touch, vtkRenderWindowInteractor* interactor)
   touch.Commands.Add(&touch,
     { "Window", "close", "q", [interactor] { interactor->ExitCallback(); }, nullptr, nullptr });
 }
+
+/// Takes notices off the screen when there was time to read them.
+class NoticeTimer
+{
+public:
+  NoticeTimer(TouchScene& touch, vtkRenderWindowInteractor* interactor);
+  ~NoticeTimer() { this->Interactor->RemoveObserver(this->Observer); }
+  NoticeTimer(const NoticeTimer&) = delete;
+  NoticeTimer& operator=(const NoticeTimer&) = delete;
+
+private:
+  void Update();
+
+  TouchScene& Touch;
+  const vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
+  std::string Notice;
+  std::chrono::steady_clock::time_point Begin; // when the notice appeared
+  vtkNew<vtkCallbackCommand> Observer;
+};
+
+NoticeTimer::NoticeTimer(TouchScene& touch, vtkRenderWindowInteractor* interactor)
+  : Touch(touch)
+  , Interactor(interactor)
+{
+  this->Observer->SetClientData(this);
+  this->Observer->SetCallback([](vtkObject*, unsigned long, void* self, void*)
+    { static_cast<NoticeTimer*>(self)->Update(); });
+  interactor->AddObserver(vtkCommand::TimerEvent, this->Observer);
+}
+
+void NoticeTimer::Update()
+{
+  constexpr double least = 6.0;     // s
+  constexpr double perLetter = 0.1; // s: a slow reader
+  const auto now = std::chrono::steady_clock::now();
+  const std::string notice = this->Touch.Display->GetNotice();
+  if (notice != this->Notice)
+  {
+    this->Notice = notice;
+    this->Begin = now;
+  }
+  const std::chrono::duration<double> age = now - this->Begin;
+  if (!notice.empty() && age.count() > least + perLetter * static_cast<double>(notice.size()))
+  {
+    this->Touch.Display->SetNotice("");
+    this->Interactor->Render();
+  }
+}
 } // namespace
 
 void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const SceneOptions& options,
@@ -497,6 +548,7 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   auto tool = std::make_unique<HandTool>(touch, exploration, wanted.Tool);
   auto look = std::make_unique<LookSwitch>(touch, exploration.Values);
   auto hold = std::make_unique<HandHold>(touch, interactor);
+  auto label = std::make_unique<HandLabel>(touch, exploration);
   auto recorder = std::make_unique<WindowRecorder>(touch, interactor, wanted.Movie);
   auto script = wanted.Script.empty()
     ? nullptr
@@ -508,10 +560,16 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   auto replay = wanted.Replay.empty()
     ? nullptr
     : std::make_unique<TouchReplay>(touch, interactor, wanted.Replay);
+  auto time = exploration.Input.TimeSteps && !replay
+    ? std::make_unique<TimeSlider>(touch, exploration, interactor)
+    : nullptr;
   auto kept =
     std::make_unique<KeptWork>(touch, exploration.Filter, saved, *tool, *look, wanted.File);
   touch.Scene.Renderer->GetActiveCamera()->SetWindowCenter(BESIDE_PLOT, 0.0);
   AddWindowCommands(touch, interactor);
+  auto notices = std::make_unique<NoticeTimer>(touch, interactor);
+  const std::string name = vtksys::SystemTools::GetFilenameName(wanted.File.Path);
+  touch.Scene.Window->SetWindowName(("VTK Volume Haptics: " + name).c_str());
   auto bar = std::make_unique<CommandBar>(touch.Commands, touch.Scene.Window, interactor,
     [&hold](bool isOpen) { hold->SetMenuOpen(isOpen); });
   const Inspection facts(
@@ -547,11 +605,14 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   choice.Place.View = vtkSmartPointer<vtkCamera>::New();
   choice.Place.View->DeepCopy(touch.Scene.Renderer->GetActiveCamera());
   bar.reset();
+  notices.reset();
+  time.reset();
   replay.reset();
   files.reset();
   script.reset();
   recorder.reset();
   heard.reset();
+  label.reset();
   hold.reset();
   feel.reset();
   touch.Commands.SetInteractor(nullptr);

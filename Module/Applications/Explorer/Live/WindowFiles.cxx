@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Live/WindowFiles.h"
 
+#include "Applications/Explorer/Live/FreeFile.h"
+
 #include "VTK/Reading/GridLoader.h"
 
 #include "vtkHapticRegionSource.h"
@@ -68,7 +70,7 @@ void ListFolderForTouch(
 
 constexpr unsigned long FILE_EVENTS[] = { vtkCommand::KeyPressEvent, vtkCommand::CharEvent,
   vtkCommand::LeftButtonPressEvent, vtkCommand::MouseWheelForwardEvent,
-  vtkCommand::MouseWheelBackwardEvent, vtkCommand::DropFilesEvent };
+  vtkCommand::MouseWheelBackwardEvent, vtkCommand::DropFilesEvent, vtkCommand::TimerEvent };
 constexpr float FILES_PRIORITY = 10.0f;
 } // namespace
 
@@ -108,7 +110,26 @@ void WindowFiles::AddCommands()
     const std::string path = Files::CollapseFullPath(this->Now.Path);
     this->ListFolder(Files::GetFilenamePath(path), path);
   };
-  table.Add(this, { "File", "open a file of this folder", "F2", browse, nullptr, nullptr });
+  table.Add(
+    this, { "File", "open a file", "Ctrl+o", [this] { this->OpenDialog(); }, nullptr, nullptr });
+  table.Add(this, { "File", "list this folder", "F2", browse, nullptr, nullptr });
+  constexpr std::size_t most = 5; // recent files in the menu
+  std::size_t listed = 0;
+  const std::string shown = Files::CollapseFullPath(this->Now.Path);
+  for (const std::string& path : ReadRecentFiles())
+  {
+    if (path != shown && Files::FileExists(path) && listed++ < most)
+    {
+      const std::string name = "again: " + Files::GetFilenameName(path);
+      table.Add(this,
+        { "File", name, "",
+          [this, path] {
+            this->Choose({ path, 0, false });
+          },
+          nullptr, nullptr });
+    }
+  }
+  AddRecentFile(this->Now.Path);
   table.Add(this,
     { "File", "another series or volume", "F3", [this] { this->ListSeries(); }, nullptr,
       [this] { return this->Series.size() > 1; } });
@@ -126,6 +147,17 @@ void WindowFiles::Handle(unsigned long event, void* data)
   bool isTaken = this->List.IsShown();
   switch (event)
   {
+    case vtkCommand::TimerEvent:
+      isTaken = false;
+      if (this->Dialog.IsOpen())
+      {
+        const std::string path = this->Dialog.Poll();
+        if (!path.empty())
+        {
+          this->Choose({ path, 0, false });
+        }
+      }
+      break;
     case vtkCommand::DropFilesEvent:
       if (auto* const files = static_cast<vtkStringArray*>(data))
       {
@@ -200,6 +232,22 @@ void WindowFiles::ListFolder(const std::string folder, const std::string marked)
     "Open: " + folder, lines, isListed ? static_cast<int>(found - this->Paths.begin()) : 0);
 }
 
+void WindowFiles::OpenDialog()
+{
+  const std::string path = Files::CollapseFullPath(this->Now.Path);
+  const std::string folder = Files::GetFilenamePath(path);
+  if (this->Dialog.IsOpen())
+  {
+    return;
+  }
+  if (this->Dialog.Open(folder))
+  {
+    this->EndTouch();
+    return;
+  }
+  this->ListFolder(folder, path);
+}
+
 void WindowFiles::ListSeries()
 {
   this->Folder.clear();
@@ -210,15 +258,19 @@ void WindowFiles::ListSeries()
 void WindowFiles::ShowList(
   const std::string& title, const std::vector<std::string>& lines, int marked)
 {
-  // End the touch, because a user who reads a list does not watch the hand.
+  this->EndTouch();
+  this->List.Show(title, lines, marked);
+  this->Interactor->Render();
+}
+
+void WindowFiles::EndTouch()
+{
   this->Touch.Style->SetTouchMode(false);
   this->Touch.Device->Disarm();
   if (this->Touch.SecondDevice)
   {
     this->Touch.SecondDevice->Disarm();
   }
-  this->List.Show(title, lines, marked);
-  this->Interactor->Render();
 }
 
 void WindowFiles::Accept(int line)

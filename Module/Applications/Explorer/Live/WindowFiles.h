@@ -3,6 +3,7 @@
 #ifndef Explore_WindowFiles_h
 #define Explore_WindowFiles_h
 
+#include "Applications/Explorer/Live/FileDialog.h"
 #include "Applications/Explorer/Live/TouchScene.h"
 #include "Applications/Explorer/View/ListOverlay.h"
 
@@ -16,7 +17,8 @@
 
 namespace Explore
 {
-/// Lets the user choose in the window what to touch next: F2 chooses a file or folder, F3 another
+/// Lets the user choose in the window what to touch next: Ctrl+O opens the desktop's dialog for
+/// files, F2 lists files and folders in the window, recent files are in the menu, F3 lists another
 /// series of the same DICOM folder, or another volume or segment of the same file, F4 whether the
 /// volume is a label map. A file can also be dropped on the window. The window then closes, and the
 /// program opens the next one.
@@ -38,6 +40,9 @@ private:
   /// sets.
   void ListFolder(std::string folder, std::string marked);
   void ListSeries();
+  void OpenDialog();
+  /// Lets go, because a user who reads a list does not watch the hand.
+  void EndTouch();
   void ShowList(const std::string& title, const std::vector<std::string>& lines, int marked);
   void Accept(int line);
   void Choose(const FileChoice& choice);
@@ -49,6 +54,7 @@ private:
   const std::vector<std::string> Series; ///< with their numbers; a choice needs at least two
   const bool MayBeLabels;
   ListOverlay List;
+  FileDialog Dialog;
   std::string Folder;             ///< listed folder; empty while series are listed
   std::vector<std::string> Paths; ///< paths of the lines in the list
   vtkNew<vtkCallbackCommand> Observer;

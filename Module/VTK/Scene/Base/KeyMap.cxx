@@ -30,72 +30,61 @@ enum class KeyGroup
 constexpr const char* GroupTitles[] = { "Touch", "Display", "Slices", "Measure where you touch",
   "Materials", "Time", "Device" };
 
-/** The part of a scene without which an action does nothing. */
-enum class KeyedPart
-{
-  None, ///< the action needs no part
-  Modes,
-  Slices,
-  Measurements,
-  MeasurementsOrEditor,
-  Editor,
-  Labels,
-  TimeSteps,
-  Device
-};
-
 /** An action: the list of keys, menus, and buttons of programs are made from this table. */
 struct Action
 {
   const char* Name;
   const char* Keys; ///< the first key stands for the action
   KeyGroup Group;
-  KeyedPart Part;
+  bool KeyedParts::*Part; ///< the part without which it does nothing; null: none
   const char* Text;
 };
 
 constexpr Action Actions[] = {
-  { "Touch", "t", KeyGroup::Touch, KeyedPart::None, "touch what is under the pointer; let go" },
-  { "Arm", "a", KeyGroup::Touch, KeyedPart::None, "force on; off" },
-  { "LetGo", "Escape End", KeyGroup::Touch, KeyedPart::None, "let go, force off" },
-  { "NextMethod", "m", KeyGroup::Touch, KeyedPart::None, "the next method" },
-  { "Compare", "y", KeyGroup::Touch, KeyedPart::None, "compare settings A and B" },
-  { "NextMode", "j", KeyGroup::Touch, KeyedPart::Modes, "the next mode alone; all modes" },
-  { "Help", "question F1", KeyGroup::Display, KeyedPart::None, "these keys" },
-  { "Text", "h", KeyGroup::Display, KeyedPart::None, "text" },
-  { "Graph", "g", KeyGroup::Display, KeyedPart::None, "graph" },
-  { "Details", "d", KeyGroup::Display, KeyedPart::None, "details" },
-  { "Slices", "s", KeyGroup::Slices, KeyedPart::Slices, "show; hide" },
-  { "Point", "1", KeyGroup::Measure, KeyedPart::Measurements, "a point" },
-  { "Distance", "2", KeyGroup::Measure, KeyedPart::Measurements, "a distance: both ends" },
-  { "Angle", "3", KeyGroup::Measure, KeyedPart::Measurements, "an angle: end, corner, end" },
-  { "Path", "4", KeyGroup::Measure, KeyedPart::Measurements, "a path: begin; end" },
-  { "Area", "5", KeyGroup::Measure, KeyedPart::Measurements, "a painted area: begin; end" },
-  { "Undo", "Ctrl+z", KeyGroup::Measure, KeyedPart::MeasurementsOrEditor,
-    "undo; over the editor, an edit" },
-  { "Redo", "Ctrl+y", KeyGroup::Measure, KeyedPart::MeasurementsOrEditor, "redo" },
-  { "RemoveLast", "Delete", KeyGroup::Measure, KeyedPart::Measurements, "remove the last one" },
-  { "Measurements", "i", KeyGroup::Measure, KeyedPart::Measurements, "list" },
-  { "FunctionEditor", "v", KeyGroup::Materials, KeyedPart::Editor, "function editor" },
-  { "NextFunction", "n", KeyGroup::Materials, KeyedPart::Editor, "the next function" },
-  { "Propose", "p", KeyGroup::Materials, KeyedPart::Editor, "propose functions; take them" },
-  { "DropProposal", "BackSpace", KeyGroup::Materials, KeyedPart::Editor, "drop the proposal" },
-  { "DockEditor", "u", KeyGroup::Materials, KeyedPart::Editor, "beside the scene; over it" },
-  { "ResetFunctions", "Ctrl+BackSpace", KeyGroup::Materials, KeyedPart::Editor, "undo all edits" },
-  { "Labels", "l", KeyGroup::Materials, KeyedPart::Labels, "materials of labels" },
-  { "Play", "space", KeyGroup::Time, KeyedPart::TimeSteps, "play; hold" },
-  { "FrameBefore", "Left", KeyGroup::Time, KeyedPart::TimeSteps, "the frame before" },
-  { "FrameAfter", "Right", KeyGroup::Time, KeyedPart::TimeSteps, "the frame after" },
-  { "Slower", "comma", KeyGroup::Time, KeyedPart::TimeSteps, "half the speed" },
-  { "Faster", "period", KeyGroup::Time, KeyedPart::TimeSteps, "twice the speed" },
-  { "AtTheEnd", "b", KeyGroup::Time, KeyedPart::TimeSteps, "at the end: hold, repeat, turn back" },
-  { "RecenterWorkspace", "c", KeyGroup::Device, KeyedPart::Device,
+  { "Touch", "t", KeyGroup::Touch, nullptr, "touch what is under the pointer; let go" },
+  { "Arm", "a", KeyGroup::Touch, nullptr, "force on; off" },
+  { "LetGo", "Escape End", KeyGroup::Touch, nullptr, "let go, force off" },
+  { "NextMethod", "m", KeyGroup::Touch, nullptr, "the next method" },
+  { "Compare", "y", KeyGroup::Touch, nullptr, "compare settings A and B" },
+  { "NextMode", "j", KeyGroup::Touch, &KeyedParts::HasModes, "the next mode alone; all modes" },
+  { "Help", "question F1", KeyGroup::Display, nullptr, "these keys" },
+  { "Text", "h", KeyGroup::Display, nullptr, "text" },
+  { "Graph", "g", KeyGroup::Display, nullptr, "graph" },
+  { "Details", "d", KeyGroup::Display, nullptr, "details" },
+  { "Slices", "s", KeyGroup::Slices, &KeyedParts::HasSlices, "show; hide" },
+  { "Point", "1", KeyGroup::Measure, &KeyedParts::HasMeasurements, "a point" },
+  { "Distance", "2", KeyGroup::Measure, &KeyedParts::HasMeasurements, "a distance: both ends" },
+  { "Angle", "3", KeyGroup::Measure, &KeyedParts::HasMeasurements, "an angle: end, corner, end" },
+  { "Path", "4", KeyGroup::Measure, &KeyedParts::HasMeasurements, "a path: begin; end" },
+  { "Area", "5", KeyGroup::Measure, &KeyedParts::HasMeasurements, "a painted area: begin; end" },
+  { "Undo", "Ctrl+z", KeyGroup::Measure, &KeyedParts::HasEdits, "undo; over the editor, an edit" },
+  { "Redo", "Ctrl+y", KeyGroup::Measure, &KeyedParts::HasEdits, "redo" },
+  { "RemoveLast", "Delete", KeyGroup::Measure, &KeyedParts::HasMeasurements,
+    "remove the last one" },
+  { "Measurements", "i", KeyGroup::Measure, &KeyedParts::HasMeasurements, "list" },
+  { "FunctionEditor", "v", KeyGroup::Materials, &KeyedParts::HasEditor, "function editor" },
+  { "NextFunction", "n", KeyGroup::Materials, &KeyedParts::HasEditor, "the next function" },
+  { "Propose", "p", KeyGroup::Materials, &KeyedParts::HasEditor, "propose functions; take them" },
+  { "DropProposal", "BackSpace", KeyGroup::Materials, &KeyedParts::HasEditor, "drop the proposal" },
+  { "DockEditor", "u", KeyGroup::Materials, &KeyedParts::HasEditor, "beside the scene; over it" },
+  { "ResetFunctions", "Ctrl+BackSpace", KeyGroup::Materials, &KeyedParts::HasEditor,
+    "undo all edits" },
+  { "Labels", "l", KeyGroup::Materials, &KeyedParts::HasLabels, "materials of labels" },
+  { "Play", "space", KeyGroup::Time, &KeyedParts::HasTimeSteps, "play; hold" },
+  { "FrameBefore", "Left", KeyGroup::Time, &KeyedParts::HasTimeSteps, "the frame before" },
+  { "FrameAfter", "Right", KeyGroup::Time, &KeyedParts::HasTimeSteps, "the frame after" },
+  { "Slower", "comma", KeyGroup::Time, &KeyedParts::HasTimeSteps, "half the speed" },
+  { "Faster", "period", KeyGroup::Time, &KeyedParts::HasTimeSteps, "twice the speed" },
+  { "AtTheEnd", "b", KeyGroup::Time, &KeyedParts::HasTimeSteps,
+    "at the end: hold, repeat, turn back" },
+  { "RecenterWorkspace", "c", KeyGroup::Device, &KeyedParts::HasDevice,
     "workspace back to the focal point" },
-  { "Clutch", "k", KeyGroup::Device, KeyedPart::Device, "clutch, while held" },
-  { "LargerWorkspace", "plus KP_Add", KeyGroup::Device, KeyedPart::Device, "larger workspace" },
-  { "SmallerWorkspace", "minus KP_Subtract", KeyGroup::Device, KeyedPart::Device,
+  { "Clutch", "k", KeyGroup::Device, &KeyedParts::HasDevice, "clutch, while held" },
+  { "LargerWorkspace", "plus KP_Add", KeyGroup::Device, &KeyedParts::HasDevice,
+    "larger workspace" },
+  { "SmallerWorkspace", "minus KP_Subtract", KeyGroup::Device, &KeyedParts::HasDevice,
     "smaller workspace" },
-  { "Home", "Home", KeyGroup::Device, KeyedPart::Device, "find the zero of the encoders" },
+  { "Home", "Home", KeyGroup::Device, &KeyedParts::HasDevice, "find the zero of the encoders" },
 };
 
 /** The beginning of the name of a key that is pressed with Ctrl. */
@@ -128,29 +117,9 @@ const Action* FindAction(const std::string& name)
   return known == std::end(Actions) ? nullptr : known;
 }
 
-bool HasPart(const KeyedParts& parts, KeyedPart part)
+bool HasPart(const KeyedParts& parts, const Action& action)
 {
-  switch (part)
-  {
-    case KeyedPart::Modes:
-      return parts.HasModes;
-    case KeyedPart::Slices:
-      return parts.HasSlices;
-    case KeyedPart::Measurements:
-      return parts.HasMeasurements;
-    case KeyedPart::MeasurementsOrEditor:
-      return parts.HasMeasurements || parts.HasEditor;
-    case KeyedPart::Editor:
-      return parts.HasEditor;
-    case KeyedPart::Labels:
-      return parts.HasLabels;
-    case KeyedPart::TimeSteps:
-      return parts.HasTimeSteps;
-    case KeyedPart::Device:
-      return parts.HasDevice;
-    default:
-      return true;
-  }
+  return !action.Part || parts.*action.Part;
 }
 
 std::vector<std::string> Split(const std::string& keys)
@@ -244,7 +213,7 @@ public:
   {
     for (const Action& action : Actions)
     {
-      const std::string keys = action.Group == group && HasPart(parts, action.Part)
+      const std::string keys = action.Group == group && HasPart(parts, action)
         ? this->Keys.Describe({ Split(action.Keys).front() })
         : std::string();
       if (!keys.empty())
@@ -383,7 +352,7 @@ std::string KeyMap::FindDefaultKey(const std::string& action)
 std::string KeyMap::GetText(const std::string& action, const KeyedParts& parts)
 {
   const Action* const known = FindAction(action);
-  return known && HasPart(parts, known->Part) ? known->Text : "";
+  return known && HasPart(parts, *known) ? known->Text : "";
 }
 
 std::string KeyMap::GetGroup(const std::string& action)

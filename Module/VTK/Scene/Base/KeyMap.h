@@ -30,6 +30,7 @@ struct KeyedParts
   bool HasTimeSteps = false;
   bool HasSlices = false;
   bool HasMeasurements = false;
+  bool HasEdits = false; ///< whether something can be undone: measurements or edits
 };
 
 /**

@@ -135,6 +135,7 @@ KeyedParts DisplayKeys::FindParts() const
   parts.HasLabels = scene.Editor && scene.Editor->GetLabelTable();
   parts.HasSlices = scene.Slices != nullptr;
   parts.HasMeasurements = scene.Measurements != nullptr;
+  parts.HasEdits = parts.HasMeasurements || parts.HasEditor;
   parts.HasModes = filter && filter->GetMethod() == vtkVolumeHapticsFilter::PRIMITIVES &&
     filter->GetNumberOfModes() > 0;
   parts.HasTimeSteps = filter && filter->GetTimeUnitsPerSecond() != 0.0 &&

@@ -489,12 +489,12 @@ TEST_F(HapticWidget, HasAnotherKeyAndADeviceOfTheProgram)
   vtkNew<vtkHapticDevice> device;
   ASSERT_TRUE(device->Open("virtual"));
   this->Widget->SetDevice(device);
-  this->Widget->SetKeyPressActivationValue('j');
+  this->Widget->SetKeyPressActivationValue('w');
   this->SwitchOn();
   EXPECT_TRUE(device->IsRunning());
   this->Pointer(150, 150);
   EXPECT_EQ(this->Press("t", 't'), 2);
-  EXPECT_EQ(this->Press("j", 'j'), 0);
+  EXPECT_EQ(this->Press("w", 'w'), 0);
   EXPECT_TRUE(this->Widget->GetTouchMode());
   this->Widget->Off();
   EXPECT_TRUE(device->IsOpen()) << "the program has opened it";

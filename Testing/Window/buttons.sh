@@ -1,0 +1,152 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# The explorer by its buttons and menus alone, with real mouse events on a screen of its own: touching and holding,
+# measuring, undoing, saving, another preset, a cut, slices, a picture, a recording, a tool; another file by the desktop's
+# dialog, for which a program stands that chooses at once, and a recent file. Then Ctrl+O opens the dialog, too.
+#
+# usage: buttons.sh [--pictures FOLDER] EXPLORER VOLUME
+#
+# Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
+set -euo pipefail
+
+# shellcheck source=own-screen.sh
+source "$(dirname "${BASH_SOURCE[0]}")/own-screen.sh"
+require_programs "xvfb xauth openbox xdotool wmctrl x11-utils" xvfb-run openbox xdotool wmctrl xprop
+take_own_screen "$@"
+pictures=""
+if [[ "$1" == --pictures ]]
+then
+  pictures=$(realpath "$2")
+  shift 2
+fi
+explorer=$(realpath "$1")
+volume=$(realpath "$2")
+take_own_home
+cd "$folder"
+mkdir bin data
+cp "$volume" data/first.vti
+cp "$volume" data/second.vti
+cat > bin/zenity << END
+#!/bin/sh
+echo "\$*" >> "$folder/dialogs"
+echo "$folder/data/second.vti"
+END
+chmod +x bin/zenity
+export PATH=$folder/bin:$PATH
+
+# The bar of a window of this width has buttons without labels, which divide the width of the window; menus have lines
+# of 19 pixels below a margin of 8, and the first one is the title.
+size=390
+button_width=$((size / 13))
+go()
+{
+  xdotool mousemove --window "$window" "$1" "$2"
+  sleep 0.3
+}
+click_button()
+{
+  go $(($1 * button_width + button_width / 2)) $((button_width / 2))
+  xdotool click 1
+  sleep 0.6
+}
+choose()
+{
+  click_button "$1"
+  [[ -z "$pictures" ]] || import -window "$window" "$pictures/menu-$1.png"
+  xdotool mousemove_relative -- 20 $((button_width / 2 + 8 + $2 * 19 + 9))
+  sleep 0.4
+  xdotool click 1
+  sleep 0.6
+}
+FILE=1 TOUCH=2 HOLD=3 PRESET=5 TOOL=6 CUT=7 SLICES=8 MEASURE=9 RECORD=10
+has_read()
+{
+  [[ "$(grep -c "^Reading .*$1\$" program.log)" == "$2" ]]
+}
+count_positions()
+{
+  grep -o '"position"' measurements-001.mrk.json | wc -l
+}
+
+start_window_manager
+"$explorer" data/first.vti --size $size > program.log 2>&1 &
+child=$!
+wait_for_window "VTK Volume Haptics: first.vti"
+
+# The hand is held where it presses; so the pointer gets to the buttons without it. On a busy machine the events of a
+# press may come in one frame, and nothing is touched: then once more.
+press_hold_and_measure()
+{
+  click_button $HOLD # this begins the touch, too
+  go $((size * 55 / 100)) 140
+  xdotool click --repeat 6 --delay 120 4
+  sleep 1
+  xdotool click 1
+  sleep 0.5
+  choose $MEASURE 1
+  choose $FILE 1
+  sleep 1
+}
+has_positions()
+{
+  [[ $(count_positions) -eq $1 ]]
+}
+for _ in 1 2 3 4 5
+do
+  press_hold_and_measure
+  [[ ! -s measurements-001.mrk.json ]] || break
+  click_button $TOUCH # lets go
+done
+wait_for "a file with a point" has_positions 1
+choose $MEASURE 1
+choose $MEASURE 1
+choose $MEASURE 6 # undo
+choose $FILE 1
+wait_for "a file with two points, of which one was undone" has_positions 2
+
+choose $PRESET 8
+wait_for "the first preset" test -s preset-001.json
+choose $PRESET 2
+choose $PRESET 8
+wait_for "the second preset" test -s preset-002.json
+! cmp -s preset-001.json preset-002.json || fail "another preset changes nothing"
+xdotool key Escape
+
+# A picture shows the last frame that was not given up for an event: so take pictures until one is another.
+picture=0
+take_other_picture()
+{
+  choose $RECORD 3
+  picture=$((picture + 1))
+  wait_for "picture $picture" test -s "$(printf 'picture-%03d.png' $picture)"
+  [[ $picture -eq 1 ]] ||
+    ! cmp -s "$(printf 'picture-%03d.png' $((picture - 1)))" "$(printf 'picture-%03d.png' $picture)"
+}
+take_other_picture
+choose $CUT 2
+wait_for "a cut" take_other_picture
+click_button $SLICES
+wait_for "slices" take_other_picture
+choose $RECORD 2
+sleep 1
+choose $RECORD 2
+wait_for "a recording" test -s touch-001.vtp
+choose $TOOL 3
+wait_for "a burr" grep -q "The hand holds a burr" program.log
+
+choose $FILE 2
+wait_for "the file of the dialog" has_read second.vti 1
+wait_for_window "VTK Volume Haptics: second.vti"
+grep -q -- "--filename=$folder/data/" dialogs || fail "the dialog does not begin in the folder of the file"
+choose $FILE 4
+wait_for "the recent file" has_read first.vti 2
+wait_for_window "VTK Volume Haptics: first.vti"
+xdotool key ctrl+o
+wait_for "the file of the dialog again" has_read second.vti 2
+wait_for_window "VTK Volume Haptics: second.vti"
+xdotool key q
+expect_end
+! grep -q "ERR|" program.log || fail "there are errors"
+echo "touched, held, measured, cut, recorded and opened by buttons"
