@@ -51,7 +51,8 @@ constexpr unsigned long BAR_EVENTS[] = { vtkCommand::MouseMoveEvent,
   vtkCommand::LeftButtonReleaseEvent, vtkCommand::RightButtonPressEvent,
   vtkCommand::RightButtonReleaseEvent, vtkCommand::MiddleButtonPressEvent,
   vtkCommand::MiddleButtonReleaseEvent, vtkCommand::MouseWheelForwardEvent,
-  vtkCommand::MouseWheelBackwardEvent, vtkCommand::KeyPressEvent, vtkCommand::LeaveEvent };
+  vtkCommand::MouseWheelBackwardEvent, vtkCommand::KeyPressEvent, vtkCommand::LeaveEvent,
+  vtkCommand::TimerEvent };
 
 unsigned char ToByte(double part)
 {
@@ -236,7 +237,12 @@ bool CommandBar::Handle(unsigned long event)
       this->PointAt(-1, -1);
       return false;
     case vtkCommand::KeyPressEvent:
-      this->CloseMenu(); // the key does what it does without a menu
+      this->EndMenu();
+      // The key does what it does without a menu. If it lets go, nothing may come before that.
+      this->HideMenu();
+      return false;
+    case vtkCommand::TimerEvent:
+      this->EndMenu();
       return false;
     case vtkCommand::MouseWheelForwardEvent:
     case vtkCommand::MouseWheelBackwardEvent:
@@ -343,13 +349,25 @@ void CommandBar::OpenMenu(const std::string& wanted, const Button& from)
 
 void CommandBar::CloseMenu()
 {
-  if (!std::exchange(this->IsMenuOpen, false))
-  {
-    return;
-  }
+  this->HideMenu();
+  this->EndMenu();
+}
+
+void CommandBar::HideMenu()
+{
+  this->IsEndDue = this->IsEndDue || this->IsMenuOpen;
+  this->IsMenuOpen = false;
   this->Rows.clear();
   this->PointedRow = -1;
   this->Opener = Icon::None;
+}
+
+void CommandBar::EndMenu()
+{
+  if (!std::exchange(this->IsEndDue, false))
+  {
+    return;
+  }
   if (this->WhenMenu)
   {
     this->WhenMenu(false);

@@ -70,6 +70,10 @@ private:
   void Activate(const Button& button);
   void OpenMenu(const std::string& group, const Button& from);
   void CloseMenu();
+  /// Closes the menu without a frame, and without a motion of the hand.
+  void HideMenu();
+  /// Tells that the menu is closed, and draws the scene.
+  void EndMenu();
   void Scroll(int rows);
   void PointAt(int x, int y);
   int FindButton(int x, int y) const;
@@ -110,6 +114,7 @@ private:
 
   std::vector<Row> Rows; ///< rows of the open menu
   bool IsMenuOpen = false;
+  bool IsEndDue = false; ///< whether EndMenu() has to follow
   Icon Opener = Icon::None;
   float MenuLeft = 0.0f; ///< wanted left end
   int First = 0;         ///< first visible row
