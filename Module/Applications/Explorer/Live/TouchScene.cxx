@@ -100,16 +100,38 @@ FeelChoice::FeelChoice(TouchScene& touch, const Exploration& exploration)
 
 void FeelChoice::Choose(const std::string& preset)
 {
+  vtkHapticProperty* const property = this->Filter->GetProperty();
+  vtkNew<vtkHapticProperty> before;
+  before->DeepCopy(property);
+  const Analysis values = this->Values;
+  std::string error;
   try
   {
-    this->Preset = ApplyMaterials(preset, this->Values, this->Image, this->Filter);
-    FitThresholds(this->Filter->GetProperty(), this->Values);
-    this->Touch.Display->SetNotice(("Materials: " + this->Preset).c_str());
+    const MessageCapture capture;
+    ApplyMaterials(preset, this->Values, this->Image, this->Filter);
+    FitThresholds(property, this->Values);
+    // Publish now, because the style takes a notice away when it publishes a change.
+    if (this->Touch.Device->IsRunning() && !this->Touch.Device->Publish())
+    {
+      error = capture.FirstError();
+    }
   }
-  catch (const InputError& error)
+  catch (const InputError& refused)
   {
-    this->Touch.Display->SetNotice(error.what());
+    error = refused.what();
   }
+  if (error.empty())
+  {
+    this->Preset = preset;
+  }
+  else
+  {
+    const MessageCapture capture;
+    property->DeepCopy(before);
+    this->Values = values;
+    this->Touch.Device->Publish();
+  }
+  this->Touch.Display->SetNotice(error.empty() ? ("Materials: " + preset).c_str() : error.c_str());
 }
 
 void FeelChoice::ChooseMethod(int method)
