@@ -101,13 +101,13 @@ void HandTool::AddCommands()
   const auto isBurr = [this] { return this->Filter->GetTool() == this->Burr.Get(); };
   const auto undo = [this]
   {
-    this->Tell(this->Filter->GetRemoval()->Undo() ? "Burr stroke undone."
-                                                    : "No burr stroke to undo.");
+    this->Tell(
+      this->Filter->GetRemoval()->Undo() ? "Burr stroke undone." : "No burr stroke to undo.");
   };
   const auto redo = [this]
   {
-    this->Tell(this->Filter->GetRemoval()->Redo() ? "Burr stroke redone."
-                                                    : "No burr stroke to redo.");
+    this->Tell(
+      this->Filter->GetRemoval()->Redo() ? "Burr stroke redone." : "No burr stroke to redo.");
   };
   table.Add(this, { "Tool", "undo a stroke of the burr", "Ctrl+z", undo, nullptr, isBurr });
   table.Add(this, { "Tool", "redo a stroke of the burr", "Ctrl+y", redo, nullptr, isBurr });
