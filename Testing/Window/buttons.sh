@@ -4,7 +4,9 @@
 
 # The explorer by its buttons and menus alone, with real mouse events on a screen of its own: touching and holding,
 # measuring, undoing, saving, another preset, a cut, slices, a picture, a recording, a tool; another file by the desktop's
-# dialog, for which a program stands that chooses at once, and a recent file. Then Ctrl+O opens the dialog, too.
+# dialog, for which a program stands that chooses at once, and a recent file. Then Ctrl+O opens the dialog, too. A list in
+# the window stands in for a dialog that fails. While a dialog waits, the explorer handles signals as before, closes, and
+# ends on SIGTERM.
 #
 # usage: buttons.sh [--pictures FOLDER] EXPLORER VOLUME
 #
@@ -31,8 +33,13 @@ cp "$volume" data/second.vti
 cat > bin/zenity << END
 #!/bin/sh
 echo "\$*" >> "$folder/dialogs"
-echo "$folder/data/second.vti"
+case \$(cat "$folder/manner") in
+  choose) echo "$folder/data/second.vti" ;;
+  fail) exit 127 ;;
+  wait) echo \$\$ > "$folder/dialog" && exec sleep 300 ;;
+esac
 END
+echo choose > manner
 chmod +x bin/zenity
 export PATH=$folder/bin:$PATH
 
@@ -146,7 +153,38 @@ wait_for_window "VTK Volume Haptics: first.vti"
 xdotool key ctrl+o
 wait_for "the file of the dialog again" has_read second.vti 2
 wait_for_window "VTK Volume Haptics: second.vti"
+
+echo fail > manner
+xdotool key ctrl+o
+sleep 1
+xdotool key Up Return # from the present file to the one before it
+wait_for "the file of the list" has_read first.vti 3
+wait_for_window "VTK Volume Haptics: first.vti"
+
+list_signals()
+{
+  grep SigCgt "/proc/$child/status"
+}
+open_waiting_dialog()
+{
+  local before
+  before=$(list_signals)
+  rm -f dialog
+  xdotool key ctrl+o
+  wait_for "a dialog" test -s dialog
+  [[ "$(list_signals)" == "$before" ]] || fail "a dialog changes which signals are handled"
+}
+echo wait > manner
+open_waiting_dialog
 xdotool key q
-expect_end
+PATIENCE=20 expect_end
+! kill -0 "$(cat dialog)" 2> /dev/null || fail "the dialog stays when the window closes"
 ! grep -q "ERR|" program.log || fail "there are errors"
+"$explorer" data/first.vti --size $size > ended.log 2>&1 &
+child=$!
+wait_for_window "VTK Volume Haptics: first.vti"
+open_waiting_dialog
+kill -TERM "$child"
+PATIENCE=20 expect_end_with $((128 + 15))
+kill "$(cat dialog)"
 echo "touched, held, measured, cut, recorded and opened by buttons"

@@ -140,7 +140,7 @@ Explore::FileChoice Touch(vtkRenderWindow* window, const Explore::Exploration& e
   look.SliceShare = options.Slices ? Explore::SLICE_SHARE : 0.0;
   look.Caption.clear(); // the head-up display is at the place of the caption
   const Explore::FileChoice now{ options.VolumePath, exploration.Input.SeriesNumber,
-    options.AsLabels };
+    options.AsLabels, {}, !options.MorePaths.empty() };
   return Explore::RunTouchWindow(window, exploration, look, options.Device,
     { options.Setup, options.Measurements, options.Script, options.Movie, options.Sound,
       options.Tool, options.Replay, now, options.Notice, options.BringBack, devices,

@@ -174,6 +174,10 @@ void CommandTable::Run(const Command& wanted)
   const vtkSmartPointer<vtkRenderWindowInteractor> interactor = this->Interactor;
   if (command.Run)
   {
+    if (this->BeforeRun)
+    {
+      this->BeforeRun();
+    }
     command.Run();
   }
   if (interactor && !interactor->GetDone() && interactor->GetRenderWindow())

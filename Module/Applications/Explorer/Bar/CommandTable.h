@@ -66,6 +66,8 @@ public:
   Command FindButton(Icon button) const;
   /// Runs a command and draws the scene.
   void Run(const Command& command);
+  /// Is called before each command.
+  std::function<void()> BeforeRun;
 
   /// Returns the keys of the parts, in the form of vtkHapticHeadUpDisplay::HelpText. The list of
   /// the style has its own actions.

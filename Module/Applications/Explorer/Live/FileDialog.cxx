@@ -2,80 +2,142 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Live/FileDialog.h"
 
-#include <vtksys/Process.h>
-#include <vtksys/SystemTools.hxx>
-
+#if !defined(_WIN32)
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <thread>
 #include <vector>
 
-namespace
-{
-std::string FindProgram(const char* name)
-{
-  return vtksys::SystemTools::FindProgram(name);
-}
-} // namespace
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char** environ;
+#endif
 
 namespace Explore
 {
+#if defined(_WIN32)
+
+bool FileDialog::Open(const std::string&)
+{
+  return false;
+}
+
+FileDialog::State FileDialog::Poll(std::string&)
+{
+  return State::Failed;
+}
+
+void FileDialog::Close() {}
+
+#else
+
+namespace
+{
+/// Starts a program of the PATH, whose output goes to a file descriptor. Returns its id, or -1.
+pid_t StartProgram(std::vector<std::string> words, int output)
+{
+  std::vector<char*> pointers;
+  for (std::string& word : words)
+  {
+    pointers.push_back(word.data());
+  }
+  pointers.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawnattr_t attributes;
+  sigset_t signals;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
+  posix_spawnattr_init(&attributes);
+  sigemptyset(&signals);
+  posix_spawnattr_setsigmask(&attributes, &signals);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  pid_t process = -1;
+  const int error =
+    posix_spawnp(&process, pointers[0], &actions, &attributes, pointers.data(), environ);
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&actions);
+  return error == 0 ? process : -1;
+}
+} // namespace
+
 bool FileDialog::Open(const std::string& folder)
 {
-  const std::string zenity = FindProgram("zenity");
-  const std::string kdialog = zenity.empty() ? FindProgram("kdialog") : std::string();
-  const std::string place = "--filename=" + folder + "/";
-  std::vector<const char*> command;
-  if (!zenity.empty())
-  {
-    command = { zenity.c_str(), "--file-selection", "--title=Open a volume", place.c_str() };
-  }
-  else if (!kdialog.empty())
-  {
-    command = { kdialog.c_str(), "--title", "Open a volume", "--getopenfilename", folder.c_str() };
-  }
-  else
+  this->Close();
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0)
   {
     return false;
   }
-  command.push_back(nullptr);
-  this->Close();
-  this->Process = vtksysProcess_New();
-  vtksysProcess_SetCommand(this->Process, command.data());
-  vtksysProcess_Execute(this->Process);
-  return true;
+  this->Pipe = ends[0];
+  fcntl(this->Pipe, F_SETFL, O_NONBLOCK);
+  this->Process = StartProgram(
+    { "zenity", "--file-selection", "--title=Open a volume", "--filename=" + folder + "/" },
+    ends[1]);
+  if (this->Process < 0)
+  {
+    this->Process =
+      StartProgram({ "kdialog", "--title", "Open a volume", "--getopenfilename", folder }, ends[1]);
+  }
+  close(ends[1]);
+  if (this->Process < 0)
+  {
+    this->Close();
+  }
+  return this->IsOpen();
 }
 
-std::string FileDialog::Poll()
+FileDialog::State FileDialog::Poll(std::string& path)
 {
-  while (this->Process)
+  this->Read();
+  int status = 0;
+  const pid_t ended = waitpid(this->Process, &status, WNOHANG);
+  if (ended == 0 || (ended < 0 && errno == EINTR))
   {
-    char* data = nullptr;
-    int length = 0;
-    double patience = 1e-6; // s
-    const int from = vtksysProcess_WaitForData(this->Process, &data, &length, &patience);
-    if (from == vtksysProcess_Pipe_Timeout)
-    {
-      return {};
-    }
-    if (from == vtksysProcess_Pipe_STDOUT)
-    {
-      this->Output.append(data, static_cast<std::size_t>(length));
-    }
-    if (from == vtksysProcess_Pipe_None)
-    {
-      const std::string path = this->Output.substr(0, this->Output.find_first_of("\r\n"));
-      this->Close();
-      return path;
-    }
+    return State::Open;
   }
-  return {};
+  this->Process = -1;
+  this->Read(); // what came before the end
+  path = this->Output.substr(0, this->Output.find_last_not_of("\r\n") + 1);
+  this->Close();
+  const int code = ended > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return code == 0 && !path.empty() ? State::Chosen : code == 1 ? State::Cancelled : State::Failed;
+}
+
+void FileDialog::Read()
+{
+  char part[4096];
+  ssize_t length = 0;
+  do
+  {
+    length = read(this->Pipe, part, sizeof(part));
+    this->Output.append(part, length > 0 ? static_cast<std::size_t>(length) : 0);
+  } while (length > 0 || (length < 0 && errno == EINTR));
 }
 
 void FileDialog::Close()
 {
-  if (this->Process)
+  constexpr int most = 100; // tries, of 10 ms
+  if (this->Process > 0)
   {
-    vtksysProcess_Delete(this->Process); // ends the process, too
+    kill(this->Process, SIGKILL);
+    for (int i = 0; i < most && waitpid(this->Process, nullptr, WNOHANG) == 0; ++i)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
   }
-  this->Process = nullptr;
+  if (this->Pipe >= 0)
+  {
+    close(this->Pipe);
+  }
+  this->Process = -1;
+  this->Pipe = -1;
   this->Output.clear();
 }
+
+#endif
 } // namespace Explore

@@ -5,15 +5,21 @@
 
 #include <string>
 
-struct vtksysProcess_s;
-
 namespace Explore
 {
 /// The desktop's own dialog for files: zenity or kdialog, whichever is installed. It runs as a
-/// process of its own, so that the window and the servo go on meanwhile.
+/// process of its own, so that the window and the servo go on meanwhile. Windows has none of them.
 class FileDialog
 {
 public:
+  enum class State
+  {
+    Open,
+    Chosen,
+    Cancelled,
+    Failed
+  };
+
   FileDialog() = default;
   /// Closes an open dialog.
   ~FileDialog() { this->Close(); }
@@ -22,16 +28,17 @@ public:
 
   /// Opens the dialog in a folder. Returns false if the desktop has none.
   bool Open(const std::string& folder);
-  bool IsOpen() const { return this->Process != nullptr; }
-  /// Returns the chosen path once the user has chosen one; empty until then, and after a
-  /// cancellation.
-  std::string Poll();
+  bool IsOpen() const { return this->Process > 0; }
+  /// Looks after an open dialog without waiting, and sets the path once the user has chosen one.
+  State Poll(std::string& path);
 
 private:
+  void Read();
   void Close();
 
-  vtksysProcess_s* Process = nullptr;
-  std::string Output; // what the process has written
+  int Process = -1;   // id; -1: no dialog is open
+  int Pipe = -1;      // end from which the program's output is read
+  std::string Output; // what the program has written
 };
 } // namespace Explore
 

@@ -4,7 +4,6 @@
 #define Explore_FreeFile_h
 
 #include <string>
-#include <vector>
 
 namespace Explore
 {
@@ -20,11 +19,6 @@ std::string FindFreePath(const std::string& name, const std::string& ending);
 /// Returns the folder for what programs keep from run to run, $XDG_STATE_HOME or ~/.local/state;
 /// empty if the user has none.
 std::string FindStateFolder();
-
-/// Returns the files that the user has opened, the latest first.
-std::vector<std::string> ReadRecentFiles();
-/// Puts a file at the beginning of that list.
-void AddRecentFile(const std::string& path);
 } // namespace Explore
 
 #endif

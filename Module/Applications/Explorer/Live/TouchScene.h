@@ -82,9 +82,10 @@ struct WindowPlace
 struct FileChoice
 {
   std::string Path;
-  int Series = 0;        // see LoadVolumes
-  bool AsLabels = false; // whether the values are shown as labels
-  WindowPlace Place;     // of the window in which the file was chosen
+  int Series = 0;            // see LoadVolumes
+  bool AsLabels = false;     // whether the values are shown as labels
+  WindowPlace Place;         // of the window in which the file was chosen
+  bool HasMoreFiles = false; // whether it is the first one of several files
 };
 
 /// Options of the window. A file without a name is not read. If there is no name for measurements,

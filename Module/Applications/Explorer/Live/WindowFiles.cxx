@@ -13,6 +13,8 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
+#include <fstream>
+#include <sstream>
 
 namespace
 {
@@ -68,6 +70,45 @@ void ListFolderForTouch(
   }
 }
 
+std::string FindRecentList()
+{
+  const std::string state = Explore::FindStateFolder();
+  return state.empty() ? state : state + "/volumehaptics-explore/recent.txt";
+}
+
+/// Returns the files that the user has opened, the latest first. A line of the list has the series,
+/// whether the values are labels, and the path.
+std::vector<Explore::FileChoice> ReadRecentFiles()
+{
+  std::vector<Explore::FileChoice> files;
+  std::ifstream in(FindRecentList());
+  for (std::string line; std::getline(in, line);)
+  {
+    std::istringstream words(line);
+    Explore::FileChoice file;
+    if (words >> file.Series >> file.AsLabels && std::getline(words.ignore(), file.Path))
+    {
+      files.push_back(file);
+    }
+  }
+  return files;
+}
+
+void WriteRecentFiles(const std::vector<Explore::FileChoice>& files)
+{
+  const std::string list = FindRecentList();
+  const mode_t mode = 0700; // what was looked at is the user's own business
+  if (list.empty() || !Files::MakeDirectory(Files::GetFilenamePath(list), &mode))
+  {
+    return;
+  }
+  std::ofstream out(list);
+  for (const Explore::FileChoice& one : files)
+  {
+    out << one.Series << " " << one.AsLabels << " " << one.Path << "\n";
+  }
+}
+
 constexpr unsigned long FILE_EVENTS[] = { vtkCommand::KeyPressEvent, vtkCommand::CharEvent,
   vtkCommand::LeftButtonPressEvent, vtkCommand::MouseWheelForwardEvent,
   vtkCommand::MouseWheelBackwardEvent, vtkCommand::DropFilesEvent, vtkCommand::TimerEvent };
@@ -94,10 +135,13 @@ WindowFiles::WindowFiles(TouchScene& touch, vtkRenderWindowInteractor* interacto
     interactor->AddObserver(event, this->Observer, FILES_PRIORITY);
   }
   this->AddCommands();
+  // A command of the bar may begin a touch, and a hand does not move below a list.
+  this->Touch.Commands.BeforeRun = [this] { this->List.Hide(); };
 }
 
 WindowFiles::~WindowFiles()
 {
+  this->Touch.Commands.BeforeRun = nullptr;
   this->Touch.Commands.Remove(this);
   this->Interactor->RemoveObserver(this->Observer);
 }
@@ -114,22 +158,26 @@ void WindowFiles::AddCommands()
     this, { "File", "open a file", "Ctrl+o", [this] { this->OpenDialog(); }, nullptr, nullptr });
   table.Add(this, { "File", "list this folder", "F2", browse, nullptr, nullptr });
   constexpr std::size_t most = 5; // recent files in the menu
-  std::size_t listed = 0;
-  const std::string shown = Files::CollapseFullPath(this->Now.Path);
-  for (const std::string& path : ReadRecentFiles())
+  FileChoice shown = this->Now;
+  shown.Path = Files::CollapseFullPath(shown.Path);
+  std::vector<FileChoice> recent = ReadRecentFiles();
+  recent.erase(std::remove_if(recent.begin(), recent.end(),
+                 [&](const FileChoice& one) { return one.Path == shown.Path; }),
+    recent.end());
+  recent.resize(std::min(recent.size(), most));
+  // A missing file is refused when it is chosen: looking for it here could wait for a network.
+  for (const FileChoice& file : recent)
   {
-    if (path != shown && Files::FileExists(path) && listed++ < most)
-    {
-      const std::string name = "again: " + Files::GetFilenameName(path);
-      table.Add(this,
-        { "File", name, "",
-          [this, path] {
-            this->Choose({ path, 0, false });
-          },
-          nullptr, nullptr });
-    }
+    table.Add(this,
+      { "File", "again: " + Files::GetFilenameName(file.Path), "",
+        [this, file] { this->Choose(file); }, nullptr, nullptr });
   }
-  AddRecentFile(this->Now.Path);
+  // A volume of several files could not be read again from the first.
+  if (!this->Now.HasMoreFiles && shown.Path.find('\n') == std::string::npos)
+  {
+    recent.insert(recent.begin(), shown);
+    WriteRecentFiles(recent);
+  }
   table.Add(this,
     { "File", "another series or volume", "F3", [this] { this->ListSeries(); }, nullptr,
       [this] { return this->Series.size() > 1; } });
@@ -149,14 +197,7 @@ void WindowFiles::Handle(unsigned long event, void* data)
   {
     case vtkCommand::TimerEvent:
       isTaken = false;
-      if (this->Dialog.IsOpen())
-      {
-        const std::string path = this->Dialog.Poll();
-        if (!path.empty())
-        {
-          this->Choose({ path, 0, false });
-        }
-      }
+      this->PollDialog();
       break;
     case vtkCommand::DropFilesEvent:
       if (auto* const files = static_cast<vtkStringArray*>(data))
@@ -213,8 +254,9 @@ bool WindowFiles::PressKey(const std::string& key)
   {
     this->ListFolder(Files::GetParentDirectory(this->Folder), this->Folder);
   }
-  else if (key == "Escape" || key == "F2" || key == "F3")
+  else if (key == "Escape" || key == "End" || key == "F2" || key == "F3")
   {
+    this->EndTouch();
     this->List.Hide();
   }
   this->Interactor->Render();
@@ -240,12 +282,30 @@ void WindowFiles::OpenDialog()
   {
     return;
   }
-  if (this->Dialog.Open(folder))
+  this->EndTouch(); // first, because starting a program takes time
+  if (!this->Dialog.Open(folder))
   {
-    this->EndTouch();
+    this->ListFolder(folder, path);
+  }
+}
+
+void WindowFiles::PollDialog()
+{
+  if (!this->Dialog.IsOpen())
+  {
     return;
   }
-  this->ListFolder(folder, path);
+  std::string chosen;
+  const FileDialog::State state = this->Dialog.Poll(chosen);
+  if (state == FileDialog::State::Chosen)
+  {
+    this->Choose({ chosen, 0, false });
+  }
+  else if (state == FileDialog::State::Failed)
+  {
+    const std::string path = Files::CollapseFullPath(this->Now.Path);
+    this->ListFolder(Files::GetFilenamePath(path), path);
+  }
 }
 
 void WindowFiles::ListSeries()
@@ -296,6 +356,7 @@ void WindowFiles::Accept(int line)
 
 void WindowFiles::Choose(const FileChoice& choice)
 {
+  this->EndTouch();
   this->Chosen = choice;
   this->List.Hide();
   this->Interactor->TerminateApp();

@@ -41,7 +41,8 @@ private:
   void ListFolder(std::string folder, std::string marked);
   void ListSeries();
   void OpenDialog();
-  /// Lets go, because a user who reads a list does not watch the hand.
+  void PollDialog();
+  /// Lets go, because a user who reads a list or waits for a file does not watch the hand.
   void EndTouch();
   void ShowList(const std::string& title, const std::vector<std::string>& lines, int marked);
   void Accept(int line);
