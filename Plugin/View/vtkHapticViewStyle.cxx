@@ -235,14 +235,10 @@ void vtkHapticViewStyle::SetArmed(bool on)
 //------------------------------------------------------------------------------
 void vtkHapticViewStyle::OnKeyPress()
 {
-  const char* const symbol = this->Interactor->GetKeySym();
-  const std::string key = symbol ? symbol : "";
-  const auto isKeyOf = [&](const char* action)
-  {
-    return !key.empty() &&
-      (" " + this->GetKey(action) + " ").find(" " + key + " ") != std::string::npos;
-  };
-  if (isKeyOf("Arm") && this->DeviceProxy)
+  // Ask before the press changes the touch mode, which changes the actions of keys with Ctrl.
+  const bool isTouch = this->IsPressOf("Touch");
+  const bool isMethod = this->IsPressOf("NextMethod");
+  if (this->IsPressOf("Arm") && this->DeviceProxy)
   {
     const bool isArmed = vtkSMPropertyHelper(this->DeviceProxy, "Armed").GetAsInt() != 0;
     this->SetArmed(!isArmed && !this->GetClutch());
@@ -250,11 +246,11 @@ void vtkHapticViewStyle::OnKeyPress()
     return;
   }
   this->Superclass::OnKeyPress();
-  if (isKeyOf("Touch") && (!this->GetTouchMode() || !this->GetClutch()))
+  if (isTouch && (!this->GetTouchMode() || !this->GetClutch()))
   {
     this->SetArmed(this->GetTouchMode());
   }
-  else if (isKeyOf("NextMethod"))
+  else if (isMethod)
   {
     this->ReportMethod();
   }

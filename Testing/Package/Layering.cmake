@@ -190,8 +190,8 @@ allow(Qt PUBLIC)
 
 # The programs see what any other project sees: the public classes. Only the explorer draws and writes traces with
 # private classes of the library, of which it gets the objects, hands ticks on through a ring of headers alone, asks
-# headers whether OpenGL runs on the processor and for the aspect of its renderers, sizes letters, shows a CT as the
-# plugin does, and reads the heads of files, places grids and finds samples that are outside, and how Hounsfield units
+# headers whether OpenGL runs on the processor and for the aspect of its renderers, sizes letters, docks its bar, shows a CT as
+# the plugin does, and reads the heads of files, places grids and finds samples that are outside, and how Hounsfield units
 # are stored, as the library does. All read numbers in any locale.
 allow(Applications/DeviceTool PUBLIC ${numbers})
 allow(Applications/Autoload PUBLIC)
@@ -213,13 +213,14 @@ allow(${explorer}/Sound ${reading} ${ring})
 allow(${explorer}/Record PUBLIC ${reading})
 allow(${explorer}/Analysis PUBLIC)
 allow(${explorer}/View PUBLIC ${reading} ${pixels} ${aspect} ${numbers})
+allow(${explorer}/Bar PUBLIC ${pixels} VTK/Scene/Base/WindowDock.h)
 allow(${explorer}/Path PUBLIC ${explorer}/Analysis ${explorer}/View)
 allow(${explorer}/Exploration PUBLIC ${exploration})
 list(APPEND exploration ${explorer}/Exploration)
-allow(${explorer}/Scene PUBLIC ${exploration} ${software} ${look} ${aspect})
+allow(${explorer}/Scene PUBLIC ${exploration} ${explorer}/Bar ${software} ${look} ${aspect})
 allow(${explorer}/Report PUBLIC ${exploration} ${chart} ${writer} ${aspect})
 list(APPEND exploration ${explorer}/Record ${explorer}/Report ${explorer}/Scene)
-allow(${explorer}/Live PUBLIC ${exploration} ${writer})
+allow(${explorer}/Live PUBLIC ${exploration} ${explorer}/Bar ${writer} ${pixels})
 allow(${explorer} PUBLIC ${exploration} ${explorer}/Live ${numbers})
 
 forbid("Core and Devices must not know VTK." "[\"</]vtk[A-Za-z0-9_]*\\.h" Core Devices)

@@ -277,7 +277,7 @@ def fill(folder, values):
         (folder / name).mkdir(parents=True)
     texts = {
         "text.vti": "no image", "face.png": "a picture", "text.dcm": "no slice", "text.seg.nrrd": "no segmentation", "notes.txt": "some notes", "empty.nrrd": "",
-        "wrong.csv": "label,stiffness\n1,hard\n", "wrong.json": '{"Format": "other"}', "close.txt": "0.2 key q\n", "point.txt": "0.3 move 0.5 0.5\n0.4 key t\n0.6 wheel 8\n1.2 key P\n1.4 key q\n",
+        "wrong.csv": "label,stiffness\n1,hard\n", "wrong.json": '{"Format": "other"}', "close.txt": "0.2 key q\n", "point.txt": "0.3 move 0.5 0.5\n0.4 key t\n0.6 wheel 8\n1.2 key 1\n1.4 key q\n",
         "jump.txt": "1 jump\n", "short.txt": "1 stroke 0.5 0.5\n", "long.txt": "1 key t now\n",
         "polyhedra.vtu": polyhedra(),
         "damaged.vtu": '<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid">\n<Unstr',

@@ -31,7 +31,7 @@ Devices = Union[str, vtkHapticDevice, Sequence[Union[str, vtkHapticDevice]]]
 # Attributes that lead to a window: of VTK's Qt, Tk and wx widgets, vedo, FURY, Mayavi.
 _NAMES = ("interactor", "iren", "_Iren", "render_window", "window", "scene", "renderer")
 # Keys of tvtk.pyface's scenes.
-_KEPT_BY_TVTK = ("Escape", "s", "p", "l", "R", "Left", "Right", "plus", "KP_Add", "minus", "KP_Subtract")
+_KEPT_BY_TVTK = ("Escape", "s", "p", "l", "Left", "Right", "plus", "KP_Add", "minus", "KP_Subtract")
 _DEPTH = 4  # largest number of attributes in a row, such as figure.scene.interactor
 
 

@@ -12,8 +12,10 @@
 #include "vtkVolumeMapper.h"
 
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <iostream>
+#include <thread>
 
 namespace
 {
@@ -35,6 +37,7 @@ struct CutHead : TouchedHead
 
   void Press(char key, const char* symbol)
   {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20)); // or else it is a held key
     this->Interactor->SetKeyEventInformation(0, 0, key, 0, symbol);
     this->Interactor->InvokeEvent(vtkCommand::KeyPressEvent);
     this->Interactor->InvokeEvent(vtkCommand::CharEvent);

@@ -85,8 +85,18 @@ int TestTouchKept(int argc, char* argv[])
   bool isRight = true;
   {
     KeptHead head(argc, argv);
+    const double before = head.GetOpacity()->GetValue(1000.0);
+    for (const Explore::Command& command : head.Touch.Commands.ListGroup("Look"))
+    {
+      if (command.Text == "more transparent")
+      {
+        command.Run();
+      }
+    }
+    isRight = Expect(head.GetOpacity()->GetValue(1000.0) < before, "it is as opaque as before");
     head.Kept.KeepAtEnd(false);
-    isRight = Expect(!vtksys::SystemTools::FileExists(folder), "something is kept of nothing");
+    isRight =
+      Expect(!vtksys::SystemTools::FileExists(folder), "something is kept of nothing") && isRight;
   }
   {
     KeptHead head(argc, argv);

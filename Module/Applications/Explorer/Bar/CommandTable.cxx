@@ -26,6 +26,11 @@ std::string ToLower(std::string key)
   }
   return key;
 }
+
+bool IsUsable(const Explore::Command& command)
+{
+  return !command.IsUsable || command.IsUsable();
+}
 } // namespace
 
 namespace Explore
@@ -37,6 +42,12 @@ CommandTable::CommandTable()
     [](vtkObject*, unsigned long event, void* self, void*)
     {
       auto& commands = *static_cast<CommandTable*>(self);
+      if (event == vtkCommand::KeyReleaseEvent)
+      {
+        commands.ReleasedKey = commands.NameKey();
+        commands.Release = std::chrono::steady_clock::now();
+        return;
+      }
       // Neither the style nor VTK gets a key that has run a command.
       const bool isUsed =
         event == vtkCommand::KeyPressEvent ? commands.PressKey() : !commands.UsedKey.empty();
@@ -72,6 +83,7 @@ void CommandTable::SetInteractor(vtkRenderWindowInteractor* interactor)
   {
     interactor->AddObserver(vtkCommand::KeyPressEvent, this->Observer, KEYS_PRIORITY);
     interactor->AddObserver(vtkCommand::CharEvent, this->Observer, KEYS_PRIORITY);
+    interactor->AddObserver(vtkCommand::KeyReleaseEvent, this->Observer, KEYS_PRIORITY);
   }
 }
 
@@ -128,7 +140,7 @@ std::vector<Command> CommandTable::ListGroup(const std::string& title) const
   std::vector<Command> list;
   for (const Added& one : this->All)
   {
-    if (one.What.Group == title && (!one.What.IsUsable || one.What.IsUsable()))
+    if (one.What.Group == title && IsUsable(one.What))
     {
       list.push_back(one.What);
     }
@@ -153,7 +165,7 @@ Command CommandTable::FindButton(Icon button) const
 {
   for (const Added& one : this->All)
   {
-    if (one.What.Button == button && (!one.What.IsUsable || one.What.IsUsable()))
+    if (one.What.Button == button && IsUsable(one.What))
     {
       return one.What;
     }
@@ -172,6 +184,7 @@ void CommandTable::Run(const Command& wanted)
 {
   const Command command = wanted; // the command may remove itself
   const vtkSmartPointer<vtkRenderWindowInteractor> interactor = this->Interactor;
+  this->UpdateList();
   if (command.Run)
   {
     if (this->BeforeRun)
@@ -186,18 +199,50 @@ void CommandTable::Run(const Command& wanted)
   }
 }
 
-bool CommandTable::PressKey()
+std::string CommandTable::NameKey() const
 {
   const char* const symbol = this->Interactor->GetKeySym();
-  const bool hasControl = this->Interactor->GetControlKey() != 0;
   const std::string plain = symbol ? symbol : "";
-  const std::string name = hasControl ? CONTROL + ToLower(plain) : plain;
+  return this->Interactor->GetControlKey() != 0 ? CONTROL + ToLower(plain) : plain;
+}
+
+bool CommandTable::IsRepeat(const std::string& key) const
+{
+  constexpr std::chrono::milliseconds soon(15); // as VolumeHaptics::KeyRepeat
+  return key == this->ReleasedKey && std::chrono::steady_clock::now() - this->Release < soon;
+}
+
+void CommandTable::SetFacts(const std::string& facts)
+{
+  this->Facts = facts;
+  this->UpdateList();
+}
+
+void CommandTable::UpdateList()
+{
+  if (this->Style)
+  {
+    this->Style->SetApplicationKeys((this->Facts + this->ListKeys()).c_str());
+  }
+}
+
+bool CommandTable::PressKey()
+{
+  const std::string name = this->NameKey();
+  if (this->IsRepeat(name))
+  {
+    return !this->UsedKey.empty(); // a held key runs its command once
+  }
+  this->UpdateList();
   // As for the style's keys, a capital is its letter: with Caps Lock, for example.
-  for (const std::string& key : { name, hasControl ? name : ToLower(name) })
+  for (const std::string& key : { name, ToLower(name) })
   {
     const auto found = std::find_if(this->All.begin(), this->All.end(),
       [&](const Added& one)
-      { return one.What.Key == key && (!one.What.IsUsable || one.What.IsUsable()); });
+      {
+        return one.What.Key == key && IsUsable(one.What) &&
+          (!one.What.TakesKey || one.What.TakesKey());
+      });
     if (!key.empty() && found != this->All.end())
     {
       this->UsedKey = key;
@@ -217,7 +262,7 @@ std::string CommandTable::ListKeys() const
     bool hasTitle = false;
     for (const Added& one : this->All)
     {
-      if (one.What.Group == group.Title && !one.What.Key.empty())
+      if (one.What.Group == group.Title && !one.What.Key.empty() && IsUsable(one.What))
       {
         text << (hasTitle ? "" : std::string(group.Title) + "\n");
         text << LabelKey(one.What.Key) << "\t" << one.What.Text << "\n";

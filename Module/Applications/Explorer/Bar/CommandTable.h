@@ -11,6 +11,7 @@
 #include "vtkRenderWindowInteractor.h"
 #include "vtkSmartPointer.h"
 
+#include <chrono>
 #include <functional>
 #include <string>
 #include <vector>
@@ -27,6 +28,7 @@ struct Command
   std::function<bool()> IsOn;     // whether it is switched on or chosen; null: it has no state
   std::function<bool()> IsUsable; // null: always
   Icon Button = Icon::None;       // the button of the bar that runs the command, if there is one
+  std::function<bool()> TakesKey; // whether the key is for it now; null: always
 };
 
 /// A group of commands: a title of the menu, and perhaps a button that shows only the group.
@@ -69,9 +71,11 @@ public:
   /// Is called before each command.
   std::function<void()> BeforeRun;
 
-  /// Returns the keys of the parts, in the form of vtkHapticHeadUpDisplay::HelpText. The list of
-  /// the style has its own actions.
+  /// Returns the keys of the parts that can be used now, in the form of
+  /// vtkHapticHeadUpDisplay::HelpText. The list of the style has its own actions.
   std::string ListKeys() const;
+  /// Sets lines that stand before these keys in the style's list, which is kept up to date.
+  void SetFacts(const std::string& facts);
   /// Returns what is printed on a key, such as "Ctrl+O".
   static std::string LabelKey(const std::string& key);
 
@@ -83,12 +87,20 @@ private:
   };
 
   bool PressKey();
+  /// Whether a press is one that the window system repeats for a held key: an X server sends its
+  /// release at the same time.
+  bool IsRepeat(const std::string& key) const;
+  std::string NameKey() const;
+  void UpdateList();
   Command MakeAction(const std::string& name) const;
 
   std::vector<Added> All;
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   vtkSmartPointer<vtkInteractorStyleHaptic> Style;
+  std::string Facts;
   std::string UsedKey; ///< key of the last command that was run by a key
+  std::string ReleasedKey;
+  std::chrono::steady_clock::time_point Release;
   vtkNew<vtkCallbackCommand> Observer;
 };
 } // namespace Explore

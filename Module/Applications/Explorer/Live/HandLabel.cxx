@@ -9,7 +9,6 @@
 #include "vtkCamera.h"
 #include "vtkContext2D.h"
 #include "vtkContextScene.h"
-#include "vtkHapticLabelTable.h"
 #include "vtkHapticTool.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -136,11 +135,7 @@ std::vector<std::string> HandLabel::Describe() const
   {
     return lines;
   }
-  vtkHapticLabelTable* const table = this->Filter->GetLabelTable();
-  const auto label = static_cast<int>(state->GetLabel());
-  const std::string labelled = table && label != 0 ? table->GetLabelName(label) : std::string();
-  const std::string tissue =
-    labelled.empty() ? this->Touch.Display->GetTissueName(state->GetSurfaceValue()) : labelled;
+  const std::string tissue = this->Touch.Display->GetTouchedTissue();
   if (!tissue.empty())
   {
     lines.push_back(tissue);
@@ -151,7 +146,7 @@ std::vector<std::string> HandLabel::Describe() const
                                   : this->ComputeDepth(state->GetProxyPosition());
   if (isNeedleIn || depth > 1.5 * voxel)
   {
-    lines.push_back(Format(depth, isNeedleIn ? " mm inserted" : " mm below the skin"));
+    lines.push_back(Format(depth, isNeedleIn ? " mm inserted" : " mm below the surface"));
   }
   return lines;
 }

@@ -18,7 +18,7 @@ class vtkContext2D;
 namespace Explore
 {
 /// Writes beside the tip what is in the hand, what it touches, with how much force, and how deep
-/// below the skin; and draws a scale with its unit. Ctrl+H hides both.
+/// below the surface that the viewer sees; and draws a scale with its unit. Ctrl+H hides both.
 class HandLabel
 {
 public:

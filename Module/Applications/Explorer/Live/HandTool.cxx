@@ -13,6 +13,7 @@
 #include "vtkPolyData.h"
 
 #include <cmath>
+#include <functional>
 #include <iostream>
 
 namespace
@@ -109,8 +110,18 @@ void HandTool::AddCommands()
     this->Tell(
       this->Filter->GetRemoval()->Redo() ? "Burr stroke redone." : "No burr stroke to redo.");
   };
-  table.Add(this, { "Tool", "undo a stroke of the burr", "Ctrl+z", undo, nullptr, isBurr });
-  table.Add(this, { "Tool", "redo a stroke of the burr", "Ctrl+y", redo, nullptr, isBurr });
+  const auto addStroke = [&](const char* text, const char* key, const std::function<void()>& run)
+  {
+    Command command{ "Tool", text, key, run, nullptr, isBurr };
+    command.TakesKey = [this] // over the function editor, the key is for an edit
+    {
+      const int* const at = this->Touch.Commands.GetInteractor()->GetEventPosition();
+      return !this->Touch.Editor->Contains(at[0], at[1]);
+    };
+    table.Add(this, command);
+  };
+  addStroke("undo a stroke of the burr", "Ctrl+z", undo);
+  addStroke("redo a stroke of the burr", "Ctrl+y", redo);
 }
 
 void HandTool::Tell(const std::string& text)

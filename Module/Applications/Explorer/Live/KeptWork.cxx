@@ -13,6 +13,8 @@
 
 #include <vtksys/SystemTools.hxx>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <functional>
 #include <iostream>
@@ -67,6 +69,14 @@ bool MakePrivateFolder(const std::string& folder)
 {
   const mode_t mode = 0700;
   return static_cast<bool>(Files::MakeDirectory(folder, &mode));
+}
+
+/// Whether two lists of nodes differ by more than the rounding of products.
+bool Differ(const std::vector<double>& a, const std::vector<double>& b)
+{
+  return a.size() != b.size() ||
+    !std::equal(a.begin(), a.end(), b.begin(),
+      [](double x, double y) { return std::abs(x - y) <= 1e-12 * std::max(1.0, std::abs(x)); });
 }
 
 template <typename Function, int Size>
@@ -150,7 +160,7 @@ void KeptWork::KeepAtEnd(bool isSetUp)
   this->Look.ShowOutside();
   const bool hasMeasurements =
     !this->Measurements.IsSaved() && this->Touch.Measurements->GetNumberOfMeasurements() > 0;
-  const bool hasFunctions = !isSetUp && this->ListFunctions() != this->Functions;
+  const bool hasFunctions = !isSetUp && Differ(this->ListFunctions(), this->Functions);
   const bool hasRemoval = this->Tool.HasUnwrittenRemoval();
   const std::string words = this->Describe(hasMeasurements, hasFunctions, hasRemoval);
   bool isKept = words.empty();
@@ -189,10 +199,19 @@ void KeptWork::KeepAtEnd(bool isSetUp)
 std::vector<double> KeptWork::ListFunctions() const
 {
   vtkHapticProperty* const feel = this->Filter->GetProperty();
+  // How transparent the look was made is no edit.
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->DeepCopy(this->Touch.Scene.Look->GetScalarOpacity());
+  for (int i = 0; i < opacity->GetSize(); ++i)
+  {
+    double node[4];
+    opacity->GetNodeValue(i, node);
+    node[1] /= this->Look.GetOpacityFactor();
+    opacity->SetNodeValue(i, node);
+  }
   std::vector<double> values;
-  for (vtkPiecewiseFunction* const function :
-    { feel->GetStiffness(), feel->GetFriction(), feel->GetViscosity(), feel->GetSurfaceStrength(),
-      feel->GetDistinctness(), this->Touch.Scene.Look->GetScalarOpacity() })
+  for (vtkPiecewiseFunction* const function : { feel->GetStiffness(), feel->GetFriction(),
+         feel->GetViscosity(), feel->GetSurfaceStrength(), feel->GetDistinctness(), opacity.Get() })
   {
     Append<vtkPiecewiseFunction, 4>(function, values);
     values.push_back(-1.0); // marks the end of a function's nodes

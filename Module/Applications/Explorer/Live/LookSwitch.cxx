@@ -8,6 +8,7 @@
 #include "vtkPiecewiseFunction.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace
 {
@@ -61,6 +62,7 @@ void LookSwitch::Swap()
   vtkVolumeProperty* const look = this->Touch.Scene.Look;
   Exchange(look->GetScalarOpacity(), this->Other->GetScalarOpacity());
   Exchange(look->GetRGBTransferFunction(), this->Other->GetRGBTransferFunction());
+  std::swap(this->Factor, this->OtherFactor);
   this->IsInside = !this->IsInside;
 }
 
@@ -88,6 +90,7 @@ void LookSwitch::ScaleOpacity(double factor)
       factor > 1.0 ? "This is as opaque as it gets" : "This is as transparent as it gets");
     return;
   }
+  this->Factor *= factor;
   for (int i = 0; i < opacity->GetSize(); ++i)
   {
     double node[4];

@@ -26,6 +26,8 @@ public:
 
   /// Shows the outside. Call this before functions are loaded, because they belong to the outside.
   void ShowOutside();
+  /// Returns the factor by which the opacities of the shown look were multiplied.
+  double GetOpacityFactor() const { return this->Factor; }
 
 private:
   void Swap();
@@ -37,6 +39,8 @@ private:
   vtkNew<vtkVolumeProperty> Other; ///< functions of the look that is not shown
   const bool HasOther;
   bool IsInside = false;
+  double Factor = 1.0;
+  double OtherFactor = 1.0; // of the look that is not shown
 };
 } // namespace Explore
 

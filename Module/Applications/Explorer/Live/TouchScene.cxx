@@ -430,6 +430,19 @@ void AddWindowCommands(TouchScene& touch, vtkRenderWindowInteractor* interactor)
     renderer->ResetCameraClippingRange();
   };
   touch.Commands.Add(&touch, { "Look", "the first view again", "r", reset, nullptr, nullptr });
+  const auto addEdit = [&](const char* text, bool (vtkHapticFunctionEditor::*act)())
+  {
+    const auto run = [&touch, act]
+    {
+      if (!(touch.Editor->*act)())
+      {
+        touch.Display->SetNotice("There is no such edit");
+      }
+    };
+    touch.Commands.Add(&touch, { "Materials", text, "", run, nullptr, nullptr });
+  };
+  addEdit("undo an edit", &vtkHapticFunctionEditor::Undo);
+  addEdit("redo an edit", &vtkHapticFunctionEditor::Redo);
   touch.Commands.Add(&touch,
     { "Window", "stereo glasses", "",
       [window] { window->SetStereoRender(!window->GetStereoRender()); },
@@ -596,7 +609,7 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
     [&hold](bool isOpen) { hold->SetMenuOpen(isOpen); });
   const Inspection facts(
     exploration.Input, exploration.Values, exploration.Materials, exploration.Filter);
-  touch.Style->SetApplicationKeys((facts.ListFacts() + touch.Commands.ListKeys()).c_str());
+  touch.Commands.SetFacts(facts.ListFacts());
   if (wanted.View)
   {
     touch.Scene.Renderer->GetActiveCamera()->DeepCopy(wanted.View);

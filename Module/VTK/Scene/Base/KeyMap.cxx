@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <initializer_list>
 #include <iterator>
 #include <sstream>
 #include <vector>
@@ -57,7 +56,8 @@ constexpr Action Actions[] = {
   { "Angle", "3", KeyGroup::Measure, &KeyedParts::HasMeasurements, "an angle: end, corner, end" },
   { "Path", "4", KeyGroup::Measure, &KeyedParts::HasMeasurements, "a path: begin; end" },
   { "Area", "5", KeyGroup::Measure, &KeyedParts::HasMeasurements, "a painted area: begin; end" },
-  { "Undo", "Ctrl+z", KeyGroup::Measure, &KeyedParts::HasEdits, "undo; over the editor, an edit" },
+  { "Undo", "Ctrl+z", KeyGroup::Measure, &KeyedParts::HasEdits,
+    "undo (the key over the editor: an edit)" },
   { "Redo", "Ctrl+y", KeyGroup::Measure, &KeyedParts::HasEdits, "redo" },
   { "RemoveLast", "Delete", KeyGroup::Measure, &KeyedParts::HasMeasurements,
     "remove the last one" },
@@ -100,14 +100,10 @@ std::string RemoveControl(const std::string& key)
   return HasControl(key) ? key.substr(std::strlen(ControlPrefix)) : key;
 }
 
-bool IsCapital(const std::string& key)
-{
-  return key.size() == 1 && key[0] >= 'A' && key[0] <= 'Z';
-}
-
 std::string ToLower(const std::string& key)
 {
-  return IsCapital(key) ? std::string(1, static_cast<char>(key[0] - 'A' + 'a')) : key;
+  const bool isCapital = key.size() == 1 && key[0] >= 'A' && key[0] <= 'Z';
+  return isCapital ? std::string(1, static_cast<char>(key[0] - 'A' + 'a')) : key;
 }
 
 const Action* FindAction(const std::string& name)
@@ -122,10 +118,16 @@ bool HasPart(const KeyedParts& parts, const Action& action)
   return !action.Part || parts.*action.Part;
 }
 
+/** Splits keys, and writes a letter after Ctrl as KeyMap::FindName() does. */
 std::vector<std::string> Split(const std::string& keys)
 {
   std::istringstream words(keys);
-  return { std::istream_iterator<std::string>(words), std::istream_iterator<std::string>() };
+  std::vector<std::string> all;
+  for (std::string key; words >> key;)
+  {
+    all.push_back(HasControl(key) ? ControlPrefix + ToLower(RemoveControl(key)) : key);
+  }
+  return all;
 }
 
 bool HasKey(const std::string& keys, const std::string& key)
@@ -193,12 +195,6 @@ std::string FindPlainName(const char* symbol, char code, bool hasShift, bool has
   return hasShift ? letter : ToLower(letter);
 }
 
-struct MouseLine
-{
-  const char* Motion;
-  const char* Meaning;
-};
-
 class KeyList
 {
 public:
@@ -218,27 +214,19 @@ public:
         : std::string();
       if (!keys.empty())
       {
-        this->Add(keys, action.Text);
+        this->Add(keys + "\t" + action.Text + "\n");
       }
     }
   }
-  void AddMouse(std::initializer_list<MouseLine> lines)
+  /** Adds lines: a key or a motion, a tab, and its meaning. */
+  void Add(const std::string& lines)
   {
-    for (const MouseLine& line : lines)
-    {
-      this->Add(line.Motion, line.Meaning);
-    }
+    this->Text += (this->Title.empty() ? "" : this->Title + "\n") + lines;
+    this->Title.clear();
   }
   const std::string& GetText() const { return this->Text; }
 
 private:
-  void Add(const std::string& key, const char* meaning)
-  {
-    this->Text += this->Title.empty() ? "" : this->Title + "\n";
-    this->Title.clear();
-    this->Text += key + "\t" + meaning + "\n";
-  }
-
   const KeyMap& Keys;
   std::string Title;
   std::string Text;
@@ -321,9 +309,7 @@ std::string KeyMap::Find(const std::string& pressed) const
   // depth, so a key with a name, such as Escape, keeps its action.
   const std::string rest = RemoveControl(pressed);
   const bool isNamed = HasControl(pressed) && rest.size() > 1;
-  return isNamed         ? this->FindExactly(rest)
-    : IsCapital(pressed) ? this->FindExactly(ToLower(pressed))
-                         : std::string();
+  return this->FindExactly(isNamed ? rest : ToLower(pressed));
 }
 
 std::string KeyMap::FindReleased(const std::string& released) const
@@ -398,18 +384,17 @@ std::string ListKeys(const KeyedParts& parts, const KeyMap& keys)
   list.Begin(KeyGroup::Touch);
   if (parts.HasMouse)
   {
-    list.AddMouse({ { "mouse", "stroke" }, { "wheel", "press, and lift" },
-      { "Ctrl + mouse", "press, and lift" }, { "Shift", "five times finer" },
-      { "left button", "the button of the device" } });
+    list.Add("mouse\tstroke\nwheel\tpress, and lift\nCtrl + mouse\tpress, and lift\n"
+             "Shift\tfive times finer\nleft button\t"
+             "the button of the device\n");
   }
   if (parts.TurnsView)
   {
-    list.AddMouse({ { "right button", "turn the view and keep touching" } });
+    list.Add("right button\tturn the view and keep touching\n");
   }
   if (parts.HasTool)
   {
-    list.AddMouse(
-      { { "Alt + mouse", "turn the tool" }, { "Alt + wheel", "turn it about the line of sight" } });
+    list.Add("Alt + mouse\tturn the tool\nAlt + wheel\tturn it about the line of sight\n");
   }
   list.AddActions(parts, KeyGroup::Touch);
   list.Begin(KeyGroup::Display);
@@ -418,8 +403,7 @@ std::string ListKeys(const KeyedParts& parts, const KeyMap& keys)
   list.AddActions(parts, KeyGroup::Slices);
   if (parts.HasSlices)
   {
-    list.AddMouse({ { "click", "go there and touch" }, { "wheel", "across them" },
-      { "right drag", "window, level" } });
+    list.Add("click\tgo there and touch\nwheel\tacross them\nright drag\twindow, level\n");
   }
   for (const KeyGroup group :
     { KeyGroup::Measure, KeyGroup::Materials, KeyGroup::Time, KeyGroup::Device })

@@ -59,9 +59,9 @@ public:
   void RecordPress(const char* symbol, char code);
 
   /**
-   * Sets the keys of an action: X11's names, separated by spaces; an empty text disables the
-   * action. Returns false and writes `error`, with the cure, if there is no such action or if
-   * another action has one of the keys.
+   * Sets the keys of an action: X11's names, separated by spaces; none if empty. After "Ctrl+", a
+   * capital is its letter. Returns false and writes `error`, with the cure, if there is no such
+   * action or if another action has one of the keys.
    */
   bool Set(const std::string& action, const std::string& keys, std::string& error);
   /** Returns the keys of an action; empty if it has none, or if the action does not exist. */
@@ -120,14 +120,8 @@ public:
   /** Whether an action repeats while its key is held. `key` is the action's default key. */
   static bool MayRepeat(const std::string& key)
   {
-    for (const char* const step : { "plus", "minus", "comma", "period", "Left", "Right", "k" })
-    {
-      if (key == step)
-      {
-        return true;
-      }
-    }
-    return false;
+    return key == "plus" || key == "minus" || key == "comma" || key == "period" || key == "Left" ||
+      key == "Right" || key == "k";
   }
 
 private:

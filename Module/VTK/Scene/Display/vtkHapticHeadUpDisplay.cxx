@@ -207,6 +207,16 @@ std::array<int, 2> ComputePlotCorner(
   }
 }
 
+/** Names the tissue that a hand touches: by its label, or else by the value below the surface. */
+std::string NameTouched(vtkHapticHeadUpDisplay& display, vtkHapticDevice* device)
+{
+  const std::string label =
+    NameLabelAt(device->GetVolumeHaptics(), device->GetState()->GetSurfacePosition());
+  // With modes, no surface is touched whose value could name the tissue.
+  const bool isByValue = label.empty() && !GetModesFilter(device);
+  return isByValue ? display.GetTissueName(ComputeTissueValue(device)) : label;
+}
+
 } // namespace
 
 struct vtkHapticHeadUpDisplay::vtkInternals
@@ -467,6 +477,13 @@ std::string DisplayProbe::GetPlotTitle(vtkHapticHeadUpDisplay* display)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkHapticHeadUpDisplay::GetTouchedTissue()
+{
+  vtkHapticDevice* const device = this->Internals->Device;
+  return device && device->IsRunning() ? NameTouched(*this, device) : std::string();
+}
+
+//------------------------------------------------------------------------------
 std::string vtkHapticHeadUpDisplay::GetText()
 {
   auto& d = *this->Internals;
@@ -497,13 +514,9 @@ std::string vtkHapticHeadUpDisplay::vtkInternals::GetSecondStatus(
   {
     return "Second hand: " + device->GetStatusText();
   }
-  const std::string label =
-    NameLabelAt(device->GetVolumeHaptics(), device->GetState()->GetSurfacePosition());
-  const bool isByValue = label.empty() && !GetModesFilter(device);
   const std::string status = DescribeStatus(device);
   const std::string touch =
-    DescribeTouch(device, isByValue ? self.GetTissueName(ComputeTissueValue(device)) : label,
-      device->GetState()->GetContact() == 2);
+    DescribeTouch(device, NameTouched(self, device), device->GetState()->GetContact() == 2);
   const std::string text = status + (status.empty() || touch.empty() ? "" : " ") + touch;
   return "Second hand: " + (text.empty() ? std::string("touches nothing") : text);
 }
@@ -520,14 +533,10 @@ std::string vtkHapticHeadUpDisplay::vtkInternals::GetStatus(vtkHapticHeadUpDispl
   {
     return device->GetStatusText();
   }
-  const std::string label =
-    NameLabelAt(device->GetVolumeHaptics(), device->GetState()->GetSurfacePosition());
-  // With modes, no surface is touched whose value could name the tissue.
-  const bool isByValue = label.empty() && !GetModesFilter(device);
-  const std::string tissue = isByValue ? self.GetTissueName(ComputeTissueValue(device)) : label;
   std::string text;
   for (const std::string& line : { DescribeStatus(device),
-         DescribeTouch(device, tissue, this->Slide.Is(device->GetState()->GetContact())),
+         DescribeTouch(
+           device, NameTouched(self, device), this->Slide.Is(device->GetState()->GetContact())),
          DescribeCut(device), DescribeTime(device),
          self.DetailsVisibility ? DescribeDetails(device) : std::string() })
   {

@@ -187,10 +187,12 @@ public:
    * the first range that contains the value two voxels below the touched surface, unless the
    * filter's label table names the touched label. Without ranges, the tissues of the filter's
    * vtkHapticProperty name all values, as in vtkHapticFunctionEditor: each value the nearest one.
+   * GetTouchedTissue() returns the name that the text has; empty without one.
    */
   void AddTissue(const char* name, double from, double to);
   void RemoveAllTissues();
   std::string GetTissueName(double value);
+  std::string GetTouchedTissue();
   ///@}
 
   ///@{

@@ -429,22 +429,29 @@ void HapticInteraction::Zoom(const std::function<void()>& zoom)
 //------------------------------------------------------------------------------
 bool HapticInteraction::PressKey(const std::string& pressed)
 {
-  const std::string key = this->Keys.Find(pressed);
+  const std::string key = this->FindAction(pressed);
   if (this->Repeat.IsRepeat(pressed) && !KeyRepeat::MayRepeat(key))
   {
     return this->IsRepeat(pressed);
   }
-  this->UsedKey.clear();
-  if (!this->Perform(key))
-  {
-    return false;
-  }
-  this->UsedKey = pressed;
-  return true;
+  const bool isUsed = this->Perform(key, true);
+  this->UsedKey = isUsed ? pressed : std::string();
+  return isUsed;
 }
 
 //------------------------------------------------------------------------------
-bool HapticInteraction::Perform(const std::string& key)
+std::string HapticInteraction::FindAction(const std::string& pressed) const
+{
+  // In the touch mode, Ctrl and the mouse press in depth, so the keys of the hand work with Ctrl.
+  const std::string key = this->Keys.Find(pressed);
+  const std::string plain = this->Keys.FindReleased(pressed);
+  const bool isOfHand =
+    plain.size() == 1 && std::string("ta12345").find(plain) != std::string::npos;
+  return key.empty() && isOfHand && this->Touch.IsOn() ? plain : key;
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::Perform(const std::string& key, bool isPressed)
 {
   auto& scene = this->Scene;
   if (key.empty())
@@ -510,8 +517,8 @@ bool HapticInteraction::Perform(const std::string& key)
   {
     // Next() has already changed the mode.
   }
-  else if (!this->Displays.Press(key) && !this->Editor.Press(key) && !this->Playback.Press(key) &&
-    !this->Measure.Press(key))
+  else if (!this->Displays.Press(key) && !this->Editor.Press(key, isPressed) &&
+    !this->Playback.Press(key) && !this->Measure.Press(key))
   {
     return false;
   }
@@ -592,8 +599,8 @@ bool HapticInteraction::TypeKey(const std::string& typed) const
   // camera away from the hand. Never pass on keys that have an action here: m starts an animation,
   // p picks a prop, s shows surfaces, 3 shows two pictures for red and blue glasses. Nor pass on
   // keys to which the application has moved an action.
-  const std::string key = this->Keys.Find(typed);
-  return (this->Touch.IsOn() && typed == "f") || key == "m" || key == "j" ||
+  const std::string key = this->FindAction(typed);
+  return (this->Touch.IsOn() && (typed == "f" || typed == "F")) || key == "m" || key == "j" ||
     (key == "s" && this->Scene.Slices) || ((key == "p" || key == "u") && this->Scene.Editor) ||
     (key == "3" && this->Scene.Measurements) || (!key.empty() && key != typed);
 }

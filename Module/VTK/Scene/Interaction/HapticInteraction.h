@@ -119,9 +119,19 @@ public:
   void Zoom(const std::function<void()>& zoom);
   /** Handles the press of a key. `pressed` is X11's name of the key. */
   bool PressKey(const std::string& pressed);
-  /** Performs the action with a default key. Returns false if the scene has no part for it. */
-  bool Perform(const std::string& key);
+  /** Returns the default key of a key's action now; empty if it has none. */
+  std::string FindAction(const std::string& pressed) const;
+  /**
+   * Performs the action with a default key. Returns false if the scene has no part for it. With
+   * `isPressed`, the pointer chooses what is undone.
+   */
+  bool Perform(const std::string& key, bool isPressed = false);
   bool ReleaseKey(const std::string& released);
+  /** Whether a key was pressed now for the action with a default key. */
+  bool IsPressOf(const std::string& pressed, const std::string& key) const
+  {
+    return !this->Repeat.IsRepeat(pressed) && this->FindAction(pressed) == key;
+  }
   /** Whether a press repeats the last used press because the key is held. */
   bool IsRepeat(const std::string& pressed) const
   {

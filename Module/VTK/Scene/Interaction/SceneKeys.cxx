@@ -224,13 +224,14 @@ void DisplayKeys::UpdateHint()
 }
 
 //------------------------------------------------------------------------------
-bool EditorKeys::Press(const std::string& key)
+bool EditorKeys::Press(const std::string& key, bool isPressed)
 {
   vtkHapticFunctionEditor* const editor = this->Scene.Editor;
   if (!editor)
   {
     return false;
   }
+  const int* const at = this->Scene.Style->GetInteractor()->GetEventPosition();
   if (key == "v")
   {
     editor->SetVisibility(!editor->GetVisibility());
@@ -249,7 +250,8 @@ bool EditorKeys::Press(const std::string& key)
   {
     this->Report(editor->Reset(), "There are no edits to reset");
   }
-  else if ((key == "Ctrl+z" || key == "Ctrl+y") && this->HasPointer())
+  else if ((key == "Ctrl+z" || key == "Ctrl+y") &&
+    (!this->Scene.Measurements || (isPressed && editor->Contains(at[0], at[1]))))
   {
     key == "Ctrl+z" ? this->Report(editor->Undo(), "There is no edit to undo")
                     : this->Report(editor->Redo(), "There is no edit to redo");
@@ -272,13 +274,6 @@ bool EditorKeys::Press(const std::string& key)
     return false;
   }
   return true;
-}
-
-//------------------------------------------------------------------------------
-bool EditorKeys::HasPointer() const
-{
-  const int* const at = this->Scene.Style->GetInteractor()->GetEventPosition();
-  return !this->Scene.Measurements || this->Scene.Editor->Contains(at[0], at[1]);
 }
 
 //------------------------------------------------------------------------------

@@ -86,18 +86,13 @@ public:
 
   /**
    * Executes the action of a key. Returns false if the editor has no action for the key, or if
-   * there is no editor.
+   * there is no editor. If a key was pressed, undo and redo are the editor's under the pointer.
    */
-  bool Press(const std::string& key);
+  bool Press(const std::string& key, bool isPressed);
   /** Reports the end of the search for functions. Call this in each update. */
   void PollProposal();
 
 private:
-  /**
-   * Whether the keys for undo and redo are for the editor: the pointer is over it, or nothing else
-   * uses these keys.
-   */
-  bool HasPointer() const;
   /** Shows a notice if an action did nothing. */
   void Report(bool isDone, const char* notice);
   /** Starts the search for a proposal in the editor, or accepts the proposal that is shown. */

@@ -167,7 +167,7 @@ public:
     {
       this->HeldKey = name;
       this->HeldInTouch = this->GetTouchMode();
-      this->HeldWithShift = this->Interactor->GetShiftKey() != 0;
+      this->HeldModifiers = this->GetModifiers();
       this->Abort();
     }
   }
@@ -175,8 +175,8 @@ public:
   {
     const std::string name = this->GetKeyName();
     this->GetInteraction().ReleaseKey(name);
-    // if Shift was released first, the names of the release and the press differ: p and P
-    const bool isUnshifted = this->HeldWithShift && this->Interactor->GetShiftKey() == 0;
+    // if Shift or Ctrl was released first, the names of the release and the press differ: p and P
+    const bool isUnshifted = (this->HeldModifiers & ~this->GetModifiers()) != 0;
     if (!this->HeldKey.empty() && (this->HeldKey == name || isUnshifted))
     {
       this->HeldKey.clear();
@@ -215,6 +215,10 @@ private:
   };
 
   void Abort() { this->EventCallbackCommand->SetAbortFlag(1); }
+  int GetModifiers()
+  {
+    return (this->Interactor->GetShiftKey() ? 1 : 0) + (this->Interactor->GetControlKey() ? 2 : 0);
+  }
   /// Whether the hand gets the mouse. The program keeps a drag that it has begun. Slices beside the
   /// scene always belong to the hand.
   bool HasMouse()
@@ -263,8 +267,8 @@ private:
   unsigned int Buttons = 0; ///< bits of the buttons whose press went to the program
   /// bits of the buttons whose press, and later their release, is kept from the program
   unsigned int UsedButtons = 0;
-  std::string HeldKey; ///< the last key that was used; its repeats are not passed to the program
-  bool HeldWithShift = false;
+  std::string HeldKey;   ///< the last key that was used; its repeats are not passed to the program
+  int HeldModifiers = 0; ///< GetModifiers() at its press
   bool HeldInTouch = false; ///< whether the touch mode was on after that key was used
 };
 

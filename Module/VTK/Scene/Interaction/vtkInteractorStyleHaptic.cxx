@@ -616,6 +616,12 @@ std::string vtkInteractorStyleHaptic::GetKeyName()
 }
 
 //------------------------------------------------------------------------------
+bool vtkInteractorStyleHaptic::IsPressOf(const char* action)
+{
+  return this->Internals->Interaction.IsPressOf(this->GetKeyName(), KeyMap::FindDefaultKey(action));
+}
+
+//------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnKeyPress()
 {
   if (HasWindow(this->Interactor) && !this->Internals->Interaction.PressKey(this->GetKeyName()))

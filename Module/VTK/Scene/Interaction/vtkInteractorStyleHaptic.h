@@ -266,7 +266,8 @@ public:
   ///@{
   /**
    * For buttons and menus of a program. PerformAction does what the action's key does, and returns
-   * false if the scene has no part for it; Clutch is on until SetClutch(false) or LetGo.
+   * false if the scene has no part for it; Clutch is on until SetClutch(false) or LetGo. Undo and
+   * Redo are those of the measurements, if there are any, wherever the pointer is.
    * GetActionText returns what an action does, such as "the next method", and an empty text if the
    * scene has no part for it. GetActionGroup returns the title above it in the list of keys.
    *
@@ -555,12 +556,13 @@ protected:
    * of this style. IsOwnTimer() returns whether the last timer event came from its timer.
    * UseMouseMove() returns whether the hand has used a mouse motion. GetKeyName() returns the name
    * of the last event's key: if a toolkit such as wx sends only a key's code, X11's name for the
-   * key.
+   * key. IsPressOf() returns whether the last event, a press, is that of an action's key.
    */
   VolumeHaptics::HapticInteraction& GetInteraction();
   bool IsOwnTimer() const;
   bool UseMouseMove();
   std::string GetKeyName();
+  bool IsPressOf(const char* action);
   ///@}
 
   double DepthStep = 0.0;

@@ -81,10 +81,10 @@ protected:
   }
   /// Presses a key as toolkits send it: the key, then the typed character. Returns how many of the
   /// two events reach the program.
-  int Press(const char* symbol, char code = '\0', int shift = 0)
+  int Press(const char* symbol, char code = '\0', int shift = 0, int control = 0)
   {
     this->Seen.clear();
-    this->Interactor->SetKeyEventInformation(0, shift, code, 1, symbol);
+    this->Interactor->SetKeyEventInformation(control, shift, code, 1, symbol);
     this->Interactor->InvokeEvent(vtkCommand::KeyPressEvent);
     this->Interactor->InvokeEvent(vtkCommand::CharEvent);
     return this->Seen[vtkCommand::KeyPressEvent] + this->Seen[vtkCommand::CharEvent];
@@ -413,6 +413,17 @@ TEST_F(HapticWidget, TakesACapitalLetterAgainWhoseShiftWasReleasedFirst)
   EXPECT_EQ(this->Release("g", 'g'), 0);
   EXPECT_EQ(this->Press("G", 'G', 1), 0);
   EXPECT_EQ(this->Widget->GetHeadUpDisplay()->GetPlotVisibility(), isShown);
+}
+
+TEST_F(HapticWidget, TakesAKeyAgainWhoseCtrlWasReleasedFirst)
+{
+  this->SwitchOn();
+  this->PushIn();
+  this->Interactor->SetControlKey(1);
+  EXPECT_EQ(this->Press("t", '\x14', 0, 1), 0);
+  this->ExpectLetGo();
+  EXPECT_EQ(this->Release("t", 't'), 0) << "the program has not got the press";
+  EXPECT_EQ(this->Release("t", 't'), 1) << "nothing is held any more";
 }
 
 TEST_F(HapticWidget, BeginsAgainIfTheReleaseOfItsKeyWasLost)

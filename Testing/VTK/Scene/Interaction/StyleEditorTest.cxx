@@ -92,6 +92,9 @@ TEST_F(StyleEditor, UndoBelongsToMeasurementsBesideTheEditor)
   this->Press("Ctrl+z");
   EXPECT_EQ(this->Stiffness(), 400.0) << "the pointer is over the editor";
   EXPECT_EQ(list->GetNumberOfMeasurements(), 1);
+  EXPECT_TRUE(this->Style->PerformAction("Undo"));
+  EXPECT_EQ(list->GetNumberOfMeasurements(), 0) << "a menu lies where it lies";
+  EXPECT_TRUE(this->Style->PerformAction("Redo"));
   this->Press("Ctrl+y");
   this->Pointer(295, 295);
   this->Press("Ctrl+z");

@@ -8,8 +8,10 @@
 
 #include "StyleRig.h"
 
+#include <vtkAbstractPicker.h>
 #include <vtkHapticHeadUpDisplay.h>
 #include <vtkHapticMeasurements.h>
+#include <vtkObjectFactory.h>
 #include <vtkStringArray.h>
 
 #include <set>
@@ -49,8 +51,26 @@ protected:
     return !this->Log.Errors.empty() && this->Log.Errors.back().find(words) != std::string::npos;
   }
 
+  void Control(const char* symbol, char code)
+  {
+    this->Interactor->SetControlKey(1);
+    this->Interactor->SetKeyCode(code);
+    this->Press(symbol);
+    this->Interactor->SetControlKey(0);
+  }
+
   vtkNew<vtkHapticHeadUpDisplay> Display;
 };
+
+/// A style of an application that arms in its own way.
+class AskedStyle : public vtkInteractorStyleHaptic
+{
+public:
+  static AskedStyle* New();
+  vtkTypeMacro(AskedStyle, vtkInteractorStyleHaptic);
+  using vtkInteractorStyleHaptic::IsPressOf;
+};
+vtkStandardNewMacro(AskedStyle);
 } // namespace
 
 TEST_F(StyleKeys, AreThoseThatAnApplicationChose)
@@ -166,25 +186,83 @@ TEST_F(StyleKeys, AreOthersWithCtrlButThoseThatLetGo)
   this->Style->SetMeasurements(list);
   const double x[3] = { 1.0, 2.0, 3.0 };
   list->AddPoint(x);
-  const auto control = [this](const char* symbol, char code)
-  {
-    this->Interactor->SetControlKey(1);
-    this->Interactor->SetKeyCode(code);
-    this->Press(symbol);
-    this->Interactor->SetControlKey(0);
-  };
-  control("z", '\x1a');
+  this->Control("z", '\x1a');
   EXPECT_EQ(list->GetNumberOfMeasurements(), 0);
-  control("y", '\x19');
+  this->Control("y", '\x19');
   EXPECT_EQ(list->GetNumberOfMeasurements(), 1);
-  control(nullptr, '\x1a'); // from a toolkit that sends codes only
+  this->Control(nullptr, '\x1a'); // from a toolkit that sends codes only
   EXPECT_EQ(list->GetNumberOfMeasurements(), 0);
-  control("t", '\x14');
+  this->Control("t", '\x14');
   EXPECT_FALSE(this->Style->GetTouchMode());
   this->Press("t");
   EXPECT_TRUE(this->Style->GetTouchMode());
-  control("Escape", '\x1b'); // while Ctrl and the mouse press in depth
+  this->Control("Escape", '\x1b'); // while Ctrl and the mouse press in depth
   EXPECT_FALSE(this->Style->GetTouchMode());
+}
+
+TEST_F(StyleKeys, OfTheHandWorkWhileCtrlAndTheMousePress)
+{
+  vtkNew<vtkHapticMeasurements> list;
+  this->Style->SetMeasurements(list);
+  this->PushIn();
+  this->Control("1", '1');
+  EXPECT_EQ(list->GetNumberOfMeasurements(), 1);
+  this->Control("m", '\r'); // another key with Ctrl is the application's
+  EXPECT_EQ(this->Filter->GetMethod(), vtkVolumeHapticsFilter::PROXY);
+  this->Control("a", '\x01');
+  EXPECT_TRUE(Eventually(
+    [&]
+    {
+      this->Style->UpdateHaptics();
+      return this->Device->GetStatus() == vtkHapticDevice::READY;
+    }));
+  this->Control("t", '\x14');
+  EXPECT_FALSE(this->Style->GetTouchMode());
+}
+
+TEST_F(StyleKeys, AreKnownToAStyleThatArmsInItsOwnWay)
+{
+  vtkNew<AskedStyle> style;
+  this->Interactor->SetInteractorStyle(style);
+  for (const char* const arm : { "a", "A" })
+  {
+    this->Interactor->SetKeySym(arm);
+    EXPECT_TRUE(style->IsPressOf("Arm")) << arm;
+    EXPECT_FALSE(style->IsPressOf("Touch"));
+  }
+  style->SetKey("Arm", "");
+  EXPECT_FALSE(style->IsPressOf("Arm"));
+}
+
+TEST_F(StyleKeys, WithCtrlHaveSmallLettersOrCapitals)
+{
+  this->Start();
+  vtkNew<vtkHapticMeasurements> list;
+  this->Style->SetMeasurements(list);
+  const double x[3] = { 1.0, 2.0, 3.0 };
+  list->AddPoint(x);
+  EXPECT_TRUE(this->Style->SetKey("Undo", "Ctrl+U"));
+  EXPECT_FALSE(this->Style->SetKey("Redo", "Ctrl+u"));
+  this->Control("u", '\x15');
+  EXPECT_EQ(list->GetNumberOfMeasurements(), 0);
+}
+
+TEST_F(StyleKeys, OfVTKThatFlyTheCameraAreKeptFromItWithCapsLock)
+{
+  // VTK picks where the camera shall fly.
+  int picks = 0;
+  vtkNew<vtkCallbackCommand> note;
+  note->SetClientData(&picks);
+  note->SetCallback(
+    [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+  this->Interactor->GetPicker()->AddObserver(vtkCommand::StartPickEvent, note);
+  this->PushIn();
+  this->Type("f");
+  this->Type("F");
+  EXPECT_EQ(picks, 0);
+  this->Style->TouchModeOff();
+  this->Type("F");
+  EXPECT_EQ(picks, 1);
 }
 
 TEST_F(StyleKeys, AreNotNeededByAProgramWithButtons)
