@@ -54,6 +54,22 @@ constexpr unsigned long BAR_EVENTS[] = { vtkCommand::MouseMoveEvent,
   vtkCommand::MouseWheelBackwardEvent, vtkCommand::KeyPressEvent, vtkCommand::LeaveEvent,
   vtkCommand::TimerEvent };
 
+/// Returns the number of the button of an event: left, middle, right.
+std::size_t FindMouseButton(unsigned long event)
+{
+  switch (event)
+  {
+    case vtkCommand::MiddleButtonPressEvent:
+    case vtkCommand::MiddleButtonReleaseEvent:
+      return 1;
+    case vtkCommand::RightButtonPressEvent:
+    case vtkCommand::RightButtonReleaseEvent:
+      return 2;
+    default:
+      return 0;
+  }
+}
+
 unsigned char ToByte(double part)
 {
   return static_cast<unsigned char>(std::lround(255.0 * part));
@@ -104,12 +120,11 @@ bool CommandBar::Box::Contains(int x, int y) const
     static_cast<float>(y) >= this->Bottom && static_cast<float>(y) < this->Bottom + this->Height;
 }
 
-CommandBar::CommandBar(CommandTable& commands, vtkRenderWindow* window,
-  vtkRenderWindowInteractor* interactor, std::function<void(bool)> whenMenu)
+CommandBar::CommandBar(
+  CommandTable& commands, vtkRenderWindow* window, vtkRenderWindowInteractor* interactor)
   : All(commands)
   , Window(window)
   , Interactor(interactor)
-  , WhenMenu(std::move(whenMenu))
 {
   this->Buttons = { { Icon::Menu, "Menu", {} }, { Icon::Open, "File", {} },
     { Icon::Touch, "Touch", {} }, { Icon::Hold, "Hold", {} }, { Icon::Method, "Method", {} },
@@ -139,6 +154,16 @@ CommandBar::CommandBar(CommandTable& commands, vtkRenderWindow* window,
   {
     interactor->AddObserver(event, this->MouseObserver, BAR_PRIORITY);
   }
+  // A style that drags the camera keeps the release for itself; a passive observer gets it, too.
+  this->ReleaseObserver->SetClientData(this);
+  this->ReleaseObserver->SetPassiveObserver(1);
+  this->ReleaseObserver->SetCallback([](vtkObject*, unsigned long event, void* self, void*)
+    { static_cast<CommandBar*>(self)->IsDown[FindMouseButton(event)] = false; });
+  for (const unsigned long event : { vtkCommand::LeftButtonReleaseEvent,
+         vtkCommand::MiddleButtonReleaseEvent, vtkCommand::RightButtonReleaseEvent })
+  {
+    interactor->AddObserver(event, this->ReleaseObserver);
+  }
   commands.Add(this,
     { "Window", "this bar", "Ctrl+b", [this] { this->IsShown = !this->IsShown; },
       [this] { return this->IsShown; }, nullptr });
@@ -148,6 +173,7 @@ CommandBar::~CommandBar()
 {
   this->All.Remove(this);
   this->Interactor->RemoveObserver(this->MouseObserver);
+  this->Interactor->RemoveObserver(this->ReleaseObserver);
   this->Window->RemoveObserver(this->FrameObserver);
   this->Strip.GiveBack();
   this->Window->RemoveRenderer(this->Renderer);
@@ -228,11 +254,15 @@ bool CommandBar::Handle(unsigned long event)
   const int y = at[1];
   const bool isOnBar = this->IsShown &&
     static_cast<float>(y) >= static_cast<float>(this->Window->GetSize()[1]) - this->Height;
+  const std::size_t pressed = FindMouseButton(event);
   switch (event)
   {
     case vtkCommand::MouseMoveEvent:
       this->PointAt(x, y);
-      return this->IsMenuOpen;
+      // What was begun in the scene goes on, also over the bar.
+      return this->IsMenuOpen ||
+        (isOnBar &&
+          std::find(this->IsDown.begin(), this->IsDown.end(), true) == this->IsDown.end());
     case vtkCommand::LeaveEvent:
       this->PointAt(-1, -1);
       return false;
@@ -251,14 +281,15 @@ bool CommandBar::Handle(unsigned long event)
         constexpr int step = 3;
         this->Scroll(event == vtkCommand::MouseWheelForwardEvent ? -step : step);
       }
-      return this->IsMenuOpen;
+      return this->IsMenuOpen || isOnBar;
     case vtkCommand::LeftButtonPressEvent:
     case vtkCommand::LeftButtonDoubleClickEvent:
     {
       const int button = this->FindButton(x, y);
       const int row = this->IsMenuOpen ? this->FindRow(x, y) : -1;
       const bool wasOpen = this->IsMenuOpen;
-      this->HasPress = wasOpen || isOnBar;
+      this->HasPress[pressed] = wasOpen || isOnBar;
+      this->IsDown[pressed] = !this->HasPress[pressed];
       if (wasOpen && row < 0 && this->Menu.Contains(x, y))
       {
         return true; // a title
@@ -272,21 +303,22 @@ bool CommandBar::Handle(unsigned long event)
       }
       else if (button >= 0)
       {
-        const Button pressed = this->Buttons[static_cast<std::size_t>(button)];
-        if (!wasOpen || pressed.Picture != opener)
+        const Button chosenButton = this->Buttons[static_cast<std::size_t>(button)];
+        if (!wasOpen || chosenButton.Picture != opener)
         {
-          this->Activate(pressed);
+          this->Activate(chosenButton);
         }
       }
-      return this->HasPress;
+      return this->HasPress[pressed];
     }
     case vtkCommand::RightButtonPressEvent:
     case vtkCommand::MiddleButtonPressEvent:
-      this->HasPress = this->IsMenuOpen || isOnBar;
+      this->HasPress[pressed] = this->IsMenuOpen || isOnBar;
+      this->IsDown[pressed] = !this->HasPress[pressed];
       this->CloseMenu();
-      return this->HasPress;
+      return this->HasPress[pressed];
     default: // the release of a button
-      return std::exchange(this->HasPress, false);
+      return std::exchange(this->HasPress[pressed], false);
   }
 }
 
@@ -340,10 +372,6 @@ void CommandBar::OpenMenu(const std::string& wanted, const Button& from)
   this->First = 0;
   this->PointedRow = -1;
   this->LayOutMenu();
-  if (this->IsMenuOpen && this->WhenMenu)
-  {
-    this->WhenMenu(true);
-  }
   this->Interactor->Render();
 }
 
@@ -367,10 +395,6 @@ void CommandBar::EndMenu()
   if (!std::exchange(this->IsEndDue, false))
   {
     return;
-  }
-  if (this->WhenMenu)
-  {
-    this->WhenMenu(false);
   }
   this->Interactor->Render();
 }

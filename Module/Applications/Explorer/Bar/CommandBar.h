@@ -17,7 +17,6 @@
 #include "vtkTextProperty.h"
 
 #include <array>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -31,9 +30,8 @@ namespace Explore
 class CommandBar
 {
 public:
-  /// `whenMenu` is called when a menu opens (true) and closes.
-  CommandBar(CommandTable& commands, vtkRenderWindow* window, vtkRenderWindowInteractor* interactor,
-    std::function<void(bool)> whenMenu);
+  CommandBar(
+    CommandTable& commands, vtkRenderWindow* window, vtkRenderWindowInteractor* interactor);
   ~CommandBar();
   CommandBar(const CommandBar&) = delete;
   CommandBar& operator=(const CommandBar&) = delete;
@@ -70,9 +68,9 @@ private:
   void Activate(const Button& button);
   void OpenMenu(const std::string& group, const Button& from);
   void CloseMenu();
-  /// Closes the menu without a frame, and without a motion of the hand.
+  /// Closes the menu without a frame.
   void HideMenu();
-  /// Tells that the menu is closed, and draws the scene.
+  /// Draws the scene after HideMenu().
   void EndMenu();
   void Scroll(int rows);
   void PointAt(int x, int y);
@@ -98,7 +96,6 @@ private:
   CommandTable& All;
   const vtkSmartPointer<vtkRenderWindow> Window;
   const vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
-  const std::function<void(bool)> WhenMenu;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkContextActor> Actor;
   VolumeHaptics::WindowDock Strip;
@@ -124,7 +121,10 @@ private:
   Box Menu;
   vtkNew<vtkTextProperty> Measured; ///< look of the text that is measured
 
-  bool HasPress = false; ///< whether the release of a button belongs to the bar
+  // for the left, the middle and the right button
+  std::array<bool, 3> HasPress{}; ///< whether the release belongs to the bar
+  std::array<bool, 3> IsDown{};   ///< whether it was pressed in the scene and not released
+  vtkNew<vtkCallbackCommand> ReleaseObserver;
   vtkNew<vtkCallbackCommand> MouseObserver;
   vtkNew<vtkCallbackCommand> FrameObserver;
 };

@@ -7,47 +7,28 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
-#include "vtkRenderWindowInteractor.h"
-#include "vtkSmartPointer.h"
 
 namespace Explore
 {
-/// Lets the hand of the mouse stay where it is, so that the pointer can go to a button, a menu or
-/// another window while the hand still presses. Key f holds and frees the hand at once; after a
-/// click on the bar's button, a click in the scene holds it, and the next one frees it. When it is
-/// free again, the hand goes to where the pointer is.
+/// Commands that hold the hand of the mouse where it is, so that the pointer can go to a button, a
+/// menu or another window while the hand still presses. Key f holds and frees the hand at once;
+/// after a click on the bar's button, a click in the scene holds it, and the next one frees it.
 class HandHold
 {
 public:
-  HandHold(TouchScene& touch, vtkRenderWindowInteractor* interactor);
+  explicit HandHold(TouchScene& touch);
   ~HandHold();
   HandHold(const HandHold&) = delete;
   HandHold& operator=(const HandHold&) = delete;
 
-  /// Holds or frees the hand, apart from the user's own hold, which goes on. The bar calls this
-  /// while a menu is open.
-  void SetMenuOpen(bool isOpen);
-
 private:
-  enum class State
-  {
-    Free,
-    Awaited, // the next click in the scene holds the hand
-    Held
-  };
-
-  bool IsHeld() const { return this->Now == State::Held || this->IsMenuOpen; }
-  void PressKey();
-  void PressButton();
-  void Change(State state, bool isMenuOpen);
-  bool Handle(unsigned long event);
+  /// Holds the hand until this number of clicks (vtkInteractorStyleHaptic::SetHoldClicks), or frees
+  /// it.
+  void Toggle(int clicks);
+  void Report();
 
   TouchScene& Touch;
-  const vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
-  State Now = State::Free;
-  bool IsMenuOpen = false;
-  bool HasPress = false;   // whether the release of a click belongs to this class
-  int Place[2] = { 0, 0 }; // where the pointer was when the hand was held (pixels)
+  int Reported = 0; // clicks of the last notice
   vtkNew<vtkCallbackCommand> Observer;
 };
 } // namespace Explore

@@ -582,7 +582,7 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   auto feel = std::make_unique<FeelChoice>(touch, exploration);
   auto tool = std::make_unique<HandTool>(touch, exploration, wanted.Tool);
   auto look = std::make_unique<LookSwitch>(touch, exploration.Values);
-  auto hold = std::make_unique<HandHold>(touch, interactor);
+  auto hold = std::make_unique<HandHold>(touch);
   auto label = std::make_unique<HandLabel>(touch, exploration);
   auto recorder = std::make_unique<WindowRecorder>(touch, interactor, wanted.Movie);
   auto script = wanted.Script.empty()
@@ -605,8 +605,7 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   auto notices = std::make_unique<NoticeTimer>(touch, interactor);
   const std::string name = vtksys::SystemTools::GetFilenameName(wanted.File.Path);
   touch.Scene.Window->SetWindowName(("VTK Volume Haptics: " + name).c_str());
-  auto bar = std::make_unique<CommandBar>(touch.Commands, touch.Scene.Window, interactor,
-    [&hold](bool isOpen) { hold->SetMenuOpen(isOpen); });
+  auto bar = std::make_unique<CommandBar>(touch.Commands, touch.Scene.Window, interactor);
   const Inspection facts(
     exploration.Input, exploration.Values, exploration.Materials, exploration.Filter);
   touch.Commands.SetFacts(facts.ListFacts());

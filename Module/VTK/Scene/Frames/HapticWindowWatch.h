@@ -88,8 +88,8 @@ private:
   std::int64_t ViewTime = 0; ///< ServoClock: when the window system was last asked
   bool IsEnabled = false;    ///< whether the interactor was enabled at the last look
   bool IsDone = false;       ///< whether the loop had been told to end at the last look
-  bool IsReleased =
-    false; ///< whether the window has released its graphics resources and was not rendered since
+  /** whether the window has released its graphics resources and was not rendered since */
+  bool IsReleased = false;
   vtkWeakPointer<vtkRenderWindow> ReleasedWindow;
 };
 

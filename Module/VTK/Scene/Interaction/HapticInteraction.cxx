@@ -258,8 +258,8 @@ void HapticInteraction::FadeOut()
 bool HapticInteraction::MoveMouse()
 {
   vtkRenderWindowInteractor* const interactor = this->Scene.Style->GetInteractor();
-  const int* const now = interactor->GetEventPosition();
-  const int* const before = interactor->GetLastEventPosition();
+  const std::array<int, 2> before = this->Touch.TakeMotion();
+  const std::array<int, 2> now = this->Touch.FindPointer();
   if (this->Scene.Style->GetState() == VTKIS_NONE && this->Scene.Editor &&
     this->Scene.Editor->MouseMove(now[0], now[1]))
   {
@@ -272,22 +272,18 @@ bool HapticInteraction::MoveMouse()
   }
   if (this->Scene.Style->GetState() == VTKIS_NONE && this->Turn.IsOn())
   {
-    this->Turn.Roll(before, now);
-    if (this->Touch.LeadsTip())
-    {
-      this->Touch.HoldAt(now);
-    }
+    this->Turn.Roll(before.data(), now.data());
     return true;
   }
-  if (!this->Touch.LeadsTip())
+  const bool leads = this->Touch.LeadsTip();
+  if (!leads || this->Scene.Style->GetHoldClicks() == 1)
   {
-    return false;
+    return leads;
   }
   if (interactor->GetControlKey())
   {
     constexpr double stepsPerPixel = 0.25;
     this->Touch.MoveInDepth(stepsPerPixel * (now[1] - before[1]));
-    this->Touch.HoldAt(now);
   }
   else
   {
@@ -317,7 +313,8 @@ bool HapticInteraction::PressLeftButton()
   }
   if (this->Touch.LeadsTip())
   {
-    this->Touch.PressButton();
+    const int hold = this->Scene.Style->GetHoldClicks();
+    hold > 0 ? this->Scene.Style->SetHoldClicks(hold - 1) : this->Touch.PressButton();
     return true;
   }
   return false;
@@ -407,7 +404,10 @@ bool HapticInteraction::TurnWheel(double steps)
   {
     return false;
   }
-  this->Touch.MoveInDepth(steps);
+  if (this->Scene.Style->GetHoldClicks() != 1)
+  {
+    this->Touch.MoveInDepth(steps);
+  }
   return true;
 }
 

@@ -14,6 +14,7 @@
 #include "vtkCamera.h"
 #include "vtkInteractorObserver.h"
 #include "vtkInteractorStyleHaptic.h"
+#include "vtkMatrix4x4.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkVolumeHapticsFilter.h"
@@ -35,6 +36,16 @@ std::array<double, 2> FindInWindow(vtkRenderer* renderer, const Vector3& positio
   vtkInteractorObserver::ComputeWorldToDisplay(
     renderer, position.X, position.Y, position.Z, display);
   return { display[0], display[1] };
+}
+
+/** Returns the place of a position in the camera's view, whatever part of a window shows it. */
+std::array<double, 2> FindInView(vtkRenderer* renderer, const Vector3& position)
+{
+  double at[4] = { position.X, position.Y, position.Z, 1.0 };
+  renderer->GetActiveCamera()
+    ->GetCompositeProjectionTransformMatrix(1.0, -1.0, 1.0)
+    ->MultiplyPoint(at, at);
+  return { at[0] / at[3], at[1] / at[3] };
 }
 
 } // namespace
@@ -62,6 +73,7 @@ void TouchMode::Set(bool on)
     // unless it is disarmed already: then a force that fades continues to fade
     this->Scene.Device->Disarm();
   }
+  this->Scene.Style->SetHoldClicks(0);
   this->Scene.Style->Modified();
 }
 
@@ -103,6 +115,7 @@ void TouchMode::Begin(const Vector3* at)
   const vtkSmartPointer<vtkRenderer> renderer = this->Scene.ChooseRenderer();
   const bool leadsTip = this->Scene.IsVirtual() && renderer;
   Vector3 start;
+  const std::array<int, 2> pointer = this->FindPointer();
   this->IsBeginning = true;
   if (leadsTip && at)
   {
@@ -111,8 +124,7 @@ void TouchMode::Begin(const Vector3* at)
   else if (leadsTip)
   {
     const double* const focus = renderer->GetActiveCamera()->GetFocalPoint();
-    const int pointer[2] = { interactor->GetEventPosition()[0], interactor->GetEventPosition()[1] };
-    start = UnderPointer(renderer, pointer, { focus[0], focus[1], focus[2] });
+    start = UnderPointer(renderer, pointer.data(), { focus[0], focus[1], focus[2] });
     if (this->BeforeLanding)
     {
       this->BeforeLanding(renderer, start);
@@ -133,15 +145,12 @@ void TouchMode::Begin(const Vector3* at)
   {
     return;
   }
-  this->Held.IsKnown = false;
   if (leadsTip)
   {
-    this->Lead = start;
     device->GetVirtualHand()->Place(start.X, start.Y, start.Z);
-    if (!at)
-    {
-      this->HoldAt(interactor->GetEventPosition());
-    }
+    this->LeadTo(start);
+    this->IsNew = !at;
+    this->From = pointer;
   }
   this->IsTouching = true;
   if (!this->Workspace.IsClutched())
@@ -180,11 +189,8 @@ double TouchMode::GetDepthStep() const
 {
   const double wanted = this->Scene.Style->GetDepthStep();
   vtkImageData* const image = this->Scene.GetImage();
-  if (wanted > 0.0 || !image)
-  {
-    return wanted > 0.0 ? wanted : 1.0;
-  }
-  return SmallestSpacing(image);
+  const double least = image ? SmallestSpacing(image) : 1.0;
+  return wanted > 0.0 ? wanted : least;
 }
 
 double TouchMode::GetFineness() const
@@ -195,66 +201,58 @@ double TouchMode::GetFineness() const
 
 void TouchMode::LeadTo(const Vector3& world)
 {
+  vtkRenderer* const renderer = this->Scene.ChooseRenderer();
   this->Lead = world;
-  this->Held.IsKnown = false;
+  this->InWindow = FindInWindow(renderer, world);
+  this->InView = FindInView(renderer, world);
   this->Scene.Device->GetVirtualHand()->SetPosition(world.X, world.Y, world.Z);
+}
+
+std::array<int, 2> TouchMode::FindPointer() const
+{
+  const int* const at = this->Scene.Style->GetInteractor()->GetEventPosition();
+  return { at[0], at[1] };
+}
+
+void TouchMode::RecordMotion()
+{
+  this->From = this->IsNew ? this->From : this->To;
+  this->To = this->FindPointer();
+}
+
+std::array<int, 2> TouchMode::TakeMotion()
+{
+  this->IsNew = false;
+  this->To = this->FindPointer();
+  return std::exchange(this->From, this->To);
 }
 
 void TouchMode::MoveInDepth(double steps)
 {
   const double length = this->GetFineness() * steps * this->GetDepthStep();
-  const Grip held = this->Held;
-  this->LeadTo(this->Lead + length * LineOfSight(this->Scene.ChooseRenderer(), this->Lead));
-  this->Held = held; // the hand stays under the pointer
+  vtkRenderer* const renderer = this->Scene.ChooseRenderer();
+  const Vector3 start = this->FindStart(renderer);
+  this->LeadTo(start + length * LineOfSight(renderer, start));
 }
 
-void TouchMode::MoveInPlane(const int from[2], const int to[2])
+void TouchMode::MoveInPlane(const std::array<int, 2>& from, const std::array<int, 2>& to)
 {
   vtkRenderer* const renderer = this->Scene.ChooseRenderer();
-  int before[2] = { from[0], from[1] };
-  const Vector3 held = this->FindHeld(renderer, before);
   const Vector3 motion =
-    UnderPointer(renderer, to, this->Lead) - UnderPointer(renderer, before, this->Lead);
-  const Vector3 target = held + this->GetFineness() * motion;
+    UnderPointer(renderer, to.data(), this->Lead) - UnderPointer(renderer, from.data(), this->Lead);
+  const Vector3 target = this->FindStart(renderer) + this->GetFineness() * motion;
   const bool follows = this->Scene.Style->GetTipFollowsSurface() && this->HasSurfaces();
   this->LeadTo(follows ? this->ProjectOnSurface(renderer, target) : target);
-  this->HoldAt(to);
 }
 
-void TouchMode::HoldAt(const int pointer[2])
+Vector3 TouchMode::FindStart(vtkRenderer* renderer) const
 {
-  vtkRenderer* const renderer = this->Scene.ChooseRenderer();
-  const std::array<double, 2> at = FindInWindow(renderer, this->Lead);
-  for (int i = 0; i < 2; ++i)
-  {
-    this->Held.Pointer[i] = pointer[i];
-    this->Held.Offset[i] = at[i] - pointer[i];
-  }
-  vtkCamera* const camera = renderer->GetActiveCamera();
-  this->Held.Sight = FromArray(camera->GetDirectionOfProjection());
-  this->Held.Up = FromArray(camera->GetViewUp());
-  this->Held.IsKnown = true;
-}
-
-Vector3 TouchMode::FindHeld(vtkRenderer* renderer, int from[2]) const
-{
-  constexpr double turned = 1e-6; // least turn of the camera (rad)
-  constexpr double moved = 1.0;   // least motion of the picture (pixels)
-  vtkCamera* const camera = renderer->GetActiveCamera();
-  // After a turn, the hand goes on from where it is, so that it can be looked at from all sides.
-  const bool isTurned =
-    Norm(this->Held.Sight - FromArray(camera->GetDirectionOfProjection())) > turned ||
-    Norm(this->Held.Up - FromArray(camera->GetViewUp())) > turned;
-  if (!this->Held.IsKnown || isTurned)
-  {
-    return this->Lead;
-  }
-  std::copy_n(this->Held.Pointer, 2, from);
-  const std::array<double, 2> now = FindInWindow(renderer, this->Lead);
-  const double wanted[2] = { from[0] + this->Held.Offset[0], from[1] + this->Held.Offset[1] };
-  return std::hypot(now[0] - wanted[0], now[1] - wanted[1]) < moved
-    ? this->Lead
-    : UnderPointer(renderer, wanted, this->Lead);
+  constexpr double same = 1e-6; // greatest change of the place in the view (halves of its height)
+  const std::array<double, 2> now = FindInView(renderer, this->Lead);
+  // After a motion of the camera, the hand goes on from where it is.
+  return std::hypot(now[0] - this->InView[0], now[1] - this->InView[1]) < same
+    ? UnderPointer(renderer, this->InWindow.data(), this->Lead)
+    : this->Lead;
 }
 
 void TouchMode::KeepInWindow(const std::function<void()>& zoom)
@@ -286,10 +284,7 @@ bool TouchMode::IsOutOfView() const
     return false;
   }
   const std::array<double, 2> at = FindInWindow(renderer, this->Lead);
-  const int* const origin = renderer->GetOrigin();
-  const int* const size = renderer->GetSize();
-  return at[0] < origin[0] || at[0] >= origin[0] + size[0] || at[1] < origin[1] ||
-    at[1] >= origin[1] + size[1];
+  return !renderer->IsInViewport(static_cast<int>(at[0]), static_cast<int>(at[1]));
 }
 
 double TouchMode::GetTravelTime() const

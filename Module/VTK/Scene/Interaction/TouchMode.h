@@ -10,6 +10,7 @@
 
 #include "VTK/Scene/Interaction/TouchedScene.h"
 
+#include <array>
 #include <functional>
 
 namespace VolumeHaptics
@@ -55,9 +56,13 @@ public:
    * Moves the tip as the pointer moves from one position to the next (pixels): along the surface,
    * or in the plane of the view. See vtkInteractorStyleHaptic::SetTipFollowsSurface.
    */
-  void MoveInPlane(const int from[2], const int to[2]);
-  /** Records where the pointer is (pixels) after a motion that did not move the hand with it. */
-  void HoldAt(const int pointer[2]);
+  void MoveInPlane(const std::array<int, 2>& from, const std::array<int, 2>& to);
+  /** Returns the position of the pointer (pixels). */
+  std::array<int, 2> FindPointer() const;
+  /** Records a motion of the pointer. Call this also if another part of the window uses it. */
+  void RecordMotion();
+  /** Returns where the motion begins (pixels) that has led the pointer to its present position. */
+  std::array<int, 2> TakeMotion();
   /** Zooms by a function, and pans the camera so that the hand stays where it is in the window. */
   void KeepInWindow(const std::function<void()>& zoom);
   /** Whether the hand is outside the renderer's part of the window. */
@@ -84,11 +89,10 @@ private:
   void Begin(const Vector3* at);
   double GetDepthStep() const;
   /**
-   * Returns the position from which the next motion begins: the target, or where the pointer holds
-   * it, if the picture has moved in the window since the last motion. Sets `from` (pixels) to where
-   * the pointer was then, because windows do not report all its positions.
+   * Returns the position from which the next motion begins: the target, or if the window shows the
+   * same view elsewhere since the last motion, the position that is now where the target was.
    */
-  Vector3 FindHeld(vtkRenderer* renderer, int from[2]) const;
+  Vector3 FindStart(vtkRenderer* renderer) const;
   /** Whether the felt method has surfaces that the tip can follow. */
   bool HasSurfaces() const;
   /**
@@ -101,20 +105,14 @@ private:
   HapticWindowWatch& Window;
   const WorkspaceControl& Workspace;
   bool IsTouching = false;
-  bool IsPressed = false;   ///< whether PressButton has pressed the button
-  bool IsBeginning = false; ///< whether Begin() is running and was not cancelled
-  Vector3 Lead;             ///< target of the tip (world)
-
-  /** How the pointer holds the hand. */
-  struct Grip
-  {
-    bool IsKnown = false;
-    int Pointer[2] = {};   ///< pixels
-    double Offset[2] = {}; ///< pixels: from the pointer to the target
-    Vector3 Sight;         ///< the camera's direction
-    Vector3 Up;            ///< the camera's upward direction
-  };
-  Grip Held;
+  bool IsPressed = false;           ///< whether PressButton has pressed the button
+  bool IsBeginning = false;         ///< whether Begin() is running and was not cancelled
+  Vector3 Lead;                     ///< target of the tip (world)
+  std::array<double, 2> InWindow{}; ///< where the last motion has led the target (pixels)
+  std::array<double, 2> InView{};   ///< the same for the camera's view
+  std::array<int, 2> From{};        ///< where the last motion of the pointer began (pixels)
+  std::array<int, 2> To{};          ///< where it ended
+  bool IsNew = false;               ///< whether the style got no motion since the mode began
 };
 
 } // namespace VolumeHaptics

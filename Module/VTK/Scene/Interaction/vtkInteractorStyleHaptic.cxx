@@ -48,6 +48,10 @@ struct vtkInteractorStyleHaptic::vtkInternals
     this->TimerObserver->SetClientData(this);
     this->TimerObserver->SetCallback([](vtkObject*, unsigned long, void* internals, void* id)
       { static_cast<vtkInternals*>(internals)->FiredTimer = id ? *static_cast<int*>(id) : 0; });
+    this->MotionObserver->SetClientData(this);
+    this->MotionObserver->SetCallback([](vtkObject*, unsigned long, void* internals, void*)
+      { static_cast<vtkInternals*>(internals)->Interaction.Touch.RecordMotion(); });
+    this->MotionObserver->SetPassiveObserver(1); // so that it gets what others use
     this->EnableObserver->SetClientData(self);
     this->EnableObserver->SetCallback(
       [](vtkObject*, unsigned long, void* style, void*)
@@ -91,6 +95,7 @@ struct vtkInteractorStyleHaptic::vtkInternals
   int FiredTimer = 0;
   bool SharesTimers = false; ///< whether a timer event may come from any timer of the interactor
   vtkNew<vtkCallbackCommand> TimerObserver;
+  vtkNew<vtkCallbackCommand> MotionObserver;
   /**
    * whether the interactor is enabled; timer events before that are ignored, because wx has only
    * one kind
@@ -426,6 +431,7 @@ void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interact
     d.Interaction.LetGo();
     d.StopTimer(this->Interactor);
     this->Interactor->RemoveObserver(d.TimerObserver);
+    this->Interactor->RemoveObserver(d.MotionObserver);
     this->Interactor->RemoveObserver(d.EnableObserver);
     d.Interaction.Frames.SetWindow(nullptr);
   }
@@ -436,6 +442,7 @@ void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interact
   {
     d.StartTimer(this->Interactor, this->DisplayRate);
     this->Interactor->AddObserver(vtkCommand::ModifiedEvent, d.EnableObserver);
+    this->Interactor->AddObserver(vtkCommand::MouseMoveEvent, d.MotionObserver);
     // The priority is higher than the style's, so that this is called first.
     this->Interactor->AddObserver(vtkCommand::TimerEvent, d.TimerObserver, this->Priority + 1.0f);
   }

@@ -294,6 +294,18 @@ public:
   vtkBooleanMacro(TouchMode, bool);
   ///@}
 
+  ///@{
+  /**
+   * The number of clicks in the scene after which a hand that was held goes on. 1: the hand that
+   * the mouse leads stays where it is, so that the pointer can go to a button while the hand still
+   * presses; a click frees it. 2: a click holds it, and the next one frees it. Each click lowers
+   * the number by 1. A free hand goes on from where it is. The end of a touch frees it. Default: 0,
+   * free.
+   */
+  vtkSetClampMacro(HoldClicks, int, 0, 2);
+  vtkGetMacro(HoldClicks, int);
+  ///@}
+
   /**
    * Leave the touch mode and let the force fade. For a program that hides the view: a force that is
    * cut off would jump.
@@ -570,6 +582,7 @@ protected:
   bool TipFollowsSurface = true;
   bool AutoAdjustVolumeQuality = true;
   int FeltVolume = NEAREST;
+  int HoldClicks = 0;
   bool AutoAdjustOffScreen = false;
   bool WorkspaceFollowsCamera = true;
   double WorkspaceScale = 0.0;

@@ -11,6 +11,8 @@
 #include <vtkHapticHeadUpDisplay.h>
 #include <vtkInteractorObserver.h>
 
+#include <functional>
+
 using namespace scenetest;
 
 namespace
@@ -235,7 +237,7 @@ TEST_F(HeldHand, IsUnderThePointerAfterAnEditorHasTakenPartOfTheWindow)
 {
   this->Touch(320, 160);
   ASSERT_LT(this->Distance(320, 160), 1.0);
-  this->Press("V");
+  this->Press("u");
   this->Window->Render();
   ASSERT_GT(this->Distance(320, 160), 50.0) << "the picture is narrower";
   this->Pointer(322, 160);
@@ -297,6 +299,99 @@ TEST_F(HeldHand, StaysWhereItIsWhileTheViewIsTurned)
   this->Rest();
   const double moved[3] = { tip[0] - before[0], tip[1] - before[1], tip[2] - before[2] };
   EXPECT_LT(Length(moved), 0.3) << "a motion of one pixel";
+}
+
+TEST_F(HeldHand, StaysWhereItIsWhileTheViewIsMoved)
+{
+  this->Touch(320, 160);
+  const double* const tip = this->Device->GetState()->GetTipPosition();
+  const double before[3] = { tip[0], tip[1], tip[2] };
+  this->Pointer(320, 160, vtkCommand::MiddleButtonPressEvent);
+  this->Pointer(420, 130);
+  this->Pointer(420, 130, vtkCommand::MiddleButtonReleaseEvent);
+  this->Pointer(421, 130);
+  this->Rest();
+  const double panned[3] = { tip[0] - before[0], tip[1] - before[1], tip[2] - before[2] };
+  EXPECT_LT(Length(panned), 0.3) << "a motion of one pixel";
+  this->Renderer->GetActiveCamera()->Zoom(0.5);
+  this->Pointer(422, 130);
+  this->Rest();
+  const double moved[3] = { tip[0] - before[0], tip[1] - before[1], tip[2] - before[2] };
+  EXPECT_LT(Length(moved), 0.7) << "a motion of one pixel, and one that is twice as large";
+}
+
+TEST_F(HeldHand, GoesTheWayOfThePointerOnceWhateverIsBetween)
+{
+  this->Touch(320, 160);
+  const double* const tip = this->Device->GetState()->GetTipPosition();
+  const auto expectWay = [&](const char* between, const std::function<void()>& act)
+  {
+    this->Pointer(320, 160);
+    this->Rest();
+    const double before = tip[0];
+    act();
+    this->Pointer(310, 160, vtkCommand::LeftButtonPressEvent);
+    this->Pointer(310, 160, vtkCommand::LeftButtonReleaseEvent);
+    this->Pointer(330, 160);
+    this->Rest();
+    constexpr double pixel = 0.2; // mm
+    EXPECT_NEAR(tip[0] - before, 10.0 * pixel, 1e-3) << between;
+  };
+  expectWay("nothing", [] {});
+  expectWay("a hand that the wheel has led",
+    [this] { this->Pointer(320, 160, vtkCommand::MouseWheelBackwardEvent); });
+  expectWay("a camera that was rolled by half a turn and back",
+    [this]
+    {
+      this->Renderer->GetActiveCamera()->Roll(30.0);
+      this->Pointer(320, 160);
+      this->Renderer->GetActiveCamera()->Roll(-30.0);
+    });
+  // Another part of the window uses motions.
+  vtkNew<vtkCallbackCommand> other;
+  other->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+  other->AbortFlagOnExecuteOn();
+  const double before = tip[0];
+  this->Interactor->AddObserver(vtkCommand::MouseMoveEvent, other, 20.0f);
+  this->Pointer(400, 160);
+  this->Interactor->RemoveObserver(other);
+  this->Pointer(401, 160);
+  this->Rest();
+  EXPECT_LT(std::abs(tip[0] - before), 0.3) << "a motion of one pixel";
+}
+
+TEST_F(HeldHand, StaysUntilAClick)
+{
+  this->Touch(320, 160);
+  const double* const tip = this->Device->GetState()->GetTipPosition();
+  const double start[3] = { tip[0], tip[1], tip[2] };
+  const auto expectMotion = [&](double wanted, const char* what)
+  {
+    this->Rest();
+    const double moved[3] = { tip[0] - start[0], tip[1] - start[1], tip[2] - start[2] };
+    EXPECT_NEAR(Length(moved), wanted, 1e-3) << what;
+  };
+  const auto click = [this]
+  {
+    this->Pointer(400, 160, vtkCommand::LeftButtonPressEvent);
+    this->Run(5);
+    EXPECT_EQ(this->Device->GetState()->GetButtons(), 0);
+    this->Pointer(400, 160, vtkCommand::LeftButtonReleaseEvent);
+  };
+  this->Style->SetHoldClicks(2);
+  this->Pointer(325, 160);
+  expectMotion(1.0, "it is not held yet");
+  click();
+  this->Pointer(400, 160);
+  this->Pointer(400, 160, vtkCommand::MouseWheelForwardEvent);
+  expectMotion(1.0, "it is held");
+  click();
+  EXPECT_EQ(this->Style->GetHoldClicks(), 0);
+  this->Pointer(405, 160);
+  expectMotion(2.0, "it goes on from where it was");
+  this->Style->SetHoldClicks(1);
+  this->Style->TouchModeOff();
+  EXPECT_EQ(this->Style->GetHoldClicks(), 0) << "the end of a touch frees it";
 }
 
 TEST_F(HeldHand, IsSaidToBeOutsideTheView)
