@@ -7,7 +7,7 @@ set(sanitizers "-fsanitize=address,undefined" -fno-sanitize=vptr -fno-sanitize-r
 set(instrumented -O1 -gline-tables-only -fsanitize=fuzzer-no-link ${sanitizers})
 get_target_property(library VTK::VolumeHaptics ALIASED_TARGET)
 set(module "${PROJECT_SOURCE_DIR}/Module")
-file(GLOB readers "${module}/VTK/Base/Nrrd*.cxx" "${module}/VTK/Base/HapticFiles.cxx" "${module}/VTK/Material/Labels/*.cxx"
+file(GLOB readers "${module}/VTK/Base/Nrrd*.cxx" "${module}/VTK/Material/Labels/*.cxx"
   "${module}/VTK/Reading/vtk*.cxx" "${module}/VTK/Regions/*.cxx" "${module}/VTK/Regions/Formats/*.cxx")
 set_property(SOURCE ${readers} TARGET_DIRECTORY "${library}" APPEND PROPERTY COMPILE_OPTIONS ${instrumented})
 foreach (objects IN ITEMS VolumeHapticsReading VolumeHapticsInputFiles)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TouchLabels.h"
 
+#include "Core/Platform/HapticFiles.h"
 #include "Dealer.h"
-#include "VTK/Base/HapticFiles.h"
 #include "VTK/Material/Labels/ColorTables.h"
 #include "VTK/Material/Labels/CsvLabels.h"
 #include "VTK/Material/Labels/NiftiLabels.h"

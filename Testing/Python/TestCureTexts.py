@@ -347,7 +347,11 @@ NONE = (
     "HapticTouch…Touch with the mouse", "Functions from a file, for Custom", "What is felt now to a file", "HapticShowAsCT…Show as CT volume",
     "Load a preset…Presets", "Save the preset…Presets", "Record to…Traces", "no active scalars: point array",
     ": ….\\n  Cure: ….", "A is kept. Change something", "Arm with an hfab controller, if it is one", "Put the pointer on the volume and press", "The hand is outside the view",
-    "turn the view and keep touching", "turn the tool", "turn it about the line of sight", "propose functions; take them",
+    "propose functions; take them",
+    # Commands of the bar and of its menu, and the program that asks for a file.
+    "Touch…t…touch what is under the pointer", "RemoveLast…Delete…", "Record…Record a movie", "kdialog…--title",
+    "Touch…hold the hand where it is", "…hold: click where the hand", "Tool…save the track", "File…save measurements",
+    "Preset…save the materials", "File…open a file", "File…show as labels",
 )
 
 # A text of the sources: what stands between semicolons and braces, with its literals joined.

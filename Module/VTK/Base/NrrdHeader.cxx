@@ -3,7 +3,7 @@
 #include "VTK/Base/NrrdHeader.h"
 
 #include "Core/Math/NumberText.h"
-#include "VTK/Base/HapticFiles.h"
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Base/LengthUnit.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Base/XmlFiles.h"
 
-#include "VTK/Base/FileReplacement.h"
+#include "Core/Platform/FileReplacement.h"
 #include "VTK/Base/XmlStructure.h"
 
 #include "vtkCallbackCommand.h"

@@ -3,7 +3,7 @@
 #include "VTK/Base/XmlStructure.h"
 
 #include "Core/Platform/Files.h"
-#include "VTK/Base/HapticFiles.h"
+#include "Core/Platform/HapticFiles.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkLZ4DataCompressor.h"

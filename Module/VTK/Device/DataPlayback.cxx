@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Device/DataPlayback.h"
 
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Baking/HapticPlacement.h"
-#include "VTK/Base/HapticFiles.h"
 #include "VTK/Device/Playback/HapticChangeTime.h"
 #include "VTK/Device/Playback/StreamedTimeSpan.h"
 #include "VTK/Filter/FilterTimeSteps.h"

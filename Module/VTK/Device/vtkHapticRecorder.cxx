@@ -3,8 +3,8 @@
 #include "vtkHapticRecorder.h"
 
 #include "Core/Platform/Files.h"
+#include "Core/Platform/HapticFiles.h"
 #include "Core/Realtime/BackgroundWork.h"
-#include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/HapticHash.h"
 #include "VTK/Base/TouchedArray.h"
 #include "VTK/Device/DeviceParts.h"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticXRController.h"
 
+#include "Core/Platform/FileReplacement.h"
+#include "Core/Platform/HapticFiles.h"
 #include "Core/Realtime/ServoClock.h"
 #include "Devices/Pad/Vibration.h"
-#include "VTK/Base/FileReplacement.h"
-#include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/JsonText.h"
 #include "VTK/Experimental/HapticXRControllerSettings.h"
 

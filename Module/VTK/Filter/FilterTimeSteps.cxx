@@ -3,7 +3,7 @@
 #include "VTK/Filter/FilterTimeSteps.h"
 
 #include "Core/Model/BakedVolume.h"
-#include "VTK/Base/HapticFiles.h"
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Base/HapticNoise.h"
 #include "VTK/Base/HapticVolume.h"
 #include "VTK/Filter/HapticBaker.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Filter/HapticBaker.h"
 
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Baking/HapticCut.h"
 #include "VTK/Baking/HapticPlacement.h"
-#include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/HapticVolume.h"
 #include "VTK/Base/WholeFacts.h"
 #include "VTK/Base/vtkVolumeHapticsCompat.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Filter/PathTouch.h"
 
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Baking/ImageTimeSteps.h"
-#include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/vtkVolumeHapticsCompat.h"
 #include "VTK/Filter/FilterTimeSteps.h"
 #include "VTK/Filter/HapticBaker.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Material/HapticPresets.h"
 
-#include "VTK/Base/FileReplacement.h"
-#include "VTK/Base/HapticFiles.h"
+#include "Core/Platform/FileReplacement.h"
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Base/HapticNoise.h"
 #include "VTK/Base/HapticSetupNode.h"
 #include "VTK/Base/HapticVolume.h"

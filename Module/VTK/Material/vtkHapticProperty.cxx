@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticProperty.h"
 
-#include "VTK/Base/HapticFiles.h"
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Material/HapticFunctions.h"
 #include "VTK/Material/HapticPresets.h"
 #include "VTK/Material/HapticPropertySettings.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticMeasurements.h"
 
-#include "VTK/Base/HapticFiles.h"
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Base/HapticTuples.h"
 #include "VTK/Material/Labels/LabelText.h"
 #include "VTK/Measure/HapticMeasurementSettings.h"

@@ -4,7 +4,7 @@
 
 #include "Core/Field/FieldSampler.h"
 #include "Core/Math/SymmetricEigen.h"
-#include "VTK/Base/HapticFiles.h"
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Base/HapticVolume.h"
 #include "VTK/Modes/HapticModeKinds.h"
 #include "VTK/Modes/HapticModes.h"

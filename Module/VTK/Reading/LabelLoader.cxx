@@ -6,7 +6,7 @@
 #include "VTK/Reading/MessageCapture.h"
 #include "VTK/Reading/VolumeChecks.h"
 
-#include "VTK/Base/HapticFiles.h"
+#include "Core/Platform/HapticFiles.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"

@@ -13,8 +13,8 @@
 #include "VTK/Reading/VolumeOrientation.h"
 #include "VTK/Reading/WholeFile.h"
 
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Base/ArrayMemory.h"
-#include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/NrrdHeader.h"
 #include "VTK/Material/Labels/SegmentationFile.h"
 #include "VTK/Regions/Formats/HeaderText.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Reading/WholeFile.h"
 
-#include "VTK/Base/HapticFiles.h"
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Base/XmlStructure.h"
 
 #include <vtksys/RegularExpression.hxx>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticVolumeReader.h"
 
+#include "Core/Platform/HapticFiles.h"
 #include "Core/Platform/ReaderProcess.h"
-#include "VTK/Base/HapticFiles.h"
 #include "VTK/Reading/ForeignData.h"
 #include "VTK/Reading/GridLoader.h"
 #include "VTK/Reading/InputError.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticRegionFilter.h"
 
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Base/ArrayMemory.h"
-#include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/HapticNoise.h"
 #include "VTK/Base/OutsideFiller.h"
 #include "VTK/Base/WholeFacts.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticRegionSource.h"
 
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Base/ArrayMemory.h"
 #include "VTK/Base/ByteOrder.h"
-#include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/HapticVolume.h"
 #include "VTK/Base/LengthUnit.h"
 #include "VTK/Regions/CoarseImage.h"

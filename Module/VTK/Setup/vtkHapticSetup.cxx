@@ -3,9 +3,9 @@
 #include "vtkHapticSetup.h"
 
 #include "Core/Model/HapticModel.h"
+#include "Core/Platform/FileReplacement.h"
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Baking/HapticPlacement.h"
-#include "VTK/Base/FileReplacement.h"
-#include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/HapticSetupNode.h"
 #include "VTK/Filter/HapticFilterSettings.h"
 #include "VTK/Material/HapticSetupMaterials.h"

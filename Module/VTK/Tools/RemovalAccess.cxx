@@ -3,9 +3,9 @@
 #include "VTK/Tools/RemovalAccess.h"
 
 #include "Core/Carving/TissueImage.h"
+#include "Core/Platform/HapticFiles.h"
 #include "Core/Tools/PointShell/BakedShell.h"
 #include "VTK/Base/ArrayMemory.h"
-#include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/XmlFiles.h"
 
 #include "vtkDataArray.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticRemoval.h"
 
-#include "VTK/Base/HapticFiles.h"
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Tools/RemovalAccess.h"
 #include "VTK/Tools/TissueArrays.h"
 

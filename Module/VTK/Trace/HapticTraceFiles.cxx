@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/HapticTraceFiles.h"
 
-#include "VTK/Base/HapticFiles.h"
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Base/HapticTuples.h"
 #include "VTK/Base/XmlFiles.h"
 #include "VTK/Trace/RecordingNames.h"

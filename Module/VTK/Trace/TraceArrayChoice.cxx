@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/TraceArrayChoice.h"
 
-#include "VTK/Base/HapticFiles.h"
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Tools/ToolArrays.h"
 #include "VTK/Trace/HapticTraceColumns.h"
 

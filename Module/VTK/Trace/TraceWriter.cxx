@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/TraceWriter.h"
 
-#include "VTK/Base/FileReplacement.h"
+#include "Core/Platform/FileReplacement.h"
 #include "VTK/Base/XmlFiles.h"
 #include "VTK/Trace/HapticTraceColumns.h"
 

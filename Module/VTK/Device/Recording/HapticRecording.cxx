@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Device/Recording/HapticRecording.h"
 
+#include "Core/Platform/HapticFiles.h"
 #include "Core/Servo/ServoLoop.h"
 #include "Core/State/ServoStateNumbers.h"
 #include "Core/Tools/PointShell/BakedShell.h"
-#include "VTK/Base/HapticFiles.h"
 #include "VTK/Device/Recording/HapticRecordingFile.h"
 #include "VTK/Device/Recording/JournalReader.h"
 #include "VTK/Trace/HapticTraceFiles.h"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Device/Recording/HapticRecordingFile.h"
 
+#include "Core/Platform/FileReplacement.h"
 #include "Core/Platform/Files.h"
+#include "Core/Platform/HapticFiles.h"
 #include "Core/State/ServoStateNumbers.h"
-#include "VTK/Base/FileReplacement.h"
-#include "VTK/Base/HapticFiles.h"
 #include "VTK/Device/Recording/HapticJournal.h"
 #include "VTK/Device/Recording/JournalReader.h"
 #include "VTK/Tools/TissueArrays.h"

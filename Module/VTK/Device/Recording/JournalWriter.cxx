@@ -3,7 +3,7 @@
 #include "VTK/Device/Recording/JournalWriter.h"
 
 #include "Core/Platform/Files.h"
-#include "VTK/Base/HapticFiles.h"
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Device/Recording/HapticJournal.h"
 #include "VTK/Trace/HapticTraceColumns.h"
 

@@ -3,7 +3,7 @@
 #include "VTK/Material/Labels/LabelFiles.h"
 
 #include "Core/Platform/Files.h"
-#include "VTK/Base/HapticFiles.h"
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Material/Labels/ColorTables.h"
 #include "VTK/Material/Labels/CsvLabels.h"
 #include "VTK/Material/Labels/LabelEntry.h"

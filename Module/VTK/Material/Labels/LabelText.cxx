@@ -3,7 +3,7 @@
 #include "VTK/Material/Labels/LabelText.h"
 
 #include "Core/Math/NumberText.h"
-#include "VTK/Base/HapticFiles.h"
+#include "Core/Platform/HapticFiles.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include "VTK/Material/Labels/SegmentationFile.h"
 
 #include "Core/Platform/Files.h"
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Base/ArrayMemory.h"
-#include "VTK/Base/HapticFiles.h"
 #include "VTK/Material/Labels/LabelFiles.h"
 #include "VTK/Material/Labels/NrrdLabels.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticLabelTable.h"
 
-#include "VTK/Base/FileReplacement.h"
-#include "VTK/Base/HapticFiles.h"
+#include "Core/Platform/FileReplacement.h"
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Base/XmlFiles.h"
 #include "VTK/Material/Labels/CsvLabels.h"
 #include "VTK/Material/Labels/LabelEntry.h"

@@ -5,8 +5,8 @@
 #include "VTK/Reading/Dicom/DicomProcess.h"
 #include "VTK/Reading/InputError.h"
 
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Base/ArrayMemory.h"
-#include "VTK/Base/HapticFiles.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"

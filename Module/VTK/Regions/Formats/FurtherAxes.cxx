@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Regions/Formats/FurtherAxes.h"
 
-#include "VTK/Base/HapticFiles.h"
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Regions/Formats/LargeFile.h"
 
 #include <algorithm>

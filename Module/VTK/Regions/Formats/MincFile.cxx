@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Regions/Formats/LargeFile.h"
 
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Base/ByteOrder.h"
-#include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/LengthUnit.h"
 #include "VTK/Regions/Formats/FurtherAxes.h"
 #include "VTK/Regions/Formats/OpenedFile.h"

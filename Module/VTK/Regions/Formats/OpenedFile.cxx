@@ -3,7 +3,7 @@
 #include "VTK/Regions/Formats/OpenedFile.h"
 
 #include "Core/Platform/Files.h"
-#include "VTK/Base/HapticFiles.h"
+#include "Core/Platform/HapticFiles.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -7,11 +7,11 @@
  */
 #include "VTK/Regions/Formats/LargeFile.h"
 
+#include "Core/Platform/HapticFiles.h"
 #include "Core/Platform/PackedBytes.h"
 #include "Core/Platform/ReaderProcess.h"
 #include "VTK/Base/ArrayMemory.h"
 #include "VTK/Base/ByteOrder.h"
-#include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/JsonText.h"
 #include "VTK/Base/LengthUnit.h"
 #include "VTK/Base/NameOrder.h"

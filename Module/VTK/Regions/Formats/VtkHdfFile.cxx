@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Regions/Formats/LargeFile.h"
 
+#include "Core/Platform/HapticFiles.h"
 #include "Core/Platform/PackedBytes.h"
 #include "Core/Platform/ReaderProcess.h"
 #include "VTK/Base/ByteOrder.h"
-#include "VTK/Base/HapticFiles.h"
 #include "VTK/Regions/Formats/ChunkCodecs.h"
 #include "VTK/Regions/Formats/ChunkedVolume.h"
 #include "VTK/Regions/Formats/FurtherAxes.h"

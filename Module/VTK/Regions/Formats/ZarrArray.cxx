@@ -3,8 +3,8 @@
 #include "VTK/Regions/Formats/ZarrArray.h"
 
 #include "Core/Platform/Files.h"
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Base/ByteOrder.h"
-#include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/JsonText.h"
 #include "VTK/Regions/Formats/ChunkCodecs.h"
 #include "VTK/Regions/Formats/LargeFile.h"

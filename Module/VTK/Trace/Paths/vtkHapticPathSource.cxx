@@ -3,7 +3,7 @@
 #include "vtkHapticPathSource.h"
 
 #include "Core/Math/Vector3.h"
-#include "VTK/Base/HapticFiles.h"
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Trace/HapticTraceFiles.h"
 #include "VTK/Trace/Paths/HapticPathSettings.h"
 #include "VTK/Trace/RecordedLabels.h"

@@ -7,7 +7,7 @@
 
 #include "RecorderRig.h"
 
-#include "VTK/Base/HapticFiles.h"
+#include "Core/Platform/HapticFiles.h"
 #include "VTK/Device/Recording/TickCollector.h"
 #include "VTK/Tools/ToolArrays.h"
 

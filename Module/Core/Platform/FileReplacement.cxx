@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Base/FileReplacement.h"
+#include "Core/Platform/FileReplacement.h"
 
 #include "Core/Platform/Files.h"
-#include "VTK/Base/HapticFiles.h"
+#include "Core/Platform/HapticFiles.h"
 
 #include <cerrno>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Base/HapticFiles.h"
+#include "Core/Platform/HapticFiles.h"
 
 #include "Core/Platform/Files.h"
 
