@@ -111,7 +111,7 @@ TEST_F(MeasureTest, APointHasTheValueThatWasFeltThere)
   this->List->AddMeasurement(
     vtkHapticMeasurements::POINT, MakeFelt({ OnSphere(3.0, 4.0) }), "Nasion");
   EXPECT_EQ(this->List->GetValue(1), 53.0);
-  EXPECT_EQ(this->List->GetText(1), "Nasion: 53.0");
+  EXPECT_EQ(this->List->GetText(1), "Nasion: value 53.0");
 }
 
 TEST_F(MeasureTest, LengthsHaveTheUnitOfTheWorld)

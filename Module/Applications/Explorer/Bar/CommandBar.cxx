@@ -267,8 +267,8 @@ bool CommandBar::Handle(unsigned long event)
       this->PointAt(-1, -1);
       return false;
     case vtkCommand::KeyPressEvent:
-      this->EndMenu();
-      // The key does what it does without a menu. If it lets go, nothing may come before that.
+      // The key does what it does without a menu. If it lets go, nothing may come before that, not
+      // even a frame.
       this->HideMenu();
       return false;
     case vtkCommand::TimerEvent:
@@ -296,7 +296,7 @@ bool CommandBar::Handle(unsigned long event)
       }
       const Icon opener = this->Opener;
       const Command chosen = row >= 0 ? this->Rows[static_cast<std::size_t>(row)].What : Command();
-      this->CloseMenu();
+      this->HideMenu(); // the command comes before the frame, because it may let go
       if (row >= 0)
       {
         this->All.Run(chosen);
@@ -309,6 +309,7 @@ bool CommandBar::Handle(unsigned long event)
           this->Activate(chosenButton);
         }
       }
+      this->EndMenu();
       return this->HasPress[pressed];
     }
     case vtkCommand::RightButtonPressEvent:

@@ -278,11 +278,11 @@ void WindowFiles::OpenDialog()
 {
   const std::string path = Files::CollapseFullPath(this->Now.Path);
   const std::string folder = Files::GetFilenamePath(path);
+  this->EndTouch(); // first, because starting a program takes time
   if (this->Dialog.IsOpen())
   {
     return;
   }
-  this->EndTouch(); // first, because starting a program takes time
   if (!this->Dialog.Open(folder))
   {
     this->ListFolder(folder, path);

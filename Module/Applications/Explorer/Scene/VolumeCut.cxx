@@ -216,11 +216,10 @@ void VolumeCut::AddCommands(CommandTable& table)
         : this->Kind == CutKind::Plane && this->HasBox ? CutKind::Box
                                                        : CutKind::None);
   };
-  const auto isCut = [this] { return this->Kind != CutKind::None; };
   table.Add(this, { "Cut", "plane; box; none", "x", next, nullptr, nullptr });
   table.Add(this,
     { "Cut", "swap the kept and the hidden part", "e", [this] { this->TurnOver(); }, nullptr,
-      isCut });
+      nullptr });
   table.Add(this,
     { "Cut", "feel the cut faces: on; off", "z",
       [this] { this->Filter->SetFeelCutFaces(!this->Filter->GetFeelCutFaces()); },
@@ -259,6 +258,10 @@ void VolumeCut::SetKind(CutKind kind)
 
 void VolumeCut::TurnOver()
 {
+  if (this->Kind == CutKind::None)
+  {
+    return; // still a command: VTK's own e would close the window
+  }
   if (this->Kind == CutKind::Plane)
   {
     double normal[3];

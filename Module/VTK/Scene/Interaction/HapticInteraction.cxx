@@ -595,13 +595,17 @@ void HapticInteraction::HomeDevices()
 //------------------------------------------------------------------------------
 bool HapticInteraction::TypeKey(const std::string& typed) const
 {
-  // In the touch mode, do not pass on keys of the superclass that would disturb: f would fly the
-  // camera away from the hand. Never pass on keys that have an action here: m starts an animation,
-  // p picks a prop, s shows surfaces, 3 shows two pictures for red and blue glasses. Nor pass on
-  // keys to which the application has moved an action.
+  // While a hand touches or is armed, do not pass on keys of the superclass that would disturb: f
+  // would fly the camera away from the hand, and the workspace of a device with it. Never pass on
+  // keys that have an action here: m starts an animation, p picks a prop, s shows surfaces, 3 shows
+  // two pictures for red and blue glasses. Nor pass on keys to which the application has moved an
+  // action.
   const std::string key = this->FindAction(typed);
-  return (this->Touch.IsOn() && (typed == "f" || typed == "F")) || key == "m" || key == "j" ||
-    (key == "s" && this->Scene.Slices) || ((key == "p" || key == "u") && this->Scene.Editor) ||
+  const bool isBusy = this->Touch.IsOn() || this->Second.IsArmOrdered() ||
+    (this->Scene.Device && this->Scene.Device->IsArmOrdered());
+  const bool flies = typed == "f" || typed == "F" || typed == "Ctrl+f" || typed == "Ctrl+F";
+  return (isBusy && flies) || key == "m" || key == "j" || (key == "s" && this->Scene.Slices) ||
+    ((key == "p" || key == "u") && this->Scene.Editor) ||
     (key == "3" && this->Scene.Measurements) || (!key.empty() && key != typed);
 }
 

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 
 namespace VolumeHaptics
 {
@@ -65,6 +66,9 @@ public:
   std::array<int, 2> TakeMotion();
   /** Zooms by a function, and pans the camera so that the hand stays where it is in the window. */
   void KeepInWindow(const std::function<void()>& zoom);
+
+  /** Lets the next motion go on from where the hand is, whatever the view has done meanwhile. */
+  void ForgetView() { this->InView.fill(std::numeric_limits<double>::quiet_NaN()); }
   /** Whether the hand is outside the renderer's part of the window. */
   bool IsOutOfView() const;
   /** Returns the factor for motions of the mouse, which is smaller with Shift. */

@@ -14,6 +14,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -237,6 +238,20 @@ void vtkInteractorStyleHaptic::SetTouchMode(bool on)
 bool vtkInteractorStyleHaptic::GetTouchMode()
 {
   return this->Internals->Interaction.Touch.IsOn();
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::SetHoldClicks(int clicks)
+{
+  const int before = std::exchange(this->HoldClicks, std::clamp(clicks, 0, 2));
+  if (before == 1 && this->HoldClicks != 1)
+  {
+    this->Internals->Interaction.Touch.ForgetView();
+  }
+  if (before != this->HoldClicks)
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------

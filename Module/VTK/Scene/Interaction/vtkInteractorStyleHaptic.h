@@ -302,8 +302,8 @@ public:
    * the number by 1. A free hand goes on from where it is. The end of a touch frees it. Default: 0,
    * free.
    */
-  vtkSetClampMacro(HoldClicks, int, 0, 2);
-  vtkGetMacro(HoldClicks, int);
+  void SetHoldClicks(int clicks);
+  int GetHoldClicks() { return this->HoldClicks; }
   ///@}
 
   /**

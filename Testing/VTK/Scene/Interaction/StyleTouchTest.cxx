@@ -394,6 +394,22 @@ TEST_F(HeldHand, StaysUntilAClick)
   EXPECT_EQ(this->Style->GetHoldClicks(), 0) << "the end of a touch frees it";
 }
 
+TEST_F(HeldHand, GoesOnFromWhereItIsIfThePictureHasChangedMeanwhile)
+{
+  this->Touch(320, 160);
+  const double* const tip = this->Device->GetState()->GetTipPosition();
+  const double start[3] = { tip[0], tip[1], tip[2] };
+  this->Style->SetHoldClicks(1);
+  this->Press("u");
+  this->Window->Render();
+  ASSERT_GT(this->Distance(320, 160), 50.0) << "the picture is narrower";
+  this->Style->SetHoldClicks(0);
+  this->Pointer(321, 160);
+  this->Rest();
+  const double moved[3] = { tip[0] - start[0], tip[1] - start[1], tip[2] - start[2] };
+  EXPECT_NEAR(Length(moved), 0.2, 0.1) << "a pixel's way";
+}
+
 TEST_F(HeldHand, IsSaidToBeOutsideTheView)
 {
   this->Touch(320, 160);
