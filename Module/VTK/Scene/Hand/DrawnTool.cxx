@@ -112,6 +112,8 @@ void DrawnTool::Update(vtkHapticDevice* device, const Quaternion& leaning)
     this->ToolTime = tool->GetMTime();
     this->Normals->SetInputData(kind->MakeShape(tool));
   }
+  // The state may still have the turn of the previous tool, when a needle without a shape is held.
+  this->Shown = this->Normals->GetNumberOfInputConnections(0) > 0;
   const Matrix3 rotation = ToMatrix(q);
   const double* const at = device->GetState()->GetProxyPosition();
   for (int row = 0; row < 3; ++row)
