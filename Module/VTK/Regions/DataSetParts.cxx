@@ -49,6 +49,15 @@ bool HasFaces(vtkUnstructuredGrid* grid)
 #endif
 }
 
+vtkDataArray* GetKinds(vtkUnstructuredGrid* grid)
+{
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 6, 0)
+  return grid->GetCellTypesArray();
+#else
+  return grid->GetCellTypes();
+#endif
+}
+
 bool HasPointsOf(vtkCellArray* cells, vtkIdType points)
 {
   double range[2] = { 0.0, -1.0 };
@@ -149,14 +158,19 @@ bool LackFaces(const std::vector<vtkDataSet*>& parts)
     [](vtkDataSet* part)
     {
       auto* const grid = vtkUnstructuredGrid::SafeDownCast(part);
-      vtkUnsignedCharArray* const types = grid ? grid->GetCellTypesArray() : nullptr;
+      vtkDataArray* const types = grid ? GetKinds(grid) : nullptr;
       if (!types || HasFaces(grid))
       {
         return false;
       }
-      const unsigned char* const first = types->GetPointer(0);
-      const unsigned char* const last = first + types->GetNumberOfTuples();
-      return std::find(first, last, static_cast<unsigned char>(VTK_POLYHEDRON)) != last;
+      for (vtkIdType i = 0; i < types->GetNumberOfTuples(); ++i)
+      {
+        if (types->GetComponent(i, 0) == VTK_POLYHEDRON)
+        {
+          return true;
+        }
+      }
+      return false;
     });
 }
 
@@ -174,7 +188,7 @@ std::string DetectFalseCells(const std::vector<vtkDataSet*>& parts)
     auto* const shape = vtkPolyData::SafeDownCast(part);
     vtkCellArray* const cells = grid ? grid->GetCells() : boxes ? boxes->GetCells() : nullptr;
     const vtkIdType count = part->GetNumberOfCells();
-    vtkUnsignedCharArray* const types = grid ? grid->GetCellTypesArray() : nullptr;
+    vtkDataArray* const types = grid ? GetKinds(grid) : nullptr;
     if ((grid && (!types || types->GetNumberOfValues() < count)) ||
       (boxes && (!cells || cells->GetNumberOfCells() < count)))
     {
