@@ -25,10 +25,11 @@ struct Command
   std::string Text;  // such as "open a file"
   std::string Key;   // such as "F8", "x" or "Ctrl+o"; empty: no key
   std::function<void()> Run;
-  std::function<bool()> IsOn;     // whether it is switched on or chosen; null: it has no state
-  std::function<bool()> IsUsable; // null: always
-  Icon Button = Icon::None;       // the button of the bar that runs the command, if there is one
-  std::function<bool()> TakesKey; // whether the key is for it now; null: always
+  std::function<bool()> IsOn =
+    nullptr; // whether it is switched on or chosen; null: it has no state
+  std::function<bool()> IsUsable = nullptr; // null: always
+  Icon Button = Icon::None; // the button of the bar that runs the command, if there is one
+  std::function<bool()> TakesKey = nullptr; // whether the key is for it now; null: always
 };
 
 /// A group of commands: a title of the menu, and perhaps a button that shows only the group.
