@@ -25,8 +25,7 @@ struct Command
   std::string Text;  // such as "open a file"
   std::string Key;   // such as "F8", "x" or "Ctrl+o"; empty: no key
   std::function<void()> Run;
-  std::function<bool()> IsOn =
-    nullptr; // whether it is switched on or chosen; null: it has no state
+  std::function<bool()> IsOn = nullptr;     // whether it is on or chosen; null: it has no state
   std::function<bool()> IsUsable = nullptr; // null: always
   Icon Button = Icon::None; // the button of the bar that runs the command, if there is one
   std::function<bool()> TakesKey = nullptr; // whether the key is for it now; null: always

@@ -84,7 +84,7 @@ struct FileChoice
   std::string Path;
   int Series = 0;            // see LoadVolumes
   bool AsLabels = false;     // whether the values are shown as labels
-  WindowPlace Place;         // of the window in which the file was chosen
+  WindowPlace Place = {};    // of the window in which the file was chosen
   bool HasMoreFiles = false; // whether it is the first one of several files
 };
 
