@@ -230,9 +230,8 @@ std::array<int, 2> TouchMode::TakeMotion()
 void TouchMode::MoveInDepth(double steps)
 {
   const double length = this->GetFineness() * steps * this->GetDepthStep();
-  vtkRenderer* const renderer = this->Scene.ChooseRenderer();
-  const Vector3 start = this->FindStart(renderer);
-  this->LeadTo(start + length * LineOfSight(renderer, start));
+  // From where the hand is: a press does not move it aside, even if the picture has changed.
+  this->LeadTo(this->Lead + length * LineOfSight(this->Scene.ChooseRenderer(), this->Lead));
 }
 
 void TouchMode::MoveInPlane(const std::array<int, 2>& from, const std::array<int, 2>& to)
