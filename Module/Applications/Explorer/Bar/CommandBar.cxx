@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Bar/CommandBar.h"
 
+#include "Applications/Explorer/View/PaintedItem.h"
 #include "VTK/Scene/Base/HapticPixels.h"
 
-#include "vtkAbstractContextItem.h"
 #include "vtkBrush.h"
 #include "vtkContext2D.h"
 #include "vtkContextScene.h"
-#include "vtkObjectFactory.h"
 #include "vtkPen.h"
 #include "vtkStdString.h"
 #include "vtkTextProperty.h"
@@ -100,16 +99,6 @@ void Fill(vtkImageData* image, int left, int bottom, int width, int height, cons
   }
 }
 
-/// Lets a context actor draw a bar.
-class BarItem : public vtkAbstractContextItem
-{
-public:
-  static BarItem* New();
-  vtkTypeMacro(BarItem, vtkAbstractContextItem);
-  bool Paint(vtkContext2D* painter) override { return this->Bar && this->Bar->Paint(painter); }
-  Explore::CommandBar* Bar = nullptr;
-};
-vtkStandardNewMacro(BarItem);
 } // namespace
 
 namespace Explore
@@ -131,8 +120,8 @@ CommandBar::CommandBar(
     { Icon::Preset, "Preset", {} }, { Icon::Tool, "Tool", {} }, { Icon::Cut, "Cut", {} },
     { Icon::Slices, "Slices", {} }, { Icon::Measure, "Measure", {} },
     { Icon::Record, "Record", {} }, { Icon::Play, "Play", {} }, { Icon::Look, "Look", {} } };
-  vtkNew<BarItem> item;
-  item->Bar = this;
+  vtkNew<PaintedItem> item;
+  item->Painter = [this](vtkContext2D* painter) { return this->Paint(painter); };
   this->Actor->GetScene()->AddItem(item);
   this->Renderer->AddViewProp(this->Actor);
   this->Renderer->InteractiveOff();
@@ -259,7 +248,7 @@ bool CommandBar::Handle(unsigned long event)
   {
     case vtkCommand::MouseMoveEvent:
       this->PointAt(x, y);
-      // What was begun in the scene goes on, also over the bar.
+      // A drag that began in the scene goes on over the bar.
       return this->IsMenuOpen ||
         (isOnBar &&
           std::find(this->IsDown.begin(), this->IsDown.end(), true) == this->IsDown.end());

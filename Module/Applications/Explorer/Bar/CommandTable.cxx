@@ -44,8 +44,7 @@ CommandTable::CommandTable()
       auto& commands = *static_cast<CommandTable*>(self);
       if (event == vtkCommand::KeyReleaseEvent)
       {
-        commands.ReleasedKey = commands.NameKey();
-        commands.Release = std::chrono::steady_clock::now();
+        commands.Repeat.RecordRelease(commands.NameKey());
         return;
       }
       // Neither the style nor VTK gets a key that has run a command.
@@ -206,12 +205,6 @@ std::string CommandTable::NameKey() const
   return this->Interactor->GetControlKey() != 0 ? CONTROL + ToLower(plain) : plain;
 }
 
-bool CommandTable::IsRepeat(const std::string& key) const
-{
-  constexpr std::chrono::milliseconds soon(15); // as VolumeHaptics::KeyRepeat
-  return key == this->ReleasedKey && std::chrono::steady_clock::now() - this->Release < soon;
-}
-
 void CommandTable::SetFacts(const std::string& facts)
 {
   this->Facts = facts;
@@ -229,7 +222,7 @@ void CommandTable::UpdateList()
 bool CommandTable::PressKey()
 {
   const std::string name = this->NameKey();
-  if (this->IsRepeat(name))
+  if (this->Repeat.IsRepeat(name))
   {
     return !this->UsedKey.empty(); // a held key runs its command once
   }

@@ -4,6 +4,7 @@
 #define Explore_CommandTable_h
 
 #include "Applications/Explorer/Bar/Icons.h"
+#include "VTK/Scene/Base/KeyRepeat.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkInteractorStyleHaptic.h"
@@ -11,7 +12,6 @@
 #include "vtkRenderWindowInteractor.h"
 #include "vtkSmartPointer.h"
 
-#include <chrono>
 #include <functional>
 #include <string>
 #include <vector>
@@ -87,9 +87,6 @@ private:
   };
 
   bool PressKey();
-  /// Whether a press is one that the window system repeats for a held key: an X server sends its
-  /// release at the same time.
-  bool IsRepeat(const std::string& key) const;
   std::string NameKey() const;
   void UpdateList();
   Command MakeAction(const std::string& name) const;
@@ -99,8 +96,7 @@ private:
   vtkSmartPointer<vtkInteractorStyleHaptic> Style;
   std::string Facts;
   std::string UsedKey; ///< key of the last command that was run by a key
-  std::string ReleasedKey;
-  std::chrono::steady_clock::time_point Release;
+  VolumeHaptics::KeyRepeat Repeat;
   vtkNew<vtkCallbackCommand> Observer;
 };
 } // namespace Explore

@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Live/HandLabel.h"
 
+#include "Applications/Explorer/View/PaintedItem.h"
 #include "VTK/Scene/Base/HapticPixels.h"
 
-#include "vtkAbstractContextItem.h"
 #include "vtkBrush.h"
 #include "vtkCamera.h"
 #include "vtkContext2D.h"
 #include "vtkContextScene.h"
 #include "vtkHapticTool.h"
 #include "vtkMath.h"
-#include "vtkObjectFactory.h"
 #include "vtkPen.h"
 #include "vtkTextProperty.h"
 
@@ -25,17 +24,6 @@ namespace
 constexpr int LETTERS = 11;          // points
 constexpr double TIP_GAP = 22.0;     // points between the tip and its label
 constexpr double SCALE_SHARE = 0.15; // least width of the scale, as a share of the view's
-
-/// Lets a context actor draw a label.
-class LabelItem : public vtkAbstractContextItem
-{
-public:
-  static LabelItem* New();
-  vtkTypeMacro(LabelItem, vtkAbstractContextItem);
-  bool Paint(vtkContext2D* painter) override { return this->Label && this->Label->Paint(painter); }
-  Explore::HandLabel* Label = nullptr;
-};
-vtkStandardNewMacro(LabelItem);
 
 std::string Format(double value, const char* unit)
 {
@@ -69,8 +57,8 @@ HandLabel::HandLabel(TouchScene& touch, const Exploration& exploration)
   , IsDark(exploration.Values.IsDark)
   , MillimetersPerUnit(1000.0 * exploration.Input.MetersPerUnit)
 {
-  vtkNew<LabelItem> item;
-  item->Label = this;
+  vtkNew<PaintedItem> item;
+  item->Painter = [this](vtkContext2D* painter) { return this->Paint(painter); };
   this->Actor->GetScene()->AddItem(item);
   touch.Scene.Overlay->AddViewProp(this->Actor);
   touch.Commands.Add(this,

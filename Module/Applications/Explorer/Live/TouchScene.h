@@ -71,7 +71,7 @@ struct TouchScene
 void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const SceneOptions& options,
   const DeviceChoice& device);
 
-/// What the next volume takes over from the one before it.
+/// The state of the window that the next volume keeps.
 struct WindowPlace
 {
   vtkSmartPointer<vtkRenderWindow> Window; // null: a new one is opened

@@ -7,9 +7,6 @@
 #ifndef KeyMap_h
 #define KeyMap_h
 
-#include "Core/Realtime/ServoClock.h"
-
-#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -96,37 +93,6 @@ private:
 
   std::map<std::string, std::string> Changed; ///< action -> keys
   bool HasNames = true;                       ///< whether the last key that was pressed had a name
-};
-
-/**
- * Distinguishes the presses that a window system repeats for a held key from real presses.
- *
- * An X server sends the release and the next press of a held key at the same time, and VTK passes
- * both. No hand presses a key again so soon.
- */
-class KeyRepeat
-{
-public:
-  void RecordRelease(const std::string& key)
-  {
-    this->Released = key;
-    this->ReleaseTime = ServoClock::Now();
-  }
-  bool IsRepeat(const std::string& key) const
-  {
-    constexpr double soon = 0.015; // s
-    return key == this->Released && ServoClock::SecondsSince(this->ReleaseTime) < soon;
-  }
-  /** Whether an action repeats while its key is held. `key` is the action's default key. */
-  static bool MayRepeat(const std::string& key)
-  {
-    return key == "plus" || key == "minus" || key == "comma" || key == "period" || key == "Left" ||
-      key == "Right" || key == "k";
-  }
-
-private:
-  std::string Released;
-  std::int64_t ReleaseTime = 0; ///< ServoClock
 };
 
 /**

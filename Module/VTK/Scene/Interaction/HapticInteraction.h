@@ -8,6 +8,7 @@
 #define HapticInteraction_h
 
 #include "VTK/Scene/Base/KeyMap.h"
+#include "VTK/Scene/Base/KeyRepeat.h"
 #include "VTK/Scene/Frames/HapticWindowWatch.h"
 #include "VTK/Scene/Interaction/FilterPublisher.h"
 #include "VTK/Scene/Interaction/MeasureKeys.h"
