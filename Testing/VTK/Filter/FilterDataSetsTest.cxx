@@ -141,6 +141,21 @@ protected:
 
   vtkNew<vtkHapticMode> Follow;
 };
+
+/// Gives a grid the eight corners of a unit cube, with the values 0 to 7.
+void SetCorners(vtkPointSet* grid)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> values;
+  values->SetName("height");
+  for (int i = 0; i < 8; ++i)
+  {
+    points->InsertNextPoint(i % 2, i / 2 % 2, i / 4);
+    values->InsertNextValue(static_cast<float>(i));
+  }
+  grid->SetPoints(points);
+  grid->GetPointData()->SetScalars(values);
+}
 } // namespace
 
 TEST_F(FilterDataSets, AreFeltAsTheFieldThatTheyHold)
@@ -235,17 +250,8 @@ TEST_F(FilterDataSets, WithCellsThatMakeNoSenseAreRefused)
   const auto make = [](int kind, std::initializer_list<vtkIdType> corners)
   {
     const vtkIdType good[] = { 0, 1, 2, 4 };
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkFloatArray> values;
-    values->SetName("height");
-    for (int i = 0; i < 8; ++i)
-    {
-      points->InsertNextPoint(i % 2, i / 2 % 2, i / 4);
-      values->InsertNextValue(static_cast<float>(i));
-    }
     auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-    grid->SetPoints(points);
-    grid->GetPointData()->SetScalars(values);
+    SetCorners(grid);
     grid->InsertNextCell(VTK_TETRA, 4, good);
     vtkNew<vtkCellArray> cells;
     cells->DeepCopy(grid->GetCells());
@@ -284,19 +290,10 @@ TEST_F(FilterDataSets, WithFacesOfOtherCellsAreRefused)
 {
   const auto make = [](vtkIdType last)
   {
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkFloatArray> values;
-    values->SetName("height");
-    for (int i = 0; i < 8; ++i)
-    {
-      points->InsertNextPoint(i % 2, i / 2 % 2, i / 4);
-      values->InsertNextValue(static_cast<float>(i));
-    }
     const vtkIdType corners[] = { 0, 1, 2, 4 };
     const vtkIdType faces[] = { 3, 0, 1, 2, 3, 0, 1, 4, 3, 0, 2, 4, 3, 1, 2, last };
     vtkNew<vtkUnstructuredGrid> grid;
-    grid->SetPoints(points);
-    grid->GetPointData()->SetScalars(values);
+    SetCorners(grid);
     grid->InsertNextCell(VTK_POLYHEDRON, 4, corners, 4, faces);
     return vtkSmartPointer<vtkUnstructuredGrid>(grid);
   };
@@ -313,21 +310,12 @@ TEST_F(FilterDataSets, ThatAreExplicitGridsWithCellsThatMakeNoSenseAreRefused)
 {
   const auto make = [](vtkIdType last, int count)
   {
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkFloatArray> values;
-    values->SetName("height");
-    for (int i = 0; i < 8; ++i)
-    {
-      points->InsertNextPoint(i % 2, i / 2 % 2, i / 4);
-      values->InsertNextValue(static_cast<float>(i));
-    }
     const vtkIdType corners[] = { 0, 1, 3, 2, 4, 5, 7, last };
     vtkNew<vtkCellArray> cells;
     cells->InsertNextCell(count, corners);
     vtkNew<vtkExplicitStructuredGrid> grid;
     grid->SetDimensions(2, 2, 2);
-    grid->SetPoints(points);
-    grid->GetPointData()->SetScalars(values);
+    SetCorners(grid);
     grid->SetCells(cells);
     return vtkSmartPointer<vtkExplicitStructuredGrid>(grid);
   };
