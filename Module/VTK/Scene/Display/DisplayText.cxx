@@ -214,7 +214,7 @@ double ComputeTissueValue(vtkHapticDevice* device)
   vtkImageData* const image = filter ? filter->GetTouchedImage() : nullptr;
   vtkDataArray* const scalars = image ? image->GetPointData()->GetScalars() : nullptr;
   const int component = filter ? filter->GetProperty()->GetComponent() : 0;
-  // Of a volume that moves, the image is another time step.
+  // If the volume moves, the image is not the time step that was felt.
   if (!scalars || component >= scalars->GetNumberOfComponents() ||
     device->GetPlayback()->HasTimeSteps())
   {

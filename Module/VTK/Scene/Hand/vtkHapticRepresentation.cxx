@@ -273,8 +273,8 @@ void vtkHapticRepresentation::UpdateMarkers()
   d.HasState = state->GetNumberOfPoints() > 0;
   const auto at = [&](vtkIdType point) { return FromArray(state->GetPoint(point)); };
   // After the hand has let go, it feels nothing, even with the tip in a surface. Then show no
-  // markers, unless the application moves the tip. Before the first touch show none at the origin
-  // of the device, where the tip is until somebody leads it.
+  // markers, unless the application moves the tip. Before the first touch, show none at the
+  // device's origin: the tip is there until the mouse or a program leads it.
   const bool isFelt = d.HasState && IsFelt(this->GetDevice());
   const Vector3 tip = d.HasState ? at(State::TIP) : Vector3{};
   const bool isFirst = d.HasState && !std::exchange(d.HadState, d.HasState) &&
