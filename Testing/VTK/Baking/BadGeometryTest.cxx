@@ -63,7 +63,7 @@ const BadImage BadGeometries[] = {
 };
 } // namespace
 
-/// The cure that the error names works: images with this many points are felt.
+/// Follows the error's advice: images with this many points are felt.
 TEST(ThinImages, AreFeltWithAsManyPointsAsTheErrorNames)
 {
   for (const auto& [radius, points] : { std::pair(1, 3), std::pair(2, 5), std::pair(4, 9) })

@@ -97,8 +97,8 @@ TEST_F(BadLabelsTest, GeometryNeedsLabels)
 
 TEST_F(BadLabelsTest, AThinImageIsFelt)
 {
-  // An image that is one voxel thin is accepted, since labels need no gradient. It is far away from
-  // the path.
+  // The image is one voxel thin, which labels allow, since they need no gradient. It is far away
+  // from the path.
   vtkNew<vtkImageData> thin;
   thin->SetDimensions(1, 4, 4);
   thin->SetOrigin(1e6, 0.0, 0.0);

@@ -73,7 +73,7 @@ const BadImage BadScalars[] = {
   { "ComponentWithoutMemory",
     [](auto* image, auto* filter)
     {
-      // An application gave its own memory to one of two components only.
+      // Only the first of the two components has memory, which an application gave.
       vtkNew<vtkSOADataArrayTemplate<float>> separate;
       separate->SetName("Density");
       separate->SetNumberOfComponents(2);
@@ -99,7 +99,7 @@ TEST_P(BadScalarsTest, GivesOneErrorAndRecovers)
 
 using ComponentMemory = ApiTest;
 
-/// The ramp is component 1 of two: first it has no memory, then it has.
+/// Uses component 1 of two: first the component has no memory, then it gets the values of the ramp.
 TEST_F(ComponentMemory, IsGivenAsTheErrorSays)
 {
   const vtkSmartPointer<vtkDataArray> density = this->Image->GetPointData()->GetScalars();

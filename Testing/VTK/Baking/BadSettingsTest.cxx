@@ -51,8 +51,8 @@ TEST_P(BadSettingTest, NeverReachesTheOutput)
     this->Filter->SetMethod(method);
     this->Log.Errors.clear();
     this->Filter->Update();
-    // Expects one error that names the setting and an empty output, or a setting that stays in its
-    // range.
+    // Expects one error that names the setting and an empty output, or no error if the setting was
+    // clamped to its range.
     EXPECT_LE(this->Log.Errors.size(), 1U);
     vtkPolyData* const output = this->Filter->GetOutput();
     EXPECT_EQ(output->GetNumberOfPoints(), this->Log.Errors.empty() ? 51 : 0);

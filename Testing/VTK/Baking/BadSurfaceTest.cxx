@@ -33,7 +33,7 @@ TEST_F(BadSurface, WithoutAnIsosurfaceThereIsAnErrorThatSaysTheRange)
 
 TEST_F(BadSurface, TheRangeOfALargeVolumeIsThatOfSomeSamples)
 {
-  // The volume has more than 2^26 samples, so only some of them are read for the range.
+  // Above 2^26 samples, the range of the values is computed from some of the samples only.
   constexpr int n = 408;
   vtkNew<vtkSignedCharArray> samples;
   samples->SetNumberOfValues(vtkIdType{ n } * n * n);

@@ -85,7 +85,7 @@ TEST(BakingOf, DuplicateScalarsIsAStepAtTheNode)
   const VolumeHaptics::PiecewiseTable<2> table(
     { VolumeHaptics::ToPolyline(function, 0.0), VolumeHaptics::ConstantPolyline(1.0) });
   EXPECT_NEAR(table(std::nextafter(5.0, 0.0))[0], 2.0, 1e-15);
-  // 2 in VTK 9.1, 8 in VTK 9.3: either node may count.
+  // At the doubled node, VTK 9.1 returns 2 and VTK 9.3 returns 8: the table must return the same.
   EXPECT_EQ(table(5.0)[0], function->GetValue(5.0));
   EXPECT_EQ(table(std::nextafter(5.0, 9.0))[0], 8.0);
   EXPECT_NEAR(table(2.5)[0], 1.5, 1e-15);
@@ -104,8 +104,9 @@ TEST(BakingOf, NoPointsMeansTheDefault)
 
 TEST(BakingOf, SmoothMaterialsStaySmall)
 {
-  // The four material functions have three smooth bumps each, and share no break point. With the
-  // kernel's table (by default a tenth of that), the model must stay below 1 MiB.
+  // Each of the four material functions has three smooth bumps, and no two functions have a break
+  // point in common. The table must take less than 900 kB, so that the model stays below 1 MiB with
+  // the kernel's table (by default a tenth as large).
   std::array<VolumeHaptics::Polyline, 5> lines;
   lines.fill(VolumeHaptics::ConstantPolyline(1.0));
   for (int f = 0; f < 4; ++f)

@@ -32,7 +32,7 @@ protected:
     this->Filter->SetPathData(MakePath(points));
   }
 
-  /// The value is 100 on the surface of a ball, and rises by 10 per voxel towards its middle.
+  /// Ball whose value is 100 on the surface, and rises by 10 per voxel towards the middle.
   const vtkSmartPointer<vtkImageData> Ball = MakeImage(41, VTK_FLOAT,
     [](const Point& x)
     {
@@ -67,7 +67,7 @@ TEST_F(LocalSurfaceTest, TheSlowLoopIsAsSlowAsItIsSaid)
 
 TEST_F(LocalSurfaceTest, RecoveryIsAsLongAsItIsSaid)
 {
-  // The hand is inside the ball when the first answer comes.
+  // The hand is inside the ball when the first local surface arrives, at tick 17.
   std::vector<Point> points{ { Middle, Middle, Middle + BallRadius + 0.5 } };
   points.insert(points.end(), 120, { Middle, Middle, Middle + BallRadius - 2.0 });
   this->Filter->SetPathData(MakePath(points));

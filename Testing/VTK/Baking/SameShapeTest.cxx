@@ -18,8 +18,8 @@ class SameShape : public ApiTest
 protected:
   SameShape()
   {
-    // Stiffness rises from 80 N/m at 700 to 400 N/m at 1300; the ramp V = 100 z has all these
-    // values.
+    // Stiffness rises from 80 N/m at the value 700 to 400 N/m at the value 1300. The image V = 100
+    // z has all these values.
     this->Property->GetStiffness()->AddPoint(700.0, 80.0);
     this->Property->GetStiffness()->AddPoint(1300.0, 400.0);
     this->Filter->SetIsoValue(800.0);
@@ -48,7 +48,8 @@ TEST_F(SameShape, IsTheStiffnessOfEveryMethod)
     EXPECT_NEAR(Get(output, "Force", 50, 2), -0.321 * lag, 1e-9);
     if (force < 0.0)
     {
-      // T1 of the specification: in the end the strength limits the force.
+      // Case T1 of the specification: at the end of the path, the surface strength limits the
+      // force.
       this->Filter->SetCouplingStiffness(500.0);
       EXPECT_NEAR(Get(this->Run(51), "Force", 50, 2), force, 1e-9);
     }
@@ -65,7 +66,7 @@ TEST_F(SameShape, IsWhatASpringOfThatStiffnessGives)
   this->Filter->SameShapeOff();
   const auto own = (this->Run(51), Keep(this->Filter));
   EXPECT_FALSE(IsSame(one, own));
-  // The stiffness is the default of both, 500 N/m.
+  // A stiffness without points is 500 N/m, the default of the coupling stiffness, too.
   this->Property->GetStiffness()->RemoveAllPoints();
   this->Run(51);
   EXPECT_TRUE(IsSame(this->Filter->GetOutput(), one));

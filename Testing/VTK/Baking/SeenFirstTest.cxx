@@ -17,7 +17,7 @@ using namespace apitest;
 
 namespace
 {
-/// Makes a volume of 1 mm voxels from a formula of the indices.
+/// Makes a volume of 1 mm voxels; `formula` gives the value from the indices.
 template <typename Formula>
 vtkSmartPointer<vtkImageData> MakeVolume(int x, int y, int z, int type, const Formula& formula)
 {
@@ -37,8 +37,8 @@ vtkSmartPointer<vtkImageData> MakeVolume(int x, int y, int z, int type, const Fo
   return image;
 }
 
-/// Returns the value (0 to 1) of an edge that is blurred by a Gaussian, at a `distance` behind its
-/// middle.
+/// Returns the value (0 to 1) at a `distance` behind the middle of an edge that a Gaussian of this
+/// `width` has blurred.
 double Blurred(double distance, double width)
 {
   return 0.5 * (1.0 + std::erf(distance / (width * std::sqrt(2.0))));
@@ -60,10 +60,11 @@ double LargestForce(vtkPolyData* trace)
   return largest;
 }
 
-/// Force (N) above which a hand feels something, as in the presses of the evaluation.
+/// Smallest force (N) that counts as felt, as in the presses of the evaluation.
 constexpr double Felt = 0.1;
 
-/// Returns the largest force on a straight path past a ball with a radius of 8 around (20, 20, 20).
+/// Returns the largest force (N) on a straight path that passes, at this `distance`, a ball with a
+/// radius of 8 mm around (20, 20, 20).
 double PassBy(const char* preset, vtkImageData* ball, double distance)
 {
   vtkNew<vtkVolumeHapticsFilter> filter;
@@ -133,8 +134,8 @@ TEST(SeenFirst, AirBesideATwoSidedSurfaceDoesNotDrag)
 
 TEST(SeenFirst, AGradualEdgeIsFeltWhereItIsShown)
 {
-  // Values rise by 2.5 per voxel, too little to be distinct. The picture begins at the value 50, at
-  // y = 20.
+  // Values rise by 2.5 per voxel, too slowly for a distinct edge. The picture begins at the value
+  // 50, at y = 20 mm.
   const vtkSmartPointer<vtkImageData> ramp =
     MakeVolume(41, 41, 41, VTK_FLOAT, [](int, int j, int) { return 2.5 * j; });
   vtkNew<vtkVolumeProperty> look;

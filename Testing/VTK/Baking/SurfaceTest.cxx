@@ -43,8 +43,8 @@ protected:
     this->Filter->SetPathData(this->Turn);
     this->Filter->SetIsoValue(100.0);
   }
-  /// Returns the distance (RMS) of the proxy from the ideal centre of a sphere on the ball, after
-  /// the approach.
+  /// Returns the RMS distance (mm) of the proxy from the ideal centre of a sphere that touches the
+  /// ball, after the approach.
   double Deviation(vtkPolyData* output, double proxyRadius)
   {
     double sum = 0.0;
@@ -59,7 +59,7 @@ protected:
     return std::sqrt(sum / double(output->GetNumberOfPoints() - first));
   }
 
-  /// The value is 100 on the surface of a ball, and rises by 10 per voxel towards its middle.
+  /// Ball whose value is 100 on the surface, and rises by 10 per voxel towards the middle.
   const vtkSmartPointer<vtkImageData> Ball = MakeImage(41, VTK_FLOAT,
     [](const Point& x)
     {

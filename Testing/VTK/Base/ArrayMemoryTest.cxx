@@ -19,7 +19,8 @@
 #include <limits>
 #include <new>
 
-// The sanitizers' allocators also end the process unless they are told to return null.
+// Makes the sanitizers' allocators return null when memory is short. By default they end the
+// process.
 extern "C" const char* __asan_default_options()
 {
   return "allocator_may_return_null=1";
@@ -33,7 +34,7 @@ using namespace VolumeHaptics;
 
 namespace
 {
-constexpr vtkIdType OfNoMachine = vtkIdType{ 1 } << 50; // samples, which take a million GiB
+constexpr vtkIdType OfNoMachine = vtkIdType{ 1 } << 50; // samples: a million GiB
 }
 
 TEST(ArrayMemory, HoldsTuplesOfEachType)
@@ -50,7 +51,7 @@ TEST(ArrayMemory, HoldsTuplesOfEachType)
     {
       array->SetTuple3(i, static_cast<double>(i % 2), 1.0, 0.0);
     }
-    array->InsertNextTuple3(1.0, 0.0, 1.0); // can grow like other arrays
+    array->InsertNextTuple3(1.0, 0.0, 1.0); // the array can grow like other arrays
     EXPECT_EQ(array->GetComponent(5, 0), 1.0);
     EXPECT_EQ(array->GetComponent(6, 0), 0.0);
     EXPECT_EQ(array->GetComponent(7, 2), 1.0);
@@ -74,7 +75,7 @@ TEST(ArrayMemory, ThrowsIfThereIsNone)
     EXPECT_THROW(NewArray(type, 3, std::numeric_limits<vtkIdType>::max()), std::bad_alloc);
     EXPECT_THROW(NewArray(type, 9, std::numeric_limits<vtkIdType>::max() / 9), std::bad_alloc);
   }
-  // Existing values are kept.
+  // A failed allocation keeps the existing values.
   vtkNew<vtkFloatArray> array;
   array->InsertNextValue(3.0F);
   EXPECT_THROW(AllocateTuples(array, OfNoMachine), std::bad_alloc);

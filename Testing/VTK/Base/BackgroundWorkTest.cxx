@@ -30,8 +30,8 @@ namespace
 {
 using Work = KeyedWork<int, std::string>;
 
-/// A task that runs until it is opened or cancelled. Copies share their state, since a task may
-/// outlive the gate of a test.
+/// Makes tasks that run until the gate is opened or the work is cancelled. Copies share their
+/// state, since a task may outlive the gate of a test.
 class Gate
 {
   struct Passage
@@ -102,7 +102,8 @@ TEST(BackgroundWork, OfDataThatChangeBeginsAgain)
   const std::string* result = nullptr;
   ASSERT_TRUE(Eventually([&] { return (result = work.Poll(2, gate.Make("new"))) != nullptr; }));
   EXPECT_EQ(*result, "new");
-  // The key changes after the work has returned, and before its owner has polled.
+  // The key changes after the work has returned, and before its owner polls. The result of the old
+  // key must not appear.
   Work other;
   other.Poll(1, gate.Make("old"));
   ASSERT_TRUE(other.WaitFor(60.0));
@@ -127,7 +128,7 @@ TEST(BackgroundWork, IsCancelledByItsOwner)
     ASSERT_TRUE(Eventually([&] { return gate.Entered == 2; }));
   }
   EXPECT_TRUE(Eventually([&] { return gate.Left == 2; }));
-  // The work can begin again.
+  // After a cancellation, the work can begin again.
   gate.IsOpen = true;
   ASSERT_TRUE(Eventually([&] { return work.Poll(1, gate.Make("one")) != nullptr; }));
 }
@@ -148,7 +149,7 @@ TEST(BackgroundWork, ThatIsAbandonedIsNotWaitedForAndHasNoResult)
   Work work;
   EXPECT_EQ(work.Poll(1, stubborn), nullptr);
   ASSERT_TRUE(Eventually([&] { return entered == 1; }));
-  work.Abandon(); // does not wait, or it would never return
+  work.Abandon(); // must return at once, since the task ends only afterwards
   EXPECT_TRUE(work.IsUnderWay());
   EXPECT_FALSE(work.IsOf(1));
   EXPECT_EQ(work.Find(1), nullptr);
@@ -219,7 +220,7 @@ TEST(BackgroundWork, ThatEndsIsNotWaitedFor)
   Work work;
   EXPECT_EQ(work.Poll(1, makeStubborn()), nullptr);
   ASSERT_TRUE(Eventually([&] { return entered == 1; }));
-  work.Forget(); // does not wait, or it would never return
+  work.Forget(); // must return at once, since the task ends only afterwards
   EXPECT_EQ(work.Poll(2, makeStubborn()), nullptr);
   EXPECT_EQ(work.Poll(3, makeStubborn()), nullptr);
   {
@@ -261,7 +262,7 @@ TEST(BackgroundWork, EndsWithTheThreadThatBeganIt)
 
 namespace
 {
-/// An owner of work that ends, like a static object, after everything that is kept for its thread.
+/// Owner of work that is destroyed after everything else of its thread, like a static object.
 struct LateOwner
 {
   ~LateOwner()
@@ -286,7 +287,7 @@ TEST(BackgroundWork, EndsWithAnOwnerThatOutlivesItsThread)
   std::thread(
     [&]
     {
-      thread_local LateOwner owner; // is constructed first, so that it ends last
+      thread_local LateOwner owner; // is constructed first, so that it is destroyed last
       owner.Left = &left;
       owner.HeldWork = std::make_unique<Work>();
       owner.HeldWork->Poll(1,
@@ -360,8 +361,7 @@ TEST(BackgroundWork, OfAParentIsNotWaitedForInAForkedChild)
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
 }
 
-/// The child does not wait for work of the parent either, if the parent has ended it while its task
-/// still runs.
+/// If the parent has ended its work while the task still runs, a forked child waits for neither.
 TEST(BackgroundWork, OfAParentThatHasEndedItDoesNotHoldBackThatOfAChild)
 {
   Gate gate;

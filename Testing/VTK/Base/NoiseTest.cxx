@@ -26,7 +26,7 @@ constexpr double Sigma = 20.0;
 class Noise : public testing::Test
 {
 protected:
-  /// Makes an image of a function of z with normal noise.
+  /// Makes an image of the values `clean`(z) with normal noise of the standard deviation `sigma`.
   vtkSmartPointer<vtkImageData> MakeNoisy(const std::function<double(double)>& clean, double sigma)
   {
     std::mt19937 random(5);
@@ -34,7 +34,7 @@ protected:
     return MakeImage(48, VTK_SHORT,
       [&](const Point& x) { return std::round(clean(x[2]) + sigma * normal(random)); });
   }
-  /// Returns the start of the noise ramp, after two ticks in the image.
+  /// Returns the start of the proposed noise ramp, after two ticks in the image.
   double ComputeStart(vtkImageData* image)
   {
     this->Filter->SetInputData(0, image);
@@ -52,7 +52,7 @@ double Edge(double z)
   return 500.0 * (1.0 + std::erf((z - 24.0) / 1.5));
 }
 
-/// Counts values that are read one by one, as by the estimate. A bake reads at most the eight
+/// Counts values that are read one by one. The noise estimate reads many, a bake at most the eight
 /// corners.
 class CountingArray : public vtkFloatArray
 {
@@ -77,8 +77,8 @@ private:
 };
 vtkStandardNewMacro(CountingArray);
 
-/// An image whose scalars count reads, with another standard deviation of the noise in each
-/// component.
+/// Image whose scalars count reads. The noise of its two components has the standard deviations 20
+/// and 40.
 class NoiseOnce : public Noise
 {
 protected:
@@ -104,7 +104,7 @@ protected:
       }
     }
   }
-  /// Returns the start of the ramp of a new filter with the same settings.
+  /// Returns the start of the noise ramp that a new filter with the same settings computes.
   double ComputeAnew()
   {
     vtkNew<vtkVolumeHapticsFilter> fresh;
@@ -126,8 +126,8 @@ protected:
 
 TEST_F(Noise, IsEstimatedWhereverTheImageIsFlattest)
 {
-  // Documentation/method.md: noise of 0.106 sigma per voxel for the default Gaussian. Gradients up
-  // to 3.4 times this value count as noise.
+  // From Documentation/method.md: with the default Gaussian, noise gives gradients of 0.106 sigma
+  // per voxel. Gradients up to 3.4 times this value count as noise.
   const double expected = 3.4 * 0.106 * Sigma;
   EXPECT_NEAR(this->ComputeStart(this->MakeNoisy(Edge, Sigma)), expected, 0.1 * expected);
   EXPECT_NEAR(this->ComputeStart(this->MakeNoisy([](double z) { return 3.0 * z * z; }, Sigma)),
@@ -191,12 +191,12 @@ TEST_F(Noise, IsFeltInOneOfAHundredPlacesOnly)
 
 TEST_F(Noise, InSlicesIsFeltNoMoreThanInCubes)
 {
-  // w is the gradient per index step, which depends on no spacing. The rise in a voxel along the
-  // normal is |S^-1 w|^2/|S^-2 w| with the spacings S: at most |w|, by Cauchy and Schwarz.
+  // w is the gradient per index step, which does not depend on the spacings S. The rise per voxel
+  // along the normal is |S^-1 w|^2/|S^-2 w|. By Cauchy and Schwarz, it is at most |w|.
   const vtkSmartPointer<vtkImageData> noisy = this->MakeNoisy([](double) { return 0.0; }, Sigma);
   this->Filter->SetMaterialPlacementToKernel();
   this->Filter->SetContactAlignmentToDistinctness();
-  // This strength is too little to hold the proxy anywhere.
+  // A strength of 1e-6 N can't hold the proxy anywhere.
   SetConstant(this->Filter->GetProperty()->GetSurfaceStrength(), 1e-6);
   SetConstant(this->Filter->GetProperty()->GetViscosity(), 0.0);
   const auto findStrengths = [&](const Point& spacing)
@@ -245,7 +245,7 @@ TEST_F(Noise, InSlicesIsFeltNoMoreThanInCubes)
         {
           largest = std::max(largest, slices[i] - cubes[i]);
         }
-        // The tolerance is that of the solver, which finds the proxies.
+        // The tolerance is that of the solver that finds the proxies.
         EXPECT_LT(largest, 1e-8);
       }
     }
@@ -254,8 +254,8 @@ TEST_F(Noise, InSlicesIsFeltNoMoreThanInCubes)
 
 TEST_F(Noise, HidesNoWallAcrossSlices)
 {
-  // The noise changes from slice to slice. Across the slices, the samples equal those of cubes with
-  // the slices' thickness, and so does what is felt. The wall is 10 times the noise.
+  // The noise changes only from slice to slice. Slices of a thickness have the same samples along z
+  // as cubic voxels of this size, so the force must be the same. The wall is 10 sigma high.
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
   std::vector<double> noise(48);
@@ -306,7 +306,7 @@ TEST_F(NoiseOnce, IsEstimatedAgainWhenTheScalarsHaveChanged)
   this->Counting->Modified();
   EXPECT_NEAR(this->ComputeStart(this->Image), 3.0 * before, 0.3 * before);
   this->Fill(this->Counting, { 100.0, 40.0 }, 7);
-  this->Image->Modified(); // some programs announce new scalars in this way
+  this->Image->Modified(); // some programs announce new scalars by changing the image only
   EXPECT_NEAR(this->ComputeStart(this->Image), 5.0 * before, 0.5 * before);
   EXPECT_TRUE(this->Counting->WasRead());
   this->Image->SetDimensions(Size, Size / 2, 2 * Size);

@@ -72,8 +72,9 @@ TEST(NrrdHeader, PlacesSamplesInLeftPosteriorSuperior)
   }
 }
 
-// teem's "Definition of NRRD File Format": "space units" belong to the axes of the space, "units"
-// to the axes of the samples. "axis mins" is the border of the first sample if samples are cells.
+// From teem's "Definition of NRRD File Format": "space units" belong to the axes of the space,
+// "units" to the axes of the samples. If samples are cells, "axis mins" is the border of the first
+// sample.
 TEST(NrrdHeader, TurnsUnitsIntoMillimetres)
 {
   const NrrdHeader space = ParseNrrdHeader("NRRD0005\nspace: right-anterior-superior\n"
@@ -96,7 +97,8 @@ TEST(NrrdHeader, TurnsUnitsIntoMillimetres)
   EXPECT_EQ(*ReadNrrdAxes(plain), (std::array<std::size_t, 3>{ 1, 2, 3 }));
   EXPECT_EQ(FindNrrdSpacings(plain), (NrrdVector{ 20, 3, 4 }));
   EXPECT_EQ(*FindNrrdOrigin(plain), (NrrdVector{ 20, 2, 3 }));
-  // One axis has two cells of 3, another one has four nodes with three steps of 2 between them.
+  // The first axis of space has two cells of 3 cm. The second one has four nodes, and so three
+  // steps of 2.
   const NrrdHeader ends = ParseNrrdHeader(axes +
     "axis mins: nan 0 0 1\naxis maxs: nan 6 6 9\n"
     "centerings: none cell node node\n\n");
@@ -115,7 +117,7 @@ TEST(NrrdHeader, FindsTheAxesOfSpace)
   EXPECT_EQ(*axes("sizes: 2 3 4 5\nkinds: domain domain domain list"), (Axes{ 0, 1, 2 }));
   EXPECT_EQ(
     *axes("sizes: 2 3 4 5\nspace directions: (1,0,0) none (0,1,0) (0,0,1)"), (Axes{ 0, 2, 3 }));
-  // A series of ITK has four space axes, the last of which is time.
+  // ITK writes a series with four space axes; the last one is time.
   const std::string series =
     "sizes: 2 3 4 5\nkinds: domain domain domain domain\nspace origin: (1,2,3,0)\n"
     "space directions: (1,0,0,0) (0,2,0,0) (0,0,3,0) (0,0,0,1)";

@@ -37,7 +37,7 @@ using namespace VolumeHaptics;
 
 namespace
 {
-/// Returns the words of a text, separated by single spaces.
+/// Returns the words of a text with single spaces between them.
 std::string Words(const std::string& text)
 {
   std::istringstream stream(text);
@@ -49,7 +49,7 @@ std::string Words(const std::string& text)
   return words;
 }
 
-/// The filter or the device in ParaView: the first proxy of an XML file that CMake has made.
+/// First proxy of an XML file that CMake has made: the filter, the device or the path in ParaView.
 class ParaViewProxy
 {
 public:
@@ -87,7 +87,7 @@ public:
     return text ? std::stod(text) : std::nan("");
   }
 
-  /// Expects that ParaView offers all settings of a list, except those that are needless there.
+  /// Expects that ParaView offers all settings of a list, except the `needless` ones.
   template <typename Settings>
   void ExpectAll(const Settings& settings, const std::vector<std::string>& needless = {}) const
   {
@@ -164,7 +164,7 @@ TEST(SettingLists, EveryMacroOfTheHeadersHasARow)
   ExpectRows("vtkVolumeHapticsFilter", Names(FilterSettings));
   ExpectRows("vtkHapticProperty", Names(PropertySettings));
   std::vector<std::string> device = Names(DeviceSettings);
-  for (const char* const sent : // these are sent to the servo, so they have no macro
+  for (const char* const sent : // these settings are sent to the servo, so they have no macro
     { "ServoRate", "MaximumForce", "MaximumForceRate", "StiffnessGain", "TransientGain",
       "MaximumTorque", "AttentionTime", "UseTool" })
   {
@@ -230,7 +230,8 @@ TEST(SettingLists, ParaViewHasAllSettings)
       function.Default);
   }
   const ParaViewProxy device("HapticDevice.xml");
-  // ParaView calls the device all the time, so it needs no AttentionTime, and it has no tools.
+  // ParaView's device has no AttentionTime, since ParaView calls the device all the time. It has no
+  // MaximumTorque and UseTool, since ParaView has no tools.
   device.ExpectAll(DeviceSettings, { "AttentionTime", "MaximumTorque", "UseTool" });
   device.ExpectAll(DeviceVectors);
   const ParaViewProxy path("HapticPath.xml");
@@ -306,8 +307,8 @@ TEST(SettingLists, TheCoreHasTheSameDefaults)
   for (const FilterSetting& setting : FilterSettings)
   {
     const std::string name = setting.Name;
-    // Two defaults differ: the core's gain is 0, which gives no force, and its radius is above 0,
-    // while a 0 of the filter stands for half a voxel.
+    // Two defaults of the core differ: its gain is 0, which gives no force, and its proxy radius is
+    // above 0. In the filter, a radius of 0 stands for half a voxel.
     if (setting.Bake && name != "ForceFieldGain" && name != "ProxyRadius")
     {
       HapticModelDescription baked;

@@ -32,7 +32,7 @@ constexpr double Start = 44.0; // distance from the middle, mm
 constexpr double RayStep = 0.1;
 constexpr double Deep = 4.0; // mm
 
-/// Makes white noise that is smoothed along x over some voxels, and between neighbours along y and
+/// Makes white noise that is smoothed over some voxels along x, and between neighbours along y and
 /// z.
 std::vector<double> MakeStreaks()
 {
@@ -69,8 +69,8 @@ std::vector<double> MakeStreaks()
   return noise;
 }
 
-/// Makes the ball in `levels` grey levels. A core with another value may lie in the middle;
-/// `streak` scales the streaks.
+/// Makes the ball in `levels` grey levels, with streaks scaled by `streak`. If `core` is not 0, the
+/// middle of the ball is brighter by this value.
 vtkSmartPointer<vtkImageData> MakeBall(
   double levels = 256.0, double core = 0.0, double streak = 1.0)
 {
@@ -83,7 +83,7 @@ vtkSmartPointer<vtkImageData> MakeBall(
     {
       const double r = std::hypot(x[0] - Middle, x[1] - Middle, x[2] - Middle);
       const double inside = 0.5 * std::erfc((r - Ball) / (0.8 * std::sqrt(2.0)));
-      // The streaks are 1 on one side and 9 on the other.
+      // The amplitude of the streaks rises from 1 at z = 30 mm to 9 at z = 60 mm.
       const double fraction = std::clamp((x[2] - 30.0) / 30.0, 0.0, 1.0);
       const double noise =
         streak * (1.0 + 8.0 * fraction) * streaks[number++] + 0.4 * random(engine);
@@ -94,7 +94,7 @@ vtkSmartPointer<vtkImageData> MakeBall(
     });
 }
 
-/// Makes rays from all sides to the middle; each is a separate line.
+/// Makes rays from all sides to the middle, as separate lines.
 vtkSmartPointer<vtkPolyData> MakeRays()
 {
   constexpr double from = Start;
@@ -105,7 +105,7 @@ vtkSmartPointer<vtkPolyData> MakeRays()
   const int ticks = static_cast<int>((from - to) / RayStep);
   for (int ray = 0; ray < Rays; ++ray)
   {
-    // The directions are spread evenly: a Fibonacci lattice on the sphere.
+    // Spreads the directions evenly over the sphere (a Fibonacci lattice).
     const double z = 1.0 - (2.0 * ray + 1.0) / Rays;
     const double around = ray * 2.399963229728653;
     const double across = std::sqrt(1.0 - z * z);
@@ -123,7 +123,7 @@ vtkSmartPointer<vtkPolyData> MakeRays()
   return path;
 }
 
-/// The result of all rays.
+/// Results of moving the tip along all rays.
 struct FeltRays
 {
   int Off = 0;       ///< rays whose first contact is too far from the ball's surface, or missing
@@ -184,7 +184,8 @@ TEST(UnevenNoise, MicroCTHasNoWallInStreaks)
       {
         filter->SetSolver(
           isPrecise ? vtkVolumeHapticsFilter::PRECISE : vtkVolumeHapticsFilter::PAPER);
-        // PAPER meets a wall earlier, by up to a kernel radius and half a voxel.
+        // Method PAPER meets a wall earlier than PRECISE, by up to a kernel radius and half a
+        // voxel.
         const FeltRays felt = Feel(filter, isPrecise ? 2.0 : 3.0);
         SCOPED_TRACE(levels * 100 + estimator * 10 + isPrecise);
         EXPECT_LE(felt.Off, Rays / 50);
@@ -233,7 +234,8 @@ TEST(UnevenNoise, ARegionHasTheLevelOfTheWhole)
   filter->SetInputData(0, MakeBall());
   filter->Update();
   EXPECT_TRUE(IsSame(felt, filter->GetOutput()));
-  // A region without the level is felt by its own values.
+  // Without the level of the whole, the filter computes the level from the region, and over a
+  // quarter of the rays meet the ball at a wrong place.
   part->GetFieldData()->RemoveArray("HapticSolid");
   part->Modified();
   filter->SetInputData(0, part);
@@ -247,7 +249,8 @@ TEST(UnevenNoise, FunctionsAreProposedInStreaks)
     for (const bool isDark : { false, true })
     {
       SCOPED_TRACE(levels + isDark);
-      // A dark ball in bright air has the same noise, and is clipped at the brightest value.
+      // Inverts the image if `isDark`. The noise of a dark ball in bright air is the same, but
+      // clipped at the brightest value.
       const auto image = MakeBall(levels, 0.0, 0.3);
       vtkDataArray* const scalars = image->GetPointData()->GetScalars();
       for (vtkIdType i = 0; isDark && i < scalars->GetNumberOfTuples(); ++i)

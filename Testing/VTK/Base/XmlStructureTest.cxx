@@ -104,7 +104,7 @@ protected:
     vtkNew<vtkXMLImageDataWriter> writer;
     return this->Write(writer, wave->GetOutput(), mode, ".vti");
   }
-  /// Reads a file like the readers of replays, paths, measurements and removed tissue.
+  /// Reads a file as the readers of replays, paths, measurements and removed tissue do.
   static bool Read(const std::string& file)
   {
     if (file.back() == 'i')
@@ -182,7 +182,8 @@ TEST_F(XmlStructure, ThatLiesIsRefused)
     plain, "header_type=\"UInt32\"", "header_type=\"UInt32\" compressor=\"vtkZLibDataCompressor\"");
 }
 
-/// Takes minutes with VOLUME_HAPTICS_XML_FILES=1000000.
+/// The environment variable VOLUME_HAPTICS_XML_FILES sets the number of damaged files; 1000000 take
+/// minutes.
 TEST_F(XmlStructure, ThatIsDamagedEndsNothing)
 {
   std::vector<std::string> good;
@@ -204,7 +205,7 @@ TEST_F(XmlStructure, ThatIsDamagedEndsNothing)
   const char* const wanted = std::getenv("VOLUME_HAPTICS_XML_FILES");
   const int count = wanted ? std::atoi(wanted) : 3000;
   int read = 0;
-  vtkObject::GlobalWarningDisplayOff(); // unknown information keys give warnings
+  vtkObject::GlobalWarningDisplayOff(); // unknown information keys would give warnings
   for (int i = 0; i < count; ++i)
   {
     const std::size_t which = below(good.size());

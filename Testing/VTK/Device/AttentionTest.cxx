@@ -22,8 +22,8 @@ namespace
 class Attention : public DeviceTest
 {
 protected:
-  /// Keeps the program silent for a while, and returns whether the servo has let go. Tries longer
-  /// times, since the loop may have had no processor.
+  /// Lets the program call nothing for a while, and returns whether the servo has let go. Tries
+  /// longer times, since the servo's loop may have had no processor.
   bool IsLetGo(std::chrono::milliseconds silence = std::chrono::milliseconds(400))
   {
     for (int i = 0; i < 5; ++i, silence *= 2)
@@ -66,7 +66,7 @@ TEST_F(Attention, AnUnattendedForceFadesAndIsArmedAgain)
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::FAULT) << "it does not resume by itself";
   this->Device->SetAttentionTime(60.0);
   this->Device->Arm();
-  // The force begins again, with the proxy on the tip.
+  // The force begins anew, with the proxy on the tip.
   EXPECT_TRUE(this->PressAgain());
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
 }

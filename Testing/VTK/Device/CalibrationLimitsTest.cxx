@@ -13,7 +13,7 @@ using namespace calibrationtest;
 
 TEST_F(Calibration, NeverMirrors)
 {
-  // Only a mirror image fits these points perfectly; the best motion does not.
+  // A mirror image fits these points exactly, and the best motion does not.
   const Point device[] = { { 0.0, 0.0, 0.0 }, { 0.1, 0.0, 0.0 }, { 0.0, 0.08, 0.0 },
     { 0.0, 0.0, 0.06 } };
   for (const Point& x : device)
@@ -63,7 +63,7 @@ TEST_F(Calibration, PointsThatDoNotSay)
   this->Known->InsertNextPoint(1.0, 2.0, 3.0);
   this->ExpectError("3 touched points and 4 known ones");
 
-  // The touched points are good, but the known ones lie on a line.
+  // The touched points are good, but the known points lie on a line.
   this->RemovePoints();
   for (int i = 0; i < 3; ++i)
   {

@@ -34,7 +34,7 @@ protected:
     return std::uniform_real_distribution<double>(-size, size)(this->Random);
   }
 
-  /// Sets a random placement, with this scale.
+  /// Sets a random placement with this scale (world units per metre).
   void Place(double scale)
   {
     this->Truth->Identity();
@@ -43,8 +43,8 @@ protected:
     this->Truth->Scale(scale, scale, scale);
   }
 
-  /// Touches random points in the reach of a device (m), with random errors in the world (world
-  /// units).
+  /// Touches random points in the reach of a device (m), with random errors of up to `error` in the
+  /// world (world units).
   void Touch(int points, double error = 0.0)
   {
     this->RemovePoints();

@@ -16,7 +16,8 @@ namespace
 class Caps : public Recording
 {
 protected:
-  /// Starts the servo on a device with these limits, with the tip in front of the ramp.
+  /// Starts the servo on a device with limits of stiffness (N/m) and damping (N s/m) and its own
+  /// friction (N s/m). The tip is in front of the ramp.
   void BeginWith(double stiffness, double damping, double friction)
   {
     ASSERT_TRUE(this->Device->Open("virtual"));
@@ -25,7 +26,7 @@ protected:
     ASSERT_TRUE(this->Device->Start());
     ASSERT_TRUE(this->WaitTicks(2));
   }
-  /// Expects this force of a material with 500 N/m that is pressed by 2 mm.
+  /// Expects this computed force (N) along z after a press of 2 mm into a material with 500 N/m.
   void ExpectComputed(double force)
   {
     SetConstant(this->Filter->GetProperty()->GetFriction(), 0.0);
@@ -55,20 +56,21 @@ TEST(CapsOf, TakesTheTighterOfTheDevicesLimitAndTheSampledOne)
 
 TEST_F(Caps, AreRaisedByTheGainOnceTheRoundTripIsKnownAndNothingIsFelt)
 {
-  // 2 b / T is 300 N/m; the gain of 5 raises it to 1500 N/m.
+  // With a friction b of 0.15 N s/m and a period T of 1 ms, 2 b / T is 300 N/m. The gain of 5
+  // raises the cap to 1500 N/m.
   this->Device->SetStiffnessGain(5.0);
   EXPECT_EQ(this->Device->GetStiffnessGain(), 5.0);
   this->BeginWith(0.0, 0.0, 0.15);
   ASSERT_TRUE(this->Wait([&] { return this->Device->GetStiffnessCap() == 1500.0; }));
   this->ExpectComputed(-1.0);
   EXPECT_NE(std::string(this->Device->GetStatusText()).find("at most 1500 N/m"), std::string::npos);
-  // A smaller gain takes effect at once.
+  // A smaller gain takes effect at once, even under force.
   this->Device->SetStiffnessGain(1.0);
   const auto isComputed = [this](double force)
   { return std::abs(this->Device->GetState()->GetComputedForce()[2] - force) < 1e-6; };
   ASSERT_TRUE(this->Wait([&] { return isComputed(-0.6); }));
   EXPECT_EQ(this->Device->GetStiffnessCap(), 300.0);
-  // A larger gain waits while the tip is in the wall.
+  // A larger gain takes effect only after the tip has left the wall.
   this->Device->SetStiffnessGain(2.0);
   ASSERT_TRUE(this->WaitTicks(50));
   EXPECT_EQ(this->Device->GetStiffnessCap(), 300.0);

@@ -31,7 +31,7 @@ using namespace devicetest;
 
 namespace
 {
-/// Opens the array at the end of the test, in any case, so that the worker can end.
+/// Opens the array when the test ends, even after a failure, so that the worker can end.
 class OpenAtTheEnd
 {
 public:
@@ -56,7 +56,7 @@ class LongWork : public DeviceTest
 {
 protected:
   LongWork() { this->Device->SetAttentionTime(2.0); }
-  /// Presses the ramp with 1.5 N, and forgets the states up to then.
+  /// Presses the ramp with 1.5 N, and drops the states recorded up to then.
   void Press()
   {
     ASSERT_NO_FATAL_FAILURE(this->BeginPressed());
@@ -66,11 +66,11 @@ protected:
   {
     return this->Wait([this] { return Length(this->Device->GetState()->GetForce()) == 0.0; });
   }
-  /// Expects that the force was never off. After a pause of a busy machine, only a new contact is
-  /// felt, so that the force may be off then.
+  /// Expects that the force was never off, unless the loop has paused. After a pause, the force may
+  /// stay off until the next contact.
   void ExpectForce() { EXPECT_TRUE(this->CountForceless() == 0 || this->HasPaused); }
-  /// Returns how many states since the last call have no force. Expects no fault, and that a force
-  /// fades rather than leaps between consecutive ticks.
+  /// Returns how many of the states since the last call have no force. Expects no fault, and that
+  /// the force fades between consecutive ticks and does not leap.
   int CountForceless(bool isArmed = true)
   {
     this->Device->GetState()->Drain(this->States);
@@ -83,7 +83,7 @@ protected:
       forceless += force == 0.0;
       EXPECT_EQ(column("Fault")->GetComponent(i, 0), 0.0);
       EXPECT_TRUE(!isArmed || column("Armed")->GetComponent(i, 0) == 1.0);
-      // The fade is 500 N/s at most, or takes 50 ms.
+      // The force changes by at most 500 N/s: 0.5 N in a tick of 1 ms.
       const double tick = column("Tick")->GetComponent(i, 0);
       const double time = column("Time")->GetComponent(i, 0);
       const double period = 1.0 / this->Device->GetServoRate();
@@ -98,7 +98,8 @@ protected:
     }
     return forceless;
   }
-  /// Makes V = 100 z with more than 8 million samples, for which a worker makes even the estimate.
+  /// Makes V = 100 z with more than 8 million samples. At this size, a worker makes even the
+  /// estimate of the triangles.
   static vtkSmartPointer<vtkImageData> MakeLarge(GatedArray* values)
   {
     constexpr int n = 204;
@@ -112,8 +113,8 @@ protected:
     image->GetPointData()->SetScalars(values);
     return image;
   }
-  /// Expects that the filter bakes the same triangles as another filter does without a worker, to
-  /// the bit.
+  /// Expects that the filter, which uses a worker, bakes the same triangles to the bit as `other`
+  /// does without a worker.
   void ExpectSameMesh(vtkVolumeHapticsFilter* other, std::int64_t triangles)
   {
     using VolumeHaptics::HapticBaker;
@@ -173,7 +174,8 @@ TEST_F(LongWork, IsWithoutForceThatComesBackWithARamp)
   EXPECT_FALSE(this->Says("Force is off"));
   ASSERT_TRUE(this->PressAgain());
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
-  // The proxy begins at the tip, which was inside the ramp, so nothing has pushed the tip out.
+  // The proxy begins anew at the tip inside the ramp, so no spring has pushed the tip out, and some
+  // states have no force.
   EXPECT_GT(this->CountForceless(), 0);
   EXPECT_TRUE(this->Log.Errors.empty());
 }
@@ -258,7 +260,7 @@ TEST_F(LongWork, ThatIsShortIsNotFelt)
   this->ExpectForce();
   EXPECT_EQ(this->Starts.Count, 0);
   EXPECT_EQ(this->Ends.Count, 0);
-  // A program that sets a shorter AttentionTime has less time before work counts as long.
+  // A shorter AttentionTime also shortens the time after which work counts as long.
   this->Device->SetAttentionTime(0.8);
   this->Device->BeginLongWork("the test waits", 0.2);
   EXPECT_EQ(this->Starts.Count, 1);
@@ -288,8 +290,8 @@ TEST_F(LongWork, OutlivesAServoAndHoldsTheNextOne)
 
 TEST_F(LongWork, IsNotMeshingWhatHasManyTriangles)
 {
-  // V = 100 z below z = 12. An isosurface passes everywhere through the random values above, with
-  // some hundred thousand triangles.
+  // V = 100 z below z = 12 mm. The values above are random, so the isosurface passes everywhere
+  // through them, with some hundred thousand triangles.
   constexpr int n = 40;
   std::mt19937 random(1);
   const auto image = MakeImage(n, VTK_FLOAT,
@@ -331,7 +333,7 @@ TEST_F(LongWork, IsNotMeshingALargeVolume)
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->Wait([&] { return values->Asked > 0; }));
   EXPECT_TRUE(isMeshing());
-  // Further changes of settings don't wait for the worker, which still reads the array.
+  // Further changes of settings must not wait for the worker, which still reads the array.
   this->Filter->SetIsoValue(750.0);
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_TRUE(isMeshing());
@@ -341,13 +343,13 @@ TEST_F(LongWork, IsNotMeshingALargeVolume)
   EXPECT_FALSE(isMeshing());
   this->Filter->SetMethodToSurfaceProxy();
   ASSERT_TRUE(this->Device->Publish());
-  this->Filter->Update(); // has no path: the filter only checks its input, and does not wait
+  this->Filter->Update(); // without a path, the filter only checks its input, and does not wait
   EXPECT_EQ(this->FilterLog.Errors.size(), 0U);
-  // The surface around the tip is meshed first, and follows the tip.
+  // The worker meshes the surface around the tip first, and the mesh then follows the tip.
   ASSERT_TRUE(this->IsFeltAs("Surface proxy"));
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->GetResidency() == 1.0; }));
   ASSERT_TRUE(this->Lead(7.0, 7.0, 5.0) && this->WaitFullyArmed() && this->LeadInto(10.0));
-  EXPECT_TRUE(this->WaitPressed()); // 3 mm deep, including the radius
+  EXPECT_TRUE(this->WaitPressed()); // 3 mm deep, including the proxy's radius
   ASSERT_TRUE(this->Lead(7.0, 7.0, 5.0) && this->Lead(150.0, 150.0, 5.0));
   this->BeginWayHere();
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->GetResidency() == 1.0; }));

@@ -21,7 +21,7 @@ using namespace devicetest;
 
 namespace
 {
-/// A source of a volume that tests can observe.
+/// Source of a volume whose events tests can observe.
 class VolumeSource : public vtkImageAlgorithm
 {
 public:

@@ -33,7 +33,8 @@ vtkQuaterniond TurnAbout(double degrees, double x, double y, double z)
 class Orientation : public Recording
 {
 protected:
-  /// Places the device in the world: turned about this axis, with 900 world units to the metre.
+  /// Places the device in the world: turned by `degrees` about this axis, with 900 world units per
+  /// metre.
   void PlaceDevice(double degrees, double x, double y, double z)
   {
     vtkNew<vtkTransform> place;
@@ -50,7 +51,7 @@ protected:
   {
     return vtkQuaterniond(this->Device->GetState()->GetTipOrientation());
   }
-  /// Returns the difference of two rotations; q and -q are the same rotation.
+  /// Returns the distance of two rotations; it is 0 for q and -q, which are the same rotation.
   static double Difference(const vtkQuaterniond& a, const vtkQuaterniond& b)
   {
     double dot = 0.0;
@@ -105,14 +106,14 @@ TEST_F(Orientation, TurnsWithTheDevice)
   this->SetOrientation(turn);
   ASSERT_TRUE(this->WaitOrientation(turn)) << "as it was set, in the world";
 
-  // The hand holds still while the device is placed elsewhere.
+  // The device gets another place while the hand holds still.
   this->PlaceDevice(-155.0, 1.0, 0.2, 0.7);
   ASSERT_TRUE(this->Device->Publish());
   const vtkQuaterniond before = TurnAbout(70.0, 0.3, -1.0, 0.4);
   const vtkQuaterniond after = TurnAbout(-155.0, 1.0, 0.2, 0.7);
   EXPECT_TRUE(this->WaitOrientation(after * (before.Conjugated() * turn)));
 
-  // vtkTransform gives the same axis of the handle.
+  // vtkTransform must give the same axis of the handle.
   vtkNew<vtkTransform> handle;
   handle->RotateWXYZ(-155.0, 1.0, 0.2, 0.7);
   handle->RotateWXYZ(-70.0, 0.3, -1.0, 0.4);
@@ -224,7 +225,7 @@ TEST_F(Orientation, IsRecordedAndReplayed)
   EXPECT_LT(turned, ticks - 5);
   EXPECT_EQ(At(this->Recorded, "Orientation", ticks - 1).SquaredNorm(), 0.0);
 
-  // A replay of the .vtp repeats the orientations to the bit. A .csv has other ticks, so its
+  // A replay of the .vtp must repeat the orientations to the bit. A .csv has other ticks, so its
   // orientations are only counted.
   const std::string again = this->File("Again.vtp");
   for (const std::string& file : { this->Name, table })
@@ -259,7 +260,7 @@ TEST_F(Orientation, IsRecordedAndReplayed)
 
 TEST_F(Orientation, OfATraceInTheWorldIsReplayed)
 {
-  // The trace has tips and orientations in the world, and none of the device.
+  // The trace has tips and orientations in the world only, not in the device's space.
   const vtkQuaterniond turn = TurnAbout(110.0, -1.0, 0.5, 2.0);
   const std::string file = this->File("World.csv");
   {

@@ -11,7 +11,8 @@ using namespace devicetest;
 
 TEST_F(DeviceTest, APlacedTipFeelsNothingOfTheWay)
 {
-  // The origin of the device space is a corner of the ramp; the first tip is deep inside of it.
+  // The origin of the device is a corner of the ramp, and the first tip is deep inside the ramp.
+  // The hand must not be felt as if it had come from the origin.
   this->Device->GetVirtualHand()->SetPosition(7.0, 7.0, 12.0);
   ASSERT_TRUE(this->Device->Open("virtual") && this->Device->Start());
   this->Log.Errors.clear();

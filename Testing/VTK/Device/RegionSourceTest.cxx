@@ -59,8 +59,8 @@ void FillJunk(const int box[6], void* samples)
   }
 }
 
-/// A grid whose cells wait until it is open, in all threads except the test's. Copies of it wait,
-/// too.
+/// Grid whose cells make all threads except the test's wait until the grid is open. Copies of the
+/// grid do the same.
 class LedGrid : public vtkRectilinearGrid
 {
 public:
@@ -79,7 +79,7 @@ public:
   static inline const std::thread::id Owner = std::this_thread::get_id();
 };
 
-/// V = 100 z in a volume of 2000^3 samples: 32 GB of float.
+/// Volume V = 100 z of 2000^3 samples, which would take 32 GB as float.
 class RegionSource : public DeviceTest
 {
 protected:
@@ -145,8 +145,8 @@ protected:
   {
     return this->Device->GetStatusText().find(words) != std::string::npos;
   }
-  /// Expects that no command since the last call exceeds the maximum, or grows by more than the
-  /// slew limit allows.
+  /// Expects that no command since the last call exceeds the maximum force, or grows by more than
+  /// the slew limit.
   void ExpectNoStep()
   {
     this->Device->GetState()->Drain(this->States);
@@ -168,7 +168,7 @@ protected:
     }
   }
 
-  /// Returns the number of samples in the region that are not finite.
+  /// Returns how many samples of the region are not finite.
   int CountJunk()
   {
     auto* const samples =
@@ -196,7 +196,7 @@ TEST_F(RegionSource, IsFeltAndFollowsTheHand)
   EXPECT_GT(pressed, 0.5);
   EXPECT_LT(
     4.0 * this->Filter->GetInputDataObject(0, 0)->GetActualMemorySize() * 1024.0, 1.1 * 4194304.0);
-  // The tip moves beyond the region, and the volume is felt there, too.
+  // The tip moves out of the region, and must feel the volume there, too.
   ASSERT_TRUE(this->Lead(1000.0, 1000.0, 998.0));
   ASSERT_TRUE(this->Lead(1400.0, 1000.0, 998.0));
   ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 1.0; }));
@@ -208,9 +208,9 @@ TEST_F(RegionSource, IsFeltAndFollowsTheHand)
   EXPECT_EQ(this->SourceLog.Errors.size(), 0U);
 }
 
-/// The isosurface is a plane at z = 1000, which holds a sphere of 0.5 mm at 999.5. The force is the
-/// stiffness times the distance of the tip beyond it. The regions have 8 million samples, whose
-/// surface takes more than 40 ms to mesh.
+/// The isosurface is the plane z = 1000 mm. It holds the proxy, a sphere of 0.5 mm, at z = 999.5
+/// mm. The force is the stiffness times the distance from there to the tip. The region has 8
+/// million samples, whose surface takes more than 40 ms to mesh.
 TEST_F(RegionSource, HasASurfaceThatIsMeshedInTheBackground)
 {
   this->Source->SetMemoryLimit(134217728);
@@ -282,7 +282,8 @@ TEST_F(RegionSource, ThatIsLateFadesAndComesBack)
   this->ExpectNoStep();
 }
 
-/// Like the test above, with a grid that a worker resamples around the tip.
+/// A worker resamples a grid around the tip and is held up. The force fades, and comes back with
+/// the samples.
 TEST_F(RegionSource, OfADataSetThatIsLateFadesAndComesBack)
 {
   vtkNew<LedGrid> grid;
@@ -347,7 +348,7 @@ TEST_F(RegionSource, ThatIsLateHasACoarseImageThatIsFeltByHalf)
     << Length(this->Device->GetState()->GetForce()) << " N, of " << whole;
   this->Reader->IsOpen = true;
   ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 1.0; }));
-  // On a busy machine the contact may have faded out meanwhile, so the test presses anew.
+  // On a busy machine the contact may have faded meanwhile, so the test presses again.
   ASSERT_TRUE(this->Lead(1300.0, 1000.0, 998.0));
   this->Press(1300.0);
   this->ExpectNoStep();
@@ -414,7 +415,7 @@ TEST_F(RegionSource, OfJunkStaysWithinTheLimitsAndIsFeltAgainWhenItIsMended)
   this->BeginWayHere();
   ASSERT_TRUE(this->Wait(
     [&] { return !this->Source->IsWaiting() && this->Device->GetState()->GetResidency() == 1.0; }));
-  // The hand leaves the place, and waits until the device is fully armed again.
+  // The hand leaves the surface, and presses again once the device is fully armed.
   this->Device->Arm();
   ASSERT_TRUE(this->Lead(1000.0, 1000.0, 990.0));
   ASSERT_TRUE(this->WaitFullyArmed());
@@ -502,7 +503,8 @@ TEST_F(RegionSource, FollowsNothingWithoutATip)
   EXPECT_EQ(this->SourceLog.Errors.size(), 1U);
 }
 
-// The segmentation has -32768 in its corners; see FilterOutsideTest.cxx for images in memory.
+// The corners of the segmentation have the value -32768. FilterOutsideTest.cxx has tests with
+// images in memory.
 TEST_F(RegionSource, LabelsAreReadAsTheyAre)
 {
   vtkNew<vtkHapticRegionSource> source;

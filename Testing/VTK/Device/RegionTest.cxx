@@ -26,7 +26,7 @@ protected:
     this->Crop->SetRegion(0, 47, 0, 47, 0, 30);
     this->Filter->SetInputConnection(0, this->Crop->GetOutputPort());
   }
-  /// Arms, and presses the ramp well inside the region.
+  /// Arms the device, and presses the ramp well inside the region.
   void Press()
   {
     this->Begin();
@@ -65,7 +65,7 @@ TEST_F(Region, SaysThatDataAreAwaitedAndGoesOnWhenTheyCome)
   this->Device->ResetStatistics();
   ASSERT_TRUE(this->WaitTicks(3));
   EXPECT_EQ(this->Device->GetAbsentTicks(), 0);
-  // The column shows the fade and the return, in small steps.
+  // The column shows that the residency falls and rises in small steps.
   this->Device->GetState()->Drain(table);
   auto* const residency = vtkDataArray::SafeDownCast(table->GetColumnByName("Residency"));
   ASSERT_TRUE(residency && residency->GetNumberOfTuples() > 50);

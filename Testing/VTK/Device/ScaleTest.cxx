@@ -24,21 +24,21 @@ namespace
 class Scale : public DeviceTest
 {
 protected:
-  /// Returns the pages (4 KiB) of the file that are in memory.
+  /// Returns the number of the file's pages (4 KiB) that are in memory.
   std::size_t CountPages(const benchmarks::SparseVolume& volume)
   {
     return volume.GetResident() / 4096;
   }
 };
 
-/// Pages of the samples around the tip that stay in memory while the servo runs.
+/// Largest number of pages with samples around the tip that stay in memory while the servo runs.
 constexpr std::size_t MostKept = VolumeHaptics::SampleKeeper::MostBytes / 4096;
-/// Most pages for an update. The noise is estimated from 512 blocks of 5 x 5 rows, each row in one
-/// page or two; some hundred rows around the tip are read. The whole of the smallest volume, with
-/// two bytes per sample, is 65536 pages.
+/// Largest number of pages that an update reads. The noise estimate reads 512 blocks of 5 x 5 rows,
+/// each row in one or two pages. Some hundred rows around the tip are read, too. The smallest
+/// volume, with two bytes per sample, has 65536 pages.
 constexpr std::size_t MostPages = 512 * 25 + 2000 + MostKept;
-/// Most pages for ProposeFromImage(), which looks at 512 rows, with 5 rows beside each of them in 6
-/// slices, and follows the edges that it finds.
+/// Largest number of pages that ProposeFromImage() reads. It reads 512 rows, with 5 rows beside
+/// each of them in 6 slices, and follows the edges that it finds.
 constexpr std::size_t MostPagesOfAProposal = 512 * 36 + 6000;
 } // namespace
 
@@ -72,7 +72,7 @@ TEST_F(Scale, CallsReadNoMoreOfALargerVolume)
     EXPECT_LT(this->CountPages(volume), MostPages) << size << "^3";
     EXPECT_LT(this->CountPages(volume), once + 500 + MostKept)
       << "after the first touch, " << size << "^3";
-    // The worker, which is told to end after a piece, can end only once the array is open.
+    // Stop() tells the worker to end, which it can do only once the array is open.
     std::thread opener(
       [&samples]
       {
@@ -86,11 +86,11 @@ TEST_F(Scale, CallsReadNoMoreOfALargerVolume)
     this->Device->Close();
     const std::size_t felt = this->CountPages(volume);
     vtkNew<vtkHapticProperty> proposed;
-    const MessageLog refusal(proposed); // it is refused if no row meets the cube
+    const MessageLog refusal(proposed); // the proposal fails if no row meets the cube
     proposed->ProposeFromImage(volume.GetImage());
     EXPECT_GT(this->CountPages(volume), felt + 3000) << "rows were looked at, " << size;
     EXPECT_LT(this->CountPages(volume), felt + MostPagesOfAProposal) << "a proposal, " << size;
-    // The image is released before its memory.
+    // Releases the image before its memory.
     this->Filter->SetInputData(0, this->Image);
     this->Filter->Update();
   }
@@ -98,7 +98,7 @@ TEST_F(Scale, CallsReadNoMoreOfALargerVolume)
 
 TEST_F(Scale, TheFirstUpdateReadsThePlacesOfTheNoiseOnly)
 {
-  // 400^3 is almost the largest size for which 16^3 blocks are used.
+  // 400^3 is almost the largest volume for which the noise estimate reads 16 x 16 x 16 blocks.
   for (const int size : { 256, 400 })
   {
     const benchmarks::SparseVolume volume(size);
@@ -107,7 +107,7 @@ TEST_F(Scale, TheFirstUpdateReadsThePlacesOfTheNoiseOnly)
     this->Filter->SetPathData(
       MakePath({ { middle, middle, middle }, { middle, middle, middle + 1.0 } }));
     this->Filter->Update();
-    // The blocks lie in 16 times 5 slices, and the rows around the tip in some more.
+    // The blocks lie in 16 layers of 5 slices, and the rows around the tip in a few slices more.
     const std::size_t slice = sizeof(short) * size * size / 4096 + 1;
     EXPECT_LT(this->CountPages(volume), (16 * 5 + 10) * slice) << size << "^3";
     EXPECT_GT(this->CountPages(volume), 1000U) << "the noise was estimated";

@@ -30,11 +30,11 @@ using devicetest::Eventually;
 namespace
 {
 class HangingDevice;
-/// The devices that this thread has quenched, in order. Keepers quench in their own threads, so
-/// they don't appear here.
+/// Devices that this thread has quenched, in order. Keepers quench in their own threads, so their
+/// devices don't appear here.
 thread_local std::vector<const HangingDevice*> Quenched;
 
-/// Hangs in Read() while it is told to.
+/// Device whose Read() hangs while `Hangs` is true.
 class HangingDevice : public DeviceBackend
 {
 public:
@@ -65,13 +65,14 @@ public:
 };
 
 #if defined(__linux__)
-/// Gives its thread the lowest priority, so that it waits for all other threads on its processor.
+/// Device whose thread has the lowest priority, so that it waits for all other threads on its
+/// processor.
 class LowlyDevice : public HangingDevice
 {
 public:
   DeviceState Read(double time, DeviceSample& sample) noexcept override
   {
-    // Sets the priority each time, since RealtimeKit may have raised it meanwhile.
+    // Sets the priority in each tick, since RealtimeKit may have raised it meanwhile.
     const sched_param none{};
     EXPECT_EQ(pthread_setschedparam(pthread_self(), SCHED_IDLE, &none), 0);
     return HangingDevice::Read(time, sample);
@@ -115,7 +116,7 @@ TEST(ServoThreads, QuenchTellsAllBeforeItWaitsForOne)
   std::vector<ServoThreads*> all;
   for (HangingDevice& device : devices)
   {
-    device.Hangs.store(&device != &devices[2]); // the last device works
+    device.Hangs.store(&device != &devices[2]); // only the last device works
     servos.push_back(std::make_unique<ServoThreads>(device, 1000.0, SafetyLimits{}, nullptr));
     all.push_back(servos.back().get());
   }

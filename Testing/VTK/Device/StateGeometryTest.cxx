@@ -80,7 +80,8 @@ TEST_F(StateGeometry, IsTheStateOfTheDevice)
   const double* const tip = this->Device->GetState()->GetTipPosition();
   const double* const proxy = this->Device->GetState()->GetProxyPosition();
   const double spring[3] = { proxy[0] - tip[0], proxy[1] - tip[1], proxy[2] - tip[2] };
-  // With 500 N/m and 0.1 N per millimetre of arrow, a force is 5 times as long as the spring.
+  // The stiffness is 500 N/m, and an arrow has 1 mm per 0.1 N, so an arrow is 5 times as long as
+  // the spring.
   const double force[3] = { 5.0 * spring[0], 5.0 * spring[1], 5.0 * spring[2] };
   const double normal[3] = { 0.0, 0.0, force[2] };
   const double friction[3] = { force[0], force[1], 0.0 };
@@ -125,7 +126,7 @@ TEST_F(StateGeometry, TheStylusIsShownIfItIsTurned)
   hand->SetDevice(this->Device);
   hand->SetRadius(0.2);
   EXPECT_NEAR(hand->GetBounds()[1], 7.2, 0.01) << "the proxy";
-  // A quarter turn about y takes the handle from z to x.
+  // A quarter turn about y turns the handle from z to x.
   this->Device->GetVirtualHand()->SetOrientation(1.0, 0.0, 1.0, 0.0);
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->HasTipOrientation(); }));
   EXPECT_NEAR(hand->GetBounds()[1], 7.0 + 25.0 * 0.2, 0.01) << "25 radii";
@@ -158,7 +159,7 @@ TEST_F(StateGeometry, AToolWithAShapeIsShown)
   EXPECT_NEAR(hand->GetBounds()[0], 6.5, 0.01);
   EXPECT_NEAR(hand->GetBounds()[3], 8.0, 0.01);
   EXPECT_NEAR(hand->GetBounds()[5], 6.0, 0.01);
-  // A quarter turn about y takes z to x.
+  // A quarter turn about y turns the box from z to x.
   this->Device->GetVirtualHand()->SetOrientation(1.0, 0.0, 1.0, 0.0);
   ASSERT_TRUE(
     this->Wait([this] { return this->Device->GetState()->GetToolOrientation()[2] > 0.7; }));
@@ -174,7 +175,8 @@ TEST_F(StateGeometry, ArrowsAreNoLongerThanTheirMaximum)
   ASSERT_TRUE(this->ArmFully());
   ASSERT_TRUE(this->LeadInto(8.0));
   const double proxy = this->Device->GetState()->GetProxyPosition()[2];
-  // With 500 N/m and 0.1 N per millimetre of arrow, the force is 5 times as long as the spring.
+  // The stiffness is 500 N/m, and an arrow has 1 mm per 0.1 N, so the arrow is 5 times as long as
+  // the spring.
   const double length = 5.0 * (this->Device->GetState()->GetTipPosition()[2] - proxy);
   ASSERT_GT(length, 7.0);
   vtkNew<vtkHapticRepresentation> hand;

@@ -18,7 +18,7 @@ protected:
     return vtkDataArray::SafeDownCast(this->Table->GetColumnByName(column))
       ->GetComponent(row, component);
   }
-  /// Drains states until there are `least`, and checks that none is missing.
+  /// Drains at least `least` states, and expects that none is missing.
   void Take(int least)
   {
     for (vtkIdType taken = 0; taken < least;)
@@ -110,7 +110,7 @@ TEST_F(States, AreWhereTheDeviceWas)
   ASSERT_TRUE(this->WaitTicks(3));
   for (int i = 1; i < 30; ++i)
   {
-    this->Turn(12.0 * i, 0.5 * i); // publishes while earlier states are not drained yet
+    this->Turn(12.0 * i, 0.5 * i); // publishes before the earlier states are drained
     if (i % 3 == 0)
     {
       this->Device->UpdateState();
@@ -120,8 +120,8 @@ TEST_F(States, AreWhereTheDeviceWas)
   ASSERT_TRUE(this->WaitTicks(3));
   this->Device->GetState()->Drain(this->Table);
   ASSERT_GT(this->Table->GetNumberOfRows(), 1);
-  // The hand rests: the first state is where the first placement puts it, the last one where the
-  // last placement does.
+  // The hand rests, so the first state is at the place of the first placement, and the last state
+  // at that of the last placement.
   EXPECT_NEAR(this->At("Tip", 0, 0), 7.0, 1e-9);
   EXPECT_NEAR(this->At("Tip", 0, 2), 5.0, 1e-9);
   const vtkIdType last = this->Table->GetNumberOfRows() - 1;

@@ -78,7 +78,8 @@ TEST_F(DeviceStatus, ForceFlowsOnlyWhileArmed)
   EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[2], -1.5, 1e-6) << "500 N/m, 3 mm deep";
   EXPECT_NEAR(this->Device->GetState()->GetProxyPosition()[2], 5.0, 1e-6);
   EXPECT_EQ(this->Device->GetState()->GetContact(), 1);
-  // A hand that is armed inside feels nothing until it moves, since the proxy begins at the tip.
+  // The proxy begins at the tip, so a hand that is armed inside the ramp feels nothing until it
+  // moves.
   this->BeginWayHere();
   ASSERT_TRUE(this->ArmFully());
   EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
@@ -96,7 +97,8 @@ TEST_F(DeviceStatus, ASurfaceThatWasPressedDuringTheRampIsCalledSoft)
 {
   this->Begin();
   bool isSoft = false;
-  // A busy machine may miss the ramp of half a second, or pause, after which the contact is new.
+  // On a busy machine the press may miss the ramp of half a second, or begin a new contact after a
+  // pause, so the test tries again.
   for (int attempt = 0; attempt < 10 && !isSoft; ++attempt)
   {
     this->Device->Disarm();

@@ -21,7 +21,7 @@ protected:
     switch (i % 5)
     {
       case 0:
-        this->Filter->SetInputData(0, MakeRamp()); // deletes the last image
+        this->Filter->SetInputData(0, MakeRamp()); // deletes the earlier image
         break;
       case 1:
         SetConstant(property->GetStiffness(), 200.0 + 10.0 * (i % 30));
@@ -87,7 +87,7 @@ TEST_F(Stress, AThousandChangesLeaveWholeStates)
     {
       ASSERT_EQ(tick->GetComponent(i, 0), tick->GetComponent(i - 1, 0) + 1.0);
     }
-    // A state that mixed two ticks or two models would not obey its own spring.
+    // If a state mixed two ticks or two models, its force would not be that of its own spring.
     const double k = data->GetArray("Stiffness")->GetComponent(i, 0);
     double stretch[3];
     double force[3];

@@ -25,7 +25,7 @@ class TwoHands : public Recording
 protected:
   TwoHands() { this->Other->SetVolumeHaptics(this->Filter); }
 
-  /// Starts the other hand, with its tip outside the ramp.
+  /// Starts the other hand's servo with the tip outside the ramp.
   void BeginOther()
   {
     ASSERT_TRUE(this->Other->Open("virtual"));
@@ -45,8 +45,9 @@ protected:
         return this->Other->GetState()->GetTick() >= end && holds();
       });
   }
-  /// Arms the other hand at a height in the ramp, where its proxy begins, and presses from there
-  /// until `holds` is true. Tries again, since a pause of the loop puts the proxy on the tip.
+  /// Arms the other hand with its tip at z = `from` in the ramp, where the proxy begins, and moves
+  /// the tip to z = `to` until `holds` is true. Tries again, since a pause of the loop puts the
+  /// proxy on the tip.
   template <typename F>
   bool PressOther(double from, double to, F&& holds)
   {
@@ -99,7 +100,7 @@ TEST_F(TwoHands, EachHasTheForceThatItHasAlone)
   ASSERT_TRUE(this->Other->GetRecorder()->Stop());
   this->Other->Stop();
   this->ExpectSame();
-  // The filter, without a device, computes the other hand's path alone.
+  // The filter computes the other hand's path alone, without a device.
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(second.c_str());
   reader->Update();
@@ -126,7 +127,7 @@ TEST_F(TwoHands, AFaultOrAnEndIsOneHands)
 {
   this->BeginPressed();
   ASSERT_TRUE(this->Other->Open("virtual"));
-  // A light tip that is pulled far is faster than a hand can be, which is a fault.
+  // A light tip that is pulled far becomes faster than a hand can be. This is a fault.
   this->Other->GetVirtualHand()->SetDynamics(0.01, 4.0, 2000.0, 0.0, 0);
   this->Other->GetVirtualHand()->SetPosition(4.0, 4.0, 5.0);
   ASSERT_TRUE(this->Other->Start());
@@ -151,7 +152,7 @@ TEST_F(TwoHands, OneHoldsANeedleAndTheOtherAPoint)
   EXPECT_FALSE(this->Other->GetUseTool());
   this->Begin();
   this->BeginOther();
-  // The expected force is that of a path without a tool, which ends where the hand is.
+  // The expected force is that at the end of a path without a tool, which ends at the hand.
   vtkNew<vtkVolumeHapticsFilter> plain;
   plain->SetInputData(0, this->Image);
   plain->GetProperty()->DeepCopy(this->Filter->GetProperty());
@@ -214,7 +215,8 @@ TEST_F(TwoHands, WhatOneRemovesTheOtherNoLongerFeels)
   this->Device->GetVirtualHand()->SpinningOff();
   this->Device->GetVirtualHand()->SetPosition(4.0, 4.0, 4.0);
   ASSERT_TRUE(this->WaitOther([this] { return !this->Device->GetState()->IsSpinning(); }));
-  // Tissue that returns does not push the hand inside of it, since its proxy begins at the tip.
+  // Undo returns tissue around the other hand. The proxy begins at the tip then, so the tissue does
+  // not push this hand.
   const std::string before = this->Other->GetStatusText();
   while (this->Filter->GetRemoval()->GetNumberOfUndos() > 0 && this->Filter->GetRemoval()->Undo())
   {

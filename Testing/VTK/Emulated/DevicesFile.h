@@ -46,7 +46,8 @@ public:
   const std::string Path = TemporaryPath("devices-" + std::to_string(getpid()) + ".txt");
 
 private:
-  const std::string Others = std::getenv("VOLUMEHAPTICS_DEVICES"); // EmulatedMain.cxx sets it
+  // EmulatedMain.cxx sets this variable
+  const std::string Others = std::getenv("VOLUMEHAPTICS_DEVICES");
 };
 } // namespace emulated
 

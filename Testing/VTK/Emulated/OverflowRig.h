@@ -76,7 +76,8 @@ int OverflowDeviceThread(PhantomHand& hand, const std::string& id, Lead&& lead)
   {
     const rlimit none{ 0, 0 };
     setrlimit(RLIMIT_CORE, &none);
-    // A device's thread blocks all signals except crash signals.
+    // Lets the device's thread overflow its stack. SIGTRAP is a crash signal: the thread blocks all
+    // other signals.
     std::signal(SIGTRAP, [](int) { std::_Exit(Overflow(0)); });
     const std::set<int> before = ListThreads();
     if (!hand.Device->Open(id.c_str()))
@@ -88,7 +89,8 @@ int OverflowDeviceThread(PhantomHand& hand, const std::string& id, Lead&& lead)
     {
       std::_Exit(2);
     }
-    // On a busy machine, the device may be unwatched for a moment and begin anew.
+    // On a busy machine the servo may pause, after which the force begins anew, so the test tries
+    // again.
     bool isFelt = false;
     for (int attempt = 0; attempt < 5 && !isFelt; ++attempt)
     {
@@ -125,7 +127,8 @@ int OverflowDeviceThread(PhantomHand& hand, const std::string& id, Lead&& lead)
     hasEnded = Eventually(
       [&]
       {
-        // A hand that is armed inside the face feels nothing, so the hand moves out and in.
+        // A hand that is armed inside the face feels nothing, so the hand moves out of the face and
+        // in.
         lead(*isArmed && ++looks % 1000 > 300);
         return waitpid(child, &status, WNOHANG) == child;
       });

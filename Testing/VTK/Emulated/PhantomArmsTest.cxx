@@ -180,13 +180,14 @@ protected:
     ASSERT_TRUE(Eventually([this] { return !this->IsAt(vtkHapticDevice::HOMING); }))
       << this->Device->GetStatusText();
   }
-  /// Moves the hand; returns false if the tip does not follow, as for a device that was lost.
+  /// Moves the hand along the axis out of the face. Returns false if the tip does not follow, since
+  /// the device was lost.
   bool LeadTo(double out)
   {
     this->Arm.Lead(out);
     return Eventually([&] { return std::abs(this->Arm.GetTip() - out) < 0.002; });
   }
-  /// Presses until the force is felt, and keeps the press for 1000 ticks.
+  /// Presses until force is felt, and expects that the force stays for 1000 ticks.
   bool IsFeltForLong()
   {
     this->Arm.Lead(-Depth);
@@ -229,7 +230,8 @@ TYPED_TEST(PhantomArms, PressThePhantomAndLetGoAtAFault)
   ASSERT_TRUE(device->Start());
   EXPECT_TRUE(device->GetSignsConfirmed());
   bool felt = false;
-  // On a busy machine, the device may be unwatched for a moment, and the force begins anew.
+  // On a busy machine the servo may pause, after which the force begins anew, so the test tries
+  // again.
   for (int attempt = 0; attempt < this->MostAttempts && !felt; ++attempt)
   {
     device->Disarm();

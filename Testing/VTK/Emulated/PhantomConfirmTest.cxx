@@ -85,7 +85,7 @@ TEST_F(PhantomConfirm, ACalibratedDeviceIsAskedForWhatItReallyGives)
   ASSERT_EQ(this->Log.Errors.size(), 2u);
   EXPECT_NE(this->Log.Errors[0].find("0.1 to 10"), std::string::npos) << this->Log.Errors[0];
   this->Log.Errors.clear();
-  // If the device is stronger than thought, the limit stays as it was.
+  // A factor of 2 says that the device is stronger than its nominal force. The limit stays at 4 N.
   ASSERT_TRUE(this->Device->CalibrateForce(2.0));
   EXPECT_DOUBLE_EQ(this->Device->GetMaximumForce(), 4.0);
   ASSERT_TRUE(this->Device->CalibrateForce(0.5));
@@ -102,7 +102,7 @@ TEST_F(PhantomConfirm, ACalibratedDeviceIsAskedForWhatItReallyGives)
   this->Device->Arm();
   ASSERT_TRUE(this->LeadTo(0.0, 0.0, SkinHeight + 0.01));
   ASSERT_TRUE(this->LeadTo(0.0, 0.0, SkinHeight - 0.006));
-  // The model gives the force that it gets: twice the reported force.
+  // With a force scale of 0.5, the model gets twice the reported force, and gives what it gets.
   EXPECT_TRUE(this->Hand.Wait(
     [&]
     {

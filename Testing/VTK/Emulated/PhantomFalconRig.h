@@ -13,7 +13,7 @@
 
 namespace emulated
 {
-inline constexpr double SkinHeight = 0.125; ///< m, height of the skin in the Falcon's own frame
+inline constexpr double SkinHeight = 0.125; ///< height of the skin (m) in the Falcon's own frame
 
 class PhantomFalcon : public testing::Test
 {

@@ -21,8 +21,8 @@ TEST_F(PhantomFalcon, IsFeltLostAndFeltAgain)
   std::ofstream(firmware, std::ios::binary) << std::string(4000, 'F');
   this->Device->SetFirmwareFile(firmware);
 
-  // The boot loader does not answer until the status was seen. Otherwise the firmware might be
-  // loaded before the test has read anything.
+  // The boot loader does not answer until the test has read the status. Otherwise the firmware
+  // might be loaded before.
   this->Falcon.Break(FalconFault::NoGreeting);
   ASSERT_TRUE(this->Device->Open("falcon"));
   ASSERT_TRUE(this->Device->Start());
@@ -48,7 +48,7 @@ TEST_F(PhantomFalcon, IsFeltLostAndFeltAgain)
   this->ExpectNoForce(20);
   this->Falcon.SwitchOff();
   this->Usb.PlugIn();
-  // The device is opened again without a user, gets its firmware, and is homed by hand.
+  // The device is opened again without a user, and gets its firmware. Then the hand homes it.
   ASSERT_TRUE(this->Hand.WaitFor(vtkHapticDevice::HOMING)) << this->Device->GetStatusText();
   ASSERT_TRUE(this->LeadTo(0.0, 0.0, 0.1735));
   ASSERT_TRUE(this->LeadTo(0.0, 0.0, 0.08));

@@ -60,7 +60,8 @@ protected:
       return force > 0.1 && std::abs(shown - force) < 0.05 && std::abs(spring - force) < 0.1;
     };
     bool felt = false;
-    // On a busy machine, the device may be unwatched for a moment, and the force begins anew.
+    // On a busy machine the servo may pause, after which the force begins anew, so the test tries
+    // again.
     for (int attempt = 0; attempt < 5 && !felt; ++attempt)
     {
       ASSERT_TRUE(this->LeadTo(-0.01));
@@ -114,8 +115,9 @@ TEST_F(PhantomHaply, IsFeltLostAndFeltAgain)
   EXPECT_TRUE(this->Hand.Wait(
     [&]
     {
-      // The device has turned by a quarter about the vertical, also in the world: the product of
-      // the quaternions is the cosine of half the angle.
+      // The device has turned by 90 degrees about the vertical, so the handle has turned by 90
+      // degrees in the world, too. The product of the two quaternions is the cosine of half the
+      // angle.
       const double* const turn = this->Device->GetState()->GetTipOrientation();
       const double same = std::inner_product(start.begin(), start.end(), turn, 0.0);
       return std::abs(std::abs(same) - half) < 1e-6;
@@ -140,7 +142,7 @@ TEST_F(PhantomHaply, TheFirstArmingIsGentle)
     << this->Device->GetStatusText();
   ASSERT_TRUE(this->Hand.Wait([&] { return this->Device->GetSignsConfirmed(); }))
     << this->Device->GetStatusText();
-  // The limit is a tenth of 2 N while the signs are being confirmed.
+  // Until the signs are confirmed, the limit is a tenth of 2 N.
   double largest = 0.0;
   for (const Triple& force : this->Service->GetSessions().back().Forces)
   {

@@ -31,7 +31,7 @@ TEST(PhantomPad, TheFaceIsFeltAsVibrationAndRestIsSilent)
   ASSERT_TRUE(hand.WaitFor(vtkHapticDevice::READY)) << device->GetStatusText();
   EXPECT_TRUE(hand.Says("vibration:pad (vibration, not force)")) << device->GetStatusText();
   device->Arm();
-  // The tip moves towards the hand, and then back into the face.
+  // Moves the tip towards the hand, and then back into the face.
   pad.Move(ABS_RY, 1.0);
   EXPECT_TRUE(
     hand.Wait([&] { return phantom.DepthOf(device->GetState()->GetTipPosition()) < -20.0; }));

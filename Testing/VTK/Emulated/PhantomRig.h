@@ -16,7 +16,7 @@ namespace emulated
 using devicetest::Eventually;
 using devicetest::Length;
 
-inline constexpr double SkinValue = -300.0; ///< HU, half-way between air and skin
+inline constexpr double SkinValue = -300.0; ///< value half-way between air and skin (HU)
 
 /** A filter on the phantom, and the position of its skin on a line into the face. */
 class Phantom
@@ -40,8 +40,8 @@ public:
   vtkSmartPointer<vtkMatrix4x4> Place(int outward, double sign) const
   {
     auto place = vtkSmartPointer<vtkMatrix4x4>::New();
-    // The chosen axis is -y of the world (out of the face). The other axes follow in a cycle, and
-    // the sign turns them so that nothing is mirrored.
+    // The chosen axis points out of the face, which is -y in the world. The other axes follow in
+    // cyclic order; their signs keep the placement free of mirroring.
     const double axes[3][3] = { { 0.0, -sign, 0.0 }, { 0.0, 0.0, sign }, { -1.0, 0.0, 0.0 } };
     for (int i = 0; i < 3; ++i)
     {
@@ -67,7 +67,7 @@ public:
   vtkNew<vtkVolumeHapticsFilter> Filter;
 
 private:
-  static constexpr double Height = 60.0; // mm, height of the line
+  static constexpr double Height = 60.0; // height of the line (mm)
 
   double ComputeSkin(double x, double z) const
   {
@@ -110,7 +110,8 @@ class PhantomHand
 public:
   PhantomHand(const Phantom& phantom, int outward, double sign)
   {
-    // Tests look after one device at a time, so this must not end the force of the other one.
+    // The program may be silent: a test calls one device at a time, and the other one must keep its
+    // force.
     this->Device->SetAttentionTime(0.0);
     this->Device->SetVolumeHaptics(phantom.Filter);
     this->Device->SetDeviceToWorld(phantom.Place(outward, sign));

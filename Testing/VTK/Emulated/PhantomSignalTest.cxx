@@ -30,7 +30,7 @@ protected:
 
 TEST_P(PhantomSignal, GoesOnOnceTheDeviceHasGotZero)
 {
-  // An application's own handler is installed before the device is opened.
+  // The application installs its own handler before the device is opened.
   HasSignal = 0;
   std::signal(this->GetParam(), [](int) { HasSignal = 1; });
   ASSERT_TRUE(this->Device->Open("falcon"));

@@ -22,7 +22,7 @@ using namespace emulated;
 
 namespace
 {
-/// A stick with two motors, at rest in front of the face, which is armed for the first time.
+/// Stick with two motors, at rest in front of the face, which is armed for the first time.
 class PhantomJoystick : public testing::Test
 {
 protected:
@@ -32,7 +32,7 @@ protected:
     this->Hand.Device->SetNewtonsPerFullScale(FfbHandle::FullScale, FfbHandle::FullScale);
   }
   /// Arms the device, and waits until its signs are confirmed or refused. Returns the largest force
-  /// (N) along each axis of the device meanwhile.
+  /// (N) until then along each axis of the device.
   void Arm(double largest[3])
   {
     vtkHapticDevice* const device = this->Hand.Device;
@@ -46,7 +46,8 @@ protected:
     EXPECT_TRUE(this->Hand.Wait(
       [&]
       {
-        // The device's -x axis is -y of the world, out of the face; see Phantom::Place().
+        // The device's -x axis points out of the face, which is -y in the world; see
+        // Phantom::Place().
         const double* const force = device->GetState()->GetForce();
         largest[0] = std::max(largest[0], std::abs(force[1]));
         largest[1] = std::max(largest[1], std::abs(force[2]));
@@ -99,7 +100,7 @@ TEST(PhantomStick, IsFelt)
   OpenFfboardModel stick;
   EmulatedHid hid(stick);
   ModelClock clock([&] { stick.Step(); });
-  // The face is on the right, so the hand is on its left.
+  // The face is on the right of the stick, and the hand on the left.
   PhantomHand hand(phantom, 0, -1.0);
   vtkHapticDevice* const device = hand.Device;
   device->SetNewtonsPerFullScale(FfbHandle::FullScale, 0.0);
@@ -110,7 +111,8 @@ TEST(PhantomStick, IsFelt)
   ASSERT_TRUE(hand.WaitFor(vtkHapticDevice::READY)) << device->GetStatusText();
   device->Arm();
   bool felt = false;
-  // On a busy machine, the device may be unwatched for a moment, and the force begins anew.
+  // On a busy machine the servo may pause, after which the force begins anew, so the test tries
+  // again.
   for (int attempt = 0; attempt < 5 && !felt; ++attempt)
   {
     stick.SetGoal(-0.01, 0.0);
@@ -163,7 +165,7 @@ TEST(PhantomSpaceMouse, PushesTheTipAgainstTheFaceAndTurnsTheVolume)
   ASSERT_TRUE(device->Start());
   ASSERT_TRUE(hand.WaitFor(vtkHapticDevice::READY)) << device->GetStatusText();
   device->Arm();
-  // The device's y axis points to the hand: the tip moves out of the face, and then back into it.
+  // The device's y axis points to the hand. The tip moves out of the face, and then back into it.
   mouse.Push({ 0, 350, 0, 0, 0, 0 });
   EXPECT_TRUE(
     hand.Wait([&] { return phantom.DepthOf(device->GetState()->GetTipPosition()) < -20.0; }));
@@ -176,8 +178,8 @@ TEST(PhantomSpaceMouse, PushesTheTipAgainstTheFaceAndTurnsTheVolume)
   EXPECT_LT(phantom.DepthOf(device->GetState()->GetProxyPosition()),
     phantom.DepthOf(device->GetState()->GetTipPosition()));
   EXPECT_EQ(Length(device->GetState()->GetForce()), 0.0);
-  // A turn about the device's z axis, which points down, is a turn the other way about the axis
-  // that points up.
+  // The device's z axis points down, so a turn about z is a turn in the other sense about the
+  // world's vertical axis.
   EXPECT_TRUE(hand.Wait([&] { return device->GetState()->GetTurnRate()[1] < -0.4; }));
   mouse.Push({});
   EXPECT_TRUE(hand.Wait([&] { return Length(device->GetState()->GetTurnRate()) == 0.0; }));

@@ -77,7 +77,7 @@ TEST_F(PhantomTwoHands, FeelTheSameFaceAndLiveTheirOwnLives)
   EXPECT_TRUE(this->FeelsStick()) << this->Stick.GetForce()[0];
   EXPECT_TRUE(this->Hand.WaitTicks(1000));
   EXPECT_EQ(this->Second->GetStatus(), vtkHapticDevice::ACTIVE);
-  // The two proxies are 1.5 cm apart.
+  // The two proxies are about 15 mm apart.
   this->Device->UpdateState();
   this->Second->UpdateState();
   const double* const a = this->Device->GetState()->GetProxyPosition();

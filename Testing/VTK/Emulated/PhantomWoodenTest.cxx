@@ -32,7 +32,7 @@ protected:
     ASSERT_TRUE(this->Hand.WaitFor(vtkHapticDevice::HOMING)) << this->Device->GetStatusText();
     ASSERT_TRUE(this->Hand.Wait([&] { return this->Hand.Says("rest pose"); }));
     this->Device->Home();
-    // A device that has come back keeps its fault until it is armed.
+    // A device that is back after a loss keeps its fault until it is armed.
     ASSERT_TRUE(this->Hand.Wait(
       [&]
       {
@@ -51,7 +51,8 @@ protected:
       return force > 0.1 && std::abs(shown[0] - force) < 0.05 && std::abs(spring - force) < 0.1;
     };
     bool felt = false;
-    // On a busy machine, the device may be unwatched for a moment, and the force begins anew.
+    // On a busy machine the servo may pause, after which the force begins anew, so the test tries
+    // again.
     for (int attempt = 0; attempt < 5 && !felt; ++attempt)
     {
       ASSERT_TRUE(this->LeadTo(-0.01));
@@ -92,7 +93,7 @@ TEST_F(PhantomWooden, IsFeltLostAndFeltAgain)
     EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
     this->Arm.PowerUp();
     this->Hid.PlugIn();
-    // The device is opened again without a user, and asks for its rest pose.
+    // The device is opened again without a user, and then waits for its rest pose.
     EXPECT_TRUE(this->Hand.WaitFor(vtkHapticDevice::HOMING)) << this->Device->GetStatusText();
     EXPECT_TRUE(this->Hand.WaitTicks(100));
     EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
@@ -101,7 +102,8 @@ TEST_F(PhantomWooden, IsFeltLostAndFeltAgain)
 
 TEST_F(PhantomWooden, AStackThatOverflowsLeavesNoForce)
 {
-  // The earlier handler ends only its thread, so that the test goes on.
+  // The handler that is installed before the device's ends only its thread, so that the test goes
+  // on.
   struct sigaction end = {};
   end.sa_handler = [](int)
   {
@@ -119,7 +121,8 @@ TEST_F(PhantomWooden, AStackThatOverflowsLeavesNoForce)
   ASSERT_GT(Length(this->Arm.GetForce().data()), 0.0);
   syscall(SYS_tgkill, getpid(), thread, SIGTRAP);
   ASSERT_TRUE(Eventually([] { return HasOverflowed != 0; }));
-  // The device counts time by packets, so without packets it has no watchdog.
+  // The device counts time by packets, so no watchdog of the device ends the force when the packets
+  // end.
   EXPECT_TRUE(Eventually([this] { return Length(this->Arm.GetForce().data()) == 0.0; }))
     << Length(this->Arm.GetForce().data());
 }

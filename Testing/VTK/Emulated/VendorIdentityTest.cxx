@@ -52,7 +52,7 @@ protected:
     const std::lock_guard<std::mutex> lock(this->Played.Mutex);
     this->Played.Serial = serial;
   }
-  /// Arms until the device is confirmed; tries again if the machine was busy in between.
+  /// Arms until the device's signs are confirmed. Tries again, since the machine may be busy.
   void ArmForTheFirstTime()
   {
     ASSERT_FALSE(this->Device->GetSignsConfirmed());
@@ -128,7 +128,7 @@ TEST_F(VendorIdentity, WithASerialNumberItIsRemembered)
 
 TEST_F(VendorIdentity, WithoutASerialNumberItIsConfirmedAnewEachTime)
 {
-  // The line belongs to some device with this number, which need not be this one.
+  // Several devices can have the number 0, so the line may be that of another device.
   const std::string line =
     "vendor:played:number:0 confirmed=2026-11-01 scale=0.25 calibrated=2026-11-01\n";
   std::ofstream(this->Memory) << line;

@@ -20,15 +20,15 @@
 namespace devicetest
 {
 
-/// A device, and the records of a child for its parent.
+/// State that a device in a child process shares with the parent, which checks it.
 struct LastingDevice
 {
-  std::atomic<double> Sent{ 0.0 }; ///< N, the norm of the last force
+  std::atomic<double> Sent{ 0.0 }; ///< norm of the last force (N)
   std::atomic<bool> IsQuenched{ false };
   std::atomic<bool> IsPressed{ false };
   std::atomic<bool> CrashesInRead{ false };
   std::atomic<bool> IsCrashing{ false };
-  std::atomic<int> TimeToCrash{ 0 }; ///< time from CrashesInRead to the crash, ms
+  std::atomic<int> TimeToCrash{ 0 }; ///< time (ms) from CrashesInRead to the crash
   std::atomic<bool> CrashesInQuench{ false };
   std::atomic<bool> HadForce{ false };
   std::atomic<int> Handled{ 0 };
@@ -43,7 +43,7 @@ struct LastingDevice
   }
 };
 
-/// The device of the running test, in memory that is shared with its children.
+/// State of the running test's device, in memory that is shared with child processes.
 inline LastingDevice* Lasting = nullptr;
 
 #if defined(__GNUC__)
@@ -77,7 +77,7 @@ public:
       WriteToNowhere();
     }
     this->Time += period;
-    // The tip is in front of the wall, and then in it.
+    // The tip is in front of the wall, or in the wall if it is pressed.
     const double depth = Lasting->IsPressed ? 0.009 + 0.001 * std::sin(10.0 * this->Time) : 0.005;
     sample.Tip = { 0.007, 0.007, depth };
     sample.Fresh = true;
@@ -122,8 +122,8 @@ protected:
   }
   ~Endings() override { munmap(Lasting, sizeof(LastingDevice)); }
 
-  /// Lets force flow. The servo is so slow that an ending which does not wait for its next tick is
-  /// noticed.
+  /// Arms the device, and waits until force acts. At the default rate (Hz), a tick takes 10 ms, so
+  /// a test notices an ending that does not wait for the next tick.
   void Feel(double rate = 100.0)
   {
     const rlimit none{ 0, 0 };
@@ -140,8 +140,7 @@ protected:
           return this->Device->GetState()->GetTipPosition()[2] == 5.0;
         });
     this->Device->Arm();
-    // A wall that is pressed during the ramp stays soft, so the press waits for the end of the
-    // ramp.
+    // A wall that is pressed during the ramp stays soft, so the press begins after the ramp.
     const bool isArmed = Eventually(
       [this]
       {
@@ -156,8 +155,8 @@ protected:
     Lasting->Handled = 0;
     Lasting->ForceWhenHandled = 0.0;
   }
-  /// Lets a child feel force and then ends it with `how`. Returns its result, or minus the signal.
-  /// Expects that no force is left.
+  /// Lets a child process feel force, and ends it with `how`. Returns the exit code, or minus the
+  /// signal. Expects that no force is left.
   template <typename F>
   int End(F&& how)
   {

@@ -59,7 +59,8 @@ void Handle(int signal, void (*handler)(int, siginfo_t*, void*))
   sigaction(signal, &action, nullptr);
 }
 
-/// Like a crash reporter: reports, restores the earlier action, and raises the signal again.
+/// Acts like a crash reporter: reports the crash, restores the earlier action, and raises the
+/// signal again.
 struct sigaction BeforeReporter;
 void Report(int signal)
 {
@@ -132,7 +133,8 @@ TEST_F(Endings, ByACrashWhileItIsStopped)
   EXPECT_EQ(this->End(
               [this]
               {
-                Lasting->TimeToCrash = 20; // after this time, only a guard can have ended the force
+                // after this time (ms), only a guard can have ended the force
+                Lasting->TimeToCrash = 20;
                 Lasting->CrashesInRead = true;
                 Eventually([] { return Lasting->IsCrashing.load(); });
                 this->Device->Stop(); // waits for the servo
@@ -142,7 +144,7 @@ TEST_F(Endings, ByACrashWhileItIsStopped)
 
 TEST_F(Endings, ByASignalWhileItIsArmed)
 {
-  // The handler must not wait for a lock that the interrupted thread holds.
+  // Interrupts Arm(), which may hold a lock. The handler must not wait for this lock.
   for (const int signal : { SIGUSR1, SIGABRT })
   {
     const auto kills = [&]
@@ -204,7 +206,8 @@ TEST_F(Endings, AreGuardedOrTheServoDoesNotStart)
 
 TEST_F(Endings, ByACrashInWhatEndsTheForce)
 {
-  // Nothing more can be done for the device, but the process ends.
+  // The device itself crashes when its force is to end. The force can't be ended then, but the
+  // process must end.
   const auto endBy = [this](void (*how)())
   {
     return InChild(
@@ -355,7 +358,7 @@ TEST_F(Endings, OfAChildProcessAreItsOwn)
                 return Wait(child) == -SIGSEGV && Lasting->GetForce() > 0.0 ? 0 : 1;
               }),
     0);
-  // A process whose parent had a device has a device of its own.
+  // A process whose parent has closed its device can have its own device.
   EXPECT_EQ(InChild(
               [this]
               {
@@ -373,7 +376,7 @@ TEST_F(Endings, AreStopsToo)
     const pid_t child = fork();
     if (child == 0)
     {
-      // Makes a process group of its own, since the kernel stops no process of an orphaned group.
+      // Makes an own process group, since the kernel stops no process of an orphaned group.
       setpgid(0, 0);
       this->Feel();
       std::raise(signal);

@@ -52,7 +52,7 @@ TEST_F(RecordingFailure, OfTheProgramKeepsWhatThereIs)
   ASSERT_TRUE(WIFSIGNALED(status));
   EXPECT_FALSE(Exists(file));
 
-  // The next recording with this name neither fails nor removes the journal.
+  // A new recording with the same name must neither fail nor remove the journal.
   this->Begin();
   ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
   ASSERT_EQ(this->Log.Warnings.size(), 1U);
@@ -63,8 +63,8 @@ TEST_F(RecordingFailure, OfTheProgramKeepsWhatThereIs)
   this->ExpectError("under way");
   ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   this->Device->Close();
-  // Two groups are 512 lines of 20 us each, which is long work for the shortest attention time
-  // (0.05 s).
+  // Writing two groups takes 512 lines of 20 us each. This is long work for the shortest attention
+  // time of 0.05 s.
   EventCount begins;
   this->Device->AddObserver(vtkCommand::StartEvent, &begins, &EventCount::Add);
   this->Device->SetAttentionTime(0.05);
@@ -105,7 +105,8 @@ TEST_F(RecordingFailure, DoesNotComeFromAForkedChild)
   const pid_t child = fork();
   if (child == 0)
   {
-    // The child neither waits for threads that it does not have, nor ends the recording.
+    // The child must neither wait for threads that it does not have, nor end the parent's
+    // recording.
     this->Device->Close();
     _exit(this->Log.Errors.empty() ? 0 : 1);
   }

@@ -21,8 +21,8 @@ inline vtkHapticDevice* Watched = nullptr;
 inline std::atomic<int> Handled{ 0 };
 inline std::atomic<int> ForceWhenHandled{ 0 };
 
-/// The application's own handler, installed before the device: it looks at the last command that
-/// the device got.
+/// Signal handler of the application, installed before the device. It counts calls, and calls
+/// during which the device still has force.
 inline void OnSignal(int)
 {
   Watched->UpdateState();
@@ -33,7 +33,7 @@ inline void OnSignal(int)
 class Signals : public DeviceTest
 {
 protected:
-  /// Runs `body` in a child; returns its result, or minus the signal that ended it.
+  /// Runs `body` in a child process. Returns its exit code, or minus the signal that ended it.
   template <typename F>
   static int InChild(F&& body)
   {
@@ -56,8 +56,9 @@ protected:
     }
     return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
   }
-  /// Lets force flow on a slow servo, so that code which does not wait for its next tick is
-  /// noticed.
+  /// Arms the device at a servo rate of 100 Hz and waits until force acts. With ticks of 10 ms, a
+  /// test fails if the application's signal handler is called before the tick that cuts the force.
+  /// Returns false if no force came.
   bool Activate()
   {
     Watched = this->Device;

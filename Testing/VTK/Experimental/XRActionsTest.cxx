@@ -107,7 +107,7 @@ TEST_F(XRActions, AreCopiedWithTheMotorsOfBothHandsBound)
   Json::Value expected;
   std::ifstream(this->From + "/actions.json") >> expected;
   EXPECT_EQ(this->Load("actions.json"), expected) << "the action was there";
-  // A second call changes nothing.
+  // A second call must change nothing.
   ASSERT_TRUE(this->Controller->WriteActions(
     TemporaryPath("to/deep/actions.json").c_str(), TemporaryPath("to/deep").c_str()));
   EXPECT_EQ(this->Haptics("simple.json"), both);
@@ -143,7 +143,7 @@ TEST_F(XRActions, FilesThatAreNoneAreOneErrorWithTheCure)
   this->Save("actions.json", nested);
   this->ExpectError("is no manifest");
   this->Save("actions.json",
-    // The text is nested deeply, but complete.
+    // The text is valid JSON, but nested 70 deep.
     "{ \"actions\": " + std::string(70, '[') + std::string(70, ']') + " }");
   this->ExpectError("nested more than 64 deep");
   this->Log.Errors.clear();

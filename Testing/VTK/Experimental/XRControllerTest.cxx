@@ -34,7 +34,7 @@ protected:
   }
   ~XRController() override { this->Device->Stop(); }
 
-  /// Sends an event of a controller that points to -z, like the interactor.
+  /// Sends an event of a controller that points to -z, as the interactor does.
   void Send(unsigned long type, const Point& position,
     vtkEventDataAction action = vtkEventDataAction::Unknown,
     vtkEventDataDevice hand = vtkEventDataDevice::RightController)
@@ -49,8 +49,8 @@ protected:
     this->Interactor->InvokeEvent(type, event.GetPointer());
   }
   void Move(const Point& position) { this->Send(vtkCommand::Move3DEvent, position); }
-  /// Presses 3 mm into the ramp within six frames: fast enough to be felt, too slow for the slew
-  /// limit.
+  /// Presses 3 mm into the ramp within six frames: fast enough for the contact to be felt, and slow
+  /// enough for the slew limit.
   bool Press()
   {
     int frame = 0;
@@ -62,7 +62,7 @@ protected:
         return Length(this->Device->GetState()->GetForce()) > 1.0;
       });
   }
-  /// Sends frames of a headset until `holds` is true.
+  /// Sends frames of a headset until `holds` is true. Returns false if it never is.
   template <typename F>
   bool Frames(F&& holds)
   {
@@ -94,17 +94,18 @@ TEST_F(XRController, LeadsTheTipByThePoseOfItsHand)
   ASSERT_TRUE(this->Device->Start());
   this->Move({ 7.0, 7.0, 5.0 });
   EXPECT_TRUE(this->Frames([&] { return this->IsTipAt({ 7.0, 7.0, 5.0 }); }));
-  // The other hand and the head lead nothing.
+  // The other hand and the head must not move the tip.
   this->Send(vtkCommand::Move3DEvent, { 1.0, 1.0, 1.0 }, vtkEventDataAction::Unknown,
     vtkEventDataDevice::LeftController);
   this->Send(vtkCommand::Move3DEvent, { 1.0, 1.0, 1.0 }, vtkEventDataAction::Unknown,
     vtkEventDataDevice::HeadMountedDisplay);
-  // A controller that is out of sight has no position.
+  // A controller that is out of sight has no position, so the tip stays.
   this->Move({ std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0 });
   this->Interactor->InvokeEvent(vtkCommand::Move3DEvent, nullptr);
   EXPECT_TRUE(this->WaitTicks(5));
   EXPECT_TRUE(this->IsTipAt({ 7.0, 7.0, 5.0 }));
-  // The tip is 10 mm in front of the hand in the room, where a metre is 200 world units.
+  // The tip is 10 mm in front of the hand in the room. A metre of the room is 200 world units, so
+  // this is 2 world units.
   this->Controller->SetReach(0.01);
   this->Interactor->PhysicalScale = 200.0;
   this->Direction = { 0.6, 0.0, -0.8 };
@@ -172,7 +173,8 @@ TEST_F(XRController, ContactVibratesAndRestIsSilent)
       EXPECT_GE(gap.count(), 0.0099) << "its rate is limited";
     }
   }
-  // A force that rises by more than 1 N at once moves the strong motor alone to 0.64.
+  // A force that rises by more than 1 N at once moves the strong motor alone, with an amplitude of
+  // 0.64.
   EXPECT_GT(largest, 0.5F);
   const std::size_t before = calls.size();
   for (int i = 0; i < 30; ++i)
@@ -181,7 +183,7 @@ TEST_F(XRController, ContactVibratesAndRestIsSilent)
     this->Interactor->InvokeEvent(vtkCommand::RenderEvent);
   }
   EXPECT_EQ(calls.size(), before) << "silence is not renewed";
-  // A controller that loses its interactor falls silent.
+  // A controller that loses its interactor must fall silent.
   this->Move({ 7.0, 7.0, 5.0 });
   EXPECT_TRUE(this->Frames([&] { return calls.back().Amplitude > 0.2F; }));
   this->Controller->SetInteractor(nullptr);

@@ -41,7 +41,7 @@ vtkSmartPointer<vtkPolyData> WithTimeArray(int components, int tuples)
   return path;
 }
 
-/// Makes eight points, and polylines that connect some of them.
+/// Makes eight points, and polylines that connect some of them by their indices.
 vtkSmartPointer<vtkPolyData> WithLines(const std::vector<std::vector<vtkIdType>>& lines)
 {
   auto path = MakePath({ { 7, 7, 5 }, { 7, 7, 6 }, { 7, 7, 7 }, { 7, 7, 8 }, { 4, 4, 5 },
@@ -143,7 +143,8 @@ const BadPath BadPaths[] = {
       return path;
     },
     { "recording", "DeviceTip", "2 lines", "one recording at a time" } },
-  // Cutters give chains of segments in this way; the order of the points is 0, 2, 1, 3.
+  // Cutters give chains of segments like this one, in which the points follow in the order 0, 2, 1,
+  // 3.
   { "OutOfOrder",
     [] {
       return WithLines({ { 0, 2 }, { 2, 1 }, { 1, 3 } });

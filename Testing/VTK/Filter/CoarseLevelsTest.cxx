@@ -20,9 +20,10 @@ class CoarseLevels : public ApiTest
 {
 };
 
-constexpr double Slope[3] = { 0.3, 0.2, 0.933 }; // has the length 1
+constexpr double Slope[3] = { 0.3, 0.2, 0.933 }; // unit vector
 
-/// Presses 3 voxels along the slope, and then slides 8 voxels across it.
+/// Makes a path that presses 3 voxels along the slope, and then slides about 8 voxels across the
+/// slope.
 std::vector<Point> PressAndSlide()
 {
   const double middle = 24.0;

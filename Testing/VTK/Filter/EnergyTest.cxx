@@ -27,7 +27,7 @@ protected:
   }
 };
 
-/// Makes five turns on a circle with a radius of 3 mm, back to the beginning.
+/// Makes a path of five turns on a circle with a radius of 3 mm, back to the start.
 std::vector<Point> Turns(double direction)
 {
   std::vector<Point> points;
@@ -42,7 +42,7 @@ std::vector<Point> Turns(double direction)
 
 TEST_F(EnergyTest, ASpringStoresWhatTheHandPutsIn)
 {
-  // 3 mm at 500 N/m take 1.5 N, which the surface holds (T_N = 2 N).
+  // A press of 3 mm at 500 N/m takes 1.5 N. The surface holds this, since its strength T_N is 2 N.
   EXPECT_NEAR(this->Spent(Line({ 7, 7, 5 }, { 7, 7, 8 }, 30)), -0.5 * 500.0 * 0.003 * 0.003, 1e-9);
   std::vector<Point> cycle = Line({ 7, 7, 5 }, { 7, 7, 8 }, 30);
   const std::vector<Point> back = Line({ 7, 7, 8 }, { 7, 7, 5 }, 30);
@@ -64,8 +64,8 @@ TEST_F(EnergyTest, FrictionSpends)
 
 TEST_F(EnergyTest, AForceFieldWhoseGradientIsNoneOfAFunctionCreatesAsMuchAsItSpends)
 {
-  // Coarse central differences rotate on this ridge: one sense of rotation gains the energy that
-  // the other one loses.
+  // With coarse central differences, the forces along this ridge have a curl: turns in one sense
+  // gain the energy that turns in the other sense lose.
   this->Filter->SetInputData(0,
     MakeImage(16, VTK_DOUBLE,
       [](const Point& x) { return 1000.0 * std::sin(1.9 * x[0]) * std::cos(1.3 * x[1] + x[0]); }));

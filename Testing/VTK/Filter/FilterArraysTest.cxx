@@ -65,8 +65,8 @@ TEST_F(ApiTest, HashIsOfTheValuesInWhateverLayout)
     }
     this->Image->SetDimensions(5, 9, 100);
     this->Image->GetPointData()->SetScalars(array);
-    // Python: md5(pack("<5i", 5, 9, 100, 2, 5) + pack("<9000H", *range(9000))); VTK_UNSIGNED_SHORT
-    // is 5.
+    // Python computes the hash as md5(pack("<5i", 5, 9, 100, 2, 5) + pack("<9000H", *range(9000))):
+    // 5 x 9 x 100 points with 2 components of VTK_UNSIGNED_SHORT (5).
     EXPECT_EQ(this->Filter->HashScalars(), "27ecaeac981c0cb949f77ecbec42617c")
       << array->GetClassName();
   }

@@ -28,7 +28,7 @@ namespace
 constexpr double BurrPi = 3.14159265358979323846;
 constexpr double BurrVoxel = 0.25; // mm
 
-/// Solid tissue with the value 200 from z = Surface on, in voxels of 0.25 mm.
+/// Solid tissue with the value 200 above z = Surface, in voxels of 0.25 mm.
 class FilterBurr : public ApiTest
 {
 protected:
@@ -54,7 +54,8 @@ protected:
     this->Filter->SetPathData(this->Path);
     return this->Run(static_cast<vtkIdType>(points.size()));
   }
-  /// Plunges into the tissue to a depth (mm), and stays there for half of the ticks.
+  /// Makes a path that plunges into the tissue to this depth (mm), and stays there for half of the
+  /// ticks.
   static std::vector<Point> Plunge(double depth, int ticks, double x = 8.0, double y = 7.9)
   {
     const double z = Surface - 3.2;
@@ -76,8 +77,8 @@ protected:
 };
 } // namespace
 
-/// The removal rate is Q = mu F v/U, with the force F of the trace. Less energy than one step needs
-/// may be left at the end.
+/// The removal rate is Q = mu F v/U, with the force F of the trace. At the end, less energy than a
+/// step needs may be left over.
 TEST_F(FilterBurr, RemovesByItsEnergy)
 {
   SetConstant(this->Burr->GetSpecificEnergy(), 4.0);
@@ -90,7 +91,8 @@ TEST_F(FilterBurr, RemovesByItsEnergy)
   EXPECT_NEAR(Sum(trace, "RemovedVolume"), expected, 0.01 * expected);
 }
 
-/// In a label with an energy U2, Q = mu F v/U2 for any U(V); in a label without one, U(V) counts.
+/// In a label with its own energy U2, Q = mu F v/U2, whatever U(V) is. In a label without an
+/// energy, U(V) counts.
 TEST_F(FilterBurr, LabelsHaveAnEnergyOfTheirOwn)
 {
   SetConstant(this->Burr->GetSpecificEnergy(), 4.0);
@@ -114,8 +116,8 @@ TEST_F(FilterBurr, LabelsHaveAnEnergyOfTheirOwn)
   }
 }
 
-/// A hole through several labels costs the sum of U over the removed samples, which a loop over the
-/// remaining fractions computes. The label image has a geometry of its own.
+/// A hole through several labels costs the sum of U over the removed samples. The test computes
+/// this sum from the remaining fractions. The label image has its own spacing and origin.
 TEST_F(FilterBurr, AHoleThroughSeveralLabelsCostsTheSumOfTheirEnergies)
 {
   constexpr double spacing = 0.7; // mm
@@ -153,7 +155,7 @@ TEST_F(FilterBurr, AHoleThroughSeveralLabelsCostsTheSumOfTheirEnergies)
       index[a] = static_cast<int>(std::lround((place[a] - labels->GetOrigin()[a]) / spacing));
     }
     const double label = labels->GetScalarComponentAsDouble(index[0], index[1], index[2], 0);
-    // A voxel loses its volume while its fraction passes the middle sixth of the ramp.
+    // A voxel loses its volume while its fraction is in the middle sixth of its range.
     volumes[label == 2.0 ? 0 : (label == 3.0 ? 1 : 2)] +=
       std::pow(BurrVoxel, 3) * (1.0 - std::clamp(6.0 * (rho - 0.5) + 0.5, 0.0, 1.0));
   }
@@ -169,8 +171,8 @@ TEST_F(FilterBurr, AHoleThroughSeveralLabelsCostsTheSumOfTheirEnergies)
 }
 
 /// Q is inversely proportional to the energy: three times the energy removes a third of the volume
-/// at the same force. A burr that does not spin removes nothing. The energy saved at the end is a
-/// small part of so long a stroke.
+/// at the same force. A burr that does not spin removes nothing. The stroke is long, so that the
+/// energy left at its end is a small part.
 TEST_F(FilterBurr, DenseTissueIsRemovedMoreSlowly)
 {
   double rates[2] = {};
@@ -185,7 +187,8 @@ TEST_F(FilterBurr, DenseTissueIsRemovedMoreSlowly)
   EXPECT_EQ(Sum(this->Follow(Plunge(2.0, 1000)), "RemovedVolume"), 0.0);
 }
 
-/// B2: the point, without a tool, feels the sides of a hole with the burr's radius.
+/// Case B2: without the tool, the point feels the sides of the hole, which has the burr's radius of
+/// 3 mm.
 TEST_F(FilterBurr, ItsHoleIsFeltWithThePoint)
 {
   SetConstant(this->Burr->GetSpecificEnergy(), 0.05);

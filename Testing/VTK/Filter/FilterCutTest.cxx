@@ -25,7 +25,8 @@ namespace
 class FilterCut : public ApiTest
 {
 protected:
-  /// Returns the largest force on the path of ApiTest, which goes from z = 5 to 10 at x = y = 7.
+  /// Returns the largest force (N) on the path of ApiTest, which goes from z = 5 to z = 10 at x = y
+  /// = 7.
   double Strongest()
   {
     vtkPolyData* const output = this->Run(51);
@@ -57,8 +58,8 @@ TEST_F(FilterCut, APlaneThatMovesMovesTheCut)
   EXPECT_NEAR(this->Strongest(), whole, 1e-12);
 }
 
-// VTK's GPU mappers don't draw blanked points and cells, so they are not felt. The path is at x =
-// 7.
+// VTK's GPU mappers don't draw blanked points and cells, so these must not be felt. Blanks the
+// points and cells with small x; the path is at x = 7.
 TEST_F(FilterCut, BlankedPointsAndCellsAreNotFelt)
 {
   const double whole = this->Strongest();
@@ -144,7 +145,7 @@ TEST_F(FilterCut, WhatIsWrongIsNamed)
 
 namespace
 {
-/// Methods other than PROXY, on the path of ApiTest across a surface at z = 7.
+/// Tests of methods other than PROXY, on the path of ApiTest through a surface at z = 7.
 class FilterCutMethods : public FilterCut
 {
 protected:

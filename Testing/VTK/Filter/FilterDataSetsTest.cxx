@@ -35,9 +35,9 @@ namespace
 {
 constexpr int Edge = 21;          // points
 constexpr double HalfEdge = 16.0; // mm
-constexpr double PerMm = 0.5;     // stiffness of the spring, N/mm
+constexpr double PerMm = 0.5;     // stiffness of the spring (N/mm)
 
-/// Adds a flow around z, and scalars of 100 z.
+/// Adds a flow around the z axis, and scalars with the value 100 z.
 void AddFields(vtkDataSet* data)
 {
   vtkNew<vtkDoubleArray> flow;
@@ -107,7 +107,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeUnstructured(vtkDataSet* data)
   return grid;
 }
 
-/// Makes two blocks of different types, for the lower and the upper half.
+/// Makes two blocks of different types: one for the lower half, the other for the upper half.
 vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks()
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
@@ -130,7 +130,7 @@ protected:
   {
     this->Filter->SetInputData(0, data);
     vtkPolyData* const trace = this->Run(101);
-    // The proxy may move along the flow only: the spring holds it outwards and along z.
+    // The proxy can move only along the flow, so the spring pulls outwards and along z.
     const double wanted[3] = { -1.4 * PerMm, 0.0, -2.0 * PerMm };
     for (int c = 0; c < 3; ++c)
     {
@@ -164,7 +164,8 @@ TEST_F(FilterDataSets, AreFeltAsTheFieldThatTheyHold)
   this->ExpectFlow(MakeStructured(-HalfEdge, HalfEdge));
   this->ExpectFlow(MakeUnstructured(MakeStructured(-HalfEdge, HalfEdge)));
   this->ExpectFlow(MakeBlocks());
-  // With scalars alone, eq. 1 holds: the force is the gain times the gradient.
+  // The method Force Field uses the scalars alone: the force is the gain times the gradient (eq.
+  // 1).
   this->Filter->SetMethodToForceField();
   this->Filter->SetForceFieldGain(0.01);
   vtkPolyData* const trace = this->Run(101);
@@ -220,7 +221,7 @@ TEST_F(FilterDataSets, AreFeltLiveAroundTheHand)
     << device->GetState()->GetComputedForce()[0];
   EXPECT_NEAR(device->GetState()->GetComputedForce()[2], -1.0, 1e-3);
   EXPECT_NEAR(device->GetState()->GetModeForce(0)[2], -1.0, 1e-3);
-  // Nothing is felt beyond the data.
+  // A tip outside the data feels nothing.
   device->GetVirtualHand()->SetPosition(40.0, 0.0, 1.0);
   EXPECT_TRUE(await([&] { return std::abs(device->GetState()->GetComputedForce()[0]) < 1e-9; }));
 }
@@ -272,7 +273,8 @@ TEST_F(FilterDataSets, WithCellsThatMakeNoSenseAreRefused)
   vtkNew<vtkHapticRegionSource> source;
   EXPECT_TRUE(source->OpenDataSet(make(VTK_TETRA, { 7, 4, 5, 6 }), 0.5, "height"));
 
-  for (const vtkIdType offset : { -4, 3, 9 }) // before the list, less than the last one, behind it
+  // before the list, less than the last offset, behind the list
+  for (const vtkIdType offset : { -4, 3, 9 })
   {
     const auto grid = make(VTK_TETRA, { 7, 4, 5, 6 });
     vtkDataArray* const offsets = grid->GetCells()->GetOffsetsArray();

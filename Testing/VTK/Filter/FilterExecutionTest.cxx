@@ -22,7 +22,7 @@ class FilterExecution : public ApiTest
 protected:
   FilterExecution() { this->Run(51); }
 
-  /// Returns how often the filter runs for two updates after a change.
+  /// Returns how often the filter runs in two updates after a change.
   int RunsAfter(const std::function<void()>& change)
   {
     change();

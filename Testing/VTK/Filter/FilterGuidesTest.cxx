@@ -28,8 +28,8 @@ TEST_F(FilterGuides, AGuideLeadsAroundItsCornerAndEnds)
   const auto mode = vtkSmartPointer<vtkHapticGuideMode>::New();
   mode->SetPath(MakePath({ { 5, 5, 12 }, { 15, 5, 12 }, { 15, 15, 12 } }));
   this->Filter->AddMode(mode);
-  // The tip ends beside the first leg, then outside of the corner, beside the second leg, and
-  // beyond the end.
+  // The paths end beside the first leg, outside the corner, beside the second leg, and beyond the
+  // end of the guide.
   this->Follow(Line({ 6, 5, 12 }, { 10, 4, 12 }, 50));
   vtkPolyData* trace = this->Run(51);
   ExpectNear(LastProxy(trace), { 10.0, 5.0, 12.0 }, 1e-9);
@@ -51,7 +51,7 @@ TEST_F(FilterGuides, AGuideLeadsAroundItsCornerAndEnds)
   trace = this->Run(51);
   ExpectNear(LastProxy(trace), { 15.0, 15.0, 12.0 }, 1e-9);
   ExpectNear(Last(trace, "Force"), { 0.0, -2.0 * SpringPerMm, 0.0 }, 1e-9);
-  // The strength limits the pull to 1 N: a hand that is more than 1 mm away is led back with 1 N.
+  // The strength limits the pull: a hand that is more than 1 mm away is pulled back with 1 N.
   mode->GetStrength()->AddPoint(0.0, 1.0);
   this->Follow({ { 8, 8, 12 }, { 8, 8, 12 } });
   ExpectNear(Last(this->Run(2), "Force"), { 0.0, -1.0, 0.0 }, 1e-9);
@@ -59,7 +59,7 @@ TEST_F(FilterGuides, AGuideLeadsAroundItsCornerAndEnds)
 
 TEST_F(FilterGuides, ASurfaceHoldsTheHandOnIt)
 {
-  // The plane consists of two triangles whose outer edges are far from the hand, so forces are
+  // The plane consists of two triangles. Their outer edges are far from the hand, so forces are
   // exact.
   const vtkNew<vtkPoints> corners;
   corners->InsertNextPoint(0, 0, 12);
@@ -82,8 +82,8 @@ TEST_F(FilterGuides, ASurfaceHoldsTheHandOnIt)
     ExpectNear(LastProxy(trace), { 15, 13, 12 }, 1e-9);
     ExpectNear(Last(trace, "Force"), { 0, 0, (12 - tip) * SpringPerMm }, 1e-9);
   }
-  // The hand is kept above the plane (outside), then below it (inside), and then on a surface 2 mm
-  // above it.
+  // The mode holds the hand above the plane (outside), below the plane (inside), or on a surface 2
+  // mm above the plane.
   mode->SetSideToOutside();
   ExpectNear(Last(this->Run(201), "Force"), { 0, 0, 1.5 }, 1e-9);
   mode->SetSideToInside();
@@ -92,7 +92,7 @@ TEST_F(FilterGuides, ASurfaceHoldsTheHandOnIt)
   mode->SetDistance(2.0);
   this->Follow(Line({ 8, 9, 12 }, { 15, 13, 15 }, 200));
   ExpectNear(LastProxy(this->Run(201)), { 15, 13, 14 }, 1e-9);
-  // The strength is 0.5 N at any distance, and then falls to 0 beyond a millimetre.
+  // The strength is 0.5 N at any distance. Then it falls to 0 at a distance of 1 mm.
   mode->SetDistance(0.0);
   SetConstant(mode->GetStrength(), 0.5);
   this->Follow({ { 8, 9, 17 }, { 8, 9, 17 } });
@@ -104,7 +104,7 @@ TEST_F(FilterGuides, ASurfaceHoldsTheHandOnIt)
 TEST_F(FilterGuides, AMeshOfABallAndItsDistanceFieldHoldTheHandAlike)
 {
   // The ball has a radius of 8 mm around the middle. The tip circles it twice, 2 mm outside or
-  // inside of its surface, which gives 1 N.
+  // inside the surface, so the force is 1 N.
   const vtkNew<vtkSphereSource> ball;
   ball->SetCenter(Middle, Middle, Middle);
   ball->SetRadius(8.0);
@@ -121,8 +121,8 @@ TEST_F(FilterGuides, AMeshOfABallAndItsDistanceFieldHoldTheHandAlike)
     mode->SetSurface(isField ? nullptr : ball->GetOutput());
     mode->SetDistanceField(isField ? field.Get() : nullptr);
     this->Filter->AddMode(mode);
-    // The spline raises the field by 1/6 of its Laplacian 2/r; chords of 4.5 degrees lie 8/1300 mm
-    // inside of the ball.
+    // The spline raises the field by 1/6 of its Laplacian 2/r. The mesh's chords of 4.5 degrees lie
+    // up to 8/1300 mm inside the ball.
     const double radius = isField ? 4.0 + std::sqrt(16.0 - 1.0 / 3.0) : 8.0;
     const double s = std::sqrt(0.5);
     for (const double tip : { 6.0, 10.0 })
@@ -143,7 +143,7 @@ TEST_F(FilterGuides, AMeshOfABallAndItsDistanceFieldHoldTheHandAlike)
         const double r = std::hypot(on[0] - Middle, on[1] - Middle, on[2] - Middle);
         ASSERT_NEAR(r, radius, 0.01) << tick;
         ASSERT_NEAR(Get(trace, "NormalForce", tick), std::abs(tip - r) * SpringPerMm, 0.005);
-        // Nothing holds the hand along the ball, so the proxy follows it.
+        // Nothing holds the hand along the ball's surface, so the proxy follows the hand there.
         double at[3];
         trace->GetPointData()->GetArray("Tip")->GetTuple(tick, at);
         for (int a = 0; a < 3; ++a)
@@ -163,8 +163,9 @@ TEST_F(FilterGuides, AMeshOfABallAndItsDistanceFieldHoldTheHandAlike)
 
 TEST_F(FilterGuides, TheEdgeOfAGuidingCubeIsGoneAround)
 {
-  // The tip goes around an edge at a distance of 1 mm. The proxy stays on the faces, and on the
-  // edge while the tip is outside of it. The force changes no faster than the tip moves.
+  // The tip goes around an edge of the cube at a distance of 1 mm. The proxy stays on the faces;
+  // while the tip is outside the edge, it stays on the edge. The force changes no faster than the
+  // tip moves.
   const vtkNew<vtkCubeSource> cube;
   cube->SetBounds(6, 16, 6, 16, 6, 16);
   cube->Update();

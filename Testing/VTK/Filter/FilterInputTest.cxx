@@ -25,7 +25,7 @@ class FilterInput : public ApiTest
 protected:
   vtkDataArray* Scalars() { return this->Image->GetPointData()->GetScalars(); }
 
-  /// Calls `f` in the middle of the next update, after its first ticks.
+  /// Calls `f` in the middle of the next update, after some ticks.
   void UnderWay(const std::function<void()>& f)
   {
     this->Callback = [this, f]
@@ -42,7 +42,7 @@ protected:
     this->Filter->AddObserver(vtkCommand::ProgressEvent, this->Command);
   }
 
-  /// Sets a tip that rests for 5000 ticks, so that progress events are sent.
+  /// Sets a path of a tip that rests for 5000 ticks, so that progress events are sent.
   void Rest() { this->Filter->SetPathData(MakePath(std::vector<Point>(5000, { 7, 7, 7 }))); }
 
   std::function<void()> Callback;
@@ -61,7 +61,8 @@ TEST_F(FilterInput, InPlaceEditsAreFelt)
 TEST_F(FilterInput, SamplesAreNotCopied)
 {
   this->Rest();
-  // A copy would not show samples that are written while the filter runs.
+  // The filter reads the samples in place: samples that are written while the filter runs are in
+  // the output.
   this->UnderWay([&] { this->Scalars()->Fill(42.0); });
   vtkPolyData* const output = this->Run(5000);
   EXPECT_EQ(Get(output, "Value", 0), 700.0);
@@ -103,8 +104,8 @@ TEST_F(FilterInput, InputsAreLeftAlone)
     0);
 }
 
-// While a hand follows a surface, each motion looks for the surface ahead with a model that lives
-// only for this call.
+// Bakes twice, as a hand on a surface does: each motion looks for the surface ahead with a model of
+// its own. Both models must share one bake.
 TEST_F(FilterInput, IsBakedOnceForModelsThatComeAndGo)
 {
   const auto bake = [this] { return this->Filter->GetBaker().Bake(1000.0, {}, nullptr); };

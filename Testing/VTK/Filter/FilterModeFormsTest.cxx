@@ -22,7 +22,7 @@ namespace
 {
 const double Turn = 2.0 * std::acos(-1.0);
 
-/// Makes an image of this many voxels around the origin, with scalars of 0.
+/// Makes an image with these numbers of voxels around the origin, whose scalars are 0.
 vtkSmartPointer<vtkImageData> MakeGrid(const std::array<int, 3>& size, double spacing)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -35,7 +35,7 @@ vtkSmartPointer<vtkImageData> MakeGrid(const std::array<int, 3>& size, double sp
   return image;
 }
 
-/// Makes a random walk that begins at the origin and is pulled back to it a little.
+/// Makes a random walk that begins at the origin and is pulled back to the origin a little.
 std::vector<Point> RandomWalk(int ticks, double stride)
 {
   std::mt19937_64 engine(11);
@@ -59,7 +59,7 @@ Point ForceAt(vtkPolyData* trace, vtkIdType tick)
     Get(trace, "Force", tick, 2) };
 }
 
-/// A flow in many directions, with a rotation, a stretching, and a place without flow.
+/// Sets `v` to a flow in many directions, with a rotation, a stretching, and a place without flow.
 void Swirl(const Point& p, double* v)
 {
   v[0] = std::sin(0.4 * p[1]);
@@ -67,7 +67,7 @@ void Swirl(const Point& p, double* v)
   v[2] = 0.5 * std::sin(0.5 * p[0] + 0.2 * p[1]);
 }
 
-/// The flow's tensor v v^T + 0.1 I, which becomes flat elsewhere.
+/// Sets `t` to the flow's tensor v v^T + 0.1 I, which becomes flat at some heights.
 void SwirlTensor(const Point& p, double* t)
 {
   double v[3];
@@ -88,15 +88,15 @@ protected:
     this->Filter->SetInputData(this->Image);
   }
 
-  /// A mode in the swirling fields, and the largest sum of its strengths (N).
+  /// A mode for the swirling fields, with the largest sum of its strengths (N).
   struct FeltMode
   {
     vtkSmartPointer<vtkHapticMode> Mode;
     double Most;
   };
 
-  /// Sets the swirling fields and makes one mode of each kind; the first, third and fifth can be
-  /// felt together.
+  /// Sets the swirling fields, and makes one mode of each kind. The first, third and fifth mode can
+  /// be felt together.
   std::vector<FeltMode> UseSwirl()
   {
     this->UseGrid({ 24, 24, 24 }, 1.0);
@@ -105,7 +105,7 @@ protected:
     vtkDataArray* const scalars = this->Image->GetPointData()->GetScalars();
     for (vtkIdType i = 0; i < this->Image->GetNumberOfPoints(); ++i)
     {
-      // A bright vessel passes beside the origin.
+      // Makes a bright vessel that passes near the origin.
       Point p;
       this->Image->GetPoint(i, p.data());
       const double up = 0.6 * p[0] - 0.8 * p[1] + 0.2;
@@ -122,9 +122,9 @@ protected:
     SetConstant(vortex->GetSecondStrength(), 0.3);
     const auto fibres = NewMode(vtkHapticMode::TENSOR_FOLLOW, "tensor");
     SetConstant(fibres->GetSecondStrength(), 0.5);
-    // A strength is at most 1.5 N, since functions hold their last value, and a tensor's measure is
-    // at most 1. Only one side of a two-sided front holds at a time. A guide holds with its line
-    // and, at its ends, also with a front.
+    // The strength functions hold their last value, 1.5 N, and a tensor's measure is at most 1. A
+    // two-sided front holds with one side at a time. A guide holds with its line, and at its ends
+    // with a front, too.
     const std::vector<FeltMode> modes = { { NewMode(vtkHapticMode::VECTOR_FOLLOW, "flow"), 1.5 },
       { front, 1.5 }, { vortex, 1.8 }, { NewMode(vtkHapticMode::SHEAR, "flow"), 1.5 },
       { fibres, 2.0 }, { NewMode(vtkHapticMode::VECTOR_FRONT, "flow"), 1.5 },
@@ -139,9 +139,9 @@ protected:
     return modes;
   }
 
-  /// Gives a guide a straight path that turns with the volume; other modes are left as they are.
-  /// The path has no kink, where rounding would decide where a way ends, by up to FinishedFraction
-  /// of a step (Core/Solvers/Primitives/PrimitiveFollower.h).
+  /// Gives a guide a straight path that turns with the volume, and leaves other modes as they are.
+  /// A path with a kink would not turn exactly: rounding decides where a motion ends at a kink, by
+  /// up to FinishedFraction of a step (Core/Solvers/Primitives/PrimitiveFollower.h).
   template <typename Turn>
   static void SetGuide(vtkHapticMode* mode, const Turn& turn)
   {
@@ -154,7 +154,8 @@ protected:
 
 TEST_F(FilterModeForms, ALineIsKeptOverAHundredTurns)
 {
-  // P4: the line is a circle of 20 mm; the tip on 18 mm is pulled outwards with 1 N.
+  // Case P4: the line is a circle of 20 mm. The tip at a radius of 18 mm is pulled outwards with 1
+  // N.
   this->UseGrid({ 48, 48, 7 }, 1.0);
   this->AddArray("flow", 3,
     [](const Point& p, double* v)
@@ -180,10 +181,10 @@ TEST_F(FilterModeForms, ALineIsKeptOverAHundredTurns)
 
 TEST_F(FilterModeForms, AStrengthThatFallsOutwardLetsTheHandGoAsItSays)
 {
-  // P3, Poiseuille's profile with R = 20 mm, has S = 2 (1 - r^2/R^2) N: the proxy is at r if the
-  // tip is at r + S(r)/k. It is at 10 mm with 1.5 N for 13 mm, at 15 mm with 0.875 N for 16.75 mm,
+  // Case P3: Poiseuille's profile with R = 20 mm has S = 2 (1 - r^2/R^2) N. If the tip is at r +
+  // S(r)/k, the proxy is at r: at 10 mm with 1.5 N for 13 mm, at 15 mm with 0.875 N for 16.75 mm,
   // and at the wall without force for 20 mm. Samples are 0.5 mm apart: a cubic B-spline adds a
-  // third of that squared to the square of each coordinate, which is 8e-4 N.
+  // third of 0.5^2 to the square of each coordinate, which changes S by 8e-4 N.
   this->UseGrid({ 96, 96, 8 }, 0.5);
   this->AddArray("flow", 3,
     [](const Point& p, double* v)
@@ -213,8 +214,9 @@ TEST_F(FilterModeForms, AStrengthThatFallsOutwardLetsTheHandGoAsItSays)
 
 TEST_F(FilterModeForms, AVortexHoldsTheHandInAsItsVorticityFalls)
 {
-  // P5, Lamb-Oseen: curl v = 2 exp(-r^2/100 mm^2), and S in N has this value. The proxy is at r if
-  // the tip is at r + S/k: at 5 mm for 8.115 mm, 10 mm for 11.472 mm, 20 mm for 20.073 mm.
+  // Case P5 (Lamb-Oseen): curl v = 2 exp(-r^2/100 mm^2), and S in N has this value. If the tip is
+  // at r + S(r)/k, the proxy is at r: at 5 mm for 8.115 mm, at 10 mm for 11.472 mm, at 20 mm for
+  // 20.073 mm.
   this->UseGrid({ 96, 96, 8 }, 0.5);
   this->AddArray("flow", 3,
     [](const Point& p, double* v)
@@ -236,18 +238,18 @@ TEST_F(FilterModeForms, AVortexHoldsTheHandInAsItsVorticityFalls)
   for (const Place& at : { Place{ 0.0, 3.9, 1.95 }, Place{ 5.0, 8.1152, 1.5576 },
          Place{ 10.0, 11.4715, 0.7358 }, Place{ 20.0, 20.0733, 0.0366 } })
   {
-    // The tip moves slowly outwards from the core, each time along another line.
+    // The tip moves slowly outwards from the core, along another line in each case.
     const double angle = 0.3 + at.Proxy;
     const Point out{ std::cos(angle), std::sin(angle), 0.0 };
     this->Follow(Line({ 0, 0, 0 }, { at.Tip * out[0], at.Tip * out[1], 0.0 }, 1000));
     vtkPolyData* const trace = this->Run(1001);
-    // The cubic B-spline blurs with a variance of q = h^2/3 along each axis: f + q/2 Laplace(f).
+    // The cubic B-spline blurs f with a variance of q = h^2/3 along each axis: f becomes f + q/2
+    // Laplace(f).
     const double blur =
       0.25 / 6.0 * (4.0 * at.Proxy * at.Proxy / 1e4 - 4.0 / 100.0) * (at.Proxy > 0.0 ? 1.0 : 0.0);
     const double force = (1.0 + blur) * at.Force;
     EXPECT_NEAR(Get(trace, "NormalForce", 1000), force, 0.005 * force) << at.Proxy;
-    // The core line is found within a hundredth of a voxel; elsewhere the place depends on the
-    // strength.
+    // The core line is found within 0.01 voxel. Elsewhere, the place depends on the strength.
     const double tolerance = at.Proxy == 0.0 ? 0.005 : 0.02;
     ExpectNear(LastProxy(trace), { at.Proxy * out[0], at.Proxy * out[1], 0.0 }, tolerance);
   }
@@ -258,9 +260,9 @@ TEST_F(FilterModeForms, AVortexHoldsTheHandInAsItsVorticityFalls)
 
 TEST_F(FilterModeForms, FibresTurnAsInterpolatedTensorsDo)
 {
-  // P9: fibres have two angles in the lowest and in the highest slice. At the fraction t of the
-  // way, their angle is atan2((1-t) sin 2a + t sin 2b, (1-t) cos 2a + t cos 2b)/2. The hand pulls
-  // along x.
+  // Case P9: the fibres have the angle a in the lowest slice and b in the highest slice. At the
+  // fraction t between these slices, their angle is atan2((1-t) sin 2a + t sin 2b, (1-t) cos 2a + t
+  // cos 2b)/2. The hand pulls along x.
   struct Turned
   {
     double From, To, Share, Angle;
@@ -285,8 +287,8 @@ TEST_F(FilterModeForms, FibresTurnAsInterpolatedTensorsDo)
     const double z = 16.0 * of.Share - 8.0;
     this->Follow(Line({ 0, 0, z }, { 2.0, 0, z }, 100));
     vtkPolyData* const trace = this->Run(101);
-    // The proxy moves along the fibre by 2 mm times the cosine; the force is 1 N times the sine
-    // across it.
+    // The proxy moves along the fibre by 2 mm times the cosine of the angle. The force across the
+    // fibre is 1 N times the sine.
     const double angle = of.Angle * Turn / 360.0;
     const double c = std::cos(angle);
     const double s = std::sin(angle);
@@ -297,7 +299,7 @@ TEST_F(FilterModeForms, FibresTurnAsInterpolatedTensorsDo)
 
 TEST_F(FilterModeForms, TurnWithVolumeAndPath)
 {
-  // P11: an image with turned axes has the same samples, so its forces are turned.
+  // Case P11: an image with turned axes and the same samples gives turned forces.
   const double rows[3][3] = { { 0.36, -0.8, 0.48 }, { 0.48, 0.6, 0.64 }, { -0.8, 0.0, 0.6 } };
   const auto turned = [&](const Point& p)
   {
@@ -344,8 +346,8 @@ TEST_F(FilterModeForms, TurnWithVolumeAndPath)
 
 TEST_F(FilterModeForms, PullNoMoreThanTheirStrengths)
 {
-  // P11: each mode alone, and the most modes that can be felt together, stay within their
-  // strengths.
+  // Case P11: each mode alone, and the largest set of modes that can be felt together, must pull
+  // with their strengths at most.
   const auto modes = this->UseSwirl();
   for (const FeltMode& felt : modes)
   {
@@ -360,7 +362,8 @@ TEST_F(FilterModeForms, PullNoMoreThanTheirStrengths)
       double sum = 0.0;
       for (std::size_t j = 0; j < modes.size(); ++j)
       {
-        // The line of the flow, the vortex and the fibres have eight primitives in all.
+        // Adds one mode, or in the last round the flow's line, the vortex and the fibres, which
+        // have eight primitives together.
         if (j == i || (i == modes.size() && j < 5 && j % 2 == 0))
         {
           this->Filter->AddMode(modes[j].Mode);

@@ -50,7 +50,7 @@ protected:
     this->Image->GetPointData()->AddArray(array);
     return array;
   }
-  /// Adds the flow v = (x - 11.5) turned by 90 degrees about z: its lines are circles.
+  /// Adds the flow v = (x - 11.5), turned by 90 degrees about z, whose lines are circles.
   void AddCircles()
   {
     this->AddArray("flow", 3,
@@ -64,7 +64,7 @@ protected:
 
   void Follow(const std::vector<Point>& points) { this->Filter->SetPathData(MakePath(points)); }
 
-  /// Returns the vector of an array at the last tick.
+  /// Returns an array's vector at the last tick.
   static Point Last(vtkPolyData* trace, const char* array)
   {
     const vtkIdType tick = trace->GetNumberOfPoints() - 1;

@@ -25,7 +25,7 @@ using namespace modestest;
 
 TEST_F(FilterModes, AFlowLetsGoAlongItHoldsAcrossItAndPushes)
 {
-  // P1 and P2, with the default strength of 2 N.
+  // Cases P1 and P2, with the default strength of 2 N.
   this->AddArray("flow", 3,
     [](const Point&, double* v)
     {
@@ -46,7 +46,7 @@ TEST_F(FilterModes, AFlowLetsGoAlongItHoldsAcrossItAndPushes)
   mode->GetSecondStrength()->AddPoint(6.0, 1.0);
   this->Follow({ { 8, 8, 12 }, { 8, 8, 12 } });
   ExpectNear(Last(this->Run(2), "Force"), { 0.5, 0.0, 0.0 }, 1e-12);
-  // The coupling's stiffness sets the force; MaximumStiffness limits it.
+  // The coupling stiffness sets the force, and MaximumStiffness limits it.
   mode->GetSecondStrength()->RemoveAllPoints();
   this->Filter->SetCouplingStiffness(300.0);
   this->Follow(Line({ 8, 8, 12 }, { 9, 9, 12 }, 10));
@@ -57,7 +57,7 @@ TEST_F(FilterModes, AFlowLetsGoAlongItHoldsAcrossItAndPushes)
 
 TEST_F(FilterModes, ACircleIsFollowedWithoutDrift)
 {
-  // P4: the tip is 2 mm inside of a circle of 8 mm: the force is 1 N outwards in every turn.
+  // Case P4: the tip is 2 mm inside a circle of 8 mm, so the force is 1 N outwards in each turn.
   this->AddCircles();
   this->Filter->AddMode(NewMode(vtkHapticMode::VECTOR_FOLLOW, "flow"));
   std::vector<Point> tips = { { Middle + 8.0, Middle, Middle } };
@@ -74,8 +74,8 @@ TEST_F(FilterModes, ACircleIsFollowedWithoutDrift)
 
 TEST_F(FilterModes, ComponentsMayStandAlongTheAxesOfTheImage)
 {
-  // P11: the image's x axis is the world's z axis, so (x, y, z) of the image are (z, x, y) of the
-  // world.
+  // Case P11: the image's x axis is the world's z axis, so (x, y, z) of the image is (z, x, y) of
+  // the world.
   vtkNew<vtkMatrix3x3> direction;
   const double rows[9] = { 0, 1, 0, 0, 0, 1, 1, 0, 0 };
   direction->DeepCopy(rows);
@@ -136,8 +136,8 @@ TEST_F(FilterModes, LayoutsOfAnArrayAreAlikeToTheBit)
 
 TEST_F(FilterModes, ModesAreFeltTogetherAndEachHasItsForce)
 {
-  // The flow gives a line along x and the wave fronts across z, beside the surfaces of the scalars,
-  // which rise with z.
+  // The flow gives a line along x, and wave fronts across z. The surfaces of the scalars, which
+  // rise with z, are across z, too.
   this->AddArray("flow", 3,
     [](const Point&, double* v)
     {
@@ -158,7 +158,7 @@ TEST_F(FilterModes, ModesAreFeltTogetherAndEachHasItsForce)
   SetConstant(this->Property->GetSurfaceStrength(), 0.3);
   SetConstant(this->Property->GetDistinctness(), 1.0);
   this->Filter->AddMode(follow);
-  this->Filter->AddMode(follow); // is there already, so it is not added again
+  this->Filter->AddMode(follow); // the mode is there already, so it is not added again
   this->Filter->AddMode(front);
   this->Filter->AddMode(surface);
   this->Filter->AddMode(nullptr);
@@ -170,13 +170,13 @@ TEST_F(FilterModes, ModesAreFeltTogetherAndEachHasItsForce)
   ExpectNear(Last(trace, "ModeForce_0"), { 0.0, -0.7, 0.0 }, 1e-12);
   this->Follow(Line({ 10, 10, 10 }, { 10, 10, 16 }, 50));
   trace = this->Run(51);
-  // All three hold along z, each with its strength.
+  // All three modes hold along z, each with its strength.
   ExpectNear(Last(trace, "Force"), { 0.0, 0.0, -1.4 }, 1e-9);
   ExpectNear(Last(trace, "ModeForce_0"), { 0.0, 0.0, -0.7 }, 1e-9);
   ExpectNear(Last(trace, "ModeForce_1"), { 0.0, 0.0, -0.4 }, 1e-9);
   ExpectNear(Last(trace, "ModeForce_2"), { 0.0, 0.0, -0.3 }, 1e-9);
-  // Without the line, a motion backwards is free, since one-sided fronts and surfaces hold only
-  // forwards.
+  // Without the line, a backward motion is free, since one-sided fronts and surfaces hold only
+  // forward motions.
   follow->ActiveOff();
   trace = this->Run(51);
   ExpectNear(Last(trace, "Force"), { 0.0, 0.0, -0.7 }, 1e-9);
@@ -195,8 +195,8 @@ TEST_F(FilterModes, ModesAreFeltTogetherAndEachHasItsForce)
 
 TEST_F(FilterModes, AVesselIsSnappedOnAndFollowed)
 {
-  // The vessel is a tube with a Gaussian profile along (1, 1, 0)/sqrt(2), through (11.3, 11.3,
-  // 11.8).
+  // The vessel is a tube with a Gaussian profile along (1, 1, 0)/sqrt(2) through the point (11.3,
+  // 11.3, 11.8).
   const double s = std::sqrt(0.5);
   for (const bool isDark : { false, true })
   {
@@ -213,7 +213,7 @@ TEST_F(FilterModes, AVesselIsSnappedOnAndFollowed)
     const auto mode = NewMode(vtkHapticMode::RIDGE);
     mode->SetPolarity(isDark);
     this->Filter->AddMode(mode);
-    // The tip begins 1 mm off the axis, and moves along it with a lag of 1 mm across it.
+    // The tip begins 1 mm off the axis. It moves along the axis, and ends 1 mm beside it.
     this->Follow(Line({ 8, 8, 12.8 }, { 15 + s, 15 - s, 11.8 }, 300));
     vtkPolyData* const trace = this->Run(301);
     const Point on = LastProxy(trace);
@@ -221,7 +221,7 @@ TEST_F(FilterModes, AVesselIsSnappedOnAndFollowed)
     EXPECT_NEAR(on[2], 11.8, 0.01);
     EXPECT_NEAR(on[0] + on[1], 30.0, 0.02) << "free along it";
     ExpectNear(Last(trace, "Force"), { -s * SpringPerMm, s * SpringPerMm, 0.0 }, 0.01);
-    // With the other polarity there is no ridge here.
+    // With the other polarity, this vessel is no ridge.
     mode->SetPolarity(!isDark);
     this->Follow(Line({ 8, 8, 11.8 }, { 12, 12, 11.8 }, 50));
     ExpectNear(Last(this->Run(51), "Force"), { 0.0, 0.0, 0.0 }, 1e-9);
@@ -230,7 +230,7 @@ TEST_F(FilterModes, AVesselIsSnappedOnAndFollowed)
 
 TEST_F(FilterModes, WhereAFlowTurnsOverTheForceGoesThroughZero)
 {
-  // P8: the tip crosses y = 0 of the shear v = (y, 0, 0).
+  // Case P8: the tip crosses y = Middle, where the shear flow along x changes its sign.
   this->AddArray("flow", 3,
     [](const Point& p, double* v)
     {
@@ -253,7 +253,7 @@ TEST_F(FilterModes, WhereAFlowTurnsOverTheForceGoesThroughZero)
     const double now = Get(trace, "Force", tick, 1);
     ASSERT_TRUE(std::isfinite(now));
     ASSERT_EQ(Get(trace, "Force", tick, 2), 0.0);
-    // The strength is 0.25 N per millimetre from the middle, half of the spring's stiffness.
+    // The strength rises by 0.25 N per millimetre from the middle, half of the spring's stiffness.
     ASSERT_LT(std::abs(now - before), 0.5 * 0.01 * 2.0 + 1e-9) << tick;
     before = now;
     if (std::abs(proxy[1] - Middle) < nearest)
@@ -348,7 +348,7 @@ TEST_F(FilterModes, BadInputGivesOneErrorWithItsCure)
 
 TEST_F(FilterModes, ARankineVortexLetsGoAtItsRadius)
 {
-  // P6: rot v = 2 within a = 10 mm, and 0 outside; S = 2 N where rot v exceeds 1.
+  // Case P6: rot v is 2 within a = 10 mm, and 0 outside. S is 2 N where rot v exceeds 1.
   constexpr double axis = 23.5;
   this->Image = MakeImage(48, VTK_FLOAT, [](const Point&) { return 0.0; });
   this->Filter->SetInputData(this->Image);
@@ -387,8 +387,9 @@ TEST_F(FilterModes, ARankineVortexLetsGoAtItsRadius)
 
 TEST_F(FilterModes, ALineOfADipoleIsKept)
 {
-  // P7: a field line of a dipole is r = C sin^2 of the angle to the axis. The field is harmonic, so
-  // splines don't lower it. The tip moves 5 % inside the line, from the equator to 50 degrees.
+  // Case P7: a field line of a dipole is r = C sin^2 of the angle to the axis. The field is
+  // harmonic, so splines don't lower it. The tip moves 5 % inside the line, from the equator to 50
+  // degrees.
   this->Image = MakeImage(48, VTK_FLOAT, [](const Point&) { return 0.0; });
   this->Image->SetOrigin(10.0, -23.5, -10.0);
   this->Filter->SetInputData(this->Image);
@@ -424,9 +425,9 @@ TEST_F(FilterModes, ALineOfADipoleIsKept)
 
 TEST_F(FilterModes, AnObliqueFrontAndALineShareTheSpring)
 {
-  // P10: a line along x and a front across (1, 0, 1), with 1 N each. A lag within both strengths
-  // has one solution for the forces; pulled further along -z, both give way with their full
-  // strengths.
+  // Case P10: a line along x and a front across (1, 0, 1), with 1 N each. While the lag is within
+  // both strengths, the forces have one solution. If the tip is pulled further along -z, both give
+  // way with their full strengths.
   this->AddArray("flow", 3,
     [](const Point&, double* v)
     {
@@ -466,7 +467,7 @@ TEST_F(FilterModes, PresetsMakeTheirModes)
       std::fill_n(t, 6, 0.1);
       t[0] = 1.0;
     });
-  // The scalars have a bright and a dark tube, so that both kinds of vessel exist.
+  // The scalars have a bright and a dark tube, so that both vessel presets find one.
   for (vtkIdType i = 0; i < this->Image->GetNumberOfPoints(); ++i)
   {
     Point p;
@@ -483,8 +484,8 @@ TEST_F(FilterModes, PresetsMakeTheirModes)
     { "Follow the flow and touch surfaces", "VectorFollow" } };
   vtkStringArray* const names = vtkVolumeHapticsFilter::GetModePresetNames();
   ASSERT_EQ(names->GetNumberOfValues(), static_cast<vtkIdType>(kinds.size()));
-  // The preset for shear gets no image, since the shear of a rotation is 0 and proposes no
-  // strength.
+  // The preset for shear gets no image, since the flow is a rotation, whose shear is 0: the preset
+  // would propose no strength.
   for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
   {
     const std::string name = names->GetValue(i);
@@ -501,12 +502,11 @@ TEST_F(FilterModes, PresetsMakeTheirModes)
     EXPECT_EQ(vtkHapticMode::GetKindNames()->GetValue(mode->GetKind()), kinds.at(name));
     EXPECT_EQ(mode->GetStrength()->GetSize(), isStrange ? 0 : 2);
   }
-  // The proposed strength is felt: it pulls a tip that is half a millimetre off to the vessel's
-  // middle.
+  // The proposed strength pulls a tip that is 0.5 mm beside the vessel to the vessel's middle.
   ASSERT_TRUE(this->Filter->ApplyModePreset("Follow a dark vessel", this->Image));
   this->Follow(Line({ 8, 15.5, 16 }, { 14, 15.5, 16 }, 100));
   EXPECT_NEAR(LastProxy(this->Run(101))[1], 16.0, 0.02);
-  // An unknown name, and an image without vectors, are refused and change nothing.
+  // An unknown name and an image without vectors are refused, and must change nothing.
   this->Log.Errors.clear();
   EXPECT_FALSE(this->Filter->ApplyModePreset("Waltz", this->Image));
   this->Image->GetPointData()->RemoveArray("flow");
@@ -526,7 +526,7 @@ TEST_F(FilterModes, AnImageOfVectorsAloneNeedsNoScalars)
   this->Filter->AddMode(NewMode(vtkHapticMode::VECTOR_FOLLOW));
   this->Follow(Line({ 16, Middle, 12 }, { 17, Middle, 12 }, 20));
   ExpectNear(Last(this->Run(21), "Force"), { -SpringPerMm, 0.0, 0.0 }, 1e-3);
-  // Without modes the method feels nothing, and NextMethod() leaves it out.
+  // Without modes the method feels nothing, so NextMethod() skips it.
   this->Filter->RemoveAllModes();
   this->ExpectError({ "no point scalars" });
   this->Filter->SetMethodToLocalSurface();
@@ -550,8 +550,10 @@ TEST_F(FilterModes, AFlowEndsAtACut)
   plane->SetNormal(0.0, 0.0, 1.0);
   this->Filter->AddClippingPlane(plane);
   ExpectNear(Last(this->Run(101), "Force"), { 0.0, 0.0, 0.0 }, 0.0);
-  plane->SetNormal(0.0, 0.0, -1.0); // half a voxel in front of the face, half of the flow is left
+  // the cut is half a voxel in front of the face, so half of the flow is left
+  plane->SetNormal(0.0, 0.0, -1.0);
   plane->SetOrigin(0.0, 0.0, 12.5);
-  this->Filter->SetCouplingStiffness(2000.0); // so stiff that the mode's 2 N limit the force
+  // so stiff that the mode's strength of 2 N limits the force
+  this->Filter->SetCouplingStiffness(2000.0);
   ExpectNear(Last(this->Run(101), "Force"), { 0.0, -1.0, 0.0 }, 1e-9);
 }

@@ -21,7 +21,7 @@ namespace
 constexpr double MeshStiffness = 500.0;
 constexpr double MeshRest = 12.0;
 
-/// Returns the wall's place (mm): 9 at time 10, and 1 more with each time step.
+/// Returns the x coordinate (mm) of the wall: 9 at time 10, and 1 more per unit of time.
 double MeshWallAt(double time)
 {
   return 9.0 + time - 10.0;
@@ -40,7 +40,7 @@ protected:
 };
 } // namespace
 
-/// A sphere of 1 mm rests against the mesh of the moving wall.
+/// The proxy is a sphere of 1 mm that rests against the mesh of the moving wall.
 TEST_F(FilterMovingMesh, AMeshMovesWithItsVolume)
 {
   this->Source->Steps = { 10.0, 11.0, 12.0, 13.0, 14.0 };
@@ -66,8 +66,8 @@ TEST_F(FilterMovingMesh, AMeshMovesWithItsVolume)
   this->ExpectError({ "surface on input port 2", "SetTimeUnitsPerSecond(0)" });
 }
 
-/// V1: a ball whose radius goes from 18 mm to 22 mm and back pushes a tip that rests at 19 mm with
-/// up to 1.5 N. The proxy sphere of 0.1 mm adds to that.
+/// Case V1: the radius of a ball goes from 18 mm to 22 mm and back. The ball pushes a tip that
+/// rests at 19 mm with up to 1.5 N, and the proxy's radius of 0.1 mm adds to the depth.
 TEST_F(FilterMovingMesh, AMeshThatBeatsPushesATipThatRests)
 {
   const auto radius = [](int frame) { return 20.0 - 2.0 * std::cos(0.7853981633974483 * frame); };

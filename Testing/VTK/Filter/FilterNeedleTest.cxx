@@ -26,7 +26,7 @@ namespace
 {
 constexpr double Skin = 4.5; // mm
 
-/// Layers of N1 from the skin on: thickness (mm), shaft friction (N/m), cutting force (N).
+/// Layers of case N1 from the skin on: thickness (mm), shaft friction (N/m), cutting force (N).
 constexpr double Layers[][3] = { { 3, 20, 0.3 }, { 12, 5, 0.1 }, { 20, 25, 0.3 }, { 3, 60, 0.8 },
   { 100, 0, 0 } };
 
@@ -40,7 +40,7 @@ int LabelAt(double depth)
   return label;
 }
 
-/// Returns the friction (N) of the shaft down to a depth (mm).
+/// Returns the friction (N) of the shaft from the skin down to this depth (mm).
 double ShaftAt(double depth)
 {
   double sum = 0.0;
@@ -87,7 +87,7 @@ protected:
     return image;
   }
 
-  /// Follows the places in steps of 1 / `steps` mm, and returns the trace.
+  /// Moves the needle from place to place in steps of 1 / `steps` mm, and returns the trace.
   vtkPolyData* Follow(const std::vector<Point>& places, int steps = 100)
   {
     std::vector<Point> points;
@@ -156,8 +156,8 @@ TEST_F(FilterNeedle, FeelsLayersInAndOut)
     EXPECT_GT(out, 3000);
     EXPECT_NEAR(loss, 0.80, 0.02);
     EXPECT_EQ(Get(trace, "Depth", trace->GetNumberOfPoints() - 1), 0.0);
-    // The expected work (J) is that of the shaft and of the cutting, and the losses where the
-    // resistance R falls by 0.2 N and 0.8 N.
+    // The expected work (J) is that of the shaft and of the cutting, with the losses where the
+    // resistance R falls by 0.2 N and by 0.8 N.
     const double work = -Get(trace, "Energy", trace->GetNumberOfPoints() - 1);
     EXPECT_NEAR(work,
       12.30e-3 + 10.5e-3 + 0.68e-3 + 12.30e-3 + 2.0 * 0.8 * (48 - Skin - 41.6) * 1e-3, 0.01 * work);
@@ -179,7 +179,7 @@ TEST_F(FilterNeedle, TurnsWithTheDataAndThePath)
 {
   const std::vector<Point> way = { { 7, 7, 2 }, { 7, 7, 30 }, { 7.5, 7.2, 30 }, { 7, 7, 20 } };
   const auto upright = (this->Follow(way), Keep(this->Filter));
-  // The axes are exchanged: z becomes x, x becomes y, y becomes z.
+  // Exchanges the axes: z becomes x, x becomes y, and y becomes z.
   const double turn[9] = { 0, 0, 1, 1, 0, 0, 0, 1, 0 };
   for (const int port : { 0, 3 })
   {
@@ -217,7 +217,8 @@ TEST_F(FilterNeedle, FollowsTheOrientationOfThePath)
   orientations->SetNumberOfComponents(4);
   for (vtkIdType i = 0; i < n; ++i)
   {
-    // Half a turn about x makes the stylus point along +z; then it leans by 0.2 rad.
+    // The stylus is turned by 180 degrees about x, so that it points along +z, and leans by 0.2
+    // rad.
     orientations->InsertNextTuple4(std::sin(-0.1), std::cos(-0.1), 0.0, 0.0);
   }
   this->Path->GetPointData()->AddArray(orientations);
@@ -232,7 +233,7 @@ TEST_F(FilterNeedle, FollowsTheOrientationOfThePath)
   vtkNew<vtkPolyData> track;
   ASSERT_TRUE(vtkHapticNeedle::MakeTrack(trace, track));
   EXPECT_NEAR(this->Number(track, "Angle"), 0.2 * 57.29577951, 0.2);
-  // With the opposite orientation, the needle presses with its blunt end and punctures nothing.
+  // With the opposite orientation, the needle presses with its blunt end and must not puncture.
   for (vtkIdType i = 0; i < n; ++i)
   {
     orientations->SetTuple4(i, 1.0, 0.0, 0.0, 0.0);
@@ -262,8 +263,8 @@ TEST_F(FilterNeedle, TellsWhatItHasPassed)
   EXPECT_NEAR(this->Number(track, "Angle"), 0.0, 0.1);
 }
 
-/// The ligament is forbidden: it stops the needle in two of the three thrusts of the first
-/// insertion, and once in the second insertion.
+/// The ligament is forbidden. It stops two of the three thrusts of the first insertion, and the
+/// only thrust of the second insertion.
 TEST_F(FilterNeedle, CountsWhatForbiddenTissueStops)
 {
   this->Table->SetForbidden(4, true);
@@ -271,7 +272,7 @@ TEST_F(FilterNeedle, CountsWhatForbiddenTissueStops)
     { 7, 7, 30 }, { 7, 7, 46 }, { 7, 7, 1 }, { 7, 7, 46 } });
   vtkDataArray* const touches = trace->GetPointData()->GetArray("ForbiddenTouches");
   ASSERT_TRUE(touches);
-  // Reads the counts at the ends of the moves; a tick is 0.01 mm.
+  // Reads the counts at the ends of the moves; the needle moves 0.01 mm per tick.
   const auto after = [touches](double way)
   { return touches->GetComponent(static_cast<vtkIdType>(100.0 * way) - 1, 0); };
   EXPECT_EQ(after(20.0), 0.0);
@@ -281,7 +282,7 @@ TEST_F(FilterNeedle, CountsWhatForbiddenTissueStops)
   vtkNew<vtkPolyData> track;
   ASSERT_TRUE(vtkHapticNeedle::MakeTrack(trace, track));
   EXPECT_EQ(this->Number(track, "ForbiddenTouches"), 1.0);
-  // A trace with this array alone has the same counts.
+  // A trace with only this array must have the same counts.
   vtkNew<vtkDoubleArray> all;
   all->DeepCopy(touches);
   this->Filter->SetTraceArrays("ForbiddenTouches");

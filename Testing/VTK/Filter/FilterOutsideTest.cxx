@@ -31,7 +31,8 @@ constexpr int Size = 40;
 constexpr double Air = -1000.0;
 constexpr double Tissue = 60.0;
 constexpr double Radius = 10.0;
-constexpr double Measured = 12.5; // leaves less than a kernel's reach beyond the surface
+// samples are good up to this distance (mm), less than a kernel's reach beyond the surface
+constexpr double Measured = 12.5;
 const Point Centre{ 19.5, 19.5, 19.5 };
 const double NaN = std::nan("");
 constexpr double Infinity = std::numeric_limits<double>::infinity();
@@ -41,7 +42,7 @@ double DistanceOf(const Point& p)
   return std::hypot(p[0] - Centre[0], p[1] - Centre[1], p[2] - Centre[2]);
 }
 
-/// Returns the value of the ball, whose edge is two voxels wide, raised by `shift`.
+/// Returns the value of the ball at `p`, raised by `shift`. The edge is two voxels wide.
 double BallAt(const Point& p, double shift = 0.0)
 {
   const double share = std::clamp(0.5 * (Radius + 1.0 - DistanceOf(p)), 0.0, 1.0);
@@ -61,7 +62,8 @@ void PrintTo(const Case& c, std::ostream* out)
   *out << c.Name;
 }
 
-/// Makes the ball; beyond the distance `measured`, its samples are bad (if masked) or air.
+/// Makes the ball. Beyond the distance `measured` (mm), samples are bad if `isMasked`, and air
+/// otherwise.
 vtkSmartPointer<vtkImageData> MakeBall(const Case& c, bool isMasked, double measured = Measured)
 {
   return MakeImage(Size, c.Type,
@@ -69,7 +71,7 @@ vtkSmartPointer<vtkImageData> MakeBall(const Case& c, bool isMasked, double meas
     { return isMasked && DistanceOf(p) > measured ? c.Bad : BallAt(p, c.Shift); });
 }
 
-/// Makes a path from outside to 2.5 mm below the surface, and then along it.
+/// Makes a path from outside the ball to 2.5 mm below its surface, and then along the surface.
 vtkSmartPointer<vtkPolyData> MakePress()
 {
   std::vector<Point> path = Line({ 20, 19, 36 }, { 20, 19, 27 }, 90);
@@ -139,8 +141,8 @@ TEST_P(FilterOutside, IsTheForceOfTheBall)
     Point tip;
     press->GetPoint(tick, tip.data());
     const double depth = std::max(0.0, Radius - DistanceOf(tip));
-    // A trilinear surface between the samples of a ball of 10 voxels is off by about a tenth of a
-    // voxel.
+    // The samples of a ball with a radius of 10 voxels give a trilinear surface that is off by
+    // about 0.1 voxel.
     EXPECT_NEAR(Get(felt, "NormalForce", tick), 0.5 * depth, 0.06) << tick;
   }
 }
@@ -188,8 +190,8 @@ TEST_P(FilterOutside, OfARegionIsThatOfTheWhole)
   EXPECT_TRUE(IsSame(Keep(this->Filter), expected));
   EXPECT_EQ(this->Log.Warnings.size(), 1U) << "of a path, the filter";
   EXPECT_TRUE(sourceLog.Warnings.empty());
-  // A region that an application reads has the samples of the file, and feels like a region of the
-  // pipeline.
+  // A region that an application reads has the samples of the file, and must feel like a region of
+  // the pipeline.
   vtkNew<vtkImageData> read;
   const int part[6] = { 3, 36, 3, 36, 5, 39 };
   ASSERT_TRUE(source->ReadRegion(part, read));
@@ -199,7 +201,7 @@ TEST_P(FilterOutside, OfARegionIsThatOfTheWhole)
     std::isnan(bad) ? std::isnan(corner) : corner == bad || corner == static_cast<float>(bad))
     << corner;
   EXPECT_TRUE(IsSame(this->Feel(read), regions[0]));
-  // The coarse level, which replaces samples that are late, has no bad values.
+  // The coarse image, which stands in for late samples, must have no bad values.
   ASSERT_TRUE(source->MakeCoarseImage(1000));
   double range[2];
   source->GetCoarseImage()->GetPointData()->GetScalars()->GetRange(range);
@@ -212,7 +214,7 @@ TEST_P(FilterOutside, ProposesFunctionsOfTheBall)
   vtkNew<vtkHapticProperty> ofAir;
   vtkNew<vtkHapticProperty> ofMasked;
   ASSERT_TRUE(ofAir->ProposeFromImage(MakeBall(this->GetParam(), false)));
-  // Bad samples are left out, so the whole edge of the ball has to be measured.
+  // Bad samples are left out, so good samples must cover the whole edge of the ball.
   const double measured = Measured + 4.0;
   ASSERT_TRUE(ofMasked->ProposeFromImage(MakeBall(this->GetParam(), true, measured)));
   ASSERT_EQ(ofMasked->GetSurfaceStrength()->GetSize(), ofAir->GetSurfaceStrength()->GetSize());
@@ -246,13 +248,13 @@ class FilterMeasured : public FilterOutside
 };
 } // namespace
 
-// Values that scanners write, or that may have been measured, are felt as they are.
+// Values that scanners write, or that may have been measured, must be felt unchanged.
 TEST_P(FilterMeasured, IsFeltAsItIs)
 {
   const auto image = MakeBall(this->GetParam(), true);
   const auto felt = this->Feel(image);
   EXPECT_TRUE(this->Log.Warnings.empty());
-  // The tip begins outside of the measured part.
+  // The tip begins outside the measured part.
   EXPECT_EQ(Get(felt, "Value", 0), image->GetScalarComponentAsDouble(0, 0, 0, 0));
 }
 INSTANTIATE_TEST_SUITE_P(Values, FilterMeasured,
@@ -263,7 +265,7 @@ INSTANTIATE_TEST_SUITE_P(Values, FilterMeasured,
   [](const auto& info) { return info.param.Name; });
 
 // The values of this potential go down to -9999 without a gap of a tenth of the range, so -9999
-// counts as measured.
+// must count as measured.
 TEST_F(FilterMeasured, ANumberThatOthersComeCloseToIsOne)
 {
   const auto image = MakeImage(
@@ -273,8 +275,8 @@ TEST_F(FilterMeasured, ANumberThatOthersComeCloseToIsOne)
   EXPECT_NEAR(Get(felt, "Value", 0), -9999.0 + 10.0 * 75.0, 1e-3);
 }
 
-// A masked map resampled onto a larger grid has zeros around its NaN, so the corners don't show
-// that samples are missing.
+// A masked map that was resampled onto a larger grid has zeros around its NaN, so its corners don't
+// show that samples are missing.
 TEST_F(FilterMeasured, ManyHolesAreTold)
 {
   const auto image = MakeBall({ "", VTK_FLOAT, NaN }, true);
@@ -292,7 +294,7 @@ TEST_F(FilterMeasured, ManyHolesAreTold)
   this->Filter->SetInputConnection(crop->GetOutputPort());
   this->Filter->Update();
   ASSERT_EQ(this->Log.Warnings.size(), 1U);
-  // 1 - 4/3 pi 12.5^3 / 40^3 = 87.2 % of the 64000 samples lie beyond 12.5 of the centre.
+  // Beyond a radius of 12.5 lie 1 - 4/3 pi 12.5^3 / 40^3 = 87.2 % of the 64000 samples.
   EXPECT_NE(
     this->Log.Warnings[0].find("no numbers (87 %), and none in a corner"), std::string::npos)
     << this->Log.Warnings[0];
@@ -305,7 +307,7 @@ TEST_F(FilterMeasured, OneBadVoxelIsNoOutside)
   {
     const auto image = MakeBall({ "", VTK_FLOAT, Air }, false);
     const auto expected = this->Feel(image);
-    // The voxel is beyond the reach of every kernel on the path.
+    // The voxel at (6, 6, 6) is out of reach of every kernel on the path.
     image->SetScalarComponentFromDouble(6, 6, 6, 0, bad);
     image->Modified();
     EXPECT_TRUE(IsSame(this->Feel(image), expected)) << bad;
@@ -345,8 +347,8 @@ TEST_F(FilterMeasured, VectorsAndLabelsAreReadAsTheyAre)
   EXPECT_TRUE(cropLog.Warnings.empty());
 }
 
-// Time steps of a source, and components of one array, are filled alike; samples outside keep one
-// value.
+// Bad samples are filled in the same way in time steps of a source and in components of an array.
+// Samples outside keep one value.
 TEST_F(FilterMeasured, TimeStepsAreFilledAlike)
 {
   const auto wallAt = [](const Point& p, double wall, bool isMasked)

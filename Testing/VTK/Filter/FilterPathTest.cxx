@@ -85,7 +85,7 @@ TEST_F(FilterPath, SegmentsThatContinueOneAnotherAreOnePath)
   this->Path->SetLines(segments);
   EXPECT_TRUE(IsSame(this->RunOn(this->Path, 51), kept));
 
-  // Segments may be in any order, some backwards, and beside a line with a single point.
+  // The segments may have any order and direction, and may be next to a line with a single point.
   vtkNew<vtkCellArray> shuffled;
   for (vtkIdType i = 0; i < 50; ++i)
   {
@@ -109,8 +109,8 @@ TEST_F(FilterPath, SegmentsThatContinueOneAnotherAreOnePath)
 
 TEST_F(FilterPath, SegmentsThatMeetInSpaceAreOnePath)
 {
-  // The path goes down, up again, and aside. Each of its three lines has its own points, as if
-  // lines had been appended; the second one begins off by a rounding error of float.
+  // The path goes down, up again, and aside. Each of its three lines has its own points, as in
+  // appended data. The second line begins off by a rounding error of float.
   const auto path = MakePath(
     { { 7, 7, 5 }, { 7, 7, 9 }, { 7, 7, 9.0000005 }, { 7, 7, 5 }, { 7, 7, 5 }, { 9, 7, 5 } });
   vtkNew<vtkCellArray> lines;
@@ -148,7 +148,7 @@ TEST_F(FilterPath, BetweenPointsTheTipMovesEvenly)
     const double z = t <= 0.005 ? 5.0 + 200.0 * t : 6.0 + 4.0 * (t - 0.005) / 0.0205;
     EXPECT_NEAR(this->TipZ(tick), z, 1e-9) << "tick " << tick;
   }
-  // Points that come faster than the servo's rate are passed between ticks.
+  // If points come faster than ticks, the tip passes some of the points between two ticks.
   this->Filter->SetServoRate(100.0);
   this->RunOn(
     this->Path = MakePath(Line({ 7, 7, 5 }, { 7, 7, 10 }, 3), { 0.0, 0.004, 0.016, 0.02 }), 3);

@@ -51,7 +51,7 @@ protected:
     path->SetLines(cells);
   }
 
-  /// Returns the trace of a path that has only these points.
+  /// Returns the trace of a path that has only the points in `line`.
   vtkSmartPointer<vtkPolyData> FeelAlone(vtkPolyData* path, const std::vector<vtkIdType>& line)
   {
     std::vector<Point> points;
@@ -71,7 +71,7 @@ protected:
     return Keep(this->Filter);
   }
 
-  /// Expects that a line of a trace, and its arrays, equal another trace.
+  /// Expects that a line of a trace equals another trace, with all arrays.
   static testing::AssertionResult IsLine(vtkPolyData* trace, vtkIdType line, vtkPolyData* alone)
   {
     vtkNew<vtkIdList> ids;
@@ -112,7 +112,7 @@ protected:
     return testing::AssertionSuccess();
   }
 
-  /// Expects that the lines of a path give the same traces together as each alone.
+  /// Expects that the lines of a path, felt together, give the same traces as each line alone.
   void ExpectAsAlone(vtkPolyData* path, const Lines& lines)
   {
     SetLines(path, lines);
@@ -131,7 +131,8 @@ protected:
     EXPECT_EQ(together->GetNumberOfPoints(), ticks);
   }
 
-  /// Makes random walks of up to 0.5 mm a tick; `lines` gets up to `most` points for each.
+  /// Makes random walks with steps of up to 0.5 mm along each axis. `lines` gets the points of each
+  /// walk, `most` at most.
   vtkSmartPointer<vtkPolyData> Wander(int paths, int most, bool isTimed, Lines& lines)
   {
     std::mt19937 random(4711);
@@ -221,7 +222,7 @@ TEST_F(FilterPaths, MaySharePointsAndHaveThemInAnyOrder)
   const std::vector<vtkIdType> back(all.rbegin(), all.rend());
   const std::vector<vtkIdType> half(all.begin(), all.begin() + 26);
   const std::vector<vtkIdType> rest(all.begin() + 25, all.end());
-  // The third line starts where the second one ends, but its proxy begins anew.
+  // The third line starts at the end of the second line, but its proxy begins anew.
   this->ExpectAsAlone(path, { all, half, rest, back, { 3, 17, 3, 17 } });
 }
 
@@ -245,7 +246,7 @@ TEST_F(FilterPaths, SegmentsThatContinueOneAnotherAreOne)
   EXPECT_TRUE(IsLine(trace, 0, this->FeelAlone(path, { 0, 1, 2 })));
   EXPECT_TRUE(IsLine(trace, 1, this->FeelAlone(path, { 10, 12, 11 })));
   EXPECT_TRUE(IsLine(trace, 2, this->FeelAlone(path, { 30, 31 })));
-  // A star: the proxy begins anew with each ray.
+  // Three rays share a point, and the proxy begins anew with each ray.
   this->ExpectAsAlone(path, { { 0, 1 }, { 0, 5 }, { 0, 9 } });
 }
 
@@ -263,7 +264,8 @@ TEST_F(FilterPaths, PointsOfNoLineAndOtherCellsAreNotFelt)
 
 TEST_F(FilterPaths, EachBeginsWithTheProxyOnTheTip)
 {
-  // One path begins in free space, and one deep inside: the force starts at 0 in both.
+  // One path begins in free space, the other one deep inside the ramp. In both, the force starts at
+  // 0.
   const auto path = MakePath(
     { { 7, 7, 2 }, { 7, 7, 2.1 }, { 7, 7, 2.2 }, { 7, 7, 20 }, { 7, 7, 20.1 }, { 7, 7, 20.2 } });
   SetLines(path, { { 0, 1, 2 }, { 3, 4, 5 } });

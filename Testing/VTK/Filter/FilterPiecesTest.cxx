@@ -18,7 +18,7 @@ using namespace apitest;
 
 namespace
 {
-/// Gives the requested part of an image, and records the requests.
+/// Source that gives the requested part of an image, and records the requests.
 class Cropper : public vtkImageAlgorithm
 {
 public:
@@ -73,7 +73,7 @@ TEST_F(FilterPieces, TheFirstIsTheWholeTraceAndTheOthersAreEmpty)
       }
     }
   }
-  // An empty piece reads no volume.
+  // An empty piece must not read the volume.
   for (const vtkIdType asked : cropper->Asked)
   {
     EXPECT_TRUE(asked == this->Image->GetNumberOfPoints() || asked == 0) << asked;

@@ -28,8 +28,8 @@ using namespace apitest;
 
 namespace
 {
-/// A CT of bone (1000) below air (-1000), with an extent that does not begin at 0, in which a burr
-/// drills a hole.
+/// Tests with a CT of bone (1000 HU) below air (-1000 HU), in which a burr drills a hole. The
+/// extent does not begin at 0.
 class FilterRemoval : public ApiTest
 {
 protected:
@@ -99,15 +99,15 @@ TEST_F(FilterRemoval, HasTheAirOfTheVolume)
   EXPECT_FALSE(this->Filter->GetRemoval()->GetAutoAirValue());
   this->Run(801);
   EXPECT_EQ(this->Filter->GetRemoval()->GetAirValue(), -900.0);
-  // If values below the contact value are solid, air is above it.
+  // If values below the contact value are solid, air is the volume's largest value.
   this->Filter->GetRemoval()->AutoAirValueOn();
   this->Burr->SetSolidToBelow();
   this->Run(801);
   EXPECT_EQ(this->Filter->GetRemoval()->GetAirValue(), 1000.0);
 }
 
-/// The point feels a removal from a file in a filter that never had a burr: the value of air is in
-/// the file.
+/// Reads a removal in a filter that never had a burr, and feels the hole with the point. The file
+/// has the value of air.
 TEST_F(FilterRemoval, AFileIsFeltWithoutABurr)
 {
   this->Filter->GetRemoval()->SetAirValue(-800.0);
@@ -141,7 +141,7 @@ TEST_F(FilterRemoval, IsAnImageOfTheVolumesShape)
     EXPECT_EQ(image->GetExtent()[i], this->Image->GetExtent()[i]);
     EXPECT_EQ(image->GetBounds()[i], this->Image->GetBounds()[i]);
   }
-  // The hole is where the burr was: at (15.2, 15.4) in the world, beyond the surface at z = 11.5.
+  // The hole is where the burr was: at (15.2, 15.4) in the world, below the surface at z = 11.5.
   auto* const array = image->GetPointData()->GetScalars();
   EXPECT_EQ(array->GetRange()[1], 255.0);
   EXPECT_EQ(array->GetComponent(image->FindPoint(15.2, 15.4, 13.0), 0), 0.0);
@@ -159,12 +159,12 @@ TEST_F(FilterRemoval, IsWrittenAndReadToTheByte)
   ASSERT_TRUE(other->ReadFile(this->File));
   EXPECT_EQ(GetShares(other), shares);
   EXPECT_EQ(other->GetNumberOfUndos(), 0);
-  // The removal that was read feels like the one that was written.
+  // The removal that was read must feel like the written one.
   const vtkSmartPointer<vtkPolyData> felt = (this->Run(801), Keep(this->Filter));
   this->Filter->SetRemoval(other);
   this->Filter->Update();
   EXPECT_TRUE(IsSame(felt, this->Filter->GetOutput()));
-  // A volume with another extent is refused, and the removal keeps its contents.
+  // A volume with another extent is refused, and the removal must keep its contents.
   this->Image->SetExtent(0, 31, 0, 31, 0, 31);
   this->Image->SetOrigin(0.5, 0.0, 0.0);
   this->Image->Modified();
@@ -175,8 +175,8 @@ TEST_F(FilterRemoval, IsWrittenAndReadToTheByte)
   std::remove(this->File.c_str());
 }
 
-/// The removal is felt at the same place in volumes that were cropped or padded, also if their
-/// indices begin elsewhere. The whole volume gets the whole file back.
+/// The removal is felt at the same place in volumes that are cropped or padded, even if their
+/// indices begin elsewhere. The whole volume then has the whole removal again.
 TEST_F(FilterRemoval, AFileIsFeltOnPartsOfItsVolume)
 {
   ASSERT_TRUE(this->Drill()->WriteFile(this->File));
@@ -223,7 +223,7 @@ TEST_F(FilterRemoval, AFileIsFeltOnPartsOfItsVolume)
     vtkIdType carved = 0;
     for (vtkIdType i = 0; i < shares->GetNumberOfPoints(); ++i)
     {
-      // Compares samples at the same place in the world, whatever their indices.
+      // Compares samples at the same place in the world, although their indices differ.
       double place[3];
       before->TransformPhysicalPointToContinuousIndex(image->GetPoint(i), place);
       int index[3];
@@ -259,13 +259,13 @@ TEST_F(FilterRemoval, ADamagedFileChangesNothing)
   }
   ExpectRefused(removal, "/no/such/file.vti", { "/no/such/file.vti" });
   ExpectRefused(removal, "/dev", { "/dev" });
-  // The file holds another image, without shares.
+  // The file holds another image, which has no shares.
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetFileName(this->File.c_str());
   writer->SetInputData(this->Image);
   writer->Write();
   ExpectRefused(removal, this->File, { "no shares" });
-  // Some of the shares lie beyond the extent of the volume.
+  // In this file, the extent of the volume is too small for the shares.
   std::ofstream(this->File, std::ios::binary) << whole;
   vtkNew<vtkXMLImageDataReader> reader;
   reader->SetFileName(this->File.c_str());
@@ -287,7 +287,7 @@ TEST_F(FilterRemoval, AFullDiskIsToldAndKeepsTheOldFile)
   ASSERT_TRUE(removal->WriteFile(this->File));
   const std::string before = ReadAll(this->File);
   ASSERT_GT(before.size(), 1000u);
-  // Drills elsewhere, so that the next file differs from the old one.
+  // Drills at another place, so that the next file differs from the old one.
   this->Path = MakePath(Line({ 9.2, 20.4, 7.0 }, { 9.2, 20.4, 12.0 }, 800));
   this->Filter->SetPathData(this->Path);
   this->Drill();

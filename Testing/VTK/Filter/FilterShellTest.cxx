@@ -61,7 +61,7 @@ protected:
     return cube->GetOutput();
   }
 
-  /// Presses along z, and holds still for 50 ticks. Returns the trace; `Last` is its last tick.
+  /// Presses along z, and holds still for 50 ticks. Returns the trace, whose last tick is `Last`.
   vtkPolyData* Press(
     double from, double to, const vtkQuaterniond& turn = vtkQuaterniond(1.0, 0.0, 0.0, 0.0))
   {
@@ -86,7 +86,8 @@ protected:
 };
 } // namespace
 
-/// S3: k (2 mm - delta) = pi kappa a delta^2.
+/// Case S3, a ball with the radius a: the spring of the hand holds the ball at the depth delta,
+/// where k (2 mm - delta) = pi kappa a delta^2.
 TEST_F(FilterShell, ABallHasItsForce)
 {
   vtkPolyData* const trace = this->Press(4.0, 7.0);
@@ -105,14 +106,14 @@ TEST_F(FilterShell, ABallHasItsForce)
   EXPECT_NEAR(std::abs(Get(trace, "ToolOrientation", this->Last)), 1.0, 1e-6);
 }
 
-/// S2 with the hand's spring: where the pressure reaches its bound P, at the depth d_c, the force
-/// is pi kappa a d_c (2 delta - d_c).
+/// Case S2 with the spring of the hand: at the depth d_c, the pressure reaches its bound P. Deeper
+/// down, the force is pi kappa a d_c (2 delta - d_c).
 TEST_F(FilterShell, TissueYieldsAtItsStrength)
 {
   SetConstant(this->Property->GetSurfaceStrength(), 0.1);
   vtkPolyData* const trace = this->Press(4.0, 7.0);
   const double most = 0.1 / 25e-6 / Kappa;
-  // k (2 mm - delta) = pi kappa a d_c (2 delta - d_c)
+  // The spring and the tissue are balanced: k (2 mm - delta) = pi kappa a d_c (2 delta - d_c).
   const double slope = Pi * Kappa * 3e-3 * most;
   const double delta = (500.0 * 2e-3 + slope * most) / (500.0 + 2.0 * slope);
   ASSERT_GT(delta, most);
@@ -120,8 +121,8 @@ TEST_F(FilterShell, TissueYieldsAtItsStrength)
   EXPECT_NEAR(Get(trace, "Force", this->Last, 2), -force, 0.01 * force);
 }
 
-/// S4 with the hand's springs: the face (kappa b h^3/12) and the turning spring k_r share the angle
-/// in series. The press is so shallow, 0.01 mm, that the sides of the box hardly count.
+/// Case S4 with the springs of the hand: the face (kappa b h^3/12) and the turning spring k_r share
+/// the angle in series. The press is only 0.01 mm deep, so that the sides of the box hardly count.
 TEST_F(FilterShell, ATiltedBoxGivesATorque)
 {
   this->Tool->SetMesh(MakeBox(10.0, 10.0, 4.0));
@@ -135,14 +136,15 @@ TEST_F(FilterShell, ATiltedBoxGivesATorque)
   const double torque = angle * face * 0.02 / (face + 0.02);
   EXPECT_NEAR(Get(trace, "Torque", this->Last, 0), -torque, 0.02 * torque);
   EXPECT_NEAR(Get(trace, "Force", this->Last, 2), -500.0 * 2000.0 / 2500.0 * 0.05e-3, 5e-4);
-  // The tool has turned into the face.
+  // The tool has turned towards the face.
   const double left = 2.0 * Get(trace, "ToolOrientation", this->Last, 1);
   EXPECT_NEAR(left, angle * 0.02 / (face + 0.02), 0.03 * angle);
 }
 
-/// The hand turns a box that rests on its face, and turns it back. It works against the face and
-/// the turning spring in series: K theta^2/2 with K = face k_r/(face + k_r) for small angles, and 2
-/// k_r sin^2(theta/2), the energy of the spring, if the spring is much softer than the face.
+/// The hand turns a box that rests on its face, and turns it back. For small angles, the work is K
+/// theta^2/2, where K = face k_r/(face + k_r) is the stiffness of the face and the turning spring
+/// in series. If the spring is much softer than the face, the work is the spring's energy, 2 k_r
+/// sin^2(theta/2).
 TEST_F(FilterShell, EnergyHasTheWorkOfTheTorque)
 {
   constexpr int steps = 200;
@@ -212,7 +214,7 @@ TEST_F(FilterShell, WhatIsSolidFollowsFromTheStrength)
   strength->AddPoint(900.0, 2.0);
   vtkPolyData* trace = this->Press(4.0, 7.0);
   EXPECT_NEAR(Get(trace, "Force", this->Last, 2), Get(wanted, "Force", this->Last, 2), 1e-3);
-  // Values below the surface value are solid, so the ball comes from the other side.
+  // Now values below the surface value are solid, so the ball is pressed from the other side.
   strength->RemoveAllPoints();
   strength->AddPoint(700.0, 2.0);
   strength->AddPoint(900.0, 0.0);
@@ -262,21 +264,21 @@ TEST_F(FilterShell, WhatCanNotBeFeltIsNamed)
   this->ExpectError({ "vtkHapticPointShell", "PROXY", "SetTool(nullptr)" });
 }
 
-/// A single point of 25 mm^2 acts like the point without a tool: the material takes half of the
-/// depth.
+/// A single point with an area of 25 mm^2 acts like the point without a tool: half of the depth is
+/// in the material.
 TEST_F(FilterShell, OnePointIsAPoint)
 {
   this->Tool->SetMesh(MakeBox(std::sqrt(25.0 / 6.0), std::sqrt(25.0 / 6.0), std::sqrt(25.0 / 6.0)));
   this->Tool->SetNumberOfPoints(1);
   vtkPolyData* const trace = this->Press(5.0, 12.0);
-  // The point lies anywhere on the box, which extends 1.02 mm to each side.
+  // The point lies anywhere on the box, up to 1.02 mm above or below the middle.
   const double force = -Get(trace, "Force", this->Last, 2);
-  const double depth = 2e3 * force / 500.0; // depth of the hand, mm
+  const double depth = 2e3 * force / 500.0; // depth of the hand (mm)
   EXPECT_NEAR(depth, 4.0, 1.03);
 }
 
-/// With the same mesh, a change of another setting does not spread the points again, so the trace
-/// stays the same.
+/// A change of another setting keeps the points of the tool, since the mesh is the same. So the
+/// trace stays the same, too.
 TEST_F(FilterShell, IsTheSameEveryTime)
 {
   const vtkQuaterniond turn(0.9, 0.1, 0.3, 0.2);

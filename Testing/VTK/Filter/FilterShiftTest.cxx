@@ -26,12 +26,13 @@ namespace
 {
 constexpr vtkIdType Ticks = 301;
 constexpr int Width = 48;
-/// Tolerance (N). The law does not depend on the shift, but its sums round: a solver that accepts
-/// an end within 2e-4 of its lag may then accept another end.
+/// Tolerance (N) for rounding. The force does not depend on the shift, but sums of shifted values
+/// round differently. A solver that accepts an end within 2e-4 of its lag may then accept another
+/// end.
 constexpr double Rounded = 1e-4;
 constexpr double Middle = 0.5 * (Width - 1);
 
-/// Returns the Hounsfield units of a blurred ball with layers, with noise of +-8.
+/// Returns the value (HU) of a blurred ball with layers and noise of up to 8 HU.
 double Unit(const Point& p)
 {
   static std::uint32_t random = 1;
@@ -40,7 +41,7 @@ double Unit(const Point& p)
   const double noise = 16.0 * (static_cast<double>(random >> 8) * 0x1p-24 - 0.5);
   const double r = std::hypot(p[0] - Middle, p[1] - Middle, p[2] - Middle);
   const auto inside = [r](double radius) { return 0.5 * std::erfc((r - radius) / 1.0); };
-  // Scanners store nothing below 0 (-1000 HU).
+  // Scanners store no values below -1000 HU.
   return std::max(-1000.0,
     std::round(
       -1000.0 + 900.0 * inside(20.0) + 150.0 * inside(16.0) + 950.0 * inside(8.0) + noise));
@@ -49,8 +50,8 @@ double Unit(const Point& p)
 class FilterShift : public ApiTest
 {
 protected:
-  /// Makes a body with the values (unit + offset) * factor, and a path that presses from air into
-  /// the muscle and slides.
+  /// Makes a body with the values (HU + offset) * factor, and a path that presses from air into the
+  /// muscle and slides.
   void SetBody(double offset, double factor, int scalarType)
   {
     this->Image = MakeImage(Width, scalarType,
@@ -73,7 +74,7 @@ protected:
     return Keep(this->Filter);
   }
 
-  /// Returns the trace of the reference, in Hounsfield units.
+  /// Returns the trace in the body with values in HU, which is the reference.
   vtkSmartPointer<vtkPolyData> FeelUnits(const char* preset)
   {
     this->SetBody(0.0, 1.0, VTK_SHORT);
@@ -147,7 +148,7 @@ TEST_F(FilterShift, HasTheCuresThatItNames)
   EXPECT_TRUE(this->Log.Warnings.empty()) << "nothing is guessed";
   EXPECT_EQ(this->Property->GetFoundShift(), 0.0);
 
-  // Without the shift, air has the value of water.
+  // Without the shift, air has a value of 24, like water.
   this->Property->SetScalarShift(0.0);
   this->Property->ShiftFromImageOff();
   EXPECT_GT(Apart(this->Feel(), units), 0.1);
@@ -157,7 +158,7 @@ TEST_F(FilterShift, HasTheCuresThatItNames)
 TEST_F(FilterShift, ScalesValuesAndGradients)
 {
   const auto units = this->FeelUnits("CT contrast");
-  // Values are (scalar + shift) * scale; powers of two don't round.
+  // Values are (scalar + shift) * scale, without rounding for these powers of two.
   this->SetBody(2048.0, 0.25, VTK_DOUBLE);
   this->Property->SetScalarShift(-512.0);
   this->Property->SetScalarScale(4.0);
@@ -175,8 +176,8 @@ TEST_F(FilterShift, IsThatOfNeedlesToo)
   this->Filter->SetTool(needle);
   const auto units = this->FeelUnits("CT contrast");
   this->SetBody(1024.0, 1.0, VTK_UNSIGNED_SHORT);
-  // A needle that sticks and slips amplifies rounding. Wrong cutting forces would differ by 0.3 N
-  // in air.
+  // A needle that sticks and slips amplifies rounding errors. Wrong cutting forces would differ by
+  // 0.3 N in air.
   EXPECT_LT(Apart(this->Feel(), units), 0.02);
   EXPECT_GT(Most(units), 0.05);
 }
@@ -200,7 +201,7 @@ TEST_F(FilterShift, OfARegionIsThatOfTheWhole)
   EXPECT_EQ(this->Property->GetFoundShift(), -1024.0);
   EXPECT_GT(Most(units), 0.2);
 
-  // The values in a region don't tell the shift: a part of a lung is not a whole chest.
+  // The values of a region can't tell the shift, since a part of a lung is not a whole chest.
   crop->GetOutput()->GetFieldData()->RemoveArray("HapticShift");
   this->Filter->SetInputDataObject(0, crop->GetOutput());
   this->Feel();
@@ -216,7 +217,7 @@ TEST_F(FilterShift, IsKeptByProposals)
   ASSERT_TRUE(this->Property->ProposeFromImage(this->Image));
   EXPECT_EQ(this->Property->GetScalarShift(), -1024.0);
   EXPECT_FALSE(this->Property->GetShiftFromImage());
-  // Air is outside, at -1000.
+  // The lowest tissue range is that of the air outside, at -1000 HU.
   double range[2];
   this->Property->GetTissueRange(0, range);
   EXPECT_LE(range[0], -1000.0 + 20.0);
@@ -251,7 +252,7 @@ TEST_F(FilterShift, WarnsOfDataThatCannotBeHounsfieldUnits)
     this->Filter->Update();
     ASSERT_EQ(this->Log.Warnings.size(), 1U);
     EXPECT_NE(this->Log.Warnings[0].find("can't be a CT"), std::string::npos);
-    // The warning names these cures.
+    // These settings are the ones that the warning names.
     this->Property->SetScalarShift(-data.Offset * data.Factor);
     this->Property->SetScalarScale(1.0 / data.Factor);
     this->Filter->Update();

@@ -29,7 +29,7 @@ using namespace apitest;
 
 namespace
 {
-/// Makes V = 500 (1 - tanh((x - wall)/1.5)): a wall that fills the lower x.
+/// Makes V = 500 (1 - tanh((x - wall)/1.5)), a wall that fills the part below x = `wall`.
 vtkSmartPointer<vtkImageData> MakeWall(double wall, int n = 24, int type = VTK_DOUBLE)
 {
   return MakeImage(
@@ -39,7 +39,7 @@ vtkSmartPointer<vtkImageData> MakeWall(double wall, int n = 24, int type = VTK_D
 constexpr double K = 500.0;
 constexpr double Rest = 12.0;
 
-/// Returns the wall's place (mm): 9 at time 10, and 1 more with each time step.
+/// Returns the x coordinate (mm) of the wall: 9 at time 10, and 1 more per unit of time.
 double WallAt(double time)
 {
   return 9.0 + time - 10.0;
@@ -58,7 +58,7 @@ protected:
     this->RestFor(1.0);
   }
 
-  /// Sets a path on which the tip rests for some seconds.
+  /// Sets a path on which the tip rests for this time (s).
   void RestFor(double seconds)
   {
     const Point at{ Rest, 11.5, 11.5 };
@@ -77,18 +77,19 @@ TEST_F(FilterTime, AWallThatComesPushesATipThatRests)
   {
     const double time = 10.0 + 4.0 * 0.001 * static_cast<double>(tick);
     EXPECT_NEAR(Get(trace, "DataTime", tick), time, 1e-9);
-    // Blending two edges that are a voxel apart is off by at most 0.02 of their width.
+    // A blend of two edges that are one voxel apart is off by at most 0.02 of their width.
     EXPECT_NEAR(Get(trace, "Force", tick), 0.001 * K * std::max(0.0, WallAt(time) - Rest), 0.015)
       << "tick " << tick;
   }
-  // The first time step comes with the image. Then each time step is read once, the first one last.
+  // The time step 10 comes with the image. Then the filter reads each time step once, from 14 back
+  // to 10.
   EXPECT_EQ(this->Source->Asked, (std::vector<double>{ 10.0, 14.0, 13.0, 12.0, 11.0, 10.0 }));
   EXPECT_FALSE(
     this->Filter->GetOutputInformation(0)->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS()));
 }
 
-/// A grid that is resampled around the tip stays at its first time step, and warns once. The cure
-/// that the warning names, vtkResampleToImage, moves.
+/// A grid is resampled around the tip, so it stays at its first time step and gives one warning.
+/// vtkResampleToImage, which the warning names, makes it move.
 TEST_F(FilterTime, AGridThatMovesIsFeltAsTheImagesOfItsSteps)
 {
   vtkNew<vtkAppendFilter> grid;
@@ -139,7 +140,7 @@ TEST_F(FilterTime, TimeStopsAtTheLastStepAndTheForceStays)
   EXPECT_EQ(Get(trace, "Force", 600), Get(trace, "Force", 1000));
 }
 
-/// A path begins at the first time step, and time does not go before it.
+/// A path begins at the first time step, so data time can't run backwards from there.
 TEST_F(FilterTime, BackwardsThereIsNothingButTheFirstStep)
 {
   this->Filter->SetTimeUnitsPerSecond(-4.0);
@@ -219,7 +220,7 @@ TEST_F(FilterTime, StepsOfOtherTypesAreTaken)
   }
 }
 
-/// Only the touched array has frames. Arrays that modes read would stand still while the volume
+/// Only the touched array has time steps. The arrays of modes would stand still while the volume
 /// moves.
 TEST_F(FilterTime, ModesOfAVolumeThatMovesAreRefusedUnlessTimeStandsStill)
 {
@@ -282,8 +283,9 @@ TEST_F(FilterTime, ASourceThatFailedHalfWayIsReadAnew)
 
 namespace
 {
-/// Makes the frames of FilterTime as components of one array, from time 0 on; or five times the
-/// frame of the time `always`. Equal strides make both sum their samples in the same order.
+/// Makes the time steps of FilterTime as components of one array, at times from 0 on, or five
+/// copies of the time step at `always`. Both arrays have the same stride, so that sums add up in
+/// the same order.
 vtkSmartPointer<vtkImageData> MakeComponents(int type, double always = -1.0)
 {
   const auto image = MakeWall(WallAt(10.0), 24, type);
@@ -305,7 +307,7 @@ class FilterComponents : public FilterTime
 protected:
   FilterComponents() { this->Filter->SetTimeUnitsPerSecond(4.0); }
 
-  /// Returns the trace of the same frames as time steps of this type.
+  /// Returns the trace of the same time steps in separate images of this type.
   vtkSmartPointer<vtkPolyData> FeelSteps(int type)
   {
     this->Source->Steps = { 0.0, 1.0, 2.0, 3.0, 4.0 };
@@ -333,7 +335,7 @@ TEST_F(FilterComponents, AreTimeStepsToTheBit)
     this->Run(1001);
     EXPECT_TRUE(IsSame(Keep(this->Filter), steps)) << "type " << type;
     EXPECT_EQ(static_cast<long>(image->GetActualMemorySize()), memory);
-    // Frames twice as far apart at twice the speed: the same frames come at the same ticks.
+    // Time steps twice as far apart, with data time at twice the speed, come at the same ticks.
     this->Filter->SetFrameSpacing(2.0);
     this->Filter->SetTimeUnitsPerSecond(8.0);
     vtkPolyData* const slow = this->Run(1001);
@@ -350,7 +352,7 @@ TEST_F(FilterComponents, OneComponentStandsStillOnRequest)
   this->Filter->SetInputData(MakeComponents(VTK_DOUBLE));
   this->Filter->SetFramesToComponents();
   this->Filter->SetTimeUnitsPerSecond(0.0);
-  this->Property->SetComponent(4); // its wall is 1 mm beyond the tip
+  this->Property->SetComponent(4); // has a wall that is 1 mm beyond the tip
   vtkPolyData* const trace = this->Run(1001);
   EXPECT_EQ(trace->GetPointData()->GetArray("DataTime"), nullptr);
   this->Filter->SetInputData(MakeWall(WallAt(14.0)));
@@ -404,8 +406,8 @@ TEST_F(FilterComponents, OfANiftiFileAreItsTimes)
 
 namespace
 {
-/// A wall that leaps by four of its widths with each time step, and has its displacements in the
-/// array "motion".
+/// Tests with a wall that leaps by four of its widths from time step to time step. The array
+/// "motion" has the displacements.
 class FilterMotion : public FilterTime
 {
 protected:
@@ -432,7 +434,7 @@ protected:
     return image;
   }
 
-  /// Changes the arrays of one time step.
+  /// Changes the arrays of the time step at `at`.
   void Change(double at, const std::function<void(vtkPointData*)>& change)
   {
     this->Source->Make = [=](double time)
@@ -462,7 +464,7 @@ protected:
 TEST_F(FilterMotion, AWallThatLeapsIsFeltOnItsWay)
 {
   this->ExpectLeap();
-  // Without the displacements, the wall stays, and then appears at its next place.
+  // Without displacements, the wall stays at its place, and then appears at the next place.
   this->Filter->SetDisplacementArrayName("");
   this->Filter->Update(); // warns
   vtkPolyData* const trace = this->Filter->GetOutput();

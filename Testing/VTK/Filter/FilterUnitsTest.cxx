@@ -104,7 +104,7 @@ protected:
 
 TEST_F(FilterUnits, LifeSizeMillimetres)
 {
-  // T1: 1 N at 2 mm, and 2 N from 4 mm on.
+  // Case T1: the force is 1 N at 2 mm, and 2 N from 4 mm on.
   vtkPolyData* const output = this->Run(51);
   EXPECT_NEAR(this->Force(20), -1.0, 1e-9);
   EXPECT_NEAR(this->Force(40), -2.0, 1e-9);
@@ -115,7 +115,7 @@ TEST_F(FilterUnits, LifeSizeMillimetres)
 
 TEST_F(FilterUnits, LargerIsNotStiffer)
 {
-  // Twice as large: the hand moves twice as far through the same data.
+  // The data are twice as large as before, so the hand moves twice as far through them.
   this->Filter->SetMetersPerWorldUnit(0.002);
   vtkPolyData* const output = this->Run(51);
   EXPECT_EQ(Get(output, "Stiffness", 10), 500.0);
@@ -123,7 +123,7 @@ TEST_F(FilterUnits, LargerIsNotStiffer)
   EXPECT_NEAR(this->Force(20), -2.0, 1e-9);
   EXPECT_NEAR(Get(output, "GradientMagnitude", 10), 100.0, 1e-9) << "per world unit";
   EXPECT_EQ(Get(output, "Tip", 20, 2), 7.0);
-  // The same motion of the hand gives the same forces.
+  // The same motion of the hand must give the same forces.
   const auto twice = Keep(this->Filter);
   this->Filter->SetMetersPerWorldUnit(0.001);
   this->Filter->SetPathData(MakePath(Line({ 7, 7, 5 }, { 7, 7, 10 }, 25)));
@@ -141,7 +141,7 @@ TEST_F(FilterUnits, ForceFieldIsEquationOne)
   this->Filter->SetForceFieldDamping(2.0);
   vtkPolyData* const output = this->Run(51);
   EXPECT_EQ(this->Force(0), 0.0) << "the first tick enables";
-  // 0.1 mm a tick is 0.1 m/s at 1 kHz.
+  // The tip moves 0.1 mm per tick of 1 ms, so its speed is 0.1 m/s.
   EXPECT_NEAR(this->Force(10), -0.005 * 100.0 - 2.0 * 0.1, 1e-9);
   EXPECT_NEAR(Get(output, "NormalForce", 10), 0.5, 1e-9);
   EXPECT_NEAR(Get(output, "DragForce", 10), 0.2, 1e-9);
@@ -200,7 +200,7 @@ TEST_F(FilterUnits, MaximumStiffnessCapsTheMaterial)
   EXPECT_EQ(Get(this->Run(51), "Stiffness", 10), 500.0);
 }
 
-// The same bodies and the same motion give the same forces in any unit of length.
+// The same bodies and the same motion must give the same forces in any unit of length.
 TEST_F(FilterUnits, PresetsFeelTheSameInAWorldOfAnyUnit)
 {
   vtkStringArray* const names = vtkHapticProperty::GetPresetNames();
@@ -209,7 +209,7 @@ TEST_F(FilterUnits, PresetsFeelTheSameInAWorldOfAnyUnit)
     const vtkStdString name = names->GetValue(i);
     if (name == "Labels")
     {
-      continue; // has walls between whole numbers, without a gradient of values
+      continue; // its walls lie between whole numbers, and have no gradient of values
     }
     this->Property->ApplyPreset(name.c_str());
     for (const int solver : { vtkVolumeHapticsFilter::PAPER, vtkVolumeHapticsFilter::PRECISE })
@@ -217,8 +217,8 @@ TEST_F(FilterUnits, PresetsFeelTheSameInAWorldOfAnyUnit)
       SCOPED_TRACE(testing::Message() << name << ", solver " << solver);
       this->Filter->SetSolver(solver);
       const bool isGrey = name == "MRI" || name == "Micro-CT";
-      // PAPER reads the material before it moves, so rounding grows where a two-sided surface
-      // turns.
+      // PAPER reads the material before it moves the proxy, so rounding errors grow where a
+      // two-sided surface changes its side.
       const bool isPaper = solver == vtkVolumeHapticsFilter::PAPER;
       this->ExpectSameForces(isGrey ? 0.0 : -1000.0, isGrey ? 200.0 : 60.0, 0.02,
         isPaper && name == "MRI" ? 2e-7 : 1e-9);
@@ -253,7 +253,7 @@ TEST_F(FilterUnits, MethodsFeelTheSameInAWorldOfAnyUnit)
 
 TEST_F(FilterUnits, DistinctnessOfOnesOwnIsPerWorldUnit)
 {
-  // A gradient of 100 per millimetre is half distinct.
+  // A gradient of 100 per millimetre has the distinctness 0.5.
   this->Property->GetDistinctness()->AddPoint(50.0, 0.0);
   this->Property->GetDistinctness()->AddPoint(150.0, 1.0);
   this->Run(51);

@@ -20,7 +20,7 @@ using namespace apitest;
 
 namespace
 {
-constexpr double Depth = 0.005; ///< depth of the press at the end of the path, m
+constexpr double Depth = 0.005; ///< depth of the press at the end of the path (m)
 constexpr vtkIdType Last = 50;
 constexpr double Strong = 100.0; ///< N
 
@@ -29,7 +29,7 @@ class LabelsTest : public ApiTest
 protected:
   LabelsTest() { SetConstant(this->Property->GetSurfaceStrength(), Strong); }
 
-  /// Sets label 1 up to x = 7 and label 2 from x = 8 on, on the grid of the image.
+  /// Sets labels on the grid of the image: 1 up to x = 7, and 2 from x = 8 on.
   void SetHalves(int scalarType = VTK_SHORT)
   {
     this->Filter->SetLabelData(
@@ -42,14 +42,14 @@ protected:
     this->Filter->SetPathData(MakePath(Line({ x, 7, 5 }, { x, 7, 10 }, 50)));
   }
 
-  /// Returns the force against the hand at the end of the press.
+  /// Returns the force (N) against the hand at the end of the press.
   double PressedForce(double x)
   {
     this->PressAt(x);
     return -Get(this->Run(51), "Force", Last, 2);
   }
 
-  /// Returns the output without the array of labels.
+  /// Returns the trace without the array of labels.
   vtkSmartPointer<vtkPolyData> KeepFelt()
   {
     const auto output = Keep(this->Filter);
@@ -71,7 +71,7 @@ protected:
 
 TEST_P(LabelsOfSolver, TellTissuesOfOneValueApart)
 {
-  // L1: two labels with one value have their own stiffnesses.
+  // Case L1: two labels in tissue of one value have their own stiffnesses.
   this->SetHalves();
   this->Table->SetStiffness(1, 200.0);
   this->Table->SetStiffness(2, 800.0);
@@ -87,7 +87,7 @@ TEST_P(LabelsOfSolver, HaveAllFourQuantities)
   this->Table->SetFriction(1, 0.4);
   this->PressAt(4.0);
   vtkPolyData* const output = this->Run(51);
-  // The default stiffness is 500 N/m: the surface gives way at 1.5 N, and the drag adds 0.25 N.
+  // With the default stiffness of 500 N/m, the surface slips at 1.5 N, and the drag adds 0.25 N.
   EXPECT_NEAR(-Get(output, "Force", Last, 2), 1.75, 1e-9);
   EXPECT_NEAR(Get(output, "NormalForce", Last), 1.5, 1e-9);
   EXPECT_NEAR(Get(output, "DragForce", Last), 0.25, 1e-9);
@@ -98,7 +98,7 @@ TEST_P(LabelsOfSolver, HaveAllFourQuantities)
 
 TEST_P(LabelsOfSolver, WithoutEntryMakeNoDifference)
 {
-  // L4: the path crosses both labels and their border in all states of contact.
+  // Case L4: the path crosses both labels and their border, in all states of contact.
   SetConstant(this->Property->GetSurfaceStrength(), 1.2);
   SetConstant(this->Property->GetFriction(), 0.3);
   SetConstant(this->Property->GetViscosity(), 0.1);
@@ -131,7 +131,7 @@ TEST_P(LabelsOfSolver, WithoutEntryMakeNoDifference)
 
 TEST_P(LabelsOfSolver, OfAnyTypeFeelTheSame)
 {
-  // L7: label images of all types give the same forces.
+  // Case L7: label images of all types must give the same forces.
   this->Table->SetStiffness(1, 200.0);
   this->Table->SetStiffness(2, 800.0);
   this->Filter->SetPathData(MakePath(Line({ 3, 7, 6 }, { 12, 7, 8 }, 300)));
@@ -165,7 +165,7 @@ TEST_P(LabelsOfSolver, ThatAreNotFeltAreNotThere)
 
 TEST_P(LabelsOfSolver, BeyondTheLabelImageTheFunctionsHold)
 {
-  // The label image covers x up to 5.
+  // The label image ends at x = 5.
   auto labels = vtkSmartPointer<vtkImageData>::New();
   labels->SetDimensions(6, 16, 16);
   labels->AllocateScalars(VTK_INT, 1);
@@ -180,8 +180,8 @@ TEST_P(LabelsOfSolver, BeyondTheLabelImageTheFunctionsHold)
 
 TEST_P(LabelsOfSolver, AreTheScalarsThemselvesOfThePresetLabels)
 {
-  // A label fills a half-space. Its wall is halfway between the voxels, at z = 7.5. With any label
-  // number, the preset's stiffness of 400 N/m gives 0.4 N per millimetre of depth.
+  // The label fills a half-space whose wall is halfway between the voxels, at z = 7.5. With any
+  // label number, the preset's stiffness of 400 N/m gives 0.4 N per millimetre of depth.
   this->Property->ApplyPreset("Labels");
   vtkSmartPointer<vtkPolyData> first;
   for (const double label : { 1.0, 7.0, 250.0 })
@@ -204,8 +204,8 @@ TEST_P(LabelsOfSolver, AreTheScalarsThemselvesOfThePresetLabels)
 
 TEST_F(LabelsTest, OfTheScalarsThemselvesHaveTheMaterialsOfTheirNumbers)
 {
-  // Labels 1 and 2 lie side by side along x. Label 2 has the stiffness at 2; no value between the
-  // labels is read.
+  // Labels 1 and 2 lie side by side along x. Label 2 has the function's stiffness at 2, also near
+  // label 1: no value between the labels is read.
   this->Property->ApplyPreset("Labels");
   vtkPiecewiseFunction* const stiffness = this->Property->GetStiffness();
   stiffness->RemoveAllPoints();
@@ -236,7 +236,8 @@ TEST_F(LabelsTest, OfTheScalarsThemselvesAreWholeNumbersOfAnyType)
     return Keep(this->Filter);
   };
   EXPECT_TRUE(IsSame(feel(VTK_FLOAT, 3.0), feel(VTK_SHORT, 3.0)));
-  // A fraction, or a number that no table can hold, is a value, as if ScalarsAreLabels were off.
+  // A fraction, or a number that is too large for a table, counts as a value, as if
+  // ScalarsAreLabels were off.
   for (const double value : { 0.9, 70000.0 })
   {
     const auto felt = feel(VTK_FLOAT, value);
@@ -245,7 +246,7 @@ TEST_F(LabelsTest, OfTheScalarsThemselvesAreWholeNumbersOfAnyType)
     EXPECT_TRUE(IsSame(felt, feel(VTK_FLOAT, value))) << value;
     this->Property->ScalarsAreLabelsOn();
   }
-  // A label image on port 3 gives its own materials, with or without ScalarsAreLabels.
+  // A label image on port 3 sets its own materials, with or without ScalarsAreLabels.
   this->SetHalves();
   const auto beside = feel(VTK_SHORT, 3.0);
   this->Property->ScalarsAreLabelsOff();
@@ -257,7 +258,7 @@ INSTANTIATE_TEST_SUITE_P(Both, LabelsOfSolver,
 
 TEST_P(LabelsOfSolver, MakeWallsInAVolumeOfOneValue)
 {
-  // L1 with the geometry of labels: the wall is at z = 7.5, the press goes to z = 9.5.
+  // Case L1 with walls between labels: the wall is at z = 7.5, and the press goes to z = 9.5.
   this->Filter->SetInputData(MakeImage(16, VTK_SHORT, [](const Point&) { return 40.0; }));
   this->Filter->SetLabelData(MakeImage(16, VTK_UNSIGNED_SHORT,
     [](const Point& p) { return p[2] < 7.5 ? 0.0 : (p[0] < 7.5 ? 1000.0 : 2000.0); }));
@@ -276,7 +277,7 @@ TEST_P(LabelsOfSolver, MakeWallsInAVolumeOfOneValue)
     EXPECT_NEAR(-Get(output, "Force", 450, 2) / (stiffness * depth), 1.0, 1e-9);
     EXPECT_NEAR(Get(output, "Normal", 450, 2), 1.0, 1e-6);
   }
-  // The volume itself has no surface.
+  // The volume itself has no surface, so without the labels' walls nothing is felt.
   this->Filter->SetGeometryFromScalars();
   EXPECT_EQ(Get(this->Run(451), "Force", 450, 2), 0.0);
   this->Filter->SetGeometryFromBoth();
@@ -285,7 +286,8 @@ TEST_P(LabelsOfSolver, MakeWallsInAVolumeOfOneValue)
 
 TEST_P(LabelsOfSolver, OfThickSlicesHaveWallsWithoutStairs)
 {
-  // A plane that leans by 45 degrees against slices of 3 mm is pressed by 2 mm along its normal.
+  // The plane leans by 45 degrees against slices of 3 mm. The press goes 2 mm deep along its
+  // normal.
   const double n[3] = { 0.8 * std::sqrt(0.5), 0.6 * std::sqrt(0.5), std::sqrt(0.5) };
   const auto depth = [&n](double x, double y, double z)
   { return n[0] * (x - 12.03) + n[1] * (y - 12.11) + n[2] * (z - 12.17); };
@@ -314,7 +316,8 @@ TEST_P(LabelsOfSolver, OfThickSlicesHaveWallsWithoutStairs)
     EXPECT_NEAR(force, 1.0, 0.075) << "N";
   };
   press(0.05);
-  // A brush stroke elsewhere changes nothing here, and gives the same as a fresh filter.
+  // A brush stroke elsewhere must not change the force here, and must give the trace of a fresh
+  // filter.
   vtkDataArray* const array = labels->GetPointData()->GetScalars();
   for (int i = 0; i < 200; ++i)
   {
@@ -338,7 +341,7 @@ TEST_P(LabelsOfSolver, OfThickSlicesHaveWallsWithoutStairs)
 
 TEST_P(LabelsOfSolver, LeaveSurfacesOfTheVolumeAlone)
 {
-  // The ramp is a surface everywhere, so with both geometries it alone is felt.
+  // The ramp is a surface everywhere, so with both geometries only the ramp is felt.
   this->SetHalves();
   this->PressAt(4.0);
   this->Run(51);
@@ -381,7 +384,8 @@ TEST_F(LabelsTest, OtherMethodsDoNotFeelThem)
 
 TEST_F(LabelsTest, GoOverWithinAVoxel)
 {
-  // PAPER shows the material itself: k = 200 + 600 (x - 7) between the voxels at x = 7 and x = 8.
+  // PAPER applies the material without a blend of its own: between the voxels at x = 7 and x = 8, k
+  // = 200 + 600 (x - 7).
   this->Filter->SetSolverToPaper();
   this->SetHalves();
   this->Table->SetStiffness(1, 200.0);
@@ -390,7 +394,7 @@ TEST_F(LabelsTest, GoOverWithinAVoxel)
   vtkPolyData* const output = this->Run(301);
   for (vtkIdType tick = 1; tick <= 300; ++tick)
   {
-    // A tick reads the material at the last proxy, which had followed the tip.
+    // A tick reads the material at the proxy of the last tick, which was at the tip then.
     const double x = 6.0 + 0.01 * static_cast<double>(tick - 1);
     const double share = std::min(std::max(x - 7.0, 0.0), 1.0);
     ASSERT_NEAR(Get(output, "Stiffness", tick), 200.0 + 600.0 * share, 1e-9) << tick;
@@ -399,7 +403,7 @@ TEST_F(LabelsTest, GoOverWithinAVoxel)
 
 TEST_F(LabelsTest, HaveAGeometryOfTheirOwn)
 {
-  // L3: three labels are sampled on the image's grid, and on a finer, turned grid.
+  // Case L3: samples three labels on the grid of the image, and on a finer, turned grid.
   this->Table->SetStiffness(1, 200.0);
   this->Table->SetStiffness(2, 800.0);
   this->Table->SetSurfaceStrength(3, 0.5);
@@ -411,7 +415,7 @@ TEST_F(LabelsTest, HaveAGeometryOfTheirOwn)
   this->Run(501);
   const auto onGrid = Keep(this->Filter);
 
-  // The same voxels are stored in another order: the axes of the image are y, -x and z.
+  // Stores the same voxels in another order: the axes of the image are y, -x and z.
   vtkNew<vtkImageData> turned;
   turned->SetDimensions(16, 16, 16);
   turned->SetOrigin(15.0, 0.0, 0.0);
@@ -437,8 +441,9 @@ TEST_F(LabelsTest, HaveAGeometryOfTheirOwn)
     }
   }
 
-  // Voxels of 0.4 x 0.3 x 0.5 mm, turned by 30 degrees about z, with an extent that does not begin
-  // at 0. Both images have the same labels except within a voxel of the faces between labels.
+  // The voxels have 0.4 x 0.3 x 0.5 mm, are turned by 30 degrees about z, and the extent does not
+  // begin at 0. Both images have the same labels, except within a voxel of the faces between
+  // labels.
   const double c = std::cos(vtkMath::Pi() / 6.0);
   const double s = std::sin(vtkMath::Pi() / 6.0);
   vtkNew<vtkImageData> fine;
@@ -452,7 +457,7 @@ TEST_F(LabelsTest, HaveAGeometryOfTheirOwn)
     const double* const at = fine->GetPoint(point);
     fine->GetPointData()->GetScalars()->SetComponent(point, 0, labelAt(at[0], at[1]));
   }
-  // PAPER carries only the proxy from tick to tick, so single ticks can be compared.
+  // PAPER keeps only the proxy from tick to tick, so single ticks can be compared.
   this->Filter->SetSolverToPaper();
   SetConstant(this->Property->GetSurfaceStrength(), 0.0);
   this->Table->SetSurfaceStrength(3, 0.0);
@@ -486,7 +491,7 @@ TEST_F(LabelsTest, AreInTheTrace)
   ASSERT_NE(output->GetPointData()->GetArray("Label"), nullptr);
   for (vtkIdType tick = 0; tick <= 340; ++tick)
   {
-    // The label is that of the nearest voxel; the normal is along z.
+    // The label must be that of the voxel next to the proxy. The normal is along z.
     const double x = output->GetPoint(tick)[0];
     if (std::abs(x - 7.5) > 1e-6 && std::abs(x - 15.5) > 1e-6)
     {
@@ -513,7 +518,8 @@ TEST_F(LabelsTest, AreReadAgainAfterAChange)
 
 TEST_F(LabelsTest, ThatAreForbiddenAreReadAgainAfterAChange)
 {
-  // Only the wall in front of label 2, which begins at x = 7.5, holds the proxy.
+  // The surface strength is 0, so only the wall in front of label 2, which begins at x = 7.5, holds
+  // the proxy.
   SetConstant(this->Property->GetSurfaceStrength(), 0.0);
   this->SetHalves();
   this->Filter->SetPathData(MakePath(Line({ 3, 7, 7 }, { 10, 7, 7 }, 200)));
@@ -547,7 +553,7 @@ TEST_F(LabelsTest, AMillionOfThemCanBeTold)
   labels->AllocateScalars(VTK_INT, 1);
   for (vtkIdType point = 0; point < labels->GetNumberOfPoints(); ++point)
   {
-    // Each voxel has its own label; labels are negative and positive.
+    // Gives each voxel its own label, negative or positive.
     const auto label = static_cast<int>(point) - 500000;
     labels->GetPointData()->GetScalars()->SetComponent(point, 0, label);
     this->Table->SetStiffness(label, 100.0 + 1e-3 * static_cast<double>(point));
@@ -556,7 +562,8 @@ TEST_F(LabelsTest, AMillionOfThemCanBeTold)
   this->Filter->SetLabelTable(this->Table);
   this->Filter->SetSolverToPaper();
   this->Filter->SetPathData(MakePath(Line({ 4.05, 6.0, 4.5 }, { 4.05, 6.0, 4.55 }, 1)));
-  // x_s is two voxels of the image (2 mm) ahead: at the voxel (27, 40, 130 / 3) of the labels.
+  // The material is read at x_s, two voxels of the image (2 mm) ahead of the proxy. This is the
+  // voxel (27, 40, 130 / 3) of the labels.
   const double above = 6.5 / 0.15;
   const double k = std::floor(above);
   const auto stiffness = [](double i, double j, double at)

@@ -17,11 +17,11 @@ class MaterialArrays : public ApiTest
 protected:
   MaterialArrays()
   {
-    // V = 4 z^2: values from 0 to 900, gradient magnitudes from 0 to 120.
+    // V = 4 z^2 has values from 0 to 900, and gradient magnitudes from 0 to 120.
     this->Image = MakeImage(16, VTK_DOUBLE, [](const Point& x) { return 4.0 * x[2] * x[2]; });
     this->Filter->SetInputDataObject(0, this->Image);
-    // The spring of PRECISE may have slack, so its stiffness depends on earlier ticks; PAPER's does
-    // not.
+    // The stiffness of PAPER depends on the present tick only. The spring of PRECISE may have
+    // slack, so that its stiffness depends on earlier ticks, too.
     this->Filter->SetSolverToPaper();
     std::vector<Point> zigzag;
     std::mt19937_64 engine(1);
@@ -33,7 +33,7 @@ protected:
     this->Filter->SetPathData(MakePath(zigzag));
   }
 
-  /// Compares one array of the output with the function of another array.
+  /// Expects that an array of the trace is the function of the array `argument`.
   void Compare(const char* array, const char* argument, vtkPiecewiseFunction* function)
   {
     int outside = 0;
@@ -78,7 +78,7 @@ TEST_F(MaterialArrays, SurfaceStrengthIsStrengthTimesDistinctness)
     SCOPED_TRACE(seed);
     std::mt19937_64 engine(100 + seed);
     const Shape shape{ -1.0, true, seed % 2 == 0, false };
-    // Tests each function alone, while the other one is constant.
+    // Tests each function alone, while the other function is constant.
     const auto strength = RandomFunction(engine, shape, 0.0, 900.0, 3.0);
     this->Property->SetSurfaceStrength(strength);
     SetConstant(this->Property->GetDistinctness(), 1.0);

@@ -27,7 +27,7 @@
 
 namespace
 {
-/// Allocations of this many bytes or more fail.
+/// Size (bytes) from which on allocations fail.
 std::atomic<std::size_t> Scarce{ std::numeric_limits<std::size_t>::max() };
 } // namespace
 
@@ -53,7 +53,7 @@ using namespace apitest;
 
 namespace
 {
-/// A reader whose file is larger than the memory.
+/// Source whose file is larger than the memory.
 class GreedySource : public vtkImageAlgorithm
 {
 public:
@@ -76,7 +76,7 @@ protected:
   static void IsScarceFrom(std::size_t bytes) { Scarce = bytes; }
   static void IsPlenty() { Scarce = std::numeric_limits<std::size_t>::max(); }
 
-  /// Expects one error with these words.
+  /// Expects one error that has these words.
   static void Expect(MessageLog& log, const std::vector<std::string>& words)
   {
     ASSERT_EQ(log.Errors.size(), 1U);
@@ -92,8 +92,8 @@ protected:
 
 TEST_F(Memory, OfALongPathIsNamedInBytes)
 {
-  // Two points that are 20000 s apart make 20 million ticks, with 24 bytes each for the tip's
-  // position.
+  // Two points that are 20000 s apart make 20 million ticks, each with 24 bytes for the position of
+  // the tip.
   this->Filter->SetPathData(MakePath({ { 7, 7, 5 }, { 7, 7, 10 } }, { 0.0, 2e4 }));
   IsScarceFrom(64 << 20);
   this->ExpectError({ "not enough memory", "20000001 ticks", "port 1", "GB", "in pieces" });
@@ -104,7 +104,7 @@ TEST_F(Memory, OfALongPathIsNamedInBytes)
 
 TEST_F(Memory, OfAnImageThatIsMadeReady)
 {
-  // The isosurface has 256 points of 24 bytes.
+  // The isosurface has 256 points of 24 bytes each.
   this->Filter->SetMethodToSurfaceProxy();
   this->Filter->SetIsoValue(750.0);
   IsScarceFrom(4 << 10);
@@ -170,7 +170,8 @@ TEST_F(Memory, RunsOutInPublish)
   EXPECT_FALSE(device->Start());
   Expect(this->Log, { "not enough memory", "port 0", "connect a new source" });
   EXPECT_FALSE(device->IsRunning());
-  // VTK's executive takes the source for running still, so the filter refuses it from now on.
+  // VTK's executive believes that the source still runs, so the filter refuses this source from now
+  // on.
   EXPECT_FALSE(device->Start());
   EXPECT_FALSE(device->Publish());
   ASSERT_EQ(this->Log.Errors.size(), 2U);
@@ -195,7 +196,7 @@ TEST_F(Memory, RunsOutInPublish)
   EXPECT_TRUE(device->Publish());
 
   const std::string file = TemporaryPath("memory.vtp");
-  IsScarceFrom(1 << 10); // the journal begins with the settings, which need more
+  IsScarceFrom(1 << 10); // the journal begins with the settings, which need more memory
   EXPECT_FALSE(device->GetRecorder()->Start(file.c_str()));
   IsPlenty();
   Expect(log, { "not enough memory", "memory.vtp" });

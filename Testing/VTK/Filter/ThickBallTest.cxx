@@ -25,7 +25,7 @@ namespace
 constexpr double BallRadius = 22.0; // mm
 constexpr double Blur = 0.45;       // mm
 constexpr double Fine = 0.5;        // mm
-constexpr double PressDepth = 1.5;  // depth of the press, mm
+constexpr double PressDepth = 1.5;  // depth of the press (mm)
 constexpr int PressTicks = 90;
 
 enum class Method
@@ -35,8 +35,8 @@ enum class Method
   SurfaceProxy
 };
 
-/// Slices that are `Ratio` times as thick as the fine spacing along an axis; the axes may be
-/// turned.
+/// Slices whose thickness along `Axis` is `Ratio` times the fine spacing. The axes of the image may
+/// be turned.
 struct Slices
 {
   double Ratio;
@@ -48,8 +48,8 @@ constexpr Slices Cubes{ 1.0, 0, false };
 
 struct Press
 {
-  double Contact = std::numeric_limits<double>::quiet_NaN(); ///< distance from the centre, mm
-  double Force = 0.0;                                        ///< at the end, outwards, N
+  double Contact = std::numeric_limits<double>::quiet_NaN(); ///< distance from the centre (mm)
+  double Force = 0.0;                                        ///< outward force (N) at the end
 };
 
 class ThickBall : public ApiTest
@@ -96,7 +96,7 @@ protected:
     this->Expected.clear();
   }
 
-  /// Presses along a direction in the axes of the image, from 3 mm outside.
+  /// Presses into the ball from 3 mm outside, along a direction in the axes of the image.
   Press PressInto(const Slices& slices, const Point& direction)
   {
     vtkImageData* const image = this->GetBall(slices);
@@ -112,7 +112,7 @@ protected:
     {
       press.Force += out[axis] * Get(felt, "Force", PressTicks, axis);
     }
-    // The contact is where the normal force exceeds a twentieth of the final force.
+    // The contact is the first place where the normal force exceeds a twentieth of the final force.
     for (vtkIdType tick = 0; tick <= PressTicks && std::isnan(press.Contact); ++tick)
     {
       if (Get(felt, "NormalForce", tick) > 0.05 * press.Force)
@@ -124,8 +124,8 @@ protected:
     return press;
   }
 
-  /// Expects the contact of cubes within a quarter of the fine spacing, and their force within
-  /// `tolerance` of it.
+  /// Expects the same contact as in cubes, within a quarter of the fine spacing, and the same
+  /// force, within the fraction `tolerance`.
   void ExpectAsInCubes(const Slices& slices, const Point& direction, double tolerance)
   {
     SCOPED_TRACE(testing::Message()
@@ -135,8 +135,8 @@ protected:
     const Press cubes =
       known != this->Expected.end() ? known->second : this->PressInto(Cubes, direction);
     this->Expected[direction] = cubes;
-    // A cubic B-spline has a variance of a third of a voxel squared. It shrinks a ball with radius
-    // R by half of that over R for each axis across the normal.
+    // A cubic B-spline blurs with a variance of a third of the squared voxel width. For each axis
+    // across the normal, this shrinks a ball of radius R by half of the variance over R.
     const bool isSpline = this->Filter->GetMethod() != vtkVolumeHapticsFilter::SURFACE_PROXY &&
       this->Filter->GetGradientEstimator() == vtkVolumeHapticsFilter::CUBIC_BSPLINE;
     const double along = direction[static_cast<std::size_t>(slices.Axis)];
@@ -289,7 +289,7 @@ TEST_F(ThickBall, IsFeltWithEachKernelAsInCubes)
 TEST_P(ThickBallOfKernel, IsFeltWithEachPresetAsInCubes)
 {
   const auto& [method, estimator, radius] = this->GetParam();
-  // Meshes take long, and don't depend on the preset.
+  // Meshes take long to make, and don't depend on the preset.
   const bool isMesh = method == Method::SurfaceProxy;
   for (const std::string& preset :
     isMesh ? std::vector<std::string>{ "CT contrast", "MRI" } : this->GetPresets())
@@ -308,10 +308,10 @@ TEST_P(ThickBallOfKernel, IsFeltWithEachPresetAsInCubes)
         }
       }
     }
-    // In oblique directions, slices of 0.8 mm resolve the edge except for the shift by linear
-    // interpolation (Documentation/method.md, Thick slices): B = 0.005, 0.025 and 0.038 mm. Kernels
-    // with a radius of 1 even it out. The normal of central differences leans; with a radius of 3
-    // this counts for LOCAL_SURFACE, which presses along it.
+    // In oblique directions, slices of 0.8 mm resolve the edge, except for the shift B of 0.005,
+    // 0.025 and 0.038 mm by linear interpolation (Documentation/method.md, Thick slices). Kernels
+    // with a radius of 1 even out this shift. The normal of central differences leans; with a
+    // radius of 3 this counts for LOCAL_SURFACE, which presses along the normal.
     const bool isLocal = method == Method::LocalSurface;
     const bool leans = isLocal && estimator == 0 && radius == 3;
     const double tolerance = !isLocal ? 0.02 : estimator == 0 ? 0.07 : 0.025;

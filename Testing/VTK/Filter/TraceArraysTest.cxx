@@ -38,8 +38,8 @@ protected:
 
 using Texts = std::vector<std::string>;
 
-/// The arrays that the class documentation of vtkVolumeHapticsFilter lists, without Label,
-/// DataTime, the eight ModeForce_i and the four of every tool.
+/// Arrays that the class documentation of vtkVolumeHapticsFilter lists, except Label, DataTime, the
+/// eight ModeForce_i and the four arrays of every tool.
 const Texts All = { "Time", "Tip", "Force", "NormalForce", "FrictionForce", "DragForce", "Normal",
   "Value", "GradientMagnitude", "SurfaceValue", "MediumValue", "Stiffness", "Friction", "Viscosity",
   "SurfaceStrength", "Contact", "Unfinished", "Renewed", "Energy" };
@@ -204,8 +204,8 @@ TEST_F(TraceArrays, LabelsAreOneOfThem)
 
 TEST_F(TraceArrays, KeepTheirMemoryAsLongAsAnythingUsesIt)
 {
-  // The memory of a deleted trace is reused by later ones. Memory in use must not be: here an
-  // output, an array, and memory that two arrays share.
+  // Later traces reuse the memory of a deleted trace. They must not reuse memory that is in use: of
+  // an output, of an array, and of two arrays that share it.
   std::vector<vtkSmartPointer<vtkPolyData>> outputs;
   std::vector<vtkSmartPointer<vtkDataArray>> shared;
   const auto zOf = [](int run) { return 5.0 + 0.25 * run; };

@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(All, BadValueTest, testing::ValuesIn(BadValues));
 
 TEST_F(ApiTest, LogarithmicScaleNeedsPositiveNodes)
 {
-  // vtkPiecewiseFunction has no finite value between such nodes.
+  // On a logarithmic scale, vtkPiecewiseFunction has no finite value between nodes like these.
   vtkPiecewiseFunction* const function = this->Property->GetStiffness();
   function->UseLogScaleOn();
   function->AddPoint(-100.0, 100.0);

@@ -22,17 +22,18 @@ constexpr int LargeSize = 408; // 68 million voxels; volumes count as large abov
 constexpr double LargeMiddle = 0.5 * (LargeSize - 1);
 constexpr double OuterRadius = 173.0;
 constexpr double InnerRadius = 92.0;
-// Ratio of the balls' areas. Of 512 rows, some 290 meet the larger ball, 80 the smaller one.
+// Ratio of the balls' areas. Of 512 rows, some 290 meet the larger ball, and some 80 the smaller
+// ball.
 constexpr double Areas = OuterRadius * OuterRadius / (InnerRadius * InnerRadius);
 
 class LargeProposal : public Proposal
 {
 protected:
-  /// Makes three materials, 0, 100 and 250, with noise of 2 %. The value is raised by the fraction
-  /// `bias` at the last voxel of the first axis, and lowered by it at the first.
+  /// Makes two balls in air: three materials with the values 0, 100 and 250, and noise of 2 %.
+  /// Along the first axis, values change from a fraction `bias` below to a fraction `bias` above.
   vtkSmartPointer<vtkImageData> MakeBalls(double outer, double inner, double bias)
   {
-    // Values by radius, and noise, come from tables, since there are many voxels.
+    // The values by radius and the noise come from tables, which saves time with so many voxels.
     constexpr int perVoxel = 64;
     std::vector<float> values;
     for (int i = 0; i <= 2 * LargeSize * perVoxel; ++i)
@@ -41,7 +42,7 @@ protected:
       values.push_back(static_cast<float>(
         100.0 * Phi((OuterRadius - r) / outer) + 150.0 * Phi((InnerRadius - r) / inner)));
     }
-    constexpr std::size_t noises = 1000003; // prime, so that rows differ
+    constexpr std::size_t noises = 1000003; // a prime number, so that rows differ
     Noise noise(Sigma);
     std::vector<float> noiseTable;
     for (std::size_t i = 0; i < noises; ++i)

@@ -21,9 +21,9 @@ using namespace VolumeHaptics;
 
 namespace
 {
-constexpr double Grey = 111.5; // between 0 outside and 215 inside
+constexpr double Grey = 111.5; // grey level between 0 outside and 215 inside
 
-/// Proposes from two boundaries; a `sign` of -1 exchanges bright and dark.
+/// Makes a proposal from two boundaries. A `sign` of -1 exchanges bright and dark.
 MaterialProposal Propose(double sign, std::optional<double> end)
 {
   Boundary outer;

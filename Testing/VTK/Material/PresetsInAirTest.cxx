@@ -22,9 +22,10 @@ constexpr double Air = 60.0; // mm
 constexpr double Deep = 5.0; // mm
 constexpr double Felt = 0.1; // N
 constexpr int Side = 20;     // voxels of 1 mm
-constexpr int Presses = 6;   // presses in one volume
+constexpr int Presses = 6;   // number of presses in one volume
 
-/// Values of air and of a wall, and noise equivalent to 60 HU.
+/// Values of air and of a wall in a kind of scan, and its largest noise, which is equivalent to 60
+/// HU.
 struct Scan
 {
   double Outside = -1000.0;
@@ -52,7 +53,7 @@ vtkSmartPointer<vtkImageData> MakeScan(const Scan& scan, double noise, unsigned 
   std::normal_distribution<double> random;
   for (int k = 0; k < depth; ++k)
   {
-    // A step between two samples, blurred as by a scanner.
+    // The wall is a step between two samples, blurred as by a scanner.
     const double fraction = 0.5 * (1.0 + std::erf((k - Air) / (0.8 * std::sqrt(2.0))));
     const double value = isLabels ? (k >= Air ? scan.Inside : scan.Outside)
                                   : scan.Outside + fraction * (scan.Inside - scan.Outside);
@@ -61,7 +62,7 @@ vtkSmartPointer<vtkImageData> MakeScan(const Scan& scan, double noise, unsigned 
       for (int i = 0; i < Side; ++i)
       {
         const double sample = value + noise * random(engine);
-        // Scans of grey levels have no values below 0.
+        // Scans in grey levels have no values below 0.
         image->SetScalarComponentFromDouble(
           i, j, k, 0, scan.Outside >= 0.0 ? std::max(0.0, sample) : sample);
       }
@@ -149,7 +150,7 @@ TEST_P(PresetsInAir, LeaveNoWallUnfelt)
       const bool isOfValues = std::string(method.Name).find("_") == std::string::npos;
       if (scan.MostNoise == 0.0 && !isOfValues)
       {
-        continue; // scalars that are labels are only felt by PROXY
+        continue; // only PROXY feels scalars that are labels
       }
       vtkNew<vtkVolumeHapticsFilter> filter;
       filter->GetProperty()->ApplyPreset(this->GetParam().c_str());
@@ -169,10 +170,10 @@ TEST_P(PresetsInAir, LeaveNoSlopeUnfelt)
 {
   if (this->GetParam().find("CT ") != 0)
   {
-    return; // is not for CT values
+    return; // the preset is not for CT values
   }
-  // On a slope of 40 degrees, a finger slides off slippery skin. Just below the skin, values of a
-  // head CT go from -56 to 37 HU (Documentation/materials.md).
+  // On a slope of 40 degrees, a finger slides off slippery skin. Just below the skin, a head CT has
+  // values from -56 to 37 HU (Documentation/materials.md).
   constexpr double middle = 24.0;
   constexpr double slope = 40.0 * 3.14159265358979 / 180.0;
   for (const double radius : { 6.0, 9.0, 12.0 })
@@ -206,8 +207,9 @@ TEST_P(PresetsInAir, LeaveNoSlopeUnfelt)
   }
 }
 
-/// In front of a wall of 60 HU lies a plateau: a blanket of at most -420 HU is passed, so that the
-/// wall is felt; from -400 HU on, skin holds, which is felt instead.
+/// In front of a wall of 60 HU lies a plateau. A plateau of at most -420 HU counts as a blanket:
+/// the hand passes it and feels the wall. From -400 HU on, the plateau counts as skin, and is felt
+/// instead of the wall.
 TEST(PresetsAtTheEdgeOfSkin, PhysicalPassesABlanketAndHoldsSkin)
 {
   constexpr double plateau = 12.0; // mm
@@ -227,7 +229,7 @@ TEST(PresetsAtTheEdgeOfSkin, PhysicalPassesABlanketAndHoldsSkin)
       MakePath(Line({ 18.0, 18.0, 1.0 }, { 18.0, 18.0, wall + 2.0 * Deep }, 640)));
     filter->Update();
     vtkPolyData* const felt = filter->GetOutput();
-    double place = 0.0; // mm, of the surface that holds the first 0.1 N
+    double place = 0.0; // position (mm) of the surface that holds the first 0.1 N
     for (vtkIdType i = 0; i < felt->GetNumberOfPoints() && place == 0.0; ++i)
     {
       const double force =

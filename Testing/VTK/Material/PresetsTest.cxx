@@ -25,14 +25,15 @@ namespace
 {
 constexpr double Endless = std::numeric_limits<double>::infinity();
 
-/// A row of a table: k, mu, R and T_N between two values.
+/// A row of a preset's table: the stiffness k, friction mu, drag R and strength T_N between two
+/// values.
 struct Tissue
 {
   std::string Name;
   double Low = -Endless;
   double High = Endless;
   double Values[4] = {};
-  double Lows[4] = {}; ///< where each of them begins: at Low, or at a value given by "from"
+  double Lows[4] = {}; ///< beginnings of the values: Low, or the number after "from"
 };
 
 /// Returns the cells of a row of a Markdown table.
@@ -49,7 +50,7 @@ std::vector<std::string> Cells(const std::string& row)
   return cells;
 }
 
-/// Reads the table under the heading of a preset.
+/// Reads the table under the heading of a preset in Documentation/materials.md.
 std::vector<Tissue> ReadTable(const std::string& preset)
 {
   std::ifstream file(std::string(VolumeHaptics_SOURCE_DIR) + "/Documentation/materials.md");
@@ -150,8 +151,8 @@ TEST_F(Presets, AreThoseOfTheTables)
 
 TEST_F(Presets, AreSmoothForARealScan)
 {
-  // A change of the value by 10 units changes the strength by less than a third. All have one
-  // stiffness, and strengths do not fall.
+  // A change of the value by 10 units must change the strength by less than a third. The stiffness
+  // must be constant, and the strength must not fall.
   for (const char* const name : { "CT contrast", "CT angiography", "CT chest", "MRI" })
   {
     SCOPED_TRACE(name);
@@ -177,8 +178,8 @@ TEST_F(Presets, AreSmoothForARealScan)
 
 TEST_F(Presets, MriTakesUpItsSurfacesSlowly)
 {
-  // A change of the gradient by 10 grey levels per millimetre changes the distinctness by less than
-  // a fifth.
+  // A change of the gradient by 10 grey levels per millimetre must change the distinctness by less
+  // than a fifth.
   ASSERT_TRUE(this->Property->ApplyPreset("MRI"));
   vtkPiecewiseFunction* const distinct = this->Property->GetDistinctness();
   for (double gradient = 0.0; gradient < 200.0; gradient += 1.0)
@@ -190,8 +191,8 @@ TEST_F(Presets, MriTakesUpItsSurfacesSlowly)
 
 TEST_F(Presets, MriIsFittedToTheGreyLevelsOfAnImage)
 {
-  // A head of grey matter, mostly, and white matter, in grey levels multiplied by 2^n, so that the
-  // functions scale exactly. Forces do not depend on the factor.
+  // The head has grey matter, mostly, and white matter. Its grey levels are multiplied by 2^n, so
+  // that functions scale exactly. Forces must not depend on the factor.
   vtkNew<vtkVolumeHapticsFilter> filter;
   filter->SetPathData(MakePath(Line({ 15.5, 15.5, 0.5 }, { 15.5, 15.5, 14.5 }, 200)));
   std::vector<double> expected;
@@ -207,7 +208,7 @@ TEST_F(Presets, MriIsFittedToTheGreyLevelsOfAnImage)
         return times * (brain + 3.0 * noise);
       });
     ASSERT_TRUE(this->Property->ApplyPreset("MRI", head));
-    // These values are in the rows "background" and "grey matter, muscle" of the table.
+    // The table has these values in its rows "background" and "grey matter, muscle".
     EXPECT_EQ(this->Property->GetSurfaceStrength()->GetValue(times * 8.0), 0.0);
     EXPECT_NEAR(this->Property->GetSurfaceStrength()->GetValue(times * 83.0), 1.4, 0.1);
     EXPECT_GT(this->Property->GetSurfaceStrength()->GetValue(times * 120.0), 1.8);
@@ -251,8 +252,8 @@ TEST_F(Presets, MriIsFittedToTheValuesThatFunctionsTake)
 
 TEST_F(Presets, MriFeelsEdgesOfCoarseVoxels)
 {
-  // The samples are the same, so an edge has the same values on both sides, within one voxel: it
-  // holds the same force for any voxel width.
+  // The samples are the same for any voxel width, so an edge has the same values on both sides, one
+  // voxel apart. The edge must hold the same force.
   vtkNew<vtkVolumeHapticsFilter> filter;
   double expected = 0.0;
   for (const double width : { 1.0, 0.5, 2.0, 4.0 })
@@ -282,7 +283,7 @@ TEST_F(Presets, MriFeelsEdgesOfCoarseVoxels)
     EXPECT_GT(largest, 0.5);
     EXPECT_NEAR(largest, expected, 0.1 * expected);
   }
-  // In thick slices, the mean voxel width counts.
+  // In thick slices, the mean of the voxel widths counts.
   const auto thick = MakeImage(32, VTK_DOUBLE,
     [](const Point& x)
     { return 45.0 * std::erfc(std::hypot(x[0] - 15.5, x[1] - 15.5, x[2] - 15.5) - 11.0); });
@@ -299,8 +300,8 @@ TEST_F(Presets, MriFeelsEdgesOfCoarseVoxels)
 
 TEST_F(Presets, MriHasNoStrengthInTheNoiseOfAnImage)
 {
-  // MRI gives the magnitude of a complex signal with normal noise. Without signal, this is
-  // Rayleigh's distribution, whose mean is sqrt(pi/2) standard deviations.
+  // MRI gives the magnitude of a complex signal with normal noise. Without a signal, the magnitude
+  // has Rayleigh's distribution, whose mean is sqrt(pi/2) standard deviations.
   constexpr double sigma = 2.3;
   constexpr double body = 60.0;
   std::mt19937_64 engine(5);
@@ -319,16 +320,17 @@ TEST_F(Presets, MriHasNoStrengthInTheNoiseOfAnImage)
   vtkPiecewiseFunction* const strength = this->Property->GetSurfaceStrength();
   EXPECT_EQ(strength->GetValue(brightest), 0.0);
   EXPECT_EQ(this->Property->GetViscosity()->GetValue(brightest), 0.0);
-  // The background ends at 5 means, 14.4. Without noise it would end at 8, which is 12 times 60/90.
+  // The background ends at 14.4, five times the mean of the noise. Without noise it would end at 8,
+  // which is 12 times 60/90.
   const double end = 5.0 * std::sqrt(std::acos(0.0)) * sigma;
   EXPECT_EQ(strength->GetValue(0.97 * end), 0.0);
   EXPECT_GT(strength->GetValue(1.03 * end), 0.0);
   EXPECT_GE(strength->GetValue(body), 0.8) << "as fluid";
-  // The height of edges follows the brightness of the body: 70 for a body of 90.
+  // The height of distinct edges scales with the brightness of the body: 70 for a body of 90.
   vtkPiecewiseFunction* const distinct = this->Property->GetDistinctness();
   EXPECT_EQ(distinct->GetValue(70.0 * body / 90.0 * 1.03), 1.0);
   EXPECT_LT(distinct->GetValue(70.0 * body / 90.0 * 0.97), 1.0);
-  // A region uses the grey levels of the whole volume.
+  // A region must use the grey levels of the whole volume.
   vtkNew<vtkHapticRegionFilter> region;
   region->SetInputData(head);
   region->SetRegion(14, 25, 14, 25, 14, 25);
@@ -344,7 +346,7 @@ TEST_F(Presets, MriHasNoStrengthInTheNoiseOfAnImage)
 
 TEST_F(Presets, MriTakesNoTissueForNoise)
 {
-  // In a brain without surroundings, grey matter is the darker cluster; it is not taken for a
+  // In a brain without surroundings, grey matter is the darker cluster. It must not count as a
   // background of noise.
   const auto brain = MakeImage(32, VTK_DOUBLE,
     [](const Point& x)
@@ -362,7 +364,7 @@ TEST_F(Presets, AnImageIsLookedAtOnlyIfThereIsNoUnit)
   ASSERT_EQ(this->Log.Errors.size(), 1U);
   EXPECT_NE(this->Log.Errors[0].find("call ApplyPreset(name)"), std::string::npos);
   EXPECT_TRUE(this->Property->GetSolidFromImage()) << "nothing has changed";
-  // An image with a single value has no background, so the table is used unchanged.
+  // An image with a single value has no background, so the preset uses its table unchanged.
   const auto image = MakeImage(16, VTK_DOUBLE, [](const Point&) { return 900.0; });
   ASSERT_TRUE(this->Property->ApplyPreset("MRI", image));
   EXPECT_EQ(this->Property->GetSurfaceStrength()->GetValue(12.0), 0.0);
@@ -372,9 +374,10 @@ TEST_F(Presets, AnImageIsLookedAtOnlyIfThereIsNoUnit)
 TEST_F(Presets, PhysicalHasThePublishedLiver)
 {
   ASSERT_TRUE(this->Property->ApplyPreset("CT physical"));
-  // 2 E a / (1 - nu^2), for a shear modulus of 1.8 kPa and a = 2 mm.
+  // The expected stiffness is 2 E a / (1 - nu^2), for a shear modulus of 1.8 kPa and a = 2 mm.
   EXPECT_NEAR(this->Property->GetStiffness()->GetValue(55.0), 28.0, 1.0);
-  // The same formula for a Young's modulus of 10 kPa, the softest value of skin in place.
+  // The expected stiffness is that of the same formula for a Young's modulus of 10 kPa, the softest
+  // published value of skin in place.
   EXPECT_NEAR(this->Property->GetStiffness()->GetValue(-100.0), 2.0 * 10e3 * 2e-3 / 0.75, 1.0);
   const double friction = this->Property->GetFriction()->GetValue(1000.0);
   EXPECT_TRUE(friction >= 0.29 && friction <= 0.36) << "bone on muscle";
@@ -382,7 +385,7 @@ TEST_F(Presets, PhysicalHasThePublishedLiver)
 
 TEST_F(Presets, ANeedleHasCuttingForcesOfItsOwn)
 {
-  // The presets have one drag for all soft tissues; a needle distinguishes the layers of
+  // The presets have one drag for all soft tissues, but a needle distinguishes the layers of
   // Documentation/method.md.
   vtkNew<vtkHapticNeedle> needle;
   vtkPiecewiseFunction* const force = needle->GetCuttingForce();

@@ -19,9 +19,9 @@ namespace
 {
 constexpr double Missing = std::numeric_limits<double>::quiet_NaN();
 
-constexpr int Small = 48; // voxels of an image along an axis
+constexpr int Small = 48; // number of voxels of an image along an axis
 
-/// Returns 0, 40 or 100, blurred at the edges and rounded.
+/// Returns the value 0, 40 or 100 at a voxel, blurred at the edges and rounded.
 double Rounded(const Point& x)
 {
   return std::round(Value({ { 20.0, 40.0, 1.5 }, { 11.0, 60.0, 1.5 } }, x, Small));
@@ -30,7 +30,7 @@ double Rounded(const Point& x)
 class ProposalInput : public testing::Test
 {
 protected:
-  /// Expects the materials of the balls in this unit, with a tolerance in fractions of the range.
+  /// Expects the materials of both balls in this unit, within a fraction `tolerance` of the range.
   void ExpectBalls(double unit, double tolerance)
   {
     const std::vector<Found> found = Boundaries(this->Property);
@@ -105,7 +105,7 @@ const Useless UselessImages[] = {
     },
     { "\"Density\"", "noise", "vtkImageGaussianSmooth" } },
   { "NoEdge", [] { return apitest::MakeRamp(48); }, { "\"Density\"", "edge", "by hand" } },
-  // Rounding to float gives it a little noise.
+  // The edge is too wide. Rounding to float adds a little noise to the image.
   { "WideEdge",
     []
     {
@@ -162,7 +162,7 @@ TEST_P(ProposalRefusal, NamesTheInputAndChangesNothing)
 INSTANTIATE_TEST_SUITE_P(ProposalInput, ProposalRefusal, testing::ValuesIn(UselessImages),
   [](const auto& test) { return test.param.Name; });
 
-// In another unit, everything that has the unit scales with it.
+// If the values have another unit, all results that have this unit must scale with it.
 TEST_F(ProposalInput, UnitsDoNotMatter)
 {
   vtkNew<vtkHapticProperty> other;
@@ -241,7 +241,7 @@ TEST_F(ProposalInput, StepsAreEdges)
   EXPECT_EQ(this->Property->GetSurfaceStrength()->GetValue(1.0), 12.0);
 }
 
-// The same voxels are read in the same order with any number of threads.
+// With any number of threads, the same voxels must be read in the same order.
 TEST_F(ProposalInput, RepetitionsAgreeToTheBit)
 {
   Noise noise(1.0);

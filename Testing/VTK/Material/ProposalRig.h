@@ -23,7 +23,7 @@ namespace proposaltest
 {
 using apitest::Point;
 
-/// A ball around the middle of the image: a blurred step of the value.
+/// A ball around the middle of the image: a step of the value with a blurred edge.
 struct Ball
 {
   double Radius;
@@ -31,7 +31,7 @@ struct Ball
   double Width; // s
 };
 
-constexpr int Size = 80; // voxels of an image along an axis
+constexpr int Size = 80; // number of voxels of an image along an axis
 constexpr double Middle = 0.5 * (Size - 1);
 
 inline double Phi(double x)
@@ -39,7 +39,7 @@ inline double Phi(double x)
   return 0.5 * std::erfc(-x / std::sqrt(2.0));
 }
 
-/// Returns the value of the balls at a voxel of an image with `size` voxels along an axis.
+/// Returns the value of the balls at voxel `x` of an image with `size` voxels along each axis.
 inline double Value(const std::vector<Ball>& balls, const Point& x, int size = Size)
 {
   const double middle = 0.5 * (size - 1);
@@ -52,10 +52,11 @@ inline double Value(const std::vector<Ball>& balls, const Point& x, int size = S
   return value;
 }
 
-constexpr double Range = 250.0;        // of the values of the three materials
+constexpr double Range = 250.0;        // range of the values of the three materials
 constexpr double Sigma = 0.02 * Range; // standard deviation of their noise
 
-/// Returns three materials, 0, 100 and 250, with edges of these widths s.
+/// Returns the balls for three materials with the values 0, 100 and 250, whose edges have these
+/// widths s.
 inline std::vector<Ball> ThreeMaterials(double outer, double inner)
 {
   return { { 34.0, 100.0, outer }, { 18.0, 150.0, inner } };
@@ -77,7 +78,7 @@ private:
   std::normal_distribution<double> Normal;
 };
 
-/// A row of vtkHapticProperty::GetProposedBoundaries.
+/// A row of the table from vtkHapticProperty::GetProposedBoundaries().
 struct Found
 {
   double Low;
@@ -87,7 +88,7 @@ struct Found
   double Fraction;
 };
 
-/// Returns the boundaries, sorted by their lower value.
+/// Returns the proposed boundaries, sorted by their lower value.
 inline std::vector<Found> Boundaries(vtkHapticProperty* property)
 {
   std::vector<Found> all;
@@ -102,7 +103,7 @@ inline std::vector<Found> Boundaries(vtkHapticProperty* property)
   return all;
 }
 
-/// Returns the value and the function's value at the n-th point.
+/// Returns the scalar value at the n-th point of a function, and the function's value there.
 inline std::array<double, 2> NodeOf(vtkPiecewiseFunction* function, int n)
 {
   double node[4] = { std::nan(""), std::nan(""), 0.0, 0.0 };
@@ -110,12 +111,12 @@ inline std::array<double, 2> NodeOf(vtkPiecewiseFunction* function, int n)
   return { node[0], node[1] };
 }
 
-/// Checks proposals for three materials with noise, and for the head phantom.
+/// Tests of proposals for three materials with noise, and for the head phantom.
 class Proposal : public testing::Test
 {
 protected:
-  /// Expects edges of these widths s; `areas` is the ratio of the outer ball's area to the inner
-  /// ball's.
+  /// Expects edges of these widths s. `areas` is the ratio of the outer ball's area to the inner
+  /// ball's area.
   void ExpectMaterials(double outer, double inner, double areas, double areasError)
   {
     const std::vector<Found> found = Boundaries(this->Property);

@@ -25,7 +25,7 @@ constexpr double MeshedRadius = 0.5;
 constexpr double MeshedTip = 6.5;
 
 /// Time steps of V = 100 (z + t): the surface at 750 moves by 1 mm per unit of data time. At time
-/// 0, the sphere of the proxy is 0.5 mm in front of it.
+/// 0, the proxy's sphere is 0.5 mm in front of the surface.
 class MeshedTimeSteps : public DeviceTest
 {
 protected:
@@ -44,7 +44,7 @@ protected:
     SetConstant(this->Filter->GetProperty()->GetSurfaceStrength(), 3.0);
     this->Filter->GetProperty()->DistinctnessFromNoiseOff();
   }
-  /// Releases the worker in any case.
+  /// Releases the worker, even after a failure.
   ~MeshedTimeSteps() override { this->LetTheWorkerGoOn(); }
 
   void LetTheWorkerGoOn()
@@ -55,10 +55,10 @@ protected:
     }
   }
   bool IsWorkerHeldUp() { return this->TimeSteps[0]->Asked > 0 && !this->TimeSteps[0]->IsOpen; }
-  /// Gives a time step and the next one.
+  /// Gives the source the time step `first` and the next one.
   void Give(int first)
   {
-    // The mesh of each has 33 000 triangles.
+    // Each time step has a mesh of 33 000 triangles.
     constexpr int n = 130;
     this->Source->RemoveAllTimeSteps();
     for (int i = first; i < first + 2; ++i)
@@ -117,7 +117,7 @@ TEST_F(MeshedTimeSteps, AreNotWaitedFor)
   EXPECT_FALSE(this->Device->GetPlayback()->HasTimeSteps());
   EXPECT_EQ(Length(this->Device->GetState()->GetComputedForce()), 0.0);
   EXPECT_EQ(this->Device->GetPlayback()->GetDataTime(), 0.0);
-  // Further changes of settings don't wait for the worker.
+  // Further changes of settings must not wait for the worker.
   this->Filter->SetIsoValue(700.0);
   ASSERT_TRUE(this->Device->Publish());
   this->Filter->SetIsoValue(750.0);
@@ -129,7 +129,8 @@ TEST_F(MeshedTimeSteps, AreNotWaitedFor)
   ASSERT_TRUE(this->WaitTicks(5));
   this->ExpectForce();
 
-  // A filter along a path makes the meshes itself, and gives the same forces to the bit.
+  // The filter makes the meshes itself and computes the same forces along the recorded path, to the
+  // bit.
   const std::string file = this->File("MeshedFrames.vtp");
   ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
   this->Device->GetPlayback()->Play();
@@ -163,7 +164,7 @@ TEST_F(MeshedTimeSteps, AreNotWaitedFor)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// Time steps that come faster than their meshes would otherwise never be felt.
+/// A stream whose time steps come faster than their meshes are made would otherwise never be felt.
 TEST_F(MeshedTimeSteps, OfAStreamAreFeltBeforeTheNextOnes)
 {
   this->BeginToPlay();
@@ -187,7 +188,7 @@ TEST_F(MeshedTimeSteps, OfAStreamAreFeltBeforeTheNextOnes)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// The servo keeps its method while the meshes for the next one are made.
+/// While the meshes for another method are made, the servo keeps its present method.
 TEST_F(MeshedTimeSteps, GoOnWhileOthersAreMade)
 {
   this->Filter->SetTimeUnitsPerSecond(0.0);

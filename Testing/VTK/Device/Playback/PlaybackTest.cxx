@@ -32,7 +32,7 @@ namespace
 constexpr double WallStiffness = 500.0;
 constexpr double TipRests = 12.0;
 
-/// Returns the wall's place (mm): 9 at time 10, and 1 more with each time step.
+/// Returns the x coordinate (mm) of the wall: 9 at time 10, and 1 more per unit of time.
 double ComputeWall(double time)
 {
   return 9.0 + time - 10.0;
@@ -65,7 +65,7 @@ protected:
     ASSERT_TRUE(this->WaitTicks(2));
   }
 
-  /// Calls `look` for new states during some seconds of the servo's time.
+  /// Calls `look` for each new state during this time (s) of the servo.
   void Watch(double seconds, const std::function<void()>& look)
   {
     const double end = this->Device->GetState()->GetTime() + seconds;
@@ -91,14 +91,14 @@ protected:
   void ExpectForceOfTheWall()
   {
     const double time = this->Device->GetPlayback()->GetDataTime();
-    // Blending two edges that are a voxel apart is off by at most 0.02 of their width.
+    // A blend of two edges that are one voxel apart is off by at most 0.02 of their width.
     EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[0],
       0.001 * WallStiffness * std::max(0.0, ComputeWall(time) - TipRests), 0.02)
       << "at " << time;
   }
 
-  /// Records a loop, in which the wall leaps back, and expects that it replays to the bit. Time
-  /// steps are at `first` to `first` + 4.
+  /// Records a loop in which the wall leaps back, and expects that the recording replays to the
+  /// bit. The time steps are at `first` to `first` + 4.
   void ExpectThatARecordingReplaysToTheBit(double first)
   {
     this->Filter->SetTimeUnitsPerSecond(9.0);
@@ -157,7 +157,7 @@ protected:
   vtkNew<apitest::TimeSource> Source;
 };
 
-/// The same time steps as components of one array, at times from 0 on.
+/// Source with the same time steps as components of one array, at times from 0 on.
 class PlaybackOfComponents : public PlaybackOfSteps
 {
 protected:
@@ -183,8 +183,8 @@ protected:
 };
 } // namespace
 
-/// A grid that is resampled around the tip stays still, and warns once when it is played. The cure
-/// that the warning names moves.
+/// A grid is resampled around the tip, so it can't be played: it stands still and gives one
+/// warning. The advice in the warning makes it move.
 TEST_F(PlaybackOfSteps, OfAGridIsTold)
 {
   vtkNew<vtkAppendFilter> grid;
@@ -241,7 +241,7 @@ TEST_F(PlaybackOfSteps, AWallThatBeatsPushesAHandThatRests)
       last = time;
     });
   EXPECT_GT(most, 0.4);
-  EXPECT_LT(least, 11.0); // time has turned back
+  EXPECT_LT(least, 11.0); // data time has run back
   this->Device->GetPlayback()->Hold();
   ASSERT_TRUE(this->WaitTicks(20));
   const double held = this->Device->GetPlayback()->GetDataTime();
@@ -296,7 +296,7 @@ TEST_F(PlaybackOfSteps, WaitsForAStepThatCantBeReadAndTells)
     this->Device->GetStatusText().find("waiting for the frame at data time 12"), std::string::npos)
     << this->Device->GetStatusText();
   this->ExpectFilterError("can't be read");
-  // Once the time step can be read, publishing goes on from there.
+  // Once the time step can be read, publishing continues there.
   ASSERT_TRUE(this->Device->Publish());
   this->Filter->Modified();
   ASSERT_TRUE(this->Device->Publish());
@@ -353,7 +353,8 @@ TEST_F(PlaybackOfComponents, PushAHandThatRestsWithoutACopy)
       most = std::max(most, this->Device->GetState()->GetComputedForce()[0]);
     });
   EXPECT_GT(most, 0.4);
-  // Each of the five time steps, and the first one behind the last one, uses the array itself.
+  // The playback copies no samples: its five time steps, and the first one again behind the last
+  // one, refer to the array.
   EXPECT_GE(array->GetReferenceCount(), users + 5);
   EXPECT_FALSE(this->Device->GetPlayback()->IsWaitingForData());
 }
@@ -380,8 +381,9 @@ TEST_F(PlaybackOfComponents, OneAloneIsAnError)
   this->ExpectFilterError("has one component, and the components are the frames");
 }
 
-/// V2, and time that runs backwards: a wall that holds 0.3 N slips through the proxy, and lets go
-/// over 0.6 mm on its way back. V7: moving there and back uses 0.3 N over the 0.4 mm that slipped.
+/// Cases V2 and V7 of the specification, with time that runs forwards and backwards. The wall has a
+/// strength of 0.3 N and slips past the proxy; on its way back, the force falls to 0 over 0.6 mm.
+/// The whole motion takes the work of 0.3 N over the 0.4 mm that slipped.
 TEST_F(PlaybackOfSteps, AWallThatSlipsTakesWorkToAndFro)
 {
   constexpr double strength = 0.3;
@@ -420,7 +422,7 @@ TEST_F(PlaybackOfSteps, AWallThatSlipsTakesWorkToAndFro)
   EXPECT_NEAR(work, 0.3 * 0.4, 0.02); // mJ
 }
 
-/// V5: equal time steps.
+/// Case V5 of the specification: equal time steps feel like a volume that stands still.
 TEST_F(PlaybackOfSteps, StepsThatAreAlikeAreAVolumeThatStandsStill)
 {
   this->Source->Make = [](double) { return MakeWallStep(13.5); };
@@ -446,7 +448,7 @@ TEST_F(PlaybackOfSteps, StepsThatAreAlikeAreAVolumeThatStandsStill)
   EXPECT_GT(latest, 13.0);
 }
 
-/// The wall moves by 1 mm per time step, which a blend shows, but once by 6 mm.
+/// The wall moves by 1 mm per time step, which a blend can show, except for one step of 6 mm.
 TEST_F(PlaybackOfSteps, AStepThatIsTooFastForABlendIsToldOnceAsItComes)
 {
   this->Source->Steps = { 10.0, 11.0, 12.0, 13.0, 14.0, 15.0 };
@@ -471,7 +473,8 @@ TEST_F(PlaybackOfSteps, AStepThatIsTooFastForABlendIsToldOnceAsItComes)
   }
 }
 
-/// Only a loop goes on from the last time step to the first one: there the wall leaps back by 6 mm.
+/// In a loop, time also runs from the last time step to the first one, where the wall leaps back by
+/// 6 mm. Other modes have no such step.
 TEST_F(PlaybackOfSteps, TheWayBackToTheFirstStepIsTooFastInALoopAlone)
 {
   this->Source->Steps = { 10.0, 12.0, 14.0 };
@@ -489,7 +492,7 @@ TEST_F(PlaybackOfSteps, TheWayBackToTheFirstStepIsTooFastInALoopAlone)
     << this->FilterLog.Warnings[0];
 }
 
-/// The wall leaps by 3.5 mm per time step, over twice its width, so only displacements show its
+/// The wall moves by 3.5 mm per time step, over twice its width, so only displacements can show its
 /// motion.
 TEST_F(PlaybackOfSteps, StepsAreBlendedAlongTheirDisplacements)
 {
@@ -554,7 +557,8 @@ TEST_F(PlaybackOfSteps, AStepWithoutNumbersHoldsNothingAndTimeGoesOn)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// A sphere of 1 mm rests against the wall's mesh, which is made one time step ahead.
+/// The proxy is a sphere of 1 mm that rests against the wall's mesh. The mesh is made one time step
+/// ahead.
 TEST_F(PlaybackOfSteps, AMeshGoesAlong)
 {
   this->Filter->SetMethodToSurfaceProxy();
@@ -577,5 +581,5 @@ TEST_F(PlaybackOfSteps, AMeshGoesAlong)
       most = std::max(most, this->Device->GetState()->GetComputedForce()[0]);
     });
   EXPECT_GT(most, 0.9);
-  EXPECT_LT(latest, 14.0); // time has turned back
+  EXPECT_LT(latest, 14.0); // data time has run back
 }

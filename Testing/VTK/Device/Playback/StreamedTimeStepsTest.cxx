@@ -23,7 +23,7 @@ namespace
 constexpr double StreamedStiffness = 500.0;
 constexpr double StreamedTip = 12.0;
 
-/// @param radius of a sphere that rests against the wall
+/// Returns the force (N) of the wall at a data time on a proxy with this radius (mm).
 double ForceOfTheStreamedWall(double time, double radius)
 {
   return 0.001 * StreamedStiffness * std::max(0.0, 9.0 + time + radius - StreamedTip);
@@ -70,8 +70,8 @@ protected:
     ASSERT_TRUE(this->Device->Start());
     this->GoTo(end);
   }
-  /// Expects the force of the wall at the data time of the newest state, and that data time has not
-  /// leapt.
+  /// Expects that the force is that of the wall at the newest state's data time, and that data time
+  /// has not leapt.
   void Feel()
   {
     const double now = this->Device->GetPlayback()->GetDataTime();
@@ -80,7 +80,7 @@ protected:
       EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[0],
         ForceOfTheStreamedWall(now, this->Radius), this->Tolerance)
         << "at " << now;
-      // Compares with the servo's time, not with this thread's.
+      // Compares with the servo's time, since this thread may pause.
       const double elapsed = this->Device->GetState()->GetTime() - this->FeltAt;
       if (this->FeltAt > 0.0)
       {
@@ -102,7 +102,7 @@ protected:
   }
   void SetSpeed(double speed)
   {
-    // The last state may still have the earlier speed.
+    // Keeps the largest speed, since the newest state may still have the earlier one.
     this->Speed = std::max(this->Speed, std::abs(speed));
     this->Device->GetPlayback()->SetSpeed(speed);
   }
@@ -111,11 +111,11 @@ protected:
   double Tolerance = 0.02; ///< N
   double Speed = 20.0;     ///< largest change of data time in a second
   double Felt = 0.0;       ///< data time of the last state that was checked
-  double FeltAt = 0.0;     ///< servo time of that state
+  double FeltAt = 0.0;     ///< servo time (s) of that state
 };
 } // namespace
 
-/// Time steps of 6 mm, which a blend can't show.
+/// The wall moves by 6 mm from time step to time step, which a blend can't show.
 TEST_F(StreamedTimeSteps, ThatAreTooFastForABlendAreToldOnce)
 {
   ASSERT_TRUE(this->Device->Open("virtual"));
@@ -155,8 +155,8 @@ TEST_F(StreamedTimeSteps, PushAHandThatRestsAndComeBack)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// The source is slow or quick at random, while the servo keeps its own pace. Early time steps
-/// wait; if they are late, data time waits. The contact is never lost.
+/// Gives time steps at random moments, while the servo keeps its own pace. An early time step
+/// waits; data time waits for a late one. The contact is never lost.
 TEST_F(StreamedTimeSteps, ThatAreEarlyOrLateAreFeltOneAfterTheOther)
 {
   const int region[] = { 0, 35, 3, 37, 4, 39 };
@@ -169,7 +169,7 @@ TEST_F(StreamedTimeSteps, ThatAreEarlyOrLateAreFeltOneAfterTheOther)
   int waited = 0;
   for (int i = 0; i < 24; ++i)
   {
-    // The wall moves 6 mm and back.
+    // The wall moves by 5 mm and back, 1 mm per time step.
     const double next = at + (i / 5 % 2 == 0 ? 1.0 : -1.0);
     this->Give(at, next, random() % 2 ? region : other);
     ASSERT_TRUE(this->Device->Publish());
@@ -201,8 +201,8 @@ TEST_F(StreamedTimeSteps, ThatAreEarlyOrLateAreFeltOneAfterTheOther)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// The last time step that was felt is joined to the next ones, so that the wall moves through the
-/// missing part.
+/// After missing time steps, the last one that was felt is joined to the next ones, so that the
+/// wall moves through the missing part.
 TEST_F(StreamedTimeSteps, ThatWereLeftOutAreGoneOver)
 {
   this->Tolerance = 0.03;
@@ -212,7 +212,8 @@ TEST_F(StreamedTimeSteps, ThatWereLeftOutAreGoneOver)
   this->Give(3.0, 3.8);
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() > 3.1; }));
-  // The first of these time steps comes too late, and then those between are missing.
+  // The pair 3.8 to 4.2 is replaced by the next pair before data time reaches it. Later, the pair
+  // 5.0 to 5.6 is missing.
   this->Give(3.8, 4.2);
   ASSERT_TRUE(this->Device->Publish());
   this->Give(4.2, 5.0);
@@ -223,7 +224,8 @@ TEST_F(StreamedTimeSteps, ThatWereLeftOutAreGoneOver)
   ASSERT_TRUE(this->Device->Publish());
   this->GoTo(6.4);
   EXPECT_GT(this->Device->GetState()->GetComputedForce()[0], 1.65);
-  // The wall also moves through missing parts backwards, and after time has held between steps.
+  // The wall also moves through missing parts when data time runs backwards, and after data time
+  // was held.
   this->Give(4.6, 5.4);
   ASSERT_TRUE(this->Device->Publish());
   this->SetSpeed(-2.0);
@@ -243,7 +245,8 @@ TEST_F(StreamedTimeSteps, ThatWereLeftOutAreGoneOver)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// If the hand has left the region that is in memory, data time waits for the region.
+/// If the hand has left the region in memory, data time waits until a region around the hand is
+/// there.
 TEST_F(StreamedTimeSteps, HoldTimeWhileARegionIsLate)
 {
   const int region[] = { 0, 35, 3, 37, 4, 39 };
@@ -269,12 +272,12 @@ TEST_F(StreamedTimeSteps, HoldTimeWhileARegionIsLate)
   const double before = this->Device->GetPlayback()->GetDataTime();
   EXPECT_LT(before, 4.0);
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() == 4.0; }));
-  // The proxy begins at the tip, as after any gap; from there on the wall pushes.
+  // After the gap, the proxy begins at the tip, and from then on the wall pushes the proxy.
   EXPECT_GT(this->Device->GetState()->GetComputedForce()[0],
     0.001 * StreamedStiffness * 0.5 * (4.0 - before));
 }
 
-/// The servo goes on with another region, as if it had the whole volume.
+/// When another region of the volume comes, the servo continues as if it had the whole volume.
 TEST_F(StreamedTimeSteps, MayBeRegionsOfAVolume)
 {
   const int region[] = { 0, 35, 3, 37, 4, 39 };
@@ -293,13 +296,13 @@ TEST_F(StreamedTimeSteps, MayBeRegionsOfAVolume)
   this->Give(4.0, 5.0, region);
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->WaitTicks(20));
-  // Newton's method continues from where the last tick has left it, which rounds.
+  // Newton's method starts from the result of the last tick, so the forces may differ by rounding.
   EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[0], force, 1e-5);
   EXPECT_EQ(this->Device->GetState()->GetResidency(), 1.0);
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// Each time step has its mesh on the way to the next one, also if the regions change.
+/// Each time step has its mesh while data time runs to the next one, also if the regions change.
 TEST_F(StreamedTimeSteps, MayBeMeshes)
 {
   const int region[] = { 0, 35, 3, 37, 4, 39 };
@@ -319,7 +322,8 @@ TEST_F(StreamedTimeSteps, MayBeMeshes)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// A time step with another shape begins another volume, or is an error; it is never lost.
+/// A time step of another shape begins another volume or gives an error; it is never dropped in
+/// silence.
 TEST_F(StreamedTimeSteps, OfAnotherShapeAreAnotherVolume)
 {
   this->Give(0.0, 1.0);

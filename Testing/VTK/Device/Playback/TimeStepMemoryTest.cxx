@@ -24,14 +24,14 @@ using namespace devicetest;
 
 namespace
 {
-/// Samples of a time step; a copy is an array of this class, and is counted.
+/// Samples of a time step. Counts the arrays of this class, and so the copies, too.
 class CountedArray : public vtkDoubleArray
 {
 public:
   static CountedArray* New() { VTK_STANDARD_NEW_BODY(CountedArray); }
   vtkTypeMacro(CountedArray, vtkDoubleArray);
 
-  static inline bool OfSource = false; ///< new arrays belong to the source, and don't count
+  static inline bool OfSource = false; ///< new arrays belong to the source and are not counted
   static inline int Live = 0;
   static inline int Most = 0;
 
@@ -69,11 +69,11 @@ protected:
     this->Filter->SetInputArrayToProcess(
       0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "counted");
     this->Filter->SetTimeUnitsPerSecond(20.0);
-    // Forgets the time step that was felt while the volume stood still.
+    // Clears the counts, since one time step was felt while the volume stood still.
     CountedArray::Most = CountedArray::Live = 0;
   }
 
-  /// Makes a wall that moves with time.
+  /// Makes a wall at x = 8 mm + `time`.
   static vtkSmartPointer<vtkImageData> MakeCounted(double time)
   {
     auto image = MakeImage(24, VTK_DOUBLE,
@@ -108,7 +108,7 @@ protected:
     vtkImageData* const image = this->Device->GetPlayback()->GetTimeStepImage();
     return image ? image->GetScalarComponentAsDouble(12, 12, 12, 0) : -1.0;
   }
-  /// Returns the value there if the wall is at this x.
+  /// Returns the value at (12, 12, 12) of a wall at this x (mm).
   static double GetValue(double wall) { return 500.0 * (1.0 - std::tanh((12.0 - wall) / 1.5)); }
 
   /// Returns the largest number of time steps in memory since the last call.
@@ -144,8 +144,8 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWhileTimeRuns)
   EXPECT_LE(CountedArray::Live, 3);
 }
 
-/// A jump to another data time: the servo keeps both felt time steps until one of the others is
-/// there, and then has that one alone until the next comes.
+/// After a jump to another data time, the servo keeps the two felt time steps until one of the new
+/// ones is read. Then it has this one alone until the other is read.
 TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereAPersonGoesToAnotherTime)
 {
   this->Begin();
@@ -161,7 +161,7 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereAPersonGoesToAnotherTime)
         plays ? this->Device->GetPlayback()->Play() : this->Device->GetPlayback()->Hold();
         for (int i = 1; i < Steps; ++i)
         {
-          // The times are far from the last one, between time steps and on them.
+          // Each time is far from the last one, and lies between time steps or on a time step.
           const double time = (i % 3) * 0.4 + static_cast<double>(i * 5 % (Steps - 1));
           ASSERT_TRUE(this->GoTo(time)) << time;
           if (!plays)
@@ -176,7 +176,7 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereAPersonGoesToAnotherTime)
   EXPECT_LE(CountedArray::Live, 3);
 }
 
-/// Orders come before the last one was followed, as when a slider is dragged.
+/// Sets new data times before the servo has reached the last one, as a dragged slider does.
 TEST_F(TimeStepMemory, HasThreeStepsAtMostWhileASliderIsDrawn)
 {
   this->Begin();
@@ -194,7 +194,7 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWhileASliderIsDrawn)
   EXPECT_EQ(DrainMost(), 3);
 }
 
-/// The data time changes while the servo is stopped.
+/// Changes the data time while the servo is stopped.
 TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereItWasStoppedMeanwhile)
 {
   this->Begin();
@@ -210,7 +210,7 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereItWasStoppedMeanwhile)
   EXPECT_EQ(DrainMost(), 3);
 }
 
-/// An image that the application has asked for is released with its time step.
+/// An image that the application has asked for is released together with its time step.
 TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereOneWasShown)
 {
   this->Begin();
@@ -223,7 +223,7 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereOneWasShown)
   }
 }
 
-/// The same with meshes, which take time to make.
+/// Jumps to other data times with Surface Proxy, whose meshes take time to make.
 TEST_F(TimeStepMemory, HasThreeStepsAtMostWithTheirMeshes)
 {
   this->Filter->SetMethodToSurfaceProxy();
@@ -234,14 +234,15 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWithTheirMeshes)
   {
     const double time = (i % 3) * 0.4 + static_cast<double>(i * 5 % (Steps - 1));
     ASSERT_TRUE(this->GoTo(time)) << time;
-    // The proxy's sphere begins at the tip, in front of the wall, so nothing delays the data time.
+    // The proxy's sphere begins at the tip, in front of the wall, so no contact delays the data
+    // time.
     EXPECT_EQ(this->Device->GetPlayback()->GetDataTime(), time);
     EXPECT_LE(DrainMost(), 3) << time;
   }
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// A new model takes over the time steps of the last model: nothing is copied.
+/// A new model takes over the time steps of the last model without a copy.
 TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereSettingsChangeMeanwhile)
 {
   this->Filter->SetIsoValue(500.0);
@@ -277,7 +278,8 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereSettingsChangeMeanwhile)
   EXPECT_LE(CountedArray::Live, 3);
 }
 
-/// Changes of the source, and another array, are read again.
+/// The device reads its time steps again after a change of the source, and after a change to
+/// another array.
 TEST_F(TimeStepMemory, KeepsNoTimeStepOfAnotherVolume)
 {
   this->Begin();
@@ -309,7 +311,8 @@ TEST_F(TimeStepMemory, KeepsNoTimeStepOfAnotherVolume)
   EXPECT_DOUBLE_EQ(this->GetFelt(), 7.0);
 }
 
-/// A change of an algorithm further up the pipeline is also read again.
+/// The device also reads its time steps again after a change of an algorithm further up the
+/// pipeline.
 TEST_F(TimeStepMemory, KeepsNoTimeStepOfAnEarlierStage)
 {
   const vtkNew<apitest::GivenImage> stage;
@@ -326,7 +329,7 @@ TEST_F(TimeStepMemory, KeepsNoTimeStepOfAnEarlierStage)
   EXPECT_DOUBLE_EQ(this->GetFelt(), GetValue(11.0));
 }
 
-/// ParaView's animation gives two images at a time: the last one and the new one.
+/// Gives two images at a time, as ParaView's animation does: the last one and the new one.
 TEST_F(TimeStepMemory, HasThreeStepsOfAStreamAtMost)
 {
   vtkNew<vtkHapticTimeStepSource> stream;
@@ -335,7 +338,7 @@ TEST_F(TimeStepMemory, HasThreeStepsOfAStreamAtMost)
   double time = -1.0;
   const auto give = [&](double next)
   {
-    // The servo no longer needs the time step before the last one, so there is room for this one.
+    // The servo no longer needs the time step before `last`, so there is room for the new one.
     const vtkSmartPointer<vtkImageData> image = next == time ? last : this->MakeCounted(next);
     stream->RemoveAllTimeSteps();
     stream->AddTimeStep(last, time);

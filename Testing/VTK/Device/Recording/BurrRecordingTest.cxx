@@ -32,7 +32,7 @@ protected:
   }
   ~BurrRecording() override { this->Device->GetVirtualHand()->SpinningOff(); }
 
-  /// Begins, and arms the device, since a burr spins only if armed.
+  /// Starts the servo, and arms the device, since a burr spins only if armed.
   void Begin()
   {
     Recording::Begin();
@@ -53,21 +53,21 @@ protected:
     return this->Wait([this] { return this->GetRemoval()->GetNumberOfRequests() == 0; }) &&
       this->WaitTicks(2);
   }
-  /// Presses until another `volume` (mm^3) was removed.
+  /// Presses at `x` (mm) until a further `volume` (mm^3) is removed.
   bool Drill(double x, double volume)
   {
     const double goal = this->GetRemoval()->GetRemovedVolume() + volume;
     return this->Lead(x, 7.0, 4.0) && this->Lead(x, 7.0, 9.0) &&
       this->Wait([&] { return this->GetRemoval()->GetRemovedVolume() > goal; });
   }
-  /// Ends the stroke, so that nothing more is removed.
+  /// Stops the burr, which ends the stroke, so that nothing more is removed.
   bool EndStroke()
   {
     this->Device->GetVirtualHand()->SpinningOff();
     return this->Wait([this] { return !this->Device->GetState()->IsSpinning(); }) &&
       this->WaitTicks(2);
   }
-  /// Expects that the recording replays with the same forces, and leaves the same fractions.
+  /// Expects that the recording replays with the same forces, and leaves the same remaining tissue.
   void ExpectSameRemoval()
   {
     ASSERT_TRUE(this->EndStroke());
@@ -114,8 +114,8 @@ TEST_F(BurrRecording, UndoAndRedoUnderTheHand)
   const auto second = this->GetShares();
   ASSERT_NE(first, second);
   EXPECT_EQ(this->GetRemoval()->GetNumberOfUndos(), 2);
-  // Undo closes the hole around the hand, which can leave freely and stays in place, also after a
-  // pause of the loop.
+  // Undo closes the hole around the hand without a force on the hand. The tip may be elsewhere
+  // after a pause of the loop.
   this->BeginWayHere();
   EXPECT_TRUE(this->GetRemoval()->Undo());
   ASSERT_TRUE(this->IsRequestDone());
@@ -126,7 +126,8 @@ TEST_F(BurrRecording, UndoAndRedoUnderTheHand)
   ASSERT_TRUE(this->IsRequestDone());
   EXPECT_EQ(this->GetShares(), second);
   EXPECT_FALSE(this->GetRemoval()->Redo()) << "there is no more";
-  // Undo also works with the point in the hand, and redo after the servo has stopped.
+  // Undo also works while the hand has the point and not the burr, and redo after the servo has
+  // stopped.
   this->Filter->SetTool(nullptr);
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->WaitTicks(5));
@@ -156,7 +157,8 @@ TEST_F(BurrRecording, ReplaysItsRemovalToTheBit)
   EXPECT_FALSE(this->Recorded->GetFieldData()->HasArray("InitialBricks"));
 }
 
-/// The labels' energies count, not the function's.
+/// The specific energies of the labels count; the burr's own function would allow almost no
+/// removal.
 TEST_F(BurrRecording, ReplaysWithTheEnergyOfLabels)
 {
   const auto labels = MakeImage(16, VTK_SHORT, [](const Point& p) { return p[0] < 7.5 ? 2 : 3; });
@@ -195,7 +197,7 @@ TEST_F(BurrRecording, ReplaysFromWhatWasRemovedBefore)
   EXPECT_GT(this->Recorded->GetFieldData()->GetArray("InitialShares")->GetNumberOfTuples(), 1);
 }
 
-/// A second recording follows one that has ended at once.
+/// Stops a recording at once, and starts a second one, which must replay by itself.
 TEST_F(BurrRecording, ASecondRecordingBeginsAnew)
 {
   this->Begin();
@@ -210,7 +212,8 @@ TEST_F(BurrRecording, ASecondRecordingBeginsAnew)
   this->ExpectSameRemoval();
 }
 
-/// The point in a hole is recorded, and replayed by a filter that has no hole of its own.
+/// Records the touch of a drilled hole with the point, and replays the touch with a filter that has
+/// drilled no hole.
 TEST_F(BurrRecording, AHoleReplaysWithoutTheBurr)
 {
   this->Begin();
@@ -254,7 +257,7 @@ TEST_F(BurrRecording, WithoutAServoRequestsAreCarriedOutAtOnce)
   ASSERT_TRUE(this->EndStroke());
   const auto shares = this->GetShares();
   this->Device->Stop();
-  // An undo that was requested just before the servo stops is carried out.
+  // An undo that is requested just before the servo stops must be carried out.
   ASSERT_TRUE(this->Device->Start());
   ASSERT_TRUE(this->WaitTicks(2));
   EXPECT_TRUE(this->GetRemoval()->Undo());
@@ -268,8 +271,7 @@ TEST_F(BurrRecording, WithoutAServoRequestsAreCarriedOutAtOnce)
   EXPECT_EQ(this->GetShares(), shares);
 }
 
-/// Requests to the removal of another filter's burr are carried out once the device no longer uses
-/// it.
+/// The device no longer uses the burr's filter, so requests to the removal are carried out at once.
 TEST_F(BurrRecording, ARemovalThatIsNoLongerFeltIsFree)
 {
   this->Begin();
@@ -338,7 +340,7 @@ TEST_F(BurrRecording, SpinsWhileItsButtonIsPressed)
   EXPECT_FALSE(this->Device->GetState()->IsSpinning()) << "that is another one";
   this->Device->GetVirtualHand()->SetButtons(3);
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->IsSpinning(); }));
-  // The burr does not spin while the force is held back, even with its button pressed.
+  // While long work holds the force back, the burr does not spin, even if its button is pressed.
   this->Device->BeginLongWork("the test thinks", 10.0);
   ASSERT_TRUE(this->Wait([this] { return !this->Device->GetState()->IsSpinning(); }));
   this->Device->EndLongWork();

@@ -57,7 +57,7 @@ protected:
   {
     return this->Wait([this, times] { return this->Gated->Asked >= times; });
   }
-  /// Opens the array from another thread, while the owner waits.
+  /// Opens the array from another thread after this time (ms), while the owner waits.
   std::thread OpenSoon(int milliseconds = 50)
   {
     return std::thread(
@@ -84,7 +84,7 @@ TEST_F(HashTime, IsNotThatOfTheStart)
   ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   EXPECT_EQ(this->ReadHash(), this->Filter->HashScalars());
   EXPECT_TRUE(this->Log.Warnings.empty());
-  // Unchanged values are not hashed again.
+  // Values that have not changed are not hashed again.
   const int asked = this->Gated->Asked;
   this->StartRecording();
   EXPECT_FALSE(this->IsHashing());
@@ -99,7 +99,7 @@ TEST_F(HashTime, IsNotWaitedForWhileArmed)
   ASSERT_NO_FATAL_FAILURE(this->BeginPressed());
   this->StartRecording();
   ASSERT_TRUE(this->WaitTicks(20));
-  // The worker, which is told to end, can do so only once the array is open.
+  // Stop() tells the worker to end, which it can do only once the array is open.
   std::thread opener = this->OpenSoon(3000);
   ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   opener.join();
@@ -138,7 +138,8 @@ TEST_F(HashTime, BeginsAgainIfTheValuesChange)
   this->StartRecording();
   ASSERT_TRUE(this->WaitUntilAsked());
   const std::string before = this->Filter->HashScalars();
-  // The worker ends its present hash first; it has not read any value yet.
+  // The worker has read no value yet, since the array is closed. It ends this hash before it begins
+  // anew.
   this->Gated->SetValue(7, 5);
   this->Gated->Modified();
   std::thread opener = this->OpenSoon();
@@ -161,7 +162,7 @@ TEST_F(HashTime, BeginsAgainIfTheImageIsReplaced)
   const auto image = this->Give(values);
   values->SetValue(9, 3);
   this->Filter->SetInputData(0, image);
-  this->Device->UpdateState(); // the worker may hold the only other reference
+  this->Device->UpdateState(); // the worker may hold the last reference to the old image
   opener.join();
   ASSERT_TRUE(this->Wait([this] { return !this->IsHashing(); }));
   ASSERT_TRUE(this->Device->GetRecorder()->Stop());

@@ -23,9 +23,9 @@
 namespace
 {
 bool HasLocks = true;
-long BadFrom = -1; // the first byte that pread can't read; negative: all can be read
+long BadFrom = -1; // first byte that pread() can't read; negative: all can be read
 int Interruptions = 0;
-std::string Watched; // a journal, which must exist when its folder is synced
+std::string Watched; // journal that must exist when its folder is synced
 bool WasThere = false;
 int FolderSyncs = 0;
 } // namespace
@@ -88,7 +88,8 @@ protected:
       this->Recorder::Push(recording, this->Source.Next());
     }
   }
-  /// Leaves the journal of a program that has ended without finishing it.
+  /// Leaves a journal of this many ticks, like a program that ended without finishing the
+  /// recording.
   void Leave(int ticks)
   {
     HapticRecording recording;
@@ -118,7 +119,8 @@ protected:
 TEST_F(Journal, IsNotWrittenOverItself)
 {
   this->Leave(600);
-  // The targets are the journal's own name, a link to it, and the file of a table's fields.
+  // Each target is the journal itself: a hard link, a symbolic link, and a hard link with the name
+  // of a table's fields.
   for (const char* const name : { "/b.vtp", "/c.vtp", "/d.csv.json" })
   {
     const std::string file = this->Folder + name;
@@ -138,9 +140,8 @@ TEST_F(Journal, IsNotWrittenOverItself)
   EXPECT_EQ(Read(this->File)->GetNumberOfPoints(), 600);
 }
 
-/// After the last chunk follows a megabyte in which a head begins every 24 bytes. Computing 44,000
-/// checksums of up to a megabyte each took five minutes. The error tells that the journal has no
-/// clean end.
+/// Appends a megabyte in which the head of a chunk begins every 24 bytes. Computing 44,000
+/// checksums of up to a megabyte each took five minutes. The error says that bytes have changed.
 TEST_F(Journal, OfManyFalseHeadsIsReadSoon)
 {
   this->Leave(600);
@@ -149,7 +150,7 @@ TEST_F(Journal, OfManyFalseHeadsIsReadSoon)
   std::string heads;
   Put(heads, TicksChunk);
   Put(heads, std::uint32_t{ 0 });
-  Put(heads, std::uint64_t{ 4 * size }); // this chunk is cut off
+  Put(heads, std::uint64_t{ 4 * size }); // this chunk is longer than the file
   Put(heads, std::uint64_t{ 0 });
   for (std::uint64_t left = size - HeadSize; left > HeadSize; left -= HeadSize)
   {
@@ -323,7 +324,7 @@ TEST_F(Journal, IsRemovedWhenTheFolderIsOnTheDisk)
   this->Leave(300);
   Watched = this->Part;
   FolderSyncs = 0;
-  Interruptions = 3; // signals that interrupt fsync
+  Interruptions = 3; // signals that interrupt fsync()
   std::string error;
   EXPECT_TRUE(WriteRecording(this->Part, this->File, error)) << error;
   EXPECT_EQ(FolderSyncs, 1);
@@ -360,7 +361,7 @@ TEST_F(Journal, NeedsItsNameAndThatOfTheFields)
   vtksys::SystemTools::MakeDirectory(this->Folder + "/b.csv.json");
   refuses(this->Folder + "/b.csv", "is a folder");
   EXPECT_FALSE(Exists(this->Folder + "/b.csv.part"));
-  // The name is the longest one that fits with ".part" (NAME_MAX is 255).
+  // This name is the longest one to which ".part" can be added (NAME_MAX is 255 bytes).
   const std::string longest = this->Folder + "/" + std::string(246, 'x') + ".vtp";
   HapticRecording recording;
   this->Start(recording, longest);

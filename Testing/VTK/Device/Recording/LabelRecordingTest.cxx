@@ -94,7 +94,7 @@ TEST_F(LabelRecording, ReplaysToTheBitWithItsLabels)
   this->ExpectRefused({ "made with labels", hash, this->Filter->HashLabels(), "they are others" });
   this->Filter->SetLabelData(MakeHalves(-7.0, 9.0)); // a copy
   this->ExpectTaken();
-  // Another thread computes the hash, while the filter reports progress.
+  // Another thread computes the hash of a large image, while the filter reports progress.
   vtkNew<GatedArray> gated;
   gated->DeepCopy(this->Labels->GetPointData()->GetScalars());
   vtkNew<vtkImageData> large;
@@ -145,14 +145,14 @@ TEST_F(LabelRecording, AsATableIsAPathForItsLabels)
     EXPECT_NE(log.Errors[0].find("Labels.csv.json, can't be read"), std::string::npos)
       << log.Errors[0];
   }
-  // Fields without labels leave an ordinary path.
+  // Fields that name no labels leave an ordinary path.
   for (const std::string fields : { "[1]", "{\"Settings\":5}", "{\"Settings\":\"none\"}" })
   {
     std::ofstream(file + ".json") << fields;
     path->Modified();
     this->ExpectTaken();
   }
-  // A label with the name of the line "LabelHash" is not this line.
+  // A label whose name begins with "LabelHash" must not be read as the line "LabelHash".
   std::ofstream(file + ".json") << R"({"Settings":"Geometry: 0\n 5: LabelHash: 0123\n"})";
   path->Modified();
   this->ExpectTaken();
@@ -192,7 +192,7 @@ TEST_F(LabelRecording, ReplaysToTheBitWithWallsOfThickSlices)
   std::string text = settings->GetValue(0);
   const std::string line = "\nLabelGrid: 1 x 1 x 3\n";
   ASSERT_NE(text.find(line), std::string::npos) << text;
-  // A recording of a version without finer grids replays without one.
+  // A recording of an earlier version, which had no finer grids, replays without a finer grid.
   this->Filter->Update();
   const auto fine = apitest::Keep(this->Filter);
   settings->SetValue(0, text.replace(text.find(line), line.size(), "\n"));
@@ -218,7 +218,8 @@ TEST_F(LabelRecording, TheStateTellsTheLabel)
 
 TEST_F(LabelRecording, AForbiddenLabelIsToldOnce)
 {
-  // The label begins at z = 11.5; the wall stands 1.5 mm in front of it, and nothing else holds.
+  // The label begins at z = 11.5 mm, and the wall stands 1.5 mm in front of it. The wall alone can
+  // hold the proxy, since the surface strength is 0.
   this->Filter->SetLabelData(
     MakeImage(16, VTK_SHORT, [](const Point& p) { return p[2] < 11.5 ? 0.0 : 9.0; }));
   this->Table->SetForbidden(9, true);
@@ -234,7 +235,8 @@ TEST_F(LabelRecording, AForbiddenLabelIsToldOnce)
   ASSERT_TRUE(this->LeadInto(12.0));
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->IsAtForbiddenLabel(); }));
   EXPECT_NEAR(this->Device->GetState()->GetProxyPosition()[2], 10.0, 0.1);
-  // x_s is 2 mm behind the wall, in the label with 700 N/m.
+  // The tip is 2 mm behind the wall. The point x_s, which decides the material, lies in the label
+  // with 700 N/m.
   EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[2], -700.0 * 0.002, 0.1);
   EXPECT_EQ(events.Count, 1);
   ASSERT_TRUE(this->Lead(7.0, 7.0, 6.0));
@@ -244,8 +246,8 @@ TEST_F(LabelRecording, AForbiddenLabelIsToldOnce)
 
 TEST_F(LabelRecording, AForbiddenLabelOfALargeImageDoesNotHoldTheProgramUp)
 {
-  // Like the test above, on voxels of 0.15 mm: the label begins halfway between the slices 76 and
-  // 77.
+  // Repeats the test above with voxels of 0.15 mm: the label begins halfway between the slices 76
+  // and 77.
   constexpr int n = 104;
   const auto labels =
     MakeImage(n, VTK_SHORT, [](const Point& p) { return p[2] < 76.5 ? 0.0 : 9.0; });
@@ -271,7 +273,7 @@ TEST_F(LabelRecording, AForbiddenLabelOfALargeImageDoesNotHoldTheProgramUp)
   ASSERT_TRUE(this->LeadInto(12.0));
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->IsAtForbiddenLabel(); }));
   EXPECT_NEAR(this->Device->GetState()->GetProxyPosition()[2], 76.5 * 0.15 - 1.5, 0.1);
-  // Another change of the table ends the work.
+  // A further change of the table, which allows the label again, ends the measurement of distances.
   this->Table->SetStandOff(2.0);
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_TRUE(isMeasuring());
@@ -311,12 +313,12 @@ TEST_F(LabelRecording, ThickSlicesOfALargeImageDoNotHoldTheProgramUp)
   ASSERT_TRUE(this->LeadInto(12.5 * 0.9 + 1.5));
   ASSERT_TRUE(this->Wait([this]
     { return std::abs(this->Device->GetState()->GetProxyPosition()[2] - 12.5 * 0.9) < 0.15; }));
-  // Other materials of the same labels are felt at once.
+  // A change of the materials, with the same labels, is felt at once.
   this->Table->SetStiffness(9, 600.0);
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_FALSE(isRefining());
   EXPECT_TRUE(this->Device->IsPublished());
-  // Without walls of the labels there is nothing to wait for.
+  // Without walls at the labels there is nothing to wait for.
   slices->GetPointData()->GetScalars()->Modified();
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_TRUE(isRefining());

@@ -128,7 +128,7 @@ TEST_F(ModeRecording, OtherModesReplayToTheBit)
 
 TEST_F(ModeRecording, AModeThatComesUnderTheHandComesSoftly)
 {
-  // A spring to a line that the hand left 3 mm ago would give 1.5 N at once.
+  // At once, the spring to a line that the hand left 3 mm ago would pull with 1.5 N.
   this->Filter->RemoveAllModes();
   SetConstant(this->Front->GetStrength(), 3.0);
   this->Front->TwoSidedOn();
@@ -142,9 +142,9 @@ TEST_F(ModeRecording, AModeThatComesUnderTheHandComesSoftly)
   const double held = Length(this->Device->GetState()->GetForce());
   EXPECT_GT(held, 0.3);
   vtkNew<vtkTable> ticks;
-  constexpr int reader = 5;                       // a second reader beside the fixture's
+  constexpr int reader = 5;                       // a second reader besides the fixture's reader
   this->Device->GetState()->Drain(ticks, reader); // starts to keep states for this reader
-  // Without the line the hand is free, and the force rises anew when another mode becomes active.
+  // Without the line the hand is free. When another mode becomes active, its force rises from 0.
   this->Follow->ActiveOff();
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetState()->GetForce()) < 1e-6; }));
@@ -155,7 +155,7 @@ TEST_F(ModeRecording, AModeThatComesUnderTheHandComesSoftly)
   ASSERT_TRUE(this->Lead(10.0, 9.0, 5.0));
   ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetState()->GetForce()) > 0.3; }));
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE) << this->Device->GetStatusText();
-  // In no tick has the force grown by more than the slew limit allows.
+  // The force must not grow by more than the slew limit in any tick.
   ASSERT_TRUE(this->WaitTicks(50));
   this->Device->GetState()->Drain(ticks, reader);
   ASSERT_GT(ticks->GetNumberOfRows(), 50);

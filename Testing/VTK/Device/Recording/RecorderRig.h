@@ -60,7 +60,7 @@ inline std::shared_ptr<const HapticModel> MakeModel(double shift = 0.0)
   return std::make_shared<const HapticModel>(description);
 }
 
-/// Makes ticks in which every number that a hand changes is random, with all its digits.
+/// Makes ticks in which all numbers that a hand changes are random, with all their digits.
 class Ticks
 {
 public:

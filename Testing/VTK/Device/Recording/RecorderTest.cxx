@@ -33,7 +33,7 @@ double Resident()
 TEST_F(Recorder, TakesBoundedMemoryAndAtMost300BytesATick)
 {
   constexpr int ticks = 60000;
-  // In memory, these ticks would take 110 MB.
+  // These ticks would take 110 MB if they were kept in memory.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   constexpr double most = 64e6; // sanitizers need some memory themselves
 #else
@@ -76,7 +76,8 @@ TEST_F(Recorder, HasRoomForTheNumbersOfAllTools)
 
 TEST_F(Recorder, WritesWhatTheTicksAre)
 {
-  // The counts are none, one, a part of a group, whole groups, and one more.
+  // The recordings have no tick, one tick, a part of a group of 256, whole groups, and one tick
+  // more.
   for (const int count : { 0, 1, 2, 100, 256, 512, 513 })
   {
     Ticks source;
@@ -139,7 +140,7 @@ TEST_F(Recorder, WritesWhatTheTicksAre)
 
 TEST_F(Recorder, KeepsEveryPlacement)
 {
-  // There are more placements than fit into a block, and several in one group of ticks.
+  // Records more placements than fit into a block, and several placements in one group of ticks.
   constexpr int moves = 600;
   HapticRecording recording;
   this->Start(recording, this->File);
@@ -213,8 +214,8 @@ TEST_F(Recorder, ReadsAJournalThatEndsAnywhere)
       ASSERT_EQ(trace->GetPointData()->GetArray("Tick")->GetComponent(i, 0), i);
     }
   }
-  // Changed bytes in the middle are an error. The journal, and a file that is there already, are
-  // kept.
+  // Changed bytes in the middle of a journal are an error, which keeps the journal and an earlier
+  // file of the recording's name.
   for (std::size_t at = 5; at < whole.size(); at += whole.size() / 50)
   {
     std::string other = whole;

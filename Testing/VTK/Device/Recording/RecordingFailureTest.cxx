@@ -15,8 +15,9 @@ using namespace devicetest;
 namespace
 {
 
-/// While this object lives, file permissions also hold for a root process, whose current folder is
-/// one that it may perhaps not enter again.
+/// Makes file permissions hold also for a root process, while the object lives. The current folder
+/// becomes `folder` meanwhile, since the process might not be allowed to enter the present one
+/// again.
 class UnprivilegedUser
 {
 public:
@@ -116,7 +117,7 @@ TEST_F(RecordingFailure, OfTheLastStepKeepsWhatThereIs)
   ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
   this->WanderForTwoGroups(file);
   {
-    // The disk is full: the ticks that were written stay, and no further ticks are added.
+    // The disk is full: the written ticks are kept, and no ticks are added.
     const FullDisk full(1);
     this->Device->Close();
   }
@@ -146,7 +147,7 @@ TEST_F(RecordingFailure, IsNoneOfTwoThatHaveOneName)
 
 TEST_F(RecordingFailure, NamesFilesOfAnyBytes)
 {
-  // Python drops messages that are not UTF-8.
+  // Bytes that are not UTF-8 are printed as \xNN, since Python drops messages with such bytes.
   this->Begin();
   EXPECT_FALSE(this->Device->GetRecorder()->Start(this->In("no/\xE4\xFF.vtp").c_str()));
   this->ExpectError("\\xE4\\xFF.vtp");

@@ -146,7 +146,7 @@ TEST_F(Recording, GoesOnAfterAFault)
     const double fault = points->GetArray("Fault")->GetComponent(i, 0);
     const double reason = points->GetArray("Reason")->GetComponent(i, 0);
     const double passes = share->GetComponent(i, 0);
-    // Reason 2 is OverSpeed, 10 is Rising.
+    // Reason 2 is OverSpeed, and reason 10 is Rising.
     ASSERT_EQ(reason, fault != 0.0 ? 2.0 : passes < 1.0 ? 10.0 : 0.0) << i;
     ASSERT_TRUE(fault == 0.0 || passes == 0.0) << i;
   }

@@ -31,8 +31,8 @@ TEST_F(Replay, RefusesEverythingElseWithOneClearError)
     for (const double share : { 0.01, 0.3, 0.6, 0.95 })
     {
       const auto cut = static_cast<std::size_t>(share * static_cast<double>(good.size()));
-      // Tables are cut within the first columns of a row, since a last number that is cut short is
-      // still a number.
+      // Cuts a table within the first columns of a row. A cut in the last column would leave a
+      // number, which is valid.
       const std::size_t row = good.rfind('\n', cut);
       const bool isTable = ending == std::string(".csv") && row != std::string::npos;
       this->ExpectRefused(ending, good.substr(0, isTable ? row + 20 : cut));
@@ -54,7 +54,7 @@ TEST_F(Replay, RefusesTablesWithBadNumbers)
 
 TEST_F(Replay, RefusesWhatIsNoFile)
 {
-  // Opening a pipe without a writer, or reading a device to its end, would take forever.
+  // Opening a pipe without a writer, or reading a device to its end, would never return.
   for (const char* const ending : { ".vtp", ".csv" })
   {
     const std::string name = this->File("NoFile") + ending;

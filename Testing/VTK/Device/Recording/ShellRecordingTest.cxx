@@ -28,7 +28,8 @@ protected:
   {
     vtkNew<vtkSphereSource> sphere;
     sphere->SetRadius(2.0);
-    sphere->SetCenter(1.5, 0.0, 0.0); // the hand holds it beside its middle, so that it turns
+    // the hand holds the ball beside its middle, so that the ball turns
+    sphere->SetCenter(1.5, 0.0, 0.0);
     sphere->SetThetaResolution(40);
     sphere->SetPhiResolution(20);
     sphere->Update();
@@ -39,7 +40,7 @@ protected:
     this->Filter->SetTool(this->Tool);
   }
 
-  /// Begins, and waits until a worker has spread the points of the tool.
+  /// Starts the servo, and waits until a worker has spread the points of the tool.
   void Begin()
   {
     Recording::Begin();
@@ -106,7 +107,7 @@ TEST_F(ShellRecording, GivesForceAndTorque)
       return Length(this->Device->GetState()->GetForce()) > 0.15 &&
         Length(this->Device->GetState()->GetTorque()) > 1e-4;
     }));
-  // The hand is 1.5 mm to the left of the ball's middle: the surface turns the hand about y.
+  // The hand is 1.5 mm left of the ball's middle, so the surface turns the hand about y.
   EXPECT_GT(this->Device->GetState()->GetTorque()[1], 1e-4);
   EXPECT_LT(this->Device->GetState()->GetForce()[2], -0.15);
   EXPECT_NEAR(this->Device->GetState()->GetTorque()[1],
@@ -124,7 +125,7 @@ TEST_F(ShellRecording, GivesForceAndTorque)
   EXPECT_EQ(this->Device->GetMaximumTorque(), 0.25);
 }
 
-/// While the points are spread, the hand feels the earlier model: here a point that is pressed.
+/// While the points of the tool are spread, the hand feels the earlier model: here a point.
 TEST_F(ShellRecording, PointsAreSpreadInTheBackground)
 {
   this->Filter->SetTool(nullptr);
@@ -142,7 +143,7 @@ TEST_F(ShellRecording, PointsAreSpreadInTheBackground)
   ASSERT_TRUE(this->WaitTicks(20));
   EXPECT_EQ(Length(this->Device->GetState()->GetToolOrientation()), 0.0);
   EXPECT_NEAR(Length(this->Device->GetState()->GetForce()), force, 0.05 * force);
-  // Further changes of settings don't wait for the worker.
+  // Further changes of settings must not wait for the worker.
   this->Filter->SetTool(nullptr);
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_TRUE(this->Device->IsPublished());
@@ -153,14 +154,14 @@ TEST_F(ShellRecording, PointsAreSpreadInTheBackground)
   ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
   ASSERT_TRUE(this->WaitTicks(5));
   EXPECT_NE(Length(this->Device->GetState()->GetToolOrientation()), 0.0);
-  // The points are known now, so nothing is spread again.
+  // The points are known now, so the next model needs no worker.
   this->Filter->GetProperty()->GetFriction()->AddPoint(0.0, 0.1);
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_TRUE(this->Device->IsPublished());
   EXPECT_TRUE(this->Log.Errors.empty());
 }
 
-/// An error in a mesh is reported when the worker has found it.
+/// An error in a mesh is reported after the worker has found it.
 TEST_F(ShellRecording, ABadMeshIsAnErrorOfTheBackground)
 {
   this->Filter->SetTool(nullptr);

@@ -37,7 +37,7 @@ protected:
     this->Filter->SetMaximumForce(MaximumForce);
     this->Filter->SetIsoValue(700.0);
   }
-  /// Records a hand that wanders, which begins in contact. The device is moved meanwhile.
+  /// Records a wandering hand that begins in contact. The device gets another placement meanwhile.
   vtkSmartPointer<vtkPolyData> Record()
   {
     const std::string file = this->File(("Tampered" + std::to_string(getpid()) + ".vtp").c_str());
@@ -90,7 +90,8 @@ protected:
     }
     return false;
   }
-  /// Replaces every number of an array's first tuples by each of the odd numbers.
+  /// Replaces each number of the array's first tuples by each of the odd numbers, and replays the
+  /// recording.
   void ChangeEach(vtkPolyData* recording, const char* name, vtkIdType tuples)
   {
     vtkNew<vtkPolyData> other;
@@ -118,7 +119,8 @@ protected:
     }
     EXPECT_GT(refused, 0) << name;
   }
-  /// Changes several numbers of the first state at once, mostly to numbers that pass alone.
+  /// Replaces six numbers of the first state at once by odd numbers, mostly by those that are
+  /// accepted alone, and replays the recording.
   void ChangeMany(vtkPolyData* recording)
   {
     std::mt19937 random(3);
@@ -139,7 +141,8 @@ protected:
       this->Replay(other);
     }
   }
-  /// Changes the size of the device: a similarity is not refused, even if it is absurd.
+  /// Scales the placement of the device. Every uniform scale is a valid placement, even an absurd
+  /// one.
   void ChangeSize(vtkPolyData* recording)
   {
     for (const double factor :

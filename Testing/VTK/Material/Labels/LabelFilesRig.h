@@ -52,8 +52,8 @@ protected:
     this->Log.Errors.clear();
   }
 
-  /// Reads a file with these bytes into a table with contents. Expects one error that has all these
-  /// words and names the file, and an unchanged table.
+  /// Reads a file with these bytes into a table that has entries. Expects one error that names the
+  /// file and has all these words, and an unchanged table.
   void Refuse(const std::string& bytes, const std::vector<std::string>& words,
     const std::string& name = "Labels.txt")
   {

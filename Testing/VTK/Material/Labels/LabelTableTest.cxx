@@ -257,7 +257,8 @@ TEST_F(LabelTable, AMillionLabels)
   constexpr int count = 1000000;
   for (int i = 0; i < count; ++i)
   {
-    // The order is neither rising nor falling: 7919 and the count have no common divisor.
+    // 7919 and the count have no common divisor, so the labels come in an order that neither rises
+    // nor falls.
     const int label = static_cast<int>(i * 7919LL % count) - count / 2;
     this->Table->SetStiffness(label, 1e6 + label);
   }

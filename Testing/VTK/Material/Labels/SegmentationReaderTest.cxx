@@ -137,7 +137,7 @@ TEST_P(SegmentationReaderType, ReadsEveryVoxel)
     value = static_cast<long long>(random() & ((1U << most) - 1));
     value = isSigned && random() % 2 ? -value : value;
   }
-  // Values that have no segment are also labels.
+  // Values without a segment are labels, too.
   vtkImageData* const image =
     this->Read(Head(this->GetParam(), Plain, "") + Pack(values, this->GetParam()));
   EXPECT_EQ(LabelsOf(image), values);
@@ -212,10 +212,11 @@ TEST_F(SegmentationReader, TheLastOfOverlappingSegmentsHolds)
     for (int v = 0; v < Voxels; ++v)
     {
       values[v] = { static_cast<long long>(random() % 4), static_cast<long long>(random() % 2) };
-      // Head is 1, neck 2, mass 3; value 3 of the first layer belongs to no segment.
+      // The segments are head (1), neck (2) and mass (3). The value 3 in the first layer belongs to
+      // no segment.
       expected[v] = values[v][1] == 1 ? 3 : values[v][0] < 3 ? values[v][0] : 0;
     }
-    // The samples are in the order of the file: its first axis is the fastest.
+    // Writes the samples in the order of the file, whose first axis is the fastest.
     std::vector<int> sizes = { Size[0], Size[1], Size[2] };
     sizes.insert(sizes.begin() + listAxis, layers);
     std::vector<long long> samples;
@@ -284,7 +285,8 @@ TEST_F(SegmentationReader, FilesThatCannotBeRead)
   const std::string good = Head(Small, Plain, Names) + samples;
   this->Refuse(good.substr(0, good.size() - 12), { "fewer samples", "complete" });
   this->Refuse(good.substr(0, 60), { "no end", "complete" });
-  // All samples are there, but their check sum (RFC 1952: the last 8 bytes) is cut off or wrong.
+  // All samples are there, but their check sum and length (the last 8 bytes, RFC 1952) are cut off
+  // or wrong.
   for (const std::size_t lost : { 1, 4, 8 })
   {
     this->Refuse(good.substr(0, good.size() - lost), { "Check that the file is complete" });
@@ -299,6 +301,6 @@ TEST_F(SegmentationReader, FilesThatCannotBeRead)
   const std::string missing =
     VolumeHaptics::ReadSegmentation("/no/such/file.seg.nrrd", this->Image, this->Table);
   EXPECT_NE(missing.find("does not exist"), std::string::npos) << missing;
-  // After all these errors, the good file is still read.
+  // After all these errors, the reader must still read the good file.
   EXPECT_EQ(this->Read(good)->GetNumberOfPoints(), Voxels);
 }

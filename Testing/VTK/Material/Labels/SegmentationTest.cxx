@@ -81,7 +81,7 @@ std::string Nifti(
   bytes += plain;
   for (const Extension& extension : extensions)
   {
-    // The length is a multiple of 16 bytes, padded with zeros.
+    // An extension has a length that is a multiple of 16 bytes, and is padded with zeros.
     const std::size_t length = (extension.Data.size() + 8 + 15) / 16 * 16;
     const std::size_t start = bytes.size();
     bytes.resize(start + length);
@@ -152,7 +152,7 @@ TEST_F(LabelFiles, SlicerSegmentation)
 
 TEST_F(LabelFiles, SlicerLayers)
 {
-  // Values that differ between layers stay labels.
+  // If no value occurs in two layers, the values stay the labels.
   this->Read(Nrrd("Segment0_LabelValue:=3\nSegment0_Layer:=0\nSegment0_Name:=head\n"
                   "Segment1_LabelValue:=7\nSegment1_Layer:=1\nSegment1_Name:=mass\n"));
   this->ExpectLabels({ 3, 7 });
@@ -173,7 +173,7 @@ TEST_F(LabelFiles, SlicerLayers)
 TEST_F(LabelFiles, NrrdEscapesInValues)
 {
   this->Read(Nrrd("Segment0_LabelValue:=1\nSegment0_Name:=a\\\\b\\nc\\d\n"));
-  // Control characters in names become blanks.
+  // Control characters in names must become blanks.
   EXPECT_EQ(this->Table->GetLabelName(1), "a\\b c\\d");
 }
 
@@ -197,7 +197,7 @@ TEST_P(NiftiFiles, TotalSegmentator)
     "<![CDATA[spleen]]></Label>\n"
     "<Label Key=\"52\" Red=\"0.5019607843137255\" Green=\"0.5019607843137255\" "
     "Blue=\"0.5019607843137255\" Alpha=\"1\"><![CDATA[aorta <left> & \xC3\xB6]]></Label>\n";
-  // An extension of AFNI, with code 4, comes first.
+  // The first extension is one of AFNI (code 4), and has no labels.
   this->Read(
     Nifti(this->GetParam(), { { 4, "<AFNI_attributes>x</AFNI_attributes>" }, { 0, Xml(labels) } }),
     "Segmentation.nii");
