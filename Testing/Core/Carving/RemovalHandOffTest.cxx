@@ -32,7 +32,7 @@ Rows CopyRows(const CarvedBricks& bricks, std::uint32_t brick)
   return rows;
 }
 
-/// The rows of each brick that the reader saw last.
+/// The rows of each brick as the reader saw them last, by the brick's key.
 using Mirror = std::map<std::uint64_t, Rows>;
 
 void Follow(CarvedBricks& bricks, int follower, Mirror& mirror)

@@ -68,7 +68,7 @@ TEST_P(BorderSampling, ValuesAndGradientsAreThoseOfNaiveCode)
       const FieldSampler sampler(volume.View, kernel);
       for (int n = 0; n < 300; ++n)
       {
-        // Some positions are on voxels and on the border itself.
+        // Some positions are on voxels or exactly on the border.
         const auto along = [&](std::int64_t samples)
         {
           const double x = uniform(engine) * static_cast<double>(samples - 1);

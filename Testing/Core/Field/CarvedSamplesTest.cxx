@@ -34,7 +34,7 @@ bool AreSame(const ValuePair& a, const ValuePair& b)
 class CarvedSamples : public testing::TestWithParam<GradientEstimator>
 {
 protected:
-  /// Removes random fractions of a part of a volume.
+  /// Removes random fractions from random samples in a part of a volume.
   static void Remove(const TestVolume& volume, CarvedBricks& bricks, std::uint64_t samples)
   {
     std::mt19937_64 engine(17);
@@ -50,7 +50,8 @@ protected:
     }
   }
 
-  /// Compares at random positions, including positions outside the volume and on samples.
+  /// Compares samples of the carved volume with samples of a copy without the tissue, at random
+  /// positions, including positions outside the volume and on samples.
   void Compare(const TestVolume& volume, const CarvedBricks& bricks, int radius)
   {
     const double air = -250.0;
@@ -125,8 +126,8 @@ TEST_P(CarvedSamples, OfARegionAreThoseOfTheVolume)
   this->Compare(volume, bricks, 2);
 }
 
-/// This also holds after tissue was removed elsewhere, and with the memory of a place that is
-/// carved later.
+/// Where nothing was removed, samples equal those of the plain volume, also after a removal
+/// elsewhere and with a memory of a place that is carved later.
 TEST_P(CarvedSamples, ArePlainWhereNothingWasRemoved)
 {
   TestVolume volume(ScalarType::UInt16, { 40, 12, 12 });

@@ -58,7 +58,7 @@ TEST_P(GradientKernelOf, WeightsAreThoseOfTheFormula)
       EXPECT_NEAR(slope[i], expected.Slope[i], 1e-13);
     }
   }
-  // The samples are a plane of ones. The smoothing weights across it add up to one, so that the
+  // The samples are a plane of ones. The smoothing weights across the plane add up to one, so the
   // result is the weight of one tap.
   for (int tap = 0; tap < this->Taps; ++tap)
   {
@@ -108,7 +108,8 @@ TEST_P(GradientKernelOf, EveryCoefficientSumsUpSoThatLinearFieldsAreExact)
       derivative += weights[this->Taps + i];
       moment += weights[this->Taps + i] * (i - this->Radius);
     }
-    // The constant coefficients carry the sums. The other coefficients must not change them.
+    // The weights are polynomials of the fraction. Their sums must not depend on the fraction, so
+    // only the constant coefficients may add up to a value other than 0.
     const bool constant = row % order == 0;
     const double tolerance = constant ? 1e-13 : 1e-11;
     EXPECT_NEAR(smoothing, constant ? 1.0 : 0.0, tolerance);

@@ -58,8 +58,8 @@ protected:
       const Vector3 inside{ along(n[0]), along(n[1]), along(n[2]) };
       const Vector3 around = 1.5 * inside + Vector3{ -3.0, -3.0, -3.0 };
       ASSERT_TRUE(IsSame(baseline.Gradient(inside), avx2.Gradient(inside)));
-      // With a memory, the results are the same: at one position after another, and at two
-      // positions in the same voxel.
+      // A memory of taps does not change the results: at two positions one after another, and at
+      // two positions in the same voxel.
       const auto beside = [&](double x, std::int64_t samples)
       { return std::min(std::floor(x) + uniform(engine), static_cast<double>(samples - 1)); };
       for (const Vector3& at : { inside,
@@ -89,8 +89,8 @@ TEST_P(InstructionSets, AgreeForEveryTypeAndLayout)
   {
     for (const std::int64_t step : { 1, 3 })
     {
-      // Radii with different kernels: those unrolled for their number of taps, and one of the
-      // general kernel.
+      // Small radii have kernels that are unrolled for their number of taps; the largest radius
+      // here uses the general kernel.
       for (const int radius : { 1, 2, 3, 4 })
       {
         SCOPED_TRACE(testing::Message()
@@ -148,7 +148,7 @@ TEST_P(InstructionSets, StridedAndContiguousSamplesAgree)
 
 TEST_P(InstructionSets, MemoriesAreOfOneField)
 {
-  // The same memory with other samples, as when one model follows another.
+  // Use one memory with other samples, as when one model follows another.
   TestVolume volume(ScalarType::Int16, { 12, 11, 10 });
   const GradientKernel kernel(this->GetParam(), 2);
   TapMemory memory;
@@ -163,7 +163,8 @@ TEST_P(InstructionSets, MemoriesAreOfOneField)
 
 TEST_P(InstructionSets, ABlendIsAsAVolumeOfBlendedSamples)
 {
-  // Kernels with many taps are summed first and then blended.
+  // Kernels with few taps blend the samples before summing. Kernels with many taps blend the two
+  // sums.
   const auto isBefore = [this](int radius)
   { return this->GetParam() != GradientEstimator::Gaussian || radius < 4; };
   const auto hasTaps = [this](int radius)
@@ -211,7 +212,7 @@ TEST_P(InstructionSets, ABlendIsAsAVolumeOfBlendedSamples)
           ASSERT_TRUE(isBefore(radius) ? IsSame(sample, blend) : isNear(sample, blend, largest));
           const BlendMemories memories{ &memory.Of(0), &memory.Of(1), &memory };
           ASSERT_TRUE(IsSame(a.Gradient(other, at, memories), sample));
-          // At another instant, with the same memories.
+          // Read at another instant, with the memories of the first instant.
           ASSERT_TRUE(IsSame(a.Gradient(before, at, memories), a.Gradient(before, at)));
           ASSERT_TRUE(IsSame(a.Gradient(other, at, memories), sample));
           ASSERT_TRUE(IsSame(a.Gradient(own, at), a.Gradient(at)));
@@ -219,7 +220,8 @@ TEST_P(InstructionSets, ABlendIsAsAVolumeOfBlendedSamples)
           const FractionPair pair = a.Values(other, half, at);
           ASSERT_TRUE(IsSame(pair.First, a.Value(other, at)));
           ASSERT_TRUE(IsSame(pair.Second, a.Value(before, at)));
-          // Values computed from the gradient's samples, where those suffice.
+          // Compute the values from the samples that the gradient has read, where these samples
+          // suffice.
           const TimeStepTaps* const taps = a.GetTaps(other, memory);
           ASSERT_TRUE(!taps || hasTaps(radius));
           const FractionPair tapped = a.Values(other, half, at, taps);
@@ -275,7 +277,7 @@ TEST_P(InstructionSets, TwoTimeStepsAtOnceAreAsEachAlone)
         ASSERT_NEAR(blend.Value, 0.5 * (gradients[0].Value + gradients[1].Value), 1e-10 * scale);
         ASSERT_LE(Norm(blend.Gradient - 0.5 * (gradients[0].Gradient + gradients[1].Gradient)),
           1e-10 * scale);
-        const Vector3 offset{ 2.0, -3.0, 0.7 }; // often beyond the border
+        const Vector3 offset{ 2.0, -3.0, 0.7 }; // reaches beyond the border at many positions
         const ValuePair values = a.Values(With(a, b, 0.5), p, offset);
         const auto expectMean = [&](double value, const Vector3& at)
         {
@@ -303,7 +305,7 @@ TEST_P(InstructionSets, TwoTimeStepsAtOnceAreAsEachAlone)
       compare(first, second, radius);
       compare(first, strided, radius);
     }
-    // Time steps that share no weights.
+    // Time steps of different type or size, which can't share their weights.
     TestVolume shorts(ScalarType::Int16, { 12, 11, 10 });
     TestVolume floats(ScalarType::Float32, { 12, 11, 10 });
     TestVolume smaller(ScalarType::Int16, { 10, 10, 10 });
@@ -315,7 +317,8 @@ TEST_P(InstructionSets, TwoTimeStepsAtOnceAreAsEachAlone)
   }
 }
 
-/// V changes to the next time step's value without a step, also where one time step lacks a sample.
+/// The value changes from one time step's value to the next one's continuously, even if one time
+/// step lacks a sample.
 TEST_P(InstructionSets, ASampleThatOneTimeStepLacksMakesNoStep)
 {
   const GradientKernel kernel(this->GetParam(), 2);
@@ -381,7 +384,7 @@ TEST(InstructionSetsOfLabels, AgreeForEveryTypeAndLayout)
           [&](auto t)
           {
             using T = decltype(t);
-            // Few labels lie in slabs; many labels are random.
+            // A few labels form slabs; many labels are random from voxel to voxel.
             volume.Fill<T>(
               [&](std::int64_t i, std::int64_t j, std::int64_t k) {
                 return labels < 100 ? (i + j / 2 + k) / 7 % labels : std::int64_t(engine() % 100);

@@ -14,7 +14,7 @@
 
 namespace coretest
 {
-/// A separable kernel along one axis: its first tap, and the weights of value and derivative.
+/// One axis of a separable kernel: its first tap, and the weights of value and derivative.
 struct AxisKernel
 {
   std::int64_t First;
@@ -84,7 +84,8 @@ inline AxisKernel NaiveLinear(double x)
   return { static_cast<std::int64_t>(cell), { 1.0 - (x - cell), x - cell }, { -1.0, 1.0 } };
 }
 
-/// Returns the sum over all taps. `derivative` is the axis to differentiate along, or -1.
+/// Returns the weighted sum over all taps. `derivative` is the axis to differentiate along, or -1
+/// for the value.
 inline double NaiveSum(const TestVolume& volume, const AxisKernel (&axes)[3], int derivative)
 {
   double sum = 0.0;
@@ -106,7 +107,8 @@ inline double NaiveSum(const TestVolume& volume, const AxisKernel (&axes)[3], in
   return sum;
 }
 
-/// Returns the sum with the kernels of `along` at a position that is first clamped to the volume.
+/// Clamps a position to the volume, and returns the weighted sum of the samples there. `along`
+/// computes the kernel of an axis.
 template <typename F>
 double NaiveAt(const TestVolume& volume, const Vector3& p, int derivative, F&& along)
 {

@@ -73,7 +73,8 @@ TEST(Placement, LargerOnTheScreenIsNotStiffer)
   TickRecord b;
   for (int i = 0; i <= 10; ++i)
   {
-    // The same motion of the hand is half as long in the world of `twice`.
+    // In the world of `twice`, lengths are doubled, so the hand has to move half as far for the
+    // same depth.
     const double depth = 1e-4 * i;
     Tick(life, states[0], { 0.012, 0.012, 0.012 + depth }, a);
     Tick(twice, states[1], { 0.024, 0.024, 0.024 + depth }, b);

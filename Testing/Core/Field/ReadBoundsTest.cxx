@@ -23,7 +23,7 @@ using namespace coretest;
 
 namespace
 {
-/// Memory between two pages that cannot be accessed.
+/// A block of memory between two pages that cannot be accessed.
 class GuardedMemory
 {
 public:
@@ -76,7 +76,7 @@ private:
   std::byte* All = nullptr;
 };
 
-/// Reads at corners, on voxels, at random positions inside, and far outside.
+/// Reads samples at corners, on voxels, at random positions inside, and far outside the volume.
 double SampleEverywhere(const FieldSampler& sampler)
 {
   std::mt19937_64 engine(2);
@@ -129,7 +129,7 @@ TEST_P(ReadBounds, NothingButTheSamplesIsRead)
           {
             if (radius > 4 && size[0] > 3)
             {
-              continue; // reads the same range as in small volumes, but takes long
+              continue; // large kernels read the same range as in small volumes, but take long
             }
             const GradientKernel kernel(estimator, radius);
             for (const InstructionSet set : { InstructionSet::Baseline, DetectInstructionSet() })

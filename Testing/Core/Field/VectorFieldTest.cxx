@@ -17,11 +17,11 @@ using namespace coretest;
 
 namespace
 {
-/// Interleaved components in a block without a spare byte.
+/// A volume of interleaved vector components, without a spare byte behind the last one.
 class VectorVolume
 {
 public:
-  /// Components are `step` elements apart.
+  /// @param step elements from one component to the next
   VectorVolume(ScalarType type, const TestVolume::Size& n, int components, std::int64_t step = 1)
     : Row(components * step)
     , Memory(type, { this->Row * n[0], n[1], n[2] })
@@ -33,7 +33,7 @@ public:
     this->View.Stride = step;
   }
 
-  /// Fills in the samples f(component, index).
+  /// Sets each sample to f(component, i, j, k).
   template <typename F>
   void Fill(F&& f)
   {
@@ -68,7 +68,8 @@ public:
   TestVolume Memory;
 };
 
-/// Returns one component as the sum over all taps. `derivative` is an axis, or -1.
+/// Returns one component as the weighted sum over all taps. `derivative` is the axis to
+/// differentiate along, or -1 for the value.
 double SumSlowly(const VectorVolume& volume, int c, const Vector3& p, int derivative)
 {
   const std::int64_t* const n = volume.View.Volume.Dimensions;
@@ -102,7 +103,7 @@ Matrix3 Minus(const Matrix3& a, const Matrix3& b)
   return { { a.Row[0] - b.Row[0], a.Row[1] - b.Row[1], a.Row[2] - b.Row[2] } };
 }
 
-/// Returns an anisotropic, rotated and mirrored grid.
+/// Returns the placement of an anisotropic, rotated and mirrored grid.
 Affine3 AnyPlace()
 {
   const Vector3 a{ 0.36, 0.48, -0.8 };
@@ -178,7 +179,7 @@ TEST(VectorField, LinearFieldsAreExactAndQuadraticOnesHaveTheirOffset)
   };
   linear.Fill([&](int c, std::int64_t i, std::int64_t j, std::int64_t k)
     { return component(slope * world(i, j, k) + offset, c); });
-  // The field x^2, y z and z^2 in index space.
+  // The field (x^2, y z, z^2) in index space.
   quadratic.Fill(
     [&](int c, std::int64_t i, std::int64_t j, std::int64_t k) {
       return component({ double(i * i), double(j * k), double(k * k) }, c);
@@ -194,7 +195,7 @@ TEST(VectorField, LinearFieldsAreExactAndQuadraticOnesHaveTheirOffset)
     ASSERT_TRUE(field.Read(p, v, jacobian));
     EXPECT_LT(Norm(v - (slope * place(p) + offset)), 1e-12);
     EXPECT_LT(Largest(Minus(jacobian, slope)), 1e-12);
-    // The sum of B(x - i) i^2 is x^2 + 1/3.
+    // With B-spline weights B, the sum of B(x - i) i^2 over all samples i is x^2 + 1/3.
     ASSERT_TRUE(square.Read(p, v, jacobian));
     EXPECT_LT(Norm(v - Vector3{ p.X * p.X + 1.0 / 3.0, p.Y * p.Z, p.Z * p.Z + 1.0 / 3.0 }), 1e-12);
     const Matrix3 expected = { { { 2.0 * p.X, 0.0, 0.0 }, { 0.0, p.Z, p.Y },
@@ -214,7 +215,8 @@ TEST(VectorField, ComponentsOnImageAxesAreTurned)
   VectorVolume nine(ScalarType::Float64, { 8, 8, 8 }, 9);
   vectors.FillRandom(1);
   six.FillRandom(2);
-  // The order is XX YY ZZ XY YZ XZ. The tensor with nine components also has an antisymmetric part.
+  // Tensors of six components have the order XX YY ZZ XY YZ XZ. The tensor with nine components
+  // also has an antisymmetric part, which the field must ignore.
   constexpr int places[9] = { 0, 3, 5, 3, 1, 4, 5, 4, 2 };
   constexpr int signs[9] = { 0, 1, 1, -1, 0, 1, -1, -1, 0 };
   nine.Fill([&](int c, std::int64_t i, std::int64_t j, std::int64_t k)

@@ -17,7 +17,7 @@ TEST(HalfSpaces, TheNearestPointOfHalfSpacesIsAllowedAndNoneIsNearer)
   Dice dice(1);
   for (int trial = 0; trial < 2000; ++trial)
   {
-    // All half-spaces allow the origin, so that there is a solution.
+    // All half-spaces contain the origin, so a common point exists.
     HalfSpaces spaces;
     std::vector<HalfSpace> all;
     for (int i = trial % 9; i >= 0; --i)
@@ -28,7 +28,7 @@ TEST(HalfSpaces, TheNearestPointOfHalfSpacesIsAllowedAndNoneIsNearer)
     }
     const Vector3 goal = dice.Point(3.0);
     const Vector3 found = spaces.Nearest(goal, {});
-    // Dykstra's alternating projections converge to the same point.
+    // Dykstra's alternating projections converge to the nearest point of the intersection.
     Vector3 y = goal;
     std::vector<Vector3> corrections(all.size());
     for (int round = 0; round < 3000; ++round)

@@ -37,8 +37,8 @@ TEST(PiecewiseTable, AtAStepTheLeftValueHolds)
 
 TEST(PiecewiseTable, CrowdedBreakPointsAreFoundAllTheSame)
 {
-  // Thousands of break points in one bin of the lookup: in front of, behind and between distant
-  // ones.
+  // Put thousands of break points into one bin of the lookup table: at the beginning, in the middle
+  // and at the end of a line with distant break points.
   std::mt19937_64 engine(4);
   for (const double at : { 0.0, 1e-3, 0.5, 1.0 })
   {

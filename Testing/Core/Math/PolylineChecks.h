@@ -37,7 +37,8 @@ inline double Evaluate(const Polyline& line, double x)
   return line.back().Y;
 }
 
-/// Returns the break points, their neighbours, the middles between them, and random arguments.
+/// Returns the arguments to test: break points, their neighbours, the middles between them, and
+/// random numbers.
 inline std::vector<double> Arguments(const std::array<Polyline, 5>& lines, std::mt19937_64& engine)
 {
   std::vector<double> breaks;

@@ -12,7 +12,7 @@ using namespace coretest;
 
 namespace
 {
-/// Returns a function with levels of 0, 1 and 2, with steps and ramps between them.
+/// Returns a function with the values 0, 1 and 2, and with steps and ramps between them.
 Polyline Levels(std::mt19937_64& engine)
 {
   Polyline line = RandomLine(engine, -3.0, 6.0, 1 + int(engine() % 12));
@@ -37,8 +37,8 @@ TEST(PolylineMask, IsOneWhereTheFunctionIsAboveTheFloor)
     for (const double x : Arguments(lines, engine))
     {
       const double value = Evaluate(line, x);
-      // A ramp from below the floor may count as above it from its beginning on. Near 0, its value
-      // there is rounded to 0.
+      // Leave out values just above the floor: on a ramp that starts below the floor, the mask may
+      // be 1 from the ramp's first point on. Near an argument of 0, such a value is rounded to 0.
       if (value > 0.001 || (value == 0.0 && (x == 0.0 || std::isnormal(x))))
       {
         EXPECT_EQ(Evaluate(mask, 2.0 * x), value > 0.001 ? 1.0 : 0.0) << x;

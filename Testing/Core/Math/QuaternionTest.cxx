@@ -48,7 +48,7 @@ Quaternion Turn(const Vector3& axis, double angle)
   return { std::cos(0.5 * angle), n.X, n.Y, n.Z };
 }
 
-/// Returns the difference between two orientations; q and -q are the same.
+/// Returns the distance between two orientations. q and -q are the same orientation.
 double Difference(const Quaternion& a, const Quaternion& b)
 {
   const double dot = a.W * b.W + a.X * b.X + a.Y * b.Y + a.Z * b.Z;
@@ -94,7 +94,8 @@ TEST(Quaternions, ComeBackFromAMatrix)
     random.Axis() };
   for (const Vector3& axis : corners)
   {
-    // The first component vanishes near half a turn; the others vanish near no turn.
+    // Test angles near half a turn, where the first component vanishes, and near 0, where the
+    // others vanish.
     for (const double angle : { 0.0, 1e-9, 1.0, 2.0, 3.0, 3.141592653589793 - 1e-9,
            3.141592653589793, 3.141592653589793 + 1e-9, 6.0 })
     {

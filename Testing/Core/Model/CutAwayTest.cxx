@@ -20,8 +20,8 @@ using namespace VolumeHaptics;
 
 namespace
 {
-/// Returns an image rotated by 30 degrees about z and 40 degrees about the new x, with spacings
-/// 0.5, 1 and 2.
+/// Returns the placement of an image that is rotated by 30 degrees about z and by 40 degrees about
+/// the new x. Its spacings are 0.5, 1 and 2 world units.
 Affine3 ObliqueImage()
 {
   const double a = std::acos(-1.0) / 6.0;
@@ -61,8 +61,8 @@ TEST_F(CutAwayPlaces, APlaneIsAsFarAsItsEquationSays)
   }
 }
 
-// The face is halfway between the voxels 4 and 5 along the first axis, whose spacing is 0.5. The
-// region begins at (2, 1, 0) of the whole.
+// The cut face lies halfway between the voxels 4 and 5 of the first axis, whose spacing is 0.5. The
+// region's first voxel is (2, 1, 0) of the whole volume.
 TEST_F(CutAwayPlaces, AHiddenVoxelEndsHalfwayToTheNextOne)
 {
   constexpr std::int64_t size[3] = { 8, 6, 4 };
@@ -128,7 +128,8 @@ TEST_F(CutAwayPlaces, RegionsKeepWhatTheirFlagsSay)
     }
     regions.Kept = static_cast<std::uint32_t>(this->Engine()) & (CutRegions::All >> 1);
     const CutAway cut({}, regions, this->Image, false);
-    // As in vtkVolumeMapper::SetCroppingRegionFlags(), the first axis varies fastest.
+    // Compute the region's number as vtkVolumeMapper::SetCroppingRegionFlags() does: the first axis
+    // varies fastest.
     const auto isKept = [&](const Vector3& i)
     {
       const double c[3] = { i.X, i.Y, i.Z };
@@ -148,8 +149,8 @@ TEST_F(CutAwayPlaces, RegionsKeepWhatTheirFlagsSay)
       {
         continue;
       }
-      // The face is where it is reported: slightly in front of it, the state is that of the
-      // position, and slightly behind it is the other one.
+      // The reported depth is that of a face: just in front of it, the region is that of the
+      // position; just behind it, the other one begins.
       ++faces;
       EXPECT_NEAR(Norm(place.Normal), 1.0, 1e-12);
       const auto at = [&](double fraction)

@@ -49,8 +49,8 @@ Vector3 Direction(int i, int count)
 
 TEST(ForbiddenZone, StandsOffFromABall)
 {
-  // L5: with voxels of 1 mm and a stand-off of 2 mm in front of a ball of radius R, the hand is
-  // held at R + 2 +- 0.1 voxel.
+  // L5: a stand-off of 2 mm holds the hand at R + 2 mm +- 0.1 voxel from the centre of a ball of
+  // radius R. Voxels are 1 mm.
   for (const double ball : { 8.0, 14.0 })
   {
     const Vector3 centre{ 24.13, 23.69, 24.42 };
@@ -103,7 +103,8 @@ TEST(ForbiddenZone, StandsOffFromABall)
 
 TEST(ForbiddenZone, KnowsAnisotropicVoxels)
 {
-  // A half-space that begins at z = 10 world units, on voxels of 0.5 x 1 x 2.
+  // The forbidden half-space begins at voxel 5.5 along z, which is z = 11 world units for a spacing
+  // of 2.
   const TestVolume labels = MakeLabels(24, [](const Vector3& x) { return x.Z >= 6.0 ? 3 : 0; });
   const LabelView view(labels.View);
   Affine3 map;
@@ -121,7 +122,7 @@ TEST(ForbiddenZone, KnowsAnisotropicVoxels)
 
 TEST(ForbiddenZone, StandsOffFromASlab)
 {
-  // A layer of four voxels, from z = 11.5 to 15.5, whose faces are close to each other.
+  // A forbidden layer of four voxels, from z = 11.5 to 15.5. Its two faces are close to each other.
   const TestVolume labels =
     MakeLabels(28, [](const Vector3& x) { return x.Z > 11.5 && x.Z < 15.5 ? 1 : 0; });
   const LabelView view(labels.View);
@@ -134,7 +135,7 @@ TEST(ForbiddenZone, StandsOffFromASlab)
 
 TEST(ForbiddenZone, StandsOffFromAVessel)
 {
-  // Cylinders along x with radii of 2.5 and 1.5 voxels, which smoothing alone would make thinner.
+  // Cylinders along x with radii of 2.5 and 1.5 voxels. Smoothing alone would make them thinner.
   for (const double radius : { 2.5, 1.5 })
   {
     const TestVolume labels = MakeLabels(
@@ -156,8 +157,8 @@ TEST(ForbiddenZone, StandsOffFromAVessel)
 
 TEST(ForbiddenZone, KeepsThinVesselsAndSpecks)
 {
-  // A line along x, one voxel thick, and a single voxel. At least half a voxel around each is
-  // forbidden.
+  // A line along x that is one voxel thick, and a single voxel. The zone must cover at least half a
+  // voxel around each of them.
   const TestVolume labels = MakeLabels(40,
     [](const Vector3& x) {
       return (x.Y == 10.0 && x.Z == 10.0) || (x.X == 30.0 && x.Y == 30.0 && x.Z == 30.0) ? 1 : 0;

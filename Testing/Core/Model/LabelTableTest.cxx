@@ -37,8 +37,8 @@ TEST(LabelTable, FindsAMillionLabelsOfAllSignsAndSizes)
 {
   std::mt19937_64 engine(5);
   std::map<std::int64_t, double> model;
-  // A run of labels, as in segmentations; multiples of a power of two, for which a poor hash has
-  // collisions; and random numbers.
+  // Consecutive labels, as in segmentations; multiples of a power of two, which collide in a poor
+  // hash table; and random labels.
   for (std::int64_t i = 0; i < 400000; ++i)
   {
     model[i - 200000] = static_cast<double>(i);
@@ -89,7 +89,8 @@ TEST(LabelTable, MixesByFractionsAndLeavesTheRestToTheFunctions)
     labels.Mix({ x, 0.5, 0.5 }, 1, memory, values);
     return values;
   };
-  // Label 0 has no entry, label 10 has k and T_N, and label 20 is not felt.
+  // Label 0 has no entry, label 10 sets the stiffness k and the surface strength T_N, and label 20
+  // is not felt.
   EXPECT_EQ(mixed(0.0), functions);
   EXPECT_EQ(mixed(1.0), (MaterialTable::Values{ 200.0, 0.3, 1.0, 0.7, 1.0 }));
   EXPECT_EQ(mixed(2.0), (MaterialTable::Values{ 900.0, 0.3, 0.0, 0.0, 1.0 }));
@@ -107,7 +108,7 @@ TEST(LabelTable, MixesByFractionsAndLeavesTheRestToTheFunctions)
 
 TEST(LabelTable, RemembersACellOnlyIfItIsStillTheSame)
 {
-  // Two label images with their own tables. Blocks of three voxels have one label.
+  // Two label images with a label table each. Blocks of 3^3 voxels have one label.
   constexpr std::int64_t side = 12;
   std::vector<TestVolume> volumes;
   std::vector<BakedLabels> labels(2);
@@ -133,7 +134,7 @@ TEST(LabelTable, RemembersACellOnlyIfItIsStillTheSame)
     double* const axes[] = { &at.X, &at.Y, &at.Z };
     for (double* const axis : axes)
     {
-      // Turn back two voxels beyond the image, and sometimes round to a voxel.
+      // Turn the walk back at two voxels beyond the image. Sometimes round the position to a voxel.
       *axis = *axis < -2.0 ? -1.0 : *axis > side + 1.0 ? side - 1.0 : *axis;
       *axis = dice(engine) == 0 ? std::round(*axis) : *axis;
     }

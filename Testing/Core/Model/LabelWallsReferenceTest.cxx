@@ -28,8 +28,8 @@ namespace
 using Index = std::array<std::int64_t, 3>;
 using Entries = std::map<std::int64_t, LabelledMaterial>;
 
-/// Order from soft to hard: not felt, without an entry, with an entry; then by T_N, k and the
-/// label.
+/// Sort key of labels from soft to hard: not felt, without an entry, with an entry; then by surface
+/// strength T_N, stiffness k and the label.
 using Hardness = std::tuple<int, double, double, std::int64_t>;
 
 Hardness HardnessOf(const Entries& entries, std::int64_t label)
@@ -44,8 +44,8 @@ Hardness HardnessOf(const Entries& entries, std::int64_t label)
   return material.IsFelt ? Hardness{ 2, value(2), value(0), label } : Hardness{ 0, 0.0, 0.0, 0 };
 }
 
-/// Returns the weights of the fitted value: a Gaussian that ends at c, where its slope is zero as
-/// well.
+/// Returns the smoothing weights: those of a Gaussian that is lowered to end at c, with a slope of
+/// zero there.
 std::vector<double> Weights(int radius, double fraction)
 {
   const double c = radius + 1.0;
@@ -103,7 +103,7 @@ struct ReferenceWall
   bool IsThere = false;
   double Value = 2.0;
   Vector3 Gradient;
-  double SecondValue = 2.0; ///< |value| of the next wall
+  double SecondValue = 2.0; ///< absolute value of the second nearest wall
 };
 
 ReferenceWall ComputeReference(
@@ -208,14 +208,15 @@ LabelledMaterial Entry(std::int64_t label, Draw& draw)
 {
   LabelledMaterial entry;
   entry.Label = label;
-  // Few values, so that some labels differ in one value only, or not at all.
+  // Draw from few values, so that some labels differ in one value only, or in none.
   entry.Material.Value = { 100.0 * double(draw.Below(3)), 0.0, 0.5 * double(draw.Below(3)), 0.0 };
   entry.Material.IsSet = { draw.Below(4) > 0, false, draw.Below(4) > 0, false };
   entry.Material.IsFelt = draw.Below(5) > 0;
   return entry;
 }
 
-/// Compares at random positions. Returns the number of positions at which there was a wall.
+/// Compares LabelWalls with the reference at random positions. Returns the number of positions with
+/// a wall.
 int Compare(
   const TestVolume& volume, const Entries& entries, int radius, int positions, unsigned seed)
 {
@@ -319,8 +320,8 @@ TEST(LabelWallsReference, AgreesForOtherRadii)
 
 TEST(LabelWallsReference, AgreesInNoise)
 {
-  // Labels that change from voxel to voxel: two labels, and so many that one evaluation meets most
-  // of them.
+  // Labels that change from voxel to voxel: with 2 labels, and with 30, most of which are met in
+  // one evaluation.
   for (const std::int64_t labels : { 2, 30 })
   {
     SCOPED_TRACE(labels);
@@ -351,7 +352,7 @@ TEST(LabelWallsReference, AgreesWithAMillionLabelsInTheTable)
   {
     entries.emplace_hint(entries.end(), label, Entry(label, draw));
   }
-  // At most 27 labels in one evaluation.
+  // One evaluation meets at most 27 of these labels.
   const TestVolume volume = MakeCubes(ScalarType::Int32, { 40, 40, 40 }, 1, 4,
     [](std::int64_t cube) { return Mix(cube) % count - count / 2; });
   EXPECT_GT(Compare(volume, entries, 3, 200, 19), 190);
@@ -359,7 +360,7 @@ TEST(LabelWallsReference, AgreesWithAMillionLabelsInTheTable)
 
 TEST(LabelWallsReference, MemoryOfTheLastLookChangesNothing)
 {
-  // A walk of small steps, alternating between two images that share one memory.
+  // Walk in small steps, and alternate between two images that share one memory.
   const auto make = [](std::int64_t labels)
   {
     return MakeCubes(ScalarType::UInt8, { 30, 30, 30 }, 1, 15,
@@ -392,7 +393,7 @@ TEST(LabelWallsReference, MemoryOfTheLastLookChangesNothing)
 
 TEST(LabelWallsReference, AgreesWithTheSurfaceOfAnAnisotropicLabelImage)
 {
-  // The wall as a solver gets it: along the device's axes, the gradient is divided by the spacing.
+  // A solver gets the wall along the device's axes, so the gradient is divided by the spacing.
   const Vector3 spacing{ 0.6, 1.0, 2.5 };
   const TestVolume scalars = MakeRamp(40);
   const TestVolume volume = MakeCubes(
@@ -427,8 +428,8 @@ TEST(LabelWallsReference, AgreesWithTheSurfaceOfAnAnisotropicLabelImage)
     EXPECT_NEAR(surface.Value, expected.Value, 1e-8);
     EXPECT_NEAR(surface.GradientMagnitude, Norm(gradient), 1e-6);
     EXPECT_LT(Norm(surface.Normal - (1.0 / Norm(gradient)) * gradient), 1e-4);
-    // The reach is the kernel radius of 2 in voxels along the normal, in the image that is coarser
-    // there.
+    // The reach is the kernel radius of 2 voxels. It is measured along the normal in the image with
+    // the larger voxels.
     const Vector3 n = surface.Normal;
     const double voxels =
       std::min(1.0, Norm({ n.X / spacing.X, n.Y / spacing.Y, n.Z / spacing.Z }));

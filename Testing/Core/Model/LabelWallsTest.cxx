@@ -34,7 +34,7 @@ TestVolume MakeLabels(std::int64_t side, const std::function<int(const Vector3&)
   return volume;
 }
 
-/// Returns the distance from a centre to the wall along a direction.
+/// Searches along a direction from a centre. Returns the distance to the wall.
 double FindWall(const LabelWalls& walls, const Vector3& centre, const Vector3& direction,
   double inside, double outside)
 {
@@ -65,7 +65,7 @@ LabelledMaterial WithStrength(std::int64_t label, double strength, bool isFelt =
   return entry;
 }
 
-/// Errors of a ball's wall: normal (degrees) and position (voxels).
+/// Errors of a ball's wall: of the normal (degrees) and of the position (voxels).
 struct BallErrors
 {
   double Mean = 0.0;
@@ -104,8 +104,8 @@ BallErrors MeasureBall(double ball, int kernelRadius)
 
 TEST(LabelWalls, OfBallsAreAsGoodAsThePrototype)
 {
-  // L2: scale, and for balls of 20 and 6 voxels the mean and largest error of the normal and the
-  // RMS error of the position.
+  // The prototype's figures (L2), for balls with radii of 20 and 6 voxels: the mean and largest
+  // error of the normal (degrees), and the RMS error of the position (voxels).
   struct Row
   {
     int KernelRadius;
@@ -126,12 +126,14 @@ TEST(LabelWalls, OfBallsAreAsGoodAsThePrototype)
       SCOPED_TRACE(testing::Message()
         << "s = " << row.Scale << ", ball of " << balls[b] << ": mean " << errors.Mean << ", worst "
         << errors.Worst << ", rms " << errors.Rms << ", shift " << errors.Shift);
-      // The kernel has an end, unlike the prototype's Gaussian: it is 5 % to 11 % narrower or
-      // wider. Balls at other positions between voxels have other largest errors.
+      // The tolerance is large for two reasons: the kernel is 5 % to 11 % narrower or wider than
+      // the prototype's Gaussian, which has no end; and the largest error depends on where the ball
+      // lies between voxels.
       EXPECT_LT(errors.Mean, 1.3 * row.Mean[b]);
       EXPECT_LT(errors.Worst, 1.35 * row.Worst[b]);
       EXPECT_LT(errors.Rms, 1.3 * row.Rms[b] + 0.03);
-      // The closed form of the shift is s^2 / R, with s the kernel's standard deviation.
+      // Smoothing moves the wall of a ball of radius R by s^2 / R, where s is the kernel's standard
+      // deviation.
       const double deviation = 0.355 * (row.KernelRadius + 1);
       EXPECT_NEAR(errors.Shift, -deviation * deviation / balls[b], 0.03 + 0.1 * row.Rms[b]);
     }
@@ -140,7 +142,7 @@ TEST(LabelWalls, OfBallsAreAsGoodAsThePrototype)
 
 TEST(LabelWalls, OfPlanesAreExact)
 {
-  // The wall is between the voxels 7 and 8 of each axis.
+  // Along each axis, the wall lies between the voxels 7 and 8.
   for (int axis = 0; axis < 3; ++axis)
   {
     const auto along = [axis](const Vector3& x) { return axis == 0 ? x.X : axis == 1 ? x.Y : x.Z; };
@@ -158,7 +160,7 @@ TEST(LabelWalls, OfPlanesAreExact)
       EXPECT_NEAR(wall.Value, 0.0, 1e-9);
       EXPECT_NEAR(Norm(wall.Gradient - Dot(wall.Gradient, normal) * normal), 0.0, 1e-9);
       EXPECT_GT(Dot(wall.Gradient, normal), 0.0) << "into the higher number";
-      // Across the wall, the value is that of a smoothed step, and antisymmetric.
+      // Across the wall, the value is a smoothed step, which is antisymmetric.
       EXPECT_NEAR(
         walls.Compute(on + 0.9 * normal).Value, -walls.Compute(on - 0.9 * normal).Value, 1e-9);
       EXPECT_GT(walls.Compute(on + 0.9 * normal).Value, 0.3);
@@ -190,7 +192,7 @@ TEST(LabelWalls, HaveTheGradientOfTheirValue)
       const Vector3 step{ axis == 0 ? h : 0.0, axis == 1 ? h : 0.0, axis == 2 ? h : 0.0 };
       const LabelWall ahead = walls.Compute(x + step);
       const LabelWall behind = walls.Compute(x - step);
-      // Skip positions where the value leaps because the nearest wall changes.
+      // Skip positions where the value jumps because another wall becomes the nearest one.
       isOne = ahead.IsThere && behind.IsThere && std::abs(ahead.Value - behind.Value) < 10.0 * h;
       (axis == 0      ? slope.X
           : axis == 1 ? slope.Y
@@ -227,7 +229,8 @@ TEST(LabelWalls, LeadIntoTheHarderLabel)
 
 TEST(LabelWalls, OfSheetsAreThereFromTheirLeastThicknessOn)
 {
-  // A sheet of w voxels between equal labels has the fraction erf(w / (sqrt(8) s)) in its middle.
+  // In the middle of a sheet of w voxels, the sheet's label has a smoothed fraction of erf(w /
+  // (sqrt(8) s)).
   for (const int thickness : { 1, 2, 3, 4 })
   {
     const TestVolume volume =

@@ -18,19 +18,19 @@ using namespace coretest;
 namespace
 {
 constexpr std::size_t MiB = 1048576;
-/// Bytes that the allocator may add to a handful of blocks.
+/// Number of bytes that the allocator may add to the few blocks of a model.
 constexpr std::size_t Rounding = 8192;
 
 class ModelMemory : public testing::TestWithParam<std::tuple<GradientEstimator, int>>
 {
 protected:
-  /// Returns the bytes that the allocator counts for a model.
+  /// Makes a model. Returns its number of bytes, as counted by the allocator.
   std::size_t Measure(const HapticModelDescription& description)
   {
     const std::size_t before = CountAllocations().LiveBytes;
     const auto model = std::make_unique<const HapticModel>(description);
     const std::size_t bytes = CountAllocations().LiveBytes - before;
-    // The model's own figure equals this, up to the allocator's rounding.
+    // GetMemorySize() must agree with the allocator's count, except for rounding.
     EXPECT_LE(model->GetMemorySize(), bytes);
     EXPECT_GE(model->GetMemorySize() + Rounding, bytes);
     return bytes;
@@ -48,7 +48,8 @@ TEST_P(ModelMemory, UnderOneMebibyteWhateverTheImage)
   const std::size_t small = this->Measure(description);
   EXPECT_LT(small, MiB);
 
-  // A model only refers to the samples, and nothing reads them here.
+  // Describe 2048^3 samples without allocating them: the model only refers to samples, and nothing
+  // reads them here.
   for (std::int64_t& n : description.View.Dimensions)
   {
     n = 2048;
@@ -72,7 +73,7 @@ TEST_P(ModelMemory, UnderOneMebibyteWithDetailedMaterials)
   {
     line->clear();
     ++shift;
-    // Far more break points than a person draws, all different.
+    // Give each function 256 break points of its own, far more than a person draws.
     for (int i = 0; i < 256; ++i)
     {
       line->push_back({ 10.0 * i + shift, (i % 10) * 0.1 });

@@ -36,7 +36,7 @@ TEST_F(SurfaceMeshes, ShadingSmoothsTheForceOverACoarseMesh)
 
 TEST_F(SurfaceMeshes, ShadingStopsAtSharpEdges)
 {
-  // Each face of the cube has its own normals.
+  // A cube with separate corners and normals for each face.
   Corners points;
   Corners normals;
   Faces faces;

@@ -38,7 +38,7 @@ Vector3 Thick(double fine, double coarse, int axis)
   return { axis == 0 ? coarse : fine, axis == 1 ? coarse : fine, axis == 2 ? coarse : fine };
 }
 
-/// An image of a shape in millimetres, with its fine labels and the walls of both.
+/// An image of a shape in slices (mm), its fine labels, and the walls of both.
 class Slices
 {
 public:
@@ -77,7 +77,7 @@ public:
     return wall;
   }
 
-  /// Returns the distance along a direction at which the value falls through 0.
+  /// Searches along a direction. Returns the distance (mm) at which the value falls through 0.
   double FindWall(
     const Vector3& from, const Vector3& direction, double inside, double outside) const
   {
@@ -147,12 +147,12 @@ TEST(ThickLabels, WallsOfABallPointOutwards)
     const Errors errors = MeasureBall(0.4, 0.4 * ratio, axis, 16.0);
     SCOPED_TRACE(testing::Message() << "1:" << ratio << " along axis " << axis << ": mean "
                                     << errors.Mean << ", worst " << errors.Worst << " degrees");
-    // For cubes of 0.4 mm, the errors are 1.35 and 10.5 degrees.
+    // For cubic voxels of 0.4 mm, the mean error is 1.35 degrees and the largest one 10.5 degrees.
     EXPECT_LT(errors.Mean, 2.0);
     EXPECT_LT(errors.Worst, 15.0);
     EXPECT_LT(errors.Rms, 0.25 * 0.4);
-    // Sums over voxels move a ball's wall inwards by s^2/R; smoothed slices add about as much
-    // again.
+    // Smoothing over the voxels moves a ball's wall inwards by s^2/R (kernel's deviation s, radius
+    // R). The smoothing between slices moves the wall by about as much again.
     const double s = 0.355 * 4.0 * 0.4;
     EXPECT_NEAR(errors.Shift, -2.0 * s * s / 16.0, 0.1 * 0.4);
     axis = (axis + 1) % 3;
@@ -187,7 +187,8 @@ TEST(ThickLabels, WallsOfAPlaneStandWhereItIs)
 
 TEST(ThickLabels, AShellThatSlicesShowHasNoHole)
 {
-  // Directions up to the height z at which outlines in neighbouring slices of 3 mm still overlap.
+  // `Highest` is the largest z of a direction (unit vector) in which the shell's outlines in
+  // neighbouring slices of 3 mm still overlap.
   struct Row
   {
     double Thickness;
@@ -242,7 +243,8 @@ TEST(ThickLabels, SheetsAcrossTheSlicesStayAsTheyAre)
       const LabelWall expected = image.At(at);
       const LabelWall found = fine.At(at);
       ASSERT_EQ(found.IsThere, expected.IsThere);
-      // From about four voxels on, boundaries are smoothed, and fractions have steps of 1/254.
+      // For slices of about four voxels and more, boundaries are smoothed, and fractions are stored
+      // in steps of 1/254.
       ASSERT_NEAR(found.Value, expected.Value, voxels < 4 ? 1e-6 : 1.0 / 254.0)
         << voxels << " voxels at " << at.X;
     }
@@ -311,7 +313,7 @@ TEST(ThickLabels, OnlyChangedSlicesAreFoundAgain)
   const LabelView view(slices.Volume.View);
   const auto same = FineLabels::Make(view, slices.Spacing, nullptr, last.get());
   EXPECT_EQ(same->GetSlicesFound(), 0);
-  // Paint a stroke in one slice.
+  // Paint a stroke of label 9 in one slice.
   auto* const data = static_cast<std::uint8_t*>(const_cast<void*>(slices.Volume.View.Data));
   for (int i = 10; i < 20; ++i)
   {
@@ -373,7 +375,7 @@ TEST(ThickLabels, AHandGlidesOverABall)
     Tick(model, state, 0.001 * (centre + (ball - depth) * out), record);
     if (i > first)
     {
-      // k times the depth of 2 mm, without steps.
+      // The force is the stiffness k times the depth of 2 mm, and changes without steps.
       ASSERT_NEAR(Norm(record.Force), 1.0, 0.15) << i;
       ASSERT_LT(Norm(record.Force - last), 0.04) << i;
       leaning += Degree * std::acos(std::min(1.0, Dot(record.Force, out) / Norm(record.Force)));

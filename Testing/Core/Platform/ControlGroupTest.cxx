@@ -64,7 +64,7 @@ TEST_F(ControlGroup, IsLimitedByThoseAboveIt)
   this->Write("user/memory.max", "3000");
   this->Write("user/memory.current", "2000");
   EXPECT_EQ(this->Read(), 1000.0);
-  // A container sees its own group as the root, whatever path the process has.
+  // A container sees its own group as the root, whatever path its processes have.
   this->Write("memory.max", "900");
   this->Write("memory.current", "100");
   EXPECT_EQ(this->Read(), 800.0);

@@ -25,7 +25,7 @@
 
 using VolumeHaptics::ReadTask;
 
-void vtkHapticServeReading(int) {} // replaces the module's, which is not in this program
+void vtkHapticServeReading(int) {} // replaces the module's function, which is not linked here
 
 namespace
 {
@@ -49,7 +49,7 @@ protected:
   Reader() { std::filesystem::create_directories(this->Folder); }
   ~Reader() override { std::filesystem::remove_all(this->Folder); }
 
-  /// Writes a sparse file of a size (bytes).
+  /// Writes a sparse file with a size in bytes. Returns its path.
   std::string Write(const std::string& name, std::uintmax_t size) const
   {
     const std::string path = this->Folder + "/" + name;
@@ -59,7 +59,8 @@ protected:
     return path;
   }
 
-  /// Asks a new process that has its own limit (bytes); 0: no limit.
+  /// Returns the limits that a new process sets for a task. `own` is the limit that the process has
+  /// before (bytes); 0: none.
   static Limits Ask(
     ReadTask task, const std::string& path, rlim_t own = 0, std::uint64_t unpacked = 0)
   {
@@ -126,8 +127,8 @@ TEST_F(Reader, LeavesRoomForWhatASmallFileUnpacksTo)
 {
   const std::string path = this->Write("zeros.tif", 300);
   const Limits limits = Ask(ReadTask::TiffBox, path, 0, 2 * gibibyte);
-  EXPECT_GE(limits.Seconds, 8000);           // at 256 KiB a second
-  EXPECT_GE(limits.Bytes, 2 * 2 * gibibyte); // for the unpacked page and the answer
+  EXPECT_GE(limits.Seconds, 8000);           // enough to unpack 2 GiB at 256 KiB/s
+  EXPECT_GE(limits.Bytes, 2 * 2 * gibibyte); // room for the unpacked page and the answer
 }
 
 TEST_F(Reader, OfAFileOfHolesHasAnEnd)

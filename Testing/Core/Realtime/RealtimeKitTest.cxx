@@ -41,7 +41,7 @@ rlim_t HardTimeLimit()
   return limit.rlim_max;
 }
 
-/// Each case is a separate process, whose limits and environment may change.
+/// Runs each test in a process of its own, whose limits and environment the test may change.
 class RealtimeKitService : public testing::Test
 {
 protected:
@@ -174,7 +174,7 @@ TEST_F(RealtimeKitService, TheBusMayEndWhileTheServiceIsAsked)
   EXPECT_EQ(answer.load(), Answer::Refused);
 }
 
-// Without the stop, it would go on to the next property.
+// Without the stop, the client would read the next property after the refusal.
 TEST_F(RealtimeKitService, IsAskedNothingMoreAfterAStop)
 {
   PlayedRealtimeKit service({ "--silent", "Get" });
@@ -269,7 +269,8 @@ TEST(ServoPriority, TakesWhatNeedsNoPrivilege)
       sched_param parameters{};
       EXPECT_EQ(pthread_getschedparam(pthread_self(), &policy, &parameters), 0);
       EXPECT_EQ(policy, SCHED_OTHER);
-      // struct sched_attr in linux/sched/types.h: the slice is its fifth number, after 24 bytes.
+      // The slice is the fifth number of struct sched_attr (linux/sched/types.h), 24 bytes from the
+      // beginning.
       std::uint64_t attributes[6] = {};
       ASSERT_EQ(syscall(SYS_sched_getattr, 0, attributes, sizeof(attributes), 0), 0);
       utsname kernel{};

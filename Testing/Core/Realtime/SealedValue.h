@@ -41,7 +41,7 @@ private:
   std::uint64_t Word[Words] = {};
 };
 
-/// Counts the errors in numbered values that one thread gets from another.
+/// Counts the errors in a sequence of numbered values that one thread reads from another.
 class SealedReader
 {
 public:
@@ -55,7 +55,7 @@ public:
 
   std::uint64_t Taken = 0;
   std::uint64_t Torn = 0;
-  std::uint64_t Backward = 0; ///< values that are not newer than the one before
+  std::uint64_t Backward = 0; ///< values with a number that is not larger than the one before
   std::uint64_t Last = 0;     ///< number of the latest value
 };
 } // namespace servotest

@@ -38,7 +38,8 @@ bool MayRunOn(const cpu_set_t& processors)
   return CPU_EQUAL(&now, &processors);
 }
 
-/// Watches until it is destroyed. Starts on the given processor; -1: on any.
+/// Runs the watching thread until the object is destroyed. The thread starts on the given
+/// processor, or on any (-1).
 class Watcher
 {
 public:
@@ -75,7 +76,7 @@ private:
   std::thread Thread;
 };
 
-/// Needs at least two processors, and a kernel that lets threads choose among them.
+/// Tests that need two processors, and a kernel that lets a thread choose its processor.
 class WatchedSleepElsewhere : public testing::Test
 {
 protected:
@@ -104,7 +105,8 @@ TEST_F(WatchedSleepElsewhere, EndsOnAnotherProcessor)
     {
       const int processor = sched_getcpu();
       const std::int64_t planned = ServoClock::Now() + 5 * ServoClock::Millisecond;
-      sleep.SleepUntil(planned, planned + 30 * Second); // as if the processor forgot its timer
+      sleep.SleepUntil(planned, planned + 30 * Second); // wakes 30 s late, as if the timer were
+                                                        // lost
       const std::int64_t end = ServoClock::Now();
       ASSERT_TRUE(MayRunOn(this->Before));
       ASSERT_GE(end, planned);
@@ -112,14 +114,15 @@ TEST_F(WatchedSleepElsewhere, EndsOnAnotherProcessor)
       changes += sched_getcpu() == processor ? 0 : 1;
     }
   }
-  // On a busy machine, the kernel may move the thread, or the thread may begin its sleep late.
+  // Half of the rescues suffice: on a busy machine, the kernel may move the thread, or the thread
+  // may begin to sleep late.
   EXPECT_GE(sleep.GetRescues(), static_cast<std::uint64_t>(times / 2));
   EXPECT_GE(changes, times / 2);
 }
 
 TEST_F(WatchedSleepElsewhere, IsNotShortenedByAHastyWatcher)
 {
-  WatchedSleep sleep(2); // ns: the watcher waits for only 1 ns
+  WatchedSleep sleep(2); // the watcher waits for only 1 of 2 ns
   {
     const Watcher watcher(sleep);
     for (int i = 0; i < 3000; ++i)
@@ -158,7 +161,7 @@ TEST(WatchedSleep, EndsByItselfWithoutAWatcher)
   const std::int64_t planned = ServoClock::Now() + 2 * ServoClock::Millisecond;
   sleep.SleepUntil(planned);
   EXPECT_GE(ServoClock::Now(), planned);
-  sleep.SleepUntil(planned - Second); // already over at its beginning
+  sleep.SleepUntil(planned - Second); // a time that is already over
   EXPECT_LT(ServoClock::Now(), planned + 60 * Second);
 }
 

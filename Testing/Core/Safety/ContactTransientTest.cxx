@@ -81,7 +81,8 @@ double Sum(const std::vector<double>& values, int from, int to)
 
 TEST(ContactTransient, StopsAnArmInItsFirstHalfWaveAndDecays)
 {
-  // At 100 Hz, a half wave takes five ticks, and the next half wave is smaller by exp(-1/2).
+  // At 100 Hz, a half wave takes five ticks. Each half wave is smaller than the one before by the
+  // factor exp(-1/2).
   const std::vector<double> pulses = Play(100.0, 1.0, 40);
   const double momentum = ContactTransient::TouchMass * Speed;
   const double first = Period * Sum(pulses, 0, 5);
@@ -96,7 +97,7 @@ TEST(ContactTransient, StopsAnArmInItsFirstHalfWaveAndDecays)
 
 TEST(ContactTransient, TellsMaterialsOfOneStiffnessApart)
 {
-  // A wall of 400 N/m that holds 1 N or 4 N: 120 Hz or 240 Hz.
+  // A wall of 400 N/m gives a pulse of 120 Hz if it holds 1 N, and of 240 Hz if it holds 4 N.
   EXPECT_NEAR(ContactTransient::ComputeFrequency(400.0, 1.0), 120.0, 1e-9);
   EXPECT_NEAR(ContactTransient::ComputeFrequency(400.0, 4.0), 240.0, 1e-9);
   EXPECT_EQ(ContactTransient::ComputeFrequency(400.0, 0.0), 0.0);
@@ -104,7 +105,7 @@ TEST(ContactTransient, TellsMaterialsOfOneStiffnessApart)
   for (const double frequency : { 120.0, 240.0 })
   {
     const std::vector<double> pulses = Play(frequency, 1.0, 25);
-    // Find the frequency with the most power by Fourier's integral of the sent force.
+    // Find the frequency (Hz) with the most power in the sent force, by Fourier's integral.
     double best = 0.0;
     double most = 0.0;
     for (double f = 60.0; f < 400.0; f += 1.0)
@@ -152,7 +153,8 @@ TEST(ContactTransient, MakesWallsStifferAndReturnsLess)
 
 TEST(ContactTransient, GivesNoMoreThanItTakesToAHandThatLeadsTheTip)
 {
-  // The same path with and without the pulse: the difference in work is the pulse's.
+  // Follow the same path with and without the pulse. The difference between the two works is the
+  // work of the pulse.
   double most = 0.0;
   double least = 0.0;
   for (unsigned seed = 0; seed < 300; ++seed)

@@ -22,11 +22,11 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 
-/// A tip and a force that the test sets. Tells whether the port gives energy.
+/// An observer of a tip and a force, which the test sets in each tick.
 class Watched
 {
 public:
-  /// Runs one tick of 1 ms.
+  /// Runs one tick of 1 ms. Returns whether the observer has found that the port gives energy.
   bool Step(const Vector3& tip, const Vector3& force)
   {
     this->IsFound = this->Observer.Observe(tip, 1e-3) || this->IsFound;
@@ -37,8 +37,8 @@ public:
   bool IsFound = false;
 };
 
-/// Presses a tip 10 mm into a sampled spring and lets it swing freely, by the exact solution.
-/// Returns whether the observer finds it.
+/// Presses a tip 10 mm into a sampled spring of k (N/m) and lets the tip swing freely; motion and
+/// force are the exact solution. Returns whether the observer finds the swing.
 bool SwingsFreely(double k, int delay, double swing)
 {
   using namespace servotest;
@@ -81,8 +81,8 @@ TEST(EnergyObserver, FindsWhatTheTheoryCallsUnstable)
       // Factor by which the energy grows in a cycle.
       const double cycle = std::pow(growth, 2.0 * 2.0 * Pi / (rate * servotest::Period));
       const bool isQuick = rate > 2.0 * Pi * 1.1 / EnergyObserver::LongestCycle;
-      // With larger growth, the tip leaves the wall before it is found: ArmSessions.h has walls
-      // with a clamped force.
+      // Skip larger growth: the tip would leave the wall before the observer finds the swing. The
+      // sessions in ArmSessions.h have such walls, with a limited force.
       if (cycle > 1.01 && cycle < 2.0 && isQuick)
       {
         EXPECT_TRUE(SwingsFreely(k, delay, 3e-4)) << k << " N/m, delay " << delay;
@@ -101,7 +101,8 @@ TEST(EnergyObserver, FindsWhatTheTheoryCallsUnstable)
 
 TEST(EnergyObserver, TellsTheEnergyOfAStretchedSpring)
 {
-  // A spring k that is pressed by x in n steps takes k x^2 / 2, less half a step's force.
+  // Pressing a spring k by x in n steps takes the work k x^2 / 2, less the work of half a step's
+  // force.
   EnergyObserver observer;
   constexpr double k = 1000.0;
   constexpr int steps = 1000;
@@ -116,7 +117,7 @@ TEST(EnergyObserver, TellsTheEnergyOfAStretchedSpring)
 
 TEST(EnergyObserver, FindsNoHandThatKeepsASwingGoing)
 {
-  // Taps at 2 to 8 Hz on 3000 N/m, and a tremor of 12 Hz and 1 mm while pressing.
+  // The hand taps a wall of 3000 N/m at 2 to 8 Hz, or presses with a tremor of 12 Hz and 1 mm.
   for (const double rate : { 2.0, 5.0, 8.0, 12.0 })
   {
     for (const double pressed : { 0.0, 2e-3 })
@@ -134,8 +135,8 @@ TEST(EnergyObserver, FindsNoHandThatKeepsASwingGoing)
 
 TEST(EnergyObserver, FindsNoRippledSurface)
 {
-  // A stroke at 0.2 m/s over ripples of 2 mm length and 0.1 mm height, pressed with 2 N: 100 Hz for
-  // seconds.
+  // The hand strokes ripples of 2 mm length and 0.1 mm height at 0.2 m/s and presses with 2 N, so
+  // the tip swings at 100 Hz for seconds.
   Watched watched;
   for (int i = 0; i < 5000; ++i)
   {
@@ -149,8 +150,8 @@ TEST(EnergyObserver, FindsNoRippledSurface)
 
 TEST(EnergyObserver, FindsNoFrictionAndNoStepsOfAnEncoder)
 {
-  // Rubbing at 25 Hz against friction; and a tip at rest that jumps between two encoder steps,
-  // pressed by 8 N.
+  // `rubbed`: the hand rubs at 25 Hz against friction. `still`: the tip rests, pressed by 8 N, but
+  // its position jumps between two encoder steps.
   Watched rubbed;
   Watched still;
   double before = 0.0;
@@ -167,8 +168,8 @@ TEST(EnergyObserver, FindsNoFrictionAndNoStepsOfAnEncoder)
 
 TEST(EnergyObserver, ExcusesWhatMovesTheForce)
 {
-  // A swing of 20 Hz caused by a wall. With `isExcused`, a program publishes the wall 30 times a
-  // second.
+  // The wall moves and so makes the tip swing at 20 Hz. With `isExcused`, a program publishes the
+  // wall 30 times a second.
   for (const bool isExcused : { false, true })
   {
     Watched watched;
@@ -197,7 +198,7 @@ TEST(EnergyObserver, FindsNoHonestDevice)
 
 TEST(EnergyObserver, ABuzzingWallIsDampedUntilItRests)
 {
-  // 100 g on 2000 N/m with a third of the damping that sampling needs.
+  // A mass of 100 g on a wall of 2000 N/m has a third of the damping that a sampled loop needs.
   for (std::uint32_t seed = 0; seed < 10; ++seed)
   {
     rigs::ArmScene scene;
@@ -217,7 +218,7 @@ TEST(EnergyObserver, ABuzzingWallIsDampedUntilItRests)
 
 TEST(EnergyObserver, AWallThatBuzzesInSpiteOfDampingIsAFault)
 {
-  // Three more ticks of delay: the damping itself comes too late.
+  // The delay is three ticks longer, so that the added damping comes too late.
   int cut = 0;
   for (std::uint32_t seed = 0; seed < 10; ++seed)
   {

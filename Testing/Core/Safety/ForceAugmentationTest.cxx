@@ -60,8 +60,8 @@ TEST(StiffWalls, ArePassiveUpToWhatTheorySaysOfASampledSpring)
     }
     for (const StiffPress& press : MakePresses(2.0, false))
     {
-      // Only the free weight of 1 N must gain energy here. With 2 N, MaximumForce limits the wall's
-      // force. Held presses are not checked.
+      // Check only the weight of 1 N that nobody holds. With 2 N, MaximumForce limits the wall's
+      // force.
       if (!press.IsHeld && press.Force == 1.0)
       {
         EXPECT_GT(PressStiffly(arm, press).Ratio, 1.0) << Describe(arm, press);
@@ -100,7 +100,8 @@ TEST(ForceAugmentation, GivesNoMoreThanItsTolerance)
       EXPECT_LE(PressStiffly(arm, press).MostWithoutFriction, tolerance) << "the largest gain";
     }
   }
-  // A wall so stiff that the loop can't be damped. Without the account, it gives 35 mJ.
+  // On this wall, damping can't make the loop stable. Without the energy account, the loop gives up
+  // to 35 mJ.
   const StiffArm arm = StiffArm::FalconLike();
   double without = 0.0;
   for (StiffPress press : MakePresses(20.0, true))
@@ -108,8 +109,8 @@ TEST(ForceAugmentation, GivesNoMoreThanItsTolerance)
     SCOPED_TRACE(Describe(arm, press));
     const StiffResult result = PressStiffly(arm, press);
     EXPECT_LE(result.MostGiven, tolerance);
-    // A measured bound. It would be 6 mJ if the account also spent what the soft spring still gives
-    // back.
+    // A measured bound. If the account also spent what the soft spring still returns, the loop
+    // would give 6 mJ.
     EXPECT_LE(result.MostWithoutFriction, 2.5 * tolerance);
     press.Augments = false;
     without = std::max(without, PressStiffly(arm, press).MostGiven);
@@ -119,7 +120,7 @@ TEST(ForceAugmentation, GivesNoMoreThanItsTolerance)
 
 TEST(ForceAugmentation, KnowsASpringWithSlackByItsSlope)
 {
-  // 3 mm of slack make f / d a small part of the slope that the loop feels.
+  // With 3 mm of slack, force over depth is only a small part of the slope that the loop feels.
   const StiffArm arm = StiffArm::FalconLike();
   for (StiffPress press : MakePresses(6.0, true))
   {

@@ -19,7 +19,7 @@ using namespace VolumeHaptics;
 namespace
 {
 
-/// The model of the gate: flags, each with its own rules.
+/// A simple model of the gate: flags with a rule each.
 struct Flags
 {
   bool IsArmed = false;
@@ -127,7 +127,7 @@ struct Flags
       : wanted < this->Opening - most             ? this->Opening - most
                                                   : wanted;
   }
-  /// The rest of a tick: the faults, and the force that would act.
+  /// Ends a tick: applies the faults, and tells whether a force would act.
   void Finish(GateReason fault, bool gap, bool isStale, bool flows, double step)
   {
     const bool retreated = this->Retreats;
@@ -270,7 +270,7 @@ TEST(ForceGate, DoesInRandomSequencesWhatFlagsWouldDo)
       const bool wasStale = isStale;
       isStale = chance(isStale ? 0.5 : trouble);
       const bool gap = isStale || wasStale;
-      // A command may be late relative to the opening.
+      // The command may be non-zero while the opening is 0, and zero while the gate is open.
       const bool wants = chance(flags.Opening > 0.0 ? 0.8 : 0.3);
       flags.Finish(fault, gap, isStale, wants, step);
       if (fault != GateReason::None)
@@ -309,7 +309,7 @@ TEST(ForceGate, DoesInRandomSequencesWhatFlagsWouldDo)
       ++seen[static_cast<int>(expected)];
       ASSERT_EQ(gate.GetReason() == GateReason::None, gate.GetShare() == 1.0)
         << sequence << ", " << tick;
-      // The opening itself never jumps upwards.
+      // In one tick, the opening rises by at most the ramp's step plus the step of a fade.
       const double opens = period / ForceGate::FadeTime;
       ASSERT_GE(gate.GetShare(), 0.0);
       ASSERT_LE(gate.GetShare(), std::min(1.0, before + step + opens + 1e-12));

@@ -17,7 +17,7 @@ using namespace VolumeHaptics;
 namespace
 {
 
-/// The letter of a state with its reason.
+/// The letter that stands for a state and its reason in the table below.
 struct Outcome
 {
   char Letter;
@@ -56,16 +56,16 @@ enum Event
 {
   Arm,            ///< while no force flows
   ArmFlowing,     ///< while force flows
-  ArmAmongOthers, ///< while force flows, together with other orders
+  ArmAmongOthers, ///< while force flows, and other orders come in the same tick
   Disarm,
   FadeOut,
   Hold,
-  Release,       ///< while the hold may still be fading
-  ReleaseAtRest, ///< when no force flows any more
+  Release,       ///< while the force may still be fading
+  ReleaseAtRest, ///< once no force flows
   Silence,
   NotReady,
   Lost,
-  GapOver,       ///< samples were missing and have returned; no force flows
+  GapOver,       ///< samples were missing and are back; no force flows
   GapOn,         ///< samples are missing
   Force,         ///< a tick whose command is not zero
   NoForce,       ///< a tick whose command is zero
@@ -76,19 +76,18 @@ enum Event
   Events
 };
 
-/// The causes: f an ordered fade, s a fade because the owner is silent, h a hold, r a retreat, c a
-/// clutch, C a clutch after which the force returns. D, d, O and o are the closed states and the
-/// open ones.
+/// Letters of the causes. D, d: closed; O, o: open. f: ordered fade; s: fade because the owner is
+/// silent; h: hold; r: retreat; c: clutch; C: clutch after which the force returns.
 struct Row
 {
   const char* Causes;
-  const char* Expected; ///< a letter for each event
+  const char* Expected; ///< the letter of the outcome of each event
 };
 // clang-format off
 constexpr Row Table[] = {
-  // The columns are Arm (without force, with force, together with other orders); Disarm, FadeOut,
-  // Hold; Release (early, at rest); Silence; NotReady, Lost; gap (over, on); command (force, zero,
-  // zero with the opening at its target); clutch (in, out); and a jump.
+  // Columns: Arm (without force, with force, with other orders); Disarm, FadeOut, Hold; Release
+  // (early, at rest); Silence; NotReady, Lost; gap (over, on); command (force, zero, zero with the
+  // opening at its target); clutch (in, out); jump.
   { "D", "rrr" "DDD" "DDD" "ND" "DD" "DDD" "DD" "D" },
   { "Df", "rrr" "DNN" "NNN" "NN" "NN" "NND" "NN" "N" },
   { "Ds", "rrr" "DNN" "NNN" "NN" "NN" "NNN" "NN" "N" },
@@ -119,7 +118,7 @@ constexpr Row Table[] = {
   { "osr", "rrr" "DSS" "SSS" "NL" "SS" "SSU" "KS" "S" },
   { "osh", "HHH" "DSS" "SSS" "NL" "SS" "SSU" "KS" "S" },
   { "oshr", "HHH" "DSS" "SSS" "NL" "SS" "SSU" "KS" "S" },
-  // The clutch was pressed while no force was let through.
+  // These rows begin with a clutch that was pressed while the gate let no force through.
   { "Dc", "KKK" "DDD" "DDD" "ND" "DD" "DDD" "DD" "D" },
   { "Dfc", "KKK" "DNN" "NNN" "NN" "NN" "NND" "NN" "N" },
   { "Dsc", "KKK" "DNN" "NNN" "NN" "NN" "NNN" "NN" "N" },
@@ -138,7 +137,7 @@ constexpr Row Table[] = {
   { "Ohc", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "OO" "O" },
   { "Ofhc", "OOO" "dOO" "OOO" "dO" "OO" "OOd" "OO" "O" },
   { "Oshc", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "OO" "O" },
-  // The clutch was pressed, and the force returns.
+  // These rows begin with a clutch that was pressed, after which the force returns.
   { "DC", "KKK" "DDK" "KKK" "NL" "KK" "KKK" "Kr" "K" },
   { "DhC", "KKK" "DDK" "KKK" "NL" "KK" "KKK" "KH" "K" },
   { "dC", "ddd" "ddd" "ddd" "dL" "dd" "ddd" "dr" "d" },
@@ -153,7 +152,7 @@ bool Has(const std::string& causes, char cause)
   return causes.find(cause) != std::string::npos;
 }
 
-/// Reports the end of a tick as SafetyStage does. The ramp stays unchanged.
+/// Reports the end of a tick as SafetyStage does, without advancing the ramp.
 void Tick(ForceGate& gate, bool flows, bool isStale = false)
 {
   if (!gate.IsOpen())
@@ -172,8 +171,8 @@ void Tick(ForceGate& gate, bool flows, bool isStale = false)
   gate.ReportCommand(flows);
 }
 
-/// Brings a gate into the state of a row, with a ramp from 0 to 1. If the gate is open, `flows`
-/// tells whether force flows.
+/// Brings a gate into the state of a row. `ramp` is the passed part of the ramp, from 0 to 1. If
+/// the gate is open, `flows` tells whether force flows.
 ForceGate Make(const std::string& causes, double ramp, bool flows)
 {
   ForceGate gate;
@@ -201,7 +200,7 @@ ForceGate Make(const std::string& causes, double ramp, bool flows)
   }
   if (causes[0] == 'd' || (causes[0] == 'D' && causes.find_first_of("fs") != std::string::npos))
   {
-    gate.ReportNotReady(); // leaves a fade unchanged
+    gate.ReportNotReady(); // a fault that leaves a fade unchanged
     Tick(gate, false);
   }
   else if (causes[0] == 'D' && !Has(causes, 'C'))
@@ -292,7 +291,7 @@ void Apply(ForceGate& gate, Event event)
   }
 }
 
-/// Returns whether the proxy must start at the tip afterwards.
+/// Returns whether the event must make the proxy start again at the tip.
 bool ExpectsRestart(const std::string& causes, Event event)
 {
   const bool isClutched = Has(causes, 'c') || Has(causes, 'C');
@@ -429,7 +428,8 @@ TEST(ForceGate, SharesRampAndOpening)
   gate.ReportCommand(true);
   EXPECT_EQ(gate.GetState(), GateState::Armed);
   EXPECT_EQ(gate.Pass(0.1), 1.0);
-  // The data disappear, and return to two thirds.
+  // The opening of the data falls to 0, and returns to two thirds. The gate moves by at most a
+  // quarter per tick.
   gate.ReportData(0.0, 0.25 * ForceGate::FadeTime);
   EXPECT_EQ(gate.Pass(0.1), 0.75);
   EXPECT_EQ(gate.GetReason(), GateReason::NoData);
@@ -437,7 +437,7 @@ TEST(ForceGate, SharesRampAndOpening)
   EXPECT_EQ(gate.Pass(0.1), 2.0 / 3.0);
   gate.ReportData(1.0, 0.25 * ForceGate::FadeTime);
   EXPECT_EQ(gate.GetReason(), GateReason::Rising);
-  // A larger step would be a jump.
+  // The opening rises by at most a quarter per tick here, so it reaches 1 only now.
   gate.ReportData(1.0, 0.25 * ForceGate::FadeTime);
   EXPECT_EQ(gate.Pass(0.1), 1.0);
   EXPECT_EQ(gate.GetReason(), GateReason::None);

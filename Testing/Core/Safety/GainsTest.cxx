@@ -18,7 +18,7 @@ using namespace servotest;
 
 namespace
 {
-constexpr double Soft = 1000.0; // N/m that the loop holds by itself
+constexpr double Soft = 1000.0; // N/m: the loop is stable up to this stiffness without the gain
 
 class Gains : public SafetyTest
 {
@@ -45,7 +45,7 @@ protected:
     this->Input.Frequency = height < 0.0 ? this->Pitch : 0.0;
     return this->Apply({ 0.0, 0.0, this->Wall * this->Input.Stretch }).Z;
   }
-  /// Moves the tip to a height (m) at a speed (m/s). The rig checks each tick.
+  /// Moves the tip to a height (m) at a speed (m/s). The rig checks the force of each tick.
   double Move(double height, double speed)
   {
     const double step = speed * this->Input.Period;
@@ -63,8 +63,8 @@ protected:
     }
     return this->Output.Z;
   }
-  /// Presses against a wall of ten times the stiffness, and makes a debt so large that the wall is
-  /// soft.
+  /// Presses against a wall of ten times the stiffness Soft. Then makes a debt so large that only
+  /// the soft part of the wall is felt.
   void PressInDebt()
   {
     this->SetWall(10.0 * Soft, true);
@@ -93,7 +93,7 @@ TEST_F(Gains, ARetreatBeginsAtWhatWasSent)
 TEST_F(Gains, AnAccountThatIsPaidAgainRaisesTheForceByTheSlewLimit)
 {
   this->PressInDebt();
-  this->Input.WallWork = 0.1; // work of the whole force, of which a tenth is felt
+  this->Input.WallWork = 0.1; // J, of the whole force; only a tenth of that force is felt
   this->Rest(1);
   this->Input.WallWork = 0.0;
   EXPECT_GT(this->Rest(30), 3.9);
@@ -138,7 +138,7 @@ TEST_F(Gains, AForceThatTurnsRoundGrowsFromZero)
   this->Input.Stiffness = 5.0 * Soft;
   this->Input.Feedback = Soft;
   this->Input.Stretch = 1e-3;
-  this->Input.WallWork = 5e-3; // keeps the account full
+  this->Input.WallWork = 5e-3; // J, so that the account stays full
   for (int i = 0; i < 30; ++i)
   {
     this->Input.Tip.Z += 5e-5;
@@ -147,7 +147,7 @@ TEST_F(Gains, AForceThatTurnsRoundGrowsFromZero)
   EXPECT_GT(this->Output.Z, 3.0);
   for (int i = 0; i < 5; ++i)
   {
-    this->Input.Tip.Z += 5e-5; // towards the new push
+    this->Input.Tip.Z += 5e-5; // moves the tip against the new force
     this->Apply({ 0.0, 0.0, -5.0 });
   }
 }
@@ -163,7 +163,7 @@ TEST_F(Gains, DampingAndPulseFadeWithTheGate)
     this->Limits.TransientGain = augments ? 0.0 : 1.0;
     this->Stage.Arm();
     this->Move(0.02, 0.3);
-    this->Rest(600); // until debts have ended
+    this->Rest(600); // waits until all debts have ended
     this->Move(-1e-3, 0.3);
     double most = 0.0;
     this->Stage.Gate.FadeOut();
@@ -202,8 +202,8 @@ TEST_F(Gains, APulsePaysNoDebtOfTheWall)
 
 TEST_F(Gains, WhatWasOffHasSeenNothing)
 {
-  // With the gain above the wall, without it into the wall, and there the gain is switched on
-  // again.
+  // The gain is on above the wall, off on the way into the wall, and switched on again inside of
+  // the wall.
   for (const bool augments : { false, true })
   {
     const auto use = [&](bool isOn)
@@ -262,8 +262,8 @@ TEST_F(Gains, NoPulseBeforeTheRoundTripIsKnown)
 
 TEST(GainsAccount, APulseReckonsWithThePushOfTheWall)
 {
-  // A stylus of 50 g at rest in a wall of 5 N: the work of the pulse in the next tick is at most
-  // what the account has.
+  // A stylus of 50 g rests in a wall that pushes with 5 N. In the next tick, the work of the pulse
+  // must be at most what the account has.
   constexpr double period = 1e-3;
   ContactTransient transient;
   TransientInput input;
@@ -331,7 +331,8 @@ double FindMostGiven(const Path& path, double stiffness, bool augments, double g
     std::deque<double> forces(static_cast<std::size_t>(path.Delay) + 1, 0.0);
     double given = 0.0;
     double before = 0.0;
-    // The loop holds k = 2 b / T by itself.
+    // Without the gain, the loop holds a stiffness of 2 b / T, for damping b and round trip T. Here
+    // b makes that stiffness Soft.
     const double b = 0.5 * Soft * roundTrip;
     for (int i = 0; i < 1000; ++i)
     {
@@ -366,8 +367,8 @@ double FindMostGiven(const Path& path, double stiffness, bool augments, double g
 
 TEST(GainsAccount, APulseCountsForAsManyTicksAsItMayBeLate)
 {
-  // Measurements every 4 ticks of 1 ms, and forces 4 ms late: any of the last 8 forces may have
-  // acted.
+  // The device measures every 4 ticks of 1 ms, and forces act 4 ms late. So any of the last 8
+  // forces may have acted.
   ContactTransient transient;
   transient.Observe({}, 4e-3, 4e-3, 1e-3);
   for (int i = 0; i < 4; ++i)

@@ -111,7 +111,8 @@ TEST(Impact, NoWallReturnsMoreToADeviceThatReportsSlowly)
 
 TEST(Impact, AWallThatTurnsReturnsNoMoreEither)
 {
-  // The inside of a tube, struck obliquely: the force turns while the mass slides along the wall.
+  // A mass strikes the inside of a tube obliquely, so that the force turns while the mass slides
+  // along the wall.
   constexpr double radius = 0.01;
   const Field tube = [](const Vector3& x)
   {
@@ -135,9 +136,9 @@ TEST(Impact, AWallThatTurnsReturnsNoMoreEither)
 
 TEST(Impact, WorkLostToFrictionDoesNotHideWhatAWallIsOwed)
 {
-  // 40 J of friction along x, then a wall in the same contact. The friction never ends, so the
-  // spring's stiffness tells what can come back. It also counts the spring that friction has
-  // stretched: 5 % of the wall's energy.
+  // Friction along x takes 40 J; then, in the same contact, the mass meets a wall. Friction has no
+  // end, so the stage computes from the spring's stiffness what can come back. The result includes
+  // the spring that friction has stretched: 5 % of the wall's energy.
   constexpr double k = 3000.0;
   SafetyLimits limits;
   limits.MaximumForce = 8.0;
@@ -173,8 +174,8 @@ TEST(Impact, WorkLostToFrictionDoesNotHideWhatAWallIsOwed)
 
 TEST(Impact, DragDoesNotHideWhatAWallIsOwed)
 {
-  // A drag like friction, from a force without a known stiffness: 5 N s/m at 0.1 m/s along x, 0.5 m
-  // in front of the wall.
+  // A drag of 5 N s/m acts at 0.1 m/s along x for 0.5 m in front of the wall. Like friction, the
+  // drag takes work, but its force has no known stiffness.
   constexpr double k = 3000.0;
   const Vector3 drag{ -0.5, 0.0, 0.0 };
   const auto fly = [&](double rate)
@@ -207,8 +208,9 @@ TEST(Impact, DragDoesNotHideWhatAWallIsOwed)
 
 TEST(Impact, SlowGrowthGivesNothingBackThatWasNotPutIn)
 {
-  // A hand that moves quickly compared with the growth of the force. At the turn, the force is
-  // reduced to Paid / Work = 1 / 64; that this is still too much may be found one tick later.
+  // The hand moves quickly compared with the growth of the force. At the turn, the stage reduces
+  // the force to Paid / Work = 1 / 64. It may notice one tick later that this force is still too
+  // large.
   constexpr double k = 1000.0;
   constexpr double depth = 0.02;
   constexpr double speed = 0.5;

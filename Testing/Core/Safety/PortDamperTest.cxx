@@ -33,7 +33,7 @@ TEST(PortDamper, LeavesTheForceAsItIsUntilItIsEngaged)
 
 TEST(PortDamper, GivesNoEnergyWhateverTheHandDoes)
 {
-  // The hand swings at random at up to 60 Hz, and sometimes leaps.
+  // The hand swings at random frequencies of up to 60 Hz, and sometimes leaps.
   for (unsigned seed = 0; seed < 300; ++seed)
   {
     std::mt19937 engine(seed);
@@ -55,8 +55,8 @@ TEST(PortDamper, GivesNoEnergyWhateverTheHandDoes)
       const double t = 2e-3 * std::acos(-1.0) * i;
       const Vector3 next{ leapt + size * std::sin(rate * t), size * std::cos(other * t), 0.0 };
       given += Dot(added, next - tip);
-      // The damper learns of the motion only at the next measurement, so its force may give the
-      // energy of one interval's way.
+      // The damper sees the motion only at the next measurement. So its force may give energy along
+      // the way of one interval between measurements.
       most = std::max(most, Norm(added) * Norm(next - tip) * every);
       tip = next;
       if (i % every == 0)
@@ -88,7 +88,8 @@ TEST(PortDamper, TakesUpToTheLimitOfTheDevice)
     return 2.0 - sent.Z;
   };
   EXPECT_NEAR(damp(2.0), 0.2, 1e-12) << "0.1 m/s";
-  // B tau / m = 1/2. The delay is half of the measurement over 2 ms, plus a period and a tick of
+  // Without a limit of the device, the damping B is limited to B tau / m = 1/2, for the light mass
+  // m and the delay tau = 3 ms: half of the measurement over 2 ms, a period of 1 ms and a tick of
   // transport.
   EXPECT_NEAR(damp(0.0), 0.1 * 0.5 * PortDamper::LightMass / 3e-3, 1e-9);
   EXPECT_NEAR(damp(1e3), damp(0.0), 1e-12);

@@ -73,7 +73,7 @@ TEST(PortObserver, FindsNothingInASpringWithTheRightSign)
     for (const double k : { 100.0, 1000.0, 5000.0 })
     {
       const double rate = std::sqrt(k / mass);
-      // The tip flies in, turns in the spring, and flies out.
+      // The mass flies into the spring, turns there, and flies out.
       const auto bounce = [&](double t)
       {
         const double phase = rate * (t - 0.02);
@@ -87,7 +87,8 @@ TEST(PortObserver, FindsNothingInASpringWithTheRightSign)
 
 TEST(PortObserver, FindsNothingInAHandThatIsStrongerThanTheForce)
 {
-  // Motions that raise no alarm: constant speed, 11.9 m/s^2 from rest, and a rebound at 1 m/s.
+  // Motions that must raise no alarm: at constant speed, at 11.9 m/s^2 from rest, and a rebound at
+  // 1 m/s.
   EXPECT_FALSE(Follow(500.0, 0.1, [](double t) { return 1.0 * t; }).IsFound);
   EXPECT_FALSE(Follow(500.0, 0.3, [](double t) { return 0.5 * 11.9 * t * t; }).IsFound);
   EXPECT_FALSE(Follow(500.0, 0.3, [](double t) { return 0.05 - std::fabs(t - 0.1); }).IsFound);
@@ -141,7 +142,7 @@ TEST(PortObserver, FindsDevicesThatRunAwayWithoutAHand)
 
 TEST(PortObserver, IsAskedOnlyIfForcesMoveTheTip)
 {
-  // A recorded path ignores the force, so it may run through it in any direction.
+  // A recorded path ignores the force, so motion along the force is no sign of a fault.
   for (const bool moves : { false, true })
   {
     SafetyLimits limits;

@@ -54,7 +54,7 @@ TEST_F(SafetyFaults, TipsThatAreNotFinite)
 TEST_F(SafetyFaults, OverSpeed)
 {
   this->Activate(Force);
-  // 2.4 m/s are allowed; 2.6 m/s are not.
+  // The limit lies between 2.4 m/s and 2.6 m/s.
   for (int i = 0; i < 50; ++i)
   {
     this->Input.Tip.X += 0.0024;
@@ -68,7 +68,8 @@ TEST_F(SafetyFaults, OverSpeed)
 TEST_F(SafetyFaults, OverSpeedGoesByTheTimeThatPassed)
 {
   this->Activate(Force);
-  // The sample is ten times as late, and the tip may move ten times as far.
+  // If 10 ms have passed since the last sample, the tip may move ten times as far as in a tick of 1
+  // ms.
   this->Input.Elapsed = 0.01;
   this->Input.Tip.X += 0.024;
   this->Apply(Force);
@@ -81,7 +82,8 @@ TEST_F(SafetyFaults, OverSpeedGoesByTheTimeThatPassed)
 TEST_F(SafetyFaults, OverSpeedIsNotMadeUpByALateWakeUp)
 {
   this->Activate(Force);
-  // By its own clock, the device moves at 2 m/s; it is read late and then on time again.
+  // The device moves at a constant 2 m/s by its own clock. The loop reads it alternately late and
+  // on time.
   for (int i = 0; i < 20; ++i)
   {
     this->Input.Elapsed = i % 2 == 0 ? 0.0019 : 0.0001;

@@ -39,7 +39,8 @@ protected:
     this->Input.Fresh = true;
   }
 
-  /// Runs one tick with this wanted force.
+  /// Runs one tick with a wanted force (N), and checks the result against the limits. Returns the
+  /// force that is sent.
   Vector3 Apply(const Vector3& force)
   {
     this->Input.Force = force;
@@ -61,7 +62,7 @@ protected:
     return this->Output;
   }
 
-  /// Arms, and waits through the ramp with this force.
+  /// Arms the stage, and applies a force (N) until the ramp has ended.
   void Activate(const Vector3& force)
   {
     this->Stage.Arm();
@@ -69,7 +70,8 @@ protected:
     ASSERT_LT(Norm(this->Output - force), 1e-12);
   }
 
-  /// Expects that the force is cut at once, with a fault that holds until the stage is armed again.
+  /// Expects that the force is cut at once, and that the fault stays until the stage is armed
+  /// again.
   void ExpectLatched(GateReason fault, const Vector3& force)
   {
     EXPECT_TRUE(IsZero(this->Output));

@@ -39,7 +39,7 @@ TEST_F(Safety, NothingLeavesWithoutAMaximum)
 TEST_F(Safety, EnormousForcesStayFinite)
 {
   this->Stage.Arm();
-  this->Repeat({ 1e300, -1e300, 1e308 }, 1000); // Apply() checks each tick
+  this->Repeat({ 1e300, -1e300, 1e308 }, 1000); // Apply() checks the force of each tick
 }
 
 TEST_F(Safety, GrowsAtTheLimitAndFallsAtOnce)
@@ -67,7 +67,8 @@ TEST_F(Safety, AForceThatIsReversedGrowsFromZero)
 
 TEST_F(Safety, AForceThatTurnsKeepsItsPartAlongTheNewDirection)
 {
-  // If the force turns by a right angle, nothing of it counts; if by 60 degrees, half of it counts.
+  // After a turn by a right angle, the force starts again from zero. After a turn by 60 degrees,
+  // half of the last force remains.
   this->Activate({ 0.0, 0.0, 4.0 });
   EXPECT_NEAR(this->Apply({ 4.0, 0.0, 0.0 }).X, 0.5, 1e-12);
   EXPECT_EQ(this->Output.Z, 0.0);
@@ -84,7 +85,7 @@ TEST_F(Safety, AForceThatTurnsSlowlyIsWhatIsWantedToTheBit)
   {
     const double angle = i * std::acos(-1.0) / 180.0;
     const Vector3 wanted{ 3.9 * std::cos(angle), 3.9 * std::sin(angle), 0.0 };
-    this->Input.Tip = 0.001 * wanted; // moves along the force and across it
+    this->Input.Tip = 0.001 * wanted; // the tip moves along the force and across it
     const Vector3 output = this->Apply(wanted);
     ASSERT_TRUE(output.X == wanted.X && output.Y == wanted.Y) << "in tick " << i;
   }
@@ -100,7 +101,7 @@ TEST_F(Safety, GrowsNeverTooFastWhateverIsWanted)
     const auto draw = [&engine] { return static_cast<double>(engine() % 2001) / 100.0 - 10.0; };
     const double shift = 1e-4 * draw();
     this->Input.Tip += Vector3{ shift, -shift, 0.5 * shift };
-    this->Apply({ draw(), draw(), draw() }); // Apply() checks each tick
+    this->Apply({ draw(), draw(), draw() }); // Apply() checks the force of each tick
   }
 }
 
@@ -149,7 +150,7 @@ TEST_F(Safety, StaleSamplesLeadToZeroAndRampInAgain)
   const Vector3 force{ 3.0, 0.0, 0.0 };
   this->Activate(force);
   this->Input.Fresh = false;
-  // Until the watchdog's time, the last force is held.
+  // The last force is held until the watchdog's time has passed.
   EXPECT_EQ(Norm(this->Repeat(force, 29)), 3.0);
   EXPECT_FALSE(this->Stage.IsStale());
   this->Repeat(force, 2);
@@ -207,7 +208,8 @@ TEST_F(Safety, ARetreatPushesNoHandThatIsKnownToBeElsewhere)
     ASSERT_LT(left, 3.0);
     EXPECT_NEAR(this->Apply(wanted).X, left - 0.5, 1e-12) << "as long as it is not known";
     this->Input.Fresh = true;
-    // The force has the direction of the wanted force. The part of the last force along it counts.
+    // The sent force has the direction of the wanted force, and continues from the last force's
+    // component along that direction.
     const double along = std::max(0.0, (left - 0.5) * wanted.X);
     const double norm = along > 0.0 ? std::min(left - 1.0, along / Norm(wanted)) : 0.0;
     const Vector3 sent = this->Apply(wanted);

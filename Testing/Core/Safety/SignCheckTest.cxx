@@ -17,8 +17,8 @@ using VolumeHaptics::Vector3;
 namespace
 {
 constexpr Triple Right = { 1.0, 1.0, 1.0 };
-/// Sanitizers slow the code down, so their builds run fewer sessions. The statistics need other
-/// builds.
+/// Number of sessions. Sanitizers slow the code down, so their builds run fewer sessions; the
+/// statistics need the number of the other builds.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr int Sessions = 20;
 #else
@@ -99,7 +99,7 @@ TEST(SignCheck, NoHonestDeviceIsCalledWrong)
 TEST(SignCheck, SaysWhichAxisDidNotMove)
 {
   Hand hand;
-  hand.StaticFriction = hand.KineticFriction = 2.0; // more than the check may push
+  hand.StaticFriction = hand.KineticFriction = 2.0; // N: more than the check may push
   hand.TremorSize = 0.0;
   const Outcome outcome = CheckSigns(hand, {}, Right, 1);
   EXPECT_EQ(outcome.Verdict.Result, SignResult::NoMotion);
@@ -109,7 +109,7 @@ TEST(SignCheck, SaysWhichAxisDidNotMove)
 TEST(SignCheck, WaitsForAHandThatRestsAndGivesUp)
 {
   Hand hand;
-  hand.Drift = 0.1; // m/s: the hand moves by itself
+  hand.Drift = 0.1; // m/s: the hand moves without a force
   hand.TremorSize = 2e-3;
   const Outcome outcome = CheckSigns(hand, {}, Right, 1);
   EXPECT_EQ(outcome.Verdict.Result, SignResult::Restless);

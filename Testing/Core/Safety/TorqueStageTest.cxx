@@ -79,7 +79,7 @@ TEST_F(Torques, FlowOnlyWhileForceMayFlow)
   this->Gated.Arm();
   this->Repeat(torque, 200);
   this->Gated.Gate.FadeOut();
-  // The gate fades by the opening of the data, which the servo reports in each tick.
+  // The fade advances only with the opening of the data, which the servo reports in each tick.
   for (int i = 0; i < 60; ++i)
   {
     this->Gated.Gate.ReportData(1.0, 1e-3);
@@ -132,9 +132,9 @@ TEST_F(Torques, EndAtOnceWithoutSamples)
   EXPECT_NEAR(ticks, 1000.0 * this->Limits.WatchdogTime, 2.0);
 }
 
-/// A spring of k_r about an axis. The hand turns into it while the ramp rises or the growth is
-/// limited, and back again: it gets no more energy than it has put in. The device holds the torque
-/// of a tick until the next one, which leaks k_r dtheta^2/2 per tick even without the stage.
+/// The hand turns into a rotational spring of k_r (N m/rad) and back, while the ramp rises or the
+/// growth is limited. The hand must get no more energy than it has put in. The device holds each
+/// torque until the next tick, which leaks k_r dtheta^2/2 per tick even without the stage.
 TEST_F(Torques, GiveNoMoreThanTheHandPutIn)
 {
   constexpr double k = 0.5; // N m/rad

@@ -26,7 +26,7 @@ class AllocationFree
 {
 };
 
-/// Material functions with many break points, so that all branches of the tables are used.
+/// Returns material functions with many break points, so that all branches of the tables are used.
 HapticMaterial RichMaterial()
 {
   HapticMaterial material;
@@ -83,7 +83,8 @@ TEST_P(AllocationFree, NoTickAllocates)
     work += Norm(record.Force);
   }
   EXPECT_EQ(CountAllocations().Calls, before);
-  // A kernel as large as the volume meets a NaN everywhere and finds no normal.
+  // Only a fit with a kernel of more than 4 voxels may give no force: the kernel covers the whole
+  // volume, meets a NaN everywhere, and finds no surface.
   EXPECT_TRUE(work > 0.0 || (method == HapticMethod::LocalSurface && radius > 4));
   for (int contact = 0; contact < 4 && method == HapticMethod::Proxy && radius <= 4; ++contact)
   {
@@ -102,8 +103,8 @@ INSTANTIATE_TEST_SUITE_P(FarSide, AllocationFree,
 
 namespace
 {
-/// Blocks of 4^3 voxels with the labels -2 to 2. All labels but 0 have a material, and -1 may be
-/// forbidden.
+/// Returns blocks of 4^3 voxels with the labels -2 to 2. All labels but 0 have a material. With
+/// `isForbidden`, label -1 is forbidden.
 std::shared_ptr<const BakedLabels> MakeLabels(const TestVolume& volume, bool isForbidden)
 {
   auto labels = std::make_shared<BakedLabels>();
@@ -167,8 +168,8 @@ INSTANTIATE_TEST_SUITE_P(All, AllocationFreeLabels,
     testing::Values(SurfaceGeometry::Scalars, SurfaceGeometry::Labels, SurfaceGeometry::Both),
     testing::Bool()));
 
-/// A needle is pushed in and out, turned and pushed aside, through more tissues than its track can
-/// store.
+/// The needle is pushed in and out, turned and pushed aside, through more tissues than its track
+/// can store.
 TEST(AllocationFreeNeedle, NoTickAllocates)
 {
   const TestVolume volume = MakeRamp(40);
@@ -208,7 +209,7 @@ TEST(AllocationFreeNeedle, NoTickAllocates)
 
 TEST(AllocationFreeModes, NoTickAllocates)
 {
-  // Random vectors: the primitives are oblique and turn from voxel to voxel.
+  // The vectors are random, so that the primitives are oblique and differ from voxel to voxel.
   TestVolume samples(ScalarType::Float32, { 60, 20, 20 });
   samples.FillRandom(7);
   ModeDescription mode;
@@ -267,7 +268,7 @@ TEST(AllocationFreeModes, NoTickAllocates)
   }
 }
 
-// Tests the counter itself: with a broken counter, the tests above would pass.
+// Tests the allocation counter: if it counted nothing, the tests above would pass.
 TEST(AllocationCounter, SeesNew)
 {
   const std::size_t before = CountAllocations().Calls;

@@ -17,15 +17,16 @@ namespace
 constexpr int Steps = 200;
 constexpr double Depth = 2e-3; ///< m
 
-/// Presses on a held proxy, changes the caps and moves back. Returns the work (J) that the hand
-/// gets.
+/// Presses while the proxy stays in place, changes the stiffness cap from `before` to `after`, and
+/// moves back. Returns the work (J) that the hand gets.
 double Press(HapticSolver solver, double before, double after)
 {
   const TestVolume volume = MakeRamp();
   HapticModelDescription description = Describe(volume);
   description.Settings.Solver = solver;
   description.Material.Stiffness = ConstantPolyline(1000.0);
-  description.Material.Viscosity = ConstantPolyline(1e12); // nothing moves the proxy
+  description.Material.Viscosity = ConstantPolyline(1e12); // so high a drag holds the proxy in
+                                                           // place
   const HapticModel bare(description);
   const HapticModel first(bare, description.DeviceToWorld, { before, 0.0 });
   const HapticModel second(bare, description.DeviceToWorld, { after, 0.0 });

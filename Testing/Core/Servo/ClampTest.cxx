@@ -17,11 +17,12 @@ using namespace servotest;
 namespace
 {
 constexpr double Mass = 0.15;
-constexpr double Step = 1e-3; // s, whatever the clock shows
+constexpr double Step = 1e-3; // s, independent of the real clock
 constexpr double Speed = 0.6;
-constexpr int Free = 100; // ticks at rest until the ramp has ended
+constexpr int Free = 100; // ticks at rest, in which the ramp ends
 
-/// A body that rests on the proxy until it is thrown, and records the energy with which it returns.
+/// A body that rests on the proxy until it is thrown, and then records the energy (J) with which it
+/// returns.
 class ThrownBody : public DeviceBackend
 {
 public:
@@ -58,7 +59,7 @@ public:
   void Quench() noexcept override {}
 
   std::atomic<bool> IsThrown{ false };
-  std::atomic<double> Energy{ -1.0 }; ///< J, set when the body is back
+  std::atomic<double> Energy{ -1.0 }; ///< J, set when the body has returned; -1 before
 
 private:
   int Rest = 0;
@@ -72,7 +73,8 @@ double Throw(double rate, HapticSolver solver)
   const TestVolume volume = MakeRamp(48);
   HapticModelDescription description = Describe(volume);
   description.Material.Stiffness = ConstantPolyline(3000.0);
-  description.Material.SurfaceStrength = ConstantPolyline(1e12); // the proxy stays at any depth
+  description.Material.SurfaceStrength = ConstantPolyline(1e12); // so strong a surface that the
+                                                                 // proxy never slips
   description.Settings.Solver = solver;
   description.Settings.MaximumForce = 2.0;
   ThrownBody body;
@@ -104,7 +106,8 @@ TEST(Clamp, OfTheModelDoesNotMakeAWallActive)
 
 TEST(Clamp, OfTheModelLeavesItsPartOfADrag)
 {
-  // Eq. 1 with C2 = 5 N s/m at 0.1 m/s along x. The gradient is 100 per mm along z, and C1 = 0.01.
+  // Force field (eq. 1) with the damping C2 = 5 N s/m, at 0.1 m/s along x. The gradient is 100 per
+  // mm along z, and the gain is C1 = 0.01.
   const TestVolume volume = MakeRamp();
   HapticModelDescription description = Describe(volume);
   description.Settings.Method = HapticMethod::ForceField;

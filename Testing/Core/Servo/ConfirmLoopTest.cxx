@@ -22,7 +22,8 @@ signtest::Hand MakeHand()
   return hand;
 }
 
-/// A device held by a hand in the ramp, where the volume pushes.
+/// A device that a simulated hand holds in the ramp, where the volume pushes. `sign` is the sign of
+/// the device's x axis.
 class HandheldDevice : public PlayedDevice
 {
 public:
@@ -44,7 +45,8 @@ public:
     this->MostAcross.store(std::max(this->MostAcross.load(), std::hypot(force.Y, force.Z)));
     return PlayedDevice::Write(force);
   }
-  std::atomic<double> MostAcross{ 0.0 }; ///< N: largest force that is not a push along x
+  std::atomic<double> MostAcross{ 0.0 }; ///< N: largest component across x; the pushes of the check
+                                         ///< are along x
 
 private:
   signtest::HeldDevice Held;
@@ -54,7 +56,8 @@ private:
 class Confirm : public testing::Test
 {
 protected:
-  /// Arms with the signs along x to be confirmed, and waits until the gate has confirmed them.
+  /// Arms the loop with the sign of x unconfirmed. Waits until the gate has confirmed the sign or
+  /// has found a fault.
   ServoSnapshot Check(HandheldDevice& device, RunningLoop& loop)
   {
     loop->Publish(this->Model);
@@ -84,7 +87,7 @@ TEST_F(Confirm, TheVolumeIsFeltOnceTheTipMovedWithTheForce)
   EXPECT_EQ(after.Signs.Result, SignResult::Confirmed);
   EXPECT_NE(after.Gate, GateState::Fault);
   EXPECT_TRUE(Eventually([&] { return this->Look(loop).Gate == GateState::Armed; }));
-  // When it is armed again, the device is not checked again.
+  // After the device has been armed again, its signs are not checked again.
   loop->Disarm();
   EXPECT_TRUE(Eventually([&] { return this->Look(loop).Gate == GateState::Disarmed; }));
   loop->Arm();

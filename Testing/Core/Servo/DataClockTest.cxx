@@ -31,7 +31,7 @@ namespace
 constexpr double ClockPeriod = 1e-3; // s
 constexpr double ClockStiffness = 500.0;
 
-/// Time steps at irregular times, with the wall's height (mm) in each.
+/// Time steps at irregular data times, and the height (mm) of a flat wall in each.
 struct HighWall
 {
   HighWall(std::vector<double> times, const std::vector<double>& heights)
@@ -49,7 +49,8 @@ struct HighWall
     }
   }
 
-  /// Returns `count` time steps, beginning at `first`. The first time step follows the last one.
+  /// Returns `count` time steps from index `first` on. After the last time step, the first one
+  /// follows.
   std::vector<VolumeTimeStep> Pick(std::size_t first, std::size_t count) const
   {
     std::vector<VolumeTimeStep> timeSteps;
@@ -75,7 +76,7 @@ struct HighWall
   }
   double GetPeriod() const { return this->Times.back() - this->Times.front() + this->GetMean(); }
 
-  /// Returns the height (mm) at a time of the loop, by searching all intervals.
+  /// Returns the wall's height (mm) at a data time of the loop, by searching all intervals.
   double At(double time) const
   {
     for (std::size_t i = 0; i < this->Times.size(); ++i)
@@ -102,7 +103,7 @@ HighWall MakeUneven()
   return { { 2.0, 3.0, 4.5, 5.0, 6.0 }, { 0.0, 0.8, 1.6, 0.4, 0.2 } };
 }
 
-/// A servo without a loop: the clock and the ticks.
+/// A servo without a thread: the test runs the data clock and the ticks.
 class ClockedHand
 {
 public:
@@ -144,7 +145,8 @@ public:
   TickRecord Record;
 };
 
-/// Returns the series time for a time beyond the ends, by turning round or wrapping at each end.
+/// Brings a time beyond the ends back into the series: stops, wraps around or turns back at the
+/// ends, as `mode` says. (Slow reference.)
 double FoldSlowly(const HighWall& wall, double time, Playback mode)
 {
   const double first = wall.Times.front();
@@ -188,7 +190,7 @@ TEST(DataClock, FoldsTimeAtTheEndsOfTheSeries)
         hand.Step(RestingTip);
         const double expected = FoldSlowly(wall, 2.7 + rate * ClockPeriod * i, mode);
         const double off = std::abs(hand.GetTime() - expected);
-        // The two ends of the loop are the same time.
+        // The end of the loop is the same time as its beginning.
         ASSERT_LT(std::min(off, std::abs(off - wall.GetPeriod())), 1e-8)
           << "tick " << i << " of mode " << static_cast<int>(mode) << " at " << rate;
         ASSERT_EQ(hand.Record.DataTime, hand.GetTime());
@@ -247,7 +249,8 @@ TEST(DataClock, ATimeSpanIsTheWholeToTheBit)
   }
 }
 
-/// Time spans of two or three time steps. The next span comes late or in time.
+/// The test publishes time spans of two or three time steps. The next time span comes in time, or
+/// late.
 TEST(DataClock, HoldsWhileTimeStepsAreLateAndNeverJumps)
 {
   const HighWall wall = MakeUneven();
@@ -257,7 +260,7 @@ TEST(DataClock, HoldsWhileTimeStepsAreLateAndNeverJumps)
     {
       ClockedHand hand(wall.Describe());
       hand.Orders = { Playback::Loop, true, rate, 2.0, 1 };
-      std::size_t first = rate > 0.0 ? 0 : 4; // index of the first time step of the pair
+      std::size_t first = rate > 0.0 ? 0 : 4; // index of the pair's first time step
       hand.Publish(wall.Pick(first, 2));
       int waited = 0;
       int missing = 0;
@@ -299,7 +302,7 @@ TEST(DataClock, OrdersStepNeitherTimeNorForce)
   std::mt19937 random(7);
   const auto pick = [&random](double low, double high)
   { return std::uniform_real_distribution<double>(low, high)(random); };
-  // The wall's fastest motion (mm per unit of data time).
+  // Fastest motion of the wall (mm per unit of data time).
   const double fastest = 1.2 / 0.5;
   hand.Step({ 0.004, 0.004, 0.0115 });
   for (int i = 0; i < 50; ++i)
@@ -324,7 +327,8 @@ TEST(DataClock, OrdersStepNeitherTimeNorForce)
     const double step = std::abs(hand.GetTime() - time);
     const double most = std::abs(hand.Orders.Rate) * ClockPeriod * (1.0 + 1e-9);
     ASSERT_LE(std::min(step, std::abs(step - wall.GetPeriod())), most) << "tick " << i;
-    // The tolerance is k |v_n| dt plus the accuracy of a level.
+    // In a tick, the force may change by k |v_n| dt (stiffness, wall's speed, data time), plus the
+    // accuracy of a level.
     ASSERT_LE(std::abs(hand.Record.Force.Z - force), ClockStiffness * 1e-3 * fastest * most + 1e-3)
       << "tick " << i;
   }
@@ -343,7 +347,7 @@ TEST(DataClock, GoesToAPlaceAtOnceOrWhenItsTimeStepsCome)
   EXPECT_EQ(hand.GetTime(), 4.8);
   EXPECT_EQ(hand.Step(RestingTip), DataClock::Leap::None);
 
-  hand.Publish(wall.Pick(2, 2)); // data times 4.5 to 5
+  hand.Publish(wall.Pick(2, 2)); // the time steps at 4.5 and 5
   hand.Orders = { Playback::Once, true, 1.0, 2.2, 3 };
   for (int i = 0; i < 20; ++i)
   {
@@ -355,7 +359,7 @@ TEST(DataClock, GoesToAPlaceAtOnceOrWhenItsTimeStepsCome)
   hand.Publish(wall.Pick(0, 2));
   EXPECT_EQ(hand.Step(RestingTip), DataClock::Leap::Away);
   EXPECT_NEAR(hand.GetTime(), 2.2, 1.1 * ClockPeriod);
-  EXPECT_EQ(Norm(hand.Record.Force), 0.0); // begins a new contact
+  EXPECT_EQ(Norm(hand.Record.Force), 0.0); // the leap begins a new contact
   EXPECT_FALSE(hand.GetReport().IsWaiting);
 
   hand.Orders = { Playback::Once, false, 1.0, 99.0, 4 };
@@ -364,8 +368,8 @@ TEST(DataClock, GoesToAPlaceAtOnceOrWhenItsTimeStepsCome)
   EXPECT_EQ(hand.GetTime(), 6.0);
 }
 
-/// A single time step of the wanted place may come first. In each mode, the time holds at this time
-/// step, and no motion carries the proxy.
+/// A single time step may arrive first after a leap to another place. In each playback mode, the
+/// time holds at this time step, and no motion carries the proxy.
 TEST(DataClock, GoesToAPlaceByWayOfOneTimeStep)
 {
   const HighWall wall = MakeUneven();
@@ -389,7 +393,7 @@ TEST(DataClock, GoesToAPlaceByWayOfOneTimeStep)
         hand.Orders.Plays = plays;
         hand.Step(tip);
         ASSERT_TRUE(hand.GetReport().IsWaiting);
-        hand.Publish(wall.Pick(2, 1)); // data time 4.5, wall at 1.6 mm
+        hand.Publish(wall.Pick(2, 1)); // the time step at 4.5, with the wall at 1.6 mm
         EXPECT_EQ(hand.Step(tip), DataClock::Leap::Away);
         EXPECT_EQ(Norm(hand.Record.Force), 0.0);
         for (int i = 0; i < 20; ++i)
@@ -405,8 +409,8 @@ TEST(DataClock, GoesToAPlaceByWayOfOneTimeStep)
         EXPECT_EQ(Norm(hand.Record.Force), 0.0);
         EXPECT_FALSE(hand.GetReport().IsWaiting);
 
-        // The single time step may be the wanted place itself. There the clock waits for the next
-        // time steps.
+        // The single time step may be the wanted place itself. The clock then waits there for the
+        // next time steps.
         hand.Publish(wall.Pick(4, 1));
         hand.Orders.Place = 6.0;
         hand.Orders.Places = 3;
@@ -425,7 +429,8 @@ TEST(DataClock, GoesToAPlaceByWayOfOneTimeStep)
   }
 }
 
-/// A wall that beats by 1.6 mm, felt through the safety stage by hands that rest, yield and press.
+/// The wall beats with an amplitude of 1.6 mm. Hands that rest, yield and press feel it through the
+/// safety stage.
 TEST(DataClock, AWallThatBeatsGivesItsWorkAndNoFault)
 {
   const HighWall wall({ 0.0, 0.25, 0.5, 0.75 }, { 0.0, 0.8, 1.6, 0.8 });
@@ -436,14 +441,15 @@ TEST(DataClock, AWallThatBeatsGivesItsWorkAndNoFault)
   for (int session = 0; session < 24; ++session)
   {
     const bool isStill = session % 3 == 0;
-    // Beats per second. The quickest ones are as fast as an unstable loop.
+    // Beats per second. At the largest rate, the wall moves as fast as a tip in an unstable loop.
     const double rate = session % 8 == 7 ? 18.0 : 0.5 + 0.25 * (session % 8);
     ClockedHand hand(wall.Describe());
     hand.Orders = { Playback::Loop, true, rate, 0.0, 0 };
     rigs::GatedStage stage;
     SafetyLimits limits;
     limits.MaximumForce = 4.0;
-    // Limits that hold the force back or delay it move energy by themselves.
+    // Limits that reduce or delay the force do work of their own. In these sessions, the hand's
+    // energy is compared with the positive part of the wall's work.
     const bool isLimited = session % 2 != 0;
     limits.MaximumForceRate = isLimited ? 2.0 : 500.0;
     limits.RampTime = isLimited ? 0.5 : 0.0;
@@ -457,13 +463,13 @@ TEST(DataClock, AWallThatBeatsGivesItsWorkAndNoFault)
     double speed = 0.0;
     double goal = tip.Z;
     double aim = tip.Z;
-    double given = 0.0;    // J, given to the hand
+    double given = 0.0;    // J, given to the hand by the force
     double fromWall = 0.0; // J, work of the wall
-    double pushed = 0.0;   // J, work of the wall while it approaches
-    double most = 0.0;     // J: largest energy of the hand beyond the work of the wall
+    double pushed = 0.0;   // J, positive part of the work of the wall
+    double most = 0.0;     // J: largest energy given to the hand beyond the work of the wall
     for (int i = 0; i < 6000; ++i)
     {
-      // 80 g on a damped spring of 150 N/m, whose end the hand moves slowly to and fro.
+      // A hand of 80 g on a damped spring of 150 N/m, whose other end moves slowly to and fro.
       goal = i % 700 == 0 ? 0.0125 + 5e-4 * tremble(random) : goal;
       aim += 0.005 * (goal - aim);
       const double force = sent.Z - 150.0 * (tip.Z - aim) - 4.0 * speed;
@@ -486,10 +492,10 @@ TEST(DataClock, AWallThatBeatsGivesItsWorkAndNoFault)
         << "session " << session << " tick " << i << ", fault "
         << static_cast<int>(stage.Gate.GetFault());
     }
-    // A tick is a finite step, which adds k dx^2 / 2 for steps of some 2e-5 m.
+    // A tick is a finite step. It adds up to k dx^2 / 2 to the energy, for steps dx of some 2e-5 m.
     EXPECT_LE(most, 3e-5) << "session " << session;
     reached = std::max(reached, given);
   }
   EXPECT_GT(largest, 0.7);
-  EXPECT_GT(reached, 2e-4); // the wall has pushed hands away
+  EXPECT_GT(reached, 2e-4); // J: the wall has pushed hands away
 }

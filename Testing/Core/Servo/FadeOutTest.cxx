@@ -14,7 +14,7 @@ namespace
 {
 constexpr double Rate = 5000.0;
 
-/// The largest force (N) and its largest rate (N/s).
+/// A case: the largest force (N) and its largest rate of change (N/s).
 struct LimitsCase
 {
   const char* Name;
@@ -42,17 +42,17 @@ protected:
     ASSERT_TRUE(Eventually([&] { return this->Device.Force.load() > enough; }));
     this->Device.Frozen.store(true);
     loop->SetRecording(true);
-    this->Follow(loop, 200); // until slewing has ended
+    this->Follow(loop, 200); // until the slew limit has let the force grow
   }
-  /// Takes `ticks` snapshots. Expects force in those ticks only in which it may flow.
+  /// Reads `ticks` snapshots. Expects a force exactly in the ticks in which force may flow, and
+  /// counts the ticks of the fade.
   void Follow(RunningLoop& loop, int ticks)
   {
     for (int i = 0; i < ticks; ++i)
     {
       ASSERT_NO_FATAL_FAILURE(this->Take(loop));
       const ServoSnapshot& s = this->Last;
-      // Judge by the loop's own ticks, so that it does not matter how far behind this thread is or
-      // whether the force still grows.
+      // Judge by the snapshots of the loop, so that the delay of this thread does not matter.
       const bool flows = s.IsArmed() && s.GetFault() == GateReason::None && s.Residency > 0.0;
       this->Falling += flows && s.Residency < 1.0;
       EXPECT_EQ(flows, Norm(s.Command) > 0.0);
@@ -66,7 +66,7 @@ protected:
     EXPECT_NEAR(this->Falling, ForceGate::FadeTime * Rate, 3.0) << "over the whole time";
   }
 
-  int Falling = 0; ///< ticks during the fade
+  int Falling = 0; ///< number of ticks during the fade
 };
 } // namespace
 
@@ -96,7 +96,7 @@ TEST(FadeOutOrder, NeverUndoesADisarmOfAnotherThread)
     EXPECT_TRUE(Eventually([&] { return loop.Drain(first); }));
     loop.RequestStop();
     servo.join();
-    // If a fade had begun, the residency would be smaller in this tick.
+    // If a fade had begun, the residency of this tick would be less than 1.
     ASSERT_EQ(first.Residency, 1.0) << "after " << i << " rounds";
   }
 }
@@ -122,7 +122,7 @@ TEST_P(FadeOut, ComesByItselfWithoutAttentionAndHoldsUntilArmed)
   this->Hold(loop);
   this->Falling = 0;
   this->Limits.AttentionTime = 0.05;
-  loop->SetLimits(this->Limits); // the owner has been silent since Arm()
+  loop->SetLimits(this->Limits); // by now, the owner has been silent for too long since Arm()
   ASSERT_TRUE(Eventually(
     [&]
     {
@@ -134,7 +134,7 @@ TEST_P(FadeOut, ComesByItselfWithoutAttentionAndHoldsUntilArmed)
   this->ExpectFade(GateReason::Unattended);
   this->Limits.AttentionTime = 60.0;
   loop->SetLimits(this->Limits);
-  this->Device.Frozen.store(false); // the force starts again at the tip
+  this->Device.Frozen.store(false); // the force starts again from zero at the tip
   loop->Arm();
   EXPECT_TRUE(Eventually([this] { return this->Device.Force.load() > 0.0; }));
 }

@@ -22,7 +22,7 @@ protected:
   {
     this->Limits.RampTime = 0.05;
   }
-  /// Arms the loop on a hand that moves up and down in a ramp of V = 100 z, and waits until force
+  /// Arms the loop while the hand moves up and down in a ramp of V = 100 z. Waits until force
   /// flows.
   void Press(RunningLoop& loop)
   {
@@ -54,7 +54,7 @@ protected:
     {
     }
   }
-  /// Expects that no force is sent during 200 ticks.
+  /// Expects no force in the next 200 ticks.
   void ExpectNone(RunningLoop& loop)
   {
     this->DrainAll(loop);
@@ -79,7 +79,7 @@ TEST_F(Hold, FadesAndComesBackFromTheTipWithARamp)
   ASSERT_NO_FATAL_FAILURE(this->ExpectNone(loop));
   EXPECT_TRUE(this->Last.IsArmed());
   loop->Release();
-  // The first tick after the hold places the proxy at the tip.
+  // In the first tick after the hold, the proxy starts at the tip.
   ASSERT_TRUE(Eventually(
     [&]
     {

@@ -20,7 +20,7 @@ namespace
 constexpr double Rate = 1000.0;
 constexpr double Pressed = 1.0; // N
 
-/// A device whose tip approaches a goal depth by a small step in each tick.
+/// A device whose tip moves towards a goal depth by 0.01 mm per tick.
 class LedDevice : public PlayedDevice
 {
 public:
@@ -39,8 +39,8 @@ private:
 
 struct Change
 {
-  double Carry = 0.0; ///< mm that the volume moves along the press
-  double Field = 0.0; ///< N, from FORCE_FIELD instead of the spring
+  double Carry = 0.0; ///< mm that the change moves the volume along the press
+  double Field = 0.0; ///< N, from FORCE_FIELD, which replaces the spring
 };
 
 class Jump : public testing::Test
@@ -53,12 +53,12 @@ protected:
     d.Material.SurfaceStrength = ConstantPolyline(1e12);
     d.DeviceToWorld.Offset = { 0.0, 0.0, change.Carry };
     d.Settings.Method = change.Field > 0.0 ? HapticMethod::ForceField : HapticMethod::Proxy;
-    d.Settings.ForceFieldGain = change.Field / 100.0; // the gradient is 100 per mm
+    d.Settings.ForceFieldGain = change.Field / 100.0; // because the gradient is 100 per mm
     d.Settings.ForceFieldDamping = 0.0;
     return std::make_shared<const HapticModel>(d);
   }
 
-  /// Presses, publishes the change, and returns the ticks from the first one with the change.
+  /// Presses, and publishes the change. Returns the ticks from the first one with the change on.
   std::vector<ServoSnapshot> Publish(const Change& change, std::size_t ticks)
   {
     SafetyLimits limits = QuickLimits();
@@ -95,7 +95,7 @@ protected:
   const TestVolume Volume = MakeRamp();
 };
 
-/// Expects that the force rises no faster than the ramp and ends at `wanted` (N).
+/// Expects that the force rises no faster than the ramp, and ends at `wanted` (N).
 void ExpectRamp(const std::vector<ServoSnapshot>& ticks, double wanted)
 {
   for (std::size_t i = 0; i < ticks.size(); ++i)

@@ -14,7 +14,8 @@ using namespace servotest;
 
 namespace
 {
-/// Returns a model with a surface at `iso`. The device moves between z = 5 and 19 mm.
+/// Returns a model whose surface is at the value `iso`, and whose slow loop fits `rate` times a
+/// second.
 std::shared_ptr<const HapticModel> MakeModel(double iso, double rate = 100.0)
 {
   const auto volume = std::make_shared<TestVolume>(MakeRamp());
@@ -24,7 +25,7 @@ std::shared_ptr<const HapticModel> MakeModel(double iso, double rate = 100.0)
   return std::make_shared<const HapticModel>(d);
 }
 
-/// Reads states until `holds` returns true for one.
+/// Reads states until `holds` returns true for a state. Returns false if none comes in time.
 template <typename F>
 bool WaitState(RunningLoop& loop, F&& holds)
 {
@@ -52,10 +53,10 @@ TEST(LocalSurfaceFitter, IsNotNeededToStop)
   const auto begin = std::chrono::steady_clock::now();
   {
     RunningLoop loop(device);
-    loop->Publish(MakeModel(1200.0, 1.0)); // one second between two fits
+    loop->Publish(MakeModel(1200.0, 1.0)); // one fit per second
     EXPECT_TRUE(Eventually([&] { return loop->GetTickCount() > 10; }));
   }
-  // Stopping takes far less than 30 s, which are many periods of the slow loop (1 s).
+  // Stopping must not wait for the slow loop, whose period is 1 s. 30 s allow for a busy machine.
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
 }
 

@@ -27,7 +27,7 @@ protected:
     return Eventually([&] { return this->Device.Writes.load() > from; }) &&
       this->StaysZero(loop, 3000);
   }
-  /// Returns whether no force acts during a number of ticks, in which the path passes through
+  /// Returns whether no force acts during the next `ticks` ticks, in which the path passes through
   /// contact.
   bool StaysZero(RunningLoop&, std::uint64_t ticks)
   {
@@ -46,7 +46,7 @@ protected:
   PlayedDevice Device;
 };
 
-/// A device that rests in the ramp. When told, its samples stop; they return as soon as the force
+/// A device that rests in the ramp. On demand, its samples stop; they return as soon as the force
 /// falls.
 class DozingDevice : public PlayedDevice
 {
@@ -87,7 +87,7 @@ TEST_F(Servo, AModelTakesEffectWithinTwoTicks)
   for (int i = 0; i < 50; ++i)
   {
     const std::uint64_t generation = loop->Publish(i % 10 == 9 ? nullptr : this->Model);
-    // The tick under way may have begun with the old model. The next tick must use the new one.
+    // The tick under way may have begun with the old model, but the next tick must use the new one.
     const std::uint64_t underWay = loop->GetTickCount();
     const auto arrived = [&]
     {
@@ -123,8 +123,7 @@ TEST_F(Servo, WithoutAModelThereIsNoForce)
 {
   RunningLoop loop(this->Device);
   this->Activate(loop);
-  // The force is zero because the loop has seen the change, not because the tip has left the
-  // contact.
+  // The force must be zero because the loop has seen the change. The tip is still in contact.
   const std::uint64_t generation = loop->Publish(nullptr);
   EXPECT_TRUE(Eventually([&] { return loop->GetAcknowledged() >= generation; }));
   EXPECT_TRUE(this->IsCut(loop));
@@ -137,7 +136,7 @@ TEST_F(Servo, AFrozenDeviceGetsNoForceUntilItMovesAgain)
   RunningLoop loop(this->Device, 5000.0, limits);
   this->Activate(loop);
   this->Device.Frozen.store(true);
-  // The force is zero because the tip has been still for too long, not because it has left the
+  // The force must be zero because the tip has been still for too long. The tip is still in
   // contact.
   EXPECT_TRUE(Eventually(
     [&]
@@ -164,7 +163,7 @@ TEST_F(Servo, SamplesThatComeBackWhileTheForceFallsMakeNoStepAndBeginFromTheTip)
   ASSERT_TRUE(Eventually(
     [&] { return loop->ReadState() && loop->GetState().IsArmed() && device.Reads > 200; }));
   device.IsIn.store(true);
-  ASSERT_TRUE(Eventually([&] { return device.Force.load() >= 0.99; })); // 500 N/m times 2 mm
+  ASSERT_TRUE(Eventually([&] { return device.Force.load() >= 0.99; })); // N: 500 N/m times 2 mm
   device.Frozen.store(true);
   ASSERT_TRUE(Eventually([&] { return device.Force.load() == 0.0; }));
   EXPECT_LE(device.LargestFall.load(), limits.MaximumForceRate / 5000.0 * (1.0 + 1e-9));

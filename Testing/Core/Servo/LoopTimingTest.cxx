@@ -39,7 +39,7 @@ DeviceSample MakeSample(std::int64_t time, const Vector3& tip = {})
   return sample;
 }
 
-/// Returns a sample without a new position from a device that is alive.
+/// Returns a sample of a device that is alive but has no new position.
 DeviceSample MakeSign()
 {
   DeviceSample sample;
@@ -60,7 +60,8 @@ public:
     , Delay(delay)
   {
   }
-  /// Returns the factor by which the oscillation on a spring of stiffness k (N/m) grows in 10 s.
+  /// Lets the tip swing on a spring of stiffness k (N/m). Returns the factor by which the amplitude
+  /// grows in 10 s.
   double Swing(double k)
   {
     double first = 0.0;
@@ -122,7 +123,7 @@ private:
   double V = 0.0;
 };
 
-/// A safety stage with the timing that the loop would give it.
+/// A safety stage that gets its timing from LoopTiming, as in the loop.
 class TimedStage
 {
 public:
@@ -201,7 +202,7 @@ TEST(LoopTiming, ASpringCappedByTheMeasuredRoundTripIsPassiveAndByTheServosPerio
     {
       if (every == 1 && delay == 0)
       {
-        continue; // here the servo's period is the round trip
+        continue; // here the round trip is only the servo's period
       }
       DeviceLimits limits;
       limits.Damping = Damping;
@@ -246,8 +247,8 @@ TEST(LoopTiming, RestsOfASilentStickTellNoPeriodAndDoNotAge)
   LoopTiming timing(least);
   std::int64_t now = Begin;
   double tip = 0.0;
-  // The device reports every 8 ms while it moves. Every 10 ms, something else shows that it is
-  // alive.
+  // While the device moves, it reports its position every 8 ms. While it rests, a sample without a
+  // position shows every 10 ms that it is alive.
   for (int i = 0; i < 40; ++i)
   {
     for (int ms = 0; ms < 400; ++ms, now += Millisecond)
@@ -259,7 +260,8 @@ TEST(LoopTiming, RestsOfASilentStickTellNoPeriodAndDoNotAge)
         sample = MakeSample(now, { tip, 0.0, 0.0 });
       }
       const double way = timing.RecordSample(sample, now);
-      // After a rest, the motion may have begun up to one period before the last sign of life.
+      // After a rest, the motion may have begun up to one report period before the last sign of
+      // life.
       EXPECT_TRUE(way == 0.0 || (way > 7.999e-3 && way < 18.001e-3)) << way;
       EXPECT_TRUE(way == 0.0 || ms == 0 || way < 8.001e-3) << way;
       timing.RecordTaken({ now - ms % 8 * Millisecond, now });
@@ -303,7 +305,7 @@ TEST(LoopTiming, AStickThatReportsEvery8MsIsAsFastAsItIs)
 
 TEST(LoopTiming, ReportsThatAreReadLateMakeItNoFaster)
 {
-  // The reading thread is delayed: one report comes late, and the next one in time.
+  // The reading thread is delayed now and then: one report is read late, and the next one in time.
   std::mt19937_64 engine(11);
   TimedStage stage(1e-6);
   std::int64_t told = 0;
@@ -337,7 +339,7 @@ TEST(LoopTiming, AStickThatLeapsOutOfARestIsFast)
   }
   EXPECT_EQ(stage.GetFault(), GateReason::None);
   EXPECT_FALSE(stage.Stage.IsStale());
-  // 80 mm: no hand moves that far within one or two report periods.
+  // The tip jumps by 80 mm. No hand moves that far within two report periods.
   stage.Tick(MakeSample(stage.Now + Millisecond, { 0.12, 0.0, 0.0 }));
   EXPECT_EQ(stage.GetFault(), GateReason::OverSpeed);
 }
@@ -356,7 +358,8 @@ TEST(LoopTiming, ASilentStickIsStaleUnlessItIsSeenAlive)
     for (int ms = 0; ms < 400; ++ms)
     {
       stage.Tick(isSeen && ms % 10 == 0 ? MakeSign() : DeviceSample{});
-      // 30 ms after the last report; the report before came 8 ms earlier.
+      // The count `ms` begins 8 ms after the last report. The stick becomes stale 30 ms after that
+      // report.
       EXPECT_TRUE(stage.Stage.IsStale() == (!isSeen && ms >= 22) || ms == 22) << ms;
     }
   }

@@ -40,7 +40,7 @@ TEST(ServoMemory, AMappedVolumeStaysInItsFile)
     ASSERT_TRUE(Eventually([&] { return loop->GetTickCount() > ticks + 50; }));
     EXPECT_LT(file.Resident(), file.Size / 10) << "no more than what the tip has read";
     const std::size_t locked = LockedBytes() - before;
-    // The ring of 2^14 ticks of some 1.2 kB each is most of it.
+    // Most of the locked memory is the ring of 2^14 ticks of some 1.2 kB each.
     EXPECT_LT(locked, std::size_t{ 32 } << 20);
     const bool granted = loop->GetLockedMemory() == ServoLoop::Privilege::Granted;
     EXPECT_TRUE(!granted || !CanLock || locked > sizeof(ServoLoop)) << locked << " bytes";
@@ -71,7 +71,7 @@ TEST(ServoMemory, SharedPagesStayLockedUntilTheLastLockIsGone)
 {
   const std::size_t before = LockedBytes();
   std::vector<char> memory(8 * PageSize);
-  // Begin in the middle of the first whole page, so that the ends of neighbours are in one page.
+  // Begin in the middle of a page, so that two neighbouring ranges share a page.
   char* const at = memory.data() + PageSize / 2;
   auto first = std::make_unique<MemoryLock>();
   if (!CanLock || !first->Add(at, 2 * PageSize))
@@ -83,7 +83,7 @@ TEST(ServoMemory, SharedPagesStayLockedUntilTheLastLockIsGone)
   EXPECT_LE(one, 3 * PageSize);
   auto second = std::make_unique<MemoryLock>();
   ASSERT_TRUE(second->Add(at + PageSize, 3 * PageSize));
-  ASSERT_TRUE(second->Add(at, 1)); // the same page twice in one lock
+  ASSERT_TRUE(second->Add(at, 1)); // locks the same page a second time
   const std::size_t both = LockedBytes() - before;
   EXPECT_GE(both, 4 * PageSize);
   first.reset();
@@ -123,7 +123,7 @@ TEST(ServoMemory, RangesOfAnArrayGoTogetherAndLeaveTheLocksOfOthers)
   EXPECT_EQ(LockedBytes() - before, 2 * PageSize) << "of the other lock";
   others.reset();
   EXPECT_EQ(LockedBytes(), before);
-  // The program may have unmapped a part of the array meanwhile.
+  // The program may have unmapped a part of the array before the lock ends.
   rows = lockRows();
   ASSERT_NE(rows, nullptr);
   munmap(array + 5 * PageSize, PageSize);
@@ -152,7 +152,8 @@ TEST(ServoMemory, WhatIsNotThereIsRefusedAndLeavesNothingLocked)
 TEST(ServoMemory, AForkedChildHasLocksOfItsOwn)
 {
   std::vector<char> memory(64 * PageSize);
-  // Runs `body` in a child process. Returns its exit status, or minus the signal that ended it.
+  // Runs `body` in a child process. Returns the child's exit status, or minus the number of the
+  // signal that ended it.
   const auto inChild = [](auto&& body)
   {
     const pid_t child = fork();
@@ -192,8 +193,8 @@ TEST(ServoMemory, AForkedChildHasLocksOfItsOwn)
                 return isLocked && isKept && LockedBytes() == 0 ? 0 : 1;
               }),
     0);
-  // At a fork, another thread may be in the middle of its work. In the child, that thread does not
-  // exist.
+  // Another thread may be locking memory at the time of the fork. That thread does not exist in the
+  // child.
   std::atomic<bool> isOver{ false };
   std::thread other(
     [&]

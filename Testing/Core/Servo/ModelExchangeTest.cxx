@@ -59,7 +59,7 @@ TEST(ModelExchange, AFitterNeverSeesAModelThatIsFreed)
       {
         if (const HapticModel* const model = exchange.Hold(ModelExchange::Fitter))
         {
-          // Sanitizers detect an access to freed memory here.
+          // If the model had been freed, a sanitizer would report this access.
           found += FitLocalSurface(*model, { { 5.0, 5.0, 4.0 }, {}, {} }).IsThere ? 1 : 0;
         }
         exchange.LetGo(ModelExchange::Fitter);

@@ -71,7 +71,7 @@ private:
   const bool IsTurned;
 };
 
-/// Returns all ticks of a loop that begins with a model.
+/// Runs a loop with a model. Returns all its ticks.
 std::vector<ServoSnapshot> AllTicks(PlayedDevice& device, const TestVolume& volume)
 {
   ServoLoop loop(device, 5000.0);

@@ -14,8 +14,7 @@ namespace
 {
 struct WatchedDevice : PlayedDevice
 {
-  // From the tenth tick on, watches everything that the thread does, including the code around
-  // Read().
+  // From the tenth tick on, watches all calls of the servo's thread, including those around Read().
   void InTick() noexcept override { WatchThisThread(this->Reads.load() > 10); }
 };
 } // namespace
@@ -59,7 +58,7 @@ TEST(ServoQuiet, NoTickAllocatesOrLocks)
   EXPECT_EQ(watched.Locks, 0U);
 }
 
-// Tests the watch itself: with a broken watch, the test above would pass.
+// Tests the watch: if it counted nothing, the test above would pass.
 TEST(ThreadWatch, SeesAllocationsAndLocksOfItsThreadOnly)
 {
   const auto work = []

@@ -26,7 +26,7 @@ struct Figures
   std::int64_t Typical = 0;
 };
 
-/// Computes the statistics by sorting those of the last 256 durations that are within the last
+/// Computes the expected statistics by sorting: of the last 256 durations, those within the last
 /// second.
 Figures Sort(const std::vector<std::int64_t>& all)
 {

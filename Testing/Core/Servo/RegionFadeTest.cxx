@@ -28,12 +28,12 @@ protected:
     this->Limits.MaximumForceRate = 500.0;
     this->Model = this->MakeRegion(TipOf(0), 24);
     this->Stage.Arm();
-    this->Walk(Outside, Outside, 600); // until the ramp has ended
+    this->Walk(Outside, Outside, 600); // waits outside until the ramp has ended
     this->Walk(Outside, TipOf(0), 100);
-    this->Walk(TipOf(0), TipOf(0), 100); // with the tip pressed into the surface
+    this->Walk(TipOf(0), TipOf(0), 100); // rests with the tip pressed into the surface
   }
   /// Runs a tick as the loop does. Expects that the command obeys the slew limit, and the gate's
-  /// opening its own.
+  /// opening its largest step.
   void Step(const Vector3& tip)
   {
     const double share = this->Stage.Gate.GetOpening();
@@ -90,14 +90,14 @@ TEST_P(RegionFade, ATipThatTravelsInTheDarkComesBackWithoutAStep)
   EXPECT_TRUE(this->Servo.IsAwaiting());
   EXPECT_EQ(Norm(this->Command), 0.0);
   EXPECT_TRUE(IsSame(this->Record.Proxy, there)) << "the proxy went along";
-  // Load the region next to the tip, which is just outside the ball's volume. In the first tick,
-  // the force is still zero.
+  // Load the region around the tip, which is just outside of the ball. In the first tick with this
+  // region, the force is still zero.
   const auto next = this->MakeRegion(there, 24);
   CarryState(*this->Model, *next, this->State);
   this->Model = next;
   this->Step(there);
   EXPECT_LT(Norm(this->Command), 1e-9);
-  // Go back to the place of the first region, which has to be loaded again.
+  // Return to the place of the first region. That region has to be loaded again.
   this->Walk(there, here, 200);
   EXPECT_EQ(Norm(this->Command), 0.0);
   const auto last = this->MakeRegion(here, 24);
@@ -139,7 +139,7 @@ TEST_P(RegionFade, AFadeOrAHoldWithTheDataThereWaitsForNone)
     EXPECT_EQ(this->Stage.Gate.GetOpening(), opening);
   };
   this->Stage.Gate.FadeOut();
-  expectNoWait(1.0); // closes and opens again without force
+  expectNoWait(1.0); // the gate closes and opens again without force
   EXPECT_FALSE(this->Stage.Gate.IsOpen());
   this->Stage.Arm();
   expectNoWait(1.0);

@@ -22,7 +22,7 @@ using namespace servotest;
 
 namespace
 {
-/// A ball with an edge so wide that walks go to their full length.
+/// Returns a ball with an edge so wide that the solver's walks through it reach their full length.
 const TestVolume& WideBall()
 {
   static const TestVolume ball = MakeBall(3.0);
@@ -60,7 +60,7 @@ public:
       }
     }
   }
-  /// Returns a stroke (m) into the ball along a radius, then aside and deeper.
+  /// Returns the tips (m) of a stroke into the ball along a radius, then aside and deeper.
   std::vector<Vector3> DrawStroke()
   {
     const Vector3 out = this->DrawDirection();
@@ -80,10 +80,10 @@ private:
   std::mt19937_64 Engine;
 };
 
-/// A box of samples in the ball's volume.
+/// A box of samples in the ball's volume: the part that is loaded.
 struct Box
 {
-  /// Draws the number of voxels on each side of a position.
+  /// Draws the box around a position, with up to `most` voxels on each side.
   Box(const Vector3& index, double most, Dice& dice)
   {
     const double at[3] = { index.X, index.Y, index.Z };
@@ -96,7 +96,7 @@ struct Box
     }
   }
 
-  /// Returns whether a position is beyond a border of the box that is not a border of the volume.
+  /// Returns whether a position is outside of the box, but still inside the volume.
   bool IsLeftAt(const Vector3& index) const
   {
     const double at[3] = { index.X, index.Y, index.Z };
@@ -113,15 +113,15 @@ struct Box
   Index Last;
 };
 
-/// Counts the ticks with force, by residency.
+/// Numbers of ticks with force, by residency.
 struct Counts
 {
   int Whole = 0; ///< residency 1
   int Part = 0;  ///< residency between 0 and 1
 };
 
-/// Expects that, while the residency is not 0, ticks in the box equal those in the whole volume to
-/// the bit.
+/// Strokes in the box and in the whole volume. Expects equal ticks to the bit wherever the
+/// residency is not 0.
 void CompareStroke(
   const HapticModelDescription& d, const Box& box, const std::vector<Vector3>& tips, Counts& counts)
 {
@@ -153,7 +153,7 @@ void CompareStroke(
   }
 }
 
-/// Selects kernel, estimator and alignment by a number.
+/// Selects kernel radius, estimator and alignment by a number.
 void ChooseKernel(int number, HapticModelDescription& d)
 {
   d.KernelRadius = 1 + number % 3;
@@ -178,7 +178,7 @@ Counts CompareStrokes(HapticModelDescription d, double most, Dice& dice)
   return counts;
 }
 
-/// A ball of label 1 in voxels of 5 mm, in the same world as the other ball.
+/// Returns labels with a ball of label 1 in voxels of 5 mm, in the same world as the other ball.
 std::shared_ptr<const BakedLabels> MakeCoarseLabels()
 {
   constexpr std::int64_t side = 20;
@@ -259,7 +259,7 @@ TEST(RegionReach, NothingIsFeltWhereAWalkWouldLeaveTheRegion)
   Dice dice(25);
   HapticModelDescription d = DescribeWideBall(HapticSolver::Precise, MaterialPlacement::FarSide);
   int leaving = 0;
-  int byWalkAlone = 0; // with kernel materials, these ticks would have force
+  int byWalkAlone = 0; // ticks that would have force with kernel materials
   for (int i = 0; i < 300; ++i)
   {
     ChooseKernel(i, d);
@@ -310,7 +310,8 @@ TEST(RegionReach, FallsOverFourVoxelsThatEndThreeBeforeTheFarthestSample)
     last[axis] = 40;
     const HapticModel region(Crop(d, { 0, 0, 0 }, last));
     const double radius = d.KernelRadius;
-    const double aside = radius * 1.1 / spacing[axis]; // distance of x_s, by the largest spacing
+    const double aside = radius * 1.1 / spacing[axis]; // voxels to x_s, which is set by the largest
+                                                       // spacing
     const double walk = isFar && !isPaper ? 3.0 * radius : 0.0;
     const double reach = std::max({ radius, aside, walk }) + 3.0;
     for (int n = 0; n < 50; ++n)

@@ -19,7 +19,7 @@ using namespace coretest;
 
 inline constexpr std::int64_t Samples = 72;
 
-/// A smooth ball with a surface of 24 mm radius, an edge `width` mm wide and slight bumps.
+/// Returns a ball with a surface of 24 mm radius, an edge `width` mm wide, and slight bumps.
 inline TestVolume MakeBall(double width)
 {
   TestVolume volume(ScalarType::Float32, { Samples, Samples, Samples });
@@ -63,7 +63,7 @@ inline HapticModelDescription DescribeBall(
 
 using Index = std::array<std::int64_t, 3>;
 
-/// Describes the region with the samples from first to last of the ball, and no others.
+/// Describes only the region of the ball's samples from `first` to `last`.
 inline HapticModelDescription Crop(
   HapticModelDescription d, Index first, Index last, const TestVolume& ball = Ball())
 {
@@ -87,7 +87,7 @@ inline HapticModelDescription Crop(
   return d;
 }
 
-/// Describes the region of `half` voxels around a tip (m).
+/// Describes the region that reaches `half` voxels to each side of a tip (m).
 inline HapticModelDescription CropAround(
   const HapticModelDescription& whole, const Vector3& tip, std::int64_t half)
 {
@@ -97,8 +97,8 @@ inline HapticModelDescription CropAround(
     { middle[0] + half, middle[1] + half, middle[2] + half });
 }
 
-/// Returns the tip (m) at a tick: it slides over the ball at 0.1 m/s and moves in and out, so that
-/// the proxy is held, slides, and goes through the surface.
+/// Returns the tip (m) at a tick. The tip slides over the ball at 0.1 m/s and moves in and out, so
+/// that the proxy is held, slides and goes through the surface.
 inline Vector3 TipOf(int tick)
 {
   const double angle = 0.004 * tick;

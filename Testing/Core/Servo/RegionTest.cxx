@@ -17,8 +17,8 @@ namespace
 class Region : public testing::TestWithParam<MethodCase>
 {
 protected:
-  /// Compares ticks in the whole volume with ticks in regions of `half` voxels that change every
-  /// `period` ticks.
+  /// Compares ticks in the whole volume with ticks in a region that reaches `half` voxels to each
+  /// side, and is replaced every `period` ticks.
   void Compare(int period, std::int64_t half)
   {
     const HapticModel whole(this->Whole);
@@ -35,7 +35,8 @@ protected:
       const Vector3 tip = TipOf(i);
       if (i % period == 0)
       {
-        // The region's position relative to the tip varies. Samples outside of it do not exist.
+        // Vary the region's position relative to the tip. Samples outside of the region do not
+        // exist.
         const Vector3 off = 1e-3 * Vector3{ double(i % 3), double(i % 2), -double(i % 3) };
         HapticModelDescription d = CropAround(this->Whole, tip + off, half);
         d.Number = region ? region->Baked->Number : 0;
@@ -80,7 +81,8 @@ TEST_P(Region, EndsWhereTheVolumeEndsAsTheWholeDoes)
 {
   this->Whole.KernelRadius = 3;
   const HapticModel whole(this->Whole);
-  // The lowest planes along x: one end is the volume's own border, the other end is the region's.
+  // The region has the lowest planes along x. So one of its ends is the volume's border, and the
+  // other end is only the region's.
   const HapticModel region(Crop(this->Whole, { 0, 0, 0 }, { 44, Samples, Samples }));
   EXPECT_TRUE(
     HapticModel(Crop(this->Whole, { 0, 0, 0 }, { Samples, Samples, Samples })).Resident.IsWhole());
@@ -92,7 +94,7 @@ TEST_P(Region, EndsWhereTheVolumeEndsAsTheWholeDoes)
   TickRecord felt;
   for (int i = 0; i < 900; ++i)
   {
-    // Go from 5 mm outside to 20 mm inside and back.
+    // Move from 5 mm outside to 20 mm inside and back.
     const double x = -40.0 + 25.0 * std::sin(0.0035 * i);
     const Vector3 tip = 1e-3 * Vector3{ x, 3.0 * std::sin(0.01 * i), 0.02 * i };
     Tick(whole, state, tip, record);

@@ -25,7 +25,8 @@ using namespace servotest;
 namespace
 {
 using Privilege = ServoLoop::Privilege;
-/// Sanitizers cause page faults in their shadow memory.
+/// Page faults can be counted only without sanitizers, whose shadow memory causes page faults of
+/// its own.
 constexpr bool CanCount = CanLock;
 constexpr std::size_t MebiByte = std::size_t{ 1 } << 20;
 
@@ -66,7 +67,7 @@ public:
   {
     Without,
     With,
-    Unprivileged ///< with a keeper that obeys the limit of locked memory, whoever runs the test
+    Unprivileged ///< with a keeper that obeys the limit of locked memory even if root runs the test
   };
 
   explicit MappedLoop(Keeper keeper)
@@ -101,7 +102,8 @@ public:
     this->Running.reset();
   }
 
-  /// Waits until ticks and looks that began after this call have ended.
+  /// Waits for 4 ticks and 2 looks of the keeper, so that all that began before this call have
+  /// ended.
   void Settle()
   {
     const std::uint64_t ticks = this->GetLoop().GetTickCount() + 4;
@@ -111,8 +113,8 @@ public:
       Eventually([&] { return !this->HasKeeper || this->GetLoop().GetLooksAtSamples() >= looks; }));
   }
 
-  /// Moves by two voxels along z and one along y per step. Returns the page faults of the servo's
-  /// thread.
+  /// Moves the tip by two voxels along z and one along y per step. Returns the number of page
+  /// faults of the servo's thread.
   long Walk(int steps)
   {
     const long before = this->Device.Faults.load();
@@ -133,7 +135,7 @@ public:
 private:
   static void DropCapabilities()
   {
-    // Drops the capabilities of this thread only.
+    // Only this thread loses its capabilities.
     __user_cap_header_struct header{ _LINUX_CAPABILITY_VERSION_3, 0 };
     __user_cap_data_struct none[2] = {};
     syscall(SYS_capset, &header, none);
@@ -217,7 +219,7 @@ TEST(SampleKeeper, LetsTheServoFindItsSamplesInMemory)
 {
   constexpr int steps = 60;
   long expected = 0;
-  // Pages that the ticks read, together with those that the kernel reads ahead.
+  // Bytes in memory: the pages that the ticks read, and the pages that the kernel reads ahead.
   std::size_t touchedAtRest = 0;
   std::size_t touched = 0;
   {
@@ -227,7 +229,7 @@ TEST(SampleKeeper, LetsTheServoFindItsSamplesInMemory)
     touched = alone.File.Resident();
     EXPECT_EQ(alone.GetLoop().GetLockedSamples(), Privilege::Unknown);
   }
-  // Each step reads two slices for the first time.
+  // Each step reads two slices that were not read before.
   EXPECT_GT(expected, steps) << "a servo without it waits for pages";
   MappedLoop loop(MappedLoop::With);
   EXPECT_LT(loop.File.Resident(), touchedAtRest + 16 * MebiByte) << "of 2 GiB";
@@ -292,7 +294,7 @@ TEST(SampleKeeper, KeepsTheLabelsToo)
   std::thread keeper([&loop] { loop->RunSampleKeeper(); });
   loop->Publish(std::make_shared<const HapticModel>(d));
   EXPECT_TRUE(Eventually([&] { return loop->GetLooksAtSamples() > 1; }));
-  // The page of the tip's label, and of labels 20 voxels around it.
+  // Returns whether the page of a label is in memory.
   const auto isThere = [&file](int i, int j, int k)
   {
     unsigned char state = 0;

@@ -41,7 +41,7 @@ inline Square Multiply(const Square& a, const Square& b)
   return product;
 }
 
-/// Returns the largest modulus of an eigenvalue: |M^n|^(1/n) with n = 2^40.
+/// Returns the largest modulus of the matrix's eigenvalues, as |M^n|^(1/n) with n = 2^40.
 inline double SpectralRadius(Square matrix)
 {
   double logarithm = 0.0;
@@ -68,7 +68,8 @@ inline double SpectralRadius(Square matrix)
   return std::exp(logarithm);
 }
 
-/// The state is position, velocity and the forces under way, with the next force first.
+/// Returns the matrix of one period of a mass on a sampled spring. Its state is the position, the
+/// velocity and the forces under way, with the next force first.
 inline Square MakeLoop(double k, int delay)
 {
   const double e = std::exp(-Damping * Period / Mass);

@@ -19,13 +19,15 @@ using namespace servotest;
 
 namespace
 {
-/// Returns the factor by which the oscillation of a tip on a fixed proxy grows over a long run.
+/// Lets a tip swing on a fixed proxy. Returns the factor by which the amplitude grows over a long
+/// run.
 double Simulate(double k, int delay)
 {
   const TestVolume volume = MakeRamp();
   HapticModelDescription description = Describe(volume);
   description.Material.Stiffness = ConstantPolyline(k);
-  description.Material.Viscosity = ConstantPolyline(1e12); // nothing moves the proxy
+  description.Material.Viscosity = ConstantPolyline(1e12); // so high a drag holds the proxy in
+                                                           // place
   const HapticModel model(description);
   VirtualDevice device;
   device.SetDynamics({ Mass, Damping, 0.0, 0.0, delay, 2.0 });

@@ -16,7 +16,7 @@ using namespace servotest;
 
 namespace
 {
-/// A device whose reports all contain the number of the tick.
+/// A device that puts the number of the tick into all values of its reports.
 struct CountingDevice : PlayedDevice
 {
   static Vector3 TurnOf(std::uint64_t tick)
@@ -39,7 +39,7 @@ bool IsSame(const Vector3& a, const Vector3& b)
   return a.X == b.X && a.Y == b.Y && a.Z == b.Z;
 }
 
-/// Returns false if the values in a snapshot belong to different ticks.
+/// Returns whether all values of a snapshot belong to the same tick.
 bool IsOfOneTick(const ServoSnapshot& s)
 {
   return s.Buttons == static_cast<std::uint32_t>(s.Tick) &&
@@ -85,10 +85,11 @@ std::uint64_t SumOf(const ServoSnapshot& s)
   return sum;
 }
 
-/// Checks a stream of states.
+/// Checks a stream of snapshots: counts torn, repeated and skipped ones.
 struct Watcher
 {
-  std::vector<std::pair<std::uint64_t, std::uint64_t>> Sums; ///< tick and its checksum
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> Sums; ///< number of each tick, and its
+                                                             ///< checksum
   std::uint64_t States = 0;
   std::uint64_t Torn = 0;
   std::uint64_t Backward = 0;
@@ -109,8 +110,8 @@ struct Watcher
   }
 };
 
-/// Returns a model with another volume, material, kernel, method and placement for each i. Only the
-/// model owns the samples.
+/// Returns a model whose volume, material, kernel, method and placement depend on i. The model is
+/// the only owner of its samples.
 std::shared_ptr<const HapticModel> MakeModel(int i)
 {
   const auto volume = std::make_shared<TestVolume>(MakeRamp(16 + i % 8));
@@ -167,14 +168,14 @@ TEST(ServoSwap, AThousandModelsNeverTearJumpOrLeak)
       auto model = i % 50 == 49 ? nullptr : MakeModel(i);
       models.push_back(model);
       const std::uint64_t generation = loop->Publish(std::move(model));
-      if (i % 3 == 0) // other models come in bursts
+      if (i % 3 == 0) // wait for every third model; the others come in bursts
       {
         EXPECT_TRUE(Eventually([&] { return loop->GetAcknowledged() >= generation; }));
       }
     }
     EXPECT_TRUE(Eventually([&] { return loop->GetAcknowledged() == 1000; }));
-    // Only the publisher frees models. When the fitter has let go, all models but the last are
-    // freed.
+    // Only the publisher frees models. Once the fitter has released its model, all models but the
+    // last are freed.
     for (std::size_t i = 0; i + 1 < models.size(); ++i)
     {
       const auto isFreed = [&]
@@ -199,7 +200,7 @@ TEST(ServoSwap, AThousandModelsNeverTearJumpOrLeak)
   EXPECT_EQ(reader.Backward + recorder.Backward, 0U);
   EXPECT_EQ(lost, 0U);
   ASSERT_EQ(recorder.Skipped, 0U);
-  // The two outputs of the loop contain the same states.
+  // ReadState() and Drain() return the same states.
   const std::uint64_t first = recorder.Sums.front().first;
   std::uint64_t compared = 0;
   for (const auto& [tick, sum] : reader.Sums)

@@ -19,7 +19,7 @@ namespace
 {
 constexpr double MostTorque = 2e-4; // N m
 
-/// A device that accepts torque. Only the loop turns the tool.
+/// A device that accepts torque. It measures no orientation, so only the loop turns the tool.
 class TorqueDevice : public PlayedDevice
 {
 public:
@@ -55,7 +55,7 @@ std::shared_ptr<const PointShell> MakeTool(double radius)
   std::vector<ShellPoint> points = MakeSphere(radius, 300);
   for (ShellPoint& point : points)
   {
-    // The shell lies beside the hand's point, so that contact turns it.
+    // Put the shell beside the hand's point, so that contact turns the tool.
     point = { 1e3 * point.Position + Vector3{ 1.0, 0.0, 0.0 }, 1e6 * point.Area };
   }
   return std::make_shared<const PointShell>(std::move(points));
@@ -185,7 +185,7 @@ TEST(ToolLoop, WhatIsKeptBeginsAReplay)
   }
 }
 
-/// The hand turns the shorter way, at 4 rad/s.
+/// The hand turns by the smaller angle, at 4 rad/s.
 TEST(ToolLoop, TurnsTheHandThatNothingMeasures)
 {
   TorqueDevice device;

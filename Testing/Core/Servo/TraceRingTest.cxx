@@ -94,7 +94,7 @@ TEST(TraceRing, AcrossThreadsNothingIsTornSwappedOrUncounted)
     {
       for (std::uint64_t i = 1; i <= last; ++i)
       {
-        // The last value must arrive, so that the consumer knows when to stop.
+        // Push the last value until it arrives, so that the consumer knows when to stop.
         while (!ring.Push(SealedValue(i)) && i == last)
         {
           std::this_thread::yield();
@@ -120,6 +120,6 @@ TEST(TraceRing, AcrossThreadsNothingIsTornSwappedOrUncounted)
   EXPECT_EQ(reader.Torn, 0U);
   EXPECT_EQ(reader.Backward, 0U);
   EXPECT_LE(reader.Taken, last);
-  // Failed attempts to push the last value count as lost as well.
+  // The ring also counts failed attempts to push the last value as lost.
   EXPECT_GE(reader.Taken + ring.GetLost(), last);
 }

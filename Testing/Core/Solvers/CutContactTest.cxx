@@ -31,7 +31,7 @@ TestVolume MakeEven(double value)
   return volume;
 }
 
-/// Moves a tip in steps of at most 0.1 mm. Positions are in millimetres.
+/// Moves a tip in steps of at most 0.1 mm and sums the work. Positions are in millimetres.
 class CutHand
 {
 public:
@@ -110,11 +110,11 @@ TEST_P(CutOfSolver, NothingIsFeltInAPartThatIsCutAway)
     for (double z = 10.0; z < 14.0; z += 0.1)
     {
       const TickRecord& record = away.Tick({ 8.0, 12.0, z });
-      // Without a surface, no force acts but the damping of a force field.
+      // Without a surface, only the damping of a force field acts.
       const double damping = method == HapticMethod::ForceField ? record.DragForce : 0.0;
       EXPECT_NEAR(Norm(record.Force), damping, 1e-12);
     }
-    // At least one voxel in front of the face, the cut changes nothing.
+    // At a distance of at least one voxel in front of the face, the forces are those without a cut.
     CutHand kept(cut, { 13.0, 12.0, 10.0 });
     CutHand same(whole, { 13.0, 12.0, 10.0 });
     for (double z = 10.0; z < 14.0; z += 0.1)
@@ -156,13 +156,13 @@ TEST_P(CutOfSolver, ASolidFaceIsAWallOfItsMaterial)
     EXPECT_NEAR(Norm(record.Force - force), 0.0, 3e-3 + 1e-3 * Norm(force)) << depth;
     EXPECT_EQ(record.SurfaceValue, 100.0);
   }
-  // The face holds up to the strength of its material. A hand that pushes harder goes through.
+  // The face holds up to its material's strength. A hand that presses harder breaks through.
   EXPECT_LE(Norm(hand.MoveTo(middle + 6.0 * normal).Force), FaceStrength * (1.0 + 1e-9));
   EXPECT_LT(Norm(hand.MoveTo(middle + 8.0 * normal).Force), 0.1);
-  // On the way out, no force acts.
+  // While the hand leaves, no force acts.
   hand.MoveTo(middle + 2.0 * normal);
   EXPECT_LT(Norm(hand.MoveTo(middle - 2.0 * normal).Force), 1e-9);
-  // Where the material has no surface strength, the cut face has none either.
+  // The cut face has the strength of its material: none, where that is 0.
   description.Material.SurfaceStrength = { { 0.0, 2.0 }, { 99.0, 2.0 }, { 100.0, 0.0 } };
   const HapticModel soft(description);
   CutHand other(soft, middle - 4.0 * normal);
@@ -171,7 +171,7 @@ TEST_P(CutOfSolver, ASolidFaceIsAWallOfItsMaterial)
 
 TEST_P(CutOfSolver, ACornerOfThreeFacesHoldsAHand)
 {
-  // The cut removes one of eight octants. Its three faces meet in a hollow corner.
+  // The cut removes one of eight octants, so that three faces meet in a hollow corner.
   const TestVolume even = MakeEven(100.0);
   CutRegions regions;
   for (int axis = 0; axis < 3; ++axis)
@@ -179,7 +179,7 @@ TEST_P(CutOfSolver, ACornerOfThreeFacesHoldsAHand)
     regions.Low[axis] = 0.0;
     regions.High[axis] = 16.0;
   }
-  regions.Kept = CutRegions::All & ~(1U << 26); // removes the octant beyond High along each axis
+  regions.Kept = CutRegions::All & ~(1U << 26); // removes the octant above High along all axes
   const HapticModel model(this->DescribeCut(even, {}, regions, true));
   const Vector3 corner{ 16.0, 16.0, 16.0 };
   std::mt19937_64 engine(3);
@@ -195,13 +195,14 @@ TEST_P(CutOfSolver, ACornerOfThreeFacesHoldsAHand)
     const TickRecord& record = hand.MoveTo(goal);
     tip = goal;
     const Vector3 in = corner - hand.GetProxy();
-    // The removed octant is a box: the proxy belongs at its point nearest to the tip.
+    // The proxy must be at the point nearest to the tip outside of the removed octant, which is a
+    // box.
     const Vector3 nearest = Most(goal, corner);
     const Vector3 wanted = (FaceStiffness * PerMillimetre) * (nearest - goal);
     deepest = std::max({ deepest, in.X, in.Y, in.Z });
     pushes += Norm(wanted) > 0.5 ? 1 : 0;
-    // The tip moves by up to 0.1 mm in the tick that meets the face, so the proxy may be off by
-    // that.
+    // In the tick that meets the face, the tip moves by up to 0.1 mm, so the proxy may be off by as
+    // much.
     EXPECT_NEAR(Norm(record.Force - wanted), 0.0, 0.1 * PerMillimetre * FaceStiffness) << i;
   }
   EXPECT_LT(deepest, 0.1);

@@ -23,12 +23,12 @@ struct Medium
   double Coupling = 500.0;  // N/m
   Vector3 Spacing{ 1.0, 1.0, 1.0 };
   Vector3 Slope{ 0.0, 0.0, 0.0 }; // gradient of V, per mm
-  double Cap = 0.0;               // N/m, the device's largest stiffness; 0: no limit
+  double Cap = 0.0;               // N/m: largest stiffness of the device; 0: no limit
   HapticSolver Solver = HapticSolver::Precise;
 };
 
-/// Moves the tip 40 mm along the volume's diagonal. Returns the lag (m) at the end and the force
-/// (N).
+/// Moves the tip 40 mm along the volume's diagonal. Returns the lag (m) at the end, and the force
+/// (N) there.
 std::pair<double, double> Drag(const Medium& medium)
 {
   const auto samples = [](double spacing) { return std::int64_t(100.0 / spacing); };
@@ -70,7 +70,8 @@ TEST(DragLimit, LeavesTheClosedFormsAsTheyAre)
   {
     Medium medium;
     medium.Solver = solver;
-    for (const double k : { 200.0, 400.0, 500.0, 2000.0 }) // with 1 mm voxels, at least 3 mm
+    for (const double k : { 200.0, 400.0, 500.0, 2000.0 }) // N/m; with voxels of 1 mm, the limit on
+                                                           // the lag is at least 3 mm
     {
       medium.Stiffness = k;
       const auto [lag, force] = Drag(medium);
@@ -124,8 +125,8 @@ TEST(DragLimit, CountsVoxelsAlongTheNormal)
 
 TEST(DragLimit, HoldsInNoise)
 {
-  // The values are noise, so the proxy reads stiffness and drag anywhere on their ramps, as with
-  // the transfer functions that a user tries first.
+  // The values are noise, so the proxy meets any stiffness and drag on their ramps, as with the
+  // transfer functions that a user tries first.
   TestVolume volume(ScalarType::Float32, { 40, 40, 40 });
   std::mt19937_64 engine(5);
   std::normal_distribution<float> noise(0.0f, 60.0f);
@@ -137,7 +138,7 @@ TEST(DragLimit, HoldsInNoise)
     {
       HapticModelDescription d = Describe(volume);
       d.Settings.Placement = placement;
-      d.Settings.ReleaseTime = 0.0; // without release, which is tested elsewhere
+      d.Settings.ReleaseTime = 0.0; // another test has a release time
       d.Material.Stiffness = { { -20.0, 0.0 }, { 60.0, stiffness } };
       d.Material.Viscosity = { { -60.0, 0.0 }, { 20.0, 0.5 } };
       d.Material.SurfaceStrength = ConstantPolyline(0.0);

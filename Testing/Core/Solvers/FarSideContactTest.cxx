@@ -22,14 +22,15 @@ using namespace coretest;
 namespace
 {
 constexpr double Air = -1000.0;
-constexpr double Middle = 20.4; // mm; also voxels, because the spacing is 1 mm
+constexpr double Middle = 20.4; // mm (and voxels, as the spacing is 1 mm)
 
 double Phi(double x)
 {
   return 0.5 * std::erfc(-x / std::sqrt(2.0));
 }
 
-/// Returns a volume with the value at x (voxels) and at the distance from the middle along z.
+/// Returns a volume of value(x, d), where x is in voxels and d is the distance (mm) from the middle
+/// along z.
 TestVolume MakeVolume(const std::function<double(double, double)>& value, double noise = 0.0)
 {
   TestVolume volume(ScalarType::Float64, { 64, 16, 40 });
@@ -55,6 +56,7 @@ HapticModelDescription DescribeFar(const TestVolume& volume)
 }
 
 /// Moves the tip by 0.05 mm a tick: first down to `depth` (mm) below the middle, then along x.
+/// Returns all ticks.
 std::vector<TickRecord> Stroke(const HapticModel& model, double depth, double from, double to)
 {
   std::vector<TickRecord> trace;
@@ -87,7 +89,8 @@ bool Holds(const TickRecord& record)
   return record.NormalForce > 0.0;
 }
 
-/// Returns the standard deviation of the inner value along the stroke, once the value has settled.
+/// Returns the standard deviation of the inner value along the stroke, without the first 400 ticks,
+/// in which the value settles.
 double SpreadOf(const std::vector<TickRecord>& trace)
 {
   double sum = 0.0;
@@ -105,9 +108,9 @@ double SpreadOf(const std::vector<TickRecord>& trace)
 
 TEST(FarSideContact, BeforeAnEdgeNothingHolds)
 {
-  // An edge without noise, which the hand meets between the samples. Farther in front of its middle
-  // than 0.7 of its blur, the edge has risen by less than a quarter of its height; interpolation
-  // shifts that place by at most one voxel.
+  // The hand meets an edge without noise at places between the samples. At more than 0.7 blurs in
+  // front of its middle, the edge has risen by less than a quarter of its height. Interpolation
+  // moves that place by at most one voxel.
   const std::int64_t n = 40;
   for (const double blur : { 0.05, 0.3, 0.6, 1.3 })
   {
@@ -179,7 +182,7 @@ TEST(FarSideContact, SkinIsWhatLiesBehindItFromItsFirstTouchOn)
     << "the blur is wide enough to matter";
 }
 
-// Edges twice as wide as those whose plateaus a walk reaches are felt in their middle.
+// The edges are twice as wide as the widest edge whose plateaus a walk reaches.
 TEST(FarSideContact, AWideEdgeIsFeltInItsMiddle)
 {
   for (const double blur : { 2.0, 3.0, 4.0 })
@@ -202,7 +205,7 @@ TEST(FarSideContact, AWideEdgeIsFeltInItsMiddle)
 
 TEST(FarSideContact, NoMaterialStepsAlongASurface)
 {
-  // Two materials side by side, without a ramp between them.
+  // Two materials lie side by side, without a ramp between them.
   const double soft = 0.0;
   const double firm = 120.0;
   const TestVolume volume = MakeVolume(
@@ -235,9 +238,9 @@ TEST(FarSideContact, NoMaterialStepsAlongASurface)
 
 TEST(FarSideContact, TheMediumFollowsOverItsOwnPath)
 {
-  // Two media lie side by side on one bone. At a distance s behind their border, the medium's value
-  // is M = M1 + (M0 - M1) exp(-s/L). M0 and M1 are the values that a stroke through one medium
-  // alone finds.
+  // Two media lie side by side in front of one bone. At a distance s past their border, the
+  // medium's value must be M = M1 + (M0 - M1) exp(-s/L), where M0 and M1 are the values found by
+  // strokes through one medium alone.
   const double border = 19.5;
   const auto strokeOver = [](const std::function<double(double)>& medium)
   {
@@ -256,7 +259,7 @@ TEST(FarSideContact, TheMediumFollowsOverItsOwnPath)
     const double way = 1000.0 * across[i].Proxy.X - border;
     if (!Holds(across[i]) || std::abs(way) < 2.0 || 1000.0 * across[i].Tip.X < 13.0)
     {
-      continue; // samples between the two media belong to neither
+      continue; // leave out places where samples of both media are mixed
     }
     const double left = way > 0.0 ? std::exp(-way / FarSide::MediumPathLength) : 1.0;
     const double expected =
@@ -271,7 +274,7 @@ TEST(FarSideContact, TheDragDoesNotStepWhereTheSurfaceIsLeft)
 {
   const double slow = 0.0;
   const double thick = 60.0;
-  const double steepest = 0.4 / (thick - slow); // N per scalar unit: slope of the drag
+  const double steepest = 0.4 / (thick - slow); // N per unit of the scalar: slope of the drag
   const double border = 19.5;
   const TestVolume volume = MakeVolume(
     [&](double x, double z)
@@ -326,8 +329,8 @@ TEST(FarSideContact, TheDragDoesNotStepWhereTheSurfaceIsLeft)
 
 TEST(FarSideContact, DragWithoutAContactIsThatOfItsOwnPlace)
 {
-  // A needle is drawn out through the skin. The air outside must not inherit the drag of the
-  // tissue.
+  // The tip moves out through the skin like a needle. In the air outside, the drag must be that of
+  // air and not that of the tissue.
   const double height = 1050.0;
   const TestVolume volume =
     MakeVolume([&](double, double z) { return Air + height * Phi(z / 1.2); });
@@ -365,7 +368,7 @@ TEST(FarSideContact, NoiseSpreadsTheValuesLessThanAtTheKernel)
 
 TEST(FarSideContact, ANewContactBeginsWithTheMaterialOfItsOwnPlace)
 {
-  // The skin holds 1 N. Bone lies 6 mm behind it.
+  // The skin holds up to 1 N. Bone lies 6 mm behind the skin.
   const TestVolume volume = MakeVolume(
     [](double, double z) { return Air + 1050.0 * Phi(z / 0.8) + 1000.0 * Phi((z - 6.0) / 0.8); });
   HapticModelDescription description = DescribeFar(volume);
@@ -400,8 +403,8 @@ TEST(FarSideContact, StructuresOfLowerValuesFeelAsThoseOfHigherOnes)
   HapticModelDescription both = lower;
   both.Settings.Side = SurfaceSide::Both;
   const auto expected = Stroke(HapticModel(higher), 2.0, 15.0, 45.0);
-  // With two-sided surfaces, a proxy without a lag does not know which side it is on, so the
-  // contact may come one tick late.
+  // With two-sided surfaces, a proxy without a lag does not know its side of the surface, so the
+  // contact may begin one tick late.
   const double late = 500.0 * 5e-5;
   for (const auto& [description, tolerance] :
     { std::pair(lower, 1e-6), std::pair(both, 1.2 * late) })
@@ -418,8 +421,8 @@ TEST(FarSideContact, StructuresOfLowerValuesFeelAsThoseOfHigherOnes)
   }
 }
 
-// T1 and T2 of the specification. Every position in this volume is closer to the border than three
-// kernel radii.
+// T1 and T2 of the specification, in a volume so small that every position is less than three
+// kernel radii from the border.
 TEST(FarSideContact, AnEvenRampIsFeltAsWithTheKernel)
 {
   const TestVolume ramp = MakeRamp(12);
@@ -436,7 +439,7 @@ TEST(FarSideContact, AnEvenRampIsFeltAsWithTheKernel)
   TickRecord records[2];
   for (int i = 0; i <= 100; ++i)
   {
-    // The tip goes 5 mm in and out again, and aside at the same time.
+    // The tip moves 5 mm in and out again, and sideways at the same time.
     const double depth = 0.1 * (i <= 50 ? i : 100 - i);
     const Vector3 tip = { 0.005 + 2e-5 * i, 0.006, 0.001 * (4.0 + depth) };
     Tick(kernel, states[0], tip, records[0]);
@@ -451,15 +454,15 @@ TEST(FarSideContact, AnEvenRampIsFeltAsWithTheKernel)
 
 namespace
 {
-/// A body. Depth() is the depth (mm, which are voxels) below its surface; the volume is its
-/// distance field.
+/// A body whose distance field is the volume. Depth() is the depth (mm, and voxels) below its
+/// surface.
 struct Body
 {
   const char* Name;
   double (*Depth)(const Vector3&);
 };
 
-constexpr double Half = 28.6; // mm: centre of the bodies along each axis
+constexpr double Half = 28.6; // mm: centre of the bodies, along each axis
 constexpr double Pi = 3.14159265358979323846;
 
 const Body Bodies[] = {
@@ -485,8 +488,8 @@ const Body Bodies[] = {
       const Vector3 d = x - Vector3{ Half, Half, Half };
       return 7.0 - std::hypot(std::hypot(d.X, d.Y) - 17.0, d.Z);
     } },
-  // The gyroid's radii of curvature are at least 11 voxels, and its gradient on the surface is 1 to
-  // 1.23.
+  // The gyroid's radii of curvature are at least 11 voxels. Its gradient on the surface is 1 to
+  // 1.23 per voxel.
   { "gyroid",
     [](const Vector3& x)
     {
@@ -506,7 +509,7 @@ Vector3 Slope(const Body& body, const Vector3& x)
   return { along({ 1, 0, 0 }), along({ 0, 1, 0 }), along({ 0, 0, 1 }) };
 }
 
-/// Returns the nearest position to `x` at a depth.
+/// Moves `x` along the gradient to a depth (mm). Returns that position.
 Vector3 AtDepth(const Body& body, Vector3 x, double depth)
 {
   for (int i = 0; i < 20; ++i)
@@ -548,7 +551,8 @@ TEST(FarSideContact, ADistanceFieldOfCoarseVoxelsIsFeltAsWithTheKernel)
       TickRecord records[2];
       for (int i = 0; i < 900; ++i)
       {
-        // The surface is felt one kernel radius outside of the body, so the tip is 2 mm deep there.
+        // The surface is felt one kernel radius (2 mm) outside of the body. So a tip on the body's
+        // surface is 2 mm deep.
         const double depth = std::min(-5.0 + 0.05 * i, 0.0);
         way += 0.02 * Vector3{ normal(engine), normal(engine), normal(engine) };
         tip = AtDepth(body, tip + (0.05 / Norm(way)) * way, depth);
@@ -571,9 +575,9 @@ TEST(FarSideContact, ADistanceFieldOfCoarseVoxelsIsFeltAsWithTheKernel)
 
 TEST(FarSideContact, ARampOfRoundedSamplesHoldsAsFirmlyAsAnExactOne)
 {
-  // A ball without an edge: a ramp of 10 values per voxel, on which the surface is where the hand
-  // first meets it. A tip 1 mm below it feels 500 N/m times 1 mm. A force of 5 N would not get
-  // through.
+  // A ball without an edge: the values rise evenly by 10 per voxel. The surface is where the hand
+  // first meets the ramp. A tip 1 mm below it feels 500 N/m times 1 mm, and a press of 5 N must not
+  // break through.
   const double radius = 100.0;
   const double expected = 500.0 * 1e-3;
   const Vector3 out = (1.0 / std::sqrt(14.0)) * Vector3{ 2.0, 1.0, 3.0 };
@@ -620,10 +624,10 @@ TEST(FarSideContact, ARampOfRoundedSamplesHoldsAsFirmlyAsAnExactOne)
 
 TEST(FarSideContact, APressIsTheSameInTicksOfAnyLength)
 {
-  // A ball of 30 mm radius, whose wall holds T = 2 N (eq. 12), with a stiffness of 500 N/m. A press
-  // feels min(k lag, T), however far the tip goes in one tick. Behind the wall of 2 mm, the values
-  // are constant and hold nothing. The hand meets the wall up to two voxels (the kernel's reach)
-  // outside of 30 mm.
+  // A ball of 30 mm radius, whose wall has a strength of T = 2 N (eq. 12) and a stiffness of 500
+  // N/m. The force must be min(k lag, T), however far the tip moves in one tick. Behind the wall of
+  // 2 mm, the values are constant and hold nothing. The hand may meet the wall up to two voxels
+  // (the kernel's reach) outside of 30 mm.
   constexpr double stiffness = 0.5; // N/mm
   constexpr double strength = 2.0;  // N
   constexpr double radius = 30.0;
@@ -658,7 +662,7 @@ TEST(FarSideContact, APressIsTheSameInTicksOfAnyLength)
         {
           tick(5.0 - (5.0 + depth) * i / ticks);
         }
-        for (int i = 0; i < 200; ++i) // lets the force fade after the leap
+        for (int i = 0; i < 200; ++i) // rests until the force has faded after the leap
         {
           tick(-depth);
         }

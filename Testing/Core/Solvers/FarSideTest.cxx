@@ -28,7 +28,7 @@ double Phi(double x)
   return 0.5 * std::erfc(-x / std::sqrt(2.0));
 }
 
-/// A volume that changes along z only; `value` is a function of the distance from the middle.
+/// A volume that changes along z only: value(d) at the distance d (voxels) from the middle.
 class Layers
 {
 public:
@@ -67,7 +67,7 @@ TEST(FarSide, IsThePlateausOfABlurredEdge)
       EXPECT_NEAR(far.Ahead, 60.0, 1060.0 * Tolerance) << blur << " from " << at;
       EXPECT_NEAR(far.Behind, -1000.0, 1060.0 * Tolerance) << blur << " from " << at;
       EXPECT_LT(far.Evenness, FarSide::EdgeEvenness) << blur << " from " << at;
-      // The same edge approached from the other side.
+      // From the other side, the same edge has its values ahead and behind exchanged.
       const FarValues lower = edge.Find(at, true);
       EXPECT_EQ(lower.Ahead, far.Behind);
       EXPECT_EQ(lower.Behind, far.Ahead);
@@ -87,7 +87,7 @@ TEST(FarSide, IsTheFirstPlateauNotTheSkullThroughTheScalp)
       ASSERT_GT(head.Value(at + FarSide::FarthestRadii * Radius), 900.0) << "the skull is in reach";
       EXPECT_NEAR(head.Find(at).Ahead, 50.0, 80.0) << blur << " from " << at;
       EXPECT_NEAR(head.Find(at).Behind, -1000.0, 1050.0 * 0.04);
-      // At the skull, the scalp is the medium.
+      // At the skull, the medium in front is the scalp.
       EXPECT_NEAR(head.Find(thickness + at).Behind, 50.0, 80.0) << blur << " from " << at;
       EXPECT_NEAR(head.Find(thickness + at).Ahead, 1050.0, 1000.0 * Tolerance);
     }
@@ -95,7 +95,8 @@ TEST(FarSide, IsTheFirstPlateauNotTheSkullThroughTheScalp)
 }
 
 // The skin is thinner than the kernel is wide, and the skull behind it is a steeper edge. The walk
-// must find the edge on its own side of the dip between the two, and not take both for one edge.
+// must find the skin's edge, on its own side of the dip between the two edges, and must not take
+// both for one edge.
 TEST(FarSide, IsThatOfAThinLayerWhoseNextEdgeIsSteeper)
 {
   for (const double blur : { 0.5, 0.6 })
@@ -126,8 +127,9 @@ TEST(FarSide, IsThreeRadiiAwayOnAnEvenRamp)
   EXPECT_NEAR(far.Evenness, 1.0, 1e-12);
 }
 
-// The distance from a point rises evenly along every ray. Interpolation between voxels bends the
-// ramp, so that the rises of the steps differ by up to an eighth. Noise adds to that.
+// The volume is the distance from a point, which rises evenly along each ray. Interpolation between
+// voxels bends this ramp, so that the rises of the walk's steps differ by up to an eighth. Noise
+// adds to this.
 TEST(FarSide, IsThatOfTheKernelOnADistanceFieldOfCoarseVoxels)
 {
   std::mt19937 engine(3);
@@ -159,18 +161,18 @@ TEST(FarSide, IsThatOfTheKernelOnADistanceFieldOfCoarseVoxels)
   }
 }
 
-// Nothing is known beyond the border, so a ramp counts as even up to the border.
+// Beyond the border, there are no values. A ramp that is even up to the border counts as even.
 TEST(FarSide, StopsAtTheBorder)
 {
   const Layers ramp([](double z) { return 100.0 * z; });
   const double last = 63.0 - Middle;
-  // The walk goes in steps of half a voxel. Two of them fit into the volume, ahead or behind.
+  // The walk goes in steps of half a voxel. Only two steps fit between the position and the border.
   const FarValues far = ramp.Find(last - 1.2);
   EXPECT_NEAR(far.Ahead, 100.0 * (last - 0.2), 1e-9);
   EXPECT_NEAR(far.Behind, 100.0 * (last - 1.2 - 3.0 * Radius), 1e-9);
   EXPECT_NEAR(far.Evenness, 1.0, 1e-12);
   EXPECT_NEAR(ramp.Find(1.2 - Middle).Behind, 100.0 * (0.2 - Middle), 1e-9);
-  // An edge next to the border: nothing else is assumed beyond the border.
+  // An edge next to the border ends at the value of the border.
   const Layers edge([&](double z) { return 1000.0 * Phi(z - last + 1.0); });
   EXPECT_NEAR(edge.Find(last - 1.0).Behind, 0.0, 1000.0 * Tolerance);
   EXPECT_NEAR(edge.Find(last - 1.0).Ahead, edge.Value(last), 1e-9);

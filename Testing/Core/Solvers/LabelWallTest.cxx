@@ -21,8 +21,8 @@ using namespace coretest;
 namespace
 {
 constexpr double Millimetre = 1e-3;
-/// Sanitizers slow the code down, so their builds make fewer crossings. The statistics need a
-/// release build.
+/// Number of crossings. Sanitizers and debug builds are slow, so they make fewer crossings; the
+/// statistics need a release build.
 #if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 constexpr int Crossings = 1000000;
 #else
@@ -38,7 +38,7 @@ LabelledMaterial Entry(std::int64_t label, double stiffness, double strength)
   return entry;
 }
 
-/// A volume of zeros with a label map on the same grid.
+/// A volume of zeros, with a label map on the same grid.
 class LabelledScene
 {
 public:
@@ -64,7 +64,7 @@ public:
   HapticModelDescription Description;
 };
 
-/// Moves a tip. Positions are in millimetres.
+/// Moves a tip and runs the ticks. Positions are in millimetres.
 class WallHand
 {
 public:
@@ -96,14 +96,14 @@ private:
   bool IsThere = false;
 };
 
-/// L6: a wall through the middle between labels 0 and 1, oblique to all axes. Positions and lengths
-/// are in millimetres. The random numbers are the same in each run.
+/// The wall of L6: it lies between the labels 0 and 1, passes through the middle and is oblique to
+/// all axes. Positions and lengths are in millimetres. The random numbers are the same in each run.
 class ObliqueWall
 {
 public:
   static constexpr double Stiffness = 500.0;
   static constexpr double Strength = 2.0;
-  static constexpr double Bumps = 0.4; ///< the voxels make bumps of some tenths of a millimetre
+  static constexpr double Bumps = 0.4; ///< mm: size of the bumps that the voxels make
 
   explicit ObliqueWall(std::uint64_t seed)
     : Scene(32, [this](const Vector3& x) { return this->DepthOf(x) > 0.0 ? 1 : 0; },
@@ -118,7 +118,7 @@ public:
   {
     return low + (high - low) * static_cast<double>(this->Engine() >> 11) * 0x1p-53;
   }
-  /// Returns a random step along the wall, up to `reach` in each of two directions.
+  /// Returns a random step along the wall, of up to `reach` (mm) in each of two directions.
   Vector3 DrawAlong(double reach)
   {
     const double u = this->Draw(-reach, reach);
@@ -147,7 +147,8 @@ class LabelWallOfSolver : public testing::TestWithParam<HapticSolver>
 
 TEST_P(LabelWallOfSolver, HoldsWhereTheLabelsMeet)
 {
-  // L1 with the geometry from labels: regions of 200 N/m and 800 N/m behind one wall at z = 11.5.
+  // L1, with the geometry of labels: regions of 200 N/m and of 800 N/m lie behind one wall at z =
+  // 11.5.
   const auto labels = [](const Vector3& x) { return x.Z < 11.5 ? 0 : (x.X < 11.5 ? 1 : 2); };
   LabelledScene scene(24, labels, { Entry(1, 200.0, 50.0), Entry(2, 800.0, 50.0) });
   scene.Description.Settings.Solver = this->GetParam();
@@ -160,7 +161,7 @@ TEST_P(LabelWallOfSolver, HoldsWhereTheLabelsMeet)
     const TickRecord& pressed = hand.MoveTo({ x, 12, 13.5 }, 0.01);
     EXPECT_NEAR(pressed.Stiffness, stiffness, 1e-9 * stiffness);
     EXPECT_NEAR(pressed.Proxy.Z, 11.5 * Millimetre, 0.015 * Millimetre);
-    // The force is exactly k times the lag, with the k of one region.
+    // The force is the lag times the stiffness of this region, not of the other one.
     EXPECT_NEAR(-pressed.Force.Z / (stiffness * (13.5 * Millimetre - pressed.Proxy.Z)), 1.0, 1e-9);
     const TickRecord& left = hand.MoveTo({ x, 12, 8 });
     EXPECT_EQ(Norm(left.Force), 0.0) << "the way out is free";
@@ -182,7 +183,7 @@ TEST_P(LabelWallOfSolver, GivesWayAtItsStrength)
   }
   EXPECT_NEAR(most, 1.0, 1e-3);
   EXPECT_EQ(Norm(hand.MoveTo({ 20, 20, 22 }).Force), 0.0) << "inside a label nothing holds";
-  // The wall does not hold on the way back out of the structure either.
+  // On the way out of the structure, the wall does not hold either.
   for (double z = 22.0; z > 8.0; z -= 0.05)
   {
     ASSERT_LT(Norm(hand.MoveTo({ 20, 20, z }).Force), 1e-9) << z;
@@ -191,7 +192,7 @@ TEST_P(LabelWallOfSolver, GivesWayAtItsStrength)
 
 TEST_P(LabelWallOfSolver, IsNotThereIfNothingIsFelt)
 {
-  // The skin is set not to be felt; the bone behind it is felt.
+  // The skin's label is set not to be felt; the bone behind the skin is felt.
   const auto labels = [](const Vector3& x) { return x.Z < 8.5 ? 0 : (x.Z < 14.5 ? 1 : 2); };
   LabelledMaterial skin = Entry(1, 300.0, 5.0);
   skin.Material.IsFelt = false;
@@ -213,12 +214,12 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(LabelWall, IsNeverFallenThrough)
 {
-  // Tips at up to 3 m/s press with less than T_N.
+  // The tip moves at up to 3 m/s, and presses with less than the wall's strength T_N.
   ObliqueWall wall(7);
   constexpr double deepest =
     0.9 * ObliqueWall::Strength / ObliqueWall::Stiffness / Millimetre - ObliqueWall::Bumps;
-  constexpr int crossings = Crossings / 25; // fewer, because these ways are longer
-  constexpr double fastest = 3.0;           // mm per tick of 1 ms
+  constexpr int crossings = Crossings / 25; // fewer, because each way takes several ticks
+  constexpr double fastest = 3.0;           // mm per tick of 1 ms, which is 3 m/s
   Vector3 tip = wall.Middle - 2.0 * wall.Normal;
   wall.Move(tip);
   int through = 0;
@@ -229,7 +230,7 @@ TEST(LabelWall, IsNeverFallenThrough)
     {
       const double depth = goesIn ? wall.Draw(0.5, deepest) : wall.Draw(-3.0, -0.5);
       const Vector3 to = wall.Middle + wall.DrawAlong(5.0) + depth * wall.Normal;
-      // Divide the way into equal steps of at most 3 mm.
+      // Divide the way into equal steps of at most 3 mm, and run a tick for each.
       const Vector3 way = to - tip;
       const int ticks = static_cast<int>(std::ceil(Norm(way) / fastest));
       for (int tick = 1; tick <= ticks; ++tick)
@@ -238,7 +239,7 @@ TEST(LabelWall, IsNeverFallenThrough)
         through += wall.IsThrough() ? 1 : 0;
       }
       tip = to;
-      // Expect k (h - w), with a wall position w that is uncertain by the bumps.
+      // The force divided by k must be the depth, except for the size of the bumps.
       const double pressed = -Dot(wall.Record.Force, wall.Normal) / ObliqueWall::Stiffness;
       unpressed += goesIn && std::abs(pressed / Millimetre - depth) > ObliqueWall::Bumps ? 1 : 0;
     }
@@ -249,7 +250,7 @@ TEST(LabelWall, IsNeverFallenThrough)
 
 TEST(LabelWall, IsNotFallenThroughInAMillionCrossings)
 {
-  // Up to 10^6 crossings, each in one tick, at places where voxels make bumps and dents.
+  // Make up to 10^6 crossings of one tick each, at places with bumps and dents of the voxels.
   ObliqueWall wall(9);
   Vector3 foot = wall.Middle;
   wall.Move(foot - wall.Normal);
@@ -261,7 +262,7 @@ TEST(LabelWall, IsNotFallenThroughInAMillionCrossings)
     const bool goesIn = i % 2 == 0;
     if (goesIn && i % 100 == 0)
     {
-      // Start again at another place in front of the wall.
+      // Start a new contact at another place in front of the wall.
       foot = wall.Middle + wall.DrawAlong(6.0);
       wall.State.Enabled = false;
       wall.Move(foot - wall.Normal);

@@ -17,11 +17,11 @@ using namespace coretest;
 
 namespace
 {
-/// Presses and strokes. `step` is the tip's motion (mm) per tick. Returns the forces.
+/// Presses and strokes. `unit` is the number of millimetres in a world unit, and `step` the tip's
+/// motion (mm) per tick. Returns the force of each tick.
 std::vector<Vector3> Touch(
   const TestVolume& volume, double unit, HapticMethod method, HapticSolver solver, double step)
 {
-  // One world unit is `unit` millimetres.
   HapticModelDescription description = Describe(volume);
   description.IndexToWorld.Linear = (0.7 / unit) * Matrix3{};
   description.DeviceToWorld.Linear = (1000.0 / unit) * Matrix3{};
@@ -90,11 +90,12 @@ TEST(LengthUnits, ChangeNoForce)
       {
         EXPECT_EQ(LargestDifference(Touch(volume, unit, method, solver, step), expected), 0.0);
       }
-      // Micrometres, centimetres, metres and kilometres; the numbers are subject to rounding.
+      // A world unit of a micrometre, a centimetre, a metre and a kilometre. Their numbers are
+      // rounded.
       for (const double unit : { 1e-3, 10.0, 1e3, 1e6 })
       {
         const double found = LargestDifference(Touch(volume, unit, method, solver, step), expected);
-        // PAPER chatters, so rounding alone changes its force on a ball in millimetres by as much.
+        // PAPER chatters on the ball, so rounding alone changes its force by up to 0.02 N.
         EXPECT_LT(found, solver == HapticSolver::Paper ? 0.02 : 1e-9);
       }
     }

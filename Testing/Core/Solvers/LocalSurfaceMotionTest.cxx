@@ -16,7 +16,8 @@ constexpr double Spring = 0.5; // N/mm
 const Vector3 Middle{ 20.0, 20.0, 20.0 };
 const LocalSurfaceShape Shapes[] = { LocalSurfaceShape::Plane, LocalSurfaceShape::Quadric };
 
-/// A box of 16 mm. Its edges are as sharp as the blur allows; there, a quadric bends most.
+/// Returns a box of 16 mm, with edges as sharp as the blur allows. A quadric surface bends most
+/// there.
 TestVolume MakeBox()
 {
   TestVolume volume(ScalarType::Float64, { 41, 41, 41 });
@@ -33,7 +34,7 @@ TestVolume MakeBox()
   return volume;
 }
 
-/// A surface with bumps and holes of several voxels.
+/// Returns a surface with bumps and holes of several voxels.
 TestVolume MakeBumps()
 {
   TestVolume volume(ScalarType::Float64, { 41, 41, 41 });
@@ -48,7 +49,7 @@ TestVolume MakeBumps()
   return volume;
 }
 
-/// Moves a hand at random at up to 0.4 m/s. Expects that no tick changes the force by more than the
+/// Moves a hand at random at up to 0.4 m/s. Expects that each tick changes the force by at most the
 /// allowed step.
 void ExpectNoJump(const HapticModelDescription& description, unsigned seed)
 {

@@ -23,7 +23,7 @@ TEST(LocalSurfaceShapes, FrictionSticksAndSlides)
   d.Material.Friction = ConstantPolyline(0.4);
   Hand hand(d, { 10.0, 10.0, 9.0 });
   hand.Lead({ 10.0, 10.0, 15.0 });
-  // The proxy sticks until the lateral lag is mu times the depth (T4 and T5 in
+  // As long as the lateral lag is less than mu times the depth, the proxy sticks (T4 and T5 in
   // Documentation/evaluation.md).
   hand.Lead({ 11.1, 10.0, 15.0 });
   EXPECT_EQ(hand.Record.Contact, ContactState::Sticking);
@@ -70,7 +70,7 @@ TEST(LocalSurfaceShapes, FrictionIsNoMoreThanItsShareOfTheNormalForce)
 TEST(LocalSurfaceShapes, AHollowHoldsAHandThatGrazesIt)
 {
   const TestVolume volume = MakeLocalBall(-1.0);
-  for (const double slide : { 0.05, 0.1, 0.2 }) // mm per tick, which is m/s
+  for (const double slide : { 0.05, 0.1, 0.2 }) // mm per tick, or m/s
   {
     for (const double press : { 0.002, 0.02 })
     {
@@ -89,7 +89,7 @@ TEST(LocalSurfaceShapes, AHollowHoldsAHandThatGrazesIt)
 
 TEST(LocalSurfaceShapes, WhereTheKernelIsThickerThanAWallNoHandAtRestIsPulled)
 {
-  // A wall of one voxel, three voxels of air, and bone behind it.
+  // A wall of one voxel, then three voxels of air, then bone.
   TestVolume volume(ScalarType::Float64, { 24, 24, 24 });
   volume.Fill<double>([](std::int64_t, std::int64_t, std::int64_t k)
     { return k == 10 ? 700.0 : (k > 13 ? 1500.0 : 0.0); });

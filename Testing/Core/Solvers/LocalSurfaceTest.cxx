@@ -42,7 +42,7 @@ TEST(LocalSurface, OfABallBendsAsItDoesAndOfACavityTheOtherWay)
   {
     const TestVolume volume = MakeLocalBall(sign);
     const HapticModelDescription d = DescribeLocal(volume, 100.0, LocalSurfaceShape::Quadric);
-    // The start is 2 mm from the surface, on the side of lower values.
+    // The fit starts 2 mm from the surface, on the side of lower values.
     const Vector3 out = { 0.6, 0.0, 0.8 };
     const Vector3 centre{ Middle, Middle, Middle };
     const LocalSurface found = Fit(d, centre + (BallRadius + 2.0 * sign) * out);
@@ -73,7 +73,8 @@ TEST(LocalSurface, IsFoundFromOutsideOnlyUnlessItHolds)
   d.Settings.Side = SurfaceSide::Both;
   EXPECT_LE(Norm(Fit(d, outside).Shape.Gradient - up), 1e-9);
   EXPECT_LE(Norm(Fit(d, inside).Shape.Gradient + up), 1e-9);
-  // The hand is held from below, although rounding has put the start on the other side.
+  // Rounding has put the start on the other side of the surface. The hand must still be held from
+  // the side given by `up`.
   EXPECT_LE(Norm(Fit(d, { 10.0, 10.0, 12.0 + 1e-6 }, {}, up).Shape.Gradient - up), 1e-9);
 }
 

@@ -48,14 +48,15 @@ TEST_F(LocalSurfaceTick, AnswersComeAsLateAsTheSlowLoopIsSlow)
   {
     EXPECT_EQ(hand.Tick().IsRenewed, tick % Period == 0) << tick;
   }
-  // Go from outside to 2 mm inside in two ticks, before the first answer. The hand falls through.
+  // The hand moves from outside to 2 mm inside in two ticks, before the first answer. No surface
+  // can stop it yet.
   Hand fast(this->Description, { 10.0, 10.0, 11.0 });
   fast.Lead({ 10.0, 10.0, 14.0 }, 1.5);
   for (int tick = 0; tick < 10; ++tick)
   {
     EXPECT_EQ(Norm(fast.Tick().Force), 0.0);
   }
-  // The answer is then the surface behind the hand, and its force rises gradually.
+  // The first answer is the surface behind the hand. Its force must rise gradually.
   double last = 0.0;
   for (int tick = 0; tick < 60; ++tick)
   {

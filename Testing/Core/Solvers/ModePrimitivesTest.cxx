@@ -21,7 +21,7 @@ Vector3 AtAngle(double radius, double angle)
   return { radius * std::cos(angle), radius * std::sin(angle), 0.0 };
 }
 
-/// Returns a vortex around z with the speed `speed(r)`.
+/// Returns a vortex around z. `speed(r)` is its speed at a distance r (mm).
 template <typename F>
 ModeGrid MakeVortex(F&& speed)
 {
@@ -37,8 +37,8 @@ ModeGrid MakeVortex(F&& speed)
 
 TEST(ModePrimitives, AVortexHoldsTheHandInAsStronglyAsItTurns)
 {
-  // P5, Lamb-Oseen vortex: curl = 2 exp(-r^2/100 mm^2). The strength is 2 N where the curl is 2,
-  // and proportional to it.
+  // P5: a Lamb-Oseen vortex with the curl 2 exp(-r^2/100 mm^2). The strength is proportional to the
+  // curl: 2 N at a curl of 2.
   ModeGrid vortex = MakeVortex([](double r) { return 100.0 / r * -std::expm1(-r * r / 100.0); });
   vortex.Bake(ModeKind::VortexTube, { { 0.0, 0.0 }, { 2.0, 2.0 } });
   const double radii[4] = { 0.0, 5.0, 10.0, 20.0 };
@@ -53,15 +53,15 @@ TEST(ModePrimitives, AVortexHoldsTheHandInAsStronglyAsItTurns)
       {
         vortex.Move(AtAngle(tips[i] * tick / 400.0, angle));
       }
-      // The proxy stays within 0.01 voxel of the core line. Elsewhere, the strength is that of the
-      // blurred flow.
+      // On the core line, the proxy stays within 0.01 voxel of the line. Elsewhere, the strength is
+      // that of the flow as blurred by the sampler.
       EXPECT_NEAR(Norm(vortex.Motion.Proxy), 1e-3 * radii[i], i == 0 ? 5e-6 : 2e-5);
       EXPECT_NEAR(Norm(vortex.Motion.Force), forces[i], 0.005 * forces[i] + 1e-4);
       EXPECT_NEAR(
         Norm(vortex.Motion.Force - vortex.Field->ForceOf(0, vortex.Memory.Forces)), 0.0, 1e-12);
     }
   }
-  // On the way back in, the proxy is free.
+  // On the way back to the core, the proxy is free.
   for (int tick = 0; tick <= 400; ++tick)
   {
     vortex.Move(AtAngle(20.0 - 19.0 * tick / 400.0, 2.9));
@@ -72,9 +72,9 @@ TEST(ModePrimitives, AVortexHoldsTheHandInAsStronglyAsItTurns)
 
 TEST(ModePrimitives, AHandThatWandersEndsOnAnObliqueCore)
 {
-  // P5, Lamb-Oseen vortex around a line that meets no axis and no grid point. The hand begins 6 mm
-  // from the line and wanders within 3 mm of a place on it. Inwards the proxy is free, outwards it
-  // is held.
+  // P5: a Lamb-Oseen vortex around a line that meets no axis and no grid point. The hand begins 6
+  // mm from the line and wanders within 3 mm of a point on the line. The proxy moves freely towards
+  // the line, and is held against motion away from it.
   const Vector3 axis{ 0.48, -0.6, 0.64 };
   const Vector3 place{ 0.37, -0.21, 0.13 };
   const Vector3 across{ 0.8, 0.64, 0.0 };
@@ -108,7 +108,7 @@ TEST(ModePrimitives, AHandThatWandersEndsOnAnObliqueCore)
     }
   }
   EXPECT_LT(findDistance(), 0.01 * 0.5) << "a hundredth of a voxel";
-  // The proxy is free along the core and held across it.
+  // The proxy moves freely along the core, and is held across it.
   vortex.Move(place + 2.0 * axis + (2.0 / Norm(across)) * across);
   EXPECT_NEAR(Norm(vortex.Motion.Force), 1.0, 0.01);
   EXPECT_NEAR(Dot(1e3 * vortex.Motion.Proxy - place, axis), 2.0, 0.01);
@@ -116,7 +116,7 @@ TEST(ModePrimitives, AHandThatWandersEndsOnAnObliqueCore)
 
 TEST(ModePrimitives, ARankineVortexEndsAtItsRadius)
 {
-  // P6: curl 2 within 10 mm, no curl outside.
+  // P6: a Rankine vortex has a curl of 2 within 10 mm and no curl outside.
   ModeGrid vortex = MakeVortex([](double r) { return r < 10.0 ? r : 100.0 / r; });
   vortex.Bake(ModeKind::VortexTube, { { 1.0, 0.0 }, { 1.0, 2.0 } });
   vortex.StartAt({ 0.1, 0.0, 0.0 });
@@ -137,7 +137,7 @@ TEST(ModePrimitives, ARankineVortexEndsAtItsRadius)
 
 TEST(ModePrimitives, FrontsHoldAcrossAndSlideAlong)
 {
-  // v = x: the fronts are spheres. The field is linear, so the sampler reproduces it exactly.
+  // The field v = x has spheres as fronts. It is linear, so the sampler reproduces it exactly.
   ModeGrid grid(56, 56, 56, 1.0, 3,
     [](const Vector3& x, double* v)
     {
@@ -159,7 +159,7 @@ TEST(ModePrimitives, FrontsHoldAcrossAndSlideAlong)
     EXPECT_NEAR(Norm(grid.Motion.Proxy), 0.020, 1e-6) << "10 turns on the sphere";
     EXPECT_NEAR(Norm(grid.Motion.Force), 1.0, 1e-3);
   }
-  // One-sided: the proxy is free outwards, where v points, and held inwards.
+  // The front is one-sided: the proxy moves freely outwards, along v, and is held inwards.
   grid.Bake(ModeKind::VectorFront, { { 0.0, 0.0 }, { 1.0, 2.0 } });
   grid.StartAt({ 15.0, 0.0, 0.0 });
   grid.Move({ 17.0, 0.0, 0.0 });
@@ -177,15 +177,16 @@ TEST(ModePrimitives, ShearHasALineAlongItsStretching)
   EXPECT_EQ(set[0].Kind, PrimitiveKind::Line);
   EXPECT_NEAR(set[0].Strength, 1.5, 1e-12);
   EXPECT_NEAR(std::abs(Dot(set[0].Direction, { std::sqrt(0.5), std::sqrt(0.5), 0.0 })), 1.0, 1e-14);
-  // The strength fades within two voxels of the border. At 1 mm from it, a quarter remains.
+  // The strength fades within two voxels of the border; at 1 mm (one voxel) from it, a quarter
+  // remains.
   EXPECT_NEAR(grid.At({ 8.0, 0.0, 0.0 })[0].Strength, 0.25 * 1.5, 1e-12);
   EXPECT_EQ(grid.At({ 9.01, 0.0, 0.0 })[0].Strength, 0.0);
 }
 
 TEST(ModePrimitives, TensorsAreInterpolatedAndNotTheirFibres)
 {
-  // P9: fibres turn linearly in z from angle a1 at the bottom to a2 at the top. Eigenvalues: 1,
-  // 0.2, and 0.1 along z.
+  // P9: the fibres turn linearly in z, from the angle `From` (degrees) at the bottom to `To` at the
+  // top. The eigenvalues are 1, 0.2, and 0.1 along z.
   struct Case
   {
     double From, To, Fraction, Angle, Kept;
@@ -223,8 +224,8 @@ TEST(ModePrimitives, TensorsAreInterpolatedAndNotTheirFibres)
       double angle = std::atan2(fibre.Y, fibre.X) * 180.0 / HalfTurn;
       angle = angle < 0.0 ? angle + 180.0 : angle;
       EXPECT_NEAR(angle, of.Angle, 1e-3);
-      // `Kept` is the fraction of the anisotropy that remains: l1 and l2 are 0.6 +- 0.4 Kept; l3 is
-      // 0.1.
+      // `Kept` is the fraction of the anisotropy that interpolation leaves: the eigenvalues are l1
+      // and l2 = 0.6 +- 0.4 Kept, and l3 = 0.1.
       const double l1 = 0.6 + 0.4 * of.Kept;
       EXPECT_NEAR(set[0].Strength, 0.8 * of.Kept / l1, 1e-3);
       EXPECT_NEAR(set[1].Strength, (0.5 - 0.4 * of.Kept) / l1, 1e-3);
@@ -273,7 +274,7 @@ TEST(ModePrimitives, SingularTensorsAndMissingVectorsAreNotFelt)
 
 TEST(ModePrimitives, TurnWithTheirData)
 {
-  // P11: the same array with its components along the image axes, in a rotated world.
+  // P11: the same array in a rotated world, with its components along the image axes.
   std::mt19937_64 engine(4);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   ModeGrid grid(12, 12, 12, 1.0, 3,

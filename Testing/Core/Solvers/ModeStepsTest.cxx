@@ -36,12 +36,13 @@ using namespace modegrid;
 
 namespace
 {
-constexpr int Ticks = 200000;  // of each mode: more than a million in all
-constexpr double Stride = 0.2; // mm per tick, along each axis
+constexpr int Ticks = 200000;  // ticks of each mode: more than a million in all
+constexpr double Stride = 0.2; // mm: largest motion per tick along each axis
 
-/// A flow in many directions, with rotation, stretching and places at rest. Its Jacobian is [0 a 0;
-/// 0 0 b; c d 0] with |a| <= 0.4, |b| <= 0.3, |c| <= 0.25, |d| <= 0.1 per mm. Its norm is at most
-/// the root of the largest row sum times the largest column sum, (0.4 * 0.5)^(1/2).
+/// Upper bound of the flow's Jacobian (per mm). The Jacobian is [0 a 0; 0 0 b; c d 0] with |a| <=
+/// 0.4, |b| <= 0.3, |c| <= 0.25, |d| <= 0.1 per mm, and its norm is at most (0.4 * 0.5)^(1/2): the
+/// root of the largest row sum times the largest column sum. The flow has many directions,
+/// rotation, stretching and places at rest.
 constexpr double SteepestSwirl = 0.45;
 void Swirl(const Vector3& x, double* v)
 {
@@ -50,7 +51,7 @@ void Swirl(const Vector3& x, double* v)
   v[2] = 0.5 * std::sin(0.5 * x.X + 0.2 * x.Y);
 }
 
-/// The tensor v v^T + 0.1, which elsewhere is made flat or long.
+/// Computes the tensor v v^T + 0.1 of the flow v, changed so that it is flat or long in places.
 void SwirlTensor(const Vector3& x, double* t)
 {
   double v[3];
@@ -61,7 +62,7 @@ void SwirlTensor(const Vector3& x, double* t)
   std::copy_n(six, 6, t);
 }
 
-/// Returns the distance (N) between a force and the nearest force that a primitive can have.
+/// Returns the distance (N) from a force to the nearest force that a primitive can have.
 double Miss(const Vector3& force, const Primitive& p)
 {
   const double along = Dot(force, p.Direction);
@@ -90,13 +91,13 @@ double Miss(const PrimitiveForces& forces, const PrimitiveSet& set)
   return sum;
 }
 
-/// The largest force of a walk and the largest changes of the force.
+/// Largest force of a walk, largest change of the force, and numbers of steps.
 struct Walked
 {
   double Strongest = 0.0; ///< N
   double Steepest = 0.0;  ///< |df|/(k |dy|)
-  int Steeper = 0;        ///< steps with a ratio of more than 1
-  int Unbound = 0;        ///< of these steps, the number with q >= 1
+  int Steeper = 0;        ///< number of steps with a ratio of more than 1
+  int Unbound = 0;        ///< number of those steps with q >= 1
 };
 
 class ModeSteps
@@ -112,14 +113,14 @@ public:
     std::mt19937_64 engine(11);
     std::uniform_real_distribution<double> uniform(-Stride, Stride);
     Vector3 tip;
-    this->Grid.Move(tip); // where the mode pushes, the walk starts with a force
+    this->Grid.Move(tip); // starts with a force, where the mode pushes
     for (int tick = 0; tick < Ticks && !testing::Test::HasFailure(); ++tick)
     {
       const Vector3 next =
         (1.0 - 0.1 * Stride) * tip + Vector3{ uniform(engine), uniform(engine), uniform(engine) };
       const PrimitiveForces forces = this->Grid.Memory.Forces;
       const PrimitiveMotion from = this->Grid.Motion;
-      this->Grid.Move(next); // limits |f| to the strengths at the place
+      this->Grid.Move(next); // also limits the forces to the strengths at the new place
       this->Compare(from, forces, 1e-3 * Norm(next - tip), tick);
       tip = next;
     }
@@ -134,8 +135,8 @@ private:
     const double ratio = step / (CouplingOf * way);
     this->Met.Strongest = std::max(this->Met.Strongest, Norm(to.Force));
     this->Met.Steepest = std::max(this->Met.Steepest, ratio);
-    // At its end, SolvePrimitives() moves the proxy by up to FinishedFraction (1e-3) of the longest
-    // step without computing the force again. Allow for that in the ratio.
+    // At the end of a tick, SolvePrimitives() moves the proxy by up to FinishedFraction (1e-3) of
+    // the longest step without computing the force again, so the ratio may be larger by 1e-3.
     constexpr double ofEnds = 1e-3;
     if (ratio <= 1.0 + ofEnds)
     {
@@ -152,7 +153,7 @@ private:
     EXPECT_LE(step, this->StrengthsAt(from.Proxy) + this->StrengthsAt(to.Proxy)) << tick;
   }
 
-  /// Computes q = L/k along parts of the way, for the forces before and after the motion.
+  /// Returns the largest q = L/k in parts of the way, for the forces before and after the motion.
   double ComputeTurning(const Vector3& from, const Vector3& to, const PrimitiveForces& forces) const
   {
     constexpr int parts = 16;
@@ -186,7 +187,7 @@ struct SteppedMode
 {
   ModeKind Kind;
   int Components;
-  double Second; ///< N: the other primitives' strength where the first one has its full strength
+  double Second; ///< N: strength of the other primitives where the first one has its full strength
 };
 
 Walked WalkThrough(const SteppedMode& mode, double strength)
@@ -207,7 +208,8 @@ TEST_P(ModesInASwirl, StepByTheSpringAsFarAsTheFieldAllows)
 {
   const Walked met = WalkThrough(this->GetParam(), 1.5);
   EXPECT_GT(met.Strongest, 0.3);
-  // The hand moves at 0.2 m/s. In few of its steps does the flow turn so fast that no bound exists.
+  // The hand moves at 0.2 m/s. Few of its steps cross places where the flow turns so fast that
+  // there is no bound (q >= 1).
   EXPECT_LT(met.Unbound, Ticks / 100);
 }
 
@@ -217,8 +219,7 @@ INSTANTIATE_TEST_SUITE_P(ModeSteps, ModesInASwirl,
     SteppedMode{ ModeKind::VortexTube, 3, 0.3 }, SteppedMode{ ModeKind::Shear, 3, 0.0 },
     SteppedMode{ ModeKind::TensorFollow, 6, 0.5 }));
 
-/// Flows of little strength: s |J| = 0.3 N * 0.45/mm is 0.27 k, so that the bound 1/(1 - q) exists
-/// everywhere.
+/// The flow is weak: s |J| = 0.3 N * 0.45/mm is 0.27 k. So the bound 1/(1 - q) exists everywhere.
 TEST(ModeSteps, OfWeakFlowsAndFrontsAreWithinABoundOfTheirStrength)
 {
   constexpr double strength = 0.3;
@@ -233,7 +234,7 @@ TEST(ModeSteps, OfWeakFlowsAndFrontsAreWithinABoundOfTheirStrength)
   }
 }
 
-/// The primitives of a straight guide are the same at each place: q is 0.
+/// A straight guide has the same primitives at each place, so q is 0.
 TEST(ModeSteps, OfAStraightGuideAreThoseOfTheSpring)
 {
   ModeGrid grid(24, 24, 24, 1.0, 3, Swirl);

@@ -43,7 +43,7 @@ using namespace movingtest;
 namespace
 {
 
-/// An edge tanh(x/Width), the spacing of its samples, and the kernel radius.
+/// An edge with the values of tanh(x/Width), the spacing of its samples, and the kernel radius.
 struct SampledEdge
 {
   double Width; ///< mm
@@ -51,7 +51,8 @@ struct SampledEdge
   int Radius;   ///< voxels
 };
 
-/// Returns the closed form of e (mm).
+/// Returns the closed form of the ripple e (mm): the largest distance between the sampled edge's
+/// middle and the true one.
 double ComputeRipple(const SampledEdge& edge)
 {
   const double h = edge.Voxel;
@@ -61,8 +62,8 @@ double ComputeRipple(const SampledEdge& edge)
     (2.0 - 2.0 * s * s + 4.0 * (1.0 - s) * s) / (1.0 - s);
 }
 
-/// Searches all positions within a voxel for the largest distance (mm) between the sampled edge's
-/// middle and the true one.
+/// Searches all positions within a voxel. Returns the largest distance (mm) between the sampled
+/// edge's middle and the true one.
 double SearchRipple(const SampledEdge& edge)
 {
   const double h = edge.Voxel;
@@ -90,7 +91,7 @@ double SearchRipple(const SampledEdge& edge)
   return worst;
 }
 
-/// Returns the variance (mm^2) of the Gaussian's window with which its derivative is consistent
+/// Returns the variance (mm^2) of the Gaussian window that belongs to the derivative's kernel
 /// (GradientKernel.h).
 double ComputeBlur(const SampledEdge& edge)
 {
@@ -109,7 +110,7 @@ double ComputeBlur(const SampledEdge& edge)
   return second / sum * edge.Voxel * edge.Voxel;
 }
 
-/// The range of a force's error (N).
+/// Smallest and largest error of the force (N).
 struct Errors
 {
   double Least = 0.0;
@@ -129,7 +130,7 @@ HapticModelDescription DescribeEdge(const Movie& movie, const SampledEdge& edge,
   return d;
 }
 
-/// Runs V3, whose wall moves from 18 mm on through three voxels. Returns the errors of the force.
+/// Runs V3: the wall moves from 18 mm on through three voxels. Returns the errors of the force.
 /// @param drag of the medium, N
 Errors FeelWall(const SampledEdge& edge, double drag)
 {
@@ -148,13 +149,13 @@ Errors FeelWall(const SampledEdge& edge, double drag)
   return errors;
 }
 
-/// Returns the force (N) of a spring of stiffness K for a displacement (mm).
+/// Returns the force (N) of a spring of stiffness K that is stretched by `way` (mm).
 double ForceOf(double way)
 {
   return 0.001 * K * way;
 }
 
-/// Error (N) that rounding and the search for levels add.
+/// N: error that rounding and the search for levels add.
 constexpr double SearchError = 1e-3;
 
 } // namespace
@@ -164,14 +165,14 @@ TEST(MovingEdges, AnInterpolatedEdgeWandersByAFormula)
   for (const SampledEdge& edge : { SampledEdge{ 1.5, 1.0, 2 }, SampledEdge{ 1.5, 1.0, 3 },
          SampledEdge{ 1.5, 0.5, 2 }, SampledEdge{ 2.0, 1.0, 2 }, SampledEdge{ 2.5, 1.0, 3 } })
   {
-    // The tolerance covers the next term of the series, that of h^5.
+    // The tolerance covers the next term of the series, which has h^5.
     EXPECT_NEAR(SearchRipple(edge) / ComputeRipple(edge), 1.0, 0.06)
       << edge.Width << " " << edge.Voxel << " " << edge.Radius;
   }
   EXPECT_NEAR(ComputeRipple({ 1.5, 1.0, 2 }), 0.0247, 1e-4);
 }
 
-/// V3 is within 1 % (15 mN) where e is less than 0.03 mm.
+/// V3: where the ripple e is less than 0.03 mm, the force is right within 1 % (15 mN).
 TEST(MovingEdges, AWallHoldsBehindItsMiddleByThatAndNotByMore)
 {
   for (const SampledEdge& edge : { SampledEdge{ 1.5, 1.0, 2 }, SampledEdge{ 1.5, 1.0, 3 },
@@ -192,16 +193,16 @@ TEST(MovingEdges, AWallHoldsBehindItsMiddleByThatAndNotByMore)
   }
 }
 
-/// V1 and V2 with the default kernel and voxels of 1 mm: errors of 16.4 mN of 1.5 N and 13.0 mN of
-/// 1 N.
+/// V1 and V2, with the default kernel and voxels of 1 mm. The errors are 16.4 mN of 1.5 N and 13.0
+/// mN of 1 N.
 TEST(MovingEdges, ABallHoldsBehindItsMiddleByThatAndByHowItsBlurGrows)
 {
   const SampledEdge edge{ Width, 1.0, 2 };
   const Movie ball = MakeBall(0.01);
   for (const double strength : { 2.0, 1.0 })
   {
-    // With a strength of 2 N, the surface holds while the radius is between 22 mm and 19 mm. With
-    // 1 N, it slips at a radius of 21 mm, from t = 1/12 s on, and not before.
+    // With a strength of 2 N, the surface holds for all radii, from 22 mm to 19 mm. With 1 N, it
+    // first slips at t = 1/12 s, at a radius of 21 mm; the test ends there.
     const bool isHeld = strength > 1.5;
     const double grown = isHeld ? 1.0 / 19.0 - 1.0 / 22.0 : 0.0;
     RestingHand hand(DescribeEdge(ball, edge, strength), 24.0, 19.0);
@@ -212,14 +213,15 @@ TEST(MovingEdges, ABallHoldsBehindItsMiddleByThatAndByHowItsBlurGrows)
     }
     EXPECT_NEAR(errors.Least, -ForceOf(SearchRipple(edge) + ComputeBlur(edge) * grown), SearchError)
       << strength;
-    // The first level may be in front of the middle by the ripple of a voxel.
+    // The first level may lie in front of the edge's middle by up to the ripple.
     EXPECT_LE(errors.Most, ForceOf(SearchRipple(edge)) + SearchError) << strength;
   }
 }
 
-/// Solver PAPER, V1 and V7, after a ball of radius r has pressed once: at its largest radius of
-/// 22 mm the surface slipped at its strength of 2 N. From then on f = 2 N - k (22 mm - r), so that
-/// no work is left over from a period, and the offset of PAPER's surface has no effect.
+/// V1 and V7 with solver PAPER, after the ball has pressed once: at its largest radius of 22 mm,
+/// the surface slipped at its strength of 2 N. From then on, f = 2 N - k (22 mm - r), where r is
+/// the ball's radius. No work is left over from a period, and the offset of PAPER's surface has no
+/// effect.
 TEST(MovingEdges, PaperGivesNoWorkOnceItHasSlipped)
 {
   const Movie ball = MakeBall(0.01);

@@ -26,7 +26,7 @@ namespace
 constexpr double MaterialK = 500.0; // N/m
 constexpr double MaterialDt = 1e-3; // s per tick
 
-/// Time steps with displacements, one unit of time apart; 28 x 26 x 24 voxels.
+/// A series of time steps with displacements, one unit of time apart, of 28 x 26 x 24 voxels.
 class MaterialMovie
 {
 public:
@@ -34,7 +34,7 @@ public:
   using Motion = std::function<Vector3(const Vector3& index, int timeStep)>;
   static constexpr std::int64_t N[3] = { 28, 26, 24 };
 
-  /// `motion` returns the displacement (world units) at an index.
+  /// @param motion returns the displacement (world units) at an index
   MaterialMovie(int timeSteps, const Value& value, const Motion& motion, bool isSingle = false)
   {
     for (int timeStep = 0; timeStep < timeSteps; ++timeStep)
@@ -92,7 +92,7 @@ private:
   std::list<std::vector<double>> Doubles;
 };
 
-/// Returns the value of a wall with bumps that lies on the side of lower x.
+/// Returns the value at an index of a bumpy wall, which lies at x < `place`.
 double BumpyWall(const Vector3& index, double place, double width = 1.5)
 {
   const double bumps = 0.4 * std::sin(0.3 * index.Y) * std::cos(0.2 * index.Z);
@@ -116,7 +116,7 @@ struct MaterialHand
   TickRecord Record;
 };
 
-/// A rotated grid whose voxels are not cubes.
+/// Returns a rotated grid whose voxels are not cubes.
 Affine3 ObliqueGrid()
 {
   constexpr double c = 0.8;
@@ -126,8 +126,9 @@ Affine3 ObliqueGrid()
 }
 } // namespace
 
-/// V6 of the derivations. The motion between time steps is a whole number of voxels, so that
-/// sampling adds no error.
+/// V6 of the derivations: a volume that moves gives the force of a volume at rest under a hand that
+/// moves the other way. The motion between time steps is a whole number of voxels, so that sampling
+/// adds no error.
 TEST(MovingMaterial, AVolumeThatMovesIsAHandThatGoes)
 {
   struct Choice
@@ -140,10 +141,10 @@ TEST(MovingMaterial, AVolumeThatMovesIsAHandThatGoes)
     double Friction;
     double Drag;
   };
-  // Rounding decides in PRECISE where friction and drag let go together, or at an edge that is a
-  // thousandth of its height wide (kernel materials with alignment Edge). Where a graded edge (far
-  // side) gives way, rounding errors grow from tick to tick, up to the tolerance of a motion. So
-  // single ticks that start from the same state are compared as well.
+  // Compare single ticks that start from the same state, as well as whole paths. In PRECISE,
+  // rounding decides what happens where friction and drag let go together, or at an edge whose
+  // width is a thousandth of its height (kernel materials with alignment Edge). Where a graded edge
+  // (far side) gives way, rounding errors grow from tick to tick, up to the tolerance of a motion.
   const Choice choices[] = {
     { HapticSolver::Paper, ContactAlignment::Distinctness, MaterialPlacement::Kernel, false, 5.0,
       0.3, 0.1 },
@@ -211,12 +212,12 @@ TEST(MovingMaterial, AVolumeThatMovesIsAHandThatGoes)
   }
 }
 
-/// The values never change: tissue stretches along a flat wall, from x = X to X (1 + e t) at each
-/// y.
+/// The tissue stretches along a flat wall: a point at y moves along y, while the values stay the
+/// same at each place.
 TEST(MovingMaterial, ABreathTakesAStickingHandAlong)
 {
-  constexpr double stretch = 0.2; // per unit of time
-  constexpr double fixed = 4.0;   // y that does not move
+  constexpr double stretch = 0.2; // per unit of time: rate of the stretch
+  constexpr double fixed = 4.0;   // y (mm) that stays at rest
   const MaterialMovie movie(
     2, [](const Vector3& index, int) { return 500.0 * (1.0 - std::tanh((index.X - 12.0) / 1.5)); },
     [](const Vector3& index, int) {
@@ -241,15 +242,16 @@ TEST(MovingMaterial, ABreathTakesAStickingHandAlong)
     for (double t = MaterialDt; t < 1.0; t += MaterialDt)
     {
       const TickRecord& felt = hand.Touch({ 0.010, 0.001 * y0, 0.012 }, t);
-      // The material of the first contact carries the proxy along; beyond the friction cone, the
-      // proxy slides. The hand rests, so the material below it has come from a smaller y.
+      // The material of the first contact carries the proxy along. Beyond the friction cone, the
+      // proxy slides. The hand rests, so the material that is below the proxy now comes from a
+      // smaller y.
       const double along = 0.001 * MaterialK * stretch * t * (y0 - fixed);
       EXPECT_NEAR(felt.Force.Y, std::min(along, 0.4 * push), 2e-3) << "at " << t;
       EXPECT_NEAR(felt.Force.X, push, 1e-6) << "at " << t;
       work += felt.WallWork;
     }
-    // Until it slips, the spring is stretched to q = mu F / k. Then the wall does work against mu
-    // F.
+    // The spring is stretched up to q = mu F / k, where the proxy slips. From then on, the wall
+    // does work against the friction mu F.
     const double grip = 0.4 * push;
     const double held = grip / (0.001 * MaterialK * stretch * (y0 - fixed)); // s
     const double slid = stretch * (y0 - fixed) * (1.0 - held) * 0.001;
@@ -257,8 +259,8 @@ TEST(MovingMaterial, ABreathTakesAStickingHandAlong)
   }
 }
 
-/// A wall moves by 3.5 of its widths per time step and back. Without displacements, the blend of
-/// the two time steps is a cross-fade.
+/// A wall moves by 3.5 of its widths per time step, and back. Without displacements, the volume is
+/// a cross-fade of two time steps, in which no wall moves.
 TEST(MovingMaterial, AFastWallIsAWallAllTheWay)
 {
   const auto place = [](double t) { return 10.0 + 5.3 * (t < 1.0 ? t : 2.0 - t); };
@@ -283,7 +285,8 @@ TEST(MovingMaterial, AFastWallIsAWallAllTheWay)
       const double force = hand.Touch({ 0.013, 0.012, 0.012 }, t).Force.X;
       const double bumps = 0.4 * std::sin(3.6) * std::cos(2.4);
       const double depth = std::max(0.0, place(t) + bumps - 13.0);
-      // Bumps tilt the surface, so that the distance along its normal is shorter by the cosine.
+      // Take the distance along x. The bumps tilt the surface, so the distance along the normal is
+      // slightly shorter.
       const double off = std::abs(force - 0.001 * MaterialK * depth) / (0.001 * MaterialK);
       worst[isKnown] = std::max(worst[isKnown], off);
     }
@@ -293,7 +296,7 @@ TEST(MovingMaterial, AFastWallIsAWallAllTheWay)
   EXPECT_GT(worst[0], 0.5);
 }
 
-/// Where nothing moves, displacements of zero change nothing.
+/// Displacements of zero give the plain blend of two time steps.
 TEST(MovingMaterial, DisplacementsOfZeroAreABlend)
 {
   const MaterialMovie movie(
@@ -324,12 +327,13 @@ TEST(MovingMaterial, DisplacementsOfZeroAreABlend)
   }
 }
 
-/// The time goes over several time steps per tick, forwards and backwards. The expected places are
-/// those of the analytic motion.
+/// Each tick advances the time by several time steps, forwards and backwards. The expected places
+/// are those of the analytic motion.
 TEST(MovingMaterial, MaterialIsTrackedThroughTimeStepsBothWays)
 {
   const auto at = [](double y, double t) { return 13.0 + (y - 13.0) * (1.0 + 0.15 * t); };
-  // The displacement at a time step leads from y to the material's place one time step later.
+  // The displacement of a time step leads from y to the place of the same material one time step
+  // later.
   const MaterialMovie movie(
     4, [](const Vector3& index, int) { return index.X; },
     [&](const Vector3& index, int timeStep)
@@ -354,8 +358,8 @@ TEST(MovingMaterial, MaterialIsTrackedThroughTimeStepsBothWays)
   }
 }
 
-/// A displacement of 5 voxels that varies in space. Places are exact to 1e-5 voxel, and slopes
-/// equal difference quotients.
+/// A displacement of 5 voxels that varies in space. Places must be exact to 1e-5 voxel, and slopes
+/// must equal difference quotients.
 TEST(MovingMaterial, PlacesInBetweenAreThoseOfTheMaterial)
 {
   const auto motion = [](const Vector3& x)
@@ -375,11 +379,12 @@ TEST(MovingMaterial, PlacesInBetweenAreThoseOfTheMaterial)
     const Vector3 x{ 8.0 + 10.0 * wanderer.Uniform(), 8.0 + 8.0 * wanderer.Uniform(),
       8.0 + 8.0 * wanderer.Uniform() };
     const MaterialPlace place = field.Compute(x, fraction);
-    // At fraction 0, the place is the material's own: the displacement field itself.
+    // At a fraction of 0, the displacement is that of the field at the place itself.
     const MaterialPlace own = field.Compute(place.First, 0.0);
     EXPECT_LT(Norm(place.First + fraction * (own.Second - own.First) - x), 1e-5);
     EXPECT_LT(Norm(place.Second - own.Second), 1e-5);
-    // The spline deviates by a sixth of the second derivative, at most 5 * 0.0628^2 / 6.
+    // The B-spline smooths the field. It deviates by a sixth of the second derivative, at most 5 *
+    // 0.0628^2 / 6 voxels.
     EXPECT_LT(Norm(own.Second - own.First - motion(place.First)), 0.006);
     const double h = 1e-3;
     const Vector3 steps[] = { { h, 0, 0 }, { 0, h, 0 }, { 0, 0, h } };
@@ -395,7 +400,8 @@ TEST(MovingMaterial, PlacesInBetweenAreThoseOfTheMaterial)
   }
 }
 
-/// The gradient that PRECISE uses equals the derivative of the value, across the motion above.
+/// The gradient that PRECISE uses equals the derivative of the value, with displacements that vary
+/// in space.
 TEST(MovingMaterial, TheGradientIsThatOfTheValue)
 {
   const MaterialMovie movie(
@@ -424,7 +430,7 @@ TEST(MovingMaterial, TheGradientIsThatOfTheValue)
   }
 }
 
-/// With friction, drag and a random hand, the hand never gets more energy than hand and material
+/// With friction, drag and a random hand, the hand gets at most the energy that hand and material
 /// have put in.
 TEST(MovingMaterial, GivesNoMoreThanTheMaterialsWork)
 {
@@ -466,8 +472,8 @@ TEST(MovingMaterial, GivesNoMoreThanTheMaterialsWork)
   }
 }
 
-/// V6 for FORCE_FIELD: moving material drags a resting hand as material at rest drags a hand that
-/// moves the other way.
+/// V6 for FORCE_FIELD: material that moves past a resting hand drags it like resting material drags
+/// a hand that moves the other way.
 TEST(MovingMaterial, TheDragOfAForceFieldIsAgainstTheMaterial)
 {
   const MaterialMovie movie(
@@ -489,7 +495,8 @@ TEST(MovingMaterial, TheDragOfAForceFieldIsAgainstTheMaterial)
     const Vector3 force = hand.Touch(tip, time).Force;
     const Vector3 opposite = still.Touch(tip - Vector3{ 0.001 * time, 0.0, 0.0 }, 0.0).Force;
     ASSERT_LT(Norm(force - opposite), 1e-9) << "tick " << tick;
-    // Along x, the material's 20 mm/s less the hand's 10 mm/s.
+    // Along x, the material moves at 20 mm/s and the hand at 10 mm/s. Along z, the hand moves at 20
+    // mm/s.
     const double drag = tick == 0 ? 0.0 : 50.0 * std::hypot(0.010, 0.020);
     ASSERT_NEAR(hand.Record.DragForce, drag, 1e-9) << "tick " << tick;
     farthest = std::max(farthest, Norm(force));
@@ -497,8 +504,7 @@ TEST(MovingMaterial, TheDragOfAForceFieldIsAgainstTheMaterial)
   EXPECT_GT(farthest, 1.0);
 }
 
-/// Whatever the displacements are, the force is finite and no surface pushes with more than its
-/// strength.
+/// For any displacements, the force is finite, and a surface pushes with at most its strength.
 TEST(MovingMaterial, AbsurdDisplacementsMakeNoAbsurdForce)
 {
   std::mt19937_64 engine(4);

@@ -24,7 +24,7 @@ using namespace coretest;
 
 namespace
 {
-/// Random time steps of 16^3 voxels, one unit of time apart. Some have a few samples that are NaN.
+/// Random time steps of 16^3 voxels, one unit of time apart. A few samples may be NaN.
 class RandomMovie
 {
 public:
@@ -48,7 +48,7 @@ public:
   std::list<TestVolume> Volumes;
 
 private:
-  /// Displacements of up to 0.8 voxels.
+  /// Makes displacements of up to 0.8 voxels.
   const void* Displace(int timeStep)
   {
     std::vector<double>& motion = this->Motions.emplace_back();
@@ -87,8 +87,8 @@ bool IsSameTick(const TickRecord& a, const TickRecord& b)
   return std::memcmp(x.data(), y.data(), sizeof(x)) == 0 && a.Contact == b.Contact;
 }
 
-/// Moves a hand that stays in one voxel for many ticks, while time goes to and fro over the time
-/// steps.
+/// Moves a hand slowly, so that it stays in one voxel for many ticks, while the data time goes to
+/// and fro. Expects equal ticks with a kept memory, with a new memory and without a memory.
 void ExpectMemoriesChangeNothing(const HapticModelDescription& description, double last)
 {
   const HapticModel model(description);
@@ -102,7 +102,7 @@ void ExpectMemoriesChangeNothing(const HapticModelDescription& description, doub
   {
     const Vector3 tip = wanderer.Next();
     const double way = 0.0037 * i;
-    // Some ticks are exactly at a time step, and for some ticks the time rests.
+    // In some ticks, the time is exactly that of a time step, or 0.
     const double time =
       i % 50 < 5 ? std::floor(way) : last * (0.5 - 0.5 * std::cos(way)) * (i % 97 == 0 ? 0.0 : 1.0);
     TickMemory anew;
@@ -140,7 +140,7 @@ TEST(MovingMemory, ChangesNothingOfABlend)
   }
 }
 
-/// Samples that are NaN must not be kept.
+/// A memory must not keep samples that are NaN.
 TEST(MovingMemory, ChangesNothingWhereSamplesAreMissing)
 {
   for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
@@ -168,8 +168,8 @@ TEST(MovingMemory, ChangesNothingWhereSamplesAreMissing)
   }
 }
 
-/// PAPER reads the values before and after a motion together: at instants between one pair of time
-/// steps, at instants of two pairs, and at time steps.
+/// PAPER reads the values before and after a motion together. The two instants lie between the same
+/// time steps, in different intervals, or at time steps.
 TEST(MovingMemory, ValuesAtTwoInstantsAreThoseOfEachToTheBit)
 {
   RandomMovie movie(ScalarType::Float32, 3, false);
@@ -207,8 +207,8 @@ TEST(MovingMemory, ValuesAtTwoInstantsAreThoseOfEachToTheBit)
   }
 }
 
-/// PAPER's shorter code path reads two instants between the same time steps. It must give the same
-/// values as reading each instant alone.
+/// PAPER has a shorter code path for two instants between the same time steps. That path must give
+/// the same values as reading each instant alone.
 TEST(MovingMemory, AStepBetweenTimeStepsIsReadAsBothInstantsToTheBit)
 {
   RandomMovie movie(ScalarType::Float32, 4, false);
@@ -270,7 +270,7 @@ TEST(MovingMemory, AStepBetweenTimeStepsIsReadAsBothInstantsToTheBit)
   }
 }
 
-/// Models with the next time steps follow, as with a device. The memory is kept.
+/// The test publishes models with the next time steps, as a program does, and keeps the memory.
 TEST(MovingMemory, GoesOnWithTheNextTimeSteps)
 {
   RandomMovie movie(ScalarType::Int16, 5, false);

@@ -15,8 +15,8 @@ using namespace coretest;
 
 namespace
 {
-/// Points for each time step, one unit of time apart. The mesh of each time step leads to the next
-/// one.
+/// A mesh whose points move with the time steps, one unit of time apart. The mesh of each time step
+/// holds the motions of its points to the next time step.
 class MovingMesh : public testing::Test
 {
 protected:
@@ -42,7 +42,7 @@ protected:
     description.Mesh = description.TimeSteps.front().Mesh;
     return description;
   }
-  /// Describes a floor of 2 n^2 triangles from -50 to 50 mm.
+  /// Describes a flat floor of 2 n^2 triangles, from -50 mm to 50 mm, that moves.
   HapticModelDescription DescribeFloor(int timeSteps, const Place& place)
   {
     Corners points;
@@ -64,7 +64,8 @@ protected:
 };
 } // namespace
 
-/// V3: a floor rises 5 mm per time step against a tip that rests at 4 mm, and goes back down.
+/// V3: a floor rises by 5 mm per time step, presses against a tip that rests at 4 mm, and goes back
+/// down.
 TEST_F(MovingMesh, AFloorThatComesPushesATipThatRests)
 {
   const auto height = [](double time) { return time < 2.0 ? 5.0 * time : 20.0 - 5.0 * time; };
@@ -88,14 +89,14 @@ TEST_F(MovingMesh, AFloorThatComesPushesATipThatRests)
       (height(hand.State.DataTime) - height(hand.State.DataTime - 0.001));
     if (tick == 2000)
     {
-      // The energy in the spring: 500 N/m, compressed by 7 mm.
+      // The energy of the spring of 500 N/m, compressed by 7 mm.
       EXPECT_NEAR(work, 0.5 * 500.0 * 0.007 * 0.007, 1e-5);
     }
   }
   EXPECT_NEAR(given, 0.0, 1e-5);
 }
 
-/// The floor leaps by some millimetres in a tick. No triangle may pass the sphere.
+/// The floor jumps by some millimetres in a tick. It must not pass through the sphere.
 TEST_F(MovingMesh, AFastFloorDoesNotPass)
 {
   Hand hand(this->DescribeFloor(3,
@@ -113,7 +114,7 @@ TEST_F(MovingMesh, AFastFloorDoesNotPass)
   }
 }
 
-/// A flat floor that slides below a sphere does not move the sphere; a ramp that slides pushes it
+/// A flat floor that slides below a sphere leaves it at rest; a sloping floor that slides pushes it
 /// up.
 TEST_F(MovingMesh, ASlopeThatSlidesLiftsTheSphere)
 {
@@ -128,7 +129,7 @@ TEST_F(MovingMesh, ASlopeThatSlidesLiftsTheSphere)
   {
     hand.State.DataTime = 0.001 * tick;
     hand.Tick();
-    // Distance of the tip below the plane z = slope (x + 5 t), plus the sphere's radius.
+    // Depth of the tip below the plane z = slope (x + 5 t), plus the sphere's radius of 1 mm.
     const double deep = (slope * 5.0 * hand.State.DataTime + 1.0) / length + 1.0;
     if (tick > 1)
     {
@@ -137,8 +138,8 @@ TEST_F(MovingMesh, ASlopeThatSlidesLiftsTheSphere)
   }
 }
 
-/// With displacements, a sliding floor takes along a sphere that sticks to it, until friction (0.4
-/// times 1 N) lets the sphere slip. Without displacements, the sphere does not move.
+/// With displacements, a sliding floor carries a sphere along that sticks to it, until the sphere
+/// slips at the friction of 0.4 times 1 N. Without displacements, the sphere stays.
 TEST_F(MovingMesh, AFloorThatSlidesTakesAlongWhatSticks)
 {
   const auto at = [](const Vector3& point, int timeStep) {
@@ -158,7 +159,7 @@ TEST_F(MovingMesh, AFloorThatSlidesTakesAlongWhatSticks)
     {
       timeStep.Displacements = { isKnown ? motion.data() : nullptr, ScalarType::Float64 };
     }
-    // Start within a triangle: where two triangles meet, both hold.
+    // Start inside of a triangle, because at an edge both triangles hold the sphere.
     Hand hand(description, { 8.0, 2.0, 4.0 });
     hand.Lead({ 8.0, 2.0, -1.0 });
     for (int tick = 1; tick <= 1200; ++tick)

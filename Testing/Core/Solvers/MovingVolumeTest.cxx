@@ -19,10 +19,10 @@ using namespace movingtest;
 
 namespace
 {
-/// N: 1 % of 1.5 N.
+/// N: 1 % of the largest force, 1.5 N.
 constexpr double OnePercent = 0.015;
 
-/// How a volume is sampled and read; the kernel radius is 2 voxels by default.
+/// A way to sample and read a volume. The kernel radius is the default, 2 voxels.
 struct Reading
 {
   GradientEstimator Estimator;
@@ -35,20 +35,21 @@ HapticModelDescription Read(const Reading& reading, HapticModelDescription descr
   return description;
 }
 
-/// Returns the closed form of V1 (N).
+/// Returns the expected force (N) of V1 at the time t (s).
 double ForceOfBall(double t)
 {
   return 0.001 * K * std::max(0.0, BallRadius(t) - 19.0);
 }
 
-/// Returns the closed form of V2 (N) for a strength of 1 N; valid up to 0.9 s.
+/// Returns the expected force (N) of V2 at the time t (s), up to 0.9 s, for a strength of 1 N.
 double ForceOfSlipping(double t)
 {
   const double sine = std::sin(2.0 * Pi * t);
   return t < 0.25 ? std::min(1.0, 0.5 + sine) : std::max(0.0, sine);
 }
 
-/// V5: a series of identical volumes 10 ms apart gives the same force as the volume at rest.
+/// V5: expects that a series of identical volumes 10 ms apart gives the same force as the volume at
+/// rest.
 template <typename TipAt>
 void ExpectTimeStepsAlike(HapticModelDescription description, int timeSteps, int ticks, TipAt tipAt)
 {
@@ -78,9 +79,10 @@ void ExpectTimeStepsAlike(HapticModelDescription description, int timeSteps, int
 
 } // namespace
 
-/// V1 to V3 hold within 1 % of the largest force with a kernel radius of 2 voxels: for the cubic
-/// B-spline, and for the Gaussian (the default) where edges are at least three voxels wide. On
-/// edges of 1.5 voxels, the Gaussian is off by up to 0.033 voxel or 16 mN (MovingEdgeTest.cxx).
+/// With a kernel radius of 2 voxels, V1 to V3 hold within 1 % of the largest force: for the cubic
+/// B-spline, and for the Gaussian (the default) on edges that are at least three voxels wide. On
+/// edges of 1.5 voxels, the Gaussian is off by up to 0.033 voxel, or 16 mN (see
+/// MovingEdgeTest.cxx).
 class RestingHands : public testing::TestWithParam<Reading>
 {
 };
@@ -98,7 +100,7 @@ TEST_P(RestingHands, V1ABallThatPulsatesPushes)
     EXPECT_NEAR(force.X, ForceOfBall(t), OnePercent) << "at " << t;
     EXPECT_NEAR(force.Y, 0.0, 1e-9);
     EXPECT_NEAR(force.Z, 0.0, 1e-9);
-    // Twice the step of a surface at the largest speed in this test.
+    // The largest step of the force: twice that of the surface at its largest speed in this test.
     EXPECT_LE(std::abs(force.X - before), 2.0 * 0.001 * K * 4.0 * Pi * Dt) << "at " << t;
     before = force.X;
   }
@@ -106,8 +108,8 @@ TEST_P(RestingHands, V1ABallThatPulsatesPushes)
 
 TEST_P(RestingHands, V2ASurfaceThatHoldsLessPushesWithItsStrength)
 {
-  // V2: the proxy slips through the surface at T_N. On the way back, the surface keeps the level
-  // that it reached.
+  // V2: the proxy slips through the surface at the strength T_N. On the way back, the surface keeps
+  // the level of V that it has reached.
   const Movie ball = MakeBall(0.01, this->GetParam().Voxel);
   RestingHand hand(Read(this->GetParam(), WithStrength(ball.Describe(), 1.0)), 24.0, 19.0);
   for (double t = Dt; t < 0.91; t += Dt)
@@ -119,13 +121,13 @@ TEST_P(RestingHands, V2ASurfaceThatHoldsLessPushesWithItsStrength)
 
 TEST_P(RestingHands, V3AWallThatComesThroughAMediumPushesAlone)
 {
-  // V3: the wall moves at 10 mm/s. The medium moves along and does not drag.
+  // V3: the wall moves at 10 mm/s. The medium moves with the wall, so it does not drag the proxy.
   const Place at = [](double t) { return 16.0 + 10.0 * std::min(t, 0.5); };
   const Movie wall = MakeWall(at, 0.02, this->GetParam().Voxel);
   HapticModelDescription description = Read(this->GetParam(), WithStrength(wall.Describe(), 2.0));
   description.Material.Viscosity = ConstantPolyline(0.5);
   RestingHand hand(description, 20.0, 18.0);
-  EXPECT_LT(Norm(hand.Record.Force), 0.51); // of the drag on the way to the start
+  EXPECT_LT(Norm(hand.Record.Force), 0.51); // the drag of the way to the start
   RestingHand rested(description, 18.0, 18.0);
   for (double t = Dt; t < 1.0; t += Dt)
   {
@@ -138,10 +140,10 @@ INSTANTIATE_TEST_SUITE_P(MovingVolume, RestingHands,
   testing::Values(
     Reading{ GradientEstimator::CubicBSpline, 1.0 }, Reading{ GradientEstimator::Gaussian, 0.5 }));
 
-/// V2 for PAPER, which holds a ball in front of the middle of its edge. The distance has no effect
-/// once the surface has slipped at 2 N, at a radius of 22 mm. From then on, each period has the
-/// force 2 N - k (22 mm - r) = 1 N + sin(2 pi t) N. The test needs the spline, with which V has no
-/// ripple from voxel to voxel.
+/// V2 with PAPER, which holds a ball in front of the middle of its edge. That distance has no
+/// effect once the surface has slipped at 2 N, at a radius of 22 mm. From then on, the force in
+/// each period is 2 N - k (22 mm - r) = 1 N + sin(2 pi t) N. The test uses the spline, because V
+/// then has no ripple from voxel to voxel.
 TEST(MovingVolume, PaperCarriesByTheLevelAtWhichItSlipped)
 {
   const Movie ball = MakeBall(0.01);
@@ -158,9 +160,10 @@ TEST(MovingVolume, PaperCarriesByTheLevelAtWhichItSlipped)
   }
 }
 
-/// V4 with time steps 50 ms apart: equal to V1 within 15 mN (0.02 k times the width of the edge).
-/// Between time steps, the blend follows the chord of the surface's way (see below), which is off
-/// by up to 0.025 mm or 12 mN. The rest is the error of sampling. Voxels are 0.5 mm.
+/// V4 with time steps 50 ms apart: the force is that of V1 within 15 mN (0.02 k times the width of
+/// the edge). Between time steps, the blend follows the chord of the surface's way (see the next
+/// test), which is off by up to 0.025 mm or 12 mN. The rest is the error of sampling voxels of 0.5
+/// mm.
 TEST(MovingVolume, TimeStepsFiftyMillisecondsApartAreAsGoodAsTheMotion)
 {
   for (const GradientEstimator estimator :
@@ -169,7 +172,7 @@ TEST(MovingVolume, TimeStepsFiftyMillisecondsApartAreAsGoodAsTheMotion)
     const Movie ball = MakeBall(0.05, 0.5);
     HapticModelDescription description = WithStrength(ball.Describe(), 2.0);
     description.Estimator = estimator;
-    // With a kernel radius of 2, the B-spline is off by 15.1 mN.
+    // With a kernel radius of 2 voxels, the B-spline would be off by 15.1 mN.
     description.KernelRadius = estimator == GradientEstimator::Gaussian ? 2 : 3;
     RestingHand hand(description, 24.0, 19.0);
     double before = hand.Record.Force.X;
@@ -183,10 +186,10 @@ TEST(MovingVolume, TimeStepsFiftyMillisecondsApartAreAsGoodAsTheMotion)
   }
 }
 
-/// V4 with time steps 100 ms apart. Time steps only tell where the blend of two edges has its
-/// middle value, for a motion of up to the edge's width. A surface at r(t) = r0 + a sin(w t) is
-/// then, between time steps T apart, on the chord from r(t) to r(t + T), which is off r by at most
-/// r'' T^2/8:
+/// V4 with time steps 100 ms apart. For a motion of up to the edge's width, the time steps tell
+/// only where the blend of the two edges has its middle value. So between time steps T apart, a
+/// surface at r(t) = r0 + a sin(w t) lies on the chord from r(t) to r(t + T). The chord is off by
+/// at most r'' T^2/8:
 ///
 ///   a w^2 T^2/8 = 0.099 mm for a = 2 mm, w = 2 pi/s, T = 0.1 s, and a quarter of it at 50 ms.
 ///
@@ -215,7 +218,8 @@ TEST(MovingVolume, TimeStepsFarApartAreBlendedToAMotion)
       const double force = hand.Go(t).Force.X;
       EXPECT_LE(std::abs(radius - BallRadius(t)), 2.0 * 4.0 * Pi * Pi * step * step / 8.0 + 0.01)
         << "the chord; 0.01 mm of it since a blend of edges is no edge";
-      // The spline blurs by a variance of 1/3 square voxel.
+      // The spline blurs with a variance of 1/3 voxel^2, which shrinks a ball's radius r by 1/(3
+      // r).
       const double seen = radius - 1.0 / (3.0 * radius);
       EXPECT_NEAR(force, 0.001 * K * std::max(0.0, seen - 19.0), OnePercent)
         << "at " << t << ", frames " << step << " s apart";
@@ -225,7 +229,7 @@ TEST(MovingVolume, TimeStepsFarApartAreBlendedToAMotion)
   }
 }
 
-/// V5 for both solvers, on a path that also leaves the volume.
+/// V5 for both solvers. The path also leaves the volume.
 TEST(MovingVolume, TimeStepsThatAreAlikeAreAVolumeThatStandsStill)
 {
   for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
@@ -246,14 +250,14 @@ TEST(MovingVolume, TimeStepsThatAreAlikeAreAVolumeThatStandsStill)
   }
 }
 
-/// V1, V5 and V7 with LOCAL_SURFACE. Its slow loop is up to two periods (33 ms) late; in that time
-/// the surface moves by up to 0.4 mm, which gives an error of 0.2 N.
+/// V1, V5 and V7 with LOCAL_SURFACE. The slow loop is up to two periods (33 ms) late. In that time,
+/// the surface moves by up to 0.4 mm, which changes the force by 0.2 N.
 TEST(MovingVolume, ALocalSurfaceIsCarriedBetweenItsFits)
 {
   const Movie ball = MakeBall(0.01);
   HapticModelDescription description = ball.Describe();
   description.Settings.Method = HapticMethod::LocalSurface;
-  description.Settings.IsoValue = 500.0; // value of the ball's surface
+  description.Settings.IsoValue = 500.0; // the value of the ball's surface
   description.Settings.HasIsoSurface = true;
   RestingHand hand(description, 24.0, 19.0);
   EXPECT_NEAR(hand.Record.Force.X, 0.5, 0.01);
@@ -269,7 +273,7 @@ TEST(MovingVolume, ALocalSurfaceIsCarriedBetweenItsFits)
     work += hand.Record.WallWork;
     most = std::max(most, work);
   }
-  EXPECT_NEAR(most, 2.0e-3, 0.06e-3); // k x^2 / 2 at 3 mm, less that at 1 mm
+  EXPECT_NEAR(most, 2.0e-3, 0.06e-3); // J: k x^2 / 2 at 3 mm, minus that at 1 mm
   EXPECT_NEAR(work, 0.0, 0.06e-3);
 
   ExpectTimeStepsAlike(description, 100, 1000,
@@ -280,7 +284,7 @@ TEST(MovingVolume, ALocalSurfaceIsCarriedBetweenItsFits)
     });
 }
 
-/// FORCE_FIELD has no proxy: its force depends on the volume at the present time only.
+/// FORCE_FIELD has no proxy, so its force depends on the volume at the present time only.
 TEST(MovingVolume, AForceFieldPushesAsTheVolumeIs)
 {
   const Movie wall = MakeWall([](double t) { return 14.0 + 4.0 * t; }, 0.1);
@@ -302,7 +306,8 @@ TEST(MovingVolume, AForceFieldPushesAsTheVolumeIs)
   EXPECT_GT(strongest, 0.5);
 }
 
-/// A moving flat wall gives the same force as a wall at rest under a hand that moves the other way.
+/// A flat wall that moves gives the same force as a wall at rest under a hand that moves the other
+/// way.
 TEST(MovingVolume, AWallThatComesIsAHandThatGoes)
 {
   struct Choice
@@ -312,8 +317,8 @@ TEST(MovingVolume, AWallThatComesIsAHandThatGoes)
     MaterialPlacement Placement;
     double Tolerance; // N
   };
-  // PAPER begins to hold where a wall is distinct. This is some voxels in front of the wall and
-  // depends on where the samples are.
+  // PAPER begins to hold some voxels in front of a wall, where the wall is distinct. That place
+  // depends on the samples, so PAPER needs the larger tolerance.
   const Choice choices[] = {
     { HapticSolver::Paper, ContactAlignment::Distinctness, MaterialPlacement::Kernel, 0.07 },
     { HapticSolver::Precise, ContactAlignment::Edge, MaterialPlacement::Kernel, 0.015 },
@@ -347,8 +352,8 @@ TEST(MovingVolume, AWallThatComesIsAHandThatGoes)
   }
 }
 
-/// V7: over a period, a surface that holds gives back the work that it took; a slipping surface
-/// uses up work.
+/// V7: over a period, a surface that holds returns the work that it took. A surface that slips
+/// loses work.
 TEST(MovingVolume, APeriodTakesNoWorkUnlessTheSurfaceSlips)
 {
   const Movie ball = MakeBall(0.01);
@@ -362,14 +367,14 @@ TEST(MovingVolume, APeriodTakesNoWorkUnlessTheSurfaceSlips)
       work += hand.Go(t).WallWork;
       most = std::max(most, work);
     }
-    // The spring's energy k x^2 / 2 at 3 mm less that at 1 mm. A surface that slips at 1 N uses up
-    // 1 N times the 1 mm above 2 mm.
+    // The largest work is the spring's energy k x^2 / 2 at 3 mm minus that at 1 mm. A surface that
+    // slips at 1 N loses 1 N times the 1 mm beyond a depth of 2 mm.
     EXPECT_NEAR(most, strength > 1.5 ? 2.0e-3 : 0.75e-3 + 1.0e-3, 0.05e-3);
     EXPECT_NEAR(work, strength > 1.5 ? 0.0 : 1.0e-3, 0.05e-3);
   }
 }
 
-/// The hand gets no more energy than walls and hand have put in.
+/// The hand gets at most the energy that the walls and the hand have put in.
 TEST(MovingVolume, GivesNoMoreThanTheWallsWork)
 {
   for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
@@ -400,7 +405,7 @@ TEST(MovingVolume, GivesNoMoreThanTheWallsWork)
         tip = { 0.020 + 0.003 * std::sin(7.1 * phase), 0.002 * std::sin(5.3 * phase),
           0.001 * uniform(engine) * 0.01 };
         state.DataTime = std::fmod(phase, 1.0);
-        // The leap of the data time from the end to the beginning is not a motion of the volume.
+        // The jump of the data time from the end to the beginning is not a motion of the volume.
         state.CarriedTo = state.DataTime < state.CarriedTo ? 0.0 : state.CarriedTo;
         Tick(model, state, tip, record);
         given += 0.5 * Dot(force + record.Force, tip - before);
@@ -424,7 +429,8 @@ TEST(MovingVolume, HoldsItsEndsBeyondTheTimeSteps)
   EXPECT_DOUBLE_EQ(between, 0.5 * (model.ValueAtDevice(at, 0.5) + model.ValueAtDevice(at, 1.0)));
 }
 
-/// A series may be published in parts. Each part begins with the last time step of the part before.
+/// A series may be published in parts, each of which begins with the last time step of the part
+/// before.
 TEST(MovingVolume, GoesOnFromOnePartOfASeriesToTheNext)
 {
   const Movie ball = MakeBall(0.1);

@@ -53,8 +53,8 @@ void ExpectSame(const TickRecord& plain, const TickRecord& reference)
   ASSERT_EQ(plain.Contact, reference.Contact);
 }
 
-/// A soft ball with noise in air without a gradient. One row of samples is NaN.
-/// @param grown added to the value everywhere in the ball
+/// Returns a soft ball with noise, in air without a gradient. One row of samples is NaN.
+/// @param grown added to the values of the ball
 TestVolume MakeBallInAir(float grown = 0.0F)
 {
   TestVolume volume(ScalarType::Float32, { 32, 32, 32 });
@@ -71,7 +71,8 @@ TestVolume MakeBallInAir(float grown = 0.0F)
   return volume;
 }
 
-/// Path (mm) from outside the volume along curves through it and out again.
+/// Returns a path (mm) that begins outside of the volume, goes through it in curves and ends
+/// outside.
 std::vector<Vector3> MakePath()
 {
   std::vector<Vector3> path;
@@ -115,10 +116,11 @@ HapticModelDescription DescribePlain(const TestVolume& volume, const PlainCase& 
   return description;
 }
 
-/// Time of the series at a tick.
+/// Returns the data time at a tick.
 using Clock = double (*)(int tick);
 
-/// Runs both code paths tick by tick and expects equal records.
+/// Runs each tick twice: with the code path of plain volumes, and with the general code path, which
+/// a cut far outside of the volume selects. Expects equal records.
 void ExpectSameAsWithACutBeyond(HapticModelDescription description, Clock clock)
 {
   const HapticModel plain(description);
@@ -150,7 +152,7 @@ void ExpectSameAsWithACutBeyond(HapticModelDescription description, Clock clock)
     pushed += records[0].WallWork != 0.0 ? 1 : 0;
     ++tick;
   }
-  // Each kind of tick occurred.
+  // The path must contain all kinds of ticks.
   EXPECT_GT(felt, 300);
   EXPECT_GT(still, 300);
   EXPECT_EQ(pushed > 100, plain.Baked->IsMoving());
@@ -167,8 +169,8 @@ class PlainVolumeOfPaper : public testing::TestWithParam<SurfaceSide>
 {
 };
 
-/// The time goes slowly, rests, runs through a whole series and back, and leaps so that the surface
-/// moves by more than a voxel. PRECISE takes the general path there.
+/// The data time goes slowly, rests, runs through the whole series and back, and jumps so that the
+/// surface moves by more than a voxel.
 TEST_P(PlainVolumeOfPaper, ThatMovesIsFeltSo)
 {
   const TestVolume volumes[3] = { MakeBallInAir(), MakeBallInAir(40.0F), MakeBallInAir(-150.0F) };

@@ -21,7 +21,7 @@ namespace
 {
 constexpr double Impenetrable = 1e9;
 
-/// Air up to z = 100 mm, then a wall. The volume has 120 voxels of 1 mm along z.
+/// Returns air up to z = 100 mm, then a wall. The volume has 120 voxels of 1 mm along z.
 TestVolume MakeWall()
 {
   TestVolume volume(ScalarType::Float64, { 24, 24, 120 });
@@ -48,7 +48,7 @@ TEST(PreciseTick, ATeleportedTipIsFollowedInTicksAndNothingIsSkipped)
   ServoState state;
   TickRecord record;
   Tick(model, state, { 0.012, 0.012, 0.001 }, record);
-  // Move the tip a metre sideways and back, then through 100 mm of air and 18 mm into the wall;
+  // Move the tip a metre sideways, back, and through 100 mm of air to 18 mm inside of the wall,
   // each in one tick.
   Tick(model, state, { 1.012, 0.012, 0.001 }, record);
   EXPECT_LT(Norm(record.Force), 1e-12);
@@ -71,7 +71,8 @@ TEST(PreciseTick, ATeleportedTipIsFollowedInTicksAndNothingIsSkipped)
 
 TEST(PreciseTick, AProxyOnItsWayBringsNoForceAlong)
 {
-  // The air has no stiffness. The wall is stiff, begins without strength and drags the proxy.
+  // The air has no stiffness. The wall is stiff and drags the proxy, but has no strength at its
+  // beginning.
   const TestVolume volume = MakeWall();
   HapticModelDescription description = DescribeWall(volume);
   PlaceAsThePaper(description);
@@ -80,8 +81,8 @@ TEST(PreciseTick, AProxyOnItsWayBringsNoForceAlong)
   ServoState state;
   TickRecord record;
   Tick(model, state, { 0.012, 0.012, 0.095 }, record);
-  // The stored state says that the hand is inside the wall, where the proxy can't have been. The
-  // proxy starts from the air.
+  // The stored state says that the hand was inside of the wall. The proxy cannot have been there,
+  // so it starts from the air.
   state.Precise.ReachedTip = { 0.012, 0.012, 0.110 };
   Tick(model, state, { 0.012, 0.012, 0.110 }, record);
   EXPECT_LT(record.Proxy.Z, 0.103);
@@ -104,7 +105,7 @@ TEST(PreciseTick, StifferTissueUnderARestingHandKeepsTheForceAndSofterKeepsTheSt
   const Vector3 tip = { 0.012, 0.012, 0.0135 };
   Tick(middle, state, { 0.012, 0.012, 0.010 }, record);
   Tick(middle, state, tip, record);
-  EXPECT_NEAR(Norm(record.Force), 1.75, 1e-9); // T15: 3.5 mm on 500 N/m
+  EXPECT_NEAR(Norm(record.Force), 1.75, 1e-9); // N: T15, 3.5 mm on 500 N/m
   CarryState(middle, stiff, state);
   for (int i = 0; i < 3; ++i)
   {
@@ -159,8 +160,8 @@ INSTANTIATE_TEST_SUITE_P(All, PreciseTickState,
 
 TEST(PreciseTick, BehindATipOnALineTheProxyStaysOnTheLine)
 {
-  // The tip moves along z with a lag that rounding has turned aside by 1e-17 m. A dragged proxy
-  // follows a tractrix, whose angle to the motion shrinks. No drag may let the angle grow.
+  // The tip moves along z, with a lag that rounding has turned aside by 1e-17 m. A dragged proxy
+  // follows a tractrix, on which the angle to the motion shrinks. It must not grow for any drag.
   constexpr double k = 400.0;
   constexpr double rounding = 1e-17;
   const Vector3 step = { 0.0, 0.0, 1e-4 };

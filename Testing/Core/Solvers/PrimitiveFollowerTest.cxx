@@ -24,7 +24,8 @@ const double FullTurn = 2.0 * std::acos(-1.0);
 using FlowAt = Vector3 (*)(const Vector3&);
 using StrengthAt = double (*)(const Vector3&);
 
-/// A line primitive along a flow, with its strength (N). Positions are in metres.
+/// A field with a line primitive along a flow, and the line's strength (N). Positions are in
+/// metres.
 struct AnalyticFlow
 {
   FlowAt Flow;
@@ -41,7 +42,7 @@ struct AnalyticFlow
   }
 };
 
-/// A proxy with the forces of its last tick.
+/// A proxy that a tip leads through a flow, and the forces of its last tick.
 class LedProxy
 {
 public:
@@ -51,13 +52,13 @@ public:
     this->Motion.Proxy = start;
   }
 
-  /// Runs one tick and expects that it is finished.
+  /// Runs one tick, and expects that the solver finishes in the tick.
   void Move(const Vector3& tip)
   {
     this->Motion = SolvePrimitives(
       this->Flow.Field(), SpringOf, QuarterVoxel, this->Motion.Proxy, tip, this->Memory);
     ASSERT_FALSE(this->Motion.IsUnfinished);
-    // The place may be ahead of the force by the last part of a step.
+    // In its last step, the solver moves the proxy without computing the force again.
     EXPECT_LT(Norm(this->Motion.Force - SpringOf * (this->Motion.Proxy - tip)), 1e-4);
   }
 
@@ -81,8 +82,8 @@ Vector3 TurnAround(const Vector3& x)
 
 TEST(PrimitiveFollower, AStreamlineIsKeptOverAHundredTurns)
 {
-  // P4: a circle of radius 20 mm with the tip at radius 18 mm gives 1 N. A step along the tangent
-  // would end at 20.4 mm.
+  // P4: the tip moves on a circle of 18 mm and holds the proxy with 1 N on the streamline of 20 mm.
+  // A step along the tangent would lead the proxy to 20.4 mm.
   const AnalyticFlow flow{ TurnAround };
   for (const int ticks : { 1000, 100 })
   {
@@ -99,8 +100,8 @@ TEST(PrimitiveFollower, AStreamlineIsKeptOverAHundredTurns)
 
 TEST(PrimitiveFollower, ADipolesLineIsKept)
 {
-  // P7: the dipole's line r = C sin^2(theta), from the equator to 34 degrees, with the tip 5 %
-  // inside.
+  // P7: the proxy follows the dipole's line r = C sin^2(theta), from the equator to theta = 34
+  // degrees. The tip is 5 % inside of the line.
   const AnalyticFlow flow{ [](const Vector3& x)
     {
       const double square = Dot(x, x);
@@ -128,8 +129,8 @@ TEST(PrimitiveFollower, ADipolesLineIsKept)
 
 TEST(PrimitiveFollower, YieldsWhereTheSpringIsTheStrengthOfThePlace)
 {
-  // P3: Poiseuille flow along z, S = 2 (1 - r^2/R^2) N. A tip at r + 4 (1 - r^2/400) mm holds the
-  // proxy at r.
+  // P3: Poiseuille flow along z with a strength of S = 2 (1 - r^2/R^2) N. A tip at the radius r + 4
+  // (1 - r^2/400) mm holds the proxy at the radius r (mm).
   const AnalyticFlow flow{ [](const Vector3&) {
                             return Vector3{ 0.0, 0.0, 1.0 };
                           },
@@ -143,7 +144,7 @@ TEST(PrimitiveFollower, YieldsWhereTheSpringIsTheStrengthOfThePlace)
       proxy.Move({ 0.6 * tip * Millimetre, 0.8 * tip * Millimetre, 0.3 * tip * Millimetre });
       if (tip >= next)
       {
-        // tip = r + 4 (1 - r^2/400), solved for r.
+        // Solve tip = r + 4 (1 - r^2/400) for r (mm).
         const double r = 50.0 - std::sqrt(2500.0 - 100.0 * (tip - 4.0));
         const Vector3& x = proxy.Motion.Proxy;
         EXPECT_NEAR(std::hypot(x.X, x.Y) / Millimetre, r, 1e-4);
@@ -155,8 +156,8 @@ TEST(PrimitiveFollower, YieldsWhereTheSpringIsTheStrengthOfThePlace)
     return proxy.Motion;
   };
   pull(0.05);
-  pull(1.0); // several steps per tick
-  // The numbers in the specification's table.
+  pull(1.0); // so fast that a tick takes several steps
+  // Tip radii (mm) and forces (N) in the specification's table.
   const double tips[2] = { 13.0, 16.75 };
   const double forces[2] = { 1.5, 0.875 };
   for (int i = 0; i < 2; ++i)
@@ -183,7 +184,7 @@ TEST(PrimitiveFollower, WhereStrengthRisesOutwardsItHoldsNoLessThanThat)
     for (double tip = 0.0; tip < 15.0; tip += step)
     {
       proxy.Move({ tip * Millimetre, 0.0, 0.0 });
-      // The balance is k (y - x) = 0.5 + 100 x.
+      // For the proxy x and the tip y, the balance is k (y - x) = 0.5 + 100 x.
       const double x = std::max(0.0, (SpringOf * tip * Millimetre - 0.5) / 600.0);
       ASSERT_NEAR(proxy.Motion.Proxy.X, x, 2e-3 * Millimetre) << "tip " << tip;
     }
@@ -192,7 +193,7 @@ TEST(PrimitiveFollower, WhereStrengthRisesOutwardsItHoldsNoLessThanThat)
 
 TEST(PrimitiveFollower, GoesThroughAShearWithoutJumpsAndRestsWhereFlowsMeet)
 {
-  // P8: shear flow v = (y, 0, 0), S = 2 N min(1, |v|/10 mm).
+  // P8: shear flow v = (y, 0, 0) with a strength of 2 N min(1, |v|/10 mm).
   const AnalyticFlow flow{ [](const Vector3& x) {
                             return Vector3{ x.Y, 0.0, 0.0 };
                           },
@@ -216,7 +217,7 @@ TEST(PrimitiveFollower, GoesThroughAShearWithoutJumpsAndRestsWhereFlowsMeet)
   }
   EXPECT_GT(crossed, 0);
   EXPECT_GT(proxy.Motion.Proxy.Y, 0.001) << "it goes on on the other side";
-  // A stagnation point: the proxy keeps x y constant and is not trapped in the middle.
+  // Near a stagnation point, the proxy follows x y = constant and is not trapped in the middle.
   const AnalyticFlow stagnation{ [](const Vector3& x) { return Vector3{ x.X, -x.Y, 0.0 }; } };
   LedProxy led(stagnation, { 0.005, 0.02, 0.0 });
   for (int tick = 0; tick <= 500; ++tick)
@@ -265,7 +266,7 @@ TEST(PrimitiveFollower, BadNumbersLetItGo)
     EXPECT_EQ(Norm(follow(k, QuarterVoxel, { 0.0101, 0.01, 0.0 }, tip).Force), 0.0);
   }
   EXPECT_EQ(Norm(follow(SpringOf, QuarterVoxel, {}, { nan, 0.0, 0.0 }).Force), 0.0);
-  // Where the flow is zero, no force acts.
+  // Without a flow, no force acts.
   const AnalyticFlow none{ [](const Vector3&) { return Vector3{}; } };
   const PrimitiveMotion motion =
     SolvePrimitives(none.Field(), SpringOf, QuarterVoxel, {}, { 0.0, 0.0, 0.003 }, memory);

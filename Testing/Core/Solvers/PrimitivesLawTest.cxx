@@ -38,8 +38,8 @@ LawForces ForcesOf(const MaterialPoint& point, double k, const Vector3& proxy, c
   return { composed.Force, descended.Force };
 }
 
-/// A ripple in a random direction, with noise in every third scene, and materials that change with
-/// the value.
+/// A volume with a ripple in a random direction (and noise in every third scene), and materials
+/// that change with the value.
 class RandomScene
 {
 public:
@@ -57,7 +57,7 @@ public:
       });
     HapticModelDescription d = Describe(this->Volume);
     d.Settings.Solver = solver;
-    d.Settings.ReleaseTime = 0.0; // without release, which is tested elsewhere
+    d.Settings.ReleaseTime = 0.0; // another test has a release time
     d.Settings.Side = seed % 2 ? SurfaceSide::Both : SurfaceSide::Higher;
     d.Estimator = static_cast<GradientEstimator>(seed % 3);
     d.KernelRadius = 1 + static_cast<int>(seed % 3);
@@ -76,7 +76,8 @@ public:
     this->Model = std::make_unique<HapticModel>(d);
   }
 
-  /// Walks through the scene. Calls `compare` with each finished tick and the proxy before it.
+  /// Walks through the scene at random. Calls `compare` with each finished tick, and with the
+  /// proxy's position before it.
   template <typename Compare>
   void Walk(unsigned seed, const Compare& compare)
   {
@@ -171,7 +172,7 @@ TEST(PrimitivesLaw, IsThatOfTheSolvers)
 
 TEST(PrimitivesLaw, IsThatOfTicksOfPaper)
 {
-  // PAPER reads the primitives at the proxy's position before the tick.
+  // PAPER reads the primitives where the proxy was before the tick.
   const Met met = CompareScenes(
     HapticSolver::Paper, [](const TickRecord&, const Vector3& before) { return before; });
   for (int contact = 0; contact < 4; ++contact)
@@ -183,9 +184,9 @@ TEST(PrimitivesLaw, IsThatOfTicksOfPaper)
 
 TEST(PrimitivesLaw, HoldsTheProxyWhereTicksOfPreciseEnd)
 {
-  // PRECISE applies the law of each position until the proxy is at rest. There, the primitives of
-  // the position hold the proxy with the force of the tick. A sliding proxy stops slightly before
-  // its balance.
+  // PRECISE applies the law along the proxy's way until the proxy rests. At the last position, the
+  // primitives hold the proxy with the force of the tick. A sliding proxy stops slightly before its
+  // balance, so its tolerance is larger.
   const Met met = CompareScenes(
     HapticSolver::Precise, [](const TickRecord& record, const Vector3&) { return record.Proxy; });
   for (int contact = 0; contact < 4; ++contact)

@@ -25,7 +25,7 @@ constexpr double Stiffness = 500.0;
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// Balances a set from a cold start.
+/// Computes the balance of a set of primitives, without forces of an earlier tick.
 PrimitiveBalance BalanceOf(const std::vector<Primitive>& primitives, const Vector3& tip)
 {
   PrimitiveSet set;
@@ -63,8 +63,8 @@ Long3 ToLong(const Vector3& a)
   return { { a.X, a.Y, a.Z } };
 }
 
-/// Returns the closed form of argmin |x - y|^2 / 2 + phi(x). Positions are in newtons (multiplied
-/// by the stiffness).
+/// Returns argmin |x - y|^2 / 2 + phi(x) in closed form. Positions are in newtons: they are
+/// multiplied by the stiffness.
 Long3 SingleProx(const Primitive& p, const Long3& y)
 {
   const Long3 q = ToLong(p.Direction);
@@ -85,7 +85,8 @@ Long3 SingleProx(const Primitive& p, const Long3& y)
   }
 }
 
-/// Computes the balance by ADMM. Sets `residual` to the largest residual of the last iteration.
+/// Computes the balance by ADMM (slow reference). Sets `residual` to the largest residual of the
+/// last iteration.
 Vector3 SolveSlowly(const PrimitiveSet& set, const Vector3& tip, Long& residual)
 {
   const Long3 y = Long(Stiffness) * ToLong(tip);
@@ -221,14 +222,15 @@ Vector3 TryAllPlanes(const PrimitiveSet& set, const Vector3& tip, Long& violatio
   return { double(best.X[0]), double(best.X[1]), double(best.X[2]) };
 }
 
-/// Returns the part of a vector that a line holds. A direction's length is 1 up to rounding only.
+/// Returns the component of a vector that a line holds, across its direction. Divides by the
+/// direction's squared length, which is 1 up to rounding.
 Long3 AcrossLine(const Primitive& p, const Long3& v)
 {
   const Long3 q = ToLong(p.Direction);
   return v - (Inner(v, q) / Inner(q, q)) * q;
 }
 
-/// Returns the force of a primitive nearest to a given force.
+/// Returns, of all forces that a primitive can have, the one nearest to a given force.
 Long3 NearestForce(const Primitive& p, const Long3& force)
 {
   const Long3 q = ToLong(p.Direction);
@@ -299,7 +301,7 @@ public:
     }
     return (1.0 / Norm(v)) * v;
   }
-  /// Returns random primitives, each with its own anchor.
+  /// Returns random primitives, each with an anchor of its own.
   PrimitiveSet AnySet(int size)
   {
     PrimitiveSet set;
@@ -310,7 +312,8 @@ public:
     }
     return set;
   }
-  /// Returns primitives as a composition has them: one anchor, and directions of one frame.
+  /// Returns primitives like those of a composition: with one anchor, and directions along the axes
+  /// of one frame.
   PrimitiveSet FrameSet(int size)
   {
     const Vector3 a = this->Direction();
@@ -327,8 +330,8 @@ public:
     }
     return set;
   }
-  /// Returns random primitives at one anchor, as the modes of a place have them. Two in three are
-  /// parallel to the first one or perpendicular to it.
+  /// Returns random primitives with one anchor, like those of several modes at a place. Two in
+  /// three are parallel or perpendicular to the first one.
   PrimitiveSet PlaceSet(int size)
   {
     const Vector3 anchor = this->Place(0.004);
@@ -350,7 +353,7 @@ public:
     OfPairs,
     Own
   };
-  /// Returns pairs of opposed planes, as two-sided modes have them, followed by other primitives.
+  /// Returns pairs of opposed planes, like those of two-sided modes, followed by other primitives.
   PrimitiveSet OpposedSet(int pairs, std::vector<PrimitiveKind> others, Anchors anchors)
   {
     const Vector3 common = this->Place(0.004);
@@ -379,7 +382,7 @@ private:
 
 TEST(Primitives, ALineLeavesItsDirectionFreeAndYieldsAcrossIt)
 {
-  // P1: a strength of 2 N and a stiffness of 500 N/m hold up to 4 mm.
+  // P1: a line with a strength of 2 N and a stiffness of 500 N/m holds the proxy up to 4 mm.
   const Primitive line{ PrimitiveKind::Line, { 3.0, 0.0, 0.0 }, {}, 2.0 };
   const PrimitiveBalance along = BalanceOf({ line }, { 0.05, 0.0, 0.0 });
   EXPECT_EQ(Norm(along.Force), 0.0);
@@ -396,7 +399,7 @@ TEST(Primitives, ALineLeavesItsDirectionFreeAndYieldsAcrossIt)
 
 TEST(Primitives, ForcePointAndPlaneHaveTheirClosedForms)
 {
-  // P2: a constant force moves the proxy by force over stiffness.
+  // P2: a constant force moves the proxy by the force divided by the stiffness.
   const PrimitiveBalance pushed =
     BalanceOf({ { PrimitiveKind::Force, { 0.0, 2.0, 0.0 }, {}, 2.0 } }, { 0.1, 0.2, 0.3 });
   EXPECT_EQ(pushed.Force.Y, 2.0);
@@ -422,7 +425,7 @@ TEST(Primitives, BalancesAreThoseOfASlowSolver)
   {
     const int size = 2 + round % 7;
     PrimitiveSet set = round % 3 == 0 ? dice.FrameSet(size) : dice.AnySet(size);
-    if (round < 3) // P10: a line and an oblique plane of 1 N
+    if (round < 3) // P10: a line, and an oblique plane of 1 N
     {
       set.Clear();
       set.Add({ PrimitiveKind::Line, { 1.0, 0.0, 0.0 }, {}, 1.0 });
@@ -438,7 +441,7 @@ TEST(Primitives, BalancesAreThoseOfASlowSolver)
     ASSERT_FALSE(balance.IsUnfinished) << "set " << round << " of " << size;
     worst = std::max(worst, Stiffness * Norm(balance.Proxy - expected));
     EXPECT_NEAR(Norm(balance.Force - Stiffness * (balance.Proxy - tip)), 0.0, 1e-11);
-    // Starting from other forces, the descent finds the same balance.
+    // From other starting forces, the descent must find the same balance.
     PrimitiveForces other;
     other.fill({ 1.0, -2.0, NaN });
     other[0] = { 1.0, 0.3, -0.7 };
@@ -455,7 +458,7 @@ TEST(Primitives, BalancesAreThoseOfASlowSolver)
   EXPECT_GE(composed, 297);
 }
 
-// Five directions depend on each other, so that sweeps change the forces slowly.
+// The five directions depend on each other, so the forces change slowly from sweep to sweep.
 TEST(Primitives, OpposedPlanesAreBalancedFromAColdStart)
 {
   PrimitiveDice dice(1);
@@ -506,8 +509,8 @@ TEST(Primitives, BalancesAreThoseThatTheDualityGapAllows)
         Minimise(set, Stiffness, tip, forces);
         worst = std::max(worst, BoundError(set, tip, forces));
       }
-      // Strengths are about 1 N. The bound is the root of the rounding error, so the true errors
-      // are smaller.
+      // BoundError() is the root of a rounding error, for strengths of about 1 N. True errors are
+      // smaller.
       EXPECT_LT(worst, 1e-3) << "N, " << pairs << " pairs and " << others.size();
     }
   }
@@ -515,7 +518,7 @@ TEST(Primitives, BalancesAreThoseThatTheDualityGapAllows)
 
 TEST(Primitives, YieldingALittleIsFoundAsWell)
 {
-  // The tip is 0.01 mm farther away than the strengths hold, as in a tick.
+  // The tip is 0.01 mm farther away than the strengths hold, which is a typical distance in a tick.
   PrimitiveDice dice(8);
   double worst = 0.0;
   int unfinished = 0;
@@ -539,8 +542,8 @@ TEST(Primitives, YieldingALittleIsFoundAsWell)
     unfinished += balance.IsUnfinished;
     PrimitiveForces old;
     int sweeps = 0;
-    // The balance is found from any expected direction; from the right direction, mostly without a
-    // sweep.
+    // Any expected direction must lead to the balance. The right direction mostly leads to it
+    // without a sweep.
     for (const Vector3& towards : { -expected, dice.Direction(), expected })
     {
       old = far;
@@ -555,7 +558,7 @@ TEST(Primitives, YieldingALittleIsFoundAsWell)
       }
     }
     swept += sweeps > 0 && Stiffness * Norm(expected) > 1e-6;
-    // A pull that is slightly weaker than all strengths together does not move the proxy.
+    // A pull slightly weaker than the sum of all strengths does not move the proxy.
     old = far;
     const Vector3 nearer = (-(1.0 - 1e-4) / Stiffness) * most.Force;
     const PrimitiveBalance still = Minimise(set, Stiffness, nearer, old, 256, most.Proxy);
@@ -600,8 +603,8 @@ TEST(Primitives, TheCompositionBearsDirectionsThatAreOffByRounding)
 
 TEST(Primitives, AreNonExpansiveAndPullNoMoreThanTheirStrengths)
 {
-  // 1.4 million steps of a tip. Each kind of set gets as many steps as its solver makes in some
-  // seconds.
+  // 1.4 million steps of a tip. Each kind of set gets the number of steps that its solver makes in
+  // some seconds.
   PrimitiveDice dice(5);
   for (int round = 0; round < 70; ++round)
   {
@@ -682,7 +685,7 @@ TEST(Primitives, WhatIsNoPrimitiveDoesNothing)
     const bool hasAnchor = kind != PrimitiveKind::Force;
     EXPECT_EQ(isNothing({ kind, x, { NaN, 0.0, 0.0 }, 1.0 }), hasAnchor);
     EXPECT_EQ(isNothing({ kind, x, { 1e300, 0.0, 0.0 }, 1.0 }), hasAnchor);
-    // Directions are normalised, however short or long they are.
+    // Directions of any length are normalised.
     for (const double length : { 5e-324, 1e-300, 1e300 })
     {
       const Vector3 force = BalanceOf({ { kind, length * x, anchor, 1.0 } }, tip).Force;
@@ -694,7 +697,7 @@ TEST(Primitives, WhatIsNoPrimitiveDoesNothing)
     BalanceOf({ { PrimitiveKind::Point, {}, {}, Infinity }, { PrimitiveKind::Force, x, {}, 1.0 } },
       { 0.5, 0.0, 0.0 });
   EXPECT_EQ(Norm(held.Proxy), 0.0) << "an infinite strength holds";
-  // Springs and tips that are not valid.
+  // Springs and tips with invalid values.
   PrimitiveSet set;
   set.Add({ PrimitiveKind::Line, x, {}, 1.0 });
   PrimitiveForces forces;

@@ -18,16 +18,17 @@ namespace
 constexpr double Soft = 150.0;       // N/m
 constexpr double Stiff = 350.0;      // N/m
 constexpr double Press = 1.0;        // N
-constexpr double Surface = 8.0;      // mm: where the proxy begins
+constexpr double Surface = 8.0;      // mm: where the proxy begins to be held
 constexpr double Begin = 10.0;       // mm along x
 constexpr double End = 70.0;         // mm
-constexpr double Border = 40.0;      // mm: border of the materials
-constexpr int Radius = 6;            // voxels: depth of x_s
+constexpr double Border = 40.0;      // mm along x: border between the two materials
+constexpr int Radius = 6;            // voxels: distance from the proxy to x_s
 constexpr double SoftValue = 1400.0; // at x_s
 constexpr double StiffValue = 2000.0;
 
-/// V = 100 z down to z = 11 mm. Below, V rises faster where the slab is stiff: for x below Border,
-/// or for x above it. A kernel of two voxels at z = 8 mm sees only the plain ramp.
+/// Returns a volume with V = 100 z down to z = 11 mm. Deeper, V rises faster where the slab is
+/// stiff: for x below Border if `beginsStiff`, otherwise for x above it. A kernel of two voxels at
+/// z = 8 mm sees only the plain ramp.
 TestVolume MakeSlab(bool beginsStiff)
 {
   TestVolume volume(ScalarType::Float64, { 81, 17, 32 });
@@ -55,8 +56,8 @@ HapticModelDescription DescribeSlab(const TestVolume& volume, HapticSolver solve
   return d;
 }
 
-/// Returns how much deeper (mm) the tip is at the end of a stroke than at its beginning, for a hand
-/// that presses with 1 N. The hand has no mass: it moves until the force is 1 N.
+/// Strokes with a massless hand that presses with 1 N. Returns how much deeper (mm) the tip is at
+/// the end than at the beginning.
 double ComputeStep(const HapticModel& model)
 {
   ServoState state;
@@ -139,8 +140,8 @@ TEST(SameShape, CapsHoldForTheCouplingStiffness)
 
 TEST(SameShape, WhatHasNoStiffnessIsNotFelt)
 {
-  // For values at x_s of up to 1500, the stiffness is zero, but strength, friction and drag are
-  // not.
+  // Where the value at x_s is at most 1500, the stiffness is zero, while strength, friction and
+  // drag are not.
   const TestVolume volume = MakeRamp();
   for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
   {
@@ -195,7 +196,7 @@ TEST(SameShape, LabelsHaveTheSameStiffness)
   EXPECT_FALSE(table.Find(3)->IsSet[0]);
   EXPECT_EQ(table.Find(3)->Value[1], 0.05);
 
-  // One label with 100 N/m everywhere.
+  // A label image with one label, whose stiffness is 100 N/m.
   const TestVolume volume = MakeRamp();
   TestVolume labels(ScalarType::UInt8, { 24, 24, 24 });
   labels.Fill<std::uint8_t>([](std::int64_t, std::int64_t, std::int64_t) { return 1; });

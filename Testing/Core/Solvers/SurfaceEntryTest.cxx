@@ -14,7 +14,7 @@ using namespace coretest;
 
 namespace
 {
-/// The ramp's surface at z = 10 mm. The tissue that is felt is above it; the start is at most 6 mm
+/// A ramp with a surface at z = 10 mm. The tissue above it is felt. The proxy starts at most 6 mm
 /// deep.
 class SurfaceEntry : public testing::Test
 {
@@ -24,7 +24,8 @@ protected:
     this->Scene.Settings.IsoValue = 1000.0;
     this->Scene.Settings.HasIsoSurface = true;
   }
-  /// Returns the position (mm) of the proxy after the method has changed from `from`.
+  /// Changes the method from `from` to the surface's. Returns the proxy's position (mm) after the
+  /// change.
   Vector3 Enter(const Vector3& proxy, HapticMethod from = HapticMethod::ForceField)
   {
     HapticModelDescription other = this->Scene;
@@ -52,7 +53,8 @@ TEST_F(SurfaceEntry, GoesToTheNearestOutside)
   EXPECT_NEAR(this->Enter({ 12.0, 12.0, 7.0 }).Z, 11.5, 0.5);
 }
 
-/// The surface of a coarse stand-in image is 2 mm deeper, so its proxy is inside the fine surface.
+/// A coarse image that stands in for the volume has a surface 2 mm deeper, so its proxy is inside
+/// of the fine surface.
 TEST_F(SurfaceEntry, ComesOutOfAFineSurfaceThatReplacesACoarseOne)
 {
   HapticModelDescription coarse = this->Scene;

@@ -32,7 +32,7 @@ TEST_F(SurfaceProxy, RollsRoundAnEdgeAndACorner)
   Hand hand(DescribeMesh(this->Volume, MakeCube(10.0)), { 0.0, 0.0, 15.0 });
   hand.Lead({ 0.0, 0.0, 8.0 });
   this->ExpectAt(hand, { 0.0, 0.0, 11.0 });
-  // The sphere lies diagonally on the edge, half on each face.
+  // At an edge, the sphere is held diagonally, half by each face.
   hand.Lead({ 10.2, 0.0, 10.2 });
   const double s = std::sqrt(0.5);
   this->ExpectAt(hand, { 10.0 + s, 0.0, 10.0 + s });
@@ -54,20 +54,20 @@ TEST_F(SurfaceProxy, StopsInAnInsideCornerOfTwoAndOfThreeFaces)
   this->ExpectAt(hand, { 9.0, 9.0, -9.0 });
 }
 
-// Triangles have no inner side: Ruspini's sphere begins with its centre at the tip, on either side
-// of a surface.
+// Triangles have no inner side. Ruspini's sphere may begin at the tip on either side of a surface,
+// and must stay on that side.
 TEST_F(SurfaceProxy, IsHeldWhereItBeganAndNotThrownOut)
 {
   for (const double side : { 1.0, -1.0 })
   {
-    // The start is nearer to the floor than the sphere's radius.
+    // The sphere begins nearer to the floor than its radius.
     Hand hand(DescribeMesh(this->Volume, MakeFloor()), { 3.0, 4.0, 0.4 * side });
     EXPECT_EQ(Norm(hand.Record.Force), 0.0);
     EXPECT_LT(Norm(hand.Lead({ 5.0, 4.0, 0.4 * side }).Force), 1e-5) << "nothing pushes it out";
     hand.Lead({ 5.0, 4.0, -2.0 * side });
     this->ExpectAt(hand, { 5.0, 4.0, 0.4 * side });
-    // On the way away from the floor, no force acts. After the return, the floor holds the sphere
-    // at its radius.
+    // While the sphere moves away from the floor, no force acts. After its return, the floor holds
+    // it at a distance of its radius.
     double most = 0.0;
     for (const double z : { 0.4, 1.2, 3.0 })
     {
@@ -92,7 +92,8 @@ TEST_F(SurfaceProxy, TracksABallOutsideAndInside)
       const double angle = 0.01 * i;
       const Vector3 out = { std::sin(angle) * 0.6, std::cos(angle), std::sin(angle) * 0.8 };
       hand.Lead((20.0 - 2.0 * side) * out, 1.0);
-      // The middles of the facets are 20 (1 - cos 0.9 degrees / 2) mm inside the sphere.
+      // The tolerance covers the facets: their middles are up to 20 (1 - cos 0.9 degrees / 2) mm
+      // inside of the sphere.
       EXPECT_NEAR(Norm(hand.Proxy()), 20.0 + side, 5e-3) << i;
       EXPECT_NEAR(Dot(hand.Proxy(), out), Norm(hand.Proxy()), 5e-3) << i;
       EXPECT_FALSE(hand.Record.IsUnfinished);
@@ -103,7 +104,7 @@ TEST_F(SurfaceProxy, TracksABallOutsideAndInside)
 TEST_F(SurfaceProxy, FrictionHoldsAndSlidesAsTheLawSays)
 {
   Hand hand(DescribeMesh(this->Volume, MakeFloor(), 0.5), { 0.0, 0.0, 5.0 });
-  hand.Lead({ 0.0, 0.0, -3.0 }); // 4 mm of lag, of which friction holds 2 mm sideways
+  hand.Lead({ 0.0, 0.0, -3.0 }); // 4 mm of lag, at which friction holds up to 2 mm sideways
   hand.Lead({ 1.9, 0.0, -3.0 });
   this->ExpectAt(hand, { 0.0, 0.0, 1.0 });
   EXPECT_EQ(hand.Record.Contact, ContactState::Sticking);

@@ -27,7 +27,7 @@ constexpr double Low = -1000.0;
 constexpr double High = 60.0;
 constexpr double Blur = 0.45; // mm
 constexpr double Fine = 0.5;  // mm
-constexpr double Depth = 1.5; // mm: depth of the press
+constexpr double Depth = 1.5; // mm: depth of the press behind the wall's plane
 constexpr std::int64_t Samples = 28;
 
 constexpr GradientEstimator Estimators[] = { GradientEstimator::CentralDifference,
@@ -44,7 +44,7 @@ Vector3 Thick(double ratio, int axis)
     axis == 2 ? ratio * Fine : Fine };
 }
 
-/// A wall through a point between the samples near the volume's centre.
+/// A volume with a wall through a point between the samples, near the volume's centre.
 struct Wall
 {
   /**
@@ -76,8 +76,8 @@ struct Wall
       (High - Low) * (Phi(depth / this->Width) - Phi((depth - this->Thickness) / this->Width));
   }
 
-  /// Describes the model with materials as in "CT contrast" for air, lung, fat and muscle, without
-  /// friction and drag.
+  /// Describes a model with materials like those of "CT contrast" for air, lung, fat and muscle,
+  /// without friction and drag.
   HapticModelDescription Describe(GradientEstimator estimator, int radius) const
   {
     HapticModelDescription description = coretest::Describe(this->Volume);
@@ -121,8 +121,8 @@ double FarthestMiddle(double shift)
   return farthest;
 }
 
-/// Returns the linear interpolation of the samples around a position, as a fraction of the wall's
-/// height.
+/// Interpolates the samples around a position linearly. Returns the result as a fraction of the
+/// wall's height.
 double InterpolatedFraction(const Wall& wall, const Vector3& world)
 {
   const Vector3 index = Inverse(wall.IndexToWorld)(world);
@@ -146,13 +146,14 @@ double InterpolatedFraction(const Wall& wall, const Vector3& world)
 
 struct Press
 {
-  double Contact = HUGE_VAL; ///< mm behind the plane: where the surface force reaches 20 mN
+  double Contact = HUGE_VAL; ///< mm behind the plane: tip at which the force reaches 20 mN
   double Force = 0.0;        ///< N: final force along the normal
-  double Most = 0.0;         ///< N: largest force in any direction on the way
+  double Most = 0.0;         ///< N: largest force in any direction during the press
   Vector3 Proxy;             ///< final position, world
 };
 
-/// Moves the tip straight from 3 mm in front of the plane to a depth behind it, by 0.05 mm a tick.
+/// Moves the tip straight from 3 mm in front of the plane to `depth` (mm) behind it, by 0.05 mm a
+/// tick.
 Press PressInto(const Wall& wall, const HapticModelDescription& description, double depth = Depth)
 {
   const HapticModel model(description);
@@ -182,7 +183,7 @@ TEST(ThickSlices, AWallIsFeltAsInCubes)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      // The two fine axes and the direction halfway between them.
+      // Normals along the two fine axes, and halfway between them.
       Vector3 normals[3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, -1 } };
       normals[axis] = normals[(axis + 1) % 3] + normals[(axis + 2) % 3];
       for (const Vector3& normal : normals)
@@ -250,9 +251,9 @@ TEST(ThickSlices, ALeaningWallIsNoFartherOffThanItsInterpolation)
     {
       const double angle = degrees / 57.29577951308232;
       const double shift = ratio * Fine * std::sin(angle) / Blur;
-      // The sum of two edges that are up to 2 blurs apart has one steepest place. Farther apart,
-      // they are two edges, and the first may be felt. The spline is wider and merges them up to a
-      // larger distance.
+      // The sum of two edges up to 2 blurs apart has one steepest place. At larger distances there
+      // are two edges, and the first one may be felt. The spline is wider, so it merges edges that
+      // are farther apart.
       const bool isOne = shift <= 2.0;
       if (shift > 3.4)
       {
@@ -288,8 +289,7 @@ TEST(ThickSlices, ALeaningWallIsNoFartherOffThanItsInterpolation)
 
 TEST(ThickSlices, ASplineHoldsAnEdgeWithAnyRadius)
 {
-  // The spline reads 64 samples for any radius, so its contact and force don't depend on the
-  // radius.
+  // The spline reads 64 samples for any radius, so contact and force are independent of the radius.
   for (const double blur : { 0.05, Blur })
   {
     for (const Vector3& normal : { Vector3{ 1, 0, 0 }, Vector3{ 1, 2, 3 } })
@@ -310,9 +310,9 @@ TEST(ThickSlices, ASplineHoldsAnEdgeWithAnyRadius)
 
 TEST(ThickSlices, PaperFeelsNoSheetThatItsReachPasses)
 {
-  // The gradient begins KernelRadius fine spacings in front of the sheet, and x_s is as many
-  // largest spacings ahead. Behind sheets thinner than 2 (2.5 - 0.5) mm, x_s is in air. Both sides
-  // of the sheet are blurred and reach two blurs outwards.
+  // The gradient begins KernelRadius of the fine spacing in front of the sheet, and x_s is
+  // KernelRadius of the largest spacing farther ahead. Behind sheets thinner than 2 (2.5 - 0.5) mm,
+  // x_s is in air. The blur of both sides reaches two blurs outwards.
   const Vector3 normal{ 1, 0, 0 };
   for (const double thickness : { 1.0, 1.6, 4.0 - 4.0 * Blur })
   {
@@ -340,7 +340,8 @@ TEST(ThickSlices, AcrossThemAWallIsInTheMiddleOfItsSamples)
       const Vector3 normal{ axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0 };
       const Wall wall(Thick(ratio, axis), Slanted(), normal);
       const Wall cubes({ spacing, spacing, spacing }, Slanted(), normal);
-      // Find the two samples around the middle level along the axis, and interpolate linearly.
+      // Find the two samples on either side of the middle level along the axis, and interpolate
+      // between them.
       const double centre[3] = { 13.3, 14.2, 13.6 };
       const auto value = [&](double at)
       { return Low + (High - Low) * Phi((at - centre[axis]) * spacing / Blur); };

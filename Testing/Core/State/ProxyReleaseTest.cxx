@@ -22,9 +22,9 @@ namespace
 {
 constexpr double Tau = 0.005;     // s
 constexpr double Period = 0.001;  // s
-constexpr double MostStep = 0.25; // N per tick, at a release
+constexpr double MostStep = 0.25; // N: largest step of the force in a tick with a release
 
-/// A bright shell, 4 mm thick, across z = 20 mm, in a volume with voxels of 1 mm.
+/// Returns a volume with a bright shell, 4 mm thick, at z = 20 mm. Voxels are 1 mm.
 TestVolume MakeShell()
 {
   TestVolume volume(ScalarType::Float32, { 24, 24, 48 });
@@ -47,7 +47,7 @@ HapticModelDescription DescribeShell(const TestVolume& volume, double strength)
   return d;
 }
 
-/// A model with a release time, and the same model without one.
+/// Two models that differ only in their release time: one has Tau, the other has none.
 class Pair
 {
 public:
@@ -57,7 +57,8 @@ public:
   {
   }
 
-  /// Runs a tick of both models. The law is the same, so both continue from the same proxy.
+  /// Runs a tick of both models. Both continue from the same proxy, which must not depend on the
+  /// release time.
   void Tick(const Vector3& tip)
   {
     const Vector3 before = this->A.Force;
@@ -80,7 +81,7 @@ public:
     EXPECT_TRUE(this->A.IsUnfinished || Norm(this->A.Force - pull) < 1e-9)
       << "the force is that of the spring, as ever";
   }
-  /// Returns what remains of earlier forces.
+  /// Returns the part of the force that remains from earlier forces.
   Vector3 GetRemainder() const { return this->A.Force - this->B.Force; }
 
   TickRecord A;
@@ -91,7 +92,7 @@ public:
   double StepWithout = 0.0;
   double Most = 0.0;
   double MostWithout = 0.0;
-  double Work = 0.0; // J, on the hand
+  double Work = 0.0; // J, done on the hand
   double WorkWithout = 0.0;
 
 private:
@@ -120,7 +121,7 @@ TEST(ProxyRelease, GoesOverInSomeMilliseconds)
     Pair pair(DescribeShell(volume, strength));
     double highest = 0.0;
     int releases = 0;
-    // Go through the shell at 40 mm/s.
+    // The tip goes through the shell at 40 mm/s.
     for (int i = 0; i < 1050; ++i)
     {
       const double remained = Norm(pair.GetRemainder());
@@ -129,7 +130,7 @@ TEST(ProxyRelease, GoesOverInSomeMilliseconds)
       const double remains = Norm(pair.GetRemainder());
       if (pair.StepWithout < 0.02)
       {
-        // In a tick without a leap, the remainder has a closed form.
+        // In ticks in which the proxy does not leap, the remaining force has a closed form.
         const double fall = std::min(remained * Period / (Tau + Period), 150.0 * Period);
         EXPECT_NEAR(remains, remained - fall > 1e-3 ? remained - fall : 0.0, 1e-9) << i;
       }
@@ -146,9 +147,9 @@ TEST(ProxyRelease, GoesOverInSomeMilliseconds)
 
 TEST(ProxyRelease, GoesOverWhereTheProxyDoesNotReachTheTipInATick)
 {
-  // A spring of 50 N/m with a length of 100 voxels. When the shell gives way, the proxy has farther
-  // to go than the samples of a tick allow. The solver then continues from a tip nearer to the
-  // proxy, and friction would let such a long step change the force by far more.
+  // The spring has 50 N/m and a length of 100 voxels. When the shell gives way, the proxy has a
+  // longer way than a tick's samples allow. The solver then continues from a tip nearer to the
+  // proxy, and friction would let the force change far more in so long a step.
   TestVolume volume(ScalarType::Float32, { 24, 24, 160 });
   volume.Fill<float>(
     [](std::int64_t, std::int64_t, std::int64_t k)
@@ -175,7 +176,7 @@ TEST(ProxyRelease, GoesOverWhereTheProxyDoesNotReachTheTipInATick)
 
 TEST(ProxyRelease, LeavesWhatDoesNotLeapToTheBit)
 {
-  // A hand that presses, strokes and lifts off without breaking through.
+  // The hand presses, strokes and lifts off without breaking through the shell.
   const TestVolume volume = MakeShell();
   Pair pair(DescribeShell(volume, 1e6));
   for (int i = 0; i < 2000; ++i)
@@ -191,8 +192,8 @@ TEST(ProxyRelease, LeavesWhatDoesNotLeapToTheBit)
 
 TEST(ProxyRelease, GivesAHandThatTurnsBackNoMoreThanItsSpringHeld)
 {
-  // The tip breaks through at 40 mm/s. After so many ticks, it goes back along the force, slowly or
-  // at 0.5 m/s, where a spring of 400 N/m changes by 0.2 N per tick.
+  // The tip breaks through the shell at 40 mm/s. After `late` ticks, it goes back along the force
+  // at 0.04 to 0.5 m/s. At 0.5 m/s, a spring of 400 N/m changes its force by 0.2 N per tick.
   const TestVolume volume = MakeShell();
   for (const double strength : { 1.0, 3.0, 8.0 })
   {
@@ -204,8 +205,8 @@ TEST(ProxyRelease, GivesAHandThatTurnsBackNoMoreThanItsSpringHeld)
         Pair pair(DescribeShell(volume, strength));
         double z = 0.002;
         int since = -1;
-        double held = 0.0;   // J, in the spring before the release
-        double before = 0.0; // J, work until then
+        double held = 0.0;   // J: energy of the spring before the release
+        double before = 0.0; // J: work up to the release
         for (int i = 0; i < 1200 && z > 0.001; ++i)
         {
           const double force = Norm(pair.A.Force);
@@ -229,8 +230,8 @@ TEST(ProxyRelease, GivesAHandThatTurnsBackNoMoreThanItsSpringHeld)
         EXPECT_GT(since, late);
         EXPECT_LT(pair.Most, MostStep);
         EXPECT_GT(pair.MostWithout, 0.5 * strength);
-        // The back of the shell may then hold the proxy. The hand does not get what it has not put
-        // in.
+        // Afterwards, the back of the shell may hold the proxy. In that case, what remains of the
+        // earlier force must reduce the force.
         EXPECT_TRUE(Norm(pair.GetRemainder()) == 0.0 || Norm(pair.A.Force) < Norm(pair.B.Force));
       }
     }
@@ -239,8 +240,8 @@ TEST(ProxyRelease, GivesAHandThatTurnsBackNoMoreThanItsSpringHeld)
 
 TEST(ProxyRelease, GoesOverForAHandOnItsWayBack)
 {
-  // The shell ends at x = 12 mm. A hand below it slides to its end while it moves up, and slips
-  // off.
+  // The shell ends at x = 12 mm. The hand below it moves up and along x at the same time, so that
+  // the proxy slides to the shell's end and slips off.
   TestVolume volume(ScalarType::Float32, { 24, 24, 48 });
   volume.Fill<float>(
     [](std::int64_t i, std::int64_t, std::int64_t k)
@@ -248,7 +249,7 @@ TEST(ProxyRelease, GoesOverForAHandOnItsWayBack)
       const double z = (double(k) - 20.0) / 2.0;
       return 1000.0 * std::exp(-z * z) * 0.5 * std::erfc(double(i) - 12.0);
     });
-  for (const double speed : { 0.01, 0.1, 0.3 }) // m/s, along x and up
+  for (const double speed : { 0.01, 0.1, 0.3 }) // m/s, both along x and upwards
   {
     SCOPED_TRACE(speed);
     Pair pair(DescribeShell(volume, 1e6));
@@ -277,7 +278,8 @@ TEST(ProxyRelease, GoesOverForAHandOnItsWayBack)
   }
 }
 
-/// Random walks at up to 0.5 m/s with 400 N/m, in noise that has surfaces everywhere.
+/// The hand walks at random at up to 0.5 m/s, on a spring of 400 N/m, in noise that has surfaces
+/// everywhere.
 TEST(ProxyRelease, HoldsItsLimitsOnRandomWalks)
 {
   int remains = 0;
@@ -302,7 +304,7 @@ TEST(ProxyRelease, HoldsItsLimitsOnRandomWalks)
     }
     for (int i = 0; i < 4000; ++i)
     {
-      // Lissajous curves, which turn back everywhere, at a varying speed.
+      // The path is a Lissajous curve, which turns back everywhere, at a varying speed.
       const double t = 1e-3 * i + 0.15 * std::sin(0.0021 * i);
       const double rates[3] = { 13.0 + 0.7 * seed, 17.0 - 0.9 * seed, 19.0 + 0.3 * seed };
       for (int axis = 0; axis < 3; ++axis)
@@ -407,7 +409,8 @@ TEST(ProxyRelease, GoesOnToTheBitIfStored)
 
 TEST(ProxyRelease, EndsWithTheTouch)
 {
-  // A lost tip, and a tip in another model without a release time, feel nothing of earlier forces.
+  // After the tip was lost, or in a model without a release time, nothing of earlier forces is
+  // felt.
   const TestVolume volume = MakeShell();
   HapticModelDescription d = DescribeShell(volume, 3.0);
   const HapticModel model(d);

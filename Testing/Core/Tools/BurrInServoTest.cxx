@@ -17,7 +17,7 @@ using namespace coretest;
 
 namespace
 {
-/// A hand that runs ticks as a servo does.
+/// A hand that runs the ticks of a model as the servo does.
 class ServoHand
 {
 public:
@@ -35,7 +35,7 @@ public:
     this->Removed += this->Record.RemovedVolume;
     return this->Record;
   }
-  /// Moves the tip so that the spring presses with a force (N) along z.
+  /// Moves the tip so that the spring presses with `force` (N) along z, and runs a tick.
   const TickRecord& Press(double force)
   {
     Vector3 tip = this->Record.Tip;
@@ -105,7 +105,7 @@ TEST_F(BurrOfModel, TicksInTheServo)
   EXPECT_EQ(1000.0 * hand.Record.Proxy.X, 1000.0 * alone.Record.Shell.Tool.Position.X);
 }
 
-/// If device motions appear half as large in the world, the drilled hole still has the burr's
+/// If the device's motions appear half as large in the world, the drilled hole still has the burr's
 /// radius in the world.
 TEST_F(BurrOfModel, HasItsSizeInTheWorld)
 {
@@ -139,7 +139,7 @@ TEST_F(BurrOfModel, HasItsSizeInTheWorld)
   }
 }
 
-/// With another material and with another placement, the force and the removal continue.
+/// After a change of material or placement, the burr keeps its force and goes on removing.
 TEST_F(BurrOfModel, GoesAlongToAnotherModel)
 {
   ServoHand hand(this->Make());
@@ -166,12 +166,12 @@ TEST_F(BurrOfModel, GoesAlongToAnotherModel)
   hand.Publish(this->Make());
   EXPECT_NEAR(Norm(hand.Tick(world).Force), 2.0, 0.05);
   EXPECT_NEAR(drill(), 0.5 * first, 0.05 * first);
-  // Without the tool, the hand starts again without force.
+  // After the tool was taken away, the hand starts again without force.
   hand.Publish(std::make_shared<const HapticModel>(this->Half.Scene));
   EXPECT_EQ(Norm(hand.Tick(world).Force), 0.0);
 }
 
-/// B4: from the stored state, contacts and fractions, the ticks continue bit for bit.
+/// B4: from a stored state with its contacts and fractions, the ticks continue to the bit.
 TEST_F(BurrOfModel, GoesOnFromWhatWasKept)
 {
   HapticModelDescription copied = this->Half.Scene;
@@ -231,7 +231,7 @@ TEST_F(BurrOfModel, AStateThatNoTickProducesIsTold)
   EXPECT_EQ(FromNumbers(ToNumbers(state)).Burr.Part, 4000000000U);
 }
 
-/// Without the tool's memory, or without a removal to write to, nothing is removed.
+/// Without the tool's memory, or without a removal to write to, the burr removes nothing.
 TEST_F(BurrOfModel, WithoutMemoryIsAPoint)
 {
   ServoHand hand(this->Make());
@@ -254,8 +254,8 @@ TEST_F(BurrOfModel, WithoutMemoryIsAPoint)
   EXPECT_EQ(other.Removed, 0.0);
 }
 
-/// A hand of 0.1 kg holds the device, presses with up to 3 N and drills. The energy observer finds
-/// no unstable loop.
+/// A hand of 0.1 kg holds the device, presses with up to 3 N and drills. The energy observer must
+/// find no unstable loop.
 TEST_F(BurrOfModel, ALoopThatDrillsDoesNotSwing)
 {
   this->Burr.Settings.Vibration = 0.1;
@@ -285,8 +285,7 @@ TEST_F(BurrOfModel, ALoopThatDrillsDoesNotSwing)
   EXPECT_GT(hand.Removed, 1.0);
 }
 
-/// A tick does not serve requests. Only the owner of the removal serves them, and then no force
-/// acts.
+/// Ticks serve no requests. Only the owner of the removal serves them, and no force acts meanwhile.
 TEST_F(BurrOfModel, OnlyItsOwnerServesRequests)
 {
   ServoHand hand(this->Make());

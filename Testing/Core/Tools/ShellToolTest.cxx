@@ -20,7 +20,7 @@ namespace
 constexpr double ToolRadius = 5.0;
 constexpr double RampSurface = 10.0;
 
-/// Returns a sphere in world units: millimetres and square millimetres.
+/// Returns the points of a sphere in world units: millimetres and square millimetres.
 std::vector<ShellPoint> MakeWorldSphere(double radius, int count)
 {
   std::vector<ShellPoint> points = MakeSphere(radius, count);
@@ -32,7 +32,7 @@ std::vector<ShellPoint> MakeWorldSphere(double radius, int count)
   return points;
 }
 
-/// A hand that runs ticks as a servo does.
+/// A hand that runs the ticks of a model as the servo does.
 class ToolHand
 {
 public:
@@ -54,7 +54,7 @@ public:
       LocalSurfaceResult::Simulated(), &this->Taps, this->Memory.get());
     return this->Record;
   }
-  /// Moves the tip along a straight line to a goal (world).
+  /// Moves the tip straight to a goal (world units), by at most `step` per tick.
   const TickRecord& Lead(const Vector3& goal, double step = 0.05)
   {
     const Vector3 from = this->Model->DeviceToWorld(this->Record.Tip);
@@ -133,7 +133,7 @@ protected:
 };
 } // namespace
 
-/// S3 of the design: k (2 mm - delta) = pi kappa a delta^2 gives 0.4211 N.
+/// S3 of the design: from k (2 mm - delta) = pi kappa a delta^2 follows a force of 0.4211 N.
 TEST_F(ShellTool, HasTheForceOfASphere)
 {
   ToolHand hand = this->Press();
@@ -141,14 +141,14 @@ TEST_F(ShellTool, HasTheForceOfASphere)
   EXPECT_NEAR(hand.Record.NormalForce, 0.4211, 0.4211e-2);
   EXPECT_EQ(hand.Record.Contact, ContactState::Sticking);
   EXPECT_LE(Norm(hand.Record.Torque), 1e-5);
-  // The proxy is the origin of the tool, at a depth of 1.1578 mm.
+  // The proxy is the origin of the tool, which is 1.1578 mm deep.
   EXPECT_NEAR(hand.Record.Proxy.Z, 1e-3 * (RampSurface - ToolRadius + 1.1578), 1e-5);
   EXPECT_NEAR(std::abs(hand.Record.ToolOrientation.W), 1.0, 1e-9);
   EXPECT_EQ(hand.Record.SurfaceValue, hand.Model->ValueAtDevice(hand.Record.Proxy));
 }
 
-/// The tool keeps its size in the world for any scale of the device. If the world appears twice as
-/// large in the hand, the contact area is four times as large there.
+/// The tool keeps its size in the world for any scale of the device. If a device's motion appears
+/// half as large in the world, the contact area is four times as large on the device.
 TEST_F(ShellTool, HasItsSizeInTheWorld)
 {
   for (const double scale : { 0.5, 2.0 })
@@ -196,8 +196,8 @@ TEST_F(ShellTool, IsHeldAsLastByADeviceWithoutOrientation)
   EXPECT_TRUE(IsIdentical(hand.State.Shell.Hand.Orientation, turn));
 }
 
-/// With other materials and settings, the tool stays in contact, and the pressed springs have no
-/// more energy than before.
+/// With another material or other settings, the tool stays in contact, and the springs have at most
+/// the energy that they had before.
 TEST_F(ShellTool, GoesOnWithAnotherMaterial)
 {
   const struct
@@ -221,7 +221,7 @@ TEST_F(ShellTool, GoesOnWithAnotherMaterial)
     hand.Publish(Make(scene, tool));
     hand.Rest(1);
     EXPECT_TRUE(hand.State.Enabled);
-    // The total energy is that of the springs and of the contacts.
+    // Energy of the springs plus energy of the contacts.
     EXPECT_LE(hand.GetStored() + hand.State.Shell.Sum.Energy, (stored + pressed) * 1.0001)
       << next.Stiffness << " " << next.Strength << " " << next.Coupling;
     hand.Rest(20);
@@ -241,7 +241,8 @@ TEST_F(ShellTool, GoesOnWithAnotherMaterial)
   }
 }
 
-/// The volume moves under the hand, and hand and tool move along. Only the device's axes change.
+/// Only the placement of the device in the world changes. Hand and tool keep their places in the
+/// world.
 TEST_F(ShellTool, GoesAlongWithTheDevicesPlacement)
 {
   ToolHand hand = this->Press();
@@ -256,7 +257,7 @@ TEST_F(ShellTool, GoesAlongWithTheDevicesPlacement)
     placed.Linear = (1000.0 / scale) * ToMatrix(turn);
     placed.Offset = { 3.0, -7.0, 2.0 };
     moved.Publish(std::make_shared<const HapticModel>(*hand.Model, placed, ForceCaps{}));
-    // The hand keeps its position and orientation in the world.
+    // Move the hand to its old position and orientation in the world.
     moved.Tick(world, Conjugate(turn));
     const Vector3 felt = ToMatrix(turn) * moved.Record.Force;
     EXPECT_NEAR(felt.Z, scale * force.Z, 0.002) << "a spring that is longer by the scale";
@@ -290,7 +291,7 @@ TEST_F(ShellTool, IsSwitchedUnderForce)
     hand.Rest(1);
     EXPECT_EQ(Norm(hand.Record.Force), 0.0);
     EXPECT_EQ(Norm(hand.Record.Torque), 0.0);
-    // Change back while a force acts.
+    // Change back to the first tool while a force acts.
     const double deeper = next == point || next == needle ? 5.5 : 3.0;
     hand.Lead(this->Above);
     hand.Lead(this->Above + Vector3{ 0.0, 0.0, deeper });
@@ -304,8 +305,8 @@ TEST_F(ShellTool, IsSwitchedUnderForce)
   }
 }
 
-/// Random models under a random hand: while a model stays, the hand never gets more energy than it
-/// has put in, and publishing a model adds none.
+/// Publish random models under a random hand. While a model stays, the hand gets at most the energy
+/// that it has put in, and publishing a model adds none.
 TEST_F(ShellTool, NoModelGivesEnergy)
 {
   this->SetShell(MakeWorldSphere(4.0, 300));
@@ -317,7 +318,7 @@ TEST_F(ShellTool, NoModelGivesEnergy)
   double felt = 0.0;
   int carried = 0;
   hand.Tick(at);
-  double paid = 0.0; // J: upper bound of what hand and models may get back
+  double paid = 0.0; // J: upper bound of the energy that hand and models may get back
   for (int i = 0; i < 40000; ++i)
   {
     if (i % 100 == 99)
@@ -342,7 +343,7 @@ TEST_F(ShellTool, NoModelGivesEnergy)
     const ShellPose next{ hand.Model->WorldToDevice(at), TurnAbout({ 1.0, 0.3, 0.2 }, 1e-4 * i) };
     const auto energyOf = [&](const ShellPose& at)
     { return ComputeCouplingEnergy(this->Tool.Touch, hand.Model->Caps, tool, at); };
-    // The work of the hand while the tool rests.
+    // Add the work of the hand while the tool rests.
     paid += hand.State.Shell.Enabled ? energyOf(next) - energyOf(last) : 0.0;
     hand.TickAt(next.Position, next.Orientation);
     ASSERT_LE(hand.GetStored(), paid + 1e-9) << i;
@@ -356,7 +357,7 @@ TEST_F(ShellTool, NoModelGivesEnergy)
   EXPECT_GT(carried, 50);
 }
 
-/// From a stored state and its contacts, all further ticks are equal to the bit.
+/// From a stored state with its contacts, all further ticks are equal to the bit.
 TEST_F(ShellTool, GoesOnFromWhatWasKept)
 {
   this->SetShell(MakeWorldSphere(4.0, 700));

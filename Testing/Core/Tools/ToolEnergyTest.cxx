@@ -21,7 +21,7 @@ using namespace coretest;
 
 namespace
 {
-/// A hand that holds the device and moves along z. The force may arrive some ticks late.
+/// A simulated hand that holds the device and moves along z. The force acts `Late` ticks late.
 struct HandOnDevice
 {
   double Mass = 0.1;    ///< kg
@@ -33,14 +33,14 @@ struct Observed
 {
   int Alarms = 0;
   double Energy = 0.0;   ///< J, counted by the observer
-  double Held = 0.0;     ///< J: bound on what a force held for a tick adds
+  double Held = 0.0;     ///< J: most that holding a force for a tick adds to the energy
   double Farthest = 0.0; ///< mm: deepest position
   double Most = 0.0;     ///< N: largest force
-  int Free = 0;          ///< ticks without force after the first contact
+  int Free = 0;          ///< number of ticks without force after the first contact
 };
 
-/// Runs three seconds with a push (N) that depends on the time. Each sample is processed as in the
-/// servo.
+/// Runs three seconds with the hand's push (N) as a function of time. Processes each sample as the
+/// servo does.
 template <typename F>
 Observed Hold(
   const HapticModelDescription& scene, const Vector3& from, const HandOnDevice& hand, F&& push)
@@ -77,13 +77,13 @@ Observed Hold(
   return result;
 }
 
-/// Returns a push that goes from 0 to 3 N and back each second.
+/// Returns a push (N) that goes from 0 to 3 N and back in each second.
 double PushAndRest(double t)
 {
   return 1.5 - 1.5 * std::cos(2.0 * Pi * t);
 }
 
-/// A ball of 4 mm over a half-space of bone whose surface is at z = 11.5 mm.
+/// A ball of 4 mm radius over a half-space of bone, whose surface is at z = 11.5 mm.
 class ShellInLoop : public testing::Test
 {
 protected:
@@ -106,8 +106,8 @@ protected:
 };
 } // namespace
 
-/// The needle is pushed through the layers of N1, with a puncture at each layer, and drawn out
-/// again.
+/// The hand pushes the needle through the layers of N1, with a puncture at each layer, and draws it
+/// out again.
 TEST(NeedleInLoop, DoesNotSwing)
 {
   std::vector<Layer> layers = LayersOfN1();
@@ -132,7 +132,7 @@ TEST_F(ShellInLoop, DoesNotSwing)
   EXPECT_GT(held.Most, 1.0);
 }
 
-/// The same loop is unstable if the force comes late and damping is low: b < k (d + T/2).
+/// The same loop is unstable if the force comes late and the damping is low: b < k (d + T/2).
 TEST_F(ShellInLoop, WhoseForceComesLateIsFound)
 {
   const Observed held =

@@ -28,7 +28,8 @@ struct Ball
   double Rise;
 };
 
-/// Returns white noise, smoothed along x over `passes` voxels, so that neighbours are correlated.
+/// Returns white noise, averaged along x `passes` times, so that neighbouring voxels are
+/// correlated.
 std::vector<double> MakeNoise(double sigma, int passes)
 {
   std::mt19937_64 engine(3);
@@ -55,7 +56,7 @@ std::vector<double> MakeNoise(double sigma, int passes)
   return noise;
 }
 
-/// Returns balls around one centre, blurred by a voxel, with noise.
+/// Returns a volume with concentric balls, blurred by a voxel, and noise.
 std::vector<double> MakeBalls(const std::vector<Ball>& balls, double sigma, int passes = 0)
 {
   std::vector<double> volume = MakeNoise(sigma, passes);

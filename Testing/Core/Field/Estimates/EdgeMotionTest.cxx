@@ -42,7 +42,7 @@ TestVolume MakeEdge(const EdgeDistance& distance, double sigma, ScalarType type 
   return volume;
 }
 
-/// A ball in the middle of the volume.
+/// Returns the signed distance (voxels) to a ball in the middle of the volume.
 EdgeDistance BallOf(double radius)
 {
   return [radius](double x, double y, double z)
@@ -54,7 +54,7 @@ EdgeDistance BallOf(double radius)
   };
 }
 
-/// An oblique wall at a distance from the first sample.
+/// Returns the signed distance to an oblique wall that begins at a distance from the first sample.
 EdgeDistance WallAt(double at)
 {
   return [at](double x, double y, double z) { return 0.8 * x + 0.6 * y + 0.0 * z - at; };
@@ -83,7 +83,8 @@ TEST(EdgeMotion, FindsMotionsOfMoreThanTwoWidths)
       EXPECT_EQ(found.IsFast(), c.Widths > 2.0);
       if (c.Widths > 2.0)
       {
-        // The steepest slope is read between samples, which makes an edge slightly wider.
+        // The estimate reads the steepest slope between samples, which makes the edge look slightly
+        // wider.
         EXPECT_NEAR(found.Width, c.Sigma, 0.15 * c.Sigma);
         EXPECT_NEAR(found.Motion, s, isBall ? 0.15 * s : 0.03 * s);
       }
@@ -93,7 +94,8 @@ TEST(EdgeMotion, FindsMotionsOfMoreThanTwoWidths)
 
 TEST(EdgeMotion, IsInWorldUnitsAcrossTheEdge)
 {
-  // Samples of 2 x 0.5 x 1, rotated. A wall at x = 20 samples is at a distance of 40.
+  // The grid is rotated and has spacings of 2, 0.5 and 1. Along the first axis, the wall moves by 7
+  // voxels of 2 world units.
   const Matrix3 map{ { { 0.0, -0.5, 0.0 }, { 2.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } } };
   const auto at = [](double x) { return [x](double i, double, double) { return i - x; }; };
   const EdgeMotion found = MeasureEdgeMotion(MakeEdge(at(18.0), 1.5, ScalarType::Float64).View,

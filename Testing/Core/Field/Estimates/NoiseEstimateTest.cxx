@@ -88,7 +88,7 @@ TEST(NoiseEstimate, BlockByBlockIsTheSameToTheBit)
   {
     Computed volume{ { n, n + 1, n } };
     NoiseSamples samples = volume.Collect(0, n - 1);
-    // The samples have a hole in one block.
+    // One sample of one block is missing (NaN).
     const std::int64_t hole = n / 2 + n * (n / 2 + (n + 1) * (n / 2));
     const auto read = [&](std::int64_t number)
     { return number == hole ? std::nan("") : volume.Sample(number); };
@@ -116,7 +116,8 @@ TEST(NoiseEstimate, BlockByBlockIsTheSameToTheBit)
 
 TEST(NoiseEstimate, OfALargerVolumeLooksForPaddingAmongItsOwnSamples)
 {
-  // Two values: one is the padding; the other is smaller, in a single sample outside of all blocks.
+  // The volume's smallest value is not its padding: a single smaller sample lies outside of all
+  // blocks.
   for (const std::int64_t n : { 203, 204 })
   {
     Computed volume{ { n, n, n } };
@@ -142,7 +143,8 @@ TEST(NoiseEstimate, OfALargeVolumeTakesNoMoreReadsThanOfAnother)
   {
     Computed volume{ { n, n, n } };
     volume.Collect(0, n - 1);
-    // Eight blocks along each axis (nine if the size is not a multiple of eight), and the corners.
+    // The estimate reads eight blocks of 5^3 samples along each axis (nine if the size is not a
+    // multiple of eight), and the corners.
     EXPECT_LE(volume.Reads, 9 * 9 * 9 * 125 + 8) << n << "^3";
     EXPECT_GE(volume.Reads, 500 * 125) << n << "^3";
   }

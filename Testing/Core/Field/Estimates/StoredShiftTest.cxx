@@ -24,7 +24,7 @@ namespace
 constexpr std::int64_t Width = 72;
 constexpr std::int64_t Dimensions[3] = { Width, Width, Width };
 
-/// Makes a body of muscle under fat, with bone and, in a chest, lungs, surrounded by air.
+/// Makes a body of muscle under fat, with bone, surrounded by air. A chest also has lungs.
 std::vector<double> MakeBody(double sigma, bool hasLungs)
 {
   std::mt19937_64 engine(5);
@@ -72,7 +72,7 @@ TEST(StoredShift, IsWhatWasAddedToACT)
           [added](double value) { return std::max(0.0, value + added); });
         const StoredShift found = Find(stored);
         EXPECT_EQ(found.Shift, -added) << "noise of " << sigma << " HU";
-        // The estimate is nearer to the right offset than to any other.
+        // The estimated value of air is right within 12 HU, so that no other offset is nearer.
         EXPECT_NEAR(found.Air, added - 1000.0, 12.0);
         EXPECT_FALSE(found.IsStrange);
       }
@@ -98,14 +98,14 @@ TEST(StoredShift, IsNotMovedByPadding)
 
 TEST(StoredShift, IsNotSeenInOtherData)
 {
-  // A masked head: the values outside are not those of air.
+  // A masked head: the values outside of it are 0, which is not the value of air.
   std::vector<double> masked = MakeBody(10.0, false);
   std::transform(masked.begin(), masked.end(), masked.begin(),
     [](double value) { return value < -500.0 ? 0.0 : value; });
   EXPECT_EQ(Find(masked).Shift, 0.0);
   EXPECT_FALSE(Find(masked).IsStrange);
 
-  // Bone in water, in Hounsfield units, without noise and with it.
+  // Bone in water, with values in Hounsfield units, with and without noise.
   for (const double sigma : { 0.0, 10.0 })
   {
     std::vector<double> bone = MakeBody(sigma, false);
@@ -115,7 +115,7 @@ TEST(StoredShift, IsNotSeenInOtherData)
     EXPECT_FALSE(Find(bone).IsStrange);
   }
 
-  // Magnitudes of a magnetic resonance: a dark background and a single peak.
+  // Magnitudes of magnetic resonance imaging: a dark background and a single peak.
   std::vector<double> magnitudes = MakeBody(10.0, false);
   std::transform(magnitudes.begin(), magnitudes.end(), magnitudes.begin(),
     [](double value) { return value < -500.0 ? 8.0 : 300.0 + value; });
@@ -136,7 +136,7 @@ TEST(StoredShift, TellsWhatCannotBeHounsfieldUnits)
   };
   EXPECT_TRUE(isStrange(1000.0, 0.0005)); // attenuation
   EXPECT_TRUE(isStrange(1100.0, 25.0));   // grey values of 16 bits
-  EXPECT_TRUE(isStrange(3000.0, 1.0));    // neither air nor tissue
+  EXPECT_TRUE(isStrange(3000.0, 1.0));    // no value is that of air or tissue
   EXPECT_FALSE(isStrange(0.0, 1.0));
 }
 

@@ -16,7 +16,8 @@ using namespace coretest;
 
 namespace
 {
-/// Reads the samples that belong to Cranium.mhd, whose header Data/head-ct.sh writes.
+/// Reads the samples of Cranium.mhd, the head CT whose header Data/head-ct.sh writes. Returns false
+/// if there are none.
 bool ReadHead(TestVolume& volume)
 {
   std::vector<std::int16_t> samples(256 * 256 * 108);
@@ -32,8 +33,9 @@ bool ReadHead(TestVolume& volume)
 }
 } // namespace
 
-/// The explorer's burr: a radius of four voxels, the level of the skin, and the least energy there
-/// and the largest at the largest value. At the top of the head it drills through 15 mm of bone.
+/// The burr of the explorer: its radius is four voxels, and the level is that of the skin. The
+/// specific energy is least at that level and largest at the largest value. At the top of the head,
+/// the burr drills through 15 mm of bone.
 TEST(BurrOnAHead, GoesOnInBoneForAMinute)
 {
   TestVolume volume(ScalarType::Int16, { 256, 256, 108 });

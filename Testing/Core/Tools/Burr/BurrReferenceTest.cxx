@@ -22,7 +22,7 @@ using namespace coretest;
 
 namespace
 {
-/// Removes tissue from all samples, without bricks. Lengths are in mm.
+/// Removes tissue from all samples, without bricks (slow reference). Lengths are in mm.
 class SlowRemoval
 {
 public:
@@ -69,7 +69,7 @@ public:
       double(k) * this->Spacing.Z };
   }
 
-  /// Returns r of a sample.
+  /// Returns the fraction r at which a sample reaches the level (CarvingRig.h).
   double EdgeOf(std::int64_t i, std::int64_t j, std::int64_t k) const
   {
     return coretest::EdgeOf(this->Volume(i, j, k), this->Level, 0.0);
@@ -84,7 +84,7 @@ public:
   const double Width;
 };
 
-/// Returns a lumpy body with values of 400 to 1700.
+/// Returns a lumpy body of tissue with values from 400 to 1700.
 TestVolume MakeBody(std::mt19937_64& engine)
 {
   TestVolume volume(ScalarType::Int16, { 40, 40, 40 });
@@ -103,9 +103,10 @@ class DrilledAtRandom : public testing::TestWithParam<Vector3>
 {
 };
 
-/// The bound: the burr moves in steps s of at most a quarter voxel, so that its nearest centre is
-/// no farther from x than the line is by s^2/(8 d), with d >= a - w/2. The bound of 8 bits is half
-/// a fraction. The cost of a voxel that is not wholly removed may be off by six times as much.
+/// The tolerance has two parts. The burr moves in steps s of at most a quarter voxel, so its
+/// nearest centre may be farther from x than the line by s^2/(8 d), with d >= a - w/2; and
+/// fractions have 8 bits, which adds half a fraction. The cost of a voxel that is not wholly
+/// removed may be off by six times as much.
 TEST_P(DrilledAtRandom, LeavesWhatTheReferenceLeaves)
 {
   const Vector3 spacing = GetParam();
@@ -131,7 +132,7 @@ TEST_P(DrilledAtRandom, LeavesWhatTheReferenceLeaves)
     hand.IsSpinning = leg % 5 != 4;
     for (int i = 0; i < 150; ++i)
     {
-      // At most 0.02 m/s and at most 3 N.
+      // Limit the speed to 0.02 mm per tick and the force to 3 N.
       const Vector3 tool = 1000.0 * hand.Record.Shell.Tool.Position;
       at = tool + ClampNorm(at + ClampNorm(goal - at, 0.02) - tool, 6.0);
       const BurrState before = hand.State;
@@ -160,7 +161,7 @@ TEST_P(DrilledAtRandom, LeavesWhatTheReferenceLeaves)
       }
       else if (before.Part > 0)
       {
-        // A step for which the last tick had no time is completed first.
+        // First complete the step for which the last tick had no time.
         if (Norm(after.Carved - before.Carved) > 0.0)
         {
           reference.Move(from, 1000.0 * before.Next);
@@ -202,7 +203,7 @@ TEST_P(DrilledAtRandom, LeavesWhatTheReferenceLeaves)
         const double value = volume(i, j, k);
         if (value < 300.0)
         {
-          continue; // bricks of air may keep their fractions
+          continue; // bricks of air may differ
         }
         const double rho = reference.Left[s];
         worst = std::max(worst, std::abs(fractions[s] - 255.0 * rho));

@@ -14,7 +14,8 @@ using namespace coretest;
 
 namespace
 {
-/// A bumpy ball with noise, 16-bit, with voxels of 0.5 mm; its centre is at 16 mm.
+/// Returns a bumpy ball with noise, of 16-bit values. Voxels are 0.5 mm, and the centre is at 16
+/// mm.
 TestVolume MakeBone()
 {
   TestVolume volume(ScalarType::Int16, { 64, 64, 64 });
@@ -43,7 +44,8 @@ protected:
     this->Scene.Material.SurfaceStrength = { { 1000.0, 0.3 }, { 1900.0, 2.0 } };
   }
 
-  /// A smooth random path that begins and ends outside of the ball.
+  /// Returns the place (mm) at time t from 0 to 1 on a smooth random path that begins and ends
+  /// outside of the ball.
   static Vector3 ComputePlace(double t, const Vector3* waves)
   {
     const double press = std::sin(Pi * t); // 0 at both ends
@@ -63,7 +65,7 @@ protected:
 };
 } // namespace
 
-/// S6 while tissue is removed, with and without vibration.
+/// S6 while tissue is removed, with and without vibration: no cycle of the hand creates energy.
 TEST_F(BurrSafety, NoCycleCreatesEnergy)
 {
   std::mt19937_64 engine(22);
@@ -97,7 +99,7 @@ TEST_F(BurrSafety, NoCycleCreatesEnergy)
   EXPECT_GE(drilled, 18);
 }
 
-/// A hand at rest above tissue that is being removed: the spring only relaxes.
+/// The hand rests above tissue that is being removed, so the spring only relaxes.
 TEST(BurrAtRest, TheForceOnlyFalls)
 {
   HalfSpace half({ 48, 48, 40 }, 0.4, 16);
@@ -119,8 +121,8 @@ TEST(BurrAtRest, TheForceOnlyFalls)
   EXPECT_LE(force, 0.02) << "there is a hole where the hand is";
 }
 
-/// The largest pressure is 0.5 N over the contact area; the force is at most that times the pressed
-/// area.
+/// The largest pressure is 0.5 N over the contact area. The force must be at most that pressure
+/// times the pressed area.
 TEST_F(BurrSafety, NoForceIsLargerThanTheTissueBears)
 {
   this->Scene.Material.SurfaceStrength = ConstantPolyline(0.5);
@@ -147,19 +149,19 @@ TEST_F(BurrSafety, NoForceIsLargerThanTheTissueBears)
   EXPECT_GE(most, 0.5) << "the bound is met";
 }
 
-/// The vibration's amplitude is the set fraction of the force, its mean is zero, and its frequency
-/// is that of the burr.
+/// The vibration has the set fraction of the force as amplitude, a mean of zero, and the frequency
+/// of the burr.
 TEST(BurrVibration, HasItsFractionAndNoMean)
 {
   BurrInHand settings = MakeBurr(2e9, 100.0);
   settings.Vibration = 0.2;
-  settings.Speed = 125.0; // one turn takes 8 ticks
+  settings.Speed = 125.0; // Hz: one turn takes 8 ticks
   HalfSpace half({ 48, 48, 40 }, 0.4, 16);
   BurrInVolume hand(half.Scene, settings, ConstantPolyline(0.5), 2000);
   hand.Tick({ 9.5, 9.3, half.Surface - 2.1 });
   for (int i = 0; i < 2000; ++i)
   {
-    hand.Press(1.0); // the vibration may return the energy that the press loses
+    hand.Press(1.0); // the press loses energy, which the vibration may return
   }
   std::vector<double> along;
   double least = 1.0;
@@ -188,13 +190,13 @@ TEST(BurrVibration, HasItsFractionAndNoMean)
     }
     EXPECT_NEAR(sum, 0.0, 1e-6);
   }
-  // 60 000/min are 1000 Hz, more than ticks can show, so the vibration has a quarter of the tick
-  // rate.
+  // 60 000 turns a minute are 1000 Hz, which ticks of 1 ms can't show. So the vibration has a
+  // quarter of the tick rate.
   settings.Speed = 1000.0;
   EXPECT_EQ(BakedBurr({ settings, ConstantPolyline(1.0) }).Frequency, 250.0);
 }
 
-/// B4: undo, redo and reset restore the fractions bit for bit. Meanwhile no force acts.
+/// B4: undo, redo and reset restore the fractions to the bit. While they do, no force acts.
 TEST_F(BurrSafety, StrokesAreUndoneAndDoneAgainToTheBit)
 {
   BurrInVolume hand(this->Scene, this->Settings, this->Energies, 600);
@@ -214,7 +216,7 @@ TEST_F(BurrSafety, StrokesAreUndoneAndDoneAgainToTheBit)
   EXPECT_EQ(removal.Journal.GetUndoable(), 3u);
   const auto ask = [&](RemovalRequest request, const std::vector<std::uint8_t>& expected)
   {
-    // The requests come while the hand presses into the tissue.
+    // Request the change while the hand presses into the tissue.
     hand.Tick({ 28.0, 16.0, 16.0 });
     hand.Lead({ 24.0, 16.0, 16.0 });
     EXPECT_TRUE(removal.Request(request));
@@ -235,7 +237,7 @@ TEST_F(BurrSafety, StrokesAreUndoneAndDoneAgainToTheBit)
   EXPECT_EQ(removal.Journal.GetUndoable(), 0u);
 }
 
-/// B4: the same motion of the hand removes the same tissue, bit for bit.
+/// B4: the same motion of the hand removes the same tissue, to the bit.
 TEST_F(BurrSafety, ARecordingRemovesTheSame)
 {
   const auto drill = [&](std::vector<double>& numbers)
@@ -280,7 +282,7 @@ TEST_F(BurrSafety, AHandThatIsNoPlaceIsNotFeltAndRemovesNothing)
   }
   EXPECT_EQ(this->GetFractions(), before);
   EXPECT_EQ(this->Scene.Removal->Journal.GetUndoable(), 1u) << "its stroke has ended";
-  // Without a removal to write to, tissue is felt and not removed.
+  // Without a removal to write to, the burr feels the tissue and removes nothing.
   this->Scene.Removal = nullptr;
   BurrInVolume other(this->Scene, this->Settings, this->Energies, 600);
   other.Tick({ 28.0, 16.0, 16.0 });

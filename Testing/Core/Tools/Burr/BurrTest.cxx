@@ -14,7 +14,7 @@ using namespace coretest;
 
 namespace
 {
-/// Returns the depth (mm) at which a sphere of radius a has removed a volume; by bisection.
+/// Searches for the depth (mm) at which a sphere of radius a (mm) has removed a volume (mm^3).
 double ComputeDepth(double a, double volume)
 {
   double low = 0.0;
@@ -28,7 +28,7 @@ double ComputeDepth(double a, double volume)
 }
 } // namespace
 
-/// B1: the power is 7.54 W, which removes 0.754 mm^3/s at 10 J/mm^3.
+/// B1: the burr has a power of 7.54 W, which removes 0.754 mm^3/s at 10 J/mm^3.
 TEST(Burr, HasThePowerOfItsRim)
 {
   const BakedBurr burr({ MakeBurr(5e10, 100.0), ConstantPolyline(10.0) });
@@ -36,7 +36,8 @@ TEST(Burr, HasThePowerOfItsRim)
   EXPECT_NEAR(0.3 * 2.0 * 0.001 * burr.RimSpeed, 7.54, 1e-3);
 }
 
-/// B1: depths of 0.250, 0.357 and 0.512 mm after 0.5, 1 and 2 s with 2 N; the voxels are 0.03 mm.
+/// B1: with 2 N, the burr is 0.250, 0.357 and 0.512 mm deep after 0.5, 1 and 2 s. Voxels are 0.03
+/// mm.
 TEST(Burr, SinksIntoAHalfSpaceAsItsVolumeIsRemoved)
 {
   constexpr double size = 0.03;
@@ -59,7 +60,7 @@ TEST(Burr, SinksIntoAHalfSpaceAsItsVolumeIsRemoved)
     EXPECT_NEAR(hand.Removed, rate * seconds, 0.01 * rate * seconds) << "B3";
     if (seconds >= 1.0)
     {
-      // With such small voxels, the sum of the fractions also equals the volume.
+      // With voxels of 0.03 mm, the sum of the fractions also equals the volume.
       double sum = 0.0;
       std::int64_t at = 0;
       for (const std::uint8_t fraction :
@@ -71,7 +72,7 @@ TEST(Burr, SinksIntoAHalfSpaceAsItsVolumeIsRemoved)
     }
     const double depth = ComputeDepth(2.0, rate * seconds);
     EXPECT_NEAR(depth, expected, 6e-4);
-    // Find the depth below the middle at which half of the tissue is left.
+    // Search below the middle for the depth at which half of the tissue is left.
     const FieldSampler& field = hand.Model.Baked->Field;
     double low = half.Surface / size;
     double high = 40.0;
@@ -85,8 +86,8 @@ TEST(Burr, SinksIntoAHalfSpaceAsItsVolumeIsRemoved)
   EXPECT_FALSE(half.Removal->IsUsedUp());
 }
 
-/// B3 with contact levels at any fraction of the tissue's value, as in a CT whose level is that of
-/// skin while bone is far above it.
+/// B3, with levels of contact at several fractions of the tissue's value. In a CT, for example, the
+/// level may be that of skin, far below bone.
 TEST(Burr, GoesOnWhereverTheLevelOfContactLies)
 {
   constexpr double size = 0.5;
@@ -108,9 +109,9 @@ TEST(Burr, GoesOnWhereverTheLevelOfContactLies)
   }
 }
 
-/// B3 where tissue rises slowly from the level. All samples of a layer have that value, so that a
-/// whole layer would have to be paid for at once if a sample lost its volume with its first part.
-/// The energy is spent as it comes.
+/// B3, in tissue whose value rises slowly from the level on. All samples of a layer have the same
+/// value. If a sample lost its volume with its first part, the burr would have to pay for a whole
+/// layer at once; instead, it must spend its energy steadily.
 TEST(Burr, GoesOnSteadilyWhereTissueBeginsAtTheLevel)
 {
   const TestVolume volume = MakeRamp(16);
@@ -132,9 +133,9 @@ TEST(Burr, GoesOnSteadilyWhereTissueBeginsAtTheLevel)
   EXPECT_LE(hand.Energy, hand.Earned);
 }
 
-/// A press on bone of a head CT with the level of skin. Grainy bone of 1500 HU is far above that
-/// level, so the burr could get stuck between the samples of the hole's walls. The burr must go on,
-/// and its energy must remove tissue.
+/// Press on bone in a head CT with the level of skin. Grainy bone of 1500 HU is far above that
+/// level, so the burr could get stuck between the samples of the hole's walls. It must go on, and
+/// its energy must remove tissue.
 TEST(Burr, GoesOnInBoneWithTheLevelOfSkin)
 {
   const Vector3 spacing{ 0.957, 0.957, 1.5 };
@@ -166,7 +167,7 @@ TEST(Burr, GoesOnInBoneWithTheLevelOfSkin)
       at.Y = std::min(at.Y + 0.05, tool + 1000.0 * 10.0 / settings.Shell.CouplingStiffness);
       hand.Tick(at);
     }
-    // The rest of a second's energy may be saved for a step in the next second.
+    // The burr may save the rest of a second's energy for a step in the next second.
     EXPECT_GT(hand.Energy - before, 0.5 * 0.3 * 10.0 * 25.13 * (second == 0 ? 0.5 : 1.0))
       << "J in second " << second;
     before = hand.Energy;
@@ -175,8 +176,8 @@ TEST(Burr, GoesOnInBoneWithTheLevelOfSkin)
   EXPECT_GE(hand.Energy, 0.95 * hand.Earned);
 }
 
-/// B3 on a random way through tissues that take 2 to 20 J/mm^3: the removed tissue has cost what
-/// the burr has spent, and the burr never spends more than it has.
+/// B3, on a random way through tissues of 2 to 20 J/mm^3: the cost of the removed tissue equals the
+/// energy that the burr has spent, which is at most what it had.
 TEST(Burr, RemovesWhatItsEnergyPaysFor)
 {
   TestVolume volume(ScalarType::Int16, { 64, 64, 64 });
@@ -202,7 +203,7 @@ TEST(Burr, RemovesWhatItsEnergyPaysFor)
     const Vector3 goal = Vector3{ 12.8, 12.8, 12.0 } + RandomIn(engine, 6.0);
     for (int i = 0; i < 250; ++i)
     {
-      // At most 0.02 m/s and at most 3 N.
+      // Limit the speed to 0.02 mm per tick and the force to 3 N.
       const Vector3 step = ClampNorm(goal - at, 0.02);
       const Vector3 tool = 1000.0 * hand.Record.Shell.Tool.Position;
       at = tool + ClampNorm(at + step - tool, 6.0);
@@ -215,7 +216,7 @@ TEST(Burr, RemovesWhatItsEnergyPaysFor)
   EXPECT_LE(most, 3.1);
   EXPECT_GE(hand.Energy, 0.99 * hand.Earned);
   EXPECT_GT(hand.Removed, 3.0);
-  // Sum the cost of the missing tissue sample by sample.
+  // Sum the cost of the removed tissue over all samples.
   const SpecificEnergyTable table({ energies, ConstantPolyline(0.0) });
   double cost = 0.0;
   double missing = 0.0;
@@ -233,11 +234,11 @@ TEST(Burr, RemovesWhatItsEnergyPaysFor)
   EXPECT_NEAR(missing, hand.Removed, 1e-9 * missing);
 }
 
-/// B2: the point feels a cavity where it was carved, with the right normals, if its radius is at
-/// least ten voxels. For smaller radii, the normals and the level of half of the tissue are right,
-/// but the rule of the edge, V(x_p) >= (V(x_s) + V(x_v))/2, is met early: x_s and x_v, one voxel on
-/// each side, are on the ramp of three voxels as long as x_p is within half a voxel, where the
-/// curvature alone decides.
+/// B2: a point feels a cavity where it was carved, with the right normals, if the cavity's radius
+/// is at least ten voxels. For smaller radii, the normals and the level of half of the tissue are
+/// still right, but the rule of the edge, V(x_p) >= (V(x_s) + V(x_v))/2, is met early. The reason:
+/// x_s and x_v are one voxel to each side of x_p. While x_p is within half a voxel of the edge,
+/// both are on the ramp of three voxels, where only the curvature decides.
 TEST(Burr, ItsCavityIsFeltWithThePoint)
 {
   TestVolume volume(ScalarType::Int16, { 48, 48, 48 });
@@ -293,18 +294,20 @@ TEST(Burr, ItsCavityIsFeltWithThePoint)
   }
 }
 
-/// A drilled hole has the burr's radius, not the radius of the part that presses: within 0.05 voxel
-/// RMS, with normals within 0.5 degree on average, in the hole's straight part, one kernel away
-/// from its ends. Burrs of 4 and 8 voxels, also with voxels twice as long along one axis. The
-/// default kernel, whose width is in voxels, would turn normals of curved surfaces there by up to
-/// (s_x^2 - s_y^2)/(2 a^2), with s its standard deviations in mm; differences over one voxel turn
-/// them less.
+/// A drilled hole has the radius of the burr, not of the part that presses. In the hole's straight
+/// part, one kernel away from its ends, the radius is right within 0.05 voxel RMS, and the normals
+/// within 0.5 degree on average. Burrs have 4 and 8 voxels, also with voxels twice as long along
+/// one axis.
+///
+/// The gradients are differences over one voxel. The default kernel has a width in voxels, so on
+/// such voxels it would turn the normals of curved surfaces by up to (s_x^2 - s_y^2)/(2 a^2), where
+/// s is its standard deviation in mm.
 TEST(Burr, ItsHoleHasItsRadius)
 {
   struct Case
   {
     double Spacing; ///< mm along x; 0.25 mm along y and z
-    double Voxels;  ///< radius in voxels (edge of a cube with a voxel's volume)
+    double Voxels;  ///< radius of the burr, in edges of a cube with a voxel's volume
   };
   for (const auto& [spacing, voxels] : { Case{ 0.25, 4.0 }, Case{ 0.25, 8.0 }, Case{ 0.5, 8.0 } })
   {
@@ -381,7 +384,8 @@ TEST(Burr, ThatDoesNotSpinRemovesNothing)
   hand.Lead(above + Vector3{ 0.0, 0.0, 4.0 });
   EXPECT_GT(Norm(hand.Record.Force), 1.0);
   EXPECT_TRUE(half.Removal->Bricks.IsEmpty());
-  // A burr that spins beside the tissue, or in a tick without duration, removes nothing either.
+  // A burr that spins beside the tissue removes nothing. A tick without duration removes nothing
+  // either.
   hand.Lead(above);
   hand.IsSpinning = true;
   hand.Lead(above + Vector3{ 0.0, 0.0, 0.49 });
@@ -397,8 +401,8 @@ TEST(Burr, ThatDoesNotSpinRemovesNothing)
   EXPECT_GT(hand.Removed, 0.0);
 }
 
-/// Tissue that nothing can remove, next to softer tissue. Energy that was spent in vain on the hard
-/// tissue is not saved for the soft one.
+/// The burr meets tissue that nothing can remove, next to softer tissue. The energy spent in vain
+/// on the hard tissue must not be saved for the soft tissue.
 TEST(Burr, SavesNothingUpAtWhatItCannotRemove)
 {
   TestVolume volume(ScalarType::UInt8, { 80, 40, 40 });
@@ -433,8 +437,8 @@ TEST(Burr, SavesNothingUpAtWhatItCannotRemove)
 }
 
 /// A burr of 30 voxels needs more than one tick to examine its surroundings. Each tick does at most
-/// the bounded work. The burr removes what it can pay for (B3). In tissue that costs nearly
-/// nothing, it falls behind, loses no energy, and catches up as soon as the hand rests.
+/// the bounded work, and the burr removes what it can pay for (B3). In tissue that costs almost
+/// nothing, the burr falls behind, loses no energy, and catches up as soon as the hand rests.
 TEST(Burr, DoesNoMoreInATickThanThereIsTimeFor)
 {
   struct Case
@@ -484,9 +488,9 @@ TEST(Burr, DoesNoMoreInATickThanThereIsTimeFor)
   }
 }
 
-/// A step of a burr of 30 voxels takes several ticks. If a later one of them meets a layer that
-/// nothing can remove, the burr tries shorter steps. A sample of that layer takes energy from 1/12
-/// of the ramp on, a quarter voxel in front of the sphere, so the burr comes that near.
+/// A step of a burr of 30 voxels takes several ticks. If a later tick meets a layer that nothing
+/// can remove, the burr tries shorter steps. A sample of that layer takes energy as soon as it is a
+/// quarter voxel in front of the sphere (1/12 of the ramp), so the burr must come that near.
 TEST(Burr, ComesToALayerThatALaterPartOfItsStepCannotRemove)
 {
   TestVolume volume(ScalarType::UInt8, { 96, 96, 96 });
@@ -502,7 +506,7 @@ TEST(Burr, ComesToALayerThatALaterPartOfItsStepCannotRemove)
   {
     scene.Removal = std::make_shared<TissueRemoval>();
     BurrInVolume hand(scene, settings, energies, 1000);
-    // Move so fast that the burr falls behind and its steps have their largest length.
+    // Move so fast that the burr falls behind and takes steps of the largest length.
     const Vector3 begin{ 47.6, 47.3, 9.0 - above };
     hand.Tick(begin);
     int divided = 0;
@@ -513,7 +517,7 @@ TEST(Burr, ComesToALayerThatALaterPartOfItsStepCannotRemove)
     }
     EXPECT_GT(divided, 100);
     const double distance = Norm(nearest - 1000.0 * hand.State.Carved);
-    // The tolerance is one portion of removal, 3/255 voxel, plus the shortest step, 1/128 voxel.
+    // The tolerance is one portion of removal (3/255 voxel) plus the shortest step (1/128 voxel).
     EXPECT_NEAR(distance, 30.25, 3.0 / 255.0 + 1.0 / 128.0) << above;
   }
 }

@@ -15,7 +15,7 @@ using namespace coretest;
 
 namespace
 {
-/// Returns tissue of value 1000 everywhere.
+/// Returns a volume of tissue with the value 1000.
 TestVolume MakeTissue(std::int64_t samples)
 {
   TestVolume volume(ScalarType::Int16, { samples, samples, samples });
@@ -52,8 +52,8 @@ struct SurfaceError
   double MostAngle = 0.0;
 };
 
-/// Measures where rays from the centre meet the level of half of the tissue, and how the normals
-/// point.
+/// Follows rays from the centre to the level of half of the tissue. Returns the errors of their
+/// lengths and of the normals there.
 SurfaceError MeasureSurface(const TestVolume& left, const Vector3& centre, double radius)
 {
   const GradientKernel kernel(GradientEstimator::CentralDifference, 1);
@@ -84,8 +84,9 @@ SurfaceError MeasureSurface(const TestVolume& left, const Vector3& centre, doubl
 }
 } // namespace
 
-/// Spheres off the grid with radii of 4 voxels and more. The design gives 0.044 voxel and
-/// 0.22 degrees for 4 voxels, 0.022 voxel and 0.17 degrees for 8.
+/// Spheres that are not centred on samples, with radii of 4 voxels and more. The errors in the
+/// design are 0.044 voxel and 0.22 degrees for 4 voxels, and 0.022 voxel and 0.17 degrees for 8
+/// voxels.
 TEST_F(CarvedSphere, HasASmoothSurfaceInItsPlace)
 {
   const TestVolume tissue = MakeTissue(32);
@@ -114,8 +115,8 @@ TEST_F(CarvedSphere, HasASmoothSurfaceInItsPlace)
   }
 }
 
-/// For any level, the remaining tissue begins at the sphere. The tissue is grainy: samples reach
-/// the level at fractions of 0.27 to 0.8.
+/// The remaining tissue begins at the sphere, for any level. The tissue is grainy: its samples
+/// reach the level at fractions of 0.27 to 0.8.
 TEST_F(CarvedSphere, HasTheLevelOfContactInItsPlace)
 {
   TestVolume tissue(ScalarType::Int16, { 32, 32, 32 });
@@ -153,7 +154,8 @@ TEST_F(CarvedSphere, HasTheLevelOfContactInItsPlace)
   }
 }
 
-/// Random spheres, and a sphere that moves in steps of a quarter voxel.
+/// Compare random spheres, and a sphere that moves in steps of a quarter voxel, with loops over all
+/// samples.
 TEST_F(CarvedSphere, IsThatOfLoopsOverAllSamples)
 {
   const TestVolume tissue = MakeTissue(40);
@@ -187,7 +189,7 @@ TEST_F(CarvedSphere, IsThatOfLoopsOverAllSamples)
   for (std::size_t i = 0; i < fractions.size(); ++i)
   {
     ASSERT_LE(std::abs(fractions[i] - expected[i]), 1);
-    different += fractions[i] != expected[i] ? 1 : 0; // because of a rounded distance
+    different += fractions[i] != expected[i] ? 1 : 0; // differs by a rounded distance
     removed += 1.0 - LeftOf(fractions[i]);
   }
   EXPECT_LE(different, 5);
@@ -195,7 +197,7 @@ TEST_F(CarvedSphere, IsThatOfLoopsOverAllSamples)
   EXPECT_NEAR(volume, removed, 1e-9 * removed);
 }
 
-/// In any image, the volume is 4 pi/3 a^3.
+/// In an image with any placement, the removed volume is 4 pi/3 a^3.
 TEST_F(CarvedSphere, HasItsVolumeInAnyImage)
 {
   const TestVolume tissue = MakeTissue(64);
@@ -212,8 +214,8 @@ TEST_F(CarvedSphere, HasItsVolumeInAnyImage)
   EXPECT_TRUE(this->Removal.Bricks.IsEmpty()) << "it was only tried";
 }
 
-/// Half of the sphere is in tissue of 5 J/mm^3, half in tissue of 20 J/mm^3. What is not solid
-/// costs nothing.
+/// Half of the sphere is in tissue of 5 J/mm^3, the other half in tissue of 20 J/mm^3. Samples
+/// below the level cost nothing.
 TEST_F(CarvedSphere, CostsTheEnergyOfItsTissues)
 {
   TestVolume layers(ScalarType::Float32, { 40, 40, 40 });
@@ -236,7 +238,7 @@ TEST_F(CarvedSphere, CostsTheEnergyOfItsTissues)
   EXPECT_NEAR(one.Energy, 10.0 * volume, 0.008 * 10.0 * volume);
 }
 
-/// The edge of a structure is removed with it. Bricks far from anything solid are not allocated.
+/// The carver also removes the edge of a structure, but allocates no bricks far from solid samples.
 TEST_F(CarvedSphere, LeavesAirAlone)
 {
   TestVolume plate(ScalarType::Int16, { 48, 48, 48 });
@@ -268,8 +270,8 @@ TEST_F(CarvedSphere, WithoutRoomForItsBricksIsNotCarved)
   EXPECT_EQ(CopyTissue(small.Bricks, tissue.View.Dimensions), before);
 }
 
-/// Carving in parts of any size gives the same result at the same cost. No part does more than its
-/// limit.
+/// Carving in parts of any size gives the same result at the same cost, and no part does more work
+/// than its limit.
 TEST_F(CarvedSphere, IsTheSameInParts)
 {
   const TestVolume tissue = MakeTissue(96);
@@ -311,7 +313,7 @@ TEST_F(CarvedSphere, IsTheSameInParts)
     for (std::size_t i = 0; i < fractions.size(); ++i)
     {
       ASSERT_LE(std::abs(fractions[i] - expected[i]), 1) << i;
-      different += fractions[i] != expected[i] ? 1 : 0; // because of a rounded distance
+      different += fractions[i] != expected[i] ? 1 : 0; // differs by a rounded distance
     }
     EXPECT_LE(different, 20);
   }
@@ -319,7 +321,7 @@ TEST_F(CarvedSphere, IsTheSameInParts)
   EXPECT_NEAR(volumes[1], volumes[2], 1e-9 * volumes[2]);
 }
 
-/// A replay has no memory of what the hand has drilled before. Its parts must end at the same
+/// A replay does not remember what the hand has drilled before, but its parts must end at the same
 /// places.
 TEST_F(CarvedSphere, EndsItsPartsWhateverIsRemembered)
 {
@@ -358,6 +360,6 @@ TEST_F(CarvedSphere, ThatIsNoSphereRemovesNothing)
     EXPECT_EQ(this->Carve(model, centre, 0.003).Volume, 0.0);
   }
   EXPECT_TRUE(this->Removal.Bricks.IsEmpty());
-  // A sphere may reach beyond the volume.
+  // A sphere may reach beyond the volume's border.
   EXPECT_GT(this->Carve(model, { 0.0, 0.0, 0.023 }, 0.003).Volume, 0.0);
 }

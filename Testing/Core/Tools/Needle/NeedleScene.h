@@ -33,14 +33,14 @@ struct Layer
   double Puncture;  ///< T, N
 };
 
-/// The layers of N1, beginning at the skin. The last layer has no end.
+/// Returns the layers of N1, from the skin on. The last layer has no end.
 inline std::vector<Layer> LayersOfN1()
 {
   return { { 3.0, 20.0, 0.3, 0.0 }, { 12.0, 5.0, 0.1, 0.0 }, { 20.0, 25.0, 0.3, 0.0 },
     { 3.0, 60.0, 0.8, 0.0 }, { 100.0, 0.0, 0.0, 0.0 } };
 }
 
-/// Sums over the layers, written independently of the code under test.
+/// Expected sums over the layers, computed independently of the code under test.
 class LayerSums
 {
 public:
@@ -59,7 +59,8 @@ public:
     return this->Layers[i];
   }
 
-  /// Integrates a function of the layer to a depth (mm). Returns mm times the function's unit.
+  /// Integrates a function of layer and depth from the skin to a depth (mm). The result has the
+  /// function's unit times mm.
   double Integrate(double depth, const std::function<double(const Layer&, double)>& f) const
   {
     constexpr double step = 1e-3;
@@ -87,7 +88,8 @@ public:
   std::vector<Layer> Layers;
 };
 
-/// Voxels of 1 mm. The layers begin at z = 4.5 mm and have the labels 1, 2, ...; label 0 is air.
+/// A model of layers in voxels of 1 mm. The layers begin at z = 4.5 mm and have the labels 1, 2,
+/// ...; label 0 is air.
 class NeedleScene
 {
 public:
@@ -117,7 +119,7 @@ public:
     this->Description = Describe(this->Volume);
     this->Description.Labels = baked;
     this->Description.Settings.Geometry = SurfaceGeometry::Labels;
-    // Air has no label material and no surface strength.
+    // Air has no material of its own, so it gets the surface strength 0.
     this->Description.Material.SurfaceStrength = ConstantPolyline(0.0);
     this->Description.Tool = std::make_shared<const BakedNeedle>(NeedleDescription{});
   }
@@ -142,7 +144,7 @@ public:
   HapticModelDescription Description;
 };
 
-/// A hand that moves in millimetres and sums its work.
+/// A hand that moves in millimetres and sums the work that it does.
 class NeedleHand
 {
 public:
@@ -151,7 +153,7 @@ public:
   {
   }
 
-  /// Moves to a position (world, mm) in steps of `step` mm. Calls `see` after each tick.
+  /// Moves to a position (mm, world) in steps of `step` (mm). Calls `see` after each tick.
   const TickRecord& MoveTo(const Vector3& to, double step = 0.01,
     const std::function<void(const TickRecord&)>& see = nullptr)
   {
@@ -183,7 +185,7 @@ public:
     return this->Record;
   }
 
-  /// Returns the energy (J) in the spring.
+  /// Returns the energy (J) of the spring.
   double ComputeStored() const
   {
     const Vector3 lag = this->Record.Tip - this->Record.Proxy;

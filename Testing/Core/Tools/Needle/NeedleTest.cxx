@@ -18,7 +18,8 @@ namespace
 {
 constexpr double Spring = 500.0;
 
-/// Returns the force on the hand along the needle. It is negative while the hand pushes in.
+/// Returns the force (N) on the hand along the needle. It is negative while the hand pushes the
+/// needle in.
 double AlongNeedle(const TickRecord& record)
 {
   return record.Force.Z;
@@ -35,7 +36,7 @@ protected:
 };
 } // namespace
 
-// N1's table: insertion depth (mm), force while inserting (N), force while withdrawing (N).
+// Rows of N1's table: insertion depth (mm), force while inserting (N), force while withdrawing (N).
 TEST_P(Needles, FeelsLayersAndTheShaft)
 {
   NeedleScene scene(LayersOfN1());
@@ -46,8 +47,8 @@ TEST_P(Needles, FeelsLayersAndTheShaft)
   {
     NeedleHand hand(*model);
     hand.MoveTo(Along(2.0));
-    // Place the tip so that the proxy is at the depth. Behind the ligament the proxy leaps
-    // forwards, and has to come back.
+    // Place the tip so that the proxy is at the depth. Behind the ligament, the proxy leaps too far
+    // forwards and has to come back.
     const bool isBehind = depth > 38.0;
     const double deepest = NeedleScene::Skin + depth + 1e3 * in / Spring + (isBehind ? 3.0 : 0.0);
     hand.MoveTo(Along(deepest));
@@ -59,7 +60,7 @@ TEST_P(Needles, FeelsLayersAndTheShaft)
     hand.MoveTo(Along(NeedleScene::Skin + depth - 1e3 * out / Spring - 0.01));
     EXPECT_NEAR(AlongNeedle(hand.Record), out, 5e-3 * out + 1e-4) << depth;
     EXPECT_NEAR(hand.ComputeDepth(), depth, 0.03) << depth;
-    // Between inserting and withdrawing, the needle sticks.
+    // Between inserting and withdrawing, friction holds the needle.
     const Vector3 held = hand.Record.Proxy;
     hand.MoveTo(Along(NeedleScene::Skin + depth));
     EXPECT_EQ(hand.Record.Proxy.Z, held.Z);
@@ -86,8 +87,8 @@ TEST_P(Needles, LosesItsResistanceAtTheEndOfTheLigament)
   EXPECT_NEAR(before, -0.80, 1e-6);
 }
 
-// Cutting and friction take 12.30 mJ and 10.5 mJ. In addition, each drop of the force by dF loses
-// dF^2/(2 k): here drops of R, from skin to fat and behind the ligament.
+// Cutting takes 12.30 mJ and friction 10.5 mJ. In addition, each drop of the force by dF loses
+// dF^2/(2 k). Here R drops from the skin to the fat, and behind the ligament.
 TEST_P(Needles, TakesTheWorkOfTheTissue)
 {
   NeedleScene scene(LayersOfN1());
@@ -107,9 +108,9 @@ TEST_P(Needles, TakesTheWorkOfTheTissue)
   EXPECT_GT(stored, 0.0);
 }
 
-// Each layer with a puncture strength takes dF^2/(2 (k + tau)) more, because the shaft's friction
-// rises while the tip springs forwards. The force drops by dF, from T plus the R of the tissue in
-// front (0 in air) to the R of the layer.
+// Each puncture takes dF^2/(2 (k + tau)) more, where dF is the drop of the force: from T plus the R
+// of the tissue in front (0 in air) to the R of the layer. The shaft's friction tau counts because
+// it rises while the tip springs forwards.
 TEST_P(Needles, TakesTheWorkOfEachPuncture)
 {
   const auto workOf = [this](const std::vector<Layer>& layers)
@@ -118,12 +119,12 @@ TEST_P(Needles, TakesTheWorkOfEachPuncture)
     const auto model = this->Bake(scene);
     NeedleHand hand(*model);
     hand.MoveTo(Along(2.0));
-    // Far enough that all drops of the force have ended.
+    // Move so far that all drops of the force have ended.
     hand.MoveTo(Along(NeedleScene::Skin + 45.0), 0.002);
     return hand.Work - hand.ComputeStored();
   };
   std::vector<Layer> layers = LayersOfN1();
-  // Remove the drops of R, which punctures replace.
+  // Remove the drops of R from skin to fat and behind the ligament: punctures take their place.
   layers[1].Cutting = layers[0].Cutting;
   layers[4].Cutting = layers[3].Cutting;
   const double without = workOf(layers);
@@ -140,9 +141,9 @@ TEST_P(Needles, TakesTheWorkOfEachPuncture)
   }
 }
 
-// f.a = -(T + R + F_s), with the R of the tissue at the tip. In front of the skin, this is air. So
-// the needle breaks through the skin at the same force as a point, whose drag is R at x_v, in front
-// of the surface.
+// Before a puncture, f.a = -(T + R + F_s), where R is that of the tissue at the tip. In front of
+// the skin, this tissue is air. So the needle breaks through the skin at the same force as a point,
+// whose drag is the R at x_v in front of the surface.
 TEST_P(Needles, HoldsAtTheSkinWithAllThatIsThere)
 {
   for (const double strength : { 1.2, 0.2 })
@@ -156,7 +157,8 @@ TEST_P(Needles, HoldsAtTheSkinWithAllThatIsThere)
     double most = 0.0;
     hand.MoveTo(Along(NeedleScene::Skin + 3.3), 0.005,
       [&](const TickRecord& record) { most = std::max(most, -AlongNeedle(record)); });
-    // Behind the skin: the skin's R plus the friction along the depth, which may be larger than T.
+    // Behind the skin, the force is the skin's R plus the friction along the depth. This may be
+    // more than the strength T.
     const double within = 0.3 + 20e-3 * hand.ComputeDepth();
     EXPECT_NEAR(-AlongNeedle(hand.Record), within, 1e-3);
     EXPECT_NEAR(most, std::max(strength, within), 0.015);
@@ -179,7 +181,7 @@ TEST_P(Needles, HoldsAtABoundaryWithAllThatIsThere)
       const bool isHeld = record.SurfaceStrength > 0.0 && record.Depth > 0.03;
       EXPECT_EQ(record.Viscosity, isHeld ? 0.3 : record.Viscosity) << "the tip is in the muscle";
     });
-  // T, plus the R of the muscle in which the tip is, plus the friction along 35 mm.
+  // T, plus the R of the muscle at the tip, plus the friction along 35 mm.
   EXPECT_NEAR(most, 1.2 + 0.3 + 0.62, 0.01);
 }
 
@@ -197,7 +199,7 @@ TEST_P(Needles, IsHeldAcrossItsAxis)
   EXPECT_NEAR(AlongNeedle(hand.Record), along, 1e-9);
   hand.MoveTo({ 17.5, 11.5, 25.0 });
   EXPECT_NEAR(hand.Record.Force.X, -1.0, 1e-9);
-  // The needle was moved aside by more than it is held, and stays there.
+  // The needle was moved aside by more than the tissue holds, so it stays at its new place.
   hand.MoveTo({ 15.5, 11.5, 25.0 });
   EXPECT_NEAR(hand.Record.Force.X, 0.0, 1e-9);
 }
@@ -236,7 +238,7 @@ TEST_P(Needles, FeelsTheSameInEveryDirection)
   }
 }
 
-// Whatever the hand does, it never gets more energy than it has put in.
+// For any motion, the hand gets at most the energy that it has put in.
 TEST_P(Needles, GivesNoEnergy)
 {
   std::vector<Layer> layers = LayersOfN1();
@@ -292,7 +294,7 @@ TEST_P(Needles, PuncturesOnlyWithItsPoint)
   {
     NeedleHand hand(*model);
     hand.State.HasOrientation = true;
-    // A stylus points along its -z. Half a turn about x turns that into +z.
+    // A stylus points along its own -z. Half a turn about x turns that direction into +z.
     hand.State.Orientation =
       pointsIn ? Quaternion{ 0.0, 1.0, 0.0, 0.0 } : Quaternion{ 1.0, 0.0, 0.0, 0.0 };
     hand.MoveTo(Along(2.0));
@@ -318,7 +320,7 @@ TEST_P(Needles, FreezesItsAxisWithoutAnOrientation)
   const Vector3 frozen = hand.State.Needle.Axis;
   hand.MoveTo({ 13.0, 13.0, 30.0 });
   EXPECT_EQ(hand.State.Needle.Axis.X, frozen.X);
-  // The skin is flat.
+  // The skin is flat, so its normal is along z.
   EXPECT_NEAR(hand.State.Needle.Normal.Z, 1.0, 1e-6);
 }
 
@@ -343,7 +345,7 @@ TEST_P(Needles, LetsTheHandGoWhenTheToolIsChanged)
   EXPECT_EQ(hand.Record.Depth, 0.0);
   EXPECT_TRUE(IsFinite(hand.Record.Force));
   EXPECT_LE(hand.ComputeStored(), stored * (1.0 + 1e-9));
-  // After changing back, the needle has to puncture again.
+  // After the change back, the needle has to puncture the skin again.
   CarryState(*point, *needle, hand.State);
   hand.Model = needle.get();
   hand.Place(Along(25.0));
@@ -353,7 +355,7 @@ TEST_P(Needles, LetsTheHandGoWhenTheToolIsChanged)
   EXPECT_GT(hand.Record.Depth, 0.015);
 }
 
-// After a change of materials and placement, the needle stays inserted.
+// The needle stays inserted after a change of materials and placement.
 TEST_P(Needles, StaysInsertedWhenTheVolumeIsMoved)
 {
   NeedleScene scene(LayersOfN1());

@@ -43,7 +43,8 @@ TEST(NeedleTrack, KeepsTheFrictionOfMoreTissuesThanItHolds)
   EXPECT_TRUE(track.IsPossible());
 }
 
-// V = 100 z, tau = V/50 N/m and R = V/10000 N: F_s is the integral of 2 z over mm, and R is z/100.
+// The value is V = 100 z (z in mm), the friction tau = V/50 N/m and the resistance R = V/10000 N.
+// So F_s is the integral of 2 z over mm, and R is z/100.
 TEST(NeedleTissue, FollowsFunctionsOfTheScalar)
 {
   for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
@@ -71,14 +72,15 @@ TEST(NeedleTissue, FollowsFunctionsOfTheScalar)
       EXPECT_NEAR(hand.Record.ShaftForce, shaft, 0.01 * shaft) << z;
       EXPECT_NEAR(hand.Record.Depth, 1e-3 * (at - 10.0), 1e-6) << z;
     }
-    // After withdrawing, the friction along the remaining depth holds the needle.
+    // After a part of the needle was withdrawn, the friction along the remaining depth holds it.
     hand.MoveTo(Along(25.0));
     const double at = hand.Model->DeviceToWorld(hand.Record.Proxy).Z;
     EXPECT_NEAR(hand.Record.Force.Z, 1e-3 * (at * at - 100.0), 0.01 * hand.Record.Force.Z);
   }
 }
 
-// Without labels, the needle punctures surfaces of the scalars: here a sharp edge.
+// Without labels, the needle punctures surfaces of the scalar values. Here the surface is a sharp
+// edge.
 TEST(NeedleTissue, PuncturesTheSurfacesOfTheScalars)
 {
   for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
@@ -98,7 +100,8 @@ TEST(NeedleTissue, PuncturesTheSurfacesOfTheScalars)
     NeedleHand hand(model);
     hand.MoveTo(Along(10.0));
     double most = 0.0;
-    // Below its strength, the surface holds the needle, and releases it on the way back.
+    // A press below the surface's strength does not insert the needle. On the way back, the surface
+    // releases it.
     hand.MoveTo(Along(19.5 + 0.2));
     EXPECT_FALSE(hand.State.Needle.IsInserted);
     EXPECT_GT(Norm(hand.Record.Force), 0.05);
@@ -107,7 +110,8 @@ TEST(NeedleTissue, PuncturesTheSurfacesOfTheScalars)
     hand.MoveTo(
       Along(35.0), 0.01, [&](const TickRecord& record) { most = std::max(most, -record.Force.Z); });
     EXPECT_TRUE(hand.State.Needle.IsInserted);
-    // T plus the R at the tip. The surface continues to hold while the values are those of tissue.
+    // The largest force is the strength T plus the R at the tip. The surface holds as long as the
+    // values are those of tissue.
     EXPECT_GT(most, 1.0);
     EXPECT_LT(most, 1.0 + 0.2 + 0.1);
     const double depth = hand.ComputeDepth() + NeedleScene::Skin - 19.5;
@@ -120,7 +124,7 @@ TEST(NeedleTissue, PuncturesTheSurfacesOfTheScalars)
 
 namespace
 {
-// Forbids one of N1's layers, with a stand-off of 2 mm.
+// Forbids the label of one of N1's layers, with a stand-off of 2 mm.
 void Forbid(NeedleScene& scene, std::int64_t label)
 {
   auto labels = std::make_shared<BakedLabels>(*scene.Description.Labels);
@@ -140,7 +144,8 @@ void Forbid(NeedleScene& scene, std::int64_t label)
 }
 } // namespace
 
-// The ligament begins 35 mm below the skin. The leap is longer than all steps of one tick.
+// The ligament begins 35 mm below the skin. The leap behind a puncture is longer than all steps of
+// one tick, and must stop in front of the ligament.
 TEST(NeedleTissue, NoLeapGoesThroughForbiddenLabels)
 {
   NeedleScene scene(LayersOfN1());
@@ -158,7 +163,7 @@ TEST(NeedleTissue, NoLeapGoesThroughForbiddenLabels)
   EXPECT_EQ(hand.State.Needle.Touches, 1U);
 }
 
-// The needle stops 2 mm in front of a forbidden label. A stop counts once, however long it lasts.
+// The needle stops 2 mm in front of a forbidden label. A stop counts once, whatever its duration.
 TEST(NeedleTissue, StopsBeforeForbiddenLabels)
 {
   NeedleScene scene(LayersOfN1());
@@ -193,7 +198,7 @@ TEST(NeedleTissue, OffersNothingOutsideTheVolumeNorInWhatIsNoNumber)
   EXPECT_TRUE(IsFinite(hand.Record.Force));
 }
 
-// A recording that begins with an inserted needle continues bit for bit.
+// A recording that begins with an inserted needle continues to the bit.
 TEST(NeedleState, GoesOnFromItsNumbersToTheBit)
 {
   std::vector<Layer> layers = LayersOfN1();
@@ -225,7 +230,7 @@ TEST(NeedleState, GoesOnFromItsNumbersToTheBit)
     bad[i] = value;
     return AreOfAState(bad);
   };
-  // The needle's numbers are the last ones of a state.
+  // The numbers of the needle begin at this index, at the end of a state.
   constexpr std::size_t needle = 101 + 5;
   EXPECT_FALSE(flawed(needle, 2.0));
   EXPECT_FALSE(flawed(needle + 2, 3.0));

@@ -16,7 +16,7 @@ namespace
 {
 constexpr double Air = -100.0;
 
-/// A ball of tissue from which three balls of radius 5 voxels have been carved.
+/// A ball of tissue, from which three balls with radii of 5 voxels have been carved.
 struct CarvedBall
 {
   CarvedBall()
@@ -89,7 +89,7 @@ TEST(CarvedShell, FeelsWhatIsLeft)
   EXPECT_GT(most, 0.5);
 }
 
-/// On the side of the ball where nothing was removed, the result equals that without bricks.
+/// Where nothing was removed from the ball, the contacts equal those without bricks.
 TEST(CarvedShell, FeelsNoDifferenceWhereNothingWasRemoved)
 {
   const CarvedBall ball;
@@ -111,7 +111,8 @@ TEST(CarvedShell, FeelsNoDifferenceWhereNothingWasRemoved)
   EXPECT_GT(most, 0.5);
 }
 
-/// Reads random positions, for each scalar type and instruction set.
+/// Compares readings at random positions with the remaining tissue, for each scalar type and
+/// instruction set.
 TEST(CarvedShell, ReadsWhatIsLeft)
 {
   for (const ScalarType type : AllScalarTypes)

@@ -20,13 +20,13 @@ namespace
 struct ClearanceScene
 {
   ScalarType Type;
-  double Noise;  ///< noise on a ramp that rises by 100 per voxel
-  bool IsShorn;  ///< whether the axes are oblique, with three different spacings
-  bool IsCarved; ///< whether some tissue was removed
+  double Noise;  ///< noise, in a volume whose values rise by 100 per voxel
+  bool IsShorn;  ///< whether the axes are oblique and have three different spacings
+  bool IsCarved; ///< whether some tissue has been removed
   bool HasHoles; ///< whether some samples are NaN
 };
 
-/// A rough, curved wall. All values above 1000 are solid.
+/// Returns a rough, curved wall. Values above 1000 are solid.
 TestVolume MakeWall(const ClearanceScene& scene)
 {
   TestVolume volume(scene.Type, { 40, 40, 40 });
@@ -95,7 +95,7 @@ TEST_P(ClearanceOfShells, ChangesNoBit)
   constexpr int ticks = 1500;
   for (int tick = 0; tick < ticks; ++tick)
   {
-    // The tool moves around the wall: at rest, slowly and fast.
+    // The tool moves around the wall: it rests, moves slowly, and moves fast.
     const double speed = tick % 300 < 60 ? 0.0 : (tick % 300 < 200 ? 0.03 : 0.6);
     at += RandomIn(engine, speed) + 0.002 * (middle - at);
     turn = TurnAbout(RandomIn(engine, 1.0) + Vector3{ 0.0, 0.0, 1e-3 }, 0.03 * speed) * turn;
@@ -131,8 +131,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, ClearanceOfShells,
     ClearanceScene{ ScalarType::Int16, 30.0, false, true, false },
     ClearanceScene{ ScalarType::Float32, 30.0, false, false, true }));
 
-/// The largest difference between neighbours equals that of a loop over all samples. Infinite
-/// samples are left out.
+/// The largest difference between neighbouring samples equals that of a loop over all samples.
+/// Infinite samples do not count.
 TEST(SlopesOfShells, AreThoseOfAllNeighbours)
 {
   TestVolume volume(ScalarType::Float64, { 12, 11, 10 });

@@ -19,7 +19,7 @@ using namespace coretest;
 namespace
 {
 constexpr double SphereRadius = 5.0;
-/// z of the ramp's surface (mm). Values above it are solid.
+/// mm: z of the ramp's surface; values above it are solid.
 constexpr double Surface = 10.0;
 
 class ShellForces : public testing::Test
@@ -27,7 +27,7 @@ class ShellForces : public testing::Test
 protected:
   ShellForces() { this->Settings.Level = 100.0 * Surface; }
 
-  /// Lowers a shell until its origin is at a depth, and returns the sum of its contacts.
+  /// Lowers a shell by `way` (mm). Returns the sum of its contacts.
   ShellSum Lower(const HapticModel& model, const PointShell& shell, const Vector3& from, double way,
     const Quaternion& turn) const
   {
@@ -45,7 +45,7 @@ protected:
     }
     return sum;
   }
-  /// Returns the largest relative error of S1 for 200 orientations.
+  /// Computes S1 for 200 orientations. Returns the largest relative error of the force.
   double ComputeWorstError(int points, double expected) const
   {
     const HapticModel model(this->Scene);
@@ -67,7 +67,7 @@ protected:
 };
 } // namespace
 
-/// S1 of the design: pi kappa a delta^2 = 0.3142 N.
+/// S1 of the design: the force is pi kappa a delta^2 = 0.3142 N.
 TEST_F(ShellForces, ASphereInAHalfSpace)
 {
   const double expected = Pi * Kappa * 5e-3 * 1e-6;
@@ -76,7 +76,7 @@ TEST_F(ShellForces, ASphereInAHalfSpace)
   EXPECT_LE(this->ComputeWorstError(1000, expected), 0.01);
 }
 
-/// S2: a strength of 0.25 N on the default area is a pressure of 10 kPa.
+/// S2: a strength of 0.25 N on the default contact area limits the pressure to 10 kPa.
 TEST_F(ShellForces, ASphereOnTissueThatYields)
 {
   this->Scene.Material.SurfaceStrength = ConstantPolyline(0.25);
@@ -86,7 +86,8 @@ TEST_F(ShellForces, ASphereOnTissueThatYields)
   EXPECT_LE(this->ComputeWorstError(10000, expected), 0.001);
 }
 
-/// S3: k (2 mm - delta) = pi kappa a delta^2 gives delta = 1.1578 mm and 0.4211 N.
+/// S3: from k (2 mm - delta) = pi kappa a delta^2 follow a depth delta of 1.1578 mm and a force of
+/// 0.4211 N.
 TEST_F(ShellForces, ASphereInTheHand)
 {
   ShellHand hand(this->Scene, MakeSphere(SphereRadius, 10000), this->Settings);
@@ -104,8 +105,8 @@ TEST_F(ShellForces, ASphereInTheHand)
   EXPECT_FALSE(record.IsUnfinished);
 }
 
-/// S4: the force is kappa times the area times 0.1 mm. A tilt by theta gives the torque kappa b
-/// h^3/12 theta about the middle.
+/// S4: the force is kappa times the area times the depth of 0.1 mm. A tilt by theta about the
+/// middle gives the torque kappa b h^3/12 theta.
 TEST_F(ShellForces, AFlatFaceAndItsTilt)
 {
   const HapticModel model(this->Scene);
@@ -123,7 +124,8 @@ TEST_F(ShellForces, AFlatFaceAndItsTilt)
   EXPECT_NEAR(tilted.Gradient[3], torque, 0.01 * torque);
 }
 
-/// S4 with a spring: the tool turns until the spring's torque, k_r theta, equals that of the face.
+/// S4 with a spring: the tool turns until the spring's torque, k_r times the remaining angle,
+/// equals the torque of the face.
 TEST_F(ShellForces, ATiltedFaceTurnsInTheHand)
 {
   ShellSettings settings = this->Settings;
@@ -134,7 +136,7 @@ TEST_F(ShellForces, ATiltedFaceTurnsInTheHand)
   hand.Tick(above, tilt);
   hand.Lead(above + Vector3{ 0.0, 0.0, 0.6 }, 0.02, tilt);
   const auto& record = hand.Rest(200);
-  // Balance of forces: k (0.5 mm - d) = kappa A d.
+  // In balance, k (0.5 mm - d) = kappa A d for the depth d.
   EXPECT_NEAR(record.Force.Z, -500.0 * 2000.0 / 2500.0 * 0.5e-3, 2e-3);
   const double face = Kappa * 0.01 * 1e-6 / 12.0;
   const double expected = face * settings.TurningStiffness / (face + settings.TurningStiffness);
@@ -142,7 +144,7 @@ TEST_F(ShellForces, ATiltedFaceTurnsInTheHand)
   EXPECT_NEAR(record.Torque.Y, 0.0, 1e-8);
 }
 
-/// S5: without friction, a sphere turns freely in a hollow sphere, even if it is pressed.
+/// S5: without friction, a sphere turns freely in a hollow sphere, even under pressure.
 TEST_F(ShellForces, ASphereTurnsFreelyInASphere)
 {
   const TestVolume cavity = MakeCavity(48);
@@ -162,10 +164,11 @@ TEST_F(ShellForces, ASphereTurnsFreelyInASphere)
   EXPECT_LE(most, 0.001 * scale);
 }
 
-/// If everything is turned and moved, force and torque turn with it, for any grid.
+/// If tool, hand and world are turned and moved together, force and torque turn with them. They do
+/// not depend on the grid.
 TEST_F(ShellForces, AreTheSameWhateverTheOrientation)
 {
-  // An asymmetric tool, lowered and turned, in two worlds.
+  // An asymmetric tool is lowered and turned, in two worlds.
   std::vector<ShellPoint> points = MakeSphere(4.0, 500);
   for (ShellPoint& point : points)
   {
@@ -192,7 +195,7 @@ TEST_F(ShellForces, AreTheSameWhateverTheOrientation)
   const ShellRecord record = lead(turned, world);
   EXPECT_LE(Norm(record.Force - world.Linear * expected.Force), 1e-12 * Norm(expected.Force));
   EXPECT_LE(Norm(record.Torque - world.Linear * expected.Torque), 1e-11 * Norm(expected.Torque));
-  // The same ramp on a finer grid.
+  // Sample the same ramp on a finer grid.
   TestVolume fine(ScalarType::Float64, { 47, 24, 93 });
   fine.Fill<double>([](std::int64_t, std::int64_t, std::int64_t k) { return 25.0 * k; });
   HapticModelDescription other = Describe(fine);
@@ -202,7 +205,7 @@ TEST_F(ShellForces, AreTheSameWhateverTheOrientation)
   EXPECT_LE(Norm(again.Torque - expected.Torque), 0.002 * Norm(expected.Torque));
 }
 
-/// Values below the level are solid.
+/// Here the values below the level are solid.
 TEST_F(ShellForces, TheSolidMayBeBelowTheLevel)
 {
   this->Settings.IsBelow = true;
@@ -213,21 +216,21 @@ TEST_F(ShellForces, TheSolidMayBeBelowTheLevel)
   EXPECT_NEAR(hand.Rest().Force.Z, 0.4211, 0.4211e-2);
 }
 
-/// An edge that is narrower than the tool is deep: 2 voxels of gradient, then a plateau.
+/// The edge is 2 voxels wide, with a plateau behind it, and the tool is deeper than that.
 TEST_F(ShellForces, AToolIsHeldDeeperThanTheEdgeIsWide)
 {
   TestVolume edge(ScalarType::Int16, { 40, 40, 40 });
   edge.Fill<std::int16_t>([](std::int64_t, std::int64_t, std::int64_t k)
     { return static_cast<std::int16_t>(std::clamp<std::int64_t>(500 * (k - 18), 0, 1000)); });
   HapticModelDescription scene = Describe(edge);
-  scene.DeviceToWorld.Linear = 2000.0 * Matrix3{}; // voxels of 0.5 mm
+  scene.DeviceToWorld.Linear = 2000.0 * Matrix3{}; // mm: voxels of 0.5
   scene.Material.SurfaceStrength = ConstantPolyline(100.0);
   this->Settings.Level = 500.0; // at 9.5 mm
   ShellHand hand(scene, MakeSphere(4.0, 8000), this->Settings);
   hand.Tick({ 10.0, 10.0, 5.0 });
   hand.Lead({ 10.0, 10.0, 10.5 });
   const auto& record = hand.Rest();
-  // The balance is k (5 mm - delta) = pi kappa a delta^2, as in S3.
+  // In balance, k (5 mm - delta) = pi kappa a delta^2 for the depth delta, as in S3.
   const double b = 500.0 / (Pi * Kappa * 4e-3);
   const double delta = 0.5 * (std::sqrt(b * b + 4.0 * b * 5e-3) - b);
   EXPECT_GT(delta, 2e-3) << "more than four voxels";

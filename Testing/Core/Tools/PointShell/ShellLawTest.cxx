@@ -19,7 +19,7 @@ namespace
 constexpr std::size_t Points = 61; // not a multiple of four
 constexpr double Voxel = 1e-3;
 
-/// A point's contact, its properties and its expected results.
+/// A point with its last contact, its properties, and the expected results of the slow reference.
 struct SlowPoint
 {
   ShellContact Before{};
@@ -36,14 +36,15 @@ double Pressure(double kappa, double most, double u)
   return std::min(kappa * u, most);
 }
 
-/// Returns the integral of the pressure.
+/// Returns the energy (J/m^2) of a stretch u (m): the integral of the pressure, which rises by
+/// kappa and is limited to `most`.
 double EnergyOf(double kappa, double most, double u)
 {
   const double yield = most / kappa;
   return u < yield ? kappa * u * u / 2.0 : most * yield / 2.0 + most * (u - yield);
 }
 
-/// Finds the depth with a given energy by bisection.
+/// Searches for the stretch (m) with a given energy.
 double DepthOf(double kappa, double most, double energy)
 {
   double low = 0.0;
@@ -56,7 +57,7 @@ double DepthOf(double kappa, double most, double energy)
   return high;
 }
 
-/// Returns the stretch u, or -1 if the point is not held.
+/// Returns the expected stretch u (m) of a point, or -1 if the point is not held.
 double StretchOf(const SlowPoint& p, const ShellLaw& law)
 {
   const double kappa = p.Stiffness * law.PerContactArea;
@@ -76,7 +77,8 @@ double StretchOf(const SlowPoint& p, const ShellLaw& law)
   return p.IsSolid || (u > 0.0 && kappa * u <= most) ? u : -1.0;
 }
 
-/// Strength and stiffness change with the value, also at a step. Below 100, both are zero.
+/// Returns materials whose strength and stiffness change with the value, also in a step. Below 100,
+/// both are zero.
 MaterialTable MakeMaterials()
 {
   return MaterialTable({ Polyline{ { 100.0, 0.0 }, { 200.0, 300.0 }, { 400.0, 800.0 } },
@@ -89,7 +91,7 @@ DistinctnessTable MakeDistinctness()
   return DistinctnessTable({ Polyline{ { 10.0, 0.0 }, { 30.0, 1.0 } }, ConstantPolyline(1.0) });
 }
 
-/// Results of the kernels.
+/// Results of the law for all points.
 struct Found
 {
   std::vector<ShellContact> Contacts{ Points };
@@ -125,8 +127,8 @@ protected:
       const double magnitude = between(5.0, 60.0);
       const MaterialTable::Values material = this->Materials(value);
       const DistinctnessTable::Values distinct = this->Distinctness(magnitude);
-      // From two voxels inside the border on, the strength is complete. The volume has 20 samples
-      // along each axis.
+      // The volume has 20 samples along each axis. The strength fades in within two voxels from the
+      // border.
       const double x = between(-0.5, 10.0);
       const double fade = std::clamp(0.5 * x, 0.0, 1.0);
       p.Stiffness = material[0];
@@ -144,7 +146,7 @@ protected:
         before.Stiffness = isSame ? p.Stiffness * this->Law.PerContactArea : 1e7;
         before.Strength = isSame ? p.Strength * this->Law.PerContactArea : 1e4;
         before.Energy = p.Area * EnergyOf(before.Stiffness, before.Strength, before.Stretch);
-        before.Energy = before.Energy > 0.0 ? before.Energy : 0.0; // the stiffness is zero there
+        before.Energy = before.Energy > 0.0 ? before.Energy : 0.0; // where the stiffness is zero
       }
       const Vector3 normal = ToMatrix(RandomTurn(engine)) * Vector3{ 1.0, 0.0, 0.0 };
       const Vector3 arm = RandomIn(engine, 5e-3);

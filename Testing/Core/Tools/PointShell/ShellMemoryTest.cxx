@@ -39,7 +39,7 @@ TEST(ShellMemoryUse, NoTickAllocates)
   EXPECT_GT(most, 0.01);
 }
 
-/// A shell as the tool of models: across changes of the model, and with copies for recordings.
+/// Uses a shell as the tool of models: changes the model, and copies states for recordings.
 TEST(ShellMemoryUse, NoTickOfAToolAllocates)
 {
   const TestVolume volume = MakeRamp();

@@ -14,7 +14,7 @@ using namespace coretest;
 
 namespace
 {
-/// A bumpy ball with noise, 16-bit, solid inside.
+/// Returns a bumpy ball of 16-bit values with noise. The inside is solid.
 TestVolume MakeBumpyBall(double noise)
 {
   TestVolume volume(ScalarType::Int16, { 64, 64, 64 });
@@ -31,7 +31,7 @@ TestVolume MakeBumpyBall(double noise)
   return volume;
 }
 
-/// Stiffness and strength that change with the value.
+/// Returns a material whose stiffness and strength change with the value.
 HapticMaterial MakeUneven()
 {
   HapticMaterial material;
@@ -42,7 +42,8 @@ HapticMaterial MakeUneven()
   return material;
 }
 
-/// A smooth random path that begins and ends outside of the ball.
+/// Returns the hand's pose at time t from 0 to 1 on a smooth random path that begins and ends
+/// outside of the ball.
 ShellPose ComputePose(double t, const Vector3* waves)
 {
   const double press = std::sin(Pi * t); // 0 at both ends
@@ -78,7 +79,7 @@ TEST_P(ShellPassivity, NoCycleCreatesEnergy)
     ShellHand hand(scene, points, settings);
     const Vector3 waves[3] = { RandomIn(engine, 1.0), RandomIn(engine, 1.0),
       RandomIn(engine, 1.0) };
-    const int ticks = cycle % 3 == 0 ? 200 : 2000; // fast (up to 0.5 m/s) and slow
+    const int ticks = cycle % 3 == 0 ? 200 : 2000; // 1 ms each: fast (up to 0.5 m/s) and slow
     double most = 0.0;
     double least = 0.0;
     for (int i = 0; i <= ticks; ++i)
@@ -90,7 +91,7 @@ TEST_P(ShellPassivity, NoCycleCreatesEnergy)
     }
     touched += most > 1e-5 ? 1 : 0;
     hand.Rest();
-    // At the end, no contact is left and no energy is stored.
+    // At the end of a cycle, no contact and no stored energy are left.
     EXPECT_EQ(hand.Record.Contacts, 0u);
     EXPECT_GE(hand.Work, -1e-15) << "J, cycle " << cycle;
     EXPECT_GE(least, -1e-15) << "J: the springs hold more than the hand has put in";
@@ -100,7 +101,8 @@ TEST_P(ShellPassivity, NoCycleCreatesEnergy)
 
 INSTANTIATE_TEST_SUITE_P(Noise, ShellPassivity, testing::Values(0.0, 60.0));
 
-/// A slow motion over a smooth ball, in contact all the time, neither gains nor loses energy.
+/// The tool moves slowly around a smooth ball and stays in contact. A cycle must neither gain nor
+/// lose energy.
 TEST(ShellPassivitySlow, ACycleInContactIsDriftFree)
 {
   TestVolume volume(ScalarType::Float64, { 64, 64, 64 });
@@ -138,11 +140,11 @@ TEST(ShellPassivitySlow, ACycleInContactIsDriftFree)
   EXPECT_LE(lost, 0.003 * Norm(first.Force) * way) << "what a friction of 0.003 would take";
 }
 
-/// Sliding from soft to hard tissue at the same depth creates no energy. Further pressing then
-/// feels the stiffness of the hard tissue.
+/// When the tool slides from soft to hard tissue at the same depth, no energy is created. Only a
+/// further press feels the stiffness of the hard tissue.
 TEST(ShellPassivitySlow, AStifferPlaceIsFeltByPressingOn)
 {
-  // A ramp that is twice as steep where x > 16. The surface at the level has no step.
+  // A ramp that is twice as steep for x > 16. At the level, its surface has no step.
   TestVolume volume(ScalarType::Float64, { 32, 24, 24 });
   volume.Fill<double>([](std::int64_t i, std::int64_t, std::int64_t k)
     { return (i > 16 ? 200.0 : 100.0) * (k - 10); });
@@ -165,8 +167,8 @@ TEST(ShellPassivitySlow, AStifferPlaceIsFeltByPressingOn)
   EXPECT_LE(hand.Record.Energy, 1.05 * energy);
   EXPECT_GT(slid, soft) << "the same energy in a stiffer spring";
   const double pressed = press(hand, 24.0, 10.9);
-  // Springs in series: the tissue's 4e6 N/m^3 times 9 mm^2 = 36 N/m and 144 N/m, with the hand's
-  // 2000 N/m.
+  // N/m: the tissue's 4e6 N/m^3 times 9 mm^2 is 36, and 144 in the hard part. The hand's spring of
+  // 2000 N/m is in series.
   const double stiff = 144.0 * 2000.0 / 2144.0;
   EXPECT_NEAR((pressed - slid) / 1e-4, stiff, 0.05 * stiff);
 }

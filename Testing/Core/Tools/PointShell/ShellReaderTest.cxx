@@ -16,7 +16,7 @@ using namespace coretest;
 
 namespace
 {
-/// Interpolates trilinearly by definition; clamps positions to the samples.
+/// Interpolates trilinearly, as defined (slow reference). Clamps the position to the samples.
 double Naive(const TestVolume& volume, const Vector3& index)
 {
   const double place[3] = { index.X, index.Y, index.Z };
@@ -55,7 +55,7 @@ std::vector<Vector3> MakePlaces(double size)
   return places;
 }
 
-/// Reads the values at positions; the axes are those of the index.
+/// Reads the values at positions in index space.
 ShellBatch ReadFeet(const ShellReader& reader, const Vector3* places, std::size_t count)
 {
   const ShellFrame frame{ { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, 1.0, 1.0,
@@ -110,7 +110,7 @@ TEST_P(ReadingOfShells, IsThatOfTheDefinition)
         if (std::min(std::min(at.X, at.Y), at.Z) >= 1.0 && at.X < 10.0 && at.Y < 11.0 &&
           at.Z < 12.0)
         {
-          // Within a cell, the value is linear along an axis.
+          // Within a cell, the value along an axis is linear.
           const double own = Naive(volume, begin + steps[a]) - Naive(volume, begin);
           EXPECT_NEAR(foot.Cell[a][0], own, 1e-12 * scale);
         }
@@ -189,8 +189,8 @@ TEST_P(ReadingOfShells, HasTheSameBitsOnEveryProcessor)
   EXPECT_EQ(baseline.second, avx2.second);
 }
 
-/// A point gives the same bits alone and among others, also at borders and next to samples that are
-/// NaN.
+/// The reader gives the same bits for a point alone and for a point among others, also at borders
+/// and next to samples that are NaN.
 TEST_P(ReadingOfShells, OfSeveralPointsIsThatOfEach)
 {
   constexpr std::size_t count = 61;
@@ -259,7 +259,7 @@ TEST_P(ReadingOfShells, MarksWhatIsSolid)
     const double same[12] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 };
     for (std::size_t i = 0; i < places.size(); ++i)
     {
-      // Points are processed four at a time, and the rest one by one.
+      // The reader processes four points at a time, and the remaining ones one by one.
       const std::size_t first = i - i % 10;
       const std::uint64_t marks =
         reader.Mark({ x.data() + first, y.data() + first, z.data() + first, 10 }, same);
@@ -276,12 +276,12 @@ TEST_P(ReadingOfShells, MarksWhatIsSolid)
   }
 }
 
-/// A box is clear if no sample of its cells is solid.
+/// A box counts as clear only if none of its cells has a solid sample.
 TEST_P(ReadingOfShells, FindsOutWhatCannotBeSolid)
 {
   TestVolume volume(this->GetParam(), { 12, 12, 12 });
   volume.FillRandom(8);
-  // Few samples are above this level.
+  // A level that few samples exceed.
   std::vector<double> samples;
   for (std::int64_t i = 0; i < 1728; ++i)
   {
@@ -317,7 +317,8 @@ TEST_P(ReadingOfShells, FindsOutWhatCannotBeSolid)
   EXPECT_TRUE(reader.MayBeSolid({ 6.0, 6.0, 6.0 }, { 1e9, 1.0, 1.0 })) << "too many samples";
 }
 
-/// Sums of forces, compared with their definition; the count is not a multiple of four.
+/// Compare sums of forces with their definition, for a number of points that is not a multiple of
+/// four.
 TEST(ShellSums, AreThoseOfTheDefinition)
 {
   std::mt19937_64 engine(2);

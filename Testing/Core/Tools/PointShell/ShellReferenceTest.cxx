@@ -19,8 +19,8 @@ namespace
 constexpr double BallRadius = 20.0;
 const Vector3 BallMiddle{ 31.5, 31.5, 31.5 };
 
-/// The energy (J) of springs and contacts as a function of the tool's lag (m, and rad about the
-/// axes).
+/// Energy (J) of springs and contacts as a function of the tool's lag (three lengths in m, three
+/// angles in rad).
 class SlowShell
 {
 public:
@@ -57,7 +57,7 @@ public:
     return energy;
   }
 
-  /// Finds the minimum by the pattern search of Hooke and Jeeves.
+  /// Searches for the minimum by the pattern search of Hooke and Jeeves.
   Lag FindLeast() const
   {
     Lag base{};
@@ -73,7 +73,7 @@ public:
       }
       while (energy < least)
       {
-        // Move on in the direction from the last base, and search around that point.
+        // Continue in the direction from the last base, and search around that point.
         Lag beyond;
         for (int i = 0; i < 6; ++i)
         {
@@ -89,7 +89,7 @@ public:
   }
 
 private:
-  /// Moves by a step along each axis if that lowers the energy.
+  /// Moves by a step along each axis if this lowers the energy. Returns the energy.
   double Explore(Lag& at, double energy, double step) const
   {
     for (int i = 0; i < 6; ++i)
@@ -118,8 +118,8 @@ private:
 
 TEST(ShellReference, RandomToolsOnABall)
 {
-  // The voxels are fine, because between samples h apart a ball's level is h^2/(6 r) too deep on
-  // average.
+  // Between samples h apart, the level of a ball of radius r is h^2/(6 r) too deep on average. So
+  // the voxels are fine.
   constexpr double h = 0.5;
   TestVolume volume(ScalarType::Float32, { 127, 127, 127 });
   volume.Fill<float>(
@@ -137,7 +137,7 @@ TEST(ShellReference, RandomToolsOnABall)
   int compared = 0;
   for (int i = 0; i < 24; ++i)
   {
-    // In every third case, the tissue yields: 0.25 N on 25 mm^2.
+    // In every third case, the tissue yields at 0.25 N on 25 mm^2.
     const double strength = i % 3 == 0 ? 0.25 : 2.0;
     scene.Material.SurfaceStrength = ConstantPolyline(strength);
     std::vector<ShellPoint> points = MakeSphere(1.0, 120);
@@ -153,7 +153,7 @@ TEST(ShellReference, RandomToolsOnABall)
     const Vector3 away = (1.0 / Norm(direction)) * direction;
     const Quaternion turn = RandomTurn(engine);
     ShellHand hand(scene, points, settings);
-    // Lead the tool, which is some 10 mm large, from outside until a part of it is in the ball.
+    // The tool has a size of some 10 mm. Lead it from outside until a part of it is in the ball.
     hand.Tick(BallMiddle + 31.0 * away, turn);
     const auto lead = [&](double to)
     {

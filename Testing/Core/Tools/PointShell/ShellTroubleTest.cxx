@@ -62,7 +62,7 @@ TEST_F(ShellTrouble, AHandThatIsNoPoseIsNotFelt)
     EXPECT_FALSE(hand.State.Enabled);
     press();
   }
-  // A quaternion whose norm is slightly wrong, as a sensor's rounding causes it.
+  // A quaternion whose norm is slightly wrong, as by a sensor's rounding.
   hand.Tick(1000.0 * hand.Record.Hand.Position, { 1.005, 0.0, 0.0, 0.0 });
   EXPECT_LT(hand.Record.Force.Z, -0.1);
 }
@@ -73,8 +73,8 @@ TEST_F(ShellTrouble, NoPointFeelsNothingAndOnePointIsAPoint)
   none.Tick(Vector3{ 12.0, 12.0, 9.0 });
   ExpectNothing(none.Lead({ 12.0, 12.0, 13.0 }));
   EXPECT_EQ(1000.0 * none.Record.Tool.Position.Z, 1000.0 * none.Record.Hand.Position.Z);
-  // One point of 25 mm^2 with 500 N/m against the hand's spring of 500 N/m. A single point has no
-  // torque.
+  // A single point of 25 mm^2 has 500 N/m, and the hand's spring has 500 N/m too. The point gives
+  // no torque.
   ShellHand one(this->Scene, { { { 0.0, 0.0, 0.0 }, 2.5e-5 } }, this->Settings);
   one.Tick(Vector3{ 12.0, 12.0, 9.0 });
   one.Lead({ 12.0, 12.0, 12.0 });
@@ -115,7 +115,7 @@ TEST_F(ShellTrouble, AToolThatBeginsInTissueIsFree)
   EXPECT_LT(hand.Record.Force.Z, -0.1) << "and is held when it comes back";
 }
 
-/// If samples near the surface, or all, are NaN, the points there have no contact.
+/// Points near samples that are NaN have no contact, even if all samples are NaN.
 TEST_F(ShellTrouble, DataThatAreNoNumbersAreNotTouched)
 {
   TestVolume holes = MakeRamp();
@@ -136,7 +136,7 @@ TEST_F(ShellTrouble, DataThatAreNoNumbersAreNotTouched)
 
 TEST_F(ShellTrouble, NothingIsTouchedOutsideTheVolume)
 {
-  this->Settings.IsBelow = true; // values at the lower border are solid
+  this->Settings.IsBelow = true; // makes the values at the lower border solid
   ShellHand hand(this->Scene, MakeSphere(2.0, 200), this->Settings);
   hand.Tick(Vector3{ -9.0, 12.0, 5.0 });
   ExpectNothing(hand.Lead({ -3.0, 12.0, 5.0 }));
@@ -164,7 +164,8 @@ TEST_F(ShellTrouble, AnotherModelOrShellBeginsAnew)
   EXPECT_FALSE(hand.State.Enabled);
 }
 
-/// A wall of two voxels with unlimited strength: no tool falls through, however fast the hand is.
+/// A wall of two voxels has an unlimited strength. No tool may fall through it, at any speed of the
+/// hand.
 TEST_F(ShellTrouble, AFastToolDoesNotFallThroughAThinWall)
 {
   TestVolume wall(ScalarType::Int16, { 32, 32, 48 });
@@ -172,13 +173,14 @@ TEST_F(ShellTrouble, AFastToolDoesNotFallThroughAThinWall)
     { return static_cast<std::int16_t>(k == 24 || k == 25 ? 2000 : 0); });
   HapticModelDescription scene = Describe(wall);
   scene.Material.SurfaceStrength = ConstantPolyline(1e6);
-  // As in S3: the hand is 4.5 mm deep and the tool 2.4 mm, more than the wall is thick.
+  // As in S3, but the hand is 4.5 mm deep. The tool is then 2.4 mm deep, which is more than the
+  // wall's thickness.
   const double b = 500.0 / (Pi * Kappa * 3e-3);
   const double delta = 0.5 * (std::sqrt(b * b + 4.0 * b * 4.5e-3) - b);
   const double expected = 500.0 * (4.5e-3 - delta);
   EXPECT_GT(delta, 2e-3);
   std::mt19937_64 engine(17);
-  for (const double speed : { 0.1, 1.0, 3.0 }) // m/s, which is mm per tick
+  for (const double speed : { 0.1, 1.0, 3.0 }) // m/s, or mm per tick
   {
     for (int i = 0; i < 5; ++i)
     {
