@@ -100,7 +100,7 @@ TEST_F(Memory, ADamagedLineCountsAsNoneAndIsTold)
     EXPECT_EQ(this->Read("wooden").Confirmed, "2026-11-01") << damage;
     EXPECT_EQ(this->Error, "") << "not of this device";
   }
-  // Confirming the device again repairs its line, and leaves the rest of the file.
+  // Confirming the device again repairs its line. The rest of the file stays unchanged.
   DeviceFacts facts;
   facts.Confirmed = "2026-11-22";
   ASSERT_TRUE(DeviceMemory::Write("falcon", facts, this->Error)) << this->Error;
@@ -108,7 +108,8 @@ TEST_F(Memory, ADamagedLineCountsAsNoneAndIsTold)
     this->GetText(), "# mine\nwooden confirmed=2026-11-01\n\xff\nfalcon confirmed=2026-11-22\n");
 }
 
-/// Expects that a link at an earlier version's name for the temporary file is not followed.
+/// Expects that Write() does not follow a link with the name that an earlier version gave its
+/// temporary file.
 #if !defined(_WIN32) // users can't make such links there
 TEST_F(Memory, IsWrittenThroughNoLinkThatSomebodyLaid)
 {
@@ -134,8 +135,8 @@ TEST_F(Memory, AFileThatCannotBeWrittenIsTold)
   std::filesystem::remove_all(this->File);
 }
 
-/// Expects an error for files that would be read without end, or would block: a pipe, a device, a
-/// large file.
+/// Expects an error for files whose reading would block or never end: a pipe, a device, a large
+/// file.
 #if !defined(_WIN32)
 TEST_F(Memory, WaitsForNoPipeAndReadsNoDevice)
 {

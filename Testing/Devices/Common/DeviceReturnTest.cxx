@@ -23,7 +23,8 @@ namespace
 struct Played
 {
   std::atomic<bool> IsPluggedIn{ true };
-  std::atomic<bool> Waits{ false }; ///< whether a look lasts until a stop request
+  std::atomic<bool> Waits{ false }; ///< whether a look for the device lasts until a stop is
+                                    ///< requested
   std::atomic<int> Looks{ 0 };
   std::atomic<int> Homes{ 0 };
   std::atomic<int> Serves{ 0 };
@@ -167,7 +168,7 @@ TEST_F(DeviceReturn, TheServoDoesNotWakeTheLooks)
     this->Device.Write({ 1.0, 0.0, 0.0 });
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  // Three looks take at least two periods of 0.5 s; a slow machine takes longer.
+  // Three looks for the device take at least two periods of 0.5 s; a slow machine takes longer.
   EXPECT_GT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(990));
 }
 

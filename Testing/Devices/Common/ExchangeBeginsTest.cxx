@@ -13,7 +13,7 @@ using namespace VolumeHaptics;
 
 namespace
 {
-/// Whether the next sample begins a new motion of the hand.
+/// Returns whether the next sample begins a new motion of the hand.
 bool Begins(HardwareExchange& exchange)
 {
   DeviceSample told;

@@ -25,14 +25,14 @@ using ExchangeForce = ExchangeTest;
 
 namespace
 {
-constexpr int LongWait = 60000; // ms; no test waits that long
+constexpr int LongWait = 60000; // ms; longer than any test may wait
 
 bool IsAwake(const HardwareExchange& exchange)
 {
 #if defined(_WIN32)
   const HANDLE wake = LongToHandle(exchange.GetWakeDescriptor());
   const bool is = WaitForSingleObject(wake, 0) == WAIT_OBJECT_0;
-  return is && SetEvent(wake); // waiting has cleared the event
+  return is && SetEvent(wake); // the wait has cleared the event
 #else
   pollfd wake{ exchange.GetWakeDescriptor(), POLLIN, 0 };
   return poll(&wake, 1, 0) == 1;

@@ -37,7 +37,7 @@ TEST_F(ExchangeTest, ACallerWhoReadsReadyCanArmIt)
   int refusals = 0;
   for (int i = 1; i <= rounds; ++i)
   {
-    this->Exchange.SetCondition(DeviceStage::Homing, ""); // the device's thread is waiting
+    this->Exchange.SetCondition(DeviceStage::Homing, ""); // the device waits for its homing
     this->Take();
     begun = i;
     wait([this] { return this->Exchange.GetCondition().Stage == DeviceStage::Ready; });

@@ -29,7 +29,7 @@ protected:
     return this->Exchange.Receive(this->Sample);
   }
 
-  static inline std::int64_t Asleep = 0; ///< ns, the computer's time asleep so far
+  static inline std::int64_t Asleep = 0; ///< ns, time for which the computer has slept so far
   HardwareExchange Exchange{ [] { return Asleep; } };
   DeviceSample Sample;
 };

@@ -16,7 +16,7 @@ namespace
 constexpr std::int64_t Second = 1000000000; // ns
 
 std::int64_t Asleep = 0;
-std::int64_t Late = 0; ///< ns, the error of the next call: too little
+std::int64_t Late = 0; ///< ns, by which the next call returns too little
 
 std::int64_t Tell()
 {
@@ -30,7 +30,7 @@ TEST(ExchangeSleep, IsToldFromBeingHeldUp)
 {
   Asleep = 100 * Second;
   HardwareExchange exchange(&Tell);
-  Late = Second; // a pause at the beginning, too
+  Late = Second; // pauses in the first call, too
   exchange.Begin();
   exchange.SetCondition(DeviceStage::Ready, "");
   for (int round = 0; round < 3; ++round)

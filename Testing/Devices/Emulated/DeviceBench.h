@@ -18,8 +18,8 @@ namespace emulated
 {
 using namespace servotest;
 
-inline constexpr double Radius = 1e-3;          ///< m, the sphere that touches
-inline constexpr double Friction = 0.3;         ///< coefficient of the floor
+inline constexpr double Radius = 1e-3;          ///< m, radius of the sphere that touches
+inline constexpr double Friction = 0.3;         ///< friction coefficient of the floor
 inline constexpr double FloorStiffness = 500.0; ///< N/m
 
 /**
@@ -29,7 +29,7 @@ inline constexpr double FloorStiffness = 500.0; ///< N/m
 class Floor
 {
 public:
-  /// `linear` turns the device's axes into the floor's axes, whose z points outward.
+  /// @param linear turns the device's axes into the floor's axes; the floor's z points outward
   explicit Floor(double height, const Matrix3& linear = {})
   {
     HapticModelDescription description = DescribeMesh(this->Volume, MakeFloor(), Friction);
@@ -70,7 +70,7 @@ public:
   }
   void Stop() { this->Loop.reset(); }
   ServoLoop* operator->() { return this->Loop->operator->(); }
-  /// Opens a device that is ready at once, and arms a loop on it.
+  /// Opens a device that is ready at once, and arms a servo loop on it.
   void Begin(const std::string& id, const std::shared_ptr<const HapticModel>& model)
   {
     ASSERT_TRUE(this->Open(id)) << this->Error;
@@ -81,7 +81,7 @@ public:
     ASSERT_TRUE(Eventually([&] { return this->State().IsArmed(); }));
   }
 
-  /// The loop's latest state.
+  /// Reads and returns the loop's latest state.
   const ServoSnapshot& State()
   {
     (*this)->ReadState();
@@ -136,7 +136,7 @@ public:
     return felt;
   }
 
-  /// Expects that the force is cut, that the text gives the reason, and that arming does not bring
+  /// Expects that the force is cut, that the text names the reason, and that Arm() does not bring
   /// the force back.
   void ExpectLost(const char* text)
   {
@@ -173,14 +173,14 @@ inline double Size(const Triple& v)
   return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-/// Whether a force is within a tolerance (N) of the expected one.
+/// Returns whether a force is within a tolerance (N) of the expected force.
 inline bool IsNear(const Triple& force, const Triple& expected, double tolerance)
 {
   return Size({ force[0] - expected[0], force[1] - expected[1], force[2] - expected[2] }) <
     tolerance;
 }
 
-/// Returns the error of an id that can't be opened.
+/// Returns the error that opening an id causes. Expects that the id can't be opened.
 inline std::string ErrorOf(const std::string& id, const DeviceOptions& options = {})
 {
   DeviceBench bench;

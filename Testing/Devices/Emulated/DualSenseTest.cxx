@@ -32,7 +32,7 @@ protected:
     this->Model.Move(RightY, 0);
     EXPECT_TRUE(Eventually([&] { return !this->Model.IsStill(); }));
   }
-  /// Writes a force that keeps changing, until the motors run.
+  /// Sends changing forces until the motors run.
   void Shake(DeviceBackend& device)
   {
     for (int i = 0; i < 20000 && this->Model.IsStill(); ++i)
@@ -113,7 +113,7 @@ TEST_P(DualSenses, AProgramThatStandsStillIsSilent)
   ASSERT_TRUE(this->Bench.Open("vibration:pad")) << this->Bench.Error;
   ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready));
   this->Shake(*this->Bench.Device);
-  // No force is written any more: it fades, and so does its vibration.
+  // Without further forces, the force fades, and its vibration ends.
   EXPECT_TRUE(Eventually([&] { return this->Model.IsStill(); }));
 }
 

@@ -13,9 +13,9 @@ namespace
 {
 using Lines = std::vector<std::string>;
 
-// No force, and the homing bit, which every packet has: 0x41 + 0x01.
+// A packet without force. 0x42 is 0x41 + 0x01, the homing bit, which every packet has.
 const std::string Zero = "o 3c 41 41 41 41 41 41 41 41 41 41 41 41 42 41 3e";
-// Homing and red: 0x41 + 0x01 + 0x08.
+// A packet with the homing bit and the red light: 0x41 + 0x01 + 0x08.
 const std::string Homing = "o 3c 41 41 41 41 41 41 41 41 41 41 41 41 4a 41 3e";
 
 Lines Head(Lines lines, std::size_t count)
@@ -44,7 +44,8 @@ TEST_F(FalconBytes, TheFirstWords)
   ASSERT_TRUE(Eventually([&] { return this->Falcon.GetPackets() > 10; }));
   this->Device->Close();
   const Lines all = this->Falcon.DrainTranscript();
-  // Expect latency 1 ms, the baud rate of run mode, a purge of both directions, then zero force.
+  // Expect a latency of 1 ms, the baud rate of run mode, a purge of both directions, then packets
+  // with zero force.
   const Lines first = { "c 40 09 0001", "c 40 03 0002", "c 40 00 0001", "c 40 00 0002", Zero,
     Homing, Homing, Homing };
   EXPECT_EQ(Head(all, first.size()), first);
@@ -58,7 +59,7 @@ TEST_F(FalconBytesLoading, TheLoadersDialogue)
   ASSERT_TRUE(this->Open()) << this->Error;
   ASSERT_TRUE(Eventually([&] { return this->Falcon.GetPackets() > 2; })) << this->GetText();
   const Lines all = this->Falcon.DrainTranscript();
-  // Before this, the driver asks the device whether its firmware runs.
+  // Before these requests, the driver asks the device whether its firmware runs.
   const auto begin = std::find(all.begin(), all.end(), "c 40 09 0010");
   ASSERT_NE(begin, all.end());
   ASSERT_GE(begin - all.begin(), 2);
@@ -72,7 +73,7 @@ TEST_F(FalconBytesLoading, TheLoadersDialogue)
   const Lines blocks(tail.begin() + 13, tail.begin() + 13 + 18);
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    // Expect 17 blocks of 62 bytes, and one of 46.
+    // Expect 17 blocks of 62 bytes, and a last block of 46 bytes.
     EXPECT_EQ(blocks[i].size(), 1 + 3 * (i < 17 ? 62u : 46u)) << i;
   }
   const Lines after(tail.begin() + 31, tail.end());
@@ -86,8 +87,8 @@ TEST_F(FalconBytes, Commands)
   this->Falcon.DrainTranscript();
   ASSERT_TRUE(this->Feels({ 0.0, 0.0, 1.0 }));
   ASSERT_TRUE(this->Push({}, [&] { return this->Falcon.GetCommands() == Numbers{}; }));
-  // 1 N along z is an eighth of -2019 for each motor near the middle: 0xFF04 to 0xFF03, low nibble
-  // first. The blue light is 0x41 + 0x04 + 0x01.
+  // Near the middle, 1 N along z is an eighth of -2019 for each motor, so the motors get 0xFF04 to
+  // 0xFF03, low nibble first. The light byte is blue: 0x41 + 0x04 + 0x01.
   const Lines all = this->Falcon.DrainTranscript();
   EXPECT_TRUE(std::any_of(all.begin(), all.end(),
     [](const std::string& line) {

@@ -66,7 +66,7 @@ protected:
   }
 
   std::mt19937 Random{ 11 };
-  Vector3 Tip; ///< m, as the driver reports it
+  Vector3 Tip; ///< m, the tip as the driver reports it
 };
 } // namespace
 

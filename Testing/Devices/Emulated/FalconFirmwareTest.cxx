@@ -41,7 +41,7 @@ protected:
     EXPECT_TRUE(Has(this->GetText(), why)) << this->GetText();
     EXPECT_TRUE(Has(this->GetText(), "Home()")) << this->GetText();
     EXPECT_EQ(this->Falcon.GetPackets(), 0) << "no run packet for what does not run";
-    // The driver keeps the image, so that it does not need the file again.
+    // The driver keeps the firmware's image, so it does not need the file again.
     this->Falcon.Break(FalconFault::None);
     this->Device->Home();
     EXPECT_TRUE(Eventually([&] { return this->Falcon.IsRunning(); })) << this->GetText();
@@ -70,7 +70,7 @@ TEST_F(FalconFirmware, IsLoadedByteForByte)
   ASSERT_TRUE(this->IsAt(DeviceStage::Homing)) << this->GetText();
   EXPECT_EQ(this->Falcon.GetImage(), image);
   this->Home();
-  // The firmware stays in the device.
+  // Without a firmware file, the firmware that is still in the device is used.
   this->Device->Close();
   this->Options.FirmwareFile.clear();
   this->Falcon.DrainTranscript();

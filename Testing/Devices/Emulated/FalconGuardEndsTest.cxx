@@ -87,7 +87,8 @@ TEST_F(FalconGuardEnds, KilledWhenAnotherDeviceHasItsNumber)
   EmulatedUsb port(other, "1-7");
   ASSERT_TRUE(this->Open("falcon:1")) << this->Error;
   EXPECT_EQ(this->Device->GetIdentity(), "falcon:port:1-7");
-  // Unplug the first device, and plug in two new ones, which are listed before the second device.
+  // Unplug the first device, and plug in two new devices, which are listed before the second
+  // device.
   this->Usb.Unplug();
   FalconModel near;
   FalconModel far;
@@ -97,7 +98,7 @@ TEST_F(FalconGuardEnds, KilledWhenAnotherDeviceHasItsNumber)
   Signal(guard, SIGKILL);
   EXPECT_TRUE(Eventually([=] { return FindGuard() != guard; }));
   EXPECT_EQ(this->Device->GetIdentity(), "falcon:port:1-7");
-  // Only now can this process claim the device.
+  // Let this process claim the device now, and no earlier.
   const long packets = other.GetPackets();
   port.ForgetProgram();
   EXPECT_TRUE(Eventually([&] { return this->Device->IsAtRest(); }));

@@ -38,14 +38,14 @@ protected:
   void BringToPress()
   {
     ASSERT_TRUE(Eventually([&] { return this->Falcon.GetPackets() > 10; }));
-    if (!this->IsHomed) // a homed device presses as soon as it is out
+    if (!this->IsHomed) // a homed device presses as soon as its grip is out
     {
       this->LeadTo({ 0.0, 0.0, 0.1735 });
       this->LeadTo({ 0.0, 0.0, 0.08 });
       this->IsHomed = true;
     }
-    // Stop at the rest position first: the force begins as soon as the hand is far enough out, and
-    // may keep it from arriving.
+    // Lead the grip to the rest position first: the force begins when the hand is far enough out,
+    // and might keep the hand from arriving.
     this->Falcon.SetAim(Rest);
     ASSERT_TRUE(this->Presses());
     this->Falcon.SetHeld(true);
@@ -75,7 +75,7 @@ protected:
     return Eventually([&] { return !this->Usb.IsClaimed(); });
   }
   bool IsHomed = false;
-  long End = 0; ///< number of packets at the application's end
+  long End = 0; ///< number of packets when the application ended
   std::chrono::steady_clock::time_point EndTime;
 };
 
@@ -139,7 +139,7 @@ TEST_P(FalconGuardKills, EndInZeroEachTime)
       const long pressed = this->Falcon.GetPackets();
       ASSERT_TRUE(Eventually([&] { return this->Falcon.GetPackets() >= pressed + rounds; }));
     }
-    else if (rounds > 5) // with fewer rounds, it is killed at its start
+    else if (rounds > 5) // with fewer rounds, the application is killed at its start
     {
       ASSERT_TRUE(Eventually([&] { return this->Falcon.GetPackets() >= start + rounds; }));
     }
@@ -163,8 +163,8 @@ INSTANTIATE_TEST_SUITE_P(, FalconGuardKills,
     std::pair("Many8", 100), std::pair("Many9", 100)),
   [](const auto& info) { return std::string(info.param.first); });
 
-/// A guard with another clock than the application would notice too late that the application
-/// stands still.
+/// The guard must use the application's clock. With another clock, it would notice too late that
+/// the application stands still.
 class FalconGuardsClock
   : public FalconGuard
   , public testing::WithParamInterface<int>
@@ -173,8 +173,8 @@ class FalconGuardsClock
 
 TEST_P(FalconGuardsClock, IsThatOfTheApplication)
 {
-  // The time namespace applies to children only. Making one needs privileges, and not all kernels
-  // can.
+  // A time namespace applies to child processes only. Creating one needs privileges, and some
+  // kernels can't.
   std::ofstream offsets;
   if (unshare(CLONE_NEWTIME) == 0)
   {

@@ -40,7 +40,7 @@ TEST_F(FalconLate, OneAnswerDoesNotStayARoundBehind)
   this->Falcon.SetTimed(true);
   ASSERT_TRUE(this->PushFor(50));
   ASSERT_GT(this->Falcon.GetInStep(), 20) << "the driver waits for each answer";
-  // On a busy machine, a pause of a whole period looks like a silent line, so some of the ten
+  // On a busy machine, a pause of a whole period looks like a silent line. So some of the ten
   // attempts may fail.
   int inStep = 0;
   for (int i = 0; i < 10; ++i)

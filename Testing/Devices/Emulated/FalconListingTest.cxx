@@ -106,7 +106,7 @@ TEST_F(FalconListing, TwoOfOneKindComeBackEachAsItself)
   ASSERT_TRUE(second && second->Open(this->Error)) << this->Error;
   const auto isLost = [](DeviceBackend& device)
   { return Eventually([&] { return device.GetCondition().Stage == DeviceStage::Lost; }); };
-  // Unplug the hub of both devices. The second device comes back first.
+  // Unplug the hub with both devices, and plug in the second device first.
   this->Usb.Unplug();
   port.Unplug();
   EXPECT_TRUE(isLost(*this->Device));

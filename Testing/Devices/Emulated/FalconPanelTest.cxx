@@ -51,8 +51,8 @@ TEST_F(FalconPanel, LightsShowTheConditionOrWhatIsWanted)
 TEST_F(FalconPanel, ButtonsAreInTheirOrder)
 {
   this->MakeReady();
-  // Button bits of the device (plus, forward, centre, minus) and of the driver (centre, plus,
-  // minus, forward).
+  // Pairs of button bits: of the device (plus, forward, centre, minus), and of the driver (centre,
+  // plus, minus, forward).
   const int pairs[][2] = { { 0, 0 }, { 4, 1 }, { 1, 2 }, { 8, 4 }, { 2, 8 }, { 15, 15 } };
   for (const auto& pair : pairs)
   {

@@ -22,8 +22,8 @@ TEST_F(FalconPermission, MissingGivesTheRule)
 {
   const std::string rule =
     "SUBSYSTEM==\"usb\", ATTR{idVendor}==\"0403\", ATTR{idProduct}==\"cb48\", TAG+=\"uaccess\"";
-  // Root may open everything, so the test runs as the user "nobody" for a while, who sees the whole
-  // system but can't open this device.
+  // Root may open all devices. So the test runs as the user "nobody" for a while, who sees the
+  // whole system but may not open this device.
   char* const root = umockdev_testbed_get_root_dir(Testbed());
   using std::filesystem::perms;
   std::filesystem::permissions(root, perms::all);
@@ -36,7 +36,8 @@ TEST_F(FalconPermission, MissingGivesTheRule)
   }
   g_free(root);
   ASSERT_EQ(chmod(this->Usb.GetNode().c_str(), 0600), 0);
-  // Do without the guard: a program that runs for another effective user is not put under umockdev.
+  // Use no guard, because umockdev does not apply to a program that runs for another effective
+  // user.
   setenv("VOLUMEHAPTICS_GUARD", "off", 1);
   const uid_t user = geteuid();
   const bool isRoot = user == 0;

@@ -15,9 +15,9 @@ using namespace emulated;
 
 namespace
 {
-constexpr double Stiffness = 500.0; // N/m, the wall
-constexpr double Radius = 0.001;    // m, the proxy's sphere
-constexpr double Middle = 0.125;    // m, the wall's position in the device's own frame
+constexpr double Stiffness = 500.0; // N/m, stiffness of the wall
+constexpr double Radius = 0.001;    // m, radius of the proxy's sphere
+constexpr double Middle = 0.125;    // m, position of the wall in the device's own frame
 
 class FalconSession : public FalconTest
 {
@@ -62,8 +62,8 @@ protected:
     while (loop->Drain(snapshot))
     {
       EXPECT_GE(snapshot.Command.Z, 0.0);
-      // The only sideways force is the one that a sphere feels of the triangles' edges if it
-      // overlaps them at the start, after a pause of the loop.
+      // A force sideways may come only from the triangles' edges, if the sphere overlaps them at
+      // the start after a pause of the loop.
       EXPECT_LT(std::hypot(snapshot.Command.X, snapshot.Command.Y), 0.01);
       most = std::max(most, snapshot.Command.Z);
     }
@@ -92,7 +92,7 @@ TEST_F(FalconSession, FromFirmwareToFeelingAndBack)
     loop->SetRecording(true);
     loop->Publish(this->Model);
     loop->Arm();
-    // Let the loop begin with the proxy outside of the wall.
+    // Run some ticks first, so that the proxy begins outside of the wall.
     ASSERT_TRUE(Eventually([&] { return loop->GetTickCount() > 20; }));
     const long before = this->Falcon.GetPackets();
     const std::uint64_t from = loop->GetTickCount();

@@ -26,8 +26,8 @@ protected:
     EXPECT_EQ(this->Device->Read(0.001, sample), DeviceState::Lost);
     EXPECT_EQ(this->Device->Write({ 0.0, 0.0, 1.0 }), DeviceState::Lost);
     this->Usb.PlugIn();
-    // The driver opens the device by itself, and the hand homes it. A force from before must not
-    // flow.
+    // The driver opens the device again by itself, and the hand homes it. The force from before
+    // must not act.
     this->Falcon.DrainLargestCommand();
     this->Home();
     EXPECT_EQ(this->Falcon.DrainLargestCommand(), 0.0);

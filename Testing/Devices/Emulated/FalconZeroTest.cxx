@@ -30,7 +30,7 @@ protected:
 TEST_F(FalconZero, WhenTheServoStandsStill)
 {
   this->BeginForce();
-  // The servo stands still: it neither writes a force nor quenches.
+  // The servo stands still here: it neither writes a force nor quenches.
   EXPECT_TRUE(this->IsZero());
   const long packets = this->Falcon.GetPackets();
   EXPECT_TRUE(Eventually([&] { return this->Falcon.GetPackets() > packets + 20; }))

@@ -31,7 +31,7 @@ inline pid_t FindGuard()
 {
   for (const auto& process : std::filesystem::directory_iterator("/proc"))
   {
-    // Parse "PID (NAME) STATE PARENT", with the name cut to 15 characters.
+    // Parse "PID (NAME) STATE PARENT". The kernel cuts the name to 15 characters.
     std::string text;
     std::getline(std::ifstream(process.path() / "stat"), text);
     const std::size_t end = text.find(") ");
@@ -50,7 +50,8 @@ class GuardedProgram
 public:
   explicit GuardedProgram(const std::string& way, const std::string& device = "falcon")
   {
-    prctl(PR_SET_CHILD_SUBREAPER, 1); // adopt the guard when the application ends
+    prctl(PR_SET_CHILD_SUBREAPER, 1); // makes the guard a child of this process when the
+                                      // application ends
     int input[2];
     if (pipe2(input, O_CLOEXEC) != 0)
     {
@@ -76,7 +77,8 @@ public:
     this->Signal(SIGKILL);
     this->Wait();
     close(this->Input);
-    // umockdev aborts if a process that listens to it ends while the device is being unplugged.
+    // Wait for the guard's end: umockdev aborts if a process that listens to it ends while the
+    // device is being unplugged.
     while (const pid_t guard = FindGuard())
     {
       waitpid(guard, nullptr, 0);

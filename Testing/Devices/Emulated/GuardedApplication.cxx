@@ -52,7 +52,7 @@ void End(const std::string& way)
   }
   else if (way == "fork")
   {
-    // The child lives on with everything open that the application had.
+    // The child process lives on with all files and devices that the application had open.
     if (fork() == 0)
     {
       sleep(5);

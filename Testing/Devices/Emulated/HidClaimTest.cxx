@@ -112,7 +112,7 @@ TEST(HidClaim, WithoutPermissionTheRuleIsSaid)
   OpenFfboardModel model;
   EmulatedHid hid(model);
   hid.SetPermissions(0);
-  // Change the file system user of this thread only, as root may open everything.
+  // Root may open all devices. So change the file system user, for this thread only.
   const int owner = setfsuid(65534);
   const char* const rule =
     "SUBSYSTEM==\"hidraw\", ATTRS{idVendor}==\"1209\", ATTRS{idProduct}==\"ffb0\"";
@@ -123,9 +123,8 @@ TEST(HidClaim, WithoutPermissionTheRuleIsSaid)
   setfsuid(static_cast<uid_t>(owner));
 }
 
-/// Expects the kernel's own device in the rule for Bluetooth. ATTRS{idVendor} matches nothing
-/// there, as there is no USB device above; users found this (preFlight issue 244, spnavcfg issue
-/// 60).
+/// Expects that the rule for Bluetooth names the kernel's own device. ATTRS{idVendor} matches
+/// nothing there, as no USB device is above (known from preFlight issue 244 and spnavcfg issue 60).
 TEST(HidClaim, ByBluetoothTheRuleNamesTheKernelsDevice)
 {
   OpenFfboardModel model;

@@ -67,7 +67,7 @@ TEST(HidTogether, TwoOfOneKindComeBackEachAsItself)
   ASSERT_NE(one, second.Bench.Device->GetIdentity());
   ASSERT_NO_FATAL_FAILURE(first.Feel());
   ASSERT_NO_FATAL_FAILURE(second.Feel());
-  // Unplug the hub of both devices. The second device comes back first.
+  // Unplug the hub with both devices. The second device comes back first.
   first.Hid.Unplug();
   second.Hid.Unplug();
   EXPECT_TRUE(first.Bench.WaitForFault(GateReason::DeviceLost));
@@ -110,7 +110,8 @@ TEST(HidTogether, AStickWithoutASerialNumberDoesNotComeBackByItself)
   stick.Hid.Unplug();
   stick.Bench.ExpectLost("was unplugged. Plug it in, then Open() and Start() it.");
   stick.Hid.PlugIn();
-  // The stick that is plugged in may be another one, with the opposite sign of force.
+  // The newly plugged stick may be a different stick, whose force has the opposite sign. So it is
+  // not used by itself.
   EXPECT_TRUE(stick.Bench.WaitForTicks(1500));
   EXPECT_EQ(stick.Bench.Device->GetCondition().Stage, DeviceStage::Lost);
 }

@@ -90,12 +90,12 @@ TEST_P(Pads, SticksAndTriggersLeadTheTip)
 TEST_P(Pads, ContactIsFeltAndRestIsSilent)
 {
   this->Begin();
-  // Move in the air: the force does not change, so nothing vibrates.
+  // Move in the air. The force does not change, so the pad does not vibrate.
   this->Model.Move(ABS_X, 1.0);
   EXPECT_TRUE(Eventually([&] { return this->Bench.State().Record.Tip.X > 0.02; }));
   this->Model.Move(ABS_X, 0.0);
   EXPECT_TRUE(this->Model.GetHistory().empty());
-  // Move into the floor: the force rises by up to 50 N/s.
+  // Move into the floor, so that the force rises by up to 50 N/s.
   this->Model.Move(ABS_RY, -1.0);
   EXPECT_TRUE(Eventually([&] { return !this->Model.IsStill(); }));
   EXPECT_TRUE(Eventually([&] { return Norm(this->Bench.State().Command) > 1.5; }));
@@ -123,7 +123,7 @@ TEST_P(Pads, AFaultIsOnePulseThenSilence)
   this->Model.Move(ABS_RY, 0.0);
   EXPECT_TRUE(Eventually([&] { return this->Model.IsStill(); }));
   this->Model.ForgetHistory();
-  // From now on, any motion exceeds the speed limit.
+  // From now on, any motion is faster than the limit.
   SafetyLimits limits = QuickLimits();
   limits.MaximumSpeed = 1e-3;
   this->Bench->SetLimits(limits);
@@ -172,8 +172,9 @@ TEST_P(Pads, AStepOfTheForceHasItsAmplitude)
   ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready));
   DeviceBackend& device = *this->Bench.Device;
   DeviceSample sample;
-  // By the two filters' closed form, a step of 0.5 N gives at most 0.32 of the slow motor's speed,
-  // after 46 ms, and 0.41 of the fast motor's, after 4 ms. Pads get a new speed every 10 ms.
+  // Expected by the closed form of the two filters: a step of 0.5 N gives at most 0.32 of the slow
+  // motor's speed, after 46 ms, and 0.41 of the fast motor's, after 4 ms. Pads get a new speed
+  // every 10 ms.
   bool isRight = false;
   int strong = 0;
   int weak = 0;
@@ -197,7 +198,7 @@ TEST_P(Pads, AStepOfTheForceHasItsAmplitude)
       strong = std::max(strong, change.Strong);
       weak = std::max(weak, change.Weak);
     }
-    // Repeat until a busy machine has written the force without a pause.
+    // Repeat the step until a busy machine has written the force without a pause.
     isRight = std::abs(strong / FullSpeed - 0.318) < 0.02 && weak > 0.25 * FullSpeed &&
       weak < 0.46 * FullSpeed;
   }
@@ -247,14 +248,14 @@ TEST_F(Rumbling, FallsSilentIfTheProgramStandsStill)
   const std::vector<PadModel::Change> history = this->Model.GetHistory();
   ASSERT_EQ(history.size(), 2U);
   EXPECT_GT(history[1].Time - history[0].Time, 0.14) << "the length of the effect";
-  // After that, the motors run again as if nothing had happened.
+  // After the effect's end, the motors run again.
   ASSERT_TRUE(this->Rumble.Show({ 1.0, 0.5 }));
   EXPECT_TRUE(this->Turns());
 }
 
 TEST_F(Rumbling, StopsWithTheProgramAlsoAfterAChange)
 {
-  // The kernel closes a program's files however and whenever the program ends.
+  // The kernel closes a program's files whenever the program ends.
   for (int i = 0; i < 40; ++i)
   {
     ASSERT_TRUE(this->Rumble.Begin(this->Node));
@@ -284,7 +285,7 @@ TEST_F(Rumbling, GoesOnWithoutGapsIfItIsRenewed)
       longest = std::max(longest, this->Model.GetTime() - last);
       last = this->Model.GetTime();
     }
-    // Count only an attempt in which a busy machine made no pause of its own.
+    // Evaluate only an attempt in which a busy machine made no pause.
     isWhole = longest < 0.05;
     for (const PadModel::Change& change : this->Model.GetHistory())
     {
@@ -297,7 +298,7 @@ TEST_F(Rumbling, GoesOnWithoutGapsIfItIsRenewed)
 TEST_F(Rumbling, SilenceIsAtOnceAlsoAfterAChange)
 {
   ASSERT_TRUE(this->HasBegun);
-  // The kernel's timer may see a change and its end in one tick.
+  // The kernel's timer may see a change and its end in the same tick.
   for (int i = 0; i < 40; ++i)
   {
     ASSERT_TRUE(this->Rumble.Show({ 0.2, 0.4 }));

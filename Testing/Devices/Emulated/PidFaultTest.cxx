@@ -108,7 +108,7 @@ TEST_F(PidFaults, ForcesThatAreNotRenewedFadeAndQuenchIsAtOnce)
     DeviceSample sample;
     this->Bench.Device->Read(0.001, sample);
     this->Bench.Device->Write({ 0.5, 0.0, 0.0 });
-    // Expect a force to the right: block 1 gets -4096 of 32767 for 0.5 N of 4 N.
+    // Expect a force to the right: for 0.5 N of 4 N, block 1 gets -4096 of 32767.
     return this->Model.GetForce()[0] > 0.4 &&
       this->Model.GetLast(5) == std::vector<std::uint8_t>{ 5, 1, 0x00, 0xF0 };
   };

@@ -29,7 +29,7 @@ template <typename Model>
 class Bench
 {
 public:
-  /// `second` is the force (N) at full scale of the second axis, or 0 if that axis has no motor.
+  /// @param second force (N) at full scale of the second axis; 0 if that axis has no motor
   template <typename... Arguments>
   explicit Bench(double second, Arguments... arguments)
     : Device(arguments...)
@@ -41,7 +41,7 @@ public:
     ASSERT_TRUE(this->Hid.Open("pid", this->Options)) << this->Hid.Error;
     ASSERT_TRUE(this->Hid.WaitFor(DeviceStage::Ready)) << this->Hid.Text();
   }
-  /// Whether a force (N) that the servo requests arrives at the hand.
+  /// Requests a force (N) from the servo. Returns whether the hand gets that force.
   bool Gets(const Vector3& force, double tolerance = 0.01)
   {
     return Eventually(
@@ -102,7 +102,7 @@ TEST(PidFirmware, AnOpenFfboardStickIsPushedTheRightWayAlongBothAxes)
 
 TEST(PidFirmware, AnArduinoStickIsPushedTheRightWayAlongBothAxes)
 {
-  // The firmware divides a circle into 255 parts: 90 degrees become 90.35.
+  // The firmware divides a circle into 255 parts, so 90 degrees become 90.35.
   Bench<ArduinoFfbModel> bench(FfbHandle::FullScale, 2);
   ExpectEachDirection(bench, true, 0.03);
 }
@@ -162,7 +162,7 @@ TEST(PidFirmware, APedalDoesNotMoveAWheelsTip)
 
 TEST(PidFirmware, AnOldOpenFfboardIsDrivenAlongItsFirstAxisOnly)
 {
-  // Versions differ in the sign of y, and only the newer versions can be told by their name.
+  // Old versions differ in the sign of y. Only the newer versions can be recognised by their name.
   {
     Bench<OpenFfboardModel> bench(FfbHandle::FullScale, Kind::Joystick, Version::V1_16_0);
     const std::vector<DeviceListing> all = ListDevices();
@@ -185,7 +185,7 @@ TEST(PidFirmware, ADeviceThatRepeatsItselfRarelyMayRest)
 {
   Bench<OpenFfboardModel> bench(0.0, Kind::Wheel);
   ASSERT_NO_FATAL_FAILURE(bench.MakeReady());
-  // A resting device reports ten times a second. Wait for some 40 reports.
+  // At rest, the device reports ten times a second. Wait for some 40 reports.
   for (int i = 0; i < 400; ++i)
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));

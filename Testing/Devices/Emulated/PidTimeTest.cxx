@@ -22,7 +22,7 @@ public:
   {
     if (this->Hangs)
     {
-      // Time out as the kernel does, which waits up to 5 s.
+      // Time out as the kernel does, but sooner: the kernel waits up to 5 s.
       std::this_thread::sleep_for(std::chrono::milliseconds(600));
       return -ETIMEDOUT;
     }
@@ -44,7 +44,7 @@ protected:
     this->Move(waiting, 0.1);
     ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
   }
-  /// Moves the hand to and fro at 0.5 m/s.
+  /// Moves the hand to and fro at 0.5 m/s for some seconds.
   void Move(ReadTimes& times, double seconds)
   {
     times.Run(seconds,
@@ -67,7 +67,7 @@ TEST_F(PidTime, BringsNewsOnceInEightTicksAndIsAsFastAsTheHand)
 {
   ReadTimes times(*this->Bench.Device);
   this->Move(times, 2.0);
-  // The model's time never runs ahead of the clock.
+  // The model's time never runs ahead of the clock, so it reports at most 125 times a second.
   EXPECT_LE(times.Fresh, 125.0 * times.Elapsed + 2.0) << times.Ticks << " ticks";
   EXPECT_GE(times.Fresh, 20);
   EXPECT_GE(times.Timing.GetReportPeriod(), 7.5e-3);
@@ -93,7 +93,8 @@ TEST_F(PidTime, AStickThatReportsAtRestEvery100MsIsNotSilentMeanwhile)
 {
   this->Model.OnlySaysNews = false;
   this->Model.SetGoal(0.0, 0.0);
-  ReadTimes(*this->Bench.Device).Run(4.0); // until it rests and has repeated itself often
+  ReadTimes(*this->Bench.Device).Run(4.0); // s, until the model rests and has often repeated its
+                                           // report
   ReadTimes times(*this->Bench.Device);
   times.Run(1.0);
   EXPECT_LE(times.Fresh, 12) << "of " << times.Ticks << " ticks";

@@ -40,7 +40,7 @@ TEST(SpaceMouse, WhereLettingGoIsNotHeardTheTipDoesNotGoOn)
   const auto turns = [&](double rate)
   { return Eventually([&] { return std::abs(bench.State().Turn.Z - rate) < 1e-9; }); };
   EXPECT_TRUE(turns(1.0));
-  // The mouse repeats its report while the cap is held, so the turn goes on.
+  // While the cap is held, the mouse repeats its report, so the turn continues.
   EXPECT_TRUE(bench.WaitForTicks(1500));
   EXPECT_TRUE(turns(1.0));
   model.IsSilent = true;

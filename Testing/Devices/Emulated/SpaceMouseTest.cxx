@@ -30,7 +30,7 @@ protected:
   {
     return Eventually([&] { return Norm(this->Bench.State().Turn - turn) < 1e-9; });
   }
-  /// Pushes the cap, then releases it, and returns the tip's path.
+  /// Pushes the cap, then releases it. Returns the way (m) of the tip.
   Vector3 Go(const SpaceMouseModel::Counts& counts)
   {
     const Vector3 from = this->Bench.State().Record.Tip;
@@ -73,15 +73,15 @@ TEST_P(SpaceMice, PushesMoveTheTipAndTurnsTurn)
   ASSERT_TRUE(this->Bench.WaitForTicks(20));
   this->Bench->Arm();
 
-  // The device's x, y and z point to the right, towards the hand and down. The rates keep their
-  // ratio.
+  // The device's x, y and z point to the right, towards the hand and down. The ratio of the rates
+  // stays the same.
   const double half = (175.0 / 350.0 - 0.03) / 0.97;
   const Vector3 way = this->Go({ 350, 175, 0, 0, 0, 0 });
   EXPECT_NEAR(way.Z / way.X, half, 1e-9);
   EXPECT_EQ(way.Y, 0.0);
   this->Model.Push({ 0, 0, 350, 0, 0, 0 });
   EXPECT_TRUE(Eventually([&] { return this->Bench.State().Record.Tip.Y < -0.03; }));
-  // Push away from the hand, into the floor: a force is computed, and none is sent.
+  // Push away from the hand, into the floor: the servo computes a force, but sends none.
   this->Model.Push({ 0, -350, 0, 0, 0, 0 });
   EXPECT_TRUE(Eventually([&] { return this->Bench.State().Record.Force.Z > 1.0; }));
   EXPECT_TRUE(this->Bench.State().IsArmed());

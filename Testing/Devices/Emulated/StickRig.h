@@ -16,14 +16,14 @@
 
 namespace emulated
 {
-inline constexpr double Wall = 0.01; ///< m to the right of the middle
+inline constexpr double Wall = 0.01; ///< m: position of the wall, to the right of the middle
 /// Turns the device's axes into the wall's: the wall faces the device's left.
 inline const Matrix3 ToTheLeft = Matrix3::FromColumns({ 0, 0, -1 }, { 0, 1, 0 }, { 1, 0, 0 });
 
 class Pid : public testing::Test
 {
 protected:
-  // Sets a force of 0 N at full scale for the second axis, which has no motor.
+  // Gives the second axis, which has no motor, a full scale of 0 N.
   Pid() { this->Options.NewtonsPerFullScale = { FfbHandle::FullScale, 0.0 }; }
 
   void Feel()

@@ -6,8 +6,8 @@
 set(libusb_tests FalconBytes FalconDirection FalconFault FalconFirmware FalconHomingAgain FalconListing FalconPanel
   FalconSession FalconSleep FalconUnplug FalconZero)
 set(hidapi_tests HidClaim HidTogether Pid PidFault PidFirmware SpaceMouse SpaceMouseFault Wooden WoodenFault)
-# Tests for umockdev only: a kernel of its own has another test of permissions and its own pace, and it does not tell
-# the device that a program has closed it.
+# Tests for umockdev only. A kernel of its own has another test of permissions and another pace, and does not tell the
+# device that a program has closed it.
 set(umockdev_libusb_tests FalconGuard FalconGuardEnds FalconLate FalconPermission FalconTries)
 set(umockdev_evdev_tests Pad PadFault Wheel)
 set(umockdev_hidapi_tests DualSense PidStuck PidTime)

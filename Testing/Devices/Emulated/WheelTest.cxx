@@ -19,7 +19,7 @@ using namespace emulated;
 
 namespace
 {
-constexpr double Wall = 0.01; ///< m to the right of the middle
+constexpr double Wall = 0.01; ///< m: position of the wall, to the right of the middle
 /// Turns the device's axes into the wall's: the wall faces the device's left.
 const Matrix3 ToTheLeft = Matrix3::FromColumns({ 0, 0, -1 }, { 0, 1, 0 }, { 1, 0, 0 });
 
@@ -37,7 +37,7 @@ protected:
   {
     this->Bench.Start(this->Ground.Model);
     ASSERT_TRUE(this->Bench.WaitForTicks(20));
-    // Arm outside of the wall: a force that began inside would hold the hand there.
+    // Arm outside of the wall. A force that begins inside would hold the hand there.
     this->Model.SetGoal(0.0);
     ASSERT_TRUE(Eventually([&] { return this->Model.GetPlace() < 0.001; }));
     this->Bench->Arm();
@@ -96,7 +96,7 @@ TEST_F(Wheel, LeadsTheTipAndPressesAWall)
   EXPECT_EQ(this->Bench.State().Record.Tip.Y, 0.0) << "pedals lead nothing";
   this->Model.Press(BTN_THUMB, true);
   EXPECT_TRUE(Eventually([&] { return this->Bench.State().Buttons == 2U; }));
-  // A wheel held still sends no events, and must not count as lost.
+  // A wheel that is held still sends no events. This must not count as a loss.
   EXPECT_TRUE(this->Bench.WaitForTicks(500));
   EXPECT_TRUE(this->Bench.WaitForFault(GateReason::None));
   EXPECT_LT(this->Model.GetForce(), -1.0);
@@ -127,7 +127,8 @@ TEST_F(Wheel, AnEffectThatTheKernelHasErasedIsMadeAgain)
 {
   ASSERT_NO_FATAL_FAILURE(this->Open());
   ASSERT_NO_FATAL_FAILURE(this->Feel());
-  // Before Linux 5.7, a child process that closes its copy of the node erases the effects.
+  // Before Linux 5.7, the kernel erases the effects when a child process closes its copy of the
+  // node.
   this->Model.CloseFiles();
   EXPECT_TRUE(Eventually([&] { return this->Model.CountEffects() == 1; }));
   EXPECT_TRUE(Eventually([&] { return this->Model.GetForce() < -1.0; }));

@@ -27,14 +27,14 @@ protected:
   {
     return Eventually([&] { return Size(this->Model.GetForce()) == 0.0; });
   }
-  /// Puts the arm into its rest pose: upper arm upright, forearm level.
+  /// Moves the arm into its rest pose: upper arm upright, forearm level.
   bool GoToRest()
   {
     const Triple rest{ 0.245 - 0.22, 0.0, 0.205 };
     this->Model.SetGoal(rest);
     return Eventually([&] { return IsNear(this->Model.GetTip(), rest, 1e-4); });
   }
-  /// Arms with the hand outside of the floor, and leads it into the floor.
+  /// Arms the device with the hand outside of the floor, and leads the hand into the floor.
   void FeelAgain()
   {
     ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
@@ -61,7 +61,7 @@ TEST_F(WoodenFaults, SilenceAndBackByHoming)
   EXPECT_TRUE(this->IsQuiet());
   this->Model.Fault = WoodenFault::None;
   this->Bench.Device->Home();
-  // The device may have lost power meanwhile without telling, so it must be calibrated again.
+  // The device may have lost power meanwhile without a sign, so it must be calibrated again.
   ASSERT_TRUE(this->Bench.WaitForText("has to be told where its arm is")) << this->Bench.Text();
   ASSERT_TRUE(this->GoToRest());
   this->Bench.Device->Home();
@@ -86,7 +86,8 @@ TEST_F(WoodenFaults, ADeviceThatHangsFallsSilentAtOnce)
 TEST_F(WoodenFaults, WriteErrorLeavesItToTheFirmware)
 {
   this->Break(WoodenFault::WriteError, "does not take what is sent to it");
-  // No packet keeps the watchdog from acting: half a second later the currents are zero.
+  // Packets would keep the watchdog from acting. None comes, so half a second later the currents
+  // are zero.
   this->Model.Fault = WoodenFault::None;
   const int packets = this->Model.GetPackets();
   EXPECT_TRUE(this->Bench.WaitForTicks(100));

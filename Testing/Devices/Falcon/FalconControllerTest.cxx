@@ -48,7 +48,7 @@ protected:
 TEST_F(FalconControllers, BelievesAFastHand)
 {
   this->BecomeReady();
-  // Move at 4 m/s. The controller accepts this; the servo has a speed limit of its own.
+  // Move at 4 m/s. The controller accepts any speed; the servo limits the speed.
   for (double z = 0.171; z > 0.09; z -= 0.004)
   {
     this->Take({ 0.0, 0.0, z });

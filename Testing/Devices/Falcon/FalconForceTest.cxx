@@ -50,10 +50,11 @@ TEST(FalconForce, GivesThePublishedCommands)
 TEST(FalconForce, ScalesAllThreeTogether)
 {
   const Matrix3 jacobian = JacobianAt({ 0.0, 0.0, 0.125 });
-  // The largest command is cut to 4096, the others to 4096/4848 of -1431 and -3417.
+  // The largest command is limited to 4096. The other two are multiplied by the same 4096/4848,
+  // from -1431 and -3417.
   EXPECT_EQ(FalconCommandsOf(jacobian, { 8.0, 0.0, 0.0 }), (FalconCounts{ -1209, 4096, -2887 }));
   EXPECT_EQ(FalconCommandsOf(jacobian, { -8.0, 0.0, 0.0 }), (FalconCounts{ 1209, -4096, 2887 }));
-  // A cut to 16 bits would let these commands wrap around.
+  // Commands cut to 16 bits would wrap around here.
   EXPECT_EQ(FalconCommandsOf(jacobian, { 1e9, 0.0, 0.0 }), (FalconCounts{ -1209, 4096, -2887 }));
 }
 
@@ -63,7 +64,8 @@ TEST(FalconForce, KeepsItsDirectionThroughSaturation)
   for (const Vector3& position : SampleWorkspace(0.01))
   {
     const Matrix3 jacobian = JacobianAt(position);
-    // Rounding is off by at most half a unit for each motor, mapped by J^-T.
+    // Rounding changes each motor's command by at most half a unit. J^-T maps this error to a
+    // force.
     const double rounding =
       0.5e-4 * std::sqrt(3.0) * std::sqrt(3.0) * LargestColumn(Inverse(Transpose(jacobian)));
     for (const double size : { 0.5, 4.0, 8.0, 40.0, 1e4, 1e12 })

@@ -39,7 +39,7 @@ TEST_F(FalconHomes, StepByStep)
 {
   EXPECT_EQ(this->Homing.GetState(), FalconHomingState::OutAndIn);
   EXPECT_EQ(this->Homing.GetOrder().Lights & FalconHome, FalconHome);
-  // Before homing, the encoders' counts mean nothing.
+  // Before homing, encoder counts are not positions, so the height of 0.172 m has no effect.
   this->Update(0, 0.172);
   this->Update(0b011, 0.172);
   EXPECT_EQ(this->Homing.GetMissing(), 0b100);
@@ -112,8 +112,8 @@ TEST_F(FalconHomes, AZeroThatIsLostStaysLost)
 
 TEST_F(FalconHomes, CountsOutOfReachAreNotOut)
 {
-  // At 102 degrees for each arm, the iteration stops outside of the reach, far above the height
-  // that makes a device ready.
+  // With arms at 102 degrees, the iteration stops outside of the reach, far above the height from
+  // which on a device is ready.
   const FalconReport report{ { 1850, 1850, 1850 }, 0, FalconAllHomed };
   const FalconPose pose = FalconForward(FalconAnglesOf(report.Encoders));
   ASSERT_TRUE(pose.Reach != FalconReach::Reached && pose.Position.Z > FalconReadyHeight);

@@ -57,7 +57,7 @@ protected:
   {
     EXPECT_EQ(this->Loader.GetFault(), fault);
     EXPECT_EQ(this->Loader.GetStep().What, Kind::Failed);
-    // Expect that the fault is final: no later event ends it.
+    // Expect that the fault is final: no later event changes it.
     this->Loader.Done();
     this->Receive(GreetingAnswer);
     this->Loader.TimeOut();

@@ -76,7 +76,8 @@ TEST_F(FalconLoads, AZeroMayComeBeforeTheGreeting)
   this->ExpectDue(4);
   this->Receive(GreetingAnswer);
   this->SpeedUp();
-  // Only one zero may come first, and only before the greeting's answer.
+  // A single zero byte may come first, and only before the answer to the greeting. Two zeros are
+  // refused.
   this->Loader = { this->Image.data(), this->Image.size() };
   this->Prepare();
   this->ExpectWrite(Greeting);
@@ -127,7 +128,7 @@ TEST_F(FalconLoads, AHundredGreetings)
   {
     this->ExpectWrite(Greeting);
     i % 2 == 0 ? this->Loader.TimeOut() : this->Receive("\x0A\x43");
-    this->ExpectRequest(0, 2); // purge, so that a late answer is not taken for the next
+    this->ExpectRequest(0, 2); // purges, so that a late answer is not taken for the next answer
   }
   this->Greet();
   this->SpeedUp();

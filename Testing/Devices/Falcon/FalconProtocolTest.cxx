@@ -25,7 +25,7 @@ FalconFlaw Read(const std::string& bytes, FalconReport& report)
   return FalconDecode(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), report);
 }
 
-// 0x41 + 0x74: the centre button, all homed.
+// Good report. Its last byte is 0x41 + 0x74: the centre button, and all encoders homed.
 const std::string Good = "<JFKPEDCBAAAI\xB5"
                          "A>";
 } // namespace
@@ -41,7 +41,7 @@ TEST(FalconProtocol, SendsOrders)
   order.Lights = FalconGreen | FalconBlue | FalconRed;
   EXPECT_EQ(Text(FalconEncode(order)), "<AAABAAAPEDCBOA>");
   order.Motors = { -1, 32767, -32768 };
-  order.Lights = 0xF0; // bits that belong to no light
+  order.Lights = 0xF0; // only bits without a light
   EXPECT_EQ(Text(FalconEncode(order)), "<PPPPPPPHAAAIAA>");
 }
 
@@ -59,7 +59,7 @@ TEST(FalconProtocol, TakesReports)
   EXPECT_EQ(report.Buttons, FalconCenter);
   EXPECT_EQ(report.Homed, FalconAllHomed);
 
-  // 0x41 + 0x2B: the buttons plus, forward and minus; the second encoder is homed.
+  // 0x41 + 0x2B: the buttons plus, forward and minus, and the second encoder homed.
   ASSERT_EQ(Read("<AAAAAAAAAAAAlA>", report), FalconFlaw::None);
   EXPECT_EQ(report.Encoders, FalconCounts{});
   EXPECT_EQ(report.Buttons, FalconPlus | FalconForwardButton | FalconMinus);

@@ -16,10 +16,11 @@ using namespace VolumeHaptics;
 
 namespace
 {
-// Encoders (-1447, 0, 1), plus button, all homed: 0x41 + 0x71.
+// A report with the encoders -1447, 0 and 1. Its last byte is 0x41 + 0x71: the plus button, and all
+// encoders homed.
 const std::string Good = "<JFKPAAAABAAA\xB2"
                          "A>";
-// Encoders (2, 0, 1).
+// A report with the encoders 2, 0 and 1.
 const std::string Second = "<CAAAAAAABAAA\xB2"
                            "A>";
 
@@ -39,7 +40,8 @@ class FalconStreamed : public testing::Test
 protected:
   int ReceiveTransfer(const std::string& transfer)
   {
-    // Copy to an allocation of this size, so that the address sanitizer sees a read beyond the end.
+    // Copy the bytes to a block of exactly this size, so that the address sanitizer sees a read
+    // beyond the end.
     const std::vector<std::uint8_t> exact(transfer.begin(), transfer.end());
     return this->Stream.Receive(exact.data(), exact.size(), this->Report);
   }
@@ -72,7 +74,7 @@ TEST_F(FalconStreamed, NothingToSay)
 
 TEST_F(FalconStreamed, TheLastOfMany)
 {
-  // 80 bytes: the border between two USB packets lies inside a packet of the device.
+  // In these 80 bytes, the border between two USB packets lies inside of a report.
   EXPECT_EQ(this->Take(Good + Good + Good + Good + Second), 5);
   EXPECT_EQ(this->Report.Encoders[0], 2);
   EXPECT_EQ(this->Stream.GetDropped(), 0u);

@@ -89,7 +89,7 @@ protected:
   std::int64_t Now = 0;
   int Packet = 0;
   int Answered = 0;
-  int Behind = 0; ///< answers missing when the last packet was sent
+  int Behind = 0; ///< number of missing answers when the last packet was sent
   int Held = 0;
   int Misses = 0;
   bool IsWoken = false;
@@ -121,7 +121,8 @@ TEST_P(FalconTakesTurnsAt, ALateAnswerLeavesNoneBehind)
     this->IsLate = true;
     this->Run(this->GetPeriod(), 2);
     EXPECT_EQ(this->Misses, again + 1);
-    // Only the packet after the late answer's packet is sent while an answer is missing.
+    // While an answer is missing, only one further packet is sent: the one after the late answer's
+    // packet.
     this->Run(this->GetPeriod(), 1);
     for (int i = 0; i < 20; ++i)
     {
@@ -155,8 +156,8 @@ TEST_P(FalconTakesTurnsAt, WhateverComesTheyEndInStep)
     int faults = 0;
     for (int i = 0; i < 8; ++i)
     {
-      // Make at most two faults in a row: with more, the host can't tell a late answer from a lost
-      // one.
+      // Make at most two faults in a row. After more faults, the host can't tell a late answer from
+      // a lost one.
       const auto fault = random() % 5;
       faults = fault < 2 && faults < 2 ? faults + 1 : 0;
       this->IsLate = faults > 0 && fault == 0;
@@ -191,6 +192,6 @@ TEST(FalconTurns, AFailedTransferIsNotWaitedFor)
   turns.Abandon();
   EXPECT_TRUE(turns.MaySend(1));
   EXPECT_FALSE(turns.CheckMissed(1, false));
-  turns.Answered(2, 1); // an answer for which nobody waits
+  turns.Answered(2, 1); // answers a packet for which no answer is missing
   EXPECT_TRUE(turns.MaySend(2));
 }

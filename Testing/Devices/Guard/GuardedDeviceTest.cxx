@@ -53,7 +53,7 @@ public:
     const std::string& identity, const std::function<bool()>& /*mustStop*/, std::string&) override
   {
     EXPECT_EQ(identity, "played:SN1") << "as the guard has told it";
-    // Succeed at the third attempt, as if the system took its time.
+    // The rescue succeeds at the third attempt, as on a system that needs time.
     return ++this->Count >= 3;
   }
   void Serve(HardwareExchange&) override {}
@@ -128,11 +128,12 @@ TEST_F(Guarded, IsRememberedAndGivesTrueNewtons)
         return Norm(this->Sample.Tip - asked) < 1e-12;
       });
   };
-  // The device gives 2 N for each requested newton, and its limit stays at 3 N.
+  // With a scale of 2, the device gives 2 N for each requested newton. Its own limit stays 3 N.
   this->Device->SetForceScale(2.0);
   EXPECT_EQ(this->Device->GetLimits().MaximumForce, 3.0);
   EXPECT_TRUE(gets({ 2.0, -1.0, 0.0 }, { 1.0, -0.5, 0.0 }));
-  // The device gives half of the requested force, and requests stay at or below 3 N.
+  // With a scale of 0.5, the device gives half of the requested force, and requests are at most 3
+  // N.
   this->Device->SetForceScale(0.5);
   EXPECT_EQ(this->Device->GetLimits().MaximumForce, 1.5);
   EXPECT_TRUE(gets({ 1.0, 0.0, 0.0 }, { 2.0, 0.0, 0.0 }));
@@ -194,7 +195,7 @@ TEST_F(Guarded, SaysWhyItCantBeOpened)
   ASSERT_TRUE(this->Device->Open(this->Error));
   ASSERT_TRUE(this->IsAt(DeviceStage::Lost));
   EXPECT_NE(this->GetText().find("out of order"), std::string::npos) << this->GetText();
-  // The guard's end does not replace the reason in the text.
+  // When the guard ends, the text keeps the first reason.
   ASSERT_TRUE(Eventually([this] { return this->Rescues > 0 && this->Device->IsAtRest(); }));
   EXPECT_NE(this->GetText().find("out of order"), std::string::npos) << this->GetText();
 }
@@ -269,19 +270,19 @@ TEST_F(Guarded, IsTheParentsAfterAFork)
 
 TEST_F(Guarded, OfAnotherVersionIsRefused)
 {
-  // Start it as an older library would, without anything behind the descriptors.
+  // Start the guard as an older library would, without open files behind the descriptors.
   const int status = std::system(VOLUME_HAPTICS_PLAYED_GUARD " 0.0 3 4 1 0 echo");
   EXPECT_EQ(WEXITSTATUS(status), 1);
   EXPECT_EQ(WEXITSTATUS(std::system(VOLUME_HAPTICS_PLAYED_GUARD " 2> /dev/null")), 2);
 }
 
-/// Expects the rule of OwnFile.h for plug-ins: such a program would run with all rights of the
-/// user, who may be root.
+/// Expects the rule for plug-ins of OwnFile.h also for the guard: a program that another user could
+/// have written would run with all rights of this user, who may be root.
 TEST(GuardProgram, OneThatAnotherUserCouldHaveWrittenIsPassedOver)
 {
   namespace fs = std::filesystem;
   const fs::path top = fs::canonical(TemporaryPath(""));
-  // The library is as many folders below the top as the search goes up.
+  // The library is as many folders below the top as the search goes upwards.
   const fs::path library = top / "app" / "a" / "b" / "c" / "d" / "lib" / "library.so";
   const fs::path planted = top / "volumehaptics-guard";
   const fs::path own = top / "app" / "bin" / "volumehaptics-guard";
@@ -309,7 +310,7 @@ TEST(GuardProgram, OneThatAnotherUserCouldHaveWrittenIsPassedOver)
       << obstacle;
     ASSERT_EQ(chmod(open.c_str(), 0700), 0);
   }
-  // A link on the way is in a folder that others may write.
+  // The path contains a link in a folder that others may write.
   fs::rename(planted, top / "safe");
   fs::create_directory(top / "open");
   ASSERT_EQ(chmod((top / "open").c_str(), 0777), 0);

@@ -20,7 +20,7 @@ using namespace VolumeHaptics;
 
 namespace
 {
-/// The first message of a service of 3.1, with the numbers of the documentation.
+/// First message of a service of version 3.1, with the numbers of Haply's documentation.
 constexpr const char* Inventory = R"({
   "inverse3": [ {
     "device_id": "04BA",
@@ -210,7 +210,7 @@ TEST(HaplyMessages, DeepJsonIsRefused)
     EXPECT_NE(ReadHaplyEvent(R"({"data":)" + deep + "}", event), nullptr);
     EXPECT_NE(ReadHaplyVersion(R"({"git_tag":"3.5.0","data":)" + deep + "}", version), nullptr);
   }
-  // Later services may add members, also nested lists; brackets inside strings do not count.
+  // Later services may add members, also nested lists. Brackets inside of strings do not count.
   const std::string texts = R"("\"[[\\":")" + std::string(100, '[') + "\"";
   EXPECT_EQ(ReadHaplyMessage(R"({"a":[[[[[[[[[[]]]]]]]]]],)" + texts + "}", message), nullptr);
 }
@@ -302,7 +302,8 @@ TEST(HaplyMessages, ForcesAreWrittenAsEachVersionTakesThem)
 
 TEST(HaplyMessages, AxesTurnAndDoNotMirror)
 {
-  // Haply's axes are right, forward, up. The device's axes are right, up, towards the hand.
+  // Haply's axes point right, forward and up. The device's axes point right, up and towards the
+  // hand.
   const Vector3 right = ToDevice(Vector3{ 1.0, 0.0, 0.0 });
   const Vector3 forward = ToDevice(Vector3{ 0.0, 1.0, 0.0 });
   const Vector3 up = ToDevice(Vector3{ 0.0, 0.0, 1.0 });
@@ -314,7 +315,7 @@ TEST(HaplyMessages, AxesTurnAndDoNotMirror)
   EXPECT_EQ(back.X, 1.0);
   EXPECT_EQ(back.Y, 2.0);
   EXPECT_EQ(back.Z, 3.0);
-  // A grip that is turned to the left about the vertical turns the stylus about the device's y.
+  // Turning the grip to the left about the vertical turns the stylus about the device's y.
   const Quaternion turn = ToDevice(Quaternion{ 0.6, 0.0, 0.0, 0.8 });
   EXPECT_EQ(turn.W, 0.6);
   EXPECT_EQ(turn.Y, 0.8);
@@ -324,8 +325,8 @@ TEST(HaplyMessages, AxesTurnAndDoNotMirror)
 
 TEST(HaplyPorts, AnotherUsersListenerIsFound)
 {
-  // Lines as in proc_net_tcp of the kernel's documentation: port 10001 is 2711 in hexadecimal
-  // digits; 0A is a listener, 01 a connection.
+  // The lines are like those in the kernel's documentation of proc_net_tcp. Port 10001 is 2711 in
+  // hexadecimal digits; state 0A is a listener, and 01 a connection.
   const std::string head = "  sl  local_address rem_address   st tx_queue rx_queue tr tm->when "
                            "retrnsmt   uid  timeout inode\n";
   const auto find = [&head](const char* local, const char* state, int user)

@@ -14,7 +14,7 @@
 
 namespace emulated
 {
-/// The floor's outward axis is the device's y, which is up (Haply's z).
+/// Axes of the floor. Its outward axis is the device's y, which is up (Haply's z).
 inline const Matrix3 Upward = Matrix3::FromColumns({ 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 });
 
 class HaplyTest : public testing::Test
@@ -28,11 +28,11 @@ protected:
     ASSERT_TRUE(this->Bench.Open(id)) << this->Bench.Error;
     ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
   }
-  /// Arms the device, and leads the hand 5 mm into the middle of the floor.
+  /// Arms the device, and leads the hand 5 mm deep into the middle of the floor.
   void Feel(double rate = 1000.0)
   {
-    // Lead the hand above the floor before the loop begins: a loop that begins below feels the
-    // floor from below.
+    // Lead the hand above the floor before the loop begins. A loop that begins below the floor
+    // would feel the floor from below.
     this->LeadAbove();
     this->Bench.Start(this->Ground.Model, rate);
     ASSERT_TRUE(this->Bench.WaitForTicks(20));
@@ -50,7 +50,7 @@ protected:
     EXPECT_TRUE(Eventually(
       [&]
       {
-        // On a busy machine the device may be lost because the service was late, and then the arm
+        // On a busy machine, the service may answer so late that the device is lost. The arm then
         // does not move.
         if (this->Bench.Device->GetCondition().Stage == DeviceStage::Lost)
         {
@@ -61,14 +61,14 @@ protected:
       }))
       << this->Bench.Text();
   }
-  /// Whether the floor pushes straight up, in balance with a hand that is led 5 mm inside.
+  /// Returns whether the floor pushes straight up, in balance with a hand that is led 5 mm inside.
   bool IsHeld()
   {
     const double force = FloorStiffness * BalancedDepth(0.005);
     return IsNear(this->Service->GetForce(), { 0.0, 0.0, force }, 0.05);
   }
-  /// Expects a cut force, the reason in the text, no return by itself, and no force in the last
-  /// message.
+  /// Expects that the force is cut, that the text names the reason, that the device does not return
+  /// by itself, and that the last message has no force.
   void ExpectLost(const char* text)
   {
     this->Bench.ExpectLost(text);
@@ -98,7 +98,7 @@ protected:
     return session.Forces.empty() ? Triple{} : session.Forces.back();
   }
 
-  static constexpr double Floor = -0.01; ///< m, the floor's height
+  static constexpr double Floor = -0.01; ///< m, height of the floor
   std::optional<HaplyService> Service;
   emulated::Floor Ground{ Floor, Upward };
   DeviceBench Bench;

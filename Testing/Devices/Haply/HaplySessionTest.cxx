@@ -130,7 +130,7 @@ TEST_F(HaplySessions, TheGripTurnsTheStylusAndHasAButton)
 {
   this->Serve();
   ASSERT_NO_FATAL_FAILURE(this->Open());
-  // Turn by a quarter about the vertical, the device's y.
+  // Turn the grip by a quarter turn about the vertical, which is the device's y.
   const double half = std::sqrt(0.5);
   this->Service->SetGrip({ half, 0.0, 0.0, half }, true);
   DeviceSample sample;

@@ -29,7 +29,7 @@ struct HfabRig
   explicit HfabRig(int model)
     : Arm(model)
     , Home(HfabEmulator::TipOf(model, HfabEmulator::AnglesOf(model, HfabEmulator::HomeOf(model))))
-    // Polhem's pose for calibration is at the edge of its workspace.
+    // Polhem's calibration pose is at the edge of its workspace, so its middle is elsewhere.
     , Middle(model == 1 ? Triple{} : Triple{ this->Home[0] + 0.02, 0.0, this->Home[2] })
     , Height(this->Middle[2] - 0.01)
     , Ground(this->Height, ToTheHfabArm)
@@ -41,8 +41,7 @@ struct HfabRig
     return Eventually([&] { return this->Arm.GetCurrents() == NoCurrents; });
   }
   bool IsAt(DeviceStage stage) { return this->Bench.Device->GetCondition().Stage == stage; }
-  /// Calibrates the arm. Tries again if a busy machine delayed the controller's answers for too
-  /// long.
+  /// Calibrates the arm. Tries again if a busy machine has delayed the controller's answers.
   void Calibrate()
   {
     for (int attempt = 0; attempt < MostAttempts && !this->IsAt(DeviceStage::Ready); ++attempt)
@@ -59,20 +58,20 @@ struct HfabRig
     }
     ASSERT_TRUE(this->IsAt(DeviceStage::Ready)) << this->Bench.Text();
   }
-  /// The position (m) at a height above the middle of the floor.
+  /// Returns the position (m) at a height above the middle of the floor.
   Triple At(double above) const
   {
     return { this->Middle[0], this->Middle[1], this->Height + above };
   }
-  /// Leads the hand to a goal (m), slowly. Returns false if the device is lost meanwhile, and no
-  /// longer asks for positions.
+  /// Leads the hand slowly to a goal (m). Returns false if the device is lost on the way, so that
+  /// no more positions come.
   bool Lead(const Triple& goal)
   {
     this->Arm.SetGoal(goal);
     const auto isThere = [&] { return IsNear(this->Arm.GetTip(), goal, 1e-3); };
     return Eventually([&] { return isThere() || this->IsAt(DeviceStage::Lost); }) && isThere();
   }
-  /// Calibrates and arms the device, and leads the hand 5 mm into the floor.
+  /// Calibrates and arms the device, and leads the hand 5 mm deep into the floor.
   void Feel()
   {
     bool isAbove = false;
@@ -89,7 +88,7 @@ struct HfabRig
       [&] { this->Arm.SetGoal(this->At(-0.005)); }, [&] { return this->IsHeld(); }))
       << this->Arm.GetForce()[2] << " " << this->Bench.Text();
   }
-  /// Whether the floor's force balances a hand that is led 5 mm inside.
+  /// Returns whether the floor's force balances a hand that is led 5 mm inside.
   bool IsHeld()
   {
     const double force = FloorStiffness * BalancedDepth(0.005);
@@ -176,7 +175,7 @@ TEST_F(Hfab, AFirmwareThatWantsItsButtonIsNotCalibratedBeforeIt)
 
 TEST_F(Hfab, TheFirmwaresWatchdogIsTheLastResort)
 {
-  // Play a program that sends one message and then nothing.
+  // Act as a program that sends one message and then stands still.
   SerialPort port;
   std::string error;
   ASSERT_TRUE(port.Open(this->Rig.Arm.GetPort(), error)) << error;
@@ -205,7 +204,8 @@ TEST_F(Hfab, AJumpCutsTheForce)
   DeviceBench& bench = this->Rig.Bench;
   ASSERT_TRUE(bench.Open(this->Rig.GetId())) << bench.Error;
   ASSERT_NO_FATAL_FAILURE(this->Rig.Feel());
-  // Repeat the jump: after a pause of a busy machine, a hand may have gone as far.
+  // Repeat the jump. After a pause of a busy machine, a hand may have moved as far, so a single
+  // jump may be accepted.
   EXPECT_TRUE(Eventually(
     [&]
     {
@@ -248,8 +248,8 @@ TEST_F(Hfab, ItsButtonElsewhereCutsTheForce)
     ASSERT_TRUE(rig.Bench.Open(rig.GetId())) << rig.Bench.Error;
     ASSERT_NO_FATAL_FAILURE(rig.Feel());
     const Triple tip = rig.Arm.GetTip();
-    // The button sets the counts to zero as power-up does, so the arm seems to be where it was
-    // then.
+    // The button sets the encoder counts to zero, as power-up does. So the arm seems to be where it
+    // was at power-up.
     const double jump = Size({ tip[0] - atPower[0], tip[1] - atPower[1], tip[2] - atPower[2] });
     rig.Arm.DrainLongestPause();
     const int messages = rig.Arm.GetMessages();
@@ -264,7 +264,7 @@ TEST_F(Hfab, ItsButtonElsewhereCutsTheForce)
     }
     else
     {
-      // A hand may have gone as far, but only during a pause of a busy machine.
+      // The driver may take the jump for a motion of the hand only after a pause of a busy machine.
       EXPECT_GT(rig.Arm.DrainLongestPause(), 0.5 * jump / HfabDriver::FastestHand);
     }
   }
@@ -310,14 +310,14 @@ TEST_F(Hfab, AnArmThatIsBackAsksForItsPose)
   this->Rig.Arm.Unplug();
   std::filesystem::remove(port);
   bench.ExpectLost("was unplugged. Plug it in again");
-  // A different arm at the port is not accepted.
+  // The driver does not accept a different arm at the port.
   HfabRig other(2);
   std::filesystem::create_symlink(other.Arm.GetPort(), port);
   bench.Device->Home();
   EXPECT_TRUE(bench.WaitForText("drives another arm than before")) << bench.Text();
   EXPECT_EQ(bench.Device->GetCondition().Stage, DeviceStage::Lost);
   std::filesystem::remove(port);
-  // The same kind of arm comes back with a restarted controller, at another pseudo-terminal.
+  // The same kind of arm comes back at another pseudo-terminal, with a restarted controller.
   HfabRig again(3);
   std::filesystem::create_symlink(again.Arm.GetPort(), port);
   bench.ExpectBack();
@@ -339,7 +339,7 @@ TEST_F(Hfab, LateAnswersAreNotTakenForTheNextOnes)
   this->Rig.Arm.Fault = HfabFault::Late;
   std::this_thread::sleep_for(std::chrono::milliseconds(60));
   this->Rig.Arm.Fault = HfabFault::None;
-  // Expect that the reported tip follows the arm.
+  // Expect that the reported tip follows the arm again.
   const Triple goal{ this->Rig.Home[0] + 0.02, 0.0, this->Rig.Home[2] - 0.005 };
   this->Rig.Arm.SetGoal(goal);
   EXPECT_TRUE(Eventually(
@@ -391,8 +391,9 @@ TEST_F(Hfab, APortThatCannotBeUsedIsAnErrorWithACure)
   EXPECT_TRUE(Has(ErrorOf("hfab:" + other.GetPort()), "the model 7"));
 }
 
-/// Uses the names of udev's links from chohh7391/lerobot_teleoperator_inverse3 99063dc, SETUP.md: a
-/// Haply Inverse3 has ID_VENDOR Teensyduino, ID_MODEL Haply_inverse3, ID_SERIAL_SHORT 16894910.
+/// Uses the names of udev's links from chohh7391/lerobot_teleoperator_inverse3 99063dc, SETUP.md.
+/// There, a Haply Inverse3 has ID_VENDOR Teensyduino, ID_MODEL Haply_inverse3 and ID_SERIAL_SHORT
+/// 16894910.
 TEST_F(Hfab, NothingIsWrittenToAHaplyArm)
 {
   namespace fs = std::filesystem;

@@ -138,7 +138,7 @@ TEST(DeviceRegistry, TheInstalledRulesHaveTheLineOfEveryDevice)
   EXPECT_TRUE(has("usb", 0x0403, 0xcb48));
   EXPECT_TRUE(Contains(rules, "\nSUBSYSTEM==\"usb\", ATTR{idVendor}==\"1451\", TAG+=\"uaccess\"\n"))
     << "Force Dimension's devices";
-  // Boards whose numbers other devices share must match by name as well.
+  // The rule must also match the name of boards that share their numbers with other devices.
   EXPECT_TRUE(Contains(
     rules, R"(ATTRS{idProduct}=="0006", ATTRS{product}=="HID DEVICE|*[Ww]ooden[Hh]aptics*",)"));
   EXPECT_TRUE(Contains(rules,
@@ -158,12 +158,12 @@ TEST(DeviceRegistry, TheInstalledRulesHaveTheLineOfEveryDevice)
   EXPECT_TRUE(has("hidraw", 0x054c, 0x0df2));
   EXPECT_TRUE(has("hidraw", 0x054c, 0x0ce6, true));
   EXPECT_TRUE(has("hidraw", 0x054c, 0x0df2, true));
-  // SpaceMouse Pro Wireless and SpaceMouse Wireless with Bluetooth.
+  // Numbers of SpaceMouse Pro Wireless and SpaceMouse Wireless over Bluetooth.
   EXPECT_TRUE(has("hidraw", 0x256f, 0xc638, true));
   EXPECT_TRUE(has("hidraw", 0x256f, 0xc63a, true));
   EXPECT_TRUE(SpaceMouse::IsKnown(0x256f, 0xc641))
     << "SpaceMouse USB: PySpaceMouse 95cf9cb, devices.toml";
-  // Numbers from rules of makers or users: VPforce (TelemFFB), Simucube, AccuForce, MMOS.
+  // Numbers from rules by makers or users: VPforce (TelemFFB), Simucube, AccuForce, MMOS.
   const std::pair<int, std::vector<int>> others[] = { { 0xffff, { 0x2055 } },
     { 0x16d0, { 0x0d5a, 0x0d5f, 0x0d60, 0x0d61 } }, { 0x1fc9, { 0x804c } },
     { 0xf055, { 0x0ffb } } };

@@ -64,7 +64,7 @@ TEST(DualSense, ByCableSticksAndButtonsAreRead)
   EXPECT_EQ(state.RightY, 1.0);
   EXPECT_EQ(state.LeftTrigger, 0.0);
   EXPECT_EQ(state.RightTrigger, 1.0);
-  // The buttons are the cross, R1 and PS; 8 is the direction pad at rest.
+  // The buttons are the cross, R1 and PS. The value 8 means that the direction pad is at rest.
   EXPECT_EQ(state.Buttons, PadSouth | PadRightShoulder | PadMode);
   const std::pair<Bytes, std::uint32_t> buttons[] = { { { 0x10, 0, 0 }, PadWest },
     { { 0x40, 0, 0 }, PadEast }, { { 0x80, 0, 0 }, PadNorth }, { { 0, 0x01, 0 }, PadLeftShoulder },
@@ -141,7 +141,7 @@ TEST(DualSense, ReportsToItHaveTheKernelsLayout)
   expected[1] = 0x02; // haptics select
   expected[3] = 255;  // limited to a byte
   expected[4] = 1;
-  expected[1 + 38] = 0x04; // valid_flag2: compatible vibration, the newer way
+  expected[1 + 38] = 0x04; // valid_flag2: compatible vibration in the newer way
   EXPECT_EQ(bytes, expected);
 
   report = DualSense::Encode(Link::Bluetooth, true, 1, -5, 0x1B);

@@ -52,7 +52,7 @@ TEST(Vibration, AStepHasItsClosedForm)
 {
   for (const double step : { 0.05, 0.3, 1.0 })
   {
-    // Sample with ticks of different lengths.
+    // Sample the levels with ticks (s) of different lengths.
     for (const double tick : { 1e-4, 1e-3, 2e-3 })
     {
       Vibration vibration;
@@ -65,7 +65,8 @@ TEST(Vibration, AStepHasItsClosedForm)
         const VibrationLevels levels = vibration.Advance(force, tick);
         largest = std::max(largest, levels.Weak);
         ASSERT_NEAR(levels.Strong, StrongOf(step, time), 1e-12) << step << " N, " << time << " s";
-        // The level rises by 100 per second, meets its curve, and falls by at most 10 per second.
+        // The weak level rises by 100 per second until it meets its curve, and falls by at most 10
+        // per second.
         const double expected = time < MeetingTime(step)
           ? 100.0 * time
           : std::max(WeakOf(step, time), weakBefore - 10.0 * tick);

@@ -12,7 +12,8 @@ using namespace hardwaretest;
 
 namespace
 {
-/// Report 1 has ten buttons, padding, and X and Y from -32767 to 32767. Report 2 is the vendor's.
+/// Descriptor of a stick. Report 1 has ten buttons, padding, and X and Y from -32767 to 32767.
+/// Report 2 has a vendor's data.
 const Bytes Stick{ 0x05, 0x01, 0x09, 0x04, 0xA1, 0x01, 0x85, 0x01, 0x05, 0x09, 0x19, 0x01, 0x29,
   0x0A, 0x15, 0x00, 0x25, 0x01, 0x75, 0x01, 0x95, 0x0A, 0x81, 0x02, 0x95, 0x06, 0x81, 0x03, 0x05,
   0x01, 0x09, 0x30, 0x09, 0x31, 0x16, 0x01, 0x80, 0x26, 0xFF, 0x7F, 0x75, 0x10, 0x95, 0x02, 0x81,
@@ -31,12 +32,12 @@ TEST(HidStick, SaysWhereItIsAndWhatIsHeld)
   ASSERT_TRUE(stick.Map(Parsed(Stick), error)) << error;
   EXPECT_TRUE(stick.HasSecondAxis());
   HidStick::State state;
-  // Buttons 1 and 10 are pressed; X is fully right; Y is halfway, rounded to the nearest count.
+  // Buttons 1 and 10 are pressed. X is fully right, and Y is halfway (rounded to a count).
   EXPECT_EQ(Take(stick, { 0x01, 0x01, 0x02, 0xFF, 0x7F, 0x00, 0xC0 }, state), nullptr);
   EXPECT_EQ(state.Buttons, 0x201U);
   EXPECT_EQ(state.Axes[0], 1.0);
   EXPECT_NEAR(state.Axes[1], -0.5, 1.0 / 32767.0);
-  // -32768 is outside the range, and counts as fully left.
+  // -32768 is outside of the range, and counts as fully left.
   EXPECT_EQ(Take(stick, { 0x01, 0x00, 0xFC, 0x00, 0x80, 0x00, 0x00 }, state), nullptr);
   EXPECT_EQ(state.Buttons, 0U) << "padding is no button";
   EXPECT_EQ(state.Axes[0], -1.0);
@@ -84,7 +85,7 @@ TEST(HidStick, AWheelIsAnAxisAndAMouseIsNot)
 {
   HidStick stick;
   std::string error;
-  // A wheel's report: steering from 0 to 255, without report ids.
+  // Descriptor of a wheel: steering from 0 to 255, without report ids.
   ASSERT_TRUE(stick.Map(Parsed({ 0x05, 0x02, 0x09, 0xC8, 0x15, 0x00, 0x26, 0xFF, 0x00, 0x75, 0x08,
                           0x95, 0x01, 0x81, 0x02 }),
     error));

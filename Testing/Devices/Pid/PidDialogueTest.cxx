@@ -22,8 +22,9 @@ using namespace hardwaretest;
 
 namespace
 {
-/// Answers a dialogue as a device that is busy for `polls` polls and then gives blocks 7, 8 and so
-/// on. Its first `emptyPools` pool reports are empty.
+/// Answers a dialogue like a device that is busy for `polls` polls and then allocates the blocks 7,
+/// 8 and so on. The first `emptyPools` pool reports are empty. Returns the reports that the
+/// dialogue has sent.
 std::vector<Bytes> Talk(PidDialogue& dialogue, int polls, const Bytes& pool, std::uint8_t status,
   std::uint8_t block = 6, int emptyPools = 0)
 {
@@ -149,7 +150,7 @@ TEST(PidStream, WithoutASignTwoEffectsOfAnAxisPushInOppositeDirections)
   settings.NewtonsPerFullScale = { 4.0, -4.0 };
   PidDialogue dialogue(device, settings);
   const std::vector<Bytes> said = Talk(dialogue, 0, Pool, 0x01);
-  // Decode the device's angle (0 to 255 in the report) and magnitude of each block.
+  // Read the device's angle (0 to 255 in the report) and the magnitude of each block.
   std::map<int, double> angles;
   std::map<int, double> magnitudes;
   for (const Bytes& report : said)
@@ -173,7 +174,7 @@ TEST(PidStream, WithoutASignTwoEffectsOfAnAxisPushInOppositeDirections)
         magnitudes[report.Bytes[1]] = report.Bytes[2] | report.Bytes[3] << 8;
       }
     }
-    // Add the effects in polar coordinates, clockwise from north.
+    // Add the effects in polar coordinates: angles are clockwise from north.
     double x = 0.0;
     double y = 0.0;
     for (const auto& [block, magnitude] : magnitudes)
@@ -202,7 +203,7 @@ TEST(PidStream, StartsAgainInTimeAndSendsOnlyWhatChanged)
   const PidDevice device = Mapped({});
   PidSettings settings;
   settings.NewtonsPerFullScale = { 4.0, -4.0 };
-  settings.Duration = 5.0; // s; limited to a safe 0.1 s
+  settings.Duration = 5.0; // s; the driver limits this to a safe 0.1 s
   PidDialogue dialogue(device, settings);
   EXPECT_EQ(Talk(dialogue, 0, Pool, 0x01)[8][3], 0x64);
   PidStream stream(device, settings, dialogue);

@@ -21,7 +21,7 @@ std::string Refusal(const Bytes& bytes)
   EXPECT_FALSE(device.Map(Parsed(bytes), error));
   return error;
 }
-/// Replaces the first occurrence of a sequence of bytes.
+/// Returns the bytes with the first occurrence of `from` replaced by `to`.
 Bytes Replace(Bytes bytes, const Bytes& from, const Bytes& to)
 {
   const auto at = std::search(bytes.begin(), bytes.end(), from.begin(), from.end());

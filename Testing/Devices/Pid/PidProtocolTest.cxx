@@ -22,8 +22,8 @@ TEST(PidProtocol, FillsReportsToTheByte)
   EXPECT_EQ(Wire(device.FullGain()), (Bytes{ 0x14, 0xFF }));
   EXPECT_EQ(Wire(device.CreateConstant()), (Bytes{ 0x18, 0x01, 0x00, 0x00 }));
   EXPECT_EQ(device.CreateConstant().Kind, HidReportKind::Feature);
-  // Expect block 5, constant force, 100 ms, full gain, Direction Enable without the axes' bits, and
-  // 90 or 0 degrees.
+  // Expect these bytes: block 5 (and 6), constant force, 100 ms (and 50 ms), full gain, Direction
+  // Enable without the axes' bits, and 90 (and 0) degrees.
   EXPECT_EQ(Wire(device.SetEffect(5, 0, 0.1)),
     (Bytes{ 0x11, 0x05, 0x01, 0x64, 0x00, 0xFF, 0x04, 0x40, 0x00 }));
   EXPECT_EQ(Wire(device.SetEffect(6, 1, 0.05)),
@@ -60,7 +60,7 @@ TEST(PidProtocol, OfSharesItTakesTheWholeAxis)
 {
   PidDevice device = Mapped({});
   device.UseShares();
-  // Expect the bit of x, no Direction Enable, and the end of the direction's range.
+  // Expect the bit of x without Direction Enable, and the largest value of the direction's range.
   EXPECT_EQ(Wire(device.SetEffect(5, 0, 0.1)),
     (Bytes{ 0x11, 0x05, 0x01, 0x64, 0x00, 0xFF, 0x01, 0xFF, 0x00 }));
 }

@@ -28,7 +28,8 @@ const char* Take(const Bytes& bytes, SpaceMouse::State& state)
 TEST(SpaceMouse, OlderModelsSendPushesAndTurnsInTurn)
 {
   SpaceMouse::State state;
-  // Push by 350, -350, 0; then turn by 0, 0, -350; then press the first and the fifteenth button.
+  // Push the cap by 350, -350 and 0; then turn it by 0, 0 and -350; then press the first and the
+  // fifteenth button.
   EXPECT_EQ(Take({ 0x01, 0x5E, 0x01, 0xA2, 0xFE, 0x00, 0x00 }, state), nullptr);
   EXPECT_EQ(state.Axes, (Axes{ 1.0, -1.0, 0.0, 0.0, 0.0, 0.0 }));
   EXPECT_EQ(Take({ 0x02, 0x00, 0x00, 0x00, 0x00, 0xA2, 0xFE }, state), nullptr);
@@ -43,8 +44,8 @@ TEST(SpaceMouse, OlderModelsSendPushesAndTurnsInTurn)
 
 TEST(SpaceMouse, EachKeyOfTheEnterpriseHasABitOfItsOwn)
 {
-  // Keys by their numbers: menu, fit, T, R, F, roll, isometric; 1 to 10; Esc, Alt, Shift, Ctrl,
-  // lock; Enter, Delete; 11, 12; V1, V2, V3; Tab, Space.
+  // Numbers of the keys: menu, fit, T, R, F, roll, isometric; 1 to 10; Esc, Alt, Shift, Ctrl, lock;
+  // Enter, Delete; 11, 12; V1, V2, V3; Tab, Space.
   const int keys[] = { 1, 2, 3, 5, 6, 9, 11, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26,
     27, 36, 37, 77, 78, 103, 104, 105, 175, 176 };
   std::uint32_t all = 0;
@@ -134,7 +135,7 @@ TEST(SpaceMouse, OnlyTheListCounts)
     const bool isUp = product == 0xC603 || product == 0xC606 || product == 0xC640;
     EXPECT_EQ(SpaceMouse::HasAxisUp(0x046D, product), isUp);
   }
-  // Neither list has these numbers.
+  // These numbers are in neither list.
   EXPECT_FALSE(SpaceMouse::IsKnown(0x256F, 0xC650));
   EXPECT_FALSE(SpaceMouse::IsKnown(0x256F, 0xC668));
   EXPECT_FALSE(SpaceMouse::IsKnown(0x046D, 0xC077));

@@ -11,7 +11,8 @@ using namespace hardwaretest;
 
 namespace
 {
-/// Returns a descriptor with `count` fields of `size` bits: logical values 0 to 1, usage X.
+/// Returns a descriptor with `count` fields of `size` bits, logical values from 0 to 1, and the
+/// usage X.
 Bytes Fields(std::uint8_t size, std::uint16_t count, std::uint8_t flags = 0x02)
 {
   return { 0x05, 0x01, 0x09, 0x30, 0x15, 0x00, 0x25, 0x01, 0x75, size, 0x96,

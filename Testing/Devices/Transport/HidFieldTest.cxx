@@ -68,7 +68,7 @@ TEST(HidField, ExcessIsClampedAndNeverTurnsTheSign)
   EXPECT_TRUE(WriteValue(magnitude, report.data(), report.size(), -40000));
   EXPECT_TRUE(ReadValue(magnitude, report.data(), report.size(), value));
   EXPECT_EQ(value, -10000);
-  // The logical range is wider than the bits can hold.
+  // The logical range is wider than the field's 8 bits, so values are limited to the bits.
   const HidField narrow = Field(0, 8, -1000, 1000);
   EXPECT_TRUE(WriteValue(narrow, report.data(), report.size(), 200));
   EXPECT_EQ(report[0], 0x7F);

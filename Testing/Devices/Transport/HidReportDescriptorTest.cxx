@@ -11,7 +11,7 @@ using namespace hardwaretest;
 
 TEST(HidReportDescriptor, KnowsTheMouseOfTheSpecification)
 {
-  // The example of HID 1.11, appendix E.10, item by item.
+  // The mouse of HID 1.11, appendix E.10, item by item.
   const HidReportDescriptor mouse = Parsed({ 0x05, 0x01, 0x09, 0x02, 0xA1, 0x01, 0x09, 0x01, 0xA1,
     0x00, 0x05, 0x09, 0x19, 0x01, 0x29, 0x03, 0x15, 0x00, 0x25, 0x01, 0x95, 0x03, 0x75, 0x01, 0x81,
     0x02, 0x95, 0x01, 0x75, 0x05, 0x81, 0x01, 0x05, 0x01, 0x09, 0x30, 0x09, 0x31, 0x15, 0x81, 0x25,
@@ -47,7 +47,8 @@ TEST(HidReportDescriptor, KnowsTheMouseOfTheSpecification)
 
 TEST(HidReportDescriptor, PopBringsBackWhatWasPushed)
 {
-  // A field of 8 bits, 0 to 100; push; a field of 16 bits, -300 to 300, in report 2; pop.
+  // Items: a field of 8 bits from 0 to 100; push; a field of 16 bits from -300 to 300 in report 2;
+  // pop.
   const HidReportDescriptor d = Parsed({ 0x05, 0x01, 0x85, 0x01, 0x15, 0x00, 0x25, 0x64, 0x75, 0x08,
     0x95, 0x01, 0xA4, 0x85, 0x02, 0x75, 0x10, 0x16, 0xD4, 0xFE, 0x26, 0x2C, 0x01, 0x09, 0x30, 0x91,
     0x02, 0xB4, 0x09, 0x31, 0xB1, 0x02 });
@@ -69,7 +70,7 @@ TEST(HidReportDescriptor, PopBringsBackWhatWasPushed)
 
 TEST(HidReportDescriptor, FieldsOfMoreBitsThanANumberHasTakeUpTheirBits)
 {
-  // Two vendor fields of 64 bits, followed by a field of 8 bits.
+  // Two vendor fields of 64 bits, and then a field of 8 bits.
   const HidReportDescriptor d =
     Parsed({ 0x06, 0x00, 0xFF, 0x85, 0x01, 0x15, 0x00, 0x25, 0x04, 0x75, 0x40, 0x95, 0x02, 0x09,
       0x05, 0x09, 0x06, 0x91, 0x02, 0x75, 0x08, 0x95, 0x01, 0x09, 0x07, 0x91, 0x02 });
@@ -81,8 +82,8 @@ TEST(HidReportDescriptor, FieldsOfMoreBitsThanANumberHasTakeUpTheirBits)
 
 TEST(HidReportDescriptor, AMaximumIsSignedWhereTheMinimumIs)
 {
-  // A field with physical values 0 to 255, the unit seconds times 10^-3, and logical values 0 to
-  // 65535 in two bytes.
+  // A field of two bytes with logical values from 0 to 65535 and physical values from 0 to 255, in
+  // units of 10^-3 seconds.
   const HidReportDescriptor d = Parsed({ 0x05, 0x0F, 0x09, 0x50, 0x15, 0x00, 0x26, 0xFF, 0xFF, 0x35,
     0x00, 0x45, 0xFF, 0x66, 0x01, 0x10, 0x55, 0xFD, 0x75, 0x10, 0x95, 0x01, 0x91, 0x02 });
   ASSERT_EQ(d.GetFields().size(), 1U);
@@ -95,7 +96,7 @@ TEST(HidReportDescriptor, AMaximumIsSignedWhereTheMinimumIs)
 
 TEST(HidReportDescriptor, UsagesTakeTheirPageAndTheLastOneRepeats)
 {
-  // A usage of 4 bytes that includes its page, a usage that precedes its page, and a fourth
+  // Items: a usage of 4 bytes with its own page, a usage that comes before its page, and a fourth
   // variable without a usage of its own.
   const HidReportDescriptor d = Parsed({ 0x0B, 0x30, 0x00, 0x01, 0x00, 0x09, 0x70, 0x05, 0x0F, 0x09,
     0x22, 0x25, 0x7F, 0x75, 0x07, 0x95, 0x04, 0x81, 0x02 });
@@ -110,7 +111,8 @@ TEST(HidReportDescriptor, UsagesTakeTheirPageAndTheLastOneRepeats)
 
 TEST(HidReportDescriptor, ArraysChooseByTheirPlaceInTheList)
 {
-  // Logical values 1 to 6 for the usages 97 to 9A and then 26; then a long item, which is ignored.
+  // The logical values 1 to 6 select the usages 97 to 9A and then 26. A long item follows, which is
+  // ignored.
   const HidReportDescriptor d = Parsed({ 0x05, 0x0F, 0x19, 0x97, 0x29, 0x9A, 0x09, 0x26, 0x15, 0x01,
     0x25, 0x06, 0x75, 0x08, 0x95, 0x02, 0x91, 0x00, 0xFE, 0x02, 0xF0, 0xC0, 0xB4 });
   ASSERT_EQ(d.GetFields().size(), 2U);

@@ -27,11 +27,11 @@ struct hid_device
 
 namespace
 {
-/// A stick with one axis: X from 0 to 255 in eight bits.
+/// Descriptor of a stick with one axis: X from 0 to 255 in eight bits.
 const std::vector<unsigned char> Stick{ 0x05, 0x01, 0x09, 0x04, 0xA1, 0x01, 0x09, 0x30, 0x15, 0x00,
   0x26, 0xFF, 0x00, 0x75, 0x08, 0x95, 0x01, 0x81, 0x02, 0xC0 };
 hid_device Device;
-int Size = 0; ///< the library's result: bytes, or -1
+int Size = 0; ///< result of the simulated library: bytes, or -1
 } // namespace
 
 int hid_init()

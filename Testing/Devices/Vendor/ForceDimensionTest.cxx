@@ -14,7 +14,7 @@ using namespace vendortest;
 
 namespace
 {
-constexpr double Height = -0.01; // m, the floor
+constexpr double Height = -0.01; // m, height of the floor
 // Maps the device's right, up and towards the user to the library's y, z and x.
 const Matrix3 ToTheLibrary = Matrix3::FromColumns({ 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 });
 
@@ -45,7 +45,7 @@ protected:
     const double force = FloorStiffness * BalancedDepth(0.01);
     return IsNear(this->Force(), { 0.0, 0.0, force }, 0.05);
   }
-  /// Arms, and leads the hand to the floor's middle, 10 mm inside.
+  /// Arms the device, and leads the hand 10 mm deep into the middle of the floor.
   void Feel()
   {
     ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
@@ -98,7 +98,7 @@ TEST_F(ForceDimension, PressesAFloorAndLetsGo)
   EXPECT_EQ(this->Bench.Device->GetLimits().MaximumForce, 12.0) << "an omega";
   EXPECT_EQ(this->Bench.Device->GetIdentity(), "vendor:forcedimension:4711");
   ASSERT_NO_FATAL_FAILURE(this->Feel());
-  // Slide to the right, the library's y: friction holds the hand back.
+  // Slide to the right, which is the library's y. Friction holds the hand back.
   this->Lead({ 0.0, 0.03, Height - 0.01 });
   EXPECT_TRUE(Eventually([&] { return this->Force()[1] < -0.5 * Friction; }));
   this->Bench.Stop();
@@ -112,7 +112,8 @@ TEST_F(ForceDimension, PressesAFloorAndLetsGo)
 
 TEST_F(ForceDimension, OrientationAndButtonsAreInOurAxes)
 {
-  // Turn the pen by 90 degrees about the library's z (up): from towards the user to the right.
+  // Turn the pen by 90 degrees about the library's z (up), so that it no longer points towards the
+  // user but to the right.
   this->With(
     [](FakeForceDimension& fake)
     {
@@ -129,7 +130,7 @@ TEST_F(ForceDimension, OrientationAndButtonsAreInOurAxes)
       return sample.HasOrientation;
     }));
   EXPECT_EQ(sample.Buttons, 3u);
-  // Expect a turn about the device's y (up): the handle goes from z (towards the user) to x
+  // Expect a turn about the device's y (up), which turns the handle from z (towards the user) to x
   // (right).
   const Vector3 handle = ToMatrix(sample.Orientation) * Vector3{ 0.0, 0.0, 1.0 };
   EXPECT_NEAR(handle.X, 1.0, 1e-9);
@@ -197,7 +198,7 @@ TEST_F(ForceDimension, IsNotReadyWhileItsForceIsOff)
   this->With([](FakeForceDimension& fake) { fake.IsInitialised = false; });
   ASSERT_TRUE(this->Bench.Open("vendor:forcedimension")) << this->Bench.Error;
   ASSERT_TRUE(this->Bench.WaitForText("it moves by itself")) << this->Bench.Text();
-  // A hand leads the device to its zero; its force is still off.
+  // The hand has led the device to its zero, but its force is still switched off.
   this->With([](FakeForceDimension& fake) { fake.IsInitialised = true; });
   ASSERT_TRUE(this->Bench.WaitForText("has its force switched off")) << this->Bench.Text();
   EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Homing);
@@ -222,7 +223,7 @@ TEST_F(ForceDimension, AForceThatCantBeSwitchedOnIsAnErrorWithACure)
 
 TEST_F(ForceDimension, LimitsAreThoseOfTheTypeUnlessTheLibraryHasOthers)
 {
-  // CHAI3D, CDeltaDevices.cpp: sigma.7 and lambda.7.
+  // Limits of sigma.7 and lambda.7, as in CHAI3D's CDeltaDevices.cpp.
   struct Row
   {
     int Type;
@@ -283,7 +284,7 @@ TEST_F(ForceDimension, ADeviceThatIsBackWaitsForTheUser)
   this->Bench.Device->Home();
   EXPECT_TRUE(this->Bench.WaitForText("was unplugged"));
   EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Lost);
-  // The device has lost its zero without power, and is where the hand has put it.
+  // Without power, the device has lost its zero, and the hand has moved it.
   this->With(
     [](FakeForceDimension& fake)
     {
@@ -320,7 +321,7 @@ TEST_F(ForceDimension, AReadThatFailsCutsTheForce)
 
 TEST_F(ForceDimension, AWriteThatFailsIsAFault)
 {
-  // The library rejects zero as well: only its watchdog can end the force.
+  // The library also rejects a force of zero, so only its watchdog can end the force.
   this->Break([](FakeForceDimension& fake) { fake.FailsToWrite = true; }, "does not take a force");
 }
 

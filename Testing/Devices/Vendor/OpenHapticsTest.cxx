@@ -17,7 +17,7 @@ using namespace vendortest;
 
 namespace
 {
-constexpr double Height = -0.01; // m, the floor
+constexpr double Height = -0.01; // m, height of the floor
 // Maps the device's up (y) to the floor's normal.
 const Matrix3 ToTheFloor = Matrix3::FromColumns({ 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 });
 
@@ -109,7 +109,7 @@ TEST_F(OpenHaptics, PressesAFloorAndLetsGo)
 
 TEST_F(OpenHaptics, OrientationComesFromTheTransformsColumns)
 {
-  // Turn the stylus by 90 degrees about y (up): its handle goes from z to x.
+  // Turn the stylus by 90 degrees about y (up), which turns its handle from z to x.
   this->With(
     [](FakeOpenHaptics& fake)
     {
@@ -147,7 +147,7 @@ TEST_F(OpenHaptics, IsCalibratedByItselfOrByTheInkwell)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   EXPECT_EQ(this->Force(), Triple{});
-  // With the stylus in the inkwell, the library asks for an update of the calibration.
+  // When the stylus is in the inkwell, the library asks for an update of the calibration.
   this->With([](FakeOpenHaptics& fake) { fake.Calibration = HD_CALIBRATION_NEEDS_UPDATE; });
   ASSERT_NO_FATAL_FAILURE(this->Feel());
   EXPECT_EQ(this->With([](const FakeOpenHaptics& fake) { return fake.ForcesBeforeZero; }), 0);
@@ -191,7 +191,7 @@ TEST_F(OpenHaptics, MoreThanTheContinuousForceFadesToIt)
   };
   EXPECT_TRUE(Eventually([&] { return push(3.2) == 3.2; })) << "at first";
   EXPECT_TRUE(Eventually([&] { return std::abs(push(3.2) - 0.88) < 1e-9; })) << this->Force()[1];
-  // A weaker force has no limit, and lets the motors cool.
+  // A weaker force has no time limit, and lets the motors cool.
   EXPECT_TRUE(Eventually([&] { return push(0.5) == 0.5; }));
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(4);
   while (std::chrono::steady_clock::now() < end)
@@ -260,7 +260,7 @@ TEST_F(OpenHaptics, ABrokenConnectionCutsTheForce)
 
 TEST_F(OpenHaptics, ASchedulerThatStandsStillIsAFault)
 {
-  // The plug-in's callback no longer sets zero: only the library's watchdog can end the force.
+  // The plug-in's callback no longer runs, so only the library's watchdog can end the force.
   this->Break(
     [](FakeOpenHaptics& fake) { fake.StandsStill = true; }, "the library's scheduler stands still");
 }
@@ -273,7 +273,7 @@ TEST_F(OpenHaptics, APositionThatIsNoNumberCutsTheForce)
 
 TEST_F(OpenHaptics, AForceThatIsNotRenewedEndsInTheCallback)
 {
-  // Use the plug-in without its driver, which would write zero by itself.
+  // Use the plug-in without the driver, because the driver would write zero by itself.
   std::string error;
   void* const library = VolumeHaptics::Libraries::Load(this->File.string(), error);
   ASSERT_NE(library, nullptr) << error;
@@ -352,7 +352,7 @@ TEST_F(OpenHaptics, TwoArmsHaveEachItsOwnPoseAndForce)
   EXPECT_NEAR(second.Tip.X, -0.01, 1e-9);
   EXPECT_NEAR(second.Tip.Z, 0.02, 1e-9);
 
-  // A fault of one device does not affect the other.
+  // A fault of one device leaves the other device ready.
   this->With([](FakeOpenHaptics& fake) { fake.Right.Faults.push_back(HD_WARM_MOTORS); });
   EXPECT_TRUE(right.WaitForText("Motors too warm"));
   EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Ready);
@@ -383,7 +383,7 @@ TEST_F(OpenHaptics, AnArmThatIsOpenedOrClosedDisarmsTheOther)
   };
   const auto feelAgain = [&]
   {
-    // Lead the hand out first: a loop that begins below the floor feels it from below.
+    // Lead the hand out first. A loop that begins below the floor would feel the floor from below.
     this->Bench.Stop();
     this->Lead({ 0.0, Height + 0.005, 0.0 });
     EXPECT_TRUE(Eventually(
@@ -403,7 +403,7 @@ TEST_F(OpenHaptics, AnArmThatIsOpenedOrClosedDisarmsTheOther)
   }
   expectDisarmed();
   feelAgain();
-  // A failed attempt to open the second device disarms the first one, too.
+  // A failed attempt to open the second device also disarms the first device.
   this->With([](FakeOpenHaptics& fake) { fake.IsPluggedIn = false; });
   EXPECT_TRUE(Has(ErrorOf("vendor:openhaptics:1"), "Communication error"));
   expectDisarmed();

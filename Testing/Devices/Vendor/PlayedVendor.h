@@ -24,7 +24,7 @@ struct PlayedVendor
   std::string Serial = "SN 1=2";
   VolumeHapticsVendorLimits Limits{ 4.0, 0.1, 800.0, 5.0, 0.0, 0.0, 0.05, 7, 0.0, 0.0 };
   VolumeHapticsVendorPose Pose{};
-  bool TellsSerialOnlyOpen = false; ///< whether Describe gives no serial number
+  bool TellsSerialOnlyOpen = false; ///< whether Describe gives no serial number of a closed device
   int OpenFails = 0;
   int ReadResult = VOLUME_HAPTICS_VENDOR_NEWS;
   int WriteResult = VOLUME_HAPTICS_VENDOR_DONE;
@@ -34,7 +34,8 @@ struct PlayedVendor
   int Asked = 0; ///< number of calls of Count and Describe
   std::array<double, 3> Force{};
   std::array<double, 3> Torque{};
-  std::vector<std::string> Calls; ///< without reads and repeated writes of a force
+  std::vector<std::string> Calls; ///< names of the calls, without reads and repeated writes of a
+                                  ///< force
 };
 
 #endif

@@ -72,7 +72,7 @@ protected:
           });
       });
   }
-  /// Causes a fault while force acts, and expects zero force and the text.
+  /// Causes a fault while force acts. Expects the text, and a force of zero that stays zero.
   template <typename F>
   void Break(F&& change, const char* text)
   {
@@ -155,7 +155,7 @@ TEST_F(VendorDevice, TellsPoseButtonsAndOrientation)
   const auto now = std::chrono::duration_cast<std::chrono::nanoseconds>(
     std::chrono::steady_clock::now().time_since_epoch());
   EXPECT_GE(now.count() - sample.Time, 2'000'000) << "it was measured two milliseconds before";
-  // A read without news counts as a sign of life, with the same sample.
+  // A read without news is a sign of life. It returns the sample of the last read.
   this->Play([](PlayedVendor& played) { played.ReadResult = VOLUME_HAPTICS_VENDOR_DONE; });
   EXPECT_TRUE(Eventually(
     [&]
@@ -165,9 +165,9 @@ TEST_F(VendorDevice, TellsPoseButtonsAndOrientation)
     }));
 }
 
-/// Presses a ball of 3 mm radius, held 1 mm beside its middle, 2 mm into solid material above z =
-/// 10 mm. Expects a force downward, and the torque of the lever of 1 mm, which turns with the
-/// stylus.
+/// Presses a ball of 3 mm radius 2 mm deep into solid material above z = 10 mm. The ball is held 1
+/// mm beside its middle. Expects a force downwards, and the torque of the lever of 1 mm, which
+/// turns with the stylus.
 TEST_F(VendorDevice, AToolWithAShapeIsFeltInSixDegrees)
 {
   const TestVolume volume = MakeRamp();
@@ -206,8 +206,7 @@ TEST_F(VendorDevice, AToolWithAShapeIsFeltInSixDegrees)
     {
       place(0.006 + 5e-5 * i, turns[turn]);
     }
-    // Force balance: k (2 mm - depth) = pi kappa a depth^2. The torque is the force times the
-    // lever.
+    // In balance, k (2 mm - depth) = pi kappa a depth^2. The torque is the force times the lever.
     const double b = 500.0 / (coretest::Pi * coretest::Kappa * 3e-3);
     const double force = 500.0 * (2e-3 - 0.5 * (std::sqrt(b * b + 4.0 * b * 2e-3) - b));
     const auto isFelt = [&]
@@ -246,7 +245,7 @@ TEST_F(VendorDevice, ForceAndTorqueArriveWithinTheLimits)
       });
   };
   EXPECT_TRUE(Eventually(isCut));
-  // A force becomes zero when the servo stops renewing it, and when it is quenched.
+  // The force becomes zero when the servo no longer renews it, and when it is quenched.
   const auto isZero = [&]
   {
     return this->Ask(
@@ -271,7 +270,7 @@ TEST_F(VendorDevice, BeginsAndEndsWithZero)
   EXPECT_EQ(calls[0], "open");
   EXPECT_EQ(calls[1], "zero");
   EXPECT_EQ(calls[2], "force");
-  // Between them are further calls if a busy machine let the force fade and return.
+  // If a busy machine let the force fade and return, further calls are in between.
   EXPECT_EQ(calls[calls.size() - 2], "zero");
   EXPECT_EQ(calls.back(), "close");
 }
@@ -359,7 +358,7 @@ TEST_F(VendorDevice, AnotherOneInItsPlaceIsOpenedOnceAndLeft)
   EXPECT_EQ(countOpens(), 2);
   EXPECT_EQ(this->Bench.Device->GetName(), "Played stylus 0 (vendor:played:0)");
   EXPECT_EQ(this->Force(), (std::array<double, 3>{}));
-  // Plug the device in again beside the other one.
+  // Plug the device in again, beside the other device.
   this->Play(
     [&](PlayedVendor& played)
     {
@@ -458,7 +457,7 @@ TEST_F(VendorDevice, APeakFadesToTheContinuousForceAndIsTold)
   EXPECT_TRUE(Has(this->Bench.Text(), "gives 1 N now, so that its motors don't get warm"))
     << this->Bench.Text();
   EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Ready);
-  // A weaker force has no time limit, and ends the text.
+  // A weaker force has no time limit, and removes the warning from the text.
   EXPECT_TRUE(this->Push({ { 0.9, 0.0, 0.0 }, {} }));
   EXPECT_TRUE(Eventually([&] { return this->Bench.Text().empty(); })) << this->Bench.Text();
   const auto rested = std::chrono::steady_clock::now() + std::chrono::milliseconds(2600);

@@ -21,7 +21,7 @@ namespace
 class VendorLoader : public testing::Test
 {
 protected:
-  /// Returns the error of opening the played plug-in.
+  /// Opens the played plug-in. Returns the error.
   static std::string Refused(const std::string& id = "vendor:played") { return ErrorOf(id); }
   const PluginFolder Folder;
 };
@@ -73,14 +73,14 @@ TEST_F(VendorLoader, LoadsNothingThatOthersMayWrite)
     }
     ASSERT_EQ(chmod(open.c_str(), 0700), 0);
   }
-  // If others may write a folder above, they can replace this folder.
+  // Users who may write a folder above can replace this folder.
   const fs::path inner = this->Folder.Path / "open" / "inner";
   fs::create_directories(inner);
   fs::rename(file, inner / file.filename());
   setenv("VOLUMEHAPTICS_VENDOR_PATH", inner.c_str(), 1);
   ASSERT_EQ(chmod(inner.parent_path().c_str(), 0777), 0);
   EXPECT_TRUE(Has(Refused(), "others may write")) << Refused();
-  // With the sticky bit, others can't replace what they do not own.
+  // In a folder with the sticky bit, other users can't replace files that they do not own.
   ASSERT_EQ(chmod(inner.parent_path().c_str(), 01777), 0);
   DeviceBench bench;
   EXPECT_TRUE(bench.Open("vendor:played")) << bench.Error;
@@ -107,7 +107,7 @@ TEST_F(VendorLoader, ALinkIsAsSafeAsTheFoldersOnItsWay)
   fs::rename(file, safe / "real.so");
   ASSERT_EQ(chmod(safe.c_str(), 0700), 0);
   ASSERT_EQ(chmod((safe / "real.so").c_str(), 0700), 0);
-  // Others could put a link into this folder, which is searched.
+  // Other users could put a link into this folder, in which the loader searches.
   fs::create_symlink(safe / "real.so", open / file.filename());
   setenv("VOLUMEHAPTICS_VENDOR_PATH", open.c_str(), 1);
   for (const mode_t mode : { 0777, 01777, 0770 })
@@ -116,11 +116,11 @@ TEST_F(VendorLoader, ALinkIsAsSafeAsTheFoldersOnItsWay)
     EXPECT_TRUE(Has(Refused(), ("chmod go-w '" + open.string()).c_str())) << Refused();
     EXPECT_TRUE(ListVendors().empty());
   }
-  // Others could replace the second of two links.
+  // The second of two links is in a folder where other users could replace it.
   fs::create_symlink(open / file.filename(), file);
   setenv("VOLUMEHAPTICS_VENDOR_PATH", this->Folder.Path.c_str(), 1);
   EXPECT_TRUE(Has(Refused(), ("chmod go-w '" + open.string()).c_str())) << Refused();
-  // A link to the folder is checked as well.
+  // The loader also checks a link to the folder.
   fs::create_directory_symlink(open, this->Folder.Path / "plugins");
   setenv("VOLUMEHAPTICS_VENDOR_PATH", (this->Folder.Path / "plugins").c_str(), 1);
   EXPECT_TRUE(Has(Refused(), ("chmod go-w '" + open.string()).c_str())) << Refused();
@@ -152,7 +152,7 @@ TEST_F(VendorLoader, LoadsNothingThatBelongsToAnotherUser)
     EXPECT_TRUE(ListVendors().empty());
     ASSERT_EQ(chown(given.c_str(), 0, 0), 0);
   }
-  // A link of another user is refused, too.
+  // A link that belongs to another user is refused, too.
   fs::rename(file, this->Folder.Path / "real.so");
   fs::create_symlink("real.so", file);
   ASSERT_EQ(lchown(file.c_str(), other, other), 0);
@@ -184,7 +184,7 @@ TEST_F(VendorLoader, AFileThatIsNoPluginIsRefusedWithItsReason)
   // A library without the plug-in's function is refused.
   this->Folder.Add("empty");
   EXPECT_TRUE(Has(Refused("vendor:empty"), "does not export VolumeHapticsVendorGetPlugin"));
-  // The vendor's library is not installed: the error contains the loader's own words.
+  // The vendor's library is not installed. The error contains the text of the dynamic loader.
   this->Folder.Add("orphan");
   EXPECT_TRUE(Has(Refused("vendor:orphan"), "libvolumehaptics-no-such-sdk.so"))
     << Refused("vendor:orphan");
@@ -212,7 +212,7 @@ TEST_F(VendorLoader, APluginOfALaterVersionIsRefused)
   setenv("PLAYED_VENDOR", "without-write", 1);
   EXPECT_TRUE(Has(Refused(), "leaves functions out")) << Refused();
   unsetenv("PLAYED_VENDOR");
-  // The library stays loaded, as its threads may still run.
+  // The library stays loaded, because its threads may still run.
   const fs::path file = this->Folder.Path / "libvolumehaptics-played.so";
   EXPECT_NE(dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NOLOAD), nullptr);
 }

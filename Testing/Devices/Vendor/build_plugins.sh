@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Builds Examples/Vendor as a user does, against stand-ins for the SDKs.
+# Builds Examples/Vendor as users do, against stand-ins for the SDKs.
 # usage: build_plugins.sh SOURCE_DIR BINARY_DIR
 set -euo pipefail
 
@@ -25,7 +25,7 @@ for plugin in forcedimension openhaptics; do
     { echo "libvolumehaptics-$plugin.so is no plug-in" >&2; exit 1; }
 done
 
-# Without an SDK, the error says which option to give.
+# Without an SDK, the error names the missing option.
 if cmake -S "$source_dir/Examples/Vendor" -B "$work/none" >/dev/null 2>"$work/none.txt"; then
   echo "a build without an SDK was configured" >&2
   exit 1

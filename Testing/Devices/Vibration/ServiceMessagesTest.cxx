@@ -14,8 +14,9 @@ using namespace VolumeHaptics;
 
 TEST(ServiceMessages, APacketOfHapbeatHasItsPublishedBytes)
 {
-  // By docs/wire-format.md: 42 48, version 1, command, packet number and length of the rest,
-  // little-endian. A beginning has 16000 Hz, one channel, PCM, 0 samples, and the gain 1.0.
+  // Bytes by docs/wire-format.md, little-endian: 42 48, version 1, the command, the number of the
+  // packet, and the length of the rest. The first packet of a stream has 16000 Hz, one channel,
+  // PCM, 0 samples, and the gain 1.0.
   const HapbeatPacket begin{ 0x42, 0x48, 0x01, 0x30, 0x02, 0x01, 0x0C, 0x00, 0x80, 0x3E, 0x01, 0x00,
     0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x80, 0x3F };
   EXPECT_EQ(WriteHapbeatBegin(0x0102), begin);
@@ -52,8 +53,8 @@ TEST(ServiceMessages, ADeviceOfHapbeatTellsItsName)
 
 TEST(ServiceMessages, WeartsLinesHaveTheirPublishedFields)
 {
-  // By WeArtMessages.cpp: index, three velocities, volume, hand, point; numbers by
-  // std::to_string().
+  // Fields by WeArtMessages.cpp: index, three velocities, volume, hand, point. std::to_string()
+  // writes the numbers.
   EXPECT_EQ(
     WriteWeartTexture("LEFT", 40), "texture:9:0.500000:0.000000:0.500000:40.000000:LEFT:INDEX");
   EXPECT_EQ(WriteWeartStop("RIGHT"), "stopTexture:RIGHT:INDEX");
@@ -106,7 +107,7 @@ TEST(ServiceMessages, AnswersThatAreNestedDeeplyAreRead)
 
 TEST(ServiceMessages, AFrameOfBhapticsHasItsPublishedMembers)
 {
-  // A frame as haptic_player.py writes it.
+  // A frame like those that haptic_player.py writes.
   EXPECT_EQ(WriteBhapticsFrame("HandR", 60, 150),
     R"({"Submit":[{"Type":"frame","Key":"volumehaptics","Frame":{"Position":"HandR",)"
     R"("PathPoints":[],"DotPoints":[{"Index":0,"Intensity":60},{"Index":1,"Intensity":60},)"

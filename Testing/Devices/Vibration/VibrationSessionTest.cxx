@@ -27,7 +27,7 @@ namespace
 class VibrationSession : public testing::Test
 {
 protected:
-  /// Opens and arms a device with the tip above the floor.
+  /// Opens and arms a device, with the tip above the floor.
   void Begin(const std::string& id, bool usesGuard = false)
   {
     DeviceOptions options;
@@ -47,7 +47,8 @@ protected:
     ASSERT_NE(led, nullptr) << "the mouse has to lead it";
     led->Lead({ 0.0, 0.0, height });
   }
-  /// Moves the tip in and out of the floor until `isFelt`.
+  /// Moves the tip in and out of the floor until `isFelt` returns true. Returns false after too
+  /// many tries.
   template <typename IsFelt>
   bool Knock(IsFelt&& isFelt, int tries = 50)
   {
@@ -83,7 +84,7 @@ TEST_F(VibrationSession, BhapticsFeelsAContactAndEndsStopped)
   EXPECT_EQ(Largest(player.Get()), 0) << "in the air";
   EXPECT_TRUE(this->Knock([&] { return player.GetDot("GloveL", 1) > 20; }));
   EXPECT_EQ(player.GetDot("GloveR", 1), 0);
-  // A constant force does not vibrate.
+  // A constant force causes no vibration.
   this->Lead(-0.005);
   EXPECT_TRUE(Eventually([&] { return Norm(this->Bench.State().Command) > 1.0; }));
   EXPECT_TRUE(Eventually([&] { return player.GetDot("GloveL", 1) == 0; }));

@@ -31,7 +31,7 @@ protected:
     this->State = this->Device.Read(Period, sample);
     return sample;
   }
-  /// Starts from the origin with these settings.
+  /// Sets the dynamics, and starts from the origin.
   void Begin(const VirtualDynamics& dynamics)
   {
     this->Device.SetDynamics(dynamics);
@@ -62,7 +62,7 @@ TEST_F(Virtual, PlacingTakesTheStylusUpAnewAndSaysSoOnce)
   this->Device.Lead({ 0.1, 0.2, 0.4 });
   EXPECT_FALSE(this->Read().Begins);
   this->Device.Place({ 0.0, 0.0, 0.1 });
-  // The tip is led on before the next read.
+  // The tip is led farther before the next read.
   this->Device.Lead({ 0.0, 0.0, 0.1001 });
   const DeviceSample sample = this->Read();
   EXPECT_TRUE(sample.Begins);

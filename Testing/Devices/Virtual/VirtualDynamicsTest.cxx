@@ -24,7 +24,7 @@ Vector3 Read(VirtualDevice& device)
   return sample.Tip;
 }
 
-/// Starts at rest at the origin.
+/// Sets the dynamics, and starts at rest at the origin.
 void Begin(VirtualDevice& device, const VirtualDynamics& dynamics)
 {
   device.SetDynamics(dynamics);

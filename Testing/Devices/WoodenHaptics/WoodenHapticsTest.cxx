@@ -68,7 +68,8 @@ TEST(WoodenHaptics, OtherLengthsAreRefusedWithAReason)
 
 TEST(WoodenHaptics, PosesThatCanBeWorkedOutByHand)
 {
-  ExpectNear(TipAt(0, 0, 6000), { 0.025, 0.0, 0.205 });      // at rest: upright, forearm level
+  ExpectNear(TipAt(0, 0, 6000), { 0.025, 0.0, 0.205 });      // rest pose: upper arm upright,
+                                                             // forearm level
   ExpectNear(TipAt(8000, 0, 6000), { -0.22, 0.245, 0.205 }); // a quarter turn about z
   ExpectNear(TipAt(0, 6000, 6000), { 0.23, 0.0, 0.0 });      // both arms level
   ExpectNear(TipAt(0, 0, 0), { -0.22, 0.0, -0.04 });         // hanging along the upright arm
@@ -100,11 +101,12 @@ TEST(WoodenHaptics, CurrentsHoldTheForceAndKeepItsDirection)
 {
   const WoodenHaptics device;
   using Currents = WoodenHaptics::Currents;
-  // At rest, each axis has its own motor, with levers of 0.245 m and 0.205 m.
+  // In the rest pose, one motor acts along each axis, with levers of 0.245 m and 0.205 m.
   EXPECT_EQ(device.ComputeCurrents(Rest, { 0.0, 1.0, 0.0 }), (Currents{ 591, 0, 0 }));
   EXPECT_EQ(device.ComputeCurrents(Rest, { 1.0, 0.0, 0.0 }), (Currents{ 0, 660, 0 }));
   EXPECT_EQ(device.ComputeCurrents(Rest, { 0.0, 0.0, -1.0 }), (Currents{ 0, 0, -788 }));
-  // Motor C would get 6306 mA and is limited to 3000 mA; motor A gets 3/8 of that.
+  // Motor C would get 6306 mA and is limited to 3000 mA. Motor A gets 3/8 of that, which keeps the
+  // direction of the force.
   EXPECT_EQ(device.ComputeCurrents(Rest, { 0.0, 4.0, 8.0 }), (Currents{ 1125, 0, 3000 }));
   EXPECT_EQ(device.ComputeCurrents(Rest, { 0.0, -4e200, -8e200 }), (Currents{ -1125, 0, -3000 }));
   for (const double bad : { std::numeric_limits<double>::quiet_NaN(), HUGE_VAL, -HUGE_VAL })

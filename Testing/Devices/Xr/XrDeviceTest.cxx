@@ -56,10 +56,11 @@ TEST(XrDevice, AFrameGetsTheLargestAmplitudeOfItsTicks)
   std::string error;
   ASSERT_TRUE(device.Open(error));
   const Vector3 force{ 0.6, 0.0, -0.8 };
-  // Within 20 ms, the weak motor's level rises to 0.70 and falls again.
+  // Within 20 ms after a step of the force, the weak motor's level rises to 0.70 and falls again.
   EXPECT_NEAR(AmplitudeAfter(device, 20, force), 0.70, 0.03);
   EXPECT_EQ(device.DrainAmplitude(), 0.0) << "nothing came since";
-  // From 40 to 50 ms after the step, the strong motor's level is the larger one, near its maximum.
+  // From 40 to 50 ms after the step, the strong motor's level is larger than the weak motor's, and
+  // near its maximum.
   AmplitudeAfter(device, 20, force);
   EXPECT_NEAR(AmplitudeAfter(device, 10, force), StrongOfStep(0.046), 0.005);
   for (int frame = 0; frame < 100; ++frame)
@@ -114,7 +115,7 @@ TEST(XrDevice, GivesNoForceAndIsLedByTheProgram)
   DeviceSample sample;
   EXPECT_EQ(device->Read(TickOfXr, sample), DeviceState::Running);
   EXPECT_EQ(Norm(sample.Tip - Vector3{ 0.1, 0.2, 0.3 }), 0.0);
-  // Other kinds make the other vibrating devices.
+  // Similar ids are not valid.
   for (const char* const id : { "vibration:x", "vibration:xr:0", "vibration:xrs" })
   {
     EXPECT_EQ(MakeDevice(id, {}, error), nullptr) << id;
@@ -131,7 +132,7 @@ TEST(XrDevice, TheListSaysWhatIsMissing)
 #if defined(__linux__)
   EXPECT_TRUE(HasWords(WhyNoXr(true, ""), "no OpenXR runtime is active"));
 #endif
-  // The kind is either listed or missing, never both or neither.
+  // The kind is either in the list of devices or in the list of missing kinds.
   const std::vector<DeviceListing> listed = ListDevices();
   const std::vector<DeviceObstacle> missing = ListMissingKinds();
   const auto count = std::count_if(listed.begin(), listed.end(),
@@ -143,7 +144,7 @@ TEST(XrDevice, TheListSaysWhatIsMissing)
 
 TEST(XrDevice, FindsTheRuntimeAsTheLoaderOfOpenXRDoes)
 {
-  // Expect the order of the loader's specification, "Linux Active Runtime Location".
+  // Expect the order of the section "Linux Active Runtime Location" in the loader's specification.
   const std::string folder = TemporaryPath("xr");
   const std::string own = folder + "/own/openxr/1/active_runtime.json";
   const std::string other = folder + "/second/openxr/1/active_runtime.json";
