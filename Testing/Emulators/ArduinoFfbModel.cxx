@@ -34,10 +34,10 @@ enum ReportId : std::uint8_t
 };
 constexpr int ConstantForce = 1;
 constexpr int Infinite = 0x7FFF;     ///< ms
-constexpr int DirectionEnable = 4;   ///< its bit in Set Effect
-constexpr int FullGain = 100;        ///< per cent, from the sketch
-constexpr int FullForce = 250;       ///< largest force that a sketch gets
-constexpr int FullMagnitude = 10000; ///< largest magnitude of a report
+constexpr int DirectionEnable = 4;   ///< value of the Direction Enable bit in Set Effect
+constexpr int FullGain = 100;        ///< per cent; the sketch sets it
+constexpr int FullForce = 250;       ///< largest force that a sketch receives
+constexpr int FullMagnitude = 10000; ///< largest magnitude in a report
 
 void BlockIndex(HidItems& items)
 {
@@ -147,8 +147,8 @@ void DescribeFeatures(HidItems& items)
 
 std::vector<std::uint8_t> ArduinoFfbModel::GetReportDescriptor() const
 {
-  // The sketch's joystick has four buttons and X, Y, Z. Its collection contains the reports of
-  // force feedback.
+  // The sketch's joystick has four buttons and the axes X, Y and Z. Its collection also contains
+  // the force feedback reports.
   HidItems items;
   items.Page(0x01).Usage(0x08).Open(HidItems::ApplicationCollection).Usage(0x01).Id(Place);
   items.Open(HidItems::PhysicalCollection).Page(0x09).UsageRange(1, 4).Logical(0, 1).Fields(1, 4);
@@ -209,7 +209,7 @@ int ArduinoFfbModel::ReceiveOutput(const std::uint8_t* report, int size)
   const int block = report[1];
   if (block < 1 || block > MaximumEffects)
   {
-    return size; // the board would write outside the array
+    return size; // refuses the block: the board would write outside of its array
   }
   Effect& effect = this->Effects[block];
   if (report[0] == SetEffect)
@@ -240,7 +240,7 @@ int ArduinoFfbModel::ReceiveOutput(const std::uint8_t* report, int size)
       effect.Duration = report[3] > 0 ? effect.Duration * report[3] & 0xFFFF : effect.Duration;
       effect.Duration = report[3] == 0xFF ? Infinite : effect.Duration;
     }
-    // The state changes from Allocated to Playing, so that the block becomes free when the effect
+    // Change the state from Allocated to Playing, so that the block becomes free when the effect
     // stops.
     effect.IsPlaying = true;
     effect.IsAllocated = false;

@@ -70,11 +70,11 @@ private:
   int ClaimFreeBlock();
   bool Acts(const Effect& effect) const;
 
-  std::array<Effect, MaximumEffects + 1> Effects{}; ///< element 0 is not used
+  std::array<Effect, MaximumEffects + 1> Effects{}; ///< element 0 is unused
   int NextFree = 1;
   int Loaded = 0;
   int LoadStatus = 0;
-  int LoadId = 0; ///< id of the report, which is sent once
+  int LoadId = 0; ///< id of a report that is sent only once
   bool IsPaused = false;
 };
 

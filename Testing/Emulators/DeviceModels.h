@@ -57,8 +57,9 @@ public:
    * has none.
    */
   std::function<void(const std::uint8_t* report, int size)> Input = [](const std::uint8_t*, int) {};
-  bool TellsSerial = true;  ///< whether it has a serial number
-  bool IsBluetooth = false; ///< on bus 0005 (USB: 0003), without a USB device above
+  bool TellsSerial = true;  ///< whether the device has a serial number
+  bool IsBluetooth = false; ///< whether the device is on bus 0005 without a USB device above,
+                            ///< instead of on bus 0003 (USB)
 };
 
 } // namespace emulated

@@ -51,7 +51,7 @@ public:
   std::string GetName() const override { return "DualSense Wireless Controller"; }
   std::vector<std::uint8_t> GetReportDescriptor() const override
   {
-    // A gamepad with six axes of a byte. The other fields are the vendor's.
+    // A gamepad with six axes of a byte each. The other fields hold a vendor's data.
     return { 0x05, 0x01, 0x09, 0x05, 0xA1, 0x01, 0x85, 0x01, 0x09, 0x30, 0x09, 0x31, 0x09, 0x32,
       0x09, 0x35, 0x09, 0x33, 0x09, 0x34, 0x15, 0x00, 0x26, 0xFF, 0x00, 0x75, 0x08, 0x95, 0x06,
       0x81, 0x02, 0x06, 0x00, 0xFF, 0x09, 0x21, 0x95, 0x39, 0x81, 0x02, 0x85, 0x02, 0x09, 0x23,
@@ -90,7 +90,7 @@ public:
       this->Most = { std::max(this->Most.Left, this->Now.Left),
         std::max(this->Most.Right, this->Now.Right) };
     }
-    // The report may also request lights, sound and triggers, which the driver must not use.
+    // The driver must not use the parts of the report that request lights, sound and triggers.
     for (int i = 0; i < 47; ++i)
     {
       const bool isKnown = i == 0 || i == 2 || i == 3 || i == 38;
@@ -156,7 +156,7 @@ public:
     std::memcpy(common, this->Sticks.data(), 6);
     common[6] = static_cast<std::uint8_t>(this->Time);
     std::memcpy(common + 7, this->Buttons.data(), 3);
-    common[7] = static_cast<std::uint8_t>(common[7] | 8); // the direction pad is at rest
+    common[7] = static_cast<std::uint8_t>(common[7] | 8); // the direction pad at rest
     if (this->IsWireless)
     {
       const std::uint32_t crc = Checksum(0xA1, report, 74);
@@ -189,9 +189,9 @@ public:
   }
 
   std::atomic<bool> IsSilent{ false };
-  std::atomic<bool> IsSpoilt{ false }; ///< spoils reports over Bluetooth
+  std::atomic<bool> IsSpoilt{ false }; ///< whether a bit of each report over Bluetooth is wrong
   std::atomic<bool> RefusesReports{ false };
-  std::atomic<int> BadReports{ 0 }; ///< unexpected reports, or parts of reports
+  std::atomic<int> BadReports{ 0 }; ///< number of unexpected reports, or parts of reports
   std::atomic<int> Reports{ 0 };
 
 private:

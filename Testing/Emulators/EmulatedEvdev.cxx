@@ -97,7 +97,7 @@ int AnswerIoctl(PadModel& model, UMockdevIoctlClient* client, unsigned long requ
 {
   if (_IOC_NR(request) == _IOC_NR(EVIOCGRAB) || _IOC_NR(request) == _IOC_NR(EVIOCRMFF))
   {
-    // The argument of these ioctls is a value, not an address.
+    // These ioctls have a value as argument, not an address.
     unsigned long value = 0;
     std::memcpy(&value, umockdev_ioctl_client_get_arg(client)->data, sizeof(value));
     return _IOC_NR(request) == _IOC_NR(EVIOCGRAB) ? model.Grab(client, value != 0)
@@ -155,7 +155,7 @@ FifoNode::Device Describe(const PadModel& model, int number)
 
 std::unique_ptr<FifoNode> MakeNode(PadModel& model)
 {
-  // Begin with 9, so that the second node has two digits and a larger number.
+  // Numbers begin with 9, so that the second node has two digits and a larger number.
   static std::atomic<int> next{ 9 };
   const int number = next++;
   FifoNode::Answers answers;

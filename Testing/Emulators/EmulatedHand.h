@@ -20,13 +20,15 @@ struct EmulatedHand
 {
   static constexpr double Mass = 0.1;        ///< kg
   static constexpr double Stiffness = 300.0; ///< N/m
-  static constexpr double Damping = 25.0;    ///< N s/m: slow, so that late forces do not shake it
-  static constexpr double Speed = 0.1;       ///< m/s, speed towards its goal
+  static constexpr double Damping = 25.0;    ///< N s/m: so slow that late forces do not shake the
+                                             ///< hand
+  static constexpr double Speed = 0.1;       ///< m/s, speed of the spring's fixed end towards the
+                                             ///< goal
 
   Triple Tip{}; ///< m
   Triple Velocity{};
-  Triple Led{};  ///< m, the fixed end of the spring
-  Triple Goal{}; ///< m, the position to which the hand is led
+  Triple Led{};  ///< m, fixed end of the spring
+  Triple Goal{}; ///< m, position to which the hand is led
 
   /** Applies a force (N) for a time (s). */
   void Step(double time, const Triple& force)
@@ -41,7 +43,7 @@ struct EmulatedHand
     {
       this->Led[a] += part * (this->Goal[a] - this->Led[a]);
       const double pull = Stiffness * (this->Led[a] - this->Tip[a]) + force[a];
-      // Damping acts at the end of the step: stable for any step.
+      // Apply the damping at the end of the step, which is stable for steps of any length.
       this->Velocity[a] = (this->Velocity[a] + time / Mass * pull) / (1.0 + time * Damping / Mass);
       this->Tip[a] += time * this->Velocity[a];
     }

@@ -50,9 +50,9 @@ public:
 private:
   HidModel& Model;
   int SerialNumber;
-  std::mutex Guard; ///< guards Current, which models use from their threads
+  std::mutex Guard; ///< guards Current, which the models' threads use
   Plug* Current = nullptr;
-  std::vector<Plug*> Old; ///< kept, because handles on them may still be open
+  std::vector<Plug*> Old; ///< earlier plugs, on which handles may still be open
 };
 
 } // namespace emulated

@@ -136,7 +136,7 @@ int EmulatedUsb::Plug::Answer(
       return this->DriverIoctl(argument);
     case USBDEVFS_CLEAR_HALT:
     {
-      // Clear the halt by the request on the wire: CLEAR_FEATURE, ENDPOINT_HALT.
+      // Clear the halt by the USB request CLEAR_FEATURE (ENDPOINT_HALT).
       const std::uint8_t setup[8] = { 0x02, 1, 0, 0,
         static_cast<std::uint8_t>(*Argument<unsigned int>(argument)), 0, 0, 0 };
       return this->Model.Control(setup, nullptr, 0);
@@ -181,7 +181,8 @@ int EmulatedUsb::Plug::DriverIoctl(UMockdevIoctlData* argument)
   Argument<usbdevfs_ioctl> ioctl(argument);
   if (static_cast<unsigned int>(ioctl->ioctl_code) == USBDEVFS_CONNECT && this->Owner == nullptr)
   {
-    // The kernel would let its drivers probe again; this driver fits the device.
+    // After this call, the kernel lets its drivers probe again. The driver that fits this device is
+    // ftdi_sio.
     this->Driver = "ftdi_sio";
     return 1;
   }
@@ -196,7 +197,7 @@ int EmulatedUsb::Plug::Submit(UMockdevIoctlClient* client, UMockdevIoctlData* ar
     umockdev_ioctl_data_resolve(data, G_STRUCT_OFFSET(usbdevfs_urb, buffer), size, nullptr);
   if (buffer != nullptr)
   {
-    g_object_unref(buffer); // the client's request keeps a reference
+    g_object_unref(buffer); // the client's request keeps a reference to the buffer
   }
   else if (size > 0)
   {
@@ -205,7 +206,7 @@ int EmulatedUsb::Plug::Submit(UMockdevIoctlClient* client, UMockdevIoctlData* ar
   }
   const Urb urb{ data, client };
   (this->Try(urb) ? this->Ended : this->Waiting).push_back(urb);
-  // The transfer may produce an answer for which a caller waits.
+  // The transfer may have produced the answer for which a caller waits.
   this->PumpLocked();
   return 0;
 }

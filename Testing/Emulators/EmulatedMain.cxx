@@ -43,7 +43,7 @@ void RemoveTestbed()
 
 int main(int argc, char** argv)
 {
-  // Create the testbed first: without one, umockdev would remember that there is none.
+  // Create the testbed first. Otherwise, umockdev would remember that there is none.
   emulated::Testbed();
   testing::InitGoogleTest(&argc, argv);
   if (!testing::GTEST_FLAG(list_tests) && !umockdev_in_mock_environment())
@@ -56,8 +56,8 @@ int main(int argc, char** argv)
   char* const root = umockdev_testbed_get_root_dir(emulated::Testbed());
   setenv("VOLUMEHAPTICS_DEVICES", (std::string(root) + "/devices.txt").c_str(), 1);
   g_free(root);
-  // umockdev sleeps for zero time after every call, which takes as long as the timer slack.
-  // Minimise the slack.
+  // umockdev sleeps for a time of zero after every call, which takes as long as the timer slack. So
+  // set the smallest slack.
   prctl(PR_SET_TIMERSLACK, 1UL);
   const int result = RUN_ALL_TESTS();
   RemoveTestbed();

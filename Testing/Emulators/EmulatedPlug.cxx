@@ -17,7 +17,7 @@ namespace emulated
 namespace
 {
 
-constexpr int PipeSize = 4096; // the smallest size of a pipe
+constexpr int PipeSize = 4096; // bytes: the smallest size of a pipe
 
 void Check(gboolean done, GError* error)
 {
@@ -45,7 +45,7 @@ EmulatedUsb::Plug::Plug(UsbModel& model, const std::string& port, int address)
   this->Path = "/sys/devices/usb" + std::to_string(bus) + "/" + port;
   g_signal_connect(this->Base, "handle-ioctl", G_CALLBACK(&Plug::OnIoctl), this);
   g_signal_connect(this->Base, "client-vanished", G_CALLBACK(&Plug::OnVanished), this);
-  // Attach before the device exists, so that udev is not asked.
+  // Attach the ioctls before the device exists, so that udev is not asked for the device.
   GError* error = nullptr;
   Check(umockdev_testbed_attach_ioctl(Testbed(), this->Node.c_str(), this->Base, &error), error);
   this->AddDevice(port, address);
@@ -126,7 +126,7 @@ void EmulatedUsb::Plug::ForgetProgram()
   if (this->Owner != nullptr)
   {
     this->Owner = nullptr;
-    // Do not release the ioctls: they belong to a client that may have ended.
+    // Keep the ioctls: they belong to a client that may have ended, so they can't be released.
     this->Waiting.clear();
     this->Ended.clear();
     this->SetReady(false);
@@ -138,7 +138,7 @@ EmulatedUsb::EmulatedUsb(UsbModel& model, const std::string& port)
   : Model(model)
   , Port(port)
 {
-  RememberConfirmed("falcon:port:" + port); // the model has no serial number
+  RememberConfirmed("falcon:port:" + port); // by its port, as the model has no serial number
   this->PlugIn();
 }
 
@@ -146,15 +146,15 @@ EmulatedUsb::~EmulatedUsb()
 {
   this->Model.Ready = [] {};
   this->Unplug();
-  // Keep the plugs: a caller with an open handle would otherwise wait for an answer for ever.
+  // Keep all plugs. A caller with an open handle would otherwise wait for an answer forever.
   static auto& kept = *new std::vector<std::unique_ptr<Plug>>;
   std::move(this->Plugs.begin(), this->Plugs.end(), std::back_inserter(kept));
 }
 
 void EmulatedUsb::PlugIn()
 {
-  // Use a new address, as the kernel does not give an unplugged device's address to the next
-  // device.
+  // Use a new address. The kernel does not give the address of an unplugged device to the next
+  // device either.
   static int address = 1;
   this->Plugs.push_back(std::make_unique<Plug>(this->Model, this->Port, ++address));
   Plug* const plug = this->Plugs.back().get();

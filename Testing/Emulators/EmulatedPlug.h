@@ -31,8 +31,8 @@ public:
   void Pump();
 
   mutable std::mutex Mutex;
-  std::string Driver;                   ///< the kernel's driver, bound to interface 0
-  UMockdevIoctlClient* Owner = nullptr; ///< the client that has claimed interface 0
+  std::string Driver;                   ///< driver of the kernel that is bound to interface 0
+  UMockdevIoctlClient* Owner = nullptr; ///< client that has claimed interface 0
 
 private:
   /** A request that libusb has submitted, and its client. */
@@ -63,8 +63,8 @@ private:
   UsbModel& Model;
   UMockdevIoctlBase* const Base;
   std::string Node; ///< /dev/bus/usb/...
-  std::string Path; ///< /sys/devices/...
-  std::string File; ///< file that replaces the node
+  std::string Path; ///< path in /sys/devices
+  std::string File; ///< file in place of the node
   std::list<Urb> Waiting;
   std::list<Urb> Ended;
   int Pipe = -1;

@@ -47,9 +47,9 @@ public:
 
   Numbers Place{ 0.0, 0.0, 0.11 };
   Numbers Velocity{};
-  Numbers Hand = Place; ///< position of the hand
-  Numbers Aim = Place;  ///< target of the hand
-  bool IsHeld = false;  ///< whether a vice holds it: no force moves it
+  Numbers Hand = Place; ///< m, position of the hand
+  Numbers Aim = Place;  ///< m, target of the hand
+  bool IsHeld = false;  ///< whether a vice holds the hand, so that no force moves it
 };
 
 } // namespace emulated

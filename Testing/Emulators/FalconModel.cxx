@@ -17,7 +17,7 @@ namespace
 constexpr std::size_t PacketSize = 16;
 constexpr std::size_t MostLines = 1 << 16;
 constexpr int HomeBit = 0x01;
-// Before homing, the counts of the encoders have arbitrary offsets.
+// Offsets of the encoder counts before homing; they are arbitrary.
 constexpr Numbers Offsets = { 700.0, -300.0, 150.0 };
 
 using Lock = std::lock_guard<std::mutex>;
@@ -286,7 +286,7 @@ void FalconModel::ReceivePacket()
   }
   if (this->Packets % 8 == 0 && !this->Clock)
   {
-    this->Send(""); // a transfer without data
+    this->Send(""); // sends a transfer without data
   }
   this->Send(report);
 }

@@ -49,25 +49,25 @@ namespace emulated
 enum class FalconFault
 {
   None,
-  ShortPacket, ///< the answer breaks off
-  Garbage,     ///< the answer is no packet
+  ShortPacket, ///< an answer without its last bytes
+  Garbage,     ///< an answer that is no packet
   Silence,     ///< no answer
-  LateAnswer,  ///< the answer comes after the next packet
+  LateAnswer,  ///< an answer that comes after the next packet
   StallOut,
   StallIn,
   BadCable,     ///< transfers out fail with EPROTO
   StuckOut,     ///< transfers out never end
-  Nowhere,      ///< counts that no position has
-  Jump,         ///< counts that are 25 mm away
-  LostZero,     ///< an encoder loses its homing
-  NoGreeting,   ///< the loader does not answer
-  LateGreeting, ///< the answer to a greeting comes just before the host's next request
-  LeadingZero,  ///< a 0x00 comes before the answer to a greeting
-  LeadingShake, ///< a 0x13 comes before the answer at the loading rate
-  StuckLoader,  ///< no answer until the device is reopened as often as given
-  WrongEcho,    ///< a byte of the image comes back changed
-  NoEcho,       ///< a block of the image does not come back
-  DeadImage     ///< the image is accepted, but does not run
+  Nowhere,      ///< encoder counts that belong to no position
+  Jump,         ///< encoder counts of a position 25 mm away
+  LostZero,     ///< an encoder that loses its homing
+  NoGreeting,   ///< no answer from the loader
+  LateGreeting, ///< an answer to a greeting that comes just before the host's next request
+  LeadingZero,  ///< a 0x00 before the answer to a greeting
+  LeadingShake, ///< a 0x13 before the answer at the loading rate
+  StuckLoader,  ///< no answer until the device was reopened as often as given
+  WrongEcho,    ///< a byte of the image that comes back changed
+  NoEcho,       ///< a block of the image that does not come back
+  DeadImage     ///< an image that is accepted, but does not run
 };
 
 class FalconModel : public UsbModel
@@ -103,15 +103,15 @@ public:
   void SetHeld(bool held); ///< holds the grip in a vice, which moves to the aim
   Numbers GetGrip() const;
   Numbers GetHand() const;
-  Numbers GetCommands() const; ///< commands of the last packet
-  Numbers GetForce() const;    ///< N, force of the motors at the last packet
-  int GetLights() const;       ///< lights of the last packet
+  Numbers GetCommands() const; ///< returns the motor commands of the last packet
+  Numbers GetForce() const;    ///< returns the motors' force (N) at the last packet
+  int GetLights() const;       ///< returns the lights of the last packet
   long GetPackets() const;
-  double DrainLargestCommand(); ///< largest command since the last call
+  double DrainLargestCommand(); ///< returns the largest command since the last call
   /** The number of the last packet with a command other than zero, and its time. */
   std::pair<long, std::chrono::steady_clock::time_point> GetLastPush() const;
   std::vector<std::uint8_t> GetImage() const;
-  void SetImageSize(std::size_t bytes); ///< an image with fewer bytes does not run
+  void SetImageSize(std::size_t bytes); ///< sets the size from which on an image runs (bytes)
   bool IsRunning() const;
   /** Interrupts the power: the device loses its firmware and its zero. */
   void SwitchOff();
@@ -124,7 +124,7 @@ public:
   ///@}
 
 private:
-  int GetMode() const; ///< 0 greeting, 1 loading, 2 running, -1 none
+  int GetMode() const; ///< returns 0 for greeting, 1 for loading, 2 for running, -1 for none
   bool Takes(FalconFault fault);
   void Send(const std::string& bytes);
   void Deliver();
@@ -153,14 +153,14 @@ private:
   int Baud = 0;
   bool Runs;
   bool IsShaken = false;
-  std::string Waiting; ///< incomplete run packet or greeting
+  std::string Waiting; ///< bytes of an incomplete run packet or greeting
   std::vector<std::uint8_t> Image;
   std::size_t ImageSize = 1;
-  std::deque<std::string> Replies; ///< one transfer each
-  std::deque<std::string> Pending; ///< replies on their way to the host
-  std::string Late;                ///< an answer held until the next packet or request
+  std::deque<std::string> Replies; ///< answers, one for each transfer
+  std::deque<std::string> Pending; ///< answers on their way to the host
+  std::string Late;                ///< an answer that waits for the next packet or request
   long InStep = 0;
-  std::deque<FalconFault> Attempts; ///< faults of loading
+  std::deque<FalconFault> Attempts; ///< faults of the next attempts to load
   std::vector<std::string> Transcript;
   std::unique_ptr<ModelClock> Clock; ///< the last member, so that its thread ends first
 };

@@ -18,8 +18,8 @@ void FalconModel::Break(FalconFault fault, int packets)
 
 void FalconModel::SetTimed(bool timed)
 {
-  // Run slower than the device: a round trip through umockdev takes about as long as the device's,
-  // so that at the device's pace no answer would be late.
+  // The model runs at half of the device's speed. A round trip through umockdev takes about as long
+  // as the device's, so at full speed no answer would be late.
   constexpr int slowness = 2;
   const auto step = [this, tick = 0]() mutable
   {
@@ -33,7 +33,7 @@ void FalconModel::SetTimed(bool timed)
     const Lock lock(this->Mutex);
     std::swap(this->Clock, clock);
   }
-  // Stop the other clock here, outside the lock: its thread may be waiting for the lock.
+  // The old clock stops here, outside of the lock, because its thread may be waiting for the lock.
 }
 
 long FalconModel::GetInStep() const

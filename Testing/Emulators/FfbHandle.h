@@ -25,7 +25,7 @@ enum class FfbFault
   Garbage, ///< reports with random positions
   Silence,
   WriteError,
-  NoBlockLoad, ///< the report on a new effect can't be read
+  NoBlockLoad, ///< the report on a new effect that can't be read
   FullPool
 };
 
@@ -33,7 +33,7 @@ class FfbHandle : public HidModel
 {
 public:
   static constexpr double FullScale = 4.0; ///< N, at each motor's full torque
-  static constexpr double Travel = 0.05;   ///< m, the handle's position at the end of an axis
+  static constexpr double Travel = 0.05;   ///< m, position of the handle at the end of an axis
 
   int Output(const std::uint8_t* report, int size) override;
   int SetFeature(const std::uint8_t* report, int size) override;

@@ -24,7 +24,7 @@ void Send(FfbHandle& model, const Report& report)
     model.Output(report.data(), static_cast<int>(report.size())), static_cast<int>(report.size()));
 }
 
-/// Starts a constant effect of 100 ms in block 1.
+/// Starts a constant effect of 100 ms in block 1 of the model.
 void Play(OpenFfboardModel& model, int bits, int x, int y, int magnitude, int gain)
 {
   const Report create{ 0x11, 1, 0, 0 };
@@ -47,7 +47,8 @@ constexpr double Unit = FfbHandle::FullScale / 32767.0; // N
 
 TEST(FfbModels, OpenFfboardPushesAwayFromTheDirectionAndOlderOnesTurnY)
 {
-  // 20000 * 128 / 255 = 10039; times the sine of 45 degrees 7098; times 200 / 255 = 5567.
+  // The force is 20000 * 128 / 255 = 10039, times the sine of 45 degrees = 7098, times 200 / 255 =
+  // 5567.
   OpenFfboardModel model(Kind::Joystick);
   Send(model, { 13, 200 });
   Play(model, 4, 4500, 0, 20000, 128);
@@ -60,12 +61,13 @@ TEST(FfbModels, OpenFfboardPushesAwayFromTheDirectionAndOlderOnesTurnY)
 
 TEST(FfbModels, OpenFfboardWithoutDirectionGoesByShares)
 {
-  // Shares of x and y: (27000 - 18000) / 18000 = 0.5, and -(9000 - 18000) / 18000 = 0.5.
+  // The fraction of x is (27000 - 18000) / 18000 = 0.5, and that of y is -(9000 - 18000) / 18000 =
+  // 0.5.
   OpenFfboardModel model(Kind::Joystick);
   Play(model, 3, 27000, 9000, 20000, 255);
   ExpectForce(model, -10000 * Unit, 10000 * Unit);
-  // A wheel built with the one-axis descriptor does not use the bit that this descriptor calls
-  // Direction Enable.
+  // A wheel built with the one-axis descriptor ignores the bit that this descriptor calls Direction
+  // Enable.
   OpenFfboardModel wheel(Kind::OneAxisWheel);
   Play(wheel, 2, 9000, 0, 20000, 255);
   ExpectForce(wheel, 0.0, 0.0);
@@ -107,16 +109,16 @@ TEST(FfbModels, ArduinosLibraryPushesTowardsTheDirection)
     Send(model, { 10, 1, 1, 1 });
   };
   constexpr double unit = FfbHandle::FullScale / 250.0; // N
-  // 64 of 255 parts are 90.35 degrees. 5000 becomes 4999 along x, which is mapped to 124 of 250.
-  // Along y, 30 becomes 0.
+  // 64 of 255 parts of a circle are 90.35 degrees. Along x, 5000 becomes 4999, which is mapped to
+  // 124 of 250. Along y, 30 becomes 0.
   play(4, 64, 0, 255);
   ExpectForce(model, 124 * unit, 0.0);
   play(4, 64, 0, 51);
   ExpectForce(model, 124 * unit, 0.0); // the division loses the effect's gain
-  // North: -5000 along HID's y, which pushes away from the user.
+  // North is -5000 along HID's y. This pushes away from the user.
   play(4, 0, 0, 255);
   ExpectForce(model, 0.0, 125 * unit);
-  // With the bits of both axes, each axis has its own direction, and 0 is north for y.
+  // With the bits of both axes, each axis has its own direction. For y, 0 is north.
   play(7, 64, 0, 255);
   ExpectForce(model, 124 * unit, 125 * unit);
   Send(model, { 12, 3 });

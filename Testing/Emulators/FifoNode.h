@@ -29,8 +29,8 @@ public:
   /** Answers of a node to a program's calls. Results are 0 or more, or -errno. */
   struct Answers
   {
-    unsigned IoctlType; ///< type in _IOC(); other types are not handled
-    int GoneResult;     ///< result of reads and writes after unplugging; ioctls get -ENODEV
+    unsigned IoctlType; ///< type in _IOC() of the handled ioctls
+    int GoneResult;     ///< result of reads and writes after unplugging; ioctls return -ENODEV
     std::function<int(const std::uint8_t* bytes, std::size_t size)> Write;
     std::function<int(UMockdevIoctlClient* client, unsigned long request)> Ioctl;
   };
@@ -69,7 +69,7 @@ private:
   static gboolean OnRead(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer node);
 
   const std::string Node;
-  const std::string Root; ///< root of the played file system
+  const std::string Root; ///< root folder of the simulated file system
   const std::vector<std::string> SysPaths;
   const Answers Answer;
   UMockdevIoctlBase* const Base;

@@ -53,9 +53,9 @@ struct HaplyService::Server
   std::thread EventsThread;
   std::thread HttpThread;
 
-  std::mutex Mutex; // guards all members below
+  std::mutex Mutex; // guards all following members
   std::vector<std::thread> Threads;
-  std::vector<int> Sockets; // duplicates of open connections, to end them
+  std::vector<int> Sockets; // duplicates of open connections, with which the destructor ends them
   std::list<Listener*> Listeners;
   std::vector<HaplySession> Sessions;
   HaplyState Arms;
@@ -106,7 +106,7 @@ struct HaplyService::Server
           }
           catch (const std::exception&)
           {
-            // The client has ended, or this service ends.
+            // Either the client or this service has ended.
           }
           const std::lock_guard<std::mutex> other(this->Mutex);
           this->Sockets.erase(std::find(this->Sockets.begin(), this->Sockets.end(), number));
@@ -151,7 +151,7 @@ struct HaplyService::Server
     return std::any_of(this->Sessions.begin(), this->Sessions.end(),
       [&arm](const HaplySession& session) { return session.IsOpen && session.Arm == arm; });
   }
-  /// Returns the view of a session that has configured nothing yet.
+  /// Returns the view of a session that has not configured anything.
   HaplyView MakeView() const
   {
     HaplyView view;
@@ -201,7 +201,7 @@ struct HaplyService::Server
   void Converse(websocket::stream<tcp::socket&>& stream, std::size_t session)
   {
     HaplyView view = this->MakeView();
-    std::future<void> flood; // the destructor waits for its end
+    std::future<void> flood; // its destructor waits for the thread's end
     for (beast::flat_buffer buffer;; buffer.clear())
     {
       stream.read(buffer);
@@ -237,7 +237,7 @@ struct HaplyService::Server
       }
     }
   }
-  /// Sends pings of two bytes each until the fault or the connection ends.
+  /// Sends pings of two bytes each until the fault ends or the connection does.
   void Flood(int number, HaplyFault fault)
   {
     std::string pings;
@@ -259,7 +259,7 @@ struct HaplyService::Server
       goesOn = this->Arms.Fault == fault && (sent >= 0 || errno == EAGAIN);
     }
   }
-  /// Answers in ways that no service should. Frames follow RFC 6455, section 5.2.
+  /// Answers in a way in which no service should answer. Frames follow RFC 6455, section 5.2.
   std::future<void> Misbehave(int number, HaplyFault fault)
   {
     const auto send = [number](const char* bytes, std::size_t size)
@@ -280,7 +280,7 @@ struct HaplyService::Server
         ::shutdown(number, SHUT_WR);
         break;
       case HaplyFault::Resets:
-        ::connect(number, &nobody, sizeof(nobody)); // Linux resets the connection
+        ::connect(number, &nobody, sizeof(nobody)); // Linux then resets the connection
         break;
       case HaplyFault::Pings:
         return std::async(std::launch::async, [=] { this->Flood(number, fault); });
@@ -306,7 +306,8 @@ struct HaplyService::Server
       ++session.Refused;
       return;
     }
-    // The preset must be an object, even for one name; a bare string is not accepted.
+    // In newer versions, the preset must be an object, even for one name. A bare string is an
+    // error.
     const Json::json_pointer preset(arm + "/configure/preset/preset");
     const Json::json_pointer basis("/session/configure/basis/permutation");
     if (this->Arms.IsNew() && this->Shape.TakesPresets && message.contains(preset) &&
@@ -350,13 +351,14 @@ struct HaplyService::Server
     if (hasHttp && !body.empty())
     {
       answer.result(http::status::ok);
-      // The envelope of 3.5. Tutorial 00 has the same content without an envelope.
+      // Version 3.5 puts the content into an envelope. Tutorial 00 shows the same content without
+      // an envelope.
       answer.body() = this->Arms.IsNew() ? "{\"ok\":true,\"data\":" + body + "}" : body;
     }
     answer.prepare_payload();
     http::write(socket, answer);
   }
-  /// Serves a listener of events until the listener leaves.
+  /// Serves a listener of events until the listener disconnects.
   void Hold(tcp::socket& socket)
   {
     websocket::stream<tcp::socket&> stream(socket);
@@ -378,7 +380,7 @@ struct HaplyService::Server
       this->Listeners.push_back(&stream);
     }
     beast::flat_buffer buffer;
-    stream.read(buffer); // returns when the client leaves, as it sends nothing
+    stream.read(buffer); // returns when the client disconnects, because it sends nothing
   }
 };
 

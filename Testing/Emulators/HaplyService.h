@@ -40,9 +40,9 @@ namespace emulated
 struct HaplySession
 {
   std::string Greeting;       ///< the first message
-  std::string Arm;            ///< the arm that it commands
+  std::string Arm;            ///< id of the arm that the session commands
   std::vector<Triple> Forces; ///< N, one per message
-  int Refused = 0;            ///< number of messages not understood
+  int Refused = 0;            ///< number of messages that are not understood
   bool IsOpen = true;
 };
 

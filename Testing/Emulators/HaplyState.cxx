@@ -12,13 +12,13 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 
-/// The position in the documentation's example of an inventory: the tip is in front of the arm's
+/// m: position in the documentation's example of an inventory. The tip is in front of the arm's
 /// base.
 constexpr Triple BaseToMiddle{ 0.0, -0.12, 0.15 };
-constexpr double LongestStep = 5e-3; // s; a longer pause moves the hand by no more
+constexpr double LongestStep = 5e-3; // s; a longer pause moves the hand as far as this time
 constexpr double ShortStep = 1e-4;   // s
 
-/// Returns Haply's axis for each axis of a session, and its sign.
+/// Returns, for each axis of a session, the index and the sign of Haply's axis.
 std::array<std::pair<int, double>, 3> ReadBasis(const std::string& basis)
 {
   std::array<std::pair<int, double>, 3> axes{};
@@ -61,14 +61,14 @@ Triple HaplyView::FromSession(const Triple& session) const
 std::array<double, 4> HaplyView::ToSession(const std::array<double, 4>& haply) const
 {
   const auto axes = ReadBasis(this->Basis);
-  // If the session's axes have the other handedness, rotations change their sign.
+  // In axes of the other handedness, rotations have the opposite sign.
   const bool isCyclic = (axes[0].first + 1) % 3 == axes[1].first;
   const double hand = (isCyclic ? 1.0 : -1.0) * axes[0].second * axes[1].second * axes[2].second;
   const Triple axis = this->ToSession(Triple{ haply[1], haply[2], haply[3] });
   return { haply[0], hand * axis[0], hand * axis[1], hand * axis[2] };
 }
 
-/// Write objects as text, so that order and omissions are a service's.
+/// Writes objects as text, in the order and with the omissions of a service.
 class HaplyState::Writer
 {
 public:
@@ -128,7 +128,7 @@ public:
     }
     return this->Object(members);
   }
-  /// Writes a family of devices as a list or a map.
+  /// Writes a family of devices as a list, or as a map from identifiers.
   std::string Family(const std::vector<std::pair<std::string, Members>>& devices) const
   {
     if (this->Shape.HasMaps)
@@ -204,7 +204,8 @@ HaplyState::Members HaplyState::MakeArm(
     arm.emplace_back("config", write.Object(config));
   }
   arm.emplace_back("state", write.Object(state));
-  // Write all flags or omit all false flags: the documentation gives no default for a missing flag.
+  // Write all flags, or leave out all that are false: the documentation does not say what a missing
+  // flag means.
   Members status;
   for (const auto& [name, value] : { std::pair("calibrated", this->IsCalibrated),
          std::pair("in_use", isInUse), std::pair("power_supply", true),

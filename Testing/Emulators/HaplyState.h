@@ -23,17 +23,18 @@ namespace emulated
 struct HaplyShape
 {
   std::string Version = "3.5.0";
-  std::string Family = "inverse3"; ///< family of both arms
+  std::string Family = "inverse3"; ///< device family of both arms
   std::string Type = "inverse3";
-  bool HasMaps = false;       ///< maps from identifiers to devices, as in 3.0
-  bool OmitsDefaults = false; ///< omits numbers equal to their default, and released buttons
-  bool IsReordered = false;   ///< writes members of objects in reverse order
+  bool HasMaps = false;       ///< writes maps from identifiers to devices, as version 3.0 does
+  bool OmitsDefaults = false; ///< leaves out numbers that equal their default, and released buttons
+  bool IsReordered = false;   ///< writes the members of objects in reverse order
   bool HasEvents = true;
-  bool HasOwnHttp = false;      ///< HTTP at another port than the states, as up to 3.1
+  bool HasOwnHttp = false;      ///< uses another port for HTTP than for states, as versions up to
+                                ///< 3.1 do
   bool HasDeviceList = true;    ///< lists devices by HTTP
-  bool OmitsFalseFlags = false; ///< omits false flags of a status
-  bool HasStatus = true;        ///< status in states, too; else only in the inventory
-  int DropTime = 0;             ///< ms until a closed session is no longer in use
+  bool OmitsFalseFlags = false; ///< leaves out the false flags of a status
+  bool HasStatus = true;        ///< writes the status into states, and not only into the inventory
+  int DropTime = 0;             ///< ms until a closed session does not count as in use
   /**
    * The basis of a session that names none. Haply's Hub may apply the basis of an earlier session
    * again.
@@ -43,44 +44,45 @@ struct HaplyShape
   double NumberScale = 0.0;
   /** The preset of a session that names none. */
   std::string Preset = "defaults";
-  bool TakesPresets = true; ///< false: a session keeps its preset
-  bool TellsConfig = true;  ///< a requested full state has the configuration
+  bool TakesPresets = true; ///< false: a session keeps the preset that it begins with
+  bool TellsConfig = true;  ///< writes the configuration into a requested full state
   std::string VersionNotes; ///< JSON sent with the version
 };
 
 enum class HaplyFault
 {
   None,
-  Silent,    ///< accepts messages and answers none
+  Silent,    ///< accepts messages, and does not answer them
   Slow,      ///< delays each state by 60 ms
-  Junk,      ///< sends states that are no JSON
+  Junk,      ///< sends states that are not JSON
   Blind,     ///< sends states without a position
-  SlowBlind, ///< as Blind, and delays each state by 60 ms
-  NoNumber,  ///< a coordinate is NaN, which nlohmann's library writes as null
-  NoScale,   ///< the transform's scale is null
-  Deep,      ///< sends states with a further member: HaplyState::DeepJson
+  SlowBlind, ///< sends states without a position, each delayed by 60 ms
+  NoNumber,  ///< sends NaN as a coordinate, which nlohmann's library writes as null
+  NoScale,   ///< sends null as the scale of the transform
+  Deep,      ///< sends states with the additional member HaplyState::DeepJson
   Twice,     ///< answers each message twice
-  Wrong,     ///< answers by a frame that the protocol forbids
+  Wrong,     ///< answers with a frame that the protocol forbids
   TooLong,   ///< announces a message of 4 GiB
-  Leaves,    ///< closes the connection by the protocol
-  HalfEnds,  ///< ends its half of the connection without a word
+  Leaves,    ///< closes the connection as the protocol says
+  HalfEnds,  ///< ends its half of the connection without a message
   Resets,    ///< resets the connection
-  Pings,     ///< sends pings without end, and answers no message
-  DeafPings  ///< as Pings, and reads nothing meanwhile
+  Pings,     ///< sends pings without end, and answers no messages
+  DeafPings  ///< sends pings without end, and reads nothing
 };
 
-/// The axes of a session's vectors.
+/// The axes and the origin in which a session sees vectors.
 struct HaplyView
 {
-  std::string Preset = "defaults"; ///< sets the origin: the arm's base, or the workspace's centre
-  bool IsWhole = false;            ///< the next state includes the configuration
-  /// "YZX": the session's x is Haply's y, its y Haply's z, and its z Haply's x; a minus before a
-  /// letter reverses that axis.
+  std::string Preset = "defaults"; ///< preset with the origin: the arm's base, or the centre of the
+                                   ///< workspace
+  bool IsWhole = false;            ///< whether the next state includes the configuration
+  /// Axes of the session. In "YZX", the session's x is Haply's y, its y is Haply's z, and its z is
+  /// Haply's x. A minus before a letter reverses that axis.
   std::string Basis = "XYZ";
 
   Triple ToSession(const Triple& haply) const;
   Triple FromSession(const Triple& session) const;
-  /// Converts a quaternion, w first.
+  /// Converts a quaternion (w first) to the session's axes.
   std::array<double, 4> ToSession(const std::array<double, 4>& haply) const;
 };
 
@@ -88,8 +90,8 @@ class HaplyState
 {
 public:
   static constexpr const char* Id = "049D";
-  static constexpr const char* Other = "04BA"; ///< a second arm; no force moves it
-  /// 200 kB of nested lists: correct by RFC 8259, but useless.
+  static constexpr const char* Other = "04BA"; ///< id of a second arm, which no force moves
+  /// Returns 200 kB of nested lists, which are valid by RFC 8259, but useless.
   static std::string DeepJson() { return std::string(100000, '[') + std::string(100000, ']'); }
 
   explicit HaplyState(const HaplyShape& shape)
@@ -97,10 +99,10 @@ public:
   {
   }
   bool IsNew() const { return this->Shape.Version >= "3.5"; }
-  /// Returns the inventory or a state. `number` is the number of the message that it answers.
+  /// Returns the inventory or a state, as the answer to message `number`.
   std::string MakeMessage(bool hasConfig, const HaplyView& view,
     const std::function<bool(const std::string&)>& isInUse, std::size_t number);
-  /// Moves the hand up to now.
+  /// Moves the hand for the time since the last call.
   void Step();
 
   const HaplyShape Shape;

@@ -23,9 +23,10 @@ using Clock = std::chrono::steady_clock;
 constexpr double Pi = 3.14159265358979323846;
 constexpr double LargestCurrent = 6000.0; // mA, escon_max_milliamps
 constexpr auto Watchdog = std::chrono::milliseconds(100);
-/// A host waits longer than this before its second message, unless the first is answered.
+/// A host waits longer than this between its first two messages, unless the controller answers the
+/// first one.
 constexpr auto Patience = std::chrono::milliseconds(15);
-/// For this time after such a pause, answers and messages may cross each other.
+/// For this long after such a pause, answers and messages may cross.
 constexpr auto Confusion = std::chrono::milliseconds(200);
 
 /** A row of the host's tables, in the host's order and with its names. */
@@ -209,7 +210,7 @@ HfabEmulator::HfabEmulator(int model)
   }
   this->Port = ptsname(this->Master);
   this->PlaceAtHome();
-  // At power-on, the arm is where it was left, and the encoders begin at 0.
+  // At power-on, the encoders count from 0 wherever the arm is.
   this->Angles[0] += 0.1;
   this->Hand.Place(TipOf(model, this->Angles));
   this->PressButton();
@@ -283,7 +284,8 @@ Triple HfabEmulator::GetForce() const
     torques[j] = 1e-3 * this->Currents[j] * row.TorqueConstants[j] * SignOf(row, j) *
       row.BodyDiameters[j] / row.CapstanDiameters[j];
   }
-  // Each joint torque is the force along that joint's slope: three equations for the force.
+  // The torque of each joint is the force along the joint's slope. This gives three equations for
+  // the force.
   const std::array<Triple, 3> m = SlopesOf(this->Model, this->Angles);
   const Triple x{ m[0][0], m[1][0], m[2][0] };
   const Triple y{ m[0][1], m[1][1], m[2][1] };
@@ -324,21 +326,21 @@ void HfabEmulator::Run()
     {
       if ((port.revents & (POLLHUP | POLLNVAL)) != 0)
       {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1)); // no program has opened the port
+        std::this_thread::sleep_for(std::chrono::milliseconds(1)); // until a program opens the port
       }
       continue;
     }
     const ssize_t size = read(master, bytes, sizeof(bytes));
-    // A controller never stalls, but this thread may, and bytes on their way may be delayed. After
-    // a pause, treat messages that arrive together as sent one after the other.
+    // A controller never stalls, but this thread may, and bytes may be delayed. So after a pause,
+    // treat messages that arrive together as messages that were sent one after another.
     const auto now = Clock::now();
     this->HeldUpUntil = now - this->LastBytes > Patience ? now + Confusion : this->HeldUpUntil;
     const bool wasHeldUp = now < this->HeldUpUntil && this->Fault != HfabFault::Late;
     this->LastBytes = now;
     for (ssize_t i = 0; i < size; ++i)
     {
-      // After a message, the firmware drops the bytes that wait. If these are more than the end of
-      // the line, it rejects the message.
+      // After a message, the firmware drops all waiting bytes. If these are more than the end of
+      // the line, the firmware rejects the message.
       const bool isTrailed = !wasHeldUp &&
         std::any_of(
           bytes + i + 1, bytes + size, [](char c) { return c != '\n' && c != '\r' && c != '\0'; });
@@ -413,7 +415,7 @@ void HfabEmulator::ReceiveCurrents(const std::array<int, 3>& milliamperes)
     const bool flows = !this->NeedsButton && std::abs(milliamperes[j]) <= LargestCurrent;
     this->Currents[j] = flows ? milliamperes[j] : 0;
   }
-  // Move the hand for the time since the last message, in steps of a millisecond at most.
+  // Move the hand for the time since the last message, in steps of at most a millisecond.
   const double time = std::min(0.02, std::chrono::duration<double>(now - this->LastMove).count());
   this->LastMove = now;
   const int steps = 1 + static_cast<int>(time / 1e-3);

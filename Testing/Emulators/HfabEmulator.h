@@ -35,10 +35,10 @@ enum class HfabFault
 {
   None,
   Silence,
-  Junk,     ///< sends bytes that are no answer
+  Junk,     ///< sends bytes that are not an answer
   Late,     ///< answers after 30 ms
-  OtherArm, ///< reports another model
-  Refusal,  ///< rejects messages, as if another one followed each
+  OtherArm, ///< reports a different model
+  Refusal,  ///< rejects messages, as if another message followed each one
   Jump      ///< an encoder jumps by 1000 counts
 };
 
@@ -99,7 +99,7 @@ private:
   mutable std::mutex Guard;
   EmulatedHand Hand;
   Triple Angles{};
-  std::array<int, 3> Offset{}; ///< counts, relative to home, of the encoders' zero
+  std::array<int, 3> Offset{}; ///< counts at home, relative to the encoders' zero
   std::array<int, 3> Counts{};
   std::array<int, 3> Handle{};
   std::array<int, 3> Currents{};
@@ -114,7 +114,7 @@ private:
   std::atomic<int> Errors{ 0 };
   std::atomic<bool> Stop{ false };
   std::atomic<bool> NeedsButton{ false };
-  int Pretended = 0; ///< number of answers whose counts are no positions
+  int Pretended = 0; ///< number of answers whose counts are not positions
   std::thread Thread;
 };
 

@@ -62,7 +62,7 @@ HidOverUsb::HidOverUsb(HidModel& model)
   {
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
-      // If nobody reads, keep the newest reports, as a device does.
+      // If no program reads, keep the newest reports, as a device does.
       if (this->Inputs.size() == MostInputs)
       {
         this->Inputs.pop_front();
@@ -84,12 +84,12 @@ std::vector<std::uint8_t> HidOverUsb::GetDescriptors() const
   const std::size_t vendor = this->Model.GetVendor();
   const std::size_t product = this->Model.GetProduct();
   const Bytes hid = this->MakeHidDescriptor();
-  // String 1 is the maker, string 2 the product; there is no serial number.
+  // String 1 names the maker, and string 2 the product. There is no serial number.
   Bytes all = { 18, 1, 0x00, 0x02, 0, 0, 0, 64, Low(vendor), High(vendor), Low(product),
     High(product), 0x00, 0x01, 1, 2, 0, 1 };
   const Bytes configuration = { 9, 2, 41, 0, 1, 1, 0, 0x80, 50 };
   const Bytes interface = { 9, 4, 0, 0, 2, 3, 0, 0, 0 };
-  // Two interrupt endpoints of 64 bytes, polled every millisecond.
+  // Two interrupt endpoints of 64 bytes, which the host polls every millisecond.
   const Bytes endpoints = { 7, 5, 0x81, 3, 64, 0, 1, 7, 5, 0x02, 3, 64, 0, 1 };
   for (const Bytes& part : { configuration, interface, hid, endpoints })
   {
@@ -116,7 +116,7 @@ int HidOverUsb::GetDescriptor(const std::uint8_t setup[8], std::uint8_t* data, i
   {
     return -EPIPE;
   }
-  Bytes text = { 4, DescriptorString, 0x09, 0x04 }; // list of languages: English
+  Bytes text = { 4, DescriptorString, 0x09, 0x04 }; // the list of languages has English only
   if (index > 0)
   {
     const std::string name = index == 1 ? "Emulated" : this->Model.GetName();
@@ -156,7 +156,8 @@ int HidOverUsb::GetReport(std::uint8_t type, std::uint8_t id, std::uint8_t* data
   {
     return -EPIPE;
   }
-  // Models always begin a report with an id. The wire has one only if the device uses ids.
+  // Models always begin a report with an id. On the wire, a report has an id only if the device
+  // uses ids.
   Bytes report(static_cast<std::size_t>(size) + 64, 0);
   report[0] = id;
   const int given = this->Model.GetFeature(report.data(), static_cast<int>(report.size()));

@@ -21,23 +21,23 @@ class HungHandle
 public:
   static constexpr double Gravity = 9.80665; ///< m/s^2
 
-  double Strength = 1.0;          ///< N for each newton of a command
-  double Mass = 0.15;             ///< kg, handle and arm
+  double Strength = 1.0;          ///< N given for each newton of a command
+  double Mass = 0.15;             ///< kg, mass of handle and arm
   double Balance = 0.9;           ///< fraction of the handle's weight that the arm carries
-  double ArmStiffness = 15.0;     ///< N/m, the arm's own springs
+  double ArmStiffness = 15.0;     ///< N/m, stiffness of the arm's own springs
   double Viscosity = 1.0;         ///< N s/m
   double Friction = 0.1;          ///< N, Coulomb friction
-  Triple Down{ 0.0, -1.0, 0.0 };  ///< the direction of gravity, a unit vector
+  Triple Down{ 0.0, -1.0, 0.0 };  ///< direction of gravity, a unit vector
   double Quantum = 0.02e-3;       ///< m, resolution of the encoders
-  double Weight = 0.0;            ///< kg, the hung weight
-  bool IsHeld = true;             ///< a hand holds it in place
-  double Tremor = 0.0;            ///< m, tremor of the holding hand
-  bool HasScale = false;          ///< whether a scale's plate is below, across y
-  double PlateBelow = 0.005;      ///< m, the plate's distance below the start
+  double Weight = 0.0;            ///< kg, mass that hangs on the handle
+  bool IsHeld = true;             ///< whether a hand holds the handle in place
+  double Tremor = 0.0;            ///< m, size of the holding hand's tremor
+  bool HasScale = false;          ///< whether the plate of a scale is below the handle, across y
+  double PlateBelow = 0.005;      ///< m, distance of the plate below the start
   double ScaleStiffness = 5000.0; ///< N/m
   double ScaleDamping = 20.0;     ///< N s/m
 
-  /// Applies a force command (N) for a time (s).
+  /// Applies a commanded force (N) for a time (s).
   void Step(const Triple& asked, double time)
   {
     constexpr double shortest = 1e-4;
@@ -46,7 +46,7 @@ public:
       this->StepOnce(asked, std::min(shortest, time - done));
     }
   }
-  /// The position as the encoders measure it (m).
+  /// Returns the position (m) as the encoders measure it.
   Triple GetTip() const
   {
     Triple tip = this->Place;
@@ -56,7 +56,7 @@ public:
     }
     return tip;
   }
-  /// The reading of the scale (g), rounded as kitchen scales do.
+  /// Returns the mass (g) that the scale shows, rounded as by kitchen scales.
   double GetShown() const { return std::round(1e3 * this->OnScale / Gravity); }
 
 private:
@@ -88,7 +88,7 @@ private:
           std::max(0.0, this->ScaleStiffness * depth - this->ScaleDamping * this->Velocity[a]);
         force += this->OnScale;
       }
-      // Friction reduces speed, but never reverses it; viscosity acts at the step's end.
+      // Friction reduces the speed and never reverses it. Viscosity acts at the end of the step.
       const double pushed = this->Velocity[a] + time / mass * force;
       const double taken = time / mass * this->Friction;
       const double left = std::max(0.0, std::abs(pushed) - taken);

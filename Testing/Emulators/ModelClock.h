@@ -33,7 +33,7 @@ private:
     while (!this->Stop)
     {
       step();
-      // Don't make up for missed ticks: on a busy machine the model becomes slow instead of
+      // Do not run missed ticks later. On a busy machine, the model then becomes slow instead of
       // jumping.
       next = std::max(std::chrono::steady_clock::now(), next + std::chrono::milliseconds(1));
       std::this_thread::sleep_until(next);

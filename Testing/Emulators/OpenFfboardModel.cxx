@@ -30,7 +30,7 @@ enum ReportId : std::uint8_t
   Command = 0xA1
 };
 constexpr int ConstantForce = 1;
-constexpr int EffectSize = 152; ///< bytes; no driver relies on it
+constexpr int EffectSize = 152; ///< bytes; no driver depends on this number
 
 void BlockIndex(HidItems& items)
 {
@@ -167,7 +167,7 @@ std::vector<std::uint8_t> OpenFfboardModel::GetReportDescriptor() const
   BlockIndex(items);
   items.Close();
 
-  // Eight fields of one bit each, with a logical range of 1 to 6.
+  // Device Control has eight fields of one bit each, with logical values from 1 to 6.
   items.Usage(0x95)
     .Open(HidItems::LogicalCollection)
     .Id(DeviceControl)

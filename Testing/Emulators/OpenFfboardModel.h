@@ -40,8 +40,8 @@ public:
   enum class Kind : std::uint8_t
   {
     Wheel,        ///< one motor and the two-axis descriptor, as published
-    OneAxisWheel, ///< built with the one-axis descriptor
-    Joystick      ///< two motors
+    OneAxisWheel, ///< one motor and the one-axis descriptor
+    Joystick      ///< two motors and the two-axis descriptor
   };
   enum class Version : std::uint8_t
   {

@@ -42,9 +42,9 @@ class PadModel
 public:
   enum class Kind : std::uint8_t
   {
-    Xbox,        ///< sticks -32768 to 32767, triggers at Z and RZ
-    PlayStation, ///< sticks 0 to 255, triggers at Z and RZ
-    Older,       ///< the right stick at Z and RZ; no rumble
+    Xbox,        ///< sticks from -32768 to 32767, triggers at Z and RZ
+    PlayStation, ///< sticks from 0 to 255, triggers at Z and RZ
+    Older,       ///< right stick at Z and RZ, no rumble
     Wheel        ///< a wheel at X, pedals at Y, Z and RZ; constant forces
   };
 
@@ -103,14 +103,14 @@ public:
    * hand.
    */
   static constexpr double FullScale = 4.0; ///< N
-  static constexpr double Travel = 0.05;   ///< m, the position at the end of the axis
+  static constexpr double Travel = 0.05;   ///< m, position at the end of the axis
   void SetGoal(double right);
   double GetPlace();
   double GetForce();
   int GetAutocentre();
   /** Whether effects of the next program are refused, as by a device that does not answer. */
   std::atomic<bool> Refuses{ false };
-  std::string Serial; ///< serial number that the driver reports, or empty
+  std::string Serial; ///< serial number that the driver reports; may be empty
   ///@}
 
   ///@{
@@ -157,8 +157,8 @@ private:
   std::array<Effect, 16> Effects{};
   long TimerAt = -1;
   int Gain = 0xFFFF;
-  int Autocentre = 0x8000; ///< spring's strength that another program left
-  int Force = 0x80;        ///< byte sent to the wheel: above 0x80 pushes left
+  int Autocentre = 0x8000; ///< strength of the centring spring, as another program left it
+  int Force = 0x80;        ///< byte sent to the wheel; above 0x80, it pushes to the left
   EmulatedHand Hand;
   int LongestReplay = 1;
   Change Motors;

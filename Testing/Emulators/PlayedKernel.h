@@ -25,7 +25,8 @@ using Bytes = std::vector<std::uint8_t>;
 
 struct Reply
 {
-  std::uint32_t Command = 0; ///< 3 answers a transfer, 4 an unlink request, 0: nothing came
+  std::uint32_t Command = 0; ///< 3: answer to a transfer; 4: answer to an unlink request; 0:
+                             ///< nothing came
   std::uint32_t Number = 0;
   int Status = 0;
   Bytes Data;

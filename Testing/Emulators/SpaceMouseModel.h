@@ -25,14 +25,15 @@ namespace emulated
 class SpaceMouseModel : public HidModel
 {
 public:
-  using Counts = std::array<std::int16_t, 6>; ///< pushes along the axes, then turns about them
+  using Counts = std::array<std::int16_t, 6>; ///< three pushes along the axes, then three turns
+                                              ///< about them
 
   enum class Kind : std::uint8_t
   {
     Navigator, ///< sends pushes and turns in separate reports
-    PlusXt,    ///< as Navigator, but its y is up
+    PlusXt,    ///< like Navigator, but y points up
     Compact,
-    Enterprise ///< numbers keys up to 176
+    Enterprise ///< has keys with numbers up to 176
   };
 
   explicit SpaceMouseModel(Kind kind)
@@ -62,7 +63,7 @@ public:
       0x09, 0x35, 0x95, 0x06, 0x81, 0x06, 0xC0 };
     const std::vector<std::uint8_t> twice{ 0x09, 0x30, 0x09, 0x31, 0x09, 0x32, 0x95, 0x03, 0x81,
       0x06, 0xC0, 0xA1, 0x00, 0x85, 0x02, 0x09, 0x33, 0x09, 0x34, 0x09, 0x35, 0x81, 0x06, 0xC0 };
-    // A multi-axis controller: axes, 16 or 176 buttons in report 3, the light in report 4.
+    // A multi-axis controller: axes, 16 or 176 buttons in report 3, and the light in report 4.
     const std::uint8_t buttons = this->Model == Kind::Enterprise ? 176 : 16;
     std::vector<std::uint8_t> all{ 0x05, 0x01, 0x09, 0x08, 0xA1, 0x01, 0xA1, 0x00, 0x85, 0x01, 0x16,
       0xA2, 0xFE, 0x26, 0x5E, 0x01, 0x75, 0x10 };

@@ -46,7 +46,7 @@ private:
   {
     std::uint32_t Number;
     std::uint8_t Endpoint; ///< number of the endpoint
-    Bytes Data;            ///< sent data, or room of the requested size
+    Bytes Data;            ///< bytes sent, or room of the requested size
   };
 
   int Control(const std::uint8_t setup[8], std::uint8_t* data, int size);
@@ -66,7 +66,7 @@ private:
   const int Socket;
   const Bytes Descriptors;
   std::list<Transfer> Waiting; ///< transfers in order of arrival
-  std::uint32_t Newest = 0;    ///< number of a transfer
+  std::uint32_t Newest = 0;    ///< number of the newest transfer
   /**
    * Transfers unlinked before they arrived, as the kernel's sending thread may swap both messages.
    */

@@ -50,7 +50,7 @@ TEST_F(UsbIpTest, LetsTransfersWait)
   EXPECT_EQ(in.Number, 1u) << "the one that has waited longest";
   EXPECT_EQ(in.Data, Bytes({ 7, 8, 9 }));
 
-  // The model sends a report unasked.
+  // Let the model send a report while a transfer waits.
   const std::uint8_t byte = 5;
   this->Model.Out(2, &byte, 1);
   EXPECT_TRUE(this->Kernel.GetDevice().AnswerWaiting());

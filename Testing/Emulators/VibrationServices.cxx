@@ -37,7 +37,7 @@ using Json = nlohmann::json;
 using Clock = std::chrono::steady_clock;
 using boost::system::error_code;
 
-/// Accepts one client after another on its own thread, until it is destroyed.
+/// A server that accepts one client after another on a thread of its own.
 class OneClientServer
 {
 public:
@@ -64,7 +64,7 @@ public:
           }
           catch (const std::exception&)
           {
-            // The client has ended, or this service ends.
+            // Either the client or this service has ended.
           }
           this->Client = -1;
         }
@@ -113,7 +113,7 @@ struct PlayedBhaptics::Server
   };
 
   OneClientServer Port;
-  std::mutex Mutex; // guards all members below
+  std::mutex Mutex; // guards all following members
   Vibrations Told;
   std::vector<std::string> Places;
   std::map<std::string, Frame> Frames; // frames by their key
@@ -231,7 +231,7 @@ struct PlayedBhaptics::Server
     {
       if (this->Floods)
       {
-        std::string frames; // each frame is a whole text of two letters
+        std::string frames; // many whole text frames of two letters each
         for (int i = 0; i < 10000; ++i)
         {
           frames += "\x81\x02{}";
@@ -239,7 +239,7 @@ struct PlayedBhaptics::Server
         asio::write(stream.next_layer(), asio::buffer(frames));
         continue;
       }
-      // Read the next message, or look for news after a short wait.
+      // Read the next message. If none comes within 5 ms, look for other work.
       pollfd waited{ stream.next_layer().native_handle(), POLLIN, 0 };
       if (::poll(&waited, 1, 5) > 0)
       {
@@ -323,7 +323,7 @@ void PlayedBhaptics::Flood()
 struct PlayedWeart::Server
 {
   OneClientServer Port;
-  std::mutex Mutex; // guards all members below
+  std::mutex Mutex; // guards all following members
   Vibrations Told;
   std::vector<std::string> Hands;
   std::string Status;
@@ -512,7 +512,7 @@ struct PlayedHapbeat::Server
   std::thread Thread;
   std::atomic<bool> MustStop{ false };
 
-  std::mutex Mutex; // guards all members below
+  std::mutex Mutex; // guards all following members
   Vibrations Told;
   bool IsSilent = false;
   bool IsStreaming = false;
@@ -526,10 +526,11 @@ struct PlayedHapbeat::Server
   static Number Read(const std::vector<std::uint8_t>& packet, std::size_t at)
   {
     Number number = 0;
-    std::memcpy(&number, packet.data() + at, sizeof(number)); // tests run on little-endian machines
+    std::memcpy(&number, packet.data() + at, sizeof(number)); // the tests run on little-endian
+                                                              // machines only
     return number;
   }
-  /// Plays the samples that are due.
+  /// Plays the samples that are due by now.
   void Step()
   {
     const Clock::time_point now = Clock::now();
@@ -548,7 +549,7 @@ struct PlayedHapbeat::Server
       }
     }
   }
-  /// Handles a packet, and sets the answer if there is one. Returns false if the packet is
+  /// Handles a packet, and sets the answer if the service gives one. Returns false if the packet is
   /// malformed or unknown.
   bool Take(const std::vector<std::uint8_t>& packet, std::vector<std::uint8_t>& answer)
   {
@@ -592,7 +593,7 @@ struct PlayedHapbeat::Server
         }
         return packet.size() <= 1472;
       case 0x32:
-        this->IsStreaming = false; // the ring's samples are still played
+        this->IsStreaming = false; // samples in the ring are still played
         this->Told.EndsStopped = true;
         return packet.size() == 8;
       default:

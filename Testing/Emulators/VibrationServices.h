@@ -37,11 +37,12 @@ namespace emulated
 /** Records what a service did with the messages it received. */
 struct Vibrations
 {
-  std::vector<std::string> Messages; ///< messages as they arrived
+  std::vector<std::string> Messages; ///< all messages, as they arrived
   std::vector<int> Levels;           ///< levels that messages set; 0 for a stop
   int Refused = 0;                   ///< messages that are not understood
   bool IsOpen = false;               ///< whether a client is connected
-  bool EndsStopped = false;          ///< whether the last message before the end was a stop
+  bool EndsStopped = false;          ///< whether the last message before the end of the connection
+                                     ///< was a stop
 };
 
 class PlayedBhaptics

@@ -45,7 +45,7 @@ private:
 
   UsbModel& Model;
   const int Port;
-  const std::shared_ptr<Descriptor> Wake; ///< an eventfd to which Ready writes
+  const std::shared_ptr<Descriptor> Wake; ///< an eventfd, to which Ready writes
   std::unique_ptr<Descriptor> Socket;
   std::thread Thread;
 };

@@ -90,7 +90,7 @@ void WoodenModel::PowerUp()
   const std::lock_guard<std::mutex> lock(this->Guard);
   this->Angles = RestAngles;
   this->Hand.Place(TipOf(RestAngles));
-  // The counts of encoders that were switched on in the rest pose.
+  // Encoders that are switched on in the rest pose have these counts.
   this->Offset = { 0, 0, 6000 };
   this->Currents = {};
   this->Button = false;
@@ -99,7 +99,8 @@ void WoodenModel::PowerUp()
 
 std::vector<std::uint8_t> WoodenModel::GetReportDescriptor() const
 {
-  // A vendor page with byte fields in both directions and no ids, the same for both boards.
+  // A vendor's page with fields of bytes in both directions and without ids. It is the same for
+  // both boards.
   HidItems items;
   const auto bytes = static_cast<unsigned>(this->GetPacketSize());
   items.Page(0xFFAB).Usage(0x0200).Open(HidItems::ApplicationCollection).Logical(0, 255);
@@ -113,7 +114,7 @@ int WoodenModel::Output(const std::uint8_t* report, int size)
   {
     return -EIO;
   }
-  // USB transfers a packet once a millisecond.
+  // USB transfers one packet per millisecond.
   const auto now = std::chrono::steady_clock::now();
   this->Next = std::max(now, this->Next + std::chrono::milliseconds(1));
   std::this_thread::sleep_until(this->Next);
@@ -173,7 +174,8 @@ void WoodenModel::SendCounts()
 
 Triple WoodenModel::ComputeForce() const
 {
-  // Each joint torque is the force along that joint's slope: three equations for the force.
+  // The torque of each joint is the force along the joint's slope. This gives three equations for
+  // the force.
   Triple torques;
   for (int j = 0; j < 3; ++j)
   {

@@ -37,7 +37,7 @@ enum class WoodenFault
   Silence,
   WriteError,
   Jump,    ///< an encoder jumps by 2000 counts
-  LostZero ///< the controller restarts without notice: encoders begin at 0
+  LostZero ///< the controller restarts without notice, and its encoders begin at 0
 };
 
 /** Each received packet advances the model's time by a millisecond, and is answered by a packet. */
@@ -76,8 +76,9 @@ public:
   int GetPackets() const { return this->Packets; }
   std::atomic<WoodenFault> Fault{ WoodenFault::None };
   std::atomic<bool> IgnoresPresets{ false };
-  std::atomic<int> MissedPresets{ 0 }; ///< presets to miss, as another packet follows at once
-  std::atomic<bool> Button{ false };   ///< pressed, and no preset since then
+  std::atomic<int> MissedPresets{ 0 }; ///< number of presets to miss, as if another packet had
+                                       ///< followed at once
+  std::atomic<bool> Button{ false };   ///< whether the button was pressed after the last preset
 
 private:
   bool IsMbed() const { return this->Controller == Board::Mbed; }
@@ -90,7 +91,7 @@ private:
   mutable std::mutex Guard;
   EmulatedHand Hand;
   Triple Angles{};             ///< rad
-  std::array<int, 3> Offset{}; ///< counts at the encoders' zero
+  std::array<int, 3> Offset{}; ///< counts of the encoders at their zero
   std::array<int, 3> Currents{};
   std::vector<std::uint8_t> Last;
   std::vector<std::uint8_t> LastPreset;

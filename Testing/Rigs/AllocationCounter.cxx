@@ -82,7 +82,7 @@ Allocations CountAllocations()
 }
 } // namespace coretest
 
-// operator new[] and the variants without exceptions call these.
+// operator new[] and the non-throwing operators call the following operators.
 void* operator new(std::size_t bytes)
 {
   return Allocate(bytes);

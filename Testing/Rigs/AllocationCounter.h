@@ -15,14 +15,14 @@ namespace coretest
 {
 struct Allocations
 {
-  /// Number of calls of operator new and of malloc, calloc, realloc.
+  /// Number of calls of operator new, malloc, calloc and realloc.
   std::size_t Calls = 0;
-  /// Bytes allocated by operator new and not yet freed.
+  /// Number of bytes allocated by operator new and not yet freed.
   std::size_t LiveBytes = 0;
 };
 
 Allocations CountAllocations();
-/// Returns whether malloc is counted as well.
+/// Returns whether calls of malloc are counted, too.
 bool CountsMalloc();
 } // namespace coretest
 

@@ -26,7 +26,7 @@ namespace apitest
 {
 using Point = std::array<double, 3>;
 
-/// Collects the errors and warnings of an object, instead of printing them.
+/// Collects the errors and warnings of an object, which are then not printed.
 class MessageLog
 {
 public:
@@ -43,43 +43,43 @@ private:
   vtkNew<vtkCallbackCommand> Command;
 };
 
-/// Returns an image of n^3 voxels of 1 world unit, beginning at the origin, with scalars named
+/// Returns an image of n^3 voxels of 1 world unit, from the origin on. Its scalars are named
 /// "Density".
 vtkSmartPointer<vtkImageData> MakeImage(
   int n, int scalarType, const std::function<double(const Point&)>& value);
 
-/// Returns the ramp V = 100 z.
+/// Returns an image with V = 100 z.
 vtkSmartPointer<vtkImageData> MakeRamp(int n = 16, int scalarType = VTK_DOUBLE);
 
-/// Returns a path with one point per tick, or with `times` (s) in a point array "Time".
+/// Returns a path with one point per tick. With `times` (s), the path has a point array "Time".
 vtkSmartPointer<vtkPolyData> MakePath(
   const std::vector<Point>& points, const std::vector<double>& times = {});
 
-/// Returns a path from a to b, both included, in `steps` steps.
+/// Returns the points of a straight path from a to b, including both, in `steps` steps.
 std::vector<Point> Line(const Point& a, const Point& b, int steps);
 
-/// Makes a function constant: removes all points and adds one.
+/// Replaces the function's points by one point, which makes it constant.
 void SetConstant(vtkPiecewiseFunction* function, double value);
 
-/// Returns an entry of an output's point array; fails the test if there is no such array.
+/// Returns an entry of a point array of the output. Fails the test if the array does not exist.
 double Get(vtkPolyData* output, const char* array, vtkIdType tick, int component = 0);
 
-/// Returns whether points, lines and all point arrays of the first `ticks` ticks (-1: all) are
-/// equal to the bit.
+/// Returns whether the points, lines and all point arrays of the first `ticks` ticks are equal to
+/// the bit. -1 compares all ticks.
 bool IsSame(vtkPolyData* a, vtkPolyData* b, vtkIdType ticks = -1);
 
-/// Returns a copy of a filter's output that outlives the next update.
+/// Returns a copy of a filter's output, which the next update does not change.
 vtkSmartPointer<vtkPolyData> Keep(vtkVolumeHapticsFilter* filter);
 
-/// The ramp, pushed 5 mm along z from z = 5 in 50 ticks: T1 of the specification.
+/// T1 of the specification: a path that pushes into the ramp from z = 5 mm to 10 mm, in 50 ticks.
 class ApiTest : public testing::Test
 {
 protected:
   ApiTest();
 
-  /// Updates, expecting no message and `ticks` points; returns the output.
+  /// Updates the filter. Expects no message, and an output with `ticks` points. Returns the output.
   vtkPolyData* Run(vtkIdType ticks);
-  /// Updates, expecting one error with all these words in it, and an empty output.
+  /// Updates the filter. Expects one error that contains all these words, and an empty output.
   void ExpectError(const std::vector<std::string>& words);
 
   vtkSmartPointer<vtkImageData> Image = MakeRamp();
@@ -87,7 +87,7 @@ protected:
   vtkNew<vtkVolumeHapticsFilter> Filter;
   vtkHapticProperty* const Property = this->Filter->GetProperty();
   MessageLog Log{ this->Filter };
-  /// If a filter fails, VTK's executive also reports an error. It is ignored.
+  /// Ignores the error that VTK's executive adds when a filter fails.
   MessageLog ExecutiveLog;
 };
 } // namespace apitest

@@ -71,23 +71,23 @@ struct ArmScene
   double Rate = 1000.0;  ///< Hz
   int Delay = 0;         ///< ticks until a force acts
   int Every = 1;         ///< ticks from one report to the next
-  double Quantum = 1e-5; ///< m, of the encoders
-  double Mass = 0.1;     ///< kg, of the device
-  double Damping = 1.0;  ///< N s/m, of the device
-  double Static = 0.0;   ///< N, friction of the device at rest
-  double Kinetic = 0.0;  ///< N
-  bool IsHeld = true;    ///< if not held, only a weight presses
+  double Quantum = 1e-5; ///< m, resolution of the encoders
+  double Mass = 0.1;     ///< kg, mass of the device
+  double Damping = 1.0;  ///< N s/m, damping of the device
+  double Static = 0.0;   ///< N, static friction of the device
+  double Kinetic = 0.0;  ///< N, kinetic friction of the device
+  bool IsHeld = true;    ///< whether a hand holds the device; if not, a weight presses
   double Weight = 0.0;   ///< N, downwards
-  double ArmMass = 0.5;  ///< kg
+  double ArmMass = 0.5;  ///< kg, mass of the arm
   double Grip = 500.0;   ///< N/m
   double GripLoss = 5.0; ///< N s/m
   double Muscle = 100.0; ///< N/m
   double MuscleLoss = 5.0;
   double Tremor = 0.0; ///< m
   Gesture Motion = Gesture::Press;
-  double Speed = 0.1;  ///< m/s, of strokes
-  double Beat = 2.0;   ///< Hz, of taps and scrubs
-  double Depth = 0.01; ///< m, of the path in the wall
+  double Speed = 0.1;  ///< m/s, speed of strokes
+  double Beat = 2.0;   ///< Hz, frequency of taps and scrubs
+  double Depth = 0.01; ///< m, depth of the path in the wall
   Matter What = Matter::Plane;
   double Stiffness = 500.0; ///< N/m
   double Friction = 0.0;
@@ -99,13 +99,13 @@ struct ArmScene
 struct ArmResult
 {
   bool IsDamped = false;
-  bool IsCut = false;       ///< ended with a fault
-  bool RanAway = false;     ///< the fault came from PortObserver
-  double GivenDamped = 0.0; ///< J, energy from the device until it was damped
-  double Given = 0.0;       ///< J, energy until it was cut, or to the end
-  double WayDamped = 0.0;   ///< m, between lowest and highest tip in the second before
-  double Way = 0.0;         ///< m, until it was cut, or to the end
-  double LastSwing = 0.0;   ///< m, between lowest and highest tip in the last 0.2 s
+  bool IsCut = false;       ///< whether a fault ended the session
+  bool RanAway = false;     ///< whether PortObserver caused the fault
+  double GivenDamped = 0.0; ///< J, energy that the device gave until it was damped
+  double Given = 0.0;       ///< J, energy that the device gave until the end or a fault
+  double WayDamped = 0.0;   ///< m, range of the tip's heights in the second before the damping
+  double Way = 0.0;         ///< m, range of the tip's heights until the end or a fault
+  double LastSwing = 0.0;   ///< m, range of the tip's heights in the last 0.2 s
 };
 
 class ArmSession
@@ -121,7 +121,7 @@ public:
         this->Pick(-1.0, 1.0), this->Pick(-1.0, 1.0) };
     }
     this->WaveLength = this->Pick(0.5e-3, 4e-3);
-    // Along the surface, the force changes by k depth height (2 pi / length)^2. Limit this to k.
+    // Along the surface, the slope of the force is k depth height (2 pi / length)^2. Limit it to k.
     const double turn = 2.0 * Pi / this->WaveLength;
     const double deepest = scene.MaximumForce / (RippleFraction * scene.Stiffness);
     this->WaveHeight =
@@ -171,7 +171,7 @@ public:
     limits.MaximumForce = this->S.MaximumForce;
     limits.MaximumDamping = this->S.MaximumDamping;
     limits.MovesTip = true;
-    // A weight, unlike a hand, does not wait for the force, so it gets no ramp.
+    // Only a hand waits for the force. A weight does not, so its session has no ramp.
     limits.RampTime = this->S.IsHeld ? limits.RampTime : 0.0;
     ForceGate gate;
     SafetyStage stage;
@@ -250,7 +250,8 @@ public:
 
 private:
   using Vector3 = VolumeHaptics::Vector3;
-  using State = std::array<Vector3, 4>; ///< position and velocity of the device, then of the arm
+  using State = std::array<Vector3, 4>; ///< position and velocity of the device, and then of the
+                                        ///< arm
 
   static constexpr double Pi = 3.14159265358979323846;
   /** A fraction of the stiffness, so that the surface is not stiffer in any direction. */
@@ -265,14 +266,14 @@ private:
     return { count(this->Body[0].X), count(this->Body[0].Y), count(this->Body[0].Z) };
   }
 
-  /// The target to which the muscles lead the arm. The wall is below z = 0.
+  /// Returns the position (m) to which the muscles lead the arm. The wall is below z = 0.
   Vector3 ComputePath(double time) const
   {
     Vector3 path;
     const double beat = 2.0 * Pi * this->S.Beat;
-    // No hand accelerates faster than 10 m/s^2.
+    // Limit the acceleration to 10 m/s^2, which is the most of a hand.
     const double most = 10.0 / (beat * beat);
-    // The motion starts from rest.
+    // Begin the motion from rest.
     const double begun = std::clamp((time - 0.1) / 0.5, 0.0, 1.0);
     const double share = begun * begun * (3.0 - 2.0 * begun);
     const double down = share * this->S.Depth;
@@ -349,7 +350,7 @@ private:
         return {};
       case Matter::Layers:
       {
-        // Layers of 4 mm, with a slope of at most k.
+        // The material has layers of 4 mm. Its slope is at most k.
         const double turn = 2.0 * Pi / 4e-3;
         return { 0.0, 0.0, k / turn * (1.0 + std::sin(turn * tip.Z)) };
       }
@@ -392,7 +393,8 @@ private:
     }
     return VolumeHaptics::ClampNorm(this->S.Stiffness * (this->Proxy - tip), this->S.MaximumForce);
   }
-  /// Computes a floor that sinks where it yields, and stays there while the tip is in it.
+  /// Computes the force of a floor that sinks where it yields, and that stays there while the tip
+  /// is in it.
   Vector3 PushFloor(const Vector3& tip, double floor, double yield)
   {
     this->Sunk = tip.Z < floor ? std::max(this->Sunk, floor - tip.Z - yield) : 0.0;
@@ -435,7 +437,7 @@ private:
     return { a[0] + h * b[0], a[1] + h * b[1], a[2] + h * b[2], a[3] + h * b[3] };
   }
 
-  /// Moves for one tick. Returns the energy (J) that the device gives.
+  /// Moves device and arm for one tick. Returns the energy (J) that the device gives.
   double Move(double time, const Vector3& force)
   {
     const double period = 1.0 / this->S.Rate;

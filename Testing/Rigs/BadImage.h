@@ -35,7 +35,8 @@ class BadImageTest
   , public testing::WithParamInterface<BadImage>
 {
 protected:
-  /// Expects one error with the parameter's words, and no error once the image is repaired.
+  /// Breaks the image, and expects one error with the parameter's words. Repairs the image, and
+  /// expects no error.
   void ExpectErrorAndRecovery()
   {
     this->Run(51);

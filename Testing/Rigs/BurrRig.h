@@ -13,7 +13,7 @@
 
 namespace coretest
 {
-/// A volume that is solid above z = surface, with its removed tissue; voxels of `size` mm.
+/// A volume of voxels of `size` (mm) that is solid above z = Surface (mm), and its removal.
 struct HalfSpace
 {
   HalfSpace(const TestVolume::Size& n, double size, std::int64_t surface)
@@ -34,7 +34,7 @@ struct HalfSpace
   HapticModelDescription Scene;
 };
 
-/// A burr and the settings of its head's contact; lengths in the world.
+/// A burr, and the settings of the contact of its head. Lengths are in world units.
 struct BurrInHand : BurrSettings
 {
   ShellSettings Shell;
@@ -52,7 +52,7 @@ inline BurrDescription DescribeBurr(
   return tool;
 }
 
-/// A burr led through a volume, one millisecond per tick.
+/// A burr that a hand leads through a volume, with 1 ms per tick.
 class BurrInVolume
 {
 public:
@@ -106,7 +106,8 @@ public:
     }
     return this->Record;
   }
-  /// Presses with a force (N) along z: keeps the hand at the spring's length from the tool.
+  /// Presses with a force (N) along z. The hand stays at the distance from the tool at which the
+  /// spring has this force.
   const BurrRecord& Press(double force)
   {
     Vector3 hand = this->Record.Shell.Hand.Position;
@@ -130,7 +131,7 @@ public:
   double Step = 1e-3;         ///< s
   double Work = 0.0;          ///< J, work of the hand on the spring
   double VibrationWork = 0.0; ///< J, work of the hand against the vibration
-  double Earned = 0.0;        ///< J, mu F v summed over all ticks
+  double Earned = 0.0;        ///< J, sum of mu F v over all ticks
   double Energy = 0.0;        ///< J, spent on removal
   double Removed = 0.0;       ///< mm^3
 
@@ -142,7 +143,8 @@ private:
   }
 };
 
-/// Returns a burr of 2 mm at 60 000/min, mu 0.3, on bone of stiffness `kappa` N/m^3.
+/// Returns a burr of 2 mm radius that turns at 60 000/min with a friction of 0.3, on bone of
+/// stiffness `kappa` (N/m^3).
 inline BurrInHand MakeBurr(double kappa, double level)
 {
   BurrInHand settings;

@@ -13,7 +13,7 @@
 
 namespace coretest
 {
-/// Sets the fraction at one sample, whatever it was before.
+/// Sets the fraction of one sample.
 inline void SetFraction(
   CarvedBricks& bricks, std::int64_t i, std::int64_t j, std::int64_t k, std::uint8_t fraction)
 {
@@ -25,7 +25,7 @@ inline void SetFraction(
   bricks.MarkChanged(brick);
 }
 
-/// Returns the remaining values of a volume as doubles: V - (1 - rho) (V - V_air).
+/// Returns a volume with the remaining values, V - (1 - rho) (V - V_air), as doubles.
 inline TestVolume MakeLeft(const TestVolume& volume, const CarvedBricks& bricks, double air)
 {
   const std::int64_t* const n = volume.View.Dimensions;
@@ -44,7 +44,7 @@ inline TestVolume MakeLeft(const TestVolume& volume, const CarvedBricks& bricks,
   return left;
 }
 
-/// Returns the fractions of all samples; x varies fastest.
+/// Returns the fractions of all samples. x varies fastest.
 inline std::vector<std::uint8_t> CopyTissue(const CarvedBricks& bricks, const std::int64_t* n)
 {
   std::vector<std::uint8_t> fractions;
@@ -61,15 +61,15 @@ inline std::vector<std::uint8_t> CopyTissue(const CarvedBricks& bricks, const st
   return fractions;
 }
 
-/// Returns the fraction at which a sample of a solid value reaches the level: r = (V_c - V_air)/(V
-/// - V_air), between half a 255th and one minus that.
+/// Returns the fraction r = (V_c - V_air)/(V - V_air) at which a sample of a solid value V reaches
+/// the level V_c. r is limited to a range from half a 255th to one minus half a 255th.
 inline double EdgeOf(double value, double level, double air)
 {
   return std::clamp((level - air) / (value - air), 0.5 / 255.0, 1.0 - 0.5 / 255.0);
 }
 
-/// Returns the part of a voxel's volume that the fraction rho leaves: it falls from 1 at r + 1/12
-/// to 0 at r - 1/12, or at 1 and 0 if these are nearer.
+/// Returns the fraction of a voxel's volume that remains at the fraction rho. It falls linearly
+/// from 1 at r + 1/12 to 0 at r - 1/12. Both ends are limited to the range from 0 to 1.
 inline double LeftOf(double rho, double edge)
 {
   const double low = std::max(edge - 1.0 / 12.0, 0.0);
@@ -81,8 +81,9 @@ inline double LeftOf(std::uint8_t fraction, double edge = 0.5)
   return LeftOf(fraction / 255.0, edge);
 }
 
-/// Sets rho <- min(rho, clamp(1/2 + (|x - c| - a)/w)) at all samples. Their level is half of their
-/// value; voxels have size 1, w = 3.
+/// Sets rho = min(rho, clamp(1/2 + (|x - c| - a)/w)) at all samples, for a sphere of radius a
+/// around c (slow reference). The level is half of the samples' value; voxels have size 1, and w is
+/// 3.
 inline void CarveSlowly(
   std::vector<std::uint8_t>& fractions, const std::int64_t* n, const Vector3& centre, double radius)
 {

@@ -19,15 +19,15 @@ inline HapticModelDescription Describe(const TestVolume& volume)
   return description;
 }
 
-/// Sets the paper's placement: surfaces hold from the first distinct gradient on, with the
-/// materials one kernel radius ahead.
+/// Sets the paper's placement: surfaces begin to hold at the first distinct gradient, and materials
+/// are read one kernel radius ahead.
 inline void PlaceAsThePaper(HapticModelDescription& description)
 {
   description.Settings.Alignment = ContactAlignment::Distinctness;
   description.Settings.Placement = MaterialPlacement::Kernel;
 }
 
-/// Returns V = 100 z: a surface everywhere, with the normal z.
+/// Returns a volume with V = 100 z. It has a surface everywhere, with the normal z.
 inline TestVolume MakeRamp(std::int64_t samples = 24)
 {
   TestVolume volume(ScalarType::Float64, { samples, samples, samples });
@@ -35,7 +35,7 @@ inline TestVolume MakeRamp(std::int64_t samples = 24)
   return volume;
 }
 
-/// A random walk (m) through a volume of `size` voxels of 1 mm, which also leaves the volume.
+/// A random walk (m) through a volume of `size` voxels of 1 mm. The walk also leaves the volume.
 class Wanderer
 {
 public:
@@ -50,7 +50,7 @@ public:
     for (double* x : { &this->Tip.X, &this->Tip.Y, &this->Tip.Z })
     {
       *x += 2e-4 * (this->Uniform() - 0.5);
-      // The walk is reflected 5 mm outside the volume. In some ticks it jumps.
+      // Reflect the walk at 5 mm outside of the volume. Let it jump in some ticks.
       const double low = -0.005;
       const double high = 0.001 * this->Size + 0.005;
       *x = *x < low ? 2.0 * low - *x : (*x > high ? 2.0 * high - *x : *x);

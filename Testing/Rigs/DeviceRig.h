@@ -24,7 +24,7 @@ inline double Length(const double v[3])
   return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-/// Returns whether the whole force passes: no ramp after arming, hold or gap is in progress.
+/// Returns whether the whole force passes: no ramp, hold or gap is in progress.
 inline bool IsFullyArmed(vtkHapticDevice* device)
 {
   return device->GetStatus() == vtkHapticDevice::ACTIVE &&
@@ -44,7 +44,7 @@ protected:
     this->Device->SetVolumeHaptics(this->Filter);
   }
 
-  /// Starts the servo, with the tip at the beginning of the ramp's force.
+  /// Starts the servo, with the tip where the ramp's force begins.
   void Begin(const char* id = "virtual")
   {
     this->BeginWayHere();
@@ -56,8 +56,8 @@ protected:
     ASSERT_TRUE(this->Device->Start());
     ASSERT_TRUE(this->WaitTicks(2));
   }
-  /// Starts and arms the servo, with a light tip that a distant goal accelerates above the speed
-  /// limit of a hand.
+  /// Starts and arms the servo. A distant goal accelerates the light tip to a speed above the
+  /// limit.
   void BeginFast()
   {
     ASSERT_TRUE(this->Device->Open("virtual"));
@@ -73,7 +73,7 @@ protected:
     const vtkIdType end = this->Device->GetState()->GetTick() + ticks;
     return this->Wait([&] { return this->Device->GetState()->GetTick() >= end; });
   }
-  /// Polls the device until `holds` returns true for a state without a preceding pause of the loop.
+  /// Polls the device until `holds` returns true for a state that no pause of the loop precedes.
   template <typename F>
   bool Wait(F&& holds)
   {
@@ -92,7 +92,7 @@ protected:
   {
     return this->Wait([this] { return Length(this->Device->GetState()->GetForce()) > 0.2; });
   }
-  /// Leads the tip to a position and waits until it is there.
+  /// Leads the tip to a position, and waits for its arrival. Returns false if it does not arrive.
   bool Lead(double x, double y, double z)
   {
     if (this->Way.empty())
@@ -104,10 +104,10 @@ protected:
     this->Device->GetVirtualHand()->SetPosition(x, y, z);
     return this->Wait([this] { return this->IsAt(this->Way.back()); });
   }
-  /// After a pause of the loop, leads the tip again from its present position.
+  /// Forgets the path. After a pause of the loop, Lead() then begins at the present position.
   void BeginWayHere() { this->Way.clear(); }
-  /// Waits for the end of the force gate's ramp: a wall pressed during the ramp stays soft until
-  /// the tip leaves it.
+  /// Waits until the force gate's ramp has ended. A wall pressed during the ramp would stay soft
+  /// until the tip leaves it.
   bool WaitFullyArmed()
   {
     return this->Wait([this] { return IsFullyArmed(this->Device); });
@@ -117,7 +117,7 @@ protected:
     this->Device->Arm();
     return this->WaitFullyArmed();
   }
-  /// Leads the tip into the ramp, slowly enough for the slew limit.
+  /// Leads the tip into the ramp, so slowly that the slew limit does not act.
   bool LeadInto(double z)
   {
     bool isThere = true;
@@ -128,7 +128,7 @@ protected:
     }
     return isThere;
   }
-  /// Starts the servo, armed, and presses the ramp with 1.5 N.
+  /// Starts and arms the servo, and presses into the ramp with 1.5 N.
   void BeginPressed()
   {
     this->Begin();
@@ -140,7 +140,7 @@ protected:
   {
     return this->Wait([this] { return Length(this->Device->GetState()->GetForce()) > 1.4; });
   }
-  /// Leaves the ramp, and presses it again with 1.5 N.
+  /// Leaves the ramp, and presses into it again with 1.5 N.
   bool PressAgain()
   {
     return this->Lead(7.0, 7.0, 5.0) && this->WaitFullyArmed() && this->LeadInto(8.0) &&
@@ -172,7 +172,7 @@ private:
     const double way[3] = { tip[0] - place[0], tip[1] - place[1], tip[2] - place[2] };
     return Length(way) < 1e-6;
   }
-  /// Repeats the path of Lead() from its start, and continues when a ramp is over.
+  /// Repeats the path of Lead() from its start, each time after the ramp has ended.
   void GoAgain()
   {
     this->Pauses.Forget();

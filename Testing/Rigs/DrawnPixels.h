@@ -14,7 +14,7 @@
 
 namespace apitest
 {
-/// Returns three levels (0 to 255) for each pixel of a rectangle, including both corners.
+/// Returns the three levels (0 to 255) of each pixel of a rectangle. Its corners are included.
 inline std::vector<double> ReadPixels(
   vtkRenderWindow* window, int left, int bottom, int right, int top)
 {
@@ -23,7 +23,7 @@ inline std::vector<double> ReadPixels(
   return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
 }
 
-/// Returns the mean difference between levels.
+/// Returns the mean absolute difference between two pictures' levels.
 inline double ComputeMeanDifference(const std::vector<double>& a, const std::vector<double>& b)
 {
   double sum = 0.0;

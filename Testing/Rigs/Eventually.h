@@ -10,12 +10,12 @@
 
 namespace devicetest
 {
-/// Polls until `holds` returns true. Returns false after a generous time.
+/// Polls until `holds` returns true. Returns false if that takes too long (30 s or more).
 template <typename F>
 bool Eventually(F&& holds)
 {
 #if defined(__SANITIZE_THREAD__)
-  constexpr std::chrono::seconds longest(120); // sanitizers slow computations many times
+  constexpr std::chrono::seconds longest(120); // sanitizers make programs many times slower
 #else
   constexpr std::chrono::seconds longest(30);
 #endif

@@ -14,12 +14,13 @@ namespace servotest
 class FadingLoop : public testing::Test
 {
 protected:
-  /// The tick rate (Hz) of the loops that Take reads.
+  /// @param rate tick rate (Hz) of the loops that Take() reads
   explicit FadingLoop(double rate)
     : TickRate(rate)
   {
   }
-  /// Reads the next tick. Its force must not change faster than limits and fade allow.
+  /// Reads the next tick. Expects that the force has changed at most as fast as the limits and the
+  /// fade allow.
   void Take(RunningLoop& loop)
   {
     const double most =

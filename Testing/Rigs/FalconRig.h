@@ -20,7 +20,7 @@ namespace emulated
 using namespace VolumeHaptics;
 using servotest::Eventually;
 
-inline const Numbers Rest = { 0.0, 0.0, 0.172 }; ///< start of a session
+inline const Numbers Rest = { 0.0, 0.0, 0.172 }; ///< m, start of a session
 inline const Numbers Middle = { 0.0, 0.0, 0.125 };
 
 inline bool AreClose(const Numbers& a, const Numbers& b, double distance)

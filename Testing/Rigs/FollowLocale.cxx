@@ -15,7 +15,7 @@ struct FollowedLocale
 {
   FollowedLocale()
   {
-    // Without a decimal comma, the tests would prove nothing.
+    // The tests prove something only in a locale with a decimal comma.
     if (!std::setlocale(LC_ALL, "") || std::localeconv()->decimal_point[0] != ',')
     {
       std::fputs("The locale of the user has no decimal comma.\n", stderr);

@@ -14,7 +14,7 @@
 namespace devicetest
 {
 
-/// While this object exists, no file of this process can grow beyond a limit.
+/// Limits the size (bytes) to which this process can write a file, as long as the object exists.
 class FullDisk
 {
 public:

@@ -16,8 +16,8 @@
 
 namespace apitest
 {
-/// Bounds documented in vtkHapticProperty.h: a curved piece is off by at most 0.01 % of its height,
-/// and by at most 0.1 % of the value there (except for rounding beside a much larger height).
+/// Bounds from vtkHapticProperty.h: a curved piece is off by at most 0.01 % of its height, and by
+/// at most 0.1 % of its value (except for rounding beside a much larger height).
 inline constexpr double CurveBound = 1e-4;
 inline constexpr double ValueBound = 1e-3;
 inline constexpr double LastDigits = 1e-8;
@@ -37,11 +37,12 @@ inline std::vector<Node> NodesOf(vtkPiecewiseFunction* function)
   return nodes;
 }
 
-/// Whether the sharpest piece is a steep curve, as in VTK 9.3 and 9.6; in VTK 9.1 it is a step.
+/// Whether the sharpest piece is a steep curve, as in VTK 9.3 and later. In older versions, it is a
+/// step.
 inline constexpr bool SharpestIsCurve = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0);
 
-/// Returns the largest error that baking may cause at x: only rounding, on linear pieces and
-/// plateaus.
+/// Returns the largest error that baking may cause at x. On linear pieces and plateaus, only
+/// rounding may cause one.
 inline double AllowedError(vtkPiecewiseFunction* function, double x)
 {
   const std::vector<Node> nodes = NodesOf(function);
@@ -67,8 +68,8 @@ inline double AllowedError(vtkPiecewiseFunction* function, double x)
   return rounding;
 }
 
-/// Returns the range of the function's values at x and a few roundings of x (or of its logarithm)
-/// beside it, including both ends of a step there.
+/// Returns the smallest and largest value of the function at x and within a few roundings of x (or
+/// of its logarithm). If there is a step, both of its ends are included.
 inline std::pair<double, double> ValuesAround(vtkPiecewiseFunction* function, double x)
 {
   const double value = function->GetValue(x);
@@ -77,7 +78,7 @@ inline std::pair<double, double> ValuesAround(vtkPiecewiseFunction* function, do
   {
     if (node.X == x)
     {
-      return range; // a node needs no rounding
+      return range; // the node itself needs no rounding
     }
   }
   const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * std::abs(x);

@@ -13,7 +13,7 @@
 
 namespace devicetest
 {
-/// An array that lets only the thread that made it read the values, until the array is opened.
+/// An array whose values only the thread that made it can read, until the array is opened.
 class GatedArray : public vtkShortArray
 {
 public:

@@ -14,7 +14,7 @@ namespace rigs
 class GatedStage
 {
 public:
-  /// Arms again, even while force flows.
+  /// Arms the gate again, even while force flows.
   void Arm()
   {
     this->Gate.Arm(false);

@@ -37,7 +37,7 @@ struct Hand
   double Coupling = 0.0;         ///< coupling between two axes, relative to the stiffness
   double StaticFriction = 0.0;   ///< N
   double KineticFriction = 0.0;  ///< N
-  double Weight = 0.0;           ///< N, along the second axis
+  double Weight = 0.0;           ///< N, acts along the second axis
   double TremorSize = 0.1e-3;    ///< m
   double TremorFrequency = 10.0; ///< Hz
   double Drift = 0.0;            ///< m/s
@@ -45,7 +45,7 @@ struct Hand
   double WanderTime = 0.5;       ///< s
 };
 
-/// A hand and a device with 3 axes. The motion starts at rest, in balance.
+/// A hand that holds a device with 3 axes. The motion starts at rest, in balance.
 class HeldDevice
 {
 public:
@@ -67,7 +67,8 @@ public:
     this->Place[1] -= hand.Stiffness > 0.0 ? hand.Weight / hand.Stiffness : 0.0;
   }
 
-  /// Moves for a time under a command. The device's signs turn the motors' force.
+  /// Moves hand and device for a time (s) under a command (N). The device's signs turn the motors'
+  /// force.
   void Move(const Triple& command, double seconds)
   {
     const int steps = static_cast<int>(std::lround(seconds / Step));
@@ -79,7 +80,8 @@ public:
   }
 
   const Triple& GetPlace() const { return this->Place; }
-  /// Return the motors' work on the hand so far (J), and its maximum so far.
+  /// Returns the work (J) that the motors have done on the hand. GetMostWork() returns its maximum
+  /// so far.
   double GetWork() const { return this->Work; }
   double GetMostWork() const { return this->MostWork; }
 

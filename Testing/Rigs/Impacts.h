@@ -25,7 +25,7 @@ using namespace VolumeHaptics;
 
 inline constexpr double Period = 1e-3;
 
-/// The wanted force (N) at a position.
+/// A function that returns the wanted force (N) at a position (m).
 using Field = std::function<Vector3(const Vector3&)>;
 
 struct Body
@@ -50,11 +50,11 @@ struct Loop
   double Tick = Period;      ///< s
   std::size_t Delay = 0;     ///< ticks until a force of the stage acts
   int Every = 1;             ///< ticks between measured tips
-  double Stiffness = 0.0;    ///< N/m, stiffness for the stage
+  double Stiffness = 0.0;    ///< N/m, stiffness that the stage is told
   double LargestGrowth = 0.0;
 
-  /// Flies until the body has touched and is free again. Returns the energy (J) with which it
-  /// leaves.
+  /// Lets the body fly until it has touched the wall and is free again. Returns the energy (J) with
+  /// which the body leaves.
   double Fly(Body body, const Field& field)
   {
     SafetyLimits limits;
@@ -68,7 +68,7 @@ struct Loop
     input.Tip = body.Place;
     GatedStage stage;
     stage.Arm();
-    stage.Apply(input, limits); // passes the ramp in free space
+    stage.Apply(input, limits); // the ramp ends in free space
     std::deque<Vector3> onTheWay(this->Delay);
     Vector3 last;
     bool touched = false;
@@ -90,9 +90,10 @@ struct Loop
       body.Move(onTheWay.front(), this->Tick);
       onTheWay.pop_front();
     }
-    return std::numeric_limits<double>::infinity(); // the body never becomes free again
+    return std::numeric_limits<double>::infinity(); // the body stays in the wall
   }
-  /// Flies without a slew limit, and without a clamp if `most` (N) is larger than any force.
+  /// Lets the body fly without a slew limit. If `most` (N) is larger than all forces, the force is
+  /// not limited either.
   double FlyFreely(const Body& body, const Field& field, double most = 0.0) const
   {
     Loop loop = *this;
@@ -102,7 +103,7 @@ struct Loop
   }
 };
 
-/// Returns a plain spring below z = 0.
+/// Returns the force of a spring below z = 0.
 inline Field MakeWall(double stiffness)
 {
   return [stiffness](const Vector3& x) {
@@ -110,13 +111,13 @@ inline Field MakeWall(double stiffness)
   };
 }
 
-/// Returns a body that flies towards the wall and reaches it after `phase` of a tick.
+/// Returns a body that flies towards the wall and reaches it after the fraction `phase` of a tick.
 inline Body Throw(double mass, double speed, double phase)
 {
   return { mass, { 0.0, 0.0, phase * speed * Period }, { 0.0, 0.0, -speed } };
 }
 
-/// A body of 0.15 kg against a wall: the case of the specification.
+/// A case of the specification: a body of 0.15 kg flies against a wall.
 struct Rebound
 {
   double Tick = 0.0;         ///< s
@@ -124,13 +125,13 @@ struct Rebound
   double Speed = 0.0;        ///< m/s
   double MaximumForce = 0.0; ///< N
   std::size_t Delay = 0;     ///< ticks
-  double Left = 0.0;         ///< J, through the stage
-  double Unlimited = 0.0;    ///< J, through a stage that only clamps
-  double Free = 0.0;         ///< J, without the stage
+  double Left = 0.0;         ///< J, energy after the impact with the stage
+  double Unlimited = 0.0;    ///< J, with a stage that only limits the force
+  double Free = 0.0;         ///< J, without a stage
 };
 
-/// Computes a case. The phase of the ticks changes the energy that sampling adds, so the results
-/// are means over a hundred phases.
+/// Computes the energies of a case, as means over a hundred phases of the ticks, because the phase
+/// changes the energy that sampling adds.
 inline Rebound Fly(Rebound r)
 {
   constexpr int phases = 100;
@@ -148,7 +149,7 @@ inline Rebound Fly(Rebound r)
   return r;
 }
 
-/// Returns all 144 cases.
+/// Returns the results of all 144 cases.
 inline std::vector<Rebound> FlyAll()
 {
   std::vector<Rebound> all;

@@ -11,7 +11,7 @@
 
 namespace coretest
 {
-inline constexpr double BallRadius = 14.0; // voxels of 1 mm
+inline constexpr double BallRadius = 14.0; // voxels, or mm
 
 inline HapticModelDescription DescribeLocal(
   const TestVolume& volume, double iso, LocalSurfaceShape shape = LocalSurfaceShape::Plane)
@@ -23,8 +23,8 @@ inline HapticModelDescription DescribeLocal(
   return description;
 }
 
-/// Returns a volume with the value 100 on a sphere around (20, 20, 20), which rises by 10 per voxel
-/// towards the middle, or falls, for a cavity.
+/// Returns a volume with the value 100 on a sphere around (20, 20, 20). Towards the middle, the
+/// values rise by 10 per voxel for a ball (sign 1), and fall for a cavity (-1).
 inline TestVolume MakeLocalBall(double sign)
 {
   TestVolume volume(ScalarType::Float64, { 41, 41, 41 });

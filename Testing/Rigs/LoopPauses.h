@@ -14,8 +14,8 @@
 class LoopPauses
 {
 public:
-  /// Call this after every UpdateState(). Each pause increases the lag of the states behind the
-  /// clock.
+  /// Checks for a pause; call this after every UpdateState(). Each pause of the loop increases the
+  /// lag of the states behind the clock.
   void Look(vtkHapticDevice* device)
   {
     const double lag = device->GetState()->GetTime() -
@@ -23,7 +23,8 @@ public:
     this->HeldUp = this->HeldUp || lag > this->Lag + 0.02;
     this->Lag = lag;
   }
-  /// Returns whether there was a pause in the states since Forget(). May also be true without one.
+  /// Returns whether the states show a pause since Forget(). The result may be true without a
+  /// pause.
   bool WasHeldUp() const { return this->HeldUp; }
   void Forget() { this->HeldUp = false; }
 

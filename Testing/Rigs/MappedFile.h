@@ -24,7 +24,7 @@
 
 namespace servotest
 {
-/// The sanitizers disable mlock.
+/// Whether memory can be locked. The sanitizers disable mlock().
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool CanLock = false;
 #else
@@ -33,7 +33,7 @@ constexpr bool CanLock = true;
 
 inline const std::size_t PageSize = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 
-/// Returns the number of bytes that this process has locked.
+/// Returns the number of bytes that this process has locked in memory.
 inline std::size_t LockedBytes()
 {
   std::ifstream status("/proc/self/status");
@@ -48,7 +48,7 @@ inline std::size_t LockedBytes()
   return 0;
 }
 
-/// A mapped file without data: one hole.
+/// A mapped file whose data are one hole: it takes no space on the disk.
 class MappedFile
 {
 public:
@@ -65,7 +65,7 @@ public:
   }
   ~MappedFile() { munmap(this->Begin, this->Size); }
 
-  /// Returns the number of the file's bytes in memory.
+  /// Returns how many bytes of the file are in memory.
   std::size_t Resident() const
   {
     std::vector<unsigned char> pages(this->Size / PageSize);
@@ -78,7 +78,7 @@ public:
     return resident * PageSize;
   }
 
-  /// Returns the number of the file's locked bytes, from its rows in /proc/self/smaps.
+  /// Returns how many bytes of the file are locked, by the file's rows in /proc/self/smaps.
   std::size_t Locked() const
   {
     const auto begin = reinterpret_cast<std::uintptr_t>(this->Begin);

@@ -18,7 +18,7 @@ using namespace VolumeHaptics;
 using Corners = std::vector<Vector3>;
 using Faces = std::vector<SurfaceMesh::Indices>;
 
-/// Returns the square |x|, |y| <= 50 at z = 0, made of 2 n^2 triangles.
+/// Returns a floor of 2 n^2 triangles at z = 0, for |x|, |y| <= 50.
 inline std::shared_ptr<SurfaceMesh> MakeFloor(int n = 1)
 {
   Corners points;
@@ -39,7 +39,7 @@ inline std::shared_ptr<SurfaceMesh> MakeFloor(int n = 1)
   return std::make_shared<SurfaceMesh>(points, faces, Corners{});
 }
 
-/// Returns the cube |x|, |y|, |z| <= half.
+/// Returns a cube around the origin with |x|, |y|, |z| <= half.
 inline std::shared_ptr<SurfaceMesh> MakeCube(double half)
 {
   Corners points;
@@ -52,7 +52,7 @@ inline std::shared_ptr<SurfaceMesh> MakeCube(double half)
   return std::make_shared<SurfaceMesh>(points, faces, Corners{});
 }
 
-/// Returns a ball around the origin with n x 2n facets, with the sphere's normals or without
+/// Returns a ball around the origin with n x 2n facets, with the normals of the sphere or without
 /// normals.
 inline std::shared_ptr<SurfaceMesh> MakeBall(double radius, int n, bool hasNormals)
 {
@@ -86,7 +86,7 @@ inline double Distance(const Triangle& triangle, const Vector3& x)
   return Norm(x - NearestPoint(triangle, x).Position);
 }
 
-/// Random numbers, points and triangles.
+/// Draws random numbers, points and triangles.
 class Dice
 {
 public:

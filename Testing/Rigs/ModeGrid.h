@@ -23,7 +23,7 @@ using namespace VolumeHaptics;
 inline constexpr double CouplingOf = 500.0; // N/m
 inline const double HalfTurn = std::acos(-1.0);
 
-/// Field components at the points of a grid of spacing h (mm) around the world's origin.
+/// A field on a grid with the spacing h (mm), centred at the origin of the world.
 class ModeGrid
 {
 public:
@@ -57,7 +57,7 @@ public:
     }
   }
 
-  /// Sets one mode, in a world of millimetres.
+  /// Makes one mode the only mode, in a world of millimetres.
   void Bake(ModeKind kind, const Polyline& first, const Polyline& second = ConstantPolyline(0.0))
   {
     this->Mode.Kind = kind;
@@ -70,7 +70,7 @@ public:
     this->Memory = {};
   }
 
-  /// Returns the primitives at a position (mm).
+  /// Returns the set of primitives at a position (mm).
   PrimitiveSet At(const Vector3& place) const
   {
     PrimitiveSet set;
@@ -79,7 +79,7 @@ public:
     return set;
   }
 
-  /// Runs a tick with a tip (mm).
+  /// Runs a tick with the tip at a position (mm).
   void Move(const Vector3& tip)
   {
     this->Motion = SolvePrimitives(this->Field->GetField(), CouplingOf, this->QuarterVoxel,
@@ -92,9 +92,9 @@ public:
   }
   void StartAt(const Vector3& place) { this->Motion.Proxy = 1e-3 * place; }
 
-  /// Returns the largest total strength (N) of the primitives near the proxy: at the corners of a
-  /// cube around it, of the size of the last part of a step, by which the proxy may be ahead of its
-  /// force.
+  /// Returns the largest total strength (N) of the primitives near the proxy. Computes it at the
+  /// corners of a cube around the proxy, whose size is the last part of a step: so far, the proxy
+  /// may be ahead of its force.
   double ComputeStrengths() const
   {
     const double part = PrimitiveFollower::FinishedFraction * this->QuarterVoxel;

@@ -22,11 +22,11 @@ using namespace coretest;
 
 inline constexpr double Pi = 3.14159265358979323846;
 inline constexpr double K = 500.0;    // N/m
-inline constexpr double Width = 1.5;  // mm, of the edges
-inline constexpr double Period = 1.0; // s, of the ball
-inline constexpr double Dt = 1e-3;    // s, of a tick
+inline constexpr double Width = 1.5;  // mm, width of the edges
+inline constexpr double Period = 1.0; // s, period of the ball
+inline constexpr double Dt = 1e-3;    // s, duration of a tick
 
-/// The position (mm along x) of a surface at a time (s).
+/// A function that returns the position (mm along x) of a surface at a time (s).
 using Place = std::function<double(double)>;
 
 inline double BallRadius(double t)
@@ -34,8 +34,9 @@ inline double BallRadius(double t)
   return 20.0 + 2.0 * std::sin(2.0 * Pi * t / Period);
 }
 
-/// The time steps of a volume of 25 mm along x, whose side of lower x has its middle at `From`:
-/// 26 x 25 x 25 voxels of 1 mm, or as wide in voxels of another size (mm).
+/// The time steps of a volume that is 25 mm long along x and begins at x = `from` (mm). For voxels
+/// of 1 mm, it has 26 x 25 x 25 samples; for voxels of another size (mm), the number along x
+/// changes.
 class Movie
 {
 public:
@@ -90,7 +91,7 @@ inline Movie MakeBall(double step, double voxel = 1.0)
     6.0, 2.0, step, voxel };
 }
 
-/// A wall on the side of lower x, with a surface that moves along x.
+/// Returns a wall on the side of lower x, whose surface moves along x.
 inline Movie MakeWall(const Place& at, double step, double voxel = 1.0)
 {
   return { [at](double x, double, double, double t)
@@ -98,7 +99,8 @@ inline Movie MakeWall(const Place& at, double step, double voxel = 1.0)
     6.0, 2.0, step, voxel };
 }
 
-/// A hand that goes straight to a position on the x axis while time is held, and then rests there.
+/// A hand that moves straight to a position on the x axis while the data time is held, and then
+/// rests there.
 class RestingHand
 {
 public:
@@ -113,7 +115,7 @@ public:
     }
   }
 
-  /// Runs a tick at a data time.
+  /// Runs a tick at a data time (s).
   const TickRecord& Go(double time)
   {
     this->State.DataTime = time;
@@ -138,8 +140,8 @@ inline HapticModelDescription WithStrength(HapticModelDescription description, d
   return description;
 }
 
-/// Selects the spline. The Gaussian's blur moves the surface of a ball by 0.03 mm, as the
-/// evaluation shows; the spline's blur by 0.016 mm.
+/// Selects the spline as estimator. Its blur moves a ball's surface by 0.016 mm, while the
+/// Gaussian's blur moves it by 0.03 mm (see the evaluation).
 inline HapticModelDescription WithSpline(HapticModelDescription description)
 {
   description.Estimator = GradientEstimator::CubicBSpline;

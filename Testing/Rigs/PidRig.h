@@ -18,11 +18,12 @@ namespace hardwaretest
 struct Stick
 {
   std::uint8_t FirstId = 0x11;
-  std::int16_t Magnitude = 10000; ///< the range is -Magnitude to Magnitude
-  bool HasSign = true;            ///< if false, the range is 0 to Magnitude
-  bool ControlInBits = false;     ///< Device Control is six bits, not one of six values
+  std::int16_t Magnitude = 10000; ///< the range of the reports is -Magnitude to Magnitude
+  bool HasSign = true;            ///< false: the range is 0 to Magnitude
+  bool ControlInBits = false;     ///< whether Device Control has six bits; if not, it has one of
+                                  ///< six values
   bool HasAxesEnable = true;
-  const char* Without = ""; ///< the omitted part
+  const char* Without = ""; ///< name of the part to leave out
 };
 
 /** Fields of one byte: values of 0 to 255, and block indices of 1 to 40. */

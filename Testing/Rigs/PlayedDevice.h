@@ -28,8 +28,8 @@ public:
   std::string GetName() const override { return "played"; }
   DeviceLimits GetLimits() const override { return {}; }
 
-  /// Returns a position on a path up and down along z and slightly sideways; at most 0.3 m/s by the
-  /// loop's clock at 5 kHz.
+  /// Returns the position (m) at a tick on a path that goes up and down along z and slightly
+  /// sideways. By the clock of a loop at 5 kHz, its speed is at most 0.3 m/s.
   static Vector3 TipOf(std::uint64_t tick)
   {
     const double phase = 2e-3 * static_cast<double>(tick);
@@ -55,7 +55,7 @@ public:
   DeviceState Write(const Vector3& force) noexcept override
   {
     const double norm = Norm(force);
-    const std::uint64_t number = this->Writes.load() + 1; // only this thread counts
+    const std::uint64_t number = this->Writes.load() + 1; // only this thread counts writes
     this->LargestGrowth = std::max(this->LargestGrowth, GrowthOf(this->Last, force));
     this->Last = force;
     this->LargestForce.store(std::max(this->LargestForce.load(), norm));
@@ -81,13 +81,14 @@ public:
   std::atomic<bool> WriteLost{ false };
   std::atomic<std::uint64_t> Reads{ 0 };
   std::atomic<std::uint64_t> Writes{ 0 };
-  std::atomic<std::uint64_t> LastPush{ 0 }; ///< number of the last write of a nonzero force
-  std::atomic<double> Force{ 0.0 };         ///< norm of the last force
+  std::atomic<std::uint64_t> LastPush{ 0 }; ///< number of the last write of a force other than zero
+  std::atomic<double> Force{ 0.0 };         ///< N, norm of the last force
   std::atomic<double> LargestForce{ 0.0 };
-  double LargestGrowth = 0.0; ///< N per tick; read it when the loop has ended
+  double LargestGrowth = 0.0; ///< N per tick, largest growth of the force; read it after the loop
+                              ///< has ended
 
 protected:
-  /// Called once per tick on the servo's thread.
+  /// Runs once per tick on the servo's thread.
   virtual void InTick() noexcept {}
 
 private:
@@ -107,7 +108,7 @@ public:
     this->Device.ReaderAt.store(this->Device.Reads.load());
   }
   ~ReaderPace() { this->Device.ReaderAt.store(std::numeric_limits<std::uint64_t>::max()); }
-  /// Reads all ticks in the ring.
+  /// Reads all ticks that are in the ring.
   template <typename F>
   void Drain(ServoLoop* loop, F&& take) const
   {
@@ -127,13 +128,13 @@ inline SafetyLimits QuickLimits()
   SafetyLimits limits;
   limits.MaximumForce = 4.0;
   limits.RampTime = 0.01;
-  // Disable the watchdog, because a busy machine must not look like a frozen device.
+  // Disable the watchdog, so that a busy machine does not look like a frozen device.
   limits.WatchdogTime = 60.0;
   return limits;
 }
 
-/// Returns the number of loops that a test makes in a row. A sanitizer makes loops slowly, but
-/// detects a race within a few.
+/// Returns how many loops a test runs one after another. Sanitizers are slow, but detect a race
+/// within a few loops.
 constexpr int Lives(int count)
 {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -143,7 +144,7 @@ constexpr int Lives(int count)
 #endif
 }
 
-/// A loop that runs until it is destroyed.
+/// A loop that runs as long as the object exists.
 class RunningLoop
 {
 public:

@@ -19,8 +19,8 @@ namespace devicetest
 struct PlayedHardware
 {
   std::atomic<VolumeHaptics::DeviceStage> Stage{ VolumeHaptics::DeviceStage::Ready };
-  std::atomic<double> Turn{ 0.0 };  ///< rad/s, about the device's y
-  std::atomic<int> Homings{ 0 };    ///< number of requests
+  std::atomic<double> Turn{ 0.0 };  ///< rad/s, turn about the device's y
+  std::atomic<int> Homings{ 0 };    ///< number of requests for homing
   std::atomic<double> Force{ 0.0 }; ///< N, norm of the latest force
   std::atomic<int> Lights{ -1 };
   VolumeHaptics::DeviceOptions Options;
@@ -76,7 +76,7 @@ public:
   void Quench() noexcept override {}
 
 private:
-  double Time = 0.0; // s; the hand goes up and down
+  double Time = 0.0; // s, time of the hand's motion up and down
 };
 
 inline bool PlayedHardware::Add()

@@ -24,7 +24,7 @@
 namespace servotest
 {
 
-/// A program whose output is read line by line; it is killed at the end.
+/// Runs a program and reads its output line by line. The destructor kills the program.
 class WrittenProgram
 {
 public:
@@ -70,7 +70,7 @@ public:
       this->Process = -1;
     }
   }
-  /// Waits for a line. Returns an empty text at the end of the output.
+  /// Waits for a line of output. Returns an empty text if the output has ended.
   std::string ReadLine()
   {
     std::string line;
@@ -80,7 +80,7 @@ public:
     }
     return line;
   }
-  /// Ends the program. Returns the output that was not read yet.
+  /// Ends the program. Returns the lines that were not read yet.
   std::vector<std::string> ReadAll()
   {
     this->Kill();
@@ -97,8 +97,8 @@ private:
   std::FILE* Output = nullptr;
 };
 
-/// A bus that becomes the system bus of this process, and the session bus of processes that it
-/// starts.
+/// Starts a bus. It becomes the system bus of this process, and the session bus of the processes
+/// that this process starts.
 class PlayedBus
 {
 public:
@@ -108,7 +108,7 @@ public:
     setenv("DBUS_SESSION_BUS_ADDRESS", this->Address.c_str(), 1);
   }
   void Kill() { this->Daemon.Kill(); }
-  /// Returns what the system lacks for the test; null if nothing is missing.
+  /// Returns what the system lacks for the test, or null if nothing is missing.
   const char* DetectMissing() const
   {
     return this->Address.empty() ? "dbus-daemon is missing (on Debian: dbus)"
@@ -123,7 +123,7 @@ private:
   const std::string Address{ this->Daemon.ReadLine() };
 };
 
-/// A simulated RealtimeKit. The constructor waits until the service exists.
+/// Runs a simulated RealtimeKit. The constructor waits until the service is on the bus.
 class PlayedRealtimeKit
 {
 public:
@@ -153,7 +153,7 @@ inline std::int64_t ThisThread()
   return syscall(SYS_gettid);
 }
 
-/// Removes root's capabilities from a thread.
+/// Removes root's capabilities from the calling thread.
 inline void DropPrivileges()
 {
   __user_cap_header_struct header{ _LINUX_CAPABILITY_VERSION_3, 0 };

@@ -41,9 +41,9 @@ enum class PortKind : std::uint8_t
 struct PortResult
 {
   bool IsFound = false;
-  double Given = 0.0;   ///< J, given to the hand until detection, or the largest value
-  double Way = 0.0;     ///< m, from the first force to detection, or the longest
-  double Rising = 0.0;  ///< J, the largest value of PortObserver
+  double Given = 0.0;   ///< J, energy given to the hand until detection, or its largest value
+  double Way = 0.0;     ///< m, way from the first force to detection, or the longest way
+  double Rising = 0.0;  ///< J, largest rise of energy in PortObserver
   double RunAway = 0.0; ///< J
 };
 
@@ -70,7 +70,7 @@ public:
     limits.RampTime = 0.0;
     ForceGate gate;
     SafetyStage stage;
-    // A second observer in addition to the stage's, for its figures.
+    // Run a second observer beside the stage's own, to read its figures.
     PortObserver watch;
     gate.Arm();
     stage.Reset();
@@ -169,7 +169,7 @@ private:
     this->Normal = this->PickDirection();
     while (this->Kind == PortKind::WrongSign && Dot(this->Normal, this->Turn(this->Normal)) > -0.5)
     {
-      // Press along the wrong axes, because other walls do not reveal a wrong sign.
+      // Press along the axes with a wrong sign. Other walls do not reveal a wrong sign.
       const std::uint32_t wrong = 1 + this->Engine() % 7;
       for (int i = 0; i < 3; ++i)
       {
@@ -198,7 +198,8 @@ private:
     this->Depth = Dot(this->Start, this->Normal) + this->Pick(0.002, 0.05);
     const double speed = this->PickScale(0.03, 1.0);
     const double acceleration = this->Pick(3.0, 10.0);
-    // The peaks of a minimum-jerk motion are 1.875 D / T (speed) and 5.77 D / T^2 (acceleration).
+    // The motion has minimum jerk. Its largest speed is 1.875 D / T, and its largest acceleration
+    // 5.77 D / T^2.
     this->Time =
       std::max(1.875 * this->Depth / speed, std::sqrt(5.7735 * this->Depth / acceleration));
     this->Tremor = this->Chance(0.5) ? 0.0 : this->PickScale(5e-5, 5e-4);
@@ -299,7 +300,7 @@ private:
   std::mt19937 Engine;
   PortKind Kind;
   bool IsHeld;
-  double Stiffness; ///< N/m; 0: a random stiffness
+  double Stiffness; ///< N/m, stiffness of the wall; 0: random
 
   double Period = 1e-3;
   int Delay = 0;

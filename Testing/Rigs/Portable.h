@@ -20,7 +20,7 @@
 #endif
 
 #if defined(_WIN32)
-/// Names and values are in UTF-8.
+/// Sets a variable of the environment. Name and value are in UTF-8.
 inline int setenv(const char* name, const char* value, int)
 {
   const std::string text = std::string(name) + "=" + value;
@@ -41,7 +41,7 @@ inline long GetProcessNumber()
 #endif
 }
 
-/// Makes a new folder whose name starts with `begin`.
+/// Makes a folder with a new name that starts with `begin`.
 inline std::filesystem::path MakeNewFolder(const std::filesystem::path& begin)
 {
 #if defined(_WIN32)

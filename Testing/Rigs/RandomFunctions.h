@@ -15,14 +15,14 @@ namespace apitest
 {
 struct Shape
 {
-  double Sharpness; ///< of all pieces; negative: random, often exactly 0 or 1
+  double Sharpness; ///< sharpness of all pieces; negative: random, often exactly 0 or 1
   bool Duplicates;
   bool Clamping;
   bool LogScale;
 };
 
-/// Returns a function with values from 0 to `height` over [low, low + width]. With a log scale, low
-/// must be positive.
+/// Returns a random function on [low, low + width] with values from 0 to `height`. With a log
+/// scale, low must be positive.
 inline vtkSmartPointer<vtkPiecewiseFunction> RandomFunction(
   std::mt19937_64& engine, const Shape& shape, double low, double width, double height)
 {
@@ -35,8 +35,8 @@ inline vtkSmartPointer<vtkPiecewiseFunction> RandomFunction(
   const int nodes = 1 + static_cast<int>(engine() % 8);
   for (int i = 0; i < nodes; ++i)
   {
-    // Put nodes on a grid, so that duplicates and steep edges occur. (With a log scale, VTK's
-    // difference of two logarithms loses all digits at edges as steep as with a linear scale.)
+    // Put nodes on a grid, so that duplicate nodes and steep edges occur. With a log scale, edges
+    // are less steep, because VTK's difference of two logarithms would lose all digits there.
     double share = std::floor(8.0 * uniform(engine)) / 8.0;
     share += uniform(engine) < 0.3 ? (shape.LogScale ? 1e-3 : 1e-6) * uniform(engine) : 0.0;
     const double sharpness = shape.Sharpness < 0.0 ? corner(uniform(engine)) : shape.Sharpness;
@@ -46,7 +46,8 @@ inline vtkSmartPointer<vtkPiecewiseFunction> RandomFunction(
   return function;
 }
 
-/// Returns arguments: nodes, their neighbours, positions all over the pieces, and outside.
+/// Returns the arguments to test: nodes, their neighbours, positions in all pieces, and positions
+/// outside.
 inline std::vector<double> ArgumentsOf(vtkPiecewiseFunction* function, std::mt19937_64& engine)
 {
   const std::vector<Node> nodes = NodesOf(function);
@@ -60,7 +61,7 @@ inline std::vector<double> ArgumentsOf(vtkPiecewiseFunction* function, std::mt19
       arguments.end(), { a.X, std::nextafter(a.X, -HUGE_VAL), std::nextafter(a.X, HUGE_VAL) });
     for (int n = 0; n < 300; ++n)
     {
-      // Half of the positions crowd around the ends and the midpoint.
+      // Put half of the positions near the ends and near the midpoint.
       const double far = n % 2 ? std::pow(uniform(engine), 12.0) : 1.0;
       const double anchor = n % 2 ? std::vector<double>{ 0.0, 1.0, a.Midpoint }[engine() % 3] : 0.0;
       const double share = anchor + (anchor > 0.5 ? -far : far) * uniform(engine);

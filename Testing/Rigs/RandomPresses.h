@@ -28,18 +28,19 @@
 namespace rigs
 {
 
-/// The active rules. With none of them, only the clamp acts, at a force that is never reached.
+/// The rules that act in the stage. Without any, the stage only limits the force, at a value that
+/// is never reached.
 struct StageRules
 {
   const char* Name;
   bool Clamp = false;
   bool Slew = false;
-  bool Ramp = false;  ///< arms the gate again at random moments of a press
-  bool Fade = false;  ///< moves the opening up and down, for data that come and go
-  bool Hold = false;  ///< the owner holds and releases
-  bool Gap = false;   ///< samples are missing, the loop stands still
-  bool Trip = false;  ///< faults, disarming, fades, the clutch; arms again later
-  bool Speed = false; ///< limits the speed of the tip; arms again after each trip
+  bool Ramp = false;  ///< arms the gate again at random moments during a press
+  bool Fade = false;  ///< moves the data's opening up and down, as for data that come and go
+  bool Hold = false;  ///< holds and releases the force, as the owner may
+  bool Gap = false;   ///< leaves samples out, and lets the loop stand still
+  bool Trip = false;  ///< causes faults, disarming, fades and clutching, and arms again later
+  bool Speed = false; ///< limits the speed of the tip, and arms again after each fault
 };
 
 inline constexpr StageRules AllStageRules[] = {
@@ -59,7 +60,8 @@ inline constexpr StageRules AllStageRules[] = {
 class RandomPresses
 {
 public:
-  /// Rounding (J) of the sums of a press: thousands of products of some newtons and millimetres.
+  /// J: rounding of a press' sums, which have thousands of products of some newtons and
+  /// millimetres.
   static constexpr double Tolerance = 1e-9;
 
   RandomPresses(const StageRules& rules, unsigned seed)
@@ -80,10 +82,10 @@ public:
     this->Stage.Arm();
   }
 
-  /// Returns how often the stage found the tip too fast.
+  /// Returns how often the stage has found the tip too fast.
   int GetSpeedTrips() const { return this->SpeedTrips; }
 
-  /// Presses once. Returns the energy (J) that the hand got above the leak of sampling.
+  /// Presses once. Returns the energy (J) that the hand has got beyond the leak of sampling.
   double Press()
   {
     this->Given = this->Leak = 0.0;
@@ -112,8 +114,8 @@ private:
   bool Happens(double perSecond) { return this->Draw(0.0, 1.0) < perSecond * Period; }
 
   VolumeHaptics::Vector3 Home() const { return { 0.0, 0.0, this->IsSphere ? 0.0 : 0.005 }; }
-  /// Depth() returns the depth (m) towards the wall; Surface() returns the depth at which the wall
-  /// begins without a proxy.
+  /// Depth() returns the depth (m) in the direction of the wall. Surface() returns the depth (m) at
+  /// which a wall without a proxy begins.
   double Depth(const VolumeHaptics::Vector3& x) const { return this->IsSphere ? Norm(x) : -x.Z; }
   double Surface() const { return this->IsSphere ? 0.008 : 0.0; }
   VolumeHaptics::Vector3 Field(const VolumeHaptics::Vector3& x) const
@@ -146,7 +148,8 @@ private:
     }
   }
 
-  /// Runs a tick with the force at the last known tip, which is held while the hand moves.
+  /// Runs a tick, and then moves the hand by a way (m). The force acts at the last known tip, and
+  /// is held while the hand moves.
   void Step(const VolumeHaptics::Vector3& way)
   {
     this->Input.Elapsed += Period;
@@ -161,7 +164,7 @@ private:
     this->Given += Dot(this->Force, way);
     this->Leak += isSilent || isStanding ? Norm(this->Force) * Norm(way) : 0.0;
   }
-  /// Runs the stage's part of a tick. Returns true if the tip's position is not known.
+  /// Runs the stage's part of a tick. Returns true if the tip's position is unknown.
   bool Tick()
   {
     this->Trouble();
@@ -175,7 +178,8 @@ private:
     this->Input.Force = this->Field(this->Input.Tip);
     const bool isFelt = wasFelt || Norm(this->Input.Force) > 0.0;
     const VolumeHaptics::Vector3 leap = this->Input.Tip - before;
-    // This is exact for a plane; in a sphere, it is exact for steps much shorter than the radius.
+    // The leak is exact for a plane. In a sphere, it is exact for steps much shorter than the
+    // radius.
     this->Leak += isFelt ? 0.505 * this->Stiffness * Dot(leap, leap) : 0.0;
     this->Input.Stretch = Norm(this->Input.Force) / this->Stiffness;
     const bool wasFault = this->Stage.Gate.GetFault() != VolumeHaptics::GateReason::None;
@@ -261,11 +265,11 @@ private:
   double Stiffness = 0.0;
   bool IsSphere = false;
   bool HasProxy = false;
-  double Start = 0.0; ///< m, of the wall
+  double Start = 0.0; ///< m, where the wall begins
   double Residency = 1.0;
   bool IsHeld = false;
-  int Silence = 0;  ///< coming ticks without samples
-  int Standing = 0; ///< coming ticks in which the loop stands still
+  int Silence = 0;  ///< number of coming ticks without samples
+  int Standing = 0; ///< number of coming ticks in which the loop stands still
   double Given = 0.0;
   double Leak = 0.0;
   int SpeedTrips = 0;

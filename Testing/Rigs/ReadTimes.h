@@ -22,7 +22,7 @@ struct ReadTimes
   {
   }
 
-  /// Reads for some seconds. Calls `each` with the time (s) in every tick.
+  /// Reads the device for some seconds. Calls `each` with the time (s) in every tick.
   void Run(
     double seconds, const std::function<void(double)>& each = [](double) {})
   {
@@ -38,7 +38,7 @@ struct ReadTimes
     }
     this->Elapsed = 1e-9 * static_cast<double>(now - begin);
   }
-  /// Returns whether the device becomes silent, or reports that it is lost, within some seconds.
+  /// Returns whether the device falls silent or reports a loss within some seconds.
   bool FallsSilent(double seconds, double silence)
   {
     this->SilentSince = VolumeHaptics::ServoClock::Now();
@@ -52,7 +52,7 @@ struct ReadTimes
   VolumeHaptics::LoopTiming Timing;
   int Ticks = 0;
   int Fresh = 0;
-  int Signs = 0;               ///< signs of life without a new position
+  int Signs = 0;               ///< number of signs of life without a new position
   double Elapsed = 0.0;        ///< s
   double LongestSilence = 0.0; ///< s
   double LargestSpeed = 0.0;   ///< m/s

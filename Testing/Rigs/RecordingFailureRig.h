@@ -55,7 +55,8 @@ protected:
   {
     return static_cast<rlim_t>(vtksys::SystemTools::FileLength(file));
   }
-  /// Wanders until two groups of 256 ticks are on the disk; a group takes 20 to 45 kB.
+  /// Moves the tip at random until two groups of 256 ticks are on the disk. A group takes 20 kB to
+  /// 45 kB.
   void WanderForTwoGroups(const std::string& file)
   {
     const rlim_t enough = SizeOf(file + ".part") + 50000;
@@ -65,13 +66,14 @@ protected:
     }
     ASSERT_GE(SizeOf(file + ".part"), enough);
   }
-  /// Records until the disk is full, which is after one or two groups, and expects an error.
+  /// Records until the disk is full, and expects an error. The disk has room for one or two groups
+  /// of ticks.
   void FillTheDisk(const std::string& file)
   {
     this->Begin();
     ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
     const FullDisk full(SizeOf(file + ".part") + 60000);
-    // A resting tip takes few bytes.
+    // Keep the tip moving, because a resting tip takes few bytes.
     for (int i = 0; i < 1000 && this->Log.Errors.empty(); ++i)
     {
       this->Wander(5);
@@ -86,7 +88,7 @@ protected:
     this->ExpectError(".part");
     EXPECT_EQ(this->Device->GetStatusText().find("Make room"), std::string::npos);
   }
-  /// Checks that the filter replays the file to the same forces.
+  /// Expects that the filter's replay of the file has the same forces.
   void ExpectReplays(const std::string& file, vtkIdType leastTicks)
   {
     vtkNew<vtkXMLPolyDataReader> reader;

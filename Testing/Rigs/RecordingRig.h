@@ -45,7 +45,7 @@ protected:
     this->Device->SetDeviceToWorld(m);
     ASSERT_TRUE(this->Device->Publish());
   }
-  /// Compares the recording with the filter's replay of it.
+  /// Stops the recording. Expects that the filter's replay of the recording is equal to it.
   void ExpectSame(double leastForce = 0.5)
   {
     ASSERT_TRUE(this->Device->GetRecorder()->Stop());
@@ -68,7 +68,7 @@ protected:
       if (name == "Label" || name == "Depth" || name == "ShaftForce" ||
         name == "ForbiddenTouches" || name.compare(0, 10, "ModeForce_") == 0)
       {
-        continue; // each replay computes this array again
+        continue; // skips this array, which each replay computes again
       }
       ASSERT_TRUE(there) << here->GetName();
       vtkIdType different = 0;

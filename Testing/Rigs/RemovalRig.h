@@ -30,11 +30,11 @@
 
 namespace removaltest
 {
-/// A ball without tissue, with an edge of three samples, as in FRONTIER 3.3.
+/// A ball from which the tissue was removed, with an edge of three samples (FRONTIER 3.3).
 struct Hole
 {
-  double Middle[3]; ///< index
-  double Radius;    ///< samples
+  double Middle[3]; ///< index of the centre
+  double Radius;    ///< radius in samples
 
   unsigned char GetFraction(int i, int j, int k) const
   {
@@ -46,16 +46,16 @@ struct Hole
   }
 };
 
-/// Returns the remaining value V' = V - (1 - rho) (V - V_air), where rho is the fraction.
+/// Returns the remaining value V' = V - (1 - rho) (V - V_air) at the fraction rho.
 inline double LeftOf(double value, double fraction, double air)
 {
   return value - (1.0 - fraction / 255.0) * (value - air);
 }
 
-/// Loads the fractions of a hole into a removal, through a file.
+/// Loads the fractions of a hole into a removal, by way of a file. Returns false on failure.
 inline bool LoadHole(vtkHapticRemoval* removal, vtkImageData* volume, const Hole& hole, double air)
 {
-  // Use a unique name, because tests may run at the same time in one folder.
+  // Use a unique file name, because tests may run at the same time in one folder.
   const std::string file = "LoadedHole" + std::to_string(getpid()) + ".vti";
   const int* const extent = volume->GetExtent();
   vtkNew<vtkImageData> image;
@@ -90,8 +90,9 @@ inline bool LoadHole(vtkHapticRemoval* removal, vtkImageData* volume, const Hole
   return isRead;
 }
 
-/// Returns a copy of an image with the hole in a component. Each sample has the mean of a cube of
-/// fractions, from a volume that begins at `first` and is `step` times as fine.
+/// Returns a copy of an image, in which the hole is removed from a component. Each sample has the
+/// mean fraction of a cube of samples, from a volume that begins at `first` and is `step` times as
+/// fine.
 inline vtkSmartPointer<vtkImageData> MakeLeft(
   vtkImageData* image, int component, const Hole& hole, double air, int step = 1)
 {

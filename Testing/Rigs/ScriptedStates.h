@@ -15,8 +15,8 @@
 namespace scenetest
 {
 
-/// Returns states at 1 kHz from one time to another (s): a normal force, and the values that belong
-/// to it.
+/// Returns a table of states at 1 kHz between two times (s), with the normal force `normal` and the
+/// values that belong to it.
 template <typename F>
 vtkSmartPointer<vtkTable> MakeStates(double from, double to, F&& normal)
 {

@@ -25,7 +25,8 @@ using namespace VolumeHaptics;
 
 inline const std::string Root = VolumeHaptics_SOURCE_DIR;
 
-/// Returns the letters of a text; equal for "Local surface", LOCAL_SURFACE and LocalSurface.
+/// Returns the letters of a text in one form, so that "Local surface", LOCAL_SURFACE and
+/// LocalSurface are equal.
 inline std::string Letters(const std::string& text)
 {
   std::string letters;
@@ -44,7 +45,7 @@ inline bool BeginsWith(const std::string& text, const std::string& beginning)
   return text.compare(0, beginning.size(), beginning) == 0;
 }
 
-/// Returns the path of a public header, wherever it is under Module/VTK.
+/// Returns the path of a public header. Searches all folders of Module/VTK.
 inline std::filesystem::path PublicHeader(const std::string& header)
 {
   for (const std::filesystem::directory_entry& entry :
@@ -120,7 +121,7 @@ void ExpectHeaderBehaves(Owner* object, const HapticVectorSetting<Owner>& settin
   }
 }
 
-/// Checks all settings of a list, each on an object of its own.
+/// Checks all settings of a list, each on a new object.
 template <typename Class, template <typename> class Setting, typename Owner, std::size_t Size>
 void ExpectHeadersBehave(const Setting<Owner> (&settings)[Size])
 {
@@ -147,7 +148,7 @@ std::vector<std::string> Names(const Lists&... lists)
   return all;
 }
 
-/// Checks that every setting macro of a header has a row, and every row a macro.
+/// Expects one row for each setting macro of a header, and no other rows.
 inline void ExpectRows(const std::string& header, std::vector<std::string> rows)
 {
   std::ifstream file(PublicHeader(header));
@@ -166,7 +167,7 @@ inline void ExpectRows(const std::string& header, std::vector<std::string> rows)
   EXPECT_EQ(found, rows) << header;
 }
 
-/// Checks that the comments of a header begin with the documentation of the rows.
+/// Expects that the comments of a header begin with the documentation in the rows.
 template <typename List>
 void ExpectComments(const std::string& header, const List& settings)
 {

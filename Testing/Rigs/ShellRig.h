@@ -14,11 +14,11 @@
 namespace coretest
 {
 constexpr double Pi = 3.14159265358979323846;
-/// The pressure at a depth of 1 m: the default stiffness, 500 N/m, over the default area, 25 mm^2.
+/// N/m^3: pressure per depth. The default stiffness of 500 N/m over the default area of 25 mm^2.
 constexpr double Kappa = 2e7;
 
-/// Returns points of equal areas on a sphere around the origin, along a spiral with the golden
-/// angle.
+/// Returns points of equal areas on a sphere around the origin. They lie on a spiral with the
+/// golden angle.
 inline std::vector<ShellPoint> MakeSphere(double radius, int count)
 {
   std::vector<ShellPoint> points;
@@ -34,7 +34,7 @@ inline std::vector<ShellPoint> MakeSphere(double radius, int count)
   return points;
 }
 
-/// Returns a square through the origin, perpendicular to z.
+/// Returns a square of points around the origin, perpendicular to z.
 inline std::vector<ShellPoint> MakeSquare(double side, int count)
 {
   std::vector<ShellPoint> points;
@@ -73,7 +73,7 @@ Quaternion RandomTurn(Engine& engine)
   return (1.0 / std::sqrt(SquaredNorm(q))) * q;
 }
 
-/// Returns V = 100 r around the middle of a cube.
+/// Returns a cube with the values V = 100 r, where r is the distance from its middle.
 inline TestVolume MakeCavity(std::int64_t samples)
 {
   TestVolume volume(ScalarType::Float64, { samples, samples, samples });
@@ -85,7 +85,7 @@ inline TestVolume MakeCavity(std::int64_t samples)
   return volume;
 }
 
-/// A tool led through a volume.
+/// A tool that a hand leads through a volume.
 class ShellHand
 {
 public:
@@ -107,7 +107,7 @@ public:
     const ShellRecord last = this->Record;
     if (this->State.Enabled)
     {
-      // Work of the hand on the springs while the tool rests.
+      // Add the work of the hand on the springs while the tool rests.
       this->Work += this->EnergyOfSprings(this->Record.Tool, pose) -
         this->EnergyOfSprings(this->Record.Tool, last.Hand);
     }
@@ -117,7 +117,7 @@ public:
     this->ForceWork -= Dot(mean, this->Record.Hand.Position - last.Hand.Position);
     return this->Record;
   }
-  /// Leads the tool along a straight path, step by step.
+  /// Leads the tool along a straight path, in steps of at most `step` (mm).
   const ShellRecord& Lead(const Vector3& goal, double step = 0.05, const Quaternion& turn = {})
   {
     const Vector3 from = 1000.0 * this->Record.Hand.Position;
@@ -136,8 +136,8 @@ public:
     }
     return this->Record;
   }
-  /// Returns the energy (J) of the springs. Computed from the angle between both, unlike the tick's
-  /// formula.
+  /// Returns the energy (J) of the springs, computed from the angle between tool and hand, which is
+  /// not the tick's formula.
   double EnergyOfSprings(const ShellPose& tool, const ShellPose& hand) const
   {
     const Vector3 lag = tool.Position - hand.Position;
@@ -153,8 +153,8 @@ public:
   ShellMemory Memory;
   ShellState State;
   ShellRecord Record;
-  double Work = 0.0;      ///< J, work of the hand, if the tool rests while the hand moves
-  double ForceWork = 0.0; ///< J, work of the hand, by the mean force of two ticks; without turns
+  double Work = 0.0;      ///< J, work of the hand if the tool rests while the hand moves
+  double ForceWork = 0.0; ///< J, work of the hand by the mean force of two ticks, without turns
 };
 } // namespace coretest
 

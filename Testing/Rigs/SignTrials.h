@@ -17,29 +17,31 @@ namespace signtest
 /** The properties of a device that matter to the servo. */
 struct Port
 {
-  double Rate = 1000.0;     ///< Hz, of the servo
-  double ReportTime = 0.0;  ///< s between two reports; 0: one per tick
+  double Rate = 1000.0;     ///< Hz, rate of the servo
+  double ReportTime = 0.0;  ///< s between two reports; 0: a report in each tick
   double Quantum = 0.06e-3; ///< m
-  bool IsLate = false;      ///< forces act one tick later
-  double Force = 8.0;       ///< N, the largest force
+  bool IsLate = false;      ///< whether forces act one tick later
+  double Force = 8.0;       ///< N, largest force of the device
 };
 
 struct Outcome
 {
   VolumeHaptics::SignVerdict Verdict;
-  double Work = 0.0;    ///< J, the most that the motors gave the hand
-  double Motion = 0.0;  ///< m, largest distance of the tip from its position without the check
+  double Work = 0.0;    ///< J, largest work of the motors on the hand
+  double Motion = 0.0;  ///< m, largest distance between the tip with the check and the tip without
+                        ///< it
   double Seconds = 0.0; ///< s until the verdict
 };
 
-/// Checks the signs of a device in a hand until there is a verdict, for at most two minutes.
+/// Checks the signs of a device that a hand holds, until there is a verdict or two minutes have
+/// passed.
 inline Outcome CheckSigns(const Hand& hand, const Port& port, const Triple& signs, unsigned seed)
 {
   using namespace VolumeHaptics;
   HeldDevice held(hand, signs, seed);
   HeldDevice free(hand, signs, seed);
-  // Friction holds the tip against the hand's own spring, and a push releases the stored force. In
-  // this case, only the motion since the beginning of each push belongs to the push.
+  // With friction, the tip may rest against the hand's own spring, and a push releases that
+  // spring's force. Then only the motion since the beginning of a push belongs to the push.
   const bool isComparable = hand.StaticFriction == 0.0;
   SignCheck check;
   check.Begin(7, port.Force);
@@ -88,7 +90,7 @@ inline Outcome CheckSigns(const Hand& hand, const Port& port, const Triple& sign
   return outcome;
 }
 
-/// A random hand and device.
+/// Draws random hands and devices.
 class RandomHands
 {
 public:
@@ -103,10 +105,10 @@ public:
     hand.Mass = 0.05 * std::pow(10.0, this->Between(0.0, 1.0));
     hand.Stiffness = this->Pick({ 0.0, 0.0, 50.0, 150.0, 300.0, 500.0 });
     hand.Damping = this->Pick({ 0.0, 0.5, 2.0, 5.0, 20.0 });
-    // A hand has at least a tenth of critical damping.
+    // Give the hand at least a tenth of critical damping.
     hand.Damping = std::max(hand.Damping, 0.2 * std::sqrt(hand.Stiffness * hand.Mass));
-    // Exclude a hand that leans on friction by more than a millimetre, because it leaps by itself
-    // once it slips.
+    // Exclude a hand that friction holds more than a millimetre from its place, because such a hand
+    // leaps by itself once it slips.
     const double friction = this->Pick({ 0.0, 0.0, 0.05, 0.15 });
     hand.StaticFriction =
       hand.Stiffness > 0.0 ? std::min(friction, 1e-3 * hand.Stiffness) : friction;
@@ -122,7 +124,7 @@ public:
     port.IsLate = this->Pick({ 0.0, 1.0 }) > 0.0;
     port.Force = this->Pick({ 5.0, 8.0, 14.0, 40.0, 100.0 });
   }
-  /// Make at least one sign wrong.
+  /// Returns signs of which at least one is wrong.
   Triple DrawWrongSigns()
   {
     const unsigned wrong = 1 + this->Random() % 7;

@@ -34,7 +34,7 @@ struct StiffArm
   double Mass = 0.0;         ///< kg
   double Damping = 0.5;      ///< N s/m
   double Friction = 0.2;     ///< N
-  double Step = 0.0;         ///< m, of the encoder
+  double Step = 0.0;         ///< m, resolution of the encoder
   int Delay = 0;             ///< ticks
   double MaximumForce = 0.0; ///< N
 
@@ -51,9 +51,9 @@ struct StiffArm
 struct StiffPress
 {
   bool IsHeld = false;
-  double Force = 1.0; ///< N, of the weight or the muscles
-  double Speed = 0.1; ///< m/s, of the approach
-  double Gain = 1.0;  ///< stiffness of the wall, in units of 2 b / T
+  double Force = 1.0; ///< N, force of the weight or of the muscles
+  double Speed = 0.1; ///< m/s, speed of the approach
+  double Gain = 1.0;  ///< stiffness of the wall in units of 2 b / T
   bool Augments = false;
   double MaximumForceRate = 500.0; ///< N/s
   /** Slack (m) of the wall's spring as in PassiveSpring.h: |f| = K (|d| - slack). */
@@ -63,18 +63,18 @@ struct StiffPress
 struct StiffResult
 {
   double Shown = 0.0; ///< N/m, mean force divided by mean depth during the hold
-  double Swing = 0.0; ///< m, of the tip during the hold
+  double Swing = 0.0; ///< m, swing of the tip during the hold
   /**
    * Energy that the port gave to the hand, divided by the energy that the port took and that
    * damping and friction lost (while the wall is felt).
    */
   double Ratio = 0.0;
-  double MostGiven = 0.0; ///< J: largest energy that the hand ever got beyond what it had put in
+  double MostGiven = 0.0; ///< J: largest energy that the hand has got beyond what it had put in
   /** The same without the help of the dry friction, which the account does not know. */
   double MostWithoutFriction = 0.0;
   double Deepest = 0.0;  ///< m
-  bool IsDamped = false; ///< PortDamper acted
-  bool IsCut = false;    ///< a fault cut the force
+  bool IsDamped = false; ///< whether PortDamper acted
+  bool IsCut = false;    ///< whether a fault cut the force
 };
 
 /** Presses for two seconds and releases for one. The hold is measured from 1.0 to 1.9 s. */
@@ -153,7 +153,7 @@ inline StiffResult PressStiffly(const StiffArm& arm, const StiffPress& press)
       const bool isFelt = x < 0.0 || force > 0.0;
       v += h / mass * (force - lost + push);
       x += h * v;
-      // Friction acts on the hand's side of the port.
+      // Friction acts between the port and the hand, on the hand's side.
       const double friction = isFelt ? h * v * lost : 0.0;
       taken += friction;
       net -= friction;

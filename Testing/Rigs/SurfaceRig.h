@@ -12,7 +12,7 @@
 
 namespace coretest
 {
-/// Describes a mesh in millimetres with a proxy of 1 mm radius and 500 N/m.
+/// Describes a mesh in millimetres, for a proxy of 1 mm radius and 500 N/m.
 inline HapticModelDescription DescribeMesh(
   const TestVolume& volume, std::shared_ptr<const SurfaceMesh> mesh, double friction = 0.0)
 {
@@ -24,7 +24,7 @@ inline HapticModelDescription DescribeMesh(
   return description;
 }
 
-/// Leads a tip (mm) along straight paths, step by step (mm).
+/// Leads a tip along straight paths in small steps. Lengths are in mm.
 class Hand
 {
 public:
@@ -58,7 +58,7 @@ public:
   ServoState State;
   TickRecord Record;
 };
-/// Expects a sphere of 1 mm at rest at a position.
+/// Expects that a proxy of 1 mm radius rests at a position (mm).
 class SurfaceTest : public testing::Test
 {
 protected:

@@ -22,19 +22,20 @@ struct Tap
 {
   double Speed = 0.1;     ///< m/s
   double Stiffness = 0.0; ///< N/m
-  double Frequency = 0.0; ///< Hz, of the material
-  double Gain = 0.0;      ///< of the transient
-  double Phase = 0.0;     ///< fraction of a tick by which the touch is delayed
+  double Frequency = 0.0; ///< Hz, frequency of the material
+  double Gain = 0.0;      ///< gain of the transient
+  double Phase = 0.0;     ///< fraction of a tick by which the touch comes later
   bool MovesTip = true;
 };
 
 struct TapResult
 {
   double Effective = 0.0; ///< N/m
-  double Returned = 0.0;  ///< energy with which the arm leaves, divided by that with which it came
+  double Returned = 0.0;  ///< energy with which the arm leaves, divided by the energy with which it
+                          ///< came
   /** J: largest energy that port and friction ever gave beyond what they took */
   double MostGiven = 0.0;
-  std::vector<double> Forces; ///< N, sent in each tick since the touch
+  std::vector<double> Forces; ///< N, forces sent in each tick from the touch on
 };
 
 inline TapResult TapOnce(const StiffArm& arm, const Tap& tap)

@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <string>
 
-/// Returns the path of a file in the folder. The folder's path has "VolumeHaptics" in its name.
+/// Returns the path of a file in a temporary folder, whose path contains "VolumeHaptics".
 inline std::string TemporaryPath(const std::string& name)
 {
   struct Folder
@@ -25,7 +25,7 @@ inline std::string TemporaryPath(const std::string& name)
     }
     ~Folder()
     {
-      // A forked child leaves the folder to its parent.
+      // Only the process that made the folder removes it, not a forked child.
       if (GetProcessNumber() == this->Owner)
       {
         std::error_code ignored;

@@ -21,8 +21,8 @@ class TestVolume
 public:
   using Size = std::array<std::int64_t, 3>;
 
-  /// Makes a volume whose samples are `step` elements apart, at `place` if given, otherwise on the
-  /// heap.
+  /// Makes a volume whose samples are `step` elements apart, in the memory at `place`, or on the
+  /// heap if that is null.
   TestVolume(ScalarType type, const Size& n, std::int64_t step = 1, std::byte* place = nullptr)
   {
     this->View.Type = type;
@@ -32,7 +32,8 @@ public:
     this->View.Stride[2] = step * n[0] * n[1];
     if (!place)
     {
-      // Use new std::byte[] instead of a vector, so that the block ends with the samples.
+      // Allocate with new std::byte[] instead of a vector, so that the block ends with the last
+      // sample.
       this->Memory.reset(new std::byte[Bytes(type, n, step)]());
       place = this->Memory.get();
     }
@@ -40,16 +41,16 @@ public:
     this->View.Data = place;
   }
 
-  /// Returns the bytes from the first sample to the end of the last one. Nothing behind them may be
-  /// read.
+  /// Returns the number of bytes from the first sample to the end of the last one. Bytes behind
+  /// them must not be read.
   static std::size_t Bytes(ScalarType type, const Size& n, std::int64_t step)
   {
     const std::size_t elements = static_cast<std::size_t>((n[0] * n[1] * n[2] - 1) * step + 1);
     return elements * WithSampleType(type, [](auto t) { return sizeof(t); });
   }
 
-  /// Fills the volume with random values that the type can hold; floating-point values are up to
-  /// 1e6 in size.
+  /// Fills the volume with random values of the type. Floating-point values are between -1e6 and
+  /// 1e6.
   void FillRandom(unsigned seed)
   {
     std::mt19937_64 engine(seed);
@@ -84,7 +85,8 @@ public:
     }
   }
 
-  /// Returns the sample at an index. An index beyond the border gives the border's sample.
+  /// Returns the sample at an index. Outside of the volume, returns the nearest sample of the
+  /// border.
   double operator()(std::int64_t i, std::int64_t j, std::int64_t k) const
   {
     const std::int64_t at[3] = { i, j, k };

@@ -22,7 +22,8 @@
 namespace
 {
 thread_local bool IsWatched = false;
-thread_local bool IsCounted = false; // operator new calls malloc
+thread_local bool IsCounted = false; // set while operator new calls malloc, so that only one call
+                                     // counts
 std::atomic<std::size_t> Allocations{ 0 };
 std::atomic<std::size_t> Locks{ 0 };
 

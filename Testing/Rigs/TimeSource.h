@@ -25,7 +25,8 @@
 namespace apitest
 {
 
-/// Produces the time steps of an image, and writes each to the same memory, as a reader does.
+/// A source that makes the time steps of an image. Like a reader, it writes each time step to the
+/// same memory.
 class TimeSource : public vtkImageAlgorithm
 {
 public:

@@ -35,18 +35,19 @@ struct FakeForceDimensionState
   int Type = 34; ///< an omega.6
   ///@{
   double MaxForce = -1.0;  ///< N, a limit set in the SDK; negative: none
-  double MaxTorque = -1.0; ///< N m, such a limit; negative: none
+  double MaxTorque = -1.0; ///< N m, a limit set in the SDK; negative: none
   ///@}
   bool HasWrist = true;
   bool HasGripper = false;
   bool IsGripperClosed = false;
-  bool EmulatesButton = false; ///< the gripper as a button; off unless requested
+  bool EmulatesButton = false; ///< whether the gripper acts as a button; off unless requested
   bool IsOpen = false;
   bool IsInitialised = true;
   bool IsPluggedIn = true;
   bool HasPower = true;
   bool ForceIsOn = false;
-  bool IsRegulating = false; ///< regulates by itself from the search for its zero on
+  bool IsRegulating = false; ///< whether the device regulates by itself from the search for its
+                             ///< zero on
   bool FailsToInit = false;
   bool FailsToOpen = false;
   bool FailsToRead = false;
@@ -56,10 +57,11 @@ struct FakeForceDimensionState
   unsigned Buttons = 0;
   std::array<std::array<double, 3>, 3> Frame{ { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
   EmulatedHand Hand;
-  Triple Force{};                 ///< N, last set force
-  Triple Torque{};                ///< N m
-  int ForcesBeforeZero = 0;       ///< number of nonzero forces before the zero was known
-  std::vector<std::string> Calls; ///< calls, without reads and writes of the same force
+  Triple Force{};                 ///< N, force set last
+  Triple Torque{};                ///< N m, torque set last
+  int ForcesBeforeZero = 0;       ///< number of forces other than zero before the zero was known
+  std::vector<std::string> Calls; ///< names of the calls, without reads and repeated writes of a
+                                  ///< force
 };
 
 struct FakeForceDimension : FakeForceDimensionState

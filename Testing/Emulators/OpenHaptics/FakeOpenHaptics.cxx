@@ -43,7 +43,7 @@ bool IsOpen(HHD handle)
   return (handle == FirstHandle || handle == RightHandle) && Arm(handle).IsOpen;
 }
 
-// Pushes a fault on the current device's stack.
+// Puts a fault on the stack of the current device.
 void Push(HDerror fault)
 {
   Arm(current).Faults.push_back(fault);

@@ -40,10 +40,10 @@ struct FakeArm
   bool IsOpen = false;
   bool IsForceEnabled = false;
   bool IsInFrame = false;
-  std::vector<unsigned> Faults; ///< the stack of faults
+  std::vector<unsigned> Faults; ///< stack of the faults that were not read yet
   EmulatedHand Hand;            ///< m
-  Triple Force{};               ///< N, from the last frame
-  Triple Torque{};              ///< mN m
+  Triple Force{};               ///< N, force of the last frame
+  Triple Torque{};              ///< mN m, torque of the last frame
   ///@{
   /// Force and torque set in the current frame.
   Triple FrameForce{};
@@ -51,24 +51,26 @@ struct FakeArm
   ///@}
 };
 
-/// The first arm, and a second one in `Right`.
+/// The state of the library: the first arm, and a second arm in `Right`.
 struct FakeOpenHapticsState : FakeArm
 {
   FakeArm Right;
   bool IsPluggedIn = true;
-  bool StandsStill = false; ///< the scheduler does not run its callbacks
+  bool StandsStill = false; ///< whether the scheduler stops running its callbacks
   int OutputDof = 3;
   unsigned Calibration = 301;    ///< HD_CALIBRATION_OK
-  int Styles = 5;                ///< bits of the ways to calibrate it: a Touch's
-  std::string Name;              ///< the device's only name; empty: answers to the default
-  double ContinuousForce = 0.88; ///< N; 0: not known to the library
+  int Styles = 5;                ///< bits of the ways to calibrate the device; here those of a
+                                 ///< Touch
+  std::string Name;              ///< name of the only device; empty: the default device
+  double ContinuousForce = 0.88; ///< N; 0: the library does not know it
   int Buttons = 0;
   bool TellsNonsense = false;
-  /// The stylus' orientation: the three columns of a rotation matrix.
+  /// Orientation of the stylus: the three columns of a rotation matrix.
   std::array<double, 9> Turn{ 1, 0, 0, 0, 1, 0, 0, 0, 1 };
-  int ForcesBeforeZero = 0;       ///< forces in frames before the zero was known
-  int ForcesAtTheEnd = 0;         ///< number of scheduler stops under force of any arm
-  std::vector<std::string> Calls; ///< calls outside frames
+  int ForcesBeforeZero = 0;       ///< number of forces in frames before the zero was known
+  int ForcesAtTheEnd = 0;         ///< number of times that the scheduler stopped while any arm had
+                                  ///< force
+  std::vector<std::string> Calls; ///< names of the calls outside of frames
 };
 
 struct FakeOpenHaptics : FakeOpenHapticsState

@@ -45,7 +45,7 @@ public:
     std::chrono::steady_clock::time_point At;
   };
   std::vector<Call> Calls;
-  bool Accepts = true; ///< false: the manifest lacks the action
+  bool Accepts = true; ///< false: the action is missing in the manifest
   double PhysicalScale = 1.0;
   double GetPhysicalScale() override { return this->PhysicalScale; }
 };

@@ -56,7 +56,7 @@ enum : unsigned int
   HD_OUTPUT_DOF,
   HD_CALIBRATION_STYLE,
   HD_NOMINAL_MAX_CONTINUOUS_FORCE,
-  HD_CALIBRATION_ENCODER_RESET = 1, // bits, as the library's
+  HD_CALIBRATION_ENCODER_RESET = 1, // the calibration styles are bits, as in the library
   HD_CALIBRATION_AUTO = 2,
   HD_CALIBRATION_INKWELL = 4,
   HD_FORCE_OUTPUT = 201,
