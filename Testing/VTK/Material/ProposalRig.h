@@ -130,11 +130,11 @@ protected:
     EXPECT_NEAR(found[0].Fraction / found[1].Fraction, areas, areasError);
   }
 
-  /// Expects that the distinctness starts above the noise, and ends below every edge.
+  /// Expects that the distinctness starts above the noise, and ends below the slope of every edge.
   void ExpectDistinctness(double leastStep, double width)
   {
-    // The noise of white noise after the derivative of a Gaussian of scale t follows from the
-    // integrals of G^2 and G'^2. An edge then has the width sqrt(s^2 + t^2).
+    // The integrals of G^2 and G'^2 give the noise that is left of white noise after the derivative
+    // of a Gaussian of scale t. An edge of width s then has the width sqrt(s^2 + t^2).
     const double t = 0.5 * this->Property->GetProposedKernelRadius();
     const double noise = Sigma / (4.0 * std::pow(vtkMath::Pi(), 0.75) * std::pow(t, 2.5));
     const double arc = leastStep / (std::sqrt(2.0 * vtkMath::Pi()) * std::hypot(width, t));
@@ -150,7 +150,7 @@ protected:
     EXPECT_GE(full[0], 0.4 * arc);
   }
 
-  /// Expects the tissues of the head phantom: the numbers of Data/phantom.py.
+  /// Expects the tissues of the head phantom, whose numbers are in Data/phantom.py.
   void ExpectTissues()
   {
     vtkPiecewiseFunction* const strength = this->Property->GetSurfaceStrength();

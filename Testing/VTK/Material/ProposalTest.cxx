@@ -90,8 +90,8 @@ TEST_F(Proposal, StrengthsAreInProportionAndTheInnermostIsTheStrongest)
   }
 }
 
-// A steep function makes the force rough. Between two materials, a step takes at least half of the
-// way from value to value; around each value the function is constant.
+// Steep functions make the force rough. So a step between two materials must take at least half of
+// the way from value to value, and the function must be constant around each value.
 TEST_F(Proposal, MaterialsAreConstantAndBlendsAreWide)
 {
   const auto image = apitest::MakeImage(
@@ -108,7 +108,8 @@ TEST_F(Proposal, MaterialsAreConstantAndBlendsAreWide)
   }
 }
 
-// The surfaces are felt where the balls are, from outside, with the strengths of the functions.
+// The hand must feel the balls from outside, where their surfaces are, with the strengths of the
+// functions.
 TEST_F(Proposal, SurfacesAreFelt)
 {
   Noise noise(Sigma);
@@ -122,8 +123,8 @@ TEST_F(Proposal, SurfacesAreFelt)
     apitest::Line({ Middle, Middle, 1.0 }, { Middle, Middle, Middle - 8.0 }, 4000)));
   filter->Update();
   vtkPolyData* const trace = filter->GetOutput();
-  double before = 0.0; // at the outer ball
-  double after = 0.0;  // at the inner ball, where the tip ends 10 mm inside: 500 N/m give 5 N
+  double before = 0.0; // force at the outer ball
+  double after = 0.0;  // force at the inner ball: the tip ends 10 mm inside, and 500 N/m give 5 N
   for (vtkIdType i = 0; i < trace->GetNumberOfPoints(); ++i)
   {
     const double force = -apitest::Get(trace, "Force", i, 2);
@@ -148,7 +149,7 @@ TEST_F(Proposal, DarkInsideIsFeltTowardsLowerValues)
   EXPECT_EQ(strength->GetValue(0.0), 12.0);
 }
 
-// A hollow ball: inside of it, a surface is met towards lower values.
+// In a hollow ball, the hand meets the inner surface towards lower values.
 TEST_F(Proposal, DarkInsideBrightIsFeltFromBothSides)
 {
   const auto image = apitest::MakeImage(Size, VTK_FLOAT,
@@ -163,7 +164,7 @@ TEST_F(Proposal, DarkInsideBrightIsFeltFromBothSides)
   EXPECT_NEAR(strength->GetValue(120.0), 3.0 * 130.0 / 250.0, 0.02);
 }
 
-// Widths and slopes are in world units, also in a volume that is turned and stretched.
+// Widths and slopes must be in world units, also in a volume that is turned and stretched.
 TEST_F(Proposal, WidthsAreInWorldUnits)
 {
   const double spacing[3] = { 0.6, 0.8, 1.1 };
@@ -183,13 +184,14 @@ TEST_F(Proposal, WidthsAreInWorldUnits)
   const std::vector<Found> found = Boundaries(this->Property);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NEAR(found[0].Width, width, 0.05 * width);
-  // V(x_s) is read at the distance of the kernel radius.
+  // The kernel radius must be about twice the width of the edge, since V(x_s) is read at this
+  // distance.
   EXPECT_GE(1.1 * this->Property->GetProposedKernelRadius(), 2.0 * 0.95 * width);
 }
 
 TEST_F(Proposal, TheRadiusCountsVoxelsAcrossTheEdge)
 {
-  // A tube along thick slices has the same edge as a tube in cubes.
+  // A tube along thick slices must have the same edge as a tube in cubic voxels.
   constexpr double width = 0.9;
   int radius[2];
   for (int thick = 0; thick < 2; ++thick)

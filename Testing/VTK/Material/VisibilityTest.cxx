@@ -22,7 +22,8 @@ class Visibility : public ApiTest
 protected:
   Visibility()
   {
-    // V = 4 z^2 on voxels of 1 x 2 x 3: the gradient's magnitude varies, and the mean spacing is 2.
+    // V = 4 z^2 on voxels of 1 x 2 x 3 mm, so that the gradient's magnitude varies. The mean
+    // spacing is 2 mm.
     this->Image = MakeImage(16, VTK_DOUBLE, [](const Point& x) { return 36.0 * x[2] * x[2]; });
     this->Image->SetSpacing(1.0, 2.0, 3.0);
     this->Filter->SetInputDataObject(0, this->Image);
@@ -38,8 +39,8 @@ protected:
     this->Property->SetVisibilityFrom(this->Volume);
   }
 
-  /// Returns 1 if the value is visible, 0 if it is hidden, -1 if rounding, or the table's error
-  /// beside a steep curve, decides. An empty function hides nothing.
+  /// Returns 1 if a value is visible and 0 if it is hidden. Returns -1 if rounding decides, or the
+  /// table's error beside a steep curve. An empty function hides nothing.
   static int Look(vtkPiecewiseFunction* opacity, double x)
   {
     if (opacity->GetSize() == 0)
@@ -54,8 +55,8 @@ protected:
     return low > AllowedError(opacity, x) ? 1 : -1;
   }
 
-  /// Returns the same for the value at a proxy, which may have moved by 2e-3 voxels since its
-  /// visibility was read.
+  /// Returns the visibility of the value at a proxy's height, as Look() does. The proxy may have
+  /// moved by 2e-3 voxels since the filter read the visibility.
   static int LookAround(vtkPiecewiseFunction* opacity, double z)
   {
     constexpr double near = 2e-3;
@@ -63,7 +64,7 @@ protected:
     {
       const double below = std::floor(index);
       const double value =
-        // Interpolates between the samples.
+        // The image is linear between its samples.
         36.0 * (below * below + (index - below) * (2.0 * below + 1.0));
       return Look(opacity, value);
     };
@@ -73,7 +74,7 @@ protected:
 
   void ExpectHiddenExactly(vtkPiecewiseFunction* scalar, vtkPiecewiseFunction* gradient)
   {
-    // With EDGE, a visible surface also has no strength before the middle of its edge.
+    // With EDGE, even a visible surface has no strength in front of the middle of its edge.
     for (const int alignment :
       { vtkVolumeHapticsFilter::EDGE, vtkVolumeHapticsFilter::DISTINCTNESS })
     {
@@ -102,8 +103,8 @@ protected:
     }
   }
 
-  /// Makes a function with about half of its nodes at zero: it has plateaus, spikes and touching
-  /// points.
+  /// Makes a function with about half of its nodes at zero. It has plateaus, spikes, and points
+  /// that touch zero.
   static vtkSmartPointer<vtkPiecewiseFunction> RandomOpacity(int seed, double width)
   {
     std::mt19937_64 engine(seed);

@@ -63,7 +63,7 @@ protected:
 
 TEST_F(Markups, ReadsTheExampleOfTheDevelopersGuide)
 {
-  // The example has version 1.0.0, no units, and no states of positions.
+  // This example has version 1.0.0. It has no units, and no status of positions.
   ASSERT_TRUE(this->Read(
     R"({"@schema": "https://raw.githubusercontent.com/Slicer/Slicer/main/Modules/Loadable/Markups/Resources/Schema/markups-schema-v1.0.0.json#",
 "markups": [{"type": "Fiducial", "coordinateSystem": "LPS", "controlPoints": [
@@ -200,7 +200,7 @@ TEST_F(Markups, WritesWhatTheSchemaAllows)
   const Json::Value& markups = root["markups"];
   ASSERT_EQ(markups.size(), 5u) << "the two points are one list";
   const char* const types[] = { "Fiducial", "Line", "Angle", "Curve", "ClosedCurve" };
-  // The schema names these members of a control point and of a measurement.
+  // The schema allows these members of a control point and of a measurement.
   const std::set<std::string> ofPoint = { "id", "label", "description", "associatedNodeID",
     "position", "orientation", "selected", "locked", "visibility", "positionStatus" };
   const std::set<std::string> ofMeasurement = { "name", "enabled", "value", "units", "description",

@@ -38,7 +38,7 @@ inline std::string WriteTextFile(const std::string& name, const std::string& tex
   return File(name);
 }
 
-/// Makes points at which a force along z and a value were felt, 1 ms apart.
+/// Makes felt points 1 ms apart, each with a force along z and a value.
 inline vtkSmartPointer<vtkPolyData> MakeFelt(const std::vector<Point>& positions)
 {
   vtkNew<vtkPoints> points;
@@ -82,7 +82,7 @@ inline void ExpectSameArray(vtkPolyData* a, vtkPolyData* b, const char* name)
   }
 }
 
-/// Expects the same names, kinds, values, points, cells and felt arrays, to the bit.
+/// Expects two lists with the same names, kinds, values, points, cells and felt arrays, to the bit.
 inline void ExpectSame(vtkHapticMeasurements* a, vtkHapticMeasurements* b)
 {
   ASSERT_EQ(a->GetNumberOfMeasurements(), b->GetNumberOfMeasurements());
@@ -99,7 +99,7 @@ inline void ExpectSame(vtkHapticMeasurements* a, vtkHapticMeasurements* b)
     ASSERT_EQ(first->GetNumberOfCells(), second->GetNumberOfCells());
     if (a->GetKind(i) == vtkHapticMeasurements::AREA)
     {
-      // A format may number the corners in another order.
+      // The corners are compared by position, since a format may number them in another order.
       for (vtkIdType cell = 0; cell < first->GetNumberOfCells(); ++cell)
       {
         for (int corner = 0; corner < 3; ++corner)
@@ -125,7 +125,7 @@ inline void ExpectSame(vtkHapticMeasurements* a, vtkHapticMeasurements* b)
 class MeasureTest : public testing::Test
 {
 protected:
-  /// Expects one error with all these words.
+  /// Expects one error that has all these words.
   void ExpectError(const std::vector<std::string>& words)
   {
     ASSERT_EQ(this->Log.Errors.size(), 1u);

@@ -17,7 +17,7 @@ using namespace measuretest;
 
 namespace
 {
-/// German numbers: a decimal comma, and points between thousands.
+/// German numbers, with a decimal comma and points between thousands.
 struct GermanNumbers : std::numpunct<char>
 {
   char do_decimal_point() const override { return ','; }
@@ -25,7 +25,7 @@ struct GermanNumbers : std::numpunct<char>
   std::string do_grouping() const override { return "\3"; }
 };
 
-/// Adds a measurement of each kind, with numbers that need all digits and names that need quotes.
+/// Adds a measurement of each kind. Its numbers need all digits, and its name needs quotes.
 void Fill(vtkHapticMeasurements* list)
 {
   using M = vtkHapticMeasurements;
@@ -155,7 +155,7 @@ TEST_F(MeasurementFiles, OfNothingAreReadAsNothing)
 
 TEST_F(MeasurementFiles, ATableNeedsOnlyPositions)
 {
-  // The table is from a German spreadsheet.
+  // This table comes from a German spreadsheet.
   const std::string file = WriteTextFile("Points.csv",
     "Name;X (mm);Y (mm);Z (mm)\r\n"
     "Apex;1,5;-2;3\r\n\r\n;4;5;6,25\r\n");

@@ -23,7 +23,7 @@ using namespace measuretest;
 namespace
 {
 
-/// Returns the relative error that an area may have, for a radius in voxels.
+/// Returns the largest relative error of a painted area, for a brush radius in voxels.
 double Bound(double radius)
 {
   return 0.25 / (radius * radius);
@@ -50,7 +50,8 @@ double Length(const Point& x)
   return std::hypot(x[0], x[1], x[2]);
 }
 
-/// Makes a sphere whose value is the distance to its surface (mm), positive inside.
+/// Makes an image whose value is the depth (mm) below the surface of a sphere, and negative
+/// outside.
 vtkSmartPointer<vtkImageData> MakeSphere(double radius)
 {
   return Sample([radius](const Point& x) { return radius - Length(x); });
@@ -69,7 +70,7 @@ protected:
 
 TEST_F(PaintedArea, ADabOnAPlaneIsADisc)
 {
-  // The plane is slanted, so that voxels are cut in every way.
+  // The plane is oblique, so that it cuts voxels in every way.
   const auto plane =
     Sample([](const Point& x) { return (x[0] + 2.0 * x[1] + 3.0 * x[2] - 0.3) / std::sqrt(14.0); });
   for (const double radius : { 4.0, 8.0 })
@@ -82,10 +83,10 @@ TEST_F(PaintedArea, ADabOnAPlaneIsADisc)
 TEST_F(PaintedArea, AStrokeOnAPlaneIsAStadium)
 {
   const auto plane = Sample([](const Point& x) { return 0.25 - x[2]; });
-  // The path is in front of the plane, like a proxy.
+  // The path runs 1.25 mm in front of the plane.
   std::vector<Point> path = Line({ -15.0, 3.0, 1.5 }, { 15.0, 3.0, 1.5 }, 300);
   EXPECT_NEAR(this->Paint(plane, path, 5.0) / (300.0 + 25.0 * vtkMath::Pi()), 1.0, Bound(5.0));
-  // A second stroke over the same place adds nothing.
+  // A second stroke over the same place must not add area.
   const std::vector<Point> back = Line({ 15.0, 3.0, 1.5 }, { -15.0, 3.0, 1.5 }, 7);
   path.insert(path.end(), back.begin(), back.end());
   EXPECT_NEAR(this->Paint(plane, path, 5.0) / (300.0 + 25.0 * vtkMath::Pi()), 1.0, Bound(5.0));
@@ -104,8 +105,8 @@ TEST_F(PaintedArea, ADabOnASphereIsTheCapWithinAChord)
 
 TEST_F(PaintedArea, ABrushThatCoversASphereHasAllOfIt)
 {
-  // The triangles lie inside the sphere, which lacks up to (h / R)^2 / 2 of its area for both
-  // directions together.
+  // The triangles lie inside the sphere, and both of their directions together lack up to (h / R)^2
+  // / 2 of the area.
   EXPECT_NEAR(
     this->Paint(MakeSphere(8.0), { { 0.0, 0.0, 9.0 } }, 20.0) / (4.0 * vtkMath::Pi() * 64.0), 1.0,
     0.5 / 64.0);
@@ -127,7 +128,7 @@ TEST_F(PaintedArea, TheOtherSideOfAThinWallIsNotPainted)
 TEST_F(PaintedArea, PartsWithoutSurfaceBetweenThemAreNotJoined)
 {
   const auto plane = Sample([](const Point& x) { return 0.25 - x[2]; });
-  // The brush is lifted by 20 mm between both dabs.
+  // The brush is lifted by 20 mm between the two dabs.
   const double area = this->Paint(plane,
     { { -15.0, 0.0, 1.0 }, { -5.0, 0.0, 20.0 }, { 5.0, 0.0, 20.0 }, { 15.0, 0.0, 1.0 } }, 4.0);
   EXPECT_NEAR(area / (2.0 * vtkMath::Pi() * 16.0), 1.0, Bound(4.0));
@@ -142,7 +143,7 @@ TEST_F(PaintedArea, ImagesMayBeTurnedAndStretched)
   image->SetDirectionMatrix(turn);
   image->SetSpacing(0.5, 0.8, 0.4);
   image->SetOrigin(100.0, -15.0, -24.0);
-  // The plane is at index 30.25 along z: in the world at x = 100 + 0.4 * 30.25.
+  // The plane is at the index 30.25 along z, which is x = 100 + 0.4 * 30.25 in the world.
   const double area = this->Paint(image, { { 112.1, 0.2, -0.3 } }, 4.0);
   EXPECT_NEAR(area / (vtkMath::Pi() * 16.0), 1.0, Bound(5.0)) << "voxels of 0.8 mm at most";
   vtkNew<vtkPolyData> shape;

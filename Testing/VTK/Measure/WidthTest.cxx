@@ -40,7 +40,8 @@ protected:
     this->Filter->SetInputData(0, ScanBall());
     this->Filter->GetProperty()->ApplyPreset("CT contrast");
   }
-  /// Returns the proxy's place when the tip is 1 mm inside the ball, coming from a direction.
+  /// Returns the position of the proxy after the tip has come from `direction` to 1 mm inside the
+  /// ball.
   Point Touch(const Point& direction)
   {
     const auto at = [&direction](double r) {

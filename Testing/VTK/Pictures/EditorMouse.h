@@ -23,7 +23,7 @@ namespace editortest
 using Editor = vtkHapticFunctionEditor;
 using Place = std::array<int, 2>;
 
-/// Has two viewports, since the editor must work in a viewport that does not begin at 0.
+/// A window with two viewports, since the editor must work in a viewport that does not begin at 0.
 class View
 {
 public:
@@ -48,7 +48,7 @@ public:
     }
   }
 
-  /// Returns the place on the display of a value and a function's value.
+  /// Returns the position on the display of a value and a function's value.
   Place At(double value, double functionValue)
   {
     double x[2];
@@ -56,7 +56,7 @@ public:
     return { static_cast<int>(std::lround(x[0])), static_cast<int>(std::lround(x[1])) };
   }
 
-  /// Presses at one place and releases at another one; returns whether the editor handled all
+  /// Drags with this button from one position to another one. Returns whether the editor used all
   /// events.
   bool Drag(int button, const Place& from, const Place& to)
   {

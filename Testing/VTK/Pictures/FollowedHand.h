@@ -32,7 +32,7 @@ inline bool Fail(const char* what, double is, double should)
   return false;
 }
 
-/// Puts a hand at a place, and waits for a few ticks. Returns false if the device does not run.
+/// Puts a hand at a position, and waits for a few ticks. Returns false if the device does not run.
 inline bool FeelAt(
   vtkVolumeHapticsFilter* filter, double x, double y, double z, vtkHapticDevice* device)
 {
@@ -51,8 +51,8 @@ inline bool FeelAt(
   return true;
 }
 
-/// Compares the picture of the hand, and of what holds it, within 20 mm around the origin, seen
-/// from a place.
+/// Compares a picture with its baseline: the hand and the shapes that hold it, within 20 mm around
+/// the origin, seen from (x, y, z).
 inline int CompareFollowed(
   vtkHapticDevice* device, double x, double y, double z, int argc, char* argv[])
 {

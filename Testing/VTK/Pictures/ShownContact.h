@@ -43,8 +43,8 @@ namespace scenetest
 struct ContactScript
 {
   int Contact;   ///< contact of the last tick
-  double Depth;  ///< depth of the tip below the plane, mm
-  double Across; ///< distance of the drag along x, mm
+  double Depth;  ///< depth of the tip below the plane (mm)
+  double Across; ///< distance of the drag along x (mm)
   double Friction;
   double Strength; ///< N
   bool Markers = false;
@@ -52,7 +52,7 @@ struct ContactScript
   const double* Orientation = nullptr; ///< orientation of the stylus: w, x, y, z
 };
 
-/// Makes a value that rises with depth; the surface is felt from z = 0 downwards.
+/// Makes an image whose value rises downwards. Its surface is at z = 0.
 inline vtkSmartPointer<vtkImageData> MakeDepths()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -66,8 +66,9 @@ inline vtkSmartPointer<vtkImageData> MakeDepths()
   return image;
 }
 
-/// Makes a path down from 6 mm above and then across, by 0.1 mm per tick. It then creeps on for
-/// twenty seconds, so slowly that the picture does not change while the contact lasts.
+/// Makes a path down from 6 mm above the surface and then across, with 0.1 mm per tick. After this
+/// the tip creeps on for twenty seconds, so slowly that the contact lasts while the picture does
+/// not change.
 inline vtkSmartPointer<vtkPolyData> MakePath(const ContactScript& script, vtkIdType& ticks)
 {
   vtkNew<vtkPoints> points;
@@ -115,7 +116,7 @@ inline int ShowContact(int argc, char* argv[], const ContactScript& script)
   filter->GetProperty()->GetSurfaceStrength()->AddPoint(200.0, script.Strength);
   filter->Update();
 
-  // A replay ends in a state that lasts.
+  // A replayed device stays in its last state.
   const std::string file = std::string("ShownContact") + std::to_string(script.Contact) +
     (script.Orientation ? "Turned.vtp" : ".vtp");
   vtkNew<vtkXMLPolyDataWriter> writer;

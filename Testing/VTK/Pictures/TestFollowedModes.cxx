@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Shows what holds the hand in modes: the stream line through the proxy, the core of the vortex, a
-// guide and a front. The flow is a helix around z: its lines keep their distance from the axis, and
-// climb in proportion to the angle; its core is the axis.
+// guide and a front. The flow is a helix around the z axis, which is its core. Its lines keep their
+// distance from the axis, and climb in proportion to the angle.
 #include "FollowedHand.h"
 
 #include <vtkCellArray.h>
@@ -47,7 +47,7 @@ vtkSmartPointer<vtkImageData> MakeHelix()
   return image;
 }
 
-/// Makes an upright line at x = y = -12.
+/// Makes a vertical line at x = y = -12.
 vtkSmartPointer<vtkPolyData> MakeGuide()
 {
   vtkNew<vtkPoints> points;
@@ -58,7 +58,7 @@ vtkSmartPointer<vtkPolyData> MakeGuide()
   return guide;
 }
 
-/// Expects a helix through the proxy for mode 0, the axis for mode 1, and the guide for mode 2.
+/// Expects a helix through the proxy for mode 0, the z axis for mode 1, and the guide for mode 2.
 bool CheckLines(vtkPolyData* shapes, const double* proxy)
 {
   vtkDataArray* const modes = shapes->GetCellData()->GetArray("Mode");

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Shows what holds the hand in a tensor mode: the fibre through the proxy, the sheet across the
-// least eigenvector, and the tensor itself as an ellipsoid. Fibres are circles around z, and sheets
-// lie at z: the eigenvalues are 1 along the circle, 0.5 along the radius and 0.2 along z.
+// smallest eigenvector, and the tensor as an ellipsoid. Fibres are circles around the z axis, and
+// sheets are planes across z. The eigenvalues are 1 along the circle, 0.5 along the radius and 0.2
+// along z.
 #include "FollowedHand.h"
 
 #include <vtkCellArray.h>
@@ -60,7 +61,7 @@ bool CheckTensor(const double* tensor, const double (&direction)[3], double eige
     {
       product += tensor[3 * row + column] * direction[column];
     }
-    // The tolerance allows for interpolation, and for a hand between samples.
+    // The tolerance allows for interpolation at a hand between samples.
     if (std::abs(product - eigenvalue * direction[row]) > 0.02 * Reach / 8.0)
     {
       return Fail("the tensor", product, eigenvalue * direction[row]);
@@ -84,7 +85,7 @@ bool CheckShapes(vtkPolyData* shapes, const double* proxy)
   const double along[3] = { -proxy[1] / radius, proxy[0] / radius, 0.0 };
   const double outwards[3] = { proxy[0] / radius, proxy[1] / radius, 0.0 };
   const double upright[3] = { 0.0, 0.0, 1.0 };
-  const double length = Reach / 8.0; // of the longest axis
+  const double length = Reach / 8.0; // length of the longest axis
   if (!CheckTensor(tensor, along, length) ||
     !CheckTensor(tensor, outwards, length * Radial / Along) ||
     !CheckTensor(tensor, upright, length * Upright / Along))

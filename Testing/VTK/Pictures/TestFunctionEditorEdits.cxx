@@ -30,20 +30,21 @@ void TestAxes(View& view, vtkHapticProperty* property)
   const Place low = view.At(0, 0);
   const Place high = view.At(100, 1000);
   const int width = high[0] - low[0];
-  // Drags by a quarter of the width, below the axis of values; the points move along.
+  // Drags the axis of values by a quarter of its width; the points must move along.
   view.Drag(
     Editor::LEFT_BUTTON, { low[0] + 40, low[1] - 12 }, { low[0] + 40 + width / 4, low[1] - 12 });
   view.Window->Render();
   view.Check(IsNear(view.At(0, 0)[0], low[0] + width / 4, 2), "the axis of values is dragged");
   view.Check(IsNear(view.At(50, 400)[0], low[0] + width / 4 + width / 2, 2), "with the points");
-  // The wheel stretches the axis about the mouse, where the value stays.
+  // The wheel stretches the axis around the value under the mouse, which must stay in place.
   const Place middle = view.At(40, 300);
   view.Check(editor->TurnWheel(2.0, middle[0], middle[1]), "the wheel");
   view.Window->Render();
   view.Check(IsNear(view.At(40, 300)[0], middle[0], 2), "what is under the mouse stays");
   view.Check(IsNear(view.At(50, 0)[0] - view.At(40, 0)[0], 0.1 * width * 1.25 * 1.25, 2),
     "a step stretches by a quarter");
-  // The drag takes along what is under the mouse: the function is twice as high.
+  // A drag of the function's axis moves the value under the mouse: the function becomes twice as
+  // high.
   const int up = view.At(40, 200)[1] - low[1];
   view.Drag(
     Editor::LEFT_BUTTON, { low[0] - 15, (low[1] + high[1]) / 2 }, { low[0] - 15, high[1] - 1 });
@@ -51,11 +52,11 @@ void TestAxes(View& view, vtkHapticProperty* property)
   view.Check(IsNear(view.At(40, 200)[1] - low[1], 2.0 * up, 3), "the axis of the function");
   view.Check(property->GetMTime() == before, "all of that edits nothing");
   view.Check(!editor->Undo(), "and is no step to undo");
-  // A point is dragged from where it is drawn now.
+  // Drags a point from the position at which it is drawn now.
   view.Drag(Editor::LEFT_BUTTON, view.At(50, 400), view.At(55, 300));
   view.Check(IsNode(stiffness, 1, 55, 300, 1.0, 20.0), "a drag in a part of the axes");
   view.Check(editor->Undo() && IsNode(stiffness, 1, 50, 400, 0.0, 0.0), "is undone to the bit");
-  // Double clicks fit both axes again.
+  // Double clicks on the axes must show all points again.
   for (const Place& axis : { Place{ low[0] + 40, low[1] - 12 }, Place{ low[0] - 15, low[1] + 30 } })
   {
     editor->DoubleClick(Editor::LEFT_BUTTON, axis[0], axis[1]);
@@ -170,7 +171,8 @@ void TestDock(vtkHapticProperty* property)
   double at[2];
   checks.Check(VolumeHaptics::EditorProbe::GetTissuePosition(editor, 2, at) && at[0] > 500,
     "the tissues beside the function");
-  // The editor keeps the corner of the window only: the column of slices takes the whole edge.
+  // With a slice view, the column of slices takes the whole edge of the window, and the editor
+  // keeps the corner below the scene.
   vtkNew<vtkHapticSliceView> slices;
   slices->SetRenderWindow(window);
   for (int i = 0; i < 3; ++i)
@@ -199,7 +201,7 @@ void TestDock(vtkHapticProperty* property)
   window->Render();
   window->Render();
   checks.Check(isAt(scene, 0.5, 0, 1, 1), "and put back");
-  // Drags the border far beyond the window.
+  // Drags the border of the editor far beyond the window.
   checks.Check(editor->ButtonPress(Editor::LEFT_BUTTON, 400, 250), "the border is taken");
   editor->MouseMove(5000, 250);
   editor->ButtonRelease(Editor::LEFT_BUTTON, 5000, 250);
@@ -219,7 +221,7 @@ int TestFunctionEditorEdits(int, char*[])
   stiffness->AddPoint(0.0, 0.0);
   stiffness->AddPoint(50.0, 400.0);
   stiffness->AddPoint(100.0, 1000.0);
-  property->GetFriction(); // functions are created when they are asked for
+  property->GetFriction(); // asking for a function creates it
   property->GetViscosity();
   property->GetSurfaceStrength();
   property->GetDistinctness();

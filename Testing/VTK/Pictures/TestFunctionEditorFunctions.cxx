@@ -25,14 +25,14 @@ int TestFunctionEditorFunctions(int, char*[])
   view.Window->Render(); // there is nothing to edit yet
   editor->SetProperty(property);
 
-  // An impenetrable surface stays so unless its point is dragged down.
+  // An impenetrable surface keeps its value unless its point is dragged down.
   editor->SetFunctionToSurfaceStrength();
   view.Window->Render();
   const Place top = view.At(60, 1e6);
   view.Drag(Editor::LEFT_BUTTON, view.At(50, 12), { top[0], 229 });
   view.Check(IsNode(strength, 1, 60, 1e6, 1.0, 0.0), "a value beyond the axis stays");
 
-  // Showing an empty function adds no point; the first click does.
+  // Showing an empty function must not add a point; the first click adds one.
   vtkPiecewiseFunction* const friction = property->GetFriction();
   editor->SetFunctionToFriction();
   view.Window->Render();
@@ -42,7 +42,7 @@ int TestFunctionEditorFunctions(int, char*[])
       IsNode(friction, 1, 0.5, 0.5, 0.02, 0.02),
     "the first point brings the default along");
 
-  // A stiffness that rises from 0 beside a drag warns, since noise mixes both values.
+  // A stiffness that rises from 0 beside a drag must give a warning, since noise mixes both values.
   editor->SetFunctionToStiffness();
   view.Check(editor->GetWarning().empty(), "500 N/m and no drag");
   property->GetViscosity()->AddPoint(0.0, 0.0);
@@ -68,7 +68,7 @@ int TestFunctionEditorFunctions(int, char*[])
   property->RemoveAllTissues();
   friction->RemoveAllPoints();
 
-  // The opacity has no function to edit at first.
+  // At first, the opacity has no function that can be edited.
   editor->SetFunctionToOpacity();
   view.Window->Render();
   view.Check(editor->ButtonPress(Editor::LEFT_BUTTON, 200, 100) &&

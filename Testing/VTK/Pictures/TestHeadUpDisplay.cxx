@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Shows the head-up display: a press, a slide and a release as a plot, the status of a device that
+// Shows the head-up display: a plot of a press, a slide and a release, the status of a device that
 // waits, and a hint.
 #include "Factories.h"
 #include "Rigs/ScriptedStates.h"

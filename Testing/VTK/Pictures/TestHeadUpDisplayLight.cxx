@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Shows a status and modes, one of which is off, in a layer above a white background, like
-// PyVista's. The letters can be read.
+// Shows a status and modes, one of which is off, in a layer above a white background, as in
+// PyVista. The letters must be readable.
 #include "Factories.h"
 
 #include "vtkHapticDevice.h"

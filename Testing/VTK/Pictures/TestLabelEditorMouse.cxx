@@ -25,7 +25,7 @@ using namespace editortest;
 
 namespace
 {
-/// Makes an image with one slice for each label; the second half of each slice has the label 7.
+/// Makes an image with one slice for each label. In each slice, the second half has the label 7.
 vtkSmartPointer<vtkImageData> MakeSlices(int type, const std::vector<double>& labels)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -92,8 +92,8 @@ void TestImages(LabelView& view)
   view.Check(view.Lists({ -2147483647 - 1, 2, 7 }), "whole numbers that a table can have");
   view.Shown->SetLabelData(MakeSlices(VTK_UNSIGNED_LONG_LONG, { 1, 4294967301.0, 2147483647.0 }));
   view.Check(view.Lists({ 1, 7, 2147483647 }), "a number beyond int is not cut off");
-  // The names are "heart" in Greek and Chinese, which VTK's font may lack, bytes that are not
-  // UTF-8, and a long name.
+  // The names are "heart" in Greek and Chinese, which VTK's font may lack, and a long name with
+  // bytes that are not UTF-8.
   view.Table->SetLabelName(1, "\xCE\xBA\xCE\xB1\xCF\x81\xCE\xB4\xCE\xB9\xCE\xAC");
   view.Table->SetLabelName(7, "\xE5\xBF\x83\xE8\x87\x9F");
   view.Table->SetLabelName(2147483647, "\xE9\xFF" + std::string(100000, '\xE9'));
@@ -158,7 +158,8 @@ void TestMaterials(LabelView& view)
   view.Check(near(table->GetFriction(5), 0.8, 1.0) && near(table->GetViscosity(5), 0.3, 1.0),
     "drags to both sides");
 
-  // Drags beyond the end of the slider three times: the end grows when the slider is released.
+  // Drags beyond the end of the slider three times. Each time, the end must grow when the slider is
+  // released.
   for (const double end : { 5.0, 6.0, 8.0 })
   {
     const Place last = view.AtSlider(Editor::SURFACE_STRENGTH, end);
@@ -170,7 +171,7 @@ void TestMaterials(LabelView& view)
   const Place strength = view.AtSlider(Editor::SURFACE_STRENGTH, 1.0);
   view.Check(editor->TurnWheel(-2.0, strength[0], strength[1]), "the wheel on a slider");
   view.Check(table->GetSurfaceStrength(5) == 8.0 - 2.0 * 10.0 / 200.0, "moves it by two steps");
-  // The program sets a value beyond the largest end of a slider, 100.
+  // Sets a value beyond the largest end of a slider, which is 100.
   table->SetSurfaceStrength(5, 500.0);
   editor->TurnWheel(-2.0, strength[0], strength[1]);
   view.Check(table->GetSurfaceStrength(5) == 500.0 - 2.0 * 100.0 / 200.0,
@@ -184,7 +185,7 @@ void TestMaterials(LabelView& view)
   view.Check(table->GetMTime() == before, "other buttons, and moves without one, change nothing");
   view.Check(!editor->TurnWheel(1.0, 5, 5) && !editor->MouseMove(5, 5), "nor is it beside");
 
-  // The button is to the right of the selected label's name, above the sliders.
+  // The button is right of the selected label's name, above the sliders.
   const Place end = view.AtSlider(Editor::STIFFNESS, 1000.0);
   view.Click({ end[0] - 10, end[1] + (end[1] - view.AtSlider(Editor::FRICTION, 0.0)[1]) });
   view.Check(!table->HasMaterial(5), "by the functions again");
@@ -200,7 +201,8 @@ void TestMany(LabelView& view)
   image->AllocateScalars(VTK_INT, 1);
   for (int i = 0; i < labels; ++i)
   {
-    // The labels are in no order: the factor is odd and no multiple of 5, so this is a permutation.
+    // The labels come in no order, and none comes twice, since the factor is odd and no multiple of
+    // 5.
     image->GetPointData()->GetScalars()->SetComponent(
       i, 0, (i * std::int64_t{ 777777 }) % labels - labels / 2);
   }
@@ -223,7 +225,7 @@ void TestMany(LabelView& view)
       VolumeHaptics::EditorProbe::GetLabelPosition(
         editor, 126457, VolumeHaptics::EditorProbe::LabelName, at),
     "the wheel scrolls towards the user");
-  // The bar is at the right edge; its ends show the first and the last label.
+  // The scroll bar is at the right edge. Its ends show the first and the last label.
   const Place right = { 120 + 20 + 300 - 9, list[1] };
   view.Drag(Editor::LEFT_BUTTON, right, { right[0], 1000 });
   view.Check(VolumeHaptics::EditorProbe::GetLabelPosition(
@@ -248,7 +250,7 @@ int TestLabelEditorMouse(int, char*[])
   TestMaterials(view);
   TestMany(view);
 
-  // With a table, the page of labels comes after the functions.
+  // With a table, the page of labels follows the last function.
   vtkNew<vtkHapticProperty> property;
   view.Shown->SetProperty(property);
   view.Shown->SetFunctionToSurfaceStrength();

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Shows a point, a distance, an angle, a path and an area on a ball, with their values; the first
-// end of a distance that is being measured; and the list in the head-up display, which no label
-// covers.
+// Shows a point, a distance, an angle, a path and an area on a ball with their values, and the
+// first end of an unfinished distance. The head-up display lists them, and no label covers the
+// list.
 #include "Factories.h"
 #include "VTK/Scene/Display/DisplayProbe.h"
 
@@ -33,7 +33,7 @@ namespace
 {
 constexpr double Radius = 20.0;
 
-/// Returns a place on the ball, seen from -y, by degrees to the right and upwards.
+/// Returns a point on the ball, seen from -y, by its angles to the right and upwards (degrees).
 std::array<double, 3> On(double right, double up)
 {
   const double u = 0.01745329252 * right;

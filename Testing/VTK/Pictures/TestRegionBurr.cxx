@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A large volume from which tissue was removed looks like a volume whose samples were carved by a
-// loop: fine in the box around the hand, coarse elsewhere, and on both sides of the box's faces.
+// Shows a large volume from which tissue was removed, like a volume whose samples a loop has
+// carved: fine in the box around the hand, coarse elsewhere, and on both sides of the box's faces.
 #include "Rigs/DrawnPixels.h"
 #include "Rigs/Eventually.h"
 #include "Rigs/RemovalRig.h"
@@ -28,13 +28,13 @@ namespace
 using removaltest::Hole;
 
 constexpr int BurrPictureSize = 90;
-constexpr int LastSample = 79; // makes an even number of samples
+constexpr int LastSample = 79; // index of the last sample, for an even number of samples
 constexpr double AirOfScene = 0.0;
 constexpr double SolidValue = 1000.0;
-/// The hole where the hand begins.
+/// The hole at the hand's first position.
 const Hole NearHole{ { 52.0, 14.0, 50.0 }, 12.0 };
 
-/// Fills a block of tissue with air on all sides, carved if there is a hole.
+/// Fills a block of tissue with air on all sides, and carves the hole if there is one.
 bool FillBlock(const int extent[6], void* samples, const Hole* hole)
 {
   auto* sample = static_cast<float*>(samples);
@@ -71,8 +71,8 @@ struct BurrScene
   {
     this->Source->SetWholeExtent(0, LastSample, 0, LastSample, 0, LastSample);
     this->Source->SetScalarType(VTK_FLOAT);
-    this->Source->SetMemoryLimit(2097152); // a region of some 50^3 samples
-    this->Source->SetMaximumSpeed(0.0);    // so that regions do not depend on the time of reading
+    this->Source->SetMemoryLimit(2097152); // gives regions of some 50^3 samples
+    this->Source->SetMaximumSpeed(0.0);    // so that regions don't depend on the time of reading
     this->Source->SetReader(
       [hole](const int extent[6], void* samples) { return FillBlock(extent, samples, hole); });
     this->Source->SetOrigin(5.0, -3.0, 2.0);
@@ -116,7 +116,8 @@ struct BurrScene
     camera->SetPosition(105.0, -117.0, 120.0);
     camera->SetViewUp(0.0, 0.0, 1.0);
   }
-  /// Moves the tip until the box is around a position.
+  /// Moves the tip to a position until the fine box is around it. Returns false if the box never
+  /// comes.
   bool Refine(double x, double y, double z)
   {
     const double tip[3] = { x, y, z };
@@ -178,7 +179,7 @@ int CheckMapper(
   compare("the box in the hole", 0.0);
   expect(scene.Refine(25.0, 57.0, 22.0) && carved.Refine(25.0, 57.0, 22.0), "it has moved");
   compare("the box far from the hole", 0.0);
-  // Reset() restores all tissue.
+  // Reset() must restore all tissue.
   scene.Touch->GetRemoval()->Reset();
   const std::vector<double> wholeAgain = scene.Draw();
   scene.Picture.SetVolumeHaptics(nullptr);

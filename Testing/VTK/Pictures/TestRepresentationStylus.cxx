@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Shows a stylus that rests on the plane; a hand holds it from the right, and turns its button up.
+// Shows a stylus that rests on the plane. A hand holds it from the right, and turns its button up.
 #include "ShownContact.h"
 
 int TestRepresentationStylus(int argc, char* argv[])

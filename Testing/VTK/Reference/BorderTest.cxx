@@ -18,7 +18,7 @@ using namespace reference;
 class Border : public testing::TestWithParam<Estimator>
 {
 protected:
-  static constexpr double Half = 12.0; // half of the cube's side, mm or voxels
+  static constexpr double Half = 12.0; // half of the cube's side (mm, or voxels)
 
   static double Slope(const Vec3& x) { return 10.0 * x[0] + 4.0 * x[1] - 7.0 * x[2]; }
 
@@ -64,15 +64,15 @@ TEST_P(Border, StrengthFadesOverOneKernelRadius)
   }
 }
 
-// "So nothing pops at the box": across the border the force never changes faster than the springs
-// of probe and fade together allow.
+// Nothing may pop at the box: across the border, the force must change no faster than the springs
+// of the probe and the fade together allow.
 TEST_P(Border, NothingPops)
 {
   Scene scene;
   this->Begin(scene);
-  // Over 2 mm the fade is a spring of 400 N/m in series with k = 500 N/m. It stiffens inwards, and
-  // softens outwards (k c / (k - c)), but stays a spring. Without the fade, the force would jump by
-  // 0.8 N.
+  // Over 2 mm, the fade is a spring of c = 400 N/m in series with k = 500 N/m. The series becomes
+  // stiffer inwards and softer outwards (k c / (k - c)), but stays a spring. Without the fade, the
+  // force would jump by 0.8 N.
   const double strength = 0.8;
   SetMaterial(scene, 500.0, 0.0, 0.0, strength);
   const double step = 0.01;
@@ -93,7 +93,7 @@ TEST_P(Border, NothingPops)
   EXPECT_NEAR(largest, strength, 0.01 * strength);
 }
 
-// Values, in particular those at x_s and x_v, clamp to the nearest point of the border.
+// Outside the volume, values are those of the nearest border point, also at x_s and x_v.
 TEST_P(Border, ValuesClamp)
 {
   Scene scene;

@@ -15,22 +15,23 @@ namespace reference
 {
 struct Difference
 {
-  double worst = 0.0; // largest of all arrays, each relative to its scale
+  double worst = 0.0; // largest difference of all arrays, each relative to its scale
   std::string text;   // the array, the tick, and the expected and actual values
 };
 
-/// Returns the largest force of a trace (N), by which all forces are scaled.
+/// Returns the largest force (N) of a trace, which is the scale of all its forces.
 double ForceScale(const Trace& trace);
 
-/// Compares all arrays. Forces are relative to the trace's largest force, other arrays to their own
-/// largest value, positions are absolute in world units (mm), and contacts are wrong (1) or right
-/// (0). A contact that less than 1e-9 N decides may be either.
+/// Compares all arrays. Differences of forces are relative to the trace's largest force, and those
+/// of other arrays to their own largest value. Differences of positions are in world units (mm),
+/// and those of contacts are 0 or 1. If less than 1e-9 N decides a contact, both contacts are
+/// right.
 Difference CompareTraces(const Trace& expected, const Trace& actual);
 
 /// Compares only the force on the hand.
 Difference CompareForces(const Trace& expected, const Trace& actual);
 
-/// Like CompareTraces(), with only the arrays that FORCE_FIELD defines.
+/// Compares as CompareTraces() does, but only the arrays that FORCE_FIELD defines.
 Difference CompareForceFields(const Trace& expected, const Trace& actual);
 } // namespace reference
 

@@ -40,7 +40,8 @@ std::string Describe(int seed, const Scene& scene)
 }
 } // namespace
 
-// Piecewise linear functions are baked without loss: each array agrees within 1e-9 in each tick.
+// Piecewise linear functions are baked without loss, so each array must agree within 1e-9 in each
+// tick.
 TEST(ReferenceComparison, EveryTickAgrees)
 {
   double worst = 0.0;
@@ -55,9 +56,9 @@ TEST(ReferenceComparison, EveryTickAgrees)
   std::cout << "worst relative difference of a tick: " << worst << std::endl;
 }
 
-// Traces also agree over whole walks, in which differences could accumulate. The material is
-// gentle, since the paper's tick itself can amplify a difference, by its drag where the stiffness
-// falls steeply.
+// Traces must also agree over whole walks, in which differences could accumulate. The material is
+// gentle, since the paper's tick can amplify a difference by its drag, where the stiffness falls
+// steeply.
 TEST(ReferenceComparison, EveryWalkAgrees)
 {
   double worst = 0.0;
@@ -75,7 +76,7 @@ TEST(ReferenceComparison, EveryWalkAgrees)
   std::cout << "worst relative difference of a walk: " << worst << std::endl;
 }
 
-// Curved functions are tabulated: the force stays within 0.1 % of the trace's largest force.
+// Curved functions are tabulated, so the force may differ by 0.1 % of the trace's largest force.
 TEST(ReferenceComparison, CurvedMaterialsStayWithinATenthOfAPercent)
 {
   double worst = 0.0;

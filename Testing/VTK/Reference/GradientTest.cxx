@@ -49,7 +49,7 @@ void ExpectLinear(Scene& scene, const Linear& field)
   {
     valueScale = std::max(valueScale, std::abs(field(point)));
   }
-  // Nothing resists, so the proxy is the tip, and the next tick reads its gradient there.
+  // Nothing resists, so the proxy is at the tip, and the next tick reads its gradient there.
   SetMaterial(scene, 500.0, 0.0, 0.0, 0.0);
   const Trace trace = RunFilter(scene);
   for (std::size_t tick = 1; tick < trace.size(); ++tick)
@@ -95,7 +95,7 @@ TEST_P(Gradient, LinearFieldsAreExactOnAnyGrid)
   }
 }
 
-// A tilted gantry: the direction matrix need not be orthonormal, only invertible.
+// As with a tilted gantry, the direction matrix need not be orthonormal, only invertible.
 TEST_P(Gradient, LinearFieldsAreExactOnShearedGrids)
 {
   for (int seed = 0; seed < 8; ++seed)

@@ -25,7 +25,7 @@ namespace
 constexpr int Scenes = 80;
 constexpr int Ticks = 150;
 
-// Rounding error of a force: positions of some hundred mm, times some thousand N/m.
+// Rounding error of a force (N): positions of some hundred mm times some thousand N/m.
 constexpr double Rounding = 1e-10;
 
 template <typename Check>
@@ -54,11 +54,12 @@ Trace MovedBack(const Trace& trace, const Mat3& rotation, const Vec3& translatio
   return back;
 }
 
-/// The solver ends its search within some thousandths of a voxel in each tick.
+/// Tolerance of positions: the solver ends its search within some thousandths of a voxel in each
+/// tick.
 constexpr double ToleranceInVoxels = 2e-2;
 
-/// Returns the walk with steps instead of jumps, since friction depends on the steps in which a
-/// jump is taken.
+/// Returns the walk with each jump divided into steps, since friction depends on the steps of a
+/// jump.
 std::vector<Vec3> WithoutJumps(const std::vector<Vec3>& path)
 {
   std::vector<Vec3> walked = { path.front() };
@@ -74,7 +75,7 @@ std::vector<Vec3> WithoutJumps(const std::vector<Vec3>& path)
   return walked;
 }
 
-/// Returns the force (N) of a spring that is off by the solver's tolerance.
+/// Returns the force (N) of a spring whose length is off by the solver's tolerance.
 double Tolerance(const Scene& scene, double stiffness)
 {
   double spacing[3];
@@ -150,8 +151,8 @@ TEST(Invariants, NothingIsFeltWithoutStrengthAndViscosity)
       {
         if (tick.surfaceStrength == 0.0 && tick.viscosity == 0.0)
         {
-          // Equal within rounding only: the specification's proxy reaches the tip by two moves that
-          // round.
+          // The proxy equals the tip within rounding only, since the documented proxy reaches the
+          // tip by two moves that round.
           EXPECT_LE(Norm(tick.force), Rounding);
           EXPECT_LE(Norm(tick.proxy - tick.tip), 1e-10);
           EXPECT_EQ(tick.contact, 0);
@@ -177,7 +178,7 @@ class InvariantsOfSolver : public testing::TestWithParam<Solver>
 };
 
 // The waves are long compared with the depth. If the tip is deeper than the surface's radius of
-// curvature, the paper's solver chatters (T13), and chatter doubles any rounding in each tick.
+// curvature, the paper's solver chatters (T13), and chatter doubles rounding errors in each tick.
 TEST_P(InvariantsOfSolver, RigidMotionOfVolumeAndPathIsNotFelt)
 {
   const bool isPaper = this->GetParam() == Solver::Paper;
@@ -216,8 +217,9 @@ INSTANTIATE_TEST_SUITE_P(Solvers, InvariantsOfSolver,
   [](const testing::TestParamInfo<Solver>& info)
   { return info.param == Solver::Paper ? "Paper" : "Precise"; });
 
-// Another spacing changes r = KernelRadius x the largest spacing, and so the reach of x_s and x_v
-// and the material that is read there. If the material varies, the largest spacing has to stay.
+// Another spacing changes r = KernelRadius x the largest spacing. This changes the reach of x_s and
+// x_v, and the material that is read there. So if the material varies, the largest spacing must
+// stay.
 TEST(Invariants, PaperDoesNotFeelTheGridOfALinearField)
 {
   double worst = 0.0;
@@ -294,11 +296,11 @@ TEST(Invariants, TheForceFollowsTheTipNoStifferThanTheSpring)
     Scene scene;
     scene.solver = Solver::Precise;
     scene.estimator = AllEstimators[seed % 3];
-    // The field is a plane, or a cavity around a distant point: its free part is convex, and a
+    // The field is a plane, or a cavity around a distant point. Its free part is convex, and a
     // projection onto a convex set shortens distances.
     const Vec3 slope = random.UnitVector();
     const bool isPlane = seed % 2;
-    // With an edge, the strength would grow with the depth in the cavity, and limit 1e9 N.
+    // With an edge, the strength in the cavity would grow with the depth, and limit even 1e9 N.
     scene.placesAsThePaper = !isPlane;
     const auto field = [&](const Vec3& x)
     {
@@ -311,7 +313,7 @@ TEST(Invariants, TheForceFollowsTheTipNoStifferThanTheSpring)
     SetMaterial(scene, stiffness, friction, seed % 3 ? 0.3 : 0.0, isPlane ? 1.5 : 1e9);
     RandomWalk(scene, random, Cube(8.0, 1.0), 300);
     const Trace trace = RunFilter(scene);
-    // Friction grows with the normal force.
+    // Friction grows with the normal force, so the whole force is stiffer than the spring.
     const double k = 0.001 * stiffness * std::hypot(1.0, friction);
     for (std::size_t tick = 1; tick < trace.size(); ++tick)
     {

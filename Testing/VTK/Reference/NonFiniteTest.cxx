@@ -34,8 +34,8 @@ bool IsFinite(const TickRecord& tick)
   return finite;
 }
 
-// Returns a random voxel that is neither at the border, from which outside samples are made, nor
-// next to it: see NonFiniteValues.AZeroWeightIsNoSample.
+// Returns a random voxel that is neither at the border nor next to it. Border voxels also give the
+// samples outside: see NonFiniteValues.AZeroWeightIsNoSample.
 vtkIdType InnerVoxel(Random& random, const Geometry& geometry)
 {
   vtkIdType id = 0;
@@ -52,8 +52,8 @@ class NonFinite : public testing::TestWithParam<Estimator>
 {
 };
 
-// The reference's sums become NaN where a bad voxel takes part. There the gradient counts as 0, in
-// the reference, too, and values are only expected to be finite. Elsewhere nothing may change.
+// The reference's sums become NaN where a bad voxel takes part. There the gradient must count as 0,
+// also in the reference, and values need only be finite. Elsewhere nothing may change.
 TEST_P(NonFinite, BadVoxelsAreFeltAsNothing)
 {
   int touched = 0;

@@ -44,13 +44,14 @@ TEST_P(NonFiniteValues, TheBorderValueStandsIn)
     {
       EXPECT_EQ(tick.value, 7.0);
     }
-    EXPECT_GE(tick.value, 7.0); // a spline may blend it with the neighbours
+    EXPECT_GE(tick.value, 7.0); // a spline may blend the value with its neighbours
     EXPECT_LE(tick.value, 100.0);
   }
 }
 
 // Outside, a value is that of the nearest border point. A bad voxel with a weight of zero must not
-// spoil it: the next voxel inwards for trilinear values, the one after it for splines.
+// change this value: the next voxel inwards for trilinear values, and the one after that for
+// splines.
 TEST_P(NonFiniteValues, AZeroWeightIsNoSample)
 {
   const double layer = this->GetParam() == Estimator::CubicBSpline ? 6.0 : 7.0;

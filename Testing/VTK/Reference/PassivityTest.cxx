@@ -32,7 +32,7 @@ TEST(Passivity, AStaticTipNeverGainsEnergy)
     {
       if (Norm(trace[tick].tip - trace[tick - 1].tip) == 0.0)
       {
-        // The stiffness is constant, so the force stands for the energy |f|^2 / 2k.
+        // The stiffness is constant, so the energy is |f|^2 / 2k, and the force must not grow.
         const double before = Norm(trace[tick - 1].force);
         EXPECT_LE(Norm(trace[tick].force), before + Rounding)
           << "seed " << seed << " tick " << tick;

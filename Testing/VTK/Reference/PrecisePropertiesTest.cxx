@@ -18,10 +18,10 @@ namespace
 {
 constexpr int Scenes = 300;
 constexpr int Ticks = 400;
-// Rounding error of a force: positions of some hundred mm, times some thousand N/m.
+// Rounding error of a force (N): positions of some hundred mm times some thousand N/m.
 constexpr double Rounding = 1e-9;
 
-/// Runs the check on random scenes, half of them with a constant stiffness.
+/// Runs `check` on random scenes, half of which have a constant stiffness.
 template <typename Check>
 void OnRandomScenes(Check&& check)
 {
@@ -41,15 +41,15 @@ void OnRandomScenes(Check&& check)
   }
 }
 
-/// Returns whether the solver has followed the tip all the way (after a jump it may need some
-/// ticks).
+/// Returns whether the solver has reached the force of its spring. After a jump, this may take some
+/// ticks.
 bool IsThere(const Scene& scene, const TickRecord& tick)
 {
   const Vec3 spring = tick.stiffness * scene.metersPerWorldUnit * (tick.proxy - tick.tip);
   return Norm(tick.force - spring) <= Rounding;
 }
 
-/// Returns the energy of the spring, J.
+/// Returns the energy (J) of the spring.
 double Energy(const Scene& scene, const TickRecord& tick)
 {
   return 0.5 * Dot(tick.force, scene.metersPerWorldUnit * (tick.proxy - tick.tip));
@@ -88,11 +88,11 @@ TEST(PreciseProperties, ARestingTipGainsNoEnergy)
     {
       if (scene.estimator == Estimator::CentralDifference)
       {
-        return; // its normals are not those of any function's level sets
+        return; // its normals are not those of a function's level sets
       }
       scene.path = WithStops(scene.path);
       const Trace trace = RunFilter(scene);
-      // The solver's tolerance: 2e-3 of a voxel, as a length of the spring.
+      // Tolerance of the solver: 2e-3 of a voxel, as a length of the spring (m).
       double spacing[3];
       scene.image->GetSpacing(spacing);
       const double longest =

@@ -28,7 +28,7 @@ public:
     return low + (high - low) * double(this->Engine() >> 11) * 0x1p-53;
   }
 
-  /// low and high included
+  /// Returns a random number from `low` to `high`, both included.
   int Integer(int low, int high)
   {
     return low + int(this->Engine() % std::uint64_t(high - low + 1));

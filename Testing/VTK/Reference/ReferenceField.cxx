@@ -96,7 +96,7 @@ double ReferenceField::Trilinear(const Vec3& index) const
   return sum;
 }
 
-// The uniform cubic B-spline and its slope at distance t from a tap.
+// Uniform cubic B-spline and its slope, at the distance t from a tap.
 static double BSpline(double t)
 {
   t = std::abs(t);

@@ -19,23 +19,25 @@ public:
   ReferenceField(vtkImageData* image, vtkDataArray* scalars, int component, Estimator estimator,
     int kernelRadius);
 
-  /// Returns V at a world position; outside of the volume, the value of the nearest border point.
+  /// Returns V at a world position. Outside the volume, this is the value of the nearest border
+  /// point.
   double Value(const Vec3& world) const;
 
-  /// Returns grad V per world unit; 0 outside of the volume, and if a tap is not finite.
+  /// Returns grad V per world unit. Outside the volume, and if a tap is not finite, this is 0.
   Vec3 Gradient(const Vec3& world) const;
 
-  /// Returns the magnitude up to which a gradient is rounding of the taps, and counts as none.
+  /// Returns the magnitude up to which a gradient is only rounding of the taps, and counts as 0.
   double GradientFloor(const Vec3& world) const;
 
-  /// Returns 1 inside, 0 outside, and between 1 and 0 within one kernel radius of the border.
+  /// Returns 1 inside the volume and 0 outside. Within one kernel radius of the border, it falls
+  /// from 1 to 0.
   double BorderFade(const Vec3& world) const;
 
   /// Returns KernelRadius times the largest spacing.
   double KernelLength() const;
 
-  /// Computes the weights of one axis of the Gaussian for a position with the fraction `f` above a
-  /// voxel: smoothing[i] and derivative[i] belong to the tap at offset i - radius.
+  /// Computes the Gaussian's weights along one axis, for a position at the fraction `f` above a
+  /// voxel. smoothing[i] and derivative[i] belong to the tap at the offset i - radius.
   static void GaussianWeights(
     int radius, double f, std::vector<double>& smoothing, std::vector<double>& derivative);
 

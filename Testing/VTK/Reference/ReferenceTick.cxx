@@ -30,7 +30,7 @@ TickRecord ProxyTick(const ReferenceField& field, Scene& scene, const Vec3& prox
   TickRecord out;
   out.tip = tip;
 
-  // The surface: one gradient per tick.
+  // Surface: the gradient is read once per tick.
   const Vec3 g = field.Gradient(proxy);
   out.gradientMagnitude = Norm(g);
   const bool defined = out.gradientMagnitude > field.GradientFloor(proxy);
@@ -46,7 +46,7 @@ TickRecord ProxyTick(const ReferenceField& field, Scene& scene, const Vec3& prox
   }
   out.normal = N;
 
-  // The material: inside the structure, and outside it for the drag.
+  // Material: inside the structure, and outside it for the drag.
   const double r = field.KernelLength();
   out.surfaceValue = field.Value(proxy + r * N);
   out.mediumValue = field.Value(proxy - r * N);
@@ -71,7 +71,7 @@ TickRecord ProxyTick(const ReferenceField& field, Scene& scene, const Vec3& prox
   const Vec3 x0 = metres * proxy;
   Vec3 x = x0;
 
-  // Eq. 12, mirrored outward with threshold 0.
+  // Eq. 12, mirrored outwards with the threshold 0.
   const double dn = Dot(xTip - x, N);
   const double threshold = dn > 0.0 ? T : 0.0;
   if (k * std::abs(dn) > threshold)
@@ -79,7 +79,7 @@ TickRecord ProxyTick(const ReferenceField& field, Scene& scene, const Vec3& prox
     x = x + (dn > 0.0 ? 1.0 : -1.0) * (std::abs(dn) - threshold / k) * N;
   }
 
-  // Eqs. 8 to 10.
+  // Friction, by eqs. 8 to 10.
   Vec3 d = xTip - x;
   const double fN = k * std::abs(Dot(d, N));
   const Vec3 t = d - Dot(d, N) * N;
@@ -94,7 +94,7 @@ TickRecord ProxyTick(const ReferenceField& field, Scene& scene, const Vec3& prox
   out.normalForce = fN;
   out.frictionForce = k * Norm(d - Dot(d, N) * N);
 
-  // Eq. 14: Coulomb drag towards the beginning of the tick.
+  // Eq. 14: Coulomb drag towards the proxy at the beginning of the tick.
   const Vec3 b = x0 - x;
   const double back = Norm(b);
   if (R / k < back)

@@ -12,7 +12,7 @@
 
 namespace reference
 {
-/// `freeNormal` is the unit vector used if the gradient vanishes.
+/// Computes a tick. The unit vector `freeNormal` is the normal if the gradient vanishes.
 TickRecord ProxyTick(const ReferenceField& field, Scene& scene, const Vec3& proxy, const Vec3& tip,
   const Vec3& freeNormal);
 

@@ -14,7 +14,7 @@ static Vec3 FreeNormal(vtkImageData* image, const Trace* played, std::size_t tic
 {
   if (!played)
   {
-    // A normal that turns with the volume, since forces must not depend on the volume's placement.
+    // This normal turns with the volume, since forces must not depend on the volume's placement.
     Vec3 axis;
     for (int row = 0; row < 3; ++row)
     {
@@ -40,7 +40,7 @@ Trace RunReference(Scene& scene, const Trace* played, bool resume)
   Trace trace;
   for (std::size_t tick = 0; tick < scene.path.size(); ++tick)
   {
-    // The first tick enables: the proxy and the previous position are the tip, and nothing moves.
+    // In the first tick, the proxy and the previous position are the tip, so nothing moves.
     const Vec3 tip = scene.path[tick];
     const Vec3 previousTip = tick == 0 ? tip : scene.path[tick - 1];
     const Vec3 proxy = tick == 0 ? tip : (resume ? (*played)[tick - 1].proxy : trace.back().proxy);

@@ -30,21 +30,23 @@ struct Geometry
 
 using Field = std::function<double(const Vec3& world)>;
 
-/// Returns a cube of side 2 x `half` around the origin.
+/// Returns the geometry of a cube with a side of 2 x `half` around the origin.
 Geometry Cube(double half, double spacing);
 
-/// Returns the geometry of the same volume elsewhere: world -> rotation * world + translation.
+/// Returns the geometry of the same volume at another place: world becomes rotation * world +
+/// translation.
 Geometry Moved(const Geometry& geometry, const Mat3& rotation, const Vec3& translation);
 
 /// Makes an image of this geometry, without scalars.
 vtkSmartPointer<vtkImageData> MakeImage(const Geometry& geometry);
 
-/// Samples the field to component 0 of the active scalars; integer types get the nearest value,
-/// saturated.
+/// Samples the field into component 0 of the active scalars. Integer types get the nearest value
+/// within their range.
 vtkSmartPointer<vtkImageData> Sample(
   const Geometry& geometry, const Field& field, int scalarType = VTK_DOUBLE);
 
-/// Fills one component of an array with a value per voxel, saturated to the array's type.
+/// Fills one component of an array with a value for each voxel, clamped to the range of the array's
+/// type.
 void Fill(vtkDataArray* array, int component, const Geometry& geometry, const Field& field);
 } // namespace reference
 

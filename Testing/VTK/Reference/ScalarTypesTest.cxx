@@ -38,7 +38,7 @@ vtkSmartPointer<vtkDataArray> MakeArray(int scalarType, Layout layout)
   return vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(scalarType));
 }
 
-// Sets whole numbers around `middle` in the last of some components, and a walk through them.
+// Sets whole numbers around `middle` in the last component, and a walk through them.
 void Begin(Scene& scene, Estimator estimator, vtkDataArray* array, int components, double middle)
 {
   Random random(77);
@@ -99,12 +99,12 @@ TEST_P(ScalarTypes, FeelTheSame)
   }
 }
 
-// Values at the ends of a type's range are reported, as far as a double can hold them.
+// The filter must report values at the ends of a type's range, as far as a double can hold them.
 TEST_P(ScalarTypes, ReachTheirLimits)
 {
   const auto array = MakeArray(this->GetParam(), Layout::OfStructures);
   const bool real = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
-  // A double cannot hold the largest 64-bit number, so the limits are below it.
+  // A double can't hold the largest 64-bit number, so the limits are below that number.
   const double low = std::max(array->GetDataTypeMin(), real ? -1e30 : -0x1p62);
   const double high = std::min(array->GetDataTypeMax(), real ? 1e30 : 0x1p62);
   Scene scene;

@@ -36,7 +36,7 @@ enum class Estimator
 inline constexpr Estimator AllEstimators[] = { Estimator::CentralDifference, Estimator::Gaussian,
   Estimator::CubicBSpline };
 
-/// The reference has only the paper's solver.
+/// Solver of the module. The reference has only the paper's solver.
 enum class Solver
 {
   Paper,
@@ -59,7 +59,7 @@ struct Scene
   Side side = Side::Higher;
   Method method = Method::Proxy;
   Solver solver = Solver::Paper;
-  bool placesAsThePaper = false; ///< alignment Distinctness, materials of the kernel
+  bool placesAsThePaper = false; ///< contact alignment Distinctness, and materials of the kernel
   Estimator estimator = Estimator::Gaussian;
   int kernelRadius = 2;
   double servoRate = 1000.0;
@@ -68,11 +68,11 @@ struct Scene
   double forceFieldDamping = 0.0;
   std::vector<Vec3> path;
 
-  /// Appends points on the way to `goal`, `step` apart; the last one is exactly `goal`.
+  /// Appends points on the way to `goal`, a `step` apart. The last point is exactly `goal`.
   void MoveTo(const Vec3& goal, double step);
 };
 
-/// Sets constant material functions, as most closed forms need.
+/// Sets constant material functions, which most closed forms need.
 void SetMaterial(Scene& scene, double stiffness, double friction, double viscosity,
   double surfaceStrength, double distinctness = 1.0);
 
@@ -80,10 +80,10 @@ void SetMaterial(Scene& scene, double stiffness, double friction, double viscosi
 /// documented.
 Trace RunFilter(Scene& scene);
 
-/// Plays the scene with the reference. If the gradient vanishes, the method leaves the normal free
-/// although x_s and x_v depend on it: `played`, if given, has the normal that was used, and the
-/// reference only checks that it is a unit vector. With `resume`, every tick starts at the last
-/// proxy in `played`, so that each tick is compared alone.
+/// Plays the scene with the reference. If the gradient vanishes, the method leaves the normal free,
+/// although x_s and x_v depend on it. Then the reference takes the normal from `played`, if given,
+/// and only checks that it is a unit vector. With `resume`, every tick starts at the last proxy in
+/// `played`, so that each tick is compared alone.
 Trace RunReference(Scene& scene, const Trace* played = nullptr, bool resume = false);
 } // namespace reference
 

@@ -15,13 +15,13 @@ namespace reference
 {
 struct TickRecord
 {
-  Vec3 proxy; // world units, the output point
+  Vec3 proxy; // world units; the output point
   Vec3 tip;   // world units
-  Vec3 force; // N, on the hand
+  Vec3 force; // N; acts on the hand
   Vec3 normal;
   double time = 0.0;              // s
-  double normalForce = 0.0;       // N, before the drag step
-  double frictionForce = 0.0;     // N, before the drag step
+  double normalForce = 0.0;       // N; before the drag step
+  double frictionForce = 0.0;     // N; before the drag step
   double dragForce = 0.0;         // N
   double value = 0.0;             // value at the proxy at the end of the tick
   double gradientMagnitude = 0.0; // scalar units per world unit
@@ -32,8 +32,8 @@ struct TickRecord
   double viscosity = 0.0;       // N
   double surfaceStrength = 0.0; // N
   int contact = 0;
-  // Reference only: the force (N) by which the tick's closest decision was made. A tick that less
-  // than rounding decides may go either way.
+  // Set by the reference only: force (N) by which the tick's closest decision was made. If rounding
+  // exceeds this force, the tick may decide either way.
   double margin = 0.0;
 };
 

@@ -55,7 +55,7 @@ inline bool IsFinite(const Vec3& a)
   return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
 }
 
-/// Three columns, such as an image's direction times its spacing.
+/// Matrix of three columns, such as an image's direction times its spacing.
 struct Mat3
 {
   Vec3 column[3] = { { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } }, { { 0.0, 0.0, 1.0 } } };
@@ -66,8 +66,7 @@ inline Vec3 operator*(const Mat3& m, const Vec3& a)
   return a[0] * m.column[0] + a[1] * m.column[1] + a[2] * m.column[2];
 }
 
-/// Returns the inverse transposed by Cramer's rule: the rows of the inverse are the columns of the
-/// result.
+/// Returns the transpose of the inverse, by Cramer's rule. Its columns are the rows of the inverse.
 inline Mat3 InverseTransposed(const Mat3& m)
 {
   const double det = Dot(m.column[0], Cross(m.column[1], m.column[2]));

@@ -25,8 +25,8 @@ namespace largetest
 {
 using namespace apitest;
 
-// The thread sanitizer checks each access to memory. Tests compute millions of values from constant
-// tables: without these checks, they take seconds instead of minutes.
+// Turns off the thread sanitizer's checks of memory. Tests compute millions of values from constant
+// tables, which takes minutes with these checks, and seconds without them.
 #if defined(__SANITIZE_THREAD__)
 #define LARGE_RIG_UNWATCHED __attribute__((no_sanitize("thread")))
 #else
@@ -36,7 +36,7 @@ using namespace apitest;
 using Extent = std::array<int, 6>;
 using ValueAt = std::function<double(int, int, int)>;
 
-/// Returns a number from -1 to 1 without a pattern (a hash of the place).
+/// Returns a number from -1 to 1 without a pattern: a hash of the indices.
 LARGE_RIG_UNWATCHED inline double Noise(int i, int j, int k)
 {
   std::uint64_t x = static_cast<std::uint64_t>(i) * 0x9E3779B97F4A7C15U +
@@ -47,7 +47,7 @@ LARGE_RIG_UNWATCHED inline double Noise(int i, int j, int k)
   return static_cast<double>(x >> 11) / 4503599627370496.0 - 1.0;
 }
 
-/// A wave along an axis, from a table, since tests compute it for millions of samples.
+/// A wave along an axis, in a table, since tests compute it for millions of samples.
 class Wave
 {
 public:
@@ -81,7 +81,7 @@ LARGE_RIG_UNWATCHED inline double BedAt(int i, int j, int k)
   return std::round(500.0 - 500.0 * above / (1.0 + std::abs(above)) + 12.0 * Noise(i, j, k));
 }
 
-/// Fills a box with values.
+/// Fills a block of samples with values.
 template <typename T>
 LARGE_RIG_UNWATCHED void FillBox(const int extent[6], void* samples, const ValueAt& value)
 {
@@ -106,7 +106,7 @@ inline void FillBox(int type, const int extent[6], void* samples, const ValueAt&
   }
 }
 
-/// Counts the calls of a reader, and its largest number of samples.
+/// Number of calls of a reader, and the largest number of samples that a call read.
 struct Reads
 {
   std::atomic<int> Calls{ 0 };
@@ -133,7 +133,7 @@ inline vtkSmartPointer<vtkHapticRegionSource> MakeSource(const Extent& extent, i
   return source;
 }
 
-/// Makes the same volume in memory.
+/// Makes the volume of a source in memory.
 inline vtkSmartPointer<vtkImageData> MakeWhole(
   vtkHapticRegionSource* source, int type, const ValueAt& value)
 {

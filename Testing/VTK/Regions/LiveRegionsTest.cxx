@@ -32,10 +32,10 @@ using devicetest::Eventually;
 
 namespace
 {
-/// 125 million samples, of which 512 blocks give the noise.
+/// Extent of 125 million samples, of which 512 blocks give the noise.
 constexpr Extent Cube = { 0, 499, 0, 499, 0, 499 };
 
-/// Returns a value that is linear in the indices, so that it is also exact between samples.
+/// Returns a value that is linear in the indices, so that interpolation is exact.
 double PlainAt(int i, int j, int k)
 {
   return 2.0 * i + 3.0 * j - 5.0 * k + 7.0;
@@ -66,7 +66,7 @@ protected:
         ++gate->Calls;
         if (gate->IsBroken)
         {
-          throw 7; // throws no std::exception
+          throw 7; // is no std::exception
         }
         gate->IsFlat ? FillFlat(box, samples) : FillBox<short>(box, samples, PlainAt);
         return true;
@@ -105,15 +105,15 @@ protected:
     this->Touch->ConfigureSource(this->Source);
     return this->Source->Follow(tip.data(), this->Time);
   }
-  /// Returns the value of the output's "HapticShare" array, or 1 without it.
+  /// Returns the value of the output's array "HapticShare", or 1 without this array.
   double GetShare()
   {
     this->Source->Update();
     vtkDataArray* const share = this->Source->GetOutput()->GetFieldData()->GetArray("HapticShare");
     return share ? share->GetComponent(0, 0) : 1.0;
   }
-  /// Follows a tip until the output has its samples: the volume's own (1), or those of the coarse
-  /// image.
+  /// Follows a tip until the output has its samples: those of the volume (`share` is 1), or those
+  /// of the coarse image.
   bool Await(const Point& tip, double share = 1.0)
   {
     return Eventually(
@@ -217,8 +217,8 @@ TEST_F(LiveRegions, OfACoarseImageWithoutScalarsAreToldAsWrong)
 
 TEST_F(LiveRegions, BeyondACoarseImageAreAsAtItsBorderAndRoundedToTheType)
 {
-  // The coarse image has three values along x: -0.6, 10.4, and 1e9, which is too large for the
-  // type.
+  // The coarse image has three values along x: -0.6, 10.4, and 1e9, which is too large for the type
+  // of the volume.
   vtkNew<vtkImageData> coarse;
   coarse->SetDimensions(3, 2, 2);
   coarse->SetSpacing(100.0, 499.0, 998.0);
@@ -243,7 +243,7 @@ TEST_F(LiveRegions, BeyondACoarseImageAreAsAtItsBorderAndRoundedToTheType)
 
 TEST_F(LiveRegions, GoThroughADayInTheirMemory)
 {
-  // A hand wanders for 24 hours, in steps of half a second.
+  // The hand wanders for 24 hours, with a step every half second.
   this->Gate->IsFlat = true;
   ASSERT_TRUE(this->Await(At(250, 250, 250)));
   std::mt19937 random(5);
@@ -271,7 +271,7 @@ TEST_F(LiveRegions, GoThroughADayInTheirMemory)
   EXPECT_LE(4 * this->Gate->Most * 2, 4194304) << "a region takes a quarter of the memory";
   EXPECT_EQ(this->Source->GetStatusText().find("can't"), std::string::npos);
   EXPECT_EQ(this->Log.Errors.size(), 0U);
-  // In the end, the samples at the last place come.
+  // At the end, the samples at the last position must come.
   EXPECT_TRUE(Eventually(
     [&]
     {

@@ -27,7 +27,7 @@ void SetField(vtkImageData* image, const char* name, const std::vector<double>& 
   image->GetFieldData()->AddArray(array);
 }
 
-/// Makes the ramp a valid region of a volume; each test breaks one array.
+/// Makes the ramp a valid region of a volume. Each test then breaks one array.
 void MakeRegion(vtkImageData* image)
 {
   SetField(image, "HapticWholeExtent", { 0, 15, 0, 15, -10, 15 });

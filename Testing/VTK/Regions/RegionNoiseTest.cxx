@@ -18,7 +18,8 @@ using namespace apitest;
 
 namespace
 {
-/// Collects the samples from some slabs across an axis, as if a process held each slab.
+/// Filter that collects samples from several slabs across an axis, as if each slab were in a
+/// process.
 class SlabFilter : public vtkHapticRegionFilter
 {
 public:
@@ -62,7 +63,8 @@ protected:
 };
 vtkStandardNewMacro(SlabFilter);
 
-/// Gathers the samples of all pieces, like a server's process that has no piece itself.
+/// Filter that gathers the samples of all pieces without a piece of its own, like a process of a
+/// server.
 class FilterWithoutPiece : public vtkHapticRegionFilter
 {
 public:

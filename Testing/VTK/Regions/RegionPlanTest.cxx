@@ -86,7 +86,7 @@ TEST_F(Plan, LeavesAHandThatStopsItsData)
   const int whole[6] = { 0, 999, 0, 999, 0, 999 };
   this->SetWhole(whole);
   this->Planner.SetMaximumVoxels(44 * 44 * 44);
-  const double needed = 13.0; // world units; a region has 22 to each side
+  const double needed = 13.0; // world units; a region reaches 22 to each side
   this->Planner.SpringLength = 4.0;
   this->Planner.Reach = 5.0;
   this->Planner.Band = 4.0;
@@ -109,8 +109,8 @@ TEST_F(Plan, LeavesAHandThatStopsItsData)
   }
 }
 
-/// A region of 20^3 reaches 10 to each side, while a tick needs 60: the next region is ordered when
-/// half of the 10 is left.
+/// A region of 20^3 reaches 10 world units to each side, but a tick needs 60. The next region must
+/// be ordered when half of the 10 units is left.
 TEST_F(Plan, OrdersTheNextCutRegionBeforeTheTipLeavesThisOne)
 {
   const int whole[6] = { 0, 999, 0, 999, 0, 999 };

@@ -49,7 +49,7 @@ protected:
 
 TEST_F(Planner, TellsTheRoomThatARegionGivesATip)
 {
-  // The room is less by T_N/k, reach and band: 4 + 8 + 4.
+  // The room is the distance to the border, less T_N/k, reach and band: 4 + 8 + 4 world units.
   const double tip[3] = { 520.0, 300.0, 5.0 };
   const int around[6] = { 480, 600, 200, 400, 0, 70 };
   EXPECT_DOUBLE_EQ(this->Plan.ComputeRoom(tip, around), 40.0 - 16.0) << "the volume's end is none";
@@ -113,7 +113,8 @@ TEST_F(Planner, IsInTimeAtEverySteadySpeed)
         std::copy(this->Resident, this->Resident + 6, here);
         comes = -1.0;
       }
-      // The resident region includes the spring, the reach and the band around the tip, 16 in all.
+      // The resident region must include the spring, the reach and the band around the tip: 16
+      // world units in all.
       ASSERT_GE(x - 16.0, here[0]) << speed << " at " << time;
       ASSERT_LE(x + 16.0, here[1]) << speed << " at " << time;
       if (comes < 0.0 && this->Wants(x, speed))

@@ -30,7 +30,7 @@ constexpr BoxExtent Here = { 10, 13, 20, 22, 30, 31 };
 constexpr BoxExtent There = { 500, 503, 20, 22, 30, 31 };
 constexpr BoxExtent Elsewhere = { 700, 703, 20, 22, 30, 31 };
 
-/// A volume whose samples are the index along x. Tests open and close the gate through which it is
+/// Volume whose samples are their index along x. Tests open and close the gate through which it is
 /// read.
 struct GatedVolume
 {
@@ -85,7 +85,7 @@ std::optional<RegionSamples> Await(RegionReader& reader)
   return region;
 }
 
-/// Ends a reader while it reads through a closed gate, and opens the gate a little later.
+/// Ends a reader that reads through a closed gate, and opens the gate a little later.
 void EndMeanwhile(std::unique_ptr<RegionReader>& reader, GatedVolume& gate)
 {
   std::atomic<bool> begins{ false };
@@ -137,7 +137,7 @@ TEST(RegionReader, LeavesOutOrdersThatALaterOneReplaces)
   reader.Order(Elsewhere);
   gate.IsOpen = true;
   ASSERT_TRUE(Eventually([&] { return gate.Left == 2; }));
-  // The last region may have replaced the first one before anything drained it.
+  // The last region may have replaced the first one before the test could take that one.
   std::optional<RegionSamples> region;
   ASSERT_TRUE(Eventually(
     [&]

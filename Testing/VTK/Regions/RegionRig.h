@@ -18,8 +18,8 @@
 
 namespace apitest
 {
-/// Makes 60 x 56 x 52 voxels whose indices do not begin at 0, with a surface at a radius of 20
-/// voxels, and noise.
+/// Makes a ball with a radius of 20 voxels and noise in 60 x 56 x 52 voxels, whose indices do not
+/// begin at 0.
 inline vtkSmartPointer<vtkImageData> MakeBall(int scalarType = VTK_SHORT, double sigma = 10.0)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -44,8 +44,8 @@ inline vtkSmartPointer<vtkImageData> MakeBall(int scalarType = VTK_SHORT, double
   return image;
 }
 
-/// Makes a path that presses the ball at its top, slides over it, and passes its surface in and
-/// out.
+/// Makes a path that presses the ball at its top, slides over the ball, and moves in and out of its
+/// surface.
 inline std::vector<Point> SlideOver(vtkImageData* image, int ticks)
 {
   double centre[3];
@@ -61,7 +61,7 @@ inline std::vector<Point> SlideOver(vtkImageData* image, int ticks)
   return path;
 }
 
-/// Returns the largest difference of a point array between two outputs.
+/// Returns the largest difference between two outputs in a point array.
 inline double FarthestApart(vtkPolyData* a, vtkPolyData* b, const char* name)
 {
   double most = a->GetNumberOfPoints() == b->GetNumberOfPoints() ? 0.0 : HUGE_VAL;

@@ -119,7 +119,7 @@ TEST_P(RegionSource, IsFeltAsTheWhole)
   EXPECT_EQ(felt->GetNumberOfPoints(), 3000);
   if (isMeshed)
   {
-    // In another mesh, the sphere meets its triangles in another order.
+    // The mesh differs, so the proxy's sphere meets the triangles in another order.
     vtkDataArray* const a = this->Felt()->GetPointData()->GetArray("Force");
     vtkDataArray* const b = felt->GetPointData()->GetArray("Force");
     for (vtkIdType t = 0; t < 3 * 3000; ++t)
@@ -131,8 +131,8 @@ TEST_P(RegionSource, IsFeltAsTheWhole)
   {
     EXPECT_TRUE(IsSame(this->Felt(), felt));
   }
-  // The whole volume has 6.6 million samples, so it is read in several regions along the path, none
-  // of them large.
+  // The whole volume has 6.6 million samples. It must be read in several regions along the path,
+  // none of them large.
   EXPECT_GT(this->Counted->Calls, 12);
   EXPECT_LE(this->Counted->Most, 1 << 20);
 }
@@ -153,7 +153,8 @@ TEST_F(LargePaths, AreFeltAsIfEachWereAlone)
   vtkNew<vtkCellArray> lines;
   for (vtkIdType line = 0; line < 9; ++line)
   {
-    // The lines are in an order in which each begins in another region than the last one ended in.
+    // The order of the lines makes each line begin in another region than that in which the last
+    // line ended.
     lines->InsertNextCell(100);
     for (vtkIdType t = 0; t < 100; ++t)
     {

@@ -44,8 +44,8 @@ protected:
     EXPECT_EQ(this->Log.Errors.size(), 0U);
   }
 
-  /// Tolerance (N). In another mesh, the sphere meets its triangles in another order; of two that
-  /// are parallel within 1e-6 rad, the first one's normal counts.
+  /// Tolerance (N). In another mesh, the sphere meets the triangles in another order. If two
+  /// triangles are parallel within 1e-6 rad, the normal of the first one counts.
   const double Tolerance = std::string(this->GetParam()) == "surface-proxy" ? 1e-7 : 1e-9;
   vtkSmartPointer<vtkImageData> Whole = MakeBall();
   vtkNew<vtkHapticRegionFilter> Crop;
@@ -57,8 +57,8 @@ protected:
 
 TEST_P(Region, IsFeltAsTheWhole)
 {
-  // The region is the upper half without the outermost voxels: five of its six borders are inside
-  // the volume.
+  // The region is the upper half without the outermost voxels, so five of its six borders are
+  // inside the volume.
   this->Crop->SetRegion(-4, 53, 4, 57, 22, 70);
   this->Crop->Update();
   int extent[6];

@@ -32,7 +32,7 @@ protected:
     return { p->GetStiffness(), p->GetFriction(), p->GetViscosity(), p->GetSurfaceStrength(),
       p->GetDistinctness() };
   }
-  /// Expects that both have functions with the same nodes, to the bit.
+  /// Expects that both properties have functions with the same nodes, to the bit.
   static void ExpectSame(vtkHapticProperty* a, vtkHapticProperty* b)
   {
     for (std::size_t f = 0; f < 5; ++f)
@@ -72,7 +72,7 @@ protected:
   {
     return this->Log.Errors.size() == 1 && this->Log.Errors[0].find(words) != std::string::npos;
   }
-  /// Expects one error with these words that names the file, and an unchanged property.
+  /// Expects one error that has these words and names the file, and an unchanged property.
   void ExpectRefused(const std::string& file, const std::string& words)
   {
     SCOPED_TRACE(words);
@@ -192,7 +192,7 @@ TEST_F(PresetFile, ThatIsNoneIsOneErrorWithTheCure)
     "nested more than 64 deep"); // deep lists would be freed by recursion
   refuse(std::string(2 << 20, ' '), "can't be read");
 
-  // A file that is cut off is refused.
+  // A file that is cut off must be refused.
   ASSERT_TRUE(this->Property->WritePreset(file.c_str()));
   const std::string good = Read(file);
   for (std::size_t size = 0; size < good.size() - 2; size += 7)

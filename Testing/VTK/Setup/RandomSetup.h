@@ -16,7 +16,7 @@
 
 namespace setuptest
 {
-/// All numbers are random with all their digits, and none is a default.
+/// Scene whose numbers are all random with all their digits. No number is a default.
 class RandomScene : public Scene
 {
 public:
@@ -107,7 +107,7 @@ private:
     }
   }
 
-  /// Sets a random turn about z, with a scale and a shift.
+  /// Sets a random turn about z, with a random scale and shift.
   void Turn()
   {
     const double angle = this->Draw(3.0);

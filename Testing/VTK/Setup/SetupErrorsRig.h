@@ -45,7 +45,7 @@ protected:
     EXPECT_EQ(this->Save("After.json"), this->Good);
   }
 
-  /// Returns the good file with another value for a key (the first with this name).
+  /// Returns the good file with another value for a key: the first key of this name.
   std::string With(const std::string& key, const std::string& value)
   {
     const std::size_t colon = this->Good.find(" : ", this->Good.find('"' + key + '"'));
@@ -53,8 +53,8 @@ protected:
     return this->Good.substr(0, colon) + " : " + value + this->Good.substr(end);
   }
 
-  /// Returns a file whose haptics differ from the target's in the first key, and are bad in the
-  /// second.
+  /// Returns a file with two keys of haptics. The first differs from the target's setting, and the
+  /// second, `bad`, must be refused.
   std::string Haptics(const std::string& bad)
   {
     return R"({"Format":"VTK Volume Haptics setup","Version":1,"DeviceToWorld":)"

@@ -58,7 +58,7 @@ TEST_F(SetupErrors, FilesThatAreNoSetup)
   this->Refuse("[1, 2]", { "not a setup" });
   this->Refuse(this->Good.substr(0, this->Good.size() / 2), { "not JSON", "Line" });
   this->Refuse(this->Good + "{}", { "not JSON" });
-  // Deep lists would be freed by recursion, on stacks that may be small.
+  // Lists that are nested deeply would be freed by recursion, on stacks that may be small.
   this->Refuse(this->Good.substr(0, this->Good.rfind('}')) + ",\"Notes\":" + std::string(200, '[') +
       std::string(200, ']') + "}",
     { "not JSON", "nested more than 64 deep" });
@@ -86,7 +86,7 @@ TEST_F(SetupErrors, FilesThatHaveNoEnd)
   EXPECT_FALSE(this->Target.Setup->Save(pipe.c_str()));
   this->ExpectError({ pipe, "is a pipe" });
   unlink(pipe.c_str());
-  // Make a sparse file of 2 GiB: truncate() extends the setup without writing the added bytes.
+  // Makes a sparse file of 2 GiB; truncate() extends the setup without writing the added bytes.
   const std::string large = File("Large.json");
   std::ofstream(large) << this->Good;
   ASSERT_EQ(truncate(large.c_str(), off_t{ 1 } << 31), 0);
@@ -96,7 +96,7 @@ TEST_F(SetupErrors, FilesThatHaveNoEnd)
 
 TEST_F(SetupErrors, NamesAndTextsThatAreNotUtf8)
 {
-  // Python drops messages that are not UTF-8.
+  // Bytes that are not UTF-8 are printed as \xNN, since Python drops messages with such bytes.
   EXPECT_FALSE(this->Target.Setup->Load("/no/such/\xE4.json"));
   this->ExpectError({ "/no/such/\\xE4.json" });
   EXPECT_FALSE(this->Target.Setup->Save("/no/such/\xE4.json"));
@@ -119,7 +119,7 @@ TEST_F(SetupErrors, Saving)
   this->ExpectError({ "/no/such/folder/setup.json", "folder exists" });
   EXPECT_FALSE(this->Target.Setup->Save(""));
   this->ExpectError({ "no file" });
-  // A full disk does not remove the good file.
+  // A full disk must not destroy the good file.
   const std::string good = File("Good.json");
   chmod(good.c_str(), 0640);
   {
@@ -128,7 +128,7 @@ TEST_F(SetupErrors, Saving)
   }
   this->ExpectError({ good, "Make room" });
   EXPECT_EQ(Read(good), this->Good);
-  // A link stays a link, and its target keeps its permissions.
+  // A link must stay a link, and its target must keep its permissions.
   const std::string link = File("Link.json");
   unlink(link.c_str());
   ASSERT_EQ(symlink(good.c_str(), link.c_str()), 0);
@@ -139,7 +139,7 @@ TEST_F(SetupErrors, Saving)
   ASSERT_EQ(stat(good.c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777, 0640U);
   unlink(link.c_str());
-  // A link to a missing file creates that file.
+  // Saving to a link without a target must create the target.
   const std::string later = File("Later.json");
   ASSERT_EQ(symlink("Later.json", link.c_str()), 0);
   EXPECT_TRUE(this->Target.Setup->Save(link.c_str()));
@@ -147,7 +147,7 @@ TEST_F(SetupErrors, Saving)
   ASSERT_EQ(lstat(link.c_str(), &status), 0);
   EXPECT_TRUE(S_ISLNK(status.st_mode));
   unlink(link.c_str());
-  // A setting that could not be loaded again is not saved, and the good file stays.
+  // A setting that could not be loaded again must not be saved, and the good file must stay.
   this->Target.Filter->SetForceFieldGain(std::numeric_limits<double>::quiet_NaN());
   EXPECT_FALSE(this->Target.Setup->Save(File("Good.json").c_str()));
   this->ExpectError({ "Haptics.ForceFieldGain", "not saved" });
@@ -178,7 +178,7 @@ TEST_F(SetupErrors, SavingKeepsOwnerAndGroup)
   expect(0660);
   EXPECT_EQ(Read(file), this->Good);
   // A user who may write the file, but is neither its owner nor in its group, can't give a new file
-  // to that group, so the file is written in place.
+  // to that group. So the file must be written in place.
   std::ofstream(file) << "old and longer than nothing";
   ASSERT_EQ(chmod(file.c_str(), 0666), 0);
   const auto before = std::filesystem::current_path();

@@ -19,8 +19,8 @@ namespace
 constexpr int Least = std::numeric_limits<int>::min();
 constexpr int Most = std::numeric_limits<int>::max();
 
-/// Fills a table with positive and negative labels, with each subset of the values that a label can
-/// have.
+/// Fills a table with positive and negative labels, which have every combination of the values of a
+/// label.
 void FillTable(vtkHapticLabelTable* table, unsigned int seed)
 {
   std::mt19937 random(seed);
@@ -100,7 +100,7 @@ TEST(SetupLabels, ComeBackAsTheyWere)
     ASSERT_NO_FATAL_FAILURE(ExpectSame(loaded.Filter->GetLabelTable(), table));
     EXPECT_EQ(loaded.Filter->GetGeometry(), vtkVolumeHapticsFilter::FROM_LABELS);
 
-    // A table that is there already is filled in place.
+    // Loading must fill an existing table, and not replace it.
     vtkNew<vtkHapticLabelTable> other;
     FillTable(other, seed + 100);
     loaded.Filter->SetLabelTable(other);
@@ -134,7 +134,7 @@ TEST(SetupLabels, StayAsTheyAreWithAFileThatHasNone)
   ASSERT_TRUE(loaded.Setup->Load(file.c_str()));
   ASSERT_NO_FATAL_FAILURE(ExpectSame(table, before));
 
-  // An empty table is restored, too.
+  // An empty table must be restored, too.
   vtkNew<vtkHapticLabelTable> empty;
   saved.Filter->SetLabelTable(empty);
   ASSERT_TRUE(saved.Setup->Save(file.c_str()));
@@ -167,7 +167,7 @@ TEST(SetupLabels, OfWhichAFileHasAPart)
 
 TEST(SetupLabels, AreLessThanAMillion)
 {
-  // A table that could not be loaded again is not saved.
+  // A table that could not be loaded again must not be saved.
   const std::string file = File("Million.json");
   std::ofstream(file) << "as before";
   for (const int labels : { 80000, 1000000 })

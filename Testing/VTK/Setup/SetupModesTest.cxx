@@ -81,7 +81,7 @@ TEST_F(SetupModes, ComeBackAsTheyWere)
   EXPECT_EQ(back->GetPath(), path.Get());
   EXPECT_EQ(back->GetSide(), vtkHapticGuideMode::INSIDE);
   EXPECT_EQ(back->GetDistance(), -0.3);
-  // A setup without modes leaves the filter's modes.
+  // Loading a setup without modes must keep the filter's modes.
   const std::string none = File("None.json");
   ASSERT_TRUE(Scene().Setup->Save(none.c_str()));
   ASSERT_TRUE(b.Setup->Load(none.c_str()));

@@ -35,7 +35,7 @@ inline std::string Read(const std::string& file)
   return text.str();
 }
 
-/// A filter, a volume property, a camera, a matrix, and the setup that holds them.
+/// A filter, a volume property, a camera, a matrix, and a setup that saves and loads them.
 struct Scene
 {
   Scene()

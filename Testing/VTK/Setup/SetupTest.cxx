@@ -24,7 +24,7 @@ TEST(Setup, EverythingComesBackToTheBit)
     ASSERT_TRUE(loaded.Setup->Load(file.c_str()));
     ASSERT_EQ(Everything(loaded), Everything(saved)) << "seed " << seed;
     EXPECT_EQ(loaded.Filter->GetProperty()->GetStiffness(), stiffness) << "not in place";
-    // Saving the loaded setup gives the same file.
+    // Saving the loaded setup must give the same file.
     const std::string text = Read(file);
     ASSERT_TRUE(loaded.Setup->Save(file.c_str()));
     ASSERT_EQ(Read(file), text);

@@ -41,7 +41,7 @@ TEST_F(SetupTool, ComesBackAsItWas)
   EXPECT_EQ(read->GetLateralStrength(), 1.0 / 3.0);
   EXPECT_EQ(read->GetShaftFriction()->GetValue(0.1), 20.0);
   EXPECT_EQ(read->GetCuttingForce()->GetSize(), 1);
-  // A setup without a tool leaves the filter's tool.
+  // Loading a setup without a tool must keep the filter's tool.
   const std::string none = File("None.json");
   ASSERT_TRUE(Scene().Setup->Save(none.c_str()));
   ASSERT_TRUE(b.Setup->Load(none.c_str()));
@@ -85,7 +85,7 @@ TEST_F(SetupTool, ABurrComesBackAsItWas)
   EXPECT_EQ(read->GetSpecificEnergy()->GetValue(300.0), 2.0);
 }
 
-/// The mesh is no setting, like the shapes of guides: the scene keeps its mesh.
+/// A mesh is not saved, as the shapes of guides are not: the scene must keep its own mesh.
 TEST_F(SetupTool, AShapeKeepsItsMesh)
 {
   Scene a;

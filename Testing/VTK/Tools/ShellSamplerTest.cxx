@@ -81,7 +81,7 @@ vtkSmartPointer<vtkPolyData> MakeBox(double x, double y, double z)
   return cube->GetOutput();
 }
 
-/// Forces on the points of a mesh (mm) in the ramp, whose surface is at 10 mm.
+/// Tests of forces on the points of a mesh (mm) in the ramp, whose surface is at 10 mm.
 class MeshForces : public testing::Test
 {
 protected:
@@ -115,7 +115,7 @@ protected:
 };
 } // namespace
 
-/// Compares with VTK's area of the mesh.
+/// The sum of the areas must be VTK's area of the mesh.
 TEST(ShellSampler, TheAreasSumToThatOfTheMesh)
 {
   const vtkSmartPointer<vtkPolyData> ball = MakeBall(5.0, 100);
@@ -129,7 +129,7 @@ TEST(ShellSampler, TheAreasSumToThatOfTheMesh)
   }
 }
 
-/// In a lattice of equilateral triangles, neighbours are sqrt(2/sqrt(3) area) apart.
+/// In a lattice of equilateral triangles, the distance of neighbours is sqrt(2/sqrt(3) area).
 TEST(ShellSampler, ThePointsAreSpreadEvenly)
 {
   constexpr std::size_t count = 2000;
@@ -156,8 +156,8 @@ TEST(ShellSampler, ThePointsAreSpreadEvenly)
   EXPECT_GE(least, 0.55 * best);
 }
 
-/// S1 of the design: a sphere of 5 mm, 1 mm deep in a half-space, gives pi kappa a delta^2 = 0.3142
-/// N.
+/// Case S1 of the design: a sphere of 5 mm, 1 mm deep in a half-space, gives pi kappa a delta^2 =
+/// 0.3142 N.
 TEST_F(MeshForces, ASphereHasItsForce)
 {
   const PointShell shell(Sample(MakeBall(5.0, 600), 10000));
@@ -171,9 +171,10 @@ TEST_F(MeshForces, ASphereHasItsForce)
   }
 }
 
-/// S4 of the design for a face of a box: the force is kappa times the face's area times the depth.
-/// Tilted by theta, it gives the torque kappa b h^3/12 theta about its middle. The depth is so
-/// small that the sides of the box add at most 0.2 % and 0.8 %.
+/// Case S4 of the design: the force on a face of a box is kappa times the area of the face times
+/// the depth. Tilted by theta, the face gives the torque kappa b h^3/12 theta about its middle. The
+/// depth is so small that the sides of the box add at most 0.2 % to the force and 0.8 % to the
+/// torque.
 TEST_F(MeshForces, AFaceOfABoxHasItsForceAndTorque)
 {
   const PointShell shell(Sample(MakeBox(10.0, 10.0, 6.0), 4000));
@@ -187,7 +188,7 @@ TEST_F(MeshForces, AFaceOfABoxHasItsForceAndTorque)
   EXPECT_NEAR(tilted.Gradient[3] - flat.Gradient[3], torque, 0.01 * torque);
 }
 
-/// Each side of a blade has its own points, with half of the area.
+/// Each side of a blade must have its own points, with half of the area.
 TEST(ShellSampler, AThinBladeHasPointsOnBothSides)
 {
   const std::vector<ShellPoint> points = Sample(MakeBox(10.0, 10.0, 0.01), 400);
@@ -204,7 +205,7 @@ TEST(ShellSampler, AThinBladeHasPointsOnBothSides)
   EXPECT_NEAR(areas[1], 100.2, 0.5);
 }
 
-/// Moments of the surface of a cube, in closed form: the integral of z^2 is 5/6 a^4.
+/// Moments of a cube's surface in closed form: the integral of z^2 is 5/6 a^4.
 TEST(ShellSampler, SumsOverPointsAreIntegrals)
 {
   const std::vector<ShellPoint> points = Sample(MakeBox(2.0, 2.0, 2.0), 6000);
@@ -247,13 +248,13 @@ TEST(ToolMesh, ThatIsNoToolIsRefused)
   inverted->ReverseCellsOn();
   inverted->Update();
   ExpectRefused(inverted->GetOutput(), "is inside out");
-  // One triangle of the ball is turned.
+  // Turns one triangle of the ball.
   vtkNew<vtkPolyData> turned;
   turned->DeepCopy(ball);
   turned->BuildCells();
   turned->ReverseCell(7);
   ExpectRefused(turned, "face opposite sides, at 3 of");
-  // One triangle of the ball is missing.
+  // Removes one triangle of the ball.
   vtkNew<vtkPolyData> open;
   open->DeepCopy(ball);
   open->BuildCells();
@@ -279,7 +280,7 @@ TEST(ToolMesh, ThatIsNoToolIsRefused)
   ExpectRefused(missing, "a polygon with the point 1000000");
 }
 
-/// STL files have separate corners for each triangle.
+/// The corners of triangles may be separate points, as in STL files.
 TEST(ToolMesh, TrianglesNeedNotShareTheirCorners)
 {
   const vtkSmartPointer<vtkPolyData> ball = MakeBall(1.0, 20);

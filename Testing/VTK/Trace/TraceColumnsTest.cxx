@@ -54,7 +54,7 @@ TEST(TraceColumns, LieApartInTheirRows)
   ExpectApart(VolumeHaptics::GetRecordingColumns(), sizeof(VolumeHaptics::RecordingRow));
 }
 
-/// Numbers and ticks take 8 bytes, int32 takes 4, flags take 1 (IEEE 754, ISO C++).
+/// Numbers and ticks must take 8 bytes, int32 4 bytes, and flags 1 byte (IEEE 754, ISO C++).
 TEST(TraceColumns, AreAsWideAsTheirNumbers)
 {
   EXPECT_EQ((TraceColumn{ "", "", ColumnType::Float64, 3, 0 }.GetWidth()), 24u);
@@ -63,8 +63,8 @@ TEST(TraceColumns, AreAsWideAsTheirNumbers)
   EXPECT_EQ((TraceColumn{ "", "", ColumnType::UInt8, 3, 0 }.GetWidth()), 3u);
 }
 
-/// A recording has all arrays of a trace, so that both are read in the same way; the proxy comes
-/// last.
+/// A recording must have all arrays of a trace, so that both are read in the same way. The proxy
+/// comes last.
 TEST(TraceColumns, OfARecordingHoldThoseOfATrace)
 {
   const std::vector<TraceColumn>& all = VolumeHaptics::GetRecordingColumns();
@@ -81,7 +81,7 @@ TEST(TraceColumns, OfARecordingHoldThoseOfATrace)
     offsetof(VolumeHaptics::RecordingRow, Trace) + offsetof(VolumeHaptics::TraceRow, Proxy));
 }
 
-/// Forces are in N, spring constants in N/m, torques in N m, work in J.
+/// Forces must be in N, spring constants in N/m, torques in N m, and work in J.
 TEST(TraceColumns, HaveTheUnitsOfTheirQuantities)
 {
   const std::map<std::string, std::string> units = { { "Time", " (s)" }, { "Tip", " (world)" },
@@ -122,7 +122,7 @@ TEST(ContactRows, ComeBackAsTheyWere)
   }
 }
 
-/// A file may hold numbers that no tick computes, so each number is checked.
+/// A file may hold numbers that no tick computes, so each number must be checked.
 TEST(ContactRows, RefuseWhatNoTickComputes)
 {
   const ContactRow good{ 5.0, 1e-3, 2e-3, 3e-3, 4e-4, 5e-5, 6e-6, 7e9, 8e4, 1.0 };

@@ -63,7 +63,7 @@ double ToNumber(const std::string& text)
   return number;
 }
 
-/// German numbers: a decimal comma, and points between thousands.
+/// German numbers, with a decimal comma and points between thousands.
 class GermanNumbers : public std::numpunct<char>
 {
 protected:
@@ -72,7 +72,7 @@ protected:
   std::string do_grouping() const override { return "\3"; }
 };
 
-/// Makes a trace of two ticks with an array of each shape.
+/// Makes a trace of two ticks, which has an array of each shape.
 vtkSmartPointer<vtkPolyData> MakeTrace()
 {
   auto trace = vtkSmartPointer<vtkPolyData>::New();
@@ -190,7 +190,7 @@ TEST(TraceWriter, LeavesTheOldFileIfItCannotWrite)
   EXPECT_FALSE(WriteTracePolyData(MakeTrace(), file + ".vtp", error));
   EXPECT_NE(error.find(folder), std::string::npos) << error;
 
-  // A folder with the file's name can't be replaced, and no other file may be left beside it.
+  // A folder with the file's name can't be replaced. Writing must leave no other file beside it.
   ASSERT_TRUE(vtksys::SystemTools::MakeDirectory(file + ".csv/inside"));
   error.clear();
   EXPECT_FALSE(WriteTraceTable(MakeTrace(), file + ".csv", error));

@@ -32,7 +32,7 @@ TickRecord MakeRecord(const Vector3& tip, const Vector3& force)
   return record;
 }
 
-/// Returns the unit quaternion of a turn about z.
+/// Returns the unit quaternion of a turn about z by this angle (rad).
 Quaternion TurnAboutZ(double angle)
 {
   return { std::cos(0.5 * angle), 0.0, 0.0, std::sin(0.5 * angle) };
@@ -58,7 +58,7 @@ TEST(WorkMeter, OfAConstantForceIsForceTimesWay)
     << "a force that rises at rest does no work";
 }
 
-/// A spring of stiffness k takes k/2 (x2^2 - x1^2) from the hand, in steps of any length.
+/// A spring of stiffness k takes the work k/2 (x2^2 - x1^2) from the hand, in steps of any length.
 TEST(WorkMeter, OfASpringIsItsPotential)
 {
   constexpr double k = 800.0;
@@ -71,7 +71,8 @@ TEST(WorkMeter, OfASpringIsItsPotential)
   EXPECT_NEAR(work, -0.5 * k * (0.007 * 0.007 - 0.001 * 0.001), 1e-15);
 }
 
-/// Around a circle of radius r, friction of size f takes 2 pi r f; a central spring takes nothing.
+/// Around a circle of radius r, a friction force f takes the work 2 pi r f; a central spring takes
+/// none.
 TEST(WorkMeter, AroundACircleIsThatOfFriction)
 {
   constexpr int steps = 4000;
@@ -89,8 +90,8 @@ TEST(WorkMeter, AroundACircleIsThatOfFriction)
     byFriction = friction.Add(MakeRecord(r * out, -f * along));
     bySpring = spring.Add(MakeRecord(r * out, -500.0 * r * out));
   }
-  // A chord is shorter than its arc by the fraction (angle/2)^2/6, and the mean force is smaller by
-  // the same fraction.
+  // For a step of angle a = 2 pi/4000, the chord is shorter than its arc by the fraction (a/2)^2/6,
+  // and the mean of the two forces is smaller by (a/2)^2/2: 4e-7 in all.
   EXPECT_NEAR(byFriction, -FullTurn * r * f, FullTurn * r * f * 2e-6);
   EXPECT_NEAR(bySpring, 0.0, 1e-15);
 }
@@ -103,7 +104,7 @@ TEST(WorkMeter, OfATorqueIsTorqueTimesAngle)
   double work = 0.0;
   for (int i = 0; i <= 100; ++i)
   {
-    // A torque across the turn's axis does no work.
+    // A torque across the axis of the turn does no work.
     work = meter.Add(MakeTurn(0.09 * i, { 0.5, 0.1, torque }));
   }
   EXPECT_NEAR(work, torque * 9.0, 1e-14);
@@ -114,7 +115,7 @@ TEST(WorkMeter, OfATorqueIsTorqueTimesAngle)
   EXPECT_NEAR(work, 0.0, 1e-14) << "there and back";
 }
 
-/// q and -q are one orientation, and a torsion spring has the potential kappa/2 angle^2.
+/// q and -q are the same orientation. A torsion spring has the potential kappa/2 angle^2.
 TEST(WorkMeter, OfATorsionSpringIsItsPotentialWhateverTheSignOfQuaternions)
 {
   constexpr double kappa = 0.05;
@@ -134,7 +135,7 @@ TEST(WorkMeter, OfATorsionSpringIsItsPotentialWhateverTheSignOfQuaternions)
   EXPECT_NEAR(work, -0.5 * kappa * 4.0, 1e-14);
 }
 
-/// A position that was not measured does no work; the next motion between measured positions counts
+/// A position that was not measured does no work. The next motion between measured positions counts
 /// again.
 TEST(WorkMeter, LeavesOutWhatIsNotMeasured)
 {

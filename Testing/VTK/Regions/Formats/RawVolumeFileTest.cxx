@@ -95,7 +95,7 @@ void ExpectUnread(vtkHapticRegionSource* source, const std::vector<std::string>&
   }
 }
 
-/// Returns a line of /proc/self/status, in MiB.
+/// Returns a memory size in /proc/self/status (MiB).
 double StatusOf(const std::string& name)
 {
   std::ifstream status("/proc/self/status");
@@ -166,7 +166,7 @@ TEST(RawVolumeFile, ThatIsNoneIsToldWithoutHanging)
   ExpectUnread(OpenFile("/nowhere/Bone.raw", VTK_SHORT), { "/nowhere/Bone.raw", "No such file" });
 }
 
-/// Writes a header, and returns a source that has opened it; null if that fails.
+/// Writes a header, and returns a source that has opened it. Returns null if that fails.
 vtkSmartPointer<vtkHapticRegionSource> OpenHeader(
   const std::string& name, const std::string& text, std::string& error)
 {
@@ -176,7 +176,7 @@ vtkSmartPointer<vtkHapticRegionSource> OpenHeader(
   return source->OpenFile(path.c_str(), error) ? source : nullptr;
 }
 
-/// Expects all samples in the order of the file, and the corner at (1, 2, 3) at a place.
+/// Expects all samples in the order of the file, and the sample (1, 2, 3) at the position `corner`.
 void ExpectOpened(vtkHapticRegionSource* source, int type, const Point& corner)
 {
   ASSERT_TRUE(source);
@@ -203,9 +203,9 @@ void ExpectOpened(vtkHapticRegionSource* source, int type, const Point& corner)
   }
 }
 
-// The places are computed by hand from the formats' descriptions. MetaImage has the direction of
-// index axis c in row c of its matrix, NRRD has the step along axis c in its vector c. Half a turn
-// about z takes right-anterior-superior to left-posterior-superior.
+// The positions are computed by hand from the descriptions of the formats. MetaImage has the
+// direction of index axis c in row c of its matrix; NRRD has the step along axis c in its vector c.
+// A turn by 180 degrees about z takes right-anterior-superior to left-posterior-superior.
 TEST(RawVolumeFile, IsOpenedByTheHeaderOfAMetaImageOrANrrd)
 {
   const std::string meta = "ObjectType = Image\nNDims = 3\nDimSize = 12 10 9\n"
@@ -272,8 +272,8 @@ TEST(RawVolumeFile, OfFortyGigabytesIsFeltInALittleMemory)
   const int file = open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   ASSERT_GE(file, 0);
   ASSERT_EQ(ftruncate(file, off_t{ 2 } * size * size * size), 0) << "40 GB, without taking them";
-  // Writes a ball in the middle of the file, and to an image that knows of which volume it is a
-  // part.
+  // Writes a ball into the middle of the file, and also into an image that tells its place in the
+  // volume.
   vtkNew<vtkImageData> part;
   part->SetExtent(first, first + side - 1, first, first + side - 1, first, first + side - 1);
   part->AllocateScalars(VTK_SHORT, 1);
@@ -313,7 +313,7 @@ TEST(RawVolumeFile, OfFortyGigabytesIsFeltInALittleMemory)
   std::vector<Point> points;
   for (int t = 0; t < 20000; ++t)
   {
-    // The path goes around the ball, in and out of it.
+    // The path goes around the ball, and in and out of it.
     const double angle = 0.0009 * t;
     const double tilt = 0.7 * std::sin(0.0004 * t);
     const double r = 80.0 + 2.0 * std::sin(0.01 * t);

@@ -155,7 +155,7 @@ TEST_F(DisplayRoom, PlotKeepsClearOfOrientationAxes)
 {
   this->Display->TextVisibilityOff();
   this->Display->AddStates(scenetest::MakeStates(0.0, 5.0, [](double) { return 1.0; }));
-  // These axes stand for those of ParaView and of vtkOrientationMarkerWidget.
+  // This renderer stands for the orientation axes of ParaView and of vtkOrientationMarkerWidget.
   vtkNew<vtkRenderer> axes;
   vtkNew<vtkActor> arrows;
   axes->AddViewProp(arrows);
@@ -182,8 +182,8 @@ TEST_F(DisplayRoom, PlotKeepsClearOfOrientationAxes)
   }
 }
 
-/// Limits the renderer to the upper 65 % of the window, as beside a function editor: the plot draws
-/// as much as in a window of that size.
+/// Limits the renderer to the upper 65 % of the window, as a function editor does. The plot must
+/// draw as much as in a window of that size.
 TEST_F(DisplayRoom, PlotHasItsCurvesInAPartOfTheWindow)
 {
   this->Display->TextVisibilityOff();
@@ -207,7 +207,7 @@ TEST_F(DisplayRoom, PlotHasItsCurvesInAPartOfTheWindow)
   EXPECT_NEAR(sum(this->Pixels(0, 700, 196, 560)), alone, 1e-3 * alone);
 }
 
-// On a screen with twice the dots per inch, a window with twice the pixels looks the same.
+// On a screen with twice the dots per inch, a window with twice the pixels must look the same.
 TEST_F(DisplayRoom, TwiceTheDotsPerInchDrawTwiceAsLarge)
 {
   this->Display->SetHint("Put the pointer on the volume and press t to touch it");
@@ -226,7 +226,7 @@ TEST_F(DisplayRoom, TwiceTheDotsPerInchDrawTwiceAsLarge)
   ASSERT_GT(panel, 200);
   this->Window->SetDPI(2 * this->Window->GetDPI());
   const Ink large = this->Read(1400, 1120);
-  // Tolerance (pixels): margins keep their width, and letters are fitted to whole pixels.
+  // Tolerance (pixels): margins keep their width, and letters have whole numbers of pixels.
   constexpr double rounding = 16.0;
   EXPECT_NEAR(panelRight(), 2 * panel, 2 * rounding);
   EXPECT_NEAR(large.Left, 2 * small.Left, rounding);
@@ -235,13 +235,14 @@ TEST_F(DisplayRoom, TwiceTheDotsPerInchDrawTwiceAsLarge)
   ExpectInside(large, 1400, 1120);
 }
 
-/// A slice in a third of a window of 700 pixels, and a list over it: letters that are readable with
-/// 72 dots per inch are larger with 144, though the window is not.
+/// Fits letters to a slice in a third of a window of 700 pixels, and to a list over the window.
+/// With 144 dots per inch, letters must have more pixels than with 72, although the window has not
+/// grown.
 TEST_F(DisplayRoom, LettersOfSlicesAndListsGrowWithTheDots)
 {
   using VolumeHaptics::FitLetters;
   EXPECT_GT(2 * FitLetters(233, 15, 2.0, 9, 14), FitLetters(233, 15, 1.0, 9, 14));
   EXPECT_GT(2 * FitLetters(700, 34, 2.0, 11, 18), FitLetters(700, 34, 1.0, 11, 18));
-  // Where there is room for a few letters only, they become smaller.
+  // Where only a few letters have room, they become smaller.
   EXPECT_EQ(FitLetters(100, 15, 2.0, 9, 14), 6);
 }

@@ -57,7 +57,7 @@ TEST_F(HeadUpDisplay, ForgetsWhatIsOlderThanItsSpan)
       << second;
   }
   EXPECT_LT(this->Largest(1), 1.0);
-  // Time begins at 0 again when the device is started anew: older states are forgotten.
+  // After a new start of the device, time begins at 0 again, and older states are dropped.
   this->Display->AddStates(scenetest::MakeStates(0.0, 0.5, early));
   EXPECT_EQ(VolumeHaptics::DisplayProbe::CountStates(this->Display), 500);
   this->Display->Clear();
@@ -106,7 +106,7 @@ TEST_F(HeadUpDisplay, TakesNoStatesThatNoAxisCanShow)
   EXPECT_EQ(this->Largest(1), 1.0);
   this->Display->SetTimeSpan(5.0);
 
-  // Absurd forces, as a bad function gives them, leave the axis of the plot finite.
+  // Absurd forces, which bad functions can give, must leave the axis of the plot finite.
   for (const double force : { std::nan(""), HUGE_VAL, 1e308 })
   {
     const auto absurd = [force](double t) { return t > 0.05 ? force : 1.0; };
@@ -163,7 +163,7 @@ TEST_F(HeadUpDisplay, SaysWhatTheDeviceDoes)
   ASSERT_TRUE(this->LeadInto(7.0));
   EXPECT_EQ(this->Display->GetText().find("ticks"), std::string::npos);
   this->Display->DetailsVisibilityOn();
-  // The virtual device gives at most 20 N; the default limit is half of that, 10 N.
+  // The virtual device gives at most 20 N. The default limit is half of that, 10 N.
   for (const char* words :
     { "Resting on soft, 1.00 N of at most 10 N\n", "Value ", " ticks/s, ", " missed" })
   {
@@ -172,7 +172,7 @@ TEST_F(HeadUpDisplay, SaysWhatTheDeviceDoes)
       << words << " in\n"
       << this->Display->GetText();
   }
-  // The text names the tissue that AddTissue() assigned to the value, here shifted by 400.
+  // The text must name the tissue that AddTissue() assigned to the value, here shifted by 400.
   this->Filter->GetProperty()->SetScalarShift(400.0);
   EXPECT_TRUE(this->Wait([&] { return this->Display->GetText().find("Resting on hard") == 0; }))
     << this->Display->GetText();
@@ -186,7 +186,8 @@ TEST_F(HeadUpDisplay, SaysWhatTheDeviceDoes)
   EXPECT_EQ(this->Display->GetTissueName(10.0), "");
 }
 
-/// A mouse moves the tip in steps, so most ticks of a stroke rest: the text still says "Sliding".
+/// A mouse moves the tip in steps, so most ticks of a stroke are at rest. The text must still say
+/// "Sliding".
 TEST_F(HeadUpDisplay, SaysThatAHandSlidesBetweenTheStepsOfAMouse)
 {
   const auto add = [this](double from, double to, int contact)
@@ -227,8 +228,8 @@ TEST_F(HeadUpDisplay, NamesTissuesAsTheEditorDoes)
   const double value = this->Device->GetState()->GetSurfaceValue();
   property->AddTissue("all", value - 1.0, value + 1.0);
   EXPECT_TRUE(says("Resting on all, ")) << this->Display->GetText();
-  // A change of the tissues takes effect at once. A value outside all tissues gets the name of the
-  // nearest one.
+  // A change of the tissues must take effect at once. A value outside all tissues gets the name of
+  // the nearest tissue.
   property->RemoveAllTissues();
   property->AddTissue("low", -500.0, 0.0);
   property->AddTissue("high", 100.0, 500.0);
@@ -236,7 +237,7 @@ TEST_F(HeadUpDisplay, NamesTissuesAsTheEditorDoes)
   EXPECT_EQ(this->Display->GetTissueName(49.0), "low");
   EXPECT_EQ(this->Display->GetTissueName(51.0), "high");
   EXPECT_EQ(this->Display->GetTissueName(1e9), "high");
-  // The values of the surface are blends of both sides.
+  // Values at the surface are blends of both sides, so the text names the tissue below the surface.
   const double* const spacing = this->Image->GetSpacing();
   double below[3];
   for (int i = 0; i < 3; ++i)
@@ -253,7 +254,8 @@ TEST_F(HeadUpDisplay, NamesTissuesAsTheEditorDoes)
   EXPECT_TRUE(says("Resting on fat, ")) << this->Display->GetText();
 }
 
-/// With "CT physical", whatever holds between air and fat is called skin, and a blanket is not.
+/// With "CT physical", values between air and fat that hold the hand are called skin; a blanket is
+/// not.
 TEST_F(HeadUpDisplay, CallsSkinWhatHoldsAsSkin)
 {
   vtkHapticProperty* const property = this->Filter->GetProperty();
@@ -299,7 +301,8 @@ TEST_F(HeadUpDisplay, SaysThatAHandRestsWhereItsFrictionIsAtTheLimit)
     << this->Display->GetText();
 }
 
-/// A flow along x resists a hand that moves 2 mm along z with 1 N; the text names no surface.
+/// A flow along x resists a hand that moves 2 mm along z with 1 N. The text must not name a
+/// surface.
 TEST_F(HeadUpDisplay, NamesNoSurfaceWhereModesAreFelt)
 {
   vtkNew<vtkDoubleArray> flow;
@@ -332,7 +335,7 @@ TEST_F(HeadUpDisplay, NamesNoSurfaceWhereModesAreFelt)
 TEST_F(HeadUpDisplay, NamesTheLabelThatIsTouched)
 {
   // Layers of 0.5 mm across z, as wide as the volume, are numbered downwards from z = 15.5 mm. The
-  // table names every second layer.
+  // table has names for every second layer.
   vtkNew<vtkImageData> labels;
   labels->SetDimensions(2, 2, 32);
   labels->SetSpacing(20.0, 20.0, 0.5);
@@ -360,7 +363,7 @@ TEST_F(HeadUpDisplay, NamesTheLabelThatIsTouched)
   const std::string name = layer % 2 == 0 ? " layer " + std::to_string(layer) + " \xC3\xB6, "
                                           : " label " + std::to_string(layer) + ", ";
   EXPECT_NE(this->Display->GetText().find(name), std::string::npos) << this->Display->GetText();
-  // A label without a name, and a place outside of the label image, get the name of the tissue at
+  // If a label has no name, or if the hand is outside the label image, the text names the tissue at
   // the value ("ramp").
   table->RemoveLabel(layer);
   EXPECT_NE(this->Display->GetText().find(" ramp, "), std::string::npos);

@@ -42,7 +42,7 @@ protected:
   vtkNew<vtkHapticHeadUpDisplay> Display;
 };
 
-/// Skin from z = 4.5 mm, fat from 9.5 mm, and an artery from 14.5 mm, which is forbidden.
+/// Tests with skin from z = 4.5 mm, fat from 9.5 mm, and a forbidden artery from 14.5 mm.
 class NeedleReadout : public ToolReadout
 {
 protected:
@@ -92,7 +92,7 @@ protected:
 TEST_F(NeedleReadout, TellsDepthAngleLayersAndForbiddenTouches)
 {
   this->Begin();
-  // The stylus leans by 0.2 rad from upright.
+  // The stylus leans by 0.2 rad from the vertical.
   ASSERT_TRUE(this->Lead(7.0, 7.0, 3.0));
   this->Device->GetVirtualHand()->SetOrientation(std::sin(0.1), std::cos(0.1), 0.0, 0.0);
   ASSERT_TRUE(this->ArmFully());
@@ -111,7 +111,7 @@ TEST_F(NeedleReadout, TellsDepthAngleLayersAndForbiddenTouches)
   ASSERT_TRUE(this->LeadInto(17.0));
   ASSERT_TRUE(this->Says("forbidden tissue touched 2 times")) << this->Display->GetText();
   EXPECT_NEAR(this->Number("Angle"), 0.2 * 57.29577951, 0.2);
-  // The leaning needle ends at the artery, 10 mm below the skin.
+  // The leaning needle must end at the artery, 10 mm below the skin.
   EXPECT_NEAR(this->Number("Depth"), 10.0 / std::cos(0.2), 0.3);
   EXPECT_NEAR(this->Number("ShaftForce"), 0.02 * this->Number("Depth"), 1e-3);
   char deep[32];
@@ -119,7 +119,7 @@ TEST_F(NeedleReadout, TellsDepthAngleLayersAndForbiddenTouches)
     deep, sizeof(deep), "Needle %.1f mm deep", this->Device->GetState()->GetNeedleDepth());
   EXPECT_TRUE(this->Says(deep)) << this->Display->GetText();
 
-  // The track of the needle survives writing and reading a VTP file.
+  // Writing and reading a VTP file must keep the track of the needle.
   const std::string file = this->File("track.vtp");
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(this->Track);
@@ -146,7 +146,8 @@ TEST_F(NeedleReadout, TellsDepthAngleLayersAndForbiddenTouches)
   EXPECT_EQ(read->GetFieldData()->GetArray("ForbiddenTouches")->GetComponent(0, 0), 2.0);
 }
 
-/// Pressing the far end of a bar turns the hand; without contact, no torque is shown.
+/// Presses the far end of a bar, which turns the hand. Without contact, the text must show no
+/// torque.
 TEST_F(ToolReadout, TellsTheTorqueOnAShape)
 {
   vtkNew<vtkCubeSource> bar;

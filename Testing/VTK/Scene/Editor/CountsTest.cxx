@@ -30,7 +30,7 @@ using namespace VolumeHaptics;
 
 namespace
 {
-constexpr vtkIdType Many = 2500000; // more than two pieces
+constexpr vtkIdType Many = 2500000; // values; more than two pieces
 
 bool GoOn(double fraction)
 {
@@ -39,7 +39,7 @@ bool GoOn(double fraction)
   return true;
 }
 
-/// Draws from a steep distribution around 300; about one value in a million is far away, at 2000.
+/// Draws from a narrow distribution around 300. About one value in a million is far away, at 2000.
 double Draw(std::mt19937& random)
 {
   std::normal_distribution<double> normal(300.0, 40.0);
@@ -128,8 +128,8 @@ TEST(Counts, LeaveOutWhatIsNotFinite)
 
 TEST(Counts, OfSpreadSamplesHaveTheSameFractions)
 {
-  // Each row of 512 values has 256 zeros and then 256 values of 100: samples at even steps would
-  // see only one half.
+  // Each row of 512 values has 256 zeros and then 256 values of 100. Samples at even steps would
+  // see only one of them.
   vtkNew<vtkShortArray> array;
   array->SetNumberOfValues(1 << 23);
   for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
@@ -145,8 +145,8 @@ TEST(Counts, OfSpreadSamplesHaveTheSameFractions)
 
 TEST(Counts, OfSpreadSamplesSeeAllColumnsInFewPages)
 {
-  // Each value is its own index. 2048 random samples would miss 512 exp(-4), about 9, of the 512
-  // columns. A page of 4 KiB holds 1024 values.
+  // Each value is its own index. Of the 512 columns, 2048 random samples would miss 512 exp(-4),
+  // about 9. A page of 4 KiB holds 1024 values.
   constexpr vtkIdType columns = 512;
   vtkNew<vtkIntArray> numbers;
   numbers->SetNumberOfValues(1 << 23);

@@ -74,7 +74,7 @@ protected:
   }
   vtkPiecewiseFunction* Get() { return this->Property->GetStiffness(); }
   /// Returns the pixel of a value and a stiffness. Renders first, since the editor converts with
-  /// the last frame's layout.
+  /// the layout of the last frame.
   Place At(double value, double stiffness)
   {
     this->Window->Render();
@@ -129,7 +129,7 @@ TEST_F(FunctionEdits, ADraggedPointIsWhereTheMouseIs)
   }
 }
 
-/// Points keep their order, and the end points keep their values, so the function stays
+/// Points must keep their order, and the end points their values, so that the function stays
 /// single-valued.
 TEST_F(FunctionEdits, APointPassesNoOtherOneAndEndsMoveUpAndDown)
 {
@@ -159,8 +159,8 @@ TEST_F(FunctionEdits, AClickAddsAPointAndTheMiddleButtonRemovesIt)
   EXPECT_EQ(nodes[2][0], 400.0);
 }
 
-/// Clicks of the right button select points; a drag beside the points moves the selected points
-/// together.
+/// Clicks of the right button select points. A drag beside the points then moves the selected
+/// points together.
 TEST_F(FunctionEdits, SelectedPointsMoveTogether)
 {
   this->Click(this->At(-200.0, 300.0), Right);
@@ -171,13 +171,13 @@ TEST_F(FunctionEdits, SelectedPointsMoveTogether)
   ASSERT_EQ(nodes.size(), 4u);
   EXPECT_NEAR(nodes[1][0], -100.0, 1.01 * this->GetPixel()[0]);
   EXPECT_NEAR(nodes[1][1], 400.0, 1.01 * this->GetPixel()[1]);
-  constexpr double rounding = 2e-4; // charts have positions of single precision
+  constexpr double rounding = 2e-4; // charts have positions in single precision
   EXPECT_NEAR(nodes[2][0] - 400.0, nodes[1][0] + 200.0, rounding);
   EXPECT_NEAR(nodes[2][1] - 700.0, nodes[1][1] - 300.0, rounding);
   EXPECT_EQ(nodes[3][1], 900.0) << "not selected";
 }
 
-/// Showing an empty function must not add points, which would change what is felt.
+/// Showing an empty function must not add points, which would change the force.
 TEST_F(FunctionEdits, AnEmptyFunctionStaysEmptyUntilAPointIsAdded)
 {
   this->Get()->RemoveAllPoints();
@@ -195,7 +195,8 @@ TEST_F(FunctionEdits, AnEmptyFunctionStaysEmptyUntilAPointIsAdded)
   EXPECT_EQ(this->Get()->GetSize(), 0);
 }
 
-/// Makes 130 edits, of which the last 100 are kept; undo and redo restore each state to the bit.
+/// Makes 130 edits, of which the editor keeps the last 100. Undo and redo must restore each state
+/// to the bit.
 TEST_F(FunctionEdits, AreTakenBackAndDoneAgainToTheBit)
 {
   std::mt19937 random(3);
@@ -241,8 +242,8 @@ TEST_F(FunctionEdits, AreTakenBackAndDoneAgainToTheBit)
   EXPECT_EQ(CopyNodes(this->Get()), states[130]);
 }
 
-/// The editor sends one event for each change, so that a device publishes it, and none without a
-/// change.
+/// The editor must send one event for each change, so that a device publishes it, and no event
+/// without a change.
 TEST_F(FunctionEdits, TellOfChangesOnly)
 {
   const Place point = this->At(-200.0, 300.0);

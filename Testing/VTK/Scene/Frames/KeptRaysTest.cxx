@@ -28,7 +28,7 @@ using namespace carvedtest;
 
 namespace
 {
-/// A window with a volume and two balls, which stand for a stylus and an arrow. Counts the rays
+/// A window with a volume and two balls, which stand for a stylus and an arrow. It counts the rays
 /// that its mapper casts.
 class Drawn
 {
@@ -53,7 +53,7 @@ public:
     this->Count->SetClientData(this);
     this->Count->SetCallback(
       [](vtkObject*, unsigned long, void* self, void*) { static_cast<Drawn*>(self)->CountRays(); });
-    // Runs after the observer that chooses the rows to cast.
+    // Counts after the observer that chooses the rows to cast.
     this->Mapper->AddObserver(vtkCommand::VolumeMapperRenderStartEvent, this->Count, -1.0F);
   }
   void Move(std::array<double, 3> first, std::array<double, 3> second)
@@ -102,8 +102,8 @@ class KeptRaysTest : public testing::Test
 protected:
   using Change = std::function<void(Drawn&)>;
 
-  /// Applies the change to both windows and expects the same picture. Returns the number of rays
-  /// cast by the window that keeps rays, and by the one that casts all of them.
+  /// Applies the change to both windows, and expects the same picture. Returns the numbers of cast
+  /// rays: first of the window that keeps rays, then of the window that casts all rays.
   std::pair<int, int> Compare(const Change& change, const std::string& what)
   {
     change(this->Kept);
@@ -113,7 +113,7 @@ protected:
     this->Before = whole;
     return { this->Kept.Rays, this->Whole.Rays };
   }
-  /// Applies the change and interrupts the next frame.
+  /// Applies the change, and interrupts the next frame.
   void Interrupt(const Change& change)
   {
     change(this->Kept);
@@ -127,7 +127,7 @@ protected:
     this->Kept.Mapper->RemoveObserver(interrupt);
     EXPECT_NE(this->Kept.Scene.Window->GetAbortRender(), 0);
   }
-  /// Expects that the change makes all rays be cast, and alters the picture.
+  /// Expects that all rays are cast after the change, and that the picture differs.
   void ExpectAnew(const Change& change, const std::string& what)
   {
     this->Compare([](Drawn&) {}, "before " + what);
@@ -155,7 +155,7 @@ TEST_F(KeptRaysTest, AHandThatMovesChangesTheRaysThatItMeets)
   EXPECT_TRUE(this->Rays.IsCurrent());
   EXPECT_EQ(this->Compare([](Drawn&) {}, "nothing has moved").first, 0);
   int most = 0;
-  for (int i = 0; i <= 40; ++i) // from in front of the volume, through it, to a place behind it
+  for (int i = 0; i <= 40; ++i) // from the front of the volume, through it, to its back
   {
     const double way = i / 40.0;
     const auto move = [way](Drawn& drawn)
@@ -317,7 +317,7 @@ TEST_F(KeptRaysTest, AMapperThatHasDrawnElsewhereBeginsAnew)
   EXPECT_FALSE(this->Rays.IsCurrent());
   const auto [rays, all] = this->Compare([](Drawn&) {}, "after");
   EXPECT_EQ(rays, all);
-  // The coarse image that the rays keep is still valid.
+  // The coarse image of earlier frames is still valid, so no rays are cast.
   const auto coarse = [](Drawn& d) { d.Mapper->SetImageSampleDistance(1.0F); };
   EXPECT_EQ(this->Compare(coarse, "coarsely again").first, 0);
 }
@@ -365,7 +365,7 @@ TEST_F(KeptRaysTest, MotionGoesOnAfterAnInterruptedFrameAtRest)
     EXPECT_LT(rays, all / 2);
     EXPECT_GT(rays, 0);
   }
-  // The look changes while the motion pauses: all rays are cast.
+  // The look changes while the motion pauses, so all rays must be cast.
   this->Interrupt(
     [&](Drawn& d)
     {
@@ -374,7 +374,7 @@ TEST_F(KeptRaysTest, MotionGoesOnAfterAnInterruptedFrameAtRest)
     });
   const auto [rays, all] = this->Compare(coarse, "another look");
   EXPECT_EQ(rays, all);
-  // The window gets another size while the motion pauses: all rays are cast.
+  // The window's size changes while the motion pauses, so all rays must be cast.
   this->Interrupt(fine);
   for (Drawn* const drawn : { &this->Kept, &this->Whole })
   {

@@ -23,7 +23,7 @@ namespace scenetest
 constexpr double InMotion = 15.0;
 constexpr double AtRest = 0.001;
 
-/// Waits until the X server has handled all requests; its events are then in X11's queue.
+/// Waits until the X server has handled all requests. After this, their events are in X11's queue.
 inline void AwaitServer(vtkRenderWindow* window)
 {
   using Sync = int (*)(void* display, int);
@@ -32,8 +32,7 @@ inline void AwaitServer(vtkRenderWindow* window)
 }
 
 /// Sends a mouse motion to the window with XSendEvent(), since the pointer may be over a window of
-/// another test. X11's header isn't included, because it defines macros that would break other
-/// tests.
+/// another test. X11's header is not included, because its macros would break other tests.
 inline void SendMotion(vtkRenderWindow* window)
 {
   using Send = int (*)(void* display, unsigned long window, int, long, void* event);
@@ -55,7 +54,7 @@ inline void SendMotion(vtkRenderWindow* window)
   AwaitServer(window);
 }
 
-/// Removes one event of this type for the window from X11's queue; returns false if there is none.
+/// Removes one event of this type for the window from X11's queue. Returns false if there is none.
 inline bool DrainEvent(vtkRenderWindow* window, int type)
 {
   using Take = int (*)(void* display, unsigned long window, int, void* event);
@@ -66,7 +65,8 @@ inline bool DrainEvent(vtkRenderWindow* window, int type)
            reinterpret_cast<unsigned long>(window->GetGenericWindowId()), type, event) != 0;
 }
 
-/// Makes a mapper slow: each progress report, which one thread sends every eight rows, sleeps.
+/// Makes a mapper slow: it sleeps in each progress report. One thread sends a report every eight
+/// rows.
 class SlowRows
 {
 public:
@@ -87,7 +87,7 @@ public:
     mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, this->Wait, 1.0f);
   }
 
-  int Slowness; ///< sleep in each report, ms
+  int Slowness; ///< sleep (ms) in each report
   int Move = 0; ///< number of the report during which the mouse moves; 0: none
   int Count = 0;
 
@@ -113,7 +113,7 @@ protected:
         std::this_thread::sleep_for(
           std::chrono::milliseconds(static_cast<StyleQualityTest*>(self)->Slowness));
       });
-    this->Window->AddObserver(vtkCommand::EndEvent, wait, 1.0f); // before the style's observer runs
+    this->Window->AddObserver(vtkCommand::EndEvent, wait, 1.0f); // before the observer of the style
   }
   ~StyleQualityTest() override { this->Interactor->SetInteractorStyle(nullptr); }
 
@@ -147,7 +147,7 @@ protected:
   }
 
   vtkNew<vtkVolume> Volume;
-  int Slowness = 0; ///< sleep in each frame, ms
+  int Slowness = 0; ///< sleep (ms) in each frame
 };
 } // namespace scenetest
 

@@ -35,7 +35,7 @@ protected:
       });
     this->Window->AddObserver(vtkCommand::StartEvent, note);
   }
-  /// Fires the style's timer for some milliseconds, as an interactor's loop does; calls `between`
+  /// Fires the style's timer for this time (ms), as an interactor's loop does. Calls `between`
   /// before each event.
   template <typename F>
   void Time(int milliseconds, F&& between)
@@ -47,7 +47,8 @@ protected:
     for (int i = 0; Clock::now() < end; ++i)
     {
       between(i);
-      // Waits until the servo has felt a motion of the hand, since only then is it drawn.
+      // Waits until the servo has felt a motion of the hand, since the motion is drawn only after
+      // that.
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
       this->Interactor->InvokeEvent(vtkCommand::TimerEvent, &this->Timer);
     }
@@ -64,13 +65,13 @@ protected:
     ASSERT_TRUE(this->Device->Start());
     this->Pointer(150, 150);
     this->Style->TouchModeOn();
-    this->Time(800, [](int) {}); // runs until the hand is armed and drawn, and the scene is at rest
+    this->Time(800, [](int) {}); // until the hand is armed and drawn, and the scene is at rest
   }
 
   int Timer = 1;
   int Quick = 0;
   int Still = 0;
-  int Slowness = 0; ///< sleep in each frame, ms
+  int Slowness = 0; ///< sleep (ms) in each frame
 };
 } // namespace
 
@@ -96,8 +97,9 @@ TEST_F(StylePaceTest, DrawsWellOnceAtRestAndThenForTheFigures)
   EXPECT_EQ(this->Quick, 0);
 }
 
-// Without this gap, each of thirty waiting mouse motions would be drawn in a frame of its own, and
-// a key that was pressed after them would be handled 30 frames late.
+// After a slow frame, the style leaves a gap for input. Without this gap, thirty waiting mouse
+// motions would be drawn in thirty frames, and a key pressed after them would be handled 30 frames
+// late.
 TEST(RenderPace, LeavesTimeForInputAfterASlowFrame)
 {
   using VolumeHaptics::HapticRenderPace;
@@ -190,7 +192,7 @@ TEST_F(StylePaceTest, AMotionOfTheMouseDrawsWhileTimersAreLate)
     this->Quick = 0;
     this->Pointer(150 + 6 * (i % 4), 150);
     drawn += this->Quick;
-    // The timer draws the motion that followed a pause.
+    // The timer draws the motion after a pause.
     this->Interactor->InvokeEvent(vtkCommand::TimerEvent, &this->Timer);
   }
   EXPECT_GE(drawn, 4) << "motions have left it to the timer";
@@ -199,7 +201,8 @@ TEST_F(StylePaceTest, AMotionOfTheMouseDrawsWhileTimersAreLate)
 TEST_F(StylePaceTest, LeavesTheFramesOfAWidgetAsQuickAsItWantsThem)
 {
   this->Start();
-  // vtkInteractorObserver::StartInteraction() sets this rate; VTK's widgets call it before a drag.
+  // VTK's widgets call vtkInteractorObserver::StartInteraction() before a drag, which sets this
+  // rate.
   this->Window->SetDesiredUpdateRate(this->Interactor->GetDesiredUpdateRate());
   this->Style->SetTouchMode(false); // leads to one frame at rest
   this->Time(800, [](int) {});

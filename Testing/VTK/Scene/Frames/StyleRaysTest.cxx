@@ -28,7 +28,7 @@ TEST_F(StyleRaysTest, AFrameThatTakesTooLongIsGivenUpWhileADeviceIsArmed)
   this->Draw(AtRest, 8);
   ASSERT_EQ(mapper->GetImageSampleDistance(), 1.0f);
   mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, sleep, 1.0f);
-  this->Renderer->GetActiveCamera()->Azimuth(10.0); // makes all rays be cast
+  this->Renderer->GetActiveCamera()->Azimuth(10.0); // so that all rays are cast
   this->Draw(AtRest, 1);
   EXPECT_EQ(this->Window->GetAbortRender(), 1);
   mapper->RemoveObserver(sleep);
@@ -37,8 +37,8 @@ TEST_F(StyleRaysTest, AFrameThatTakesTooLongIsGivenUpWhileADeviceIsArmed)
   EXPECT_GT(mapper->GetImageSampleDistance(), 1.0f);
 }
 
-/// Rows of 0.1 s would make a frame of 1.5 s, as its first rows show, so the frame is given up. The
-/// next frame is coarser, and the stroke keeps its rays.
+/// Rows take 0.1 s, so the first rows tell that the frame would take 1.5 s, and the style aborts
+/// the frame. The next frame must be coarser, and the stroke must keep its rays.
 TEST_F(StyleRaysTest, AFrameThatWouldTakeTooLongIsGivenUpSoonAndTheStrokeIsFine)
 {
   vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
@@ -53,7 +53,7 @@ TEST_F(StyleRaysTest, AFrameThatWouldTakeTooLongIsGivenUpSoonAndTheStrokeIsFine)
   this->Draw(AtRest, 8);
   ASSERT_EQ(mapper->GetImageSampleDistance(), 1.0f);
   SlowRows rows(mapper, 100);
-  this->Renderer->GetActiveCamera()->Azimuth(10.0); // makes all rays be cast
+  this->Renderer->GetActiveCamera()->Azimuth(10.0); // so that all rays are cast
   this->Draw(AtRest, 1);
   EXPECT_EQ(this->Window->GetAbortRender(), 1);
   EXPECT_LE(rows.Count, 5) << "of 15, of which 10 take 1 s";
@@ -83,7 +83,7 @@ TEST_F(StyleRaysTest, AFrameThatInputInterruptsTellsHowLongItWouldHaveTaken)
   ASSERT_EQ(mapper->GetImageSampleDistance(), 1.0f);
   SlowRows rows(mapper, 55);
   rows.Move = 5;
-  this->Renderer->GetActiveCamera()->Azimuth(10.0); // makes all rays be cast
+  this->Renderer->GetActiveCamera()->Azimuth(10.0); // so that all rays are cast
   this->Draw(AtRest, 1);
   EXPECT_EQ(this->Window->GetAbortRender(), 1);
   rows.Slowness = 0;
@@ -106,7 +106,7 @@ TEST_F(StyleRaysTest, TheFirstFrameInMotionIsAsCoarseAsThoseAtRestTell)
   mapper->AutoAdjustSampleDistancesOff();
   this->Show(mapper.GetPointer());
   this->Draw(AtRest, 1);
-  this->Renderer->GetActiveCamera()->Azimuth(10.0); // makes all rays be cast
+  this->Renderer->GetActiveCamera()->Azimuth(10.0); // so that all rays are cast
   this->Draw(AtRest, 1);
   this->Renderer->GetActiveCamera()->Azimuth(10.0);
   this->Draw(InMotion, 1);
@@ -171,7 +171,7 @@ TEST_F(StyleRaysTest, AWindowOfANewSizeIsDrawnCoarselyFirst)
   mapper->AutoAdjustSampleDistancesOff();
   mapper->SetNumberOfThreads(1);
   this->Show(mapper.GetPointer());
-  SlowRows rows(mapper, 20); // 15 of them take 0.3 s
+  SlowRows rows(mapper, 20); // 15 reports take 0.3 s
   this->Draw(AtRest, 1);
   ASSERT_EQ(mapper->GetImageSampleDistance(), 1.0f);
   this->Window->SetSize(140, 130);
@@ -185,7 +185,7 @@ TEST_F(StyleRaysTest, AWindowOfANewSizeIsDrawnCoarselyFirst)
   };
   EXPECT_FALSE(isFine()) << "more sizes may come";
   EXPECT_TRUE(Eventually(isFine)) << "after a rest";
-  // A script that sets the size and draws, without an ExposeEvent, gets all rays at once.
+  // A script that sets the size and draws, without an ExposeEvent, must get all rays at once.
   this->Window->SetSize(120, 120);
   this->Draw(AtRest, 1);
   EXPECT_EQ(mapper->GetImageSampleDistance(), 1.0f);
@@ -243,13 +243,13 @@ TEST_F(StyleRaysTest, InputInterruptsAFrameAtRest)
   this->Draw(AtRest, 1);
   EXPECT_EQ(this->Window->GetAbortRender(), 1);
   mapper->RemoveObserver(move);
-  // A frame in motion is short, and has to be shown: input does not interrupt it.
+  // A frame in motion is short and must be shown, so input does not interrupt it.
   this->Draw(InMotion, 1);
   EXPECT_EQ(this->Window->GetAbortRender(), 0);
 }
 
 /// After a frame that delays timers by about a second, the loop of VTK 9.1 would sleep until
-/// another event: the style sends one.
+/// another event comes, so the style sends an event.
 TEST_F(StyleRaysTest, TheLoopIsWokenAfterAFrameThatDelaysTimers)
 {
   constexpr int noExpose = 14;

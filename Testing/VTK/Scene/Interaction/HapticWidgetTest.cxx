@@ -39,10 +39,11 @@ protected:
     this->Counter->SetClientData(&this->Seen);
     this->Counter->SetCallback([](vtkObject*, unsigned long event, void* seen, void*)
       { ++(*static_cast<std::map<unsigned long, int>*>(seen))[event]; });
-    // The priority is above the style's, which grabs all events between a press and its release.
+    // The priority is above that of the style, which grabs all events between a press and its
+    // release.
     this->Interactor->AddObserver(vtkCommand::AnyEvent, this->Counter, 0.1f);
-    // Values below 0, outside of the ball, have no strength; the hand can't push through the
-    // inside.
+    // Values outside the ball are below 0, and have no strength. Inside, the strength is more than
+    // the hand can overcome.
     vtkPiecewiseFunction* const strength = this->Widget->GetProperty()->GetSurfaceStrength();
     strength->AddPoint(0.0, 0.0);
     strength->AddPoint(0.1, 8.0);
@@ -79,8 +80,8 @@ protected:
     this->Interactor->SetEventInformation(x, y);
     this->Interactor->InvokeEvent(event);
   }
-  /// Presses a key as toolkits send it: the key, then the typed character. Returns how many of the
-  /// two events reach the program.
+  /// Presses a key as toolkits do: sends the key, and then the typed character. Returns how many of
+  /// these two events reach the program.
   int Press(const char* symbol, char code = '\0', int shift = 0, int control = 0)
   {
     this->Seen.clear();
@@ -109,7 +110,7 @@ protected:
     this->Widget->On();
     ASSERT_TRUE(this->Widget->GetEnabled());
   }
-  /// Touches the middle of the picture with the key, and presses into the ball with the wheel.
+  /// Touches the middle of the picture by the key T, and presses into the ball with the wheel.
   void PushIn()
   {
     this->Pointer(150, 150);
@@ -141,7 +142,7 @@ protected:
         return this->GetForce() == 0.0;
       }));
   }
-  /// Returns the camera's position, which changes if the program's style has turned the camera.
+  /// Returns the camera's position, which tells whether the program's style has turned the camera.
   std::vector<double> GetView()
   {
     const double* const at = this->Renderer->GetActiveCamera()->GetPosition();
@@ -155,7 +156,7 @@ protected:
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkHapticWidget> Widget;
   vtkNew<vtkCallbackCommand> Counter;
-  std::map<unsigned long, int> Seen; ///< events that have reached the program
+  std::map<unsigned long, int> Seen; ///< number of events by type that have reached the program
   MessageLog Log{ this->Widget };
 };
 
@@ -172,8 +173,8 @@ TEST_F(HapticWidget, ThreeLinesMakeAProgramTouchable)
   this->Widget->GetProperty()->GetStiffness()->AddPoint(0.0, 500.0);
   this->Widget->On();
   this->PushIn();
-  // The ball has a radius of 30 mm. Four wheel steps of a voxel (1 mm) each take the tip below the
-  // first contact.
+  // The ball has a radius of 30 mm. Four steps of the wheel, one voxel (1 mm) each, take the tip
+  // below the first contact.
   const double* const tip = this->Widget->GetDevice()->GetState()->GetTipPosition();
   const double* const proxy = this->Widget->GetDevice()->GetState()->GetProxyPosition();
   EXPECT_NEAR(proxy[2], 30.0, 0.1) << "where it is seen";
@@ -186,7 +187,7 @@ TEST_F(HapticWidget, ThreeLinesMakeAProgramTouchable)
 
 TEST_F(HapticWidget, TheProgramGetsAllButTheActivationKeyWhileNothingIsTouched)
 {
-  // VTK's style grabs the events between a press and its release, with or without the widget.
+  // VTK's style grabs the events between a press and its release, with and without the widget.
   std::vector<int> alone;
   for (const unsigned long event : MouseEvents)
   {
@@ -216,20 +217,20 @@ TEST_F(HapticWidget, TheProgramGetsWhatTheTouchDoesNotUse)
   this->PushIn();
   for (const unsigned long event : MouseEvents)
   {
-    // The program gets the presses of the right and middle button; its style grabs the releases.
+    // The program gets presses of the right and the middle button; its style grabs their releases.
     const bool isTheirs =
       event == vtkCommand::RightButtonPressEvent || event == vtkCommand::MiddleButtonPressEvent;
     EXPECT_EQ(this->Count(event), isTheirs ? 1 : 0) << vtkCommand::GetStringFromEventId(event);
   }
-  // These keys belong to parts that this scene lacks, or have no use for the hand.
+  // These keys have no use for the hand, or belong to parts that this scene does not have.
   for (const char* const key : { "3", "w", "x", "F2", "c", "k", "plus", "Home", "s", "1", "v",
          "space", "j", "Tab", "Control_L" })
   {
     EXPECT_EQ(this->Press(key), 2) << key;
     EXPECT_EQ(this->Release(key), 1) << key;
   }
-  // A held key sends only presses (Qt), or releases and presses (X11). None of them reaches the
-  // program, even after Escape has let go.
+  // While a key is held, Qt sends presses, and X11 sends releases and presses. None of them may
+  // reach the program, even after Escape has let go.
   for (const char* const key : { "h", "g", "d", "F1", "Escape" })
   {
     for (int repeat = 0; repeat < 3; ++repeat)
@@ -258,8 +259,8 @@ TEST_F(HapticWidget, TheProgramsDragGoesOnWithItsStyle)
   const std::vector<double> panned = this->GetView();
   EXPECT_EQ(this->Count(vtkCommand::MouseMoveEvent, 175, 150), 0) << "the hand has the mouse again";
   EXPECT_EQ(this->GetView(), panned);
-  // The hand also gets the release of a press that it has used, even if touch mode has ended
-  // meanwhile.
+  // After a press that the hand has used, the hand gets the release, too, even if touch mode has
+  // ended in between.
   EXPECT_EQ(this->Count(vtkCommand::LeftButtonPressEvent, 175, 150), 0);
   this->Widget->TouchModeOff();
   EXPECT_EQ(this->Count(vtkCommand::LeftButtonReleaseEvent, 175, 150), 0);
@@ -296,14 +297,14 @@ TEST_F(HapticWidget, OffLeavesTheWindowAsItWas)
   EXPECT_EQ(this->GetForce(), 0.0);
   EXPECT_EQ(this->Count(vtkCommand::MouseWheelForwardEvent), 1);
   EXPECT_EQ(this->Press("Escape"), 2);
-  // VTK's convention: the activation key switches the widget on again.
+  // The activation key switches the widget on again, as VTK's widgets do.
   this->Pointer(150, 150);
   this->Press("t", 't');
   EXPECT_TRUE(this->Widget->GetEnabled());
   EXPECT_TRUE(this->Widget->GetTouchMode());
 }
 
-// The render pass of f3d's renderer keeps its list of props until its MTime changes.
+// f3d's renderer has a render pass that keeps its list of props until its MTime changes.
 TEST_F(HapticWidget, TellsARenderPassOfTheProgramOfTheHand)
 {
   vtkNew<vtkSequencePass> pass;
@@ -372,8 +373,8 @@ TEST_F(HapticWidget, WaitsForAVolumeAndTellsIfThereIsNone)
 
 TEST_F(HapticWidget, TakesKeysThatHaveCodesAndNoNames)
 {
-  // wxVTKRenderWindowInteractor of VTK sends no key symbol, and as key code GetKeyCode() of
-  // wxKeyEvent: without Shift, too, a capital letter.
+  // VTK's wxVTKRenderWindowInteractor sends no key symbol. Its key code is GetKeyCode() of
+  // wxKeyEvent, a capital letter also without Shift.
   this->SwitchOn();
   this->Pointer(150, 150);
   EXPECT_EQ(this->Press(nullptr, 'T'), 0);
@@ -394,7 +395,7 @@ TEST_F(HapticWidget, TakesKeysThatHaveCodesAndNoNames)
 
 TEST_F(HapticWidget, LetsGoByASecondKeyWhereAToolkitKeepsEscape)
 {
-  // Mayavi's scene handles Escape before VTK does, so End lets go.
+  // Mayavi's scene handles Escape before VTK does, so the key End must let go.
   this->SwitchOn();
   this->PushIn();
   EXPECT_EQ(this->Press("End"), 0);
@@ -403,7 +404,7 @@ TEST_F(HapticWidget, LetsGoByASecondKeyWhereAToolkitKeepsEscape)
 
 TEST_F(HapticWidget, TakesACapitalLetterAgainWhoseShiftWasReleasedFirst)
 {
-  // If Shift is released first, the release event has the name of the small letter.
+  // If Shift is released first, the release of the key has the name of the small letter.
   this->SwitchOn();
   this->PushIn();
   ASSERT_TRUE(this->Widget->GetStyle()->SetKey("Graph", "G"));
@@ -466,7 +467,8 @@ TEST_F(HapticWidget, TellsThatTimersAreMissingAndGoesOnWithoutThem)
       return this->GetForce() > 0.3;
     }));
   EXPECT_EQ(told.Warnings.size(), 1U);
-  this->Widget->GetStyle()->DrawHaptics(); // the cure: from now on the program calls DrawHaptics()
+  // from now on the program calls DrawHaptics(), as the warning says
+  this->Widget->GetStyle()->DrawHaptics();
   const vtkIdType tick = this->Widget->GetDevice()->GetState()->GetTick();
   this->Window->Render();
   EXPECT_EQ(this->Widget->GetDevice()->GetState()->GetTick(), tick);
@@ -531,7 +533,7 @@ TEST_F(HapticWidget, HasTheSlicesBesideTheScene)
 
 TEST_F(HapticWidget, FeelsWhatTheProgramHasConnected)
 {
-  // The program may show an isosurface of the image: the window has no volume then.
+  // A program may show an isosurface of the image, and no volume.
   this->Renderer->RemoveVolume(this->Volume);
   this->Widget->GetVolumeHaptics()->SetInputData(0, MakeBall());
   this->Widget->SetDefaultRenderer(this->Renderer);
@@ -542,7 +544,7 @@ TEST_F(HapticWidget, FeelsWhatTheProgramHasConnected)
   this->Press("Escape");
   this->ExpectLetGo();
   EXPECT_TRUE(this->Log.Errors.empty());
-  // A volume that the widget has chosen itself is chosen anew.
+  // The widget has chosen the volume itself, so it may choose another one.
   this->Renderer->AddVolume(this->Volume);
   vtkNew<vtkVolumeHapticsFilter> other;
   other->GetProperty()->DeepCopy(this->Widget->GetProperty());

@@ -22,7 +22,7 @@ using namespace scenetest;
 
 namespace
 {
-/// Returns the resident memory of this process, MiB.
+/// Returns the resident memory (MiB) of this process.
 double ResidentMemory()
 {
   double total = 0.0;
@@ -33,8 +33,8 @@ double ResidentMemory()
 class LongRunTest : public StyleTest
 {
 protected:
-  /// Prints the time that the display, its text and its plot add to a frame with new states. Frames
-  /// alternate between the four cases.
+  /// Prints the time that the display, its text and its plot add to a frame with new states. The
+  /// four cases alternate from frame to frame.
   void PrintCost(vtkHapticHeadUpDisplay* display)
   {
     double cost[4] = {};

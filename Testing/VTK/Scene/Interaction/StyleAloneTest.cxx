@@ -20,7 +20,7 @@ using namespace scenetest;
 
 namespace
 {
-/// A style with its device, filter, window and props; tests connect only some of them.
+/// A style with its device, filter, window and props. Tests connect only some of them.
 struct Parts
 {
   vtkNew<vtkHapticDevice> Device;
@@ -142,7 +142,7 @@ TEST(StyleAlone, DragsInARendererWithoutAWindow)
     style->OnRightButtonUp();
     style->OnLeftButtonUp();
   }
-  // Drags are also safe without an interactor's window, and when the editor is removed during a
+  // Drags must also be safe if the interactor has no window, and if the editor is removed during a
   // drag.
   vtkNew<vtkGenericRenderWindowInteractor> bare;
   vtkNew<vtkInteractorStyleHaptic> other;

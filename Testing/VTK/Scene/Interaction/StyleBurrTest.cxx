@@ -98,7 +98,7 @@ protected:
     window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
     return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
   }
-  /// Draws an image from which this loop has removed tissue by the filter's fractions.
+  /// Draws an image from which a loop in this test has removed tissue, by the filter's fractions.
   Levels DrawReference(vtkVolumeMapper* mapper)
   {
     vtkNew<vtkImageData> fractions;
@@ -143,8 +143,8 @@ protected:
     this->Press("Escape");
     this->Run(20);
   }
-  /// Lets the style draw until the picture equals the wanted one within 2 grey levels; false if it
-  /// never does.
+  /// Lets the style draw until the picture equals `wanted` within 2 grey levels. Returns false if
+  /// it never does.
   bool Becomes(const Levels& wanted)
   {
     return Eventually(
@@ -163,10 +163,10 @@ protected:
     const Levels drilled = this->DrawReference(reference);
     EXPECT_GT(MostDifference(drilled, whole), 20);
     EXPECT_TRUE(this->Becomes(drilled));
-    // The filter feels the image that the application has set, not the carved copy.
+    // The filter must feel the image that the application has set, not the carved copy.
     EXPECT_EQ(this->Filter->GetTouchedImage(), this->Ball);
-    // Undo restores the tissue in the picture while the servo runs. After Stop(), redo removes it
-    // again without a servo.
+    // Undo must restore the tissue in the picture while the servo runs. After Stop(), redo must
+    // remove the tissue again without a servo.
     vtkHapticRemoval* const removal = this->Filter->GetRemoval();
     const int strokes = removal->GetNumberOfUndos();
     EXPECT_GT(strokes, 0);
@@ -213,11 +213,11 @@ TEST_F(StyleBurr, ShowsItWithAMapperThatHasNoTexture)
     vtkNew<vtkFixedPointVolumeRayCastMapper>(), vtkNew<vtkFixedPointVolumeRayCastMapper>());
 }
 
-/// The scene shows removed tissue within 100 ms of servo time: from the tick that removes it to the
-/// end of the frame that shows it. The time is counted from the last look before the removal, so it
-/// is rather too long. Since the machine may be busy, only one of up to 20 strokes has to keep the
-/// limit, or to show the tissue in the second frame after that look if frames alone take longer.
-/// Only bricks are uploaded: the mapper keeps its image, which does not change.
+/// The scene must show removed tissue within 100 ms of servo time, from the tick that removes it to
+/// the end of the frame that shows it. The test counts from the last look before the removal, so
+/// its time is rather too long. On a busy machine, only one of up to 20 strokes must keep this
+/// limit. If frames alone take longer, the second frame after the look must show the removal. Only
+/// bricks are uploaded; the mapper keeps its unchanged image.
 TEST_F(StyleBurr, TheSceneFollowsWithin100Milliseconds)
 {
   // A software renderer draws a window of this size in a few milliseconds.
@@ -251,7 +251,8 @@ TEST_F(StyleBurr, TheSceneFollowsWithin100Milliseconds)
     for (int look = 0; look < 4000 && !isSeen; ++look)
     {
       this->Style->UpdateHaptics();
-      // The time is read first, so nothing was removed until then if the volume is unchanged.
+      // Reads the time before the volume. If the volume is unchanged, nothing was removed up to
+      // this time.
       const double now = this->Device->GetState()->GetTime();
       if (removal->GetRemovedVolume() == volume)
       {

@@ -21,7 +21,7 @@ using namespace scenetest;
 
 namespace
 {
-/// Writes a path whose tip holds still for `still` ticks, and then jumps by 6 mm along x.
+/// Writes a path whose tip rests for `still` ticks, and then jumps by 6 mm along x.
 std::string WritePath(const std::string& file, int still)
 {
   vtkNew<vtkPoints> points;
@@ -64,8 +64,7 @@ TEST_F(StyleTest, WhatIsHiddenStopsBeingFeltWithTheNextUpdate)
 
 TEST_F(StyleTest, MaterialsOfLabelsAreEditedWhileTheyAreFelt)
 {
-  // The ball has label 5, including a margin for the voxels at its surface; everything else has
-  // label 0.
+  // The ball has label 5, with a margin for the voxels at its surface. Everything else has label 0.
   vtkNew<vtkImageData> labels;
   labels->SetDimensions(97, 97, 97);
   labels->SetOrigin(-48.0, -48.0, -48.0);
@@ -81,7 +80,7 @@ TEST_F(StyleTest, MaterialsOfLabelsAreEditedWhileTheyAreFelt)
   vtkNew<vtkHapticFunctionEditor> editor;
   editor->SetLabelTable(table);
   editor->SetLabelData(labels);
-  editor->SetRectangle(0, 0, 100, 280); // beside the touched place
+  editor->SetRectangle(0, 0, 100, 280); // beside the touched position
   editor->VisibilityOff();
   this->Style->SetFunctionEditor(editor);
   ASSERT_NO_FATAL_FAILURE(this->PushIn());
@@ -101,7 +100,7 @@ TEST_F(StyleTest, MaterialsOfLabelsAreEditedWhileTheyAreFelt)
   this->Pointer(x, y, vtkCommand::LeftButtonReleaseEvent);
   const double clicked = table->GetSurfaceStrength(5);
   EXPECT_NEAR(clicked, 0.5, 0.2);
-  // A surface that is pressed beyond its strength gives way until the force equals the strength,
+  // A surface that is pressed beyond its strength yields until the force equals the strength,
   // within the 0.1 % of the solver PRECISE.
   this->Run(20);
   EXPECT_NEAR(this->Device->GetState()->GetNormalForce(), clicked, 1e-3 * clicked)
@@ -121,7 +120,7 @@ TEST_F(StyleTest, TheWorkspaceFollowsTheCamera)
   ASSERT_TRUE(this->Device->Open(id.c_str()));
   ASSERT_TRUE(this->Device->Start());
   this->Run(5);
-  // The jump goes right, up and towards the user.
+  // The jump goes to the right, up and towards the user.
   ExpectAt(this->Device->GetState()->GetTipPosition(), 10, 4, 2);
   this->Renderer->GetActiveCamera()->Azimuth(90.0); // the camera now looks along -x
   this->Style->UpdateHaptics();

@@ -28,7 +28,7 @@ protected:
     this->Press("k");
     ASSERT_TRUE(this->Style->GetClutch());
     // At this update the style does not know yet that the clutch has disarmed the device. It must
-    // not take that for another caller's order.
+    // not take this for an order of the application.
     this->Style->UpdateHaptics();
     this->Run(5);
     ASSERT_FALSE(this->IsArmed());

@@ -36,7 +36,7 @@ protected:
     this->Device->UpdateState();
     this->Run(ticks);
   }
-  /// Moves the tip 8 mm out of the ball, and back to the same place.
+  /// Moves the tip 8 mm out of the ball, and back to the same position.
   void LiftAndPress()
   {
     constexpr int steps = 8; // mm
@@ -149,7 +149,7 @@ TEST_F(StyleCompare, TheForceGoesOverWithoutAJolt)
   {
     double now[3];
     vtkDataArray::SafeDownCast(states->GetColumnByName("Command"))->GetTuple(i, now);
-    // The slew limit holds for growth along the force's own direction; a force falls or turns at
+    // The slew limit holds for growth along the force's own direction. A force may fall or turn at
     // once.
     const double norm = Length(now);
     if (!last.empty() && norm > 0.0)

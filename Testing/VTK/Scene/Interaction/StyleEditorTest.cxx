@@ -31,7 +31,7 @@ protected:
     this->Style->SetFunctionEditor(this->Editor);
     this->Window->Render();
   }
-  /// Clicks on the slider of a tissue's stiffness, at the given value.
+  /// Clicks on the slider of a tissue's stiffness, at this value (N/m).
   void Slide(double stiffness)
   {
     double at[2];
@@ -116,7 +116,7 @@ TEST_F(StyleEditor, AKeyPutsItBesideTheScene)
   EXPECT_TRUE(this->Editor->Contains(150, 20));
   EXPECT_FALSE(this->Editor->Contains(150, 200)) << "in its rectangle over the scene";
 
-  // The mouse drags the border of the editor, and the camera stays.
+  // The mouse must drag the border of the editor, and leave the camera.
   double before[3];
   this->Renderer->GetActiveCamera()->GetPosition(before);
   this->Pointer(150, 105);

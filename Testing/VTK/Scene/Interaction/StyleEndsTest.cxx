@@ -24,7 +24,7 @@ class StyleEnds : public StyleTest
 protected:
   StyleEnds() { this->Window->SetOffScreenRendering(0); }
 
-  /// Runs the loop and presses into the ball until it pushes back; then calls `act` once.
+  /// Runs the loop, and presses into the ball until the ball pushes back. Then calls `act` once.
   void PushUntilHeld(std::function<void()> act)
   {
     this->Window->Render();
@@ -41,8 +41,8 @@ protected:
     this->Interactor->Start();
     EXPECT_FALSE(this->Act) << "the loop ended before anything was felt";
   }
-  /// Moves in and out: after a pause of a busy machine, the servo starts again from the tip, and
-  /// then feels only a new contact.
+  /// Moves the tip in and out. After a pause of a busy machine, the servo starts again from the
+  /// tip, and feels only a new contact.
   void Watch()
   {
     const bool goesIn = this->Updates++ % 20 < 10;
@@ -65,7 +65,7 @@ protected:
     EXPECT_NE(this->Device->GetStatus(), vtkHapticDevice::FAULT) << this->Device->GetStatusText();
     EXPECT_TRUE(this->Device->IsRunning());
   }
-  /// Expects that the force of a hidden view fades to 0, then ends the loop.
+  /// Expects that the force of a hidden view fades to 0, and then ends the loop.
   void ExpectFadeOut()
   {
     this->Style->RemoveObservers(vtkInteractorStyleHaptic::StatesEvent);
@@ -113,7 +113,7 @@ TEST_F(StyleEnds, WithALoopThatAKeyOfTheApplicationEnds)
     [](vtkObject* interactor, unsigned long, void*, void*)
     {
       static_cast<vtkRenderWindowInteractor*>(interactor)->SetDone(true);
-    }); // like TerminateApp() since VTK 9.2
+    }); // as TerminateApp() does since VTK 9.2
   this->Interactor->AddObserver(vtkCommand::KeyPressEvent, end, -1.0f);
   this->PushUntilHeld(
     [this]
@@ -130,7 +130,7 @@ TEST_F(StyleEnds, WithTheWindow)
     [this]
     {
       this->Window->Finalize();
-      // A late frame would open a window on the screen again.
+      // A late frame would open a window on the screen again, so the window becomes off-screen.
       this->Window->SetOffScreenRendering(1);
       this->Style->RemoveObservers(vtkInteractorStyleHaptic::StatesEvent);
       this->ExpectNoForce();
@@ -145,14 +145,15 @@ TEST_F(StyleEnds, WithAWindowThatIsHidden)
   this->PushUntilHeld(
     [this]
     {
-      this->Window->SetShowWindow(false); // like minimising it, which would need a window manager
+      // like minimising the window, which would need a window manager
+      this->Window->SetShowWindow(false);
       this->ExpectFadeOut();
     });
 }
 
 TEST_F(StyleEnds, WithAWindowAroundItThatIsHidden)
 {
-  // Views of Tk and wx lie in a parent window, which is hidden here.
+  // Views of Tk and wx lie in a parent window. The test hides such a parent.
   vtkNew<vtkRenderWindow> outer;
   outer->SetSize(320, 320);
   outer->Render();
@@ -171,7 +172,7 @@ TEST_F(StyleEnds, WithTheRenderer)
     [this]
     {
       this->Style->RemoveObservers(vtkInteractorStyleHaptic::StatesEvent);
-      this->Window->RemoveRenderer(this->Renderer); // the style still holds it
+      this->Window->RemoveRenderer(this->Renderer); // the style still holds the renderer
       this->Style->UpdateHaptics();
       EXPECT_FALSE(this->Style->GetTouchMode());
       this->ExpectNoForce();
@@ -221,7 +222,7 @@ TEST_F(StyleEnds, WithTheInteractorsDisabling)
 
 TEST_F(StyleEnds, BeforeTheApplicationHearsOfAnExit)
 {
-  // The application asks whether to quit: the loop goes on, without force.
+  // The application asks whether to quit, so the loop continues, but without force.
   struct Question
   {
     vtkHapticDevice* Device;
@@ -311,8 +312,8 @@ TEST_F(StyleEnds, WhereItIsDeletedByWhatHearsOfIt)
 
 TEST_F(StyleEnds, WithTheConnectionToTheServer)
 {
-  // A program that opens windows one after the other, and renders each before it has an interactor,
-  // does not leak connections to the X server.
+  // Opens windows one after the other, and renders each before it has an interactor. Connections to
+  // the X server must not leak.
   const auto countOpenFiles = []
   {
     using Files = std::filesystem::directory_iterator;

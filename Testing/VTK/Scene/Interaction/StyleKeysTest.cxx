@@ -62,7 +62,7 @@ protected:
   vtkNew<vtkHapticHeadUpDisplay> Display;
 };
 
-/// A style of an application that arms in its own way.
+/// Style of an application that arms in its own way.
 class AskedStyle : public vtkInteractorStyleHaptic
 {
 public:
@@ -159,7 +159,7 @@ TEST_F(StyleKeys, AreAllDifferentByDefault)
 
 TEST_F(StyleKeys, NeedNoCapitals)
 {
-  // With Caps Lock, a key has the name of its capital letter.
+  // With Caps Lock, a key has the name of the capital letter.
   this->Start();
   this->Press("T");
   EXPECT_TRUE(this->Style->GetTouchMode());
@@ -171,7 +171,8 @@ TEST_F(StyleKeys, NeedNoCapitals)
     const std::string keys = this->Style->GetKey(actions->GetValue(i).c_str());
     EXPECT_FALSE(keys.size() == 1 && keys[0] >= 'A' && keys[0] <= 'Z') << keys;
   }
-  // A capital letter that an application chose is another key than the small letter.
+  // If an application has chosen a capital letter for a command, its key differs from that of the
+  // small letter.
   EXPECT_TRUE(this->Style->SetKey("Graph", "T"));
   const auto hasPlot = this->Display->GetPlotVisibility();
   this->Press("T");
@@ -196,7 +197,7 @@ TEST_F(StyleKeys, AreOthersWithCtrlButThoseThatLetGo)
   EXPECT_FALSE(this->Style->GetTouchMode());
   this->Press("t");
   EXPECT_TRUE(this->Style->GetTouchMode());
-  this->Control("Escape", '\x1b'); // while Ctrl and the mouse press in depth
+  this->Control("Escape", '\x1b'); // while the mouse with Ctrl presses in depth
   EXPECT_FALSE(this->Style->GetTouchMode());
 }
 
@@ -207,7 +208,7 @@ TEST_F(StyleKeys, OfTheHandWorkWhileCtrlAndTheMousePress)
   this->PushIn();
   this->Control("1", '1');
   EXPECT_EQ(list->GetNumberOfMeasurements(), 1);
-  this->Control("m", '\r'); // another key with Ctrl is the application's
+  this->Control("m", '\r'); // with Ctrl, this is another key, which belongs to the application
   EXPECT_EQ(this->Filter->GetMethod(), vtkVolumeHapticsFilter::PROXY);
   this->Control("a", '\x01');
   EXPECT_TRUE(Eventually(
@@ -249,7 +250,7 @@ TEST_F(StyleKeys, WithCtrlHaveSmallLettersOrCapitals)
 
 TEST_F(StyleKeys, OfVTKThatFlyTheCameraAreKeptFromItWithCapsLock)
 {
-  // VTK picks where the camera shall fly.
+  // VTK's keys pick where the camera shall fly, so the test counts picks.
   int picks = 0;
   vtkNew<vtkCallbackCommand> note;
   note->SetClientData(&picks);

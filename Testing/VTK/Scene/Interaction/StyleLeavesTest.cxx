@@ -48,7 +48,7 @@ TEST_F(StyleLeaves, TellsOfNoForceAtOnce)
   EXPECT_NE(display->GetText().find(" N"), std::string::npos) << display->GetText();
   vtkNew<vtkInteractorStyleTrackballCamera> other;
   this->Interactor->SetInteractorStyle(other);
-  // The style that was removed no longer updates the device, so it has disarmed it.
+  // The removed style no longer updates the device, so it must have disarmed the device.
   EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
   EXPECT_LT(this->Device->GetStatus(), vtkHapticDevice::ARMED);
   EXPECT_EQ(display->GetText().find(" N"), std::string::npos) << display->GetText();

@@ -61,8 +61,8 @@ protected:
   void Touch()
   {
     ASSERT_NO_FATAL_FAILURE(this->PushIn());
-    // After a pause of a busy machine, the servo starts again from the tip, and then feels only a
-    // new contact: see StyleEnds.
+    // After a pause of a busy machine, the servo starts again from the tip, and feels only a new
+    // contact, as in StyleEnds. So the test presses again.
     constexpr int most = 400;
     for (int i = 1; i < most && Length(this->Device->GetState()->GetForce()) <= 0.5; ++i)
     {
@@ -90,7 +90,8 @@ protected:
     image->GetPointData()->SetScalars(samples);
     this->Editor->SetInputData(image);
   }
-  /// Gives the editor an image of a ball: 0 outside, 100 inside, and a blur of 2.5 voxels between.
+  /// Gives the editor an image of a ball with the value 0 outside, 100 inside, and a blur of 2.5
+  /// voxels between them.
   void GiveEditorAnEdge()
   {
     constexpr int n = 64;
@@ -102,8 +103,8 @@ protected:
         return 50.0 * std::erfc((r - 18.0) / (2.5 * std::sqrt(2.0)));
       }));
   }
-  /// Fills the voxels beside the ball with noise, so that each holds a piece of the isosurface at
-  /// -4000.
+  /// Fills the voxels beside the ball with noise, so that each voxel has a piece of the isosurface
+  /// at -4000.
   void GiveMethodMuch()
   {
     std::mt19937 random(1);
@@ -125,7 +126,7 @@ protected:
     return std::any_of(this->Shown.begin(), this->Shown.end(),
       [&](const std::string& text) { return text.find(words) != std::string::npos; });
   }
-  /// Runs the style's updates until the editor has ended its search for functions; false if it
+  /// Updates the style until the editor has ended its search for functions. Returns false if it
   /// never does.
   bool EndsProposing()
   {
@@ -170,7 +171,7 @@ TEST_F(StyleLongWork, IsNotTheHistogramOfALargeVolume)
   ASSERT_NO_FATAL_FAILURE(this->Touch());
   this->Press("v");
   EXPECT_EQ(this->Editor->EstimateUpdateTime(), 0.0);
-  // The style draws until all samples are counted, and then stops.
+  // The style must draw until all samples are counted, and then stop.
   int timer = 0;
   while (this->Interactor->GetTimerDuration(timer) == 0)
   {
@@ -293,7 +294,7 @@ TEST_F(StyleLongWork, TellsThatThereIsNothingToPropose)
   EXPECT_NE(log.Errors[0].find("7 everywhere"), std::string::npos);
   EXPECT_FALSE(this->Editor->HasProposal());
   EXPECT_STREQ(this->Display->GetNotice(), "No materials can be proposed for this volume");
-  // An image without scalars is refused at once.
+  // An image without scalars must be refused at once.
   vtkNew<vtkImageData> empty;
   this->Editor->SetInputData(empty);
   EXPECT_FALSE(this->Editor->BeginProposal());
@@ -429,8 +430,9 @@ TEST_F(StyleLongWork, OfAnEditorEndsWithIt)
 {
   this->GiveEditorAnEdge();
   ASSERT_NO_FATAL_FAILURE(this->Touch());
-  this->Device->SetAttentionTime(0.0); // the work is no longer announced once the editor is gone
-  // This observer runs after the style's, and takes the editor away just before the work begins.
+  this->Device->SetAttentionTime(0.0); // once the editor is gone, the work is no longer announced
+  // This observer runs after the style's observer. It removes the editor just before the work
+  // begins.
   vtkNew<vtkCallbackCommand> take;
   take->SetClientData(this->Style);
   take->SetCallback([](vtkObject*, unsigned long, void* style, void*)

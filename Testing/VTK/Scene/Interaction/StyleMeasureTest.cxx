@@ -34,7 +34,7 @@ protected:
     this->Run(100);
     ASSERT_NE(this->Device->GetState()->GetContact(), 0);
   }
-  /// Moves the mouse along x, by one pixel (0.2 mm) at a time.
+  /// Moves the mouse along x in steps of one pixel (0.2 mm).
   void Slide(int from, int to)
   {
     for (int x = from; x != to; x += from < to ? 1 : -1)
@@ -85,14 +85,14 @@ TEST_F(StyleMeasure, ADistanceIsAChordAndAnAngleThatOfItsPoints)
   this->Press("2");
   ASSERT_EQ(this->List->GetNumberOfMeasurements(), 1);
   EXPECT_EQ(this->List->GetUnfinishedText(), "");
-  // Without friction, the proxy is the point of the ball nearest to the tip, which has moved 8 mm
+  // Without friction, the proxy is at the ball's point nearest to the tip. The tip has moved 8 mm
   // aside.
   const double* const tip = this->Device->GetState()->GetTipPosition();
   const double turn = std::atan2(tip[0], tip[2]) - first;
   EXPECT_GT(turn, 0.2);
   EXPECT_NEAR(this->List->GetValue(0), 2.0 * radius * std::sin(0.5 * turn), 0.05) << "voxels: 1 mm";
 
-  // Euclid III.20: the angle at a point of a circle is half the angle at the centre.
+  // Euclid III.20: an angle at a point of a circle is half of the angle at the centre.
   this->Press("3");
   this->Slide(190, 150);
   this->Press("3");
@@ -157,7 +157,7 @@ TEST_F(StyleMeasure, APathHasTheStatesOfTheServo)
   this->List->SetPathSpacing(0.5);
   this->Press("4");
   this->Slide(180, 150);
-  this->Press("Escape"); // ends the path, like a second L
+  this->Press("Escape"); // ends the path, as a second L would
   ASSERT_EQ(this->List->GetNumberOfMeasurements(), 2);
   this->List->GetShape(1, shape);
   EXPECT_GT(shape->GetNumberOfPoints(), 5);
@@ -181,13 +181,13 @@ TEST_F(StyleMeasure, AnAreaIsTheCapUnderTheBrush)
   this->Press("5");
   ASSERT_EQ(this->List->GetNumberOfMeasurements(), 1);
   EXPECT_EQ(this->List->GetKind(0), vtkHapticMeasurements::AREA);
-  // A chord r from a point of a sphere bounds a cap with the area pi r^2, for any radius of the
-  // sphere: see PaintedArea.
+  // From a point of a sphere of any radius, a chord r bounds a cap with the area pi r^2: see
+  // PaintedArea.
   EXPECT_NEAR(this->List->GetValue(0) / (Pi * brush * brush), 1.0, 0.25 / (brush * brush) + 0.01);
 
-  // A stroke along a great circle of a sphere with radius R paints a zone with the area 2 R
-  // sin(half) L, where L is its length and `half` the half angle of the brush, and half a cap at
-  // each end.
+  // A stroke along a great circle of a sphere with the radius R paints a zone with the area 2 R
+  // sin(half) L, and half a cap at each end. L is the length of the stroke, and `half` the half
+  // angle of the brush.
   this->Press("5");
   this->Run(10);
   const double first = std::atan2(this->Proxy()[0], this->Proxy()[2]);

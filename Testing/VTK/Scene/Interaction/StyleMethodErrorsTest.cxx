@@ -17,8 +17,7 @@ namespace
 class StyleMethodErrors : public StyleTest
 {
 protected:
-  /// Begins with a force field. The next method, the surface proxy, has no surface at this
-  /// isovalue.
+  /// Begins with a force field. The next method, Surface Proxy, has no surface at this isovalue.
   void Begin()
   {
     this->Display->SetDevice(this->Device);

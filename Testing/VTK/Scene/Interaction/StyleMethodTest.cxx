@@ -33,13 +33,13 @@ protected:
     this->Run(30);
     ASSERT_GT(Length(this->Device->GetState()->GetForce()), 0.5);
   }
-  /// Waits until the servo uses what was published.
+  /// Waits until the servo uses the published model.
   void Settle()
   {
     this->Device->UpdateState();
     this->Run(10);
   }
-  /// Expects this force from the servo's newest state.
+  /// Expects this force (N) in the servo's newest state.
   void ExpectForce(double x, double y, double z)
   {
     const double* const force = this->Device->GetState()->GetComputedForce();
@@ -103,7 +103,7 @@ TEST_F(StyleMethod, TheForceGoesOverWithoutAJolt)
   {
     double now[3];
     vtkDataArray::SafeDownCast(states->GetColumnByName("Command"))->GetTuple(i, now);
-    // The slew limit holds for growth along the force's own direction; a force falls or turns at
+    // The slew limit holds for growth along the force's own direction. A force may fall or turn at
     // once.
     const double norm = Length(now);
     if (!last.empty() && norm > 0.0)
@@ -166,15 +166,16 @@ TEST_F(StyleMethod, AKeyFeelsOneModeAfterAnotherAndThenAll)
     this->Press("j");
     EXPECT_EQ(shown(), wanted);
     this->Settle();
-    // The tip is inside, so a surface that becomes active again is felt only once the hand moves.
+    // The tip is inside the ball, so a surface that becomes active again is felt only after the
+    // hand moves.
     EXPECT_EQ(Length(this->Device->GetState()->GetModeForce(0)) > 0.5, wanted[1] == '-') << wanted;
   }
-  // Switching to modes that can't be felt fails, and leaves the modes as they were.
+  // Switching to modes that can't be felt must fail, and leave the modes as they were.
   vtkNew<vtkHapticMode> follow;
   follow->ActiveOff();
   this->Filter->AddMode(follow);
   this->Style->UpdateHaptics();
-  this->Press("j"); // the key selects the second of three modes alone, then the first
+  this->Press("j"); // the key selects the second of three modes alone, then the first one
   this->Press("j");
   EXPECT_EQ(shown(), "-+-");
   EXPECT_STREQ(this->Display->GetNotice(), "");
@@ -183,8 +184,8 @@ TEST_F(StyleMethod, AKeyFeelsOneModeAfterAnotherAndThenAll)
   EXPECT_NE(std::string(this->Display->GetNotice()).find("can't be felt"), std::string::npos);
   EXPECT_EQ(this->FilterLog.Errors.size(), 1U);
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
-  // Three surfaces at once exceed the eight primitives of a tick, so the key goes on to the first
-  // one alone.
+  // Three surfaces together exceed the eight primitives of a tick, so the key selects the first
+  // surface alone.
   this->Filter->RemoveAllModes();
   for (int i = 0; i < 3; ++i)
   {

@@ -27,8 +27,8 @@ protected:
     this->Generic->SetInteractorStyle(this->Style);
     this->Other->SetVolumeHaptics(this->Filter);
     this->Filter->SetIsoValue(-1500.0); // a sphere of 45 mm
-    // Publications that take more than an eighth of the attention time, here 50 ms, are announced
-    // as long work.
+    // The device announces publications as long work if they take more than an eighth of the
+    // attention time. This time is 50 ms here.
     this->Device->SetAttentionTime(0.05);
   }
   ~StyleObservers() override { this->Generic->SetInteractorStyle(nullptr); }
@@ -126,7 +126,7 @@ TEST_F(StyleObservers, OfTheTouchModeEndIt)
     this->ExpectLetGo(what);
   }
   EXPECT_TRUE(this->Log.Errors.empty());
-  // An observer that ends nothing lets the touch mode begin.
+  // With an observer that ends nothing, touch mode begins.
   end = [] {};
   this->Generic->SetInteractorStyle(this->Style);
   this->Style->SetDevice(this->Device);
@@ -204,8 +204,8 @@ TEST_F(StyleObservers, ArmNothingInADeviceThatIsTakenAway)
     this->ExpectLetGo("SetDevice");
     this->Device->Close();
   }
-  // An observer of DisableEvent removes the device while SetDevice() exchanges it: the new device
-  // counts.
+  // While SetDevice() exchanges the devices, an observer of DisableEvent removes the device. The
+  // new device must stay.
   ASSERT_NO_FATAL_FAILURE(this->Start(false));
   this->Style->SetDevice(this->Device);
   this->Style->TouchModeOn();

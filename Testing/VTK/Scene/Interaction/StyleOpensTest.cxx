@@ -31,7 +31,8 @@ using namespace scenetest;
 
 namespace
 {
-/// Returns the resident memory of this process (MB), after giving freed memory back to the system.
+/// Returns the resident memory (MB) of this process, after freed memory was given back to the
+/// system.
 double ResidentMemory()
 {
 #if defined(__GLIBC__)
@@ -51,7 +52,7 @@ std::ptrdiff_t CountIn(const char* folder)
   return std::distance(Files(folder), Files());
 }
 
-/// Closes the window after some timer events, as a person does with the window manager.
+/// Closes the window after some timer events, as a person does by the window manager.
 class Closing : public vtkCommand
 {
 public:
@@ -155,7 +156,7 @@ void OpenAndClosePlainly(vtkImageData* ball)
   interactor->Start();
 }
 
-/// Counts the open files and the threads of this process.
+/// Numbers of open files and threads of this process.
 struct Counts
 {
   std::ptrdiff_t Files = CountIn("/proc/self/fd");
@@ -172,9 +173,9 @@ TEST(StyleOpens, FiftyWindowsLeaveNothingBehind)
   constexpr int windows = 50;
   for (int i = 0; i < 5; ++i)
   {
-    OpenAndClose(ball); // creates what is made only once
+    OpenAndClose(ball); // creates the objects that are made only once
   }
-  // VTK 9.1 with Mesa 22.3 itself leaks five threads and one file per window.
+  // VTK 9.1 with Mesa 22.3 leaks five threads and one file per window, also without haptics.
   constexpr int plainWindows = 10;
   const Counts beforePlain;
   for (int i = 0; i < plainWindows; ++i)
@@ -195,7 +196,7 @@ TEST(StyleOpens, FiftyWindowsLeaveNothingBehind)
   const Counts after;
   EXPECT_LE(after.Files - plain.Files, files * windows + 2);
   EXPECT_LE(after.Threads - plain.Threads, threads * windows + 2) << threads << " plainly";
-  // Measured with VTK 9.1 and Mesa 22.3: 1.5 MB per window with haptics, 0.9 MB per window without.
+  // VTK 9.1 with Mesa 22.3 took 1.5 MB per window with haptics, and 0.9 MB per window without.
   const double grown = ResidentMemory() - before;
   std::cout << windows << " windows: " << grown << " MB\n";
   EXPECT_LT(grown, 2.5 * windows) << "MB: less than a volume for each window";

@@ -69,8 +69,8 @@ protected:
     return static_cast<int>(
       this->GetShown()->GetPointData()->GetScalars()->GetComponent(0, 0) / 100.0);
   }
-  /// Expects that the time step nearest to the data time is shown. The first time step is at
-  /// `first`, the others follow at intervals of 1.
+  /// Expects that the picture shows the time step nearest to the data time. The first time step is
+  /// at `first`, and the others follow at intervals of 1.
   void ExpectWhatIsFelt(double first)
   {
     const double number = this->Device->GetPlayback()->GetDataTime() - first;
@@ -78,7 +78,7 @@ protected:
     EXPECT_EQ(this->Device->GetPlayback()->GetTimeStepValue(), first + this->GetShownNumber());
     EXPECT_EQ(this->GetShown()->GetPointData()->GetScalars()->GetNumberOfComponents(), 1);
   }
-  /// Watches the playback until `count` different time steps were shown.
+  /// Watches the playback until the picture has shown `count` different time steps.
   void WatchTimeSteps(double first, std::size_t count)
   {
     std::vector<int> seen;
@@ -86,7 +86,7 @@ protected:
       [&]
       {
         this->Style->UpdateHaptics();
-        // Time steps that are in memory are never late.
+        // Time steps in memory must never be late.
         EXPECT_FALSE(this->Device->GetPlayback()->IsWaitingForData());
         if (this->Device->GetPlayback()->HasTimeSteps())
         {
@@ -121,10 +121,10 @@ TEST_F(StylePlayback, WhatIsSeenIsWhatIsFelt)
     << this->Display->GetText();
   this->Press("space");
   EXPECT_NE(this->Display->GetText().find("paused"), std::string::npos);
-  // The shown image shares the array of the time step: nothing is copied.
+  // The shown image must share the array of the time step.
   EXPECT_EQ(this->GetShown()->GetPointData()->GetScalars(),
     this->Source->GetTimeStepImage(this->GetShownNumber())->GetPointData()->GetScalars());
-  // Cropping the picture warns, since it would have to crop what is felt.
+  // Cropping the picture gives a warning, since the felt time step is not cropped.
   this->Mapper->SetCroppingRegionPlanes(0.0, 5.0, 0.0, 5.0, 0.0, 5.0);
   this->Mapper->CroppingOn();
   this->Run(2);
@@ -146,13 +146,13 @@ TEST_F(StylePlayback, TellsThatTimeStepsAreLate)
   ASSERT_TRUE(Eventually(
     [&] { return this->Device->UpdateState() && this->Device->GetPlayback()->HasTimeSteps(); }));
   EXPECT_EQ(this->Display->GetText().find("waiting"), std::string::npos);
-  // A jump to another data time makes the servo wait until its time steps are loaded.
+  // After a jump to another data time, the servo waits until the time steps are loaded.
   this->Device->GetPlayback()->SetDataTime(4.0);
   ASSERT_TRUE(Eventually([&]
     { return this->Device->UpdateState() && this->Device->GetPlayback()->IsWaitingForData(); }));
   EXPECT_NE(this->Display->GetText().find("paused, waiting for data"), std::string::npos)
     << this->Display->GetText();
-  // The picture may show the new time step before the servo reports that it has it.
+  // The picture may show the new time step before the servo reports that the step is there.
   ASSERT_TRUE(Eventually(
     [&]
     {
@@ -167,7 +167,7 @@ TEST_F(StylePlayback, AnImageWithTheFirstTimeStepsScalarsIsTheSame)
 {
   vtkNew<vtkImageData> plain;
   plain->ShallowCopy(this->Source->GetTimeStepImage(0));
-  plain->SetOrigin(-3.0, 0.0, 0.0); // the volume's matrix moves it back
+  plain->SetOrigin(-3.0, 0.0, 0.0); // the volume's matrix moves the image back
   vtkNew<vtkMatrix4x4> placed;
   placed->SetElement(0, 3, 3.0);
   this->Volume->SetUserMatrix(placed);
@@ -268,7 +268,8 @@ TEST_F(StylePlayback, KeysGoFromTimeStepToTimeStep)
   expect("Left", 4.0);
 }
 
-/// X servers repeat a held key as a release and a press at the same time.
+/// Sends a release and a press at the same time, as X servers repeat a held key. The key must
+/// switch once only.
 TEST_F(StylePlayback, AKeyThatIsHeldSwitchesOnce)
 {
   this->Start();
@@ -311,7 +312,7 @@ TEST_F(StylePlayback, KeysChangeTheSpeedAndWhatIsAtTheEnd)
   }
   this->Device->GetPlayback()->SetSpeed(std::nan(""));
   EXPECT_EQ(this->Device->GetPlayback()->GetSpeed(), -64.0);
-  // Playback keys have no effect on a volume without time steps.
+  // Keys of the playback must not change anything for a volume without time steps.
   this->Filter->SetInputData(0, this->Ball);
   this->Press("b");
   this->Press("space");

@@ -21,7 +21,8 @@ TEST_F(StyleRenderer, DefaultOneIsTouchedBeforeAnyButton)
   this->Style->SetDefaultRenderer(beside);
   ASSERT_TRUE(this->Device->Open("virtual"));
   ASSERT_TRUE(this->Device->Start());
-  this->Pointer(225, 150); // the middle of `beside`; 15 mm from the middle of the first renderer
+  // the middle of `beside`, and 15 mm from the middle of the first renderer
+  this->Pointer(225, 150);
   this->Style->TouchModeOn();
   this->Run(20);
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[0], 0.0, 0.3);

@@ -25,8 +25,8 @@ namespace scenetest
 {
 using namespace devicetest;
 
-/// Makes an image of a ball with a radius of 30 mm: 100 times the distance to its surface (mm),
-/// positive inside.
+/// Makes an image of a ball with a radius of 30 mm. The value is 100 times the depth (mm) below its
+/// surface, and negative outside.
 inline vtkSmartPointer<vtkImageData> MakeBall()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -49,7 +49,7 @@ inline void ShowBall(vtkVolume* volume)
   volume->GetProperty()->SetScalarOpacity(opacity);
 }
 
-/// Makes an off-screen window that looks along -z at the origin; a pixel is 0.2 mm.
+/// Makes an off-screen window that looks along -z at the origin. A pixel is 0.2 mm.
 inline void SetUpView(vtkRenderWindow* window, vtkRenderer* renderer)
 {
   window->SetOffScreenRendering(1);
@@ -69,8 +69,8 @@ protected:
   StyleTest()
   {
     this->Filter->SetInputData(0, this->Ball);
-    // Values below 0, outside of the ball, have no strength; the hand can't push through the
-    // inside.
+    // Values outside the ball are below 0, and have no strength. Inside, the strength is more than
+    // the hand can overcome.
     vtkPiecewiseFunction* const strength = this->Filter->GetProperty()->GetSurfaceStrength();
     strength->AddPoint(0.0, 0.0);
     strength->AddPoint(0.1, 8.0);
@@ -106,7 +106,7 @@ protected:
         see(this->Style->GetStates(), i);
       }
     };
-    // Counts from now on, not from the last look at the device.
+    // Counts from now on, not from the last update of the device.
     update();
     const vtkIdType end = this->Device->GetState()->GetTick() + ticks;
     ASSERT_TRUE(Eventually(
@@ -120,8 +120,8 @@ protected:
   {
     this->Run(ticks, [](vtkTable*, vtkIdType) {});
   }
-  /// Updates the style until the device is fully armed. Until then, a wall that was pressed before
-  /// arming stays soft.
+  /// Updates the style until the device is fully armed. A wall that is pressed before that stays
+  /// soft.
   void RunUntilFullyArmed()
   {
     ASSERT_TRUE(Eventually(
@@ -131,7 +131,7 @@ protected:
         return IsFullyArmed(this->Device);
       }));
   }
-  /// Switches touch mode on, so that the mouse is a stylus, and presses into the middle of the
+  /// Switches touch mode on, so that the mouse moves a stylus, and presses into the middle of the
   /// picture.
   void PushIn(int x = 150, int y = 150)
   {

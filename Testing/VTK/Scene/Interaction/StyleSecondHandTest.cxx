@@ -25,7 +25,7 @@ using namespace scenetest;
 
 namespace
 {
-/// Calls a function at an event of a device, while this object lives.
+/// Calls a function at an event of a device, while the object lives.
 class Observed
 {
 public:
@@ -95,7 +95,8 @@ protected:
     return this->Wait(
       [&] { return IsArmed(this->Device) == first && IsArmed(this->Second) == second; });
   }
-  /// Presses the second tip 4 mm deep into the ball, beside its top; true if it feels a force.
+  /// Presses the second tip 4 mm deep into the ball, beside its top. Returns true if the device
+  /// feels a force.
   bool PressSecond()
   {
     return this->Wait([this] { return IsFullyArmed(this->Second); }) &&
@@ -128,7 +129,7 @@ TEST_F(StyleSecondHand, EscapeAndTheWindowLetBothGo)
 {
   this->Press("a");
   ASSERT_TRUE(this->AreArmed(true, true));
-  // An observer may show a dialog. Meanwhile, no hand may be armed.
+  // An observer may show a dialog, so no hand may be armed while it runs.
   std::vector<bool> wasArmed;
   const auto watch = [&]
   {
@@ -219,7 +220,7 @@ TEST_F(StyleSecondHand, AVolumeThatMovesIsTheFirstHands)
   ASSERT_TRUE(this->Wait([this] { return !this->Second->IsArmOrdered(); }));
   ASSERT_EQ(this->Log.Warnings.size(), 1U);
   EXPECT_NE(this->Log.Warnings[0].find("Touch a moving volume with one device"), std::string::npos);
-  // An observer may take the second device away.
+  // An observer may remove the second device.
   this->Second->Arm();
   {
     const auto watched = Observed(

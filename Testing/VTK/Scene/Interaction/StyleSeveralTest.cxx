@@ -72,8 +72,8 @@ protected:
       });
   }
   bool FeelsOther() { return this->Device->GetVolumeHaptics() == this->OtherFilter; }
-  /// Records the force of a state, and its largest step in the 50 states after another volume took
-  /// over.
+  /// Records the force of a state. Also records the largest step of the force in the 50 states
+  /// after a change of the felt volume.
   void Watch(vtkTable* states, vtkIdType row)
   {
     constexpr int after = 50; // states
@@ -102,7 +102,7 @@ protected:
   bool FeltOther = true;
   int Changes = 0;
   int ContactAtChange = 0;
-  int Since = 1000; ///< states since the last change
+  int Since = 1000; ///< number of states since the last change
 };
 } // namespace
 
@@ -116,7 +116,7 @@ TEST_F(StyleSeveral, TheOneUnderThePointerIsTouched)
   this->Run(20);
   EXPECT_TRUE(this->FeelsOther());
   EXPECT_EQ(this->Style->GetTouchedVolume(), this->Other);
-  // The ball has a visible radius of 30 mm, and the hand begins half a voxel in front of it.
+  // The ball is visible up to a radius of 30 mm, and the hand begins half a voxel in front of it.
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[0], 70.0, 1.0);
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], 30.5, 0.3);
   this->Style->TouchModeOff();
@@ -154,7 +154,7 @@ TEST_F(StyleSeveral, EachPortOfAMultiVolumeIsTouched)
   this->Renderer->AddVolume(multi);
   EXPECT_TRUE(this->Style->TouchVolume(multi));
   EXPECT_EQ(this->Style->GetNumberOfTouchedVolumes(), 2);
-  // Settings that change later apply to every port.
+  // Settings that change later must apply to every port.
   this->Filter->SetKernelRadius(3);
   for (const int port : { 1, 0 })
   {
@@ -168,7 +168,7 @@ TEST_F(StyleSeveral, EachPortOfAMultiVolumeIsTouched)
     EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], 30.5, 0.3);
     this->Style->TouchModeOff();
   }
-  // Each port has its own opacity and place, also after changes.
+  // Each port must have its own opacity and position, also after changes.
   ports[0]->SetPosition(0.0, 0.0, 10.0);
   this->Style->TouchModeOn();
   this->Run(20);
@@ -192,8 +192,8 @@ TEST_F(StyleSeveral, EachPortOfAMultiVolumeIsTouched)
 
 TEST_F(StyleSeveral, AHandGoesFromOneToTheNextWithoutAStepOfForce)
 {
-  // The other volume is in front of the first one, with 10 mm of air between them, and gives way at
-  // 0.5 N.
+  // The other volume is in front of the first one, with 10 mm of air between them. Its surface
+  // yields at 0.5 N.
   this->Other->SetPosition(0.0, 0.0, 70.0);
   this->WeakenOther();
   EXPECT_TRUE(this->Style->AddTouchedVolume(this->Other, this->OtherFilter));
@@ -223,8 +223,8 @@ TEST_F(StyleSeveral, AHandGoesFromOneToTheNextWithoutAStepOfForce)
 
 TEST_F(StyleSeveral, TheStrongestOneIsFeltThroughAnother)
 {
-  // Fused volumes: the other ball surrounds the first one, with a radius 5 mm larger, and gives way
-  // at 0.5 N. A press of 4 mm at 500 N/m loads the first one with 2 N.
+  // As in fused volumes, the other ball surrounds the first one, with a radius 5 mm larger. Its
+  // surface yields at 0.5 N. A press of 4 mm at 500 N/m loads the first ball with 2 N.
   this->Other->SetScale(35.0 / 30.0);
   vtkPiecewiseFunction* const strength = this->WeakenOther();
   EXPECT_TRUE(this->Style->AddTouchedVolume(this->Other, this->OtherFilter));
@@ -241,12 +241,12 @@ TEST_F(StyleSeveral, TheStrongestOneIsFeltThroughAnother)
   this->Run(20);
   EXPECT_TRUE(this->FeelsOther());
   EXPECT_GT(this->Device->GetState()->GetTipPosition()[2], 35.0);
-  // In air, the style chooses among the volumes that lie ahead of the hand.
+  // In air, the style must choose among the volumes ahead of the hand.
   this->Style->TouchModeOff();
   this->Device->GetVirtualHand()->Place(0.0, 0.0, 60.0);
   this->Style->SetFeltVolumeToStrongest();
   ASSERT_TRUE(this->RunUntilOtherIsFelt(false));
-  // With equal strengths, the volume in front is chosen: the other one.
+  // With equal strengths, the style must choose the volume in front, which is the other one.
   strength->AddPoint(0.1, 8.0);
   this->Device->GetVirtualHand()->Place(0.0, 0.0, 55.0);
   ASSERT_TRUE(this->RunUntilOtherIsFelt(true));
@@ -254,7 +254,7 @@ TEST_F(StyleSeveral, TheStrongestOneIsFeltThroughAnother)
 
 TEST_F(StyleSeveral, OneThatIsNotSeenIsNotChosen)
 {
-  this->Other->SetPosition(0.0, 0.0, 70.0); // it is in front of the first volume
+  this->Other->SetPosition(0.0, 0.0, 70.0); // in front of the first volume
   EXPECT_TRUE(this->Style->AddTouchedVolume(this->Other, this->OtherFilter));
   this->Other->VisibilityOff();
   this->Pointer(150, 150);

@@ -14,7 +14,7 @@ using namespace scenetest;
 
 namespace
 {
-/// Checks that a style's states contain every tick, and none twice.
+/// Expects that a style's states contain every tick once.
 struct Follower
 {
   vtkInteractorStyleHaptic* Style;
@@ -107,7 +107,7 @@ TEST_F(StyleTogether, EachGetsEveryStateAndEvent)
 
 TEST_F(StyleTogether, EachHasANumberOfItsOwn)
 {
-  // The two styles are the readers 0 and -1.
+  // The two styles are the readers 0 and -1, so the next readers are -2 and -3.
   EXPECT_EQ(this->Device->GetState()->AddReader(), -2);
   EXPECT_EQ(this->Device->GetState()->AddReader(), -3);
   this->Device->GetState()->RemoveReader(-2);

@@ -133,7 +133,7 @@ TEST_F(StyleTest, AStrokeGoesOnAroundABall)
   this->Style->TouchModeOn();
   this->RunUntilFullyArmed();
   const double start = this->Device->GetState()->GetTipPosition()[2];
-  // Radius of the first contact: touch mode begins half a voxel in front of it.
+  // Touch mode begins half a voxel in front of the first contact, which is at this radius.
   const double radius = start - 0.5;
   for (int i = 0; i < 4; ++i)
   {
@@ -156,8 +156,8 @@ TEST_F(StyleTest, AStrokeGoesOnAroundABall)
     ASSERT_NEAR(this->Device->GetState()->GetTipPosition()[2], heightAt(x) - press, 0.05) << x;
     ASSERT_NE(this->Device->GetState()->GetContact(), 0) << x;
   }
-  // A slope above 2 counts as an edge: there the hand leaves the ball, and stays in the plane of
-  // the view.
+  // A slope above 2 counts as an edge. There the hand leaves the ball, and must stay in the plane
+  // of the view.
   const double height = this->Device->GetState()->GetTipPosition()[2];
   strokeTo(150 + static_cast<int>(5.0 * radius) - 1);
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], height, 1e-6);
@@ -165,14 +165,14 @@ TEST_F(StyleTest, AStrokeGoesOnAroundABall)
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], height, 1e-6)
     << "there is nothing to follow";
   EXPECT_EQ(this->Device->GetState()->GetContact(), 0);
-  // The hand returns to the front of the surface. A step of the wheel backwards keeps it 1 mm
-  // higher from then on.
+  // The hand returns to the front of the surface. After a step of the wheel backwards, it must stay
+  // 1 mm higher.
   x = strokeTo(200);
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], heightAt(x), 0.05);
   this->Pointer(200, 150, vtkCommand::MouseWheelBackwardEvent);
   x = strokeTo(230);
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], heightAt(x) + 1.0, 0.05);
-  // With a method without surfaces, the hand moves in the plane.
+  // With a method that has no surfaces, the hand must move in the plane of the view.
   this->Filter->SetMethodToForceField();
   this->Run(10);
   x = strokeTo(180);
@@ -181,7 +181,7 @@ TEST_F(StyleTest, AStrokeGoesOnAroundABall)
 
 namespace
 {
-/// A hand beside the middle of the ball, with an editor that can be docked.
+/// Tests with a hand beside the middle of the ball, and an editor that can be docked.
 class HeldHand : public StyleTest
 {
 protected:
@@ -219,7 +219,7 @@ protected:
         return Length(moved) < 1e-9;
       }));
   }
-  /// The distance (pixels) from the hand to a place in the window.
+  /// Returns the distance (pixels) from the hand to a position in the window.
   double Distance(int x, int y)
   {
     double display[3];
@@ -255,7 +255,7 @@ TEST_F(HeldHand, IsUnderThePointerThatHasLeftTheWindowAndComesBackElsewhere)
   this->Touch(320, 160);
   this->Pointer(599, 160);
   this->Rest();
-  // Interactors take the place where the pointer comes in, and tell it as no motion.
+  // Interactors store the position at which the pointer enters, but send no motion for it.
   this->Pointer(280, 299, vtkCommand::EnterEvent);
   this->Pointer(282, 150);
   this->Rest();
@@ -347,7 +347,7 @@ TEST_F(HeldHand, GoesTheWayOfThePointerOnceWhateverIsBetween)
       this->Pointer(320, 160);
       this->Renderer->GetActiveCamera()->Roll(-30.0);
     });
-  // Another part of the window uses motions.
+  // This observer stands for another part of the window, which uses motions.
   vtkNew<vtkCallbackCommand> other;
   other->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
   other->AbortFlagOnExecuteOn();

@@ -34,14 +34,14 @@ TEST_F(StyleTurn, TheVolumeTurnsWithTheCap)
   }
   played.Turn = 0.0;
   ASSERT_GT(angle, 0.1);
-  // Turning the scene so that its front goes to the right moves the eye to the left.
+  // To turn the front of the scene to the right, the eye must move to the left.
   const double* const eye = camera->GetPosition();
   EXPECT_NEAR(eye[0], -200.0 * std::sin(angle), 1e-6);
   EXPECT_NEAR(eye[1], 0.0, 1e-6);
   EXPECT_NEAR(eye[2], 200.0 * std::cos(angle), 1e-6);
   EXPECT_NEAR(camera->GetViewUp()[1], 1.0, 1e-9);
 
-  // The workspace has followed the camera: the device's z axis points to the eye.
+  // The workspace must follow the camera: the device's z axis points to the eye.
   this->Run(10);
   const vtkMatrix4x4* const place = this->Device->GetDeviceToWorld();
   ASSERT_NE(place, nullptr);

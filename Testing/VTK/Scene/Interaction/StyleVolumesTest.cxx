@@ -39,7 +39,7 @@ protected:
     this->Device->Start();
     this->Run(2);
   }
-  /// Returns the number of warnings since the last call, and expects that the newest one has the
+  /// Returns the number of warnings since the last call. Expects that the newest warning has the
   /// words and a cure.
   std::size_t CountWarnings(const char* words = "")
   {
@@ -69,8 +69,8 @@ protected:
     ASSERT_GT(Length(this->Device->GetState()->GetForce()), 0.3) << "N";
     ASSERT_TRUE(this->Log.Warnings.empty()) << this->Log.Warnings[0];
   }
-  /// Expects that the hand has let go and can't touch again, and that each attempt warned with the
-  /// cure.
+  /// Expects that the hand has let go and can't touch again, and that each attempt has given a
+  /// warning with the cure.
   void ExpectLetGo(const std::string& cure)
   {
     for (const char* const when : { "touched before", "begins anew" })
@@ -85,7 +85,7 @@ protected:
       this->Style->TouchModeOn();
     }
     this->Log.Warnings.clear();
-    // Arming without touch mode, as with a real device, is refused, too.
+    // Arming without touch mode, as for a real device, must be refused, too.
     this->Device->Arm();
     this->RunUntilReady();
     EXPECT_EQ(this->Log.Warnings.size(), 1U);
@@ -101,7 +101,7 @@ protected:
         return this->Device->GetStatus() == vtkHapticDevice::READY;
       }));
   }
-  /// Returns the largest change of the force between two ticks (N) until the force is 0.
+  /// Returns the largest change (N) of the force between two ticks, until the force is 0.
   double MeasureLargestStep(LoopPauses& pauses)
   {
     double last = Length(this->Device->GetState()->GetForce());
@@ -223,14 +223,14 @@ TEST_F(StyleVolumes, ThatAreTouchedAreFeltWhereTheyAre)
     const auto tick = static_cast<vtkIdType>(std::lround((75.0 - x) / 0.1));
     return force && force->GetNumberOfTuples() == 181 ? force->GetComponent(tick, 0) : -1.0;
   };
-  // The ball's visible surface is at x = 65.
+  // The ball's visible surface is at x = 65 mm.
   EXPECT_EQ(forceAt(65.5), 0.0);
   EXPECT_NEAR(forceAt(62.0), 500.0 * 0.003, 0.1);
   this->Volume->SetOrientation(0.0, 40.0, 0.0);
   this->Volume->SetPosition(3.0, 0.0, 0.0);
   EXPECT_EQ(this->CountWarnings(), 0U);
   EXPECT_NEAR(forceAt(60.0), 500.0 * 0.003, 0.1) << "the volume has moved by 2 mm";
-  // Parts that the mapper clips are not felt; the clipping plane is in world coordinates.
+  // Parts that the mapper clips must not be felt. The clipping plane is in world coordinates.
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(50.0, 0.0, 0.0);
   plane->SetNormal(-1.0, 0.0, 0.0);
@@ -239,7 +239,7 @@ TEST_F(StyleVolumes, ThatAreTouchedAreFeltWhereTheyAre)
   EXPECT_EQ(forceAt(60.0), 0.0);
   plane->SetOrigin(70.0, 0.0, 0.0);
   EXPECT_NEAR(forceAt(60.0), 500.0 * 0.003, 0.1);
-  // Cropping planes are in coordinates of the data: the face at x = 24 is at 3 + 2 * 24 = 51 in the
+  // Cropping planes are in coordinates of the data. The face at x = 24 is at 3 + 2 * 24 = 51 in the
   // world.
   this->Volume->SetOrientation(0.0, 0.0, 0.0);
   this->Mapper->CroppingOn();
@@ -250,7 +250,7 @@ TEST_F(StyleVolumes, ThatAreTouchedAreFeltWhereTheyAre)
   this->Mapper->CroppingOff();
   EXPECT_EQ(this->CountWarnings(), 0U);
   EXPECT_NEAR(forceAt(60.0), 500.0 * 0.003, 0.1);
-  // A volume with a shear warns.
+  // A volume with a shear must give a warning.
   vtkNew<vtkMatrix4x4> shear;
   shear->SetElement(0, 1, 0.5);
   this->Volume->SetUserMatrix(shear);
@@ -283,7 +283,7 @@ TEST_F(StyleVolumes, ThatCantBeTouchedAreErrors)
 }
 
 // Ends the touch by a renderer that draws nothing, a volume without a mapper, and a mapper without
-// an input. Each can be touched again once it is restored.
+// an input. The volume can be touched again once each is restored.
 TEST_F(StyleVolumes, ThatShowNothingAreNotFelt)
 {
   vtkNew<vtkHapticHeadUpDisplay> display;
@@ -326,7 +326,8 @@ TEST_F(StyleVolumes, ThatAreHiddenAreNotFelt)
   EXPECT_EQ(std::string(display->GetHint()).find("can't be felt"), std::string::npos);
 }
 
-// ForceGate::FadeTime is 50 ms, so at 1000 Hz the force falls by a fiftieth in each tick.
+// The fade takes 50 ms (ForceGate::FadeTime), so at 1000 Hz the force falls by a fiftieth in each
+// tick.
 TEST_F(StyleVolumes, ThatAreHiddenOrRemovedFade)
 {
   constexpr double ticks = 50.0;
@@ -336,7 +337,7 @@ TEST_F(StyleVolumes, ThatAreHiddenOrRemovedFade)
     LoopPauses pauses;
     double force = 0.0;
     double step = 0.0;
-    do // repeats if the servo was held up, since the force then did not fade from this value
+    do // repeats if the servo was held up, since the fade then began at another force
     {
       this->Push();
       this->Style->UpdateHaptics(); // drains the earlier states
@@ -381,13 +382,14 @@ TEST_F(StyleVolumes, OfAnotherRendererAreNotFeltUnlessItShowsTheSame)
   this->Style->SetDefaultRenderer(this->Renderer);
   this->Style->TouchModeOn();
   EXPECT_TRUE(this->Style->GetTouchMode());
-  // The renderer is a layer over the one that has the volume, and shares its camera.
+  // The renderer is a layer over the renderer that has the volume, and shares its camera.
   beside->SetViewport(this->Renderer->GetViewport());
   beside->SetActiveCamera(this->Renderer->GetActiveCamera());
   this->Style->SetDefaultRenderer(beside);
   this->Run(20);
   EXPECT_TRUE(this->Style->GetTouchMode());
-  // Without a default renderer, the renderer under the pointer is touched.
+  // Without a default renderer, the volumes of all renderers in the window can be touched, so the
+  // touch goes on.
   this->Style->SetDefaultRenderer(nullptr);
   beside->SetActiveCamera(nullptr);
   this->Run(20);
@@ -448,8 +450,8 @@ TEST_F(StyleVolumes, OfAMultiVolumeAreFeltEachAtItsPlace)
     this->Log.Errors[0].find("Cure: TouchVolume() with the vtkMultiVolume, or"), std::string::npos);
   this->Log.Errors.clear();
   EXPECT_EQ(this->Style->GetTouchedVolume(), nullptr);
-  // This is the second cure that the error names. StyleSeveral.EachPortOfAMultiVolumeIsTouched
-  // tests the first one.
+  // The test follows the second cure in the error. StyleSeveral.EachPortOfAMultiVolumeIsTouched
+  // follows the first one.
   parts[1]->SetPosition(0.0, 0.0, 5.0);
   ASSERT_TRUE(this->Style->TouchVolume(multi->GetVolume(1)));
   vtkNew<vtkVolumeHapticsFilter> first;
@@ -497,13 +499,14 @@ TEST_F(StyleVolumes, WithAMaskWarn)
   EXPECT_EQ(this->CountWarnings("mask"), 1U);
 }
 
-// The expected force is as in ThatAreTouchedAreFeltWhereTheyAre: the tip is 3 mm behind the surface
-// at 30 mm.
+// The expected force is that in ThatAreTouchedAreFeltWhereTheyAre: the tip is 3 mm behind the
+// surface at 30 mm.
 TEST_F(StyleVolumes, ThatAreMaskedAreFeltWhereTheMaskShowsThem)
 {
   auto* const mapper = vtkGPUVolumeRayCastMapper::SafeDownCast(this->Mapper);
   vtkNew<vtkImageData> mask;
-  mask->SetDimensions(this->Ball->GetDimensions()); // its origin differs, which does not count
+  // the mask's origin differs, which does not count
+  mask->SetDimensions(this->Ball->GetDimensions());
   mask->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
   for (vtkIdType i = 0; i < mask->GetNumberOfPoints(); ++i)
   {
@@ -530,17 +533,18 @@ TEST_F(StyleVolumes, ThatAreMaskedAreFeltWhereTheMaskShowsThem)
   };
   EXPECT_EQ(forceAt(27.0), 0.0) << "hidden";
   EXPECT_NEAR(forceAt(-27.0), -500.0 * 0.003, 0.1);
-  // The mask turns with the volume.
+  // The mask must turn with the volume.
   this->Volume->RotateZ(180.0);
   EXPECT_EQ(this->CountWarnings(), 0U);
   EXPECT_NEAR(forceAt(27.0), 500.0 * 0.003, 0.1);
   EXPECT_EQ(forceAt(-27.0), 0.0);
-  // A change of the mask's values counts at once.
+  // A change of the mask's values must take effect at once.
   mask->GetPointData()->GetScalars()->Fill(1.0);
   mask->Modified();
   EXPECT_EQ(this->CountWarnings(), 0U);
   EXPECT_NEAR(forceAt(-27.0), -500.0 * 0.003, 0.1);
-  // Touching another volume removes the mask from the filter; touching this one again restores it.
+  // Touching another volume must remove the mask from the filter. Touching this volume again must
+  // restore the mask.
   const auto isBlanked = [this] { return this->Filter->GetTouchedImage()->HasAnyBlankPoints(); };
   mask->GetPointData()->GetScalars()->SetTuple1(0, 0.0);
   mask->Modified();
@@ -558,13 +562,13 @@ TEST_F(StyleVolumes, ThatAreMaskedAreFeltWhereTheMaskShowsThem)
   mapper->SetMaskInput(nullptr);
   EXPECT_EQ(this->CountWarnings(), 0U);
   EXPECT_FALSE(isBlanked());
-  // Labels that the application gave to the filter stay.
+  // Labels that the application has given to the filter must stay.
   this->Filter->SetLabelData(mask);
   mapper->SetMaskInput(mask);
   EXPECT_EQ(this->CountWarnings("Cure: FeelCutFacesOn()"), 1U);
   EXPECT_EQ(this->Filter->GetInputDataObject(3, 0), mask);
   EXPECT_TRUE(isBlanked());
-  // A mask of another size is not followed, since mappers draw it in undefined ways.
+  // A mask of another size must not be used, since mappers draw it in undefined ways.
   vtkNew<vtkImageData> small;
   small->SetDimensions(9, 9, 9);
   small->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
@@ -578,14 +582,14 @@ TEST_F(StyleVolumes, WithATransferFunctionOfTwoDimensionsWarn)
   function->SetDimensions(2, 2, 1);
   function->AllocateScalars(VTK_FLOAT, 4);
   this->Volume->GetProperty()->SetTransferFunction2D(function);
-  // VTK 9.6 does not set the mode when it gets the function, so the test does.
+  // VTK 9.6 does not set the mode when it gets the function, so the test sets it.
   this->Volume->GetProperty()->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
   EXPECT_EQ(this->CountWarnings("2-D transfer function"), 1U);
 }
 
 TEST_F(StyleVolumes, WithBlanksWarnIfTheirMapperDrawsThem)
 {
-  // The GPU mapper does not draw the hidden point, and it is not felt.
+  // The GPU mapper does not draw the hidden point, so it must not be felt.
   vtkUnsignedCharArray* const points = this->Ball->AllocatePointGhostArray();
   points->SetValue(1234, vtkDataSetAttributes::HIDDENPOINT);
   EXPECT_EQ(this->CountWarnings(), 0U);
@@ -593,7 +597,7 @@ TEST_F(StyleVolumes, WithBlanksWarnIfTheirMapperDrawsThem)
   mapper->SetInputData(this->Ball);
   this->Volume->SetMapper(mapper);
   EXPECT_EQ(this->CountWarnings("vtkGhostType"), 1U);
-  points->SetValue(1234, vtkDataSetAttributes::DUPLICATEPOINT); // is drawn all the same
+  points->SetValue(1234, vtkDataSetAttributes::DUPLICATEPOINT); // is drawn like other points
   points->Modified();
   EXPECT_EQ(this->CountWarnings(), 0U);
   this->Ball->AllocateCellGhostArray()->SetValue(77, vtkDataSetAttributes::HIDDENCELL);

@@ -8,7 +8,7 @@
 
 #include "Rigs/ApiRig.h"
 
-#include <vtkContextDevice2D.h> // has the charts drawn with OpenGL
+#include <vtkContextDevice2D.h> // lets OpenGL draw the charts
 #include <vtkHapticDevice.h>
 #include <vtkHapticFunctionEditor.h>
 #include <vtkHapticHeadUpDisplay.h>

@@ -65,7 +65,7 @@ protected:
     return all;
   }
   /// Expects that the view of the touched image equals the view of `left`, which the application
-  /// sets, and that both tell the same value.
+  /// sets, and that both show the same value.
   void ExpectAlike(vtkImageData* left, const double at[3])
   {
     const Picture shown = this->Draw(at);
@@ -118,7 +118,7 @@ TEST_F(SliceBurr, ShowWhatIsLeft)
   }
 }
 
-/// The felt component has lost tissue; the other component has not.
+/// Removes tissue from the component that is felt. The other component must stay whole.
 TEST_F(SliceBurr, ShowWhatIsLeftOfOneComponent)
 {
   vtkNew<vtkImageData> two;
@@ -137,8 +137,8 @@ TEST_F(SliceBurr, ShowWhatIsLeftOfOneComponent)
   this->ExpectAlike(MakeLeft(two, 1, hole, SliceAir), at);
 }
 
-/// The source stands for a volume that is larger than memory: each sample of its coarse image shows
-/// the mean of what is left of the fine samples that it covers.
+/// The source stands for a volume that is larger than memory. Each sample of its coarse image must
+/// show the mean of the fine samples that it covers, after the removal.
 TEST_F(SliceBurr, ShowWhatIsLeftOfACoarseLevel)
 {
   vtkNew<vtkHapticRegionSource> source;

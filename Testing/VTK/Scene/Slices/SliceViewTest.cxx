@@ -21,7 +21,7 @@ namespace
 {
 using SlicePlace = std::array<double, 3>;
 
-/// Index axes i, j, k along -y, z and -x of the world, turned about z by 20 degrees.
+/// The index axes i, j, k are -y, z and -x of the world, turned about z by 20 degrees.
 constexpr double SparkCos = 0.93969262078590838;
 constexpr double SparkSin = 0.34202014332566873;
 constexpr double SparkDirection[9] = { SparkSin, 0.0, -SparkCos, -SparkCos, 0.0, -SparkSin, 0.0,
@@ -75,8 +75,8 @@ protected:
     const int* const size = this->View->GetRenderer(slice)->GetSize();
     return { origin[0] + size[0] / 2, origin[1] + size[1] / 2 };
   }
-  /// Returns the middle of the bright grey pixels, which are neither text nor crosshair, in pixels
-  /// of the window.
+  /// Returns the middle (pixels of the window) of the bright grey pixels, which are neither text
+  /// nor crosshair.
   std::array<int, 2> FindSpark(int slice)
   {
     const int* const origin = this->View->GetRenderer(slice)->GetOrigin();
@@ -144,7 +144,7 @@ TEST_F(SliceViewTest, APositionInASliceIsThatOfTheVoxelShownThere)
         const auto [x, y] = this->FindSpark(slice);
         ASSERT_EQ(this->View->FindSlice(x, y), slice) << anatomical;
         const SlicePlace found = this->Ask(slice, x, y);
-        // A pixel is 0.13 mm.
+        // A pixel is 0.13 mm wide.
         EXPECT_NEAR(vtkMath::Distance2BetweenPoints(found.data(), world.data()), 0.0, 0.1)
           << "slice " << slice << ", anatomical " << anatomical;
       }
@@ -158,8 +158,8 @@ TEST_F(SliceViewTest, AnatomicalSlicesLieAsRadiologistsLookAtThem)
   this->View->SetImage(MakeSpark(spark));
   this->View->AnatomicalOn();
   this->Window->Render();
-  // Axes of the world to the right and upwards in each slice: +x is left, +y is posterior, +z is
-  // superior.
+  // For each slice, the axes of the world that point to the right and upwards: +x is left, +y is
+  // posterior, and +z is superior.
   const int right[3] = { 0, 0, 1 };
   const int rightSign[3] = { 1, 1, 1 };
   const int up[3] = { 1, 2, 2 };
@@ -195,7 +195,7 @@ TEST_F(SliceViewTest, AClickBeginsTheTouchThereAndTheNextOneLeadsTheTip)
   this->ExpectTip(begin);
   EXPECT_NE(this->Device->GetStatus(), vtkHapticDevice::READY) << "armed";
 
-  // A motion of the pointer over a slice does not lead the tip; only a drag does.
+  // Moving the pointer over a slice must not lead the tip; only a drag does.
   this->Pointer(x + 20, y + 7);
   this->Run(20);
   this->ExpectTip(begin);
@@ -276,7 +276,7 @@ TEST_F(SliceViewTest, AKeyGivesTheSceneItsRoomBack)
   EXPECT_EQ(this->Renderer->GetViewport()[2], 1.0);
   EXPECT_EQ(this->View->FindSlice(200, 100), -1);
   this->Press("s", vtkCommand::KeyReleaseEvent);
-  this->Run(30); // no repetition of a held key
+  this->Run(30); // after a pause, a key is no repetition of a held key
   this->Press("s");
   this->Window->Render();
   EXPECT_EQ(this->Renderer->GetViewport()[2], 0.5);
@@ -292,7 +292,7 @@ TEST_F(SliceViewTest, TellsValueTissueAndComponent)
   this->View->SetHeadUpDisplay(display);
   this->View->SetUnit("HU");
   this->OpenAndStart();
-  // The value is 100 times the distance to the surface (mm), here in the middle.
+  // The value is 100 times the depth (mm) below the surface, here in the middle of the ball.
   EXPECT_EQ(this->View->GetText(0), "k = 48\n3000 HU\nball");
 
   vtkNew<vtkDoubleArray> vectors;

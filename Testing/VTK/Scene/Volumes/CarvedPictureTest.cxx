@@ -64,7 +64,7 @@ public:
     array.Air = air;
     this->Picture = std::make_unique<CarvedPicture>(this->Scene.Mapper, array);
   }
-  /// Draws as many frames as the picture asks for; returns the last one.
+  /// Draws as many frames as the picture asks for. Returns the last frame.
   std::vector<int> Follow()
   {
     std::vector<int> drawn;
@@ -101,7 +101,7 @@ public:
     }
     EXPECT_LE(Difference(whole, this->DrawReference()), MostDifference);
     const vtkMTimeType time = this->Image->GetMTime();
-    // Tissue is removed in three steps.
+    // Removes tissue in three steps.
     std::vector<int> last = whole;
     for (int step = 0; step < 3; ++step)
     {
@@ -121,7 +121,7 @@ public:
     EXPECT_FALSE(this->Picture->Update());
     EXPECT_EQ(this->Image->GetMTime(), time);
     this->ExpectUntouched();
-    // A modified image makes VTK upload it anew.
+    // VTK must upload a modified image anew.
     this->Image->Modified();
     this->Picture->Update();
     EXPECT_LE(Difference(this->Scene.Draw(), this->DrawReference()), MostDifference);
@@ -146,7 +146,7 @@ public:
     EXPECT_LE(Difference(this->Follow(), this->DrawReference()), MostDifference);
     EXPECT_GT(Difference(this->Scene.Draw(), whole), LeastChange);
     EXPECT_EQ(this->Picture->HasTexture(), hasTexture);
-    // Deleting the picture restores the volume.
+    // Deleting the picture must restore the volume.
     this->Picture = nullptr;
     EXPECT_LE(Difference(this->Scene.Draw(), whole), MostDifference);
     EXPECT_EQ(this->Scene.Mapper->GetInputDataObject(0, 0), this->Image);
@@ -264,8 +264,8 @@ TEST(CarvedPicture, OfATextureInBlocksIsACopy)
     rig.Picture->IsCopy(vtkImageData::SafeDownCast(rig.Scene.Mapper->GetInputDataObject(0, 0))));
 }
 
-/// A texture can't hold values beyond the range of the image. This image has no sample as low as
-/// the air of -1000, so the picture is a copy.
+/// A texture can't hold values beyond the range of the image. No sample of this image is as low as
+/// the air of -1000, so the picture must be a copy.
 TEST(CarvedPicture, WithAirBeyondTheRangeIsACopy)
 {
   OfTexture rig({ VTK_SHORT, 1, 300.0, 1800.0 });
@@ -286,7 +286,7 @@ TEST(CarvedPicture, OfARegionTakesTheFractionsOfTheRegion)
   const std::int64_t first[3] = { 101, 50, 3 };
   std::copy(first, first + 3, rig.Burr.First);
   rig.Begin(rig.Values.Air);
-  // Bricks beyond the region have no effect.
+  // Bricks outside the region must have no effect.
   SetFraction(rig.Burr.Removal->Bricks, 20, 20, 20, 0);
   SetFraction(rig.Burr.Removal->Bricks, 99, 55, 10, 0);
   SetFraction(rig.Burr.Removal->Bricks, 150, 55, 10, 0);
@@ -348,7 +348,7 @@ TEST(CarvedPicture, OfOneOfSeveralVolumesOfAMapper)
     EXPECT_GT(Difference(drawn, whole), LeastChange);
   }
   EXPECT_TRUE(rig.Picture->HasTexture());
-  // VTK uploads all inputs in each rendering, once their OpenGL objects have been released.
+  // Once their OpenGL objects were released, VTK uploads all inputs in each rendering.
   rig.Scene.Open();
   EXPECT_LE(Difference(rig.Follow(), drawReference()), MostDifference);
   rig.Picture = nullptr;
@@ -359,7 +359,7 @@ TEST(CarvedPicture, OfOneOfSeveralVolumesOfAMapper)
 TEST(CarvedPicture, LeavesTheStateOfOpenGL)
 {
   OfTexture rig(Byte);
-  // Tissue lies in the last bricks, where the image has only one sample of each row.
+  // The last bricks hold tissue, although the image has only one sample of each row there.
   vtkDataArray* const array = rig.Image->GetPointData()->GetScalars();
   for (vtkIdType i = Size[0] - 1; i < array->GetNumberOfTuples(); i += Size[0])
   {
@@ -399,7 +399,7 @@ TEST(CarvedPicture, LeavesTheStateOfOpenGL)
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
-/// A picture leaves nothing behind if it outlives what it shows, or if another picture exists.
+/// A picture that outlives its volume, or exists beside another picture, must leave nothing behind.
 TEST(CarvedPicture, EndsBeforeOrAfterWhatItShows)
 {
   {

@@ -27,7 +27,7 @@ namespace
 class CarvedPicturesScene : public testing::Test
 {
 protected:
-  /// Draws as many frames as the pictures ask for; returns the last one.
+  /// Draws as many frames as the pictures ask for. Returns the last frame.
   std::vector<int> Follow(const std::vector<CarvedArray>& arrays)
   {
     std::vector<int> drawn;
@@ -85,14 +85,14 @@ TEST_F(CarvedPicturesScene, ShowsItInAllVolumesOfTheWindow)
   }
   EXPECT_GT(differences[0], 20);
   EXPECT_GT(differences[1], 20);
-  // The mapper without a texture shows a copy; GetImage() still returns the application's image.
+  // The mapper without a texture shows a copy, but GetImage() must return the application's image.
   EXPECT_NE(copied->GetInput(), this->Image);
   EXPECT_EQ(this->Pictures.GetImage(copied), this->Image);
   EXPECT_EQ(this->Pictures.GetImage(this->Scene.Mapper), this->Image);
   EXPECT_EQ(
     this->Pictures.GetGivenInput(this->Scene.Mapper), this->Scene.Mapper->GetInputConnection(0, 0));
 
-  // The removal of another filter, and no removal, show the whole volume.
+  // With the removal of another filter, or without a removal, the whole volume must be shown.
   CarvedArray other = this->MakeArray();
   other.Removal = std::make_shared<TissueRemoval>();
   EXPECT_LE(Difference(this->Follow({ other }), whole), 1);
@@ -111,7 +111,7 @@ TEST_F(CarvedPicturesScene, LeavesOtherVolumesAlone)
   this->Burr.At(28.0, 19.0, 30.0, 7.0);
   EXPECT_FALSE(this->Pictures.Update(this->Scene.Renderer, { this->MakeArray() }));
   EXPECT_EQ(Difference(this->Follow({ this->MakeArray() }), whole), 0);
-  // A mapper that gets the array later shows the removal, too.
+  // A mapper that gets the array later must show the removal, too.
   this->Scene.Mapper->SetInputDataObject(this->Image);
   EXPECT_GT(Difference(this->Follow({ this->MakeArray() }), whole), 20);
   this->Scene.Mapper->SetInputDataObject(other);
@@ -124,8 +124,8 @@ TEST_F(CarvedPicturesScene, LeavesOtherVolumesAlone)
   EXPECT_LE(Difference(this->Scene.Draw(), whole), 1);
 }
 
-/// The volume shows a copy of the touched array in which a part is hidden. A texture, and then a
-/// copy, remove tissue from it.
+/// The volume shows a copy of the touched array, in which a part is hidden. Tissue must be removed
+/// from this copy, first by a texture and then in another copy.
 TEST_F(CarvedPicturesScene, ShowsItInAnArrayThatIsShownInstead)
 {
   const vtkSmartPointer<vtkImageData> other = MakeImage(VTK_UNSIGNED_CHAR, 1, 0.0, 250.0);
@@ -172,7 +172,8 @@ TEST_F(CarvedPicturesScene, ShowsItInAnArrayThatIsShownInstead)
   this->Follow({});
   EXPECT_EQ(copied->GetInput(), other);
 
-  // An array that stands for another volume's, and one of another size, are left alone.
+  // An array that stands for the array of another volume must stay whole, and so must an array of
+  // another size.
   shown->GetInformation()->Set(vtkHapticRemoval::TOUCHED_ARRAY(), shown);
   this->Burr.At(28.0, 19.0, 30.0, 7.0);
   EXPECT_FALSE(this->Pictures.Update(this->Scene.Renderer, { this->MakeArray() }));
@@ -184,7 +185,7 @@ TEST_F(CarvedPicturesScene, ShowsItInAnArrayThatIsShownInstead)
 
 namespace
 {
-/// A picture by a mapper without a texture, in no window.
+/// A picture of a mapper without a texture, which is in no window.
 struct Undrawn
 {
   Undrawn(vtkImageData* image, const CarvedArray& array)
@@ -217,8 +218,8 @@ struct Undrawn
 };
 } // namespace
 
-/// Carved values are rounded to the nearest value of the type; the last burr's air value is beyond
-/// the range of small integers.
+/// Carved values must be rounded to the nearest value of the type. The air value of the last burr
+/// is beyond the range of small integers.
 TEST_F(CarvedPicturesScene, HasTheValuesOfItsType)
 {
   for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
@@ -245,8 +246,8 @@ TEST_F(CarvedPicturesScene, HasTheValuesOfItsType)
   }
 }
 
-/// After another thread has carved, the picture shows its last change, whatever was drawn
-/// meanwhile.
+/// After another thread has carved, the picture must show the last change, whatever was drawn
+/// before.
 TEST_F(CarvedPicturesScene, FollowsAnotherThread)
 {
   const Undrawn scene(this->Image, this->MakeArray());

@@ -42,8 +42,8 @@ using namespace coretest;
 constexpr int Side = 80; ///< pixels
 constexpr std::int64_t Size[3] = { 41, 35, 38 };
 
-/// Makes a ball of high values, with an extent that does not begin at 0. Two corners hold the ends
-/// of the range.
+/// Makes a ball of high values. Its extent does not begin at 0, and two corners hold the ends of
+/// the range.
 inline vtkSmartPointer<vtkImageData> MakeImage(int type, int components, double air, double tissue)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -77,7 +77,8 @@ inline vtkSmartPointer<vtkImageData> MakeImage(int type, int components, double 
   return image;
 }
 
-/// Computes V' = V - (1 - rho) (V - V_air), where rho is the fraction: FRONTIER 3.3.
+/// Makes the image with the values V' = V - (1 - rho) (V - V_air), where rho is the fraction of
+/// tissue that is left: FRONTIER 3.3.
 inline vtkSmartPointer<vtkImageData> MakeCarved(
   vtkImageData* image, const std::vector<std::uint8_t>& fractions, int component, double air)
 {
@@ -96,7 +97,7 @@ inline vtkSmartPointer<vtkImageData> MakeCarved(
   return carved;
 }
 
-/// Removes tissue where a burr has been (voxels), by a loop over all samples.
+/// Removes tissue at places of a burr (in voxels), by a loop over all samples.
 class Carving
 {
 public:
@@ -110,8 +111,8 @@ public:
     std::fill(this->Fractions.begin(), this->Fractions.end(), std::uint8_t{ 255 });
     this->Write();
   }
-  /// Writes the changed fractions to the bricks, where the image begins at the sample `First`, as
-  /// in a region.
+  /// Writes the changed fractions to the bricks. The image begins at the sample `First`, as a
+  /// region does.
   void Write()
   {
     std::size_t at = 0;
@@ -214,7 +215,7 @@ public:
   vtkSmartPointer<vtkRenderWindow> Window;
 };
 
-/// Returns the largest difference of two pictures, in grey levels.
+/// Returns the largest difference (grey levels) of two pictures.
 inline int Difference(const std::vector<int>& a, const std::vector<int>& b)
 {
   int most = a.size() == b.size() ? 0 : 256;

@@ -22,8 +22,8 @@ constexpr double Pi = 3.14159265358979323846;
 class PathSource : public testing::Test
 {
 protected:
-  /// Updates, and expects a polyline with times, whose steps are as long as the first one, or
-  /// shorter by up to `bend`.
+  /// Updates the source. Expects a polyline with times whose steps are as long as the first step,
+  /// or shorter by up to `bend`.
   vtkPolyData* Run(double length, double bend)
   {
     this->Source->Update();
@@ -73,7 +73,7 @@ TEST_F(PathSource, LineGoesFromEndToEnd)
   this->ExpectAt(250, { -25, 0, 0 });
   this->ExpectAt(1000, { 50, 0, 0 });
   this->Source->SetSpeed(30.0);
-  // Steps are shorter, so that the path reaches its end.
+  // Steps are slightly shorter than at 30 mm/s, so that the last step ends at the end of the line.
   EXPECT_EQ(this->Run(100.0, 1e-9)->GetNumberOfPoints(), 3335);
 }
 
