@@ -29,7 +29,7 @@ Figures MeasureAlignment(const Candidate& candidate, const Effort& effort)
         { return BlurredStep(Dot(x - OddCentre, normal), width, Height); },
         { 20.0, { 1.0, 1.0, 1.0 }, ScalarType::Int16, 0.0, 1, false });
       Touching touching = TouchingOf(candidate, MakeMaterial());
-      // A step of one unit of the scalar does not count as an edge.
+      // A step of one scalar unit does not count as an edge.
       const double steepest = Height / (width * std::sqrt(TwoPi));
       touching.Material.Distinctness = { { 0.05 * steepest, 0.0 }, { 0.1 * steepest, 1.0 } };
       touching.Alignment = ContactAlignment::Edge;

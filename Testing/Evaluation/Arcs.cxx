@@ -21,7 +21,7 @@ constexpr double Backing = 4.0;    // mm
 constexpr double Clearance = 2.0;  // mm
 constexpr double Leap = 0.5;       // mm: largest distance between neighbours of an arc
 constexpr double Shortest = 30.0;  // mm
-constexpr double Above = 10.0;     // mm above the surface: where the hand starts
+constexpr double Above = 10.0;     // mm above the surface: start of the hand
 constexpr double SearchStep = 0.5; // mm
 
 using ValueAt = std::function<double(double)>; // by radius

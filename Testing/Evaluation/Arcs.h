@@ -25,22 +25,23 @@ struct Arc
 {
   Path Tips;               ///< mm, one per tick
   std::size_t Pressed = 0; ///< number of tips that press before the stroke begins
-  Vector3 Middle;          ///< mm: start of the rays to the surface
+  Vector3 Middle;          ///< mm: origin of the rays that search for the surface
 
   /** Returns the first tick that is measured, 200 ticks after the stroke's beginning. */
   std::size_t GetSettled() const { return this->Pressed + 200; }
 };
 
-/** The surface of a scan, and the rays that search for it. */
+/** Describes the surface of a scan, and the rays that search for it. */
 struct Course
 {
   double Level = 0.0; ///< value of the surface
-  /// mm by which the first press is deeper, to pass through what lies above the surface
+  /// depth (mm) added to the first press, to pass through tissue above the surface
   double Beyond = 0.0;
   std::vector<Vector3> Middles; ///< mm: a plane of rays begins at each of them
   Vector3 Side = { 1.0, 0.0, 0.0 };
-  Vector3 Up = { 0.0, 1.0, 0.0 }; ///< unit vector, perpendicular to Side; both span the planes
-  double FirstAngle = 0.0;        ///< angle between the first ray and Side, towards Up
+  /// unit vector, perpendicular to Side; Side and Up span the planes
+  Vector3 Up = { 0.0, 1.0, 0.0 };
+  double FirstAngle = 0.0; ///< angle between the first ray and Side, towards Up
   double LastAngle = 6.283185307179586;
   double Radius = 80.0; ///< mm: approximate radius of the surface
   /**

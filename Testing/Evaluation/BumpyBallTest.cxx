@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The true surface of the bumpy ball, compared with a brute-force search. A method with a known
- * surface is found on it. The default settings feel the ball where it is seen.
+ * Compares the true surface of the bumpy ball with a brute-force search. The measurement finds a
+ * method whose surface is known on that surface. The default settings feel the ball where it is
+ * seen.
  */
 
 #include "BumpyBall.h"

@@ -98,7 +98,8 @@ Form Friction()
 
 Form Tractrix()
 {
-  // T6 and T7: the angle psi between the lag and the motion falls as tan(psi / 2) = exp(-s / a).
+  // T6 and T7: the angle psi between the lag and the motion decreases as tan(psi / 2) = exp(-s /
+  // a).
   Form form{ "T6, T7", Uniform, MakeMaterial(500.0, 0.0, 0.5), { Start }, {} };
   MoveTo(form.Tips, { Start.X, Start.Y, 3.0 }, Step);
   const std::size_t corner = form.Tips.size();
@@ -123,9 +124,9 @@ HapticMaterial Distinct()
 
 Form TwoSprings(bool jumps)
 {
-  // T8, and T9 in one tick: 500 N/m in series with 500 N/m, up to 2 N. From 4 mm on, neither the
-  // kernel nor the values ahead reach the field's lowest point. A growing slope is the foot of an
-  // edge, which alignment Edge holds only from its middle on.
+  // T8, and T9 in one tick: 500 N/m in series with 500 N/m, up to 2 N. From a depth of 4 mm on,
+  // neither the kernel nor the look-ahead of the proxy reaches the field's lowest point. A growing
+  // slope is the foot of an edge, which alignment Edge holds only from its middle on.
   Form form{ jumps ? "T9" : "T8", GrowingSlope, Distinct(), { { Start.X, Start.Y, 0.0 } }, {} };
   form.IsOfThePaper = true;
   if (jumps)

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * The closed forms of Documentation/evaluation.md, with the right answer at every tick, even where
- * PAPER gives another answer.
+ * @file The closed forms of Documentation/evaluation.md, with the exact force at every tick, even
+ * where PAPER deviates from it.
  */
 #ifndef Evaluation_ClosedForms_h
 #define Evaluation_ClosedForms_h
@@ -28,10 +27,10 @@ struct Form
   bool IsOfThePaper = false;
 };
 
-/** Returns those of the forms T1 to T13 that are forces in a sampled field. */
+/** Returns those of the forms T1 to T13 that predict a force in a sampled field. */
 std::vector<Form> MakeForms(const Effort& effort);
 
-/** Fractions of the form's largest force. */
+/** Errors, as fractions of the form's largest force. */
 struct ForceError
 {
   double RootMeanSquare = 0.0;

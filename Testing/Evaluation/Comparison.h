@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * The part of the report that checks the paper's claims about its method compared with others.
+ * @file The part of the report that compares the paper's method with others, to check the paper's
+ * claims.
  *
- * These numbers are information only; nothing is required of them.
+ * These numbers are information only; no test has bounds for them.
  */
 #ifndef Evaluation_Comparison_h
 #define Evaluation_Comparison_h
@@ -32,8 +32,8 @@ struct Comparison
 constexpr double BoneValue = 300.0;
 
 /**
- * Compares the methods. If the volume is null or has no bone, the result has the reason instead of
- * the bone's tables.
+ * Compares the methods. If the volume is null or has no bone, the result contains the reason
+ * instead of the tables for bone.
  */
 Comparison CompareMethods(vtkImageData* volume, const Effort& effort);
 

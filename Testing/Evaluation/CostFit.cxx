@@ -42,8 +42,8 @@ double TimeTick(const HapticModel& model, int batches)
 }
 
 /**
- * Returns the times (us) for the radii 1, 2 ... Measures in rounds and keeps the fastest, because
- * other work of the machine comes and goes.
+ * Returns the times (us) for the radii 1, 2 ... Measures in rounds and keeps the fastest time,
+ * because other work of the machine slows some rounds.
  */
 std::vector<double> TimeRadii(Scene& scene, const Method& method, const Effort& effort)
 {
@@ -66,8 +66,8 @@ struct Range
   int Last;
 };
 /**
- * All radii; those whose kernels are compiled for their number of taps; those with the general
- * kernel.
+ * All radii; the radii whose kernels are compiled for their number of taps; the radii with the
+ * general kernel.
  */
 constexpr Range Ranges[] = { { 1, LargestRadius }, { 1, 3 }, { 4, LargestRadius } };
 

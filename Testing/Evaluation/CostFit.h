@@ -31,7 +31,7 @@ struct LineFit
 
 /**
  * Fits the line with the least squares of relative errors, for times of very different size.
- * Returns zeros for fewer than two different x, or if a y is not above 0.
+ * Returns zeros for fewer than two different x, or if any y is not positive.
  */
 LineFit FitLine(const std::vector<double>& x, const std::vector<double>& y);
 

@@ -40,8 +40,8 @@ Field Hills(std::mt19937& random)
 }
 
 /**
- * Returns a way that presses, moves around, comes back and leaves. The spring has no energy at its
- * beginning and at its end.
+ * Returns a path that presses, moves around, comes back and leaves. At its beginning and end, the
+ * spring has no energy.
  */
 Path ClosedWay(std::mt19937& random)
 {
@@ -115,7 +115,7 @@ Figures MeasureEnergy(const Candidate& candidate, const Effort& effort)
   {
     most = std::max(most, energy);
   }
-  // T15: a tip at rest, 3.5 mm deep, in a material whose stiffness is then multiplied by four.
+  // T15: the tip rests 3.5 mm deep in a material whose stiffness is then multiplied by four.
   const Volume slab([](const Vector3& x) { return 100.0 * x.Z; }, {});
   const auto soft = slab.Bake(TouchingOf(candidate, MakeMaterial(500.0, 0.0, 0.0, Impenetrable)));
   const auto stiff = slab.Bake(TouchingOf(candidate, MakeMaterial(2000.0, 0.0, 0.0, Impenetrable)));

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * Closed ways of the tip in a static volume. The hand must not get energy from them.
+ * @file Measures closed paths of the tip in a static volume. The hand must not gain energy from
+ * them.
  */
 #ifndef Evaluation_Energy_h
 #define Evaluation_Energy_h
@@ -16,7 +16,7 @@ namespace evaluation
 double EnergyGiven(const Path& path, const Trace& trace);
 
 /**
- * Returns the energy (J) that the hand gets in each of some random cycles, from no contact to no
+ * Returns the energy (J) that the hand gains in each of some random cycles, from no contact to no
  * contact.
  */
 std::vector<double> MeasureCycles(const Candidate& candidate, int cycles);

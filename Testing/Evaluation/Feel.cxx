@@ -34,10 +34,10 @@ enum class Data
 {
   AsIs,
   Filtered,  ///< the volume after a noise filter
-  SmoothMesh ///< the surface of the volume as smoothed by the kernel
+  SmoothMesh ///< isosurface of the volume after the kernel's smoothing
 };
 
-/** Settings with which a surface is felt. */
+/** Settings with which a surface is touched. */
 struct Variant
 {
   std::string Name;
@@ -46,7 +46,7 @@ struct Variant
   int Colour = -1;
 };
 
-/** The results of all strokes of a variant. */
+/** Results of all strokes with one variant. */
 struct Felt
 {
   Roughness All;
@@ -70,7 +70,7 @@ std::array<vtkPiecewiseFunction*, 4> FunctionsOf(Filter* filter)
     feel->GetSurfaceStrength() };
 }
 
-/** Sets PRECISE to the settings whose roughness is analysed. */
+/** Sets PRECISE with the settings whose roughness is analysed. */
 void SetEdge(Filter* filter)
 {
   filter->SetContactAlignment(Filter::EDGE);
@@ -200,7 +200,7 @@ Curve MakeCurve(const Variant& variant, const std::vector<double>& force)
   return curve;
 }
 
-/** Adds the figures that the default settings must reach, with those of the mesh as bounds. */
+/** Adds the figures that the default settings must reach; the mesh's figures are the bounds. */
 void AddRequired(
   const std::string& name, const Roughness& felt, double smoothest, Figures& required)
 {

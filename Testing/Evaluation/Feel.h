@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * How smooth the surfaces of real scans feel, and what makes them rough.
+ * @file Measures how smooth the surfaces of real scans feel, and what makes them rough.
  */
 #ifndef Evaluation_Feel_h
 #define Evaluation_Feel_h
@@ -16,19 +15,19 @@ namespace evaluation
 struct Feel
 {
   Comparison Found;
-  Figures Required; ///< of surfaces that must be smooth
+  Figures Required; ///< figures of surfaces that must be smooth
 };
 
 /**
  * Measures the roughness of the force on each surface for all methods; for PRECISE also with one
- * cause of roughness removed at a time. Then counts what happened to the material when the force
- * dropped. Adds a plot for each surface.
+ * cause of roughness removed at a time. Then counts which changes of the material coincided with
+ * drops of the force. Adds a plot for each surface.
  */
 Feel MeasureFeel(const std::vector<FeltSurface>& surfaces);
 
 /**
- * Compares each surface with its preset and the default settings; those of a chest CT also with the
- * other presets for it.
+ * Compares each surface with its preset and the default settings; surfaces of a chest CT also with
+ * the other presets for chests.
  */
 Table ComparePresets(const std::vector<FeltSurface>& surfaces);
 
@@ -38,7 +37,7 @@ Table ComparePresets(const std::vector<FeltSurface>& surfaces);
  */
 void Widen(vtkPiecewiseFunction* function, double width);
 
-/** Drops of the force along strokes, by what changed within the 5 ms of each. */
+/** Counts drops of the force along strokes, by what changed within the 5 ms of each drop. */
 struct DropCauses
 {
   int Drops = 0;
@@ -48,7 +47,7 @@ struct DropCauses
   int Unexplained = 0; ///< none of these
 };
 
-/** Adds the drops of a trace, beginning at a tick. */
+/** Adds the drops of a trace, from a tick on. */
 void AddDropCauses(const Trace& trace, std::size_t first, DropCauses& causes);
 
 } // namespace evaluation

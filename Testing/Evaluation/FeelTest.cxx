@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Strokes over a ball, whose sections are circles, and their measurements. */
+/** Measures strokes over a ball, whose sections are circles. */
 
 #include "Feel.h"
 
@@ -19,7 +19,7 @@ namespace
 {
 constexpr double BallRadius = 14.0; // mm
 
-/** Returns air with a ball of a value, and a thin plate beside the ball, like a head rest. */
+/** Returns air with a ball of a value, and beside the ball a thin plate, like a head rest. */
 vtkSmartPointer<vtkImageData> MakeHead(double value)
 {
   return SampleImage(
@@ -61,7 +61,7 @@ TEST(Feel, ArcsLieUnderTheBallAndNotUnderThePlate)
 
 TEST(Feel, ArcsAreFoundFromInside)
 {
-  // A shell around a ball: seen from the middle, the ball's surface is the first one.
+  // Make a shell around a ball: seen from the middle, the ball's surface comes first.
   const auto ball = SampleImage(
     [](const Vector3& x)
     {

@@ -67,7 +67,7 @@ private:
   VolumeHaptics::Affine3 IndexToWorld;
 };
 
-/** Tip positions (mm), one per tick. */
+/** Tip positions (mm), one for each tick. */
 using Path = std::vector<Vector3>;
 using Trace = std::vector<VolumeHaptics::TickRecord>;
 

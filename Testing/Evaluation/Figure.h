@@ -36,7 +36,7 @@ struct Figure
 
 using Figures = std::vector<Figure>;
 
-/** How much is measured: a reduced run or a full one. */
+/** Tells how much is measured: a reduced run or a full run. */
 struct Effort
 {
   bool IsFull = false;
@@ -74,7 +74,7 @@ struct Plot
   std::vector<std::pair<double, std::string>> XTicks = {};
 };
 
-/** The solver and settings that a figure is measured for; by default the default settings. */
+/** Solver and settings for which a figure is measured; by default the default settings. */
 struct Candidate
 {
   VolumeHaptics::HapticSolver Solver;
@@ -117,7 +117,7 @@ Figures MeasureTracking(const Candidate& candidate, const Effort& effort);
 Figures MeasureFallThrough(const Candidate& candidate, const Effort& effort);
 /** Measures the force on a clean plane between 100 and 500 Hz. */
 Figures MeasureRipple(const Candidate& candidate, const Effort& effort);
-/** Measures the energy that the hand gets in closed cycles. */
+/** Measures the energy that the hand gains in closed cycles. */
 Figures MeasureEnergy(const Candidate& candidate, const Effort& effort);
 /** Measures the angle between the frictionless force and the normal of an 8-bit sphere. */
 Figures MeasureAngle(const Candidate& candidate, const Effort& effort);

@@ -54,7 +54,7 @@ TEST_P(EvaluationFigures, AreReachedWithThePapersSurfaces)
   }
 }
 
-// With constant functions, the far side's materials are also those of the closed forms.
+// With constant functions, the far side's materials equal those of the closed forms.
 TEST_P(EvaluationFigures, AreReachedWithTheFarSide)
 {
   const auto& [subject, estimator] = this->GetParam();

@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * A hand that knows how each tissue feels, and makes errors only because its senses are coarse.
+ * @file Simulates a hand that knows how each tissue feels, and makes errors only because its senses
+ * are coarse.
  *
  * A cue x, such as a force, is perceived as u = ln(1 + x/x0) / ln(1 + w) with Gaussian noise of
  * unit variance: w is the Weber fraction, and x0 is the floor below which the senses do not follow
  * Weber's law. So a difference of one Weber fraction has d' = 1 wherever x is far above x0. The
  * distance of two tissues is d' = |u1 - u2| over all cues. The hand names the likeliest tissue. If
- * two are equally likely beforehand, it names the right one with probability Phi(d'/2).
+ * two tissues are equally likely beforehand, the hand names the right tissue with probability
+ * Phi(d'/2).
  *
  * Green and Swets, "Signal Detection Theory and Psychophysics", 1966, describe the model.
  */
@@ -24,7 +25,7 @@ namespace evaluation
 {
 
 /**
- * A tissue as it feels at one or several places: for each place, a value (0 or more) of each cue.
+ * The cues of a tissue at one or several places: for each place, a value (0 or more) of each cue.
  */
 struct FeltTissue
 {
@@ -45,9 +46,10 @@ public:
   double Distance(const FeltTissue& one, const FeltTissue& other) const;
 
   /**
-   * Returns the probability that the tissue of a row is named as that of a column. All places of a
-   * tissue are equally likely. In addition to the noise of its senses, the hand knows how much a
-   * tissue's places differ. Uses 100 000 draws with a fixed seed, for a standard error below 0.002.
+   * Returns a matrix: the probability that the tissue of a row is named as the tissue of a column.
+   * All places of a tissue are equally likely. The hand allows for the noise of its senses and for
+   * the differences between a tissue's places. Uses 100 000 draws with a fixed seed, for a standard
+   * error below 0.002.
    */
   std::vector<std::vector<double>> ComputeConfusion(const std::vector<FeltTissue>& tissues) const;
 

@@ -32,7 +32,7 @@ TEST(IdealHand, ADifferenceOfOneWeberFractionIsOneUnit)
   EXPECT_NEAR(hand.Perceive(1.1, 0) - hand.Perceive(1.0, 0), 1.0, 1e-6);
   EXPECT_NEAR(hand.Perceive(220.0, 0) - hand.Perceive(200.0, 0), 1.0, 1e-6);
   EXPECT_EQ(hand.Perceive(0.0, 1), 0.0) << "nothing is felt as nothing";
-  // Far below the floor, all differences have one size: x0 ln(1 + w).
+  // Far below the floor, all differences have the same size: x0 ln(1 + w).
   const double unit = 0.5 * std::log(1.1);
   EXPECT_NEAR(hand.Perceive(1e-6, 1), 1e-6 / unit, 1e-10);
 }
@@ -73,8 +73,8 @@ TEST(IdealHand, OfThreeOnALineTheMiddleOneIsConfusedTwice)
 
 TEST(IdealHand, PlacesThatDifferAreHarderToName)
 {
-  // Places at -s and s around each of two means: the variance is 1 + s^2, and the border is still
-  // halfway between the means.
+  // The places are at -s and s around each of two means: the variance is 1 + s^2, and the border is
+  // still halfway between the means.
   const auto cue = [](double u) { return std::exp(u * std::log(1.1)); };
   const double s = 1.5;
   const double d = 3.0;
@@ -86,7 +86,7 @@ TEST(IdealHand, PlacesThatDifferAreHarderToName)
   EXPECT_NEAR(confusion[1][1], right, 0.008);
 }
 
-/** Returns a linear ramp, whose surface is wherever the hand begins. */
+/** Returns a linear ramp, whose surface is always where the hand begins. */
 std::shared_ptr<const HapticModel> MakeRamp(
   double stiffness, double friction, double strength, double viscosity)
 {

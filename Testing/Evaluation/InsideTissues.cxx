@@ -69,7 +69,7 @@ public:
           static_cast<int>(this->Labels->GetScalarComponentAsDouble(at[0], at[1], at[2], 0))) > 0);
   }
 
-  /** Returns whether positions at the margin all around are of the tissue. */
+  /** Returns whether the positions at the margin all around belong to the tissue. */
   bool IsInside(const Vector3& at) const
   {
     for (int i = -1; i <= 1; ++i)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * Strokes of a hand inside one tissue of a real scan. It should feel no grains and no drops.
+ * @file Measures strokes of a hand inside one tissue of a real scan. The hand should feel no grains
+ * and no drops.
  */
 #ifndef Evaluation_InsideTissues_h
 #define Evaluation_InsideTissues_h
@@ -26,10 +26,10 @@ struct TissueBand
   double High = 0.0;
   std::set<int> Labels; ///< labels in the segmentation; unused without a segmentation
   double Length = 25.0; ///< mm, of a stroke
-  double Margin = 3.0;  ///< mm around a stroke that must also be of the tissue
+  double Margin = 3.0;  ///< mm around a stroke that must belong to the tissue, too
 };
 
-/** A scan, with a segmentation on the same voxels if there is one. */
+/** A scan, with a segmentation on the same voxels if available. */
 struct BandedScan
 {
   std::string Name;

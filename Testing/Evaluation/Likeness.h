@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * Whether a hand can distinguish a method from proxy-based surface haptics: differences compared
- * with what people notice.
+ * @file Estimates whether a hand can distinguish a method from proxy-based surface haptics, by
+ * comparing differences with those that people notice.
  *
  * Just noticeable differences are 7 to 10 % of a force (Jones 1989; Pang, Tan and Durlach 1991), 8
  * to 22 % of a stiffness (Tan et al. 1995) and some 25 degrees of a force's direction (Barbagli et
- * al. 2006). They were measured with steady forces, one after the other, and tell nothing about
- * vibration.
+ * al. 2006). These values were measured with steady forces, one after the other, and do not apply
+ * to vibration.
  */
 #ifndef Evaluation_Likeness_h
 #define Evaluation_Likeness_h
@@ -27,7 +26,8 @@ struct Thresholds
 constexpr Thresholds ForceThresholds{ 7.0, 10.0 };     // %
 constexpr Thresholds StiffnessThresholds{ 8.0, 22.0 }; // %
 constexpr double DirectionThreshold = 25.0;            // degrees
-/** Ticks with less force (N) of the reference are not compared, because the hand does not press. */
+/** Ticks in which the reference has less force (N) are not compared, because the hand does not
+   press. */
 constexpr double LeastForce = 0.1;
 
 struct Spread
@@ -87,10 +87,10 @@ std::vector<Subject> MakeShapes();
 
 /**
  * Returns bone, with strokes of 12 mm from all sides of the upper half, 1.5 mm deep, where the
- * surface continues and its gradient is at least 40 HU/mm, from which on the preset "CT contrast"
- * regards it as distinct. One subject is the isosurface of the scan as it is, the other that of the
- * scan smoothed by PRECISE's weights. Returns nothing, with the reason and the cure in `error`, if
- * there is no volume or no such surface.
+ * surface continues and its gradient is at least 40 HU/mm, the preset "CT contrast"'s limit for
+ * distinct surfaces. One subject is the isosurface of the scan as it is, the other that of the scan
+ * smoothed by PRECISE's weights. Returns nothing, with the reason and the cure in `error`, if there
+ * is no volume or no such surface.
  */
 std::vector<Subject> MakeBone(
   vtkImageData* volume, double isoValue, const Effort& effort, std::string& error);

@@ -28,8 +28,8 @@ constexpr double LongestJump = 0.5;    // mm of depth from one tick to the next
 using Value = std::function<double(const Vector3&)>;
 
 /**
- * Returns the distance (mm) along a direction at which a value is first reached, if it is within a
- * reach.
+ * Returns the distance (mm) along a direction at which a value is first reached; nothing if that is
+ * beyond the reach.
  */
 std::optional<double> FindFirst(
   const Value& value, double level, const Vector3& from, const Vector3& way, double reach)
@@ -53,7 +53,7 @@ std::optional<double> FindFirst(
   return {};
 }
 
-/** Returns the parabola (a, b, c) that fits heights one step apart best. */
+/** Returns the parabola (a, b, c) that best fits heights at a spacing of one step. */
 std::array<double, 3> FitParabola(const std::vector<double>& heights)
 {
   double matrix[3][3] = {};

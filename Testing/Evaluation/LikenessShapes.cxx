@@ -89,7 +89,7 @@ Subject MakeSubject(const char* name, const Field& inside, Stroke stroke)
   return subject;
 }
 
-/** Returns the smoothed volume with its isosurface through the contact. */
+/** Returns the smoothed volume with its isosurface through the first contact. */
 Subject MakeSmoothed(const char* name, const Field& inside, Stroke stroke)
 {
   const auto image =

@@ -66,13 +66,14 @@ Figures MeasureAll(const Candidate& candidate, const Effort& effort)
 
 /**
  * Number of the head CT's four tissues that an ideal hand must tell apart, under constant force and
- * at constant depth. Before materials were looked for behind an edge, it told apart 2.94 and 2.95.
+ * at constant depth. Before materials were looked up behind an edge, the hand told 2.94 and 2.95
+ * tissues apart.
  */
 constexpr double CorrectBefore[] = { 2.93, 2.94 };
 
 /**
- * Measures how much longer a tick takes with what the paper does not have. The bound is a quarter
- * more.
+ * Measures how much longer a tick takes with features that the paper lacks. The bound is a factor
+ * of 1.25.
  */
 Figures MeasureTickRatios(const std::vector<FeltSurface>& surfaces, const Scans& scans)
 {

@@ -23,7 +23,7 @@ namespace evaluation
 {
 
 /**
- * Radius (mm) of SURFACE_PROXY's sphere. It is small compared with a voxel, so that the sphere goes
+ * Radius (mm) of SURFACE_PROXY's sphere. The sphere is small compared with a voxel, so that it goes
  * wherever a point goes.
  */
 constexpr double ProbeRadius = 0.02;
@@ -33,13 +33,13 @@ struct Method
   const char* Name;
   int Kind;   ///< vtkVolumeHapticsFilter::MethodType
   int Solver; ///< vtkVolumeHapticsFilter::SolverType
-  int Colour; ///< of its curves, see Curve::Colour
+  int Colour; ///< colour of its curves, see Curve::Colour
   /**
-   * Returns whether the method has a surface. A force field has none: it is compared only where
-   * that makes no difference.
+   * Returns whether the method has a surface. A force field has no surface, and is compared only
+   * where a surface makes no difference.
    */
   bool HasSurface() const { return this->Kind != vtkVolumeHapticsFilter::FORCE_FIELD; }
-  /** Returns the distance (mm) from the surface at which the proxy is held. */
+  /** Returns the distance (mm) from the surface at which the method holds the proxy. */
   double Offset() const
   {
     return this->Kind == vtkVolumeHapticsFilter::SURFACE_PROXY ? ProbeRadius : 0.0;
@@ -49,14 +49,14 @@ struct Method
 /** Returns all methods, one per line of the report. */
 const std::vector<Method>& AllMethods();
 /**
- * Returns proxy-based surface haptics, from which the paper says that its method can't be told
- * apart.
+ * Returns proxy-based surface haptics. The paper says that people cannot distinguish its method
+ * from this one.
  */
 const Method& SurfaceHaptics();
 
 /**
- * A stroke down to a surface and along it. The tip begins on the surface, because PROXY can have
- * its surface anywhere, and then is held by this one.
+ * A stroke down to a surface and along it. The tip begins on the surface: PROXY accepts any level
+ * as its surface, and then keeps the one where the tip began.
  */
 struct Stroke
 {
@@ -73,7 +73,8 @@ void SetConstant(vtkPiecewiseFunction* function, double value);
 vtkSmartPointer<vtkImageData> SampleImage(const Field& field, double halfSize);
 
 /**
- * An image with a surface. Everything that holds has the same stiffness and friction, and no limit.
+ * An image with a surface. All tissue that holds has the same stiffness and friction, and unlimited
+ * strength.
  */
 class Scene
 {
@@ -82,7 +83,8 @@ public:
   Scene(vtkImageData* image, double isoValue, vtkPolyData* surface = nullptr);
 
   /**
-   * Returns whether a method can touch the surface. Local surfaces are always those of the image.
+   * Returns whether a method can touch the surface. Local surfaces are always surfaces of the
+   * image.
    */
   bool CanFeel(const Method& method) const
   {

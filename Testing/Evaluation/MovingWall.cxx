@@ -46,21 +46,22 @@ constexpr double BallAmplitude = 2.0; // mm
 constexpr double LeapLength = 9.0;    // mm
 constexpr double WallSpeed = 10.0;    // mm/s, of an approaching wall
 /**
- * Kernel radius (voxels): an edge begins where V is the mean of V this far in front and behind.
- * These values are interpolated. With 2 voxels, they are still on the flanks of the edges below, so
- * that the surface is off by up to 0.025 voxel; with 3 voxels by 0.01.
+ * Kernel radius (voxels). An edge begins where V is the mean of the values at this distance in
+ * front and behind. These values are interpolated. With 2 voxels, they are still on the flanks of
+ * the edges below, so that the surface is off by up to 0.025 voxel; with 3 voxels by 0.01.
  */
 constexpr int WallRadius = 3;
 constexpr double WallTick = 1e-3; // s
 
-using Motion = std::function<double(double time)>; ///< mm: way of the surface out of the structure
+/// mm: displacement of the surface out of the structure
+using Motion = std::function<double(double time)>;
 
 double Pulse(double time)
 {
   return BallAmplitude * std::sin(TwoPi * time);
 }
 
-/** A motion, with the right force. */
+/** A motion of a surface, with the correct force. */
 struct MovingCase
 {
   const char* Name;
@@ -71,7 +72,7 @@ struct MovingCase
   double Drag;          ///< N, drag of the medium
   double End;           ///< s
   Motion Surface;
-  /** N; without the field's blur and without the blend of the time steps */
+  /** Force (N) without the field's blur and without the blend of the time steps. */
   std::function<double(double time)> Force;
 };
 
@@ -95,7 +96,7 @@ std::vector<MovingCase> MakeMovingCases()
   };
   MovingCase slipping = pulse("V2, ball that pulsates, of which 1 N slips", 0.01);
   slipping.Strength = 1.0;
-  slipping.End = 0.9; // after that, the ball returns
+  slipping.End = 0.9; // afterwards the ball returns
   slipping.Force = Slipping;
   // The wall moves from 5 mm in front of the tip to 4 mm behind it.
   const Motion leap = [](double time) { return -6.0 + LeapLength * time; };
@@ -207,7 +208,7 @@ private:
       });
   }
 
-  /** Returns the root near the surface of a function that falls with the radius. */
+  /** Returns the root, near the surface, of a function that decreases with the radius. */
   template <typename Function>
   double Descend(double time, const Function& function) const
   {
@@ -223,7 +224,7 @@ private:
 
   const MovingCase& Case;
   const bool IsSpline;
-  const double OwnVariance;   ///< of the levels that hold the proxy
+  const double OwnVariance;   ///< variance of the levels that hold the proxy
   const double ValueVariance; ///< of V
 };
 
@@ -235,7 +236,7 @@ HapticModelDescription DescribeMoving(const Candidate& candidate, const MovingCa
   touching.Alignment = ContactAlignment::Edge;
   touching.Placement = MaterialPlacement::Kernel;
   touching.KernelRadius = WallRadius;
-  // A step of one unit of the scalar does not count as an edge.
+  // A step of one scalar unit does not count as an edge.
   const double steepest = WallHeight / (WallBlur * std::sqrt(TwoPi));
   touching.Material.Distinctness = { { 0.05 * steepest, 0.0 }, { 0.1 * steepest, 1.0 } };
   const Vector3 centre = OddCentre - c.Curvature * OddNormal;
@@ -277,7 +278,8 @@ FeltMotion FeelMoving(const Candidate& candidate, const MovingCase& c)
 {
   const HapticModel model(DescribeMoving(candidate, c));
   const Vector3 at = OddCentre - BallDepth * OddNormal;
-  // With drag, an approaching hand would keep a force when it rests, so it starts at rest there.
+  // With drag, a hand that approaches would keep a force when it rests, so the hand starts at rest
+  // in its place.
   Path path = { c.Drag > 0.0 ? at : OddCentre + 6.0 * OddNormal };
   MoveTo(path, at, 0.02);
   ServoState state;
@@ -437,7 +439,7 @@ double MeasureEnergyGiven(const Candidate& candidate)
     const Vector3 force = record.Force;
     tip =
       OddCentre + 3.0 * std::sin(7.1 * time) * OddNormal + 2.0 * std::sin(5.3 * time) * OddAside;
-    // The time goes to and fro over the period's time steps without a leap.
+    // The time moves to and fro over the period's time steps without a jump.
     state.DataTime = 0.5 * (1.0 - std::cos(TwoPi * 0.4 * time));
     Tick(model, state, 1e-3 * tip, record);
     given += 0.5e-3 * Dot(force + record.Force, tip - before);
@@ -445,7 +447,7 @@ double MeasureEnergyGiven(const Candidate& candidate)
     exchanged += std::abs(record.WallWork);
     most = std::max(most, given - walls);
   }
-  // If the wall did no work, nothing was measured.
+  // If the wall did no work, the measurement is void.
   return exchanged > 0.01 ? 1e3 * most : std::numeric_limits<double>::infinity();
 }
 } // namespace

@@ -27,10 +27,10 @@ constexpr double Longest = 150.0;  // mm
 constexpr double Safety = 6.0;     // mm
 constexpr double AirValue = -300.0;
 constexpr double BoneValue = 200.0;
-constexpr double AirGap = 15.0; // mm of air behind which the body has ended
-constexpr double Same = 0.01;   // N: smaller differences do not count
+constexpr double AirGap = 15.0; // mm of air that count as the end of the body
+constexpr double Same = 0.01;   // N: largest difference that counts as equal
 
-/** Looks up the nearest voxels of an image. */
+/** Looks up the nearest voxel of an image. */
 class Voxels
 {
 public:
@@ -81,7 +81,7 @@ struct Body
     return this->IsOf(this->Sorted.Bone, at) || (value && *value > BoneValue);
   }
 
-  /** Returns whether the needle may pass here and no bone is around. */
+  /** Returns whether the needle may pass here, with no bone around. */
   bool IsFree(const Vector3& at, const Vector3& side, const Vector3& up) const
   {
     if (this->IsOf(this->Sorted.Others, at) || this->IsBone(at))
@@ -102,8 +102,8 @@ struct Body
   }
 
   /**
-   * Returns the distance (mm) from a target to the skin along a free way. Returns nothing if the
-   * way is not free.
+   * Returns the distance (mm) from a target to the skin along a free path. Returns nothing if the
+   * path is not free.
    */
   std::optional<double> FindSkin(const Vector3& target, const Vector3& way) const
   {
@@ -117,7 +117,7 @@ struct Body
       const auto value = this->Values.At(at);
       if (!value)
       {
-        // Here the scan ends, in the air outside or inside the body.
+        // The scan ends here, in air outside or inside the body.
         return length - skin > AirGap ? std::optional<double>(skin) : std::nullopt;
       }
       if (*value > AirValue)
@@ -309,7 +309,7 @@ ForceError RunNeedleProtocol(vtkImageData* image, vtkImageData* labels, const La
     vtkNew<vtkVolumeHapticsFilter> filter;
     filter->SetInputDataObject(0, image);
     filter->GetProperty()->ApplyPreset("CT contrast");
-    vtkNew<vtkHapticNeedle> needle; // only its tip is felt, not its shaft
+    vtkNew<vtkHapticNeedle> needle; // only the needle's tip is felt, not its shaft
     needle->ApplyPreset("CT contrast");
     filter->GetProperty()->SetViscosity(needle->GetCuttingForce());
     if (isByLabel)

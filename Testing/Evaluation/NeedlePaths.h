@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * Straight paths of a needle from the skin to the liver of a chest CT with labels, and the
- * difference between two ways to compute their force.
+ * @file Plans straight paths of a needle from the skin to the liver of a chest CT with labels, and
+ * compares two ways to compute their force.
  *
  * The protocol is that of Mastmeyer, Fortmeier and Handels, "Evaluation of Direct Haptic 4D Volume
  * Rendering of Partially Segmented Data for Liver Puncture Simulation", Scientific Reports 7:671,
  * 2017: planned paths that avoid bone; force by partly segmented data against force by fully
- * segmented data. They had 31 222 paths in 10 patients, and a needle that stays in its track. Here
- * one patient is used, and the proxy of this project.
+ * segmented data. The paper has 31 222 paths in 10 patients, and a needle that stays in its track.
+ * This file uses one patient, and this project's proxy.
  */
 #ifndef Evaluation_NeedlePaths_h
 #define Evaluation_NeedlePaths_h
@@ -49,11 +48,11 @@ NeedleLabels SortLabels(const LabelNames& names);
 std::vector<Path> PlanNeedlePaths(vtkImageData* image, vtkImageData* labels,
   const NeedleLabels& sorted, std::size_t count, unsigned seed = 17);
 
-/** The difference between two forces per tick. */
+/** Measures of the difference between two forces, tick by tick. */
 struct ForceError
 {
-  double RootMeanSquare = 0.0; ///< N, of a path; for several paths, their mean
-  double Largest = 0.0;        ///< N, largest of all paths
+  double RootMeanSquare = 0.0; ///< N, for one path; for several paths, their mean
+  double Largest = 0.0;        ///< N, maximum over all paths
   double Typical = 0.0;        ///< N, median over the paths of their largest difference
   double Affected = 0.0;       ///< %, ticks in which the forces differ by more than 0.01 N
 };

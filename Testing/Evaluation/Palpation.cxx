@@ -24,14 +24,14 @@ constexpr double WantedDepth = 2.0; // mm, at constant depth
 constexpr double Deepest = 10.0;    // mm
 constexpr double Hardest = 4.0;     // N
 constexpr double StrokeLength = 10.0;
-/// mm per tick and N: how fast a hand follows the force that it wants
+/// mm per tick and N: rate at which a hand approaches the force that it aims for
 constexpr double Following = 0.2;
 /// Below these floors, the senses do not follow Weber's law. The values are assumptions, small
 /// compared with what is felt.
 constexpr double ForceFloor = 0.05; // N
 constexpr double DepthFloor = 0.5;  // mm
 constexpr double WeberFraction = 0.1;
-constexpr double Around = 4.0; // mm around a spot that must be of one tissue
+constexpr double Around = 4.0; // mm around a spot that must belong to one tissue
 
 /** A hand on a model. The hand moves tick by tick. */
 class Hand

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * How a hand explores a tissue, and whether it can recognise it: it presses, strokes, and then
- * presses until the tissue yields.
+ * @file Simulates how a hand explores a tissue, and whether it can recognise the tissue: the hand
+ * presses, strokes, and then presses until the tissue yields.
  */
 #ifndef Evaluation_Palpation_h
 #define Evaluation_Palpation_h
@@ -14,10 +13,10 @@
 namespace evaluation
 {
 
-/** How a hand presses while it strokes. */
+/** Ways in which a hand presses while it strokes. */
 enum class HandStrategy
 {
-  ConstantForce, ///< 1 N, or 10 mm deep where nothing holds 1 N
+  ConstantForce, ///< 1 N, or a depth of 10 mm where no surface holds 1 N
   ConstantDepth  ///< 2 mm deep
 };
 

@@ -25,7 +25,7 @@ constexpr double Cupping = 0.12;
 constexpr double BeamBlur = 1.2; // mm
 constexpr double NoiseOfMetal = 400.0;
 constexpr double Label = 3.0;
-constexpr double Room = 14.0; // mm around a ball, from where the hand starts
+constexpr double Room = 14.0; // mm around a ball; the hand starts there
 
 double OffBall(const Vector3& x)
 {
@@ -115,7 +115,7 @@ PartFeel FeelPart(const FeltSurface& part)
   filter->SetInputDataObject(0, part.Image);
   vtkHapticProperty* const feel = filter->GetProperty();
   feel->ApplyPreset(part.Preset.c_str());
-  // The solid is far above the ramps of the preset.
+  // The solid's value is far above the ramps of the preset.
   const double solid = part.Image->GetScalarRange()[1];
   const double stiffness = feel->GetStiffness()->GetValue(solid);
   const double friction = feel->GetFriction()->GetValue(solid);

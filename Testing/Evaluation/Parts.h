@@ -6,7 +6,7 @@
  * as an industrial CT shows it ("Micro-CT"), and a ball of a label ("Labels").
  *
  * The true surface is a sphere. A hand whose tip moves on a circle at a depth d under a sphere of
- * radius R, in a plane through its middle, lags behind until the friction is that of sliding. Then
+ * radius R, in a plane through its middle, lags behind until the friction is sliding friction. Then
  * the force, from the tip T to the proxy P on the sphere, is off the normal by a with tan a = mu,
  * and the triangle of T, P and the middle gives its length:
  *

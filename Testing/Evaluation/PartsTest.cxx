@@ -19,7 +19,7 @@ using namespace evaluation;
 
 namespace
 {
-/** Returns the side L of the triangle for which the tip is on its circle; by bisection. */
+/** Returns the side L of the triangle whose tip is on its circle; by bisection. */
 double SolveTriangle(double radius, double depth, double friction)
 {
   const double angle = std::atan(friction);

@@ -91,7 +91,7 @@ Plot PlotRipple()
 
 /**
  * Plots the cumulative distribution of the angle between force and true normal: for each angle, the
- * percentage of ticks with a smaller one.
+ * percentage of ticks with a smaller angle.
  */
 Plot PlotAngle()
 {

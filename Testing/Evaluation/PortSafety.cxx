@@ -76,8 +76,8 @@ Table CountFalseAlarms(int sessions, int& alarms)
 }
 
 /**
- * Returns a loop that has only a part of the friction that it needs for stability: see
- * ArmSessions.h.
+ * Returns a loop that has only a part of the friction that it needs for stability (see
+ * ArmSessions.h).
  */
 ArmScene DrawUnstable(bool isHeld, double stiffness, int delay, std::uint32_t seed)
 {
@@ -104,7 +104,7 @@ ArmScene DrawUnstable(bool isHeld, double stiffness, int delay, std::uint32_t se
 
 Table CountUnstable(int trials)
 {
-  // A tip whose last swing is smaller has come to rest.
+  // A tip whose last swing is smaller counts as at rest.
   constexpr double LeastSwing = 1e-3;
   Table table;
   table.Title = "Loops that swing by themselves";

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * How soon dangerous devices are detected, and how often honest devices raise a false alarm.
+ * @file Measures how soon dangerous devices are detected, and how often honest devices raise a
+ * false alarm.
  */
 #ifndef Evaluation_PortSafety_h
 #define Evaluation_PortSafety_h

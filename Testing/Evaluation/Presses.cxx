@@ -15,9 +15,9 @@ namespace evaluation
 {
 namespace
 {
-constexpr double Far = 40.0;          // mm: way through air
+constexpr double Far = 40.0;          // mm: path through air
 constexpr double Deep = 5.0;          // mm, but at least LeastVoxels
-constexpr double LeastVoxels = 3.0;   // so that it reaches a place two voxels behind a surface
+constexpr double LeastVoxels = 3.0;   // voxels: reaches a place two voxels behind a surface
 constexpr double PressStep = 0.1;     // mm per tick
 constexpr double LeastCosine = 0.707; // between a ray and the normal
 constexpr double RayStep = 0.25;      // voxels
@@ -38,7 +38,7 @@ struct Ray
 struct Meeting
 {
   double At;      ///< position along the ray
-  double Start;   ///< along the ray: the hand's start, in front of all that the eye may see
+  double Start;   ///< along the ray: the hand's start, in front of everything visible
   Vector3 Normal; ///< unit, inwards
 };
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * Straight presses from all sides onto the outer surface of a volume: what the hand meets, and what
- * the eye sees there. Random walks through the volume: how much the force changes in a tick.
+ * @file Makes straight presses from all sides onto the outer surface of a volume, which tell what
+ * the hand meets and what the eye sees there; and random walks through the volume, which tell how
+ * much the force changes in a tick.
  */
 #ifndef Evaluation_Presses_h
 #define Evaluation_Presses_h
@@ -23,10 +23,10 @@ class HapticModel;
 namespace evaluation
 {
 
-/** Force (N) from which on the hand feels something. */
+/** Force (N) above which the hand feels something. */
 constexpr double FeltForce = 0.1;
 /**
- * Force (N) from which on the hand is on a surface, although it may slide off before it feels the
+ * Force (N) above which the hand is on a surface, although it may slide off before it feels the
  * surface.
  */
 constexpr double TouchedForce = 0.01;
@@ -40,13 +40,14 @@ struct PressedVolume
   std::shared_ptr<const VolumeHaptics::HapticModel> Structures;
   /** The same values without those structures above HeldLevel that are not larger than noise. */
   std::shared_ptr<const VolumeHaptics::HapticModel> Held;
-  double Level = 0.0;     ///< value of the surface; values inside are larger
+  double Level = 0.0;     ///< value of the surface; values inside are higher
   double HeldLevel = 0.0; ///< least value whose material holds FeltForce
   double Scale = 1.0;     ///< mm in the hand's space per world unit
   std::array<double, 6> Box{};
-  Vector3 Middle;   ///< point that the rays pass
-  Vector3 Voxel;    ///< edge lengths of a voxel along the world's axes
-  Field Extinction; ///< of the picture, per unit: a layer of d has opacity 1 - exp(-extinction d)
+  Vector3 Middle; ///< point that the rays pass
+  Vector3 Voxel;  ///< edge lengths of a voxel along the world's axes
+  /// extinction of the picture, per unit: a layer of d has opacity 1 - exp(-extinction d)
+  Field Extinction;
 };
 
 /** Results of rays that meet the surface within 45 degrees of its normal. */
@@ -56,9 +57,11 @@ struct Presses
   int Unfelt = 0;                 ///< force below 0.1 N down to 5 mm under the surface
   int UnfeltThoughSeen = 0;       ///< unfelt, but seen within 2 voxels behind the surface
   std::vector<double> OffSurface; ///< voxels from the isosurface to the felt place, inwards
-  int Astray = 0;       ///< felt more than 2 voxels from the isosurface of Level of any structure
-  int AstrayOfHeld = 0; ///< of these, more than 2 voxels from that of HeldLevel, too
-  std::vector<double> OffSeen;         ///< voxels along the ray from there to half of the opacity
+  int Astray = 0; ///< felt more than 2 voxels from the isosurface of Level of any structure
+  /// of the astray ones, more than 2 voxels from the isosurface of HeldLevel, too
+  int AstrayOfHeld = 0;
+  /// voxels along the ray from the felt place to half of the opacity
+  std::vector<double> OffSeen;
   std::vector<double> OffSeenStraight; ///< the same, if the seen surface is within 45 degrees, too
   std::vector<double> OffSeenTouched;  ///< voxels from the first place with 0.01 N, for all rays
   double LargestStep = 0.0;            ///< N: largest change of the force between two ticks
@@ -85,7 +88,8 @@ Presses PressFromAllSides(const PressedVolume& volume, int rays);
 struct Steps
 {
   double Largest = 0.0;
-  double Beyond = 0.0; ///< part that neither a release (0.25 N) nor the hand's own step explains
+  /// part of a step that neither a release (0.25 N) nor the hand's own step explains
+  double Beyond = 0.0;
 };
 
 /**

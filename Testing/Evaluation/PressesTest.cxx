@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Presses onto a ball with a known surface, shown in known ways. */
+/** Tests presses onto a ball with a known surface, shown in known ways. */
 
 #include "Presses.h"
 
@@ -24,7 +24,7 @@ namespace
 {
 constexpr double BallRadius = 12.0;
 
-/** Returns a ball of a value in 0, with a stiffness (N/m). */
+/** Returns a ball of a value in surroundings of 0, with a stiffness (N/m). */
 PressedVolume MakeBall(double stiffness, vtkSmartPointer<vtkImageData>& image,
   double radius = BallRadius, double scale = 1.0, double value = 100.0)
 {
@@ -109,7 +109,7 @@ TEST(Presses, APlateauInAirIsAstrayEvenIfTheMaterialHoldsIt)
   EXPECT_LT(ComputeMedian(found.OffSurface), -4.0);
   EXPECT_EQ(found.Astray, static_cast<int>(found.OffSurface.size()));
   EXPECT_EQ(found.AstrayOfHeld, 0);
-  // A plateau between both levels has an isosurface of neither.
+  // A plateau between both levels is on neither level's isosurface.
   const auto plateau = SampleImage([](const Vector3&) { return 40.0; }, 25.0);
   ball.Structures = ball.Held = bake(plateau);
   EXPECT_EQ(PressFromAllSides(ball, 60).AstrayOfHeld, found.Astray);

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * The materials that real scans propose (vtkHapticProperty::ProposeFromImage), compared with what
- * the scans' units tell.
+ * @file Compares the materials that are proposed for real scans
+ * (vtkHapticProperty::ProposeFromImage) with those that the scans' units imply.
  */
 #ifndef Evaluation_Proposals_h
 #define Evaluation_Proposals_h

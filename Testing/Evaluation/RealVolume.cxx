@@ -23,7 +23,7 @@ namespace
 {
 constexpr double Speed = 0.2; // mm per tick
 
-/** Returns a path that goes in along a line until something resists, then deeper, aside and out. */
+/** Returns a path that goes in along a line until a surface resists, then deeper, aside and out. */
 Path PressSomewhere(const HapticModel& model, const double* bounds, std::mt19937& random)
 {
   Uniform uniform(random);

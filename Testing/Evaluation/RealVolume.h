@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * Measurements of a real scan, for which no right forces are known.
+ * @file Measures a real scan, whose correct forces are unknown.
  */
 #ifndef Evaluation_RealVolume_h
 #define Evaluation_RealVolume_h

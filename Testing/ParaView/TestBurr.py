@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A burr, pressed into a half-space, removes what its energy pays for: Q = mu F v/U; bad choices are errors."""
+"""A burr that is pressed into a half-space removes the volume Q = mu F v/U, which its energy allows; wrong settings are
+errors."""
 
 import os
 import sys

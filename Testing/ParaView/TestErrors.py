@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A fault in the input reaches the user in words with a cure, and nothing else happens."""
+"""A fault in the input is reported to the user with a cure, and has no other effect."""
 
 import math
 import os
@@ -30,7 +30,7 @@ def touch(**inputs):
 head = rig.read("Head.vti")
 line = rig.HapticPath(Point1=[0, 0, 115], Point2=[0, 0, 98])
 
-# Applied without a path, the output is empty without an error; then with a path, and without it again.
+# Without a path, the applied filter has an empty output and no error; then set a path, and remove it again.
 haptics = touch(Input=head)
 rig.expect(haptics)
 assert haptics.GetDataInformation().GetNumberOfPoints() == 0
@@ -41,7 +41,7 @@ haptics.Path = None
 rig.expect(haptics)
 assert haptics.GetDataInformation().GetNumberOfPoints() == 0
 
-# The panel's list offers no path that is not polygonal data.
+# The panel's list offers only polygonal data as a path.
 chooser = haptics.SMProxy.GetProperty("Path")
 chooser.SetUncheckedInputConnection(0, line.SMProxy, 0)
 assert chooser.IsInDomains(), "a line is no path"

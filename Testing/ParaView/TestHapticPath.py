@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The source Haptic Path is vtkHapticPathSource, and what it gives is felt; Plot Data takes the trace as it is."""
+"""The source Haptic Path is vtkHapticPathSource, its output is felt, and Plot Data takes the trace unchanged."""
 
 import os
 import sys

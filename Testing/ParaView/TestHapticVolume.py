@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The source Haptic Volume loads what independent libraries wrote: the phantom at every voxel, at each time."""
+"""The source Haptic Volume loads files that independent libraries wrote: it compares the phantom at every voxel, at
+each time."""
 
 import json
 import os
@@ -48,7 +49,7 @@ def open_volume(case):
 
 
 def read_quietly(source, time=None, **settings):
-    """What ParaView says when a source is set and updated."""
+    """Returns what ParaView reports when a source is set and updated."""
     log, console = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
     vtkOutputWindow.SetInstance(log)
     for name, value in settings.items():
@@ -59,7 +60,7 @@ def read_quietly(source, time=None, **settings):
 
 
 def compare(case, source, time=None, tissue=TISSUE):
-    """The volume of a time with the formula, at every voxel."""
+    """Compares the volume at a time with the formula, at every voxel."""
     assert "ERR" not in read_quietly(source, time)
     image = servermanager.Fetch(source)
     direction = numpy.array([[image.GetDirectionMatrix().GetElement(i, j) for j in range(3)] for i in range(3)])

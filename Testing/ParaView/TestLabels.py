@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A second input with labels, and what they feel like from files and rows.
+"""Sets labels as a second input, and their materials from files and rows.
 
-One label is everywhere, so that what the trace says of the material is what the table has: without a material, the
-trace is the same to the bit.
+The whole volume has one label, so the trace shows the values of the table. Without a material, the trace is the same
+to the bit.
 """
 
 import os
@@ -28,7 +28,7 @@ def everywhere(label):
 
 
 def arrays_with_labels(touch):
-    """What is felt, but for the label, which is 5 wherever a label was read."""
+    """Returns the trace's arrays without the label, which is 5 wherever a label was read."""
     found = rig.arrays_of(touch)
     assert set(found.pop("Label")) <= {0, 5} and found["Force"].any()
     return found

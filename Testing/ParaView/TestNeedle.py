@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A needle as the tool of the filter: its forces are those of layers of known tissue, and bad settings are errors.
+"""Takes a needle as the filter's tool: its forces follow from layers of known tissue, and bad settings are errors.
 
 The layers (mm, N/m of the shaft, N to cut) are 3, 20, 0.3 | 12, 5, 0.1 | 20, 25, 0.3 | 3, 60, 0.8 | fluid. A needle that
 is pushed feels the cutting force around its point and, in and out, the sum of friction times length along its shaft.
@@ -20,7 +20,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData  # noqa: E40
 
 LAYERS = ((3, 20, 0.3), (12, 5, 0.1), (20, 25, 0.3), (3, 60, 0.8), (100, 0, 0))
 SKIN = 4.5  # mm
-# Depth (mm), force (N) while the needle is pushed in, force (N) while it is drawn out.
+# Columns: depth (mm), force (N) while the needle is pushed in, force (N) while it is drawn out.
 EXPECTED = ((2.5, 0.35, 0.05), (14.5, 0.1 + 0.06 + 0.0575, 0.06 + 0.0575), (25, 0.67, 0.37), (34.5, 0.9075, 0.6075),
             (37.5, 1.57, 0.77), (40, 0.8, 0.8))
 
@@ -49,7 +49,7 @@ def path(*places):
 
 
 def forces(touch):
-    """Newtons along the needle by millimetres of depth: pushed in and drawn out."""
+    """Returns the forces along the needle (N) by depth (mm): pushed in and drawn out."""
     arrays = rig.arrays_of(touch)
     depth, force = arrays["Depth"], arrays["Force"][:, 2]
     inside, deepest = depth > 0, int(numpy.argmax(depth))
@@ -87,7 +87,8 @@ for depth, going_in, out in EXPECTED:
     assert abs(at(felt["in"], depth) - going_in) < 0.01 * going_in, (depth, at(felt["in"], depth), going_in)
     assert abs(at(felt["out"], depth) - out) < 0.01 * out, (depth, at(felt["out"], depth), out)
 
-# Without labels, the scalars decide: 10 N per metre of the shaft, and 0.25 N to cut, wherever the value is 100.
+# Without labels, the scalars decide: friction of 10 N per metre of the shaft, and 0.25 N to cut, where the value is
+# 100.
 plain = stack(lambda k: 100 if k > SKIN else 0)
 simple.SetActiveSource(plain)
 touch = rig.VolumeHaptics(Input=plain, Path=path(2, 30, 1), Tool="Needle",

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The trace of a hand on the head, coloured by force, over the volume rendering: what one sees first.
+"""Draws the trace of a hand on the head, coloured by force, over the volume rendering: a new user's first picture.
 
-Compared with Testing/Data/Baseline/ParaViewHead.png; the picture that was made is in the output folder.
+Compares it with Testing/Data/Baseline/ParaViewHead.png; the new picture is in the output folder.
 """
 
 import os
@@ -19,7 +19,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader  # noqa: E402
 # Colours and opacities by Hounsfield units: the skull shines through the skin.
 COLOURS = [-1000, 0.55, 0.3, 0.2, -300, 0.78, 0.52, 0.4, 60, 0.9, 0.66, 0.52, 400, 0.97, 0.93, 0.85, 2000, 1, 1, 0.96]
 OPACITY = [-1000, 0, 0.5, 0, -500, 0, 0.5, 0, -300, 0.35, 0.5, 0, 150, 0.2, 0.5, 0, 300, 0.2, 0.5, 0, 900, 0.9, 0.5, 0]
-LARGEST_ERROR = 0.4  # of 255, the mean over all pixels: the trail is a hundredth of them
+LARGEST_ERROR = 0.4  # mean over all pixels, of 255; the trail covers a hundredth of the pixels
 SIZE = [520, 440]
 
 
@@ -64,7 +64,7 @@ arrays = rig.arrays_of(touch)
 assert numpy.linalg.norm(arrays["Force"], axis=1).max() > 0.3
 show_head(head, view)
 show_trace(touch, view)
-simple.Render(view)  # which resets the camera if it is the first
+simple.Render(view)  # the first rendering resets the camera
 view.CameraPosition = [-260, -480, 150]
 view.CameraFocalPoint = [18, 0, -4]
 view.CameraViewUp = [0, 0, 1]

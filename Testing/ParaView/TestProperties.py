@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The presets are those of vtkHapticProperty, fitted to the image, and feel the same copied into functions; every setting
-is a property."""
+"""The presets are those of vtkHapticProperty, fitted to the image, and feel the same when copied into functions; every
+setting has a property."""
 
 import os
 import sys
@@ -53,18 +53,18 @@ for name, preset in classes["Presets"].items():
         scale = touch.GetPropertyValue(function + "Scale") if function != "Distinctness" else 1.0
         wanted = numpy.array(preset[function]).reshape(-1, 4)
         numpy.testing.assert_allclose(points * [1, scale, 1, 1], wanted, rtol=1e-15, err_msg=f"{name}, {function}")
-        shown = points[points[:, 1] < 1000, 1]  # but for what is impenetrable
+        shown = points[points[:, 1] < 1000, 1]  # without impenetrable tissue
         assert not shown.any() or 0.4 <= shown.max() <= 1.0, f"{name}, {function}: {points} do not fill the editor's 0 to 1"
     copied = rig.arrays_of(touch)
     for array, wanted in expected.items():
         numpy.testing.assert_allclose(copied[array], wanted, rtol=1e-9, atol=1e-9, err_msg=f"{name}, {array}")
-    # Edited values are felt.
+    # Edited values change the force.
     touch.StiffnessScale = 800.0
     touch.Stiffness.Points = [0, 0.25, 0.5, 0, 100, 0.25, 0.5, 0]
-    # Labels are mixed by weights, which are rounded.
+    # Labels are mixed by rounded weights, hence the tolerance.
     numpy.testing.assert_allclose(rig.arrays_of(touch)["Stiffness"], 200.0, rtol=1e-12, err_msg=name)
 
-# Grey levels have no unit: an image of another brightness feels the same, even if it is set later.
+# Grey levels have no unit: an image of another brightness feels the same, even if it is set after the preset.
 touch = rig.head(Preset="MRI")
 head = touch.Input
 expected = rig.arrays_of(touch)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""On several ranks the trace is the one of a single rank, once, and on the first: mpiexec -np N pvbatch."""
+"""On several ranks, the trace is that of a single rank, and only the first rank has it: mpiexec -np N pvbatch."""
 
 import os
 import sys
@@ -18,7 +18,7 @@ assert ranks > 1, "this is the test of several ranks"
 
 
 def compare(haptics, name, method):
-    """All ranks take part in an update; the client's is the first."""
+    """Compares the trace. All ranks take part in an update; the client's is the first."""
     haptics.UpdatePipeline()
     here = haptics.GetClientSideObject().GetOutputDataObject(0).GetNumberOfPoints()
     with numpy.load(os.path.join(rig.REFERENCE, f"{name}-{method}.npz")) as expected:
@@ -38,7 +38,7 @@ for name, settings in (("Wavelet", {"Scalars": ["POINTS", "RTData"], "IsoValue":
     haptics.ProxyRadius, haptics.ForceShading = 1.0, 0
     compare(haptics, name, "SurfaceProxy")
 
-# A source that makes its piece of the image on each rank, and a source of a path.
+# Create a source that makes a piece of the image on each rank, and a source of a path.
 wavelet = simple.Wavelet()
 simple.SetActiveSource(wavelet)
 path = rig.HapticPath(Shape="Circle", Radius=8.0)

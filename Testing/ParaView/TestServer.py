@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""With the data on a server of one rank, and of two, the trace is the one of the VTK build, edited functions included.
+"""With the data on a server of one rank or two, the trace equals that of the VTK build, also with edited functions.
 
-The script of Documentation/paraview.md that connects to a server runs, and the script along a path after it.
+Then runs the script of Documentation/paraview.md that connects to a server, and the script along a path.
 """
 
 import os
@@ -25,7 +25,7 @@ environment = {name: value for name, value in os.environ.items()
 
 
 def start(ranks):
-    """A server, and its port."""
+    """Starts a server; returns its process and its port."""
     with socket.socket() as free:
         free.bind(("localhost", 0))
         port = free.getsockname()[1]
@@ -55,7 +55,7 @@ def touch():
 
 
 def run_documented(port):
-    """As printed, but for the server's port, and the plugin's place."""
+    """Runs the documented script as printed, except for the server's port and the plugin's path."""
     with open(os.path.join(SOURCE, "Documentation", "paraview.md"), encoding="utf-8") as file:
         scripts = re.findall("```python\n(.*?)```", file.read(), re.S)
     (connect,) = [script for script in scripts if "Connect(" in script]
@@ -72,7 +72,7 @@ def run_documented(port):
 
 
 def touch_with(port):
-    simple.Connect("localhost", port)  # tries for a minute
+    simple.Connect("localhost", port)  # Connect() tries for a minute
     touch()
 
 
@@ -84,5 +84,5 @@ for ranks, run in ((1, touch_with), (2, touch_with), (1, run_documented)):
         simple.Disconnect()
         print(f"{ranks} rank(s), {run.__name__}: right")
     finally:
-        server.terminate()  # mpiexec passes that on
+        server.terminate()  # mpiexec passes the signal on
         server.wait(30)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A tool of the shape of a ball, pressed into a half-space: its force is that of the closed form; bad choices are errors.
+"""A ball-shaped tool that is pressed into a half-space has the force of the closed form; wrong settings are errors.
 
 A ball of radius a whose points are pressed with kappa = k/A is in balance with the hand's spring c, 2 mm beyond the
 surface, at the depth delta where c (2 mm - delta) = pi kappa a delta^2.

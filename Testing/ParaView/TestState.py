@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A filter comes back from state files, of both kinds, and from its own trace, with the same trace of the hand."""
+"""State files of both kinds, and ParaView's Python trace, restore a filter that gives the same trace of the hand."""
 
 import os
 import sys
@@ -11,7 +11,7 @@ from paraview import simple, smstate, smtrace  # noqa: E402
 
 
 def build():
-    """A pipeline with much that is not as it would be by itself."""
+    """Builds a pipeline with many settings that differ from their defaults."""
     path = rig.HapticPath(registrationName="stroke", Shape="Press and slide", PressDirection="-Z", Depth=5.0)
     volume = rig.read("Head.vti")
     simple.SetActiveSource(volume)

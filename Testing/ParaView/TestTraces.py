@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every method gives in ParaView what it gives in the VTK build, bit for bit."""
+"""In ParaView, every method gives the trace of the VTK build, bit for bit."""
 
 import os
 import pathlib
@@ -43,7 +43,7 @@ assert compared >= 2 * len(METHODS)
 
 
 def block(kind):
-    """A flow U along x, on the points of a grid of a kind, from -10 to 10 in each direction."""
+    """Returns a flow U along x on the points of a grid of the given kind, from -10 to 10 in each direction."""
     data = kind()
     data.SetDimensions(21, 21, 21)
     ticks = numpy.linspace(-10, 10, 21)
@@ -63,7 +63,8 @@ def block(kind):
 
 
 def feel_across(data, y, time=None):
-    """The force of a way of 4 along the flow, and as far across it: a spring of 500 N/m, and nothing along it."""
+    """Returns the force of a path that goes 4 along the flow and 4 across it: a spring of 500 N/m across, and none
+    along the flow."""
     across = simple.Line(Point1=[-2, 0, 0], Point2=[2, y, 0], Resolution=300)
     simple.SetActiveSource(data)
     felt = rig.VolumeHaptics(Input=data, Path=across, Method="Primitives", Modes=["VectorFollow", "U", "2", ""])
@@ -88,7 +89,7 @@ for data in (flow, cells, grouped, block(vtkRectilinearGrid), block(vtkStructure
     feel_across(data, 3.0)
 
 # Write a case of OpenFOAM whose flow exists at its second time step: a row of cells. The cells are so thin that the
-# samples, as far apart as a cell is wide on average, are 1.5 apart.
+# samples, whose spacing is the mean width of a cell, are 1.5 apart.
 case = write_foam(pathlib.Path(rig.OUTPUT) / "case", (20.0, 6.0, 12.0), numpy.tile([3.0, 0.0, 0.0], (850, 1)))
 reader = simple.OpenFOAMReader(FileName=str(case))
 reader.UpdatePipeline(10.0)

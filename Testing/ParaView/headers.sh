@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Compiles the plugin's sources against the headers of another ParaView, without a warning of what is deprecated there.
+# Compiles the plugin's sources against the headers of another ParaView; uses of deprecated names are errors.
 #
 # usage: Testing/ParaView/headers.sh fetch SUITE FOLDER   # Debian's packages of the suite, such as forky, unpacked
 #        Testing/ParaView/headers.sh check FOLDER BUILD   # BUILD: a build of the plugin, with the headers that it makes
@@ -62,7 +62,7 @@ check()
     echo "$2 is no build of the plugin. Cure: cmake --preset paraview -DParaView_DIR=..., and cmake --build" >&2
     exit 2
   fi
-  # First the headers that are made for the plugin, then headers of others, whose own faults are not counted.
+  # Search the headers that are made for the plugin first, then the headers of others, whose own faults are not counted.
   local options=(-std=c++17 -fPIC -fsyntax-only -Werror=deprecated -Werror=deprecated-declarations -DVTK_LEGACY_REMOVE
     "-I$build/settings" "-I$build/Module/VTK" "-I$root/Module")
   for folder in "$root"/Plugin/*/ "$root"/Plugin/Live/Regions/; do
@@ -74,7 +74,7 @@ check()
   for folder in "${paraview[0]}" "${paraview[0]}"/vtkqttesting "$headers"/vtk-* "${qt[0]}" "${qt[0]}"/*/; do
     [ ! -d "$folder" ] || options+=(-isystem "$folder")
   done
-  if command -v mpicxx > /dev/null; then # which Debian's VTK needs
+  if command -v mpicxx > /dev/null; then # Debian's VTK needs MPI
     read -r -a folder <<< "$(mpicxx --showme:compile)"
     options+=("${folder[@]}")
   fi

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The results of the VTK build, to be compared with ParaView's filter.
+"""Writes the results of the VTK build, to be compared with those of ParaView's filter.
 
     reference.py FOLDER PHANTOM [HEAD_CT.mhd]
 
@@ -74,14 +74,15 @@ def touch(scene, volume, path, settings):
 
 
 def setters(cls, ancestor):
-    """The settings of a class beyond its ancestor; of choices that have a name each or a status, only the whole."""
+    """Returns the settings of a class that its ancestor lacks. Of choices that also have a method for each name or a
+    status, only the main setter counts."""
     names = [name[3:] for name in dir(cls) if name.startswith("Set") and not hasattr(ancestor, name)]
     names = [name for name in names if not name.endswith("Status")]
     return sorted(name for name in names if not any(name.startswith(other + "To") for other in names))
 
 
 def describe_classes(head):
-    """Settings, and the presets as they are fitted to an image."""
+    """Returns the settings, and the presets as they are fitted to an image."""
     presets = {}
     for i in range(vtkHapticProperty.GetPresetNames().GetNumberOfValues()):
         material = vtkHapticProperty()

@@ -26,13 +26,13 @@ def is_first_rank():
 
 
 def classes():
-    """The classes as reference.py describes them."""
+    """Returns the classes as reference.py describes them."""
     with open(os.path.join(REFERENCE, "classes.json"), encoding="utf-8") as file:
         return json.load(file)
 
 
 def read(name):
-    """A pipeline source for a .vti or .vtp of the reference folder."""
+    """Returns a pipeline source for a .vti or .vtp of the reference folder."""
     file = os.path.join(REFERENCE, name)
     reader = simple.XMLImageDataReader if name.endswith(".vti") else simple.XMLPolyDataReader
     source = reader(FileName=[file])
@@ -41,7 +41,7 @@ def read(name):
 
 
 def produce(data):
-    """A pipeline source of data that a test has made."""
+    """Returns a pipeline source of data that a test has made."""
     source = simple.PVTrivialProducer()
     source.GetClientSideObject().SetOutput(data)
     source.UpdatePipeline()
@@ -49,7 +49,8 @@ def produce(data):
 
 
 def expect(touch, *words, **settings):
-    """Settings and an update say all the words, and the output is empty; without words, they say nothing."""
+    """Expects that an update with these settings reports all the words and has an empty output; without words, that it
+    reports nothing."""
     log, console = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
     vtkOutputWindow.SetInstance(log)
     for name, value in settings.items():
@@ -65,7 +66,7 @@ def expect(touch, *words, **settings):
 
 
 def arrays_of(proxy):
-    """All point arrays of a trace, and its points as "Proxy"."""
+    """Returns all point arrays of a trace, and its points as "Proxy"."""
     proxy.UpdatePipeline()
     trace = servermanager.Fetch(proxy)
     data = trace.GetPointData()
@@ -76,7 +77,7 @@ def arrays_of(proxy):
 
 
 def assert_same(arrays, expected, what):
-    """To the bit, so that not a number is the same as not a number."""
+    """Expects arrays that are equal to the bit, so that two NaN are equal."""
     assert sorted(arrays) == sorted(expected), f"{what}: arrays {sorted(arrays)}, not {sorted(expected)}"
     for name, array in arrays.items():
         wanted = expected[name]
@@ -88,12 +89,12 @@ def assert_same(arrays, expected, what):
 
 
 def touch(name, **settings):
-    """The filter on a scene of scenes.py, but for preset and isovalue."""
+    """Returns the filter on a scene of scenes.py, with preset and isovalue left out."""
     volume, path = read(name + ".vti"), read(name + "Path.vtp")
-    simple.SetActiveSource(volume)  # whose arrays ParaView takes for granted
+    simple.SetActiveSource(volume)  # ParaView takes the active source's arrays for granted
     return VolumeHaptics(Input=volume, Path=path, **settings)  # noqa: F821, from the plugin
 
 
 def head(**settings):
-    """The head phantom, stroked as scenes.py says, with the preset for CT."""
+    """Returns the filter on the head phantom, stroked as in scenes.py, with the preset for CT."""
     return touch("Head", **{"Preset": "CT contrast", **settings})

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The volumes, paths and settings of the VTK build and of ParaView alike.
+"""Volumes, paths and settings that the VTK build and ParaView share.
 
 A scene is a file of the reference folder with a preset, an isovalue and a tip path: NAME.vti and NAMEPath.vtp. A method
 is a set of settings of vtkVolumeHapticsFilter, which are also the properties of the filter in ParaView.
@@ -24,7 +24,7 @@ METHODS = {
 
 
 class Scene:
-    """A volume, its preset ("Custom": what a new property has), and corners of a path (world)."""
+    """A volume with its preset ("Custom": that of a new property) and the corners of a path (world)."""
 
     def __init__(self, preset, iso_value, corners):
         self.preset = preset
@@ -32,7 +32,7 @@ class Scene:
         self.corners = corners
 
     def path(self, ticks=250):
-        """Points along the corners, so many from each to the next."""
+        """Returns points along the corners, `ticks` from each corner to the next."""
         points = []
         for a, b in zip(self.corners, self.corners[1:]):
             for i in range(ticks):

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The figures of Documentation/method.md, whose script tells how far the traces are from the closed forms beside them.
+"""Runs the script of the figures of Documentation/method.md, which prints how far the traces are from the closed forms.
 
-Matplotlib comes with PyVista; without it, this is skipped."""
+Needs Matplotlib, which comes with PyVista; otherwise the test is skipped."""
 
 import re
 import subprocess
@@ -14,10 +14,10 @@ pytest.importorskip("matplotlib", reason="the figures need Matplotlib: pip insta
 from matplotlib import image  # noqa: E402
 
 NUMBER = r"(-?[0-9.]+)"
-# The closed forms are exact on values that rise evenly. On curved ones the required figures of Documentation/evaluation.md
-# hold. The proxy on the edge of a ball is pressed by up to 2 N, so that it rests 1.5 mm atanh(2/22) = 0.14 mm inside
-# (Documentation/method.md: T'), and the kernel blurs the ball. At 1 N the proxy is 1/21 of half the edge's height beyond
-# the middle; with the other alignment it is before the edge.
+# The closed forms are exact on values that rise linearly. On curved values, the figures that
+# Documentation/evaluation.md requires hold. The proxy on the edge of a ball is pressed by up to 2 N, so that it rests
+# 1.5 mm atanh(2/22) = 0.14 mm inside (Documentation/method.md: T'), and the kernel blurs the ball. At 1 N the proxy is
+# beyond the middle of the edge by 1/21 of half its height; with the other alignment it is before the edge.
 EXPECTED = {
     "surfaces": (f"the proxy is within {NUMBER} mm", lambda mm: mm < 0.2),
     "press, PAPER": (f"within {NUMBER} N", lambda newtons: newtons < 1e-5),

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The gallery's scripts: each writes a picture with something on it, and what it prints is right."""
+"""Runs the gallery's scripts: each writes a picture with visible content, and the numbers that it prints are right."""
 
 import re
 import subprocess
@@ -11,17 +11,17 @@ import pytest
 import pyvista as pv
 from matplotlib import image
 
-# Not what was printed once: friction and drag by their definition, the materials' own limits, and the springs' lengths.
-# A way that is 3 mm inside stretches a spring of 0.5 N/mm by 3 mm (local surface), by half a voxel of 3.75 mm more (the
-# sphere of the surface proxy), or by the 2 voxels more that the paper's proxy looks ahead. The proxy of PRECISE rests in
-# the middle of the edge, which is at most half a voxel from the isosurface. The gyroid is between an edge and an
-# even ramp, on which it rests 2 voxels, of 2/3 mm, ahead.
+# The expected numbers are not copied from earlier output. They follow from the definitions of friction and drag, the
+# materials' limits, and the lengths of the springs. A path 3 mm inside stretches a spring of 0.5 N/mm by 3 mm (local
+# surface), by half a voxel of 3.75 mm more (the sphere of the surface proxy), or by the 2 voxels more that the paper's
+# proxy looks ahead. The proxy of PRECISE rests in the middle of the edge, which is at most half a voxel from the
+# isosurface. The gyroid lies between an edge and a linear ramp, on which the proxy rests 2 voxels of 2/3 mm ahead.
 SPRING = r"strongest (\S+) N"
 EXPECTED = {
-    # A surface at 22 mm pushes a hand at 19 mm with 0.5 N/mm; off by 0.2 mm of the voxels' 1.5 mm, since the program
-    # looks now and then only.
+    # A surface at 22 mm pushes a hand at 19 mm with 0.5 N/mm. The tolerance is 0.2 mm (voxels: 1.5 mm), since the
+    # program samples the moving surface only now and then.
     "beating": ([SPRING + r" of (\S+) N"], lambda n: n[1] == 1.5 and abs(n[0] - n[1]) < 0.1),
-    # By the phantom's edges, which are not as even as a wall.
+    # The phantom's edges are less even than a wall, so the tolerance is wider.
     "breathing": (
         [SPRING + r" of (\S+) N, by what goes down by (\S+) mm"],
         lambda n: 1.0 <= n[1] <= 2.0 and abs(n[0] - n[1]) < 0.35 and n[2] > 4.0),
@@ -48,7 +48,7 @@ EXPECTED = {
         lambda n: 0.5 * n[1] < n[0] < n[1] and n[2] < 25),
     "visibility": (
         [rf"{what} is seen, and felt: from (\S+) s on, values from (\S+) HU" for what in ("Skin", "Bone alone")],
-        # Opacity begins 4/7 of the way from -600 to 1000 HU.
+        # Opacity begins at 4/7 of the way from -600 to 1000 HU.
         lambda n: n[0] < n[2] and n[1] < 0 and 314 <= n[3] < 330),
 }
 
@@ -77,13 +77,13 @@ def test_script(window, root, tmp_path, name):
     pixels = image.imread(picture)[..., :3]
     height, width = pixels.shape[:2]
     assert height >= 600 and width >= 900
-    # Something with colours, on a background.
+    # The picture shows coloured pixels on a background.
     colourful = np.ptp(pixels, axis=2) > 0.25
     assert 0.001 < colourful.mean() < 0.9 and np.unique((pixels * 15).astype(int).reshape(-1, 3), axis=0).shape[0] > 30
 
 
 def packets_of(movie):
-    """The packets of an Ogg file with one stream (RFC 3533)."""
+    """Returns the packets of an Ogg file with one stream (RFC 3533)."""
     data, at, packets = movie.read_bytes(), 0, [b""]
     while at < len(data):
         assert data[at:at + 4] == b"OggS"
@@ -104,15 +104,15 @@ def test_movie(window, root, tmp_path, name):
         [sys.executable, "-B", str(root / "Examples" / "PyVista" / f"{name}.py"), "--movie", str(movie), "--pictures",
          "3"], capture_output=True, text=True, timeout=600, check=False)
     assert done.returncode == 0 and "DeprecationWarning" not in done.stderr, done.stderr
-    header, _, _, first, *others = packets_of(movie)  # by the specification of Theora I
+    header, _, _, first, *others = packets_of(movie)  # bytes as in the specification of Theora I
     assert header[:7] == b"\x80theora"
     assert (int.from_bytes(header[14:17], "big"), int.from_bytes(header[17:20], "big")) == (640, 480)
-    # A picture that is the last one again would take some ten bytes.
+    # A packet that repeats the last picture would take about ten bytes.
     assert len(others) == 2 and len(first) > 10000 and min(map(len, others)) > 1000, list(map(len, others))
 
 
 def test_own_volume_is_touched(window, root, tmp_path, head):
-    # A smaller head: the script's way is over whatever skin there is.
+    # Take a smaller head: the script's path lies above the skin of any head.
     smaller = head.copy()
     smaller.spacing = [0.8 * size for size in head.spacing]
     smaller.origin = [0.8 * start for start in head.origin]

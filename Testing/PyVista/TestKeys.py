@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every key that PyVista binds, and every key of ours: each does one of the two, and after none of them the hand is gone."""
+"""Presses every key that PyVista binds and every key of ours: each key acts once, and the touch still works after
+it."""
 
 import pytest
 
 pv = pytest.importorskip("pyvista", reason="needs PyVista: pip install pyvista")
 
-CLOSING = ("q",)  # of PyVista: prepares for what ends the plotter
+CLOSING = ("q",)  # keys of PyVista that close the plotter
 
 
 def keys_of_pyvista(plotter):
@@ -25,7 +26,7 @@ def is_listed(haptics, key):
 
 
 def begin(hand):
-    """Whether t begins the touch."""
+    """Returns whether t begins the touch."""
     if hand.haptics.widget.GetTouchMode():
         hand.press("Escape")
     hand.plotter.iren.interactor.SetEventInformation(*hand.pointer, 0, 0)
@@ -34,7 +35,7 @@ def begin(hand):
 
 
 def is_alive(hand):
-    """Whether t begins and Escape ends the touch."""
+    """Returns whether t begins and Escape ends the touch."""
     began = begin(hand)
     hand.press("Escape")
     return began and not hand.haptics.widget.GetTouchMode()
@@ -71,12 +72,12 @@ def test_no_key_does_two_things(hand):
         # Key Delete has no measurement to remove here, so it passes to PyVista.
         assert called == ([] if is_listed(haptics, key) and key != "Delete" else [key]), f"{key}, in the touch"
         hand.press("Escape")
-    assert is_alive(hand)  # after each of ours
+    assert is_alive(hand)  # after each of our keys
     for key in ("y", "t", "Escape"):
         assert is_listed(haptics, key)
     for key in ("Up", "Down", "v"):
         assert not is_listed(haptics, key)
-    assert is_listed(haptics, "b") == (haptics.frames is not None)  # of volumes that move
+    assert is_listed(haptics, "b") == (haptics.frames is not None)  # a key for volumes that move
 
 
 def test_the_hand_is_there_after_each_key_of_pyvista(hand, capfd):

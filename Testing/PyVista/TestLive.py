@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Live touch as a user has it: the documented script, and a real window with its event loop, its timer and its keys."""
+"""Tests live touch as a user sees it: the documented script, and a real window with its event loop, timer and keys."""
 
 import pytest
 import pyvista as pv
@@ -25,7 +25,7 @@ def test_script_is_felt(window, root, monkeypatch):
     made, forces = [], []
 
     def show(plotter):
-        """The actions of a user: touches the middle of the head, presses, strokes, and closes the window."""
+        """Acts as a user: touches the middle of the head, presses, strokes, and closes the window."""
         pv_show(plotter, auto_close=False)
         haptics, interactor = made[0], plotter.iren.interactor
         x, y = (size // 2 for size in plotter.window_size)
@@ -33,7 +33,7 @@ def test_script_is_felt(window, root, monkeypatch):
         interactor.SetKeySym("t")
         interactor.KeyPressEvent()
         assert haptics.style.GetTouchMode()
-        while "100 % of the force" not in haptics.device.GetStatusText():  # what is pressed before stays soft
+        while "100 % of the force" not in haptics.device.GetStatusText():  # a wall that is pressed earlier stays soft
             assert haptics.device.IsRunning()
             haptics.update()
         for step in range(12):
@@ -55,14 +55,14 @@ def test_script_is_felt(window, root, monkeypatch):
     monkeypatch.setattr(pv.Plotter, "show", show)
     monkeypatch.setattr(volumehaptics.pyvista, "add_haptics", add_haptics)
     monkeypatch.setattr(pv, "OFF_SCREEN", True)
-    monkeypatch.setattr(pv.global_theme, "window_size", [320, 240])  # the frames are drawn by the processor
+    monkeypatch.setattr(pv.global_theme, "window_size", [320, 240])  # small, since the processor draws the frames
     exec(compile(script(root), "touch_live.py", "exec"), {})
     assert max(forces) > 0.2
     assert made[0].closed and not made[0].device.IsRunning()
 
 
 def end_with(hand, key):
-    """Runs the window's own loop, and presses t, and a key once something is felt."""
+    """Runs the window's own loop; presses t, then `key` when a force is felt."""
     interactor, style = hand.plotter.iren.interactor, hand.haptics.style
     felt = []
 

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A large volume that Python reads is felt in VTK's own loop of events, which keeps Python's lock: in plotter.show(), and in
-a window of VTK alone. Nothing of Python runs in that loop but what the package itself puts there: xdotool ends it, and what
-was felt is told after it. What is to be felt says touch(), of the same array in memory."""
+"""A large volume that Python reads is felt in VTK's own event loop, which holds Python's lock: in plotter.show(), and
+in a window of VTK alone. In that loop, only the package's own Python code runs: xdotool ends the loop, and the
+result is printed after it. The expected force is that of touch() with the same array in memory."""
 
 import os
 import selectors
@@ -103,7 +103,7 @@ def test_it_is_felt_in_the_loop_of_vtk(window, tmp_path, kind, loop):
         told, end, quiet_from = b"", time.monotonic() + PATIENCE, None
         with selectors.DefaultSelector() as ready:
             ready.register(program.stdout, selectors.EVENT_READ)
-            while quiet_from is None or time.monotonic() < quiet_from + 1.5:  # then it has the force, too
+            while quiet_from is None or time.monotonic() < quiet_from + 1.5:  # by then, the force has arrived, too
                 assert time.monotonic() < end, f"nothing is read: {told[-200:]}"
                 if ready.select(0.1):
                     part = os.read(program.stdout.fileno(), 65536)

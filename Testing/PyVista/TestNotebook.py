@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a notebook shows of plots that have nothing to do with touch: what PyVista shows without this package."""
+"""Plots of a notebook that have nothing to do with touch show the same as in PyVista without this package."""
 
 import sys
 
@@ -16,7 +16,7 @@ pytestmark = pytest.mark.filterwarnings("ignore:Using static image")  # PyVista'
 
 
 def plot(**settings):
-    """As pv.Sphere().plot() in a cell."""
+    """Plots as pv.Sphere().plot() does in a cell."""
     plotter = pv.Plotter(notebook=True, window_size=(120, 120))
     plotter.add_mesh(pv.Sphere())
     return plotter.show(return_viewer=True, **settings)
@@ -24,7 +24,7 @@ def plot(**settings):
 
 @pytest.fixture
 def registry():
-    """PyVista's list of back ends, as it is before the test and after it."""
+    """Restores PyVista's list of back ends after the test."""
     import pyvista.jupyter as jupyter
 
     pv.registered_jupyter_backends()

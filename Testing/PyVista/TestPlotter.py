@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""add_haptics() of volumehaptics.pyvista: what is felt in a plotter, and what is stopped with it, off screen."""
+"""Tests add_haptics() of volumehaptics.pyvista off screen: the force in a plotter, and what ends together with the
+plotter."""
 
 import gc
 import time
@@ -24,20 +25,20 @@ def test_nothing_is_felt_before_the_user_touches(window, hands):
 @pytest.mark.parametrize("columns", (1, 2))
 def test_mouse_touches(window, hands, columns):
     hand = hands(columns=columns)
-    hand.push(steps=2)  # 4 mm, of which 500 N/m and 2 N hold 4: more goes through
+    hand.push(steps=2)  # the strength of 2 N holds 500 N/m up to 4 mm; a deeper push goes through
     # The force points back at the viewer, against the line of sight.
     sight = np.array(hand.plotter.camera.direction)
     assert np.dot(hand.device.GetState().GetForce(), sight) < -0.1
     tick = hand.device.GetState().GetTick()
     hand.wait(lambda: hand.device.GetState().GetTick() > tick + 200)
-    assert 19.8 < np.linalg.norm(hand.device.GetState().GetProxyPosition()) < 20.2  # where the ball is seen
+    assert 19.8 < np.linalg.norm(hand.device.GetState().GetProxyPosition()) < 20.2  # the visible surface of the ball
     hand.press("Escape")
     hand.wait(lambda: hand.device.GetState().GetForce() == (0, 0, 0))
     assert not hand.haptics.style.GetTouchMode()
 
 
 def press_ball(hand):
-    """Presses the ball from outside, armed, and returns the force (N)."""
+    """Presses the armed tip into the ball from outside, and returns the force (N)."""
     device, sight = hand.device, hand.plotter.camera.direction
     for distance in (24, 15):
         device.GetVirtualHand().SetPosition(*(-distance * x for x in sight))
@@ -59,7 +60,8 @@ def test_what_is_hidden_is_not_felt(window, hands, visibility, felt):
 
 
 def test_the_flow_of_a_grid_is_followed(window):
-    """Vectors along x, in blocks: nothing along them, and across them a spring of 500 N/m, here of 3 mm."""
+    """The vectors run along x, in two blocks. There is no force along them; across them acts a spring of 500 N/m, here
+    3 mm long."""
     blocks = pv.MultiBlock()
     for first in (-12.0, 0.0):
         block = pv.RectilinearGrid(first + np.arange(0.0, 13.0, 2.0), np.linspace(-9, 9, 8), np.linspace(-9, 9, 4))
@@ -91,7 +93,7 @@ def test_the_flow_of_a_grid_is_followed(window):
 
 
 def test_labels_have_materials(window, hands):
-    """A label that is not felt lets the tip through, until its table says otherwise."""
+    """The tip passes through a label that is not felt, until the table of labels changes that."""
     hand = hands(labels=np.ones((33, 33, 33), np.uint8), materials={1: {"name": "ball", "felt": False}})
     table = hand.haptics.filter.GetLabelTable()
     assert table.GetLabelName(1) == "ball"
@@ -140,7 +142,7 @@ def test_slices_lie_beside_the_scene(window, hands):
     hand.plotter.show(auto_close=False)
     slices, interactor = hand.haptics.slices, hand.plotter.iren.interactor
     assert hand.plotter.renderer.GetViewport() == (0.0, 0.0, 0.7, 1.0)
-    x, y = 170, 160  # 30 pixels to the left of the edge, in the uppermost of three slices
+    x, y = 170, 160  # 30 pixels left of the edge, in the uppermost of three slices
     assert slices.FindSlice(x, y) == 0
     position = [0.0, 0.0, 0.0]
     assert slices.FindPosition(0, x, y, position)
@@ -191,7 +193,7 @@ def test_another_style_of_the_plotter_ends_nothing(window, hands):
 
 
 def test_the_plotters_style_lives_on(window, hands):
-    """PyVista's own: a drag with the left button turns the camera, but not while the hand has the mouse."""
+    """Tests PyVista's own style: a drag with the left button turns the camera, but not while the hand has the mouse."""
     hand = hands()
     style = hand.plotter.iren.style
     assert not isinstance(style, vtkInteractorStyleHaptic) and style is not None
@@ -213,7 +215,7 @@ def test_the_plotters_style_lives_on(window, hands):
 
 
 def test_the_volume_under_the_pointer_is_touched(window):
-    """Two balls beside each other, and then one that the program puts in the place of both: 500 N/m in each."""
+    """Two balls lie beside each other; later the program puts a third ball in place of both. Each has 500 N/m."""
     plotter = pv.Plotter(off_screen=True, window_size=(300, 200))
 
     def add(x):
@@ -228,7 +230,7 @@ def test_the_volume_under_the_pointer_is_touched(window):
     interactor, device = plotter.iren.interactor, haptics.device
 
     def feel(x):
-        """Waits for the force of a spring; where the proxy is then."""
+        """Waits for the force of a spring; returns the proxy's position then."""
         renderer = plotter.renderer
         renderer.SetWorldPoint(x, 0.0, 20.0, 1.0)
         renderer.WorldToDisplay()
@@ -237,7 +239,7 @@ def test_the_volume_under_the_pointer_is_touched(window):
         interactor.KeyPressEvent()
         interactor.KeyReleaseEvent()
         assert haptics.widget.GetTouchMode()
-        # Out and in again: what is pressed before all of the force may flow feels soft.
+        # Go out and in again: a wall that is pressed before the full force may act feels soft.
         for turn in [interactor.MouseWheelBackwardEvent] * 3 + [interactor.MouseWheelForwardEvent] * 5:
             wait(haptics, lambda: "100 % of the force" in device.GetStatusText())
             tick = device.GetState().GetTick()
@@ -276,7 +278,7 @@ def test_close_gives_the_plotter_back(window, hands):
     assert hand.plotter.iren.style is style
     for prop in (haptics.representation, haptics.head_up_display):
         assert not hand.plotter.renderer.HasViewProp(prop)
-    with add_haptics(hand.plotter) as again:  # finds the only volume
+    with add_haptics(hand.plotter) as again:  # add_haptics() finds the only volume
         assert again.device.IsRunning()
     assert not again.device.IsRunning()
 
@@ -287,8 +289,8 @@ def test_garbage_stops_the_device(window):
     grid["value"] = 100.0 * grid.points[:, 2]
     device = add_haptics(plotter, plotter.add_volume(grid)).device
     gc.collect()
-    assert device.IsRunning()  # the plotter keeps it
-    pv.plotting.plotter._ALL_PLOTTERS.clear()  # PyVista's own list of what is open
+    assert device.IsRunning()  # the plotter keeps the device
+    pv.plotting.plotter._ALL_PLOTTERS.clear()  # PyVista's own list of open plotters
     del plotter
     gc.collect()
     assert not device.IsRunning() and not device.IsOpen()
@@ -315,7 +317,7 @@ def test_screenshot_shows_the_hand(window, hands):
 
 
 def ball(radius):
-    """A ball around the origin."""
+    """Returns a ball around the origin."""
     grid = pv.ImageData(dimensions=(33, 33, 33), spacing=(2, 2, 2), origin=(-32, -32, -32))
     grid["inside"] = 100.0 * (radius - (grid.points.astype(float) ** 2).sum(axis=1) ** 0.5)
     return grid
@@ -323,7 +325,7 @@ def ball(radius):
 
 @pytest.fixture
 def beating(window):
-    """A plotter with the first of four balls that grow by a millimetre each, and the balls."""
+    """Returns a plotter with the first of four balls whose radii grow by a millimetre, and the balls."""
     balls = [ball(radius) for radius in (18.0, 19.0, 20.0, 21.0)]
     plotter = pv.Plotter(off_screen=True, window_size=(200, 200))
     plotter.add_volume(balls[0], clim=(-1, 1), opacity=[0, 0, 1, 1], show_scalar_bar=False)
@@ -349,7 +351,8 @@ def test_frames_play_and_are_seen(beating):
     def all_are_seen():
         if device.GetPlayback().HasTimeSteps():
             shown = mapper.GetInputDataObject(0, 0).GetScalarComponentAsDouble(16, 16, 16, 0)
-            assert shown == pytest.approx(1800.0 + 1000.0 * device.GetPlayback().GetTimeStepValue())  # the middle of a ball
+            # value in the middle of a ball
+            assert shown == pytest.approx(1800.0 + 1000.0 * device.GetPlayback().GetTimeStepValue())
             assert abs(device.GetPlayback().GetTimeStepValue() - device.GetPlayback().GetDataTime()) < 0.0501 or device.GetPlayback().GetDataTime() > 0.3
             seen.add(round(shown))
         return len(seen) == 4
@@ -367,7 +370,7 @@ def test_frames_push_a_hand_that_rests(beating):
     device.GetPlayback().SetModeToOnce()
     device.GetPlayback().SetDataTime(0.0)
     wait(haptics, lambda: device.GetPlayback().GetDataTime() == 3.0)
-    # Values rise evenly: the level at the tip, wherever it is, goes outward by 3 mm, and 500 N/m push.
+    # Values rise linearly, so the level at the tip moves outward by 3 mm wherever the tip is, and 500 N/m push the tip.
     assert device.GetState().GetComputedForce()[2] == pytest.approx(0.5 * 3.0, abs=0.05)
 
 

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cures that errors of add_haptics() name are tried: V = 100 z is pressed 2 mm from z = 3 on, with 500 N/m: 1 N."""
+"""Tries the cures that error texts of add_haptics() name: V = 100 z is pressed 2 mm deep from z = 3 on; 500 N/m give 1
+N."""
 
 import numpy as np
 import pytest

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bad input of add_haptics(): it names the input and the cure, and leaves the plotter as it was."""
+"""Bad input of add_haptics() gives an error that names the input and the cure, and leaves the plotter unchanged."""
 
 import numpy as np
 import pytest
@@ -83,4 +83,4 @@ def test_device(plotter):
     refused(RuntimeError, "nothing", plotter, grid(), device="nothing")
     closed = vtkHapticDevice()
     refused(ValueError, "Open", plotter, grid(), device=closed)
-    assert not closed.HasObserver("ErrorEvent")  # the user's own device still complains to the user
+    assert not closed.HasObserver("ErrorEvent")  # errors of the user's own device still reach the user

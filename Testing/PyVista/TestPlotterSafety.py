@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""No force stays on unasked, or without a visible reason: add_haptics() if something goes wrong."""
+"""If something goes wrong with add_haptics(), no force stays on without a request or a visible reason."""
 
 import os
 import signal
@@ -72,8 +72,8 @@ def test_child_closes_its_copy(window, hands):
     hand.push()
     child = os.fork()
     if child == 0:
-        signal.alarm(30)  # if it waits for threads that do not exist
-        _plotting._close_all()  # as when the child exits
+        signal.alarm(30)  # ends a child that waits for threads that do not exist
+        _plotting._close_all()  # as at the exit of the child
         os._exit(7)
     assert os.waitpid(child, 0) == (child, 7 << 8)
     assert hand.device.GetStatus() == vtkHapticDevice.ACTIVE

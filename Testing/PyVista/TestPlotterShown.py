@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""add_haptics() of volumehaptics.pyvista: it warns of volumes that are not felt as they are shown."""
+"""add_haptics() of volumehaptics.pyvista warns of volumes that are felt otherwise than they are shown."""
 
 import warnings
 
@@ -19,7 +19,7 @@ from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkOpenGLGPUVolumeRayCastMapper
 
 @pytest.fixture
 def scene():
-    """A plotter, an image and the actor that shows it."""
+    """Returns a plotter, an image and the actor that shows it."""
     plotter = pv.Plotter(off_screen=True)
     grid = pv.ImageData(dimensions=(17, 17, 17))
     grid["value"] = 100.0 * grid.points[:, 2]
@@ -49,7 +49,7 @@ def use_two_dimensions(grid, actor):
     function = pv.ImageData(dimensions=(2, 2, 1))
     function["rgba"] = np.ones((4, 4), np.float32)
     actor.prop.SetTransferFunction2D(function)
-    actor.prop.SetTransferFunctionMode(vtkVolumeProperty.TF_2D)  # which VTK 9.6 does not do by itself
+    actor.prop.SetTransferFunctionMode(vtkVolumeProperty.TF_2D)  # VTK 9.6 does not set this mode by itself
 
 
 def move(grid, actor):
@@ -93,7 +93,7 @@ def test_plain_volumes_do_not_warn_until_they_change(scene):
 
 
 def strongest_force(haptics):
-    """Of a push along z at x = y = 10, as the scene has it now."""
+    """Returns the largest force (N) of a push along z at x = y = 10 in the present scene."""
     path = vtkPolyData()
     points = vtkPoints()
     for z in np.arange(6.0, 12.0, 0.1):
@@ -114,10 +114,10 @@ def test_actors_are_felt_as_they_are_shown(scene):
         haptics.filter.FeelCutFacesOn()
         clip(grid, actor)
         actor.mapper.GetClippingPlanes().GetItem(0).SetNormal(-1, 0, 0)
-        assert strongest_force(haptics) == 0.0  # x = 10 is hidden
+        assert strongest_force(haptics) == 0.0  # the cropping hides x = 10
         actor.mapper.RemoveAllClippingPlanes()
         assert strongest_force(haptics) > 1.0
-        crop(grid, actor)  # beyond x = 8
+        crop(grid, actor)  # keep what is beyond x = 8
         assert strongest_force(haptics) == 0.0
         actor.mapper.CroppingOff()
         mask(grid, actor)
@@ -127,14 +127,14 @@ def test_actors_are_felt_as_they_are_shown(scene):
         assert strongest_force(haptics) == 0.0
         actor.mapper.SetMaskInput(None)
         actor.SetPosition(12, 0, 0)
-        assert strongest_force(haptics) == 0.0  # the volume begins at 12
+        assert strongest_force(haptics) == 0.0  # the volume now begins at 12
         actor.SetPosition(1, 2, 3)
         assert strongest_force(haptics) > 1.0
         assert haptics.filter.GetTouchedImage().GetOrigin() == pytest.approx((1, 2, 3))
 
 
 def refuses(haptics, words):
-    """Nothing is touched, and a warning says why when it is tried."""
+    """Expects that touching is refused with a warning that contains `words`."""
     haptics.update()
     with pytest.warns(UserWarning, match=f"{words}.*Cure: "):
         haptics.style.SetTouchMode(True)
@@ -270,7 +270,7 @@ def test_warnings_that_are_errors_leave_nothing_behind(scene):
         with pytest.raises(UserWarning, match="crops"):
             add_haptics(plotter, image)
     with pytest.warns(UserWarning, match="crops"):
-        assert add_haptics(plotter, image).device.IsRunning()  # the plotter is as it was
+        assert add_haptics(plotter, image).device.IsRunning()  # the plotter is unchanged
 
 
 def test_another_volume_is_felt_by_its_own_filter(scene):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""No force stays on in a widget of Qt that is no longer seen: add_haptics() to plotters of pyvistaqt."""
+"""Tests add_haptics() with plotters of pyvistaqt: no force stays on in a Qt widget that is no longer visible."""
 
 import gc
 import os
@@ -29,7 +29,7 @@ def application():
 
 
 class QtHand(Hand):
-    """A ball in a widget, in a tab of a window."""
+    """A ball in a widget, which is in a tab of a window."""
 
     def __init__(self, background):
         grid = pv.ImageData(dimensions=(33, 33, 33), spacing=(2, 2, 2), origin=(-32, -32, -32))
@@ -135,7 +135,7 @@ def test_a_widget_is_followed_to_another_window_and_kept_by_nobody(window, appli
 
 
 def test_a_widget_that_qt_has_deleted_is_closed_quietly(window, application, capfd):
-    """Its timer, which VTK's widget stops, is gone with it."""
+    """When Qt deletes the widget, its timer, which VTK's widget would stop, is deleted, too."""
     frame = QtWidgets.QMainWindow()
     widget = QVTKRenderWindowInteractor(frame)
     frame.setCentralWidget(widget)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The blocks of Documentation/python.md on PyVista and of notebook.md run as printed, one after the other."""
+"""Runs the blocks of Documentation/python.md on PyVista, and those of notebook.md, as printed, one after the other."""
 
 import asyncio
 import re
@@ -18,11 +18,12 @@ def blocks(root, page, heading=""):
 
 @pytest.fixture(scope="module")
 def names(root):
-    """What the first block leaves: a head in a plotter that can be touched. Windows are off the screen, and stay open."""
+    """Returns the variables that the first block leaves: a head in a plotter that can be touched. Windows are off
+    screen and stay open."""
     show, made = pv.Plotter.show, {}
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(pv, "OFF_SCREEN", True)
-        patch.setattr(pv.global_theme, "window_size", [300, 240])  # which is drawn quickly
+        patch.setattr(pv.global_theme, "window_size", [300, 240])  # small windows are drawn quickly
         patch.setattr(pv.Plotter, "show", lambda plotter, **settings: show(plotter, **{"auto_close": False, **settings}))
         exec(blocks(root, "python.md", "PyVista")[0], made)
         yield made
@@ -45,7 +46,7 @@ def test_a_path_is_felt_and_drawn(window, root, names, monkeypatch):
 
 def test_two_volumes_are_felt(window, root, names):
     *_, two = blocks(root, "python.md", "PyVista")
-    names["haptics"].close()  # which the block replaces
+    names["haptics"].close()  # the block makes a new one
     scan = names["head"].copy()
     scan.origin = [start + 250.0 * (axis == 0) for axis, start in enumerate(scan.origin)]
     names["ct_actor"], names["mri_actor"] = names["skin"], names["plotter"].add_volume(scan, show_scalar_bar=False)
@@ -67,7 +68,7 @@ def test_a_notebook_shows_a_frame(window, root, names, monkeypatch):
     show_plotter = web.show_plotter
     monkeypatch.setattr(web, "show_plotter", lambda *words, **settings: frames.append(show_plotter(*words, **settings)))
     names["haptics"].close()
-    names["plotter"].notebook = True  # what PyVista finds in a notebook
+    names["plotter"].notebook = True  # the value that PyVista sets in a notebook
 
     async def cell():
         exec(code, names)

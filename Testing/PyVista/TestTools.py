@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""add_haptics(..., tool=...): a needle, a burr, and a mesh in the hand, in a window with its mouse and keys."""
+"""Tests add_haptics(..., tool=...): a needle, a burr and a mesh in the hand, in a window with its mouse and keys."""
 
 import math
 
@@ -14,7 +14,7 @@ def test_a_needle_goes_in_and_comes_out(hands, window):
     assert hand.haptics.device.GetVolumeHaptics().GetTool().IsA("vtkHapticNeedle")
     strength = hand.device.GetVolumeHaptics().GetProperty().GetSurfaceStrength()
     strength.RemoveAllPoints()
-    strength.AddPoint(0.0, 0.5)  # N, that it takes to puncture it
+    strength.AddPoint(0.0, 0.5)  # N, the force that punctures the ball
     hand.push(steps=6)
     hand.wait(lambda: hand.device.GetState().GetNeedleDepth() > 0.5)
     track = pv.PolyData()
@@ -23,7 +23,7 @@ def test_a_needle_goes_in_and_comes_out(hands, window):
         hand.device.GetState().GetNeedleTrack(track)
         return track.GetNumberOfLines() >= 1
 
-    hand.wait(has_track)  # of the tick before the latest state
+    hand.wait(has_track)  # the track belongs to the tick before the latest state
     assert track.field_data["Depth"][0] > 0.5
     assert "ForbiddenTouches" in track.field_data
     for _ in range(12):
@@ -65,7 +65,8 @@ def test_a_shape_is_felt_with_its_size(hands, window, tmp_path, kind):
     shell.SetSolidToAbove()
     shell.SetContactValue(0.0)
     hand.push()
-    # The ball of 20 mm holds that of the tool: their middles are apart by both radii, less what is pressed in.
+    # The ball of 20 mm holds the tool's ball: the distance of their centres is the sum of both radii, less the depth of
+    # the press.
     apart = math.dist(hand.device.GetState().GetProxyPosition(), (0.0, 0.0, 0.0))
     assert 20.0 + radius - 3.0 < apart < 20.0 + radius + 2.0
     assert abs(math.sqrt(sum(x * x for x in hand.device.GetState().GetToolOrientation())) - 1.0) < 1e-9

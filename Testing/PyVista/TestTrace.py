@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""touch() of volumehaptics.pyvista: PyVista's data in and out, the same as without, and its errors."""
+"""touch() of volumehaptics.pyvista takes and returns PyVista's data, with the values of the plain touch() and its
+errors."""
 
 import doctest
 
@@ -16,7 +17,7 @@ PRESS = np.linspace((7, 7, 5), (7, 7, 8), 301)  # into the ramp
 
 
 def ramp():
-    """V = 100 z on 16^3 voxels of 1 mm."""
+    """Returns V = 100 z on 16^3 voxels of 1 mm."""
     grid = pv.ImageData(dimensions=(16, 16, 16))
     grid["value"] = 100.0 * grid.points[:, 2]
     return grid
@@ -37,7 +38,7 @@ def test_trace_is_that_of_the_package(head, tip):
 
 
 def test_force_is_that_of_the_spring():
-    # Defaults: 500 N/m, limited to 2 N. A stretch of 3 mm gives 1.5 N against the hand.
+    # With the defaults, 500 N/m limited to 2 N, a stretch of 3 mm gives 1.5 N against the hand.
     trace = touch(ramp(), PRESS)
     assert abs(trace["Force"][-1] - (0, 0, -1.5)).max() < 1e-3
 

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """add_haptics() for a view of trame, with trame's own server and a browser's connection to it.
 
-The view stands for trame.widgets.vtk.VtkRemoteView, which needs a VTK with web modules: as trame-vtk 2.11 has it, a widget
-with a server, update(), and the window in a private attribute.
+The test's view stands for trame.widgets.vtk.VtkRemoteView, which needs a VTK with web modules: as trame-vtk 2.11 has
+it, a widget with a server, update(), and the window in a private attribute.
 """
 
 import asyncio
@@ -52,7 +52,7 @@ def test_the_touch_ends_with_the_browser(window, leaves):
         async with aiohttp.ClientSession() as session:
             socket = await session.ws_connect(f"http://localhost:{server.port}/ws")
             interactor.SetEventInformation(100, 100, 0, 0)
-            haptics.widget.TouchModeOn()  # a button of the program
+            haptics.widget.TouchModeOn()  # like a button of the program
             await until(lambda: "100 % of the force" in device.GetStatusText())
             for _ in range(4):
                 interactor.MouseWheelForwardEvent()
@@ -62,7 +62,7 @@ def test_the_touch_ends_with_the_browser(window, leaves):
             if leaves == "closes":
                 await socket.close()
             else:
-                socket._response.connection.transport.abort()  # as a browser that is killed
+                socket._response.connection.transport.abort()  # like a browser that is killed
             await until(lambda: device.GetState().GetForce() == (0, 0, 0))
             seen["touches"] = haptics.widget.GetTouchMode()
 

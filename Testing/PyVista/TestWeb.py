@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Touch in a browser: a headless Chromium whose mouse and keys lead the hand. Needs Debian's chromium and
-chromium-driver, and trame and selenium of pip; else it is skipped."""
+"""Touches in a browser: the mouse and keys of a headless Chromium move the tip. Needs Debian's chromium and
+chromium-driver, and trame and selenium from pip; otherwise the test is skipped."""
 
 import asyncio
 import os
@@ -45,7 +45,7 @@ def browser(tmp_path_factory):
 
 
 class Page:
-    """What a person does in the page, while the server goes on in the same process."""
+    """The actions of a person in the page, while the server runs in the same process."""
 
     def __init__(self, driver, haptics):
         self.driver = driver
@@ -64,7 +64,7 @@ class Page:
         def holds_now():
             try:
                 return holds()
-            except StaleElementReferenceException:  # the page has drawn it anew meanwhile
+            except StaleElementReferenceException:  # the page has replaced the element meanwhile
                 return False
 
         end = time.monotonic() + PATIENCE
@@ -92,27 +92,27 @@ class Page:
             return item
 
         await self.wait_for_page(entry, f"no {choice} to choose")
-        await asyncio.sleep(0.4)  # the list opens with an animation, and moves
+        await asyncio.sleep(0.4)  # the list opens with an animation and moves
         await self.wait_for_page(pick, f"{choice} is not to be chosen")
 
     async def move(self, right, down):
-        """The pointer, from the middle of the scene (pixels), without a button."""
+        """Moves the pointer to a place relative to the middle of the scene (pixels), without a button."""
         scene = self.driver.find_element(By.CSS_SELECTOR, SCENE)
         await self.do(ActionChains(self.driver, duration=50).move_to_element_with_offset(scene, right, down).perform)
 
     async def turn_wheel(self, steps):
-        """Away from the user: into the screen."""
+        """Turns the wheel away from the user, into the screen."""
         scene = self.driver.find_element(By.CSS_SELECTOR, SCENE)
         for _ in range(steps):
             await self.do(ActionChains(self.driver, duration=0).scroll_from_origin(
                 ScrollOrigin.from_element(scene), 0, -100).perform)
-            await asyncio.sleep(0.25)  # else it is a gesture, with few events
+            await asyncio.sleep(0.25)  # faster steps would count as a gesture, with few events
 
     async def press(self, key):
         await self.do(ActionChains(self.driver, duration=0).send_keys(key).perform)
 
     def picture(self):
-        """The address of the last picture that the page has got."""
+        """Returns the address of the last picture that the page has received."""
         return self.driver.execute_script(
             f"const p = document.querySelector('{SCENE} img'); return p && p.naturalWidth > 300 ? p.src : ''")
 
@@ -124,7 +124,7 @@ class Page:
 
 
 def run_in_page(driver, haptics, steps):
-    """The steps, after the page has a picture."""
+    """Runs the steps after the page has received a picture."""
     async def run():
         frame = await web.show(haptics)
         address = re.search(r'src="([^"]+)"', frame._repr_html_()).group(1)
@@ -225,7 +225,7 @@ def test_a_hidden_page_of_a_program_with_a_view_of_trame_lets_go(window, hands, 
         try:
             await page.do(browser.get, f"http://localhost:{server.port}/index.html")
             await page.wait_for_page(lambda: browser.find_elements(By.CSS_SELECTOR, "[data-id=program]"), "no page")
-            haptics.widget.TouchModeOn()  # a button of the program
+            haptics.widget.TouchModeOn()  # like a button of the program
             await page.wait(page.is_armed, "it does not arm")
             await page.do(browser.switch_to.new_window, "tab")
             await page.wait(lambda: not haptics.widget.GetTouchMode() and page.force() == 0.0, "a hidden page goes on")
@@ -306,7 +306,8 @@ plotter.view_vector((1, -0.8, 0.35), (0, 0, 1))
 
 
 def test_the_lines_on_programs_of_others_serve(browser, root):
-    """Those of trame on that page, as pasted after a program's plotter: what is seen in the browser is felt."""
+    """Runs the lines on trame of hosts.md, pasted after a program's plotter: the volume in the browser is felt where it
+    is seen."""
     page = (root / "Documentation" / "hosts.md").read_text(encoding="utf-8")
     lines = re.search(r"```python\n(.*?)```", page.split("\n## trame\n")[1], re.DOTALL)[1]
     server = subprocess.Popen([sys.executable, "-u", "-c", PROGRAM + lines], stdout=subprocess.PIPE, text=True,

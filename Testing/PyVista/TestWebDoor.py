@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Who may lead the hand and see the volume through a page: only who has its secret, one page at a time, and nobody longer
-than it answers. The attackers are a real Chromium with a page of another origin, and clients that are written here by the
-description of wslink's frames (github.com/Kitware/wslink, python/src/wslink/chunking.py): 4 bytes each of a number, the place
-of the part, and the size of the whole message, least significant first, then MessagePack."""
+"""Only a page that has the server's secret may move the hand and see the volume: one page at a time, and only while
+that page answers. The attackers are a real Chromium with a page of another origin, and clients that are written here
+after the description of wslink's frames (github.com/Kitware/wslink, python/src/wslink/chunking.py): a number, the
+offset of the part, and the size of the whole message, each in 4 bytes, least significant first, then MessagePack."""
 
 import asyncio
 import contextlib
@@ -37,7 +37,7 @@ def frame(content, size=None, place=0):
 
 
 class Client:
-    """A page that is none: it answers the server as long as it shall."""
+    """A client that pretends to be a page; it answers the server while `answers` is true."""
 
     def __init__(self, socket):
         self.socket = socket
@@ -58,7 +58,7 @@ class Client:
             try:
                 told = msgpack.unpackb(message.data[12:])
             except ValueError:
-                continue  # a part of a picture
+                continue  # skip a part of a picture
             waiting = self._waiting.pop(told.get("id"), None)
             if waiting is not None:
                 waiting.set_result(told)
@@ -84,7 +84,7 @@ class Client:
         return await self.call("wslink.hello", {"secret": secret}, kind="system")
 
     async def show(self, view):
-        """Enters as a page of the view does."""
+        """Connects as a page of the view does."""
         assert "result" in await self.hello(view._door.secret)
         state = (await self.call("trame.state.get"))["result"]["state"]
         self.trigger = re.search(r"trigger\('([^']+)', \[" + view.name + "_ping", state[f"trame__template_{view.page}"]).group(1)
@@ -131,7 +131,7 @@ def force(haptics):
 
 
 async def press(client, haptics, where=(0.5, 0.5), size=(200, 200), steps=4):
-    """Touches in the middle of the ball, and presses."""
+    """Touches the middle of the ball, and presses."""
     w, h = size
     await client.act("MouseMove", x=where[0] * w, y=where[1] * h, w=w, h=h)
     await client.act("KeyDown", key="t", w=w, h=h)
@@ -197,13 +197,13 @@ def test_the_secret_is_compared_in_constant_time(window, hands, monkeypatch):
     ("127.0.0.1:{port}", "http://127.0.0.1:{port}", True),
     ("[::1]:{port}", "http://[::1]:{port}", True),
     ("localhost:9999", "http://localhost:9999", True),  # the near end of ssh -L 9999:localhost:PORT
-    ("localhost:{port}", "http://localhost:9999", False),  # another server of this computer
+    ("localhost:{port}", "http://localhost:9999", False),  # another server on this computer
     ("localhost:{port}", "https://example.org", False),
     ("localhost:{port}", "null", False),  # a frame in a sandbox, a file
     ("localhost:{port}", "", False),
     ("localhost:{port}", "http://[::1", False),
     ("localhost:{port}", "http://localhost:{port}.example.org", False),
-    ("example.org:{port}", "http://example.org:{port}", False),  # a name that leads here: DNS rebinding
+    ("example.org:{port}", "http://example.org:{port}", False),  # a name that resolves to this computer: DNS rebinding
     ("localhost.example.org", None, False),
     ("127.0.0.1.example.org", None, False),
     ("[::1", None, False),
@@ -227,14 +227,14 @@ def test_hosts_and_origins(window, hands, host, origin, enters):
 
 
 def memory():
-    """MiB in use by this process."""
+    """Returns the memory (MiB) that this process uses."""
     return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 2**20
 
 
 @pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="asks Linux for the memory in use")
 @pytest.mark.parametrize("known", [False, True])
 def test_frames_that_lie(window, hands, known):
-    """A frame of 13 bytes may say that it begins a message of 4 GB."""
+    """A frame of 13 bytes may declare a message of 4 GB."""
     haptics = hands().haptics
 
     async def steps(view, connect):
@@ -296,7 +296,7 @@ def test_one_page_leads(window, hands):
         await asyncio.sleep(0.2)
         assert haptics.filter.GetMethodName() == "proxy" and view.window.GetSize() == size
         assert haptics.device.GetState().GetTipPosition() == pytest.approx(before, abs=1e-6)
-        assert view.server.state[f"{view.name}_method"] == "proxy"  # and its page shows what is
+        assert view.server.state[f"{view.name}_method"] == "proxy"  # the second page shows the actual method
         assert haptics.style.GetTouchMode() and force(haptics) > 0.01
         # When the second page closes, the first page keeps the touch.
         await second.socket.close()
@@ -317,7 +317,7 @@ def test_one_page_leads(window, hands):
 
 @pytest.mark.parametrize("way", ["closes", "breaks", "stands still"])
 def test_the_hand_lets_go_of_a_page_that_is_gone(window, hands, monkeypatch, way):
-    """Whatever other pages answer."""
+    """The hand lets go, whether or not other pages answer."""
     monkeypatch.setattr(_webview, "SILENCE", 1.5)
     haptics = hands().haptics
 
@@ -343,7 +343,7 @@ def test_the_hand_lets_go_of_a_page_that_is_gone(window, hands, monkeypatch, way
 
 
 def test_a_page_that_takes_nothing_stops_no_other(window, hands, monkeypatch):
-    """A computer that sleeps: wslink sends to one page after the other, and waits for each."""
+    """The page acts like a computer that sleeps: wslink sends to one page after the other, and waits for each."""
     monkeypatch.setattr(_webview, "UNANSWERED", 2)
     haptics = hands().haptics
 
@@ -351,7 +351,7 @@ def test_a_page_that_takes_nothing_stops_no_other(window, hands, monkeypatch):
         first, second = await (await connect()).show(view), await (await connect()).show(view)
         await press(first, haptics)
         await wait(lambda: len(view._heard) == 2, "not both answer")
-        second._task.cancel()  # it reads no more
+        second._task.cancel()  # it stops reading
         await wait(lambda: len(view._heard) == 1, "it stays")
         pictures = first.pictures
         await first.act("MouseWheel", spinY=-1)
@@ -363,7 +363,7 @@ def test_a_page_that_takes_nothing_stops_no_other(window, hands, monkeypatch):
 
 @pytest.mark.parametrize("is_second", (False, True))
 def test_a_page_that_arms_a_device_holds_it(window, hands, monkeypatch, is_second):
-    """Without the touch mode, as with a device in the hand of the server's user."""
+    """The touch mode is off, as when the server's user holds a device."""
     monkeypatch.setattr(_webview, "SILENCE", 1.5)
     second = volumehaptics.vtkHapticDevice()
     assert second.Open("virtual")
@@ -373,7 +373,7 @@ def test_a_page_that_arms_a_device_holds_it(window, hands, monkeypatch, is_secon
     async def steps(view, connect):
         first, second = await (await connect()).show(view), await (await connect()).show(view)
         await first.act("MouseMove", x=10, y=10, w=200, h=200)
-        device.Arm()  # by the program, for that user
+        device.Arm()  # the program arms it for the server's user
         assert device.IsArmOrdered() and not haptics.style.GetTouchMode()
         first.answers = False
         await wait(lambda: not device.IsArmOrdered(), "force stays on")
@@ -384,7 +384,7 @@ def test_a_page_that_arms_a_device_holds_it(window, hands, monkeypatch, is_secon
 
 
 def test_each_page_has_a_mouse_of_its_size(window, hands):
-    """The same place of the picture is the same place of the scene, however large a page shows it."""
+    """A relative position in the picture is the same place of the scene, whatever the size of the page's picture."""
     haptics = hands().haptics
 
     async def steps(view, connect):
@@ -513,7 +513,7 @@ def test_another_origin_has_no_access(window, hands, chromium, tmp_path):
 
 
 def test_a_page_that_stalls_is_let_go_of(window, hands, chromium):
-    """A real page whose script stands still for 8 s, beside one that answers."""
+    """Opens a real page whose script stalls for 8 s, beside a page that answers."""
     stall = 8.0
     haptics = hands().haptics
 

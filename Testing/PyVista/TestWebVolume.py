@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""--web FILE shows a volume where the file says that it lies. The files are written here byte by byte, as the definitions
-of MetaImage (itk.org, MetaIO) and of NIfTI-1 (nifti1.h) have them; the places come from these definitions."""
+"""--web FILE shows a volume where the file places it. The files are written here byte by byte, as MetaImage (itk.org,
+MetaIO) and NIfTI-1 (nifti1.h) are defined; the expected positions follow from these definitions."""
 
 import gzip
 import struct
@@ -19,7 +19,8 @@ SIZE = (6, 7, 8)
 BRIGHT = (1, 5, 2)  # index of the one voxel that is not 0
 SPACING = (1.0, 1.5, 2.0)
 ORIGIN = (10.0, -20.0, 30.0)
-# Columns: directions of the index axes in the world. Mirrored; turned by a quarter; by 30 degrees about z, and mirrored.
+# The columns are the directions of the index axes in the world: mirrored; turned by a quarter; turned by 30 degrees
+# about z and mirrored.
 FRAMES = {
     "plain": np.eye(3),
     "mirrored": np.diag([-1.0, 1.0, 1.0]),
@@ -48,11 +49,11 @@ def write_nifti(path, frame):
     header = bytearray(348)
     struct.pack_into("<i", header, 0, 348)
     struct.pack_into("<8h", header, 40, 3, *SIZE, 1, 1, 1, 1)
-    struct.pack_into("<hh", header, 70, 4, 16)  # signed short, of 16 bits
+    struct.pack_into("<hh", header, 70, 4, 16)  # signed short (16 bits)
     struct.pack_into("<4f", header, 76, 1.0, *SPACING)
-    struct.pack_into("<3f", header, 108, 352.0, 1.0, 0.0)  # where the voxels begin, slope, intercept
+    struct.pack_into("<3f", header, 108, 352.0, 1.0, 0.0)  # offset of the voxels, slope, intercept
     header[123] = 2  # mm
-    struct.pack_into("<hh", header, 252, 0, 1)  # sform, of the scanner
+    struct.pack_into("<hh", header, 252, 0, 1)  # sform of the scanner
     for row in range(3):
         struct.pack_into("<4f", header, 280 + 16 * row, *(frame[row] * SPACING), ORIGIN[row])
     header[344:348] = b"n+1\0"

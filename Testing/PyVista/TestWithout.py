@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Without PyVista: the package works, and the module that needs it says how to get it."""
+"""Without PyVista, the package works, and the module that needs PyVista says how to install it."""
 
 import subprocess
 import sys

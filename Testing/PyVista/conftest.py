@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tests of what the package does with PyVista, in an environment that has both:
+"""Tests of the package with PyVista, in an environment that has both:
 
     xvfb-run -a python -m pytest Testing/PyVista
 """
@@ -28,12 +28,12 @@ def pytest_collection_modifyitems(items):
 
 
 class Hand:
-    """A window with a ball that can be touched, and a mouse and keys that are sent to it."""
+    """A window with a ball that can be touched, with simulated mouse and key events."""
 
     def __init__(self, off_screen=True, columns=1, **settings):
         self.plotter = pv.Plotter(off_screen=off_screen, shape=(1, columns), window_size=(200, 200))
         self.plotter.subplot(0, columns - 1)
-        self.pointer = (200 - 100 // columns, 100)  # the middle of the last column
+        self.pointer = (200 - 100 // columns, 100)  # middle of the last column
         grid = pv.ImageData(dimensions=(33, 33, 33), spacing=(2, 2, 2), origin=(-32, -32, -32))
         distance = (grid.points.astype(float) ** 2).sum(axis=1) ** 0.5
         grid["inside"] = 100.0 * (20.0 - distance)  # a ball of 20 mm
@@ -51,12 +51,12 @@ class Hand:
         interactor.KeyPressEvent()
         interactor.CharEvent()
         interactor.KeyReleaseEvent()
-        time.sleep(0.02)  # what comes sooner is what a window system repeats while a key is held
+        time.sleep(0.02)  # slower than the key repeat of a window system
 
     def push(self, steps=4):
-        """Touches in the middle of the ball, and presses."""
+        """Touches the middle of the ball, and presses."""
         if not self.plotter.iren.initialized:
-            self.plotter.show(auto_close=False)  # from now on there are events
+            self.plotter.show(auto_close=False)  # the window handles events from now on
         interactor = self.plotter.iren.interactor
         interactor.SetEventInformation(*self.pointer, 0, 0)
         self.press("t")
@@ -66,7 +66,7 @@ class Hand:
         self.wait(lambda: sum(x * x for x in self.device.GetState().GetForce()) > 0.01)
 
     def wait(self, holds):
-        """No test depends on how long it takes."""
+        """Waits until `holds` is true; no test depends on the time this takes."""
         end = time.monotonic() + 30.0
         while not holds():
             assert time.monotonic() < end, self.device.GetStatusText()
@@ -89,7 +89,7 @@ def hands():
 
 @pytest.fixture
 def window():
-    """For tests that render."""
+    """Requested by tests that render."""
 
 
 @pytest.fixture(scope="session")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""NumPy's memory is VTK's, both ways, and stays as long as anybody uses it."""
+"""VTK uses NumPy's memory and NumPy uses VTK's; the memory stays as long as either side holds it."""
 
 import gc
 import weakref
@@ -20,7 +20,7 @@ def scalars(volume):
 
 
 def ramp(dtype=np.float64, shape=(16, 12, 10)):
-    """V = 7 z, which fits into every type."""
+    """Returns V = 7 z, whose values fit into every type."""
     return np.broadcast_to(7 * np.arange(shape[0]).reshape(-1, 1, 1), shape).astype(dtype)
 
 
@@ -34,14 +34,15 @@ def test_image_shares_memory(dtype):
     assert np.shares_memory(scalars(volume), array) and scalars(volume).dtype == array.dtype
     array[3, 4, 5] = 99
     assert volume.GetScalarComponentAsDouble(5, 4, 3, 0) == 99.0
-    # The ramp is felt: a spring of 500 N/m, 1 mm deep, gives 0.5 N.
+    # The ramp exerts a force: a spring of 500 N/m, pressed in by 1 mm, gives 0.5 N.
     trace = touch(image(ramp(dtype)), [(5.0, 6.0, 6.0), (5.0, 6.0, 7.0)])
     assert abs(arrays(trace)["Force"][1, 2] + 0.5) < 1e-6
 
 
 @pytest.mark.parametrize("is_rendered", (False, True))
 def test_components_in_memory_of_their_own_are_felt(is_rendered):
-    """VTK 9.6 keeps them in one memory while the array is new, and again once a mapper has asked for a pointer."""
+    """VTK 9.6 keeps such components in one memory while the array is new, and again after a mapper has asked for a
+    pointer."""
     if not hasattr(vtkCommonCore, "vtkSOATypeFloat64Array"):
         pytest.skip(f"VTK {vtkCommonCore.vtkVersion.GetVTKVersion()} has no such arrays in Python; 9.6 has")
     expected = ramp().reshape(-1)
@@ -66,7 +67,7 @@ def test_components_in_memory_of_their_own_are_felt(is_rendered):
         haptics.Update()
         assert abs(arrays(haptics.GetOutput())["Force"][1, 2] + 0.5) < 1e-6
         if is_rendered:
-            # As a mapper does; from here on VTK 9.6 has another memory for them.
+            # Ask for a pointer, as a mapper does; from here on, VTK 9.6 keeps the components in another memory.
             scalars.GetVoidPointer(0)
 
 
@@ -87,7 +88,7 @@ def test_memory_lives_as_long_as_the_image():
     assert memory() is not None
     assert (scalars(copy).reshape(expected.shape) == expected).all()
     del copy
-    # VTK looks for what is left behind when the next object goes.
+    # VTK frees unused memory when the next object is deleted.
     image(ramp())
     gc.collect()
     assert memory() is None

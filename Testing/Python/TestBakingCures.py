@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cures of errors about what moves, surfaces, modes, tools and paths are tried on the bench of cure_bench.py."""
+"""Tries the cures that error texts name for moving volumes, surfaces, modes, tools and paths, on the bench of
+cure_bench.py."""
 
 import math
 import re
@@ -30,7 +31,7 @@ from volumehaptics.arrays import arrays
 case, result = Cases(), Calls()
 
 
-# Volumes that move: of two frames, which are alike.
+# Volumes that move: two equal time steps.
 
 def frames(b, *images, name=None):
     source = vtkHapticTimeStepSource()
@@ -131,10 +132,11 @@ def _(b):
     return lambda: b.haptics.SetDisplacementArrayName("")
 
 
-# A wall that leaps by four of its widths, which a blend of frames shows as one that fades out here and in there.
+# A wall that jumps by four times its width between two time steps. A blend of the two would fade one wall out and the
+# other in.
 
 def leaping(spread=0.0):
-    """Frames with a wall at x = 20 and at 26, solid below, and maybe smoothed."""
+    """Returns two time steps with a wall at x = 20 and at x = 26, solid below, perhaps smoothed."""
     made = []
     for wall in (20.0, 26.0):
         values = 500.0 * (1.0 - np.tanh((np.arange(64.0) - wall) / 1.5))
@@ -152,7 +154,7 @@ def leaping(spread=0.0):
 
 @result("Smooth the image to a width of", "give the time steps displacements (SetDisplacementArrayName)")
 def fast_motion(_):
-    """A tip that rests at x = 22. At 5/6 of the time the wall is at x = 25."""
+    """Rests the tip at x = 22. After 5/6 of the time, the wall is at x = 25."""
     def feel(images, name=""):
         b = Bench()
         frames(b, *images, name=name)
@@ -190,7 +192,7 @@ def _(b):
 
 
 def floor(b, divisions=1):
-    """The method SURFACE_PROXY on a plane at z = 10, solid above."""
+    """Sets the method SURFACE_PROXY and a plane at z = 10, solid above it."""
     plane = vtkPlaneSource()
     plane.SetOrigin(0.0, 0.0, 10.0)
     plane.SetPoint1(0.0, 16.0, 10.0)
@@ -199,7 +201,7 @@ def floor(b, divisions=1):
     plane.Update()
     b.haptics.SetMethodToSurfaceProxy()
     b.haptics.SetProxyRadius(0.1)
-    # It comes from below, where it is free.
+    # The tip comes from below, where the space is free.
     for i in range(21):
         b.path.GetPoints().SetPoint(i, 5.0, 8.0, 9.0 + 0.15 * i)
     made = vtkPolyData()
@@ -265,7 +267,7 @@ def _(b):
 
 @case("Give the mode a vtkPolyData with polygons or strips with SetSurface()")
 def _(b):
-    """A plane at z = 10, which holds."""
+    """A plane at z = 10 holds the tip."""
     mode = b.follow(vtkHapticGuideMode())
     mode.SetSurface(vtkPolyData())
     surface = floor(Bench())
@@ -355,7 +357,8 @@ def burr_force():
 
 
 def floor_force():
-    """The spring of 500 N/m, 2 mm minus the sphere of 0.1 mm, whose centre is touched: 1 N beyond z = 9.9."""
+    """Force (N) of the spring of 500 N/m. The proxy is a sphere of 0.1 mm whose centre stops at z = 9.9, and the tip is
+    at z = 12."""
     return 0.5 * (12.0 - 9.9)
 
 
@@ -372,7 +375,7 @@ def test_cures_of_the_filter(words):
 @result("Give it a vtkPolyData, or nothing: then the isosurface at the IsoValue is touched",
         "There is no image to touch. Connect a vtkImageData to input port 0")
 def surfaces_of_a_device(_):
-    """VTK's executive refuses such a surface itself, but a device has none."""
+    """VTK's executive refuses such a surface itself, but a device has no executive."""
     b, device = Bench(), vtkHapticDevice()
     surface = floor(b)
     b.haptics.SetInputDataObject(2, vtkImageData())
@@ -393,7 +396,7 @@ def surfaces_of_a_device(_):
         assert b.force() == pytest.approx(floor_force(), abs=1e-3)
 
 
-# Modes that are proposed.
+# Modes that are proposed for an image.
 
 @result("Give it such an array, or take another preset: see GetModePresetNames()", "Use one of: ",
         "Name one with SetArrayName(), or give the image active vectors", "Name another one with SetArrayName()",

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every method gives a hand that strokes the head phantom the same as before.
+"""For a hand that strokes the head phantom, every method gives the same trace as before.
 
-    python3 -m pytest TestBaselineTraces.py --write-baselines    # makes the baselines anew
+    python3 -m pytest TestBaselineTraces.py --write-baselines # writes new baselines
 
-The stroke comes from above, presses 3 mm into the crown and slides 24 mm towards the right ear. The baselines hold the
-proxy, the force and the contact. That they are right is the matter of other tests. The materials stand here, so that
-presets may change.
+The stroke comes from above, presses 3 mm into the crown and slides 24 mm towards the right ear. The baselines hold
+the proxy, the force and the contact. Other tests show that the values are right. The materials are defined here, so
+that presets may change.
 """
 
 import math
@@ -18,9 +18,9 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataWriter
 from volumehaptics import vtkVolumeHapticsFilter
 
-SKIN = -300.0  # HU, at which the phantom's skin is seen
+SKIN = -300.0  # isovalue (HU) of the phantom's skin
 ARRAYS = ("Force", "Contact")
-# Baselines hold single precision; and vtkFlyingEdges3D's points, too.
+# Baselines are stored in single precision, as are the points of vtkFlyingEdges3D.
 TOLERANCE = 1e-5
 
 # Nodes of each function: HU, or HU/mm, and its value.
@@ -60,7 +60,7 @@ def make_stroke(top):
 
 
 def find_crown(image):
-    """The height at which the axis through the origin meets the skin from above (mm)."""
+    """Returns the height (mm) at which the axis through the origin meets the skin from above."""
     scalars = image.GetPointData().GetScalars()
     for k in reversed(range(image.GetDimensions()[2])):
         point = image.FindPoint(0.0, 0.0, image.GetOrigin()[2] + k * image.GetSpacing()[2])
@@ -86,7 +86,7 @@ def touch(image, path, choose):
 
 
 def write(trace, name):
-    """The arrays of a baseline, as small as they get."""
+    """Writes the arrays of a baseline in as few bytes as possible."""
     small = vtkPolyData()
     points = vtkPoints()
     points.SetDataType(VTK_FLOAT)

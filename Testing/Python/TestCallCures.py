@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cures that errors of single calls name are tried, of properties, setups, devices, tables and measurements: after them
-the call does what it is for.
+"""Tries the cures that error texts of single calls name (properties, setups, devices, tables, measurements): after the
+cure, the call succeeds.
 """
 
 import json
@@ -282,7 +282,7 @@ def proposals(_):
 
 @result("Touch three or more different ones", "Touch one well beside it", "three or more are needed. Touch more", "Touch again, while the device is ready", "Give each touched point its known position")
 def calibrations(_):
-    """Of a device whose axes are the world's, in metres instead of millimetres."""
+    """Calibrations of a device whose axes are the world's, in metres instead of millimetres."""
     fit = vtkHapticDevice()
 
     def add(*points):

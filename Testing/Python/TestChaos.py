@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every public method of every class, called in any order with anything, returns or says an error: see chaos.py."""
+"""Calls every public method of every class in any order with any arguments; each call returns or reports an error. See
+chaos.py."""
 
 import os
 
@@ -8,12 +9,12 @@ import chaos
 import pytest
 import volumehaptics.vtkVolumeHaptics as module
 
-# How many, each of how many calls: `VOLUMEHAPTICS_CHAOS=1000x2000` for a long search.
+# Number of seeds, and of calls for each seed: `VOLUMEHAPTICS_CHAOS=1000x2000` makes a long search.
 SEEDS, CALLS = map(int, os.environ.get("VOLUMEHAPTICS_CHAOS", "10x600").split("x"))
 
 
 def test_every_method_is_known():
-    """The documentation of the wrapped classes says the arguments of each of their methods."""
+    """The documentation of the wrapped classes names the argument types of each method."""
     classes = [cls for cls in vars(module).values() if isinstance(cls, type) and cls.__name__.startswith("vtk")]
     assert len(classes) >= 15
     for cls in classes:
@@ -29,7 +30,7 @@ def test_every_method_is_known():
 
 
 def test_errors_with_false_are_read_from_the_documentation():
-    """Other words in the documentation must not end the check for silent failures unnoticed."""
+    """If the documentation's wording changes, the check for silent failures must not be dropped unnoticed."""
     for cls, names in (
             (module.vtkHapticDevice, ("Open", "Start", "Publish")), (module.vtkHapticSetup, ("Save", "Load")),
             (module.vtkHapticRegionSource, ("OpenFile", "OpenDataSet")), (module.vtkHapticProperty, ("ApplyPreset",)),
@@ -43,13 +44,14 @@ def test_errors_with_false_are_read_from_the_documentation():
 @pytest.mark.parametrize("fault, words", (
     ("crash", "Segmentation fault"), ("hang", "Timeout"), ("force", "above its limit of 4.0 N"), ("silence", "without text")))
 def test_what_goes_wrong_is_found(tmp_path, fault, words):
-    """A search that finds nothing proves nothing."""
+    """Makes a process go wrong on purpose, to show that the search finds such faults."""
     trouble = chaos.run_seed(7, 20, tmp_path, "--fault", fault, "--slowest", "5")
     assert trouble.startswith("seed 7: ") and words in trouble and f"going wrong: {fault}" in trouble, trouble
 
 
 def test_any_calls_in_any_order(tmp_path):
-    # The address sanitizer ends a process that asks for more memory than there is, as for paths of 1e8 points.
+    # Leave these methods out under the address sanitizer: it ends a process that asks for more memory than exists, for
+    # example for a path of 1e8 points.
     left_out = "PathSource.Set(Speed|PointsPerSecond)" if "VOLUMEHAPTICS_SANITIZED" in os.environ else chaos.NONE
     troubles = list(chaos.run_seeds(range(SEEDS), CALLS, os.cpu_count() or 1, tmp_path, "--left-out", left_out))
     assert not troubles, "\n\n".join(troubles)

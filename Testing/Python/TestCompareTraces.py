@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""compare_traces.py finds the first difference, and says what it is."""
+"""compare_traces.py finds the first difference of two traces and describes it."""
 
 import contextlib
 import io
@@ -16,7 +16,7 @@ TICKS = 50
 
 
 def make_trace(change=None, ticks=TICKS, extra=None, name="Force"):
-    """A trace whose Force at (tick, component) of `change` has its value added."""
+    """Returns a trace; `change` = (tick, component, value) adds a value to one component of Force."""
     trace = vtkPolyData()
     points = vtkPoints()
     points.SetDataTypeToDouble()
@@ -43,7 +43,7 @@ def make_trace(change=None, ticks=TICKS, extra=None, name="Force"):
 
 @pytest.fixture
 def write(tmp_path):
-    """Writes a trace by its name; the file's name comes back."""
+    """Returns a function that writes a trace to a named file and returns the file's path."""
 
     def write_trace(name, trace):
         path = str(tmp_path / name)
@@ -62,7 +62,7 @@ def baseline(write):
 
 
 def run(*arguments):
-    """Exit code and everything that was printed."""
+    """Returns the exit code and everything that was printed."""
     text = io.StringIO()
     with contextlib.redirect_stdout(text), contextlib.redirect_stderr(text):
         code = compare_traces.main(list(arguments))

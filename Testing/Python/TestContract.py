@@ -15,7 +15,8 @@ from volumehaptics import (
     vtkVolumeHapticsFilter,
 )
 
-# A name, and words that its documentation has to contain. For Set... the getter must exist, too.
+# Public names, and words that the documentation of each must contain. For each Set... method, the getter must exist,
+# too.
 PROPERTY = {
     "SetStiffness": ("N/m", "500"),
     "SetFriction": ("friction", "0"),
@@ -124,7 +125,7 @@ ARRAYS = {
     "Depth": "world units",
     "ShaftForce": "N",
 }
-# The arrays that only one tool has, which the class of the tool documents.
+# Arrays that only one tool produces; the documentation of that tool's class describes them.
 TOOL_ARRAYS = {
     vtkHapticPointShell: {"ToolOrientation": "w, x, y, z"},
     vtkHapticBurr: {"RemovedVolume": "mm^3"},
@@ -136,7 +137,7 @@ GUIDE_PLAIN = ("SetPath", "GetPath", "SetSurface", "SetDistanceField", "SetSide"
 
 
 def check(cls, documented, plain):
-    # pydoc is what help() prints; it breaks lines where it likes.
+    # help() prints what pydoc renders, with line breaks anywhere.
     text = " ".join(pydoc.render_doc(cls, renderer=pydoc.plaintext).replace("|", " ").split())
     for name, words in documented.items():
         assert name in text, f"help({cls.__name__}) lacks {name}"

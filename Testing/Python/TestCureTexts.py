@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Each text of the C++ sources that names a cure is tried by a test, or says only what is to be done outside."""
+"""Each error text of the C++ sources that names a cure is tried by a test, or is listed as a cure that no program can
+apply."""
 
 import ast
 import re
@@ -23,7 +24,7 @@ from vtkmodules import all as vtk
 
 ROOT = Path(__file__).resolve().parents[2]
 
-# Tests that provoke an error and then do what its text says: words of the cure, and the words for which the test looks.
+# Tests that provoke an error and then apply its cure: words of the cure, and the words for which the test looks.
 TRIED = {
     "Python/TestInspect.py": {"is how --inspect tells what it found": "add --inspect"},
     "VTK/Baking/BadScalarsTest.cxx": {
@@ -275,8 +276,8 @@ TRIED = {
     },
 }
 
-# Cures that no program can apply: what a hand does with a device, and what is done outside the program. Of these texts
-# the names are checked: see test_names_in_cures.
+# Cures that no program can apply: actions of a hand on a device, and actions outside the program. Only the names in
+# these texts are checked, by test_names_in_cures_exist.
 OUTSIDE = {
     "a hand plugs in, switches on, or leads a device": (
         "devices have its serial number now. Open() and Start() the one that you mean",
@@ -348,15 +349,15 @@ NONE = (
     "Load a preset…Presets", "Save the preset…Presets", "Record to…Traces", "no active scalars: point array",
     ": ….\\n  Cure: ….", "A is kept. Change something", "Arm with an hfab controller, if it is one", "Put the pointer on the volume and press", "The hand is outside the view",
     "propose functions; take them",
-    # Commands of the bar and of its menu, and the program that asks for a file.
+    # Commands of the explorer's bar and menu, and the dialog that asks for a file.
     "Touch…t…touch what is under the pointer", "RemoveLast…Delete…", "Record…Record a movie", "kdialog…--title",
     "Touch…hold the hand where it is", "…hold: click where the hand", "Tool…save the track", "File…save measurements",
     "Preset…save the materials", "File…open a file", "File…show as labels",
 )
 
-# A text of the sources: what stands between semicolons and braces, with its literals joined.
+# Splits a source into texts: the string literals between semicolons and braces are joined into one text.
 TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|"((?:\\.|[^"\\\n])*)"|\'(?:\\.|[^\'\\])+\'|[;{}]|\S', re.S)
-# Verbs with which cures begin, after a sentence that says what is wrong.
+# Verbs with which cures begin, after a sentence that describes the fault.
 CURE = re.compile(
     r"Cure: |([.;:)] |\u2026 ?)(update|make|give|set|call|use|take|name|write|choose|convert|check|pass|close|replace|remove|add"
     r"|correct|run|save|open|copy|connect|put|end|read|start|stop|smooth|turn|raise|lower|plug|change|leave|resample"
@@ -378,7 +379,7 @@ def texts_of(source):
 
 
 def find_cures(root, folder):
-    """The texts with cures, by the file that has them."""
+    """Yields each text that names a cure, with its file."""
     for file in sorted((root / folder).rglob("*")):
         if file.suffix in (".cxx", ".h") and not file.stem.endswith(("Settings", "SettingLists")):
             for text in texts_of(file.read_text(encoding="utf-8")):
@@ -397,7 +398,7 @@ def test_each_cure_is_tried():
     tried += [*TestFileCures.TABLES, *TestSceneCures.SHOWN, *TestShownAndTold.TOLD]
     tried += [word for module in MODULES for words in module.result for word in words]
     tried += [words for _, words, _ in (*TestExplorerCures.OPTIONS, *TestExplorerCures.COMMANDS)
-              if not words.endswith(("is not an option", "needs a value"))]  # the cure of these is the help
+              if not words.endswith(("is not an option", "needs a value"))]  # help is the cure of these errors
     tried += [word for tests in TRIED.values() for word in tests]
     tried += [word for words in OUTSIDE.values() for word in words] + [*NONE]
     found, left = set(), []
@@ -417,7 +418,7 @@ def strings_of(file):
 
 
 def test_tests_look_for_what_is_tried():
-    """Each test that is named looks for words of the text, or for words around them."""
+    """Each named test looks for the words of the error text, or for words around them."""
     for test, tried in TRIED.items():
         strings = strings_of(ROOT / "Testing" / test)
         for words, looked_for in tried.items():
@@ -425,7 +426,8 @@ def test_tests_look_for_what_is_tried():
             assert any(words in text and looked_for in text for _, text in TEXTS), (words, looked_for)
 
 
-# An array, a header and a module of VTK, and a function of ParaView's Python; options of other programs; files.
+# Names that exist elsewhere: an array, a header and a module of VTK, and a function of ParaView's Python; options of
+# other programs; files.
 ELSEWHERE = "vtkGhostType", "vtkRenderingContext2DModule", "vtkRenderingContextOpenGL2", "GetActiveView"
 OTHERS = {"--high": "h5repack", "--reload": "udevadm", "LD_LIBRARY_PATH": "ld.so"}
 FILES = ("Data/udev/70-volume-haptics.rules", "Module/Devices/Vendor/VendorPlugin.h", "Examples/Vendor", "Examples/explore.sh",
@@ -433,7 +435,7 @@ FILES = ("Data/udev/70-volume-haptics.rules", "Module/Devices/Vendor/VendorPlugi
 
 
 def test_names_in_cures_exist():
-    """Classes, methods, options and variables that texts name."""
+    """Classes, methods, options and variables that error texts name exist."""
     sources = "".join(file.read_text(encoding="utf-8") for suffix in ("*.h", "*.cxx", "*.xml") for folder in ("Module", "Plugin")
                       for file in (ROOT / folder).rglob(suffix))
     words = set(re.findall(r"\w+", re.sub(r'"(\\.|[^"\\\n])*"', '""', sources)))
@@ -459,7 +461,7 @@ DEBIAN = {"libpulse-dev": (), "libblosc-dev": (), "libzstd-dev": (), "libgdcm-de
           "python3-numpy": (), "rtkit": (), "hdf5-tools": ("h5repack", "h5clear"), "xvfb": ("xvfb-run", ), "passwd": ("usermod", ),
           "udev": ("udevadm", )}
 PYPI = {"numpy", "pyvista", "zarr", "h5py", "vtk", "trame", "trame-vuetify", "trame-rca", "nest_asyncio2"}
-# Named by their programs, or without the word.
+# Packages that a text names by a program, or without the word "package".
 UNTOLD = {"rtkit", "hdf5-tools", "xvfb", "passwd", "udev"}, {"h5py"}
 
 
@@ -477,5 +479,5 @@ def test_packages_in_cures_exist():
     release = Path("/etc/debian_version")
     if release.exists() and release.read_text(encoding="ascii").startswith("12.") and shutil.which("apt-cache"):
         found = subprocess.run(["apt-cache", "pkgnames"], capture_output=True, text=True, check=True).stdout.split()
-        # Without lists of packages there are only the installed ones.
+        # Without downloaded package lists, apt-cache knows the installed packages only.
         assert "paraview-dev" not in found or set(DEBIAN) <= set(found), set(DEBIAN) - set(found)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cures that errors name are tried: what was refused is felt after them, with the right force.
+"""Tries the cures that error texts name: after the cure, the input that was refused gives the right force.
 
 The volume is V = 100 z over 24 x 17 x 32 voxels [z, y, x: 32, 17, 24], pressed 2 mm from z = 10 on: 500 N/m give 1 N.
 """
@@ -33,7 +33,7 @@ def force(volume, **options):
 
 
 def of_nibabel():
-    """get_fdata() of a file: the axes [x, y, z], and the memory in Fortran's order, x fastest."""
+    """Returns an array like get_fdata() of nibabel: axes [x, y, z], in Fortran order (x fastest)."""
     return np.asfortranarray(RAMP.transpose(2, 1, 0))
 
 
@@ -63,7 +63,7 @@ def updated(algorithm):
 
 
 def cast():
-    """An algorithm instead of its output."""
+    """Returns an algorithm instead of its output."""
     algorithm = vtkImageCast()
     algorithm.SetInputData(image(RAMP))
     algorithm.SetOutputScalarTypeToFloat()
@@ -74,7 +74,7 @@ MASKED = np.ma.masked_greater(RAMP, 2900.0)
 SHIFTED = np.ndarray(SIZE, np.float64, bytearray(RAMP.nbytes + 1), 1)
 SHIFTED[:] = RAMP
 
-# What makes a volume that is refused, words of the cure, and the cure.
+# For each case: a function that makes a refused volume, words of the cure, and a function that applies the cure.
 VOLUMES = {
     "of nibabel": (of_nibabel, "array.T if its axes are [x, y, z]", lambda array: array.T),
     "a part of nibabel's": (lambda: np.asfortranarray(np.pad(of_nibabel(), 1, "edge"))[1:-1, 1:-1, 1:-1],
@@ -102,7 +102,8 @@ def test_volumes(kind):
 
 
 def write_nifti(path):
-    """After nifti1.h, with a place that VTK's and PyVista's readers drop: x runs to the left, the origin is (40, 30, 20)."""
+    """Writes a file as nifti1.h defines it, with a placement that VTK's and PyVista's readers drop: x points left, the
+    origin is (40, 30, 20)."""
     header = bytearray(352)
     struct.pack_into("<i", header, 0, 348)
     struct.pack_into("<8h", header, 40, 3, *SIZE[::-1], 1, 1, 1, 1)
@@ -117,7 +118,7 @@ def write_nifti(path):
 
 @pytest.mark.skipif(find_explorer() is None and not os.environ.get("VOLUMEHAPTICS_BUILD"), reason="needs the explorer")
 def test_a_file_instead_of_a_volume(tmp_path, build):
-    """The voxel (5, 8, 10) is at (-35, -38, 30), left-posterior-superior."""
+    """In left-posterior-superior axes, the voxel (5, 8, 10) is at (-35, -38, 30)."""
     write_nifti(tmp_path / "scan.nii")
     with pytest.raises(TypeError, match="Cure: volumehaptics-explore FILE --write-volume volume.vti"):
         image(str(tmp_path / "scan.nii"))
@@ -138,7 +139,7 @@ def test_a_file_instead_of_a_volume(tmp_path, build):
 
 
 def test_a_direction_places_a_volume():
-    """That of nibabel's affine, of columns as long as voxels are, as docstrings say."""
+    """Takes the direction from nibabel's affine, whose columns are as long as a voxel, as the docstrings describe."""
     affine = np.array([[-1.0, 0, 0, 40], [0, 1, 0, 30], [0, 0, 1, 20], [0, 0, 0, 1]])
     volume = image(of_nibabel().T, spacing=(1, 1, 1), origin=affine[:3, 3], direction=2.0 * affine[:3, :3])
     press = np.linspace((35, 38, 30), (35, 38, 32), 21)
@@ -149,7 +150,7 @@ def test_a_direction_places_a_volume():
 
 
 def test_labels_of_another_shape():
-    """With volumehaptics.image(labels, spacing, origin), as the error says."""
+    """Applies the error text's cure: volumehaptics.image(labels, spacing, origin)."""
     labels = np.ones((32, 17, 12), np.uint8)
     with pytest.raises(ValueError, match=r"Cure: volumehaptics.image\(labels, spacing, origin\)"):
         force(RAMP, labels=labels)
@@ -173,7 +174,7 @@ def test_paths_with_masked_points():
     assert -arrays(touch(RAMP, left))["Force"][-1][2] == pytest.approx(0.95, abs=1e-6)
 
 
-# Cures that install something, or that another test tries: a part of the text, and where.
+# Cures that install something, or that another test tries: words of the text, and where the cure is tried.
 ELSEWHERE = {
     "pip install": "installation", "built with VolumeHaptics": "installation", "install the package again": "installation",
     "check that the copy is complete": "TestLabels.py has the whole files", "place the volume": "TestLabels.py",
@@ -188,7 +189,8 @@ ELSEWHERE = {
     "give it to touch(), which reads it": "Testing/Data/Formats/TestFormats.py",
     "check that its copy is complete": "TestLargeCures.py, by the reader",
 }
-# Those of plotters and pages: a part of the text, and a test of Testing/PyVista that does it, or what is to be installed.
+# Cures for plotters and pages: words of the text, and the test of Testing/PyVista that tries the cure, or the package
+# to install.
 WINDOWS = {
     "plotter.add_actor(volume) before it": "TestPlotterShown.py", "VisibilityOn() of the actor": "TestPlotterShown.py",
     "open the address that the program printed": "TestWebDoor.py", 'host="localhost"': "TestWebDoor.py",
@@ -202,7 +204,7 @@ HERE = ("array.T", "np.ascontiguousarray", "array.filled(VALUE)", "array.copy()"
 
 
 def texts_of(node):
-    """The string constants and f-strings of a module as texts, joined as Python joins them."""
+    """Returns the string constants and f-strings of a module as texts, joined as Python joins them."""
     for one in ast.walk(node):
         if isinstance(one, ast.Constant) and isinstance(one.value, str):
             yield one.value

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The committed data are what README.md there says they are."""
+"""Checks that the committed data are as their README.md describes them."""
 
 import math
 import random
@@ -32,12 +32,12 @@ def committed(data):
 
 
 def array_of(data):
-    """The scalars of a volume, the positions of a path."""
+    """Returns the scalars of a volume, or the positions of a path."""
     return vtk_to_numpy(data.GetPointData().GetScalars() or data.GetPoints().GetData())
 
 
 def value(image, position):
-    """Trilinear interpolation, written out."""
+    """Computes the trilinear interpolation at a position."""
     cell = [(p - o) / s for p, o, s in zip(position, image.GetOrigin(), image.GetSpacing())]
     low = [min(int(c), n - 2) for c, n in zip(cell, image.GetDimensions())]
     total = 0.0
@@ -68,7 +68,7 @@ def cavity(x, y, z):
 
 
 def check_path(points, corners, radius=0.0, ticks=0, turns=0):
-    """Straight lines of 0.1 mm a tick through the corners, then turns of a circle about z."""
+    """Checks straight lines of 0.1 mm a tick through the corners, then turns of a circle about z."""
     expected = [corners[0]]
     for a, b in zip(corners, corners[1:]):
         n = round(10 * math.dist(a, b))
@@ -83,12 +83,12 @@ def test_head(committed):
     assert image.GetDimensions() == (64, 64, 64) and image.GetSpacing() == (3.75, 3.75, 3.75)
     values = array_of(image).reshape(64, 64, 64)
     assert values.min() == -1000 and 1500 < values.max() < 2300
-    assert (values[-2:] == -1000).all() and (values[0] > -1000).any()  # air above, a cut neck
+    assert (values[-2:] == -1000).all() and (values[0] > -1000).any()  # air above the head; the neck is cut
     for low, high, few in ((-150, -30, 4000), (-10, 15, 500), (20, 80, 15000), (300, 3000, 9000)):
         assert ((values >= low) & (values <= high)).sum() > few, (low, high)
-    assert value(image, (0, -95, -25)) > -300 > value(image, (0, 105, -25))  # the nose: -y is front
-    assert value(image, (14, -63, 26)) < value(image, (-14, -63, 26)) - 200  # larger sinus: +x left
-    for a in (i * math.pi / 8 for i in range(16)):  # air, scalp, skull, brain, inwards
+    assert value(image, (0, -95, -25)) > -300 > value(image, (0, 105, -25))  # nose, since -y is the front
+    assert value(image, (14, -63, 26)) < value(image, (-14, -63, 26)) - 200  # larger sinus on the left (+x)
+    for a in (i * math.pi / 8 for i in range(16)):  # going inwards: air, scalp, skull, brain
         ray = [value(image, (r * math.cos(a), 8 + r * math.sin(a), 50)) for r in range(105, 30, -1)]
         bone = next(i for i, hu in enumerate(ray) if hu > 300)
         assert ray[0] < -990 and max(ray) > 600 and 20 < ray[-1] < 50, a
@@ -111,7 +111,7 @@ def test_generator_makes_the_same(data, committed, tmp_path):
 
 
 def series(folder, name, frames):
-    """The frames with their displacements, [z, y, x, axis]."""
+    """Returns the time steps of a series with their displacement arrays, [z, y, x, axis]."""
     images = []
     for frame in range(frames + 1):
         reader = vtkXMLGenericDataObjectReader()
@@ -124,7 +124,7 @@ def series(folder, name, frames):
 
 
 def check_motion(images, most, moves):
-    """What is at a point of a frame is where its displacement says in the next one."""
+    """Checks that each point of a time step has the same value as its displaced position in the next time step."""
     worst = [0.0, 0.0]
     for before, after in zip(images, images[1:]):
         motion = before.GetPointData().GetArray("motion")
@@ -144,19 +144,20 @@ def test_series_that_move(data, tmp_path):
     command = [sys.executable, str(data / "generate.py"), str(tmp_path)]
     subprocess.run([*command, "--beating", "6"], check=True)
     beating = series(tmp_path, "Beating", 6)
-    # Interpolation errs by h^2/8 of the second derivatives along the axes, 195 * 0.242 / 1.5^2 at most each.
+    # Interpolation errs by h^2/8 of the second derivatives along the axes, each of which is at most 195 * 0.242 /
+    # 1.5^2.
     check_motion(beating, 20.0, 60.0)
     full, small = (array_of(beating[i]).reshape(56, 56, 56) for i in (0, 3))
-    inner = lambda v: (v > 0.5 * (250 + 55)).sum() * 1.5**3  # contrast medium, a ball
+    inner = lambda v: (v > 0.5 * (250 + 55)).sum() * 1.5**3  # contrast medium: a ball
     assert abs(inner(full) / (4 / 3 * math.pi * 16**3) - 1) < 0.02
     assert abs(inner(small) / (4 / 3 * math.pi * 12**3) - 1) < 0.02
     muscle = [(v > 0.5 * (55 - 100)).sum() * 1.5**3 - inner(v) for v in (full, small)]
-    assert abs(muscle[1] / muscle[0] - 1) < 0.02  # it keeps its volume
+    assert abs(muscle[1] / muscle[0] - 1) < 0.02  # constant volume of the muscle
     subprocess.run([*command, "--breathing", str(data / "Slab.vti"), "--frames", "4"], check=True)
     breathing = series(tmp_path, "Breathing", 4)
     check_motion(breathing, 10.0, 100.0)
     bump = lambda x, a, b: math.sin(math.pi * (x - a) / (b - a)) ** 2
-    for _ in range(300):  # the slab's value tells the height that material came from
+    for _ in range(300):  # the slab's value is the height that the material came from
         x, y, z = (random.randint(a, b) for a, b in ((-16, 16), (-16, 16), (-16, 24)))
         before = value(breathing[2], (x, y, z)) / 100.0
         depth = 0.15 * 40 * bump(x, -16, 16) * bump(y, -16, 16) * bump(before, -16, 24)

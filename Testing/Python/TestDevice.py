@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkHapticDevice from Python: a push on a ramp, recorded, replayed and compared."""
+"""Uses vtkHapticDevice from Python: a press on a ramp is recorded, replayed and compared."""
 
 import math
 import time
@@ -13,7 +13,7 @@ from volumehaptics import vtkHapticDevice, vtkVolumeHapticsFilter
 
 
 def wait(device, holds):
-    """Polls the device; no test depends on how long it takes."""
+    """Polls the device until `holds` is true; no test depends on the time this takes."""
     end = time.monotonic() + 30.0
     while not (device.UpdateState() and holds()):
         assert time.monotonic() < end, device.GetStatusText()
@@ -21,7 +21,7 @@ def wait(device, holds):
 
 
 class Errors:
-    """The errors of an object, instead of on the console."""
+    """Collects the errors of an object instead of printing them."""
 
     def __init__(self, watched):
         self.count = 0
@@ -67,12 +67,12 @@ def test_push_is_recorded_and_replayed(tmp_path):
     device.SetVolumeHaptics(haptics)
     device.GetVirtualHand().SetPosition(7.0, 7.0, 5.0)
     assert device.Start() and device.IsRunning()
-    wait(device, lambda: device.GetState().GetTick() > 1)  # the first lead is where the tip begins
+    wait(device, lambda: device.GetState().GetTick() > 1)  # the tip starts at the first position that the servo sees
     recording = str(tmp_path / "push.vtp")
     assert device.GetRecorder().Start(recording)
     device.Arm()
-    wait(device, lambda: "100 % of the force" in device.GetStatusText())  # a wall pressed before stays soft
-    for z in (5.5, 6.0, 6.5, 7.0, 7.5, 8.0):  # as slowly as the slew limit has it
+    wait(device, lambda: "100 % of the force" in device.GetStatusText())  # a wall that is pressed earlier stays soft
+    for z in (5.5, 6.0, 6.5, 7.0, 7.5, 8.0):  # slow enough for the slew limit
         device.GetVirtualHand().SetPosition((7.0, 7.0, z))
         wait(device, lambda z=z: abs(device.GetState().GetTipPosition()[2] - z) < 1e-9)
     wait(device, lambda: device.GetState().GetForce()[2] < -1.49)
@@ -82,7 +82,7 @@ def test_push_is_recorded_and_replayed(tmp_path):
     assert math.dist(device.GetState().GetProxyPosition(), (7.0, 7.0, 5.0)) < 1e-6
     assert device.GetState().GetContact() == 1 and device.GetState().GetButtons() == 0 and device.GetState().GetTick() > 0
 
-    # Turned by a quarter and published while it records.
+    # Turn the device by a quarter and publish that during the recording.
     matrix = vtkMatrix4x4()
     matrix.DeepCopy((0, -1000, 0, 0, 1000, 0, 0, 0, 0, 0, 1000, 0, 0, 0, 0, 1))
     device.SetDeviceToWorld(matrix)
@@ -98,20 +98,20 @@ def test_push_is_recorded_and_replayed(tmp_path):
     device.Stop()
     assert device.GetState().GetForce() == (0.0, 0.0, 0.0) and not device.IsRunning()
 
-    # Offline, the recording gives the same trace.
+    # Computed offline from the recording, the trace is the same.
     haptics.SetInputData(1, compare_traces.read_trace(recording))
     haptics.Update()
     recorded = compare_traces.read_trace(recording)
     differences = compare_traces.compare(recorded, haptics.GetOutput())
     assert not differences, [str(d) for d in differences]
 
-    # Played back by the servo, the tip ends where it ended.
+    # When the servo plays the recording, the tip ends at the recorded end.
     assert device.Open("replay:" + recording)
     assert device.Start()
     wait(device, lambda: math.dist(device.GetState().GetTipPosition(), (7.0, 7.0, 8.0)) < 1e-6)
     assert device.GetDeviceToWorld() is matrix
     device.Arm()
-    del device  # armed: it stops by itself
+    del device  # delete it while armed: it stops by itself
     assert errors.count == 0
 
 
@@ -121,7 +121,7 @@ def test_stylus_turns_is_recorded_and_replayed(tmp_path):
     errors = Errors(device)
     assert device.Open("virtual")
     device.SetVolumeHaptics(haptics)
-    matrix = vtkMatrix4x4()  # a quarter about z: w = z = cos 45 degrees
+    matrix = vtkMatrix4x4()  # a quarter turn about z: w = z = cos 45 degrees
     matrix.DeepCopy((0, -1000, 0, 0, 1000, 0, 0, 0, 0, 0, 1000, 0, 0, 0, 0, 1))
     device.SetDeviceToWorld(matrix)
     device.GetVirtualHand().SetPosition(7.0, 7.0, 5.0)
@@ -131,7 +131,7 @@ def test_stylus_turns_is_recorded_and_replayed(tmp_path):
 
     recording = str(tmp_path / "turn.vtp")
     assert device.GetRecorder().Start(recording)
-    device.UpdateState()  # no tick of before counts
+    device.UpdateState()  # ignore earlier ticks
     first = device.GetState().GetTick()
     wait(device, lambda: device.GetState().GetTick() > first + 3)
     angle = 0.8  # about x
@@ -147,7 +147,7 @@ def test_stylus_turns_is_recorded_and_replayed(tmp_path):
     last = trace.GetArray("Tick").GetNumberOfTuples() - 1
     assert trace.GetArray("Orientation").GetTuple4(0) == (0.0, 0.0, 0.0, 0.0)
     assert math.dist(trace.GetArray("Orientation").GetTuple4(last), (0.0, 0.0, -1.0, 0.0)) < 1e-14
-    # Back by a quarter: (cos 45, 0, 0, -sin 45) times (0, 0, -1, 0) is (0, -sin 45, -cos 45, 0).
+    # Turn back by a quarter: (cos 45, 0, 0, -sin 45) times (0, 0, -1, 0) is (0, -sin 45, -cos 45, 0).
     half = math.sqrt(0.5)
     assert math.dist(trace.GetArray("DeviceOrientation").GetTuple4(last), (0.0, -half, -half, 0.0)) < 1e-14
 

@@ -1,10 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Python of the documents runs as printed, and the commands that they name have the options that they are given.
+"""Runs the Python blocks of the documents as printed, and checks that the programs named in shell commands have the
+options used there.
 
-The blocks of python.md and measuring.md are in TestExamples.py and TestLarge.py, those on PyVista and notebooks in
-Testing/PyVista/TestSnippets.py, those of hosts.md in Testing/Hosts, those on ParaView in TestReadme.py and TestServer.py of Testing/ParaView, those of C++ are
-compiled by Testing/Package/snippets.py, and that of CMake is configured and built by Testing/Package/install.sh.
+Other tests run the remaining blocks: TestExamples.py and TestLarge.py run python.md and measuring.md;
+Testing/PyVista/TestSnippets.py runs the blocks on PyVista and notebooks; Testing/Hosts runs hosts.md; TestReadme.py
+and TestServer.py of Testing/ParaView run the blocks on ParaView; Testing/Package/snippets.py compiles the C++
+blocks; Testing/Package/install.sh builds the CMake block.
 """
 
 import re
@@ -18,7 +20,7 @@ from volumehaptics import arrays, examples
 
 DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "Documentation").rglob("*.md"))]
 PAGES = [*DOCUMENTS, ROOT / "CONTRIBUTING.md", ROOT / "Data" / "README.md", ROOT / "Examples" / "PyVista" / "README.md"]
-# Files whose blocks of Python a test runs, and how many there are.
+# Files whose Python blocks a test runs, and the number of these blocks.
 RUN = {
     "README.md": 1, "first-touch.md": 1, "devices.md": 1, "hosts.md": 11, "materials.md": 8, "measuring.md": 1, "notebook.md": 1,
     "paraview.md": 6, "python.md": 9, "window.md": 1,
@@ -40,7 +42,7 @@ PROGRAMS = re.compile(r"(?:sudo |\w+=\S+ )*(?:[.]/|[.] |\S+[.]sh\b|apt|cd |cmake
 
 @pytest.mark.parametrize("path", PAGES, ids=lambda path: path.name)
 def test_commands_are_in_blocks_that_say_so(path):
-    """A block without a language is a formula or what a program writes, and is not checked."""
+    """A block without a language is a formula or a program's output, and is not checked."""
     found = re.findall(r"^```(\S*)\n(.*?)^```$", path.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)
     for language, text in found:
         if not language:
@@ -60,7 +62,7 @@ def test_readme(capsys):
 
 
 def write_labels(folder):
-    """What the page on materials reads: a segmentation as 3D Slicer writes it, and a table."""
+    """Writes the input of the page on materials: a segmentation as 3D Slicer writes it, and a table."""
     labels = np.zeros((16, 16, 16), np.uint8)
     labels[4:12, 4:12, 4:12] = 5
     header = ("NRRD0005\ntype: uint8\ndimension: 3\nsizes: 16 16 16\nencoding: raw\nspace: left-posterior-superior\n"
@@ -71,7 +73,7 @@ def write_labels(folder):
 
 
 def test_materials(tmp_path, monkeypatch):
-    """Each block goes on with what the ones before have made."""
+    """Each block uses the variables of the blocks before it."""
     write_labels(tmp_path)
     monkeypatch.chdir(tmp_path)
     head = examples.phantom()
@@ -105,7 +107,7 @@ def test_who_could_tell(document, capsys):
 
 
 def commands():
-    """The calls of this project's programs in the documents' blocks of shell commands, with the file that has them."""
+    """Yields the calls of this project's programs in the documents' shell blocks, with the document's name."""
     for path in DOCUMENTS:
         for block in blocks(path, "sh"):
             for line in block.replace("\\\n", " ").splitlines():
@@ -139,7 +141,7 @@ def test_commands_have_the_options_that_documents_give_them():
             assert script.is_file(), f"{document}: {call}"
             subprocess.run(["bash", "-n", str(script)], check=True)
             text = script.read_text(encoding="utf-8")
-            if script.name == "explore.sh":  # which hands them on
+            if script.name == "explore.sh":  # explore.sh passes its options on to the explorer
                 text += texts["volumehaptics-explore"]
             for word in words[1:]:
                 if word.startswith("--"):

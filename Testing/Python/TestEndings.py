@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A Python that crashes while a device is armed is reported as it is without one."""
+"""A Python that crashes while a device is armed ends with the same report as one without a device."""
 
 import os
 import resource
@@ -28,11 +28,12 @@ CRASHES = {
 
 
 def run(script):
-    """The output of a process of its own, and its end."""
+    """Runs a script in a process of its own; returns the error output and the exit code."""
     no_core = lambda: resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     ended = subprocess.run(
         [sys.executable, "-c", script], capture_output=True, text=True, timeout=60, preexec_fn=no_core,
-        env={**os.environ, "PYTHONFAULTHANDLER": "", "UCX_ERROR_SIGNALS": ""}) # of the MPI of VTK on Debian 13
+        # UCX: of the MPI that VTK on Debian 13 uses
+        env={**os.environ, "PYTHONFAULTHANDLER": "", "UCX_ERROR_SIGNALS": ""})
     return ended.stderr, ended.returncode
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Errors reach Python: as ErrorEvent if the data are wrong, as exceptions if a call is."""
+"""Errors reach Python: as ErrorEvent if the data are wrong, as an exception if a call is wrong."""
 
 import math
 
@@ -19,7 +19,7 @@ from volumehaptics import (
 
 
 class Log(list):
-    """The error texts of an object, instead of on the console."""
+    """Collects the error texts of an object instead of printing them."""
 
     def __init__(self, watched):
         super().__init__()
@@ -90,7 +90,7 @@ def test_bad_calls():
         prop.SetVisibilityFrom(prop)
     with pytest.raises(TypeError):
         haptics.SetPathData(make_image())
-    # None is the C++ nullptr: the defaults come back.
+    # None becomes the C++ nullptr, which restores the defaults.
     prop.GetStiffness().AddPoint(0.0, 5.0)
     prop.SetStiffness(None)
     assert prop.GetStiffness().GetSize() == 0
@@ -114,7 +114,7 @@ def test_image_is_laid_out_in_three_dimensions(settings):
 
 
 def test_names_that_are_not_utf8(tmp_path):
-    # Python has no text for what is not UTF-8: messages of such files came without their text.
+    # Python has no text for bytes that are not UTF-8, so messages about such files used to arrive empty.
     folder = bytes(tmp_path)
     device, setup, source = vtkHapticDevice(), vtkHapticSetup(), vtkHapticPathSource()
     haptics = vtkVolumeHapticsFilter()

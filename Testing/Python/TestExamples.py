@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The package's examples, those of its documentation and those of Documentation."""
+"""Runs the package's examples, those in its documentation and those in Documentation."""
 
 import doctest
 import math
@@ -26,7 +26,7 @@ def test_first_touch_is_the_force_of_the_stroke(capsys):
     newtons = float(re.fullmatch(r"(\d\.\d+) N\n", capsys.readouterr().out)[1])
     trace = volumehaptics.touch(examples.phantom(), examples.stroke(), "CT contrast")
     assert abs(newtons - max(math.hypot(*force) for force in arrays.arrays(trace)["Force"])) < 1e-3
-    # The stroke begins and ends in the air.
+    # The stroke begins and ends in air.
     contact = arrays.arrays(trace)["Contact"]
     assert contact[0] == contact[-1] == 0 and contact.any()
 
@@ -66,13 +66,13 @@ def test_document_measuring(document, tmp_path, capsys):
     exec(compile(code.replace("/tmp/", f"{tmp_path}/"), "measuring.md", "exec"), names)
     assert "width: 120 mm" in capsys.readouterr().out
     assert (tmp_path / "head.mrk.json").exists()
-    # A strip of 40 mm and two half discs; the forehead is curved, which makes it a little more.
+    # The felt area is a strip of 40 mm and two half discs; the curved forehead makes it a little larger.
     flat = 2 * 10.0 * 40.0 + math.pi * 10.0**2
     assert 0.97 * flat < names["measured"].GetValue(2) < 1.15 * flat
 
 
 def test_document_live_device(document):
-    """The script of "A live device", alone and as printed, feels the head and lets go of it."""
+    """Runs the script of "A live device" alone, as printed: it feels the head and leaves it again."""
     section = document("devices.md").split("\n## A live device\n")[1].split("\n## ")[0]
     (code,) = re.findall(r"```python\n(.*?)```", section, re.DOTALL)
     printed = []

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cures that errors of volumehaptics-explore name are tried: with them it writes its summary, with forces."""
+"""Tries the cures that errors of volumehaptics-explore name: with the cure, it writes its summary, which contains
+forces."""
 
 import functools
 import json
@@ -29,9 +30,9 @@ from vtkmodules.vtkIOXML import (
 from volumehaptics import image, vtkHapticMeasurements
 from volumehaptics.__main__ import find_explorer
 
-# The explorer: wrong options, words of the cure, and right ones, with which it writes its summary. {} is a folder with
-# the ramp as ramp.vti, a label map as labels.vti, a surface as ball.stl and what the functions below put there.
-# What is right, together, since each run takes a time.
+# The explorer's options: wrong options, words of the cure, and right options, with which it writes its summary. {} is a
+# folder with the ramp as ramp.vti, a label map as labels.vti, a surface as ball.stl and the files that the functions
+# below write there. Right options are combined, since each run takes time.
 ALL = "--newtons 2.5 --size 200 --tool needle --preset MRI --front -y --stereo anaglyph --measurements {}/list.csv"
 TWO = "--device virtual --device falcon"
 LABELLED = "--labels {}/labels.vti --materials {}/table.csv"
@@ -90,7 +91,7 @@ def shelf(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def explore(shelf, build):
-    """Runs the explorer on the ramp; once for the same options."""
+    """Returns a function that runs the explorer on the ramp, once for equal options."""
     explorer = find_explorer() or next(iter(build.rglob("volumehaptics-explore")), None)
     if explorer is None or "DISPLAY" not in os.environ:
         pytest.skip("needs the explorer and a display")
@@ -128,15 +129,15 @@ def expect_forces(shelf, explore, options):
     return cured
 
 
-# Volumes, and options that need a window: wrong words of the command line, those of the cure, and right ones. A script
-# closes the window.
+# Volumes, and options that need a window: wrong arguments, words of the cure, and right arguments. A script closes the
+# window.
 WINDOW = "{}/ramp.vti --size 150 --script {}/close.txt"
-# What is right about windows, together.
+# Right options of windows, combined into one run.
 OPEN = f"{WINDOW} --device virtual --setup {{}}/own.json --measurements {{}}/paths.csv --movie {{}}/movie.ogv --cut box"
 REPLAY = f"{WINDOW} --replay {{}}/touch.vtp"
 HEARD = "{}/ramp.vti --sound {}/touch.wav --method proxy"
 RAMP_MHD = "{}/ramp.mhd --large"
-# VTK before 9.4 does not read the faces as later versions write them.
+# VTK before 9.4 cannot read the faces that later versions write.
 POLYHEDRA = (("{}/polyhedra.vtu", "write it as tetrahedra", ("{}/grid.vtu", )),)
 OLD = (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion()) < (9, 4)
 COMMANDS = (
@@ -226,7 +227,8 @@ def test_cures_of_commands(shelf, explore, wrong, words, rights):
 
 
 def dicom(values, z, uid="1.2.3.1", series="1.2.3"):
-    """A slice after DICOM's part 5: explicit VR, little endian, in order of the tags; with the preamble of part 10."""
+    """Returns a slice as DICOM's parts 5 and 10 define it: a preamble, then explicit VR, little endian, in order of the
+    tags."""
     def element(tag, kind, value):
         value = value if isinstance(value, bytes) else value.encode()
         value += (b"\0" if kind == "UI" else b" ") * (len(value) % 2)
@@ -249,7 +251,7 @@ def dicom(values, z, uid="1.2.3.1", series="1.2.3"):
 
 
 def polyhedra():
-    """A cube as VTK 9.6.2's vtkXMLUnstructuredGridWriter writes a polyhedron."""
+    """Returns a cube in the form in which VTK 9.6.2's vtkXMLUnstructuredGridWriter writes a polyhedron."""
     def array(kind, name, numbers, components=1):
         return (f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{components}" format="ascii">{numbers}'
                 '</DataArray>')
@@ -272,7 +274,7 @@ def write_image(path, one):
 
 
 def fill(folder, values):
-    """What the commands name."""
+    """Writes the files that the commands name."""
     for name in ("nothing", "frames", "series", "folders/one", "twofold", "cutoff", "unspaced", "unplaced"):
         (folder / name).mkdir(parents=True)
     texts = {
@@ -362,8 +364,8 @@ def fill(folder, values):
 
 
 def bowl():
-    """It opens towards the camera, which is 38 degrees to the left of -y and 20 degrees above: on the way from there to its
-    middle, in its hollow, there is only air."""
+    """Returns a bowl that opens towards the camera (38 degrees to the left of -y and 20 degrees above): between the
+    camera and the bowl's middle there is only air."""
     left, above = np.radians((38.0, 20.0))
     toward = np.array([np.cos(above) * np.sin(left), -np.cos(above) * np.cos(left), np.sin(above)])
     z, y, x = np.mgrid[0:60, 0:60, 0:60].astype(float)
@@ -374,7 +376,7 @@ def bowl():
 
 
 def speck():
-    """A ball of 3 mm in much air: from its surface to its middle it is less than 4 mm thick, wherever it is seen from."""
+    """Returns a ball of 3 mm in air: seen from any side, it is less than 4 mm thick from its surface to its middle."""
     z, y, x = np.mgrid[0:60, 0:60, 0:60] - 30.0
     inside = np.clip(3.0 - np.sqrt(x * x + y * y + z * z), 0.0, 1.0)
     return 1000.0 * inside + np.random.default_rng(4).normal(0.0, 0.3, x.shape)
@@ -385,7 +387,7 @@ def pvd(*entries):
 
 
 def test_cure_of_no_display(shelf, explore):
-    """'xvfb-run -a volumehaptics-explore ...' is run as the error has it."""
+    """Runs 'xvfb-run -a volumehaptics-explore ...' as the error text writes it."""
     bare = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
     command = [explore.program, str(shelf / "ramp.vti"), "--size", "100", "--pictures", str(shelf / "own")]
     told = subprocess.run(command, capture_output=True, text=True, env=bare)

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cures of errors about files of labels, setups, recordings and measurements, and about what is made of them, are tried."""
+"""Tries the cures of errors about files of labels, setups, recordings and measurements, and about data made from
+them."""
 
 import gzip
 import math
@@ -37,7 +38,8 @@ from volumehaptics.arrays import arrays
 
 result = Calls()
 
-# Labels: tables that are refused, words of the cure, and what makes them tables of a material 1, "bone", of 800 N/m.
+# Label tables that are refused, words of the cure, and the function that turns each into a table of material 1, "bone",
+# of 800 N/m.
 
 NRRD = ("NRRD0004\ntype: unsigned char\ndimension: 3\nspace: left-posterior-superior\nsizes: 2 2 2\n"
         "space directions: (1,0,0) (0,1,0) (0,0,1)\nencoding: raw\nspace origin: (0,0,0)\n")
@@ -46,7 +48,7 @@ CSV = "label,name,stiffness\n1,bone,800\n"
 
 
 def nifti(table):
-    """After nifti1.h, with the names in an extension, as TotalSegmentator writes them."""
+    """Returns a file as nifti1.h defines it, with the names in an extension, as TotalSegmentator writes them."""
     header = bytearray(352)
     struct.pack_into("<i", header, 0, 348)
     struct.pack_into("<8h", header, 40, 3, 2, 2, 2, 1, 1, 1, 1)
@@ -100,7 +102,8 @@ def test_cures_of_tables(words, tmp_path):
 
 @pytest.mark.parametrize("lost", (1, 8, 9, 300, len(LONG) // 2))
 def test_a_table_that_is_cut_off_is_refused(lost, tmp_path):
-    """Of what is compressed: its end (RFC 1952: 8 bytes), and its lines. Nothing of it is taken."""
+    """Cuts off the end of the compressed file (8 bytes, RFC 1952), or lines of its text. The table takes nothing from
+    such a file."""
     table, file = vtkHapticLabelTable(), tmp_path / "a.csv.gz"
     file.write_bytes(LONG[:-lost])
     with Errors(table) as errors:
@@ -267,7 +270,7 @@ def recordings(folder):
     left = part.read_bytes()
     assert device.GetRecorder().Stop() and file.stat().st_size > 0
     assert len(left) > 0
-    # Start() warns of a part that a program left when it ended.
+    # Start() warns of a part file that a program left behind when it ended.
     part.write_bytes(left)
     with Errors(device, event="WarningEvent") as warnings:
         assert device.GetRecorder().Start(str(file))

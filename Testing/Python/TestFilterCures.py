@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cures that errors of the filter name are tried: after them the right force is felt.
+"""Tries the cures that the filter's error texts name: after the cure, the force is right.
 
 Most press the ramp of cure_bench.py, which gives 1 N, unless a case says otherwise. Cures of Python itself are in
 TestCures.py.
@@ -34,7 +34,7 @@ def _(b):
 
 
 def sheet(b, planes):
-    """Some planes of the ramp, with the path in their middle."""
+    """Gives the filter some planes of the ramp only, with the path in their middle."""
     b.haptics.SetInputData(image(RAMP[:, :planes, :].copy(), origin=(0, 8 - planes // 2, 0)))
 
 
@@ -69,7 +69,7 @@ def _(b):
 
 
 def bits_of(number, components=1):
-    """All of them are 1."""
+    """Returns bits, all of which are 1."""
     bits = vtkBitArray()
     bits.SetNumberOfComponents(components)
     bits.SetNumberOfTuples(number // components)
@@ -80,7 +80,7 @@ def bits_of(number, components=1):
 
 @case("for example with vtkFloatArray::DeepCopy(), and make that the active scalars", 0.0)
 def _(b):
-    """Nothing has an edge where all is 1."""
+    """Where all values are 1, there is no edge."""
     bits, copy = bits_of(RAMP.size), vtkFloatArray()
     b.points.SetScalars(bits)
 
@@ -159,7 +159,7 @@ def plane(b, normal):
 def _(b):
     one = plane(b, None)
     one.SetOrigin(math.nan, 0.0, 0.0)
-    # What is above z = 25 is not felt.
+    # Tissue above z = 25 is not felt.
     return lambda: (one.SetNormal(0.0, 0.0, -1.0), one.SetOrigin(0.0, 0.0, 25.0))
 
 
@@ -209,7 +209,7 @@ def _(b):
 
 @case("Time is in seconds; convert it if it is in other units")
 def _(b):
-    times(b, 1e9 * np.arange(21.0))  # ns, of a path of 20 s
+    times(b, 1e9 * np.arange(21.0))  # ns instead of s, for a path of 20 s
     return lambda: times(b, np.arange(21.0))
 
 
@@ -237,7 +237,7 @@ def _(b):
     return lambda: b.path.GetPointData().RemoveArray("DeviceTip")
 
 
-# Labels: those of material 1 have 200 N/m, which give 0.4 N.
+# Labels: material 1 has 200 N/m, which gives 0.4 N.
 
 def labels_of(values, kind=np.uint8):
     return image(np.full(RAMP.shape, values, kind))
@@ -321,7 +321,7 @@ def _(b):
 
 @case("Name them with SetActiveScalars() of its point data")
 def _(b):
-    """A distance field: it holds the hand where the distance is 0, at z = 10."""
+    """A distance field holds the hand at the distance 0, at z = 10."""
     mode = b.follow(vtkHapticGuideMode())
     field = image(RAMP / 100.0 - 10.0)
     name = field.GetPointData().GetScalars().GetName()
@@ -341,7 +341,8 @@ def _(b):
 
 @case("for example with vtkFloatArray::DeepCopy(), and give the mode that one", 2.0 / 3.0)
 def _(b):
-    """Vectors (1, 1, 1): the spring holds across them, 2 mm times sqrt(2/3) of which are 2/3 along z."""
+    """Vectors (1, 1, 1): the spring of 500 N/m holds across them. Its length is 2 mm times sqrt(2/3), and 2/3 of the
+    force acts along z."""
     bits = bits_of(3 * RAMP.size, 3)
     bits.SetName("bits")
     b.points.AddArray(bits)
@@ -379,7 +380,7 @@ def _(b):
 
 @case("Set it with SetLateralStrength()")
 def _(b):
-    """A needle that is held by nothing but the wall that it has not punctured."""
+    """The needle is held only by the wall that it has not punctured."""
     needle = vtkHapticNeedle()
     needle.SetLateralStrength(math.nan)
     b.haptics.SetTool(needle)
@@ -434,11 +435,11 @@ def _(b):
     return lambda: b.haptics.SetLabelData(None)
 
 
-# Tools with a shape. What a good one feels is compared with closed forms in Testing/Core/Tools.
+# Tools with a shape. Testing/Core/Tools compares the forces of good tools with closed forms.
 
 @case("with vtkCleanPolyData and SetTolerance()", "ball")
 def _(b):
-    """Each triangle has points of its own, a little beside those of its neighbours."""
+    """Gives each triangle its own points, slightly apart from those of its neighbours."""
     mesh, apart, clean = ball(), vtkAppendPolyData(), vtkCleanPolyData()
     for cell in range(mesh.GetNumberOfCells()):
         one, points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()

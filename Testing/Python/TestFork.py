@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A forked child has a copy of the device, but none of its threads: the hand is the parent's, and keeps its force."""
+"""A forked child has a copy of the device, but none of its threads: the device stays with the parent and keeps its
+force."""
 
 import os
 import signal
@@ -16,7 +17,7 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="nothing is fork
 
 @pytest.fixture
 def device():
-    """One that is armed and presses: V = 100 z, 500 N/m."""
+    """Returns a device that is armed and presses: V = 100 z, 500 N/m."""
     haptics, made = vtkVolumeHapticsFilter(), vtkHapticDevice()
     haptics.SetInputData(image(np.broadcast_to(100.0 * np.arange(32).reshape(-1, 1, 1), (32, 17, 17)).copy()))
     made.SetVolumeHaptics(haptics)
@@ -39,7 +40,7 @@ def press(device, z, holds):
 
 
 def press_slowly(device):
-    """Armed, and as slowly as the slew limit has it: else the wall stays soft."""
+    """Arms the device and presses as slowly as the slew limit demands; otherwise the wall stays soft."""
     device.Arm()
     for _ in range(5):
         press(device, 10, lambda: abs(device.GetState().GetTipPosition()[2] - 10) < 1e-6)
@@ -50,12 +51,12 @@ def press_slowly(device):
         press(device, 11.5, lambda tick=tick: device.GetState().GetForce()[2] < -0.7 or device.GetState().GetTick() > tick + 1000)
         if device.GetState().GetForce()[2] < -0.7:
             return
-        # The machine stood still meanwhile, so that a new contact began at the tip: once more from outside.
+        # The machine stalled, so a new contact began at the tip. Approach again from outside.
     raise AssertionError(device.GetStatusText())
 
 
 def lag(device):
-    """By how much the servo's ticks are behind the clock (s): more after each pause of the machine."""
+    """Returns the time (s) by which the servo's ticks are behind the clock; each stall of the machine increases it."""
     device.UpdateState()
     return device.GetState().GetTime() - device.GetState().GetTick() / device.GetServoRate()
 
@@ -66,7 +67,7 @@ def test_child_lets_go_of_its_copy(device, way):
         before = lag(device)
         child = os.fork()
         if child == 0:
-            signal.alarm(30)  # if it waits for threads that do not exist
+            signal.alarm(30)  # ends a child that waits for threads that do not exist
             getattr(device, way)()
             device.Close()
             del device
@@ -76,7 +77,7 @@ def test_child_lets_go_of_its_copy(device, way):
         press(device, 11.5, lambda tick=tick: device.GetState().GetTick() > tick + 100)
         if lag(device) < before + 0.02:
             break
-        # The machine stood still, so that the force began anew at the tip, as it must: once more from outside.
+        # The machine stalled, so the force began again at the tip, as it must. Approach again from outside.
         press(device, 10, lambda: abs(device.GetState().GetTipPosition()[2] - 10) < 1e-6)
         press_slowly(device)
     assert device.GetStatus() == vtkHapticDevice.ACTIVE and device.GetState().GetForce()[2] < -0.7

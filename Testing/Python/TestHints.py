@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Editors and type checkers are told what there is."""
+"""Checks that the type hints tell editors and type checkers which names exist."""
 
 import ast
 import importlib.util
@@ -29,7 +29,7 @@ def test_package_is_marked():
 
 @pytest.fixture(scope="module")
 def hints():
-    """The classes of the hints, with the names of their methods."""
+    """Returns the classes of the hints, with the names of their methods."""
     if importlib.util.find_spec("vtkmodules.generate_pyi") is None:
         pytest.skip(f"VTK {vtkVersion.GetVTKVersion()} of this Python has no vtkmodules.generate_pyi")
     tree = ast.parse((PACKAGE / "vtkVolumeHaptics.pyi").read_text(encoding="utf-8"))
@@ -61,7 +61,7 @@ def test_functions_have_hints(module):
 
 
 def test_misspelt_names_are_seen_by_type_checkers():
-    """To them, a module with __getattr__() has every name."""
+    """Type checkers assume that a module with __getattr__() has every name."""
     tree = ast.parse((PACKAGE / "__init__.py").read_text(encoding="utf-8"))
     functions = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
     assert "__dir__" in functions and "__getattr__" not in functions

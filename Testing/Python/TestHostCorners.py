@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The plot, texts and scale of the touch keep off what a program draws over its scene: actors, widgets and renderers of VTK,
-and the shapes of other libraries. Of both, the pixels are compared that they change."""
+"""The plot, texts and scale of the touch avoid everything that a program draws over its scene: actors, widgets and
+renderers of VTK, and shapes as other libraries draw them. The test compares the pixels that each of them changes."""
 
 import time
 
@@ -49,7 +49,7 @@ def program():
 
 
 def show(program, prop):
-    """Adds a prop; what shows and hides it."""
+    """Adds a prop, and returns the function that shows and hides it."""
     program.renderer.AddViewProp(prop)
     return prop.SetVisibility
 
@@ -63,7 +63,7 @@ def show_widget(program, widget, representation):
 
 
 def show_border(program, widget, representation, x, y, width=90, height=40):
-    """A vtkBorderWidget with a visible border, around a place."""
+    """Places a vtkBorderWidget with a visible border."""
     representation.SetShowBorderToOn()
     representation.SetPosition(x / 300.0, y / 300.0)
     representation.SetPosition2(width / 300.0, height / 300.0)
@@ -83,7 +83,7 @@ def put_text(program, x, y):
 
 
 def put_mapped_text(program, x, y):
-    """As vedo's Text2D, centered."""
+    """Places a centred text, as vedo's Text2D does."""
     actor, mapper = vtkActor2D(), vtkTextMapper()
     mapper.SetInput("two lines\nof vedo")
     mapper.GetTextProperty().SetFontSize(18)
@@ -95,7 +95,7 @@ def put_mapped_text(program, x, y):
 
 
 def put_bar(program, x, y):
-    """As vedo's scalar bar."""
+    """Places a scalar bar, as vedo does."""
     actor, table = vtkScalarBarActor(), vtkLookupTable()
     table.SetTableRange(0.0, 1.0)
     actor.SetLookupTable(table)
@@ -106,7 +106,7 @@ def put_bar(program, x, y):
 
 
 def put_rectangle(program, x, y):
-    """As the parts of FURY's user interface."""
+    """Places a rectangle, as FURY's user interface does."""
     actor, mapper, plane = vtkActor2D(), vtkPolyDataMapper2D(), vtkPlaneSource()
     plane.SetOrigin(0.0, 0.0, 0.0)
     plane.SetPoint1(90.0, 0.0, 0.0)
@@ -122,7 +122,8 @@ def put_slider(program, x, y):
 
 
 def put_corner_annotation(program, x, y):
-    """As viewers of medical images have it. The window has no room for large letters and a plot."""
+    """Places a corner annotation, as viewers of medical images do. The window is too small for large letters and a
+    plot."""
     annotation, place = vtkCornerAnnotation(), list(CORNERS.values()).index((x, y))
     kinds = (annotation.LowerLeft, annotation.LowerRight, annotation.UpperLeft, annotation.UpperEdge)
     annotation.SetText(kinds[place], "Slice 17\nW 400 L 40")
@@ -165,7 +166,7 @@ def put_caption(program, x, y):
 
 
 def put_image(program, x, y):
-    """A logo without a widget."""
+    """Places a logo without a widget."""
     actor, mapper = vtkActor2D(), vtkImageMapper()
     mapper.SetInputData(make_picture())
     mapper.SetColorWindow(255.0)
@@ -219,7 +220,7 @@ def put_button(program, x, y):
 
 
 def put_marker(program, x, y):
-    """In a renderer of its own, as ParaView's and PyVista's axes."""
+    """Places a marker in a renderer of its own, as the axes of ParaView and PyVista are."""
     marker = vtkOrientationMarkerWidget()
     marker.SetOrientationMarker(vtkAxesActor())
     marker.SetInteractor(program.interactor)
@@ -230,7 +231,7 @@ def put_marker(program, x, y):
 
 
 def put_orientation_cube(program, x, y):
-    """In the upper right corner, as newer programs have it; or in another one."""
+    """Places the camera orientation widget in the upper right corner, as newer programs do, or in another corner."""
     if not hasattr(vtkCameraOrientationWidget, "SetParentRenderer"):
         pytest.skip("this VTK has none")
     cube = vtkCameraOrientationWidget()
@@ -245,10 +246,10 @@ MAKERS = [make for name, make in sorted(globals().items()) if name.startswith("p
 
 
 def check(program, switch):
-    """The box of each part of the touch has no pixel in common with the program's."""
+    """No part of the touch shares a pixel with the program's prop; each part is taken as the box of its pixels."""
     display, hand = program.haptics.head_up_display, program.haptics.representation
     display.SetNotice("a notice")
-    program.volume.VisibilityOff()  # only to have still pictures
+    program.volume.VisibilityOff()  # so that successive pictures are equal
     for prop in (display, hand):
         prop.SetVisibility(False)
     theirs = changed(program, switch)
@@ -270,7 +271,7 @@ def check(program, switch):
 def touched(program):
     with volumehaptics.add_haptics(program.window) as program.haptics:
         end = time.monotonic() + 30.0
-        while not program.haptics.update() and time.monotonic() < end:  # the scale belongs to a state
+        while not program.haptics.update() and time.monotonic() < end:  # the scale is shown once there is a state
             time.sleep(0.001)
         yield program
 

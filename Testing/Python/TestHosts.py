@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""add_haptics() in windows of programs that keep their own style: of VTK itself, and of shapes that other libraries have."""
+"""add_haptics() works in windows of programs that keep their own style: windows of VTK itself, and objects shaped like
+those of other libraries."""
 
 import re
 import time
@@ -33,7 +34,7 @@ RADIUS = 30.0  # mm, of a ball in a cube of 96 mm
 
 
 class Program:
-    """A window with a ball, off the screen: the camera looks along -z, and a pixel is 0.2 mm."""
+    """A window off screen with a ball: the camera looks along -z, and a pixel is 0.2 mm."""
 
     def __init__(self):
         axis = numpy.arange(-48.0, 49.0)
@@ -64,7 +65,7 @@ class Program:
         self.interactor.SetInteractorStyle(self.style)
 
     def press(self, haptics):
-        """Touches the middle of the ball by the key and the wheel; the largest force (N)."""
+        """Touches the middle of the ball with the key and the wheel; returns the largest force (N)."""
         self.interactor.SetEventInformation(150, 150)
         self.interactor.SetKeySym("t")
         self.interactor.InvokeEvent("KeyPressEvent")
@@ -93,7 +94,7 @@ TARGETS = {
     "renderer": lambda p: p.renderer,
     "vedo.Plotter": lambda p: types.SimpleNamespace(interactor=p.interactor, window=p.window, renderer=p.renderer),
     "fury.window.ShowManager": lambda p: types.SimpleNamespace(iren=p.interactor, scene=p.renderer),
-    # Objects of Traits have None under each name with an underscore.
+    # Objects of Traits return None for each name that begins with an underscore.
     "mayavi figure": lambda p: types.SimpleNamespace(scene=types.SimpleNamespace(
         _vtk_obj=None, interactor=types.SimpleNamespace(_vtk_obj=p.interactor))),
     "widget of Qt, Tk or wx": lambda p: types.SimpleNamespace(GetRenderWindow=lambda: p.window),
@@ -104,7 +105,7 @@ TARGETS = {
 def test_one_line_makes_a_window_touchable(program, target):
     haptics = volumehaptics.add_haptics(TARGETS[target](program))
     assert program.press(haptics) > 0.3
-    # 500 N/m at a surface that is seen from 30 mm on and felt half a voxel inside.
+    # The ball's surface (500 N/m) is seen at 30 mm and felt half a voxel inside.
     assert abs(numpy.linalg.norm(haptics.device.GetState().GetProxyPosition()) - RADIUS) < 0.51
     assert program.interactor.GetInteractorStyle() is program.style
     haptics.close()
@@ -161,7 +162,7 @@ def test_two_hands_on_one_volume(program, monkeypatch):
         assert not haptics._holds
         second.Arm()
         assert haptics._holds
-    assert attention == [10.0, 10.0]  # of devices that are opened by their ids, as of the widget's own
+    assert attention == [10.0, 10.0]  # from devices that are opened by their ids, as from the widget's own
     assert second.IsOpen() and not second.IsRunning()
     for wrong, words in ((["virtual"], "give one, or "), (["falcon", "virtual"], r'device=\["virtual", the real one\]')):
         with pytest.raises(ValueError, match=words):
@@ -196,7 +197,7 @@ def test_what_leads_to_no_window_is_told_with_the_cure(program):
 
 
 class Toolkit:
-    """A loop of events as of VTK's wx widget: one timer that fires once, and tells the interactor that it has."""
+    """An event loop like that of VTK's wx widget: one timer that fires once and reports it to the interactor."""
 
     def __init__(self, program):
         self.interactor = program.interactor = vtkGenericRenderWindowInteractor()
@@ -222,10 +223,11 @@ class Loop:
 
 
 def test_a_timer_that_fires_before_the_window_is_drawn_goes_on_afterwards(program):
-    """wx's timers fire once, and an interactor that its first frame has not yet enabled drops what it is told."""
+    """wx's timers fire once. An interactor whose first frame has not yet enabled it ignores that event, so the timer
+    must be started again."""
     toolkit = Toolkit(program)
     with volumehaptics.add_haptics(program.interactor) as haptics:
-        toolkit.fire()  # dropped: VTK's GenericRenderWindowInteractor returns unless Enabled
+        toolkit.fire()  # ignored: VTK's GenericRenderWindowInteractor returns unless Enabled
         assert not toolkit.is_started
         program.interactor.Enable()  # as Render() of the window does
         assert toolkit.is_started
@@ -233,7 +235,8 @@ def test_a_timer_that_fires_before_the_window_is_drawn_goes_on_afterwards(progra
 
 
 def test_timers_of_the_program_go_on_where_vtk_does_not_tell_whose_has_fired(program):
-    """vtkGenericRenderWindowInteractor (VTK's widgets for Qt, Tk and wx in Python) names the timer that was made last."""
+    """vtkGenericRenderWindowInteractor (VTK's widgets for Qt, Tk and wx in Python) always reports the timer that was
+    created last."""
     toolkit = Toolkit(program)
     program.interactor.Enable()
     ticks = []
@@ -241,7 +244,7 @@ def test_timers_of_the_program_go_on_where_vtk_does_not_tell_whose_has_fired(pro
     with volumehaptics.add_haptics(program.interactor) as haptics:
         toolkit.fire()
         assert len(ticks) == 1
-        program.interactor.CreateRepeatingTimer(10)  # the program's, which is named from now on
+        program.interactor.CreateRepeatingTimer(10)  # the program's timer; VTK reports its id from now on
         toolkit.fire()
         assert len(ticks) == 2
         assert program.press(Loop(haptics, toolkit)) > 0.3
@@ -257,7 +260,7 @@ def test_a_preset_needs_a_volume_to_be_checked_against(program):
 
 
 def make_text(x, y):
-    """An actor with a text, as VTK's documentation has it."""
+    """Returns an actor with a text, as in VTK's documentation."""
     actor = vtkTextActor()
     actor.SetInput("a text of the program")
     actor.GetTextProperty().SetFontSize(18)
@@ -266,7 +269,7 @@ def make_text(x, y):
 
 
 def make_slider(x, y):
-    """As PyVista's and vedo's."""
+    """Returns a slider like those of PyVista and vedo."""
     slider = vtkSliderRepresentation2D()
     for coordinate, at in ((slider.GetPoint1Coordinate(), x), (slider.GetPoint2Coordinate(), x + 100)):
         coordinate.SetCoordinateSystemToDisplay()
@@ -275,11 +278,12 @@ def make_slider(x, y):
 
 
 def changed(program, switch):
-    """The box of the pixels that an object changes by being seen: left, right, bottom, top; None if there are none."""
+    """Returns the box (left, right, bottom, top) of the pixels that change when an object is shown; None if no pixel
+    changes."""
     pictures = []
     for on in (True, False, True):
         switch(on)
-        for _ in range(2):  # what was laid out by the first is seen by the second
+        for _ in range(2):  # the second rendering sees the layout that the first has made
             program.window.Render()
         shot = vtkWindowToImageFilter()
         shot.SetInput(program.window)
@@ -293,7 +297,8 @@ def changed(program, switch):
 
 
 def test_the_hint_names_each_key_that_lets_go(program):
-    """A program's toolkit may keep one of them to itself, as Mayavi's does with Escape."""
+    """The hint names each key that ends the touch. A program's toolkit may keep one of these keys, as Mayavi keeps
+    Escape."""
     with volumehaptics.add_haptics(program.window) as haptics:
         program.interactor.SetEventInformation(2, 2)  # beside the ball
         program.interactor.SetKeySym("t")
@@ -316,7 +321,7 @@ def test_keys_that_a_scene_of_mayavi_keeps_to_itself_are_not_listed(program):
 
 
 def luminance(color):
-    """Relative luminance of WCAG 2.1 (sRGB 0 to 255)."""
+    """Returns the relative luminance by WCAG 2.1 (sRGB 0 to 255)."""
     share = numpy.asarray(color) / 255.0
     linear = numpy.where(share <= 0.03928, share / 12.92, ((share + 0.055) / 1.055) ** 2.4)
     return linear @ (0.2126, 0.7152, 0.0722)
@@ -325,10 +330,10 @@ def luminance(color):
 @pytest.mark.parametrize("part, letters", (("Plot", (230, 235, 242)), ("Hint", (255, 255, 255))))
 @pytest.mark.parametrize("ground", (0.0, 0.5, 1.0))
 def test_plot_and_hint_can_be_read_on_any_background(program, ground, part, letters):
-    """Of the letters and their ground: 4.5 to 1 at least, WCAG 2.1's contrast of text (1.4.3)."""
+    """The contrast of letters and background is at least 4.5 to 1, as WCAG 2.1 demands of text (1.4.3)."""
     program.renderer.SetBackground(ground, ground, ground)
     with volumehaptics.add_haptics(program.window) as haptics:
-        program.volume.VisibilityOff()  # only to have still pictures
+        program.volume.VisibilityOff()  # so that successive pictures are equal
         haptics.head_up_display.SetHint("a hint")
         left, right, bottom, top = changed(program, getattr(haptics.head_up_display, f"Set{part}Visibility"))
         shot = vtkWindowToImageFilter()
@@ -343,13 +348,14 @@ def test_plot_and_hint_can_be_read_on_any_background(program, ground, part, lett
 
 
 def test_the_plot_can_be_put_in_a_corner(program):
-    """Automatic, it keeps off a text at the lower left; otherwise it is where the program wants it, above the scale."""
+    """By default, the plot avoids a text at the lower left. Otherwise it is where the program puts it, above the
+    scale."""
     with volumehaptics.add_haptics(program.window) as haptics:
         end = time.monotonic() + 30.0
-        while not haptics.update() and time.monotonic() < end:  # the scale belongs to a state
+        while not haptics.update() and time.monotonic() < end:  # the scale is shown once there is a state
             time.sleep(0.001)
         program.renderer.AddViewProp(make_text(10, 10))
-        program.volume.VisibilityOff()  # only to have still pictures
+        program.volume.VisibilityOff()  # so that successive pictures are equal
         display = haptics.head_up_display
         scale = changed(program, haptics.representation.SetScaleTextVisibility)
         boxes = {}
@@ -380,7 +386,7 @@ def test_a_click_on_a_slider_of_the_program_is_the_sliders(program):
             program.interactor.InvokeEvent(event)
         assert moved
         assert haptics.widget.GetTouchMode()
-        assert haptics.device.GetState().GetForce() == force  # the tip has stayed
+        assert haptics.device.GetState().GetForce() == force  # the tip has not moved
         program.interactor.SetEventInformation(150, 150)
-        program.interactor.InvokeEvent("LeftButtonPressEvent")  # beside it, the hand's
+        program.interactor.InvokeEvent("LeftButtonPressEvent")  # beside the ball; this click belongs to the hand
         assert program.style.GetState() == 0

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""identify() feels slabs as the closed forms say, and errs as signal detection theory says."""
+"""identify() feels slabs as the closed forms predict, and confuses them as signal detection theory predicts."""
 
 import math
 
@@ -14,16 +14,17 @@ def phi(x):
 
 
 def at(units, floor=0.05, start=1.0):
-    """A force whose perceived distance from start is so many units of the noise, for a Weber fraction of 0.1."""
+    """Returns the force whose perceived distance from `start` is `units` times the noise, for a Weber fraction of
+    0.1."""
     return (start + floor) * 1.1**units - floor
 
 
 @pytest.mark.parametrize("distance", (0.5, 1.0, 2.0, 3.0))
 def test_two_are_told_apart_by_phi_of_half_their_distance(distance):
-    """At a depth of 2 mm, 500 N/m is 1 N; stronger surfaces than 4 N are not felt to be stronger."""
+    """At a depth of 2 mm, 500 N/m gives 1 N; a surface strength above 4 N makes no difference."""
     near = {"stiffness": 500.0, "surface_strength": 100.0}
     far = {"stiffness": 500.0 * at(distance), "surface_strength": 100.0}
-    # Both yield at what 10 mm gives, or 4 N: here at 4 N.
+    # Both materials yield at 4 N, which is less than the force at 10 mm.
     found = identify({"near": near, "far": far}, strategy="depth")
     assert abs(found.distance[0, 1] - distance) < 0.02
     assert np.allclose(np.diag(found.confusion), phi(distance / 2), atol=0.008)
@@ -32,7 +33,7 @@ def test_two_are_told_apart_by_phi_of_half_their_distance(distance):
 
 
 def test_cues_are_the_closed_forms():
-    """f/k, mu f and T_N under a constant force; min(k d, T_N) at a constant depth."""
+    """Under a constant force f, the cues are f/k, mu f and T_N; at a constant depth d, the cue is min(k d, T_N)."""
     materials = {
         "firm": {"stiffness": 800, "friction": 0.25, "surface_strength": 3.0},
         "weak": {"stiffness": 400, "friction": 0.0, "surface_strength": 0.3},

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The package that is meant can be imported, in any order, each time in an interpreter of its own."""
+"""The right copy of the package is imported, in any order of imports, each time in a fresh interpreter."""
 
 import os
 import subprocess
@@ -40,14 +40,14 @@ assert isinstance(touch.GetOutput(), vtk.vtkPolyData)
 
 
 def run(code):
-    """The output of a fresh interpreter, for which warnings are errors."""
+    """Runs code in a fresh interpreter that turns warnings into errors; returns the output."""
     command = [sys.executable, "-W", "error", "-c", code]
     result = subprocess.run(command, capture_output=True, text=True, check=False)
     assert result.returncode == 0, f"{code}\n{result.stderr}"
     return result.stdout
 
 
-# Without an image the executive complains; the filter must survive that.
+# Without an image, VTK's executive reports an error; the filter must survive that.
 @pytest.mark.parametrize("first", BEFORE, ids=lambda code: code.split("\n")[0])
 @pytest.mark.parametrize("last", (NOTHING, AFTER), ids=("", "then vtk"))
 def test_order_does_not_matter(first, last, build, version):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""inspect() of files whose facts are known from how they were made."""
+"""Checks inspect() on files whose properties follow from how they were made."""
 
 import json
 import struct
@@ -27,7 +27,8 @@ def write(path, values, spacing=SPACING):
 
 
 def ball(noise=0.0, seed=5):
-    """A ball of 60 HU in air of -1000 HU, with a core of 760 HU, an even rise of 4 mm to each, and white noise."""
+    """Returns a ball of 60 HU in air of -1000 HU, with a core of 760 HU, edges that rise linearly over 4 mm, and white
+    noise."""
     z, y, x = (step * (np.arange(count) - 0.5 * (count - 1)) for step, count in zip(SPACING[::-1], SIZE))
     r = np.sqrt(z[:, None, None] ** 2 + y[None, :, None] ** 2 + x[None, None, :] ** 2)
     values = -1000.0 + sum(step * np.clip(0.5 - (r - at) / 4.0, 0.0, 1.0) for step, at in ((1060.0, 22.0), (700.0, 8.0)))
@@ -74,7 +75,7 @@ def test_padding_is_told(tmp_path):
 
 
 def test_the_smallest_step_is_felt_and_a_third_of_it_is_not(tmp_path):
-    """Of two halves of space with white noise; the forces on a hand, by touch()."""
+    """Makes two half-spaces with white noise, and takes the forces on a hand from touch()."""
     rng = np.random.default_rng(7)
     noise = 20.0 * rng.standard_normal((40, 40, 40))
     step = np.where(np.arange(40)[:, None, None] >= 20, 1.0, 0.0)
@@ -98,7 +99,7 @@ def test_labels_are_offered(tmp_path):
 
 
 def test_labels_that_a_header_scales_a_little_are_rounded(tmp_path):
-    """scl_slope of nifti1.h, as after nibabel's issue 1069."""
+    """Labels are scaled by scl_slope of nifti1.h as in nibabel's issue 1069."""
     labels = np.zeros(SIZE, "<i2")
     labels[10:30, 10:40, 10:30], labels[30:40, 20:40, 20:50] = 3, 17
     header = bytearray(352)

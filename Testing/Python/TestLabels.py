@@ -26,7 +26,7 @@ from volumehaptics.arrays import arrays
 
 SIZE = (32, 17, 24)
 VOLUME = np.broadcast_to(100.0 * np.arange(32).reshape(-1, 1, 1), SIZE).copy()
-# Label 1 in the half of small x, 2 in the other.
+# Label 1 fills the half of small x, label 2 the other half.
 LABELS = np.where(np.arange(24) < 12, 1, 2).astype(np.int16) * np.ones(SIZE, np.int16)
 
 
@@ -65,11 +65,11 @@ def test_a_mask_is_labels():
 
 def test_materials_by_name():
     named = named_table()
-    named.SetLabelName(7, "spleen")  # two labels of one name
+    named.SetLabelName(7, "spleen")  # two labels with one name
     soft = {"spleen": dict(stiffness=100.0, surface_strength=9.0, friction=0.5, viscosity=0.25, color=(1, 0, 0.5),
                            felt=True, forbidden=False, name="the spleen")}
     assert felt(materials=[named, soft]) == [1.0, 0.2]
-    assert named.GetStiffness(2) == -1.0  # it is the user's
+    assert named.GetStiffness(2) == -1.0  # the user's table is unchanged
 
 
 def test_files_add_up(tmp_path):
@@ -93,7 +93,8 @@ def test_numbers_of_a_table_that_are_in_no_voxel_are_told():
 
 @pytest.mark.parametrize("origin", [(500, 0, 0), (24, 0, 0), (0, -17, 0), (0, 0, 32)])
 def test_labels_that_miss_the_volume_are_told(origin):
-    """Just beyond a face, too: the first voxel of the labels is a voxel beyond the last one of the volume."""
+    """Labels that lie just beyond a face are reported, too: their first voxel is one voxel beyond the volume's last
+    voxel."""
     with pytest.warns(UserWarning, match="no voxel of the volume has a label: all are 0, of another scan"):
         assert felt(labels=image(LABELS, origin=origin), materials={1: dict(stiffness=200)}) == [1.0, 1.0]
     turned = image(LABELS, origin=(23, 16, 0))
@@ -117,7 +118,7 @@ def test_a_table_is_used_as_it_is():
 
 
 def test_an_image_has_its_own_geometry_and_names():
-    """Its voxels are half as large, it begins elsewhere, and its axes y and z run backwards."""
+    """The labels' voxels are half as large, begin elsewhere, and their axes y and z run backwards."""
     segmentation = image(np.full((64, 40, 12), 2, np.uint8), spacing=(0.5, 0.5, 0.5), origin=(15, 18, 31.5))
     segmentation.SetDirectionMatrix(1, 0, 0, 0, -1, 0, 0, 0, -1)
     named_table().WriteFieldData(segmentation.GetFieldData())
@@ -141,7 +142,8 @@ def test_goes_with_a_property():
 
 
 def write_nrrd(file, labels, origin="(0,0,0)"):
-    """After teem.sourceforge.net/nrrd/format.html: two layers of the value 1 each, along the first, fastest axis."""
+    """Writes a file as teem.sourceforge.net/nrrd/format.html defines it: two layers along the first, fastest axis, each
+    with the value 1."""
     sizes = " ".join(map(str, labels.shape[::-1]))
     layers = np.stack([labels == 1, labels == 2], axis=-1).astype(np.uint8)
     file.write_bytes((f"NRRD0004\ntype: uchar\ndimension: 4\nspace: left-posterior-superior\nsizes: 2 {sizes}\n"
@@ -161,20 +163,20 @@ def test_a_file_has_labels_and_names(tmp_path):
     assert round(press(6, volume=placed, labels=file, materials={"liver": dict(stiffness=200)}), 9) == 0.4
 
 
-# Files are written byte by byte, as the definitions of NIfTI-1 (nifti1.h) and MetaImage (itk.org, ITK/MetaIO) have them.
-# The places come from these definitions: NIfTI's world is right-anterior-superior, that of MetaImage
+# The files are written byte by byte as NIfTI-1 (nifti1.h) and MetaImage (itk.org, ITK/MetaIO) define them. The expected
+# positions follow from these definitions: NIfTI's world is right-anterior-superior, MetaImage's
 # left-posterior-superior.
 
 def write_nifti(file, labels, step, origin):
-    """Index axes along the world's, with these steps."""
+    """Writes NIfTI with index axes along the world's axes, with these steps (mm)."""
     types = {"int16": (4, 16), "int64": (1024, 64), "uint8": (2, 8), "float64": (64, 64)}
     header = bytearray(352)
     struct.pack_into("<i", header, 0, 348)
     struct.pack_into("<8h", header, 40, 3, *labels.shape[::-1], 1, 1, 1, 1)
     struct.pack_into("<hh", header, 70, *types[labels.dtype.name])
     struct.pack_into("<4f", header, 76, 1.0, *map(abs, step))
-    struct.pack_into("<f", header, 108, 352.0)  # where the voxels begin
-    struct.pack_into("<hh", header, 252, 0, 1)  # sform, of the scanner
+    struct.pack_into("<f", header, 108, 352.0)  # offset of the voxels
+    struct.pack_into("<hh", header, 252, 0, 1)  # sform of the scanner
     for row in range(3):
         struct.pack_into("<4f", header, 280 + 16 * row, *(step[row] * (row == column) for column in range(3)), origin[row])
     header[344:348] = b"n+1\0"
@@ -183,7 +185,7 @@ def write_nifti(file, labels, step, origin):
 
 
 def write_meta_image(file, labels, step, origin, type_name=None, compressed=False, sizes=None):
-    """The same in left-posterior-superior, as SimpleITK.WriteImage() does."""
+    """Writes the same labels in left-posterior-superior axes, as SimpleITK.WriteImage() does."""
     names = {"int16": "MET_SHORT", "int64": "MET_LONG_LONG", "uint8": "MET_UCHAR", "int32": "MET_INT"}
     turned = np.array((-1, -1, 1))
     sizes = sizes or labels.shape[::-1]
@@ -202,11 +204,11 @@ def write_meta_image(file, labels, step, origin, type_name=None, compressed=Fals
 
 
 WRITERS = {"nii": write_nifti, "nii.gz": write_nifti, "mha": write_meta_image}
-ORIGIN = np.array((-7.0, 3.0, 0.0))  # of the volume, right-anterior-superior
+ORIGIN = np.array((-7.0, 3.0, 0.0))  # origin of the volume, right-anterior-superior
 
 
 def felt_of(file, volume, at):
-    """What the index 5 and the index 18 along x feel, at these places."""
+    """Returns the forces (N) of two presses, at the indices 5 and 18 along x; `at` gives their positions."""
     points = [np.linspace((x, at[1], 10), (x, at[1], 12), 21) for x in at[0]]
     traces = touch(volume, points, labels=file, materials={1: dict(stiffness=200), 2: dict(stiffness=800)})
     return [round(-arrays(trace)["Force"][-1][2], 9) for trace in traces]
@@ -215,7 +217,7 @@ def felt_of(file, volume, at):
 @pytest.mark.parametrize("ending", WRITERS)
 @pytest.mark.parametrize("world", ("RAS", "LPS"))
 def test_labels_of_a_file_lie_where_it_says(tmp_path, ending, world):
-    """The same labels in a file whose axis x runs backwards, that has a part of them, or both."""
+    """The file has the same labels, with an axis x that runs backwards, or only a part of them, or both."""
     turn = -1.0 if world == "LPS" else 1.0
     direction = np.diag((turn, turn, 1.0))
     volume = image(VOLUME, origin=tuple(direction @ ORIGIN), direction=direction)
@@ -230,17 +232,17 @@ def test_labels_of_a_file_lie_where_it_says(tmp_path, ending, world):
 
 @pytest.mark.parametrize("ending", WRITERS)
 def test_labels_that_lie_elsewhere_are_refused_with_the_cure(tmp_path, ending):
-    """Of an array, a reader has lost the place: the same file could be mirrored, so that nothing is assumed."""
+    """An array has lost its placement when it was read, and the file could be mirrored, so no placement is assumed."""
     file = tmp_path / f"labels.{ending}"
     bare = (5.0, 18.0), 8.0
     WRITERS[ending](file, LABELS[:, :, ::-1].copy(), (-1, 1, 1), ORIGIN + (23, 0, 0))
     with pytest.raises(ValueError, match="do not lie on the volume.*Cure: place the volume.*direction"):
         felt_of(file, VOLUME, bare)
-    # The three cures of the text.
+    # Apply the three cures of the text.
     placed = image(VOLUME, (1, 1, 1), tuple(ORIGIN), direction=np.eye(3))
     assert felt_of(file, placed, (ORIGIN[0] + np.array((5, 18)), ORIGIN[1] + 8)) == [0.4, 1.6]
     assert felt_of(image(LABELS), VOLUME, bare) == felt_of(LABELS, VOLUME, bare) == [0.4, 1.6]
-    # A part of them, on finer voxels, or elsewhere.
+    # Take a part of the labels, finer voxels, or another origin.
     for labels, step, origin in ((LABELS[:, :, 3:].copy(), (1, 1, 1), ORIGIN + (3, 0, 0)),
                                  (LABELS, (0.5, 1, 1), ORIGIN), (LABELS, (1, 1, 1), ORIGIN + (0.5, 0, 0)),
                                  (LABELS, (1, 1, 1), ORIGIN + (500, 0, 0))):
@@ -251,14 +253,15 @@ def test_labels_that_lie_elsewhere_are_refused_with_the_cure(tmp_path, ending):
 
 
 def scale(file, slope, intercept):
-    """Sets scl_slope and scl_inter, by which nifti1.h multiplies stored numbers, and what it adds."""
+    """Sets scl_slope and scl_inter, by which nifti1.h multiplies stored numbers, and what it adds to them."""
     header = bytearray(file.read_bytes())
     struct.pack_into("<2f", header, 112, slope, intercept)
     file.write_bytes(header)
 
 
 def test_labels_that_nifti_scales(tmp_path):
-    """As after nibabel's issue 1069: what rounding adds is taken off; what is no number of a label is refused."""
+    """Scaling as in nibabel's issue 1069: rounding errors of the labels are removed; values that are not integers are
+    refused."""
     file = tmp_path / "labels.nii"
     volume, at = image(VOLUME, origin=tuple(ORIGIN), direction=np.eye(3)), (ORIGIN[0] + np.array((5, 18)), ORIGIN[1] + 8)
     for stored, slope, intercept in ((LABELS, 1.00002, 0.0), (20 * LABELS, 0.05, 0.0), (LABELS - 4, 1.0, 4.0),
@@ -278,8 +281,8 @@ PROMISES = "more samples than|promises voxels that are not in the file"
 
 
 def test_meta_images_that_vtk_does_not_know(tmp_path):
-    """64 bits, MetaIO's long, which has 4 bytes, and a fourth axis; and headers that lie. VTK's reader takes memory for
-    one voxel, and reads all samples into it."""
+    """Tests samples of 64 bits, MetaIO's long (which has 4 bytes), a fourth axis, and headers that lie. VTK's reader
+    would allocate memory for one voxel and read all samples into it."""
     file = tmp_path / "labels.mha"
     volume, at = image(VOLUME, origin=tuple(ORIGIN), direction=np.eye(3)), (ORIGIN[0] + np.array((5, 18)), ORIGIN[1] + 8)
     write = functools.partial(write_meta_image, file, step=(1, 1, 1), origin=ORIGIN)
@@ -307,7 +310,7 @@ def test_meta_images_that_vtk_does_not_know(tmp_path):
 
 
 def write_vti(file, labels, *_):
-    """Appended samples as they are, which other programs write, too."""
+    """Writes appended samples without encoding, as other programs do."""
     writer = vtkXMLImageDataWriter()
     writer.SetInputData(image(labels))
     writer.SetCompressorTypeToNone()
@@ -322,15 +325,15 @@ WHOLE = {"a.nii": write_nifti, "a.nii.gz": write_nifti, "raw.mha": write_meta_im
 
 @pytest.mark.parametrize("name", WHOLE)
 def test_files_that_are_cut_off_or_damaged_are_refused(tmp_path, name):
-    """VTK's readers take whatever was in memory for what is missing, or what they don't unpack any more."""
+    """VTK's readers return arbitrary memory for data that are missing or that they fail to unpack."""
     file = tmp_path / name
     WHOLE[name](file, LABELS, (1, 1, 1), ORIGIN)
     volume, at = image(VOLUME, origin=tuple(ORIGIN), direction=np.eye(3)), (ORIGIN[0] + np.array((5, 18)), ORIGIN[1] + 8)
-    if name in ("a.vti", "a.seg.nrrd"):  # which have no place
+    if name in ("a.vti", "a.seg.nrrd"):  # formats without a placement
         volume, at = VOLUME, ((5.0, 18.0), 8.0)
     whole = file.read_bytes()
     damaged = [whole[:-lost] for lost in ((20, 100, len(whole) // 2) if name != "packed.mha" else (20, ))]  # of the samples
-    if name not in ("a.vti", ):  # whose last bytes are blanks and tags
+    if name not in ("a.vti", ):  # formats that end with blanks and tags
         damaged += [whole[:-lost] for lost in (1, 4, 8, 9)]
     if name in ("a.nii.gz", "packed.mha", "a.seg.nrrd"):
         for place in (-3, -len(whole) // 4):
@@ -357,7 +360,7 @@ def test_nifti_whose_header_lies(tmp_path):
 
 @pytest.mark.parametrize("ending", (".nii", ".nii.gz", ".mha", ".vti"))
 def test_files_that_vtk_reads(tmp_path, ending):
-    """VTK's writers; NIfTI's has no names."""
+    """Reads files of VTK's writers; VTK's NIfTI writer stores no names."""
     file = str(tmp_path / f"labels{ending}")
     segmentation = image(LABELS)
     named_table().WriteFieldData(segmentation.GetFieldData())
@@ -419,7 +422,7 @@ def test_labels_that_cannot_be():
 
 
 def write_chest(folder):
-    """A block of two organs that face the front, heart above liver, in NIfTI of a patient's axes."""
+    """Writes a block of two organs that face the front, heart above liver, as NIfTI in a patient's axes."""
     labels = np.zeros((130, 48, 48), np.uint8)  # z to the top, y to the front, x to the right
     labels[5:65, 8:32, 4:44] = 5
     labels[65:125, 8:32, 4:44] = 51
@@ -436,7 +439,8 @@ def write_chest(folder):
 
 
 def test_organs_of_a_chest_are_stroked(tmp_path):
-    """Springs of 700 N/m on the heart and 500 N/m on the liver, stretched by 2.5 mm, with a friction of 0.2."""
+    """The springs have 700 N/m on the heart and 500 N/m on the liver, are stretched by 2.5 mm, and the friction is
+    0.2."""
     write_chest(tmp_path)
     said = run("chest_labels.py", tmp_path / "picture.png", tmp_path)
     newtons = {organ: float(median) for organ, median in re.findall(r"(\w+): ([\d.]+) N as a median", said)}

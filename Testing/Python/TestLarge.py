@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Volumes that are larger than memory, from anything with shape, dtype and parts [z, y, x]: felt as the array is."""
+"""Volumes that are larger than memory, from any object with shape, dtype and slicing [z, y, x], give the forces of the
+whole array."""
 
 import gc
 import re
@@ -18,7 +19,7 @@ from volumehaptics.arrays import arrays
 
 
 def make_bed(dtype=np.int16, shape=(80, 60, 300)):
-    """A bed under a wavy surface, with noise, longer than a region along x."""
+    """Returns a bed under a wavy surface, with noise, longer along x than a region."""
     z, y, x = np.meshgrid(*map(np.arange, shape), indexing="ij", sparse=True)
     above = z - 40 - 4 * np.sin(0.05 * x) - 3 * np.sin(0.07 * y)
     noise = np.random.default_rng(7).normal(0, 2, shape)
@@ -45,7 +46,7 @@ def test_what_was_not_measured_is_felt_as_the_least_value(missing):
 
 
 class Sliced:
-    """No NumPy array, but what one needs of one; it counts what is asked for."""
+    """An object with only those parts of a NumPy array that open_large() needs; it records what is requested."""
 
     def __init__(self, array):
         self._array, self.shape, self.dtype, self.most, self.threads = array, array.shape, array.dtype, 0, set()
@@ -110,7 +111,7 @@ def test_files(tmp_path):
 
 @pytest.mark.parametrize("view", [slice(None), slice(None, None, -1)])
 def test_a_mapped_file_that_is_cut_off_is_told(tmp_path, view):
-    """NumPy would read beyond its end, which ends the program."""
+    """The file is shorter than its map; NumPy would read beyond its end, which kills the program."""
     path = tmp_path / "bed.raw"
     bed = make_bed()
     bed.tofile(path)
@@ -121,7 +122,7 @@ def test_a_mapped_file_that_is_cut_off_is_told(tmp_path, view):
         touch(volume, make_tip())
     bed.tofile(path)
     expect_same(touch(image(np.ascontiguousarray(bed[view])), make_tip()), touch(volume, make_tip()))
-    path.unlink()  # what is mapped can still be read
+    path.unlink()  # mapped memory can still be read
     expect_same(touch(image(np.ascontiguousarray(bed[view])), make_tip()), touch(volume, make_tip()))
 
 
@@ -134,7 +135,8 @@ class Group(dict):
 
 
 def make_ome(axes="tczyx", **more):
-    """Two levels by OME-Zarr 0.4: scale and translation of each, in the order of its axes; then those of all."""
+    """Returns two levels as in OME-Zarr 0.4: scale and translation of each level, in the order of its axes, then those
+    for all levels."""
     before = len(axes) - 3
     fine = make_bed()[(None,) * before]
     scales = {
@@ -152,7 +154,7 @@ def make_ome(axes="tczyx", **more):
 
 @pytest.fixture
 def zarr(monkeypatch):
-    """A module that opens what the test puts into it."""
+    """Replaces the module zarr by one that opens what the test assigns to `opened`."""
     module = type(sys)("zarr")
     module.open = lambda path, mode: module.opened
     monkeypatch.setitem(sys.modules, "zarr", module)
@@ -180,13 +182,14 @@ def test_ome_zarr_of_other_shapes(zarr):
     zarr.opened = make_ome("zyx", coordinateTransformations=every)
     coarse = open_large("bed.zarr", level=1)
     assert (coarse.GetSpacing(), coarse.GetOrigin()) == ((10.0, 40.0, 60.0), (5.5, 12.0, 16.0))
-    named = [{"name": name, "type": "space", "unit": "micrometer"} for name in "zyx"]  # 1000 of them are a millimetre
+    # 1000 micrometres are a millimetre
+    named = [{"name": name, "type": "space", "unit": "micrometer"} for name in "zyx"]
     plain = dict(zarr.opened.attrs)
     zarr.opened.attrs = {"multiscales": [{**plain["multiscales"][0], "axes": named}]}
     micro = open_large("bed.zarr", level=1)
     assert micro.GetSpacing() == pytest.approx((0.01, 0.04, 0.06), rel=1e-12)
     assert micro.GetOrigin() == pytest.approx((0.0055, 0.012, 0.016), rel=1e-12)
-    zarr.opened.attrs = {"ome": plain}  # as version 0.5 has it
+    zarr.opened.attrs = {"ome": plain}  # layout of version 0.5
     assert open_large("bed.zarr", level=1).GetSpacing() == (10.0, 40.0, 60.0)
     zarr.opened = make_bed()
     assert open_large("bed.zarr").GetSpacing() == (1.0, 1.0, 1.0)
@@ -240,7 +243,7 @@ def test_a_real_zarr_is_felt(tmp_path):
 
 @pytest.mark.parametrize("codec", [("Zstd", 3), ("Blosc", "zstd", 5, 2), ("BZ2", 5)])
 def test_a_zarr_may_have_any_codec_of_zarr(tmp_path, codec):
-    """Also those that C++ does not unpack."""
+    """Tries codecs that C++ does not unpack, too."""
     zarr = pytest.importorskip("zarr")
     numcodecs = pytest.importorskip("numcodecs")
     bed = make_bed()
@@ -309,7 +312,8 @@ def test_document(document, tmp_path, capsys):
 
 
 def feel_live(array, seconds=20.0, memory=67108864):
-    """A device on a large volume, whose thread reads with Python's lock, until its samples are there."""
+    """Runs a device on a large volume, whose thread needs Python's lock to read, until the samples around the tip are
+    there."""
     large = open_large(array)
     large.SetMemoryLimit(memory)
     haptics = vtkVolumeHapticsFilter()
@@ -340,7 +344,7 @@ def test_live_another_thread_reads():
 def test_an_array_that_shrinks_while_it_is_felt_is_told_and_comes_back():
     whole = make_bed()
     sliced = Sliced(whole)
-    large, haptics, device = feel_live(sliced, memory=4194304)  # a region is a third of the array
+    large, haptics, device = feel_live(sliced, memory=4194304)  # a region holds a third of the array
     assert device.GetState().GetResidency() == 1.0
     errors = []
     large.AddObserver("ErrorEvent", lambda *_: errors.append(large.GetStatusText()))
@@ -353,7 +357,7 @@ def test_an_array_that_shrinks_while_it_is_felt_is_told_and_comes_back():
             time.sleep(0.005)
         return until()
 
-    sliced._array = whole[:, :, :160]  # as a store that another program writes anew
+    sliced._array = whole[:, :, :160]  # as if another program had rewritten the store
     assert lead(290, lambda: "its part is of shape" in large.GetStatusText()), large.GetStatusText()
     assert errors and device.GetState().GetResidency() < 1.0
     sliced._array = whole
@@ -363,7 +367,7 @@ def test_an_array_that_shrinks_while_it_is_felt_is_told_and_comes_back():
 
 
 def test_a_source_can_go_while_python_reads_it():
-    """Its end, with Python's lock, must not wait for a thread that waits for the lock."""
+    """Deleting a source, which happens with Python's lock held, must not wait for a thread that waits for that lock."""
     entered, leave = threading.Event(), threading.Event()
 
     class Slow(Sliced):

@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cures of errors about files that are read region by region are tried: after them all samples are read.
+"""Tries the cures of errors about files that are read region by region: after the cure, all samples are read.
 
-Commands are run, such as h5repack of HDF5's own library (Debian's hdf5-tools). The writers are those of TestLargeFiles.py.
+Commands are really run, such as h5repack of HDF5's own tools (Debian's hdf5-tools). The writers are those of
+TestLargeFiles.py.
 """
 
 import bz2
@@ -34,7 +35,8 @@ def samples_of(path):
 
 
 def case(*words):
-    """A generator that writes a file, yields its path, and applies the cure; it may yield the path of another one."""
+    """Registers a generator that writes a file, yields its path, and applies the cure; it may yield the path of another
+    file."""
     def keep(function):
         assert words not in FILES, words
         FILES[words] = function
@@ -43,7 +45,7 @@ def case(*words):
 
 
 FILES = {}
-WHOLE = set()  # of these: read as a whole
+WHOLE = set()  # words of cases in FILES whose file is read as a whole
 
 
 @pytest.mark.parametrize("words", FILES)
@@ -69,14 +71,14 @@ def vtkhdf(folder, name="a.vtkhdf", array=ARRAY, h=None, **how):
 
 
 def repacked(told_words, path):
-    """Runs the command of a text, from h5repack to OUT."""
+    """Runs the command of an error text, from h5repack to OUT."""
     out = path.with_name("out.vtkhdf")
     command = told_words.replace("IN", str(path)).replace("OUT", str(out)).split()
     subprocess.run(command, check=True, capture_output=True)
     return out
 
 
-# What makes a file that is converted with a command, and the command as the error has it.
+# For each cure: the command as the error text writes it, and the settings of a file that needs this command.
 CONVERTED = {
     "h5repack -f GZIP=1 IN OUT": dict(chunk=(5, 4, 7), filters=[("scaleoffset", 2, 0)]),
     "h5repack -l CHUNK=64x64x64 IN OUT": dict(chunk=(1024, 1024, 1024), most=(ENDLESS,) * 3, empty=7),
@@ -97,7 +99,8 @@ def test_cures_by_commands(words, tmp_path, monkeypatch):
 
 
 def test_h5repack_knows_versions():
-    """A format that is newer than those that exist can't be tried; the option of its cure exists."""
+    """No file can have a format that is newer than all existing ones; the test checks that the option of the cure
+    exists."""
     shown = subprocess.run(["h5repack", "--help"], capture_output=True, text=True, check=True).stdout
     assert "--high=BOUND" in shown
 
@@ -110,7 +113,7 @@ def _(folder):
 
 
 class Unclosed(Hdf5):
-    """The file as it is before its writer closes it, or shares it with readers."""
+    """Writes a file that its writer has not closed, or shares with readers."""
     swmr = False
 
     def Fclose(self, file):
@@ -134,7 +137,7 @@ def test_a_file_that_was_never_closed(tmp_path):
 
 def test_a_file_whose_writer_allows_readers_is_read(tmp_path):
     writer = Unclosed()
-    vtkhdf(tmp_path, h=writer, chunk=(5, 4, 7))  # of the oldest format, which does not say that it is open
+    vtkhdf(tmp_path, h=writer, chunk=(5, 4, 7))  # oldest format, which does not record that it is open
     assert np.array_equal(samples_of(tmp_path / "copy.vtkhdf"), ARRAY)
     writer.swmr = True
     vtkhdf(tmp_path, h=writer, version=LATEST, chunk=(5, 4, 7))
@@ -142,7 +145,7 @@ def test_a_file_whose_writer_allows_readers_is_read(tmp_path):
 
 
 class Shared(Hdf5):
-    """The type of samples is one that is kept in the file."""
+    """Stores the type of the samples in the file, as a named type."""
 
     def Fcreate(self, *values):
         self.file = self.__getattr__("Fcreate")(*values)
@@ -358,7 +361,7 @@ for _words, _changed in {
 
 
 def sharded(folder, shards=SHAPE, index=None):
-    """An array of version 3 with a shard of one chunk, by hand after its specification."""
+    """Writes an array of Zarr's version 3 with a shard of one chunk, by hand after its specification."""
     path = folder / "a.zarr"
     (path / "c/0/0").mkdir(parents=True, exist_ok=True)
     plain = [{"name": "bytes", "configuration": {"endian": "little"}}]
@@ -524,7 +527,7 @@ def _(folder):
     yield zarr(folder)
 
 
-# TIFF: pages as TIFF 6.0, section 2, has them, each with one strip.
+# TIFF: pages as in TIFF 6.0, section 2, each with one strip.
 
 def tiff_case(words, **wrong):
     @case(words)
@@ -556,7 +559,7 @@ def _(folder):
 
 
 def headless(path, array, description):
-    """All samples behind one page, as ImageJ writes stacks beyond 4 GiB."""
+    """Puts all samples behind one page, as ImageJ writes stacks beyond 4 GiB."""
     return tiff(path, array.reshape(1, -1, 20), description=f"ImageJ=1.54\n{description}\n", t257=12, t278=12, t279=480)
 
 

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files that say themselves what volume they hold: what vtkHapticRegionSource reads of them is what their own libraries
-wrote. VTKHDF is written by HDF5's own library, after VTK's specification, and read by VTK's own reader for comparison;
-Zarr is written by zarr, its version 3 by hand, after the specification.
+"""Files that describe their own volume: vtkHapticRegionSource reads what their own libraries wrote. VTKHDF is written
+by HDF5's own library after VTK's specification, and read by VTK's own reader for comparison; Zarr is written by
+zarr, its version 3 by hand after the specification.
 """
 
 import ctypes
@@ -38,7 +38,7 @@ ids = ctypes.c_int64
 
 
 class Hdf5:
-    """As much of HDF5's C interface as it takes to write an image file."""
+    """The part of HDF5's C interface that is needed to write an image file."""
 
     def __init__(self):
         name = ctypes.util.find_library("hdf5_serial") or ctypes.util.find_library("hdf5")
@@ -196,7 +196,7 @@ LAYOUTS = {
 @pytest.mark.parametrize("layout", LAYOUTS)
 def test_vtkhdf_is_read_as_vtk_reads_it(hdf5, tmp_path, layout):
     array = make_array()
-    extent = (0, 19, 0, 11, 0, 17)  # VTK 9.1 reads none that begins elsewhere
+    extent = (0, 19, 0, 11, 0, 17)  # VTK 9.1 needs an extent that begins at 0
     path = write_vtkhdf(hdf5, tmp_path / "a.vtkhdf", array, extent=extent, **LAYOUTS[layout])
     source = expect_samples(path, array)
     vtk = pytest.importorskip("vtkmodules.vtkIOHDF")
@@ -264,7 +264,7 @@ def test_vtkhdf_that_is_not_read_is_told_with_the_cure(hdf5, tmp_path):
 @pytest.mark.parametrize("how", [{}, {"version": LATEST}, {"version": LATEST, "most": (ENDLESS, 12, 20)}],
                          ids=["tree", "fixed", "extensible"])
 def test_a_damaged_vtkhdf_ends_nothing(hdf5, tmp_path, how):
-    """Whatever byte is wrong, and wherever the file ends, there are samples or one error."""
+    """Whichever byte is wrong, and wherever the file ends, the source returns samples or one error."""
     good = write_vtkhdf(hdf5, tmp_path / "good.vtkhdf", make_array(), chunk=(9, 6, 10), filters=[SHUFFLE, GZIP], **how)
     good = good.read_bytes()
     assert len(good) < 40000
@@ -310,7 +310,7 @@ LOOKUP_TABLE default
 
 @pytest.mark.parametrize("point, kind", [(999999999, 10), (-999999999, 10), (6, 12)], ids=["far", "before", "corners"])
 def test_a_grid_that_ends_its_reader_ends_nothing(tmp_path, point, kind):
-    """VTK's filters read at points and corners of cells that the grid does not have."""
+    """VTK's filters read at points and cell corners that the grid does not have."""
     path, good = tmp_path / "a.vtk", tmp_path / "good.vtk"
     path.write_text(GRID.format(point=point, kind=kind))
     good.write_text(GRID.format(point=6, kind=10))
@@ -322,7 +322,7 @@ def test_a_grid_that_ends_its_reader_ends_nothing(tmp_path, point, kind):
 
 
 def test_a_grid_that_asks_for_much_memory_is_refused(tmp_path):
-    """5,000,000,000 numbers, which are 40 GB, for cells that are in a file of 300 bytes."""
+    """A file of 300 bytes declares cells with 5,000,000,000 numbers, which take 40 GB."""
     path = tmp_path / "a.vtk"
     path.write_text(GRID.format(point=6, kind=10).replace("CELLS 2 10", "CELLS 2 5000000000"))
 
@@ -333,13 +333,13 @@ def test_a_grid_that_asks_for_much_memory_is_refused(tmp_path):
 
 
 def helpers():
-    """The processes that read files for this one."""
+    """Returns the ids of the processes that read files for this process."""
     children = [one for task in Path("/proc/self/task").glob("*/children") for one in task.read_text().split()]
     return [int(one) for one in children if Path(f"/proc/{one}/comm").read_text().startswith("volumehaptics-r")]
 
 
 def test_a_reader_that_was_ended_is_started_again(tmp_path):
-    """Otherwise VTK's reader would end this process, as it ends the other one."""
+    """VTK's reader would crash this process as it crashes the reading process."""
     path = tmp_path / "a.vtk"
     path.write_text(GRID.format(point=999999999, kind=10))
     for _ in range(3):
@@ -351,7 +351,7 @@ def test_a_reader_that_was_ended_is_started_again(tmp_path):
 
 
 def test_names_of_components_reach_the_list(tmp_path):
-    """They come from the process that reads; the first component is uniform, and the cure names another one."""
+    """The names come from the reading process. The first component is uniform, so the cure names another component."""
     path = tmp_path / "a.vtk"
     path.write_text("""# vtk DataFile Version 4.2
 components
@@ -382,7 +382,7 @@ speed
 
 
 def damaged(good, chance, count):
-    """Files that are cut off, and files with three wrong bytes, half of them near the beginning."""
+    """Yields files that are cut off, and files with three wrong bytes, half of which are near the beginning."""
     for end in chance.integers(0, len(good), count // 6):
         yield good[:end]
     for number in range(count):
@@ -393,7 +393,7 @@ def damaged(good, chance, count):
 
 
 def expect_samples_or_an_error(damage):
-    """Of files that are written one after the other; `damage` yields what is to be opened."""
+    """Expects samples or an error from each file; `damage` writes one file after the other and yields its path."""
     results = {True: 0, False: 0}
     for path in damage:
         source = vtkHapticRegionSource()
@@ -428,7 +428,7 @@ def test_a_damaged_nrrd_ends_nothing(tmp_path, encoding):
 @pytest.mark.parametrize("encoding", ["raw", "gzip", "ascii"])
 @pytest.mark.parametrize("axis", range(4))
 def test_a_volume_among_layers(tmp_path, encoding, axis):
-    """What is felt of a NRRD file with an axis of layers, wherever it stands: the first of them, as numpy cuts it out."""
+    """Of a NRRD file with an axis of layers at any position, the first layer is felt, as numpy extracts it."""
     layers = np.moveaxis(np.random.default_rng(7).integers(-999, 999, (5, *SHAPE), "<i2"), 0, 3 - axis)
     first = np.ascontiguousarray(np.moveaxis(layers, 3 - axis, 0)[0])
     plain, kinds = np.ascontiguousarray(layers).tobytes(), ["domain"] * 3
@@ -445,7 +445,8 @@ def test_a_volume_among_layers(tmp_path, encoding, axis):
 
 
 def test_layers_take_no_memory(tmp_path):
-    """Half a megabyte with 2,000 layers, which unpack to half a gigabyte, for a volume of a quarter of a megabyte."""
+    """A file of half a megabyte has 2,000 layers that unpack to half a gigabyte; the volume needs a quarter of a
+    megabyte."""
     path, noise = tmp_path / "a.seg.nrrd", np.random.default_rng(7).integers(0, 9, (64, 64, 64), "u1")
     layers = np.zeros((1000, 64, 64, 64), "u1")
     layers[0] = noise
@@ -466,7 +467,7 @@ print(region.GetScalarRange(), resource.getrusage(resource.RUSAGE_SELF).ru_maxrs
 
 
 def tiff(path, pages=None, cut=0, description="", **entries):
-    """Writes pages. `entries` are further or other ones: the tag as t256, with a number; None leaves it out."""
+    """Writes pages. `entries` adds or replaces tags, each as t256=number; None removes the tag."""
     file = bytearray(b"II*\0")
     link = len(file)
     file += bytes(4)
@@ -492,12 +493,14 @@ def tiff(path, pages=None, cut=0, description="", **entries):
 
 
 def most_memory():
-    """In KiB, with memory that was never touched, which is most of what a false file asks for."""
+    """Returns the peak of the reserved memory (KiB). It includes memory that was never touched, which is most of what a
+    false file makes a reader request."""
     return int(re.search(r"VmPeak:\s+(\d+)", Path("/proc/self/status").read_text())[1])
 
 
 def test_tiff_is_read_in_another_process(tmp_path):
-    """libtiff, which a damaged file may end. Boxes have a process of their own, that no whole file keeps waiting."""
+    """A damaged file may crash libtiff, so another process runs it. Boxes are read in a process of their own, which no
+    whole file delays."""
     array = make_array("uint16")
     tiff(tmp_path / "a.tif", array, t339=1)
     running = set(helpers())
@@ -509,7 +512,7 @@ def test_tiff_is_read_in_another_process(tmp_path):
 
 
 def test_a_pipe_among_slices_is_told(tmp_path):
-    """Nobody writes into it, so that who opens it waits."""
+    """Nobody writes into the pipe, so that opening it would block."""
     for number, page in enumerate(make_array()[:3]):
         tiff(tmp_path / f"{number}.tif", [page])
     os.mkfifo(tmp_path / "3.tif")
@@ -529,7 +532,7 @@ def test_a_damaged_tiff_ends_nothing(tmp_path):
 
 
 def test_a_tiff_that_asks_for_much_memory_is_refused(tmp_path):
-    """Strips of 2 GB in 120 kB."""
+    """The file declares strips of 2 GB in 120 kB."""
     path = tmp_path / "a.tif"
     tiff(path, np.zeros((2, 60, 1000), "uint8"), t257=2000000, t278=2000000, t259=8)
     before = most_memory()
@@ -543,7 +546,7 @@ def test_a_tiff_that_asks_for_much_memory_is_refused(tmp_path):
 
 @pytest.mark.parametrize("name", ["a.mha", "a.mhd", "a.nrrd", "a.nhdr"])
 def test_a_file_of_holes_is_told(tmp_path, name):
-    """What takes 4 KiB of the disk, and 100 MiB of memory. Read by regions it is as small as they are."""
+    """A file of holes takes 4 KiB of the disk and 100 MiB of memory. Read by regions, only the regions take memory."""
     side = 464
     file, data, word = tmp_path / name, tmp_path / "a.raw", "a.raw" if name[-2:] == "hd" or name[-3:] == "hdr" else ""
     head = f"NRRD0004\ntype: uchar\ndimension: 3\nsizes: {side} {side} {side}\nencoding: raw\n" + (
@@ -559,7 +562,8 @@ def test_a_file_of_holes_is_told(tmp_path, name):
 
 
 def test_a_damaged_zarr_with_shards_ends_nothing(tmp_path):
-    """By hand after Zarr's specification: two shards of eight chunks, plain, with the index behind them."""
+    """The file is written by hand after Zarr's specification: two shards of eight uncompressed chunks, followed by the
+    index."""
     array, path = make_array(), tmp_path / "a.zarr"
     chunk = [-(-count // 2) for count in array.shape]
     padded = np.pad(array, [(0, 2 * size - count) for size, count in zip(chunk, array.shape)])
@@ -595,7 +599,7 @@ def test_a_damaged_zarr_with_shards_ends_nothing(tmp_path):
 
 
 def region_error(path):
-    """What is said when the samples of a file, whose head is good, are read; empty if they can be."""
+    """Returns the error of reading the samples of a file whose header is valid; empty if they can be read."""
     source = vtkHapticRegionSource()
     assert source.OpenFile(str(path))
     with Errors(source) as errors:
@@ -604,7 +608,7 @@ def region_error(path):
 
 
 def castagnoli(data):
-    """CRC-32C, bit by bit, with the polynomial of RFC 3720, section 12.1."""
+    """Computes CRC-32C, bit by bit, with the polynomial of RFC 3720, section 12.1."""
     rest = 0xffffffff
     for byte in data:
         rest ^= byte
@@ -614,7 +618,7 @@ def castagnoli(data):
 
 
 def test_a_wrong_checksum_is_told(hdf5, tmp_path):
-    assert castagnoli(b"123456789") == struct.pack("<I", 0xe3069283)  # the check value of the published catalogues of CRCs
+    assert castagnoli(b"123456789") == struct.pack("<I", 0xe3069283)  # check value of the published catalogues of CRCs
     array = make_array("int16", (5, 4, 7))
     path = write_vtkhdf(hdf5, tmp_path / "a.vtkhdf", array, extent=(0, 6, 0, 3, 0, 4), chunk=(5, 4, 7), filters=[SUM])
     assert not region_error(path)
@@ -623,7 +627,7 @@ def test_a_wrong_checksum_is_told(hdf5, tmp_path):
     for place in at, at + array.nbytes // 2 + 1, at + array.nbytes - 1, at + array.nbytes + 2:
         path.write_bytes(good[:place] + bytes([good[place] ^ 4]) + good[place + 1:])
         assert "damaged (fletcher32)" in region_error(path)
-    # A shard by hand after Zarr's specification: two plain chunks, and an index whose entries are exchanged.
+    # Write a shard by hand after Zarr's specification: two uncompressed chunks, and an index with exchanged entries.
     path = tmp_path / "a.zarr"
     chunks = [array[:, :2], array[:, 2:]]
     plain = [{"name": "bytes", "configuration": {"endian": "little"}}]
@@ -644,10 +648,10 @@ def test_a_wrong_checksum_is_told(hdf5, tmp_path):
 
 @pytest.mark.parametrize("codec", ["zlib", "gzip", "lz4", "blosc", "zstd"])
 def test_a_chunk_may_not_promise_more_than_its_samples(tmp_path, codec):
-    """What 64 bytes to 300 kB would unpack to, is gigabytes. A child is given 700 MB more than it has to begin with."""
+    """Chunks of 64 bytes to 300 kB would unpack to gigabytes. A child process may use 700 MB more than at its start."""
     heads = {
         "lz4": struct.pack("<I", 0x7fffffff) + bytes(60),  # numcodecs: the size, then a block of LZ4
-        "blosc": struct.pack("<BBBBIII", 2, 1, 0, 1, 0x7fffffff, 0x7fffffff, 64) + bytes(48),  # Blosc 1, its header
+        "blosc": struct.pack("<BBBBIII", 2, 1, 0, 1, 0x7fffffff, 0x7fffffff, 64) + bytes(48),  # header of Blosc 1
         "zstd": b"\x28\xb5\x2f\xfd\xe0" + struct.pack("<Q", 1 << 40) + bytes(40),  # RFC 8878: a single segment
     }
     if codec in heads:
@@ -680,7 +684,7 @@ print("took", resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before)
 @pytest.mark.parametrize("fill, value", [("NaN", np.nan), ("-Infinity", -np.inf), ("0x7fc00000", np.nan),
                                          ("0x7FC00001", np.nan), ("0x41280000", 10.5), (2.5, 2.5)])
 def test_fill_values_of_zarr_version_3(tmp_path, fill, value):
-    """As the specification's list of data types writes them: numbers, three words, or bits in hexadecimal digits."""
+    """Fill values as in the specification's list of data types: numbers, three words, or bits in hexadecimal digits."""
     path = tmp_path / "a.zarr"
     path.mkdir()
     head = {"zarr_format": 3, "node_type": "array", "shape": [2, 2, 2], "data_type": "float32", "fill_value": fill,
@@ -698,7 +702,8 @@ def test_fill_values_of_zarr_version_3(tmp_path, fill, value):
 
 @pytest.mark.parametrize("word", ["True", "1", "t", "False", "0", "f"])
 def test_words_of_a_meta_image(tmp_path, word):
-    """What is true: MetaIO, by which VTK and ITK read, looks at the first letter (metaImage.cxx). VTK's reader agrees."""
+    """MetaIO, by which VTK and ITK read, takes a word for true by its first letter (metaImage.cxx). VTK's reader
+    agrees."""
     array, path = make_array(">i2" if word in "True 1 t" else "<i2"), tmp_path / "a.mha"
     head = "ObjectType = Image\nNDims = 3\nDimSize = 20 12 18\nElementType = MET_SHORT\nElementSpacing = 1 2 3\n"
 
@@ -884,14 +889,15 @@ def test_a_coarse_image_is_made_of_means(hdf5, tmp_path):
     source = vtkHapticRegionSource()
     assert source.OpenFile(str(write_vtkhdf(hdf5, tmp_path / "a.vtkhdf", array, extent=(2, 61, -3, 36, 5, 54),
                                             chunk=(16, 16, 16))))
-    assert source.MakeCoarseImage(10 * 14 * 20)  # cubes of 4^3 are too many: 13 x 10 x 15 fit
+    assert source.MakeCoarseImage(10 * 14 * 20)  # cubes of 4^3 voxels give too many samples; 13 x 10 x 15 fit
     coarse = source.GetCoarseImage()
     assert coarse.GetDimensions() == (15, 10, 13)
     values = vtk_to_numpy(coarse.GetPointData().GetScalars()).reshape(13, 10, 15)
     expected = [[[np.nanmean(array[4 * k:4 * k + 4, 4 * j:4 * j + 4, 4 * i:4 * i + 4]) for i in range(15)]
                  for j in range(10)] for k in range(13)]
     assert np.allclose(values, expected, rtol=1e-6)
-    # The middle of the first cube, which begins at the index (2, -3, 5); x runs along the world's y, y along its -x.
+    # The expected origin is the middle of the first cube, which begins at the index (2, -3, 5); x runs along the
+    # world's y, y along its -x.
     assert np.allclose(coarse.GetOrigin(), (-3 - 1.0 * (-3 + 1.5), 4 + 0.5 * (2 + 1.5), 5 + 1.5 * (5 + 1.5)))
     assert np.allclose(coarse.GetSpacing(), (2, 4, 6))
     array.tofile(tmp_path / "a.raw")

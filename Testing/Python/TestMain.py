@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""python -m volumehaptics finds the explorer, gives it the options, and says what is missing."""
+"""python -m volumehaptics finds the explorer, passes the options on, and reports what is missing."""
 
 import os
 import shutil
@@ -11,7 +11,7 @@ import pytest
 from volumehaptics import __main__ as program
 from volumehaptics.examples import phantom_file
 
-# The module's own main(), with another explorer than the one that may be installed.
+# Runs the module's own main() with another explorer than the one that may be installed.
 WITH_FAKE = """
 import sys
 from volumehaptics import __main__ as program
@@ -36,7 +36,7 @@ def make_program(path, text):
 
 @pytest.fixture
 def fake(tmp_path):
-    """An explorer that prints a line for each of its arguments."""
+    """Returns an explorer that prints a line for each of its arguments."""
     return make_program(tmp_path / "fake", "for word; do echo \"[$word]\"; done; exit 7")
 
 
@@ -76,7 +76,7 @@ def test_without_display_it_makes_pictures(fake, tmp_path):
     assert result.stdout.splitlines() == ["[head.vti]", "[--pictures]", "[explore-pictures]"]
     result = run(*arguments, "--pictures=there", DISPLAY="", PATH=str(tmp_path))
     assert result.stdout.splitlines() == ["[head.vti]", "[--pictures=there]"]
-    # On a screen of its own, if there can be one.
+    # Runs the explorer on a screen of its own if xvfb-run exists.
     make_program(tmp_path / "xvfb-run", "echo screen; shift 3; exec \"$@\"")
     result = run(*arguments, "--pictures", "there", DISPLAY="", PATH=str(tmp_path))
     assert result.stdout.splitlines() == ["screen", "[head.vti]", "[--pictures]", "[there]"]
@@ -87,7 +87,7 @@ def test_where_the_explorer_is_found(tmp_path, monkeypatch):
     monkeypatch.setattr(program, "__file__", str(package / "__main__.py"))
     monkeypatch.setenv("PATH", str(tmp_path / "path"))
     assert program.find_explorer() is None
-    # Each comes before those that were there.
+    # Each of these places is searched before the earlier ones.
     for place in (tmp_path / "path", tmp_path / "prefix/bin", package / "bin"):
         explorer = make_program(place / program.PROGRAM, "")
         assert program.find_explorer() == explorer

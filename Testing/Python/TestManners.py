@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The classes have the manners of VTK 9.4 and later in Python: properties, pipelines, arrays by name."""
+"""The classes follow the Python conventions of VTK 9.4 and later: properties, pipelines, arrays by name."""
 
 import numpy as np
 import pytest

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Modes from Python: what is seen is what is felt, and the demonstrations show what they say."""
+"""Tests modes from Python: the force agrees with the drawn shapes, and the demonstrations show what they claim."""
 
 import contextlib
 import importlib
@@ -39,7 +39,8 @@ def make_image(name, components, function):
 
 @contextlib.contextmanager
 def felt(mode, image, tip):
-    """The virtual device with a mode, its tip at a place, and a function that leads it to others."""
+    """Opens the virtual device with a mode and its tip at a place; yields the device and a function that moves the
+    tip."""
     touch = vtkVolumeHapticsFilter()
     touch.SetInputData(image)
     touch.AddMode(mode)
@@ -65,7 +66,7 @@ def felt(mode, image, tip):
 
 
 def followed(mode, image, tip):
-    """The shapes that a mode shows at a tip of the virtual device, and the proxy there."""
+    """Returns the shapes that a mode shows at a tip of the virtual device, and the proxy's position."""
     with felt(mode, image, tip) as (device, _):
         shapes = vtkPolyData()
         device.GetState().GetFollowed(shapes, 24.0)
@@ -73,7 +74,7 @@ def followed(mode, image, tip):
 
 
 def distance_to(line, place):
-    """Of a place to a line of points."""
+    """Returns the distance of a place from a polyline."""
     first, along = line[:-1], np.diff(line, axis=0)
     share = np.clip(((place - first) * along).sum(1) / (along**2).sum(1), 0, 1)
     return np.linalg.norm(first + share[:, None] * along - place, axis=1).min()
@@ -93,8 +94,8 @@ def test_a_stream_line_of_a_rotation_is_a_circle():
 
 @pytest.mark.parametrize("tensors", (False, True))
 def test_a_hand_travels_along_the_line_that_is_drawn(tensors):
-    """A flow of short waves, or fibres along it, in an image that is turned and has flat voxels: led a millimetre
-    beside the line, in both directions, the hand stays on it; and the line goes along the flow there."""
+    """A flow of short waves, or fibres along it, in a rotated image with flat voxels: moved a millimetre beside the
+    line, in both directions, the hand stays on the line, and the line follows the flow."""
     image = vtkImageData()
     image.SetDimensions(41, 41, 61)
     image.SetSpacing(1.0, 1.0, 0.7)
@@ -103,7 +104,7 @@ def test_a_hand_travels_along_the_line_that_is_drawn(tensors):
     image.SetOrigin(*(-turn @ [20.0, 20.0, 21.0]))
     places = np.array([image.GetPoint(i) for i in range(image.GetNumberOfPoints())])
 
-    def flow(x):  # the waves of Arnold, Beltrami and Childress
+    def flow(x):  # waves of Arnold, Beltrami and Childress
         a, b, c = np.moveaxis(2 * np.pi / 18 * x, -1, 0)
         return np.stack([np.sin(c) + 0.8 * np.cos(b), 0.7 * np.sin(a) + np.cos(c), 0.8 * np.sin(b) + 0.7 * np.cos(a)], -1)
 
@@ -139,7 +140,7 @@ def test_a_hand_travels_along_the_line_that_is_drawn(tensors):
 
 
 def test_a_stream_line_is_that_of_the_stream_tracer():
-    # A field that is linear, so that VTK's trilinear values and the splines of the servo are the same.
+    # The field is linear, so that VTK's trilinear values and the servo's splines are equal.
     image = make_image("flow", 3, lambda x, y, z: (-y + 0.1 * z, x, 2.0 + 0.05 * x))
     mode = vtkHapticMode()
     mode.SetArrayName("flow")
@@ -194,14 +195,14 @@ def test_a_tensor_is_an_ellipsoid_at_the_proxy():
     glyph.SetSourceConnection(sphere.GetOutputPort())
     glyph.Update()
     points = vtk_to_numpy(glyph.GetOutput().GetPoints().GetData()) - proxy
-    # An eighth of the reach of 24 voxels along the fibre, and half and a quarter of that across it.
+    # The half axes are an eighth of the reach of 24 voxels along the fibre, and half and a quarter of that across it.
     half = np.sqrt(0.5)
     for axis, length in (((half, half, 0), 3.0), ((half, -half, 0), 1.5), ((0, 0, 1), 0.75)):
         assert abs(np.ptp(points @ axis) - length) < 0.03 * length
 
 
 def test_a_surface_holds_a_live_hand():
-    """A sphere of 8 mm that holds from both sides: a spring of 500 N/m to it, from inside and from outside."""
+    """A sphere of 8 mm holds the hand by a spring of 500 N/m, from inside and from outside."""
     image = make_image("nothing", 1, lambda x, y, z: (0.0 * x,))
     image.GetPointData().SetActiveScalars("nothing")
     guide, sphere = vtkHapticGuideMode(), vtkSphereSource()
@@ -247,7 +248,8 @@ def test_a_preset_and_a_surface_from_python():
 
 
 def make_grid(first, last, components=3, of="cells"):
-    """An uneven rectilinear grid in x from first to last, with a uniform flow, or a tensor, along x."""
+    """Returns a rectilinear grid from `first` to `last` in x, uneven in y, with a uniform flow, or a tensor, along
+    x."""
     grid, sizes = vtkRectilinearGrid(), []
     for axis, places in (("X", np.linspace(first, last, 7)), ("Y", 12 * np.linspace(-1, 1, 8) ** 3), ("Z", [-9, 0, 9])):
         getattr(grid, f"Set{axis}Coordinates")(numpy_to_vtk(np.array(places, float), deep=True))
@@ -281,7 +283,8 @@ def unstructured(grid):
     (lambda: in_blocks(make_grid(-12, 0), None, make_grid(0, 12)), None),
     (lambda: make_grid(-12, 12, components=6), None)))
 def test_grids_are_felt(make, mode):
-    """The tip goes 1 mm along a flow, or a fibre, and 6 mm across it: a spring of 500 N/m up to 2 N, and then 2 N."""
+    """The tip goes 1 mm along a flow or a fibre and 6 mm across it: a spring of 500 N/m up to 2 N, then constant 2
+    N."""
     across = np.linspace(0, 6, 121)
     trace = touch(make(), np.stack([across / 6, across, 0 * across], -1), mode=mode)
     force = vtk_to_numpy(trace.GetPointData().GetArray("Force"))
@@ -305,14 +308,15 @@ def test_grids_that_can_not_be_felt_say_why():
 
 
 def test_a_case_of_openfoam_is_felt(tmp_path):
-    """The last step, of a flow along the pipe: held across it, by as much as the path turns."""
+    """Touches the last time step of a flow along the pipe: the hand is held across the flow, as far as the path
+    turns."""
     case = write_foam(tmp_path / "case", (5.0, 0.36, 0.5), np.tile([1.0, 0.0, 0.0], (20, 1)))
     said = run("felt_fields.py", tmp_path / "picture.png", "openfoam", case)
     assert re.match(r"vector follow, U: \d+ ticks, strongest 2.00 N", said), said
 
 
 def test_openfoam_computes_its_case_once(tmp_path, monkeypatch):
-    """With a script in the place of OpenFOAM's; and without OpenFOAM it says what to install."""
+    """Runs a script in place of OpenFOAM's programs; without OpenFOAM, the program says what to install."""
     monkeypatch.syspath_prepend(DEMONSTRATIONS)
     fields = importlib.import_module("felt_fields")
     monkeypatch.setattr(fields, "__file__", str(tmp_path / "Examples" / "Python" / "felt_fields.py"))
@@ -342,7 +346,7 @@ def test_a_field_is_felt(field, kind, held, tmp_path):
     found = re.match(
         r"(.*): \d+ ticks, strongest ([\d.]+) N, felt in (\d+) % of them, held back by ([\d.]+) mm", said)
     assert found and found[1] == kind, said
-    # Strengths are 2 N, which are 4 mm of the spring of 500 N/m.
+    # The strength is 2 N, which the spring of 500 N/m reaches at 4 mm.
     assert 0.3 < float(found[2]) < 2.01 and int(found[3]) > 30 and 0.5 < float(found[4]) <= held + 0.1, said
 
 

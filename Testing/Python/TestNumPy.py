@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A NumPy array is touched in place, and what comes back are NumPy arrays with the closed form."""
+"""A NumPy array is touched in place; the results are NumPy arrays that agree with the closed form."""
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -10,7 +10,7 @@ from volumehaptics import vtkVolumeHapticsFilter
 
 
 def make_image(volume, spacing=(1.0, 1.0, 1.0), origin=(0.0, 0.0, 0.0)):
-    """volume[z, y, x], shared with the image."""
+    """Returns an image that shares the memory of volume[z, y, x]."""
     image = vtkImageData()
     image.SetDimensions(volume.shape[::-1])
     image.SetSpacing(spacing)
@@ -41,7 +41,7 @@ def array(haptics, name):
 
 
 def press(ticks, x=8.0, y=8.0, z=10.0):
-    """From z on, 0.1 mm a tick."""
+    """Returns a path from z on, by 0.1 mm a tick."""
     points = np.tile([x, y, z], (ticks, 1))
     points[:, 2] += 0.1 * np.arange(ticks)
     return points
@@ -68,12 +68,12 @@ def test_press_to_10_mm():
         contact = array(haptics, "Contact")
         assert contact.dtype == np.uint8
         assert contact[0] == 0 and contact[20] in (1, 2) and contact[60] == 3
-        # At 1 kHz; without Time in the path every point is a tick.
+        # The time between points is 1 ms: without an array Time, every point is a tick at 1 kHz.
         assert np.abs(array(haptics, "Time") - 1e-3 * np.arange(101)).max() < 1e-12
 
 
 def test_geometry():
-    """The same slab in other voxels at another place, pressed from the other side."""
+    """The same slab, with other voxels at another place, is pressed from the other side."""
     z = 3.0 * np.arange(20).reshape(-1, 1, 1) - 7.0
     volume = np.broadcast_to(-40.0 * z, (20, 9, 11)).copy()
     image = make_image(volume, spacing=(2.0, 2.5, 3.0), origin=(-5.0, 4.0, -7.0))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A path from the source is felt through the pipeline, as fast as it says whatever the servo's rate."""
+"""A path from the source is felt through the pipeline, at the speed that it sets, whatever the servo's rate."""
 
 import math
 

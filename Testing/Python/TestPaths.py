@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""touch() of several paths: each gives what it gives alone, and other threads run meanwhile."""
+"""touch() of several paths: each trace is the one that its path gives alone, and other threads run meanwhile."""
 
 import threading
 import time
@@ -20,7 +20,7 @@ def head():
 
 
 def strokes(count):
-    """Through the skin of the phantom, beside one another, of different lengths."""
+    """Returns strokes through the skin of the phantom, beside one another, with different lengths."""
     return [np.linspace((x, -120, 60), (x, -75, 60), 30 + 7 * i) for i, x in enumerate(np.linspace(-15, 15, count))]
 
 
@@ -35,7 +35,7 @@ def test_each_as_alone(head):
 
 
 def test_any_kinds_together(head):
-    """Arrays, lists, polydata with and without times, of points alone, and with several lines: in their order."""
+    """Arrays, lists, and polydata (with and without times, of points alone, with several lines) keep their order."""
     a, b, c = strokes(3)
     timed = path(b, time=np.linspace(2.0, 2.05, len(b)))
     whole = path(c.astype(np.float32), time=np.arange(len(c)))
@@ -114,7 +114,8 @@ def test_trace_arrays(head):
 
 
 def test_threads_of_python_run_meanwhile(head):
-    """A thread that wakes up every millisecond. If touch() kept it out, it would do so a few times, before and after."""
+    """Starts a thread that wakes up every millisecond. If touch() blocked it, it would wake only a few times, before
+    and after."""
     tip = np.repeat(strokes(1)[0], 10000, axis=0)
     stop, wakes = threading.Event(), []
 
@@ -169,7 +170,7 @@ def test_errors_of_the_filter_reach_python_from_the_thread(head, capfd):
 
 
 def test_parts_share_the_memory_of_the_whole(head):
-    """Nothing is copied, and each part keeps what it needs."""
+    """The traces of several paths share one memory, which stays as long as a part needs it."""
     first, second = touch(head, strokes(2), trace_arrays=["Force"])
     force = vtk_to_numpy(second.GetPointData().GetArray("Force"))
     expected = force.copy()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Presets from Python: names, effect, and that a filter notices."""
+"""Tests presets from Python: their names, their effect, and that a filter notices a change."""
 
 import pytest
 import volumehaptics
@@ -16,7 +16,7 @@ def names():
 
 
 def make_filter(hounsfield):
-    """A tip that goes 3 mm down into a ramp that ends at one tissue."""
+    """Returns a filter whose tip goes 3 mm down into a ramp that ends at one tissue."""
     image = vtkImageData()
     image.SetDimensions(16, 16, 16)
     image.AllocateScalars(4, 1)  # VTK_SHORT
@@ -51,7 +51,7 @@ def test_names():
 
 
 def test_presets_are_felt():
-    # Deeper than the ramp everything is one tissue: muscle, then bone.
+    # Below the ramp, everything is one tissue: muscle, then bone.
     for hounsfield, stiffness, friction in ((60, 400.0, 0.30), (900, 400.0, 0.30)):
         haptics = make_filter(hounsfield)
         haptics.GetProperty().ApplyPreset("CT contrast")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Functions that propose themselves, from Python."""
+"""Tests functions that are proposed from the image, from Python."""
 
 import math
 
@@ -15,7 +15,7 @@ MIDDLE = 0.5 * (SIZE - 1)
 
 @pytest.fixture(scope="module")
 def ball():
-    """A ball of 0.75, blurred by a Gaussian of 2 voxels, in air of 0.25: V1 + (V2 - V1) Phi(x/s)."""
+    """Returns a ball of value 0.75, blurred by a Gaussian of 2 voxels, in air of 0.25: V1 + (V2 - V1) Phi(x/s)."""
     axis = np.arange(SIZE) - MIDDLE
     z, y, x = np.meshgrid(axis, axis, axis, indexing="ij")
     depth = 20.0 - np.sqrt(x * x + y * y + z * z)
@@ -24,7 +24,7 @@ def ball():
 
 @pytest.fixture
 def stroke():
-    """From the border towards the middle of the ball."""
+    """Returns a path from the border towards the middle of the ball."""
     way = np.full((1000, 3), MIDDLE)
     way[:, 2] = np.linspace(1.0, MIDDLE - 14.0, len(way))
     return way
@@ -50,7 +50,7 @@ def test_touch_feels_the_ball(ball, stroke):
     trace = arrays(touch(ball, stroke, preset="propose", contact_alignment=vtkVolumeHapticsFilter.EDGE))
     outside = stroke[:, 2] < MIDDLE - 26.0
     assert not trace["Force"][outside].any()
-    # The tip is 6 mm deep at last: 500 N/m.
+    # At the end, the tip is 6 mm deep: 500 N/m.
     assert -trace["Force"][-1, 2] == pytest.approx(3.0, abs=0.6)
     assert not arrays(touch(ball * 0.0 + 1.0, stroke))["Force"].any()
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Regions of a volume from Python: cropped, and felt as the whole."""
+"""Tests cropped volumes from Python: they are felt like the whole volume."""
 
 from pathlib import Path
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cures of errors about what is read region by region, not about one format, are tried: raw samples, files that change,
-grids, and too little memory.
+"""Tries the cures of errors about data that are read region by region, but not about one format: raw samples, files
+that change, grids, and too little memory.
 """
 
 import os
@@ -120,7 +120,7 @@ def grids(_):
     sampled.GetKernel().SetRadius(6.0)
     sampled.Update()
     b.haptics.SetInputDataObject(0, sampled.GetOutput())
-    assert 0.5 < b.force() < 1.5  # of a kernel that blurs by its radius
+    assert 0.5 < b.force() < 1.5  # within the blur of the kernel's radius
     refuses(rectilinear(1), "Give it cells in three dimensions, or set another SampleSpacing")
     feels(rectilinear())
     source = vtkHapticRegionSource()
@@ -139,7 +139,8 @@ def test_cures_of_calls(words, tmp_path):
     try_calls(words, result[words], tmp_path)
 
 
-# A process with little memory reads a file of 64 GiB, whose only layer is felt. A region of 267^3 numbers takes 145 MiB.
+# A process with little memory reads a file of 64 GiB, of which only one layer is felt. A region of 267^3 numbers takes
+# 145 MiB.
 SCARCE = """
 import resource, sys, time
 import numpy as np
@@ -206,7 +207,8 @@ device.Stop()
 
 
 def test_less_memory(tmp_path):
-    # glibc reserves 64 MiB of addresses for each thread that allocates: with them the limit left none for a further thread.
+    # glibc reserves 64 MiB of addresses for each thread that allocates, and the limit then left no room for another
+    # thread.
     env = {**os.environ, "MALLOC_ARENA_MAX": "1"}
     done = subprocess.run([sys.executable, "-c", SCARCE, str(tmp_path / "a.raw")], capture_output=True, text=True, timeout=300,
                           env=env)

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cures of warnings about what is seen and felt, and of errors of devices, are tried on the bench of cure_bench.py."""
+"""Tries the cures of warnings about differences between what is seen and felt, and of errors of devices, on the bench
+of cure_bench.py."""
 
 import numpy as np
 import pytest
@@ -37,7 +38,7 @@ result = Calls()
 
 
 class Scene(Bench):
-    """The ramp as a volume in a window, which is felt where its image is until it is touched."""
+    """A window with the ramp as a volume. Until the style touches it, the volume is felt where its image is."""
 
     def __init__(self):
         super().__init__()
@@ -46,7 +47,7 @@ class Scene(Bench):
         self.interactor = vtkRenderWindowInteractor()
         self.mapper.SetInputData(self.image)
         self.volume.SetMapper(self.mapper)
-        opacity = vtkPiecewiseFunction()  # one face of the image is seen through
+        opacity = vtkPiecewiseFunction()  # one face of the image is transparent
         opacity.AddPoint(0.0, 0.0)
         opacity.AddPoint(1.0, 1.0)
         self.volume.GetProperty().SetScalarOpacity(opacity)
@@ -75,7 +76,8 @@ SHOWN = {}
 
 
 def shown(words, *cures):
-    """How a scene shows something else than is felt, and the force at x = 5 after each cure."""
+    """Registers a function that makes a scene show something else than is felt, and for each cure the force at x = 5
+    after it."""
     def keep(spoil):
         SHOWN[words] = spoil, cures
         return spoil
@@ -102,7 +104,7 @@ def moved_image(s):
 
 @shown("which follows all but shears, or change the origin", touch, moved_image, 0.0)
 def _(s):
-    """The press is beside it."""
+    """The press now goes past the volume."""
     s.volume.SetPosition(10.0, 0.0, 0.0)
 
 
@@ -161,7 +163,7 @@ def one_dimension(s):
 
 
 def visible(s):
-    """What is below z = 20 is hidden."""
+    """Values below 2000, at z < 20, are hidden."""
     seen = vtkVolumeProperty()
     opacity = vtkPiecewiseFunction()
     opacity.AddPoint(0.0, 1.0)
@@ -287,7 +289,7 @@ def orders(_):
 
 
 class Half(VTKPythonAlgorithmBase):
-    """Gives a half of what it promises."""
+    """Produces half of the extent that it promises."""
 
     def __init__(self, given):
         super().__init__(nInputPorts=0, outputType="vtkImageData")
@@ -334,7 +336,7 @@ def sources(folder):
     smooth.Update()
     assert feel.ProposeFromImage(smooth.GetOutput())
 
-    # A recording of a volume that moves.
+    # Record a volume that moves.
     b, source, device = Bench(), vtkHapticTimeStepSource(), vtkHapticDevice()
     for time in (0.0, 100.0):
         source.AddTimeStep(b.image, time)
@@ -364,7 +366,7 @@ def sources(folder):
     still.haptics.SetTimeUnitsPerSecond(1.0)
     assert -still.force() == recorded == pytest.approx(-1.0, abs=0.05)
 
-    # Whole volumes replay what can't be replayed by regions.
+    # Whole volumes can replay what volumes read by regions cannot.
     large, whole = open_large(RAMP, spacing=(1, 1, 1)), Bench()
     device, path = recorder(), folder / "still.vtp"
     assert device.GetRecorder().Start(str(path))

@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What volume mappers can show is felt where it is seen, to within a voxel. What isn't: TestShownAndTold.py.
+"""What volume mappers show is felt where it is seen, to within a voxel. TestShownAndTold.py has the exceptions.
 
-Each volume has a wall across x, seen from the side: the first red pixel of the row at y = 7.5 is where it begins. The
-tip goes along x at y = z = 7.5, and what is felt begins at the first force. The values are V = 100 (x - x0) / 2 + 50,
-clamped to 0 to 100, and what is above 50 is opaque, so that the wall is at x0; where masks and blanked voxels hide a part of
-it, halfway between the last hidden voxel and the first shown one.
+Each volume has a wall across x, seen from the side: the first red pixel of the row at y = 7.5 is where it begins.
+The tip goes along x at y = z = 7.5, and the felt wall begins at the first force. The values are V = 100 (x - x0) / 2
++ 50, clamped to 0 to 100, and values above 50 are opaque, so that the wall is at x0; where masks and blanked voxels
+hide a part of it, halfway between the last hidden voxel and the first shown one.
 """
 
 import math
@@ -54,7 +54,7 @@ def wall(x0, high=100.0, count=X, across=Y, shift=0.0):
 
 
 def add_array(data, name, values, active=True):
-    """Values of z, y, x and perhaps components, as an array of points or cells."""
+    """Adds an array of points or cells, with values of z, y, x and perhaps components."""
     array = numpy_to_vtk(np.ascontiguousarray(values).reshape(-1, *values.shape[3:]), deep=True)
     array.SetName(name)
     data.AddArray(array)
@@ -93,14 +93,14 @@ def look(opacity, prop=None):
     return prop
 
 
-WINDOW = vtkRenderWindow()  # one for all, since each takes time
+WINDOW = vtkRenderWindow()  # one window for all tests, since opening one takes time
 WINDOW.SetOffScreenRendering(True)
 WINDOW.SetMultiSamples(0)
 WINDOW.SetSize((X + 8) * PIXELS, 8 * PIXELS)
 
 
 class Scene:
-    """A volume in the window, which a style touches. Rows change it before that."""
+    """A volume in the window, which a style touches. Tests change the scene before the touch."""
 
     def __init__(self, data, mapper=None):
         self.data, self.mapper, self.volume = data, mapper or vtkGPUMapper(), vtkVolume()
@@ -130,7 +130,7 @@ class Scene:
         self.follows = True
 
     def told(self):
-        """Warnings and errors of touching it."""
+        """Returns the warnings and errors of touching the volume."""
         with Errors(self.style) as errors, Errors(self.style, event="WarningEvent") as warnings:
             if self.follows:
                 assert self.style.TouchVolume(self.volume)
@@ -161,7 +161,7 @@ class Scene:
         return tip[held[0], 0] if held.size else math.nan
 
     def check(self, most=VOXEL):
-        """It is felt where it is seen, and drawn as without the touch."""
+        """Checks that the volume is felt where it is seen, and that the touch does not change the picture."""
         before = self.seen()
         assert not self.told()
         seen, felt = self.seen(), self.felt()
@@ -175,7 +175,8 @@ class Scene:
 
 
 def set_up(make):
-    """One in twenty of VTK 9.1's new mappers on the processor paints all of the window, whatever follows. It is made anew."""
+    """Makes the scene again if the picture fails: one in twenty of VTK 9.1's new mappers on the processor paints the
+    whole window, whatever follows."""
     for _ in range(10):
         s = make()
         if s.seen() != LEFT:
@@ -188,7 +189,7 @@ FELT = {}
 
 
 def felt(x0, drawn=0.25, most=VOXEL):
-    """A row of what is felt where it is seen, which is at x0: VTK draws it as near to that as `drawn`."""
+    """Registers a scene whose wall is felt where it is seen, at x0; VTK draws the wall within `drawn` of x0."""
     def keep(make):
         FELT[make.__name__] = make, x0, drawn, most
         return make
@@ -237,7 +238,7 @@ def cropped():
 
 
 def ramp(radius=2):
-    """Gradients everywhere, without an edge."""
+    """Makes a ramp: gradients everywhere, without an edge."""
     s = Scene(image(np.broadcast_to(50.0 + 2.5 * (np.arange(X) - 8.0), (Y, Y, X))))
     s.filter.SetKernelRadius(radius)
     return s
@@ -276,7 +277,7 @@ def gradient_opacity():
     return s
 
 
-# The array that the mapper chooses.
+# Tests of the array that the mapper chooses.
 
 def two_arrays(mapper):
     s = Scene(image(wall(8.0)), mapper)
@@ -408,7 +409,7 @@ def last_vector_component():
     return vectors(2)
 
 
-# Other data than images, and several in one mapper.
+# Tests of other data than images, and of several volumes in one mapper.
 
 def rectilinear(mapper):
     grid = vtkRectilinearGrid()
@@ -453,7 +454,7 @@ def unstructured_grid():
 
 
 def port(number):
-    """A vtkMultiVolume of two, of which only one has opacity."""
+    """Makes a vtkMultiVolume of two volumes, only one of which has opacity."""
     s, multi = Scene(None), vtkMultiVolume()
     s.renderer.RemoveVolume(s.volume)
     multi.SetMapper(s.mapper)
@@ -486,10 +487,10 @@ def multi_volume():
     return s
 
 
-# Voxels that are hidden one by one.
+# Tests of voxels that are hidden one by one.
 
 def mask(first, shown=255, hidden=0):
-    """Of voxels from the index `first` on."""
+    """Returns a mask that shows the voxels from the index `first` on."""
     return image(np.broadcast_to(np.where(np.arange(X) < first, hidden, shown).astype(np.uint8), (Y, Y, X)))
 
 
@@ -525,7 +526,7 @@ def mask_behind_the_wall_and_moved():
 
 @felt(13.5)
 def mask_on_a_ramp():
-    """Gradients everywhere, of which a larger kernel sees more."""
+    """Makes gradients everywhere; a larger kernel sees more of them."""
     return masked(Scene(image(np.broadcast_to(40.0 + 2.0 * np.arange(X), (Y, Y, X)))), 14, radius=5)
 
 
@@ -577,7 +578,7 @@ def blanked_cells():
 
 @felt(18.5 if vtkVersion().GetVTKVersion() >= "9.2" else 15.0)
 def blanked_cells_of_cell_data():
-    """VTK 9.1 draws them."""
+    """VTK 9.1 draws blanked cells of cell data."""
     s = cell_data()
     return blanked(s, 18, s.data.AllocateCellGhostArray(), 32)
 
@@ -596,7 +597,7 @@ def blanked_cells_of_cell_data_in_front_of_the_wall():
 
 @felt(14.0)
 def points_with_another_flag():
-    """The mapper hides what has any flag, as DUPLICATEPOINT."""
+    """The mapper hides points with any flag, for example DUPLICATEPOINT."""
     s = gpu_mapper()
     return blanked(s, 14, s.data.AllocatePointGhostArray(), 1)
 
@@ -610,7 +611,7 @@ def cells_with_another_flag():
 
 @felt(18.5 if vtkVersion().GetVTKVersion() >= "9.2" else 15.0)
 def cells_of_cell_data_with_another_flag():
-    """HIGHCONNECTIVITYCELL is the number of HIDDENPOINT."""
+    """HIGHCONNECTIVITYCELL has the same number as HIDDENPOINT."""
     s = cell_data()
     return blanked(s, 18, s.data.AllocateCellGhostArray(), 2)
 
@@ -638,13 +639,13 @@ def test_is_felt_where_it_is_seen(row):
     make, x0, drawn, most = FELT[row]
     s = set_up(make)
     assert s.check(most) == pytest.approx(x0, abs=drawn)
-    # Halves of a voxel: VTK draws none of the cells around a blanked point.
+    # Half voxels differ: VTK draws none of the cells around a blanked point.
     assert s.felt() == pytest.approx(x0, abs=0.55)
     s.end()
 
 
 def test_is_followed_when_it_changes():
-    """The array, the component and the mask, to and fro."""
+    """Changes of the array, the component and the mask are followed, to and fro."""
     s = array_by_name()
     assert s.check() == pytest.approx(15.0, abs=0.25)
     s.mapper.SelectScalarArray("A")
@@ -673,7 +674,7 @@ def test_a_widget_feels_it_too(make):
     assert not errors, errors
     if make in (second_port, multi_volume):
         assert widget.GetStyle().GetNumberOfTouchedVolumes() == 2
-    if make is not second_port:  # the first one has its own filter, too
+    if make is not second_port:  # the first port has its own filter, too
         assert s.seen() == pytest.approx(s.felt(), abs=VOXEL)
     widget.SetInteractor(None)
     s.end()

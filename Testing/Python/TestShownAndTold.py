@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What volume mappers show and is not felt, or elsewhere, is told, once, with cures that work: then it is felt where it is
-seen, as in TestShownAndFelt.py, which has the volumes."""
+"""Where volume mappers show something that is not felt, or is felt elsewhere, one warning names the cures. After each
+cure the volume is felt where it is seen, as in TestShownAndFelt.py, which has the volumes."""
 
 import numpy as np
 import pytest
@@ -52,7 +52,7 @@ def told(words, *cures):
 
 
 def unfollowed(s):
-    """The filter has the image by itself."""
+    """Gives the filter the image directly, without the style."""
     s.follows = False
     s.filter.SetInputData(s.data)
     s.filter.GetProperty().SetVisibilityFrom(s.look)
@@ -83,7 +83,7 @@ def weight(s):
 
 
 def both(s):
-    """A volume for each; the first one is pressed."""
+    """Makes a volume for each component; the first one is touched."""
     touched = s.style
     s.extracts, s.others = [], [s.volume, vtkVolume()]
     for component, volume in enumerate(s.others):
@@ -135,7 +135,8 @@ def surface(s):
 
 
 def cylinder(values, iso):
-    """Around an axis along y at x = 15, since a flat wall can't be seen from the side. The values are those at 6 - radius."""
+    """Makes a cylinder around an axis along y at x = 15, since a flat wall can't be seen from the side. The values are
+    those at the depth 6 - radius."""
     x, z = np.meshgrid(np.arange(X), np.arange(Y))
     s = Scene(image(np.broadcast_to(values(6.0 - np.hypot(x - 15.0, z - 7.5))[:, None, :], (Y, Y, X))))
     s.mapper.SetBlendModeToIsoSurface()
@@ -150,7 +151,7 @@ def _():
 
 
 def test_nothing_is_felt_in_front_of_the_isosurfaces():
-    """Of a ramp, which is steep everywhere."""
+    """The volume is a ramp, which is steep everywhere."""
     s = cylinder(lambda depth: 60.0 + 5.0 * depth, 60.0)
     assert len(s.told()) == 1
     assert s.seen() == pytest.approx(9.0, abs=0.25)

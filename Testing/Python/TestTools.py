@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tools with a shape in touch(): of meshes, of files, a burr, and what can't be one."""
+"""Tools with a shape in touch(): meshes, files, a burr, and inputs that can't be a tool."""
 
 import math
 import re
@@ -31,7 +31,7 @@ def ball():
 
 
 def above():
-    """Material that is solid from LEVEL on."""
+    """Returns a material that is solid above the value LEVEL."""
     material = volumehaptics.vtkHapticProperty()
     material.GetSurfaceStrength().AddPoint(LEVEL - 1.0, 0.0)
     material.GetSurfaceStrength().AddPoint(LEVEL + 1.0, 5.0)
@@ -39,7 +39,7 @@ def above():
 
 
 def press(tool):
-    """The force (N) with the hand 2 mm deep, and the trace."""
+    """Returns the force (N) with the hand 2 mm deep, and the trace."""
     down = np.linspace(4.0, LEVEL / 100.0 - RADIUS + 2.0, 100)
     depth = np.concatenate([down, np.full(60, down[-1])])
     tip = np.column_stack([np.full(160, 7.0), np.full(160, 7.0), depth])
@@ -48,7 +48,7 @@ def press(tool):
 
 
 def expected():
-    """k (2 mm - delta) = pi kappa a delta^2, with 500 N/m and kappa = 500 N/m / 25 mm^2."""
+    """Solves k (2 mm - delta) = pi kappa a delta^2, with 500 N/m and kappa = 500 N/m / 25 mm^2."""
     b = 500.0 / (math.pi * 2e7 * 1e-3 * RADIUS)
     delta = 0.5 * (math.sqrt(b * b + 4.0 * b * 2e-3) - b)
     return -500.0 * (2e-3 - delta)
@@ -97,7 +97,7 @@ def test_a_file_without_a_surface(tmp_path):
 
 
 def test_a_file_that_ends_its_reader_ends_nothing(tmp_path):
-    """VTK's reader looks for coordinates of a texture that the file does not have."""
+    """The file names texture coordinates that it does not have; VTK's reader looks for them and crashes."""
     path = tmp_path / "a.obj"
     path.write_text("v 0 0 0\nv 1 1 1\nv 2 4 2\nf 1/1/1 2/1/1 3/1/1\n")
     with pytest.raises(ValueError, match="no surface: its reader ended"):
@@ -113,7 +113,8 @@ def test_an_open_mesh_is_refused():
 
 @pytest.mark.parametrize("is_file", [False, True])
 def test_a_spoon_lies_on_the_head(is_file, tmp_path):
-    """It turns by less than the hand goes around the head, 1 rad, and with the torque of its spring, 30 mN m/rad."""
+    """The spoon turns by less than the hand goes around the head (1 rad), with the torque of its spring, 30 mN
+    m/rad."""
     words = []
     if is_file:
         writer = vtkSTLWriter()
@@ -131,7 +132,7 @@ def test_a_spoon_lies_on_the_head(is_file, tmp_path):
 
 
 def test_a_burr_removes_by_its_energy():
-    """Q = mu F v/U, F that of the trace (Archard's law by energy)."""
+    """Checks Q = mu F v/U with the force F of the trace (Archard's law by energy)."""
     image = vtkImageData()
     image.SetDimensions(32, 32, 32)
     image.SetSpacing(0.5, 0.5, 0.5)
@@ -149,7 +150,7 @@ def test_a_burr_removes_by_its_energy():
     expected_volume = 0.3 * rim * 1e-3 * felt["NormalForce"].sum() / 5.0
     assert expected_volume > 0.5
     assert felt["RemovedVolume"].sum() == pytest.approx(expected_volume, rel=0.02)
-    # A label has a U of its own.
+    # Give a label its own specific energy U.
     labels = np.full((32, 32, 32), 3, np.uint8)
     felt = arrays(volumehaptics.touch(image, tip, tool=burr, property=above(), labels=labels,
                                       materials={3: dict(specific_energy=2.5)}))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""touch() is what the filter gives, with its settings by name and its errors as exceptions."""
+"""touch() gives the same trace as the filter, with settings by name and errors as exceptions."""
 
 import contextlib
 import gc
@@ -43,7 +43,8 @@ def test_is_the_filter_to_the_bit(head, tip):
 
 @pytest.mark.parametrize("last", (7.0, np.nan))
 def test_the_volume_goes_with_the_trace(last):
-    """Without Python having to look for garbage: a few volumes in a row would fill the memory."""
+    """The volume is freed together with the trace, without Python's garbage collector: otherwise a few volumes in a row
+    would fill the memory."""
     gc.disable()
     try:
         volume = np.zeros((9, 9, 9))
@@ -51,7 +52,7 @@ def test_the_volume_goes_with_the_trace(last):
         with contextlib.suppress(ValueError):
             touch(volume, [(5.0, 5.0, last)])
         del volume
-        touch(np.zeros((9, 9, 9)), [(5.0, 5.0, 5.0)])  # VTK looks for what is left behind when the next object goes
+        touch(np.zeros((9, 9, 9)), [(5.0, 5.0, 5.0)])  # VTK frees unused memory when the next object is deleted
         assert memory() is None
     finally:
         gc.enable()
@@ -67,13 +68,14 @@ def test_takes_arrays():
 
 @pytest.mark.parametrize("kind", ("_vtk_obj", "dataset"))
 def test_takes_what_wraps_a_data_set(head, tip, kind):
-    """As tvtk (Mayavi) and vedo do."""
+    """Wraps the data set as tvtk (Mayavi) and vedo do."""
     trace = touch(types.SimpleNamespace(**{kind: head}), tip, "CT contrast")
     assert not compare_traces.compare(trace, touch(head, tip, "CT contrast"))
 
 
 def test_takes_volumes_of_nibabel():
-    """[x, y, z] of any byte order, and an affine: here V = 100 world z, with x mirrored. 500 N/m: 1 N at 2 mm."""
+    """Takes [x, y, z] of any byte order, and an affine: here V = 100 world z, with x mirrored. 500 N/m gives 1 N at 2
+    mm."""
     values = np.broadcast_to(200.0 * np.arange(16), (17, 17, 16)).astype(">i2")
     affine = np.array([[-1.0, 0, 0, 16], [0, 1, 0, 0], [0, 0, 2, 0], [0, 0, 0, 1]])
     points = np.linspace((8, 8, 10), (8, 8, 12), 21)
@@ -87,7 +89,7 @@ def test_takes_volumes_of_nibabel():
 
 
 def test_a_volume_that_fills_its_image_has_no_outer_wall():
-    """And a voxel of air gives it one, as Documentation/window.md says."""
+    """A layer of air, one voxel wide, gives the volume a wall, as Documentation/window.md describes."""
     full = np.full((24, 24, 24), 1000.0)
     points = np.linspace((12, 12, -5), (12, 12, 12), 400)
     assert not arrays(touch(full, points))["Force"].any()
@@ -138,7 +140,7 @@ def test_setting_of_the_wrong_type(head, tip, setting, said):
 
 @pytest.mark.parametrize("name, value, nearest", (("kernel_radius", 50, 16), ("maximum_force", -1.0, 0.0)))
 def test_number_out_of_range(head, tip, name, value, nearest):
-    """The filter itself takes the nearest, without a word."""
+    """The filter itself clamps the number silently."""
     with pytest.raises(ValueError, match=f"{name}={value} is out of range.* {nearest}$"):
         touch(head, tip, **{name: value})
 

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Calls every public method of every class in a random order, with arguments that make sense and such that do not.
+"""Calls every public method of every class in a random order, with sensible and senseless arguments.
 
     python3 chaos.py --seeds 0:1000 --calls 2000 [--jobs 2] [--folder FOLDER]
 
-A seed decides everything but the time that passes, and runs in a process of its own, so that a crash and a hang are
-found out. Each call has to return, or to say an error: a text of some words, or Python's TypeError and the like. After
-each, the force of every device is finite and within its limit. Before it is made, a call is written to a journal, whose
-end is printed if something goes wrong; `--seed N` makes the same calls again, here.
+A seed decides everything but the time that passes, and runs in a process of its own, so that a crash or a hang is
+noticed. Each call has to return or report an error: a text of some words, or Python's TypeError and the like. After
+each, the force of every device is finite and within its limit. Before it is made, a call is written to a journal,
+whose end is printed if something goes wrong; `--seed N` makes the same calls again, here.
 
 Methods and their arguments are read from the documentation of the wrapped classes: a new method is covered once it is
 wrapped. chaos_world.py has the rest of a scene: images, paths, functions, a window.
@@ -29,23 +29,24 @@ import tempfile
 import time
 from pathlib import Path
 
-SLOWEST = 120.0  # s that one call may take, on a machine that does a lot else
-MEMORY = 4 << 30  # bytes beyond those of the beginning, of addresses; more is as if there is no more
-SHOWN = 25  # calls of the journal
+SLOWEST = 120.0  # s: the longest time for one call, on a busy machine
+MEMORY = 4 << 30  # bytes of address space beyond those at the start; allocations beyond it fail
+SHOWN = 25  # number of journal lines to print
 NONE = "^$"
 
-# How the documentation of a method says that it reports an error whenever it returns false.
+# Wording by which a method's documentation says that the method reports an error whenever it returns false.
 ERROR_WITH_FALSE = re.compile(
     r"false, (with|after) an error|reports? an error[^.]*returns? false|returns? false[^.]*reports? an error", re.IGNORECASE)
 
 # Functions that are not called, and why.
 EXCLUDED = {
-    # vtkTypeMacro's: VTK compares with a null name, and NewInstance leaves an object without its owner.
+    # Methods of vtkTypeMacro: VTK compares with a null name, and NewInstance leaves an object without its owner.
     "GetNumberOfGenerationsFromBase", "GetNumberOfGenerationsFromBaseType", "IsA", "IsTypeOf", "NewInstance",
     "SafeDownCast",
 }
 
-# Functions of the superclasses that are called: VTK's own methods are VTK's, except those that every application calls.
+# Methods of superclasses that are called: only those that every application calls; VTK's other methods are not our
+# subject.
 INHERITED = {
     "vtkAlgorithm": ("Update", "Modified", "UpdateInformation", "GetOutputDataObject", "RemoveAllInputs"),
     "vtkProp": ("SetVisibility", "GetBounds", "GetRedrawMTime", "Modified"),
@@ -55,7 +56,7 @@ INHERITED = {
 
 
 def overloads(function):
-    """The C++ types of the arguments of each overload of a wrapped method."""
+    """Returns the C++ argument types of each overload of a wrapped method."""
     found = []
     for text in re.findall(r"C\+\+: (.*?)(?:\n\n|\n(?=C\+\+: )|\n\w+\(self|\Z)", function.__doc__ or "", re.S):
         inside = re.search(r"\w+\((.*?)\)", " ".join(text.split()))
@@ -67,7 +68,7 @@ def overloads(function):
 
 
 def methods(cls, module, left_out=NONE):
-    """Names and overloads of what is called of a class: all of its own, and a few of VTK's."""
+    """Returns the names and overloads of the methods to call: all of the class itself, and a few of VTK's."""
     found = {}
     for base in cls.__mro__:
         is_ours = base.__module__ == module.__name__
@@ -81,11 +82,11 @@ def methods(cls, module, left_out=NONE):
 
 
 class Failed(Exception):
-    """Something that must not be."""
+    """Raised if something happens that must not happen."""
 
 
 class Strong:
-    """A device with more force than it may have, for the test of this program."""
+    """A device with more force than its limit, to test this program itself."""
 
     tick = 0
 
@@ -172,7 +173,7 @@ class Chaos:
             thing = self.random.choice(self.ours())
             known = sorted(self.methods[type(thing).__name__].items())
             name, choices = self.random.choice(known)
-            if name.startswith("Get") and self.random.random() < 0.7:  # half of all methods, and seldom of harm
+            if name.startswith("Get") and self.random.random() < 0.7:  # Get methods are half of all, and seldom do harm
                 name, choices = self.random.choice(known)
             arguments = [self.world.draw(kind) for kind in self.random.choice(choices)] if choices else []
             self.write(f"{self.world.name(thing)}.{name}({', '.join(map(self.world.name, arguments))})")
@@ -186,7 +187,7 @@ class Chaos:
         self.check_forces()
 
     def replace(self):
-        """An object goes, perhaps while others hold it, and a new one comes."""
+        """Deletes an object, perhaps while others hold it, and makes a new one."""
         old = self.random.choice(self.ours())
         self.write(f"del {self.world.name(old)}")
         self.world.remove(old)
@@ -208,7 +209,7 @@ class Chaos:
                 raise Failed(self.textless)
 
     def check_forces(self):
-        """A lower limit is a few ticks old before each state has it."""
+        """Checks every force against its limit. A lowered limit reaches the states only after a few ticks."""
         for device in self.world.devices():
             if not device.IsRunning():
                 self.limits.pop(id(device), None)
@@ -224,7 +225,7 @@ class Chaos:
                 raise Failed(f"{self.world.name(device)} sends {force} N, above its limit of {limit} N")
 
     def go_wrong(self, fault):
-        """Notes a fault that has to be found out."""
+        """Causes a fault that the search must find."""
         self.write(f"going wrong: {fault}")
         if fault == "crash":
             os.kill(os.getpid(), signal.SIGSEGV)
@@ -257,7 +258,7 @@ class Chaos:
 
 def run_here(options):
     faulthandler.enable()
-    if "VOLUMEHAPTICS_SANITIZED" not in os.environ:  # whose shadow memory is beyond any limit
+    if "VOLUMEHAPTICS_SANITIZED" not in os.environ:  # the sanitizer's shadow memory is beyond any limit
         used = int(re.search(r"VmSize:\s*(\d+)", Path("/proc/self/status").read_text())[1]) << 10
         resource.setrlimit(resource.RLIMIT_AS, (used + MEMORY,) * 2)
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
@@ -267,7 +268,7 @@ def run_here(options):
 
 
 def run_seed(seed, calls, folder, *more):
-    """The faults of a seed, in a process and a folder of its own; empty if there are none."""
+    """Runs a seed in a process and a folder of its own; returns its faults, or an empty text."""
     place = Path(folder, f"seed-{seed}")
     place.mkdir(parents=True)
     journal = place / "journal.txt"
@@ -285,7 +286,7 @@ def run_seed(seed, calls, folder, *more):
 
 
 def run_seeds(seeds, calls, jobs, folder, *more):
-    """The faults of each seed that has some."""
+    """Yields the faults of each seed that has any."""
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         for trouble in pool.map(lambda seed: run_seed(seed, calls, folder, *more), seeds):
             if trouble:

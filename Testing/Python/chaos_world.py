@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Arguments for the classes of chaos.py: good, bad and missing images, paths, functions, matrices, a window."""
+"""Arguments for chaos.py: good, bad and missing images, paths, functions, matrices, and a window."""
 
 import math
 import os
@@ -33,7 +33,7 @@ WILD = (0.0, -0.0, 1.0, -1.0, 5e-324, 1e-300, 1e-9, 1e9, 1e30, -1e30, 1e38, 4e38
         math.inf, -math.inf, math.nan)
 SENSIBLE = (0.0, 0.001, 0.05, 0.3, 0.5, 1.0, 2.0, 5.0, 8.0, 10.0, 16.0, 50.0, 100.0, 500.0, 1000.0, 3000.0)
 WHOLE = (0, 1, 2, 3, 4, 5, 7, 8, 15, 16, 100, 1000, -1, -2, -100, 2**31 - 1, -(2**31))
-# No device of hardware: whose machine this is may have one.
+# Names no hardware device, since the machine may have one.
 STRINGS = ("virtual", "virtual", "virtual", "", "chaos.vtp", "chaos.csv", "chaos.json", "replay:chaos.vtp", "replay:chaos.csv",
            "replay:missing.vtp", "falcon:999", "pid:0000:0000", "nonsense", "no/such/folder/chaos.vtp", "/", "CT contrast",
            "CT physical", "MRI", "proxy", "local-surface", "surface-proxy", "Scalars", "Force", "mm", "%s%n", "\u00fc\u6587", "x" * 5000)
@@ -41,7 +41,7 @@ KEYS = "tThHgGcCmMrRvVnNeEpPsSwW3fFjaq "
 
 
 def make_image(kind):
-    """A ramp along z, or something that is none."""
+    """Returns a ramp along z, or something that is not a ramp."""
     image = vtkImageData()
     sizes = {"empty": (0, 0, 0), "flat": (16, 16, 1), "small": (3, 3, 3), "thin": (2, 40, 2)}
     image.SetDimensions(*sizes.get(kind, (16, 16, 16)))
@@ -62,7 +62,7 @@ def make_image(kind):
 
 
 def make_path(kind):
-    """Down into the ramp and up again, or something that is no path."""
+    """Returns a path down into the ramp and up again, or something that is no path."""
     path, points, line = vtkPolyData(), vtkPoints(), vtkCellArray()
     count = 0 if kind == "empty" else 60
     for i in range(count):
@@ -83,7 +83,7 @@ def make_path(kind):
 
 
 class World:
-    """Everything there is, and chance."""
+    """All objects of a run, and its random numbers."""
 
     def __init__(self, chance):
         self.random = chance
@@ -134,7 +134,7 @@ class World:
         self.window = None
 
     def take(self, thing):
-        """The result of a method comes back as an argument, and is changed."""
+        """Keeps the result of a method, to use it as an argument and to change it."""
         if hasattr(thing, "IsA") and not any(one is thing for one in self.things + self.fixed) and len(self.fixed) < 120:
             self.fixed.append(thing)
             self.call(thing)
@@ -152,7 +152,7 @@ class World:
         return self.random.choice(WILD) if draw < 0.9 else self.random.uniform(-20.0, 20.0)
 
     def draw(self, kind):
-        """An argument of a C++ type."""
+        """Returns a random argument of a C++ type."""
         chance = self.random
         if chance.random() < 0.01:
             return chance.choice((None, "two", (), [1.0], {}, 3))  # of another type
@@ -173,7 +173,7 @@ class World:
         return chance.choice(WHOLE)
 
     def draw_act(self):
-        """Other actions of an application: text and call."""
+        """Returns another action of an application: its text and its call."""
         acts = [getattr(self, name) for name in sorted(dir(self)) if name.startswith("act_")]
         return self.random.choice(acts + 3 * [self.act_event, self.act_touch] + 2 * [self.act_style, self.act_trace])()
 
@@ -185,7 +185,7 @@ class World:
                 lambda: getattr(thing, method)(*arguments))
 
     def act_touch(self):
-        """A live session, as it should be."""
+        """A correct live session."""
         device, haptics = self.pick("vtkHapticDevice"), self.pick("vtkVolumeHapticsFilter")
         image = self.fixed[0]
 
@@ -206,7 +206,7 @@ class World:
         return f"{self.name(device)} touches {self.name(image)} with {self.name(haptics)}", act
 
     def act_trace(self):
-        """A path is felt, through an image: often good ones, with whatever settings there are."""
+        """Touches an image along a path; often both are good, with whatever settings the filter has."""
         haptics = self.pick("vtkVolumeHapticsFilter")
         good = self.random.random() < 0.6
         image = self.fixed[0] if good else self.random.choice([*self.of("vtkImageData"), None])
@@ -298,7 +298,7 @@ class World:
         return self.spell(renderer, self.random.choice(("AddViewProp", "AddViewProp", "RemoveViewProp")), prop)
 
     def act_style(self):
-        """A style gets the window, and perhaps all that it can have."""
+        """Gives a style the window, and perhaps all other objects that it can have."""
         style, interactor = self.pick("vtkInteractorStyleHaptic"), self.random.choice(self.of("vtkRenderWindowInteractor"))
         device, renderer = self.pick("vtkHapticDevice"), self.random.choice(self.renderers())
         props = [self.pick(name) for name in ("vtkHapticHeadUpDisplay", "vtkHapticFunctionEditor", "vtkHapticRepresentation")]
@@ -327,7 +327,7 @@ class World:
         return self.spell(self.window, "Render")
 
     def act_event(self):
-        """Mouse and keys, as an interactor passes them to whatever style it has."""
+        """Sends mouse and key events, as an interactor passes them to its style."""
         chance = self.random
         interactor = chance.choice(self.of("vtkRenderWindowInteractor"))
         event = chance.choice(("MouseMoveEvent", "LeftButtonPressEvent", "LeftButtonReleaseEvent", "MouseWheelForwardEvent",
@@ -338,7 +338,7 @@ class World:
         def act():
             style = interactor.GetInteractorStyle()
             if not style or not style.IsA("vtkInteractorStyleHaptic"):
-                return  # VTK's styles are VTK's
+                return  # skip VTK's own styles
             interactor.SetEventInformation(x, y, chance.choice((0, 1)), chance.choice((0, 1)), key, 0, key)
             interactor.InvokeEvent(event)
 

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The options of the tests: the place from which the package has to come, and its version.
+"""Options of the tests: the folder from which the package must be imported, and its version.
 
-They run against a CMake build (ctest sets everything) and against an installed package:
+The tests run against a CMake build (ctest sets everything) and against an installed package:
 
     VOLUMEHAPTICS_BUILD=FOLDER VOLUMEHAPTICS_VERSION=0.3.0 python3 -m pytest Testing/Python
 
@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-os.environ["ZARR_DEFAULT_ZARR_FORMAT"] = "2"  # which zarr 3 would write only if it were told so
+os.environ["ZARR_DEFAULT_ZARR_FORMAT"] = "2"  # zarr 3 would write version 3 by default
 
 
 def pytest_addoption(parser):
@@ -33,7 +33,7 @@ def from_environment(name, meaning):
 
 @pytest.fixture(scope="session")
 def build():
-    """The folder that the package has to come from."""
+    """Folder from which the package must be imported."""
     folder = Path(from_environment("VOLUMEHAPTICS_BUILD", "the folder that the package has to come from"))
     if not folder.is_dir():
         pytest.fail(f"$VOLUMEHAPTICS_BUILD is {folder}, which is no folder.", pytrace=False)
@@ -42,13 +42,13 @@ def build():
 
 @pytest.fixture(scope="session")
 def version():
-    """The version that the package has to have."""
+    """Version that the package must have."""
     return from_environment("VOLUMEHAPTICS_VERSION", "the version that the package has to have, such as 0.3.0")
 
 
 @pytest.fixture(scope="session")
 def data():
-    """The repository's folder of small volumes and paths."""
+    """Folder of the repository with small volumes and paths."""
     return ROOT / "Data"
 
 
@@ -59,5 +59,5 @@ def baselines():
 
 @pytest.fixture(scope="session")
 def document():
-    """The text of a file in Documentation, by its name."""
+    """Returns the text of a file in Documentation, by its name."""
     return lambda name: (ROOT / "Documentation" / name).read_text(encoding="utf-8")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The bench on which cures are tried: what spoils it, and the cure after which the right force is felt.
+"""The bench on which cures are tried: a function spoils it, and after the cure the force is right.
 
 The volume is V = 100 z over 24 x 17 x 32 voxels, pressed 2 mm from z = 10 on: 500 N/m give 1 N.
 """
@@ -22,7 +22,8 @@ from volumehaptics.arrays import arrays
 
 
 class Cases(dict):
-    """Functions that spoil a bench and return the cure, with the force after it, by words of the cure in the error."""
+    """Registers functions that spoil a bench and return the cure. The key is words of the cure in the error; the force
+    is expected after the cure."""
 
     def __call__(self, words, force=1.0):
         def keep(spoil):
@@ -33,7 +34,7 @@ class Cases(dict):
 
 
 class Calls(dict):
-    """Functions that provoke errors in a folder and apply each cure, by the words of these cures."""
+    """Registers functions that provoke errors in a folder and apply each cure. The key is words of these cures."""
 
     def __call__(self, *words):
         def keep(function):
@@ -63,13 +64,13 @@ class Bench:
         return -arrays(felt)["Force"][-1][2] if felt.GetNumberOfPoints() else math.nan
 
     def scalars(self, values, components=1):
-        """Gives the image an array V."""
+        """Gives the image a scalar array V."""
         array = numpy_to_vtk(np.ascontiguousarray(values).reshape(-1, components), deep=True)
         array.SetName("V")
         self.points.SetScalars(array)
 
     def follow(self, mode):
-        """The method PRIMITIVES with a mode."""
+        """Sets the method PRIMITIVES with a mode."""
         self.haptics.SetMethodToPrimitives()
         self.haptics.AddMode(mode)
         return mode
@@ -88,14 +89,14 @@ def table():
 
 
 def vectors(b):
-    """The component of the spring across vectors along x: 500 N/m times 2 mm."""
+    """Adds vectors along x. The spring acts across them: 500 N/m times 2 mm."""
     along = numpy_to_vtk(np.tile([1.0, 0.0, 0.0], (RAMP.size, 1)), deep=True)
     along.SetName("along")
     b.points.AddArray(along)
 
 
 def line_to(x):
-    """From (0, 8, 10) along x."""
+    """Returns a line from (0, 8, 10) along x."""
     line = vtkPolyData()
     line.SetPoints(vtkPoints())
     line.GetPoints().InsertNextPoint(0.0, 8.0, 10.0)
@@ -108,7 +109,7 @@ def line_to(x):
     return line
 
 
-# A tool with a shape: a ball of 2 mm, whose centre goes from z = 7 to 9 where z = 10 is the surface.
+# Makes a tool with a shape: a ball of 2 mm, whose centre goes from z = 7 to 9; the surface is at z = 10.
 
 def ball():
     sphere = vtkSphereSource()
@@ -151,7 +152,7 @@ FORCES = {"ball": ball_force}
 
 
 def try_case(words, spoil, force):
-    """A force that has a name is that of a bench without the fault."""
+    """Tries one cure. If `force` is a name, the expected force is that of a bench without the fault."""
     bench = Bench()
     cure = spoil(bench)
     with Errors(bench.haptics.GetExecutive()), Errors(bench.haptics) as errors:
@@ -159,7 +160,7 @@ def try_case(words, spoil, force):
     assert len(errors) == 1 and words in re.sub(r"(?<=number |.point )\d+(?=\.)", "…", errors[0]), (words, errors)
     cure()
     with Errors(bench.haptics) as errors:
-        # A hole that was closed has other triangles.
+        # The tolerance is wider here, since a tool whose hole was closed has other triangles.
         right = pytest.approx(FORCES[force](), rel=1e-3) if force in FORCES else pytest.approx(force, abs=1e-6)
         assert bench.force() == right
     assert not errors
@@ -170,7 +171,7 @@ TOLD = set()
 
 @contextmanager
 def told(watched, word, silent=None):
-    """The statements give one error, with the cure."""
+    """Expects one error, with the cure, from the statements inside."""
     with Errors(silent or watched), Errors(watched) as errors:
         yield
     assert len(errors) == 1 and word in errors[0], (word, errors)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs a script of Examples/Python, which draws a picture and says what was felt."""
+"""Runs a script of Examples/Python, which draws a picture and prints what was felt."""
 
 import subprocess
 import sys

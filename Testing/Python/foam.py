@@ -6,12 +6,12 @@ import numpy as np
 
 
 def write_foam(folder, size, flow):
-    """A case of OpenFOAM: a row of hexahedra along x, and a flow U in each at the time 10."""
+    """Writes a case of OpenFOAM: a row of hexahedra along x, with a flow U in each at the time 10."""
     count = len(flow)
     x, y, z = np.meshgrid(np.linspace(0, size[0], count + 1), [-size[1], size[1]], [0, size[2]], indexing="ij")
     points = np.stack([x, y, z], -1).reshape(-1, 3)
     at = np.arange(4 * (count + 1)).reshape(-1, 2, 2)
-    ends = [[one[0, 0], one[1, 0], one[1, 1], one[0, 1]] for one in at]  # normals along x, out of the lower cell
+    ends = [[one[0, 0], one[1, 0], one[1, 1], one[0, 1]] for one in at]  # face normals along x, out of the lower cell
     faces, owner = [list(end) for end in ends[1:-1]], list(range(count - 1))
     walls = [(ends[0][::-1], 0), (ends[-1], count - 1)]
     for cell in range(count):

@@ -31,7 +31,7 @@ struct Bench
   std::mutex Lock;
   HungHandle Handle;
   double LastAsked = 0.0;
-  double FirstAsked = -1.0; ///< N; negative: none yet
+  double FirstAsked = -1.0; ///< N; negative before the first push
   double LargestAsked = 0.0;
   std::chrono::steady_clock::time_point LastWrite;
   bool HasPaused = false; ///< the servo paused during a push
@@ -53,7 +53,7 @@ struct Bench
   }
 };
 
-/// The servo treats a longer pause as a gap, after which the spring begins anew (SafetyLimits).
+/// The servo treats a longer pause as a gap, after which the spring starts again (SafetyLimits).
 constexpr auto LongestTick = std::chrono::milliseconds(20);
 
 class HungDevice : public DeviceBackend
@@ -165,8 +165,8 @@ public:
   {
     screen.Shows = [this](const std::string& line) { this->Follow(line); };
   }
-  std::vector<std::string> Answers; ///< typed first, in place of grams
-  std::string Breaks;               ///< a request at which the device is lost
+  std::vector<std::string> Answers; ///< typed first, instead of grams
+  std::string Breaks;               ///< the device is lost when this request appears
 
 protected:
   /// Returns a line whenever the tool reads one.
@@ -260,7 +260,7 @@ protected:
     all << in.rdbuf();
     return all.str();
   }
-  /// The factor in the file of devices, or 0 without one.
+  /// Returns the factor in the file of devices, or 0 if the file has none.
   double GetStored() const
   {
     const std::string all = this->ReadFile();

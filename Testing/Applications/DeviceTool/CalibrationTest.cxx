@@ -69,7 +69,7 @@ private:
   double Time = 0.0;
 };
 
-/// Simulates a user, who does what is requested a second after each request.
+/// Simulates a user, who follows each request after a second.
 struct User
 {
   double Weight = 0.1; ///< kg
@@ -136,8 +136,8 @@ TEST(Calibration, FindsTheStrengthByAWeight)
         HungHandle handle;
         handle.Strength = strength;
         handle.Friction = friction;
-        // The spring's force is constant during a tick, so that without damping the handle would
-        // swing.
+        // The spring's force is constant during a tick, so that the handle would swing without
+        // damping.
         handle.Viscosity = friction > 0.0 ? viscosity : std::max(viscosity, strength);
         User user;
         user.Weight = strength < 0.5 ? 0.1 : 0.15;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Runs volumehaptics-device with an emulated Falcon, as a person who tries one for the first time.
+ * Runs volumehaptics-device with an emulated Falcon, as a person does who tries a Falcon for the
+ * first time.
  */
 
 #include "Emulators/EmulatedUsb.h"
@@ -20,17 +21,17 @@ namespace
 class DeviceToolTest : public PageTest
 {
 protected:
-  /// Moves the hand by one step a call: homes the device whenever it asks for that, then goes to
-  /// 0.172 m or presses in and out.
+  /// Moves the hand by one step in each call: homes the device whenever the device asks for homing,
+  /// then goes to 0.172 m or presses in and out.
   void MoveHand()
   {
     const int lights = this->Falcon.GetLights();
-    const bool homes = (lights & 8) != 0; // red: the device asks to be homed
+    const bool homes = (lights & 8) != 0; // red light: the device asks to be homed
     this->IsHomed = this->IsHomed || (this->WasHoming && !homes);
     this->WasHoming = this->WasHoming || homes;
     const double t = 0.001 * this->Steps++;
     const double z = this->IsHomed ? 0.172 : 0.127 + 0.0465 * std::cos(4.0 * t);
-    // Move in and out of the wall: after a pause of a busy machine the force begins anew.
+    // Move in and out of the wall: after a pause of a busy machine, a new contact begins.
     const double pressed = 0.12 + 0.02 * std::cos(4.0 * t);
     this->Falcon.SetAim({ 0.0, 0.0, this->IsPressing && this->IsHomed ? pressed : z });
   }

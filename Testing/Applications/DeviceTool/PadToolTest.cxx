@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Runs volumehaptics-device with an emulated gamepad: the listing says that it only vibrates, its
- * wall is felt as vibration, and there is nothing to confirm or to calibrate.
+ * Runs volumehaptics-device with an emulated gamepad: the listing says that the pad only vibrates,
+ * its wall is felt as vibration, and the tool asks for no confirmation or calibration.
  */
 
 #include "Applications/DeviceTool/DeviceTool.h"

@@ -3,7 +3,7 @@
 
 /**
  * Types the command lines on the pages of wheels, gamepads and SpaceMice, with emulated devices.
- * DeviceToolTest.cxx and WoodenToolTest.cxx do so for Falcons and WoodenHaptics.
+ * DeviceToolTest.cxx and WoodenToolTest.cxx type those for Falcons and WoodenHaptics.
  */
 
 #include "Emulators/EmulatedEvdev.h"

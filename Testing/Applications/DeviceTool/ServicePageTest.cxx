@@ -46,7 +46,8 @@ TEST_F(ServicePages, OfHfabLeadToTheFirstForce)
 {
   HfabEmulator arm(3);
   arm.PlaceAtHome();
-  // Name the port: the emulator's pseudo-terminal is not listed, as boards are found by name.
+  // Name the port, because boards are found by name and the emulator's pseudo-terminal is not
+  // listed.
   EXPECT_EQ(this->Type("woodenhaptics.md", "hfab", "hfab:" + arm.GetPort()), 5);
   EXPECT_GT(arm.GetMessages(), 0);
 }

@@ -21,7 +21,8 @@ using namespace emulated;
 
 namespace
 {
-/// Presses into the wall and comes back. Returns the largest force (N) on the hand, and the output.
+/// Presses into the wall and comes back. Returns the largest force (N) on the hand, and the tool's
+/// output in `said`.
 double PressedWith(std::vector<std::string> options, std::string& said)
 {
   OpenFfboardModel model;

@@ -80,7 +80,7 @@ bool PackDicom(
   const gdcm::SmartPointer<gdcm::Image> image = new gdcm::Image(change.GetOutput());
   if (image->GetNumberOfDimensions() == 3)
   {
-    image->SetSpacing(2, step); // between frames; GDCM doesn't read it in CTs
+    image->SetSpacing(2, step); // between frames; GDCM ignores the tag in CTs
   }
   writer.SetImage(*image);
   return writer.Write() && (how != "baseline-422" || TellYbr(packed));

@@ -7,9 +7,9 @@
 
 /// Writes a copy of a DICOM file with compressed samples, by GDCM's own writer. `how` is "lossless"
 /// (JPEG), "prediction" (JPEG-LS) or "wavelets" (JPEG 2000), all of them lossless; or "baseline"
-/// (JPEG of 8 bits at the best quality), or "baseline-422" (the same, with the name that other
-/// writers give its colours). GDCM's JPEG 2000 can't write images of a few pixels. `step` is the
-/// distance between frames in mm.
+/// (JPEG of 8 bits at the best quality), or "baseline-422" (the same data, but with the photometric
+/// interpretation that other writers give). GDCM's JPEG 2000 can't write images of a few pixels.
+/// `step` is the distance between frames in mm.
 bool PackDicom(
   const std::string& plain, const std::string& packed, const std::string& how, double step);
 

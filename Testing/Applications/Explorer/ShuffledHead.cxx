@@ -101,7 +101,7 @@ std::string WriteNifti(
     }
     form->SetElement(row, 3, sign * shuffled->GetOrigin()[row]);
   }
-  vtkNew<vtkImageData> plain; // the matrix holds the origin
+  vtkNew<vtkImageData> plain; // the form's matrix has the origin instead
   plain->DeepCopy(shuffled);
   plain->SetOrigin(0.0, 0.0, 0.0);
   vtkDataArray* const stored = plain->GetPointData()->GetScalars();

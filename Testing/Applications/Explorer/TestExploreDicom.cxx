@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads DICOM files as they come on a medium: several series in nested folders, in any order, each
-// with its own rescale and direction; and files that cannot be read. The test writes the files by
+// Reads DICOM files as they lie on a medium: several series in nested folders, in any order, each
+// with its own rescale and direction; also files that cannot be read. The test writes the files by
 // parts 5 and 10 of the standard. Their values are a function of the position in the patient.
 #include "Applications/Explorer/Options.h"
 #include "Expectations.h"
@@ -51,8 +51,8 @@ struct SliceFile
   int Rows = DICOM_ROWS;
   int Frames = 1;
   ///@{
-  /// How a file with several frames gives their positions. With a step or with offsets, frame f is
-  /// slice Slice + f. With functional groups, which give the position of each frame, it is slice
+  /// Ways to give the positions in a file with several frames. With a step or with offsets, frame f
+  /// is slice Slice + f. With functional groups, which give the position of each frame, it is slice
   /// Slice + Frames - 1 - f.
   bool HasStep = false;
   bool HasOffsets = false;
@@ -88,8 +88,8 @@ std::string Part(std::uint32_t tag, const std::string& type, std::string value, 
   return head + type + (isBinary ? Bytes(0, 2) + Bytes(length, 4) : Bytes(length, 2)) + value;
 }
 
-/// The value (HU) at column i, row j and slice k. It is even, so that a rescale slope of 2 stores
-/// it exactly.
+/// Returns the value (HU) at column i, row j and slice k. The value is even, so that a rescale
+/// slope of 2 stores it exactly.
 double UnitsAt(int i, int j, int k)
 {
   return 2.0 * (i + 10 * j + 60 * k) - 500.0;
@@ -425,8 +425,8 @@ void ExpectFrames(SliceFile slice)
   }
 }
 
-/// Expects of a file cut at any length that its header is refused, or that the slice counts as not
-/// whole.
+/// Cuts a file at any length, and expects that its header is refused or that the slice counts as
+/// incomplete.
 void ExpectCutFiles()
 {
   for (const char* const syntax : { EXPLICIT, IMPLICIT })
@@ -451,7 +451,7 @@ void ExpectCutFiles()
 /// standard.
 std::string Deflate(const std::string& plain)
 {
-  // Write the meta group anew: the original one names the uncompressed transfer syntax, whose UID
+  // Write a new meta group: the original group names the uncompressed transfer syntax, whose UID
   // has another length.
   const std::size_t begin = plain.find(Part(0x00080016, "UI", "", true).substr(0, 6));
   const std::string kind = "1.2.840.10008.5.1.4.1.1.2";

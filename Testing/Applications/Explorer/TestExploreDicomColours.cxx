@@ -39,7 +39,7 @@ std::string Whole(int number)
   return { char(number & 0xff), char(number >> 8 & 0xff) };
 }
 
-/// The colour (0 to 255) of a sample. A grey sample has the red component as its value.
+/// Computes the colour (0 to 255) of a sample. The value of a grey sample is its red component.
 void ColourAt(int i, int j, int k, double rgb[3])
 {
   rgb[0] = 3.0 * i + 5.0 * k;
@@ -115,7 +115,8 @@ void ExpectRamps(const std::string& name, bool isGrey, double allowed)
   Expect(worst <= allowed, name + " is off by " + std::to_string(worst));
 }
 
-/// Writes and reads slices. `how` is empty for uncompressed slices, else see PackDicom().
+/// Writes and reads slices. `how` is empty for uncompressed slices; for the other values see
+/// PackDicom().
 void ExpectColourSlices(
   const std::string& name, const std::string& meaning, const std::string& how, double allowed)
 {
@@ -137,7 +138,7 @@ int TestExploreDicomColours(int argc, char* argv[])
   vtksys::SystemTools::RemoveADirectory(folder);
   vtksys::SystemTools::MakeDirectory(folder);
   ExpectColourSlices("grey", "MONOCHROME2", "", 0.0);
-  // Tolerances: the brightness is truncated, and luminance and colour differences are rounded
+  // Tolerances: the brightness is truncated, and luminance and colour differences have been rounded
   // before.
   ExpectColourSlices("rgb", "RGB", "", 1.0);
   ExpectColourSlices("ybr", "YBR_FULL", "", 2.5);

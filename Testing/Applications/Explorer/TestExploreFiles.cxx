@@ -29,7 +29,7 @@ namespace
 constexpr int SIZE[3] = { 12, 8, 7 };
 constexpr int COUNT = SIZE[0] * SIZE[1] * SIZE[2];
 
-/// The value of voxel i. Some values are negative, and no two neighbours are equal.
+/// Returns the value of voxel i. Some values are negative, and neighbours are never equal.
 int ValueAt(int i)
 {
   return i % 500 - 200;
@@ -160,9 +160,9 @@ void ExpectRefusal(const std::string& path, const std::string& fault)
   }
 }
 
-/// Writes the head phantom (air: -1000 HU) with some samples set to `bad`, all around it or one in
-/// the middle, and with `added` added to the rest. Expects that the volume still counts as a CT,
-/// that samples around the head read as air, and that a note contains `told`.
+/// Writes the head phantom (air: -1000 HU) with some samples set to `bad`, all around the head or a
+/// single one in the middle, and with `added` added to the rest. Expects that the volume still
+/// counts as a CT, that samples around the head read as air, and that a note contains `told`.
 void ExpectCT(vtkImageData* head, const std::string& name, double bad, bool isAround,
   const std::string& told, double added = 0.0)
 {
@@ -280,14 +280,15 @@ int TestExploreFiles(int argc, char* argv[])
       onTable.Image->SetScalarComponentFromDouble(0, j, k, 0, 100.0);
     }
   }
-  onTable.Notes.insert(onTable.Notes.end(), 5, "a note of the file"); // more than the window tells
+  // more notes than the window shows
+  onTable.Notes.insert(onTable.Notes.end(), 5, "a note of the file");
   const Explore::Exploration felt = Explore::ExploreVolume(onTable, Explore::Settings());
   Expect(
     felt.Hidden.find("Felt but not shown") == 0, "a table is hidden, and told is: " + felt.Hidden);
   const Explore::Inspection facts(felt.Input, felt.Values, felt.Materials, felt.Filter);
   Expect(facts.ListTold().find(felt.Hidden) != std::string::npos,
     "the window tells: " + facts.ListTold());
-  // The list of keys has all that --inspect tells.
+  // The list of keys contains all facts that --inspect prints.
   for (const char* const fact :
     { "format\t", "voxels\t", "size\t", "from\t", "axes\t", "values\t", "kind\tCT", "padding\tnone",
       "noise\t", "least\tsheets of ", "preset\tCT contrast, because ", "\tFelt but not shown" })

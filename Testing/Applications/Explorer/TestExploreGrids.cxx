@@ -34,7 +34,7 @@ namespace
 {
 constexpr int EDGE = 21; // points along an edge of a block of 20 mm
 
-/// A block of hexahedra whose x begins at `left`. Its flow may be left out.
+/// Returns a block of hexahedra whose x begins at `left`, with or without the flow.
 vtkSmartPointer<vtkStructuredGrid> MakeBlock(double left, bool flows)
 {
   auto block = vtkSmartPointer<vtkStructuredGrid>::New();
@@ -128,7 +128,7 @@ void ExpectOutline(const std::string& path)
     path + " has its edges as outline");
 }
 
-/// Expects a box as the outline of a block that is swollen to a ball, which has no edges.
+/// Expects a box as the outline of a block that is inflated to a ball, which has no edges.
 void ExpectBox()
 {
   const vtkSmartPointer<vtkStructuredGrid> ball = MakeBlock(-10.0, false);
@@ -217,7 +217,7 @@ int TestExploreGrids(int argc, char* argv[])
       told.find("Contact state") != std::string::npos,
     "and the summary names none: " + told);
 
-  // A grid without a flow is felt as an image is.
+  // A grid without a flow is felt like an image.
   const std::string still = WriteGrid("still.vts", MakeBlock(-10.0, false));
   const Explore::Exploration plain =
     Explore::ExploreVolume(Explore::LoadVolumes({ still }), Explore::Settings());

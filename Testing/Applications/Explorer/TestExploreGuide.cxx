@@ -51,7 +51,7 @@ std::string Write(const std::string& file, vtkPolyData* shape)
   return file;
 }
 
-/// A line through the middle of the head, along x, that ends far beyond it.
+/// Returns a line along x through the middle of the head that ends far beyond the head.
 vtkSmartPointer<vtkPolyData> MakeLine(vtkImageData* head)
 {
   const double* const b = head->GetBounds();

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Expects one message that says what is wrong and how to cure it for every input that cannot be
-// explored.
+// Expects one message that names the fault and its cure for every input that cannot be explored.
 #include "Applications/Explorer/Live/ToolFile.h"
 #include "Applications/Explorer/Options.h"
 #include "Applications/Explorer/Record/DemoScript.h"
@@ -65,7 +64,7 @@ std::string Image(const std::string& name, vtkImageData* image)
   return path;
 }
 
-/// Returns the message of a refusal, or "nothing" if nothing is refused.
+/// Returns the message of a refusal, or "nothing" if the action succeeds.
 template <typename Action>
 std::string TellRefusal(const Action& action)
 {
@@ -118,7 +117,7 @@ void ExpectWhole(const std::string& path, const std::string& part,
   Explore::LoadVolume(path);
 }
 
-/// Cuts files of VTK's writers and of gzip. VTK's readers fill missing samples with whatever was in
+/// Cuts off files of VTK's writers and of gzip. VTK's readers fill missing samples with arbitrary
 /// memory.
 void ExpectCutOff()
 {
@@ -181,7 +180,8 @@ Explore::Options ParseNewtons(std::string newtons)
   return Explore::ParseOptions(4, arguments);
 }
 
-/// The volume of a closed surface of triangles that face outwards, by the divergence theorem.
+/// Returns the volume of a closed surface of triangles that face outwards, by the divergence
+/// theorem.
 double ComputeVolume(vtkPolyData* surface)
 {
   double volume = 0.0;
@@ -243,7 +243,7 @@ void ExpectTools()
   expectError("tool.step", false, "is not known");
   expectError(folder + "/missing.stl", true, "there is no such file");
   expectError(WriteText("none.stl", "solid none\nendsolid none\n"), true, "Cure: take the closed");
-  // A tetrahedron beside the origin. Once read, the middle of its box is at the origin.
+  // Write a tetrahedron beside the origin. After reading, the middle of its box is at the origin.
   const auto write = [](const char* name, int count, const std::string& faces)
   {
     return WriteText(name,
@@ -262,7 +262,7 @@ void ExpectTools()
   Expect(tool->GetNumberOfPolys() == 4, "a tetrahedron has four faces");
   Expect(bounds[0] == -1.5 && bounds[1] == 1.5 && bounds[3] == 2.0 && bounds[5] == 2.5,
     "a tool that does not have the origin is put around it");
-  // VTK's readers of binary files ignore that the end is missing.
+  // VTK's readers of binary files ignore a missing end.
   vtkNew<vtkSphereSource> sphere;
   const std::string cut = folder + "/cut.stl", cutXml = folder + "/cut.vtp";
   vtkNew<vtkSTLWriter> writer;
@@ -402,8 +402,8 @@ void ExpectPresetFiles(vtkImageData* head)
   }
 }
 
-/// Expects a note on what is used of several components: the brightness of colours, else the first
-/// component.
+/// Expects a note that tells which part of several components is used: the brightness of colours,
+/// otherwise the first component.
 void ExpectComponents(int type, int components, const std::string& told, double first)
 {
   vtkNew<vtkImageData> image;
@@ -430,7 +430,8 @@ void ExpectComponents(int type, int components, const std::string& told, double 
 }
 
 /// Names a pipe, on which a reader would wait for ever, and a device, which never ends, wherever a
-/// file can be named, also by another file. ctest's time limit fails this test if either is opened.
+/// file can be named, also inside another file. ctest's time limit fails this test if either is
+/// opened.
 void ExpectPipesAreRefused()
 {
   const std::string pipes = folder + "/pipes";
@@ -479,7 +480,7 @@ void ExpectPipesAreRefused()
     write("meta/one.nhdr",
       "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 8 8 8\nencoding: raw\ndata file: pipe.raw\n"),
     "regular file");
-  // Either file of a pair may be the pipe.
+  // Each of the two files may be the pipe.
   vtkNew<vtkRTAnalyticSource> wavelet;
   vtkNew<vtkNIFTIImageWriter> nifti;
   nifti->SetInputConnection(wavelet->GetOutputPort());
@@ -532,7 +533,7 @@ int TestExploreInputErrors(int argc, char* argv[])
   ExpectTools();
   ExpectCutOff();
   ExpectPresetFiles(head);
-  // 0.30 of red, 0.59 of green and 0.11 of blue are 15, 59 and 16.5.
+  // 0.30 red + 0.59 green + 0.11 blue = 15 + 59 + 16.5.
   ExpectComponents(VTK_UNSIGNED_CHAR, 3, "colours: their brightness is used", 90.0);
   ExpectComponents(VTK_UNSIGNED_CHAR, 4, "colours: their brightness is used", 90.0);
   ExpectComponents(VTK_SHORT, 2, "2 components a voxel: component 0 used", 50.0);

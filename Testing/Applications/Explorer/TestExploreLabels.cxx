@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests a segmentation and tables of its labels: what is felt, what the summary says, and which
-// errors are reported. The .seg.nrrd follows 3D Slicer's documentation "Segmentation labelmap file
-// format".
+// Tests a segmentation and tables of its labels: the force, the summary, and the reported errors.
+// The .seg.nrrd follows 3D Slicer's documentation "Segmentation labelmap file format".
 #include "Applications/Explorer/Options.h"
 #include "Applications/Explorer/Report/TraceSummary.h"
 #include "Expectations.h"
@@ -31,8 +30,8 @@ std::string File(const std::string& name, const std::string& content)
   return path;
 }
 
-/// A segmentation with one label everywhere in the volume, in left-posterior-superior as the
-/// volume.
+/// Writes a segmentation with one label everywhere in the volume, in left-posterior-superior axes
+/// like the volume.
 std::string Segmentation(vtkImageData* volume)
 {
   const int* const size = volume->GetDimensions();
@@ -132,7 +131,7 @@ void ExpectLabelMap(const Explore::Volume& head)
   vtkDataArray* const contact = felt.Trace->GetPointData()->GetArray("Contact");
   vtkDataArray* const normal = felt.Trace->GetPointData()->GetArray("NormalForce");
   Expect(normal && normal->GetMaxNorm() > 0.3, "the wall of a label is felt");
-  // Where contact begins, the proxy is at most a voxel (2 mm) off the ball.
+  // At the first contact, the proxy is at most a voxel (2 mm) off the ball's surface.
   vtkIdType first = 0;
   while (contact && first < contact->GetNumberOfTuples() && contact->GetComponent(first, 0) == 0.0)
   {

@@ -28,7 +28,7 @@ std::string WriteLarge(const std::string& name, const std::string& content)
   return path;
 }
 
-/// The samples as 16-bit integers, little endian or big endian (`isBig`).
+/// Returns the samples as 16-bit integers, little endian or big endian (`isBig`).
 std::string MakeSamples(vtkImageData* head, bool isBig)
 {
   vtkDataArray* const values = head->GetPointData()->GetScalars();
@@ -158,8 +158,8 @@ int TestExploreLarge(int argc, char* argv[])
   ExpectSame(large, small, "a MetaImage");
   ExpectFelt(large);
   Expect(!Explore::LoadVolumes({ mhd }).Large, "a small MetaImage is large");
-  // This NRRD header gives no origin, and Zarr gives no spacing either: compare with the head at
-  // the origin, and then with a spacing of 1.
+  // The NRRD header gives no origin, and Zarr no spacing either: compare with the head at the
+  // origin, and then also with a spacing of 1.
   vtkNew<vtkImageData> moved;
   moved->ShallowCopy(head);
   moved->SetOrigin(0.0, 0.0, 0.0);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Expects that what lies around a body in a CT, such as foam (-700 HU), a blanket (-550 HU) and
+// Expects that objects around a body in a CT, such as foam (-700 HU), a blanket (-550 HU) and
 // clothes (-450 HU), is neither seen nor felt in the window: the first surface for the hand and for
 // the eye is the skin, at the position that the formula gives. The eye sees a surface where half of
 // the opacity, 1 - exp(-sum) by the definition of vtkVolumeProperty, lies in front. Grey values
@@ -33,8 +33,8 @@ namespace
 constexpr int ROW = 60;          // voxels of 1 mm
 constexpr double SKIN_AT = 30.0; // mm
 
-/// HU along x: air, 10 mm of surrounding material (`around`), and tissue with a bone in it. Edges
-/// are 2 mm wide.
+/// Returns HU along x: air, 10 mm of surrounding material (`around`), and tissue with a bone in it.
+/// Edges are 2 mm wide.
 double HounsfieldAt(double x, double around)
 {
   const auto step = [x](double at) { return 0.5 + 0.5 * std::tanh(x - at); };
@@ -42,7 +42,7 @@ double HounsfieldAt(double x, double around)
     950.0 * step(SKIN_AT + 20.0);
 }
 
-/// Grey values along x: 20, a sheet of 2 mm with the value `peak`, and a body of 180.
+/// Returns grey values along x: 20, a sheet of 2 mm with the value `peak`, and a body of 180.
 double GreyAt(double x, double peak)
 {
   const double off = (x - SKIN_AT + 12.0) / 0.85;
@@ -64,7 +64,7 @@ vtkSmartPointer<vtkImageData> MakeImage(const Row& valueAt)
   return image;
 }
 
-/// Lets every edge hold, so that the look alone decides which edges are felt.
+/// Gives every edge a surface strength, so that the look alone decides which edges are felt.
 void HoldEverywhere(vtkHapticProperty* property)
 {
   property->GetStiffness()->AddPoint(0.0, 400.0);

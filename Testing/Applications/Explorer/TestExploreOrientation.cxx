@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Expects that the head comes out of every format the same way up, at the same place and with the
-// same values, whatever the order of its voxels and the stored numbers in the file.
+// Expects the head at the same place, the same way up and with the same values from every format,
+// whatever the order of its voxels and the numbers stored in the file.
 #include "Applications/Explorer/Report/ReportFiles.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
@@ -67,8 +67,7 @@ int TestExploreOrientation(int argc, char* argv[])
         " times the stored ones plus " + std::to_string(intercept),
       head, Explore::LoadVolume(WriteNifti(folder, shuffled, slope, intercept)).Image);
   }
-  // The axes are those of NRRD's and MetaIO's definitions of their headers; NIfTI's forms refer to
-  // a patient.
+  // NRRD and MetaIO define the axes of their headers; NIfTI's forms refer to a patient.
   const auto axesOf = [](const std::string& path) { return Explore::LoadVolume(path).Axes; };
   Expect(axesOf(WriteNifti(folder, shuffled, 1.0, 0.0)) == Explore::WorldAxes::Patient,
     "a NIfTI form is of a patient");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests the program's output besides the pictures: the summary and the table of the trace.
+// Tests the program's output other than pictures: the summary and the table of the trace.
 #include "Applications/Explorer/Report/ReportFiles.h"
 #include "Applications/Explorer/Report/TraceSummary.h"
 #include "Expectations.h"

@@ -26,7 +26,7 @@
 
 namespace
 {
-/// The head with -1000 to 1500 HU scaled to 0 to `most`.
+/// Returns the head with -1000 to 1500 HU scaled to 0 to `most`.
 Explore::Volume Scaled(const Explore::Volume& head, double most, int type)
 {
   vtkNew<vtkImageShiftScale> scale;
@@ -61,7 +61,7 @@ void ExpectProposal(const std::string& what, const Explore::Volume& volume, doub
   }
   Expect(largest > 0.5 && largest < 20.0, what + ": the path feels it");
 }
-/// The largest force (N) on the outer surface along the path.
+/// Returns the largest force (N) on the outer surface along the path.
 double LargestOutside(const Explore::Exploration& e)
 {
   vtkDataArray* const force = e.Trace->GetPointData()->GetArray("NormalForce");
@@ -76,7 +76,8 @@ double LargestOutside(const Explore::Exploration& e)
   return largest;
 }
 
-/// A volume of 40^3 voxels of 3 mm. The values depend on the distance (mm) from its middle.
+/// Returns a volume of 40^3 voxels of 3 mm whose values depend on the distance (mm) from its
+/// middle.
 Explore::Volume MakeSoftBall(const std::function<double(double)>& valueAt)
 {
   constexpr int size = 40;
@@ -98,8 +99,8 @@ Explore::Volume MakeSoftBall(const std::function<double(double)>& valueAt)
   return ball;
 }
 
-/// A ball with the value 20 in air of 0, with noise that neighbours share, clipped at 0 and rounded
-/// to 32 levels. `radius` is in mm.
+/// Returns a ball with the value 20 in air of 0, with correlated noise, clipped at 0 and rounded to
+/// 32 levels. `radius` is in mm.
 Explore::Volume MakeNoisyBall(double radius, double deviation)
 {
   constexpr int size = 40;
@@ -114,7 +115,7 @@ Explore::Volume MakeNoisyBall(double radius, double deviation)
   return MakeSoftBall(
     [&](double r)
     {
-      double noise = 0.0; // sum over 4 samples along x; standard deviation 1
+      double noise = 0.0; // sum of 4 samples along x; standard deviation 1
       for (std::size_t i = 0; i < 4; ++i)
       {
         noise += 0.5 * white[number + i];
@@ -125,8 +126,8 @@ Explore::Volume MakeNoisyBall(double radius, double deviation)
     });
 }
 
-/// Expects that noise is no body, as in a CT with contrast medium, where the histogram begins in
-/// the noise. The threshold lies between air and ball, and nothing holds in the noise.
+/// Expects that noise is not taken for a body, as in a CT with contrast medium, whose histogram
+/// begins in the noise. The threshold lies between air and ball, and no surface holds in the noise.
 void ExpectNoiseIsNoBody()
 {
   const Explore::Volume ball = MakeNoisyBall(40.0, 1.0);
@@ -146,8 +147,8 @@ void ExpectNoiseIsNoBody()
   Expect(LargestOutside(felt) > 0.5, "the ball is felt");
 }
 
-/// Expects that the noise in which "Micro-CT" has no wall is not seen, although the histogram
-/// begins in it.
+/// Expects that noise without a wall in "Micro-CT" is not seen, although the histogram begins in
+/// the noise.
 void ExpectNoiseIsHidden()
 {
   Explore::Settings settings;

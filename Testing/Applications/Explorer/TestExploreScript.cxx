@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Expects that the mouse of a demonstration is where its script says, wherever the real pointer is.
+// Expects the mouse of a demonstration at the script's position, wherever the real pointer is.
 #include "Applications/Explorer/Record/DemoScript.h"
 #include "Expectations.h"
 #include "HeadExploration.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Expects that a moving volume, in every supported form, is read with the time steps, times and
-// voxels that were written, and that the window plays it.
+// Expects that a moving volume, in every supported form, is read with the written time steps, times
+// and voxels, and that the window plays it.
 #include "Expectations.h"
 #include "HeadExploration.h"
 #include "Rigs/Eventually.h"
@@ -23,7 +23,7 @@ namespace
 {
 constexpr int COUNT = 3;
 
-/// The head, with values that identify its time step.
+/// Returns the head with values that identify its time step.
 vtkSmartPointer<vtkImageData> MakeFrame(vtkImageData* head, int number)
 {
   auto timeStep = vtkSmartPointer<vtkImageData>::New();
@@ -36,7 +36,8 @@ vtkSmartPointer<vtkImageData> MakeFrame(vtkImageData* head, int number)
   return timeStep;
 }
 
-/// The head lifted by `slices` slices a time step, with the motion as an array of displacements.
+/// Returns the head lifted by `slices` slices for each time step, with the motion as an array of
+/// displacements.
 vtkSmartPointer<vtkImageData> MakeLiftedFrame(vtkImageData* head, int number, int slices)
 {
   auto timeStep = vtkSmartPointer<vtkImageData>::New();
@@ -112,7 +113,7 @@ void ExpectError(const std::vector<std::string>& paths, const std::string& fault
     "should say '" + fault + "', but said: " + message);
 }
 
-/// Counts a filter's messages of one kind and keeps them off the terminal.
+/// Counts a filter's messages of one kind, and keeps them off the terminal.
 struct MessageCount
 {
   MessageCount(vtkVolumeHapticsFilter* filter, unsigned long kind)
@@ -169,7 +170,7 @@ int TestExploreSeries(int argc, char* argv[])
   const vtkSmartPointer<vtkImageData> head = LoadHead(argc, argv);
   std::vector<std::string> files;
   vtkNew<vtkImageAppendComponents> times;
-  // Use names in which an order without regard to numbers would put 10 first.
+  // The names sort wrongly without regard to numbers: 10 would come first.
   const char* const names[COUNT] = { "phases/at2.vti", "phases/at9.vti", "phases/at10.vti" };
   for (int i = 0; i < COUNT; ++i)
   {

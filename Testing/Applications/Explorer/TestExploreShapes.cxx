@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Files of shapes and recordings that promise what is not in them, and cells with points that do
-// not exist, are refused: with them, readers and filters of VTK crash. They are written byte by
-// byte, .ply after paulbourke.net/dataformats/ply, .obj after paulbourke.net/dataformats/obj, and
-// the others after "VTK File Formats" (docs.vtk.org).
+// Refuses files of shapes and recordings that promise more than they contain, and cells with points
+// that do not exist: with such files, readers and filters of VTK crash. The files are written byte
+// by byte, .ply after paulbourke.net/dataformats/ply, .obj after paulbourke.net/dataformats/obj,
+// and the others after "VTK File Formats" (docs.vtk.org).
 #include "Applications/Explorer/Exploration/ShapeFile.h"
 #include "Applications/Explorer/Live/LiveRun.h"
 #include "Applications/Explorer/Live/TouchReplay.h"
@@ -24,7 +24,7 @@ std::string Ply(const std::string& format, const std::string& points, const std:
     "\nproperty list uchar int vertex_indices\nend_header\n";
 }
 
-/// A .vtp file with one triangle and the arrays of a recording.
+/// Returns a .vtp file with one triangle and the arrays of a recording.
 std::string Vtp(
   const std::string& points, const std::string& ids, const std::string& axes, const char* force)
 {
@@ -113,7 +113,7 @@ int TestExploreShapes(int argc, char* argv[])
   ExpectRecording(
     head, "huge.vtp", Vtp("900000000000", "0 1 2", "3", forces), "is not a recording of a touch (");
 
-  // Saving a recording as a table is refused, as a table can't be read again.
+  // Saving a recording as a table is refused, because the explorer can't read a table again.
   std::string message;
   try
   {

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests the sound on the head phantom: skin over fat, a temple (muscle) and the skull (bone), at
-// the places that its description (Data/README.md) gives; and silence where nothing may be heard.
+// the places that the phantom's description (Data/README.md) gives; and silence without a contact
+// to hear.
 #include "Applications/Explorer/Exploration/HeardTicks.h"
 #include "Applications/Explorer/Options.h"
 #include "Applications/Explorer/Report/TraceSound.h"
@@ -85,8 +86,8 @@ std::vector<float> Cut(const std::vector<float>& sound, vtkIdType from, vtkIdTyp
   return { sound.begin() + from * samples, sound.begin() + to * samples };
 }
 
-/// The mean frequency (Hz) of the sound of a range of ticks. Most of these ticks must slide on
-/// values from `low` to `high` (HU).
+/// Returns the mean frequency (Hz) of the sound of a range of ticks. Most of these ticks must slide
+/// on values from `low` to `high` (HU).
 double Hear(const Exploration& exploration, vtkIdType from, vtkIdType to, double low, double high,
   const std::string& tissue)
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Expects that a hand can follow the planned path, and that the path touches the tissues it should.
+// Expects that a hand can follow the planned path, and that the path touches the intended tissues.
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
@@ -36,8 +36,8 @@ void Motion(const Explore::Exploration& e, double& speed, double& acceleration)
   }
 }
 
-/// The tissues in contact during a phase, by an array of the trace: `Value` at the proxy, or
-/// `SurfaceValue`, the value of the surface that is felt.
+/// Returns the tissues in contact during a phase, by an array of the trace: `Value` at the proxy,
+/// or `SurfaceValue`, the value of the surface that is felt.
 std::set<std::string> Touched(
   const Explore::Exploration& e, const std::string& phase, const char* array)
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Expects that a second volume in the same window is drawn where the hand is. The renderers of the
 // second scene use the memory of the first scene's, as may happen after F2, and each must have the
-// aspect ratio of its own size. VTK 9.1 leaves the members uninitialised that tell whether the
-// ratio is up to date.
+// aspect ratio of its own size. VTK 9.1 does not initialise the members that tell whether the ratio
+// is up to date.
 #include "Applications/Explorer/Live/TouchScene.h"
 #include "Applications/Explorer/View/LoadingScreen.h"
 #include "HeadExploration.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Drills into the forehead with a burr in the explorer's window. The hole is seen, although the
-// picture shows a copy of the volume without what is not body; after undo it is gone.
+// Drills into the forehead with a burr in the explorer's window. The hole is visible, although the
+// picture shows a copy of the volume without objects around the body; undo removes the hole.
 #include "Applications/Explorer/Live/HandTool.h"
 #include "Expectations.h"
 #include "Rigs/DrawnPixels.h"

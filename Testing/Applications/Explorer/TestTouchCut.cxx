@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Cuts a head open: keys and mouse cut, what is cut away is not felt, and a drag that begins on a
+// Cuts a head open: keys and mouse cut, the removed part is not felt, and a drag that begins on a
 // handle moves only the handle. The picture shows the box after a face was dragged. The brain in
-// the cut face, whose gradients have any direction, must not be black.
+// the cut face, whose gradients have random directions, must not be black.
 #include "TouchedHead.h"
 
 #include "vtkMatrix4x4.h"
@@ -37,7 +37,8 @@ struct CutHead : TouchedHead
 
   void Press(char key, const char* symbol)
   {
-    std::this_thread::sleep_for(std::chrono::milliseconds(20)); // or else it is a held key
+    // a faster repeat would count as a held key
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
     this->Interactor->SetKeyEventInformation(0, 0, key, 0, symbol);
     this->Interactor->InvokeEvent(vtkCommand::KeyPressEvent);
     this->Interactor->InvokeEvent(vtkCommand::CharEvent);
@@ -73,7 +74,7 @@ struct CutHead : TouchedHead
     }
     this->Event(from[0] + dx, from[1] + dy, vtkCommand::LeftButtonReleaseEvent);
   }
-  /// Whether the filter crops the mapper's regions. The filter's planes are in the image's
+  /// Returns whether the filter crops the mapper's regions. The filter's planes are in the image's
   /// coordinates: the mapper's planes plus the image's origin.
   bool FeelsRegions()
   {
@@ -88,7 +89,7 @@ struct CutHead : TouchedHead
     }
     return isSame;
   }
-  /// Whether a position (world) is in the box that is cut away, by more than a voxel.
+  /// Returns whether a position (world) is in the box that is cut away, by more than a voxel.
   bool IsCutAway(const double world[3])
   {
     vtkNew<vtkMatrix4x4> toVolume;
@@ -104,7 +105,7 @@ struct CutHead : TouchedHead
     }
     return isInside;
   }
-  /// Presses there and returns the proxy.
+  /// Presses at (x, y) and returns the proxy.
   std::array<double, 3> Touches(int x, int y)
   {
     this->TouchAt(x, y, [&] { this->TouchedHead::Press(x, y, 4); });
@@ -125,7 +126,7 @@ struct CutHead : TouchedHead
   }
 };
 
-/// A plane that the key x makes, and e turns over, is the same object for eye and hand.
+/// Checks that eye and hand use the same plane object, which the key x makes and the key e flips.
 void CutByPlane(CutHead& head)
 {
   head.Press('x', "x");

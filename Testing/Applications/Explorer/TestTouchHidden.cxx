@@ -11,7 +11,7 @@
 
 namespace
 {
-/// The last felt state; zero if something is wrong.
+/// The last state with a force; zero if something is wrong.
 struct Felt
 {
   double OnSkin = 0.0;

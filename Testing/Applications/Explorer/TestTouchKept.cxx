@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Expects that the next window offers functions that were edited and not saved (materials and
-// opacity), and unsaved measurements, which never replace newer ones. Without changes, nothing is
-// kept.
+// Expects that the next window offers edited but unsaved functions (materials and opacity) and
+// unsaved measurements, which never replace newer ones. Without changes, nothing is kept.
 #include "Applications/Explorer/Live/KeptWork.h"
 #include "TouchedHead.h"
 
@@ -17,7 +16,7 @@
 
 namespace
 {
-/// A window with the parts that keep its work.
+/// A window with the parts that keep unsaved work.
 struct KeptHead : TouchedHead
 {
   KeptHead(int argc, char* argv[], const std::string& file = "")
@@ -55,7 +54,7 @@ struct KeptHead : TouchedHead
   Explore::KeptWork Kept;
 };
 
-/// Whether the list has this point and nothing else.
+/// Returns whether the list has only this point.
 bool HasOnly(vtkHapticMeasurements* list, const double point[3])
 {
   if (list->GetNumberOfMeasurements() != 1)
@@ -118,7 +117,7 @@ int TestTouchKept(int argc, char* argv[])
       isRight;
     const bool isUnasked = head.GetOpacity()->GetValue(77.0) == 0.77;
     isRight = Expect(!isUnasked, "they came back unasked") && isRight;
-    // Those of the outside, whatever is shown.
+    // Kept functions are those of the outside, also while the inside is shown.
     head.Press('o', "o");
     isRight = Expect(head.GetOpacity()->GetValue(40.0) == 0.0, "o shows no inside") && isRight;
     vtkHapticMeasurements* const list = head.Touch.Measurements;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// A needle in the explorer's window: pressed into the forehead, Ctrl+E writes its track; on a full
-// disk it says so, and leaves no file.
+// Presses a needle into the forehead in the explorer's window. Ctrl+E writes the needle's track; on
+// a full disk, the program reports the error and leaves no file.
 #include "Applications/Explorer/Live/HandTool.h"
 #include "Expectations.h"
 #include "Rigs/FullDisk.h"
@@ -17,7 +17,7 @@
 
 namespace
 {
-/// The text that a letter with Ctrl prints.
+/// Returns the text that the program prints for Ctrl with a letter.
 std::string PressWithCtrl(TouchedHead& head, const char* letter)
 {
   std::ostringstream text;

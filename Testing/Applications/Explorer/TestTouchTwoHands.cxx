@@ -21,7 +21,7 @@
 
 namespace
 {
-/// Counts pixels that change clearly with the second hand.
+/// Counts the pixels that the second hand changes clearly.
 int CountSecondHand(TouchedHead& head)
 {
   vtkRenderWindow* const window = head.Touch.Scene.Window;
@@ -91,7 +91,7 @@ int TestTouchTwoHands(int argc, char* argv[])
     head.Run(20);
     Expect(!second->GetRecorder()->GetFileName().empty(), "both are recorded");
     head.Touch.Device->GetRecorder()->Stop();
-    press("F10"); // fails for the first hand
+    press("F10"); // would fail for the first hand
     Expect(second->GetRecorder()->GetFileName().empty(), "the second recording ends, too");
     Expect(vtksys::SystemTools::RemoveFile(file) && vtksys::SystemTools::RemoveFile(secondFile),
       "both files are written");

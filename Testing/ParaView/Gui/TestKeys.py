@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Keys in a render view with a device, without Qt: pvpython TestKeys.py PLUGIN VOLUME CASE."""
+"""Tests keys in a render view with a device, without Qt: pvpython TestKeys.py PLUGIN VOLUME CASE."""
 
 import os
 import sys
@@ -22,7 +22,8 @@ def hit(view, key, event="KeyPressEvent"):
 
 
 def clutch(view, device, link):
-    """A hand that holds still before the head: no force comes back with the clutch when Armed went to 0 meanwhile."""
+    """The hand holds still before the head. If Armed became 0 during the clutch, the end of the clutch restores no
+    force."""
     def is_armed():
         device.UpdatePipeline()
         return device.GetPropertyValue("StatusText").startswith(("Active", "Armed"))
@@ -73,7 +74,7 @@ def clutch(view, device, link):
 
 
 def disarm(view, device, link):
-    """Armed goes to 0 with whatever takes the force away, so that the next order to arm is one."""
+    """Whatever removes the force sets Armed to 0, so that setting Armed to 1 arms again."""
     link.Attached = 1
     press(view, device)
     view.GetInteractor().Disable()
@@ -87,7 +88,7 @@ def disarm(view, device, link):
 
 
 def method(view, device, link):
-    """The panel and a saved state say what is felt."""
+    """The panel and a saved state show the method that is felt."""
     link.Attached = 1
     press(view, device)
     touch = device.Touch
@@ -98,10 +99,10 @@ def method(view, device, link):
 
 
 def removal(view, device, link):
-    """The panel's buttons take strokes of a burr back and do them again, to the last bit of what is left of the tissue."""
+    """The panel's buttons undo and redo strokes of a burr, exactly to the last bit of the remaining tissue."""
     touch = device.Touch
     touch.Tool, touch.BurrRadius, touch.BurrSpecificEnergy = "Burr", 8.0, "0.02"
-    # The line lies in the air before the face. Its trace holds the tissue's state that the hand has left.
+    # The line lies in the air before the face. Its trace contains the tissue's state after the live hand.
     line = simple.Line(Point1=[-25, -140, 45], Point2=[-25, -139, 45], Resolution=1)
     touch.Path = line
     interactor = view.GetInteractor()
@@ -117,7 +118,7 @@ def removal(view, device, link):
         wait_until(view, lambda: max(abs(a - b) for a, b in zip(get(device, "TipPosition"), to)) < 1e-9, "the tip did not get there")
 
     def drill(x):
-        """With the left button pressed, deeper and deeper until something is gone; then out of it."""
+        """Drills deeper with the left button pressed until tissue is removed, then leaves the tissue."""
         before = shares()
         lead([x, -110, 45])
         interactor.InvokeEvent("LeftButtonPressEvent")

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A device in a render view, without Qt: pvpython TestView.py PLUGIN VOLUME CASE.
+"""Tests a device in a render view, without Qt: pvpython TestView.py PLUGIN VOLUME CASE.
 
-One view a process: if pvpython of ParaView 5.11 has closed a view, ProcessEvents() of the next one crashes, with or
-without this plugin.
+Each process opens one view only: if pvpython of ParaView 5.11 has closed a view, ProcessEvents() of the next one
+crashes, with or without this plugin.
 """
 
 import sys
@@ -38,7 +38,7 @@ def refuse_second(view, device, link):
 
 
 def change_style(view, device, link):
-    """ParaView takes the view for something else: that stays."""
+    """If ParaView gives the view another style meanwhile, that style stays."""
     style = view.GetInteractor().GetInteractorStyle()
     link.Attached = 1
     haptic = view.GetInteractor().GetInteractorStyle()
@@ -69,7 +69,7 @@ def delete_device(view, device, link):
 
 
 def slices(view, device, link):
-    """Those of an Orthographic Slice View follow the tip within the volume, and stay at rest."""
+    """The slices of an Orthographic Slice View follow the tip inside the volume, and stay when the tip rests."""
     sliced = simple.CreateView("OrthographicSliceView", ViewSize=[200, 200])
     simple.Show(simple.FindSource("Head"), sliced)
     simple.Render(sliced)
@@ -97,7 +97,7 @@ def look_at(view, left, right, bottom, top):
 
 
 def axes(view, device, link):
-    """The plot leaves ParaView's orientation axes alone, which are drawn by a small renderer at the lower left."""
+    """The plot does not cover ParaView's orientation axes, which a small renderer draws at the lower left."""
     window = view.GetRenderWindow()
     renderers = [window.GetRenderers().GetItemAsObject(i) for i in range(window.GetRenderers().GetNumberOfItems())]
     for width, height in ((300, 300), (400, 300), (700, 560)):
@@ -119,7 +119,7 @@ def axes(view, device, link):
 
 
 def volume(view, device, link):
-    """On software OpenGL frames in motion have no speckles; afterwards the view has its own ray caster back."""
+    """With software OpenGL, frames during motion have no speckles; afterwards the view has its own ray caster again."""
     window = view.GetRenderWindow()
     shown = simple.GetRepresentation(simple.FindSource("Head"), view)
     simple.ColorBy(shown, ("POINTS", "HU"))
@@ -132,11 +132,12 @@ def volume(view, device, link):
 
     def look():
         pixels = vtkUnsignedCharArray()
-        window.GetPixelData(110, 150, 169, 199, 0, pixels, 0)  # the temple, with neither the hand nor its figures
+        # the temple, where neither the hand nor the texts are drawn
+        window.GetPixelData(110, 150, 169, 199, 0, pixels, 0)
         return vtk_to_numpy(pixels).reshape(50, 60, 3)[:, :, 0].astype(float)
 
     def speckles(picture):
-        """How much pixels differ from the mean of their neighbours."""
+        """Returns the mean difference between pixels and the mean of their neighbours."""
         mean = (picture[:-2, 1:-1] + picture[2:, 1:-1] + picture[1:-1, :-2] + picture[1:-1, 2:]) / 4
         return abs(picture[1:-1, 1:-1] - mean).mean()
 

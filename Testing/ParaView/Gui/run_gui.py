@@ -19,7 +19,7 @@ STEPS = ["setup", "attached", "chosen", "saved", "loaded", "picture_of_dock", "s
          "at_rest", "picture", "recorded", "opened_while_touched", "escaped", "detached", "keys", "armed_elsewhere",
          "taken_over", "armed", "other_style", "close_view", "view_closed", "delete_device",
          "device_deleted", "cures", "on_a_server", "armed_at_exit"]
-LIMIT = 600  # s: a hang; it takes a minute, and four on a machine that computes six times as much beside it
+LIMIT = 600  # s; beyond that it hangs: a run takes a minute, or four beside six times the machine's load
 
 
 def skip(why):
@@ -28,7 +28,8 @@ def skip(why):
 
 
 def replay(trace):
-    """The trace of Attach and Touch, in a ParaView of its own: the same pipeline, and no hand holds a device there."""
+    """Runs the Python trace of Attach and Touch in a ParaView of its own: the pipeline is the same, and no hand holds a
+    device there."""
     script = os.path.join(OUTPUT, "replay.py")
     with open(trace, encoding="utf-8") as file, open(script, "w", encoding="utf-8") as out:
         out.write(f"from paraview import simple\nsimple.LoadPlugin({PLUGIN!r}, remote=False, ns=vars(simple))\n{file.read()}\n"

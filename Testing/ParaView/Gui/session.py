@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The functions that Gui.xml calls, step by step, in the Python of a running paraview."""
+"""Functions that Gui.xml calls, step by step, in the Python of a running paraview."""
 
 import json
 import os
@@ -12,7 +12,7 @@ import traceback
 
 from paraview import simple, smtrace
 
-with open("/proc/self/maps", encoding="utf-8") as maps: # ParaView's own Qt, which the bindings have to share
+with open("/proc/self/maps", encoding="utf-8") as maps: # ParaView's own Qt; the bindings must use the same
     if "libQt6Core." in maps.read():
         from PyQt6 import QtCore, QtGui, QtWidgets
     else:
@@ -23,7 +23,7 @@ AT_REST = 1e-9  # N
 
 
 class Session:
-    """The scene, and the checks. Every step is logged, so that one that fails is not lost in a console."""
+    """The scene and the checks. Every step is logged, so that a failing step is not lost in a console."""
 
     def __init__(self):
         self.style = None
@@ -50,13 +50,13 @@ class Session:
         return simple.GetActiveView().GetInteractor().GetInteractorStyle()
 
     def hands(self):
-        """The props of this plugin in the view."""
+        """Returns the class names of this plugin's props in the view."""
         renderer = simple.GetActiveView().SMProxy.GetClientSideObject().GetNonCompositedRenderer()
         names = [prop.GetClassName() for prop in renderer.GetViewProps()]
         return sorted(name for name in names if name.startswith("vtkHaptic"))
 
     def stop_trace(self):
-        """The hand in the tool's Python trace: its setup, but nothing that it does and shows."""
+        """Stops the tool's Python trace: it contains the device's setup, but nothing that the device does and shows."""
         trace = smtrace.stop_trace()
         found = re.findall(r"\b(Running|Armed|Recording|State|StatusText|TipPosition)\s*=", trace)
         assert not found, f"the trace sets {found}:\n{trace}"
@@ -105,11 +105,11 @@ class Session:
         self.device().UpdatePipeline()
 
     def saved(self):
-        """As it was written by the plugin, and is read by any program: JSON."""
+        """Reads the preset that the plugin has saved as JSON, which any program can read."""
         with open(os.path.join(OUTPUT, "saved.json"), encoding="utf-8") as file:
             preset = json.load(file)
         assert preset["Tissues"]["fat"] == [-150, -80], preset["Tissues"]
-        # Bone as in the table of Documentation/materials.md: its strength begins at 350 HU.
+        # Bone is as in the table of Documentation/materials.md: its strength begins at 350 HU.
         assert [350, 12] in [node[:2] for node in preset["SurfaceStrength"]["Nodes"]]
         preset["SurfaceStrength"]["Nodes"][-1][1] = 10  # at 3071 HU
         with open(os.path.join(OUTPUT, "saved.json"), "w", encoding="utf-8") as file:
@@ -169,7 +169,7 @@ class Session:
         assert any(self.start), "the tip is not in front of what is seen"
 
     def lead(self, device, tip):
-        """Leads the tip there, by the property, as a hand would; a fault is forgotten."""
+        """Moves the tip by the property, as a hand would; arming first forgets a fault."""
         device.Armed = 1
         start = self.tip()
         for i in range(1, 51):
@@ -207,7 +207,7 @@ class Session:
                 break
 
     def feel(self):
-        """Into the forehead from the front; as above, once more."""
+        """Moves the tip into the forehead from the front; after a stall of the machine, tries again."""
         device = self.device()
         for _ in range(5):
             device.Armed = 0
@@ -222,7 +222,8 @@ class Session:
         raise AssertionError(f"only {self.force(device)} N are felt: {device.GetPropertyValue('StatusText')}")
 
     def press(self):
-        """By the wheel, a voxel a step. If the machine stood still, force was cut off, as it must be: once more."""
+        """Presses by the wheel, a voxel a step. If the machine stalled, the force was cut off, as it must be: tries
+        again."""
         device = self.device()
         for _ in range(5):
             self.arm(device)
@@ -234,7 +235,8 @@ class Session:
         raise AssertionError(f"only {self.force(device)} N are felt: {device.GetPropertyValue('StatusText')}")
 
     def armed(self):
-        """By the button. If the machine stood still since then, force was cut off, as it must be of what was armed."""
+        """Checks the dock's Arm. If the machine has stalled since, the force was cut off, as it must be when the device
+        is armed."""
         device = self.device()
         device.UpdatePropertyInformation()
         status = "".join(device.GetPropertyValue("StatusText"))
@@ -242,7 +244,7 @@ class Session:
         self.stop_trace()
 
     def keys(self):
-        """None of the view's is one of the main window's, of its actions and shortcuts, whether or not they are enabled."""
+        """No key of the view is a key of the main window's actions and shortcuts, enabled or not."""
         window = self.main_window()
         # Qt 6 moved QAction and QShortcut from QtWidgets to QtGui.
         actions, shortcuts = (getattr(QtGui, name, None) or getattr(QtWidgets, name) for name in ("QAction", "QShortcut"))
@@ -291,7 +293,7 @@ class Session:
         assert "HapticHeadUpDisplay" in "".join(self.hands()), "and the device attached"
 
     def at_rest(self):
-        """The next frame of the hand would be drawn quickly."""
+        """Turns off rendering on interaction, since the next frame of the hand would be drawn quickly."""
         view = simple.GetActiveView()
         view.EnableRenderOnInteraction = 0
         simple.Render(view)
@@ -318,7 +320,7 @@ class Session:
         assert device.Armed == 0 and self.force(device) < AT_REST, "a detached device has force"
 
     def armed_elsewhere(self):
-        """By a script, on another volume: the dock's Attach is about to take the device over."""
+        """A script arms the device on another volume; then the dock's Attach takes the device over."""
         device = self.device()
         self.other = simple.Wavelet(registrationName="Other")
         self.other_touch = simple.VolumeHaptics(Input=self.other)
@@ -380,7 +382,7 @@ class Session:
         self.kept = None
 
     def told(self):
-        """What the dock says, now and after its next look at the device."""
+        """Returns the dock's text, after its next look at the device."""
         label, = self.main_window().findChildren(QtWidgets.QLabel, "HapticStatus")
         QtWidgets.QApplication.processEvents()
         end = time.monotonic() + 0.5
@@ -390,7 +392,8 @@ class Session:
         return label.text()
 
     def call(self, slot, *arguments):
-        """What a button of the dock does that was pressed before the dock has seen the last change."""
+        """Calls the slot of a dock's button that is pressed before the dock has seen the last change; returns the
+        dock's text."""
         dock, = self.main_window().findChildren(QtCore.QObject, "HapticDock")
         controller, = [child for child in dock.children() if child.metaObject().className() == "HapticController"]
         QtCore.QMetaObject.invokeMethod(controller, slot, *(QtCore.Q_ARG(str, one) for one in arguments))
@@ -402,7 +405,7 @@ class Session:
         return self.told()
 
     def cures(self):
-        """What the dock says that a person has to do is done."""
+        """Follows the instructions that the dock gives to the user."""
         head, file, sphere = simple.FindSource("HeadPhantom.vti"), os.path.join(OUTPUT, "cure.json"), simple.Sphere()
         sphere.UpdatePipeline()
         simple.SetActiveSource(sphere)
@@ -434,7 +437,7 @@ class Session:
         self.press_button("HapticAttach")
 
     def on_a_server(self):
-        """A recording lies on this computer: a server does not read it, and here it is opened."""
+        """Opens a recording that lies on this computer: a server does not read it, and this computer does."""
         file = os.path.join(OUTPUT, "touch.vtp")
         server = subprocess.Popen([os.environ["GUI_SERVER"], "--disable-xdisplay-test", "--server-port=0"],
                                   stdout=subprocess.PIPE, text=True)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A head to touch in ParaView, for Testing/Window/close.sh: paraview --script=touched.py, with the plugin as $TOUCH_PLUGIN
-and the volume as $TOUCH_VOLUME. Writes "felt" when a surface holds the hand first."""
+"""A head to touch in ParaView, for Testing/Window/close.sh: paraview --script=touched.py, with the plugin as
+$TOUCH_PLUGIN and the volume as $TOUCH_VOLUME. Writes "felt" when a surface first holds the hand."""
 
 import os
 

@@ -7,7 +7,7 @@ import time
 
 from paraview import servermanager, simple
 
-PATIENCE = 120.0  # s; only so that nothing hangs
+PATIENCE = 120.0  # s; the limit only ends a hang
 
 simple.LoadPlugin(sys.argv[1], remote=False, ns=vars(simple))
 
@@ -30,13 +30,13 @@ def make_link(view, device):
 
 
 def hands(view):
-    """The props of this plugin in a view."""
+    """Returns the class names of this plugin's props in a view."""
     props = view.SMProxy.GetClientSideObject().GetNonCompositedRenderer().GetViewProps()
     return sorted(prop.GetClassName() for prop in props if prop.GetClassName().startswith("vtkHaptic"))
 
 
 def wait_until(view, is_so, what):
-    """While the view's own events, its timer above all, move it all."""
+    """Processes the view's events, above all its timer, until `is_so` is true."""
     end = time.monotonic() + PATIENCE
     while not is_so():
         assert time.monotonic() < end, f"{what} within {PATIENCE:.0f} s"
@@ -45,20 +45,21 @@ def wait_until(view, is_so, what):
 
 
 def lead_out(view, device):
-    """In front of the forehead."""
+    """Moves the tip in front of the forehead."""
     device.VirtualTip = [-25, -110, 45]
     wait_until(view, lambda: get(device, "TipPosition") == [-25, -110, 45], "the tip did not get there")
 
 
 def lead_in(view, device):
-    """Into the forehead, armed. A wall that is pressed before all of the force may flow stays soft."""
+    """Arms the device and moves the tip into the forehead. A wall that is pressed before the full force may act stays
+    soft."""
     wait_until(view, lambda: "100 % of the force" in "".join(get(device, "StatusText")), "the ramp was not over")
     device.VirtualTip = [-25, -70, 45]
     wait_until(view, lambda: force(device) > 0.5, "the skin was not felt")
 
 
 def press(view, device):
-    """Into the forehead from the front."""
+    """Moves the tip into the forehead from the front."""
     device.VirtualTip = [-25, -110, 45]
     device.Running = 1
     device.UpdatePipeline()
@@ -68,7 +69,8 @@ def press(view, device):
 
 
 def run(case):
-    """A case of a test, with a view of a head, a device that touches that, and the link between them."""
+    """Runs a case of a test with a view of a head, a device that touches the head, and the link between view and
+    device."""
     head = simple.XMLImageDataReader(registrationName="Head", FileName=[sys.argv[2]])
     touch = simple.VolumeHaptics(Input=head, Preset="CT contrast")
     device = simple.HapticDevice(Touch=touch)

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cures that the plugin's errors name are tried: the Wavelet source is felt after them, along a path or with a device."""
+"""Tries the cures that the plugin's errors name: after the cure, the Wavelet source is felt, along a path or with a
+device."""
 import os
 
 from paraview import servermanager, simple
@@ -13,7 +14,7 @@ HELD = 0.3  # N
 
 
 def report_of(action):
-    """What is told meanwhile."""
+    """Returns the text of VTK's output window during an action."""
     log, console = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
     vtkOutputWindow.SetInstance(log)
     action()
@@ -31,7 +32,7 @@ def felt():
 def told(word, **settings):
     def change():
         for name, value in settings.items():
-            if name in ("Tool", "ModePreset"):  # whose menus refuse other names
+            if name in ("Tool", "ModePreset"):  # ParaView's menus refuse other names
                 touch.SMProxy.GetProperty(name).SetElement(0, value)
                 touch.SMProxy.UpdateVTKObjects()
             else:
@@ -149,7 +150,7 @@ second.UpdateVTKObjects()
 
 
 def ends(word, end):
-    """What ends the attachment of a device to a view; the text is the dock's."""
+    """Checks that `end` ends the attachment of a device to a view; `word` is a part of the dock's text."""
     made = servermanager.misc.HapticView(View=view, Device=other)
     live.check(not attach(made), "attached for: " + word)
     end()

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Round trips of 0, 20 and 100 ms: whatever the hand does, force grows without a step; a slow hand always has its data."""
+"""Round trips of 0, 20 and 100 ms: whatever the hand does, force grows without a step; a slow hand always has its
+data."""
 import os
 import subprocess
 import sys
@@ -23,7 +24,7 @@ def relay(port):
 
 
 def lead(name, speed, longest):
-    """Across the volume at a speed (world units per second), in steps that are no longer than the longest."""
+    """Moves the tip across the volume at a speed (world units per second), in steps no longer than `longest`."""
     device.RecordingFile = os.path.join(live.FOLDER, name + ".csv")
     device.VirtualTip = [-50, 3, 2]
     live.check(live.poll(device, lambda: live.distance(device.TipPosition, [-50, 3, 2]) < 1e-9

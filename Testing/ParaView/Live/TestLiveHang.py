@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A server that hangs in mid-contact, with the client waiting for it: the servo lets go, and a killed server ends it well."""
+"""A server hangs in mid-contact while the client waits for it: the servo removes the force, and killing the server ends
+the wait."""
 import os
 import signal
 import subprocess
@@ -16,7 +17,7 @@ server = live.Server()
 
 
 def later(name):
-    """A signal for the server from outside: the client, Python's threads included, stands still meanwhile."""
+    """Sends a signal to the server later, from outside: the client, with Python's threads, is blocked meanwhile."""
     subprocess.Popen(["sh", "-c", "sleep %g; kill -s %s %d" % (HANG, name, server.process.pid)])
 
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A file that is larger than memory: ParaView shows its coarse level, which is 0 everywhere here, and hand and path feel
-the samples, which rise by 8 along x. By eq. 1 of the method Force field the force is then -8 times its gain, anywhere.
+"""A file is larger than memory: ParaView shows its coarse level, which is 0 everywhere here. Hand and path feel the
+samples, which rise by 8 along x. By eq. 1 of the method Force field, the force is -8 times its gain everywhere.
 """
 import json
 import os
@@ -20,7 +20,7 @@ FORCE = [-GAIN * SLOPE, 0.0, 0.0]
 
 
 def write(folder):
-    """An OME-Zarr image of two levels, in its version 2, without compression: the format's text says what stands where."""
+    """Writes an OME-Zarr image of two levels in Zarr's version 2, uncompressed, after the format's specification."""
     shutil.rmtree(folder, ignore_errors=True)
     rising = numpy.broadcast_to(SLOPE * numpy.arange(SIZE), (SIZE, SIZE, SIZE))
     for level, samples in enumerate([rising, numpy.zeros((SIZE // 4,) * 3)]):
@@ -44,7 +44,8 @@ def write(folder):
 
 
 def write_raw(name):
-    """A MetaImage with its samples in a file of their own, long along z: a region is a part of it."""
+    """Writes a MetaImage with its samples in a separate file, long along z, so that a region is only a part of the
+    file."""
     size = (64, 64, 3000)
     samples = numpy.broadcast_to(SLOPE * numpy.arange(size[0]), size[::-1]).astype("<i2")
     samples.tofile(f"{name}.raw")
@@ -95,7 +96,7 @@ def feel():
 
 
 def feel_vanishing(settings):
-    """The samples behind a header are felt, and are deleted meanwhile: the rest of them is missing, and told so."""
+    """Feels the samples of a header, then deletes them: the rest is missing, which the status reports."""
     name = os.path.join(live.FOLDER, "Long")
     write_raw(name)
     touch = simple.VolumeHaptics(Input=simple.HapticLargeFile(FileName=f"{name}.mhd"), **settings)

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""With the data in this process: changes anywhere reach the servo, errors are said once, and states come back unarmed."""
+"""The data are in this process: changes anywhere reach the servo, errors are reported once, and a loaded state is not
+armed."""
 import os
 import xml.etree.ElementTree as ElementTree
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A server that is killed in mid-contact: force fades, the user is told, the client goes on and connects again."""
+"""A server is killed in mid-contact: the force fades, the user is told, and the client goes on and connects again."""
 import os
 
 from paraview import servermanager, simple

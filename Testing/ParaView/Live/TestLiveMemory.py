@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A region that is too large for the memory of a server, of its processes, or of this computer: the server goes on, what the
-errors name is tried, and the volume is felt again."""
+"""A region is too large for the memory of a server, of its processes, or of this computer: the server survives, the
+cures that the errors name are tried, and the volume is felt again."""
 import contextlib
 import glob
 import os
@@ -18,19 +18,19 @@ NONE = "The server has no memory for the region around the tip. Lower MaximumReg
 
 
 def limit_memory(process, free):
-    """As on a computer that has only so much more. Returns the limits before it."""
+    """Gives a process only `free` bytes more than it uses now. Returns the limits before that."""
     with open(f"/proc/{process}/statm", encoding="ascii") as file:
         used = int(file.read().split()[0]) * resource.getpagesize()
     return resource.prlimit(process, resource.RLIMIT_AS, (used + int(free), resource.getrlimit(resource.RLIMIT_AS)[1]))
 
 
 def servers(server):
-    """The processes of a server, which mpiexec may have started."""
+    """Returns the processes of a server, which mpiexec may have started."""
     found = []
     for stat in glob.glob("/proc/[0-9]*/stat"):
         with contextlib.suppress(OSError), open(stat, encoding="latin-1") as file:
             number, _, rest = file.read().partition(" (")
-            name, _, rest = rest.rpartition(") ")  # then a letter, the parent, the group and the session
+            name, _, rest = rest.rpartition(") ")  # followed by the state, the parent, the group and the session
             if name.startswith("pvserver") and int(rest.split()[3]) == server.process.pid:
                 found.append(int(number))
     return found

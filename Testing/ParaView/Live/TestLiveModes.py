@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Modes as rows: the gradient of the Wavelet source as a flow, along a path and with a device, also on a server.
+"""Sets modes as rows: the gradient of the Wavelet source is a flow, felt along a path and with a device, also on a
+server.
 
-Whatever the flow is, the spring pulls by 0.5 N/mm from the tip to the proxy; what follows the flow is held across it, and
-what feels its fronts along it; and no mode holds with more than its strength. The flow at the proxy is interpolated here
-by cubic B-splines from the samples that ParaView computed.
+Whatever the flow is, the spring pulls by 0.5 N/mm from the tip to the proxy. A mode that follows the flow holds the
+hand across it, a mode of its fronts holds it along the flow, and no mode holds with more than its strength. The flow
+at the proxy is interpolated here by cubic B-splines from the samples that ParaView computed.
 """
 import sys
 
@@ -36,7 +37,7 @@ def read_flow(source):
 
 
 def across(vector):
-    """A unit vector at right angles."""
+    """Returns a unit vector at right angles to `vector`."""
     found = numpy.cross(vector, (0.0, 0.0, 1.0))
     return found / numpy.linalg.norm(found)
 
@@ -47,7 +48,7 @@ def cosine(force, place):
 
 
 def check_trace(what, modes, end, is_along):
-    """The hand goes straight from START to an end, which is more than the strength holds."""
+    """Moves the hand straight from START to `end`, which is further than the strength holds."""
     touch.Modes = modes
     touch.Path = simple.Line(Point1=list(START), Point2=list(end), Resolution=400)
     touch.UpdatePipeline()
@@ -64,7 +65,7 @@ def check_trace(what, modes, end, is_along):
 
 
 def update(modes):
-    """What is reported when they are felt along the path."""
+    """Returns what is reported when the modes are felt along the path."""
     from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
     log, console = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
@@ -82,7 +83,7 @@ def check_error(modes, *words):
 
 
 def check_presets():
-    """Each name in the menu is a preset, and each preset is in the menu; the rows come on top of it."""
+    """Every name in the menu is a preset and every preset is in the menu; rows are added to the preset's modes."""
     from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
     menu = touch.SMProxy.GetProperty("ModePreset").GetDomain("list")
@@ -107,7 +108,7 @@ def check_presets():
 
 
 def check_guides():
-    """A sphere of 5 mm as a guide; the hand goes from inside of it to 1 mm outside of it, against 0.5 N/mm."""
+    """Takes a sphere of 5 mm as a guide; the hand goes from inside to 1 mm outside of the sphere, against 0.5 N/mm."""
     touch.Surface = simple.Sphere(Radius=5.0, ThetaResolution=64, PhiResolution=64)
     touch.Path = simple.Line(Point1=[3.0, 0.1, 0.2], Point2=[6.0, 0.1, 0.2], Resolution=300)
     for kind, first, last in (("Guide", 1.0, -0.5), ("GuideOutside", 1.0, 0.0), ("GuideInside", 0.0, -0.5)):
@@ -127,8 +128,8 @@ def check_guides():
 
 
 def check_distances():
-    """An image of the distances from that sphere. A B-spline of distances r is higher by 1 / (3 r), so that the hand is
-    held at 4.932 mm. Returns the force at the path's beginning, 3 mm from the middle."""
+    """Takes an image of the distances from that sphere. A B-spline of distances r is higher by 1 / (3 r), so that the
+    hand is held at 4.932 mm. Returns the force at the path's beginning, 3 mm from the middle."""
     held = 4.932
     touch.Surface = simple.Calculator(Input=simple.Wavelet(), Function="mag(coords) - 5", ResultArrayName="distance")
     touch.Path = simple.Line(Point1=[3.0, 0.1, 0.2], Point2=[6.0, 0.1, 0.2], Resolution=300)
@@ -143,7 +144,7 @@ def check_distances():
 
 
 def check_distances_live():
-    """The same with a device, and what distances can't be."""
+    """Feels the distances with a device, and checks uses of distances that are refused."""
     inside = check_distances()
     check_error(["Guide", "distances", "9", ""], '"distances"', "Name it in this row")
     touch.Method = "Surface proxy"
@@ -161,7 +162,7 @@ def check_distances_live():
 
 
 def press(data=None, voxels=21**3):
-    """Until the device's hand is held."""
+    """Moves the tip across the flow until the device's hand is held."""
     touch.Modes = ["VectorFollow", "flow", str(STRENGTH), ""]
     if data:
         touch.Input = data
@@ -180,7 +181,8 @@ def press(data=None, voxels=21**3):
 
 
 def press_grids():
-    """The same flow as data of other kinds, which are resampled around the tip: linearly, so a little otherwise."""
+    """Feels the same flow as data of other kinds, which are resampled linearly around the tip, so the forces differ a
+    little."""
     global MOST_OFF
     MOST_OFF = 0.05
     cells = simple.AppendDatasets(Input=touch.Input)
@@ -200,11 +202,11 @@ def make(scalars):
     touch = simple.VolumeHaptics(Input=flow, Scalars=["POINTS", scalars], Method="Primitives")
 
 
-flow_at = read_flow(make_flow())  # before the server, of which each process has a part
+flow_at = read_flow(make_flow())  # read the flow before the server starts, of which each process has a part
 if REMOTE:
     with live.Server(2):
         live.load_plugin(remote=True)
-        make("flow")  # the array that is sent
+        make("flow")  # this array is sent to the server
         press()
         press_grids()
         check_distances()
@@ -214,7 +216,7 @@ else:
     make("RTData")
     here = flow_at(START)
     check_trace("VectorFollow", ["VectorFollow", "flow", str(STRENGTH), "0"], START + 4.0 * across(here), False)
-    # The front is one of the vector's magnitude, which is above 1 there.
+    # The front is a front of the vector's magnitude, which is above 1 there.
     check_trace("VectorFrontTwoSided", ["VectorFrontTwoSided", "flow", f"0 0, 1 {STRENGTH}, 1e9 {STRENGTH}", ""],
                 START + 2.0 * here / numpy.linalg.norm(here), True)
     check_error(["Followw", "flow", "1", ""], "Followw", "VectorFollow", "Surface")

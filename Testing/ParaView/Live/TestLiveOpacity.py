@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Voxels that the volume rendering hides are not felt, as long as the device follows it."""
+"""Voxels that the volume rendering hides are not felt, as long as the device follows the rendering."""
 from paraview import simple
 
 import live
@@ -18,7 +18,7 @@ device = simple.HapticDevice(Touch=touch)
 
 
 def felt():
-    """Of a hand that presses anew."""
+    """Returns the force (N) of a hand that presses anew."""
     live.press(device, [-9, 0, 0], [-4, 0, 0], armed=False)
     live.poll_for(device, 0.1)
     return live.norm(device.ComputedForce)
@@ -30,7 +30,7 @@ live.check(seen > 0.5, "what is seen is felt", seen)
 opacity.Points = HIDDEN
 live.check(felt() == 0.0, "what is hidden is not", list(device.ComputedForce))
 
-# Cropped voxels are not shown, and so not felt. The cropping box is that of the bounds, -10 to 10, scaled and moved.
+# Cropped voxels are not shown, and so not felt. The cropping box is the bounds, -10 to 10, scaled and moved.
 opacity.Points = SEEN
 shown.CroppingScale = [0.1, 1, 1]
 live.check(abs(felt() - seen) < 0.01, "as long as it is not used", list(device.ComputedForce), seen)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""On a server of two ranks, a filter that has felt a path is also felt live: all of the volume is there."""
+"""On a server of two ranks, a filter that has felt a path is also felt live: all of the volume is available."""
 from paraview import simple
 
 import live
@@ -13,7 +13,7 @@ with live.Server(2):
         touch = simple.VolumeHaptics(Input=wavelet)
         if line:
             touch.Path = line
-        touch.UpdatePipeline()  # with a path, it asks the second rank for nothing
+        touch.UpdatePipeline()  # an update with a path requests nothing from the second rank
         device = simple.HapticDevice(Touch=touch)
         live.press(device, [-9, 0, 0], [-4, 0, 0], armed=False)
         live.poll_for(device, 0.2)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""With the data on a server, of one or more ranks, every tick has the force that the whole volume gives."""
+"""With the data on a server of one or more ranks, every tick has the force that the whole volume gives."""
 import sys
 
 from paraview import servermanager, simple
@@ -22,7 +22,7 @@ def touch_head():
 
 
 def offline(touch, tips):
-    """The forces of a path of one point a tick, on the data of this process."""
+    """Returns the forces along a path with one point for each tick, from the data in this process."""
     from vtkmodules.vtkCommonCore import vtkPoints
     from vtkmodules.vtkCommonDataModel import vtkPolyData
     from vtkmodules.util.numpy_support import numpy_to_vtk
@@ -40,7 +40,7 @@ def offline(touch, tips):
 
 
 def lead(device):
-    """A recording of the way to the head, armed, from a tip that the data surround."""
+    """Records the armed hand's way to the head, from a tip that the data surround."""
     device.VirtualTip = [-60, -100, 60]
     live.check(live.poll(device, lambda: live.distance(device.TipPosition, [-60, -100, 60]) < 1e-9), "the tip is at its start")
     live.check(live.poll(device, lambda: device.Residency == 1.0), "the region is here", device.StatusText)
@@ -63,7 +63,7 @@ with live.Server(RANKS):
     lead(device)
     for _ in range(3):
         if device.Armed == 0 and "AttentionTime" in device.StatusText:
-            lead(device)  # a busy machine kept this client from looking after the hand
+            lead(device)  # a busy machine kept this client from polling the device in time
     live.check(device.Armed == 1, "the hand is still held", device.StatusText)
     print("latency %.1f ms, missed ticks %d" % (1e3 * device.Latency, device.MissedTicks))
     points = servermanager.Fetch(device).GetNumberOfPoints()

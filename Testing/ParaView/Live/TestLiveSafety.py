@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whatever is deleted while a hand is held: the last command is zero, by the device's own recording."""
+"""Whatever is deleted while a hand is held, the device's own recording ends with a force command of zero."""
 import os
 import sys
 

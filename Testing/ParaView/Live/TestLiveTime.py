@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The animation's time drives the device: a wall that comes with it pushes a hand that rests, in this process or from a server.
+"""The animation's time drives the device: a wall that moves with the time pushes a resting hand, in this process or
+from a server.
 
-The wall is at z = 10 + t and 500 N/m stiff, and the hand at z = 12: the force is 0.5 max(0, t - 2) N, whatever the hand
-did before. A volume that was published anew at each time would come up around the hand, with no force. The wall's mesh
-does the same to a sphere, one radius sooner. All of it comes back from a state file.
+The wall is at z = 10 + t and 500 N/m stiff, and the hand at z = 12: the force is 0.5 max(0, t - 2) N, whatever the
+hand did before. If each time published a new volume, the wall would appear around the hand, without force. The
+wall's mesh does the same to a sphere, one radius sooner. A state file restores all of this.
 """
 import builtins  # ParaView gives scripts other functions of these names
 import sys
@@ -53,7 +54,7 @@ def is_force(time):
 
 
 def go(how, time):
-    """By a button of the VCR, or to a time."""
+    """Goes to a time by a button of the VCR, or directly."""
     how()
     live.check(keeper.Time == time, "the time of the animation", keeper.Time, time)
     live.check(live.poll(device, lambda: is_force(time)), "the force at time %g" % time,
@@ -63,7 +64,7 @@ def go(how, time):
 
 
 def rest():
-    """The hand, where the wall will be."""
+    """Rests the hand where the wall will be."""
     device.Running = 1
     live.check(live.poll(device, lambda: device.TickRate > 0 and live.distance(device.TipPosition, [20, 12, TIP]) < 1e-9
                          and device.Residency == 1.0), "the hand rests where the wall will be", device.StatusText)
@@ -79,7 +80,7 @@ def touch():
     keeper = simple.GetTimeKeeper()
     scene.AnimationTime = 0.0
     filter = simple.VolumeHaptics(Input=volume, Scalars=["POINTS", "Wall"], MaterialPlacement=0)
-    # The strength is above the 1 N that the wall needs at its end, where it would otherwise begin to slip.
+    # The strength is above the 1 N that the wall needs at its end; otherwise the wall would begin to slip.
     filter.SurfaceStrength.Points = [0.0, 1.5, 0.5, 0.0, 1000.0, 1.5, 0.5, 0.0]
     if MESH:
         filter.Method, filter.IsoValue, filter.ProxyRadius = "Surface proxy", 500.0, RADIUS
@@ -111,7 +112,8 @@ def touch():
 
 
 def play():
-    """The VCR's Play and Stop while the hand is touched, with what an event loop does between two pictures."""
+    """Presses Play and Stop of the VCR while the hand is touched, and runs the event loop's work between two
+    pictures."""
     device.VirtualTip = [20.0, 12.0, TIP]
     volume.Script = DATA
     scene.GoToFirst()

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two devices on one filter: each has the force that it has alone, and arming, stopping and recording are one hand's."""
+"""Two devices share one filter: each has the force that it has alone, and arming, stopping and recording concern one
+device only."""
 import os
 
 from paraview import simple

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the user changes can be undone and redone, while a live device follows it: polls leave no entries of their own."""
+"""The user's changes can be undone and redone while a live device follows them; the device's polls add no undo
+entries."""
 from paraview import simple
 from paraview.modules.vtkRemotingServerManager import vtkSMProxyManager, vtkSMUndoStack, vtkSMUndoStackBuilder
 

@@ -13,14 +13,14 @@ from paraview import simple
 
 PLUGIN, FOLDER = sys.argv[1], sys.argv[2]
 os.makedirs(FOLDER, exist_ok=True)
-PATIENCE = 60.0  # s; only so that nothing hangs
+PATIENCE = 60.0  # s; the limit only ends a hang
 
 
 def check(condition, *what):
     if not condition:
         print("FAILED:", *what, flush=True)
         sys.stdout.flush()
-        os._exit(1)  # whatever state ParaView is in
+        os._exit(1)  # exit at once, whatever state ParaView is in
     print("ok:", *what[:1], flush=True)
 
 
@@ -31,7 +31,7 @@ def load_plugin(remote=False):
 
 
 def poll(device, condition, patience=PATIENCE, period=0.005):
-    """The work of a user interface's timer, until something holds."""
+    """Does the work of a user interface's timer until the condition is true."""
     end = time.time() + patience
     while time.time() < end:
         device.UpdatePipeline()
@@ -57,18 +57,19 @@ def distance(a, b):
 
 
 def growth(before, after):
-    """By how much a force is longer than what was there before in its direction: what the slew limit limits."""
+    """Returns how much longer (N) a force is than the earlier force's part in its direction, which the slew limit
+    limits."""
     length = norm(after)
     return length - max(0.0, sum(x * y for x, y in zip(before, after)) / length) if length else 0.0
 
 
 def wait_ramp(device):
-    """A wall that is pressed before stays soft until the tip leaves it."""
+    """Waits until a wall can have full force: a wall that is pressed earlier stays soft until the tip leaves it."""
     check(poll(device, lambda: "100 % of the force" in device.StatusText), "the ramp is over", device.StatusText)
 
 
 def press(device, start, end, armed=True):
-    """Start at one place, and lead the tip to another one."""
+    """Starts the device at one place, and moves the tip to another place."""
     device.VirtualTip = start
     device.Running = 1
     check(poll(device, lambda: device.TickRate > 0), "the servo ticks", device.StatusText)
@@ -82,14 +83,14 @@ def press(device, start, end, armed=True):
 
 
 def read_log(path):
-    """The columns of a .csv of numbers."""
+    """Reads the columns of a .csv of numbers."""
     with open(path, newline="") as file:
         rows = list(csv.reader(file))
     return {name: [float(row[i]) for row in rows[1:]] for i, name in enumerate(rows[0])}
 
 
 class Server:
-    """A pvserver on a free port, which ends with the test whatever happens."""
+    """A pvserver on a free port, which ends with the test in every case."""
 
     def __init__(self, ranks=1, relay=None):
         command = [shutil.which("pvserver"), "--disable-xdisplay-test", "--server-port=0"]
@@ -115,7 +116,7 @@ class Server:
                 self.port = int(line.strip().rsplit(":", 1)[1])
 
     def kill(self):
-        """As a crash does it: without a goodbye."""
+        """Kills the server without a goodbye, as a crash does."""
         try:
             os.killpg(self.process.pid, 9)
         except ProcessLookupError:

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A slow connection: relay.py PORT SECONDS prints a port of its own, and delays what goes through it each way."""
+"""Simulates a slow connection: relay.py PORT SECONDS prints a port of its own, and delays the data in both
+directions."""
 import queue
 import socket
 import sys

@@ -70,7 +70,7 @@ struct Hand
     this->Tick.Speed = watts / 0.4;
     this->Do(seconds);
   }
-  /** The sound from a time (s) on. */
+  /** Returns the samples from a time (s) on. */
   std::vector<float> Since(double seconds) const
   {
     return { this->Heard.begin() + static_cast<std::ptrdiff_t>(seconds * RATE), this->Heard.end() };
@@ -101,7 +101,7 @@ struct Hand
   }
 };
 
-/** The sound of a single first touch, from the impact on (5 ms after the touch). */
+/** Returns the sound of a single first touch, from the impact on (5 ms after the touch). */
 std::vector<float> Click(double strength, double stiffness, double newtons)
 {
   Hand hand(strength, stiffness);
@@ -184,7 +184,7 @@ TEST(ContactSound, HasTheLoudnessOfTheFrictionPower)
     }
     const double power = watts - 1e-6;
     const double expected = 0.15 * std::sqrt(power / (power + 0.02));
-    // 5 s of noise in a band of some 400 Hz amount to about 4000 independent values.
+    // 5 s of noise in a band of about 400 Hz have about 4000 independent values.
     EXPECT_NEAR(std::sqrt(sum / static_cast<double>(y.size())), expected, 0.05 * expected);
   }
 }

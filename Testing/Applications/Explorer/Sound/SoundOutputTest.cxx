@@ -23,7 +23,7 @@ using Explore::SoundTick;
 namespace
 {
 
-/** Taps on bone three times a second, in bursts of 20 ms, while a condition holds. */
+/** Taps on bone three times a second, in bursts of 20 ms, while `goesOn` is true. */
 template <typename F>
 void Tap(SoundStream& stream, F&& goesOn)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Runs a PulseAudio server without a loudspeaker, which records what it is given. It uses neither
+ * Runs a PulseAudio server without a loudspeaker, which records the sound. The server uses neither
  * the computer's nor the user's configuration, and ends with the test.
  */
 #ifndef SoundServer_h
@@ -118,8 +118,8 @@ public:
 
 private:
   /**
-   * The server's folder. It is outside the build folder, whose path may be longer than a socket's
-   * may be (107 characters).
+   * The server's folder is outside the build folder, since a socket's path may have at most 107
+   * characters.
    */
   const std::string Folder;
 

@@ -20,7 +20,7 @@ using Explore::SurfaceContact;
 namespace
 {
 
-/** A tick of a hand that touches a surface for 20 ms every 200 ms, from 0.1 s on. */
+/** Returns a tick of a hand that touches a surface for 20 ms every 200 ms, from 0.1 s on. */
 SoundTick TapAt(int tick)
 {
   SoundTick tap;
@@ -57,7 +57,8 @@ struct Player
       this->Stream.Render(this->Heard.data() + this->Heard.size() - 48, 48);
     }
   }
-  /** The times (s) at which clicks begin: a loud sample after 50 ms without one. */
+  /** Returns the times (s) at which clicks begin: at a loud sample after 50 ms without a loud
+     sample. */
   std::vector<double> Onsets() const
   {
     std::vector<double> onsets;
@@ -92,7 +93,7 @@ TEST(SoundStream, PlaysBurstsAtThePaceOfTheirTicks)
     Player player;
     for (int first = 0; first < 3000; first += burst)
     {
-      player.Play(burst); // a frame; its ticks come at its end
+      player.Play(burst); // one frame, with its ticks at the end
       for (int i = 0; i < burst && first + i < 3000; ++i)
       {
         player.Stream.Push(TapAt(first + i));

@@ -18,7 +18,7 @@ namespace soundtest
 inline constexpr double PI = 3.14159265358979323846;
 inline constexpr double RATE = 48000.0;
 
-/** |X(f)|^2 of `count` samples from `first` on, with a Hann window if `isWindowed`. */
+/** Returns |X(f)|^2 of `count` samples from `first` on, with a Hann window if `isWindowed`. */
 inline double Density(const std::vector<float>& x, std::size_t first, std::size_t count, double f,
   bool isWindowed = false)
 {
@@ -35,7 +35,7 @@ inline double Density(const std::vector<float>& x, std::size_t first, std::size_
   return std::norm(sum);
 }
 
-/** The frequency of the largest density in a range (Hz). */
+/** Returns the frequency of the largest density in a range (Hz). */
 inline double FindPeak(const std::vector<float>& x, double low, double high, double step)
 {
   double best = low;
@@ -50,8 +50,8 @@ inline double FindPeak(const std::vector<float>& x, double low, double high, dou
 }
 
 /**
- * The energy between two frequencies, as the mean over frames of `length` samples, summed over the
- * frequencies of a frame's transform.
+ * Returns the energy between two frequencies: the mean over frames of `length` samples, summed over
+ * the frequencies of a frame's transform.
  */
 inline double BandEnergy(
   const std::vector<float>& x, std::size_t length, double low, double high, double power = 0.0)
@@ -68,7 +68,7 @@ inline double BandEnergy(
   return sum;
 }
 
-/** The mean frequency of the energy between 50 Hz and 10 kHz (Hz). */
+/** Returns the mean frequency (Hz) of the energy between 50 Hz and 10 kHz. */
 inline double Centroid(const std::vector<float>& x, std::size_t length)
 {
   return BandEnergy(x, length, 50.0, 10000.0, 1.0) / BandEnergy(x, length, 50.0, 10000.0);
