@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Images without extent, or with a place in the world that makes no sense.
+ * Tests images without extent, and images with an impossible place in the world.
  */
 
 #include "Rigs/BadImage.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A label image that can't be used gives one error that names the input and the cure.
+ * Tests that a label image that can't be used gives one error, which names the input and the cure.
  */
 
 #include "Rigs/ApiRig.h"

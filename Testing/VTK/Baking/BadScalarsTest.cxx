@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Images whose arrays can't be touched.
+ * Tests images whose arrays can't be touched.
  */
 
 #include "Rigs/BadImage.h"

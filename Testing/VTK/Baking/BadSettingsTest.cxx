@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Settings that are not numbers are refused or reported, and never felt.
+ * Tests settings that are not numbers. They are refused or reported, and never felt.
  */
 
 #include "Rigs/ApiRig.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Surfaces that SURFACE_PROXY can't touch: one error that names the input and the cure.
+ * Tests surfaces that SURFACE_PROXY can't touch. Each gives one error, which names the input and
+ * the cure.
  */
 
 #include "Rigs/ApiRig.h"

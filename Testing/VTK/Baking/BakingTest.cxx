@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The error bound of baking, as vtkHapticProperty documents it: linear pieces and steps exactly,
- * curved pieces to within 0.01 % of the piece's height, whatever vtkPiecewiseFunction offers.
+ * Tests the error bound of baking that vtkHapticProperty documents. For every vtkPiecewiseFunction,
+ * linear pieces and steps are exact, and curved pieces are exact within 0.01 % of the piece's
+ * height.
  */
 
 #include "Rigs/RandomFunctions.h"

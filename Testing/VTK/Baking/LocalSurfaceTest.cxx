@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * LOCAL_SURFACE, through the filter.
+ * Tests the method LOCAL_SURFACE through the filter.
  */
 
 #include "Rigs/ApiRig.h"

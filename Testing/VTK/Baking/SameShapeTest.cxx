@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * SameShape sets one stiffness everywhere, with every method that has a spring.
+ * Tests that SameShape sets one stiffness everywhere, with every method that has a spring.
  */
 
 #include "Rigs/ApiRig.h"

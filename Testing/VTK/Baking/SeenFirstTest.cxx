@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A hand feels nothing in the air beside a body, where nothing is visible. Places follow from the
- * formulas of the volumes.
+ * Tests that a hand feels nothing in the air beside a body, where nothing is visible. The places of
+ * the surfaces follow from the formulas of the volumes.
  */
 
 #include "Rigs/ApiRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * SURFACE_PROXY on isosurfaces and on given surfaces.
+ * Tests the method SURFACE_PROXY on isosurfaces and on given surfaces.
  */
 
 #include "Rigs/ApiRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Arrays whose size comes from data equal VTK's own ones, but throw an exception if there is no
- * memory. VTK's own arrays end the process then, in a build of VTK without NDEBUG.
+ * Tests arrays whose size comes from data. They equal VTK's own arrays, but throw an exception if
+ * there is no memory. In a build of VTK without NDEBUG, VTK's own arrays then end the process.
  */
 
 #include "VTK/Base/ArrayMemory.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Work in the background: its owner waits for it only on request, and never gets a result for data
- * that have changed.
+ * Tests work in the background. Its owner waits for it only on request, and never gets a result for
+ * data that have changed.
  */
 
 #include "Core/Realtime/BackgroundWork.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The distinctness follows the image's noise, unless the user has set one.
+ * Tests that the distinctness follows the image's noise, unless the user has set a distinctness.
  */
 
 #include "Rigs/ApiRig.h"

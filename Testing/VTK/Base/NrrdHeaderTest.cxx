@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The header of NRRD files. Expectations come from teem's "Definition of NRRD File Format": section
- * 3 for lines, fields and key/value pairs, section 4 for types, section 5 for spaces.
+ * Tests headers of NRRD files. Expectations come from teem's "Definition of NRRD File Format":
+ * section 3 for lines, fields and key/value pairs, section 4 for types, and section 5 for spaces.
  */
 
 #include "VTK/Base/NrrdHeader.h"

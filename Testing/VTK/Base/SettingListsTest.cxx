@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The public headers, ParaView's XML and the core have the same settings as
+ * Tests that the public headers, ParaView's XML and the core have the same settings as
  * Module/VTK/Settings.json.
  */
 

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A ball in air with streaks, like in micro-CT: the noise is neither white nor the same everywhere,
- * and air is clipped at 0. A wall is felt where the ball was made, and nowhere else.
+ * Tests a ball in air with streaks, as in micro-CT: the noise is neither white nor the same
+ * everywhere, and air is clipped at 0. A wall must be felt where the ball was made, and nowhere
+ * else.
  */
 
 #include "Rigs/ApiRig.h"

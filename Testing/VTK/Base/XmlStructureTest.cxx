@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Files in VTK's XML formats, written by VTK and then changed: VTK's own reader would end the
- * program, or write outside of its memory, if they were not refused before it opens them.
+ * Tests files in VTK's XML formats that VTK has written and the test has changed. If such files
+ * were not refused first, VTK's own reader would end the program, or write outside its memory.
  */
 
 #include "Rigs/TemporaryFolder.h"

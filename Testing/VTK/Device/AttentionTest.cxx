@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * If the program does not look after the device while a hand is held, the servo fades the force out
- * and reports a fault.
+ * Tests that the servo fades the force out and reports a fault if the program does not update the
+ * device while a hand is held.
  */
 
 #include "Rigs/DeviceRig.h"

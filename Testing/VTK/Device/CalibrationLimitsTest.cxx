@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Points that determine no placement, or a placement that no device can have.
+ * Tests points that determine no placement, or a placement that no device can have.
  */
 
 #include "CalibrationRig.h"

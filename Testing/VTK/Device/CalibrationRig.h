@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A device at a known place, and the points that it touches.
+ * Rig of a device at a known place, with the points that it touches.
  */
 #ifndef CalibrationRig_h
 #define CalibrationRig_h

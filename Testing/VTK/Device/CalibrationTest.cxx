@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The fit finds a known placement of the device from points that it has touched.
+ * Tests that the fit finds a known placement of the device from touched points.
  */
 
 #include "CalibrationRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Stiffness and damping never exceed the limits of the device and of the sampled loop.
+ * Tests that stiffness and damping never exceed the limits of the device and of the sampled loop.
  */
 
 #include "Rigs/RecordingRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * No force leaves while the clutch is on. Afterwards the force rises from zero, with the proxy on
- * the tip, if the device was armed before and nothing has disarmed it since.
+ * Tests that no force acts while the clutch is on. Afterwards the force rises from zero, with the
+ * proxy on the tip, if the device was armed before and was not disarmed since.
  */
 
 #include "Rigs/DeviceRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An application's view of a device that has to be made ready and can be lost: listing, options,
- * arming, loss and homing.
+ * Tests an application's view of a device that must be made ready and can be lost: listing,
+ * options, arming, loss and homing.
  */
 
 #include "Rigs/DeviceRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Devices, filters and images are created and deleted in any order.
+ * Tests that devices, filters and images can be created and deleted in any order.
  */
 
 #include "Rigs/DeviceRig.h"

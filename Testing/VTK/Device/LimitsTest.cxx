@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Limits that the user may set, and their effects.
+ * Tests the limits that a user may set, and their effects.
  */
 
 #include "Rigs/DeviceRig.h"

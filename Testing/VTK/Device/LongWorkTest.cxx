@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * While work keeps the owner from looking after the hand, the force is off; it returns afterwards.
+ * Tests that the force is off while work keeps the owner from updating the device, and returns
+ * afterwards.
  */
 
 #include "Rigs/DeviceRig.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Observers of vtkCommand::DisableEvent call methods of the device that sends the event.
+ * Tests observers of vtkCommand::DisableEvent that call methods of the device which sends the
+ * event.
  */
 
 #include "Rigs/DeviceRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The orientation of a stylus, from a device that is placed in the world, compared with VTK's
- * quaternions and transforms.
+ * Tests the orientation of a stylus on a device that is placed in the world, by comparison with
+ * VTK's quaternions and transforms.
  */
 
 #include "Rigs/RecordingRig.h"

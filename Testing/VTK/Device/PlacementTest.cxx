@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The proxy begins where a stylus is taken up.
+ * Tests that the proxy begins at the place where the user takes up the stylus.
  */
 
 #include "Rigs/DeviceRig.h"

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A device on a volume that is read region by region. The force begins when the samples are there,
- * fades if a reader is late or fails, and returns, never with a step above the slew limit.
+ * Tests a device on a volume that is read region by region. The force begins when the samples are
+ * there, fades if a reader is late or fails, and returns. It never steps by more than the slew
+ * limit allows.
  */
 
 #include "Rigs/DeviceRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A device on a region of a volume: how it reports missing data, and how its force fades.
+ * Tests a device on a region of a volume: its report of missing data, and the fade of its force.
  */
 
 #include "Rigs/DeviceRig.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * No call on the owner's thread reads more of a large volume than of a small one. The test counts
- * the pages of a sparse file that the kernel has in memory (mincore(2)), while work in the
- * background is delayed.
+ * Tests that no call on the owner's thread reads more of a large volume than of a small one. The
+ * test counts the pages of a sparse file that the kernel has in memory (mincore(2)), while work in
+ * the background is delayed.
  */
 
 #include "Benchmarks/SparseVolume.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A loop that hangs in its device is quenched by another thread, and a loop whose processor is busy
- * is woken on another one.
+ * Tests that another thread quenches the device of a loop that hangs, and that a loop whose
+ * processor is busy is woken on another processor.
  */
 
 #include "VTK/Device/ServoThreads.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The latest state as geometry.
+ * Tests shapes that show the latest state.
  */
 
 #include "Rigs/DeviceRig.h"

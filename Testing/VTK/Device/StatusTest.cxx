@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The status of a device, its text, and when force flows.
+ * Tests the status of a device, its text, and when force acts.
  */
 
 #include "Rigs/DeviceRig.h"

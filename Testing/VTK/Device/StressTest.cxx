@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A thousand changes of images, functions, methods, kernels and placements, while the servo runs at
- * 5 kHz and is recorded.
+ * Tests a thousand changes of images, functions, methods, kernels and placements, while the servo
+ * runs at 5 kHz and is recorded.
  */
 
 #include "Rigs/RecordingRig.h"

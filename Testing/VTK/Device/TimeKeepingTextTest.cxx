@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The status text tells how well the servo keeps time, and how a user can improve it.
+ * Tests that the status text tells how well the servo keeps time, and how a user can improve this.
  */
 
 #include "VTK/Device/DeviceStatus.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Two devices with one filter: each has the force that it would have alone, to the bit. A fault,
- * disarming or closing concerns one hand only. One hand holds the tool, and the other one feels
- * what it removes.
+ * Tests two devices with one filter. Each has the force that it would have alone, to the bit. A
+ * fault, disarming or closing concerns one hand only. One hand holds the tool, and the other hand
+ * feels the removal.
  */
 
 #include "Rigs/RecordingRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A file of devices for one test. It has to be made before an emulator, and to outlive it: the
- * emulator's threads read the environment with each call that umockdev looks at, which must not
+ * File of devices for one test. Make it before an emulator, and let it outlive the emulator: the
+ * emulator's threads read the environment in each call that umockdev intercepts, which must not
  * happen while a variable is set.
  */
 #ifndef DevicesFile_h
@@ -36,7 +36,7 @@ public:
   DevicesFile(const DevicesFile&) = delete;
   DevicesFile& operator=(const DevicesFile&) = delete;
 
-  /** Forgets the devices that other emulators have confirmed meanwhile. */
+  /** Removes the devices that other emulators have confirmed since the last call. */
   void Clear() const noexcept
   {
     std::error_code ignored;

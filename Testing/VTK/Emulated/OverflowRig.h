@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A child process in which a device's thread overflows its stack while force flows. The parent
+ * Child process in which a device's thread overflows its stack while force acts. The parent
  * emulates the device, so the device outlives the child.
  */
 #ifndef OverflowRig_h

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Applications in which a hand presses a device onto the face of the phantom: an arm with an hfab
- * controller behind a pseudo-terminal, and devices of stand-ins for vendors' libraries, loaded as
- * plug-ins. The devices are emulated (Emulators/HfabEmulator.h,
- * ForceDimension/FakeForceDimension.h, OpenHaptics/FakeOpenHaptics.h).
+ * Tests applications in which a hand presses a device onto the face of the phantom. The devices are
+ * an arm with an hfab controller behind a pseudo-terminal, and devices of stand-ins for vendors'
+ * libraries, loaded as plug-ins (Emulators/HfabEmulator.h, ForceDimension/FakeForceDimension.h,
+ * OpenHaptics/FakeOpenHaptics.h).
  */
 
 #include "Emulators/ForceDimension/FakeForceDimension.h"
@@ -21,20 +21,20 @@ using namespace emulated;
 
 namespace
 {
-/** A device with one axis that points out of the face. */
+/** Device with one axis that points out of the face. */
 class PressedDevice
 {
 public:
   virtual ~PressedDevice() = default;
   virtual std::string GetId() const = 0;
-  /** The name of the device in the user's file of devices. */
+  /** Returns the name of the device in the user's file of devices. */
   virtual std::string GetIdentity() const = 0;
   /** Puts the device into its pose for calibration. Returns false if it needs none. */
   virtual bool PutIntoPose() { return false; }
   ///@{
   /**
-   * Along the axis out of the face: moves the hand (m), and returns the tip's place (m) and the
-   * force (N).
+   * Moves the hand (m) along the axis out of the face, and returns the tip's place (m) and the
+   * force (N) along this axis.
    */
   virtual void Lead(double out) = 0;
   virtual double GetTip() = 0;
@@ -155,8 +155,8 @@ protected:
     return this->Device->GetStatus() == status;
   }
   /**
-   * Calibrates the device if needed. If a busy machine has lost it, calibrates it again, as a user
-   * does; its fault is then shown until it is armed.
+   * Calibrates the device if needed. If a busy machine has lost the device, calibrates it again, as
+   * a user does. The device then shows its fault until it is armed.
    */
   void MakeReady()
   {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The first arming of an emulated Falcon whose motors are wired correctly, or the wrong way round.
+ * Tests the first arming of an emulated Falcon whose motors are wired correctly, or the wrong way
+ * round.
  */
 
 #include "DevicesFile.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An emulated Falcon in front of the phantom's face, and the hand that holds it.
+ * Rig of an emulated Falcon in front of the phantom's face, and of the hand that holds it.
  */
 #ifndef PhantomFalconRig_h
 #define PhantomFalconRig_h
@@ -50,8 +50,8 @@ protected:
   }
   /**
    * Presses from in front of the skin to `beyond` (m) behind it. Expects that the force balances
-   * the hand's own spring. Tries again, since the force begins anew if a busy machine has left the
-   * device unwatched.
+   * the hand's own spring. Tries again, since the force begins anew after a pause of a busy
+   * machine.
    */
   void Press(double x, double y, double beyond)
   {
@@ -83,7 +83,7 @@ protected:
     EXPECT_GT(Phantom.DepthOf(this->Device->GetState()->GetTipPosition()),
       Phantom.DepthOf(this->Device->GetState()->GetProxyPosition()));
   }
-  /** Expects that the force is 0 for so many ticks. */
+  /** Expects that the force is 0 for this number of ticks. */
   void ExpectNoForce(vtkIdType ticks)
   {
     const vtkIdType end = this->Device->GetState()->GetTick() + ticks;

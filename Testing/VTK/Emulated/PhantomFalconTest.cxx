@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An application in which a hand presses an emulated Falcon onto the face of the phantom.
+ * Tests an application in which a hand presses an emulated Falcon onto the face of the phantom.
  */
 
 #include "PhantomFalconRig.h"

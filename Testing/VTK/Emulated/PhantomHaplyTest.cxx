@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An application in which a hand presses an arm of an emulated Inverse service onto the face of the
- * phantom. Haply's y axis points forward, into the face.
+ * Tests an application in which a hand presses an arm of an emulated Inverse service onto the face
+ * of the phantom. Haply's y axis points forward, into the face.
  */
 
 #include "Emulators/HaplyService.h"

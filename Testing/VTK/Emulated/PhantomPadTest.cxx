@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An application on the phantom with a gamepad: contact vibrates, rest is silent, and the texts
- * call it vibration, not force.
+ * Tests an application on the phantom with a gamepad. Contact vibrates, rest is silent, and the
+ * texts say vibration instead of force.
  */
 
 #include "Emulators/EmulatedEvdev.h"

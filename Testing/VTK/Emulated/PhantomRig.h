@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A head phantom with a device in front of its face, as in an application.
+ * Rig of a head phantom with a device in front of its face, as in an application.
  */
 #ifndef PhantomRig_h
 #define PhantomRig_h
@@ -18,7 +18,7 @@ using devicetest::Length;
 
 inline constexpr double SkinValue = -300.0; ///< value half-way between air and skin (HU)
 
-/** A filter on the phantom, and the position of its skin on a line into the face. */
+/** Filter on the phantom, and the position of the skin on a line into the face. */
 class Phantom
 {
 public:
@@ -78,7 +78,7 @@ private:
     }
     return point[1];
   }
-  /** Interpolates between the eight voxels around a point. */
+  /** Returns the value at a point, interpolated between the eight voxels around it. */
   double ValueAt(const double point[3]) const
   {
     int index[3];
@@ -104,7 +104,7 @@ private:
   double Skin = 0.0;
 };
 
-/** A device of an application, with its status as a user sees it. */
+/** Device of an application, with its status as a user sees it. */
 class PhantomHand
 {
 public:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A signal that ends the application while a hand feels the face: the device gets zero force before
- * the signal is passed on.
+ * Tests a signal that ends the application while a hand feels the face. The device gets zero force
+ * before the signal is passed on.
  */
 
 #include "PhantomFalconRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Applications on the phantom with devices of fewer directions: a force-feedback stick, and a
- * SpaceMouse, which has no force; and the first arming of a stick with two motors.
+ * Tests applications on the phantom with devices of fewer directions: a force-feedback stick, and a
+ * SpaceMouse, which has no force. Also tests the first arming of a stick with two motors.
  */
 
 #include "DevicesFile.h"

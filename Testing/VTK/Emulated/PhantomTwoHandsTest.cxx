@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Two devices in one scene: each has its own proxy on the same phantom, and a fault of one does not
- * disturb the other.
+ * Tests two devices in one scene. Each has its own proxy on the same phantom, and a fault of one
+ * device does not disturb the other.
  */
 
 #include "Emulators/EmulatedHid.h"
@@ -25,7 +25,7 @@ protected:
     : PhantomFalcon(true)
   {
   }
-  /** Moves the stick's hand in and out until it feels the face; false if it never does. */
+  /** Moves the stick's hand in and out until it feels the face. Returns false if it never does. */
   bool FeelsStick()
   {
     bool felt = false;

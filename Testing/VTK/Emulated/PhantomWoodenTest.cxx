@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An application in which a hand presses an emulated WoodenHaptics onto the face of the phantom.
+ * Tests an application in which a hand presses an emulated WoodenHaptics onto the face of the
+ * phantom.
  */
 
 #include "Emulators/EmulatedHid.h"

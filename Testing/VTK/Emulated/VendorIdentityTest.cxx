@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The program's memory of a vendor's device, with and without a serial number. The test plays the
- * device; the hand that holds it is a mass on a spring (Emulators/EmulatedHand.h).
+ * Tests the program's memory of a vendor's device, with and without a serial number. The test plays
+ * the device; the hand that holds it is a mass on a spring (Emulators/EmulatedHand.h).
  */
 
 #include "Devices/Vendor/PlayedVendor.h"

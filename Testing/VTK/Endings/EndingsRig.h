@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Child processes that hold an armed device without a watchdog. The device keeps its last force in
- * memory that outlives the child, as the motors of such a device keep it.
+ * Rig of child processes that hold an armed device without a watchdog. The device keeps its last
+ * force in memory that outlives the child, as the motors of such a device keep it.
  */
 #ifndef EndingsRig_h
 #define EndingsRig_h

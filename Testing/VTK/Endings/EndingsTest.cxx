@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * However a process ends that can still act, its device has no force afterwards, and the process
- * ends as it would without a device.
+ * Tests that every end of a process that can still act leaves the device without force. The process
+ * must end as it would without a device.
  */
 
 #include "EndingsRig.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Programs that crash or exit while they record, and children that are forked meanwhile.
+ * Tests programs that crash or exit while they record, and children that are forked during a
+ * recording.
  */
 
 #include "Rigs/RecordingFailureRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Child processes that hold an armed device and get a signal.
+ * Rig of child processes that hold an armed device and get a signal.
  */
 #ifndef SignalsRig_h
 #define SignalsRig_h

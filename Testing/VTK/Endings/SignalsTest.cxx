@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * If a process is told to end, its device has no force when the process's own handler runs. Each
+ * Tests that the device has no force when the handler of a process runs that was told to end. Each
  * test is a child process, since it ends with a signal.
  */
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Manifests of actions in the form that VTK's vtkOpenXRRenderWindowInteractor reads: "actions",
- * "default_bindings" and "localization" in one file, "bindings" with "sources" and "haptics" in the
- * others (see its LoadActions and LoadDefaultBinding, 9.2 to 9.6).
+ * Tests manifests of actions in the form that VTK's vtkOpenXRRenderWindowInteractor reads:
+ * "actions", "default_bindings" and "localization" in one file, "bindings" with "sources" and
+ * "haptics" in the others (see its LoadActions and LoadDefaultBinding, 9.2 to 9.6).
  */
 
 #include "Rigs/ApiRig.h"

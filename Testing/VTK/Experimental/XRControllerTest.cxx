@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A controller of a headset on a ramp: VTK's events of controllers lead the tip, and frames make
- * the controller vibrate, through a stand-in for VTK's interactor that records the calls
+ * Tests a controller of a headset on a ramp. VTK's events of controllers lead the tip, and frames
+ * make the controller vibrate, through a stand-in for VTK's interactor that records the calls
  * (Testing/Emulators/OpenXR).
  */
 

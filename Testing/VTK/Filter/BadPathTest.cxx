@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Paths that can't be felt give one error each, and the filter works again with the next path.
+ * Tests that a path that can't be felt gives one error, and that the filter works again with the
+ * next path.
  */
 
 #include "Rigs/ApiRig.h"

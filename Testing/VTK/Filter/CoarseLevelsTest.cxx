@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * 8-bit ramps with so few grey levels per voxel that rounding dominates their gradients. The force
- * may feel rough, but no tick changes it by 0.25 N, which a hand takes for a knock.
+ * Tests 8-bit ramps with so few grey levels per voxel that rounding dominates their gradients. The
+ * force may feel rough, but no tick may change it by 0.25 N, which a hand takes for a knock.
  */
 
 #include "Rigs/ApiRig.h"

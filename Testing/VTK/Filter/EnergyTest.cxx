@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Energy that the hand gets in a closed cycle: a proxy gives none, while a force field can (the
- * paper's objection).
+ * Tests the energy that the hand gets in a closed cycle. A proxy gives none, while a force field
+ * can give energy (the paper's objection).
  */
 
 #include "Rigs/ApiRig.h"

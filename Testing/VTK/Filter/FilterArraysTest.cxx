@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The choice of the touched array and component.
+ * Tests the choice of the touched array and component.
  */
 
 #include "Rigs/ApiRig.h"

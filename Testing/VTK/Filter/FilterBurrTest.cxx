@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A burr offline: B1 to B3 of the design from the trace alone, cavities felt by the point, several
- * paths, and settings that are errors.
+ * Tests a burr without a device: B1 to B3 of the design from the trace alone, cavities felt by the
+ * point, several paths, and settings that are errors.
  */
 
 #include "Rigs/ApiRig.h"

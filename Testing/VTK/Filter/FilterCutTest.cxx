@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Clipping planes and cropping regions through the filter, in the terms of vtkVolumeMapper.
+ * Tests clipping planes and cropping regions of the filter, which have the meaning that
+ * vtkVolumeMapper documents.
  */
 
 #include "Rigs/ApiRig.h"

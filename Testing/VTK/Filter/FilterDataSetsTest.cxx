@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Data sets other than images are resampled around the path or the hand. Their fields are linear,
- * so that cells and splines keep them, and forces have closed forms.
+ * Tests data sets other than images, which are resampled around the path or the hand. Their fields
+ * are linear, so that cells and splines reproduce them, and forces have closed forms.
  */
 
 #include "Rigs/ApiRig.h"

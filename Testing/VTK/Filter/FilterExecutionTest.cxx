@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The filter runs if something that it depends on has changed, and only then.
+ * Tests that the filter runs only if something has changed on which its output depends.
  */
 
 #include "Rigs/ApiRig.h"

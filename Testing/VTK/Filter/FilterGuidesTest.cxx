@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Guides of the filter: polylines, meshes and distance fields. Forces have closed forms: a tip at
- * the distance d from the guide is pulled to it with k d.
+ * Tests guides of the filter: polylines, meshes and distance fields. Forces have closed forms: a
+ * tip at the distance d from the guide is pulled to it with k d.
  */
 
 #include "FilterModesRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The samples are touched in place: the filter does not copy or change them, and keeps them while
- * it runs.
+ * Tests that the samples are touched in place: the filter does not copy or change them, and keeps
+ * them while it runs.
  */
 
 #include "Rigs/ApiRig.h"

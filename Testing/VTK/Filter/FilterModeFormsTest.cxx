@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Modes with any field: closed forms on long paths and in turned volumes, and bounds of their
+ * Tests modes with any field: closed forms on long paths and in turned volumes, and bounds of the
  * forces. FilterModesTest.cxx tests single modes.
  */
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The filter with modes, on an image of 24 voxels.
+ * Rig of the filter with modes, on an image of 24 voxels.
  */
 #ifndef FilterModesRig_h
 #define FilterModesRig_h

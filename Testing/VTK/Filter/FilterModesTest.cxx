@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Modes of the method PRIMITIVES through the filter. Forces have closed forms: a line with strength
- * S pulls a tip at the distance d with min(k d, S), where k is the spring.
+ * Tests modes of the method PRIMITIVES through the filter. Forces have closed forms: a line with
+ * the strength S pulls a tip at the distance d with min(k d, S), where k is the spring's stiffness.
  */
 
 #include "FilterModesRig.h"

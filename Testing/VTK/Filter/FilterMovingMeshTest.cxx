@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * SURFACE_PROXY through the time steps of a source: the mesh moves with the volume, and pushes a
+ * Tests SURFACE_PROXY on the time steps of a source. The mesh moves with the volume, and pushes a
  * tip that rests.
  */
 

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A needle offline: the layers of N1 with a spring of 500 N/m, their loss of resistance, the hold
- * across the axis, turned data, orientations of paths, tracks, and settings that are errors.
+ * Tests a needle without a device: the layers of case N1 with a spring of 500 N/m, the loss of
+ * resistance, the hold across the axis, turned data, orientations of paths, tracks, and settings
+ * that are errors.
  */
 
 #include "Rigs/ApiRig.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A ball whose surroundings were not measured is felt like the same ball in air, to the bit: as an
- * image, as regions that a filter cuts out or a source reads, and as time steps. The force on a
- * local surface of this ball is known: stiffness times depth.
+ * Tests that a ball whose surroundings were not measured is felt like the same ball in air, to the
+ * bit: as an image, as regions that a filter cuts out or a source reads, and as time steps. The
+ * force on a local surface of this ball is its stiffness times the depth.
  */
 
 #include "Rigs/ApiRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Ticks of a path: one tick per point, or times that are resampled to the servo's rate.
+ * Tests the ticks of a path: one tick per point, or times that are resampled to the servo's rate.
  */
 
 #include "Rigs/ApiRig.h"

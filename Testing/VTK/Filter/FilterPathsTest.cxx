@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Several lines are several paths: each gives the same trace as alone, to the bit. "Alone" is a
- * polydata with the points of one line only, in their order.
+ * Tests that several lines are several paths: each gives the same trace as alone, to the bit.
+ * "Alone" is a polydata with the points of one line only, in their order.
  */
 
 #include "Rigs/ApiRig.h"

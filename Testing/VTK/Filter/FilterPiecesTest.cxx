@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Output in pieces, as several ranks ask for it: the first piece has everything.
+ * Tests output in pieces, as several ranks ask for it. The first piece has everything.
  */
 
 #include "Rigs/ApiRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Long paths report their progress, and can be aborted.
+ * Tests that long paths report their progress, and can be aborted.
  */
 
 #include "Rigs/ApiRig.h"
@@ -42,7 +42,7 @@ protected:
     this->Filter->AddObserver(vtkCommand::ProgressEvent, this->Command);
   }
 
-  /** Lets the next run end. Since VTK 9.3, the pipeline does not reset the flag. */
+  /** Lets the next run go to its end. Since VTK 9.3, the pipeline does not reset the abort flag. */
   void EndAborting()
   {
     this->AbortAt = 2.0;

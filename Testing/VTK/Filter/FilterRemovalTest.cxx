@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The removal object: the value of air, the image of its fractions, its files, and errors for other
- * files.
+ * Tests the removal object: the value of air, the image of its fractions, its files, and errors for
+ * other files.
  */
 
 #include "Rigs/ApiRig.h"

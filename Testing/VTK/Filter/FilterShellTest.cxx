@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A tool with a shape offline: S2 and S3 of the design with the mesh of a ball, a tilted box, the
- * choice of what is solid, paths with orientations, and settings that are errors.
+ * Tests a tool with a shape without a device: S2 and S3 of the design with the mesh of a ball, a
+ * tilted box, the choice of solid values, paths with orientations, and settings that are errors.
  */
 
 #include "Rigs/ApiRig.h"

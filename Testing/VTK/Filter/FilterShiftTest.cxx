@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A CT that is not stored in Hounsfield units is felt like the original CT. The reference is the
- * same body in Hounsfield units: air at -1000, and a ball of fat, muscle and bone. Programs store
- * the units 1024 or 1000 higher (InVesalius gives its mapper uint16 with 1024), or 32768 higher.
+ * Tests that a CT that is not stored in Hounsfield units is felt like the original CT. The
+ * reference is the same body in Hounsfield units: air at -1000, and a ball of fat, muscle and bone.
+ * Programs store the units 1024 or 1000 higher (InVesalius gives its mapper uint16 with 1024), or
+ * 32768 higher.
  */
 
 #include "Rigs/ApiRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Settings of the filter: defaults, limits, printed text, and which changes count as a
+ * Tests settings of the filter: defaults, limits, printed text, and the changes that count as a
  * modification.
  */
 

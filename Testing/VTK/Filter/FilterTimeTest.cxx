@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A path through the time steps of a source: a wall moves towards a tip that rests. The force is
- * that of the spring to the wall, whose place is known at all times.
+ * Tests a path through the time steps of a source. A wall moves towards a tip that rests. The force
+ * is that of the spring to the wall, whose place is known at all times.
  */
 
 #include "Rigs/ApiRig.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Units of ServoRate, MetersPerWorldUnit, MaximumForce and the constants of the force field.
+ * Tests the units of ServoRate, MetersPerWorldUnit, MaximumForce and the constants of the force
+ * field.
  */
 
 #include "Rigs/ApiRig.h"
@@ -26,9 +27,9 @@ protected:
   }
 
   /**
-   * Sets a ball with a radius of 7 mm around (12, 12, 12) mm, with the value `high` in `low`, and a
-   * path that presses 2 mm into it and slides. The world has `units` units to a millimetre, and is
-   * felt at life size.
+   * Sets a ball with a radius of 7 mm around (12, 12, 12) mm, with the value `high` in surroundings
+   * of the value `low`. Also sets a path that presses 2 mm into the ball and slides. A millimetre
+   * has `units` world units, and the ball is felt at life size.
    */
   void SetBall(double units, double low, double high)
   {
@@ -66,8 +67,8 @@ protected:
 
   /**
    * Expects that presses into the ball give the same forces in worlds with other units as in mm.
-   * The law depends on no unit: powers of two don't round, decimal units round by at most `rounded`
-   * (N).
+   * The forces depend on no unit: powers of two don't round, and decimal units round by at most
+   * `rounded` (N).
    */
   void ExpectSameForces(double low, double high, double leastForce, double rounded = 1e-9)
   {

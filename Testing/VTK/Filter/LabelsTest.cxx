@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Materials by label, with surfaces of the scalars. On the ramp V = 100 z, a spring with stiffness
- * k that is pressed by h into a surface that holds gives the force k h. All expectations here
+ * Tests materials by label, with surfaces of the scalars. On the ramp V = 100 z, a press of depth h
+ * into a surface that holds gives the force k h of a spring with stiffness k. All expectations
  * follow from this closed form (T1 in Documentation/evaluation.md).
  */
 

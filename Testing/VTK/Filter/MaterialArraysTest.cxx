@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The materials that a trace reports equal the functions at the values that it reports.
+ * Tests that the materials in a trace equal the functions at the values in the trace.
  */
 
 #include "Rigs/ApiRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * If memory runs out, there is one error, and the process goes on.
+ * Tests that running out of memory gives one error, and that the process goes on.
  */
 
 #include "Rigs/ApiRig.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A ball in thick slices is felt as in cubes of their finest spacing, wherever the samples resolve
- * its surface: with all presets, methods, estimators and radii. Its centre is a sample; its edge is
- * V = low + h Phi(-d / s), where d is the distance from the surface.
+ * Tests that a ball in thick slices is felt as in cubes of their finest spacing, wherever the
+ * samples resolve its surface: with all presets, methods, estimators and radii. The ball's centre
+ * is a sample; its edge is V = low + h Phi(-d / s), where d is the distance from the surface.
  */
 
 #include "Rigs/ApiRig.h"
@@ -161,10 +161,10 @@ protected:
   }
 
   /**
-   * Returns the fraction of a press on a plane wall that remains along its normal n if the wall is
-   * felt with the normal of central differences of radius 3. At the edge of the wall, the
+   * Returns the fraction of a press on a plane wall that remains along the wall's normal n, if the
+   * wall is felt with the normal of central differences of radius 3. At the edge of the wall, the
    * components of that normal are erf(3 S n / (sqrt(2) Blur)) / S. The fraction is the squared
-   * cosine between both normals.
+   * cosine of the angle between both normals.
    */
   static double PressOnDifferences(const Slices& slices, const Point& direction)
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The choice of a trace's arrays.
+ * Tests the choice of a trace's arrays.
  */
 
 #include "Rigs/ApiRig.h"

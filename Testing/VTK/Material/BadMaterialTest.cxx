@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Material functions with values that no material can have.
+ * Tests material functions with values that no material can have.
  */
 
 #include "Rigs/ApiRig.h"

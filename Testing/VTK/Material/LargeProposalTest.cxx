@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * In a large volume, ProposeFromImage looks at rows only. It finds the same as in a small one:
- * balls whose edges are known in closed form (ProposalRig.h), and the tissues of the head phantom,
- * in mirror images beside each other (the numbers of Data/phantom.py).
+ * Tests that ProposeFromImage, which reads only rows of a large volume, finds the same there as in
+ * a small one: balls whose edges are known in closed form (ProposalRig.h), and the tissues of the
+ * head phantom, in mirror images beside each other (the numbers of Data/phantom.py).
  */
 
 #include "ProposalRig.h"

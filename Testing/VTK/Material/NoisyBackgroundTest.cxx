@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Proposals for a background with noise, dark or bright, whose end is near the next material: the
- * background does not resist, and the functions of the other materials are the same as without
- * noise.
+ * Tests proposals for a background with noise, dark or bright, whose end is near the next material.
+ * The background must not resist, and the functions of the other materials must be the same as
+ * without noise.
  */
 
 #include "Core/Proposal/MaterialProposal.h"

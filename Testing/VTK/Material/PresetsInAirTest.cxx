@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * With every preset, a hand that presses through 60 mm of noisy air into a wall feels at least 0.1
- * N at a depth of 5 mm. It also feels the slopes of knobs of skin, on which it slides off.
+ * Tests that with every preset, a hand that presses through 60 mm of noisy air into a wall feels at
+ * least 0.1 N at a depth of 5 mm. The hand must also feel the slopes of knobs of skin, on which it
+ * slides off.
  */
 
 #include "Rigs/ApiRig.h"

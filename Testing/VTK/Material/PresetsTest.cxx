@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The presets are those of the tables in Documentation/materials.md, and keep what it says of all
- * of them.
+ * Tests that the presets have the values of the tables in Documentation/materials.md, and the
+ * properties that the document states for all presets.
  */
 
 #include "Rigs/ApiRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Other state of vtkHapticProperty: component, side, visibility.
+ * Tests other state of vtkHapticProperty: component, side and visibility.
  */
 
 #include "Rigs/ApiRig.h"

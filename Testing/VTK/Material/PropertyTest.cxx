@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * vtkHapticProperty alone: what it owns, when it counts as modified, and what it prints and copies.
+ * Tests vtkHapticProperty alone: the objects that it owns, the changes that count as a
+ * modification, and what it prints and copies.
  */
 
 #include "Rigs/ApiRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Images for ProposeFromImage: every scalar type, any unit, components, NaN, and images from which
- * nothing can be proposed.
+ * Tests images for ProposeFromImage: every scalar type, any unit, components, NaN, and images from
+ * which nothing can be proposed.
  */
 
 #include "ProposalRig.h"

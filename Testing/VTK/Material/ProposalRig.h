@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Nested balls with blurred edges, and what a proposal tells about them.
- * An edge blurred by a Gaussian of scale s is V1 + (V2 - V1) Phi(x/s), where Phi is the normal
- * distribution: the closed form of Kindlmann and Durkin, "Semi-automatic generation of transfer
- * functions for direct volume rendering", 1998. Nothing here uses the project's own kernels.
+ * Rig of nested balls with blurred edges, and of the results of proposals. An edge blurred by a
+ * Gaussian of scale s is V1 + (V2 - V1) Phi(x/s), where Phi is the normal distribution: the closed
+ * form of Kindlmann and Durkin, "Semi-automatic generation of transfer functions for direct volume
+ * rendering", 1998. Nothing here uses the project's own kernels.
  */
 #ifndef ProposalRig_h
 #define ProposalRig_h

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The functions that ProposeFromImage finds, against volumes whose edges are known in closed form,
- * and the tissues of the head phantom, against the numbers of Data/phantom.py.
+ * Tests the functions that ProposeFromImage finds. The volumes have edges that are known in closed
+ * form, and the tissues of the head phantom are known from Data/phantom.py.
  */
 
 #include "ProposalRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tissues of a property: their names and ranges, and their materials in the functions. Ramps are
- * straight lines, whose values are computed by hand.
+ * Tests tissues of a property: their names and ranges, and their materials in the functions. Ramps
+ * are straight lines, whose values are computed by hand.
  */
 
 #include "Rigs/ApiRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Voxels that a volume property's opacities hide are not felt: surface strength and viscosity are
- * zero there and only there, also for a proxy that is at a hidden value.
+ * Tests that voxels hidden by a volume property's opacities are not felt: surface strength and
+ * viscosity are zero exactly there, also for a proxy at a hidden value.
  */
 
 #include "Rigs/ApiRig.h"

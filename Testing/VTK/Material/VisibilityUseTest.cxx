@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Attaching, editing and detaching the volume property that decides what is felt.
+ * Tests attaching, editing and detaching the volume property that decides which voxels are felt.
  */
 
 #include "Rigs/ApiRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Markups of 3D Slicer. The files were written by hand from the published schema
+ * Tests markups of 3D Slicer. The files were written by hand from the published schema
  * (Modules/Loadable/Markups/Resources/Schema/markups-schema-v1.0.3.json of 3D Slicer) and from the
  * example in its developer's guide, "Markups json file format", not by the code under test.
  */

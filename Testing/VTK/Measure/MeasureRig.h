@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A list of measurements whose messages are recorded, and comparisons of lists.
+ * Rig of a list of measurements whose messages are recorded, with comparisons of lists.
  */
 #ifndef MeasureRig_h
 #define MeasureRig_h

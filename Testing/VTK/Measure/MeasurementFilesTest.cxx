@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Files of measurements give the same list when they are read, and errors tell why a file can't be
- * read.
+ * Tests that files of measurements give the same list when they are read, and that errors tell why
+ * a file can't be read.
  */
 
 #include "MeasureRig.h"

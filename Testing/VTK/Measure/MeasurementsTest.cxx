@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Values of measurements on a sphere, compared with closed forms of elementary geometry, and the
- * list.
+ * Tests values of measurements on a sphere against closed forms of elementary geometry, and the
+ * list of measurements.
  */
 
 #include "MeasureRig.h"

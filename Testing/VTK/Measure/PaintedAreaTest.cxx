@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Areas that a brush paints, against closed forms: a dab on a plane or a sphere covers pi r^2 (on a
- * sphere, the cap within a chord of r), a straight stroke on a plane 2 r L + pi r^2.
+ * Tests areas that a brush paints against closed forms. A dab on a plane or a sphere covers pi r^2
+ * (on a sphere, the cap within a chord of r). A straight stroke on a plane covers 2 r L + pi r^2.
  * The border is a polygon with a corner on each edge of the surface's triangles. Edges are up to
  * the diagonal of a voxel h long, so the relative error of an area is at most (h / r)^2 / 4: 1.6 %
  * for a radius of four voxels, 0.4 % for a radius of eight.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The width of a ball between the proxies that touch it from two sides, compared with its diameter.
+ * Tests the width of a ball, between proxies that touch it from two sides, against its diameter.
  * The ball looks like water in a CT scan: a step of Hounsfield units, blurred by a point spread. An
  * evenly blurred step is halfway up where the step was.
  */

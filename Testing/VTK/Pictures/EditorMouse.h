@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A function editor in the right part of a window, and a mouse.
+ * Rig of a function editor in the right part of a window, with a mouse.
  */
 #ifndef EditorMouse_h
 #define EditorMouse_h

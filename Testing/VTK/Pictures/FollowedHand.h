@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A virtual hand that feels modes, and the picture of the lines and fronts that hold it.
+ * Rig of a virtual hand that feels modes, and of the picture of the lines and fronts that hold it.
  */
 #ifndef FollowedHand_h
 #define FollowedHand_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The representation over a plane that a real device presses, in each state of contact.
+ * Rig of the representation over a plane that a replayed device presses, in each state of contact.
  */
 #ifndef ShownContact_h
 #define ShownContact_h

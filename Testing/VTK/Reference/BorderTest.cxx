@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * At the border: values clamp, the gradient ends, and the strength fades over one kernel radius.
+ * Tests the border of a volume: values clamp, the gradient ends, and the strength fades over one
+ * kernel radius.
  */
 
 #include "Random.h"

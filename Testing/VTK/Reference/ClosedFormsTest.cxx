@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The specification's closed forms: T1 to T5, a flat surface, penetration, friction and drag; T6 to
- * T9, drag without a surface, and distinctness; T10 to T13, curved walls. The last ones document
- * the faults of the paper's solver (it moves along a tangent, so it drifts outward), with the
- * figures of its recursion. The module plays each of them, and so does the reference, which has to
- * earn trust.
+ * Tests the closed forms of Documentation/evaluation.md: T1 to T5 (a flat surface, penetration,
+ * friction and drag), T6 to T9 (drag without a surface, and distinctness), and T10 to T13 (curved
+ * walls). T10 to T13 document the faults of the paper's solver, which moves along a tangent and so
+ * drifts outwards, with the figures of its recursion. The module plays each case, and so does the
+ * reference, which must be tested, too.
  */
 
 #include "SampledImage.h"

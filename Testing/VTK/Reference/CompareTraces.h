@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The difference between two traces, array by array.
+ * Difference between two traces, array by array.
  */
 #ifndef CompareTraces_h
 #define CompareTraces_h

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The module against the reference on random volumes, materials, settings and walks. This test
- * knows nothing of the module's implementation.
+ * Compares the module with the reference on random volumes, materials, settings and walks. This
+ * test knows nothing of the module's implementation.
  */
 
 #include "CompareTraces.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The effect of white noise on a gradient, compared with the kernel's actual weights and with the
- * documented formula for the ideal Gaussian.
+ * Tests the effect of white noise on a gradient against the kernel's actual weights, and against
+ * the documented formula for the ideal Gaussian.
  */
 
 #include "Random.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Every estimator reproduces the gradient and the values of a linear field, on any grid.
+ * Tests that every estimator reproduces the gradient and the values of a linear field, on any grid.
  */
 
 #include "RandomScene.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Invariants of any scene, checked by the module's own trace arrays. Every tick keeps the limits of
+ * Tests invariants of any scene by the module's own trace arrays. Every tick keeps the limits of
  * the material and the spring. The hand feels neither the placement of the volume, nor the grid on
  * which a linear field was sampled. If the material is the same everywhere, a small motion of the
  * tip changes the force of PRECISE by no more than the spring would.

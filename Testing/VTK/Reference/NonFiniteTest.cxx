@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Samples that are not numbers are felt as nothing, and never reach a force.
+ * Tests that samples that are not numbers are felt as nothing, and never reach a force.
  */
 
 #include "CompareTraces.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The replacement for a sample that is not a number.
+ * Tests the replacement for a sample that is not a number.
  */
 
 #include "RandomScene.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A hand at rest gets no energy from the volume, and gives none: 1/2 k |d|^2 never rises.
+ * Tests that a hand at rest gets no energy from the volume: 1/2 k |d|^2 never rises.
  */
 
 #include "RandomScene.h"

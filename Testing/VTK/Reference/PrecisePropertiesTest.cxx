@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Invariants of every tick of solver PRECISE in unlikely scenes: more than 10^5 ticks of random
- * volumes, materials and walks, with jumps and excursions out of the volume.
+ * Tests invariants of every tick of solver PRECISE in unlikely scenes: more than 10^5 ticks of
+ * random volumes, materials and walks, with jumps and excursions out of the volume.
  */
 
 #include "RandomScene.h"

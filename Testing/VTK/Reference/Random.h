@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Random numbers that are the same with every standard library (the std distributions are not), and
- * rotations made of them.
+ * Makes random numbers that are the same with every standard library, unlike those of the std
+ * distributions, and rotations from these numbers.
  */
 #ifndef Random_h
 #define Random_h

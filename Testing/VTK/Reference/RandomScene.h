@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Unlikely scenes: random volumes, materials, settings and walks.
+ * Makes unlikely scenes: random volumes, materials, settings and walks.
  */
 #ifndef RandomScene_h
 #define RandomScene_h

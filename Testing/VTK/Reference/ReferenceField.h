@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * V and grad V directly by their formulas: double loops, exp(), taps clamped to the border.
+ * Computes V and grad V directly by their formulas: double loops, exp(), and taps clamped to the
+ * border.
  */
 #ifndef ReferenceField_h
 #define ReferenceField_h

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * One tick of method PROXY with the paper's solver, step by step as the specification lists them,
- * and one of FORCE_FIELD. Arguments and results are in world units; the computation is in metres.
+ * Computes one tick of method PROXY with the paper's solver, step by step as documented, and one
+ * tick of FORCE_FIELD. Arguments and results are in world units; the computation is in metres.
  */
 #ifndef ReferenceTick_h
 #define ReferenceTick_h

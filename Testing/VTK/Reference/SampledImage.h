@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Analytic fields sampled to images of any geometry and scalar type.
+ * Samples analytic fields to images of any geometry and scalar type.
  */
 #ifndef SampledImage_h
 #define SampledImage_h

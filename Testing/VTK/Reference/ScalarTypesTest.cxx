@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The same numbers give the same forces in every scalar type, component and memory layout.
+ * Tests that the same numbers give the same forces in every scalar type, component and memory
+ * layout.
  */
 
 #include "CompareTraces.h"

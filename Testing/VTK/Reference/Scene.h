@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Everything that determines a trace: a volume, a property, the settings and a tip path. The module
- * can play a scene (through its public VTK classes only), and so can the reference.
+ * Everything that determines a trace: a volume, a property, the settings and a path of the tip. The
+ * module can play a scene (through its public VTK classes only), and so can the reference.
  */
 #ifndef Scene_h
 #define Scene_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The three-vectors of the reference. They are deliberately simple: nothing here is shared with the
+ * Three-vectors of the reference. They are deliberately simple: nothing here is shared with the
  * module.
  */
 #ifndef Vec3_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Volumes for vtkHapticRegionSource: computed ones, and the same volumes in memory.
+ * Rig of volumes for vtkHapticRegionSource: computed volumes, and the same volumes in memory.
  */
 #ifndef LargeRig_h
 #define LargeRig_h

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Regions that follow a tip, without a device: what replaces late samples, how much memory is used,
- * and a day of use. Values are closed forms of the indices.
+ * Tests regions that follow a tip, without a device: the replacement for late samples, the memory
+ * used, and a day of use. Values are closed forms of the indices.
  */
 
 #include "LargeRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The arrays of a region that describe the whole volume, and the errors if they are wrong.
+ * Tests the arrays of a region that describe the whole volume, and the errors for wrong arrays.
  */
 
 #include "Rigs/BadImage.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The noise of a volume in pieces equals the noise of the whole, to the bit, and is estimated once.
- * Samples that were not measured are found in all pieces.
+ * Tests that the noise of a volume in pieces equals the noise of the whole, to the bit, and is
+ * estimated once. Samples that were not measured are found in all pieces.
  */
 
 #include "RegionRig.h"

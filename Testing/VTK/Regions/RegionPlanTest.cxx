@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Plans of RegionPlanner, also for numbers that make no sense.
+ * Tests plans of RegionPlanner, also for absurd numbers.
  */
 
 #include "Rigs/ApiRig.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The choice of the region to fetch, and its time, for hands that rest, tremble and move.
+ * Tests the choice of the region to fetch, and the time of this choice, for hands that rest,
+ * tremble and move.
  */
 
 #include "VTK/Regions/RegionPlanner.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The thread that reads regions: its owner never waits for it, except for a read that is under way
- * when the reader ends. The thread survives readers that fail, throw or are slow.
+ * Tests the thread that reads regions. Its owner never waits for it, except for a read that is
+ * running when the reader ends. The thread survives readers that fail, throw or are slow.
  */
 
 #include "VTK/Regions/RegionReader.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A noisy ball in an image that is turned in the world, and regions of it.
+ * Rig of a noisy ball in an image that is turned in the world, and of regions of this image.
  */
 #ifndef RegionRig_h
 #define RegionRig_h

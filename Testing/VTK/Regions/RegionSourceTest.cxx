@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Paths through a volume that is read region by region give the same trace as through the whole
- * volume in memory, to the bit, in whatever order regions are read. The reference is the filter on
- * a vtkImageData.
+ * Tests that paths through a volume that is read region by region give the same trace as through
+ * the whole volume in memory, to the bit, in any order of the regions. The reference is the filter
+ * on a vtkImageData.
  */
 
 #include "LargeRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A region that vtkHapticRegionFilter has made is felt like the whole image.
+ * Tests that a region that vtkHapticRegionFilter has made is felt like the whole image.
  */
 
 #include "RegionRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Presets as files: what is restored, and the errors for other files.
+ * Tests presets as files: the restored functions, and the errors for other files.
  */
 
 #include "SetupRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A scene whose settings are random.
+ * Scene whose settings are random.
  */
 #ifndef RandomSetup_h
 #define RandomSetup_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A scene whose settings must survive bad files.
+ * Rig of a scene whose settings must survive bad files.
  */
 #ifndef SetupErrorsRig_h
 #define SetupErrorsRig_h

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A setup that can't be used gives one error that names file, key and cure, and changes nothing.
+ * Tests that a setup that can't be used gives one error that names file, key and cure, and changes
+ * nothing.
  */
 
 #include "Rigs/FullDisk.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The label table in a setup is restored, and an error in the file names the label. Tables are
- * compared by their getters and by the CSV that they write.
+ * Tests that the label table in a setup is restored, and that an error in the file names the label.
+ * Tables are compared by their getters and by the CSV that they write.
  */
 
 #include "SetupErrorsRig.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Modes in a setup are restored, guides keep their paths, and an error in the file names the mode.
+ * Tests that modes in a setup are restored, that guides keep their paths, and that an error in the
+ * file names the mode.
  */
 
 #include "SetupErrorsRig.h"

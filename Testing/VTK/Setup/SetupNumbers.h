@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The settings that a setup has to restore, as numbers to compare.
+ * Settings that a setup must restore, as numbers to compare.
  */
 #ifndef SetupNumbers_h
 #define SetupNumbers_h

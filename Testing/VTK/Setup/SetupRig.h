@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * All objects whose settings a setup saves, and files for it.
+ * Rig of all objects whose settings a setup saves, and of its files.
  */
 #ifndef SetupRig_h
 #define SetupRig_h

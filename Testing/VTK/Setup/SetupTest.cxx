@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A setup restores everything that it saved, to the bit and in place, and changes nothing else.
+ * Tests that a setup restores everything that it saved, to the bit and in place, and changes
+ * nothing else.
  */
 
 #include "RandomSetup.h"

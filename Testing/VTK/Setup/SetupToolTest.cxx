@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tools in a setup are restored, and an error in the file names the tool.
+ * Tests that tools in a setup are restored, and that an error in the file names the tool.
  */
 
 #include "SetupErrorsRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Points with areas from a mesh: the sum of their areas, their distances, the design's forces in
- * closed form, and meshes that are no tools.
+ * Tests the points with areas that are made from a mesh: the sum of their areas, their distances,
+ * the design's forces in closed form, and meshes that are no tools.
  */
 
 #include "VTK/Tools/ShellSampler.h"

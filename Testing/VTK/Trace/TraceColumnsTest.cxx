@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Lists of the arrays of traces and recordings: no number of a row is written twice or lies outside
- * of its row, and units are those of the quantities.
+ * Tests the lists of the arrays of traces and recordings. No number of a row is written twice or
+ * lies outside its row, and units are those of the quantities.
  */
 
 #include "VTK/Trace/HapticTraceColumns.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tables of traces: their text follows RFC 4180 (a line of titles, fields between commas), their
- * numbers are read by std::from_chars of the C++ standard, and their .vtp by VTK's reader.
+ * Tests tables of traces. Their text follows RFC 4180 (a line of titles, fields between commas),
+ * their numbers are read by std::from_chars of the C++ standard, and their .vtp by VTK's reader.
  */
 
 #include "VTK/Trace/TraceWriter.h"

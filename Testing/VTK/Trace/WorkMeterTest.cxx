@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The work on the hand (the array Energy of traces) against closed forms of mechanics: the integral
- * of F dx for constant forces, springs and closed paths, and the integral of the torque over a
- * turn.
+ * Tests the work on the hand (the array Energy of traces) against closed forms of mechanics: the
+ * integral of F dx for constant forces, springs and closed paths, and the integral of the torque
+ * over a turn.
  */
 
 #include "VTK/Trace/TraceRow.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A worker makes the large meshes of the first time steps of a moving volume. The test holds the
- * worker up, so a device that waited for it would wait forever.
+ * Tests the large meshes of the first time steps of a moving volume, which a worker makes. The test
+ * holds the worker up, so a device that waited for it would wait forever.
  */
 
 #include "Rigs/DeviceRig.h"

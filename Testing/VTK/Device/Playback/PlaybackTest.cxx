@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A device in a moving volume: a wall moves towards a tip that rests. The force is that of the
- * spring to the wall, whose place is known at all times. Recordings of it replay to the bit.
+ * Tests a device in a moving volume. A wall moves towards a tip that rests. The force is that of
+ * the spring to the wall, whose place is known at all times. Recordings replay to the bit.
  */
 
 #include "Rigs/DeviceRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Time steps that come one by one: a wall at x = 9 + t moves towards a tip that rests at 12, by 1
- * mm per time step. The force is that of the spring to the wall.
+ * Tests time steps that come one by one. A wall at x = 9 + t moves towards a tip that rests at 12,
+ * by 1 mm per time step. The force is that of the spring to the wall.
  */
 
 #include "Rigs/DeviceRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The number of time steps of a moving volume in memory at once, beside the one that its source
- * writes to. The test plays, and jumps through, arrays that count themselves.
+ * Tests how many time steps of a moving volume are in memory at once, besides the one to which the
+ * source writes. The time steps are arrays that count themselves, while the test plays and jumps.
  */
 
 #include "Rigs/DeviceRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A burr in the hand: what it removes, undo under force, recordings that replay to the bit with
- * their removal, and other tools and devices on the same volume.
+ * Tests a burr in the hand: the tissue that it removes, undo under force, recordings that replay to
+ * the bit with their removal, and other tools and devices on the same volume.
  */
 
 #include "Rigs/RecordingRig.h"

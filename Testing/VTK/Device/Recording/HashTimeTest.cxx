@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A recording begins at once, and its hashes follow when they are known. An array delays the hash
- * for as long as a test wants. The expected hash comes from HashScalars(), which another test
- * compares with an MD5 of Python's.
+ * Tests that a recording begins at once, and that its hashes follow when they are known. An array
+ * delays the hash for as long as a test wants. The expected hash comes from HashScalars(), which
+ * another test compares with Python's MD5.
  */
 
 #include "Rigs/GatedArray.h"

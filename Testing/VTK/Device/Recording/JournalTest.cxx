@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Journals on disks that can't be read, file systems without locks, interrupting signals, other
- * programs that rename and remove files, and machines without a thread or disk space.
- * This program replaces flock(2), fsync(2) and pread(2) by versions that fail as their manual pages
- * describe.
+ * Tests journals under faults: disks that can't be read, file systems without locks, interrupting
+ * signals, other programs that rename and remove files, and machines without a free thread or disk
+ * space. The test replaces flock(2), fsync(2) and pread(2) by versions that fail as their manual
+ * pages describe.
  */
 
 #include "RecorderRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A device on a volume with labels: the state tells the label. Recordings replay to the bit with
- * the same labels, and are refused without labels or with other labels.
+ * Tests a device on a volume with labels, whose state tells the label. Recordings replay to the bit
+ * with the same labels, and are refused without labels or with other labels.
  */
 
 #include "Rigs/EventCounter.h"

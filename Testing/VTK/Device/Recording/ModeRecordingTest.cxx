@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Modes on a device: recordings replay to the bit, and a mode that becomes active while the hand is
- * off its place begins softly.
+ * Tests modes on a device. Recordings replay to the bit, and a mode that becomes active while the
+ * hand is away from its place begins softly.
  */
 
 #include "Rigs/RecordingRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A needle in the hand: recordings replay to the bit, with and without an orientation, and if they
- * begin with the needle in tissue. The tool may change under force.
+ * Tests a needle in the hand. Recordings replay to the bit, with and without an orientation, and
+ * also if they begin with the needle in tissue. The tool may change under force.
  */
 
 #include "Rigs/RecordingRig.h"

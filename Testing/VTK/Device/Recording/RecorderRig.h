@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A recorder without a device: a model, ticks with random digits, and files in a folder that is
- * removed at the end.
+ * Rig of a recorder without a device: a model, ticks with random digits, and files in a folder that
+ * is removed at the end.
  */
 #ifndef RecorderRig_h
 #define RecorderRig_h

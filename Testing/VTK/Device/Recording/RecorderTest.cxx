@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The recorder without a device: its memory, its bytes per tick, and journals that end anywhere.
+ * Tests the recorder without a device: its memory, its bytes per tick, and journals that end
+ * anywhere.
  */
 
 #include "RecorderRig.h"

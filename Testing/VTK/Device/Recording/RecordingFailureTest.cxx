@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Full disks, and folders that can't be written: each is reported at once, and what was written can
- * be read.
+ * Tests full disks, and folders that can't be written. Each is reported at once, and the ticks that
+ * were written can be read.
  */
 
 #include "Rigs/RecordingFailureRig.h"

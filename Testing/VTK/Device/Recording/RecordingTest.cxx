@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A recording on the filter's second port gives the same trace, to the bit.
+ * Tests that a recording on the filter's second port gives the same trace, to the bit.
  */
 
 #include "Rigs/RecordingRig.h"

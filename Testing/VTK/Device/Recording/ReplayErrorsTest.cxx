@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A file that is no recording is refused, with one error and without force.
+ * Tests that a file that is no recording is refused, with one error and without force.
  */
 
 #include "ReplayRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Records a short push, and makes files to replay.
+ * Rig that records a short push, and makes files to replay.
  */
 #ifndef ReplayRig_h
 #define ReplayRig_h

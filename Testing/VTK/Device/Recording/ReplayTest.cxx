@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The device replay:FILE repeats the tips of the recording.
+ * Tests that the device replay:FILE repeats the tips of the recording.
  */
 
 #include "ReplayRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A tool with a shape in the hand: force and torque reach the device, recordings replay to the bit,
- * also if they begin in contact, and the tool may change under force.
+ * Tests a tool with a shape in the hand. Force and torque reach the device, recordings replay to
+ * the bit, also if they begin in contact, and the tool may change under force.
  */
 
 #include "Rigs/RecordingRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Recordings with changed numbers give either one error that names the fault, or a trace like any
- * other, with finite forces within the filter's MaximumForce. A replay always ends.
+ * Tests recordings with changed numbers. Each gives either one error that names the fault, or a
+ * trace with finite forces within the filter's MaximumForce. A replay always ends.
  */
 
 #include "Rigs/RecordingRig.h"

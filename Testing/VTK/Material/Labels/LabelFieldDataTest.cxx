@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A table of labels in the field data of an image and of its file. The comment in
+ * Tests a table of labels in the field data of an image and of its file. The comment in
  * vtkHapticLabelTable.h defines the names and meanings of the arrays.
  */
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Files of labels that tests write, and the tables that are read from them.
+ * Rig of label files that tests write, and of the tables that are read from them.
  */
 #ifndef LabelFilesRig_h
 #define LabelFilesRig_h

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * vtkHapticLabelTable alone: what it keeps, what it refuses, and when it counts as modified. Its
- * class comment defines the expectations.
+ * Tests vtkHapticLabelTable alone: its entries, its errors, and the changes that count as a
+ * modification. Its class comment defines the expectations.
  */
 
 #include "Rigs/ApiRig.h"

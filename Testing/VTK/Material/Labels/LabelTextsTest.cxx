@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tables of labels that are texts. The files are made after
+ * Tests tables of labels that are texts. The files follow
  * - the comment with which ITK-SNAP begins a label description file;
  * - FreeSurfer's wiki, "Labels, Color Lookup Tables and Annotation Files"
  *   (freesurfer.net/fswiki/LabelsClutsAnnotationFiles);

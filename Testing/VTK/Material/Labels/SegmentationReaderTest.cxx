@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Segmentations in files that are made after 3D Slicer's documentation "Segmentation
- * labelmap file format (.seg.nrrd)" and Teem's definition of NRRD
- * (teem.sourceforge.net/nrrd/format.html). Samples and positions are computed here, voxel by voxel.
+ * Tests segmentations in files that follow 3D Slicer's documentation "Segmentation labelmap file
+ * format (.seg.nrrd)" and Teem's definition of NRRD (teem.sourceforge.net/nrrd/format.html). The
+ * test computes samples and positions itself, voxel by voxel.
  */
 
 #include "LabelFilesRig.h"

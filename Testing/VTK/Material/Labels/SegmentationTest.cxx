@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Names and colours in the heads of segmentations. The files are made after
+ * Tests names and colours in the heads of segmentations. The files follow
  * - 3D Slicer's documentation "Segmentation labelmap file format (.seg.nrrd)"
  *   (slicer.readthedocs.io, developer guide, modules, segmentations), and Teem's definition of NRRD
  *   (teem.sourceforge.net/nrrd/format.html);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Raw files: samples of all types and both byte orders at the places that the format defines; files
- * that are short, shrink, or are no files; and a sparse file of 40 GB. The tests write the bytes
- * one by one.
+ * Tests raw files: samples of all types and both byte orders at the places that the format defines,
+ * files that are short, shrink, or are no files, and a sparse file of 40 GB. The tests write the
+ * bytes one by one.
  */
 
 #include "Rigs/TemporaryFolder.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The public headers of the scene document the same settings as the lists of settings.
+ * Tests that the public headers of the scene document the same settings as the lists of settings.
  */
 
 #include "Rigs/SettingChecks.h"

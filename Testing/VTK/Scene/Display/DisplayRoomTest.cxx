@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The head-up display in narrow windows, and beside what other renderers draw over it.
+ * Tests the head-up display in narrow windows, and beside objects that other renderers draw over
+ * it.
  */
 
 #include "Rigs/ScriptedStates.h"
@@ -26,7 +27,7 @@ using namespace devicetest;
 
 namespace
 {
-/** The bright pixels of a text on black, and the rectangle that they span. */
+/** Bright pixels of a text on black, and the rectangle that they span. */
 struct Ink
 {
   double Sum = 0.0; ///< sum of the red values of all pixels

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The plot and the text of the head-up display.
+ * Tests the plot and the text of the head-up display.
  */
 
 #include "Rigs/ScriptedStates.h"

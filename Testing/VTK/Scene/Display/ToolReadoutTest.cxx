@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The display's text for a tool: the depth and angle of a needle, the number of layers that it has
- * passed and of its touches of forbidden tissue, and the torque on a tool with a shape. The
+ * Tests the display's text for a tool: the depth and angle of a needle, the number of layers that
+ * it has passed and of its touches of forbidden tissue, and the torque on a tool with a shape. The
  * needle's track is written to a file and read again.
  */
 

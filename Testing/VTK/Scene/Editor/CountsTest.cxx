@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The function editor counts all values of a large array in pieces, or spread samples of it. The
- * counts are compared with a std::map or std::set of the same values.
+ * Tests that the function editor counts all values of a large array in pieces, or spread samples of
+ * it. The counts are compared with a std::map or std::set of the same values.
  */
 
 #include "VTK/Scene/Base/HapticHistogram.h"

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Edits of a function by the mouse: a point follows the mouse to the pixel, and undo restores a
- * function to the bit. Expected values come from the linear axes and from copies of the functions.
+ * Tests edits of a function by the mouse. A point follows the mouse to the pixel, and undo restores
+ * a function to the bit. Expected values come from the linear axes and from copies of the
+ * functions.
  */
 
 #include "VTK/Scene/Editor/EditorProbe.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A picture whose rays are kept from frame to frame equals that of a mapper that casts all rays for
- * each frame.
+ * Tests that a picture whose rays are kept from frame to frame equals that of a mapper that casts
+ * all rays for each frame.
  */
 
 #include "VTK/Scene/Frames/KeptRays.h"

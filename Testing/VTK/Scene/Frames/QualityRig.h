@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A window with a volume; tests choose how long its frames take.
+ * Rig of a window with a volume. Tests choose how long its frames take.
  */
 #ifndef QualityRig_h
 #define QualityRig_h

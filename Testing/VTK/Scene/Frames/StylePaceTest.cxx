@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The style's timer draws coarsely while something moves, and well at rest; it does not draw all
- * the time when only figures change.
+ * Tests the style's timer. It draws coarsely while something moves, and finely at rest. It does not
+ * draw all the time if only numbers change.
  */
 
 #include "VTK/Scene/Interaction/StyleRig.h"

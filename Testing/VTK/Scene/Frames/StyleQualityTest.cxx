@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The quality of volumes in a window on the screen: coarse in motion, as the application has set it
- * at rest, and never so fine that a frame blocks the hand.
+ * Tests the quality of volumes in a window on the screen: coarse in motion, as set by the
+ * application at rest, and never so fine that a frame blocks the hand.
  */
 
 #include "QualityRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Frames of a mapper that casts rays on the processor: late frames end early, and fine rays are
- * kept in motion.
+ * Tests frames of a mapper that casts rays on the processor. Late frames end early, and fine rays
+ * are kept in motion.
  */
 
 #include "QualityRig.h"

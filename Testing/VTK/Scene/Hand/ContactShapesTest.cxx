@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Shapes that show how deep the touch is: the spring with its stretch and slack, the contact patch,
- * and the stylus.
+ * Tests shapes that show how deep the touch is: the spring with its stretch and slack, the contact
+ * patch, and the stylus.
  */
 
 #include "Rigs/DeviceRig.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The widget in a program with its own style, observers and keys: the hand touches, and the program
- * keeps working as before. VTK's vtkInteractorStyleTrackballCamera, and observers that count the
- * events that reach them, stand for the program.
+ * Tests the widget in a program with its own style, observers and keys. The hand touches, and the
+ * program keeps working as before. VTK's vtkInteractorStyleTrackballCamera, and observers that
+ * count the events that reach them, stand for the program.
  */
 
 #include "StyleRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A touch of half a minute, with the servo at 1 kHz and frames as fast as possible: no state is
- * missed, and memory does not grow.
+ * Tests a touch of half a minute, with the servo at 1 kHz and frames as fast as possible. No state
+ * is missed, and memory does not grow.
  */
 
 #include "StyleRig.h"

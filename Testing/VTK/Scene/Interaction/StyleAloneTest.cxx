@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The style, the representation and the displays without a device, a filter, an interactor, a
+ * Tests the style, the representation and the displays without a device, a filter, an interactor, a
  * window or a renderer. Nothing crashes, and without an interactor nothing is armed.
  */
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The scene shows the tissue that a burr has removed, restores it on undo, and leaves the image
- * unchanged.
+ * Tests that the scene shows the tissue that a burr has removed, restores it on undo, and leaves
+ * the image unchanged.
  */
 
 #include "StyleRig.h"

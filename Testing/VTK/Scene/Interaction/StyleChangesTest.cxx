@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The changes that the style passes to the servo: functions, materials of labels, and the workspace
- * of a device other than the mouse.
+ * Tests the changes that the style passes to the servo: functions, materials of labels, and the
+ * workspace of a device other than the mouse.
  */
 
 #include "StyleRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An order to disarm while the clutch is held wins: releasing the clutch does not restore the
- * force.
+ * Tests that an order to disarm while the clutch is held wins: releasing the clutch does not
+ * restore the force.
  */
 
 #include "Rigs/PlayedHardware.h"

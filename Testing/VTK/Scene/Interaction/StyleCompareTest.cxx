@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The key that compares two settings while the hand touches the ball. The ball is hard, so the
- * force is the stiffness times the distance from tip to proxy.
+ * Tests the key that compares two settings while the hand touches the ball. The ball is hard, so
+ * the force is the stiffness times the distance from tip to proxy.
  */
 
 #include "StyleRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Keys for edits of the function editor: undo, redo, reset, and its place in the window.
+ * Tests keys for edits of the function editor: undo, redo, reset, and its place in the window.
  */
 
 #include "StyleRig.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A window closes while the hand presses: the force is 0 when the loop has ended, before anything
- * is deleted. Every test runs its loop to the end, since VTK 9.1's X11 interactors otherwise leave
- * a dangling pointer in the list that every loop walks.
+ * Tests windows that close while the hand presses. The force is 0 when the loop has ended, before
+ * anything is deleted. Every test runs its loop to the end, since VTK 9.1's X11 interactors
+ * otherwise leave a dangling pointer in the list that every loop walks.
  */
 
 #include "StyleRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The hints and the list of keys that the style shows to a newcomer.
+ * Tests the hints and the list of keys that the style shows to a newcomer.
  */
 
 #include "StyleRig.h"
@@ -22,7 +22,7 @@ protected:
     this->Display->SetDevice(this->Device);
     this->Style->SetHeadUpDisplay(this->Display);
   }
-  /** Returns whether the hint has these words; with no words, whether there is no hint. */
+  /** Returns whether the hint has these words. Without words, returns whether there is no hint. */
   bool Hints(const std::string& words)
   {
     const std::string hint = this->Display->GetHint();

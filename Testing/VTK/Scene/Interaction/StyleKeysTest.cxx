@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Keys of the style that an application has changed. Expected actions of VTK's own keys come from
- * the documentation of vtkInteractorStyle: r resets the camera.
+ * Tests keys of the style that an application has changed. Expected actions of VTK's own keys come
+ * from the documentation of vtkInteractorStyle: r resets the camera.
  */
 
 #include "StyleRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A style that leaves its interactor leaves no force, since no user leads the tip, and no
- * observers.
+ * Tests that a style that leaves its interactor leaves no observers, and no force, since no user
+ * leads the tip.
  */
 
 #include "StyleRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * While the style or the editor keeps the program busy, the force is off, and the head-up display
- * announces that.
+ * Tests that the force is off while the style or the editor keeps the program busy, and that the
+ * head-up display announces this.
  */
 
 #include "StyleRig.h"

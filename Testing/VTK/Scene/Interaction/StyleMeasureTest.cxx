@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Measuring by keys where the hand touches a ball. Distances and angles are compared with the
- * geometry of a sphere, paths with the states of the servo, areas with that of a cap.
+ * Tests measuring by keys where the hand touches a ball. Distances and angles are compared with the
+ * geometry of a sphere, areas with that of a cap, and paths with the states of the servo.
  */
 
 #include "StyleRig.h"

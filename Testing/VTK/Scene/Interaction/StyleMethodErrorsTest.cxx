@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * If the next method can't be felt, the current method stays.
+ * Tests that the current method stays if the next method can't be felt.
  */
 
 #include "StyleRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The key that selects the next method while the hand touches the ball.
+ * Tests the key that selects the next method while the hand touches the ball.
  */
 
 #include "StyleRig.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * During long work, observers of the application close the window, disarm, or take the device or
- * the interactor away from the style: nothing crashes, and no device is armed that no window
- * watches.
+ * Tests observers of the application that close the window, disarm, or take the device or the
+ * interactor away from the style during long work. Nothing crashes, and no device stays armed
+ * without a window that updates it.
  */
 
 #include "StyleRig.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A program that opens and closes many windows with haptics does not leak memory, threads or files.
+ * Tests that a program that opens and closes many windows with haptics does not leak memory,
+ * threads or files.
  */
 
 #include "StyleRig.h"

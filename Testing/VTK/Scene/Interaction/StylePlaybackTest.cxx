@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A moving volume in a scene: the shown time step is the felt one, and keys control the playback.
+ * Tests a moving volume in a scene. The shown time step is the felt one, and keys control the
+ * playback.
  */
 
 #include "StyleRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An interactor with the haptic style over a ball, and a hand that sends events.
+ * Rig of an interactor with the haptic style over a ball, and of a hand that sends events.
  */
 #ifndef StyleRig_h
 #define StyleRig_h

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A scene with a second device: keys and the window act on both hands, a fault and the force belong
- * to one hand, and the head-up display and a widget show both.
+ * Tests a scene with a second device. Keys and the window act on both hands, a fault and the force
+ * belong to one hand, and the head-up display and a widget show both.
  */
 
 #include "Rigs/EventCounter.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A scene with several volumes, each with its own filter. The volumes are balls with a radius of 30
- * mm, so their centres give the place of a contact.
+ * Tests a scene with several volumes, each with its own filter. The volumes are balls with a radius
+ * of 30 mm, so their centres give the place of a contact.
  */
 
 #include "StyleRig.h"

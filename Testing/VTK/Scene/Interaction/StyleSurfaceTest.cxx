@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A surface that changes while it is touched reaches the servo.
+ * Tests that a surface that changes while it is touched reaches the servo.
  */
 
 #include "StyleRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Two styles with one device, as for two windows that show one volume: each gets every state and
- * every event.
+ * Tests two styles with one device, as for two windows that show one volume. Each style gets every
+ * state and every event.
  */
 
 #include "StyleRig.h"

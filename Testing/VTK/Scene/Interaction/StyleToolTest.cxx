@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Alt + mouse turns a tool with a shape if the device measures no orientation, and changes nothing
- * else.
+ * Tests that Alt + mouse turns a tool with a shape if the device measures no orientation, and
+ * changes nothing else.
  */
 
 #include "StyleRig.h"

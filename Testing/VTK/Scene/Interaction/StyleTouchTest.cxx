@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The mouse presses on a ball, slides and lets go.
+ * Tests a mouse that presses on a ball, slides and lets go.
  */
 
 #include "StyleRig.h"

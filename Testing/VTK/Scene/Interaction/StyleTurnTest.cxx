@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Turning the cap of a device turns the volume, and the hand keeps its position on the screen.
+ * Tests that turning the cap of a device turns the volume, and that the hand keeps its position on
+ * the screen.
  */
 
 #include "Rigs/PlayedHardware.h"

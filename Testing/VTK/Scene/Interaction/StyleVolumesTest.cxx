@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Volumes that are drawn in a way that can't be felt warn once for each reason.
+ * Tests volumes that are drawn in a way that can't be felt. Each reason gives one warning.
  */
 
 #include "Rigs/LoopPauses.h"

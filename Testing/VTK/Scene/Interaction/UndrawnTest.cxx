@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Props that are drawn without a window, arrays that are missing, and editors of absurd sizes do
- * not crash.
+ * Tests that props drawn without a window, missing arrays, and editors of absurd sizes do not
+ * crash.
  */
 
 #include "Rigs/ApiRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Slices show the tissue that a burr has left; they equal the slices of an image from which a loop
- * has removed the tissue.
+ * Tests that slices show the tissue that a burr has left. They equal the slices of an image from
+ * which a loop has removed the tissue.
  */
 
 #include "Rigs/RemovalRig.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Slices beside the scene: which voxel each pixel shows, and where a click leads the tip.
+ * Tests slices beside the scene: the voxel that each pixel shows, and the place to which a click
+ * leads the tip.
  */
 
 #include "VTK/Scene/Interaction/StyleRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The picture of a carved volume equals VTK's picture of an image from which the tissue was
- * removed.
+ * Tests that the picture of a carved volume equals VTK's picture of an image from which the tissue
+ * was removed.
  */
 
 #include "VTK/Scene/Volumes/CarvedPicture.h"

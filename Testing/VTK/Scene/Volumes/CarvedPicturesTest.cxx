@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The volumes of a scene that show an array also show what a tool has left of it.
+ * Tests that the volumes of a scene that show an array also show what a tool has left of the array.
  */
 
 #include "CarvedScene.h"

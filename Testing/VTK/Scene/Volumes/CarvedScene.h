@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Scenes with carved volumes: in one, the module shows the removal; in the other, VTK draws an
- * image from which a loop over all samples has removed the tissue.
+ * Rig of scenes with carved volumes. In one scene, the module shows the removal; in the other, VTK
+ * draws an image from which a loop over all samples has removed the tissue.
  */
 #ifndef CarvedScene_h
 #define CarvedScene_h

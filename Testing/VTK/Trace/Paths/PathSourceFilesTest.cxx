@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Paths from files, and settings that make no path.
+ * Tests paths from files, and settings that make no path.
  */
 
 #include "Rigs/ApiRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The shapes of vtkHapticPathSource, compared with closed forms.
+ * Tests the shapes of vtkHapticPathSource against closed forms.
  */
 
 #include "Rigs/ApiRig.h"
