@@ -10,7 +10,7 @@ set(python_options)
 if (SKBUILD)
   set(python_options SOABI "${Python3_SOABI}") # the name says which Python it is for
 endif ()
-set(CMAKE_UNITY_BUILD ON) # of code that is generated
+set(CMAKE_UNITY_BUILD ON) # for generated code
 vtk_module_wrap_python(
   MODULES             ${modules}
   TARGET              VolumeHaptics::PythonWrapped
@@ -23,7 +23,7 @@ vtk_module_wrap_python(
   ${python_options})
 unset(CMAKE_UNITY_BUILD)
 
-# Copy what is written in Python beside the wrapped classes: the package, the head that its examples touch, and type
+# Copy the parts that are written in Python beside the wrapped classes: the package, the head for its examples, and type
 # hints.
 get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}" DIRECTORY)
 set(package_source "${root}/Module/Python/volumehaptics")
@@ -59,7 +59,7 @@ foreach (file IN ITEMS
     pyvista.py
     web.py)
   set(source "${package_source}/${file}")
-  if (file MATCHES "vti$") # which stands with the repository's other data
+  if (file MATCHES "vti$") # stored with the repository's other data
     set(source "${root}/Data/HeadPhantom.vti")
   endif ()
   add_custom_command(

@@ -12,7 +12,7 @@
 # As a script, "cmake -D page=FILE -P CMake/Settings.cmake" writes the page.
 
 set(VolumeHaptics_SETTINGS_FILE "${CMAKE_CURRENT_LIST_DIR}/../Module/VTK/Settings.json")
-# The include folder of the headers that are made: "VTK/Filter/HapticFilterSettings.h" and the others.
+# Include folder of the generated headers: "VTK/Filter/HapticFilterSettings.h" and so on.
 set(VolumeHaptics_SETTINGS_INCLUDE "${PROJECT_BINARY_DIR}/settings")
 
 # Sets `variable` to the elements of an array as a list, which is empty if there is no such array.
@@ -29,8 +29,9 @@ function(_get_array variable json key)
   set(${variable} "${list}" PARENT_SCOPE)
 endfunction()
 
-# Reads the file once, into global properties: the headers, the classes in each of them, and of each class what its rows
-# are called, the names of its settings, and the entry of each setting. Entries have semicolons, so that they are no list.
+# Reads the file once, into global properties: the headers, the classes in each header, and for each class the name of
+# its rows, the names of its settings, and the entry of each setting. Entries contain semicolons, so they are not kept
+# in a list.
 function(_read_file)
   file(READ "${VolumeHaptics_SETTINGS_FILE}" json)
   set(headers)
@@ -341,7 +342,7 @@ function(_write_property variable attributes body)
     message(FATAL_ERROR "ParaView has no property for ${name}, whose type is ${setting_type}.")
   endif ()
   if (body MATCHES "Domain")
-    set(domain "") # a domain of its own
+    set(domain "") # a separate domain
   endif ()
   set(text "${setting_text}")
   if (text MATCHES "[^.]$")
@@ -361,8 +362,8 @@ function(_write_property variable attributes body)
 endfunction()
 
 # Writes an XML file of ParaView's, in which <Setting class="CLASS" name="NAME"/> stands for the property of a setting.
-# Its attributes and its content are added to those of the property: a domain of its own, hints, and <More>, which the
-# documentation ends with. An empty command is left out.
+# The element's attributes and content are added to the property: a separate domain, hints, and <More>, the end of the
+# documentation. An empty command is left out.
 function(volume_haptics_write_properties template file)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${template}" "${VolumeHaptics_SETTINGS_FILE}")
   file(READ "${template}" rest)

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Which std::string VTK was compiled with. VTK's own wheels for Linux on x86-64 have the one from before C++11, which
-# nothing in VTK's CMake package says; it shows when a program that hands a string over is linked.
+# Finds out which std::string VTK was compiled with. VTK's own wheels for Linux on x86-64 use the ABI from before C++11.
+# VTK's CMake package does not say so; only linking a program that passes a string to VTK shows it.
 include(CheckCXXSourceCompiles)
 include(CMakePushCheckState)
 if (NOT VolumeHaptics_STRINGS_OF STREQUAL VTK_DIR)

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # shellcheck shell=bash
-# Sourced by the scripts that a person starts, so that each can bring along what it needs (and a screen):
+# Sourced by scripts that a person starts, so that each script can install its packages and open a screen:
 #
 #   source CMake/install-packages.sh
 #   require_packages cmake ninja-build
 
-# Installs those of the named Debian packages that are missing, and nothing else. If that is not possible, returns 1,
-# and names them and the command that would help.
+# Installs the named Debian packages that are missing, and nothing else. If that is not possible, returns 1, and prints
+# the missing packages and the command that installs them.
 require_packages()
 {
   local package

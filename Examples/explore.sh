@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# The main job in one command: installs what is missing, builds, gets a real head CT and explores it
-# by touch. See usage() below.
+# Does the main job in one command: installs missing packages, builds, gets a real head CT and explores it by touch. See
+# usage() below.
 set -euo pipefail
 
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"

@@ -10,9 +10,10 @@
 #   Testing/bare-debian.sh forky /var/tmp/forky ./Testing/run.sh
 #
 # FOLDER gets a tree of debootstrap's variant minbase with sudo, git and certificates, from the mirror that apt-get uses
-# here, and in it a user, whom the command runs as, or root with --root. A FOLDER that has one already keeps what is
-# installed and built in it, and gets the sources anew. The command has processes of its own, this computer's network,
-# and its /tmp. Needs root. The tree takes 4 GB with all that run.sh installs; rm -r --one-file-system takes it away.
+# here, and in it a user. The command runs as this user, or as root with --root. A FOLDER that already has a tree keeps
+# its packages and builds, and gets the sources again. The command has a separate process space, and shares this
+# computer's network and /tmp. Needs root. The tree takes 4 GB with the packages of run.sh; rm -r --one-file-system
+# removes it.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -51,7 +52,7 @@ inside()
     mount -t proc proc "$1/proc"
     mount --rbind /dev "$1/dev"
     mount -t tmpfs -o mode=1777 tmpfs "$1/dev/shm"
-    mount --bind /tmp "$1/tmp" # the numbers of X displays in use are those of the whole network
+    mount --bind /tmp "$1/tmp" # X display numbers in use are shared by the whole network
     exec chroot --userspec="$2" "$1" env -i HOME="$3" USER="$2" LOGNAME="$2" TERM="${TERM:-dumb}" LANG=C.UTF-8 \
       PATH=/usr/local/bin:/usr/bin:/bin:/usr/sbin:/sbin "${@:4}"' _ "$tree" "$1" "$(home_of "$1")" "${@:2}"
 }
@@ -80,7 +81,7 @@ cp --remove-destination /etc/resolv.conf "$tree/etc/resolv.conf"
 cp -r /usr/local/share/ca-certificates "$tree/usr/local/share"
 inside root update-ca-certificates > /dev/null
 
-# Only what is committed. Files that have not changed keep their times, so that no more is built anew than has to be.
+# Copy only committed files. Unchanged files keep their times, so that they are not built again.
 home=$(home_of $user)
 sources=$tree$home/volume-haptics
 if [ ! -d "$sources" ]; then

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Compare a haptic trace with a baseline: the regression test of what is felt.
+"""Compares a haptic trace with a baseline: the regression test of forces.
 
     compare_traces.py TRACE BASELINE [--tolerance REL] [--arrays NAME,...]
 
@@ -48,7 +48,7 @@ class Difference:
 
 
 def read_trace(name):
-    """The polydata in a .vtp file; TraceError if there is none, or it has no ticks."""
+    """Returns the polydata in a .vtp file; raises TraceError if the file has no polydata or no ticks."""
     if not os.path.isfile(name):
         raise TraceError(f"{name} does not exist")
     reader = vtkXMLPolyDataReader()

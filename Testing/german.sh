@@ -2,8 +2,9 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Runs test programs of Google Test as a user does who writes 1,6 and not 1.6: in German, which the programs follow.
-# LIBRARY is that of Rigs/FollowLocale.cxx. The locale is made in a temporary folder if the system has none.
+# Runs Google Test programs in a German locale, in which a user writes 1,6 instead of 1.6. LIBRARY is built from
+# Rigs/FollowLocale.cxx, which makes programs follow the locale. If the system lacks the locale, the script makes it in
+# a temporary folder.
 #
 # usage: Testing/german.sh LIBRARY PROGRAM [PROGRAM ...]
 set -euo pipefail

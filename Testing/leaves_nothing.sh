@@ -30,7 +30,7 @@ while [ $# -gt 0 ]; do
   "${wrapper[@]}" "$program" "$filter" > "$folder/second.log" 2>&1 || status=$?
   other=0
   wait "$first" || other=$?
-  # Status 77 means that umockdev can't be used here. One failure counts, whatever the other program's status is.
+  # Status 77 means that umockdev can't be used here. Any failure counts, whatever the other program's status is.
   if [[ $status != @(0|77) || $other != @(0|77) ]]; then
     cat "$folder/first.log" "$folder/second.log"
     exit 1

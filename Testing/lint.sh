@@ -18,8 +18,8 @@ cd "$root"
 # shellcheck source=../CMake/install-packages.sh
 source CMake/install-packages.sh
 
-# What these find differs from version to version, so all of them are of the versions of Debian 12, which has no ruff.
-# lint-tools.txt has the versions, and the hashes that pip checks.
+# These tools find different faults from version to version, so all of them have the versions of Debian 12, which has no
+# ruff. lint-tools.txt has the versions, and the hashes that pip checks.
 
 # The files with one of the given endings, separated by zeros.
 list_files()
@@ -31,9 +31,8 @@ list_files()
   find Module Plugin Examples Testing CMake Data -type f \( "${names[@]:1}" \) -print0
 }
 
-# usage: find_tool NAME [PACKAGE]
-# Sets $tool to a program: Debian 12's, if its PACKAGE is named, else PyPI's in an environment of its own.
-# Returns 1, and says so, if there is none.
+# usage: find_tool NAME [PACKAGE] Sets $tool to a program: Debian 12's, if its PACKAGE is named, else PyPI's in an
+# environment of its own. Returns 1 with a message if neither has the program.
 find_tool()
 {
   local requirement environment
@@ -114,8 +113,8 @@ check_site()
   return $status
 }
 
-# usage: run_clang_tidy CHECKS FILE..., CHECKS of which are taken off those of .clang-tidy.
-# No build is needed: the core is plain C++17.
+# usage: run_clang_tidy CHECKS FILE... Removes CHECKS from the checks of .clang-tidy. No build is needed: the core is
+# plain C++17.
 run_clang_tidy()
 {
   local checks=$1
@@ -130,8 +129,8 @@ run_clang_tidy()
       2> /dev/null' _ '{}' "$checks" "$tool"
 }
 
-# The sources of a folder at a time, as a unity build may have them: their headers are read once, and a name that two of
-# them define is found, whatever stands in other folders. Not the kernels, which are compiled with other options.
+# Checks the sources of a folder together, as in a unity build: their headers are read once, and names that two of the
+# sources define are found, whatever other folders have. Leaves out the kernels, which are compiled with other options.
 check_tidy()
 {
   local folder status=0

@@ -7,7 +7,7 @@
 # usage: CMake/packages/deb.sh [FOLDER]
 #
 # Writes *.deb to FOLDER (default build/deb): the library, its headers, the Python package, and the programs with the
-# rules of udev. Installs what is missing.
+# rules of udev. Installs missing build tools.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)

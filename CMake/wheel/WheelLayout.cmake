@@ -13,7 +13,8 @@ set(CMAKE_INSTALL_LIBDIR volumehaptics)
 set(CMAKE_INSTALL_RPATH "$ORIGIN" "$ORIGIN/../vtkmodules")
 set(VolumeHaptics_UDEV_DESTINATION volumehaptics/udev)
 
-# The notices of the libraries that CMake/wheel/build.sh puts inside, or that are headers, from Debian's packages of them.
+# Notices of the libraries that CMake/wheel/build.sh puts inside, or that are header-only, taken from their Debian
+# packages.
 foreach (package IN ITEMS libblosc1 libboost-dev libcharls2 libexpat1 libgdcm3.0 libgdcm3.0t64 libhidapi-hidraw0
     libjson-c5 liblz4-1 libopenjp2-7 libsnappy1v5 libssl3 libssl3t64 libudev1 libusb-1.0-0 libuuid1 libzstd1
     nlohmann-json3-dev)

@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Makes a wheel `vtk-sdk` if the registry has none: python3 assemble_vtk_sdk.py VERSION FOLDER
 
-The wheel has what VTK's own `vtk-sdk` has: headers, the CMake package, the wrapping tools and the module hierarchy.
-They come from a newer Debian's VTK of the same VERSION, taken with apt-get into FOLDER and nowhere else; what is linked
-is the wheel `vtk` of the same version, whose libraries are asked for by name. So this runs on x86-64 Debian 12, with
-the Python that the wheel is for, and what it makes stays on that machine.
+The wheel has the same parts as VTK's own `vtk-sdk`: headers, the CMake package, the wrapping tools and the module
+hierarchy. They come from a newer Debian's VTK of the same VERSION, downloaded with apt-get into FOLDER and nowhere
+else. Programs link to the libraries in the wheel `vtk` of the same version, by name. The script runs on x86-64
+Debian 12, with the Python that the wheel is for, and its result works on that machine only.
 
 If Debian's VTK was configured differently from the wheel, the headers are corrected: no TBB, VTK's own jsoncpp, lz4,
 hdf5 and tiff. Exits with 3 if that is not possible, for example if Debian no longer has VERSION.
@@ -20,12 +20,12 @@ import zipfile
 
 ARCHITECTURE = "x86_64-linux-gnu"
 SUITES = ("forky", "sid", "trixie")
-# Their headers are those of the libraries in VTK 9.6, whose names VTK begins with its own: the namespace of jsoncpp, the
-# functions of lz4, hdf5 and tiff. The third text is what Debian's VTK links instead.
+# Packages whose headers match the libraries in VTK 9.6. VTK puts a prefix on their names: the namespace of jsoncpp, and
+# the functions of lz4, hdf5 and tiff. The third text is the library that Debian's VTK links instead.
 JSONCPP = ("libjsoncpp-dev", "1.9.6", "JsonCpp::JsonCpp")
 LZ4 = ("liblz4-dev", "1.10.0", "LZ4::LZ4")
 HDF5 = ("libhdf5-dev", "1.14.5", "hdf5::hdf5;hdf5::hdf5_hl;VTK::mpi") # the wheel's may be a later 1.14
-TIFF = ("libtiff-dev", "4.7.0", "TIFF::TIFF") # the wheel's may be a 4.6; what is called is in both
+TIFF = ("libtiff-dev", "4.7.0", "TIFF::TIFF") # the wheel may have a 4.6; both have the functions in use
 BUNDLED = {"jsoncpp": JSONCPP, "lz4": LZ4, "hdf5": HDF5, "tiff": TIFF}
 TOOLS = ("vtkWrapHierarchy", "vtkWrapPython", "vtkWrapPythonInit")
 
@@ -50,7 +50,7 @@ foreach (external IN ITEMS {externals})
 endforeach ()
 """
 
-# These tools need a newer C library than Debian 12 has, so they bring their own, with its loader.
+# These tools need a newer C library than Debian 12 has, so a copy of it, with its loader, lies beside them.
 TOOL = """\
 #!/bin/sh
 here=$(dirname "$(readlink -f "$0")")
@@ -205,7 +205,7 @@ set_target_properties(VTK::{bundled} PROPERTIES
 
 
 def correct_targets(cmake, version, libraries):
-    """No target that the wheel lacks, and of the system only threads and Python."""
+    """Removes targets that the wheel lacks; of the system's libraries, only threads and Python remain."""
     kept = place_targets(cmake, version, libraries)
     declared = cmake / "VTK-targets.cmake"
     for bundled, (_, _, linked) in BUNDLED.items():
@@ -230,7 +230,7 @@ def correct_targets(cmake, version, libraries):
     packages = 'include("${CMAKE_CURRENT_LIST_DIR}/VTK-vtk-module-find-packages.cmake")'
     replace(cmake / "vtk-config.cmake",
             (r'(_HAS_(?:VISKORES|VTKm)" )"ON"', r'\1"OFF"'), (backports, packages + r"\n\g<0>"))
-    # The wheel's Python modules are imported, never linked, and it has no interpreter of its own.
+    # The wheel's Python modules are imported, never linked, and the wheel contains no interpreter.
     (cmake / "VTKPython-targets.cmake").write_text("")
     (cmake / "VTKPython-targets-none.cmake").unlink()
 

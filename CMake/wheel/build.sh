@@ -44,7 +44,7 @@ if ! ls "$folder"/sdk/vtk_sdk-"$vtk"-*.whl > /dev/null 2>&1 &&
 fi
 "$tools/bin/pip" wheel -q --no-deps --find-links "$folder/sdk" -w "$folder/plain" "$root"
 
-# VTK's libraries are those of VTK's own wheel. What else is not on every Linux is carried along.
+# VTK's libraries come from VTK's own wheel. The wheel carries all other libraries that some Linux systems lack.
 PATH=$tools/bin:$PATH auditwheel repair --exclude 'libvtk*.so' -w "$folder" "$folder"/plain/volumehaptics-*.whl \
   > "$folder/auditwheel.log" 2>&1 || { cat "$folder/auditwheel.log" >&2; exit 1; }
 echo "Built $(ls "$folder"/volumehaptics-*.whl)"

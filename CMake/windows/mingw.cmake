@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Builds for Windows on Debian, with g++-mingw-w64-x86-64-posix; wine64 runs what is built.
+# Builds for Windows on Debian, with g++-mingw-w64-x86-64-posix; wine64 runs the programs.
 set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR x86_64)
 set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc-posix)

@@ -116,7 +116,7 @@ public:
     // DeviceSample has metres, and its axes point right, up and towards the user.
     const double* const p = pose.Millimetres;
     sample.Tip = { 1e-3 * p[0], 1e-3 * p[2], -1e-3 * p[1] };
-    // DeviceSample has w first. Its x, y and z refer to its axes, as those of a position do. If the
+    // DeviceSample has w first. Like a position, its x, y and z refer to the sample's axes. If the
     // library measures no orientation, leave HasOrientation false. DeviceBackend.h describes the
     // axes of the stylus itself.
     const double* const q = pose.Quaternion;
@@ -135,9 +135,8 @@ public:
     const double newtons[3] = { force.X, -force.Z, force.Y };
     return OwnLibrary::Write(this->Handle, newtons) < 0 ? DeviceState::Lost : DeviceState::Running;
   }
-  // Any thread may call this when the servo's thread does not answer. A library that accepts calls
-  // from only one thread needs a watchdog of its own here; this library accepts calls from any
-  // thread.
+  // Any thread may call this function when the servo's thread does not answer. If a library accepts
+  // calls from one thread only, write a watchdog here; this library accepts calls from any thread.
   void Quench() noexcept override
   {
     const double none[3] = { 0.0, 0.0, 0.0 };

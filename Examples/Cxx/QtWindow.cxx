@@ -100,7 +100,7 @@ private:
     this->Device->Start();
     this->Hand->SetDevice(this->Device);
     this->Renderer->AddViewProp(this->Hand);
-    this->Display->SetDevice(this->Device); // shows what to do, and what is felt
+    this->Display->SetDevice(this->Device); // shows hints and the felt forces
     this->Renderer->AddViewProp(this->Display);
     this->Style->SetHeadUpDisplay(this->Display);
     // The widget's interactor has Qt timers, by which the style polls the servo.

@@ -128,7 +128,7 @@ int Read(void* handle, VolumeHapticsVendorPose* pose)
   pose->Position[0] = 1e-3 * p[0];
   pose->Position[1] = 1e-3 * p[2];
   pose->Position[2] = -1e-3 * p[1];
-  // The sample has w first. Its x, y and z refer to its axes, as those of a position do. If the
+  // The sample has w first. Like a position, its x, y and z refer to the sample's axes. If the
   // library measures no orientation, leave HasOrientation 0.
   const double* const q = told.Quaternion;
   pose->Orientation[0] = q[3];

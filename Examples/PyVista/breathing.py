@@ -22,7 +22,7 @@ import moving  # noqa: E402
 SECONDS = 2.0  # duration of breathing in
 STIFFNESS, STRENGTH = 0.5, 3.0  # N/mm, N
 AIR, TISSUE = -600, -200  # HU, below and above the surface
-DEEP = 4.0  # mm: the surface pushes the hand by this, or by half of its own motion
+DEEP = 4.0  # mm: distance by which the surface pushes the hand, but at most half of the surface's motion
 
 parser = argparse.ArgumentParser(description=__doc__)
 parser.add_argument("volume", nargs="?", help="a NIfTI file of a CT, or what PyVista reads (default: the phantom)")

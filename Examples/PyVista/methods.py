@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""One stroke, felt with each method. Methods with a proxy look KernelRadius ahead, and so hold the proxy earlier, by
+"""Feels one stroke with each method. Methods with a proxy look ahead by KernelRadius, and so hold the proxy earlier by
 this radius. The surface proxy is a sphere, and the local surface has no size."""
 import gallery
 import numpy as np
@@ -19,7 +19,7 @@ names = vtkVolumeHapticsFilter.GetMethodNames()
 curves = {}
 for name in [names.GetValue(i) for i in range(names.GetNumberOfValues())]:
     if name == "primitives":
-        continue  # this method feels vectors, and the head has none
+        continue  # this method needs vectors, and the head has none
     trace = touch(head, tip, property=solid, method_by_name=name, iso_value=-300.0, force_field_gain=1 / 450)
     curves[name] = (trace["Time"], gallery.strength(trace))
     print(f"{name}: strongest {gallery.strength(trace).max():.3f} N")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A needle is pressed into a cheek: fat and muscle each give way at a force of their own; bone does not."""
+"""Presses a needle into a cheek: fat and muscle each give way at their own force; bone does not give way."""
 import gallery
 import numpy as np
 from volumehaptics import vtkVolumeHapticsFilter

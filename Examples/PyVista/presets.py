@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The same stroke with presets, and with the program's own transfer functions."""
+"""Feels the same stroke with presets, and with the program's own transfer functions."""
 import gallery
 import numpy as np
 from volumehaptics import vtkHapticProperty

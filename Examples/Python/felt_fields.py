@@ -178,7 +178,7 @@ def fibres():
 
 
 def make_layer(image, rate=1):
-    """Returns a filter that extracts the samples in the middle along z, or every `rate`-th of them."""
+    """Returns a filter that extracts the middle layer along z, with all samples or every `rate`-th sample."""
     layer = vtkExtractVOI()
     layer.SetInputData(image)
     layer.SetVOI(0, image.GetDimensions()[0] - 1, 0, image.GetDimensions()[1] - 1, *[image.GetDimensions()[2] // 2] * 2)

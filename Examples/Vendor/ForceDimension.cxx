@@ -10,7 +10,7 @@
 // watchdog and its velocity threshold stay on: they brake a device whose program has ended, or that
 // moves too fast.
 //
-// A device that is not initialised moves by itself to find its zero. It does so only after Home().
+// A device that is not initialised moves by itself to find its zero, but only after Home().
 #include <Devices/Vendor/VendorPlugin.h>
 
 #include "Orientation.h"
@@ -115,7 +115,7 @@ VolumeHapticsVendorLimits LimitsOf(int type)
 }
 
 // Returns an open device's limits: those of its type, or those that the SDK has in use. Negative
-// answers of the SDK mean that it has no limit.
+// values from the SDK mean "no limit".
 VolumeHapticsVendorLimits LimitsOf(char id)
 {
   VolumeHapticsVendorLimits limits = LimitsOf(dhdGetSystemType(id));

@@ -11,13 +11,13 @@
 // device.
 //
 // The library reports a peak force and a continuous force, 3.3 N and 0.88 N on a Touch. A force
-// above the continuous one is given for 2.5 s.
+// above the continuous force is allowed for 2.5 s.
 //
 // The vendor's setup program names the devices. vendor:openhaptics is the default, or "Default
 // Device", or "Default PHANToM"; $VOLUMEHAPTICS_OPENHAPTICS_DEVICES names others, separated by
-// commas, as vendor:openhaptics:1 and so on. Several of them can be open. One callback serves them
-// all. While one is opened or closed, the scheduler stands still: the others get a zero force
-// before, and have to be armed again afterwards.
+// commas, as vendor:openhaptics:1 and so on. Several devices can be open, and one callback serves
+// them all. While a device is opened or closed, the scheduler stops: the other devices get a zero
+// force before that, and have to be armed again afterwards.
 #include <Devices/Vendor/VendorPlugin.h>
 
 #include "Latest.h"
@@ -61,7 +61,7 @@ struct Report
   int Buttons = 0;
   bool IsCalibrated = false;
   unsigned Calibration = 0; // libHD's number of the fault if the device is not calibrated
-  unsigned Error = 0;       // libHD's number of a fault; HD_SUCCESS if there is none
+  unsigned Error = 0;       // libHD's number of a fault; HD_SUCCESS without a fault
   std::int64_t Time = 0;
 };
 
@@ -147,7 +147,8 @@ void Calibrate(Device& device, Report& report)
   const HDenum state = hdCheckCalibration();
   if (state == HD_CALIBRATION_NEEDS_UPDATE)
   {
-    // A device may support several ways. The order is that of the vendor's example.
+    // A device may support several ways of calibration. Their order is that of the vendor's
+    // example.
     HDint styles = 0;
     hdGetIntegerv(HD_CALIBRATION_STYLE, &styles);
     for (const HDenum style :
@@ -401,7 +402,7 @@ int Read(void* handle, VolumeHapticsVendorPose* pose)
   const bool isOver = !service.Pauses.load();
   if (!isOver || device.Pause != pause)
   {
-    // A pause that is over is reported once, so that the force does not come back by itself.
+    // The end of a pause is reported once, so that the force does not return by itself.
     device.Pause = isOver ? pause : device.Pause;
     device.Text = "waits while another device of this library is opened or closed.";
     return VOLUME_HAPTICS_VENDOR_WAITS;

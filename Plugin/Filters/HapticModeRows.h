@@ -42,7 +42,7 @@ public:
    * made.
    */
   std::string Fill(vtkVolumeHapticsFilter* filter);
-  /** Whether all modes could be made. */
+  /** Returns whether all modes could be made. */
   bool IsGood() const { return this->AreGood; }
 
   std::size_t GetNumberOfRows() const { return this->Rows.size(); }

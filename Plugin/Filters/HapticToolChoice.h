@@ -39,7 +39,7 @@ public:
    * Makes the filter's tool if something has changed. Returns the error if the tool can't be made.
    */
   std::string Fill(vtkVolumeHapticsFilter* filter);
-  /** Whether the tool could be made. */
+  /** Returns whether the tool could be made. */
   bool IsGood() const { return this->IsMade; }
 
   void Print(std::ostream& os, vtkIndent indent) const;

@@ -51,7 +51,7 @@ pqPipelineSource* FindTouch(pqPipelineSource* source);
 namespace HapticVolumeLook
 {
 
-/** Whether the view renders a source visibly as a volume. */
+/** Returns whether the view renders a source visibly as a volume. */
 bool IsShown(pqPipelineSource* volume, pqView* view);
 
 /**

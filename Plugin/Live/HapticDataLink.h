@@ -98,7 +98,7 @@ public:
   /** Returns the filter in the client; null while there is nothing to touch. */
   vtkVolumeHapticsFilter* GetFilter() const { return this->Touch.GetFilter(); }
 
-  /** Whether a proxy is touched, or is the view that shows the touched data. */
+  /** Returns whether a proxy is touched, or is the view that shows the touched data. */
   bool Uses(vtkSMProxy* proxy) const;
 
   /** See vtkSMHapticDeviceProxy::SetVisibility. */
@@ -110,7 +110,7 @@ public:
   /** Discards the region that was fetched last. */
   void ClearRegion() { this->Region.Clear(); }
 
-  /** Whether the data of a proxy are in this process. */
+  /** Returns whether the data of a proxy are in this process. */
   static bool IsLocal(vtkSMProxy* proxy);
 
 private:

@@ -81,7 +81,7 @@ bool SharesArrays(vtkImageData* a, vtkImageData* b)
   return false;
 }
 
-/** Whether two times are consecutive time steps of an output, in either order. */
+/** Returns whether two times are consecutive time steps of an output, in either order. */
 bool AreNeighbours(vtkAlgorithmOutput* output, double a, double b)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -115,7 +115,7 @@ std::string TextOf(vtkSMProxy* proxy, const char* name)
   return text ? text : "";
 }
 
-/** Whether the opacity of an array with several components depends on this component. */
+/** Returns whether the opacity of an array with several components depends on this component. */
 bool ShowsComponent(vtkSMProxy* representation, int component)
 {
   vtkSMProxy* const colors = representation->GetProperty("LookupTable")

@@ -31,7 +31,8 @@ namespace VolumeHapticsLive
 class HapticTimeStepLink
 {
 public:
-  /** Whether the data of a port have times, and the filter feels the motion between them. */
+  /** Returns whether the data of a port have times, and the filter feels the motion between
+     them. */
   static bool IsMoving(vtkSMSourceProxy* volume, unsigned int port, vtkVolumeHapticsFilter* filter);
 
   /** Begins a new volume with an image at a time. */
@@ -44,16 +45,17 @@ public:
   /** Forgets the volume, so that the next image begins a new one. */
   void Clear();
 
-  /** Whether Begin() was called for this filter, and Clear() was not called since. */
+  /** Returns whether Begin() was called for this filter, and Clear() was not called since. */
   bool HasBegun(vtkVolumeHapticsFilter* filter) const
   {
     return this->Source && this->Filter == filter;
   }
-  /** Whether the last image is the first one of the volume. */
+  /** Returns whether the last image is the first one of the volume. */
   bool IsFirst() const { return this->IsBeginning; }
   /**
-   * Whether the next image may be sent: because the servo has reached the last image, because the
-   * device does not run, or because the data time has stood still for longer than Patience.
+   * Returns whether the next image may be sent: because the servo has reached the last image,
+   * because the device does not run, or because the data time has stood still for longer than
+   * Patience.
    */
   bool IsThere(vtkHapticDevice* device);
   /** Return the last image, its time, or the previous image's time. */

@@ -66,7 +66,8 @@ vtkSMProxy* FindVolume(vtkSMProxy* representation)
 }
 
 /**
- * Whether vtkFixedPointVolumeRayCastMapper can draw a volume in the same way as ParaView's choice.
+ * Returns whether vtkFixedPointVolumeRayCastMapper can draw a volume in the same way as ParaView's
+ * choice.
  */
 bool CanBeCast(vtkSMProxy* representation)
 {

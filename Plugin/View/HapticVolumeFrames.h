@@ -91,12 +91,12 @@ private:
 
   void ChooseRayCasters(Touch touch);
   /**
-   * Whether OpenGL runs on the processor in the process that has the data, and so draws the
+   * Returns whether OpenGL runs on the processor in the process that has the data, and so draws the
    * volumes.
    */
   bool IsOnProcessor();
   bool IsWindowOnProcessor();
-  /** Whether this object sets the desired rate of the frame. */
+  /** Returns whether this object sets the desired rate of the frame. */
   bool SetsRate() const { return this->CastsOnProcessor && (this->IsQuick || this->IsArmed); }
   void Begin();
   /** Restore FXAA, and the swap of buffers. */

@@ -95,7 +95,8 @@ int List(std::ostream& out)
 /// become ready.
 bool MakeReady(ToolDevice& device, const ToolOptions& options, ToolStreams streams)
 {
-  // These kinds ask for their rest pose whenever they are opened, so Home() is not needed.
+  // Devices of these kinds ask for their rest pose whenever they are opened, so Home() is not
+  // needed.
   const std::string kind = options.Id.substr(0, options.Id.find(':'));
   const bool asksByItself = kind == "wooden" || kind == "hfab";
   if (options.What == Command::Home && !asksByItself)

@@ -70,8 +70,8 @@ void SetLimits(const DicomRequest& request, std::uint64_t fileSize)
   alarm(static_cast<unsigned>(leastSeconds + (fileSize + request.MostBytes) / slowest));
 }
 
-/// Whether a file has the mark of DICOM; files older than the mark begin with the data set, in
-/// group 2 or 8, of either order of bytes.
+/// Returns whether a file has the mark of DICOM; files older than the mark begin with the data set,
+/// in group 2 or 8, of either order of bytes.
 bool MayBeDicom(const std::string& path)
 {
   char begin[132] = {};
@@ -98,7 +98,8 @@ void AppendValue(
   }
 }
 
-/// Whether a tag belongs to a functional group of an item; such groups are sequences of one item.
+/// Returns whether a tag belongs to a functional group of an item; such groups are sequences of one
+/// item.
 bool IsGroup(std::uint32_t tag)
 {
   // The groups with the spacing of pixels, the place, the orientation, slope and intercept; the
@@ -109,8 +110,8 @@ bool IsGroup(std::uint32_t tag)
   return std::find(std::begin(groups), std::end(groups), tag) != std::end(groups);
 }
 
-/// Whether a sequence has items whose values are needed: segments, the map to real-world values,
-/// the places of detectors, what all frames share, and what each frame has.
+/// Returns whether a sequence has items whose values are needed: segments, the map to real-world
+/// values, the places of detectors, the attributes that all frames share, and those of each frame.
 bool IsWanted(std::uint32_t tag)
 {
   return tag == 0x00620002 || tag == 0x00540022 || tag == REAL_WORLD || tag == 0x52009229 ||
@@ -149,7 +150,7 @@ void AppendValues(const gdcm::DataSet& set, std::uint32_t sequence, int item, st
   }
 }
 
-/// Whether all items of compressed pixels are in the file; some writers omit the end.
+/// Returns whether all items of compressed pixels are in the file; some writers omit the end.
 bool AreItemsWhole(std::ifstream& file, std::uint64_t place, std::uint64_t size)
 {
   constexpr unsigned char item[] = { 0xfe, 0xff, 0x00, 0xe0 };
@@ -312,7 +313,7 @@ std::optional<bool> IsYbrStream(const char* bytes, std::size_t size)
   return {};
 }
 
-/// Whether GDCM's unpacked image is luminance and differences.
+/// Returns whether GDCM's unpacked image is luminance and differences.
 bool IsYbr(const gdcm::Image& image)
 {
   const gdcm::PhotometricInterpretation meaning = image.GetPhotometricInterpretation();

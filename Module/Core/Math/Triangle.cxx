@@ -31,7 +31,7 @@ double MeetCorner(
   {
     return Never;
   }
-  // Not computed as (-b - root) / a, which loses digits for a long displacement.
+  // The form (-b - root) / a would lose digits for a long displacement.
   const double time = c / (-b + std::sqrt(discriminant));
   return time <= 1.0 ? time : Never;
 }

@@ -125,7 +125,7 @@ CutPlace CutAway::ComputeHidden(const Vector3& index) const noexcept
     return place;
   }
   place.Normal = (1.0 / steepness) * gradient;
-  // At half a voxel behind the face, t is 1 and all of the force is felt.
+  // At half a voxel behind the face, t is 1 and the full force acts.
   place.Voxel = 0.5 / Norm(this->WorldToIndex * place.Normal);
   place.Depth = (2.0 * kept - 1.0) * place.Voxel;
   return place;

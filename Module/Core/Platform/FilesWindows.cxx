@@ -251,7 +251,7 @@ bool Remove(const std::string& name)
 
 bool MayWrite(const std::string& name)
 {
-  // Without opening for writing, the list of who may write is not asked.
+  // Opening without write access does not check who may write.
   const WindowsHandle file(CreateFileW(ToWide(name).c_str(), GENERIC_WRITE,
     FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE, nullptr, OPEN_EXISTING,
     FILE_ATTRIBUTE_NORMAL, nullptr));

@@ -158,7 +158,7 @@ void Serve(int link, const Request& request, const std::string& folder, const st
   {
     answer.State = End::TookTooMuch;
   }
-  catch (...) // what was read makes no sense
+  catch (...) // the answer makes no sense
   {
     bytes.clear();
   }
@@ -199,14 +199,14 @@ ReadResult AskReader(ReadTask task, const std::string& path, std::string& answer
   std::string obstacle;
   const auto send = [&]
   {
-    char isReady = 0; // it tells first whether it has loaded the library
+    char isReady = 0; // the process first reports whether it has loaded the library
     const int link = process.GetLink();
     return SendAll(link, &request, sizeof(request)) &&
       SendAll(link, folder.data(), folder.size()) && SendAll(link, path.data(), path.size()) &&
       SendAll(link, detail.data(), detail.size()) && ReceiveAll(link, &isReady, 1);
   };
   bool isSent = false;
-  // It may have ended since the last file: then start it again.
+  // The process may have ended since the last file: then start a new process.
   for (int tries = 0; tries < 2 && !isSent && !IsServing && !library.empty(); ++tries)
   {
     isSent = process.Start("volumehaptics-read", code, obstacle, library) && send();

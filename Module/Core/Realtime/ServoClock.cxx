@@ -132,7 +132,8 @@ const mach_timebase_info_data_t& GetTimebase() noexcept
 
 std::int64_t Now() noexcept
 {
-  // Not through double, and without an overflow in the years that a computer runs.
+  // Use integers, which lose no digits as doubles would, and do not overflow in the years that a
+  // computer runs.
   const mach_timebase_info_data_t& base = GetTimebase();
   const std::uint64_t ticks = mach_absolute_time();
   return static_cast<std::int64_t>(

@@ -155,7 +155,7 @@ void ForceGate::ReportData(double residency, double period) noexcept
   const double step = period / FadeTime;
   const double wanted = this->IsClosing() ? 0.0 : residency;
   const double change = wanted - this->Opening;
-  // Not computed by std::clamp, so that a target within one step is reached to the bit.
+  // std::clamp is not used, so that a target within one step is reached to the bit.
   this->Opening = std::fabs(change) <= step ? wanted : this->Opening + std::copysign(step, change);
   this->Data = residency;
 }

@@ -37,7 +37,7 @@ double ComputeDampingShare(const SafetyInput& input) noexcept
 double ComputeMost(
   const Vector3& last, const Vector3& wall, double period, const SafetyLimits& limits) noexcept
 {
-  // What the slew limit allows must not be cut by rounding.
+  // Rounding must not cut a force that the slew limit allows.
   constexpr double above = 1.0 + 1e-12;
   const double norm = Norm(wall);
   const double before = norm > 0.0 ? std::max(0.0, Dot(last, wall) / norm) : 0.0;
@@ -257,11 +257,11 @@ Vector3 SafetyStage::AddTransient(
   touch.Gain = limits.TransientGain;
   touch.Share = share;
   touch.Most = most;
-  // What falls at once would be missing until the slew limit lets it return.
+  // A part of the force that drops at once would be missing until the slew limit lets it return.
   touch.Least = std::max(0.0, most - 2.0 * limits.MaximumForceRate * input.Period);
   touch.Period = input.Period;
   touch.MovesTip = limits.MovesTip;
-  // What the slew limit holds back after a pulse belongs to the pulse.
+  // The part of the force that the slew limit holds back after a pulse belongs to the pulse.
   const Vector3 force = ClampNorm(this->Transient.Apply(touch), most);
   this->Pulse = force - wall;
   return force;

@@ -35,7 +35,7 @@ DataClock::Leap DataClock::Update(const BakedVolume& volume, const DataClockOrde
   Leap leap = Leap::None;
   if (!this->HasTime || !span.Has(time))
   {
-    // There is another volume, or there are time steps at another place.
+    // The volume is another one, or its time steps have other times.
     const double first = span.Series.First;
     time = !this->HasTime && span.Has(first) ? first : span.Front;
     leap = Leap::Away;

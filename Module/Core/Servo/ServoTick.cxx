@@ -168,7 +168,7 @@ void CarryState(
   if ((isRegion || isSeries) && from.Baked->Number == to.Baked->Number &&
     IsIdentical(from.DeviceToWorld, to.DeviceToWorld))
   {
-    // For another region of the same volume, or other time steps, the felt force does not change.
+    // Another region of the same volume, or other time steps, do not change the felt force.
     return;
   }
   const auto carry = [&](const Vector3& x) { return to.WorldToDevice(from.DeviceToWorld(x)); };

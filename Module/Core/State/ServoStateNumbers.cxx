@@ -215,7 +215,7 @@ void VisitState(State& state, Function&& visit)
   visit(state.Enabled);
   VisitPrecise(state.Precise, visit);
   VisitLocal(state.Local, visit);
-  // These come after the older numbers.
+  // Visit the newer numbers after the older ones.
   auto& here = state.Precise.Here;
   visit(here.Far.Ahead);
   visit(here.Far.Behind);

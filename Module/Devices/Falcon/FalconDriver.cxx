@@ -201,7 +201,8 @@ void FalconRounds::Send(const FalconOrder& order) noexcept
   {
     this->Turns.Sent(this->SentAt);
   }
-  // Only after zero was submitted, because a faulty device may take seconds to answer.
+  // Clear the stall only after zero was submitted, because a faulty device may take seconds to
+  // answer.
   if (this->InStalled)
   {
     this->Usb.ClearHalt(FalconIn);
@@ -240,7 +241,7 @@ void FalconRounds::TransferEnded(UsbTransfer& transfer, UsbOutcome outcome) noex
   this->InStalled = this->InStalled || (!isOut && outcome == UsbOutcome::Stalled);
   if (outcome > UsbOutcome::Cancelled)
   {
-    // There is no answer to wait for, so zero can be sent at once.
+    // No answer is outstanding, so zero can be sent at once.
     this->Turns.Abandon();
   }
   if (isOut && outcome == UsbOutcome::Done)

@@ -62,7 +62,7 @@ void CloseOthers(std::vector<int> kept)
  */
 int OpenSignals()
 {
-  // This is called before there are threads. A crash still ends the process.
+  // Block signals before there are threads. A crash still ends the process.
   ServoClock::BlockSignals();
   sigset_t term;
   sigemptyset(&term);
@@ -93,7 +93,7 @@ void WaitForParent(int link, int parent, int signals, HardwareExchange& exchange
 }
 
 /**
- * Whether the program's clock, which said `told` when it started this process, is also this
+ * Returns whether the program's clock, which said `told` when it started this process, is also this
  * process's. It is not if a time namespace begins between them; then this process could not see
  * that the program stands still.
  */

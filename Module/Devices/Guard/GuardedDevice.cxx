@@ -140,7 +140,7 @@ void GuardedDevice::Rescue() noexcept
   }
   catch (const std::exception&)
   {
-    // For example, memory ran out. Nothing more can be done.
+    // For example, memory has run out. No further action is possible.
   }
 }
 

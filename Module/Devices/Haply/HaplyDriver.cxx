@@ -517,7 +517,7 @@ void HaplyDriver::Rest() noexcept
   }
   catch (const std::exception&)
   {
-    // There is no memory for a message. Closing the connection ends the session.
+    // Memory for a message is missing. Closing the connection ends the session.
   }
 }
 

@@ -29,7 +29,8 @@ VibrationLevels Vibration::Advance(const Vector3& force, double elapsed) noexcep
     this->Silence();
     return this->Levels;
   }
-  // This is exact for a force that is constant over the time, however long that is.
+  // The formula is exact for a force that is constant over the elapsed time, however long that time
+  // is.
   this->Fast += -std::expm1(-elapsed / FastTime) * (force - this->Fast);
   this->Slow += -std::expm1(-elapsed / SlowTime) * (force - this->Slow);
   const double weak = std::min(1.0, Norm(force - this->Fast) / FullChange);

@@ -138,7 +138,7 @@ void PidDialogue::Advance()
     return;
   }
   this->Now = static_cast<Stage>(static_cast<int>(this->Now) + 1);
-  // Not the second effect: its block follows that of the first.
+  // The second effect gets no centre: its block follows the block of the first effect.
   const bool hasCentre = this->Effect == 0 && this->Blocks[0] == this->Device.GetFirstBlock() + 1;
   if (this->Now == Stage::CentreOff && !hasCentre)
   {

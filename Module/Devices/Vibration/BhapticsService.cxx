@@ -62,14 +62,15 @@ bool AskBhaptics(
       "). " + BhapticsCure;
     return false;
   }
-  // To stop what an earlier session has begun also makes the Player tell its status.
+  // Stop the vibrations of an earlier session. The Player also answers with its status.
   const std::int64_t end =
     ServoClock::Now() + static_cast<std::int64_t>(seconds * ServoClock::NanosecondsPerSecond);
   bool isTold = false;
   std::string text;
   player.SetLastWord(WriteBhapticsStop());
   bool isOpen = player.Send(WriteBhapticsStop(), BhapticsSendTime);
-  // What came before `end` is received after it, too, so that a stream would not end.
+  // Messages from before `end` may arrive after it, too, so that a stream would never end this
+  // loop.
   while (isOpen && !isTold && ServoClock::Now() < end)
   {
     const WebSocketClient::Outcome outcome = player.Receive(text, end);

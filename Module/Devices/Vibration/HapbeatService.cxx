@@ -187,7 +187,7 @@ void HapbeatService::Disconnect() noexcept
   }
   catch (const std::exception&)
   {
-    // There is no memory for a packet: the device falls silent by itself.
+    // Memory for a packet is missing: the device falls silent by itself.
   }
   this->Socket.Close();
 }

@@ -224,7 +224,7 @@ bool ReadHapbeatPong(const HapbeatPacket& packet, std::string& name)
   {
     return false;
   }
-  // It comes from the network, and is shown.
+  // The name comes from the network and is shown, so it is shortened and cleaned.
   constexpr std::size_t longest = 40;
   name.clear();
   for (std::size_t i = begin; i < packet.size() && packet[i] != 0 && name.size() < longest; ++i)

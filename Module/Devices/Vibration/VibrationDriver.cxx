@@ -55,7 +55,7 @@ void VibrationDriver::Serve(HardwareExchange& exchange)
       }
       catch (const std::exception&)
       {
-        // There is no memory for a message.
+        // Memory for a message is missing.
         this->Service->StopAtCrash();
       }
     }

@@ -190,7 +190,7 @@ void WeartService::Disconnect() noexcept
   }
   catch (const std::exception&)
   {
-    // There is no memory for a message: send what was prepared.
+    // Memory for a message is missing: send the message that was prepared.
     this->StopAtCrash();
   }
   this->Middleware.Close();

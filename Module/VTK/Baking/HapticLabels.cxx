@@ -84,8 +84,8 @@ bool FillScalarLabels(
 constexpr const char* LabelImage = "label image on input port 3";
 
 /**
- * Whether a value is a whole number of at most 2^53, because a double is exact up to there. Returns
- * false for NaN.
+ * Returns whether a value is a whole number of at most 2^53, because a double is exact up to there.
+ * Returns false for NaN.
  */
 template <typename T>
 bool IsWhole(T value)

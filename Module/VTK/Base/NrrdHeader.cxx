@@ -208,8 +208,8 @@ std::optional<double> NumberOfAxis(const NrrdHeader& header, const char* field, 
 }
 
 /**
- * Whether samples are centres of cells, so that "axis mins" is half a voxel before the first
- * sample.
+ * Returns whether samples are centres of cells, so that "axis mins" is half a voxel before the
+ * first sample.
  */
 bool HasCells(const NrrdHeader& header, std::size_t axis)
 {

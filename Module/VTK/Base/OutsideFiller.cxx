@@ -25,7 +25,8 @@ namespace
 /** Fraction of the examined samples above which holes are reported. */
 constexpr double MostHoles = 0.01;
 
-/** Whether a corner sample may be outside, or samples may be NaN. If not, no samples are read. */
+/** Returns whether a corner sample may be outside, or samples may be NaN. If not, no samples are
+   read. */
 bool MayHaveOutside(vtkImageData* image, vtkDataArray* scalars, int component)
 {
   const int type = scalars->GetDataType();
@@ -48,7 +49,7 @@ bool MayHaveOutside(vtkImageData* image, vtkDataArray* scalars, int component)
   return false;
 }
 
-/** Whether all values of a component can be read. */
+/** Returns whether all values of a component can be read. */
 bool HasMemory(vtkDataArray* scalars, int component)
 {
   VolumeView view;

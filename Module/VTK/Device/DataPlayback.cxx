@@ -265,8 +265,8 @@ const BakedVolume* DataPlayback::GetKept(vtkVolumeHapticsFilter* filter) const
 }
 
 /**
- * Whether a new time span would need a time step that the last time span lacks: Poll() has to read
- * that step first, when the memory of another step is free.
+ * Returns whether a new time span would need a time step that the last time span lacks: Poll() has
+ * to read that step first, when the memory of another step is free.
  */
 bool DataPlayback::LacksPair(vtkVolumeHapticsFilter* filter) const
 {
@@ -332,7 +332,7 @@ bool DataPlayback::Prepare(vtkVolumeHapticsFilter* filter, double rate, bool isC
   return isPrepared && isReady(this->Preparation.GetTimes());
 }
 
-/** Whether time is still moving towards the end of the steps. */
+/** Returns whether time is still moving towards the end of the steps. */
 bool DataPlayback::IsOnItsWay() const
 {
   const bool isBackward = this->Session.GetState().Clock.IsBackward;
@@ -341,7 +341,7 @@ bool DataPlayback::IsOnItsWay() const
     this->Orders.Mode == Playback::Once && this->Time != end;
 }
 
-/** Whether the time steps may continue the volume that was baked last. */
+/** Returns whether the time steps may continue the volume that was baked last. */
 bool DataPlayback::IsStreamed(vtkVolumeHapticsFilter* filter, double rate) const
 {
   auto* const source = vtkHapticTimeStepSource::SafeDownCast(filter->GetInputAlgorithm(0, 0));

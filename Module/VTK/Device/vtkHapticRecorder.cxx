@@ -145,7 +145,7 @@ public:
    */
   bool Stop(bool isAnnounced);
 
-  /** Whether there is a recording that this process has to end. */
+  /** Returns whether there is a recording that this process has to end. */
   bool IsUnderWay() const;
 
   /** Returns the file of the recording that is under way; empty without one. */

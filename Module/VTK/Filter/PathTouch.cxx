@@ -69,7 +69,7 @@ bool TouchPathIn(vtkVolumeHapticsFilter* filter, vtkImageData* image, vtkPolyDat
     vtkErrorWithObjectMacro(filter, << error);
     return false;
   }
-  // Without a path, only check the input, and leave a slow mesh to the background.
+  // Without a path, only check the input; a slow mesh is made in the background.
   if (readable && !source && timeSteps.TimeSteps.empty() &&
     !(path ? baker.GetPreparation().AwaitSurface() : baker.GetPreparation().IsSurfaceAtHand()))
   {

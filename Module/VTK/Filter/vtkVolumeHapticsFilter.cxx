@@ -41,7 +41,7 @@
 
 namespace
 {
-/** Whether the requested piece is not the first one, which contains the whole trace. */
+/** Returns whether the requested piece is not the first one, which contains the whole trace. */
 bool IsLaterPiece(vtkInformationVector* outputs)
 {
   vtkInformation* const output = outputs->GetInformationObject(0);

@@ -187,7 +187,7 @@ const std::vector<Preset>& Presets()
   return presets;
 }
 
-/** Whether a preset uses Hounsfield units. */
+/** Returns whether a preset uses Hounsfield units. */
 bool IsOfCT(const std::string& name)
 {
   return name.compare(0, 3, "CT ") == 0;

@@ -15,7 +15,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Whether a quantity changes its sign when axes are mirrored: forces along x and y do. */
+/** Returns whether a quantity changes its sign when axes are mirrored: forces along x and y do. */
 bool IsMirrored(int number)
 {
   return number == 1 || number == 2;

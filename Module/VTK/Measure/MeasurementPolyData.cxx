@@ -37,8 +37,8 @@ constexpr const char* NameField = "MeasurementName";
 constexpr const char* KindField = "MeasurementKind";
 
 /**
- * Whether any number of an array is finite. VTK can't read a file with an array without finite
- * numbers.
+ * Returns whether any number of an array is finite. VTK can't read a file with an array without
+ * finite numbers.
  */
 bool HasNumber(vtkDoubleArray* array)
 {
@@ -268,7 +268,7 @@ Measurement ReadCells(vtkPolyData* all, MeasuredKind kind, const std::vector<vtk
   return read;
 }
 
-/** Whether all cells refer to existing points. VTK's readers do not check this. */
+/** Returns whether all cells refer to existing points. VTK's readers do not check this. */
 bool HasPointsOfCells(vtkPolyData* all)
 {
   for (vtkCellArray* const cells :

@@ -79,7 +79,7 @@ struct PlyElements
   std::vector<PlyProperty> Properties;
 };
 
-/// Whether a binary element is complete. Moves `at` to its end.
+/// Returns whether a binary element is complete. Moves `at` to its end.
 bool SkipBinary(const PlyElements& kind, const std::string& bytes, bool isBig, std::size_t& at)
 {
   for (const PlyProperty& property : kind.Properties)
@@ -122,9 +122,9 @@ bool SkipLine(const PlyElements& kind, std::istream& text)
   return static_cast<bool>(words);
 }
 
-/// Whether a .ply has all elements that its header promises. Without them, VTK's reader continues,
-/// and frees memory that it never had. Accepts a header that this function does not support, and
-/// leaves it to the reader.
+/// Returns whether a .ply has all elements that its header promises. Without them, VTK's reader
+/// continues, and frees memory that it never had. Accepts a header that this function does not
+/// support, and leaves it to the reader.
 bool HasAllElements(const std::string& name)
 {
   std::vector<PlyElements> kinds;
@@ -175,8 +175,8 @@ bool HasAllElements(const std::string& name)
   return true;
 }
 
-/// Whether a binary .stl has all triangles that its head promises. VTK's reader continues without
-/// them.
+/// Returns whether a binary .stl has all triangles that its head promises. VTK's reader continues
+/// without them.
 bool HasAllTriangles(const std::string& name)
 {
   constexpr std::size_t head = 84, triangle = 50; // bytes
@@ -524,7 +524,7 @@ std::string PackSurface(const std::string& name)
 vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& name, std::string& error)
 {
   using VolumeHaptics::ReadResult;
-  // What a file of VTK's XML formats tells is checked before it is read.
+  // Check the statements of VTK's XML formats before reading a file.
   std::string answer;
   const ReadResult result = GetEnding(name) == ".vtp"
     ? ReadResult::NoProcess

@@ -148,7 +148,7 @@ void ClipRow(double begin, double step, const int range[2], double& first, doubl
   last = std::min(last, std::floor(std::max(low / step, high / step)));
 }
 
-/// Whether a voxel with a label other than 0 lies in a volume.
+/// Returns whether a voxel with a label other than 0 lies in a volume.
 bool IsAnyInside(vtkImageData* labels, vtkImageData* volume)
 {
   vtkDataArray* const values = labels->GetPointData()->GetScalars();

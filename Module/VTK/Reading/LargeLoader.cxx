@@ -34,8 +34,8 @@ std::string FormatOf(const std::string& path)
   return vtkHapticRegionSource::GetFileFormat(PlainName(path).c_str());
 }
 
-/// Whether files of a format are always read around the hand. Files of other formats may fit into
-/// memory.
+/// Returns whether files of a format are always read around the hand. Files of other formats may
+/// fit into memory.
 bool IsLargeFormat(const std::string& format)
 {
   return format == "VTKHDF" || format == "Zarr";

@@ -31,7 +31,7 @@ std::string NameOrgan(const std::string& path)
   return name.substr(0, name.find('.'));
 }
 
-/// Whether all values are 0 or one other number.
+/// Returns whether all values are 0 or one other number.
 bool IsMask(vtkImageData* image)
 {
   vtkDataArray* const values = image->GetPointData()->GetScalars();
@@ -51,7 +51,7 @@ bool IsMask(vtkImageData* image)
   return values && values->GetNumberOfComponents() == 1;
 }
 
-/// Whether two images have the same voxels, within the rounding of headers.
+/// Returns whether two images have the same voxels, within the rounding of headers.
 bool HaveSameVoxels(vtkImageData* a, vtkImageData* b)
 {
   constexpr double rounding = 1e-3; // voxels

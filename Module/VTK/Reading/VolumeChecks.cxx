@@ -106,7 +106,7 @@ void UseBrightness(Volume& volume)
   brightness->SetNumberOfValues(colours->GetNumberOfTuples());
   for (vtkIdType i = 0; i < colours->GetNumberOfTuples(); ++i)
   {
-    // These are the weights of vtkImageLuminance.
+    // The weights are those of vtkImageLuminance.
     const double value = 0.30 * colours->GetComponent(i, 0) + 0.59 * colours->GetComponent(i, 1) +
       0.11 * colours->GetComponent(i, 2);
     brightness->SetValue(i, static_cast<unsigned char>(value));

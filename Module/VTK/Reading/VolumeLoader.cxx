@@ -149,7 +149,7 @@ std::string DetectFalseNifti(const std::string& path)
   return header.empty() || !fault.empty() ? fault : Explore::DetectFalseNiftiHeader(header);
 }
 
-/// Whether a file begins like gzip's files, whatever its name says.
+/// Returns whether a file begins like gzip's files, whatever its name says.
 bool IsPacked(const std::string& path)
 {
   std::ifstream file = VolumeHaptics::OpenStream(path);
@@ -319,8 +319,8 @@ Volume ReadVti(const std::string& path)
   return { Run(reader.Get(), path, "VTK image (.vti)"), {}, "VTK image", {}, {}, {} };
 }
 
-/// Whether vtkMetaImageReader supports the file's type, with the size that MetaIO gives it, and its
-/// dimensions, and reads its header without writing past the end of its memory.
+/// Returns whether vtkMetaImageReader supports the file's type, with the size that MetaIO gives it,
+/// and its dimensions, and reads its header without writing past the end of its memory.
 bool IsKnownToVTK(const std::string& path)
 {
   const VolumeHaptics::HeaderText header(path);

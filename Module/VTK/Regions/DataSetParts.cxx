@@ -68,7 +68,7 @@ bool HasPointsOf(vtkCellArray* cells, vtkIdType points)
   return (!cells || cells->IsValid()) && range[0] >= 0.0 && range[1] < static_cast<double>(points);
 }
 
-/** Whether the faces of all polyhedra are there, and have corners that are there. */
+/** Returns whether the faces of all polyhedra exist, and have existing corners. */
 bool HasWholeFaces(vtkUnstructuredGrid* grid)
 {
   const vtkIdType count = HasFaces(grid) ? grid->GetNumberOfCells() : 0;
@@ -105,7 +105,7 @@ bool HasWholeFaces(vtkUnstructuredGrid* grid)
 #endif
 }
 
-/** Whether all cells have the corners that their kinds need. */
+/** Returns whether all cells have the corners that their kinds need. */
 bool HasCorners(vtkUnstructuredGrid* grid)
 {
   std::map<int, vtkIdType> needed;

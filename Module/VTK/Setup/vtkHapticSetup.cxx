@@ -210,7 +210,7 @@ int PassKind(SetupNode& node, const std::function<int()>& get)
   return node.Choice("Kind", names, get, [](int) {});
 }
 
-/** Whether a setting of vtkHapticMode is used by the mode's kind. */
+/** Returns whether a setting of vtkHapticMode is used by the mode's kind. */
 bool HasSetting(vtkHapticMode* mode, const std::string& name)
 {
   const auto& own = GetModeKind(mode).Settings;

@@ -425,7 +425,7 @@ private:
   std::size_t Mask = 0;
 };
 
-/** Whether a loop should continue. Asks the monitor, if there is one, in every 1024th step. */
+/** Returns whether a loop should continue. Asks the monitor, if any, in every 1024th step. */
 bool GoesOn(const WorkMonitor* monitor, std::size_t step)
 {
   constexpr std::size_t between = 1024;

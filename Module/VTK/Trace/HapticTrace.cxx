@@ -140,8 +140,8 @@ private:
   }
 
   const HapticTrace& Trace;
-  // These are copies, because the compiler would assume that writing to the columns changes the
-  // originals.
+  // The members are copies, because the compiler would assume that writing to the columns changes
+  // the originals.
   const Affine3 ToWorld;
   const Matrix3 Rotation;
   const TickRecord* const Records;

@@ -29,7 +29,7 @@ std::size_t TraceColumn::GetWidth() const
   return size * static_cast<std::size_t>(this->Components);
 }
 
-// Neither list is ever destroyed, because a device that is deleted while the process exits still
+// The two lists are never destroyed, because a device that is deleted while the process exits still
 // writes its recording.
 
 const std::vector<TraceColumn>& GetTraceColumns()

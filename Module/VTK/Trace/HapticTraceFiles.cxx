@@ -187,8 +187,8 @@ Contents ReadTable(const std::string& file)
 }
 
 /**
- * Whether the last line of a table ends with a line break. The last line of a table that was cut
- * off usually does not.
+ * Returns whether the last line of a table ends with a line break. The last line of a table that
+ * was cut off usually does not.
  */
 bool EndsWithLine(const std::string& file)
 {

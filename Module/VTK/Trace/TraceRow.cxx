@@ -22,8 +22,8 @@ struct RowFiller
   {
     ToArray(this->Model.DeviceToWorld(this->Record.*from), this->Row.*to);
   }
-  // Only rotate forces and directions: device axes are the world's axes, rotated, and only lengths
-  // are scaled.
+  // Forces and directions are only rotated: device axes are the world's axes, rotated, and only
+  // lengths are scaled.
   void Direction(double (TraceRow::*to)[3], Vector3 TickRecord::*from) const
   {
     ToArray(this->Model.DeviceToWorldRotation * (this->Record.*from), this->Row.*to);

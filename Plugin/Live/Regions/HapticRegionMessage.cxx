@@ -65,8 +65,8 @@ void PutText(std::vector<char>& message, const char* text)
 }
 
 /**
- * Whether an array can be sent: its values must have whole bytes, because bits have no size or
- * address of their own.
+ * Returns whether an array can be sent: its values must have whole bytes, because bits have no size
+ * or address of their own.
  */
 bool CanSend(vtkDataArray* array)
 {

@@ -40,8 +40,8 @@ public:
   void SetPiece(vtkImageData* piece, const int whole[6]);
 
   /**
-   * Whether all processes can execute: whether each has its piece, and the array is usable. All
-   * processes have to call this together. On the first process, `error` names a fault on any of
+   * Returns whether all processes can execute: whether each has its piece, and the array is usable.
+   * All processes have to call this together. On the first process, `error` names a fault on any of
    * them.
    */
   bool CanExecute(bool hasPiece, std::string& error);

@@ -26,7 +26,7 @@ try:
     import volumehaptics
     from volumehaptics import _files
     from volumehaptics._touch import Errors
-except ImportError:  # it was not wrapped: only the explorer is tried
+except ImportError:  # without Python wrapping, only the explorer is tested
     volumehaptics = None
 
 FILES = Path(os.environ["VOLUMEHAPTICS_FORMATS"])
@@ -167,8 +167,8 @@ def large_image(path):
 
 
 def test_there_is_one_truth_in_every_front_end(tmp_path):
-    """--write-volume, --inspect --json, --web, open_large(), and touch() of the file and of what was written. That ParaView has
-    the same: ParaView/TestHapticVolume.py."""
+    """Compares --write-volume, --inspect --json, --web, open_large(), and touch() of the file and of the written
+    volume. ParaView/TestHapticVolume.py compares ParaView."""
     if volumehaptics is None:
         pytest.skip("the module was not wrapped")
     chosen = [one for one in CASES if one["name"] in ONE_OF_EACH]
@@ -178,12 +178,13 @@ def test_there_is_one_truth_in_every_front_end(tmp_path):
         subprocess.run([EXPLORE, case["path"], "--write-volume", str(written)], capture_output=True, check=True)
         image, found, affine = read(written)
         facts = volumehaptics.inspect(case["path"])
-        for other in (_files.read(case["path"])[0], large_image(case["path"])):  # that of --web, and of open_large()
+        # the volumes of --web and of open_large()
+        for other in (_files.read(case["path"])[0], large_image(case["path"])):
             assert other is None or np.allclose(corners(other), corners(image), rtol=1e-9, atol=1e-6), case["name"]
         np.testing.assert_allclose(np.reshape(facts["direction"], (3, 3)) * facts["spacing"], affine[:3, :3], rtol=1e-9)
         np.testing.assert_allclose(facts["origin"], affine[:3, 3], rtol=1e-9)
         assert tuple(facts["size"]) == image.GetDimensions() and facts["unit"] == "mm"
-        again = volumehaptics.inspect(written)  # what was written is read back as it was
+        again = volumehaptics.inspect(written)  # the written file is read back unchanged
         for key in ("size", "spacing", "origin", "direction", "unit", "meters_per_unit", "type", "range"):
             assert facts[key] == again[key], (case["name"], key)
         np.testing.assert_array_equal(measure(_files.read(written)[0])[0], found)
@@ -202,8 +203,8 @@ def in_the_patient():
 
 @pytest.mark.parametrize("case", in_the_patient(), ids=lambda case: case["name"])
 def test_lengths_and_sides_are_the_patients_in_the_scene(touch, case):
-    """What is felt is measured, shown by the head-up display and lies in the slices where the phantom is; the letters at
-    the sides are the patient's."""
+    """Forces, the head-up display's lengths and the slices lie where the phantom is; the letters at the sides are the
+    patient's."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         traces = [touch(case["path"], along_x(begin, 0.0), "CT contrast") for begin in (35.0, -28.0)]
@@ -275,7 +276,7 @@ def touch():
 
 
 def first_touch(trace):
-    """How far (mm) from the ball's centre a hand that comes along x is felt first."""
+    """Returns the distance (mm) from the ball's centre at which a hand that comes along x first feels a force."""
     force = vtk_to_numpy(trace.GetPointData().GetArray("Force"))
     tip = vtk_to_numpy(trace.GetPointData().GetArray("Tip"))
     felt = np.flatnonzero(np.linalg.norm(force, axis=1) > 0.0)
@@ -300,7 +301,7 @@ def test_python_feels_a_folder_where_the_patient_is(touch, name, told):
 
 
 def test_without_the_program_that_reads_dicom_it_is_refused_with_the_cure(tmp_path):
-    """The explorer and its library stand in a folder of their own, without volumehaptics-dicom beside them."""
+    """The explorer and its library lie in a separate folder, without volumehaptics-dicom beside them."""
     place = tmp_path / "away"
     place.mkdir(mode=0o755)
     linked = subprocess.run(["ldd", EXPLORE], capture_output=True, text=True, check=True).stdout
@@ -362,7 +363,7 @@ def test_python_takes_a_segmentation_for_labels_by_their_names(touch):
         touch(folder, tip, "CT contrast", labels=one)
     with pytest.warns(UserWarning):
         assert 25.0 < first_touch(touch(one, tip, "CT contrast")) < 29.0
-    assert first_touch(gone) < 24.5  # what lies inside of the knob
+    assert first_touch(gone) < 24.5  # inside the knob
 
 
 def path_of(name):
@@ -454,11 +455,11 @@ def test_a_volume_larger_than_memory_and_labels_lie_where_the_file_says(case):
 
 
 def test_the_masks_of_a_folder_are_labels_of_their_scan(touch):
-    """As TotalSegmentator writes them, in Python as by the explorer's --labels."""
+    """Reads masks as TotalSegmentator writes them, in Python like the explorer's --labels."""
     tip, scan = along_x(32.0, 12.0), path_of("nifti-plain")
     with pytest.warns(UserWarning, match="1 of 3 labels of the table are in no voxel, such as 1 .aorta."):
         gone = touch(scan, tip, "CT contrast", labels=path_of("nifti-masks"), materials={"knob": {"felt": False}})
-    assert first_touch(gone) < 25.0  # what lies inside of the knob
+    assert first_touch(gone) < 25.0  # inside the knob
     with pytest.raises(ValueError, match="(?s)has several volumes, and labels are one.*Cure: write the volume that is meant"):
         touch(scan, tip, "CT contrast", labels=path_of("mgh-first-of-frames"))
 
@@ -472,7 +473,7 @@ def test_labels_of_a_file_with_several_are_chosen():
         for reader in (labels, values):
             reader.SetFileName(path_of(name))
         labels.AsLabelsOn()
-        if not name.startswith("nrrd"):  # of whose layers the last one counts
+        if not name.startswith("nrrd"):  # the last of the layers counts
             with Errors(labels, labels.GetExecutive()) as errors:
                 labels.Update()
             assert "has several volumes, and labels are one" in errors[0] and "take Series = 1 to Series = " in errors[0]
@@ -505,7 +506,7 @@ TRUE_NAMES = {"RT Ion Plan Storage": "RT ion plan", "RT Plan Storage": "RT plan"
               ".*SR Storage|Comprehensive SR.*": "structured report", ".*ECG.*": "waveform", "Media Storage Directory.*":
               "directory of a medium|no single DICOM slice|damaged or cut-off", "RT Beams Treatment Record.*": "RT record",
               "AFNIImage": "AFNI|packed file", "PARRECImage": "PAR/REC", "EcatImage": "ECAT", "Minc2Image": "MINC 2"}
-# What is wrong with a slice of which no volume can be made.
+# Faults of a slice from which no volume can be made.
 NO_VOLUME = ("is a single slice|too thin|no distance of its pixels|no position of its slices|is it a film|several volumes|mosaic|"
              "without its pixels|damaged or cut-off|without an image|numbers of colours")
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a case is: a writer, and what is right."""
+"""Defines a case: a writer of files, and the expected content."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pathlib import Path
 
 @dataclass
 class Case:
-    """One input of a user. `write(folder)` makes the files and returns what the user names."""
+    """One input of a user. `write(folder)` writes the files and returns the path that the user names."""
 
     name: str
     write: Callable[[Path], Path]

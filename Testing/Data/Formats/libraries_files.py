@@ -61,13 +61,13 @@ def measured(slice_, pixels):
 
 
 def say_dicom(path, everything):
-    """What a file is, and the volume that is in it, or of which it is a slice."""
+    """Prints what a file is, and the volume that it contains or belongs to."""
     one = everything.get(path)
     if one is None:
         return {"kind": "", "why": "no DICOM"}, None
     kind = pydicom.uid.UID(one.get("SOPClassUID", one.file_meta.get("MediaStorageSOPClassUID", ""))).name
     facts = {"kind": kind, "modality": str(one.get("Modality", "")), "pixels": "PixelData" in one}
-    if path.name == "DICOMDIR":  # what is below it; the largest of them is read
+    if path.name == "DICOMDIR":  # the largest volume below it is read
         volumes = [say_dicom(name, everything) for name in everything if name.parent != path.parent and path.parent in name.parents]
         return {**facts, **max(volumes, key=lambda volume: 0 if volume[1] is None else volume[1].size, default=({}, 0))[0],
                 "kind": kind}, max((volume[1] for volume in volumes if volume[1] is not None), key=np.size, default=None)

@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The phantom of the files of other people: a ball with two knobs, as a formula in patient coordinates.
+"""The phantom in the files that other libraries write: a ball with two knobs, as a formula in patient coordinates.
 
-Positions are in mm, left-posterior-superior, as DICOM and ITK have them. The ball has a radius of 20 mm; a knob of 5 mm
-sits at its left, one of 7 mm at its top. So no flip, turn, shear, scale or shift of a file leaves the phantom as it was.
-Values go from -1000 to 60 over 4 mm of the surface, linearly in the distance, so that a voxel that is placed wrongly by
-0.1 mm is off by 26.
+Positions are in mm, left-posterior-superior, as DICOM and ITK have them. The ball has a radius of 20 mm; a knob of 5
+mm sits at its left, a knob of 7 mm at its top. So every flip, turn, shear, scale or shift of a file changes the
+phantom. Values go from -1000 to 60 over 4 mm of the surface, linearly in the distance, so that a voxel that is
+placed wrongly by 0.1 mm is off by 26.
 """
 
 import numpy as np
@@ -18,7 +18,7 @@ BALLS = (  # centre (mm, beside CENTRE), radius (mm)
 )
 AIR, TISSUE = -1000.0, 60.0
 EDGE = 4.0  # mm
-_sampled = {}  # what grids have sampled, because most writers write the same grid
+_sampled = {}  # cache of sampled grids, because most writers use the same grid
 
 
 def distance(points):

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the input of each case, or of those named, into a folder of its own, and what is right into cases.json:
-write.py FOLDER [NAME...], with * for any letters."""
+"""Writes the input of each case, or of the named cases, into a folder for each, and the expected content into
+cases.json: write.py FOLDER [NAME...], with * for any letters."""
 
 import json
 import sys

@@ -103,7 +103,7 @@ def save_minc(folder, grid=GRID, dtype=np.int16, signtype="signed__", per_slice=
             axis = "xyz".index(name[0])
             step = np.linalg.norm(affine[:3, axis])
             cosines = affine[:3, axis] / step
-            if cosines[axis] < 0.0:  # as MINC's tools write it
+            if cosines[axis] < 0.0:  # as MINC's tools write the axis
                 step, cosines = -step, -cosines
             along.units = units.encode()
             along.step = step

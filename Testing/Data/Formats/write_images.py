@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""NRRD by pynrrd, MetaImage by SimpleITK, TIFF by tifffile, Zarr by zarr, and what is refused by its name."""
+"""Writes NRRD by pynrrd, MetaImage by SimpleITK, TIFF by tifffile, Zarr by zarr, and files that are refused by their
+names."""
 
 import json
 
@@ -411,7 +412,8 @@ def tiff_channel_files(folder):
 
 
 def ome_files(folder, lost=False, is_odd=False, is_short=False):
-    """As Bio-Formats writes a stack: a file of two slices each, and OME-XML that names all of them, also by their slices."""
+    """Writes a stack as Bio-Formats does: files of two slices each, and OME-XML that names all files, also by their
+    slices."""
     folder.mkdir(parents=True, exist_ok=True)
     size, step = GRID.size, GRID.spacing
     names = [f"part{k}.ome.tif" for k in range(0, size[2], 2)]
@@ -579,7 +581,7 @@ def zarr3(folder):
     return folder / "head.zarr"
 
 
-# What is refused by its name
+# Files that are refused by their names.
 
 
 def refused_case(name, file, content, refused):

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What formats allow and few files have: other axes, units, types and compressions, by the libraries of the other writers."""
+"""Writes features that formats allow and few files have: other axes, units, types and compressions, by the libraries of
+the other writers."""
 
 import json
 import zipfile
@@ -619,7 +620,7 @@ def zarr_plate(folder):
     return folder / "head.zarr"
 
 
-# What is refused by its name
+# Files that are refused by their names.
 
 for name, file, content, refused in (
         ("numpy", "head.npy", b"\x93NUMPY\1\0" + bytes(100), "array of NumPy"),

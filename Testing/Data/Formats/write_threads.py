@@ -377,7 +377,8 @@ def slices_before_channels(folder):
 
 
 def collection(folder, images):
-    """As bioformats2raw writes: the images in the folders 0, 1, ..., and OME's own beside them."""
+    """Writes a collection as bioformats2raw does: the images in the folders 0, 1, ..., and the folder OME beside
+    them."""
     folder.mkdir(parents=True, exist_ok=True)
     group = zarr.open_group(str(folder / "head.zarr"), mode="w", zarr_format=2)
     group.attrs["bioformats2raw.layout"] = 3
@@ -411,7 +412,7 @@ def scale_of_all(folder):
 
 
 def organs(folder, other=None):
-    """As TotalSegmentator writes by default: a mask of 0 and 1 for each organ, also for those that are not there."""
+    """Writes organs as TotalSegmentator does by default: a mask of 0 and 1 for each organ, also for missing organs."""
     folder.mkdir(parents=True, exist_ok=True)
     body = GRID.sample(float) > -470.0
     left = GRID.points()[..., 0] > CENTRE[0] + 20.5

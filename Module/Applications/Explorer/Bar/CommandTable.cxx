@@ -47,7 +47,7 @@ CommandTable::CommandTable()
         commands.Repeat.RecordRelease(commands.NameKey());
         return;
       }
-      // Neither the style nor VTK gets a key that has run a command.
+      // A key that has run a command is passed on neither to the style nor to VTK.
       const bool isUsed =
         event == vtkCommand::KeyPressEvent ? commands.PressKey() : !commands.UsedKey.empty();
       commands.Observer->SetAbortFlag(isUsed);
@@ -227,7 +227,7 @@ bool CommandTable::PressKey()
     return !this->UsedKey.empty(); // a held key runs its command once
   }
   this->UpdateList();
-  // As for the style's keys, a capital is its letter: with Caps Lock, for example.
+  // Treat a capital as its small letter, as the style does: with Caps Lock, for example.
   for (const std::string& key : { name, ToLower(name) })
   {
     const auto found = std::find_if(this->All.begin(), this->All.end(),

@@ -71,7 +71,7 @@ bool MakePrivateFolder(const std::string& folder)
   return static_cast<bool>(Files::MakeDirectory(folder, &mode));
 }
 
-/// Whether two lists of nodes differ by more than the rounding of products.
+/// Returns whether two lists of nodes differ by more than the rounding of products.
 bool Differ(const std::vector<double>& a, const std::vector<double>& b)
 {
   return a.size() != b.size() ||
@@ -199,7 +199,7 @@ void KeptWork::KeepAtEnd(bool isSetUp)
 std::vector<double> KeptWork::ListFunctions() const
 {
   vtkHapticProperty* const feel = this->Filter->GetProperty();
-  // How transparent the look was made is no edit.
+  // A change of the look's transparency does not count as an edit.
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->DeepCopy(this->Touch.Scene.Look->GetScalarOpacity());
   for (int i = 0; i < opacity->GetSize(); ++i)

@@ -221,7 +221,7 @@ void TouchReplay::Show(double time)
 
   // VTK's arrow points along x, and its length is 1.
   const double newtons = vtkMath::Norm(force);
-  // As long as the arrows of the hand, and as thick.
+  // The arrows are as long and as thick as those of the hand.
   constexpr double arrowRadii = 30.0;
   constexpr double thickness = 10.0; // of VTK's arrow, whose shaft has a radius of 0.03
   const double radius = this->Touch.Hand->GetRadius();

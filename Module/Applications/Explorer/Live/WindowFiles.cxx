@@ -97,7 +97,7 @@ std::vector<Explore::FileChoice> ReadRecentFiles()
 void WriteRecentFiles(const std::vector<Explore::FileChoice>& files)
 {
   const std::string list = FindRecentList();
-  const mode_t mode = 0700; // what was looked at is the user's own business
+  const mode_t mode = 0700; // private, because only the user may know which files were opened
   if (list.empty() || !Files::MakeDirectory(Files::GetFilenamePath(list), &mode))
   {
     return;

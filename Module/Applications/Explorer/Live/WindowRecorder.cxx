@@ -213,7 +213,7 @@ std::string WindowRecorder::RecordSecond(bool begins, const std::string& file)
   const std::string second = file.substr(0, file.rfind('.')) + "-second.vtp";
   vtkHapticRecorder* const recorder = this->Touch.SecondDevice->GetRecorder();
   {
-    const MessageCapture capture; // of what is written to std::cout, too
+    const MessageCapture capture; // captures the output to std::cout, too
     const bool isDone = begins ? recorder->Start(second.c_str()) : recorder->Stop();
     this->RecordsSecond = begins && isDone;
     if (!isDone)

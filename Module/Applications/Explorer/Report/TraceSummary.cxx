@@ -63,7 +63,7 @@ struct Share
   }
 };
 
-/// Whether the trace has values at surfaces. Modes have no such values.
+/// Returns whether the trace has values at surfaces. Modes have no such values.
 bool HasSurfaces(const Exploration& e)
 {
   return e.Filter->GetMethod() != vtkVolumeHapticsFilter::PRIMITIVES;

@@ -69,8 +69,8 @@ Vector3 FindFieldDrag(
   {
     return {};
   }
-  // Only damping by the hand's motion takes energy. Where the material moves, damping may give
-  // some.
+  // Only damping by the hand's motion removes energy. Where the material moves, damping may add
+  // energy.
   const Vector3 drag = ComputeFieldDamping(model, before.PreviousTip, record);
   const Vector3 material = ComputeFieldDamping(model, ComputeFieldPlace(model, before), record);
   const double whole = Norm(ComputeFieldPush(model, record) + material);

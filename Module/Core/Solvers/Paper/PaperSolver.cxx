@@ -31,7 +31,7 @@ VOLUME_HAPTICS_INLINE Vector3 Advance(
   const double threshold = lag.Push > 0.0 ? record.SurfaceStrength : 0.0;
   if (threshold == 0.0 && record.Viscosity == 0.0)
   {
-    // Nothing holds the proxy. The law would move it to the tip, too, but with rounding.
+    // No surface holds the proxy. The law would also move the proxy to the tip, but with rounding.
     return record.Tip;
   }
   const Balance balance = Law::Weigh(record, k, lag);

@@ -125,8 +125,8 @@ void PreciseFollower::WriteLeap(
 {
   record.MayLeap = true;
   record.ForceBefore = before.Force;
-  // Without a leap, the force changes at most by its spring's change, and by the friction that goes
-  // with it.
+  // Without a jump, the force changes at most by the change of its spring and by the friction of
+  // that change.
   const double k = std::max({ before.Stiffness, record.Stiffness, this->State.Spring.Tissue });
   const double mu = std::max(before.Friction, record.Friction);
   const double motion = Norm(record.Tip - before.Tip) + carried;

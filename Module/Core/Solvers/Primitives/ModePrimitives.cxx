@@ -128,7 +128,7 @@ private:
     const double ba = Dot(b, ja);
     const double bb = Dot(b, jb);
     const double determinant = aa * bb - ab * ba;
-    // There is no core where the flow is rather a shear than a rotation.
+    // Where the flow is a shear rather than a rotation, there is no core.
     if (!(determinant > 0.0))
     {
       return 0.0;

@@ -123,7 +123,7 @@ private:
       this->Next[at] = Nearest(this->At(at), this->Wish[at]);
       const Vector3 beyond = this->Wish[at] - this->Next[at];
       this->Slope = this->Slope - this->Next[at];
-      // This is |u|^2 - |u - P|^2 without a difference of large numbers.
+      // The sum is |u|^2 - |u - P|^2, computed without a difference of large numbers.
       this->Value += Dot(this->Next[at], this->Next[at] + 2.0 * beyond) / (2.0 * Penalty);
     }
   }

@@ -423,8 +423,8 @@ private:
   bool IsOff = false; ///< whether the force of a yielding primitive does not point along its place
   ///@{
   /**
-   * For yielding lines and points: whether there are any, the direction of each force, and how fast
-   * it turns.
+   * State of yielding lines and points: whether there are any, the direction of each force, and how
+   * fast each direction turns.
    */
   bool IsCurved = false;
   double Curvature = 0.0; ///< largest change of direction per newton

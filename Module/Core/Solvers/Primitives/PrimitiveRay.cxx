@@ -159,7 +159,8 @@ private:
       turns[0] = Cross(this->At(this->Slide[0]).Direction, this->Ray);
       return 1;
     }
-    // These are the images of two axes under the reflection that maps the third axis to the ray.
+    // The two vectors are the images of two axes under the reflection that maps the third axis to
+    // the ray.
     const Vector3& d = this->Ray;
     const double sign = std::copysign(1.0, d.Z);
     const double share = -1.0 / (sign + d.Z);

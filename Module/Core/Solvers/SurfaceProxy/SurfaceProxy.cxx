@@ -288,7 +288,7 @@ void StepSurfaceProxy(
       record.IsUnfinished = false;
       break;
     }
-    // Not with friction, because a move that is too long can't be undone.
+    // With friction, no long moves are tried, because a move that is too long can't be undone.
     const bool isSlow = record.Friction == 0.0 && rate > SlowRate && rate < SlowestRate;
     sphere.Move((excess / rest / (isSlow ? 1.0 - rate : 1.0)) * displacement);
     slides = slides || sphere.IsTouching();

@@ -159,7 +159,7 @@ void ShellContactFinder::Survey(std::size_t block, const Affine3& toolToIndex, d
     return;
   }
   const double from = clearance.Travelled;
-  // One voxel, and an allowance for rounding.
+  // Allow one voxel, and a margin for rounding.
   constexpr double margin = 1.001;
   const ShellBlock& at = this->Shell.GetBlocks()[block];
   const Vector3& voxels = this->Model.VoxelsPerMeter;

@@ -108,8 +108,8 @@ bool ReadComponents(vtkVolumeHapticsFilter* filter, PreparedTimeSpan& read)
 }
 
 /**
- * Whether all time steps are in the source's memory in the form that is felt. Meshes and copies of
- * displacements would need further memory for each time step.
+ * Returns whether all time steps are in the source's memory in the form that is felt. Meshes and
+ * copies of displacements would need further memory for each time step.
  */
 bool AreInMemory(vtkVolumeHapticsFilter* filter)
 {
@@ -118,7 +118,7 @@ bool AreInMemory(vtkVolumeHapticsFilter* filter)
     filter->GetDisplacementArrayName().empty();
 }
 
-/** Whether two arrays of the same name have the same shape and type. */
+/** Returns whether two arrays of the same name have the same shape and type. */
 bool AreAlike(vtkDataArray* a, vtkDataArray* b)
 {
   const auto name = [](vtkDataArray* array)
@@ -246,8 +246,8 @@ TimeSpanPreparation::ChangeTimes TimeSpanPreparation::ComputeChangeTimes(
 }
 
 /**
- * Whether the time steps that were read belong to the filter's present state. Newer time steps of a
- * stream don't count: otherwise a fast stream would make the owner wait for ever.
+ * Returns whether the time steps that were read belong to the filter's present state. Newer time
+ * steps of a stream don't count: otherwise a fast stream would make the owner wait for ever.
  */
 bool TimeSpanPreparation::IsOf(vtkVolumeHapticsFilter* filter, const TimeStepPlace& place) const
 {

@@ -30,8 +30,8 @@ bool IsKind(std::uint32_t kind)
 }
 
 /**
- * Whether a whole chunk begins somewhere after the first byte. Also true if so many bytes look like
- * heads, which compressed numbers do not, that all their checksums would take too long.
+ * Returns whether a whole chunk begins somewhere after the first byte. Also true if so many bytes
+ * look like heads, which compressed numbers do not, that all their checksums would take too long.
  */
 bool HoldsChunk(const std::string& bytes)
 {

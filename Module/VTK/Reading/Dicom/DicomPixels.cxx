@@ -303,7 +303,7 @@ void DicomPixels::Unpack(const std::string& path, const DicomHeader& slice)
     this->File = slice.File;
     return;
   }
-  constexpr std::uint64_t most = 8; // bytes of a sample; GDCM may make more of them than there were
+  constexpr std::uint64_t most = 8; // bytes of a sample; GDCM may widen samples
   const std::uint64_t samples = static_cast<std::uint64_t>(slice.Width) * slice.Height *
     slice.Samples * static_cast<std::uint64_t>(slice.Frames);
   if (!AskDicom(DicomRequest::Unpacked, slice.File, most * samples, answer, this->Bytes))

@@ -42,8 +42,8 @@ std::vector<DicomHeader> FindPlanes(const std::vector<DicomHeader>& frames)
   return places;
 }
 
-/// Whether the distances of all positions are whole numbers of steps. Files leave out frames
-/// without voxels.
+/// Returns whether the distances of all positions are whole numbers of steps. Files leave out
+/// frames without voxels.
 bool IsStep(const std::vector<DicomHeader>& places, double step)
 {
   return step > 0.0 &&

@@ -116,7 +116,7 @@ std::size_t InflateFile(const OpenedFile& file, std::size_t offset, std::size_t 
     }
     if (state == Z_STREAM_END)
     {
-      // Another stream of gzip may follow; anything else is no part of the data.
+      // Another gzip stream may follow; other bytes do not belong to the data.
       constexpr Bytef gzipMagic = 0x1f;
       if (hasAny && *stream.next_in != gzipMagic)
       {
@@ -278,8 +278,9 @@ void CheckChunkSum(std::vector<char>& bytes)
 
 void CheckFletcher(std::vector<char>& bytes)
 {
-  // As "HDF5 File Format Specification", Data Object Header Message 0x000B, filter 3, and the
-  // library define it: sums of 16-bit big-endian words, folded. An odd last byte is a high one.
+  // Computes the checksum of "HDF5 File Format Specification", Data Object Header Message 0x000B,
+  // filter 3, and of the library: sums of 16-bit big-endian words, folded. An odd last byte counts
+  // as a high byte.
   constexpr std::size_t sumSize = 4;
   const std::size_t size = bytes.size() - std::min(bytes.size(), sumSize);
   const auto* const from = reinterpret_cast<const unsigned char*>(bytes.data());

@@ -249,7 +249,7 @@ KnownType FindKnownType(hid_t type)
   return found == std::end(all) ? KnownType{ type, 0, false } : *found;
 }
 
-/** Whether an HDF5 file begins at a position. Throws if the bytes can't be read. */
+/** Returns whether an HDF5 file begins at a position. Throws if the bytes can't be read. */
 bool IsSuperblock(const Hdf5Bytes& bytes, std::uint64_t at, bool& isWritten)
 {
   constexpr std::size_t size = 12;

@@ -28,7 +28,7 @@ std::string TrimBlanks(const std::string& text)
   return begin == std::string::npos ? std::string() : text.substr(begin, end - begin + 1);
 }
 
-/** Whether a key has no letter that ends it, or is left out, for MetaIO alone. */
+/** Returns whether a key has no letter that ends it, or is left out, for MetaIO alone. */
 bool IsPlainKey(const std::string& key)
 {
   return std::all_of(

@@ -332,7 +332,8 @@ void Place(const NetCdfHead& head, const MincImage& image, LargeFile& file)
   file.Notes.emplace_back("turned from right-anterior-superior to left-posterior-superior");
 }
 
-/** How stored whole numbers become values: a slope and an intercept, perhaps of each slice. */
+/** Describes how stored integers become values: a slope and an intercept, perhaps for each
+   slice. */
 struct MincScale
 {
   std::vector<std::pair<double, double>> Lines; ///< slopes and intercepts

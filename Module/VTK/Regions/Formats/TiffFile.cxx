@@ -98,7 +98,7 @@ struct TiffSamples
   ///@}
 };
 
-/** What OpenTiff() learns from files. */
+/** Facts that OpenTiff() finds in files. */
 struct TiffFacts
 {
   TiffStack Stack;

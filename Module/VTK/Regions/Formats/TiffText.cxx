@@ -199,7 +199,7 @@ TiffText ReadShape(const std::string& description)
     axes.substr(0, shape.size()).find_first_not_of("TCZ") == std::string::npos;
   if (!areKnown)
   {
-    // The last axis before those of a page is that of the slices.
+    // The last axis before the axes of a page is the axis of the slices.
     text.TimeName = "volume";
     axes = std::string(shape.size() - 1, 'T') + "Z";
   }

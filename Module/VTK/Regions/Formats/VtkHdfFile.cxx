@@ -169,7 +169,7 @@ struct StoredChunks
   }
 };
 
-/** What HDF5's library finds in a file. */
+/** Facts that HDF5's library finds in a file. */
 struct VtkHdfFacts
 {
   BoxExtent Extent{};

@@ -99,7 +99,7 @@ void WholeSamples::Check() const
   }
 }
 
-/** Takes the samples of all files, one part after the other, and keeps those of the volume. */
+/** Reads the samples of all files, one part after the other, and keeps the volume's samples. */
 class WholeSamples::Volume
 {
 public:

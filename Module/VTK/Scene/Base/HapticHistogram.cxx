@@ -165,7 +165,7 @@ bool IsTableLabel(double value)
 {
   constexpr double least = std::numeric_limits<int>::min();
   constexpr double most = std::numeric_limits<int>::max();
-  // This is also false for NaN. Rounding can't move a number beyond int into its range.
+  // The condition is also false for NaN. Rounding can't move a number beyond int into its range.
   return value >= least && value <= most && value == std::floor(value);
 }
 

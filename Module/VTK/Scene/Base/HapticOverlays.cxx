@@ -49,8 +49,8 @@ constexpr double ActorMargin = 3.0; // pixels around a 2D actor
 constexpr double LabelSpill = 15.0; // pixels by which labels may exceed the box of a scalar bar
 ///@{
 /**
- * How far the labels and the title of an axis may exceed its box: pixels, and a fraction of the
- * viewport.
+ * Distances by which the labels and the title of an axis may exceed its box: pixels, and a fraction
+ * of the viewport.
  */
 constexpr double AxisSpill = 10.0;
 constexpr double AxisSpillFraction = 0.05;

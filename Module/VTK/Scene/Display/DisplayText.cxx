@@ -44,7 +44,7 @@ bool AreModesFelt(vtkVolumeHapticsFilter* filter)
   return filter && filter->GetMethod() == vtkVolumeHapticsFilter::PRIMITIVES;
 }
 
-/** Whether only modes are felt that have no surface to rest a hand on. */
+/** Returns whether only modes without a surface to rest a hand on are felt. */
 bool AreOnlyFieldsFelt(vtkVolumeHapticsFilter* filter)
 {
   if (!AreModesFelt(filter))

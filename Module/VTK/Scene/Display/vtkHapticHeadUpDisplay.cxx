@@ -212,7 +212,7 @@ std::string NameTouched(vtkHapticHeadUpDisplay& display, vtkHapticDevice* device
 {
   const std::string label =
     NameLabelAt(device->GetVolumeHaptics(), device->GetState()->GetSurfacePosition());
-  // With modes, no surface is touched whose value could name the tissue.
+  // With modes, the touched shape has no value that could name the tissue.
   const bool isByValue = label.empty() && !GetModesFilter(device);
   return isByValue ? display.GetTissueName(ComputeTissueValue(device)) : label;
 }
@@ -257,7 +257,7 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   int ComputeTextEnd(vtkHapticHeadUpDisplay& self, vtkViewport* viewport) const;
   int RenderPlot(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
   int RenderHelp(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
-  /** Whether charts can be drawn. If they cannot, reports an error once. */
+  /** Returns whether charts can be drawn. If they cannot, reports an error once. */
   bool DetectContext(vtkHapticHeadUpDisplay& self);
 };
 
@@ -698,8 +698,8 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderPlot(
   const std::array<int, 2> from = ComputePlotCorner(self.PlotCorner, viewport, panel);
   const bool isOther = this->Chart.SetOnLight(IsOnLight(viewport));
   const bool isMoved = this->Chart.Fit(size[0], size[1], from, scale) || isOther;
-  // With a software renderer, drawing the chart takes some milliseconds, showing its texture a
-  // tenth of one. So draw the chart less often.
+  // With a software renderer, drawing the chart takes some milliseconds, but showing its texture
+  // only a tenth of a millisecond. So draw the chart less often.
   const auto now = std::chrono::steady_clock::now();
   const bool isDue = now >= this->Due;
   const double span = GetShownSpan(self.TimeSpan);

@@ -397,7 +397,7 @@ void FrameQuality::End()
   }
   std::copy_n(this->Window->GetSize(), 2, this->DrawnSize.begin());
   this->Interrupted = this->IsResized ? Interruption::Resized : this->Interrupted;
-  // Only the time of a frame that casts all rays may be recorded as such.
+  // Only the time of a frame that casts all rays may be recorded as the time of a full frame.
   bool castsAll = false;
   bool keepsRays = false;
   bool isAdjusted = false;

@@ -73,7 +73,7 @@ private:
   bool IsInRelease = false;
 };
 
-/** This is a separate class, so that a watch recognises the observers of other watches. */
+/** The observer is a separate class, so that a watch recognises the observers of other watches. */
 class HapticWindowWatch::Observer final : public vtkCommand
 {
 public:
@@ -99,8 +99,8 @@ public:
   HapticWindowWatch* Watch = nullptr;
 
   /**
-   * Whether the application observes an interactor's ExitEvent: whether any observer of the event
-   * does not belong to a watch.
+   * Returns whether the application observes an interactor's ExitEvent: whether any observer of the
+   * event does not belong to a watch.
    */
   static bool IsExitTaken(vtkRenderWindowInteractor* interactor)
   {
@@ -151,11 +151,11 @@ void HapticWindowWatch::SetInteractor(vtkRenderWindowInteractor* interactor)
   {
     this->IsEnabled = interactor->GetEnabled() != 0;
     this->IsDone = interactor->GetDone();
-    // This is called before the application's observers, which may take long, for example to ask
+    // Call the watch before the application's observers, which may take long, for example to ask
     // the user whether to quit.
     interactor->AddObserver(vtkCommand::ExitEvent, this->Events, VTK_FLOAT_MAX);
     interactor->AddObserver(vtkCommand::ModifiedEvent, this->Events);
-    // This is called after the application's observers, because they may have called
+    // Call the watch after the application's observers, because they may have called
     // TerminateApp(); the loop then ends with these events.
     for (const unsigned long event :
       { vtkCommand::KeyPressEvent, vtkCommand::KeyReleaseEvent, vtkCommand::CharEvent,

@@ -24,7 +24,7 @@ ColoredTubes::ColoredTubes(int sides)
   this->Ghost->SetMapper(this->Mapper);
   this->Ghost->GetProperty()->LightingOff();
   this->Ghost->GetProperty()->SetOpacity(HiddenOpacity);
-  // This is drawn in the overlay pass (by vtkHapticRepresentation), which does not sort.
+  // The ghost is drawn in the overlay pass (by vtkHapticRepresentation), which does not sort.
   this->Ghost->ForceOpaqueOn();
 }
 

@@ -91,7 +91,7 @@ DrawnTool::DrawnTool()
   this->Solid->GetProperty()->SetSpecularPower(30.0);
   this->Ghost->GetProperty()->LightingOff();
   this->Ghost->GetProperty()->SetOpacity(HiddenOpacity);
-  // This is drawn in the overlay pass (by vtkHapticRepresentation), which does not sort.
+  // The ghost is drawn in the overlay pass (by vtkHapticRepresentation), which does not sort.
   this->Ghost->ForceOpaqueOn();
 }
 

@@ -37,7 +37,7 @@ FollowedScene::FollowedScene(const Color* colors, std::size_t count)
   // Colour the points, because VTK 9.1 loses cell colours of polygons with many corners.
   this->DiscMapper->SetScalarModeToUsePointData();
   this->DiscMapper->SetColorModeToDirectScalars();
-  // These shapes are drawn in the overlay pass (by vtkHapticRepresentation), which does not sort.
+  // The fronts are drawn in the overlay pass (by vtkHapticRepresentation), which does not sort.
   this->Fronts->ForceOpaqueOn();
   this->Fronts->SetMapper(this->DiscMapper);
   this->Fronts->GetProperty()->LightingOff();

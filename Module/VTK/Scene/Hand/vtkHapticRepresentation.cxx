@@ -130,7 +130,7 @@ struct vtkHapticRepresentation::vtkInternals
 
 namespace
 {
-/** Whether a volume is drawn with fewer rays than pixels. */
+/** Returns whether a volume is drawn with fewer rays than pixels. */
 bool AreRaysCoarse(vtkRenderer* renderer)
 {
   vtkVolumeCollection* const volumes = renderer->GetVolumes();
@@ -170,14 +170,15 @@ const double White[3] = { 0.97, 0.97, 0.97 };
 const double StylusColor[3] = { 1.0, 1.0, 1.0 };
 const double ContactColors[4][3] = { { 0.62, 0.64, 0.67 }, { 1.0, 0.72, 0.1 }, { 0.1, 0.75, 0.45 },
   { 0.85, 0.2, 0.65 } };
-/** Whether the proxy is on the viewer's side of the touched surface, so that it can be seen. */
+/** Returns whether the proxy is on the viewer's side of the touched surface, so that it can be
+   seen. */
 bool IsSeen(vtkRenderer* renderer, vtkHapticDevice* device)
 {
   const Vector3 sight = LineOfSight(renderer, FromArray(device->GetState()->GetProxyPosition()));
   return device->GetState()->GetContact() == 0 ||
     Dot(FromArray(device->GetState()->GetNormal()), sight) > 0.0;
 }
-/** Whether forces are shown: always, except for a virtual device that is not armed. */
+/** Returns whether forces are shown: always, except for a virtual device that is not armed. */
 bool IsFelt(vtkHapticDevice* device)
 {
   const int status = device->GetStatus();

@@ -230,7 +230,8 @@ std::array<int, 2> TouchMode::TakeMotion()
 void TouchMode::MoveInDepth(double steps)
 {
   const double length = this->GetFineness() * steps * this->GetDepthStep();
-  // From where the hand is: a press does not move it aside, even if the picture has changed.
+  // Lead from the hand's position: a press does not move the hand aside, even if the picture has
+  // changed.
   this->LeadTo(this->Lead + length * LineOfSight(this->Scene.ChooseRenderer(), this->Lead));
 }
 

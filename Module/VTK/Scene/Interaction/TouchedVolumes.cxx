@@ -35,7 +35,7 @@ struct SurfaceAhead
   double Force = 0.0;         // force of a press (N)
 };
 
-/** Whether the same position of the world is at the same pixel in two renderers. */
+/** Returns whether the same position of the world is at the same pixel in two renderers. */
 bool IsSameView(vtkRenderer* a, vtkRenderer* b)
 {
   return a == b ||

@@ -219,8 +219,8 @@ private:
   {
     return (this->Interactor->GetShiftKey() ? 1 : 0) + (this->Interactor->GetControlKey() ? 2 : 0);
   }
-  /// Whether the hand gets the mouse. The program keeps a drag that it has begun. Slices beside the
-  /// scene always belong to the hand.
+  /// Returns whether the hand gets the mouse. The program keeps a drag that it has begun. Slices
+  /// beside the scene always belong to the hand.
   bool HasMouse()
   {
     const int* const at = this->Interactor->GetEventPosition();
@@ -229,8 +229,8 @@ private:
       (slices && slices->FindSlice(at[0], at[1]) >= 0);
     return isOurs && this->Buttons == 0 && this->Interactor->GetRenderWindow();
   }
-  /// Whether the hand gets a click. A click on a slider, a handle or a text of the program belongs
-  /// to the program.
+  /// Returns whether the hand gets a click. A click on a slider, a handle or a text of the program
+  /// belongs to the program.
   bool HasClick()
   {
     const int* const at = this->Interactor->GetEventPosition();
@@ -274,7 +274,7 @@ private:
 
 vtkStandardNewMacro(StyleBeside);
 
-/// Whether a filter can feel what is drawn: an image, or data with cells.
+/// Returns whether a filter can feel what is drawn: an image, or data with cells.
 bool IsTouchable(const DrawnVolume& drawn)
 {
   vtkDataObject* const data = drawn.GetData();
@@ -328,7 +328,7 @@ struct vtkHapticWidget::vtkInternals
     this->Display->SetSecondDevice(device);
   }
 
-  /** Whether the program has connected an input to its filter. */
+  /** Returns whether the program has connected an input to its filter. */
   bool HasOwnInput() const
   {
     return !this->Volume && !this->IsInputOurs && this->Filter->GetNumberOfInputConnections(0) > 0;

@@ -27,8 +27,8 @@ namespace
 {
 
 /**
- * Whether an interactor has a window. Without a window these events do not normally occur, and
- * VTK's own styles would crash.
+ * Returns whether an interactor has a window. Without a window these events do not normally occur,
+ * and VTK's own styles would crash.
  */
 bool HasWindow(vtkRenderWindowInteractor* interactor)
 {

@@ -25,7 +25,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Whether an image's extent lies in a volume's extent. */
+/** Returns whether an image's extent lies in a volume's extent. */
 bool IsPartOf(vtkImageData* image, vtkImageData* volume)
 {
   const int* const part = image->GetExtent();
@@ -66,7 +66,7 @@ public:
         step[b] -= origin[b];
       }
       const double across = std::abs(step[(a + 1) % 3]) + std::abs(step[(a + 2) % 3]);
-      // This is also false for NaN.
+      // The condition also catches NaN.
       if (!(across <= Rounding * step[a]))
       {
         return false;

@@ -69,7 +69,8 @@ bool IsShownInstead(vtkDataArray* shown, vtkDataArray* touched)
  */
 constexpr int MostMissed = 3;
 
-/** Whether VTK fills textures from arrays of this type, or from floats computed from them. */
+/** Returns whether VTK fills textures from arrays of this type, or from floats computed from
+   them. */
 bool HasTextureType(vtkDataArray* array)
 {
   switch (array->GetDataType())
@@ -128,7 +129,7 @@ private:
   int Buffer = 0;
 };
 
-/** Whether a mapper currently draws in a way that uses no texture of its image. */
+/** Returns whether a mapper currently draws in a way that uses no texture of its image. */
 bool DrawsOtherwise(vtkVolumeMapper* mapper)
 {
   auto* const smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
@@ -539,7 +540,7 @@ void CarvedPictures::Collect(
   {
     auto* const volume = vtkVolume::SafeDownCast(prop);
     auto* const mapper = volume ? vtkVolumeMapper::SafeDownCast(volume->GetMapper()) : nullptr;
-    // This is null if the mapper has the copy of another picture, or shows another array.
+    // The array is null if the mapper has the copy of another picture, or shows another array.
     vtkDataArray* const shown = GetShownArray(mapper, array.Array);
     const auto isKnown = [mapper, shown, &array](const std::unique_ptr<CarvedPicture>& one)
     {

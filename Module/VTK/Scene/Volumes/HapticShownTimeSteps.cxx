@@ -38,8 +38,8 @@ bool HasShapeOf(vtkImageData* image, vtkImageData* other)
 }
 
 /**
- * Whether an array seems to be a component of another array. Only some samples are compared, which
- * excludes, for example, a mask of the same shape.
+ * Returns whether an array seems to be a component of another array. Only some samples are
+ * compared, which excludes, for example, a mask of the same shape.
  */
 bool IsComponentOf(vtkDataArray* array, vtkDataArray* timeSteps)
 {

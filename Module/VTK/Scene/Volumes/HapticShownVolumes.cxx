@@ -108,7 +108,8 @@ const Difference Differences[] = {
     "vtkGhostType), but they are still felt. Cure: TouchVolume() of the interactor style." },
 };
 
-/** Whether corners of an image have different positions in the scene and in the felt image. */
+/** Returns whether corners of an image have different positions in the scene and in the felt
+   image. */
 bool IsPlacedElsewhere(vtkMatrix4x4* matrix, vtkImageData* shown, vtkImageData* felt)
 {
   const int* const here = shown->GetExtent();
@@ -135,7 +136,7 @@ bool IsPlacedElsewhere(vtkMatrix4x4* matrix, vtkImageData* shown, vtkImageData* 
   return false;
 }
 
-/** Whether a mapper's cropping regions leave out a part of an image. */
+/** Returns whether a mapper's cropping regions leave out a part of an image. */
 bool IsCropped(vtkVolumeMapper* mapper, vtkImageData* image)
 {
   constexpr int everything = 0x7ffffff;
@@ -157,7 +158,7 @@ bool IsCropped(vtkVolumeMapper* mapper, vtkImageData* image)
   return !isInMiddle;
 }
 
-/** Whether a mapper's planes cut off a part of a volume's box. */
+/** Returns whether a mapper's planes cut off a part of a volume's box. */
 bool IsClipped(vtkAbstractVolumeMapper* mapper, vtkVolume* volume)
 {
   vtkPlaneCollection* const planes = mapper->GetClippingPlanes();
@@ -176,7 +177,7 @@ bool IsClipped(vtkAbstractVolumeMapper* mapper, vtkVolume* volume)
   return false;
 }
 
-/** Whether a filter leaves out the same regions as a mapper. */
+/** Returns whether a filter leaves out the same regions as a mapper. */
 bool FeelsCropping(
   vtkVolumeHapticsFilter* filter, vtkVolumeMapper* mapper, vtkImageData* shown, vtkImageData* felt)
 {
@@ -193,7 +194,7 @@ bool FeelsCropping(
     planes, planes + 6, own, [most](double a, double b) { return std::abs(a - b) <= most; });
 }
 
-/** Whether a filter has all of a mapper's clipping planes. */
+/** Returns whether a filter has all of a mapper's clipping planes. */
 bool FeelsClipping(vtkVolumeHapticsFilter* filter, vtkAbstractVolumeMapper* mapper)
 {
   vtkPlaneCollection* const own = filter->GetClippingPlanes();
@@ -208,7 +209,7 @@ bool FeelsClipping(vtkVolumeHapticsFilter* filter, vtkAbstractVolumeMapper* mapp
   return own != nullptr;
 }
 
-/** Whether a filter has a mapper's mask as a label image. */
+/** Returns whether a filter has a mapper's mask as a label image. */
 bool FeelsMask(vtkVolumeHapticsFilter* filter, vtkAbstractVolumeMapper* mapper)
 {
   vtkImageData* const mask = GetBinaryMask(mapper);
@@ -241,7 +242,7 @@ bool AreSeveralDrawn(
     !(smart && smart->GetVectorMode() == vtkSmartVolumeMapper::COMPONENT);
 }
 
-/** Whether a filter touches one of the isosurfaces that a mapper draws. */
+/** Returns whether a filter touches one of the isosurfaces that a mapper draws. */
 bool FeelsIso(vtkVolumeHapticsFilter* filter, vtkVolumeProperty* property)
 {
   vtkContourValues* const values = property->GetIsoSurfaceValues();
@@ -253,7 +254,7 @@ bool FeelsIso(vtkVolumeHapticsFilter* filter, vtkVolumeProperty* property)
   return isDrawn && TouchesIsosurface(filter);
 }
 
-/** Whether most of a face of an image is opaque, judged from some samples. */
+/** Returns whether most of a face of an image is opaque, judged from some samples. */
 bool IsOpaque(vtkDataArray* array, int component, const int dimensions[3], int face,
   vtkPiecewiseFunction* opacity)
 {

@@ -427,7 +427,7 @@ public:
     this->Carved = nullptr;
   }
 
-  /** Whether bricks have changed outside the finely shown box. */
+  /** Returns whether bricks have changed outside the finely shown box. */
   bool HasChangesOutside(vtkImageData* copy, vtkImageData* volume)
   {
     // The box of the fine copy in indices of the volume, made smaller by a brick on each side. The

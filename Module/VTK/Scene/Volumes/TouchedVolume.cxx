@@ -51,7 +51,7 @@ enum Kind
 
 constexpr unsigned char Hidden = vtkDataSetAttributes::HIDDENPOINT;
 
-/** Whether values have opacity, from a table over their range. */
+/** Tells whether values have opacity, from a table over their range. */
 class OpacityTable
 {
 public:
@@ -160,7 +160,7 @@ void Connect(vtkVolumeHapticsFilter* filter, vtkAlgorithmOutput* input)
   }
 }
 
-/** Whether a filter already asks for this array of data that are no image. */
+/** Returns whether a filter already asks for this array of data that are no image. */
 bool IsNamed(vtkVolumeHapticsFilter* filter, vtkDataArray* array, bool areCells)
 {
   vtkInformation* const asked = filter->GetInputArrayInformation(0);
@@ -433,7 +433,7 @@ bool PlaceImage(vtkMatrix4x4* matrix, vtkImageData* image, vtkImageData* placed)
   {
     const int next = (axis + 1) % 3;
     const double together = std::abs(Dot(columns[axis], columns[next]));
-    // This is also false for NaN.
+    // The condition also catches NaN.
     if (!(together <= rounding * spacing[axis] * spacing[next]) || !(spacing[axis] > 0.0))
     {
       return false;
