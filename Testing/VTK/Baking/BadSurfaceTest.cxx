@@ -39,7 +39,7 @@ TEST_F(BadSurface, TheRangeOfALargeVolumeIsThatOfSomeSamples)
   vtkNew<vtkSignedCharArray> samples;
   samples->SetNumberOfValues(vtkIdType{ n } * n * n);
   samples->FillValue(7);
-  samples->SetValue(1000, 9); // lies between the samples that are read
+  samples->SetValue(1000, 9); // this sample lies between the samples that are read
   vtkNew<vtkImageData> image;
   image->SetDimensions(n, n, n);
   image->GetPointData()->SetScalars(samples);

@@ -48,8 +48,8 @@ TEST_F(SameShape, IsTheStiffnessOfEveryMethod)
     EXPECT_NEAR(Get(output, "Force", 50, 2), -0.321 * lag, 1e-9);
     if (force < 0.0)
     {
-      // Case T1 of the specification: at the end of the path, the surface strength limits the
-      // force.
+      // Case T1 of Documentation/evaluation.md: at the end of the path, the surface strength limits
+      // the force.
       this->Filter->SetCouplingStiffness(500.0);
       EXPECT_NEAR(Get(this->Run(51), "Force", 50, 2), force, 1e-9);
     }

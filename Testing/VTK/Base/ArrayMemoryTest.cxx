@@ -34,8 +34,9 @@ using namespace VolumeHaptics;
 
 namespace
 {
-constexpr vtkIdType OfNoMachine = vtkIdType{ 1 } << 50; // samples: a million GiB
-}
+// number of samples that would take a million GiB
+constexpr vtkIdType OfNoMachine = vtkIdType{ 1 } << 50;
+} // namespace
 
 TEST(ArrayMemory, HoldsTuplesOfEachType)
 {
@@ -51,7 +52,7 @@ TEST(ArrayMemory, HoldsTuplesOfEachType)
     {
       array->SetTuple3(i, static_cast<double>(i % 2), 1.0, 0.0);
     }
-    array->InsertNextTuple3(1.0, 0.0, 1.0); // the array can grow like other arrays
+    array->InsertNextTuple3(1.0, 0.0, 1.0); // the array must grow like other arrays
     EXPECT_EQ(array->GetComponent(5, 0), 1.0);
     EXPECT_EQ(array->GetComponent(6, 0), 0.0);
     EXPECT_EQ(array->GetComponent(7, 2), 1.0);

@@ -149,7 +149,7 @@ TEST(BackgroundWork, ThatIsAbandonedIsNotWaitedForAndHasNoResult)
   Work work;
   EXPECT_EQ(work.Poll(1, stubborn), nullptr);
   ASSERT_TRUE(Eventually([&] { return entered == 1; }));
-  work.Abandon(); // must return at once, since the task ends only afterwards
+  work.Abandon(); // must return at once: the task ends only after isOpen is set
   EXPECT_TRUE(work.IsUnderWay());
   EXPECT_FALSE(work.IsOf(1));
   EXPECT_EQ(work.Find(1), nullptr);
@@ -220,7 +220,7 @@ TEST(BackgroundWork, ThatEndsIsNotWaitedFor)
   Work work;
   EXPECT_EQ(work.Poll(1, makeStubborn()), nullptr);
   ASSERT_TRUE(Eventually([&] { return entered == 1; }));
-  work.Forget(); // must return at once, since the task ends only afterwards
+  work.Forget(); // must return at once: the task ends only after isOpen is set
   EXPECT_EQ(work.Poll(2, makeStubborn()), nullptr);
   EXPECT_EQ(work.Poll(3, makeStubborn()), nullptr);
   {
@@ -287,7 +287,7 @@ TEST(BackgroundWork, EndsWithAnOwnerThatOutlivesItsThread)
   std::thread(
     [&]
     {
-      thread_local LateOwner owner; // is constructed first, so that it is destroyed last
+      thread_local LateOwner owner; // constructed first, so that it is destroyed last
       owner.Left = &left;
       owner.HeldWork = std::make_unique<Work>();
       owner.HeldWork->Poll(1,

@@ -306,7 +306,7 @@ TEST_F(NoiseOnce, IsEstimatedAgainWhenTheScalarsHaveChanged)
   this->Counting->Modified();
   EXPECT_NEAR(this->ComputeStart(this->Image), 3.0 * before, 0.3 * before);
   this->Fill(this->Counting, { 100.0, 40.0 }, 7);
-  this->Image->Modified(); // some programs announce new scalars by changing the image only
+  this->Image->Modified(); // some programs modify the image only, although the scalars have changed
   EXPECT_NEAR(this->ComputeStart(this->Image), 5.0 * before, 0.5 * before);
   EXPECT_TRUE(this->Counting->WasRead());
   this->Image->SetDimensions(Size, Size / 2, 2 * Size);

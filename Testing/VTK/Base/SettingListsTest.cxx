@@ -164,7 +164,7 @@ TEST(SettingLists, EveryMacroOfTheHeadersHasARow)
   ExpectRows("vtkVolumeHapticsFilter", Names(FilterSettings));
   ExpectRows("vtkHapticProperty", Names(PropertySettings));
   std::vector<std::string> device = Names(DeviceSettings);
-  for (const char* const sent : // these settings are sent to the servo, so they have no macro
+  for (const char* const sent : // settings without a macro, since they are sent to the servo
     { "ServoRate", "MaximumForce", "MaximumForceRate", "StiffnessGain", "TransientGain",
       "MaximumTorque", "AttentionTime", "UseTool" })
   {
@@ -265,7 +265,7 @@ TEST(SettingLists, ParaViewsPropertiesAreOfTheirTypes)
   expect("VolumeHapticsFilter.xml", "ReleaseTime", "DoubleVectorProperty SetReleaseTime 1 0.005",
     "<DoubleRangeDomain name=\"range\" min=\"0\" max=\"1\"/>");
   expect("VolumeHapticsFilter.xml", "ServoRate", "DoubleVectorProperty SetServoRate 1 1000",
-    "<DoubleRangeDomain name=\"range\" min=\"1\"/>"); // no maximum, so no slider
+    "<DoubleRangeDomain name=\"range\" min=\"1\"/>"); // without a maximum, ParaView shows no slider
   expect("VolumeHapticsFilter.xml", "SameShape", "IntVectorProperty SetSameShape 1 0",
     "<BooleanDomain name=\"bool\"/>");
   expect("VolumeHapticsFilter.xml", "Solver", "IntVectorProperty SetSolver 1 1",

@@ -24,12 +24,12 @@ using namespace apitest;
 
 namespace
 {
-constexpr int Width = 96; // voxels of 1 mm
+constexpr int Width = 96; // number of voxels, each 1 mm wide
 constexpr double Middle = 0.5 * (Width - 1);
 constexpr double Ball = 20.0; // mm
 constexpr double Bright = 90.0;
 constexpr int Rays = 120;
-constexpr double Start = 44.0; // distance from the middle, mm
+constexpr double Start = 44.0; // distance of a ray's start from the middle (mm)
 constexpr double RayStep = 0.1;
 constexpr double Deep = 4.0; // mm
 
@@ -127,9 +127,9 @@ vtkSmartPointer<vtkPolyData> MakeRays()
 /// Results of moving the tip along all rays.
 struct FeltRays
 {
-  int Off = 0;       ///< rays whose first contact is too far from the ball's surface, or missing
-  double Air = 0.0;  ///< largest force more than 3 mm before the surface, N
-  double Step = 0.0; ///< largest change from tick to tick, N
+  int Off = 0;       ///< number of rays whose first contact is too far from the surface, or missing
+  double Air = 0.0;  ///< largest force (N) more than 3 mm before the surface
+  double Step = 0.0; ///< largest change (N) of the force from tick to tick
 };
 
 FeltRays Feel(vtkVolumeHapticsFilter* filter, double farthest = 2.0)

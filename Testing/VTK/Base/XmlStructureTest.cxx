@@ -93,7 +93,7 @@ protected:
   {
     vtkNew<vtkXMLPolyDataWriter> writer;
     writer->SetCompressorType(compressor);
-    writer->SetBlockSize(64); // gives several blocks per array
+    writer->SetBlockSize(64); // makes several blocks per array
     return this->Write(writer, this->Shape, mode, ".vtp");
   }
   std::string WriteImage(int mode)
@@ -205,7 +205,7 @@ TEST_F(XmlStructure, ThatIsDamagedEndsNothing)
   const char* const wanted = std::getenv("VOLUME_HAPTICS_XML_FILES");
   const int count = wanted ? std::atoi(wanted) : 3000;
   int read = 0;
-  vtkObject::GlobalWarningDisplayOff(); // unknown information keys would give warnings
+  vtkObject::GlobalWarningDisplayOff(); // hides warnings about unknown information keys
   for (int i = 0; i < count; ++i)
   {
     const std::size_t which = below(good.size());

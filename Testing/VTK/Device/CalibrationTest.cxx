@@ -23,7 +23,7 @@ TEST_F(Calibration, FindsAPlacementExactly)
     {
       this->Touch(points[trial % 3]);
       this->FixedScale = trial % 4 ? 0.0 : scale;
-    } while (!this->Compute()); // repeats if the triangle was too thin
+    } while (!this->Compute()); // repeats if the triangle of points was too thin
     for (int i = 0; i < 16; ++i)
     {
       EXPECT_NEAR(this->GetDeviceToWorld()->GetData()[i], this->Truth->GetMatrix()->GetData()[i],

@@ -107,7 +107,7 @@ TEST_F(Clutch, OfWhatIsNotArmedBringsNothing)
 
 TEST_F(Clutch, LetsArmTakeEffectAfterIt)
 {
-  this->Device->SetClutch(true); // the servo does not run yet
+  this->Device->SetClutch(true); // turns the clutch on before the servo runs
   this->Begin();
   this->Device->Arm();
   ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));

@@ -139,7 +139,7 @@ TEST_F(DeviceHardware, PromisesNoForceOnceAHomingHasEndedIt)
   this->Device->BeginLongWork("the test homes it");
   EXPECT_TRUE(this->Wait([this] { return this->Says("comes back by itself"); }));
   EXPECT_TRUE(this->ExpectStage(DeviceStage::Homing, vtkHapticDevice::HOMING, "Homing of"));
-  EXPECT_TRUE(this->WaitTicks(10)); // until the loop has seen the homing
+  EXPECT_TRUE(this->WaitTicks(10)); // gives the loop time to see the homing
   this->Played.Stage = DeviceStage::Ready;
   EXPECT_TRUE(this->Wait([this] { return this->Device->GetStatus() != vtkHapticDevice::HOMING; }));
   EXPECT_TRUE(this->WaitTicks(10));

@@ -350,7 +350,7 @@ TEST_F(LongWork, IsNotMeshingALargeVolume)
   ASSERT_TRUE(this->IsFeltAs("Surface proxy"));
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->GetResidency() == 1.0; }));
   ASSERT_TRUE(this->Lead(7.0, 7.0, 5.0) && this->WaitFullyArmed() && this->LeadInto(10.0));
-  EXPECT_TRUE(this->WaitPressed()); // 3 mm deep, including the proxy's radius
+  EXPECT_TRUE(this->WaitPressed()); // the press is 3 mm deep, including the proxy's radius
   ASSERT_TRUE(this->Lead(7.0, 7.0, 5.0) && this->Lead(150.0, 150.0, 5.0));
   this->BeginWayHere();
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->GetResidency() == 1.0; }));

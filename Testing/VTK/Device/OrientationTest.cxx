@@ -200,7 +200,7 @@ TEST_F(Orientation, IsRecordedAndReplayed)
     }
     else
     {
-      this->ExpectSame(0.0); // also checks what the filter makes of the recording
+      this->ExpectSame(0.0); // also checks the filter's replay of the recording
       this->Begin();
     }
   }

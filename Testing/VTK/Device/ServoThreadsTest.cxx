@@ -116,7 +116,7 @@ TEST(ServoThreads, QuenchTellsAllBeforeItWaitsForOne)
   std::vector<ServoThreads*> all;
   for (HangingDevice& device : devices)
   {
-    device.Hangs.store(&device != &devices[2]); // only the last device works
+    device.Hangs.store(&device != &devices[2]); // all devices but the last one hang
     servos.push_back(std::make_unique<ServoThreads>(device, 1000.0, SafetyLimits{}, nullptr));
     all.push_back(servos.back().get());
   }

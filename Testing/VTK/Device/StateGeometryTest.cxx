@@ -182,7 +182,7 @@ TEST_F(StateGeometry, ArrowsAreNoLongerThanTheirMaximum)
   vtkNew<vtkHapticRepresentation> hand;
   hand->SetDevice(this->Device);
   hand->SetRadius(0.2);
-  hand->SetForceVisibility(false); // the normal force is the whole force
+  hand->SetForceVisibility(false); // hides the force, since the normal force is the whole force
   EXPECT_NEAR(hand->GetBounds()[4], proxy - 6.0, 0.01) << "30 radii";
   hand->SetMaximumArrowLength(2.5);
   EXPECT_NEAR(hand->GetBounds()[4], proxy - 2.5, 0.01);

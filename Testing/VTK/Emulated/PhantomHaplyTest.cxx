@@ -115,9 +115,8 @@ TEST_F(PhantomHaply, IsFeltLostAndFeltAgain)
   EXPECT_TRUE(this->Hand.Wait(
     [&]
     {
-      // The device has turned by 90 degrees about the vertical, so the handle has turned by 90
-      // degrees in the world, too. The product of the two quaternions is the cosine of half the
-      // angle.
+      // The arm has turned by 90 degrees about the vertical, and so has the handle in the world.
+      // The product of the two quaternions is the cosine of half of the angle.
       const double* const turn = this->Device->GetState()->GetTipOrientation();
       const double same = std::inner_product(start.begin(), start.end(), turn, 0.0);
       return std::abs(std::abs(same) - half) < 1e-6;

@@ -16,7 +16,7 @@ namespace emulated
 using devicetest::Eventually;
 using devicetest::Length;
 
-inline constexpr double SkinValue = -300.0; ///< value half-way between air and skin (HU)
+inline constexpr double SkinValue = -300.0; ///< value (HU) half-way between air and skin
 
 /** Filter on the phantom, and the position of the skin on a line into the face. */
 class Phantom

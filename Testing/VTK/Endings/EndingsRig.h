@@ -165,7 +165,7 @@ protected:
       {
         this->Feel();
         how();
-        return 77; // not reached if the child ends as it should
+        return 77; // not reached if the child ends in the expected way
       });
     EXPECT_TRUE(Lasting->HadForce);
     EXPECT_EQ(Lasting->GetForce(), 0.0);

@@ -137,7 +137,7 @@ TEST_F(Endings, ByACrashWhileItIsStopped)
                 Lasting->TimeToCrash = 20;
                 Lasting->CrashesInRead = true;
                 Eventually([] { return Lasting->IsCrashing.load(); });
-                this->Device->Stop(); // waits for the servo
+                this->Device->Stop(); // returns only after the servo has ended
               }),
     -SIGSEGV);
 }

@@ -84,7 +84,7 @@ protected:
   vtkNew<Headset> Interactor;
   vtkNew<vtkHapticXRController> Controller;
   Point Direction{ 0.0, 0.0, -1.0 };
-  std::array<double, 4> Turn{ 0.0, 0.0, 0.0, 1.0 }; // angle in degrees, and the axis
+  std::array<double, 4> Turn{ 0.0, 0.0, 0.0, 1.0 }; // angle (degrees) and axis
 };
 } // namespace
 

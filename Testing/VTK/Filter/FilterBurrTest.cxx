@@ -171,8 +171,8 @@ TEST_F(FilterBurr, AHoleThroughSeveralLabelsCostsTheSumOfTheirEnergies)
 }
 
 /// Q is inversely proportional to the energy: three times the energy removes a third of the volume
-/// at the same force. A burr that does not spin removes nothing. The stroke is long, so that the
-/// energy left at its end is a small part.
+/// at the same force. A burr that does not spin removes nothing. Energy may be left at the end, but
+/// little compared with that of the long stroke.
 TEST_F(FilterBurr, DenseTissueIsRemovedMoreSlowly)
 {
   double rates[2] = {};

@@ -209,7 +209,7 @@ TEST_F(FilterGuides, BadGuidesGiveOneErrorWithItsCure)
   this->ExpectError({ "vtkHapticGuideMode", "no path", "SetPath()" });
   guide->SetPath(MakePath({ { 0, 0, 0 }, { NAN, 0, 0 } }));
   this->ExpectError({ "vtkHapticGuideMode", "not finite", "SetPath()" });
-  const vtkNew<vtkPolyData> cut; // its line refers to points that it does not have
+  const vtkNew<vtkPolyData> cut; // polydata whose line refers to points that it does not have
   const vtkNew<vtkCellArray> line;
   line->InsertNextCell({ 0, 1 });
   cut->SetLines(line);

@@ -135,7 +135,7 @@ protected:
       felt.Mode->GetStrength()->AddPoint(0.0, 0.0);
       felt.Mode->GetStrength()->AddPoint(1.0, 1.5);
     }
-    SetConstant(modes[7].Mode->GetStrength(), 1.5); // independent of the distance from the line
+    SetConstant(modes[7].Mode->GetStrength(), 1.5); // does not depend on the distance from the line
     return modes;
   }
 
@@ -181,10 +181,10 @@ TEST_F(FilterModeForms, ALineIsKeptOverAHundredTurns)
 
 TEST_F(FilterModeForms, AStrengthThatFallsOutwardLetsTheHandGoAsItSays)
 {
-  // Case P3: Poiseuille's profile with R = 20 mm has S = 2 (1 - r^2/R^2) N. If the tip is at r +
-  // S(r)/k, the proxy is at r: at 10 mm with 1.5 N for 13 mm, at 15 mm with 0.875 N for 16.75 mm,
-  // and at the wall without force for 20 mm. Samples are 0.5 mm apart: a cubic B-spline adds a
-  // third of 0.5^2 to the square of each coordinate, which changes S by 8e-4 N.
+  // Case P3: Poiseuille's profile with R = 20 mm has the strength S = 2 (1 - r^2/R^2) N. If the tip
+  // is at r + S(r)/k, the proxy is at r: at 10 mm with 1.5 N for 13 mm, at 15 mm with 0.875 N for
+  // 16.75 mm, and at the wall without force for 20 mm. The cubic B-spline adds a third of 0.5^2 to
+  // the square of each coordinate, which changes S by 8e-4 N.
   this->UseGrid({ 96, 96, 8 }, 0.5);
   this->AddArray("flow", 3,
     [](const Point& p, double* v)
@@ -353,7 +353,7 @@ TEST_F(FilterModeForms, PullNoMoreThanTheirStrengths)
   {
     SetGuide(felt.Mode, [](const Point& p) { return p; });
   }
-  for (const double stride : { 0.2, 3.0 }) // mm per tick: a hand's motion, and leaps
+  for (const double stride : { 0.2, 3.0 }) // steps (mm per tick) of a hand's motion, and of leaps
   {
     this->Follow(RandomWalk(20000, stride));
     for (std::size_t i = 0; i <= modes.size(); ++i)

@@ -21,7 +21,7 @@ using namespace apitest;
 
 inline constexpr double SpringOf = 500.0;  // N/m
 inline constexpr double SpringPerMm = 0.5; // N/mm
-inline constexpr double Middle = 11.5;     // centre of 24 voxels
+inline constexpr double Middle = 11.5;     // index of the centre of 24 voxels
 
 class FilterModes : public ApiTest
 {

@@ -74,8 +74,8 @@ TEST_F(FilterModes, ACircleIsFollowedWithoutDrift)
 
 TEST_F(FilterModes, ComponentsMayStandAlongTheAxesOfTheImage)
 {
-  // Case P11: the image's x axis is the world's z axis, so (x, y, z) of the image is (z, x, y) of
-  // the world.
+  // Case P11: the image's x axis is the world's z axis. A vector (x, y, z) of the image is (z, x,
+  // y) in the world.
   vtkNew<vtkMatrix3x3> direction;
   const double rows[9] = { 0, 1, 0, 0, 0, 1, 1, 0, 0 };
   direction->DeepCopy(rows);
@@ -158,7 +158,7 @@ TEST_F(FilterModes, ModesAreFeltTogetherAndEachHasItsForce)
   SetConstant(this->Property->GetSurfaceStrength(), 0.3);
   SetConstant(this->Property->GetDistinctness(), 1.0);
   this->Filter->AddMode(follow);
-  this->Filter->AddMode(follow); // the mode is there already, so it is not added again
+  this->Filter->AddMode(follow); // must not add the mode again
   this->Filter->AddMode(front);
   this->Filter->AddMode(surface);
   this->Filter->AddMode(nullptr);
@@ -368,7 +368,7 @@ TEST_F(FilterModes, ARankineVortexLetsGoAtItsRadius)
   this->Filter->AddMode(mode);
   this->Follow(Line({ axis, axis, axis }, { axis + 18.0, axis, axis }, 1800));
   vtkPolyData* const trace = this->Run(1801);
-  double last = 0.0; // largest radius with the full strength
+  double last = 0.0; // largest radius at which the full strength acts
   for (vtkIdType tick = 450; tick < 1801; ++tick)
   {
     double proxy[3];

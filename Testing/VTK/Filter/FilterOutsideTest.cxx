@@ -224,7 +224,7 @@ TEST_P(FilterOutside, ProposesFunctionsOfTheBall)
     double found[4];
     ofAir->GetSurfaceStrength()->GetNodeValue(i, expected);
     ofMasked->GetSurfaceStrength()->GetNodeValue(i, found);
-    EXPECT_NEAR(found[0], expected[0], 5.0); // the range is 1060
+    EXPECT_NEAR(found[0], expected[0], 5.0); // tolerance in a range of 1060 HU
     EXPECT_NEAR(found[1], expected[1], 0.01);
   }
 }
@@ -361,7 +361,8 @@ TEST_F(FilterMeasured, TimeStepsAreFilledAlike)
   SetConstant(this->Property->GetFriction(), 0.0);
   this->Property->GetSurfaceStrength()->RemoveAllPoints();
   this->Property->GetSurfaceStrength()->AddPoint(0.0, 3.0);
-  const Point rest{ 15.0, 19.5, 13.0 }; // kernels reach samples that were not measured
+  // so near the border that kernels reach samples that were not measured
+  const Point rest{ 15.0, 19.5, 13.0 };
   this->Filter->SetPathData(MakePath({ rest, rest }, { 0.0, 1.0 }));
   this->Filter->SetTimeUnitsPerSecond(4.0);
   vtkSmartPointer<vtkPolyData> traces[2];

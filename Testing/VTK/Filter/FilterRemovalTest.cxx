@@ -141,7 +141,7 @@ TEST_F(FilterRemoval, IsAnImageOfTheVolumesShape)
     EXPECT_EQ(image->GetExtent()[i], this->Image->GetExtent()[i]);
     EXPECT_EQ(image->GetBounds()[i], this->Image->GetBounds()[i]);
   }
-  // The hole is where the burr was: at (15.2, 15.4) in the world, below the surface at z = 11.5.
+  // The hole is where the burr was: at (15.2, 15.4) in the world, behind the surface at z = 11.5.
   auto* const array = image->GetPointData()->GetScalars();
   EXPECT_EQ(array->GetRange()[1], 255.0);
   EXPECT_EQ(array->GetComponent(image->FindPoint(15.2, 15.4, 13.0), 0), 0.0);
@@ -192,9 +192,11 @@ TEST_F(FilterRemoval, AFileIsFeltOnPartsOfItsVolume)
     int Extent[6];
     double Origin[3];
   } parts[] = {
-    { { 7, 26, 10, 30, 103, 120 }, { 5.0, -3.0, -100.0 } }, // cropped through the hole
-    { { 0, 19, 0, 20, 0, 17 }, { 12.0, 7.0, 3.0 } },        // the same part, counted from 0
-    { { 0, 19, 0, 20, 0, 17 }, { 9.0, 6.0, 1.0 } },         // another part with that extent
+    { { 7, 26, 10, 30, 103, 120 }, { 5.0, -3.0, -100.0 } }, // a part, cropped through the hole
+    // the same part with indices that begin at 0
+    { { 0, 19, 0, 20, 0, 17 }, { 12.0, 7.0, 3.0 } },
+    // another part with the extent of the last one
+    { { 0, 19, 0, 20, 0, 17 }, { 9.0, 6.0, 1.0 } },
     { { -14, 40, 0, 50, 90, 140 }, { 5.0, -3.0, -100.0 } }, // padded
     { { -5, 3, 3, 11, 100, 104 }, { 5.0, -3.0, -100.0 } },  // beside the hole
     { { -5, 26, 3, 34, 100, 131 }, { 5.0, -3.0, -100.0 } }, // the whole volume again

@@ -29,7 +29,7 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 /// Pressure per metre of depth (N/m^3): 500 N/m on 25 mm^2.
 constexpr double Kappa = 2e7;
-constexpr double Surface = 8.0; // mm, where V = 800
+constexpr double Surface = 8.0; // z (mm) of the surface, where V = 800
 
 class FilterShell : public ApiTest
 {
@@ -142,9 +142,8 @@ TEST_F(FilterShell, ATiltedBoxGivesATorque)
 }
 
 /// The hand turns a box that rests on its face, and turns it back. For small angles, the work is K
-/// theta^2/2, where K = face k_r/(face + k_r) is the stiffness of the face and the turning spring
-/// in series. If the spring is much softer than the face, the work is the spring's energy, 2 k_r
-/// sin^2(theta/2).
+/// theta^2/2 with K = face k_r/(face + k_r), for the face and the turning spring in series. If the
+/// spring is much softer than the face, the work is its energy 2 k_r sin^2(theta/2).
 TEST_F(FilterShell, EnergyHasTheWorkOfTheTorque)
 {
   constexpr int steps = 200;

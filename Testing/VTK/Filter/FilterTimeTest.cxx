@@ -352,7 +352,7 @@ TEST_F(FilterComponents, OneComponentStandsStillOnRequest)
   this->Filter->SetInputData(MakeComponents(VTK_DOUBLE));
   this->Filter->SetFramesToComponents();
   this->Filter->SetTimeUnitsPerSecond(0.0);
-  this->Property->SetComponent(4); // has a wall that is 1 mm beyond the tip
+  this->Property->SetComponent(4); // this component has a wall that is 1 mm beyond the tip
   vtkPolyData* const trace = this->Run(1001);
   EXPECT_EQ(trace->GetPointData()->GetArray("DataTime"), nullptr);
   this->Filter->SetInputData(MakeWall(WallAt(14.0)));
@@ -394,7 +394,7 @@ TEST_F(FilterComponents, OfANiftiFileAreItsTimes)
   this->Filter->SetInputConnection(reader->GetOutputPort());
   this->Filter->SetFramesToComponents();
   this->Filter->SetFrameSpacing(reader->GetTimeSpacing());
-  this->Filter->SetTimeUnitsPerSecond(1.0); // time steps are in seconds
+  this->Filter->SetTimeUnitsPerSecond(1.0); // in a NIfTI file, times are in seconds
   vtkPolyData* const trace = this->Run(1001);
   EXPECT_DOUBLE_EQ(Get(trace, "DataTime", 600), 0.6);
   for (vtkIdType tick = 0; tick <= 1000; tick += 20)

@@ -529,7 +529,7 @@ TEST_F(LabelsTest, ThatAreForbiddenAreReadAgainAfterAChange)
   EXPECT_NEAR(reached(), 7.5, 0.1);
   this->Table->SetStandOff(2.0);
   EXPECT_NEAR(reached(), 5.5, 0.1);
-  this->Table->SetStiffness(1, 900.0); // changes materials only: the wall stays
+  this->Table->SetStiffness(1, 900.0); // a change of materials only, which keeps the wall
   this->Table->SetStiffness(2, 900.0);
   EXPECT_NEAR(reached(), 5.5, 0.1);
   EXPECT_EQ(Get(this->Run(201), "Stiffness", 200), 900.0);

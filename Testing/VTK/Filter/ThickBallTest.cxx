@@ -244,7 +244,7 @@ private:
   double Low = 0.0;
   double High = 0.0;
   std::map<std::tuple<double, int, bool, double>, vtkSmartPointer<vtkImageData>> Balls;
-  std::map<Point, Press> Expected; ///< presses in cubes with the present settings
+  std::map<Point, Press> Expected; ///< results of presses in cubes with the present settings
 };
 class ThickBallOfKernel
   : public ThickBall

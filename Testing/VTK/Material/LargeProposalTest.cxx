@@ -18,7 +18,7 @@ using namespace proposaltest;
 
 namespace
 {
-constexpr int LargeSize = 408; // 68 million voxels; volumes count as large above 2^26
+constexpr int LargeSize = 408; // 68 million voxels; a volume counts as large above 2^26
 constexpr double LargeMiddle = 0.5 * (LargeSize - 1);
 constexpr double OuterRadius = 173.0;
 constexpr double InnerRadius = 92.0;
@@ -42,7 +42,7 @@ protected:
       values.push_back(static_cast<float>(
         100.0 * Phi((OuterRadius - r) / outer) + 150.0 * Phi((InnerRadius - r) / inner)));
     }
-    constexpr std::size_t noises = 1000003; // a prime number, so that rows differ
+    constexpr std::size_t noises = 1000003; // prime, so that the noise differs between rows
     Noise noise(Sigma);
     std::vector<float> noiseTable;
     for (std::size_t i = 0; i < noises; ++i)

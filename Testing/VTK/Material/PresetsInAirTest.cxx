@@ -22,7 +22,7 @@ namespace
 constexpr double Air = 60.0; // mm
 constexpr double Deep = 5.0; // mm
 constexpr double Felt = 0.1; // N
-constexpr int Side = 20;     // voxels of 1 mm
+constexpr int Side = 20;     // number of voxels, each 1 mm wide
 constexpr int Presses = 6;   // number of presses in one volume
 
 /// Values of air and of a wall in a kind of scan, and its largest noise, which is equivalent to 60
@@ -151,7 +151,7 @@ TEST_P(PresetsInAir, LeaveNoWallUnfelt)
       const bool isOfValues = std::string(method.Name).find("_") == std::string::npos;
       if (scan.MostNoise == 0.0 && !isOfValues)
       {
-        continue; // only PROXY feels scalars that are labels
+        continue; // skips the labels, which only PROXY feels
       }
       vtkNew<vtkVolumeHapticsFilter> filter;
       filter->GetProperty()->ApplyPreset(this->GetParam().c_str());
@@ -171,7 +171,7 @@ TEST_P(PresetsInAir, LeaveNoSlopeUnfelt)
 {
   if (this->GetParam().find("CT ") != 0)
   {
-    return; // the preset is not for CT values
+    return; // skips presets that are not for CT values
   }
   // On a slope of 40 degrees, a finger slides off slippery skin. Just below the skin, a head CT has
   // values from -56 to 37 HU (Documentation/materials.md).

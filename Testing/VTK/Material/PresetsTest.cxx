@@ -137,7 +137,7 @@ TEST_F(Presets, AreThoseOfTheTables)
           EXPECT_NEAR(this->Functions()[f]->GetValue(value), tissue.Values[f], 1e-12)
             << tissue.Name << " at " << value << ", function " << f;
         }
-        if (t > 0) // in the middle between two rows
+        if (t > 0) // a value in the middle between two rows
         {
           const double middle = 0.5 * (table[t - 1].High + tissue.Lows[f]);
           EXPECT_NEAR(this->Functions()[f]->GetValue(middle),
@@ -444,7 +444,7 @@ TEST_F(Presets, EveryPresetMakesSense)
       EXPECT_EQ(used->GetStiffness()->GetValue(value), k) << "whatever was there before";
     }
     vtkPiecewiseFunction* const distinct = used->GetDistinctness();
-    if (name == "Micro-CT" || name == "Labels") // presets for any unit
+    if (name == "Micro-CT" || name == "Labels") // presets for values of any unit
     {
       EXPECT_EQ(distinct->GetSize(), 0);
       EXPECT_TRUE(used->GetDistinctnessFromNoise());

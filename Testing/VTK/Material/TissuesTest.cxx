@@ -101,7 +101,7 @@ TEST_F(Tissues, ChangeAloneAndOnRamps)
   vtkNew<vtkHapticProperty> before;
   before->DeepCopy(this->Property);
   vtkPiecewiseFunction* const strength = this->Property->GetSurfaceStrength();
-  strength->AddPoint(-100.0, 9.0); // a bump inside fat, which is removed
+  strength->AddPoint(-100.0, 9.0); // a bump inside fat, which the change removes
   this->Property->SetTissueSurfaceStrength(2, 1.4);
   EXPECT_EQ(this->Property->GetSurfaceStrength(), strength) << "in place";
   for (double value = -1100.0; value < 3200.0; value += 1.0)
@@ -112,11 +112,11 @@ TEST_F(Tissues, ChangeAloneAndOnRamps)
     {
       expected = 1.4;
     }
-    else if (value > -300.0 && value < -150.0) // ramp from lung, whose strength is 0
+    else if (value > -300.0 && value < -150.0) // on the ramp from lung, whose strength is 0
     {
       expected = (value + 300.0) / 150.0 * 1.4;
     }
-    else if (value > -80.0 && value < -10.0) // ramp to fluid, whose strength is 1.5 N
+    else if (value > -80.0 && value < -10.0) // on the ramp to fluid, whose strength is 1.5 N
     {
       expected = 1.4 + (value + 80.0) / 70.0 * 0.1;
     }

@@ -125,7 +125,7 @@ TEST_F(MeasureTest, LengthsHaveTheUnitOfTheWorld)
   this->List->SetMetersPerWorldUnit(1e-6);
   EXPECT_EQ(this->List->GetUnit(0), "um");
   EXPECT_EQ(this->List->GetText(0), "d: 2.50 \xC2\xB5m");
-  this->List->SetMetersPerWorldUnit(0.0254); // an inch, whose name is not in the list of units
+  this->List->SetMetersPerWorldUnit(0.0254); // an inch has no name in the list of units
   EXPECT_NEAR(this->List->GetValue(0), 63.5, 1e-12);
   EXPECT_EQ(this->List->GetText(0), "d: 63.5 mm");
 }

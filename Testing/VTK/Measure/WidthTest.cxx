@@ -13,7 +13,7 @@ using namespace measuretest;
 
 namespace
 {
-constexpr double BallRadius = 30.0; // mm; voxels are 1 mm
+constexpr double BallRadius = 30.0; // radius (mm) in voxels of 1 mm
 
 vtkSmartPointer<vtkImageData> ScanBall()
 {
@@ -79,7 +79,7 @@ TEST_F(Width, PreciseRestsHalfwayUpTheEdge)
 TEST_F(Width, SurfaceProxyRestsItsRadiusInFrontOfTheIsosurface)
 {
   this->Filter->SetMethodToSurfaceProxy();
-  this->Filter->SetIsoValue(-480.0); // halfway between air and water
+  this->Filter->SetIsoValue(-480.0); // HU, halfway between air and water
   for (const double radius : { 0.0, 2.0 })
   {
     this->Filter->SetProxyRadius(radius);

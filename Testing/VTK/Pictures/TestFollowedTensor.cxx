@@ -27,7 +27,7 @@ namespace
 constexpr double Along = 1.0;
 constexpr double Radial = 0.5;
 constexpr double Upright = 0.2;
-constexpr double Reach = 48.0; // voxels of 1 mm
+constexpr double Reach = 48.0; // number of voxels, each 1 mm wide
 
 vtkSmartPointer<vtkImageData> MakeFibres()
 {

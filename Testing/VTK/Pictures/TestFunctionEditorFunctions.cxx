@@ -22,7 +22,7 @@ int TestFunctionEditorFunctions(int, char*[])
   visible->GetScalarOpacity()->AddPoint(100.0, 1.0);
   View view;
   Editor* const editor = view.Shown;
-  view.Window->Render(); // there is nothing to edit yet
+  view.Window->Render(); // draws while there is nothing to edit
   editor->SetProperty(property);
 
   // An impenetrable surface keeps its value unless its point is dragged down.

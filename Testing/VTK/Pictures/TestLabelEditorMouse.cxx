@@ -219,7 +219,7 @@ void TestMany(LabelView& view)
 
   const Place list = view.AtLabel(123457, VolumeHaptics::EditorProbe::LabelName);
   double at[2];
-  editor->TurnWheel(-1000.0, list[0], list[1]); // three rows per step
+  editor->TurnWheel(-1000.0, list[0], list[1]); // a step scrolls by three rows
   view.Check(!VolumeHaptics::EditorProbe::GetLabelPosition(
                editor, 123457, VolumeHaptics::EditorProbe::LabelName, at) &&
       VolumeHaptics::EditorProbe::GetLabelPosition(

@@ -103,7 +103,7 @@ TEST_P(Border, ValuesClamp)
   Random random(11);
   for (int n = 0; n < 300; ++n)
   {
-    Vec3 inner; // away from the spline's taps, which repeat the border's voxels
+    Vec3 inner; // point away from the spline's taps, which repeat the border's voxels
     for (int axis = 0; axis < 3; ++axis)
     {
       inner[axis] = random.Uniform(-Half + 2.0, Half - 2.0);

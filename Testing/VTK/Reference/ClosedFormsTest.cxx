@@ -190,7 +190,8 @@ TEST_P(ClosedForms, T6AndT7DragInAUniformRegion)
     SetMaterial(this->TheScene, 500.0, 0.3, 0.5, 2.0);
     this->TheScene.MoveTo({}, step);
     const std::size_t turn = this->TheScene.path.size() - 1;
-    this->TheScene.MoveTo({ { 0.0, 1.0, 0.0 } }, 0.001); // steps are small enough for T7's limit
+    // steps that are small enough for T7's limit
+    this->TheScene.MoveTo({ { 0.0, 1.0, 0.0 } }, 0.001);
     const Trace trace = this->Play();
     ExpectNear(trace[turn].force[0], -0.5, 0.5);
     ExpectNear(trace[turn].dragForce, 0.5, 0.5);
@@ -210,7 +211,7 @@ TEST_P(ClosedForms, T8AndT9DistinctnessMakesTwoSprings)
   vtkPiecewiseFunction* distinctness = this->TheScene.property->GetDistinctness();
   distinctness->RemoveAllPoints();
   distinctness->AddPoint(0.0, 0.0);
-  distinctness->AddPoint(400.0, 1.0); // the gradient at 4 mm
+  distinctness->AddPoint(400.0, 1.0); // the gradient at 4 mm has the distinctness 1
   this->TheScene.MoveTo({ { 0.0, 0.0, 10.0 } }, Step);
   const Trace trace = this->Play();
   ExpectNear(trace[40].force[2], -1.0, 1.0);

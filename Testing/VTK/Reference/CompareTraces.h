@@ -16,7 +16,7 @@ namespace reference
 struct Difference
 {
   double worst = 0.0; // largest difference of all arrays, each relative to its scale
-  std::string text;   // the array, the tick, and the expected and actual values
+  std::string text;   // text with the array, the tick, and the expected and actual values
 };
 
 /// Returns the largest force (N) of a trace, which is the scale of all its forces.

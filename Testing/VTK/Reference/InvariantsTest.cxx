@@ -241,7 +241,7 @@ TEST(Invariants, PaperDoesNotFeelTheGridOfALinearField)
     RandomWalk(scene, random, walk, 150);
     for (Vec3& point : scene.path)
     {
-      point = (6.0 / std::max(6.0, Norm(point))) * point; // far from every border
+      point = (6.0 / std::max(6.0, Norm(point))) * point; // keeps the point far from every border
     }
     const Trace first = RunFilter(scene);
 

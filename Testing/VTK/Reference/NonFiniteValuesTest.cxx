@@ -44,7 +44,7 @@ TEST_P(NonFiniteValues, TheBorderValueStandsIn)
     {
       EXPECT_EQ(tick.value, 7.0);
     }
-    EXPECT_GE(tick.value, 7.0); // a spline may blend the value with its neighbours
+    EXPECT_GE(tick.value, 7.0); // a spline may blend the border's value with its neighbours
     EXPECT_LE(tick.value, 100.0);
   }
 }

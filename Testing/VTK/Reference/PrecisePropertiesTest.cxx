@@ -88,7 +88,7 @@ TEST(PreciseProperties, ARestingTipGainsNoEnergy)
     {
       if (scene.estimator == Estimator::CentralDifference)
       {
-        return; // its normals are not those of a function's level sets
+        return; // its normals are not the normals of level sets
       }
       scene.path = WithStops(scene.path);
       const Trace trace = RunFilter(scene);

@@ -15,8 +15,8 @@ namespace reference
 {
 enum class Curves
 {
-  Linear, // straight between the points
-  Curved  // midpoints, sharpness, steep edges
+  Linear, // straight lines between the points
+  Curved  // curves with midpoints, sharpness and steep edges
 };
 
 /// Returns a smooth random function of the position with values in [-1, 1]. Its waves have lengths
@@ -58,7 +58,7 @@ void RandomScene(Scene& scene, Random& random, Curves curves, int ticks);
 /// field.
 Geometry GentleScene(Scene& scene, Random& random, int ticks);
 
-/// Moves the volume and the path: x becomes rotation x + translation.
+/// Moves the volume and the path: each x becomes rotation x + translation.
 void MoveScene(
   Scene& scene, const Geometry& geometry, const Mat3& rotation, const Vec3& translation);
 } // namespace reference

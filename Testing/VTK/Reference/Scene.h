@@ -54,12 +54,12 @@ struct Scene
 {
   vtkSmartPointer<vtkImageData> image;
   vtkNew<vtkHapticProperty> property;
-  std::string arrayName; // empty: the active scalars
+  std::string arrayName; // name of the touched array; if empty, the active scalars
   int component = 0;
   Side side = Side::Higher;
   Method method = Method::Proxy;
   Solver solver = Solver::Paper;
-  bool placesAsThePaper = false; ///< contact alignment Distinctness, and materials of the kernel
+  bool placesAsThePaper = false; ///< alignment Distinctness, materials of the kernel
   Estimator estimator = Estimator::Gaussian;
   int kernelRadius = 2;
   double servoRate = 1000.0;
@@ -80,10 +80,9 @@ void SetMaterial(Scene& scene, double stiffness, double friction, double viscosi
 /// documented.
 Trace RunFilter(Scene& scene);
 
-/// Plays the scene with the reference. If the gradient vanishes, the method leaves the normal free,
-/// although x_s and x_v depend on it. Then the reference takes the normal from `played`, if given,
-/// and only checks that it is a unit vector. With `resume`, every tick starts at the last proxy in
-/// `played`, so that each tick is compared alone.
+/// Plays the scene with the reference. If the gradient vanishes, the normal is free: the reference
+/// takes it from `played`, if given, and only checks that it is a unit vector. With `resume`, every
+/// tick starts at the last proxy in `played`, so that each tick is compared alone.
 Trace RunReference(Scene& scene, const Trace* played = nullptr, bool resume = false);
 } // namespace reference
 

@@ -15,16 +15,16 @@ namespace reference
 {
 struct TickRecord
 {
-  Vec3 proxy; // world units; the output point
+  Vec3 proxy; // output point (world units)
   Vec3 tip;   // world units
-  Vec3 force; // N; acts on the hand
+  Vec3 force; // force on the hand (N)
   Vec3 normal;
   double time = 0.0;              // s
-  double normalForce = 0.0;       // N; before the drag step
-  double frictionForce = 0.0;     // N; before the drag step
+  double normalForce = 0.0;       // normal force before the drag step (N)
+  double frictionForce = 0.0;     // friction force before the drag step (N)
   double dragForce = 0.0;         // N
   double value = 0.0;             // value at the proxy at the end of the tick
-  double gradientMagnitude = 0.0; // scalar units per world unit
+  double gradientMagnitude = 0.0; // magnitude of the gradient (scalar units per world unit)
   double surfaceValue = 0.0;
   double mediumValue = 0.0;
   double stiffness = 0.0; // N/m

@@ -66,7 +66,7 @@ protected:
         ++gate->Calls;
         if (gate->IsBroken)
         {
-          throw 7; // is no std::exception
+          throw 7; // an exception that is no std::exception
         }
         gate->IsFlat ? FillFlat(box, samples) : FillBox<short>(box, samples, PlainAt);
         return true;
@@ -222,7 +222,7 @@ TEST_F(LiveRegions, BeyondACoarseImageAreAsAtItsBorderAndRoundedToTheType)
   vtkNew<vtkImageData> coarse;
   coarse->SetDimensions(3, 2, 2);
   coarse->SetSpacing(100.0, 499.0, 998.0);
-  coarse->SetOrigin(47.0, 4.0, 5.0); // the samples are at i = 100, 300 and 500
+  coarse->SetOrigin(47.0, 4.0, 5.0); // puts the samples at i = 100, 300 and 500
   coarse->AllocateScalars(VTK_DOUBLE, 1);
   FillBox<double>(coarse->GetExtent(), coarse->GetScalarPointer(),
     [](int i, int, int) { return i == 0 ? -0.6
@@ -285,7 +285,7 @@ TEST_F(LiveRegions, OfAFileThatShrinksAreToldAndComeBackWhenItGrows)
   const std::string name = TemporaryPath("shrinks.raw");
   constexpr std::uintmax_t bytes = 500ULL * 500 * 500 * 2;
   std::ofstream(name).put('\0');
-  std::filesystem::resize_file(name, bytes); // makes a sparse file
+  std::filesystem::resize_file(name, bytes); // makes the file sparse
   this->Source->SetReader({});
   this->Source->SetFileName(name.c_str());
   ASSERT_TRUE(this->Await(At(100, 100, 100)));

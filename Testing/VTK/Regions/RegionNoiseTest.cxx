@@ -125,7 +125,7 @@ TEST_F(RegionNoise, OfPiecesIsThatOfTheWhole)
     scalars->GetRange(range, 0);
     for (vtkIdType i = 0; i < 40000; ++i)
     {
-      scalars->SetComponent(i, 0, range[0]); // padding, which contains the first corner
+      scalars->SetComponent(i, 0, range[0]); // makes padding that contains the first corner
     }
     vtkNew<vtkHapticRegionFilter> one;
     one->SetInputData(image);

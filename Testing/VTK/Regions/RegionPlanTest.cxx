@@ -86,7 +86,7 @@ TEST_F(Plan, LeavesAHandThatStopsItsData)
   const int whole[6] = { 0, 999, 0, 999, 0, 999 };
   this->SetWhole(whole);
   this->Planner.SetMaximumVoxels(44 * 44 * 44);
-  const double needed = 13.0; // world units; a region reaches 22 to each side
+  const double needed = 13.0; // world units around the tip; a region reaches 22 to each side
   this->Planner.SpringLength = 4.0;
   this->Planner.Reach = 5.0;
   this->Planner.Band = 4.0;
@@ -151,7 +151,7 @@ TEST_F(Plan, SmoothsLatenciesAndKnowsWholesFromRegions)
   std::string error;
   EXPECT_TRUE(this->Planner.SetWhole(crop->GetOutput(), error)) << error;
   EXPECT_EQ(this->Planner.GetWhole().Extent[1], 15);
-  vtkNew<vtkVolumeHapticsFilter> touch; // has 500 N/m, 2 N, and a kernel of 2 voxels
+  vtkNew<vtkVolumeHapticsFilter> touch; // filter with 500 N/m, 2 N, and a kernel of 2 voxels
   VolumeHaptics::ConfigurePlanner(this->Planner, touch);
   EXPECT_DOUBLE_EQ(this->Planner.SpringLength, 4.0);
   EXPECT_DOUBLE_EQ(this->Planner.Reach, 9.0) << "as far as the walk to the far side goes";

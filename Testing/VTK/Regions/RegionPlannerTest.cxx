@@ -23,7 +23,7 @@ protected:
   Planner()
   {
     this->SetWhole({ 0, 999, 0, 999, 0, 999 });
-    this->Plan.AddLatency(0.1); // a hand of 0.5 m/s moves 50 world units in this time
+    this->Plan.AddLatency(0.1); // latency (s) in which a hand of 0.5 m/s moves 50 world units
     this->Plan.SetMaximumVoxels(1 << 24);
   }
   void SetWhole(const std::array<int, 6>& extent, double spacing = 1.0)
@@ -98,7 +98,7 @@ TEST_F(Planner, FetchesNothingForAHandThatRestsOrTrembles)
 
 TEST_F(Planner, IsInTimeAtEverySteadySpeed)
 {
-  for (const double speed : { 10.0, 100.0, 300.0, 500.0 }) // world units per second
+  for (const double speed : { 10.0, 100.0, 300.0, 500.0 }) // speed in world units per second
   {
     double x = 200.0;
     EXPECT_TRUE(this->Wants(x, speed));

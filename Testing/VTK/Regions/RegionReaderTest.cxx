@@ -85,7 +85,7 @@ std::optional<RegionSamples> Await(RegionReader& reader)
   return region;
 }
 
-/// Ends a reader that reads through a closed gate, and opens the gate a little later.
+/// Ends a reader while it waits at a closed gate, and opens the gate a little later.
 void EndMeanwhile(std::unique_ptr<RegionReader>& reader, GatedVolume& gate)
 {
   std::atomic<bool> begins{ false };

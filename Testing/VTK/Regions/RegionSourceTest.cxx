@@ -290,7 +290,7 @@ TEST(RegionSourceSettings, TheEndingsAreThoseOfTheFormats)
     { ".hdf", "VTKHDF" }, { ".mhd", "MetaImage" }, { ".mha", "MetaImage" }, { ".nrrd", "NRRD" },
     { ".nhdr", "NRRD" }, { ".mgh", "FreeSurfer" }, { ".mgz", "FreeSurfer" }, { ".mnc", "MINC" },
     { ".tif", "TIFF" }, { ".tiff", "TIFF" }, { ".zarr", "Zarr" }, { ".zarr/", "Zarr" } };
-  std::size_t count = 1; // ".zarr/" is not listed separately
+  std::size_t count = 1; // counts ".zarr/", which is not listed separately
   for (std::string ending; endings >> ending; ++count)
   {
     EXPECT_EQ(formats.count(ending), 1U) << ending;

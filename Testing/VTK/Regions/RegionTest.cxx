@@ -84,7 +84,7 @@ TEST_P(Region, WithSamplesThatAreNotNumbersIsFeltAsTheWhole)
     scalars->SetComponent(
       holes->FindPoint(centre[0] + dx, centre[1] - 4.0, centre[2] + 17.0), 0, NAN);
   }
-  scalars->SetComponent(0, 0, 345.0); // the first corner, whose value replaces bad samples
+  scalars->SetComponent(0, 0, 345.0); // changes the first corner, whose value replaces bad samples
   this->Crop->SetInputData(holes);
   this->Crop->SetRegion(-4, 53, 4, 57, 22, 61);
   this->Touch->SetInputData(0, holes);

@@ -189,7 +189,7 @@ TEST_F(PresetFile, ThatIsNoneIsOneErrorWithTheCure)
   refuse(head + R"("Stiffness": {}, "Tissues": {"": [0, 2]}})", "lower one first");
   refuse(head + R"("Stiffness": {}, "Tissues": {"a": "b"}})", "a list of 2 numbers");
   refuse(head + R"("Stiffness": {}, "Note": )" + std::string(70, '[') + std::string(70, ']') + "}",
-    "nested more than 64 deep"); // deep lists would be freed by recursion
+    "nested more than 64 deep"); // refused, since deep lists would be freed by recursion
   refuse(std::string(2 << 20, ' '), "can't be read");
 
   // A file that is cut off must be refused.

@@ -218,7 +218,7 @@ TEST_F(SetupErrors, LabelsThatCannotBe)
     refuse('"' + std::string(key) + R"(":{"Stiffness":300})",
       { "Haptics.Labels.Table." + std::string(key) + " is", "whole number", "2147483647" });
   }
-  refuse(R"("4":{"Friction":0.2})", { "not JSON", "4" }); // the key is there twice
+  refuse(R"("4":{"Friction":0.2})", { "not JSON", "4" }); // refused, since the key is there twice
   this->Refuse(this->Haptics(R"("Labels":[1,2])"), { "Haptics.Labels", "object" });
   this->Refuse(this->Haptics(R"("Labels":{"Table":[1,2]})"), { "Haptics.Labels.Table", "object" });
   this->Refuse(this->Haptics(R"("Labels":{"StandOff":-1})"), { "Labels.StandOff", "0 or more" });

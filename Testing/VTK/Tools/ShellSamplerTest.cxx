@@ -171,10 +171,9 @@ TEST_F(MeshForces, ASphereHasItsForce)
   }
 }
 
-/// Case S4 of the design: the force on a face of a box is kappa times the area of the face times
-/// the depth. Tilted by theta, the face gives the torque kappa b h^3/12 theta about its middle. The
-/// depth is so small that the sides of the box add at most 0.2 % to the force and 0.8 % to the
-/// torque.
+/// Case S4 of the design: the face of a box gives the force kappa times its area times the depth.
+/// Tilted by theta, it gives the torque kappa b h^3/12 theta about its middle. At this small depth,
+/// the sides of the box add at most 0.2 % to the force and 0.8 % to the torque.
 TEST_F(MeshForces, AFaceOfABoxHasItsForceAndTorque)
 {
   const PointShell shell(Sample(MakeBox(10.0, 10.0, 6.0), 4000));

@@ -141,7 +141,7 @@ TEST(ContactRows, RefuseWhatNoTickComputes)
     }
     ContactRow row = good;
     row[i] = -1e-9;
-    const bool mayBeNegative = i >= 1 && i <= 3; // these are the offset
+    const bool mayBeNegative = i >= 1 && i <= 3; // the three components of the offset
     EXPECT_EQ(VolumeHaptics::FromRow(row, contact, fraction), mayBeNegative) << i;
   }
   for (const double point : { 4294967296.0, 0.5, 1e300 })

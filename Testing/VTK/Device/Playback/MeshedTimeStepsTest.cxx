@@ -164,7 +164,8 @@ TEST_F(MeshedTimeSteps, AreNotWaitedFor)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// A stream whose time steps come faster than their meshes are made would otherwise never be felt.
+/// Time steps of a stream must be felt before the next ones come, even if their meshes take longer
+/// to make than the time between them.
 TEST_F(MeshedTimeSteps, OfAStreamAreFeltBeforeTheNextOnes)
 {
   this->BeginToPlay();

@@ -151,7 +151,7 @@ protected:
       latest = std::max(latest, Get(trace, "DataTime", tick));
     }
     EXPECT_GT(strongest, 0.3);
-    EXPECT_GT(latest, first + 4.0); // between the last time step and the first one
+    EXPECT_GT(latest, first + 4.0); // the data time is between the last time step and the first one
   }
 
   vtkNew<apitest::TimeSource> Source;
@@ -190,7 +190,7 @@ TEST_F(PlaybackOfSteps, OfAGridIsTold)
   vtkNew<vtkAppendFilter> grid;
   grid->SetInputConnection(this->Source->GetOutputPort());
   this->Filter->SetInputConnection(grid->GetOutputPort());
-  this->Device->GetPlayback()->Play(); // the grid is not there yet
+  this->Device->GetPlayback()->Play(); // plays before the grid is there
   this->Rest();
   ASSERT_TRUE(this->Wait([&] { return this->FilterLog.Warnings.size() == 1; }));
   for (const char* const part : { "vtkUnstructuredGrid", "5 time steps", "vtkResampleToImage" })
@@ -241,7 +241,7 @@ TEST_F(PlaybackOfSteps, AWallThatBeatsPushesAHandThatRests)
       last = time;
     });
   EXPECT_GT(most, 0.4);
-  EXPECT_LT(least, 11.0); // data time has run back
+  EXPECT_LT(least, 11.0); // the data time has run back
   this->Device->GetPlayback()->Hold();
   ASSERT_TRUE(this->WaitTicks(20));
   const double held = this->Device->GetPlayback()->GetDataTime();
@@ -381,9 +381,9 @@ TEST_F(PlaybackOfComponents, OneAloneIsAnError)
   this->ExpectFilterError("has one component, and the components are the frames");
 }
 
-/// Cases V2 and V7 of the specification, with time that runs forwards and backwards. The wall has a
-/// strength of 0.3 N and slips past the proxy; on its way back, the force falls to 0 over 0.6 mm.
-/// The whole motion takes the work of 0.3 N over the 0.4 mm that slipped.
+/// Cases V2 and V7 of Documentation/evaluation.md, with time that runs forwards and backwards. The
+/// wall has a strength of 0.3 N and slips past the proxy; on its way back, the force falls to 0
+/// over 0.6 mm. The whole motion takes the work of 0.3 N over the 0.4 mm that slipped.
 TEST_F(PlaybackOfSteps, AWallThatSlipsTakesWorkToAndFro)
 {
   constexpr double strength = 0.3;
@@ -422,7 +422,7 @@ TEST_F(PlaybackOfSteps, AWallThatSlipsTakesWorkToAndFro)
   EXPECT_NEAR(work, 0.3 * 0.4, 0.02); // mJ
 }
 
-/// Case V5 of the specification: equal time steps feel like a volume that stands still.
+/// Case V5 of Documentation/evaluation.md: equal time steps feel like a volume that stands still.
 TEST_F(PlaybackOfSteps, StepsThatAreAlikeAreAVolumeThatStandsStill)
 {
   this->Source->Make = [](double) { return MakeWallStep(13.5); };
@@ -581,5 +581,5 @@ TEST_F(PlaybackOfSteps, AMeshGoesAlong)
       most = std::max(most, this->Device->GetState()->GetComputedForce()[0]);
     });
   EXPECT_GT(most, 0.9);
-  EXPECT_LT(latest, 14.0); // data time has run back
+  EXPECT_LT(latest, 14.0); // the data time has run back
 }

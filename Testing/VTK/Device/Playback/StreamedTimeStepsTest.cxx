@@ -109,9 +109,9 @@ protected:
   vtkNew<vtkHapticTimeStepSource> Source;
   double Radius = 0.0;
   double Tolerance = 0.02; ///< N
-  double Speed = 20.0;     ///< largest change of data time in a second
-  double Felt = 0.0;       ///< data time of the last state that was checked
-  double FeltAt = 0.0;     ///< servo time (s) of that state
+  double Speed = 20.0;     ///< largest speed of the data time (1/s)
+  double Felt = 0.0;       ///< data time of the last checked state
+  double FeltAt = 0.0;     ///< servo time (s) of the last checked state
 };
 } // namespace
 
@@ -201,8 +201,8 @@ TEST_F(StreamedTimeSteps, ThatAreEarlyOrLateAreFeltOneAfterTheOther)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// After missing time steps, the last one that was felt is joined to the next ones, so that the
-/// wall moves through the missing part.
+/// If the stream has left out time steps, the last felt time step is joined to the next ones, so
+/// that the wall moves through the missing part.
 TEST_F(StreamedTimeSteps, ThatWereLeftOutAreGoneOver)
 {
   this->Tolerance = 0.03;
@@ -212,8 +212,8 @@ TEST_F(StreamedTimeSteps, ThatWereLeftOutAreGoneOver)
   this->Give(3.0, 3.8);
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() > 3.1; }));
-  // The pair 3.8 to 4.2 is replaced by the next pair before data time reaches it. Later, the pair
-  // 5.0 to 5.6 is missing.
+  // The time steps 3.8 and 4.2 are replaced by the next ones before data time reaches them. Later,
+  // the stream leaves out the part from 5.0 to 5.6.
   this->Give(3.8, 4.2);
   ASSERT_TRUE(this->Device->Publish());
   this->Give(4.2, 5.0);

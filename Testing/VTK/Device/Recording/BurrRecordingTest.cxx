@@ -185,7 +185,7 @@ TEST_F(BurrRecording, ReplaysFromWhatWasRemovedBefore)
   this->Device->GetVirtualHand()->SpinningOn();
   ASSERT_TRUE(this->Drill(8.0, 0.5));
   EXPECT_GT(this->GetRemoval()->GetNumberOfUndos(), 0);
-  this->StartRecording(); // the burr is drilling
+  this->StartRecording(); // begins while the burr drills
   this->Wander(20);
   this->Turn(20.0, 1.0); // changes the placement of the device
   this->Wander(10);

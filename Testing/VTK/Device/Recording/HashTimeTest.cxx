@@ -162,7 +162,7 @@ TEST_F(HashTime, BeginsAgainIfTheImageIsReplaced)
   const auto image = this->Give(values);
   values->SetValue(9, 3);
   this->Filter->SetInputData(0, image);
-  this->Device->UpdateState(); // the worker may hold the last reference to the old image
+  this->Device->UpdateState(); // drops the image; the worker may hold the last reference to it
   opener.join();
   ASSERT_TRUE(this->Wait([this] { return !this->IsHashing(); }));
   ASSERT_TRUE(this->Device->GetRecorder()->Stop());

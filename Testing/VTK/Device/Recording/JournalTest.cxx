@@ -23,9 +23,9 @@
 namespace
 {
 bool HasLocks = true;
-long BadFrom = -1; // first byte that pread() can't read; negative: all can be read
+long BadFrom = -1; // first byte that pread() can't read; if negative, it can read all bytes
 int Interruptions = 0;
-std::string Watched; // journal that must exist when its folder is synced
+std::string Watched; // name of a journal, which must exist when its folder is synced
 bool WasThere = false;
 int FolderSyncs = 0;
 } // namespace
@@ -150,7 +150,7 @@ TEST_F(Journal, OfManyFalseHeadsIsReadSoon)
   std::string heads;
   Put(heads, TicksChunk);
   Put(heads, std::uint32_t{ 0 });
-  Put(heads, std::uint64_t{ 4 * size }); // this chunk is longer than the file
+  Put(heads, std::uint64_t{ 4 * size }); // length of the chunk, which the end of the file cuts off
   Put(heads, std::uint64_t{ 0 });
   for (std::uint64_t left = size - HeadSize; left > HeadSize; left -= HeadSize)
   {
@@ -236,7 +236,7 @@ TEST_F(Journal, KeepsNoModelsThatNoTickNeeds)
     return watch.expired();
   };
   {
-    HapticRecording recording; // no writer drains its ticks
+    HapticRecording recording; // has no writer, so that ticks are not drained
     recording.AddModel(1, this->Model);
     while (recording.Append(this->Source.Next()))
     {
@@ -324,7 +324,7 @@ TEST_F(Journal, IsRemovedWhenTheFolderIsOnTheDisk)
   this->Leave(300);
   Watched = this->Part;
   FolderSyncs = 0;
-  Interruptions = 3; // signals that interrupt fsync()
+  Interruptions = 3; // number of signals that interrupt fsync()
   std::string error;
   EXPECT_TRUE(WriteRecording(this->Part, this->File, error)) << error;
   EXPECT_EQ(FolderSyncs, 1);

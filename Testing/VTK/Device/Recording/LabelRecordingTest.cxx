@@ -145,7 +145,7 @@ TEST_F(LabelRecording, AsATableIsAPathForItsLabels)
     EXPECT_NE(log.Errors[0].find("Labels.csv.json, can't be read"), std::string::npos)
       << log.Errors[0];
   }
-  // Fields that name no labels leave an ordinary path.
+  // Fields that name no labels leave an ordinary path, which must be accepted.
   for (const std::string fields : { "[1]", "{\"Settings\":5}", "{\"Settings\":\"none\"}" })
   {
     std::ofstream(file + ".json") << fields;

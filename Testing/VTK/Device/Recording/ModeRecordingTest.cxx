@@ -128,7 +128,7 @@ TEST_F(ModeRecording, OtherModesReplayToTheBit)
 
 TEST_F(ModeRecording, AModeThatComesUnderTheHandComesSoftly)
 {
-  // At once, the spring to a line that the hand left 3 mm ago would pull with 1.5 N.
+  // Without a ramp, the spring to a line that the hand left 3 mm ago would pull with 1.5 N at once.
   this->Filter->RemoveAllModes();
   SetConstant(this->Front->GetStrength(), 3.0);
   this->Front->TwoSidedOn();
@@ -142,7 +142,8 @@ TEST_F(ModeRecording, AModeThatComesUnderTheHandComesSoftly)
   const double held = Length(this->Device->GetState()->GetForce());
   EXPECT_GT(held, 0.3);
   vtkNew<vtkTable> ticks;
-  constexpr int reader = 5;                       // a second reader besides the fixture's reader
+  // the number of a second reader besides the fixture's
+  constexpr int reader = 5;
   this->Device->GetState()->Drain(ticks, reader); // starts to keep states for this reader
   // Without the line the hand is free. When another mode becomes active, its force rises from 0.
   this->Follow->ActiveOff();

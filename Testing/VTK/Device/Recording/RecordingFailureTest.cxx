@@ -117,7 +117,7 @@ TEST_F(RecordingFailure, OfTheLastStepKeepsWhatThereIs)
   ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
   this->WanderForTwoGroups(file);
   {
-    // The disk is full: the written ticks are kept, and no ticks are added.
+    // The disk is full. The written ticks must be kept, and no ticks may be added.
     const FullDisk full(1);
     this->Device->Close();
   }

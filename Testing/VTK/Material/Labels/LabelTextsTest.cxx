@@ -89,7 +89,7 @@ TEST_F(LabelFiles, MricronNamesAndPalette)
 TEST_F(LabelFiles, Csv)
 {
   const std::string table =
-    "\xEF\xBB\xBF" // byte order mark of Windows
+    "\xEF\xBB\xBF" // byte order mark, as Windows writes it
     "label,name,stiffness,friction,viscosity,strength,felt,forbidden,color\r\n"
     "5,liver,300,0.1,0.5,1.5,1,0,#ff3300\r\n"
     "\r\n"

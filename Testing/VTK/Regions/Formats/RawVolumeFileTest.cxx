@@ -25,7 +25,7 @@ using namespace largetest;
 
 namespace
 {
-constexpr Extent Box = { 2, 13, -3, 6, 0, 8 }; // 12 x 10 x 9
+constexpr Extent Box = { 2, 13, -3, 6, 0, 8 }; // 12 x 10 x 9 samples
 constexpr int Header = 37;
 
 double ValueOf(int i, int j, int k)
@@ -294,7 +294,7 @@ TEST(RawVolumeFile, OfFortyGigabytesIsFeltInALittleMemory)
   close(file);
   vtkNew<vtkIntArray> whole;
   whole->SetName("HapticWholeExtent");
-  vtkNew<vtkDoubleArray> noise; // 0, since almost all blocks are zeros
+  vtkNew<vtkDoubleArray> noise; // the noise is 0, since almost all blocks are zeros
   noise->SetName("HapticNoise");
   noise->InsertNextValue(0.0);
   vtkNew<vtkDoubleArray> border;

@@ -99,7 +99,7 @@ TEST_F(DisplayRoom, EveryWordOfAFaultIsSeen)
   this->Display->SetDevice(this->Device);
   this->Display->SetNotice("The folder of the recording is full. Remove what you do not need.");
   this->Display->PlotVisibilityOff();
-  const Ink whole = this->Read(3000, 300); // wide enough that no line is wrapped
+  const Ink whole = this->Read(3000, 300); // in a window so wide that no line is wrapped
   ASSERT_GT(whole.Right, 400) << this->Display->GetText();
   ASSERT_LT(whole.Right, 2900);
   for (const auto& [width, height] : { std::pair(700, 560), std::pair(400, 300) })

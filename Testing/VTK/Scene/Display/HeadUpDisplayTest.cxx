@@ -213,7 +213,7 @@ TEST_F(HeadUpDisplay, SaysThatAHandSlidesBetweenTheStepsOfAMouse)
   add(0.15, 0.25, 1);
   EXPECT_TRUE(says("Resting on the volume, 1.00 N")) << this->Display->GetText();
   add(0.25, 0.26, 2);
-  add(0.0, 0.01, 1); // the device was started again
+  add(0.0, 0.01, 1); // states that begin at 0 again, as after a new start of the device
   EXPECT_TRUE(says("Resting on the volume, 1.00 N")) << this->Display->GetText();
 }
 

@@ -30,7 +30,7 @@ using namespace VolumeHaptics;
 
 namespace
 {
-constexpr vtkIdType Many = 2500000; // values; more than two pieces
+constexpr vtkIdType Many = 2500000; // number of values, more than two pieces
 
 bool GoOn(double fraction)
 {
@@ -129,7 +129,7 @@ TEST(Counts, LeaveOutWhatIsNotFinite)
 TEST(Counts, OfSpreadSamplesHaveTheSameFractions)
 {
   // Each row of 512 values has 256 zeros and then 256 values of 100. Samples at even steps would
-  // see only one of them.
+  // find only one of the two values.
   vtkNew<vtkShortArray> array;
   array->SetNumberOfValues(1 << 23);
   for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)

@@ -155,7 +155,7 @@ TEST_F(KeptRaysTest, AHandThatMovesChangesTheRaysThatItMeets)
   EXPECT_TRUE(this->Rays.IsCurrent());
   EXPECT_EQ(this->Compare([](Drawn&) {}, "nothing has moved").first, 0);
   int most = 0;
-  for (int i = 0; i <= 40; ++i) // from the front of the volume, through it, to its back
+  for (int i = 0; i <= 40; ++i) // moves from the front of the volume, through it, to its back
   {
     const double way = i / 40.0;
     const auto move = [way](Drawn& drawn)

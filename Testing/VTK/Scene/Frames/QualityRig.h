@@ -113,7 +113,8 @@ protected:
         std::this_thread::sleep_for(
           std::chrono::milliseconds(static_cast<StyleQualityTest*>(self)->Slowness));
       });
-    this->Window->AddObserver(vtkCommand::EndEvent, wait, 1.0f); // before the observer of the style
+    // runs before the observer of the style
+    this->Window->AddObserver(vtkCommand::EndEvent, wait, 1.0f);
   }
   ~StyleQualityTest() override { this->Interactor->SetInteractorStyle(nullptr); }
 

@@ -65,7 +65,7 @@ protected:
     ASSERT_TRUE(this->Device->Start());
     this->Pointer(150, 150);
     this->Style->TouchModeOn();
-    this->Time(800, [](int) {}); // until the hand is armed and drawn, and the scene is at rest
+    this->Time(800, [](int) {}); // runs until the hand is armed and drawn, and the scene is at rest
   }
 
   int Timer = 1;
@@ -204,7 +204,7 @@ TEST_F(StylePaceTest, LeavesTheFramesOfAWidgetAsQuickAsItWantsThem)
   // VTK's widgets call vtkInteractorObserver::StartInteraction() before a drag, which sets this
   // rate.
   this->Window->SetDesiredUpdateRate(this->Interactor->GetDesiredUpdateRate());
-  this->Style->SetTouchMode(false); // leads to one frame at rest
+  this->Style->SetTouchMode(false); // makes the style draw one frame at rest
   this->Time(800, [](int) {});
   EXPECT_GT(this->Still, 0);
   this->Quick = 0;

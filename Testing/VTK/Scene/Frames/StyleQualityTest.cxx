@@ -147,7 +147,7 @@ TEST_F(StyleQualityTest, SmartMapperCastsAllRaysAgainAtRest)
   ASSERT_EQ(mapper->GetLastUsedRenderMode(), vtkSmartVolumeMapper::RayCastRenderMode);
   EXPECT_GT(Parts::Find(mapper)->GetImageSampleDistance(), 2.0f);
   EXPECT_LE(Parts::Find(mapper)->GetSampleDistance(), 1.0f) << "rays miss what is thinner";
-  this->Draw(AtRest, 8); // casts all rays, since there is time for them
+  this->Draw(AtRest, 8); // draws long enough for all rays to be cast
   EXPECT_EQ(Parts::Find(mapper)->GetImageSampleDistance(), 1.0f);
   const float atRest = Parts::Find(mapper)->GetSampleDistance();
   this->Slowness = 0;

@@ -28,7 +28,7 @@ TEST_F(StyleRaysTest, AFrameThatTakesTooLongIsGivenUpWhileADeviceIsArmed)
   this->Draw(AtRest, 8);
   ASSERT_EQ(mapper->GetImageSampleDistance(), 1.0f);
   mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, sleep, 1.0f);
-  this->Renderer->GetActiveCamera()->Azimuth(10.0); // so that all rays are cast
+  this->Renderer->GetActiveCamera()->Azimuth(10.0); // makes all rays be cast again
   this->Draw(AtRest, 1);
   EXPECT_EQ(this->Window->GetAbortRender(), 1);
   mapper->RemoveObserver(sleep);
@@ -53,7 +53,7 @@ TEST_F(StyleRaysTest, AFrameThatWouldTakeTooLongIsGivenUpSoonAndTheStrokeIsFine)
   this->Draw(AtRest, 8);
   ASSERT_EQ(mapper->GetImageSampleDistance(), 1.0f);
   SlowRows rows(mapper, 100);
-  this->Renderer->GetActiveCamera()->Azimuth(10.0); // so that all rays are cast
+  this->Renderer->GetActiveCamera()->Azimuth(10.0); // makes all rays be cast again
   this->Draw(AtRest, 1);
   EXPECT_EQ(this->Window->GetAbortRender(), 1);
   EXPECT_LE(rows.Count, 5) << "of 15, of which 10 take 1 s";
@@ -83,7 +83,7 @@ TEST_F(StyleRaysTest, AFrameThatInputInterruptsTellsHowLongItWouldHaveTaken)
   ASSERT_EQ(mapper->GetImageSampleDistance(), 1.0f);
   SlowRows rows(mapper, 55);
   rows.Move = 5;
-  this->Renderer->GetActiveCamera()->Azimuth(10.0); // so that all rays are cast
+  this->Renderer->GetActiveCamera()->Azimuth(10.0); // makes all rays be cast again
   this->Draw(AtRest, 1);
   EXPECT_EQ(this->Window->GetAbortRender(), 1);
   rows.Slowness = 0;
@@ -106,7 +106,7 @@ TEST_F(StyleRaysTest, TheFirstFrameInMotionIsAsCoarseAsThoseAtRestTell)
   mapper->AutoAdjustSampleDistancesOff();
   this->Show(mapper.GetPointer());
   this->Draw(AtRest, 1);
-  this->Renderer->GetActiveCamera()->Azimuth(10.0); // so that all rays are cast
+  this->Renderer->GetActiveCamera()->Azimuth(10.0); // makes all rays be cast again
   this->Draw(AtRest, 1);
   this->Renderer->GetActiveCamera()->Azimuth(10.0);
   this->Draw(InMotion, 1);
@@ -171,12 +171,12 @@ TEST_F(StyleRaysTest, AWindowOfANewSizeIsDrawnCoarselyFirst)
   mapper->AutoAdjustSampleDistancesOff();
   mapper->SetNumberOfThreads(1);
   this->Show(mapper.GetPointer());
-  SlowRows rows(mapper, 20); // 15 reports take 0.3 s
+  SlowRows rows(mapper, 20); // 15 reports of 20 ms take 0.3 s
   this->Draw(AtRest, 1);
   ASSERT_EQ(mapper->GetImageSampleDistance(), 1.0f);
   this->Window->SetSize(140, 130);
   this->Interactor->InvokeEvent(vtkCommand::ExposeEvent, nullptr);
-  this->Draw(AtRest, 1); // the interactor draws after an ExposeEvent
+  this->Draw(AtRest, 1); // draws as the interactor does after an ExposeEvent
   EXPECT_GT(mapper->GetImageSampleDistance(), 1.0f);
   const auto isFine = [&]
   {
@@ -196,7 +196,7 @@ TEST_F(StyleRaysTest, AWindowOfANewSizeThatIsQuickIsFineAtOnce)
   vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
   mapper->AutoAdjustSampleDistancesOff();
   this->Show(mapper.GetPointer());
-  this->Draw(AtRest, 1); // the first frame also computes the gradients
+  this->Draw(AtRest, 1); // draws the first frame, which also computes the gradients
   this->Renderer->GetActiveCamera()->Azimuth(10.0);
   this->Draw(AtRest, 1);
   this->Window->SetSize(140, 130);

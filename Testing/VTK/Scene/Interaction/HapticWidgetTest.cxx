@@ -386,7 +386,7 @@ TEST_F(HapticWidget, TakesKeysThatHaveCodesAndNoNames)
   EXPECT_NE(listed.find("?\t"), std::string::npos);
   EXPECT_EQ(listed.find("End"), std::string::npos);
   EXPECT_EQ(listed.find("F1"), std::string::npos);
-  EXPECT_EQ(this->Press(nullptr, '/', 1), 0); // the key of ? on a US keyboard
+  EXPECT_EQ(this->Press(nullptr, '/', 1), 0); // sends the key of ? on a US keyboard
   EXPECT_TRUE(this->Widget->GetHeadUpDisplay()->GetHelpVisibility());
   EXPECT_EQ(this->Press(nullptr, 'X'), 2);
   EXPECT_EQ(this->Press(nullptr, '\x1b'), 0);
@@ -433,7 +433,8 @@ TEST_F(HapticWidget, BeginsAgainIfTheReleaseOfItsKeyWasLost)
   this->Pointer(150, 150);
   EXPECT_EQ(this->Press("t", 't'), 0);
   EXPECT_TRUE(this->Widget->GetTouchMode());
-  this->Widget->GetStyle()->FadeOut(); // as if the view was hidden, so that it got no key release
+  // lets go as if the view was hidden, so that no key release came
+  this->Widget->GetStyle()->FadeOut();
   EXPECT_EQ(this->Press("t", 't'), 0);
   EXPECT_TRUE(this->Widget->GetTouchMode());
 }
@@ -457,7 +458,7 @@ TEST_F(HapticWidget, TellsThatTimersAreMissingAndGoesOnWithoutThem)
   EXPECT_TRUE(Eventually(
     [&]
     {
-      this->Window->Render(); // as the program draws
+      this->Window->Render(); // draws as the program does
       const bool isArmed = IsFullyArmed(this->Widget->GetDevice());
       if (isArmed && steps < 5)
       {
@@ -483,7 +484,8 @@ TEST_F(HapticWidget, TellsThatTimersAreMissingInAProgramThatOnlyDraws)
   ASSERT_TRUE(Eventually(
     [&]
     {
-      this->Window->Render(); // the program's own loop, as with a haptic device that needs no mouse
+      // draws in the program's own loop, as with a haptic device that needs no mouse
+      this->Window->Render();
       return !told.Warnings.empty();
     }));
   EXPECT_NE(told.Warnings[0].find("Cure: call DrawHaptics()"), std::string::npos);

@@ -105,7 +105,7 @@ TEST_F(LongRunTest, HalfAMinuteMissesNoState)
     this->Window->Render();
     if (begun == 0.0 && Clock::now() - start > std::chrono::seconds(10))
     {
-      begun = ResidentMemory(); // the plot has been full for some seconds
+      begun = ResidentMemory(); // measured when the plot has been full for some seconds
     }
   }
   EXPECT_EQ(missing, 0);

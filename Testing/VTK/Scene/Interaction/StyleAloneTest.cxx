@@ -68,7 +68,7 @@ void CallDisplays(Parts& parts)
   parts.Hand->GetBounds();
   parts.Hand->ReleaseGraphicsResources(nullptr);
   parts.Renderer->ComputeVisiblePropBounds(bounds);
-  vtkNew<vtkRenderer> elsewhere; // belongs to no window
+  vtkNew<vtkRenderer> elsewhere; // renderer that belongs to no window
   for (vtkRenderer* renderer : { elsewhere.GetPointer(), static_cast<vtkRenderer*>(nullptr) })
   {
     parts.Display->RenderOverlay(renderer);

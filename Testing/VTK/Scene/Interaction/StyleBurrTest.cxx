@@ -213,11 +213,11 @@ TEST_F(StyleBurr, ShowsItWithAMapperThatHasNoTexture)
     vtkNew<vtkFixedPointVolumeRayCastMapper>(), vtkNew<vtkFixedPointVolumeRayCastMapper>());
 }
 
-/// The scene must show removed tissue within 100 ms of servo time, from the tick that removes it to
-/// the end of the frame that shows it. The test counts from the last look before the removal, so
-/// its time is rather too long. On a busy machine, only one of up to 20 strokes must keep this
-/// limit. If frames alone take longer, the second frame after the look must show the removal. Only
-/// bricks are uploaded; the mapper keeps its unchanged image.
+/// Expects that the scene shows removed tissue within 100 ms of servo time, from the tick that
+/// removes it to the end of the frame that shows it. The time is counted from the last look before
+/// the removal, so it is rather too long. The machine may be busy, so one of 20 strokes is enough,
+/// or the second frame after that look. The mapper must keep its unchanged image, since only bricks
+/// are uploaded.
 TEST_F(StyleBurr, TheSceneFollowsWithin100Milliseconds)
 {
   // A software renderer draws a window of this size in a few milliseconds.

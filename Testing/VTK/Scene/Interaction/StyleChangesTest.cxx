@@ -80,7 +80,7 @@ TEST_F(StyleTest, MaterialsOfLabelsAreEditedWhileTheyAreFelt)
   vtkNew<vtkHapticFunctionEditor> editor;
   editor->SetLabelTable(table);
   editor->SetLabelData(labels);
-  editor->SetRectangle(0, 0, 100, 280); // beside the touched position
+  editor->SetRectangle(0, 0, 100, 280); // puts the editor beside the touched position
   editor->VisibilityOff();
   this->Style->SetFunctionEditor(editor);
   ASSERT_NO_FATAL_FAILURE(this->PushIn());
@@ -122,7 +122,7 @@ TEST_F(StyleTest, TheWorkspaceFollowsTheCamera)
   this->Run(5);
   // The jump goes to the right, up and towards the user.
   ExpectAt(this->Device->GetState()->GetTipPosition(), 10, 4, 2);
-  this->Renderer->GetActiveCamera()->Azimuth(90.0); // the camera now looks along -x
+  this->Renderer->GetActiveCamera()->Azimuth(90.0); // turns the camera, which now looks along -x
   this->Style->UpdateHaptics();
   this->Run(5);
   ExpectAt(this->Device->GetState()->GetTipPosition(), 2, 4, -10);

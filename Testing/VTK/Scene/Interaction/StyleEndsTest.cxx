@@ -113,7 +113,7 @@ TEST_F(StyleEnds, WithALoopThatAKeyOfTheApplicationEnds)
     [](vtkObject* interactor, unsigned long, void*, void*)
     {
       static_cast<vtkRenderWindowInteractor*>(interactor)->SetDone(true);
-    }); // as TerminateApp() does since VTK 9.2
+    }); // ends the loop as TerminateApp() does since VTK 9.2
   this->Interactor->AddObserver(vtkCommand::KeyPressEvent, end, -1.0f);
   this->PushUntilHeld(
     [this]
@@ -172,7 +172,8 @@ TEST_F(StyleEnds, WithTheRenderer)
     [this]
     {
       this->Style->RemoveObservers(vtkInteractorStyleHaptic::StatesEvent);
-      this->Window->RemoveRenderer(this->Renderer); // the style still holds the renderer
+      // removes the renderer, which the style still holds
+      this->Window->RemoveRenderer(this->Renderer);
       this->Style->UpdateHaptics();
       EXPECT_FALSE(this->Style->GetTouchMode());
       this->ExpectNoForce();

@@ -82,7 +82,7 @@ TEST_F(StyleHints, SayHowToGoOnAfterAFault)
   this->Style->TouchModeOn();
   this->RunUntilFullyArmed();
   this->Device->GetVirtualHand()->Place(
-    0.0, 0.0, 500.0); // an armed device sees a hand that is too fast
+    0.0, 0.0, 500.0); // moves the hand faster than an armed device allows
   this->Run(20);
   ASSERT_EQ(this->Device->GetStatus(), vtkHapticDevice::FAULT);
   EXPECT_TRUE(this->Hints("Press a to go on")) << this->Display->GetHint();

@@ -191,13 +191,13 @@ TEST_F(StyleKeys, AreOthersWithCtrlButThoseThatLetGo)
   EXPECT_EQ(list->GetNumberOfMeasurements(), 0);
   this->Control("y", '\x19');
   EXPECT_EQ(list->GetNumberOfMeasurements(), 1);
-  this->Control(nullptr, '\x1a'); // from a toolkit that sends codes only
+  this->Control(nullptr, '\x1a'); // sent by a toolkit that sends codes only
   EXPECT_EQ(list->GetNumberOfMeasurements(), 0);
   this->Control("t", '\x14');
   EXPECT_FALSE(this->Style->GetTouchMode());
   this->Press("t");
   EXPECT_TRUE(this->Style->GetTouchMode());
-  this->Control("Escape", '\x1b'); // while the mouse with Ctrl presses in depth
+  this->Control("Escape", '\x1b'); // sent while the mouse with Ctrl presses in depth
   EXPECT_FALSE(this->Style->GetTouchMode());
 }
 

@@ -56,7 +56,8 @@ TEST_F(StyleLeaves, TellsOfNoForceAtOnce)
 
 TEST_F(StyleLeaves, LeavesNoObserverWithoutTimers)
 {
-  vtkNew<vtkGenericRenderWindowInteractor> generic; // its timers belong to the application
+  // interactor whose timers belong to the application
+  vtkNew<vtkGenericRenderWindowInteractor> generic;
   generic->SetRenderWindow(this->Window);
   {
     vtkNew<vtkInteractorStyleHaptic> style;

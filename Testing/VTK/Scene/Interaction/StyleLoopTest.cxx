@@ -29,6 +29,6 @@ TEST_F(StyleLoop, IsDrivenByTheInteractorsLoop)
       }
     });
   this->Style->AddObserver(vtkInteractorStyleHaptic::StatesEvent, count);
-  this->Interactor->Start(); // ends after 20 updates
+  this->Interactor->Start(); // runs the loop, which ends after 20 updates
   EXPECT_EQ(updates, 20);
 }

@@ -70,7 +70,7 @@ TEST_F(StyleMethod, GoesThroughAllMethodsAndBack)
   }
   EXPECT_EQ(this->Filter->GetMethod(), vtkVolumeHapticsFilter::PROXY);
   EXPECT_EQ(this->Filter->GetSolver(), vtkVolumeHapticsFilter::PRECISE);
-  shown.resize(4); // ignores the methods after these four
+  shown.resize(4); // drops the methods after these four
   EXPECT_EQ(shown,
     (std::vector<std::string>{ "Proxy, PRECISE", "Proxy, PAPER", "Force field", "Surface proxy" }));
   EXPECT_TRUE(this->Log.Errors.empty());
@@ -114,7 +114,7 @@ TEST_F(StyleMethod, TheForceGoesOverWithoutAJolt)
     fall = std::max(fall, last.empty() ? 0.0 : Length(last.data()) - norm);
     last.assign(now, now + 3);
   };
-  this->Filter->SetForceFieldGain(0.08); // 8 N, while the other methods give about 1 N
+  this->Filter->SetForceFieldGain(0.08); // gives 8 N, while the other methods give about 1 N
   for (vtkIdType i = vtkVolumeHapticsFilter::GetMethodNames()->GetNumberOfValues(); i > 0; --i)
   {
     EXPECT_TRUE(this->Style->NextMethod());
@@ -141,7 +141,8 @@ TEST_F(StyleMethod, AKeyFeelsOneModeAfterAnotherAndThenAll)
   this->Filter->AddMode(surfaces);
   vtkNew<vtkHapticMode> ridge;
   ridge->SetKindToRidge();
-  ridge->GetStrength()->AddPoint(0.0, 0.0); // no force, so that the surface alone gives the force
+  // gives no force, so that the surface alone gives the force
+  ridge->GetStrength()->AddPoint(0.0, 0.0);
   this->Filter->AddMode(ridge);
   this->Touch();
   this->Press("j");
@@ -175,7 +176,8 @@ TEST_F(StyleMethod, AKeyFeelsOneModeAfterAnotherAndThenAll)
   follow->ActiveOff();
   this->Filter->AddMode(follow);
   this->Style->UpdateHaptics();
-  this->Press("j"); // the key selects the second of three modes alone, then the first one
+  // presses the key that selects the second of three modes alone, then the first one
+  this->Press("j");
   this->Press("j");
   EXPECT_EQ(shown(), "-+-");
   EXPECT_STREQ(this->Display->GetNotice(), "");

@@ -26,7 +26,7 @@ protected:
     this->Generic->SetRenderWindow(this->Window);
     this->Generic->SetInteractorStyle(this->Style);
     this->Other->SetVolumeHaptics(this->Filter);
-    this->Filter->SetIsoValue(-1500.0); // a sphere of 45 mm
+    this->Filter->SetIsoValue(-1500.0); // surface of a sphere with a radius of 45 mm
     // The device announces publications as long work if they take more than an eighth of the
     // attention time. This time is 50 ms here.
     this->Device->SetAttentionTime(0.05);

@@ -174,7 +174,7 @@ TEST(StyleOpens, FiftyWindowsLeaveNothingBehind)
   constexpr int windows = 50;
   for (int i = 0; i < 5; ++i)
   {
-    OpenAndClose(ball); // creates the objects that are made only once
+    OpenAndClose(ball); // opens a window first, which creates the objects that are made only once
   }
   // VTK 9.1 with Mesa 22.3 leaks five threads and one file per window, also without haptics.
   constexpr int plainWindows = 10;

@@ -168,7 +168,7 @@ TEST_F(StylePlayback, AnImageWithTheFirstTimeStepsScalarsIsTheSame)
 {
   vtkNew<vtkImageData> plain;
   plain->ShallowCopy(this->Source->GetTimeStepImage(0));
-  plain->SetOrigin(-3.0, 0.0, 0.0); // the volume's matrix moves the image back
+  plain->SetOrigin(-3.0, 0.0, 0.0); // sets an origin that the volume's matrix moves back
   vtkNew<vtkMatrix4x4> placed;
   placed->SetElement(0, 3, 3.0);
   this->Volume->SetUserMatrix(placed);
@@ -330,7 +330,7 @@ TEST_F(StylePlayback, TheSourceKeepsTheOrderOfTimesAndRefusesWhatIsNoTimeStep)
   source->Update();
   ASSERT_EQ(log.Errors.size(), 3U);
   EXPECT_NE(log.Errors[2].find("There are no frames"), std::string::npos);
-  source->Update(); // VTK asks only for the data here
+  source->Update(); // updates the data, which is all that VTK asks for here
   EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_TRUE(source->AddTimeStep(MakeNumbered(1), 5.0));
   EXPECT_TRUE(source->AddTimeStep(MakeNumbered(0), -1.0));

@@ -28,7 +28,7 @@ protected:
     this->OtherFilter->GetProperty()->DeepCopy(this->Filter->GetProperty());
     this->Show(this->Volume, this->Ball);
     this->Show(this->Other, MakeBall());
-    this->Renderer->GetActiveCamera()->SetParallelScale(150.0); // a pixel is 1 mm
+    this->Renderer->GetActiveCamera()->SetParallelScale(150.0); // makes a pixel 1 mm wide
     // Switches the attention time off, since a busy machine may exceed it.
     this->Device->SetAttentionTime(0.0);
     this->Device->Open("virtual");
@@ -254,7 +254,7 @@ TEST_F(StyleSeveral, TheStrongestOneIsFeltThroughAnother)
 
 TEST_F(StyleSeveral, OneThatIsNotSeenIsNotChosen)
 {
-  this->Other->SetPosition(0.0, 0.0, 70.0); // in front of the first volume
+  this->Other->SetPosition(0.0, 0.0, 70.0); // puts the other volume in front of the first one
   EXPECT_TRUE(this->Style->AddTouchedVolume(this->Other, this->OtherFilter));
   this->Other->VisibilityOff();
   this->Pointer(150, 150);

@@ -597,7 +597,8 @@ TEST_F(StyleVolumes, WithBlanksWarnIfTheirMapperDrawsThem)
   mapper->SetInputData(this->Ball);
   this->Volume->SetMapper(mapper);
   EXPECT_EQ(this->CountWarnings("vtkGhostType"), 1U);
-  points->SetValue(1234, vtkDataSetAttributes::DUPLICATEPOINT); // is drawn like other points
+  // marks a point that is drawn like other points
+  points->SetValue(1234, vtkDataSetAttributes::DUPLICATEPOINT);
   points->Modified();
   EXPECT_EQ(this->CountWarnings(), 0U);
   this->Ball->AllocateCellGhostArray()->SetValue(77, vtkDataSetAttributes::HIDDENCELL);

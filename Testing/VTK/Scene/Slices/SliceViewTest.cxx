@@ -277,7 +277,7 @@ TEST_F(SliceViewTest, AKeyGivesTheSceneItsRoomBack)
   EXPECT_EQ(this->Renderer->GetViewport()[2], 1.0);
   EXPECT_EQ(this->View->FindSlice(200, 100), -1);
   this->Press("s", vtkCommand::KeyReleaseEvent);
-  this->Run(30); // after a pause, a key is no repetition of a held key
+  this->Run(30); // waits, so that the next press is no repetition of a held key
   this->Press("s");
   this->Window->Render();
   EXPECT_EQ(this->Renderer->GetViewport()[2], 0.5);

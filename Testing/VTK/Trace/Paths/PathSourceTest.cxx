@@ -91,7 +91,7 @@ TEST_F(PathSource, CircleStaysAtItsRadiusInItsPlane)
     EXPECT_NEAR(std::hypot(x[0] - 1, x[1] - 2, x[2] - 3), 20.0, 1e-9);
   }
   this->ExpectAt(0, { 21, 2, 3 });
-  this->ExpectAt(this->Last(), { -19, 2, 3 }); // half a turn beyond the start
+  this->ExpectAt(this->Last(), { -19, 2, 3 }); // at half a turn beyond the start
 }
 
 TEST_F(PathSource, SpiralGoesOutEvenlyWithItsTurns)
