@@ -86,7 +86,8 @@ TEST(BakingOf, DuplicateScalarsIsAStepAtTheNode)
   const VolumeHaptics::PiecewiseTable<2> table(
     { VolumeHaptics::ToPolyline(function, 0.0), VolumeHaptics::ConstantPolyline(1.0) });
   EXPECT_NEAR(table(std::nextafter(5.0, 0.0))[0], 2.0, 1e-15);
-  // At the doubled node, VTK 9.1 returns 2 and VTK 9.3 returns 8: the table must return the same.
+  // VTK 9.1 returns 2 at a doubled node, and VTK 9.3 returns 8. The table must return what VTK
+  // returns.
   EXPECT_EQ(table(5.0)[0], function->GetValue(5.0));
   EXPECT_EQ(table(std::nextafter(5.0, 9.0))[0], 8.0);
   EXPECT_NEAR(table(2.5)[0], 1.5, 1e-15);

@@ -361,7 +361,8 @@ TEST(BackgroundWork, OfAParentIsNotWaitedForInAForkedChild)
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
 }
 
-/// If the parent has ended its work while the task still runs, a forked child waits for neither.
+/// A forked child must wait neither for the parent's work nor for its task, which still runs after
+/// the parent has ended the work.
 TEST(BackgroundWork, OfAParentThatHasEndedItDoesNotHoldBackThatOfAChild)
 {
   Gate gate;

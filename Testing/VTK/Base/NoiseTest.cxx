@@ -126,8 +126,8 @@ protected:
 
 TEST_F(Noise, IsEstimatedWhereverTheImageIsFlattest)
 {
-  // From Documentation/method.md: with the default Gaussian, noise gives gradients of 0.106 sigma
-  // per voxel. Gradients up to 3.4 times this value count as noise.
+  // The default Gaussian turns noise into gradients of 0.106 sigma per voxel
+  // (Documentation/method.md). Gradients up to 3.4 times this value count as noise.
   const double expected = 3.4 * 0.106 * Sigma;
   EXPECT_NEAR(this->ComputeStart(this->MakeNoisy(Edge, Sigma)), expected, 0.1 * expected);
   EXPECT_NEAR(this->ComputeStart(this->MakeNoisy([](double z) { return 3.0 * z * z; }, Sigma)),
@@ -245,7 +245,7 @@ TEST_F(Noise, InSlicesIsFeltNoMoreThanInCubes)
         {
           largest = std::max(largest, slices[i] - cubes[i]);
         }
-        // The tolerance is that of the solver that finds the proxies.
+        // The tolerance equals the tolerance of the solver that finds the proxies.
         EXPECT_LT(largest, 1e-8);
       }
     }

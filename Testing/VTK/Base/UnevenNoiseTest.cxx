@@ -235,8 +235,8 @@ TEST(UnevenNoise, ARegionHasTheLevelOfTheWhole)
   filter->SetInputData(0, MakeBall());
   filter->Update();
   EXPECT_TRUE(IsSame(felt, filter->GetOutput()));
-  // Without the level of the whole, the filter computes the level from the region, and over a
-  // quarter of the rays meet the ball at a wrong place.
+  // The filter computes the level from the region alone if the array of the whole volume's level is
+  // missing. Then over a quarter of the rays meet the ball at a wrong place.
   part->GetFieldData()->RemoveArray("HapticSolid");
   part->Modified();
   filter->SetInputData(0, part);

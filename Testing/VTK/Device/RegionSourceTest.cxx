@@ -349,7 +349,7 @@ TEST_F(RegionSource, ThatIsLateHasACoarseImageThatIsFeltByHalf)
     << Length(this->Device->GetState()->GetForce()) << " N, of " << whole;
   this->Reader->IsOpen = true;
   ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 1.0; }));
-  // On a busy machine the contact may have faded meanwhile, so the test presses again.
+  // The test presses again, since the contact may have faded on a busy machine.
   ASSERT_TRUE(this->Lead(1300.0, 1000.0, 998.0));
   this->Press(1300.0);
   this->ExpectNoStep();

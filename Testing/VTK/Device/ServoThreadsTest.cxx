@@ -72,7 +72,7 @@ class LowlyDevice : public HangingDevice
 public:
   DeviceState Read(double time, DeviceSample& sample) noexcept override
   {
-    // Sets the priority in each tick, since RealtimeKit may have raised it meanwhile.
+    // Sets the priority in each tick, since RealtimeKit may have raised it after the last tick.
     const sched_param none{};
     EXPECT_EQ(pthread_setschedparam(pthread_self(), SCHED_IDLE, &none), 0);
     return HangingDevice::Read(time, sample);

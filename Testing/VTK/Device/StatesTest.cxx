@@ -120,8 +120,8 @@ TEST_F(States, AreWhereTheDeviceWas)
   ASSERT_TRUE(this->WaitTicks(3));
   this->Device->GetState()->Drain(this->Table);
   ASSERT_GT(this->Table->GetNumberOfRows(), 1);
-  // The hand rests, so the first state is at the place of the first placement, and the last state
-  // at that of the last placement.
+  // The hand rests, so the first state has the tip at the first placement, and the last state has
+  // it at the last placement.
   EXPECT_NEAR(this->At("Tip", 0, 0), 7.0, 1e-9);
   EXPECT_NEAR(this->At("Tip", 0, 2), 5.0, 1e-9);
   const vtkIdType last = this->Table->GetNumberOfRows() - 1;

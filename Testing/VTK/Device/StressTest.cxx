@@ -87,7 +87,7 @@ TEST_F(Stress, AThousandChangesLeaveWholeStates)
     {
       ASSERT_EQ(tick->GetComponent(i, 0), tick->GetComponent(i - 1, 0) + 1.0);
     }
-    // If a state mixed two ticks or two models, its force would not be that of its own spring.
+    // The force of a state that mixed two ticks or two models would not be that of its own spring.
     const double k = data->GetArray("Stiffness")->GetComponent(i, 0);
     double stretch[3];
     double force[3];

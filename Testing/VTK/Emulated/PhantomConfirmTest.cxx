@@ -103,7 +103,7 @@ TEST_F(PhantomConfirm, ACalibratedDeviceIsAskedForWhatItReallyGives)
   this->Device->Arm();
   ASSERT_TRUE(this->LeadTo(0.0, 0.0, SkinHeight + 0.01));
   ASSERT_TRUE(this->LeadTo(0.0, 0.0, SkinHeight - 0.006));
-  // With a force scale of 0.5, the model gets twice the reported force, and gives what it gets.
+  // The model gets twice the reported force, since the force scale is 0.5, and gives what it gets.
   EXPECT_TRUE(this->Hand.Wait(
     [&]
     {

@@ -128,7 +128,7 @@ TEST_F(VendorIdentity, WithASerialNumberItIsRemembered)
 
 TEST_F(VendorIdentity, WithoutASerialNumberItIsConfirmedAnewEachTime)
 {
-  // Several devices can have the number 0, so the line may be that of another device.
+  // Several devices can have the number 0, so the line may belong to another device.
   const std::string line =
     "vendor:played:number:0 confirmed=2026-11-01 scale=0.25 calibrated=2026-11-01\n";
   std::ofstream(this->Memory) << line;

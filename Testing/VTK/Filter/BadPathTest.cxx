@@ -144,8 +144,7 @@ const BadPath BadPaths[] = {
       return path;
     },
     { "recording", "DeviceTip", "2 lines", "one recording at a time" } },
-  // Cutters give chains of segments like this one, in which the points follow in the order 0, 2, 1,
-  // 3.
+  // Cutters give such chains of segments, in which the points follow in the order 0, 2, 1, 3.
   { "OutOfOrder",
     [] {
       return WithLines({ { 0, 2 }, { 2, 1 }, { 1, 3 } });

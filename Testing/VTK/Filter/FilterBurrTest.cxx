@@ -91,8 +91,8 @@ TEST_F(FilterBurr, RemovesByItsEnergy)
   EXPECT_NEAR(Sum(trace, "RemovedVolume"), expected, 0.01 * expected);
 }
 
-/// In a label with its own energy U2, Q = mu F v/U2, whatever U(V) is. In a label without an
-/// energy, U(V) counts.
+/// A label with its own energy U2 has the rate Q = mu F v/U2, whatever U(V) is. U(V) counts in a
+/// label without an energy.
 TEST_F(FilterBurr, LabelsHaveAnEnergyOfTheirOwn)
 {
   SetConstant(this->Burr->GetSpecificEnergy(), 4.0);

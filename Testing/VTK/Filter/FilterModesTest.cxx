@@ -175,7 +175,7 @@ TEST_F(FilterModes, ModesAreFeltTogetherAndEachHasItsForce)
   ExpectNear(Last(trace, "ModeForce_0"), { 0.0, 0.0, -0.7 }, 1e-9);
   ExpectNear(Last(trace, "ModeForce_1"), { 0.0, 0.0, -0.4 }, 1e-9);
   ExpectNear(Last(trace, "ModeForce_2"), { 0.0, 0.0, -0.3 }, 1e-9);
-  // Without the line, a backward motion is free, since one-sided fronts and surfaces hold only
+  // A backward motion without the line is free, since one-sided fronts and surfaces hold only
   // forward motions.
   follow->ActiveOff();
   trace = this->Run(51);
@@ -221,7 +221,7 @@ TEST_F(FilterModes, AVesselIsSnappedOnAndFollowed)
     EXPECT_NEAR(on[2], 11.8, 0.01);
     EXPECT_NEAR(on[0] + on[1], 30.0, 0.02) << "free along it";
     ExpectNear(Last(trace, "Force"), { -s * SpringPerMm, s * SpringPerMm, 0.0 }, 0.01);
-    // With the other polarity, this vessel is no ridge.
+    // The vessel is no ridge of the other polarity, so it must not hold the tip.
     mode->SetPolarity(!isDark);
     this->Follow(Line({ 8, 8, 11.8 }, { 12, 12, 11.8 }, 50));
     ExpectNear(Last(this->Run(51), "Force"), { 0.0, 0.0, 0.0 }, 1e-9);

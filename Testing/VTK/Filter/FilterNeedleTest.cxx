@@ -157,7 +157,7 @@ TEST_F(FilterNeedle, FeelsLayersInAndOut)
     EXPECT_GT(out, 3000);
     EXPECT_NEAR(loss, 0.80, 0.02);
     EXPECT_EQ(Get(trace, "Depth", trace->GetNumberOfPoints() - 1), 0.0);
-    // The expected work (J) is that of the shaft and of the cutting, with the losses where the
+    // The expected work (J) is the work of the shaft and of the cutting, plus the losses where the
     // resistance R falls by 0.2 N and by 0.8 N.
     const double work = -Get(trace, "Energy", trace->GetNumberOfPoints() - 1);
     EXPECT_NEAR(work,

@@ -294,7 +294,7 @@ TEST_F(FilterMeasured, ManyHolesAreTold)
   this->Filter->SetInputConnection(crop->GetOutputPort());
   this->Filter->Update();
   ASSERT_EQ(this->Log.Warnings.size(), 1U);
-  // Beyond a radius of 12.5 lie 1 - 4/3 pi 12.5^3 / 40^3 = 87.2 % of the 64000 samples.
+  // 87.2 % of the 64000 samples lie beyond a radius of 12.5: 1 - 4/3 pi 12.5^3 / 40^3.
   EXPECT_NE(
     this->Log.Warnings[0].find("no numbers (87 %), and none in a corner"), std::string::npos)
     << this->Log.Warnings[0];

@@ -267,7 +267,7 @@ TEST_F(FilterRemoval, ADamagedFileChangesNothing)
   writer->SetInputData(this->Image);
   writer->Write();
   ExpectRefused(removal, this->File, { "no shares" });
-  // In this file, the extent of the volume is too small for the shares.
+  // The extent of the volume in this file is too small for the shares.
   std::ofstream(this->File, std::ios::binary) << whole;
   vtkNew<vtkXMLImageDataReader> reader;
   reader->SetFileName(this->File.c_str());

@@ -288,7 +288,7 @@ TEST_F(FilterShell, IsTheSameEveryTime)
   EXPECT_TRUE(IsSame(first, this->Filter->GetOutput()));
 }
 
-/// If data and tool turn together, the forces turn with them.
+/// The forces must turn with the data and the tool.
 TEST_F(FilterShell, TurnsWithTheData)
 {
   this->Tool->SetMesh(MakeBox(6.0, 4.0, 5.0));

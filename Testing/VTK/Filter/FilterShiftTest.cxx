@@ -218,7 +218,7 @@ TEST_F(FilterShift, IsKeptByProposals)
   ASSERT_TRUE(this->Property->ProposeFromImage(this->Image));
   EXPECT_EQ(this->Property->GetScalarShift(), -1024.0);
   EXPECT_FALSE(this->Property->GetShiftFromImage());
-  // The lowest tissue range is that of the air outside, at -1000 HU.
+  // The lowest tissue range is the range of the air outside, at -1000 HU.
   double range[2];
   this->Property->GetTissueRange(0, range);
   EXPECT_LE(range[0], -1000.0 + 20.0);

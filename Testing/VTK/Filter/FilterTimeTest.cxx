@@ -199,7 +199,7 @@ TEST_F(FilterTime, StepsOfOtherGeometryAreAnError)
   this->Source->Make = [](double time) { return MakeWall(WallAt(time), time == 12.0 ? 20 : 24); };
   this->Filter->SetTimeUnitsPerSecond(4.0);
   this->ExpectError({ "time 12", "20 x 20 x 20", "vtkImageReslice", "SetTimeUnitsPerSecond(0)" });
-  // With images of one size, the filter works again.
+  // The filter works again when all images have one size.
   this->Source->Make = [](double time) { return MakeWall(WallAt(time)); };
   this->Source->Modified();
   this->Log.Errors.clear();
@@ -464,7 +464,7 @@ protected:
 TEST_F(FilterMotion, AWallThatLeapsIsFeltOnItsWay)
 {
   this->ExpectLeap();
-  // Without displacements, the wall stays at its place, and then appears at the next place.
+  // The wall stays at its place without displacements, and then appears at the next place.
   this->Filter->SetDisplacementArrayName("");
   this->Filter->Update(); // warns
   vtkPolyData* const trace = this->Filter->GetOutput();

@@ -491,7 +491,7 @@ TEST_F(LabelsTest, AreInTheTrace)
   ASSERT_NE(output->GetPointData()->GetArray("Label"), nullptr);
   for (vtkIdType tick = 0; tick <= 340; ++tick)
   {
-    // The label must be that of the voxel next to the proxy. The normal is along z.
+    // The label must be the label of the nearest voxel. The normal is along z.
     const double x = output->GetPoint(tick)[0];
     if (std::abs(x - 7.5) > 1e-6 && std::abs(x - 15.5) > 1e-6)
     {
@@ -591,7 +591,7 @@ TEST_F(LabelsTest, TooManyOfThemInThickSlicesAreTold)
   this->Filter->Update();
   ASSERT_EQ(this->Log.Warnings.size(), 1U);
   EXPECT_NE(this->Log.Warnings[0].find("walls between labels are stairs"), std::string::npos);
-  // With fewer labels, the finer grid is used.
+  // The finer grid is used for fewer labels.
   for (vtkIdType point = 0; point < array->GetNumberOfTuples(); ++point)
   {
     array->SetComponent(point, 0, array->GetComponent(point, 0) < 3200.0 ? 1.0 : 0.0);

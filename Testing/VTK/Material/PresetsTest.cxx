@@ -283,7 +283,7 @@ TEST_F(Presets, MriFeelsEdgesOfCoarseVoxels)
     EXPECT_GT(largest, 0.5);
     EXPECT_NEAR(largest, expected, 0.1 * expected);
   }
-  // In thick slices, the mean of the voxel widths counts.
+  // The mean of the voxel widths counts in thick slices.
   const auto thick = MakeImage(32, VTK_DOUBLE,
     [](const Point& x)
     { return 45.0 * std::erfc(std::hypot(x[0] - 15.5, x[1] - 15.5, x[2] - 15.5) - 11.0); });
@@ -346,7 +346,7 @@ TEST_F(Presets, MriHasNoStrengthInTheNoiseOfAnImage)
 
 TEST_F(Presets, MriTakesNoTissueForNoise)
 {
-  // In a brain without surroundings, grey matter is the darker cluster. It must not count as a
+  // Grey matter is the darker cluster in a brain without surroundings. It must not count as a
   // background of noise.
   const auto brain = MakeImage(32, VTK_DOUBLE,
     [](const Point& x)
@@ -376,8 +376,8 @@ TEST_F(Presets, PhysicalHasThePublishedLiver)
   ASSERT_TRUE(this->Property->ApplyPreset("CT physical"));
   // The expected stiffness is 2 E a / (1 - nu^2), for a shear modulus of 1.8 kPa and a = 2 mm.
   EXPECT_NEAR(this->Property->GetStiffness()->GetValue(55.0), 28.0, 1.0);
-  // The expected stiffness is that of the same formula for a Young's modulus of 10 kPa, the softest
-  // published value of skin in place.
+  // The expected stiffness follows from the same formula for a Young's modulus of 10 kPa, the
+  // softest published value of skin in place.
   EXPECT_NEAR(this->Property->GetStiffness()->GetValue(-100.0), 2.0 * 10e3 * 2e-3 / 0.75, 1.0);
   const double friction = this->Property->GetFriction()->GetValue(1000.0);
   EXPECT_TRUE(friction >= 0.29 && friction <= 0.36) << "bone on muscle";

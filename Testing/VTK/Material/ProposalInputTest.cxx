@@ -162,7 +162,7 @@ TEST_P(ProposalRefusal, NamesTheInputAndChangesNothing)
 INSTANTIATE_TEST_SUITE_P(ProposalInput, ProposalRefusal, testing::ValuesIn(UselessImages),
   [](const auto& test) { return test.param.Name; });
 
-// If the values have another unit, all results that have this unit must scale with it.
+// Results that have the unit of the values must scale with this unit.
 TEST_F(ProposalInput, UnitsDoNotMatter)
 {
   vtkNew<vtkHapticProperty> other;
@@ -241,7 +241,7 @@ TEST_F(ProposalInput, StepsAreEdges)
   EXPECT_EQ(this->Property->GetSurfaceStrength()->GetValue(1.0), 12.0);
 }
 
-// With any number of threads, the same voxels must be read in the same order.
+// The same voxels must be read in the same order with any number of threads.
 TEST_F(ProposalInput, RepetitionsAgreeToTheBit)
 {
   Noise noise(1.0);

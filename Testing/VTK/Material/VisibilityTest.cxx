@@ -74,7 +74,7 @@ protected:
 
   void ExpectHiddenExactly(vtkPiecewiseFunction* scalar, vtkPiecewiseFunction* gradient)
   {
-    // With EDGE, even a visible surface has no strength in front of the middle of its edge.
+    // A visible surface has no strength in front of the middle of its edge with the alignment EDGE.
     for (const int alignment :
       { vtkVolumeHapticsFilter::EDGE, vtkVolumeHapticsFilter::DISTINCTNESS })
     {

@@ -171,8 +171,8 @@ void TestDock(vtkHapticProperty* property)
   double at[2];
   checks.Check(VolumeHaptics::EditorProbe::GetTissuePosition(editor, 2, at) && at[0] > 500,
     "the tissues beside the function");
-  // With a slice view, the column of slices takes the whole edge of the window, and the editor
-  // keeps the corner below the scene.
+  // The column of slices takes the whole edge of the window, so the editor keeps the corner below
+  // the scene.
   vtkNew<vtkHapticSliceView> slices;
   slices->SetRenderWindow(window);
   for (int i = 0; i < 3; ++i)

@@ -68,7 +68,7 @@ int TestFunctionEditorFunctions(int, char*[])
   property->RemoveAllTissues();
   friction->RemoveAllPoints();
 
-  // At first, the opacity has no function that can be edited.
+  // The opacity has no function at first, so there is nothing to edit.
   editor->SetFunctionToOpacity();
   view.Window->Render();
   view.Check(editor->ButtonPress(Editor::LEFT_BUTTON, 200, 100) &&

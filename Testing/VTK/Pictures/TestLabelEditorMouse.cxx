@@ -250,7 +250,7 @@ int TestLabelEditorMouse(int, char*[])
   TestMaterials(view);
   TestMany(view);
 
-  // With a table, the page of labels follows the last function.
+  // The page of labels follows the last function if there is a table.
   vtkNew<vtkHapticProperty> property;
   view.Shown->SetProperty(property);
   view.Shown->SetFunctionToSurfaceStrength();

@@ -94,7 +94,7 @@ TEST_P(Border, NothingPops)
   EXPECT_NEAR(largest, strength, 0.01 * strength);
 }
 
-// Outside the volume, values are those of the nearest border point, also at x_s and x_v.
+// Values outside the volume equal those of the nearest border point, also at x_s and x_v.
 TEST_P(Border, ValuesClamp)
 {
   Scene scene;

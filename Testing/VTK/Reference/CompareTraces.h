@@ -22,10 +22,9 @@ struct Difference
 /// Returns the largest force (N) of a trace, which is the scale of all its forces.
 double ForceScale(const Trace& trace);
 
-/// Compares all arrays. Differences of forces are relative to the trace's largest force, and those
-/// of other arrays to their own largest value. Differences of positions are in world units (mm),
-/// and those of contacts are 0 or 1. If less than 1e-9 N decides a contact, both contacts are
-/// right.
+/// Compares all arrays. Forces are compared relative to the trace's largest force, and other arrays
+/// relative to their own largest value. Positions differ by world units (mm), and contacts by 0 or
+/// 1. If less than 1e-9 N decides a contact, both contacts are right.
 Difference CompareTraces(const Trace& expected, const Trace& actual);
 
 /// Compares only the force on the hand.

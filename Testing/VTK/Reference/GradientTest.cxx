@@ -95,7 +95,7 @@ TEST_P(Gradient, LinearFieldsAreExactOnAnyGrid)
   }
 }
 
-// As with a tilted gantry, the direction matrix need not be orthonormal, only invertible.
+// The direction matrix need not be orthonormal, only invertible, as with a tilted gantry.
 TEST_P(Gradient, LinearFieldsAreExactOnShearedGrids)
 {
   for (int seed = 0; seed < 8; ++seed)

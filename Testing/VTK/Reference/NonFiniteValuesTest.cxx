@@ -49,9 +49,9 @@ TEST_P(NonFiniteValues, TheBorderValueStandsIn)
   }
 }
 
-// Outside, a value is that of the nearest border point. A bad voxel with a weight of zero must not
-// change this value: the next voxel inwards for trilinear values, and the one after that for
-// splines.
+// A value outside the volume equals that of the nearest border point. A bad voxel whose weight is
+// zero must not change this value. This voxel is the next one inwards for trilinear values, and the
+// second one inwards for splines.
 TEST_P(NonFiniteValues, AZeroWeightIsNoSample)
 {
   const double layer = this->GetParam() == Estimator::CubicBSpline ? 6.0 : 7.0;

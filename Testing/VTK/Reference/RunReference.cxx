@@ -40,7 +40,7 @@ Trace RunReference(Scene& scene, const Trace* played, bool resume)
   Trace trace;
   for (std::size_t tick = 0; tick < scene.path.size(); ++tick)
   {
-    // In the first tick, the proxy and the previous position are the tip, so nothing moves.
+    // The proxy and the previous position are at the tip in the first tick, so nothing moves.
     const Vec3 tip = scene.path[tick];
     const Vec3 previousTip = tick == 0 ? tip : scene.path[tick - 1];
     const Vec3 proxy = tick == 0 ? tip : (resume ? (*played)[tick - 1].proxy : trace.back().proxy);

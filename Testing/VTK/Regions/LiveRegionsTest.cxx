@@ -112,8 +112,8 @@ protected:
     vtkDataArray* const share = this->Source->GetOutput()->GetFieldData()->GetArray("HapticShare");
     return share ? share->GetComponent(0, 0) : 1.0;
   }
-  /// Follows a tip until the output has its samples: those of the volume (`share` is 1), or those
-  /// of the coarse image.
+  /// Follows a tip until the output has the samples of the volume (`share` is 1) or of the coarse
+  /// image.
   bool Await(const Point& tip, double share = 1.0)
   {
     return Eventually(
@@ -271,7 +271,7 @@ TEST_F(LiveRegions, GoThroughADayInTheirMemory)
   EXPECT_LE(4 * this->Gate->Most * 2, 4194304) << "a region takes a quarter of the memory";
   EXPECT_EQ(this->Source->GetStatusText().find("can't"), std::string::npos);
   EXPECT_EQ(this->Log.Errors.size(), 0U);
-  // At the end, the samples at the last position must come.
+  // The samples at the last position must come at the end.
   EXPECT_TRUE(Eventually(
     [&]
     {

@@ -137,7 +137,7 @@ TEST(RegionReader, LeavesOutOrdersThatALaterOneReplaces)
   reader.Order(Elsewhere);
   gate.IsOpen = true;
   ASSERT_TRUE(Eventually([&] { return gate.Left == 2; }));
-  // The last region may have replaced the first one before the test could take that one.
+  // The last region may have replaced the first one before the test could take the first one.
   std::optional<RegionSamples> region;
   ASSERT_TRUE(Eventually(
     [&]

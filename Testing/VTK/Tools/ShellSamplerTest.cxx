@@ -129,7 +129,7 @@ TEST(ShellSampler, TheAreasSumToThatOfTheMesh)
   }
 }
 
-/// In a lattice of equilateral triangles, the distance of neighbours is sqrt(2/sqrt(3) area).
+/// Neighbours in a lattice of equilateral triangles are sqrt(2/sqrt(3) area) apart.
 TEST(ShellSampler, ThePointsAreSpreadEvenly)
 {
   constexpr std::size_t count = 2000;

@@ -90,8 +90,8 @@ TEST(WorkMeter, AroundACircleIsThatOfFriction)
     byFriction = friction.Add(MakeRecord(r * out, -f * along));
     bySpring = spring.Add(MakeRecord(r * out, -500.0 * r * out));
   }
-  // For a step of angle a = 2 pi/4000, the chord is shorter than its arc by the fraction (a/2)^2/6,
-  // and the mean of the two forces is smaller by (a/2)^2/2: 4e-7 in all.
+  // The chord of a step of angle a = 2 pi/4000 is shorter than its arc by the fraction (a/2)^2/6.
+  // The mean of the two forces is smaller by (a/2)^2/2. Both together are 4e-7.
   EXPECT_NEAR(byFriction, -FullTurn * r * f, FullTurn * r * f * 2e-6);
   EXPECT_NEAR(bySpring, 0.0, 1e-15);
 }

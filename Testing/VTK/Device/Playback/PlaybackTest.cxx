@@ -473,8 +473,8 @@ TEST_F(PlaybackOfSteps, AStepThatIsTooFastForABlendIsToldOnceAsItComes)
   }
 }
 
-/// In a loop, time also runs from the last time step to the first one, where the wall leaps back by
-/// 6 mm. Other modes have no such step.
+/// A loop also runs from the last time step to the first one, where the wall leaps back by 6 mm.
+/// Other modes have no such step.
 TEST_F(PlaybackOfSteps, TheWayBackToTheFirstStepIsTooFastInALoopAlone)
 {
   this->Source->Steps = { 10.0, 12.0, 14.0 };

@@ -201,7 +201,7 @@ TEST_F(StreamedTimeSteps, ThatAreEarlyOrLateAreFeltOneAfterTheOther)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// If the stream has left out time steps, the last felt time step is joined to the next ones, so
+/// The last felt time step is joined to the next ones if the stream has left out time steps, so
 /// that the wall moves through the missing part.
 TEST_F(StreamedTimeSteps, ThatWereLeftOutAreGoneOver)
 {
@@ -245,7 +245,7 @@ TEST_F(StreamedTimeSteps, ThatWereLeftOutAreGoneOver)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// If the hand has left the region in memory, data time waits until a region around the hand is
+/// Data time waits if the hand has left the region in memory, until a region around the hand is
 /// there.
 TEST_F(StreamedTimeSteps, HoldTimeWhileARegionIsLate)
 {

@@ -145,7 +145,7 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWhileTimeRuns)
 }
 
 /// After a jump to another data time, the servo keeps the two felt time steps until one of the new
-/// ones is read. Then it has this one alone until the other is read.
+/// time steps is read. Then it keeps only this new time step until the second one is read.
 TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereAPersonGoesToAnotherTime)
 {
   this->Begin();

@@ -128,7 +128,8 @@ TEST_F(ModeRecording, OtherModesReplayToTheBit)
 
 TEST_F(ModeRecording, AModeThatComesUnderTheHandComesSoftly)
 {
-  // Without a ramp, the spring to a line that the hand left 3 mm ago would pull with 1.5 N at once.
+  // The spring to a line that the hand left 3 mm ago would pull with 1.5 N at once, so the force
+  // must rise slowly.
   this->Filter->RemoveAllModes();
   SetConstant(this->Front->GetStrength(), 3.0);
   this->Front->TwoSidedOn();

@@ -15,8 +15,8 @@ using namespace devicetest;
 namespace
 {
 
-/// Makes file permissions hold also for a root process, while the object lives. The current folder
-/// becomes `folder` meanwhile, since the process might not be allowed to enter the present one
+/// Makes file permissions hold also for a root process, while the object lives. During this time
+/// the current folder is `folder`, since the process might not be allowed to enter the earlier one
 /// again.
 class UnprivilegedUser
 {

@@ -37,7 +37,8 @@ protected:
     this->Filter->SetMaximumForce(MaximumForce);
     this->Filter->SetIsoValue(700.0);
   }
-  /// Records a wandering hand that begins in contact. The device gets another placement meanwhile.
+  /// Records a wandering hand that begins in contact. The device gets another placement during the
+  /// recording.
   vtkSmartPointer<vtkPolyData> Record()
   {
     const std::string file = this->File(("Tampered" + std::to_string(getpid()) + ".vtp").c_str());

@@ -152,7 +152,7 @@ TEST_F(LabelFiles, SlicerSegmentation)
 
 TEST_F(LabelFiles, SlicerLayers)
 {
-  // If no value occurs in two layers, the values stay the labels.
+  // Values stay the labels if no value occurs in two layers.
   this->Read(Nrrd("Segment0_LabelValue:=3\nSegment0_Layer:=0\nSegment0_Name:=head\n"
                   "Segment1_LabelValue:=7\nSegment1_Layer:=1\nSegment1_Name:=mass\n"));
   this->ExpectLabels({ 3, 7 });

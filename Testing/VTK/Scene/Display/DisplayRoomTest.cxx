@@ -208,7 +208,7 @@ TEST_F(DisplayRoom, PlotHasItsCurvesInAPartOfTheWindow)
   EXPECT_NEAR(sum(this->Pixels(0, 700, 196, 560)), alone, 1e-3 * alone);
 }
 
-// On a screen with twice the dots per inch, a window with twice the pixels must look the same.
+// A window with twice the pixels must look the same on a screen with twice the dots per inch.
 TEST_F(DisplayRoom, TwiceTheDotsPerInchDrawTwiceAsLarge)
 {
   this->Display->SetHint("Put the pointer on the volume and press t to touch it");

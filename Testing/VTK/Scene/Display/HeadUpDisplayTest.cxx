@@ -254,8 +254,8 @@ TEST_F(HeadUpDisplay, NamesTissuesAsTheEditorDoes)
   EXPECT_TRUE(says("Resting on fat, ")) << this->Display->GetText();
 }
 
-/// With "CT physical", values between air and fat that hold the hand are called skin; a blanket is
-/// not.
+/// Values between air and fat that hold the hand are called skin with "CT physical"; a blanket is
+/// not called skin.
 TEST_F(HeadUpDisplay, CallsSkinWhatHoldsAsSkin)
 {
   vtkHapticProperty* const property = this->Filter->GetProperty();
@@ -363,8 +363,8 @@ TEST_F(HeadUpDisplay, NamesTheLabelThatIsTouched)
   const std::string name = layer % 2 == 0 ? " layer " + std::to_string(layer) + " \xC3\xB6, "
                                           : " label " + std::to_string(layer) + ", ";
   EXPECT_NE(this->Display->GetText().find(name), std::string::npos) << this->Display->GetText();
-  // If a label has no name, or if the hand is outside the label image, the text names the tissue at
-  // the value ("ramp").
+  // The text names the tissue at the value ("ramp") if a label has no name, or if the hand is
+  // outside the label image.
   table->RemoveLabel(layer);
   EXPECT_NE(this->Display->GetText().find(" ramp, "), std::string::npos);
   table->SetLabelName(layer, "back");

@@ -83,7 +83,7 @@ protected:
     VolumeHaptics::EditorProbe::GetPosition(this->Editor, value, stiffness, at);
     return { static_cast<int>(std::lround(at[0])), static_cast<int>(std::lround(at[1])) };
   }
-  /// Returns the value and the stiffness that one pixel spans.
+  /// Returns the differences of value and stiffness between neighbouring pixels.
   std::array<double, 2> GetPixel()
   {
     double low[2];

@@ -37,8 +37,8 @@ TEST_F(StyleRaysTest, AFrameThatTakesTooLongIsGivenUpWhileADeviceIsArmed)
   EXPECT_GT(mapper->GetImageSampleDistance(), 1.0f);
 }
 
-/// Rows take 0.1 s, so the first rows tell that the frame would take 1.5 s, and the style aborts
-/// the frame. The next frame must be coarser, and the stroke must keep its rays.
+/// The first rows of 0.1 s each show that the frame would take 1.5 s, so the style aborts the
+/// frame. The next frame must be coarser, and the stroke must keep its rays.
 TEST_F(StyleRaysTest, AFrameThatWouldTakeTooLongIsGivenUpSoonAndTheStrokeIsFine)
 {
   vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;

@@ -166,7 +166,7 @@ TEST_F(ContactShapes, AStylusLeansTowardsTheViewer)
   camera->SetPosition(7.0, 7.0, proxy[2] - 3.0);
   window->Render();
   EXPECT_GT(hand->GetBounds()[4], proxy[2] - 1.1);
-  // Without an armed hand, no stylus is drawn.
+  // No stylus is drawn for a hand that is not armed.
   this->Device->Disarm();
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::READY; }));
   EXPECT_EQ(hand->GetBounds(), nullptr);

@@ -39,8 +39,8 @@ protected:
     this->Counter->SetClientData(&this->Seen);
     this->Counter->SetCallback([](vtkObject*, unsigned long event, void* seen, void*)
       { ++(*static_cast<std::map<unsigned long, int>*>(seen))[event]; });
-    // The priority is above that of the style, which grabs all events between a press and its
-    // release.
+    // The observer has a higher priority than the style, which grabs all events between a press and
+    // its release.
     this->Interactor->AddObserver(vtkCommand::AnyEvent, this->Counter, 0.1f);
     // Values outside the ball are below 0, and have no strength. Inside, the strength is more than
     // the hand can overcome.
@@ -404,7 +404,7 @@ TEST_F(HapticWidget, LetsGoByASecondKeyWhereAToolkitKeepsEscape)
 
 TEST_F(HapticWidget, TakesACapitalLetterAgainWhoseShiftWasReleasedFirst)
 {
-  // If Shift is released first, the release of the key has the name of the small letter.
+  // The release of the key has the name of the small letter if Shift was released first.
   this->SwitchOn();
   this->PushIn();
   ASSERT_TRUE(this->Widget->GetStyle()->SetKey("Graph", "G"));

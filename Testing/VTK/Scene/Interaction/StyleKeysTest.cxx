@@ -159,7 +159,7 @@ TEST_F(StyleKeys, AreAllDifferentByDefault)
 
 TEST_F(StyleKeys, NeedNoCapitals)
 {
-  // With Caps Lock, a key has the name of the capital letter.
+  // Keys have the names of capital letters while Caps Lock is on.
   this->Start();
   this->Press("T");
   EXPECT_TRUE(this->Style->GetTouchMode());
@@ -171,8 +171,8 @@ TEST_F(StyleKeys, NeedNoCapitals)
     const std::string keys = this->Style->GetKey(actions->GetValue(i).c_str());
     EXPECT_FALSE(keys.size() == 1 && keys[0] >= 'A' && keys[0] <= 'Z') << keys;
   }
-  // If an application has chosen a capital letter for a command, its key differs from that of the
-  // small letter.
+  // A capital letter that an application has chosen for a command is not the key of the small
+  // letter.
   EXPECT_TRUE(this->Style->SetKey("Graph", "T"));
   const auto hasPlot = this->Display->GetPlotVisibility();
   this->Press("T");

@@ -126,7 +126,7 @@ TEST_F(StyleObservers, OfTheTouchModeEndIt)
     this->ExpectLetGo(what);
   }
   EXPECT_TRUE(this->Log.Errors.empty());
-  // With an observer that ends nothing, touch mode begins.
+  // Touch mode begins if the observer ends nothing.
   end = [] {};
   this->Generic->SetInteractorStyle(this->Style);
   this->Style->SetDevice(this->Device);

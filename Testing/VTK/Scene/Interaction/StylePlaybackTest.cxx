@@ -71,7 +71,7 @@ protected:
       this->GetShown()->GetPointData()->GetScalars()->GetComponent(0, 0) / 100.0);
   }
   /// Expects that the picture shows the time step nearest to the data time. The first time step is
-  /// at `first`, and the others follow at intervals of 1.
+  /// at `first`, and further ones follow at intervals of 1.
   void ExpectWhatIsFelt(double first)
   {
     const double number = this->Device->GetPlayback()->GetDataTime() - first;

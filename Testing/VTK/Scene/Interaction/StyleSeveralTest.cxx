@@ -223,7 +223,7 @@ TEST_F(StyleSeveral, AHandGoesFromOneToTheNextWithoutAStepOfForce)
 
 TEST_F(StyleSeveral, TheStrongestOneIsFeltThroughAnother)
 {
-  // As in fused volumes, the other ball surrounds the first one, with a radius 5 mm larger. Its
+  // The other ball surrounds the first one, with a radius 5 mm larger, as in fused volumes. Its
   // surface yields at 0.5 N. A press of 4 mm at 500 N/m loads the first ball with 2 N.
   this->Other->SetScale(35.0 / 30.0);
   vtkPiecewiseFunction* const strength = this->WeakenOther();
@@ -241,12 +241,13 @@ TEST_F(StyleSeveral, TheStrongestOneIsFeltThroughAnother)
   this->Run(20);
   EXPECT_TRUE(this->FeelsOther());
   EXPECT_GT(this->Device->GetState()->GetTipPosition()[2], 35.0);
-  // In air, the style must choose among the volumes ahead of the hand.
+  // The style must choose among the volumes ahead of a hand in air.
   this->Style->TouchModeOff();
   this->Device->GetVirtualHand()->Place(0.0, 0.0, 60.0);
   this->Style->SetFeltVolumeToStrongest();
   ASSERT_TRUE(this->RunUntilOtherIsFelt(false));
-  // With equal strengths, the style must choose the volume in front, which is the other one.
+  // The style must choose the volume in front if both have equal strengths. This is the other
+  // volume.
   strength->AddPoint(0.1, 8.0);
   this->Device->GetVirtualHand()->Place(0.0, 0.0, 55.0);
   ASSERT_TRUE(this->RunUntilOtherIsFelt(true));

@@ -172,7 +172,7 @@ TEST_F(StyleTest, AStrokeGoesOnAroundABall)
   this->Pointer(200, 150, vtkCommand::MouseWheelBackwardEvent);
   x = strokeTo(230);
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], heightAt(x) + 1.0, 0.05);
-  // With a method that has no surfaces, the hand must move in the plane of the view.
+  // The hand must move in the plane of the view with a method that has no surfaces.
   this->Filter->SetMethodToForceField();
   this->Run(10);
   x = strokeTo(180);

@@ -35,7 +35,7 @@ TEST_F(StyleTurn, TheVolumeTurnsWithTheCap)
   }
   played.Turn = 0.0;
   ASSERT_GT(angle, 0.1);
-  // To turn the front of the scene to the right, the eye must move to the left.
+  // The eye must move to the left if the front of the scene turns to the right.
   const double* const eye = camera->GetPosition();
   EXPECT_NEAR(eye[0], -200.0 * std::sin(angle), 1e-6);
   EXPECT_NEAR(eye[1], 0.0, 1e-6);

@@ -388,7 +388,7 @@ TEST_F(StyleVolumes, OfAnotherRendererAreNotFeltUnlessItShowsTheSame)
   this->Style->SetDefaultRenderer(beside);
   this->Run(20);
   EXPECT_TRUE(this->Style->GetTouchMode());
-  // Without a default renderer, the volumes of all renderers in the window can be touched, so the
+  // The volumes of all renderers in the window can be touched without a default renderer, so the
   // touch goes on.
   this->Style->SetDefaultRenderer(nullptr);
   beside->SetActiveCamera(nullptr);
@@ -397,7 +397,7 @@ TEST_F(StyleVolumes, OfAnotherRendererAreNotFeltUnlessItShowsTheSame)
   EXPECT_TRUE(this->Log.Warnings.empty());
 }
 
-// The world position is the assembly's matrix times that of its part: (2, 0, 0) + 2 * ((3, 0, 0) +
+// The world position is the assembly's matrix times the part's matrix: (2, 0, 0) + 2 * ((3, 0, 0) +
 // x).
 TEST_F(StyleVolumes, OfAnAssemblyAreFeltWhereItPutsThem)
 {

@@ -159,7 +159,7 @@ TEST_F(SliceViewTest, AnatomicalSlicesLieAsRadiologistsLookAtThem)
   this->View->SetImage(MakeSpark(spark));
   this->View->AnatomicalOn();
   this->Window->Render();
-  // For each slice, the axes of the world that point to the right and upwards: +x is left, +y is
+  // Axes of the world that point to the right and upwards in each slice: +x is left, +y is
   // posterior, and +z is superior.
   const int right[3] = { 0, 0, 1 };
   const int rightSign[3] = { 1, 1, 1 };

@@ -92,7 +92,7 @@ TEST_F(CarvedPicturesScene, ShowsItInAllVolumesOfTheWindow)
   EXPECT_EQ(
     this->Pictures.GetGivenInput(this->Scene.Mapper), this->Scene.Mapper->GetInputConnection(0, 0));
 
-  // With the removal of another filter, or without a removal, the whole volume must be shown.
+  // The whole volume must be shown for the removal of another filter, and without a removal.
   CarvedArray other = this->MakeArray();
   other.Removal = std::make_shared<TissueRemoval>();
   EXPECT_LE(Difference(this->Follow({ other }), whole), 1);
