@@ -24,8 +24,8 @@ namespace
 struct BurrChoice
 {
   const char* Name;
-  double Radius; ///< mm, which are voxels
-  double Energy; ///< J/mm^3, at 60 000/min
+  double Radius; ///< mm, which is voxels
+  double Energy; ///< J/mm^3, with the burr at 60 000/min
 };
 
 /**
@@ -55,7 +55,7 @@ struct BurrSlide
     d.Tool = std::make_shared<const BakedBurr>(tool);
     this->Model = std::make_unique<HapticModel>(d);
     this->Points = std::make_unique<ShellMemory>(*tool.Head.Points);
-    // Come from outside into contact.
+    // Move from outside into contact.
     const Vector3 out = this->Ways.front() - volume.GetCentre();
     for (int i = 100; i > 0; --i)
     {
@@ -103,7 +103,7 @@ void MeasureBurr(benchmark::State& bench, const BallVolume* volume, const BurrCh
     times.push_back(ReadClock() - begin);
   }
   bench.counters["p50"] = Summarize(times).Median;
-  bench.counters["p99"] = times[times.size() * 99 / 100]; // `times` is sorted now
+  bench.counters["p99"] = times[times.size() * 99 / 100]; // `times` is sorted by now
   bench.counters["mm3_removed"] = slide.Removed;
   if (!(slide.Removed > 0.0))
   {

@@ -106,7 +106,7 @@ void RegisterFieldBenchmarks(const BallVolume& volume)
       {
         add("gather", MeasureGather, sampling);
       }
-      // All other estimators have trilinear values.
+      // All estimators but the Gaussian interpolate values trilinearly.
       if (estimator.Kind != GradientEstimator::Gaussian)
       {
         add("value", MeasureValue, sampling);

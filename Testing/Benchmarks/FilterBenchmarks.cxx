@@ -158,7 +158,7 @@ double TimeArithmetic(int threads)
   constexpr int steps = 40000000;
   const auto work = [=]
   {
-    // Independent sums, which keep all floating-point units of the processor busy.
+    // Compute eight independent sums, which keep all floating-point units of the processor busy.
     double sums[8] = { 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0 };
     for (int i = 0; i < steps / threads; ++i)
     {
@@ -237,7 +237,7 @@ void PrintThroughput(const BallVolume& volume, bool isQuick)
   constexpr double target = 1.9;
   std::printf("\n%-70s %7s %7s %7s\n", "Ticks a second on two threads beside one", "median", "best",
     "target");
-  // The speed-up that this machine's processors allow at all: they may share a core, or have other
+  // Measure the largest speed-up on this machine: its processors may share a core, or have other
   // work.
   const double machine = PrintSpeedup("arithmetic alone", repetitions, TimeArithmetic);
   std::printf("\n");

@@ -40,7 +40,7 @@ int main(int argc, char* argv[])
   }
   bool isQuick = false;
   std::vector<char*> arguments = { argv[0] };
-  // Defaults come first, so that options on the command line override them.
+  // Put the defaults first, so that options on the command line override them.
   char interleaved[] = "--benchmark_enable_random_interleaving=true";
   char repetitions[] = "--benchmark_repetitions=31";
   char time[] = "--benchmark_min_time=0.01";
@@ -70,9 +70,9 @@ int main(int argc, char* argv[])
   std::vector<BallVolume> volumes = { BallVolume("256^3", 256, 256, 256) };
   if (!isQuick)
   {
-    // The sizes are not powers of two. With 1024 samples per row, all rows of a kernel compete for
-    // the same cache lines (measured: 7 times the bare gather at radius 3), which would hide the
-    // effect of the size.
+    // Use sizes that are not powers of two. With 1024 samples per row, all rows of a kernel compete
+    // for the same cache lines (measured: 7 times the bare gather at radius 3), which would hide
+    // the effect of the size.
     volumes.emplace_back("1GiB", 1016, 1016, 520);
   }
   for (const BallVolume& volume : volumes)

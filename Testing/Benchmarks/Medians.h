@@ -19,8 +19,8 @@ namespace benchmarks
 /** Processor time of an iteration (ns). */
 struct IterationTime
 {
-  double Median; ///< median of the repetitions
-  double Least;  ///< shortest, when the processor had the least other work
+  double Median; ///< median time of the repetitions
+  double Least;  ///< shortest time, in which the processor had the least other work
 };
 
 /** Returns median and shortest of at least one time (ns). Sorts the times. */

@@ -19,7 +19,7 @@ namespace benchmarks
 namespace
 {
 
-constexpr int GridSize = 96; // points along each axis, 1 mm apart
+constexpr int GridSize = 96; // number of points along each axis, 1 mm apart
 const Vector3 GridMiddle{ 0.5 * (GridSize - 1), 0.5 * (GridSize - 1), 0.5 * (GridSize - 1) };
 
 /** Returns a flow that rotates around an axis and moves along it. */
@@ -90,7 +90,7 @@ void MeasureModes(benchmark::State& bench, const std::vector<ModeDescription>& m
   }
   ServoState state;
   TickRecord record;
-  for (const Vector3& tip : tips) // until the tip is in contact
+  for (const Vector3& tip : tips) // moves the tip into contact
   {
     Tick(model, state, tip, record);
   }

@@ -51,7 +51,8 @@ TickRecord Slide::Measure(benchmark::State& bench, const HapticModel& model) con
     benchmark::DoNotOptimize(record);
     if (tip.IsAtStart())
     {
-      state = this->Start; // otherwise, the proxy drifts from its level in thousands of turns
+      state = this->Start; // resets the proxy, which would drift from its level in thousands of
+                           // turns
     }
   }
   return record;

@@ -67,7 +67,7 @@ struct Row
 {
   const char* Name;
   LoopCounts Counts;
-  double Longest = 0.0;   ///< ms: longest work of the GUI
+  double Longest = 0.0;   ///< ms: longest work of the GUI thread
   double Strongest = 0.0; ///< N: largest force
   int Waits = 0;
   int Looks = 0;
@@ -150,7 +150,7 @@ void Judge(const LoopCounts& still, const LoopCounts& changing)
   const double share = static_cast<double>(changing.Ticks) /
     static_cast<double>(std::max<std::uint64_t>(1, still.Ticks));
   const double expected = share * static_cast<double>(CountOwn(still));
-  // Two standard deviations of the difference between two small counts.
+  // Allow two standard deviations of the difference between two small counts.
   const bool isChance = own - expected <= 2.0 * std::sqrt(own + share * expected);
   const char* const verdict = own == 0.0 ? "reached"
     : expected > 0.0 && isChance         ? "not told apart from the machine"
@@ -176,7 +176,7 @@ void MeasurePlaying(int size)
   {
     source->AddTimeStep(MakeFrame(size, i), i);
   }
-  vtkNew<apitest::GivenImage> reader; // copies each time step when time reaches it
+  vtkNew<apitest::GivenImage> reader; // copies a time step when the time reaches it
   reader->SetInputConnection(source->GetOutputPort());
   vtkNew<vtkVolumeHapticsFilter> filter;
   filter->SetInputConnection(0, source->GetOutputPort());

@@ -200,8 +200,8 @@ void PrintRatios(const Medians& medians)
     {
       const IterationTime whole = medians[nameOf(arrays)];
       const bool isAll = arrays == std::string("_all");
-      // In addition to the ticks, all arrays together read only the value at the proxy from the
-      // volume.
+      // Apart from the ticks, the computation of all arrays reads only the value at the proxy from
+      // the volume.
       const std::string computed = isAll ? "_bare+value" : "_bare";
       const IterationTime bare = medians[nameOf(computed.c_str())];
       const double target =
@@ -210,7 +210,7 @@ void PrintRatios(const Medians& medians)
       PrintLine(nameOf(arrays) + " less " + computed.substr(1), whole.Median - bare.Median,
         whole.Least - bare.Least, TraceTarget);
       PrintRatio(medians, nameOf(arrays), nameOf("_bare"), NoTarget);
-      // The least work of a tick: reading the samples that its gradient sums.
+      // Compare with the least work of a tick: reading the samples that the gradient sums.
       PrintRatio(medians, nameOf(arrays),
         NameOf("gather", GetEstimators()[2].Name, "slide", "256^3"), NoTarget);
     }

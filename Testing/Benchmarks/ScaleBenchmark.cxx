@@ -39,7 +39,7 @@ constexpr double MebiBytes = 1.0 / (1 << 20);
 struct CallCost
 {
   double Milliseconds = 0.0;
-  double Resident = 0.0; // MiB of the volume that came into memory since the previous call
+  double Resident = 0.0; // MiB of the volume that were read into memory since the previous call
 };
 
 /** The calls of an application with a hand on a volume, in the order of a session. */
@@ -126,7 +126,7 @@ private:
     const auto time = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
     const double resident =
       MebiBytes * static_cast<double>(this->Volume.GetResident() + this->Labels.GetResident());
-    // For calls that attend for some time, the longest single call counts.
+    // If a step consists of several calls, take the longest call.
     const double longest = std::exchange(this->Longest, 0.0);
     this->Names.push_back(name);
     this->Costs[name] = { longest > 0.0 ? longest : time, resident - this->Resident };
@@ -181,7 +181,7 @@ void AwaitBackground()
   std::clock_t before;
   do
   {
-    before = std::clock(); // time of all threads
+    before = std::clock(); // time of all threads together
     std::this_thread::sleep_for(pause);
   } while (std::clock() - before > idle);
 }

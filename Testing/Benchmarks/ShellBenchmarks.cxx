@@ -55,7 +55,7 @@ struct ShellSlide
     this->Model = std::make_unique<HapticModel>(description);
     this->Settings.Level = BallLevel;
     this->Ways = SlideAt(volume, BallRadius + ToolRadius - 4.0);
-    // Come from outside into contact.
+    // Move from outside into contact.
     const Vector3 out = this->Ways.front() - volume.GetCentre();
     for (int i = 100; i > 0; --i)
     {
@@ -168,7 +168,7 @@ void MeasureTaps(benchmark::State& bench, const BallVolume* volume)
       sum += cell(p) + line(0) + line(sy) + line(sz) + line(sy + sz);
       sum += pair(p - sy) + pair(p - sy + sz) + pair(p + 2 * sy) + pair(p + 2 * sy + sz);
       sum += pair(p - sz) + pair(p - sz + sy) + pair(p + 2 * sz) + pair(p + 2 * sz + sy);
-      sum += cell(p + 2); // reads where the material is read
+      sum += cell(p + 2); // reads the samples that the material reads
     }
     benchmark::DoNotOptimize(sum);
   }

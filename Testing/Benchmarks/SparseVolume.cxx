@@ -69,13 +69,13 @@ SparseVolume::SparseVolume(int size, vtkShortArray* array)
     : MAP_FAILED;
   if (file)
   {
-    std::fclose(file); // the mapping stays valid
+    std::fclose(file); // the mapping stays valid without the file
   }
   if (this->Begin == MAP_FAILED)
   {
     throw std::runtime_error("there is no room for a file of a volume");
   }
-  // Disable read-ahead, so that memory contains only what was read.
+  // Disable read-ahead, so that only the samples that were read are in memory.
   (void)madvise(this->Begin, this->Bytes, MADV_RANDOM);
   const vtkNew<vtkShortArray> own;
   vtkShortArray* const samples = array ? array : own.Get();

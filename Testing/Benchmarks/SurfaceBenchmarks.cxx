@@ -57,7 +57,7 @@ void MeasureRounds(benchmark::State& bench, const BallVolume& volume, const Mode
   const Positions tips = Slide(volume).Tips;
   ServoState state;
   TickRecord record;
-  // Come from outside to the beginning of the slide.
+  // Move from outside to the beginning of the slide.
   const Vector3 centre = 0.001 * volume.GetCentre();
   constexpr int approach = 200;
   for (int i = 0; i <= approach; ++i)
@@ -71,8 +71,8 @@ void MeasureRounds(benchmark::State& bench, const BallVolume& volume, const Mode
     Tick(*model, state, tip.Next(), record);
     benchmark::DoNotOptimize(record);
   }
-  // Run one more round, because the proxy may stick for single ticks on the edges of flat
-  // triangles.
+  // Run one more round, and count the ticks that slide: the proxy may stick to the edges of flat
+  // triangles for single ticks.
   std::size_t sliding = 0;
   for (std::size_t i = 0; i < tips.size(); ++i)
   {

@@ -132,7 +132,7 @@ void MeasureBlended(benchmark::State& bench, const Scene& scene, Displacements d
   double step = 0.001;
   for (auto _ : bench)
   {
-    // The time goes to and fro through the span without a leap.
+    // Let the time go to and fro through the time span, so that it never jumps.
     step = state.DataTime + step > 2.0 * Beating::FrameTime || state.DataTime + step < 0.0 ? -step
                                                                                            : step;
     state.DataTime += step;

@@ -73,7 +73,7 @@ LoopCounts LoopWatch::GetCounts() const
 
 LoopWatch::Usage LoopWatch::ReadUsage() noexcept
 {
-  // The thread's clock stands still while the thread does not run.
+  // Read the clock of the thread, which stands still while the thread does not run.
   timespec work{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &work);
   Usage usage;
@@ -103,7 +103,7 @@ void LoopWatch::RecordTick() noexcept
   }
   else
   {
-    // Plan ticks as the loop does: in step with the clock. No tick comes early.
+    // Plan the ticks by the clock, as the loop does. No tick comes early.
     this->Planned = std::min(this->Planned + Period, now);
     const std::int64_t leftOut = (now - this->Planned) / Period;
     this->Planned += leftOut * Period;

@@ -23,14 +23,15 @@ struct LoopCounts
   /** Why the loop left out ticks between two of its ticks. */
   enum Cause
   {
-    Computed, ///< the thread had a processor for longer than a period
-    Waited,   ///< the thread waited for something other than its next tick: a lock, or the disk
-    Machine,  ///< neither: the thread was ready to run, or to be woken, and did not run
+    Computed, ///< the thread computed for longer than a period
+    Waited,   ///< the thread waited for something other than its next tick, such as a lock or the
+              ///< disk
+    Machine,  ///< the thread was ready to run, but the machine did not run it
     Causes
   };
   std::uint64_t Ticks = 0;
   std::uint64_t LeftOut[Causes] = {};
-  std::int64_t LongestWork = 0; ///< ns of processor time between two ticks
+  std::int64_t LongestWork = 0; ///< ns, processor time between two ticks
 
   LoopCounts& operator+=(const LoopCounts& other);
 };
@@ -51,8 +52,8 @@ private:
   /** Resources that the loop's thread has used so far. */
   struct Usage
   {
-    std::int64_t Work = 0;  ///< ns of processor time, without time taken by others
-    std::int64_t Waits = 0; ///< number of waits: one per tick, and one for each other wait
+    std::int64_t Work = 0;  ///< ns, processor time of the thread alone
+    std::int64_t Waits = 0; ///< number of waits: one for each tick, and the others
     std::int64_t Reads = 0; ///< number of pages read from the disk
   };
   static Usage ReadUsage() noexcept;
@@ -62,7 +63,7 @@ private:
   std::atomic<std::uint64_t> LeftOut[LoopCounts::Causes] = {};
   std::atomic<std::int64_t> LongestWork{ 0 };
   Usage Last;
-  std::int64_t Planned = 0; ///< ns: planned time of the last tick
+  std::int64_t Planned = 0; ///< ns, planned time of the last tick
 };
 
 /**

@@ -43,7 +43,7 @@ public:
   void Fill(void* to, std::size_t size)
   {
     const std::size_t some = size < this->Left ? size : this->Left;
-    // Not memcpy, which requires valid pointers even for zero bytes.
+    // Do not use memcpy(), which needs valid pointers even for zero bytes.
     char* const rest = std::copy_n(this->Bytes, some, static_cast<char*>(to));
     std::fill_n(rest, size - some, '\0');
     this->Bytes += some;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The function that libFuzzer calls: the target that fuzz.sh names.
+// Defines the function that libFuzzer calls. It calls the target that fuzz.sh names.
 #include <cstddef>
 #include <cstdint>
 

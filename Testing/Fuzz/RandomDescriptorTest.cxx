@@ -19,7 +19,7 @@ Bytes Packet(std::mt19937& random)
   Bytes packet{ static_cast<std::uint8_t>(random() % 20) };
   for (int b = packet[0]; b > 0; --b)
   {
-    // The first bytes of an answer are often small.
+    // Draw small bytes often, as the first bytes of an answer are small.
     packet.push_back(static_cast<std::uint8_t>(random() % 2 == 0 ? random() % 4 : random()));
   }
   return packet;

@@ -23,7 +23,8 @@ std::string Nifti()
   bytes[1] = '\1';
   bytes.replace(344, 3, "n+1");
   bytes[348] = '\1';
-  // The samples begin at 416.0, the extension has 64 bytes.
+  // In this header, the samples begin at byte 416 (416.0 as a float), and the extension has 64
+  // bytes.
   bytes.replace(108, 4, std::string("\0\0\xD0\x43", 4));
   bytes +=
     std::string("\x40\0\0\0\0\0\0\0", 8) + "<LabelTable><Label Key=\"1\">a</Label></LabelTable>";
@@ -50,11 +51,11 @@ TEST(Fuzz, RandomLabelsAreTouched)
   {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
-    // A file of 768 bytes is a palette.
+    // Every tenth file has 768 bytes, which makes it a palette.
     std::vector<std::uint8_t> bytes(seed % 10 == 0 ? 768 : random() % 800);
     for (std::uint8_t& byte : bytes)
     {
-      // Half of the files are made of characters of texts.
+      // Half of the files consist of characters that occur in such texts.
       byte = static_cast<std::uint8_t>(
         seed % 2 == 0 ? random() : "0123 ,;\"#\n\r:=_aN.-"[random() % 19]);
     }

@@ -30,7 +30,7 @@ TEST(Fuzz, RandomUserFilesAreTouched)
     std::string bytes(random() % 1500, '\0');
     for (char& byte : bytes)
     {
-      // Half of the files are made of characters of texts.
+      // Half of the files consist of characters that occur in such texts.
       byte = static_cast<char>(
         seed % 2 == 0 ? random() : "falcon confirmed=scale20-\n\r\0.%"[random() % 32]);
     }

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# With VolumeHaptics_BUILD_FUZZERS, which fuzz.sh sets: the targets of TouchFiles.h, linked to the module. Only what reads
-# files is instrumented, neither VTK nor the rest of the module, which takes minutes to optimise.
+# Builds the targets of TouchFiles.h, linked to the module, with VolumeHaptics_BUILD_FUZZERS (fuzz.sh sets it). Only the
+# code that reads files is instrumented. VTK and the rest of the module are not: the latter takes minutes to optimise.
 set(sanitizers "-fsanitize=address,undefined" -fno-sanitize=vptr -fno-sanitize-recover=all)
 set(instrumented -O1 -gline-tables-only -fsanitize=fuzzer-no-link ${sanitizers})
 get_target_property(library VTK::VolumeHaptics ALIASED_TARGET)
@@ -25,12 +25,12 @@ foreach (target IN LISTS targets)
   target_link_options(${target} PRIVATE -fsanitize=fuzzer ${sanitizers})
   target_link_libraries(${target} PRIVATE TouchFiles)
 endforeach ()
-if (TARGET volumehaptics-read) # loads the module, and so has to have the sanitizers that the module needs
+if (TARGET volumehaptics-read) # it loads the module, and so needs the module's sanitizers
   target_compile_options(volumehaptics-read PRIVATE ${sanitizers})
   target_link_options(volumehaptics-read PRIVATE ${sanitizers})
-  # The code that limits the memory is not instrumented. It must be told of the sanitizers, which map terabytes.
+  # The code that limits the memory is not instrumented, but has to know of the sanitizers, which map terabytes.
   target_compile_definitions(VolumeHapticsPlatform PRIVATE VOLUME_HAPTICS_SANITIZED)
 endif ()
-if (TARGET volumehaptics-dicom) # the process in which GDCM reads, which is not instrumented
+if (TARGET volumehaptics-dicom) # GDCM reads in this process, which is not instrumented
   add_dependencies(TouchDicom volumehaptics-dicom)
 endif ()

@@ -82,12 +82,12 @@ void Deal(Dealer& dealer, Scene& scene)
   scene.Samples.resize(count * size);
   if (dealer.Choose(2))
   {
-    // Raw bytes give any number that the type has.
+    // Use the raw bytes, so that all numbers of the type occur.
     dealer.Fill(scene.Samples.data(), scene.Samples.size() / 2);
   }
   else
   {
-    // Fills the samples with a pattern of few bytes, similar to a volume.
+    // Fill the samples with a pattern of few bytes, which is similar to a volume.
     const std::uint8_t seed = dealer.Byte();
     for (std::size_t i = 0; i < scene.Samples.size(); i += size)
     {
@@ -113,7 +113,7 @@ void DealTimeSteps(Dealer& dealer, Scene& scene)
   }
   if (dealer.Choose(2) == 1)
   {
-    // Displacements of all sizes, and values that are not numbers.
+    // Draw displacements of all sizes, and some that are not numbers.
     const std::int64_t* const n = d.View.Dimensions;
     scene.Displacements.resize(static_cast<std::size_t>(3 * n[0] * n[1] * n[2]));
     dealer.Fill(reinterpret_cast<char*>(scene.Displacements.data()),
@@ -177,8 +177,9 @@ void DealLabels(Dealer& dealer, Scene& scene)
   }
   else
   {
-    // Runs of 1 to 16 equal labels that cycle through three values: the last (highest) byte of each
-    // sample is 0, 67 or 134. MakeWhole() below makes floating-point labels whole.
+    // Fill the labels with runs of 1 to 16 equal samples. Runs cycle through three values: the last
+    // (highest) byte of each sample is 0, 67 or 134. MakeWhole() below makes floating-point labels
+    // whole numbers.
     for (std::size_t i = 0; i < scene.LabelSamples.size(); i += size)
     {
       scene.LabelSamples[i + size - 1] = static_cast<char>(i / size / (1 + kind % 16) % 3 * 67);
@@ -195,7 +196,7 @@ void DealLabels(Dealer& dealer, Scene& scene)
   view.Data = scene.LabelSamples.data();
   const auto labels = std::make_shared<BakedLabels>();
   labels->View = LabelView(view);
-  // An axis may point the other way.
+  // Let an axis point the other way sometimes.
   const double side = dealer.Choose(2) == 0 ? 1.0 : -1.0;
   labels->IndexToWorld.Linear = Matrix3::FromColumns({ side * dealer.Between(0.1, 3.0), 0.0, 0.0 },
     { dealer.Between(-1.0, 1.0), dealer.Between(0.1, 3.0), 0.0 },
@@ -222,7 +223,7 @@ void DealLabels(Dealer& dealer, Scene& scene)
 
 Vector3 DealTip(Dealer& dealer, const Vector3& before)
 {
-  // A hand a hundred metres away is odd enough; larger numbers are refused.
+  // A hand 100 m away is odd enough. Larger numbers are drawn as well, and refused.
   constexpr double oddities[] = { HUGE_VAL, 1e300, 100.0, -100.0 };
   switch (dealer.Choose(16))
   {
@@ -270,13 +271,13 @@ void TouchAnything(const std::uint8_t* bytes, std::size_t size)
     Tick(model, stored, next, again);
     Check(IsFinite(record.Force) && IsFinite(record.Proxy), "force and proxy are finite");
     Check(Norm(record.Force - again.Force) == 0.0, "a stored state goes on the same");
-    // If the tip is far away, rounding errors are large, too.
+    // For a tip far away, allow large rounding errors.
     constexpr double far = 1e-9;
     const bool isLocal = model.Baked->Settings.Method == HapticMethod::LocalSurface;
     const double bound = isLocal
       ? std::hypot(record.NormalForce, record.FrictionForce)
       : record.SurfaceStrength * std::hypot(1.0, record.Friction) + record.Viscosity;
-    // After a leap, a part of the earlier force is felt as well.
+    // After a leap of the proxy, add the part of the earlier force that is still felt.
     const double whole = bound + Norm(state.Release.Force);
     Check(Norm(record.Force) <= whole * (1.0 + Rounding) + far, "the material holds the force");
     tip = IsFinite(next) && Norm(next) < 1.0 ? next : tip;

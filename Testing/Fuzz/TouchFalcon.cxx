@@ -23,7 +23,7 @@ FalconReport DealReport(Dealer& dealer)
   FalconReport report;
   for (std::int16_t& count : report.Encoders)
   {
-    // Mostly within the workspace, so that forward kinematics has something to do.
+    // Draw most counts within the workspace, so that the forward kinematics has a solution.
     count = static_cast<std::int16_t>(
       dealer.Choose(8) == 0 ? dealer.Between(-32768.0, 32767.0) : dealer.Between(-1500.0, 1500.0));
   }
@@ -161,8 +161,8 @@ void Answer(Dealer& dealer, FalconLoader& loader, const std::vector<std::uint8_t
       answer = DealBytes(dealer);
       break;
   }
-  // Send a timeout for an empty answer: a device that never answers would keep the dialogue from
-  // ending.
+  // Send a timeout for an empty answer. Otherwise, a device that never answers would keep the
+  // dialogue from ending.
   answer.empty() ? loader.TimeOut() : loader.Receive(answer.data(), answer.size());
 }
 

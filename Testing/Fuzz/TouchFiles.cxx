@@ -25,7 +25,7 @@
 #include <unistd.h>
 
 extern "C" void vtkHapticServeReading(
-  int link); // the module's, which declares it in no public header
+  int link); // function of the module, which no public header declares
 
 namespace
 {
@@ -83,7 +83,7 @@ void Unpack(std::string_view bytes, const fs::path& folder)
       }
       begin = end + 1;
     }
-    std::error_code failed; // where a file has the name of a folder
+    std::error_code failed; // fails where a file has the name of a folder
     fs::create_directories(inner.parent_path(), failed);
     if (inner != folder && !failed && !fs::is_directory(inner, failed))
     {
@@ -135,7 +135,7 @@ void CheckVolume(vtkImageData* image)
   double sum = 0.0;
   for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
   {
-    sum += scalars->GetComponent(i, 0); // reads all of its memory
+    sum += scalars->GetComponent(i, 0); // reads all of the array's memory
   }
   (void)sum;
 }
@@ -144,7 +144,7 @@ void Read(const fs::path& path, bool areLabels)
 {
   vtkNew<vtkHapticVolumeReader> reader;
   const Errors errors(reader);
-  const Errors executive(reader->GetExecutive()); // only repeats that the reader failed
+  const Errors executive(reader->GetExecutive()); // the executive only repeats the reader's error
   reader->SetFileName(path.c_str());
   reader->SetAsLabels(areLabels);
   reader->Update();
@@ -167,7 +167,7 @@ void Touch(const char* name, const std::uint8_t* bytes, std::size_t size, bool a
   const fs::path named = inner / name;
   if (isFolder)
   {
-    // The first file may name the others, as a header of a pair of files does.
+    // The first file may name the other files, as the header of a pair of files does.
     const fs::path place = named.extension() == ".zarr" ? named : inner;
     Unpack(text.substr(pack.size()), place);
     const fs::path file = inner / ("volume" + named.extension().string());

@@ -72,7 +72,8 @@ void ReceiveText(const std::string& text)
       {
         HaplyMessage ignored;
         const HaplyAddress address{ { 3, minor }, arm.Family, arm.Id };
-        // Any arm that the service lists can be asked for its state, whatever its name.
+        // The client may ask any arm in the service's list for its state, whatever the arm's name
+        // is.
         Check(ReadHaplyMessage(WriteHaplyGreeting(address), ignored) == nullptr &&
             ReadHaplyMessage(WriteHaplyForce(address, { 0.5, -1.0, 2.0 }), ignored) == nullptr &&
             ignored.Arms.size() == 1,

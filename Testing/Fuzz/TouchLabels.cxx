@@ -43,7 +43,7 @@ void CheckRoundTrip(LabelEntries entries)
 {
   LabelEntries back;
   std::string error;
-  // No name and an empty one are the same in a cell.
+  // In a table cell, a missing name and an empty name are the same.
   for (auto& [label, entry] : entries)
   {
     if (entry.Name && entry.Name->empty())

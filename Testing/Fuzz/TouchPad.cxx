@@ -149,7 +149,7 @@ void TouchReports(Dealer& dealer)
       const bool isRight = dealer.Choose(2) != 0;
       if (!isRight)
       {
-        // Flip one bit, which the checksum always detects.
+        // Flip one bit. The checksum always detects this.
         report[1 + static_cast<std::size_t>(dealer.Choose(77))] ^=
           static_cast<std::uint8_t>(1U << dealer.Choose(8));
       }

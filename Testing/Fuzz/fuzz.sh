@@ -2,11 +2,11 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Searches for bytes that break the tick, or what reads the devices' bytes or files, with Clang's libFuzzer and the
-# address and undefined-behaviour sanitizers.
+# Searches for bytes that break the tick, or the code that reads devices' bytes or files. Uses Clang's libFuzzer with
+# the address and undefined-behaviour sanitizers.
 #
-# usage: Testing/Fuzz/fuzz.sh build BUILD_DIR [-O0]   # builds in half the time, and searches at a third of the pace
-#        Testing/Fuzz/fuzz.sh search BUILD_DIR SECONDS   # of the whole machine, which the targets share
+# usage: Testing/Fuzz/fuzz.sh build BUILD_DIR [-O0]         # -O0: builds in half the time, searches at a third of the pace
+#        Testing/Fuzz/fuzz.sh search BUILD_DIR SECONDS      # all targets together search for SECONDS
 set -euo pipefail
 
 step=${1:-}
@@ -18,25 +18,25 @@ esac
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build_dir=$2
 optimisation=${3:--O1} # of a build
-# The targets are the functions that the headers declare.
+# Collect the targets: functions that the headers declare.
 mapfile -t readers < <(sed -n 's/^void \(Touch[A-Za-z]*\)(.*/\1/p' "$root/Testing/Fuzz/TouchFiles.h")
 mapfile -t plain < <(find "$root/Testing/Fuzz" -name 'Touch*.h' -not -name TouchFiles.h -printf '%f\n' |
   sed 's/\.h$//' | sort)
 targets=("${plain[@]}" "${readers[@]}")
 
-# Run all targets at once. At the end, print what each found, and whether one failed.
+# Run all targets at once. At the end, print the result of each target, and fail if one of them failed.
 if [ "$step" = search ]; then
   processes=()
   for target in "${targets[@]}"; do
     mkdir -p "$build_dir/corpus-$target"
     program=$build_dir/$target
-    seeds=$build_dir/formats/seeds/$target # of those that read files
+    seeds=$build_dir/formats/seeds/$target # exists for the targets that read files
     [ -e "$program" ] || program=$build_dir/readers/bin/$target
     [ -d "$seeds" ] || seeds=
     longest=60000
-    [ "$target" != TouchHaply ] || longest=1048576 # the longest message that is taken
-    # What promises more than it has must be refused before memory is taken.
-    # VTK's readers leak after some errors.
+    [ "$target" != TouchHaply ] || longest=1048576 # length of the longest message that is accepted
+    # Limit the memory of an allocation: a reader must refuse data that announce more bytes than they have. Leaks are
+    # not reported, because VTK's readers leak after some errors.
     ASAN_OPTIONS=detect_leaks=0 "$program" -max_len="$longest" -timeout=10 -max_total_time="$3" -malloc_limit_mb=300 \
       -print_final_stats=1 "$build_dir/corpus-$target" ${seeds:+"$seeds"} > "$build_dir/$target.log" 2>&1 &
     processes+=($!)
@@ -56,7 +56,7 @@ require_packages "libclang-rt-$(clang -dumpversion | cut -d. -f1)-dev"
 mkdir -p "$build_dir"
 options=(-std=c++17 -g -ffp-contract=off "-fsanitize=fuzzer-no-link,address,undefined"
   -fno-sanitize-recover=all -I"$root/Module")
-# There are many kernels, which take minutes to compile with optimisation.
+# Compile the kernels without optimisation, which would take minutes, as there are many.
 clang++ "${options[@]}" -O0 -c -o "$build_dir/FieldKernels.o" \
   "$root/Module/Core/Field/Kernels/FieldKernelsBaseline.cxx" &
 objects=()
@@ -84,7 +84,7 @@ cmake --build "$build_dir/readers" --target "${readers[@]}" >> "$build_dir/reade
   tail -50 "$build_dir/readers.log"
   exit 1
 }
-# Wait for one job after the other, so that a failure is seen.
+# Wait for each job, so that the failure of any job counts.
 for job in $(jobs -p); do
   wait "$job"
 done

@@ -52,10 +52,10 @@ public:
 
 struct Figures
 {
-  double Median = 0.0;  ///< us, from the force to its sample
+  double Median = 0.0;  ///< us, from a force to its sample
   double Late = 0.0;    ///< us, 99th percentile
-  double Call = 0.0;    ///< us, median duration of Write() for the servo
-  std::size_t Lost = 0; ///< forces without an answer within a period
+  double Call = 0.0;    ///< us, median duration of the servo's call of Write()
+  std::size_t Lost = 0; ///< number of forces without an answer within a period
 };
 
 double At(std::vector<double>& times, double part)
@@ -126,7 +126,7 @@ void Print(const char* name, const Figures& figures)
 
 int RunBenchmark(double seconds)
 {
-  // This program is its own guard.
+  // Makes this program its own guard.
   setenv("VOLUMEHAPTICS_GUARD", std::filesystem::canonical("/proc/self/exe").c_str(), 1);
   std::string error;
   HardwareDevice thread(std::make_unique<EchoDriver>());

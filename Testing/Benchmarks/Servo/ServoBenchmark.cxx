@@ -57,7 +57,8 @@ public:
     if (this->Tick == 0 && this->Plain)
     {
       const sched_param none{};
-      pthread_setschedparam(pthread_self(), SCHED_OTHER, &none); // also sets the usual time slice
+      pthread_setschedparam(pthread_self(), SCHED_OTHER, &none); // this also sets the usual time
+                                                                 // slice
       prctl(PR_SET_TIMERSLACK, 0UL);                             // restores the slack
     }
     const double phase = 0.02 * static_cast<double>(this->Tick++);
@@ -102,7 +103,7 @@ public:
   void Quench() noexcept override {}
 
 private:
-  const Vector3 Start; ///< m, 1 mm above the surface
+  const Vector3 Start; ///< m; 1 mm above the surface
   const bool IsPressed;
   std::uint64_t Tick = 0;
 };
@@ -407,7 +408,7 @@ int main(int argc, char** argv)
   const auto model = std::make_shared<const HapticModel>(description);
   PrintCost(model, seconds);
   PrintHandOff(model);
-  // In the second row of each pair, the loop has given its privileges back.
+  // Print pairs of rows. In the second row of a pair, the loop runs without its privileges.
   PrintTimeKeeping(model, seconds, 0);
   PrintTimeKeeping(model, seconds, std::thread::hardware_concurrency());
   return 0;
