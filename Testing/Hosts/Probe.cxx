@@ -53,7 +53,7 @@ public:
 protected:
   void Attach(vtkRenderWindowInteractor* made) override
   {
-    this->Interactor = made; // which lives as long as the program
+    this->Interactor = made; // it lives as long as the program
     this->Eye->SetClientData(this);
     this->Eye->SetCallback(
       [](vtkObject*, unsigned long, void* self, void*) { static_cast<HostProbe*>(self)->Look(); });

@@ -30,9 +30,9 @@ STIFFNESS = 0.5  # N/mm
 RADIUS = 30.0  # mm, of program.py
 # With the default kernel, the hand meets a surface up to two voxels ahead.
 AHEAD = 2.5  # mm
-STEP = 1.0  # mm, which a step of the wheel presses: a voxel
-PATIENCE = 60.0  # s, for what has to come; nothing depends on how long it takes
-START = 90.0  # s, of a program that imports much on a busy machine
+STEP = 1.0  # mm: a voxel, which one step of the wheel presses
+PATIENCE = 60.0  # s, limit of waits; no result depends on it
+START = 90.0  # s, limit of a program's start, with many imports on a busy machine
 
 
 def norm(vector):
@@ -63,7 +63,7 @@ def f3d_command(libraries, folder, volume=None):
     line = re.search(r"^## f3d\n.*?```sh\n(.*?)\n```", page, re.DOTALL | re.MULTILINE)[1]
     command = re.fullmatch(r"VTK_AUTOLOAD_PATH=\S+ (f3d .*) head\.vti", line)[1].split()
     os.environ.update(VTK_AUTOLOAD_PATH=libraries, HOST_PROBE=folder)
-    if volume is not None:  # seen from the left, in front, with the colours of a CT
+    if volume is not None:  # shows the volume from the left and the front, with the colours of a CT
         return [*command, "--resolution=640,560", "--up=+Z", "--camera-azimuth-angle=140", "--range=-300,1500", "--bg-color=0,0,0",
                 "--colormap=0,0.3,0.2,0.15,0.2,0.9,0.65,0.55,0.4,0.95,0.8,0.7,1,1,1,0.95", volume]
     write_ball(f"{folder}/ball.vti")
@@ -88,7 +88,8 @@ class Program:
             "a window", lambda: xdotool("search", "--onlyvisible", "--name", self.title).split()[:1], START)[0]
 
         def is_looked_at():
-            for x in (20, 30) if not self.runs_code else ():  # f3d removes all observers of timers, until the mouse moves
+            for x in (20, 30) if not self.runs_code else ():  # f3d removes all observers of timers until the mouse
+                                                              # moves
                 xdotool("mousemove", "--window", self.window, x, x)
             return (self.folder / "state.json").exists()
 
@@ -194,7 +195,8 @@ class Program:
             return xdotool("getactivewindow").split() == [self.window]
 
         self.wait("the window's focus", is_active)
-        # While the window manager moves a window that it shows again, the pointer is elsewhere in it.
+        # While the window manager moves a restored window, the pointer is at another place of the window. So point
+        # twice.
         window, x, y = self.place
         self.point((window, x + 20, y))
         self.point()
@@ -205,7 +207,7 @@ class Program:
         keys = self.state()["keys"]
         xdotool("key", "t")
         self.wait_state("the touch mode", lambda state: state["touch"])
-        # The wheel turns before that feel soft.
+        # If the wheel turned before all of the force passes, the ball would feel soft.
         self.wait_state("all of the force", lambda state: "100 % of the force" in state["status"])
         for _ in range(12):
             if norm(self.state()["force"]) > 0.8:
@@ -285,7 +287,7 @@ class Program:
     def close(self):
         self.close_window()
         serves = self.runs_code and self.state()["serves"]
-        if serves:  # a page, and others may come
+        if serves:  # this is one page; others may come
             self.feels_nothing("closed")
             self.process.send_signal(signal.SIGINT)
         end = time.monotonic() + PATIENCE
@@ -306,7 +308,7 @@ def take_picture(python, name, folder, volume, picture):
     xdotool("click", 1)
     if name != "invesalius":
         xdotool("windowsize", program.window, 640, 560)
-    # Frames as fine as those of a graphics card, however long that takes in software.
+    # Draw frames as fine as those of a graphics card, even if software takes long.
     if program.runs_code:
         program.run("haptics.style.AutoAdjustVolumeQualityOff(); haptics.device.SetAttentionTime(600.0); probe.turn()")
     time.sleep(5.0)
@@ -338,9 +340,9 @@ def minimise(program, radius=RADIUS):
     xdotool("windowminimize", program.window)
     program.feels_nothing("minimised")
     program.wait_state("the end of the touch mode", lambda state: not state["touch"])
-    program.focus()  # the window manager shows it again
+    program.focus()  # the window manager shows the window again
     if program.runs_code and program.state()["serves"]:
-        xdotool("click", 1)  # before that, Chromium gives no keys to the page
+        xdotool("click", 1)  # without this click, Chromium sends no keys to the page
     program.touch(radius)
     step("minimised, nothing is felt; then it is touched again")
 

@@ -2,15 +2,16 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Touches a volume in the window of a program of others, on a screen of its own, with a window manager: see drive.py.
+# Touches a volume in the window of another project's program. The program runs on a screen of its own, with a window
+# manager; drive.py drives it.
 #
 # usage: host.sh PYTHON PROGRAM [VOLUME PICTURE]
 #
-#   PYTHON   that has the package volumehaptics and the program's libraries; for f3d, the value of VTK_AUTOLOAD_PATH
+#   PYTHON   has the package volumehaptics and the program's libraries; for f3d: the value of VTK_AUTOLOAD_PATH
 #   PROGRAM  one of programs/, or f3d
-#   VOLUME   a CT of a head (.mhd), of which a PICTURE is taken in its window while it is touched
+#   VOLUME   a CT of a head (.mhd); a PICTURE is taken of its window while it is touched
 #
-# Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
+# Exits with 77 if a program that it needs is not installed; Testing/run.sh installs it.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

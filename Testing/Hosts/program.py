@@ -47,7 +47,7 @@ RADIUS = 30.0  # mm
 CHANGE_STYLE = """from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballActor
 style = vtkInteractorStyleTrackballActor()
 probe.interactor.SetInteractorStyle(style)"""
-PERIOD = 50  # ms between two looks
+PERIOD = 50  # ms between two looks at the hand
 
 
 def make_ball(radius=RADIUS, center=(0.0, 0.0, 0.0)):
@@ -81,7 +81,7 @@ class Probe:
     def __init__(self, folder, names):
         self.folder, self.names, self.keys = folder, names, []
         self.haptics, self.answer, self.runs, self.looks, self.center = None, None, 0, 0, (0.0, 0.0, 0.0)
-        self.corner = (0, 0)  # of a scene in a page, on the screen; drive.py finds it
+        self.corner = (0, 0)  # corner of a page's scene on the screen, which drive.py finds
 
     def hear(self, key):
         self.keys.append(key)
@@ -146,7 +146,7 @@ class Probe:
         if hasattr(self.target, "mapToGlobal"):
             try:
                 corner = self.target.mapToGlobal(self.target.rect().topLeft())
-            except RuntimeError:  # Qt has deleted it
+            except RuntimeError:  # Qt has deleted the widget
                 return 0, x, y
             return 0, corner.x() + x, corner.y() + y
         words = str(window.GetGenericWindowId()).split("_")  # such as _000000000040000a_p_void; none once it is closed

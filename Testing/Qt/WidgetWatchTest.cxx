@@ -52,7 +52,7 @@ protected:
       }));
   }
 
-  /// Qt allows one application object in a process, so the tests share it.
+  /// Qt allows one application object in a process, so all tests share this object.
   int Count = 1;
   char Name[16] = "WidgetWatch";
   char* Names[2] = { Name, nullptr };
@@ -108,7 +108,7 @@ TEST_F(WidgetWatch, FollowsTheWidgetToAnotherWindow)
   dock->setFloating(true);
   QApplication::processEvents();
   this->PushIn();
-  this->Main->showMinimized(); // no longer its window
+  this->Main->showMinimized(); // the main window is no longer the widget's window
   QApplication::processEvents();
   EXPECT_TRUE(this->Style->GetTouchMode());
   this->ExpectLetsGo([dock] { dock->showMinimized(); });

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Drops a file on a window, as a file manager does: usage: DropFile WINDOW FILE. The source's part
-// of the drag-and-drop protocol for X (XDND, version 5), without a mouse. Ends with 0 if the window
+// Drops a file on a window, as a file manager does; usage: DropFile WINDOW FILE. Plays the source
+// in the drag-and-drop protocol of X (XDND, version 5), without a mouse. Exits with 0 if the window
 // has taken the file.
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
@@ -85,7 +85,7 @@ private:
     XFlush(this->Shown);
   }
 
-  /// Half a minute at most. Answers what is asked meanwhile.
+  /// Waits for a message of this type, for half a minute at most. Answers requests meanwhile.
   bool WaitFor(const char* type)
   {
     const Atom wanted = this->FindAtom(type);

@@ -2,15 +2,15 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The explorer by its buttons and menus alone, with real mouse events on a screen of its own: touching and holding,
-# measuring, undoing, saving, another preset, a cut, slices, a picture, a recording, a tool; another file by the desktop's
-# dialog, for which a program stands that chooses at once, and a recent file. Then Ctrl+O opens the dialog, too. A list in
-# the window stands in for a dialog that fails. While a dialog waits, the explorer handles signals as before, closes, and
-# ends on SIGTERM.
+# Uses the explorer by its buttons and menus alone, with real mouse events on a screen of its own: touches and holds,
+# measures, undoes, saves, and chooses another preset, a cut, slices, a picture, a recording and a tool. Opens another
+# file by the desktop's dialog (a stand-in program chooses at once), and a recent file. Then Ctrl+O opens the dialog,
+# too. If the dialog fails, a list in the window takes its place. While a dialog waits, the explorer handles signals as
+# before, closes, and ends on SIGTERM.
 #
 # usage: buttons.sh [--pictures FOLDER] EXPLORER VOLUME
 #
-# Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
+# Exits with 77 if a program that it needs is not installed; Testing/run.sh installs it.
 set -euo pipefail
 
 # shellcheck source=own-screen.sh
@@ -43,8 +43,8 @@ echo choose > manner
 chmod +x bin/zenity
 export PATH=$folder/bin:$PATH
 
-# The bar of a window of this width has buttons without labels, which divide the width of the window; menus have lines
-# of 19 pixels below a margin of 8, and the first one is the title.
+# In a window of this width, the bar's buttons have no labels, and divide the width of the window. Menus have lines of
+# 19 pixels below a margin of 8. The first line is the title.
 size=390
 button_width=$((size / 13))
 go()
@@ -82,11 +82,11 @@ start_window_manager
 child=$!
 wait_for_window "VTK Volume Haptics: first.vti"
 
-# The hand is held where it presses; so the pointer gets to the buttons without it. On a busy machine the events of a
-# press may come in one frame, and nothing is touched: then once more.
+# Hold the hand where it presses, so that the pointer can go to the buttons without the hand. On a busy machine, the
+# events of a press may come in one frame, so that nothing is touched; then try again.
 press_hold_and_measure()
 {
-  click_button $HOLD # this begins the touch, too
+  click_button $HOLD # also begins the touch
   go $((size * 55 / 100)) 140
   xdotool click --repeat 6 --delay 120 4
   sleep 1
@@ -121,7 +121,8 @@ wait_for "the second preset" test -s preset-002.json
 ! cmp -s preset-001.json preset-002.json || fail "another preset changes nothing"
 xdotool key Escape
 
-# A picture shows the last frame that was not given up for an event: so take pictures until one is another.
+# A picture shows the last complete frame; frames that an event interrupts are left out. So take pictures until one is
+# different.
 picture=0
 take_other_picture()
 {
@@ -157,7 +158,7 @@ wait_for_window "VTK Volume Haptics: second.vti"
 echo fail > manner
 xdotool key ctrl+o
 sleep 1
-xdotool key Up Return # from the present file to the one before it
+xdotool key Up Return # goes from the present file to the previous one
 wait_for "the file of the list" has_read first.vti 3
 wait_for_window "VTK Volume Haptics: first.vti"
 

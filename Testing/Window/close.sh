@@ -2,28 +2,28 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Opens a program's window on a screen of its own, with a window manager, touches what is in it with real mouse and
-# key events, and closes it: with the key q, by the window manager, which sends WM_DELETE_WINDOW, and with SIGTERM, in
-# the touch mode (armed, the tip moving), after Escape has let go, and without a touch. The program has to end each time,
-# with status 0, or by the signal.
+# Opens a program's window on a screen of its own, with a window manager. Touches the contents with real mouse and key
+# events, and closes the window in three ways: with the key q, by the window manager (WM_DELETE_WINDOW), and with
+# SIGTERM. Each way is used in touch mode (armed, the tip moving), after Escape has let go, and without a touch. The
+# program must end each time, with status 0, or by the signal.
 #
 # usage: close.sh [--rounds N] [--few | --touched] [--key KEY] [--felt TEXT] [--click] [--expect FILE] [--size PIXELS]
 #          [--picture FILE] TITLE PROGRAM [ARGUMENT]...
 #
-#   --rounds N      how often each of the seven (default 1)
-#   --few           three of the seven: each way once, and not touched only if the window manager closes it
-#   --touched       three of the seven: each way while something is touched
-#   --key KEY       that closes the window, instead of q
-#   --felt TEXT     what the program writes when something is felt; the wheel is turned until then
-#   --click         a click on the volume gives it the keyboard's focus
-#   --expect FILE   what the program writes when its window is closed; it has to be there anew each time
-#   --size PIXELS   of the window's sides, for machines that draw in software
-#   --picture FILE  a picture of the window while something is touched; takes imagemagick
-#   TITLE           of the window, or its beginning
+#   --rounds N      repeats all seven cases N times (default 1)
+#   --few           three of the seven cases: each way once; only the window manager closes it without a touch
+#   --touched       three of the seven cases: each way while something is touched
+#   --key KEY       closes the window with KEY instead of q
+#   --felt TEXT     turns the wheel until the program writes TEXT, which means that something is felt
+#   --click         clicks on the volume, which gives it the keyboard's focus
+#   --expect FILE   expects that the program writes FILE anew each time its window is closed
+#   --size PIXELS   sets the sides of the window, for machines that draw in software
+#   --picture FILE  takes a picture of the window while something is touched; needs imagemagick
+#   TITLE           title of the window, or its beginning
 #
-# In the last line it tells how many windows it has closed; it ends at the first crash.
+# The last line of the output is the number of windows that were closed. The script ends at the first crash.
 #
-# Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
+# Exits with 77 if a program that it needs is not installed; Testing/run.sh installs it.
 set -euo pipefail
 
 # shellcheck source=own-screen.sh
@@ -32,7 +32,7 @@ require_programs "xvfb xauth openbox xdotool wmctrl x11-utils" xvfb-run openbox 
 take_own_screen "$@"
 
 rounds=1
-# Whether a hand has let go makes no difference to a signal.
+# A signal ends the program in the same way whether a hand has let go or not, so there is one case for it.
 cases='q-no q-yes q-before manager-no manager-yes manager-before signal-yes'
 key=q
 felt=""
@@ -75,7 +75,7 @@ fail()
   exit 1
 }
 
-# Succeeds if the window shows something that has not changed for a second.
+# Succeeds if the window shows a picture that has not changed for a second.
 is_drawn()
 {
   local before=$folder/before.png
@@ -83,7 +83,7 @@ is_drawn()
     [[ "$(identify -format %k "$picture")" -gt 1000 && "$(compare -metric AE "$before" "$picture" null: 2>&1)" == 0 ]]
 }
 
-# The pointer is on the volume: into it, and along its surface.
+# With the pointer on the volume, presses into the volume, and moves along its surface.
 touch_volume()
 {
   [[ $click == no ]] || xdotool click 1
@@ -102,7 +102,7 @@ touch_volume()
   xdotool mousemove_relative -- -6 2 mousemove_relative -- 3 -2
 }
 
-# If the machine stalled, the force was cut off, as it must be: Escape and t start a new touch.
+# If the machine stalled, the force was cut, as it must be. Start a new touch with Escape and t.
 tries=0
 feels()
 {
@@ -128,7 +128,8 @@ run_once()
   local HEIGHT WIDTH
   if [[ -n "$size" ]]
   then
-    timeout 10 xdotool windowsize --sync "$window" "$size" "$size" || true # one that has this size does not change
+    timeout 10 xdotool windowsize --sync "$window" "$size" "$size" || true # a window that already has this size does
+                                                                           # not change
   fi
   eval "$(xdotool getwindowgeometry --shell "$window" | grep -E '^(WIDTH|HEIGHT)=')"
   xdotool mousemove --window "$window" $((WIDTH / 2)) $((HEIGHT / 2))

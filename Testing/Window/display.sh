@@ -2,8 +2,9 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The question of Examples/explore.sh to the explorer before it opens a window: usage: display.sh PROGRAM. True on a
-# screen; false without one, and on one without GLX, as over a network.
+# Tests the question that Examples/explore.sh asks the explorer before it opens a window. The answer is yes on a screen,
+# and no without a screen, or on a screen without GLX (as over a network).
+# usage: display.sh PROGRAM
 set -euo pipefail
 
 # shellcheck source=own-screen.sh

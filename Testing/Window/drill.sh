@@ -2,13 +2,13 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# In the explorer, on a screen of its own, a burr is pressed into a head and drills while the left button is pressed.
-# Ctrl+E writes what was removed, Ctrl+Z brings it back, and Ctrl+Y removes it again. A picture shows the burr. On a busy
-# machine the force may pause, which divides a stroke: so each is undone and done again more than once.
+# Presses a burr into a head in the explorer, on a screen of its own. The burr drills while the left button is pressed.
+# Ctrl+E writes what was removed, Ctrl+Z brings it back, and Ctrl+Y removes it again. A picture shows the burr. On a
+# busy machine, the force may pause, which divides a stroke. So each stroke is undone and done again more than once.
 #
 # usage: drill.sh PROGRAM VOLUME [--pictures FOLDER]
 #
-# Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
+# Exits with 77 if a program that it needs is not installed; Testing/run.sh installs it.
 set -euo pipefail
 
 # shellcheck source=own-screen.sh
@@ -30,7 +30,7 @@ fail()
   exit 1
 }
 
-# The burr presses on the forehead. It removes nothing before the button is pressed, or after it was released.
+# The burr presses on the forehead. It must remove nothing before the button is pressed and after its release.
 cat > drill.txt << END
 0.0  move 0.5 0.6
 0.5  key t

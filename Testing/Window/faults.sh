@@ -2,13 +2,14 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The explorer refuses a bad device, tool or recording before it reads the volume. In its window, on a screen of its own,
-# what a person sees is read by OCR: which tool the hand holds, a list of files beside a docked editor, the list of keys
-# in a small window, and that vectors are felt by their magnitude. Another file opens in a window of the same size.
+# Checks that the explorer refuses a bad device, tool or recording before it reads the volume. Then reads by OCR what a
+# person sees in its window, on a screen of its own: the tool that the hand holds, a list of files beside a docked
+# editor, the list of keys in a small window, and that vectors are felt by their magnitude. Another file opens in a
+# window of the same size.
 #
 # usage: faults.sh EXPLORER VOLUME
 #
-# Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
+# Exits with 77 if a program that it needs is not installed; Testing/run.sh installs it.
 set -euo pipefail
 
 # shellcheck source=own-screen.sh
@@ -26,6 +27,7 @@ cp "$volume" data/second.vti
 touch broken.stl
 
 # usage: refuses WORDS OPTION...
+# Expects that the explorer refuses the options, with these words.
 refuses()
 {
   local words=$1 status=0

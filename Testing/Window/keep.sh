@@ -2,14 +2,14 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# In the explorer's window, with real mouse and key events on a screen of its own, points are set and a burr drills.
-# Then a file is opened that can't be read: the window comes back with the points and the hole, which keys S and T
-# save. A window that is closed with a point that is not saved keeps it, and the next one offers it: key F11 brings it
+# Sets points and drills with a burr in the explorer's window, with real mouse and key events on a screen of its own.
+# Then opens a file that can't be read: the window comes back with the points and the hole, which the keys S and T save.
+# A window that is closed with an unsaved point keeps the point, and the next window offers it: the key F11 brings it
 # back. A window in which nothing was done keeps nothing.
 #
 # usage: keep.sh EXPLORER VOLUME
 #
-# Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
+# Exits with 77 if a program that it needs is not installed; Testing/run.sh installs it.
 set -euo pipefail
 
 # shellcheck source=own-screen.sh
@@ -35,7 +35,8 @@ open()
   child=$!
   wait_for_window "VTK Volume Haptics"
 }
-# Presses into the forehead and sets a point there; tries three times, in case the machine stalls and the force pauses.
+# Presses into the forehead and sets a point there. Tries three times, because the machine may stall, and the force
+# pause.
 press_and_measure()
 {
   local HEIGHT WIDTH

@@ -2,15 +2,15 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# A newcomer who knows nothing but what the explorer's window says: starts it, reads the screen (by OCR), does what it
-# says until a force is felt, strokes, lets go, looks at the list of keys, and closes the window by what that says. No
-# key is known to this script: all come from the screen.
+# Plays a newcomer who knows only what the explorer's window says: starts the explorer, reads the screen (by OCR), does
+# what the text says until a force is felt, strokes, lets go, looks at the list of keys, and closes the window as the
+# list says. The script knows no key: all keys come from the screen.
 #
 # usage: newcomer.sh PROGRAM VOLUME [--pictures FOLDER]
 #
-#   --pictures FOLDER  keeps what was read
+#   --pictures FOLDER  keeps the pictures and the texts that were read
 #
-# Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
+# Exits with 77 if a program that it needs is not installed; Testing/run.sh installs it.
 set -euo pipefail
 
 # shellcheck source=own-screen.sh
@@ -36,8 +36,9 @@ take_picture()
   import -window "$window" "$folder/screen.png"
 }
 
-# What is written in the picture, or in one of its columns, with spaces instead of ends of lines: here and there (11), or
-# in rows (6). To compress the enlarged picture would take four times as long as to read it.
+# Reads the text in the picture, or in one of its columns, with spaces instead of line ends. $1 is tesseract's mode: 11
+# for scattered text, 6 for rows. The enlarged picture is not compressed, which would take four times as long as reading
+# it.
 read_picture()
 {
   convert "$folder/screen.png" -crop "${2:-100%x100%+0+0}" +repage -colorspace Gray -resize 300% -negate \
@@ -45,7 +46,8 @@ read_picture()
   OMP_THREAD_LIMIT=1 tesseract "$folder/letters.pgm" - --psm "$1" 2> /dev/null | tr '\n' ' ' > "$folder/read.txt"
 }
 
-# Succeeds if the picture, or the screen, shows text like this. Sets $said to the first part in brackets.
+# Succeeds if the picture (or, by says, the screen) shows text that matches $1. Sets $said to the first part in
+# brackets.
 picture_says()
 {
   read_picture "${2:-11}" "${@:3}"
@@ -70,7 +72,7 @@ expect()
   [[ -z "$pictures" ]] || cp "$folder/screen.png" "$pictures/newcomer-$step.png"
 }
 
-# Presses a key, given as it is written on the screen.
+# Presses a key, whose name is given as it is written on the screen.
 press()
 {
   case $1 in
@@ -94,7 +96,7 @@ expect "says how to go on" says 'mouse to stroke, turn the (wheel) to press'
 expect "says how to let go" says '(Escape) lets go'
 let_go=$said
 
-# Tries both directions of the wheel, since a newcomer does not know which one presses.
+# Turns the wheel in both directions, since a newcomer does not know which direction presses.
 feels()
 {
   xdotool click 4
@@ -104,7 +106,7 @@ feels()
 expect "says which force is felt" feels
 says '(Resting on|Sliding over|Pushed through|Force of) [a-z]+' || fail "it does not say what is touched"
 
-# Takes the picture while the hand moves to and fro.
+# Takes a picture while the hand moves to and fro.
 stroke()
 {
   local i way
@@ -135,7 +137,7 @@ says_not ' N of at most' || fail "a force is still told after $let_go"
 said=""
 expect "says where the keys are" says '([?]) shows all keys'
 press "$said"
-# The letters of a long list are small: in a larger window they can be told apart. It has two columns.
+# The letters of a long list are small, so enlarge the window to read them. The list has two columns.
 wmctrl -i -r "$window" -b add,maximized_vert,maximized_horz
 reads_columns()
 {

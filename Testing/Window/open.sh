@@ -2,17 +2,17 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Another file is opened in the explorer's window, with real key events on a screen of its own: by the list of key F2,
-# by dropping it on the window, and a broken one, after which the window shows what it showed before. Then the window
-# shows a label map as labels, and one series of a DICOM folder after the other.
+# Opens another file in the explorer's window, with real key events on a screen of its own: by the list of key F2, and
+# by dropping it on the window. A broken file leaves the window with its old contents. Then the window shows a label map
+# as labels, and the series of a DICOM folder one after the other.
 #
 # usage: open.sh [--picture FOLDER] EXPLORER VOLUME DROP_FILE PYTHON
 #
-#   --picture FOLDER   pictures of the lists; takes imagemagick
+#   --picture FOLDER   takes pictures of the lists; needs imagemagick
 #   DROP_FILE          the program of DropFile.cxx
-#   PYTHON             one that has VTK; it writes the label map and DICOM files
+#   PYTHON             a Python that has VTK; it writes the label map and DICOM files
 #
-# Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
+# Exits with 77 if a program that it needs is not installed; Testing/run.sh installs it.
 set -euo pipefail
 
 # shellcheck source=own-screen.sh
@@ -32,7 +32,8 @@ python=$4
 take_own_home
 cd "$folder"
 
-# usage: has_read NAME TIMES: the program has told so often that it reads this file.
+# usage: has_read NAME TIMES
+# Succeeds if the program has said TIMES times that it reads the file NAME.
 has_read()
 {
   [[ "$(grep -c "^Reading .*$1\$" program.log)" == "$2" ]]
@@ -65,7 +66,7 @@ writer.SetInputData(image)
 writer.Write()
 END
 
-# A folder with two DICOM series, written as parts 5 and 10 of the standard say: a ball, and a box with fewer slices.
+# Write a folder with two DICOM series, as parts 5 and 10 of the standard say: a ball, and a box with fewer slices.
 mkdir scan
 "$python" - << 'END'
 import struct
@@ -107,7 +108,7 @@ child=$!
 wait_for "the first volume" has_read first.vti 1
 wait_for_window "VTK Volume Haptics"
 
-# The list has this folder, its parent, deeper/, and then the files; the present one is marked.
+# The list has this folder, its parent, deeper/, and then the files. The present file is marked.
 xdotool key F2
 take_picture list
 xdotool key Down Return
@@ -123,7 +124,7 @@ grep -q "Cure: " program.log || fail "nobody tells what is wrong with the broken
 "$drop" "$window" "$folder/data/deeper/third.vti" || fail "the window takes no file that is dropped"
 wait_for "the dropped volume" has_read third.vti 1
 wait_for_window "VTK Volume Haptics"
-# From the folder deeper, over this folder and its parent, to the label map.
+# In the folder deeper, go up in the list, over this folder and its parent, to the label map at the end.
 xdotool key F2 Up Return
 wait_for "the label map" has_read labels.vti 1
 wait_for_window "VTK Volume Haptics"
@@ -134,7 +135,7 @@ wait_for_window "VTK Volume Haptics"
 take_picture labels
 grep -q "its values are taken as labels: 2" program.log || fail "the labels are not counted"
 
-# The largest series is shown first; key F3 lists both.
+# The series with the most slices is shown first. The key F3 lists both.
 "$drop" "$window" "$folder/scan" || fail "the window takes no folder that is dropped"
 wait_for "the ball" has_read scan 1
 wait_for_window "VTK Volume Haptics"
@@ -146,7 +147,7 @@ wait_for "the box" has_read scan 2
 wait_for_window "VTK Volume Haptics"
 grep -q "series 2.*Box.*, of 2 series" program.log || fail "the box's series is not shown"
 
-# Escape only closes the list.
+# Escape closes only the list.
 xdotool key F2 Escape
 xdotool key q
 expect_end

@@ -19,7 +19,7 @@ fail()
   exit 1
 }
 
-# Ends with 77, which CTest takes as skipped, if a program is not installed.
+# Exits with 77, which CTest counts as skipped, if a program is not installed.
 require_programs()
 {
   local packages=$1 program
@@ -35,7 +35,7 @@ require_programs()
   done
 }
 
-# Restarts the script on a screen of its own.
+# Restarts the script with an X server of its own.
 take_own_screen()
 {
   if [[ -z "${OWN_SCREEN:-}" ]]
@@ -45,7 +45,8 @@ take_own_screen()
   unset OWN_SCREEN
 }
 
-# Neither reads nor writes the user's settings: $folder goes with the script, and so do its processes.
+# Uses a temporary home in $folder, so that the user's settings are neither read nor written. At the script's end, the
+# folder and the script's processes are removed.
 take_own_home()
 {
   folder=$(mktemp -d)
@@ -68,8 +69,8 @@ has_ended()
   ! kill -0 "$child" 2> /dev/null
 }
 
-# Runs a command until it succeeds, for as long as the program lives if one was started; two minutes at most, or
-# $PATIENCE seconds: a program that starts slowly takes more where the processors are busy.
+# Runs a command until it succeeds. Fails if the program (if one was started) ends before, or after two minutes
+# ($PATIENCE seconds: a program that starts slowly takes more where the processors are busy).
 wait_for()
 {
   local what=$1 until=$((SECONDS + ${PATIENCE:-120}))
@@ -82,16 +83,16 @@ wait_for()
   done
 }
 
-# A window that asks to be mapped while openbox is starting is never mapped: openbox runs the startup command when it
-# handles requests.
+# Waits until openbox runs the startup command, which means that it handles requests. A window that asks to be mapped
+# while openbox starts is never mapped.
 start_window_manager()
 {
   openbox --startup "touch $folder/managed" > "$folder/openbox.log" 2>&1 &
   wait_for "a window manager" test -e "$folder/managed"
 }
 
-# Under a window manager: waits until the window whose title begins like this listens and has the keyboard's focus, and
-# sets $window.
+# Waits until the window whose title begins with $1 listens and has the keyboard's focus, under a window manager. Sets
+# $window.
 wait_for_window()
 {
   title=$1
@@ -104,7 +105,7 @@ is_there()
   window=$(xdotool search --onlyvisible --name "^$title" | head -n 1)
   [[ -n "$window" ]]
 }
-# Interactors register WM_DELETE_WINDOW when they begin to listen.
+# Succeeds if the window listens: interactors register WM_DELETE_WINDOW when they begin to listen.
 listens()
 {
   is_there && xprop -id "$window" WM_PROTOCOLS | grep -q WM_DELETE_WINDOW
@@ -116,7 +117,7 @@ has_focus()
   [[ "$(xdotool getwindowfocus)" == "$window" ]]
 }
 
-# The program, which is about to end, has to do so with status 0, or with another one.
+# Expects that the program, which is about to end, ends with status 0 (expect_end), or with $1 (expect_end_with).
 expect_end()
 {
   expect_end_with 0

@@ -131,7 +131,7 @@ def stroke(screen, x, y, seconds):
     frames, before, begin = 0, None, time.monotonic()
     reach = 60
     while (now := time.monotonic()) < begin + seconds:
-        phase = (now - begin) / 0.5 % 2.0  # 80 pixels a second, so that each frame has something to show
+        phase = (now - begin) / 0.5 % 2.0  # 80 pixels a second, so that each frame is different
         screen.move(x + 40 * (phase if phase < 1 else 2 - phase), y)
         picture = screen.see(x, y, reach)
         frames += before is not None and picture != before
@@ -160,7 +160,7 @@ def measure_latency(screen, x, y, rounds):
     """Times (s) from a motion to its picture, at random moments after the hand came to rest."""
     times, side = [], 0
     for _ in range(rounds):
-        time.sleep(0.3 + random.uniform(0.0, 0.3))  # a fine frame is due 0.3 s after the last quick one
+        time.sleep(0.3 + random.uniform(0.0, 0.3))  # a fine frame is due 0.3 s after the last quick frame
         side = 60 - side
         before = shows_contact(screen.see(x + side, y, 14))
         begin = time.monotonic()
@@ -199,7 +199,7 @@ def main():
         screen.push(1)
         time.sleep(0.5)
     screen.press("t")
-    time.sleep(1.5)  # the force rises, and frames learn how long they take
+    time.sleep(1.5)  # meanwhile, the force rises, and the style learns how long frames take
     for _ in range(options.steps):
         screen.push(4)
         time.sleep(0.1)

@@ -2,15 +2,15 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Opens a program's window on a screen of its own, with a window manager, and prints how quickly it follows the hand:
-# frames per second in a stroke, and the latency of input while a fine frame is due. See pace.py.
+# Opens a program's window on a screen of its own, with a window manager. Prints how quickly the window follows the
+# hand: frames per second in a stroke, and the latency of input while a fine frame is due. See pace.py.
 #
 # usage: pace.sh [--at X Y] [--rounds N] [--rest SECONDS] [OPTION OF pace.py]... TITLE PROGRAM [ARGUMENT]...
-# as in: pace.sh --rest 4 "VTK Volume Haptics" build/bin/volumehaptics-explore Data/HeadPhantom.vti --size 700
+# example: pace.sh --rest 4 "VTK Volume Haptics" build/bin/volumehaptics-explore Data/HeadPhantom.vti --size 700
 #
-# It takes a machine that does nothing else; no test asserts its figures.
+# Use a machine that does nothing else. No test asserts the figures.
 #
-# Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
+# Exits with 77 if a program that it needs is not installed; Testing/run.sh installs it.
 set -euo pipefail
 
 # shellcheck source=own-screen.sh

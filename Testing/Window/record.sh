@@ -2,15 +2,15 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The explorer plays a demonstration by itself, on a screen of its own: it touches the head, measures a point and a
-# distance, takes a picture, records the touch, and closes. A movie is made of all of it. Then everything is there, and a
-# second window loads the measurements.
+# Lets the explorer play a demonstration, on a screen of its own: it touches the head, measures a point and a distance,
+# takes a picture, records the touch, and closes. All of this is made into a movie. Checks all results, and loads the
+# measurements into a second window.
 #
 # usage: record.sh PROGRAM VOLUME [--movie]
 #
 #   --movie   the program can write movies
 #
-# Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
+# Exits with 77 if a program that it needs is not installed; Testing/run.sh installs it.
 set -euo pipefail
 
 # shellcheck source=own-screen.sh
@@ -57,8 +57,9 @@ play demo.txt ${movie:+--movie demo.ogv}
 grep -q "^1,Point 1,Point," head.csv || fail "no point was measured"
 grep -q "^2,Distance 1,Distance," head.csv || fail "no distance was measured"
 
-# Pictures, by the position of the last page of Ogg (RFC 3533), which Theora splits into that of the last key picture
-# and the pictures since: by 6 bits, unless its header says otherwise (bytes 40 and 41, KFGSHIFT).
+# Count the movie's pictures by the position of Ogg's last page (RFC 3533). Theora divides the position into the number
+# of the last key picture and the number of pictures since, which has 6 bits unless the header says otherwise (bytes 40
+# and 41, KFGSHIFT).
 if [[ -n "$movie" ]]
 then
   python3 - demo.ogv << 'END' || fail "the movie does not have 20 pictures for each of its six seconds"
@@ -76,13 +77,13 @@ assert pictures >= 6 * 20 - 20, "the last second may be missing"
 END
 fi
 
-# Load the measurements, remove one, and save the rest.
+# Load the measurements, remove one of them, and save the others.
 printf '0.5 key Delete\n1.0 key q\n' > next.txt
 play next.txt
 grep -q "^1,Point 1,Point," head.csv || fail "the point was lost"
 ! grep -q "Distance 1" head.csv || fail "the distance is still there"
 
-# The recording is shown, and its time goes on, by keys and by itself.
+# Show the recording. Its time goes on by keys, and by itself.
 printf '0.5 key F7\n1.0 key F6\n1.5 key F5\n3.0 key F12\n3.5 key q\n' > look.txt
 play look.txt --replay touch-001.vtp
 [[ -s picture-002.png ]] || fail "there is no picture of the recording"
@@ -92,19 +93,19 @@ then
 fi
 grep -q "is not a recording of a touch" "$folder/refused.log" || fail "nobody tells what a recording is"
 
-# A window that nothing changes leaves the file alone.
+# A window without changes does not write the file.
 before=$(stat -c %i head.csv)
 printf '1.0 key q\n' > quit.txt
 play quit.txt
 [[ "$(stat -c %i head.csv)" == "$before" ]] || fail "the file was written anew without a change"
 
-# A list that was emptied, here by an undo too many, does not replace the file.
+# An emptied list (here by one undo too many) does not replace the file.
 printf '0.5 key Ctrl+z\n1.0 key q\n' > undo.txt
 play undo.txt
 grep -q "^1,Point 1,Point," head.csv || fail "an emptied list replaced the file"
 
-# Nor does a list replace a file of 3D Slicer of which a part was not read: it goes to one beside it. The file is made
-# by Slicer's markups schema 1.0.3.
+# A list does not replace a file of 3D Slicer of which a part was not read. It is written to a file beside that one. The
+# file follows Slicer's markups schema 1.0.3.
 cat > slicer.mrk.json << END
 {"@schema": "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/Schema/markups-schema-v1.0.3.json#",
  "markups": [

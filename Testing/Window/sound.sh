@@ -2,12 +2,12 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Listens to the explorer's window: a sound server of its own, without a loudspeaker, records what it is given while real
-# mouse and key events touch the volume. Then the server dies, hangs, and is not there.
+# Listens to the explorer's window. A sound server without a loudspeaker records the sound while real mouse and key
+# events touch the volume. Then the server dies, hangs, and is missing.
 #
 # usage: sound.sh PROGRAM VOLUME
 #
-# Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
+# Exits with 77 if a program that it needs is not installed; Testing/run.sh installs it.
 set -euo pipefail
 
 # shellcheck source=own-screen.sh
@@ -32,7 +32,7 @@ serves()
   pactl info
 }
 
-# Starts the server without a device, and without the computer's configuration.
+# Starts the server without a sound device, and without the computer's configuration.
 start_server()
 {
   pulseaudio -n --daemonize=no --use-pid-file=no --exit-idle-time=-1 \
@@ -62,13 +62,13 @@ start_program()
   sleep 1
 }
 
-# Presses a key, which goes to the window under the pointer.
+# Presses a key. The window under the pointer gets it.
 press()
 {
   xdotool key "$1"
 }
 
-# From outside, whatever was before.
+# Ends any touch, and touches the skin from outside.
 touch_skin()
 {
   press Escape
@@ -96,7 +96,8 @@ is_recorded()
   [[ $(stat -c %s "$folder/heard") -gt 96000 ]]
 }
 
-# What the server was given while a command ran, in bytes that are not zero: none if it was silent.
+# Prints the number of bytes other than zero that the server gets while a command runs. This is 0 if the explorer is
+# silent.
 count_heard()
 {
   parec --device=ear.monitor --raw --rate=48000 --channels=1 --format=s16le > "$folder/heard" 2> /dev/null &
@@ -108,7 +109,8 @@ count_heard()
   tr -d '\0' < "$folder/heard" | wc -c
 }
 
-# On a busy machine the force fades while the window stands still, and stays off: then the hand begins anew.
+# Expects sound on the skin. Tries several times: on a busy machine, the force fades while the window stands still, and
+# stays off until a new touch.
 expect_sound()
 {
   local round heard

@@ -2,13 +2,14 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# In the explorer, on a screen of its own, a needle is pushed into a head, and drawn out: Ctrl+E writes its track while it
-# is in tissue, and has none to write before and after. Then a tool of a file, whose triangles face inwards, is pressed
-# into the head, turned, and changed for the others by key w: pictures show that it is drawn and moves.
+# Pushes a needle into a head in the explorer, on a screen of its own, and draws it out. Ctrl+E writes the needle's
+# track while the needle is in tissue, and has no track to write before and after. Then a tool from a file, whose
+# triangles face inwards, is pressed into the head, turned, and changed for the other tools by key w. Pictures show that
+# the tool is drawn and moves.
 #
 # usage: tools.sh PROGRAM VOLUME
 #
-# Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
+# Exits with 77 if a program that it needs is not installed; Testing/run.sh installs it.
 set -euo pipefail
 
 # shellcheck source=own-screen.sh
@@ -27,7 +28,8 @@ fail()
   exit 1
 }
 
-# run NAME TOOL: plays NAME.txt, into NAME.log.
+# usage: run NAME TOOL
+# Plays NAME.txt with a tool, and writes NAME.log.
 run()
 {
   "$program" "$volume" --size 240 --tool "$2" --script "$1.txt" > "$folder/$1.log" 2>&1 &
@@ -60,7 +62,7 @@ grep -q "Written: .*/track-001.vtp" needle.log || fail "its track was not writte
 [[ $(grep -c 'Name="ForbiddenTouches"' track-001.vtp) -eq 1 ]] || fail "its track has no forbidden touches"
 ! cmp -s picture-001.png picture-002.png || fail "nothing of it is seen"
 
-# Writes a facet of a tetrahedron as .stl files have it.
+# Prints a facet of a tetrahedron in the format of .stl files.
 facet()
 {
   printf 'facet normal 0 0 0\nouter loop\n'

@@ -21,13 +21,13 @@ plugin.mkdir(parents=True)
     "session": {"mode": 0, "status": 3, "debug": False, "language": "en", "random_id": 1, "surface_interpolation": 1,
                 "rendering": 0, "slice_interpolation": 0, "auto_reload_preview": False},
     "project": {"recent_projects": []}, "paths": {"homedir": str(plugin), "last_dicom_folder": ""}}))
-wx.Log.EnableLogging(False)  # a window says that there is no locale of its language
+wx.Log.EnableLogging(False)  # hides the window which says that a language's locale is missing
 sys.path[:0] = ["/usr/share/invesalius", "/usr/lib/invesalius"]
 sys.argv = ["invesalius3"]
 os.environ["INVESALIUS_LIBRARY_PATH"] = "/usr/share/invesalius/"
 os.chdir("/usr/share/invesalius")
 
-# In Hounsfield units: air around a ball of bone, whose surface is as sharp as that of a scan.
+# Write a volume in Hounsfield units: air around a ball of bone, with a surface as sharp as in a scan.
 values = numpy.asarray(image.GetPointData().GetScalars()).reshape(image.GetDimensions()[::-1]).T
 file = str(plugin / "ball.nii")
 hounsfield = values if is_scan else numpy.clip(10.0 * values, -1000.0, 1000.0)
@@ -43,7 +43,7 @@ def begin():
         return wx.CallLater(200, begin)
     pub.sendMessage("Open other files", filepath=file)
     pub.sendMessage("Load raycasting preset", preset_name="Bone + Skin")
-    session.Session().project_status = 1  # saved: it asks for nothing at its end
+    session.Session().project_status = 1  # counts as saved, so that InVesalius asks nothing at its end
     pub.sendMessage("Load plugin", plugin_name="touch")
     widget = sys.modules["touch.main"].widget
     widget.GetInteractor().AddObserver("CharEvent", lambda caller, _: hear(caller.GetKeyCode()), -1.0)
@@ -51,7 +51,7 @@ def begin():
     probe.watch_widget(widget)
 
 
-# Switch to InVesalius's own tool, which sets its own style.
+# Change to InVesalius's own tool, which sets a style of its own.
 change_style = """from invesalius import constants
 from invesalius.pubsub import pub
 pub.sendMessage("Enable style", style=constants.STATE_ZOOM)"""
