@@ -6,18 +6,18 @@
 #
 # usage: Testing/run.sh [--full] [BUILD_DIR]
 #
-# Without --full, there is a short form of the sanitizer runs and of the fuzzer, benchmarks are built and not run,
-# there is no analyzer of clang-tidy, and tests with the label "full" are left out, which are slow for what they tell;
-# with it, all C++ tests and the calls in any order run under the address and undefined-behaviour sanitizers, those of
-# the device, the scene, the servo and several paths also under the thread sanitizer, the fuzzer searches for five
-# minutes, the benchmarks print their ratios, and the evaluation its whole table.
+# Without --full, the sanitizer runs and the fuzzer are short, benchmarks are built and not run, and clang-tidy runs
+# without its analyzer. Tests with the label "full" are left out, which are slow for what they tell. With --full, all
+# C++ tests and the calls in any order run under the address and undefined-behaviour sanitizers, and those of the
+# device, the scene, the servo and several paths also under the thread sanitizer. The fuzzer searches for five minutes,
+# the benchmarks print their ratios, and the evaluation prints its whole table.
 #
-# Without --full, it ends within 20 minutes: on a machine that is so slow that the wheel, ParaView's plugin,
-# clang-tidy, the site, the fuzzer, or the sanitizers on more than the servo and its safety stage would not end by then,
-# it says loudly that it leaves them out. Where even the servo under the sanitizers would take longer than 22 minutes, or
-# the tests longer than 24, it leaves out the former, then all tests but the quick ones, as loudly.
+# Without --full, a run ends within 20 minutes. On a slow machine, it leaves out what would not end by then, and says so
+# loudly: the wheel, ParaView's plugin, clang-tidy, the site, the fuzzer, and the sanitizers except on the servo and its
+# safety stage. If even the servo under the sanitizers would take longer than 22 minutes, or the tests longer than 24,
+# it leaves out all sanitizers, or all tests but the quick ones.
 #
-# Tests of screens and packages wait, too: while they run, all that comes later is built.
+# Tests of screens and packages mostly wait. While they run, everything that comes later is built.
 # shellcheck disable=SC2317 # functions that start() calls
 set -euo pipefail
 
@@ -46,12 +46,12 @@ require_packages "libclang-rt-$(clang -dumpversion | cut -d. -f1)-dev"
 [[ $(cat /etc/debian_version) != 12.* ]] || require_packages clang-tidy-14 clang-format-14 codespell # elsewhere from PyPI
 [ $full = no ] || require_packages python3-tk invesalius f3d # programs of Testing/Hosts
 jobs=$(nproc)
-left_out='device|full' # labels of tests that ran before, or do not run
+left_out='device|full' # labels of tests that ran before, or that do not run
 left_out_of_device=full
 optimised=(-DCMAKE_CXX_FLAGS_RELEASE=-O1\ -DNDEBUG) # takes two thirds of the time of -O3 to compile
 tidy=tidy
 fuzz_options=-O0
-# Unity builds compile in half the time. With --full, all sources are also compiled as users do, one by one.
+# Unity builds compile in half the time. With --full, all sources are also compiled one by one, as users do.
 unity=ON
 if [ $full = yes ]; then
   unity=OFF
@@ -64,8 +64,8 @@ fi
 wheel_dir=$(dirname "$build_dir")/wheel
 
 # usage: run_tests BUILD_DIR JOBS [OPTION OF CTEST...]
-# Tests always render off to the side, whether or not there is a display. A live servo cuts the force off, as it must,
-# when the machine stands still for 30 ms: if only tests fail that may have one, they are run once more, alone.
+# Runs tests. They render off the screen, with or without a display. When the machine stands still for 30 ms, a live
+# servo must cut the force. So if only tests fail to which this may happen, they run once more, alone.
 run_tests()
 {
   local on=(--test-dir "$1" --output-on-failure --no-tests=error)
@@ -87,7 +87,7 @@ list_live_tests()
 }
 
 # usage: keep_failures BUILD_DIR
-# Keeps what the tests wrote that failed just now, for the end of this run.
+# Keeps the output of the tests that have just failed, for the end of this run.
 failures=$build_dir-failures.log
 keep_failures()
 {
@@ -115,9 +115,9 @@ trap stop_all EXIT
 rm -f "$failures"
 
 # usage: start NAME COMMAND [ARGUMENT...]
-# Runs a command beside the following, in the time that this leaves over, once the one that was started before it has
-# ended: a group of processes that ends with this one.
-# All that it needs of Debian is installed before: there is one dpkg, and sudo could not ask for a password.
+# Runs a command in the background, with low priority, once the command that was started before it has ended. Its
+# processes end with this script. Debian's packages that it needs must be installed before: there is only one dpkg, and
+# sudo could not ask for a password.
 last_started=
 start()
 {
@@ -136,7 +136,7 @@ start()
 }
 
 # usage: finish NAME
-# Waits for what was started, tells what it wrote, and returns its status.
+# Waits for a command that was started, prints its output, and returns its status.
 finish()
 {
   local status=0
@@ -154,15 +154,15 @@ skip()
 }
 
 # usage: ends_by MINUTES SECONDS
-# Whether a run that goes on for so many seconds has ended by then. With --full there is time enough.
+# Succeeds if a step of SECONDS ends before MINUTES of this run have passed. With --full, it always succeeds.
 ends_by()
 {
   [ $full = yes ] || [ $((SECONDS + $2)) -lt $(($1 * 60)) ]
 }
 
 # usage: fits PERCENT NAME
-# Whether a part of this run ends before 19 minutes are over, and plans it if so. PERCENT is its time as a share of that
-# of the first build, which tells how fast the machine is.
+# Succeeds if a step ends before 19 minutes of this run have passed, and then adds the step to the plan. PERCENT is its
+# time relative to the first build, which measures the speed of this machine.
 planned=0 # seconds
 fits()
 {
@@ -188,14 +188,14 @@ build()
   cmake --build "$2" -j "$jobs" --target "${3:-all}"
 }
 
-# The plugin needs Core and Devices as the build of the tests has them. The files of its unity build have the same paths
-# in its folder as those of the tests in theirs.
+# The plugin needs Core and Devices as built for the tests. Both unity builds have the same relative paths, so that the
+# compiler cache serves both.
 export CCACHE_DIR=${CCACHE_DIR:-$build_dir-cache} CCACHE_BASEDIR=${CCACHE_BASEDIR:-$(dirname "$build_dir")}
 cache=-DVolumeHaptics_COMPILER_CACHE=$(command -v ccache)
 
 plugin_dir=$(dirname "$build_dir")/paraview
 
-# The plugin in ParaView, whose traces are compared with those of the build in $build_dir.
+# Builds the plugin in ParaView. Its traces are compared with those of the build in $build_dir.
 build_paraview()
 {
   local paraview
@@ -204,7 +204,8 @@ build_paraview()
   build paraview "$plugin_dir" all -DParaView_DIR="$paraview" -DVolumeHaptics_REFERENCE_BUILD="$build_dir" "$cache"
 }
 
-# With less optimisation it compiles in half the time, but GCC then warns of a variable that is set.
+# Builds the wheel. With less optimisation, it compiles in half the time, but GCC then warns of a variable that is in
+# fact set.
 build_wheel()
 {
   if [ "$full" = no ]; then
@@ -214,7 +215,7 @@ build_wheel()
   CXXFLAGS="-Wall -Wextra -Werror $*" "$root/CMake/wheel/build.sh" "$wheel_dir" /usr/bin/python3
 }
 
-# The Qt of this Debian's ParaView: 6 from Debian 13 on.
+# Use the Qt of this Debian's ParaView, which is Qt 6 from Debian 13 on.
 qt=(qtbase5-dev qttools5-dev libqt5svg5-dev libqt5opengl5-dev python3-pyqt5)
 if apt-cache depends paraview | grep libqt6core > /dev/null; then
   qt=(qt6-base-dev qt6-tools-dev qt6-5compat-dev libgl1-mesa-dev python3-pyqt6)
@@ -238,7 +239,7 @@ configure release "$build_dir" -DVolumeHaptics_WHEEL_FOLDER="$wheel_dir" \
 finish lint
 cmake --build "$build_dir" -j "$jobs"
 build_seconds=$((SECONDS - build_seconds))
-# Tests with a device in real time run alone. Their failures are printed at the end, too.
+# Run the tests with a device in real time alone. Their failures are printed again at the end.
 echo "== Tests with devices"
 status=0
 run_tests "$build_dir" "$((3 * jobs))" -L '^device$' -LE "^($left_out_of_device)\$" || status=$?
@@ -253,7 +254,7 @@ fi
 
 chosen=(-LE "^($left_out|wheel)\$")
 test_seconds=$((build_seconds * 125 / 100))
-sanitizer_seconds=$((build_seconds * 70 / 100)) # of the servo alone
+sanitizer_seconds=$((build_seconds * 70 / 100)) # time of the servo's tests alone
 sanitizers=yes
 if ! ends_by 22 $((test_seconds + sanitizer_seconds)); then
   sanitizers=no
@@ -266,12 +267,12 @@ if ! ends_by 24 "$test_seconds"; then
 fi
 planned=$((test_seconds + sanitizer_seconds))
 
-# The servo with its safety stage and force gate runs under the sanitizers before anything else does.
+# Build the servo with its safety stage and force gate under the sanitizers before everything else.
 loop_tests=VolumeHapticsLoopTests
-without_services=-DVolumeHaptics_USE_BEAST=OFF # which none of the tests meets that run under sanitizers
+without_services=-DVolumeHaptics_USE_BEAST=OFF # no test under the sanitizers uses these services
 sanitized='^VolumeHaptics[.]Core[.]Servo'
-# Hundreds of simulated hands, and long walks through flows: these tests run no code that others do not run here, too.
-# Loops that take half a minute under the thread sanitizer; with --full they run there, too.
+# $scans: hundreds of simulated hands, and long walks through flows. These tests run no code that other tests do not run
+# here. $slow_loops: loops that take half a minute under the thread sanitizer. With --full, both run.
 slow_loops='ToolLoop[.](WhateverIsPublishedStaysWithinTheLimits|WhatIsKeptBeginsAReplay)$'
 scans='(FindsNoHonestDevice|NoHonestDeviceIsCalledWrong|TheReboundIsNeverFasterThanWithoutTheStage)$'
 scans+='|ModesInASwirl[.]StepByTheSpringAsFarAsTheFieldAllows/[0-9]|OfWeakFlowsAndFrontsAreWithinABoundOfTheirStrength$'
@@ -312,15 +313,15 @@ if fits 22 "the fuzzer"; then
   start fuzz "$root/Testing/Fuzz/fuzz.sh" build "$build_dir-fuzz" $fuzz_options
 fi
 
-# Some of the others wait, too.
+# Start more jobs than processors, because some of the other tests wait, too.
 echo "== Tests"
 test_seconds=$SECONDS
 run_tests "$build_dir" "$((2 * jobs))" "${chosen[@]}" || status=$?
 test_seconds=$((SECONDS - test_seconds))
 
 # usage: still_fits PERCENT NAME
-# Whether tests end before 23 minutes are over, whatever was planned. PERCENT is their time as a share of that of the
-# tests above.
+# Succeeds if a step of tests ends before 23 minutes of this run have passed, whatever was planned. PERCENT is its time
+# relative to the tests above.
 still_fits()
 {
   ends_by 23 $((test_seconds * $1 / 100)) && return
@@ -329,7 +330,7 @@ still_fits()
 }
 
 # usage: test_sanitized
-# Runs the tests with the sanitizers, whose builds are under way.
+# Runs the tests under the sanitizers, once their builds have ended.
 test_sanitized()
 {
   finish sanitize
@@ -344,12 +345,12 @@ test_sanitized()
   echo "== Tests with the thread sanitizer in $build_dir-thread"
   export TSAN_OPTIONS=ignore_noninstrumented_modules=1 VTK_SMP_BACKEND_IN_USE=Sequential
   if [ $full = yes ]; then
-    # Not VTK.Endings: its tests fork, which the thread sanitizer can't follow in a process with threads.
+    # Leave out VTK.Endings: its tests fork, and the thread sanitizer can't follow a fork of a process with threads.
     run_tests "$build_dir-thread" "$jobs" \
       -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Base|Device|Filter[.]FilterPaths|Regions|Scene|Setup)[.])' ||
       status=$?
   else
-    # Run at most as many tests as there are processors: a loop that is made to wait for long repeats what it tests.
+    # Run at most as many tests as there are processors: a loop that waits too long repeats its test.
     run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.]Core[.]Servo' -E "$slow_loops" || status=$?
   fi
   unset TSAN_OPTIONS VTK_SMP_BACKEND_IN_USE

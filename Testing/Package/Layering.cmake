@@ -1,23 +1,25 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Which room may include which: one line a folder. A room may always include itself; nothing else that is not named,
-# its own folders neither. Public headers, which are included by their bare names, and their classes where they are
-# declared only ("class vtkHapticDevice;"), count as what they are: files of a room.
+# Checks which room (folder of sources) may include which, with one line for each room. A room may include itself and
+# the rooms that its line names; even its own subfolders have to be named. Public headers are included by their bare
+# names. They count as files of their room, and so do their classes where they are only declared ("class
+# vtkHapticDevice;").
 cmake_minimum_required(VERSION 3.18)
 get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
 
 set(named_rooms)
 
-# The room of each public header, by its class.
+# Collects the path of each public header by its class.
 file(GLOB_RECURSE public RELATIVE "${root}/Module" "${root}/Module/VTK/vtk*.h")
 foreach (header IN LISTS public)
   get_filename_component(class "${header}" NAME_WE)
   set("path_of_${class}" "${header}")
 endforeach ()
 
-# Private headers are written from Module: "Core/Math/Vector3.h"; public ones by their bare names. Fails for those that
-# are in none of the rooms that follow, and are none of the files that follow. PUBLIC among them: any public header.
+# allow(ROOM NAME...): fails if a file of ROOM includes a header that is neither in one of the named rooms nor one of
+# the named files. Private headers are included by their path in Module ("Core/Math/Vector3.h"), and public headers by
+# their bare names. The name PUBLIC allows all public headers.
 function(allow room)
   list(APPEND named_rooms "${room}")
   file(GLOB files RELATIVE "${root}/Module" "${root}/Module/${room}/*.h" "${root}/Module/${room}/*.cxx")
@@ -51,7 +53,7 @@ function(allow room)
   set(named_rooms "${named_rooms}" PARENT_SCOPE)
 endfunction()
 
-# Fails for every #include of the files in the folders that follow that matches the pattern.
+# forbid(REASON PATTERN FOLDER...): fails for every #include in the folders' files that matches the pattern.
 function(forbid reason pattern)
   foreach (folder IN LISTS ARGN)
     file(GLOB_RECURSE files "${root}/Module/${folder}/*.h" "${root}/Module/${folder}/*.cxx")
@@ -72,7 +74,8 @@ function(forbid reason pattern)
   endforeach ()
 endfunction()
 
-# Core: Math, Carving <- Field <- Model <- Law <- State <- Solvers, Tools <- Regions <- Servo; Safety, Realtime <- Servo.
+# Rooms of Core: Math, Carving <- Field <- Model <- Law <- State <- Solvers, Tools <- Regions <- Servo; Safety, Realtime
+# <- Servo.
 set(field Core/Math Core/Carving Core/Field)
 set(model ${field} Core/Field/Kernels Core/Model)
 set(state ${model} Core/Law Core/State)
@@ -94,19 +97,20 @@ allow(Core/Solvers ${state})
 foreach (solver IN LISTS each_solver)
   allow(${solver} ${state} Core/Solvers)
 endforeach ()
-# A tool must not know another one, but for the burr, whose head is a point shell. Of Core, nothing knows a tool.
+# A tool must not include another tool, except that the burr's head is a point shell. No room of Core knows the tools.
 file(GLOB each_tool RELATIVE "${root}/Module" "${root}/Module/Core/Tools/*")
 set(head_of_Core/Tools/Burr Core/Tools/PointShell)
 foreach (tool IN LISTS each_tool)
   allow(${tool} ${state} ${head_of_${tool}})
 endforeach ()
-# The list of methods names each method.
+# Only the list of methods names each method.
 allow(Core/Solvers/Methods ${state} Core/Solvers ${each_solver})
 list(APPEND each_solver Core/Solvers Core/Solvers/Methods)
 allow(Core/Regions ${state} ${each_solver})
-# What decides about force, and what waits for time, knows neither a volume nor a solver.
+# The code that decides about force, and the code that waits for time, knows neither volumes nor solvers.
 allow(Core/Safety Core/Math Core/Model/ForceCaps.h)
-# What the systems differ in. Everything else goes through it, and through the clock and the priority of Realtime.
+# Platform has all that differs between operating systems. All other code uses it, or the clock and priority of
+# Realtime.
 allow(Core/Platform)
 allow(Core/Realtime Core/Platform)
 set(core ${state} Core/Field/Estimates Core/Proposal ${each_solver} Core/Regions Core/Safety Core/Realtime Core/Platform)
@@ -136,17 +140,18 @@ allow(Devices/Vendor ${device_basis} Devices/Common)
 allow(Devices/Virtual ${device_basis})
 allow(Devices/Replay ${device_basis})
 allow(Devices/Xr ${device_basis} Devices/Common Devices/Pad Devices/Virtual)
-# The list of kinds names each kind.
+# Only the list of kinds names each kind of device.
 allow(Devices/Kinds ${device_basis} Devices/Common Devices/Falcon Devices/Haply Devices/Hfab Devices/Pad Devices/Pid
   Devices/SpaceMouse Devices/Vendor Devices/Vibration Devices/Wheel Devices/WoodenHaptics Devices/Xr)
 
-# VTK: Base <- Material <- Baking <- Tools, Modes <- Trace <- Regions <- Filter <- Device <- Setup, Measure <- Scene.
-# How numbers are read in any locale.
+# Rooms of VTK: Base <- Material <- Baking <- Tools, Modes <- Trace <- Regions <- Filter <- Device <- Setup, Measure <-
+# Scene.
+# Reads numbers in any locale.
 set(numbers Core/Math/NumberText.h)
-# Long work beside the GUI thread.
+# Runs long work beside the GUI thread.
 set(work Core/Realtime/BackgroundWork.h)
 set(samples ${field} Core/Field/Estimates Core/Model)
-# Files that are opened as one, and replaced at once.
+# Opens several files as one, and replaces files at once.
 set(files Core/Platform/HapticFiles.h Core/Platform/FileReplacement.h)
 allow(VTK/Base ${samples} Core/Realtime Core/Platform)
 allow(VTK/Material/Labels ${numbers} Core/Platform VTK/Base)
@@ -156,14 +161,14 @@ allow(VTK/Baking ${samples} ${work} ${baking})
 list(APPEND baking VTK/Baking)
 allow(VTK/Tools ${samples} ${files} ${work} Core/State ${each_tool} ${baking})
 allow(VTK/Modes ${samples} ${files} Core/Solvers/Primitives ${baking})
-# Recordings keep the contacts of a tool with a shape.
+# Recordings store the contacts of tools that have a shape.
 set(contacts Core/Tools/PointShell)
 allow(VTK/Trace ${core} ${contacts} ${baking} VTK/Tools VTK/Modes)
 allow(VTK/Trace/Paths ${core} ${contacts} ${baking} VTK/Tools VTK/Modes VTK/Trace)
 allow(VTK/Regions/Formats ${numbers} Core/Platform VTK/Base)
 list(APPEND baking VTK/Tools VTK/Modes)
 allow(VTK/Regions ${samples} ${files} Core/State ${each_solver} Core/Regions Core/Realtime ${baking} VTK/Regions/Formats)
-# What reads files and folders into memory. DICOM is a room of its own, of the same floor.
+# Reads files and folders into memory. DICOM is a room of its own at the same level.
 allow(VTK/Reading Core/Platform VTK/Base VTK/Material/Labels VTK/Baking VTK/Regions VTK/Regions/Formats VTK/Reading/Dicom)
 allow(VTK/Reading/Dicom ${numbers} Core/Platform VTK/Base VTK/Material/Labels VTK/Baking VTK/Regions VTK/Reading)
 set(filter ${baking} VTK/Trace VTK/Trace/Paths VTK/Regions)
@@ -187,14 +192,13 @@ allow(VTK/Scene/Editor ${work} VTK/Base VTK/Material VTK/Material/Labels ${scene
 allow(VTK/Scene/Interaction ${touched} ${scene} VTK/Scene/Frames VTK/Scene/Hand VTK/Scene/Volumes VTK/Scene/Display
   VTK/Scene/Slices VTK/Scene/Editor)
 allow(VTK/Experimental Core/Realtime ${files} Devices/Pad VTK/Base VTK/Device ${scene})
-# What programs with Qt compile: it sees public classes only, and no other room sees it.
+# Programs with Qt compile this room. It may use public classes only, and no other room may include it.
 allow(Qt PUBLIC)
 
-# The programs see what any other project sees: the public classes. Only the explorer draws and writes traces with
-# private classes of the library, of which it gets the objects, hands ticks on through a ring of headers alone, asks
-# headers whether OpenGL runs on the processor and for the aspect of its renderers, sizes letters, docks its bar, shows a CT as
-# the plugin does, and reads the heads of files, places grids and finds samples that are outside, and how Hounsfield units
-# are stored, as the library does. All read numbers in any locale.
+# Programs may use public classes only, like other projects. The explorer is the exception: it also uses private headers
+# to draw its chart, to write traces, to hand on ticks through a ring, to ask whether OpenGL runs on the processor, for
+# the aspect of its renderers and the size of letters, to dock its bar, to show a CT as the plugin does, and to read
+# files as the library does. All programs read numbers in any locale.
 allow(Applications/DeviceTool PUBLIC ${numbers})
 allow(Applications/Autoload PUBLIC)
 allow(Applications/Dicom Core/Platform VTK/Reading/Dicom/DicomMessage.h)
@@ -231,7 +235,8 @@ forbid("Devices must not know solver parameters." "(HapticModel|ServoTick|Piecew
 forbid("The filter must not know devices, rendering or interaction."
   "vtk(Render|Interactor|Prop|Actor|Volume\\.|VolumeMapper|Camera|Haptic(Device|Representation|State))|Devices/"
   VTK/Base VTK/Material VTK/Baking VTK/Tools VTK/Modes VTK/Trace VTK/Regions VTK/Filter VTK/Measure)
-# But for the points of a shell, which the filter spreads in the background.
+# Tools of VTK/Tools must not be named, except those with the points of a shell, which the filter spreads in the
+# background.
 set(tools "${public}")
 list(FILTER tools INCLUDE REGEX "^VTK/Tools/")
 list(FILTER tools EXCLUDE REGEX "vtkHaptic(Tool|ShapedTool|Removal)\\.h$")
@@ -255,7 +260,7 @@ forbid("What the systems differ in goes through Core/Platform."
 forbid("Installed headers must not show a device library." "(boost/|hidapi|libusb|nlohmann)"
   ${public} Core/Safety/DeviceBackend.h Devices/Common/DeviceKind.h)
 
-# A rule that matches nothing protects nothing.
+# Fails for a rule that matches nothing, because it protects nothing.
 file(GLOB_RECURSE files RELATIVE "${root}/Module" "${root}/Module/*.h" "${root}/Module/*.cxx")
 foreach (file IN LISTS files)
   get_filename_component(room "${file}" DIRECTORY)
@@ -268,7 +273,8 @@ if (NOT DEFINED path_of_vtkVolumeHapticsFilter OR NOT path_of_vtkHapticBurr STRE
   message(SEND_ERROR "The public headers were not found: ${public}")
 endif ()
 
-# The rooms of public classes and their arrows, as architecture.md shows them; -DWRITE=ON before -P writes them there.
+# Compares the table of rooms in architecture.md with the rooms of public classes and their includes. `cmake -DWRITE=ON
+# -P` writes the table there.
 set(begin "| room of `Module/VTK` | public classes | uses |\n| --- | --- | --- |\n")
 set(table "${begin}")
 foreach (room IN LISTS named_rooms)
@@ -307,7 +313,7 @@ elseif (NOT shown STREQUAL table)
     "Write it: cmake -DWRITE=ON -P Testing/Package/Layering.cmake")
 endif ()
 
-# A room can be read in one go.
+# Limits the size of each room, so that it can be read in one go.
 file(GLOB_RECURSE folders LIST_DIRECTORIES true RELATIVE "${root}" "${root}/Module/*" "${root}/Plugin/*")
 foreach (folder IN LISTS folders)
   if (IS_DIRECTORY "${root}/${folder}")
@@ -319,7 +325,7 @@ foreach (folder IN LISTS folders)
   endif ()
 endforeach ()
 
-# The module's VTK part stays as large as it is, at most. A line of code is neither blank nor a comment.
+# Limits the code of Module/VTK to its present size. A line of code is neither blank nor a comment.
 file(GLOB_RECURSE files "${root}/Module/VTK/*")
 list(LENGTH files count)
 set(lines 0)

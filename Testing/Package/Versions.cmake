@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# What names the version names that of CMakeLists.txt. The library's soname has its first two numbers, and so does the
-# Debian package that carries it.
+# Checks that all files that name the version name the version of CMakeLists.txt. The library's soname has its first two
+# numbers, and so has the Debian package of the library.
 cmake_minimum_required(VERSION 3.18)
 get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
 file(READ "${root}/CMakeLists.txt" text)
@@ -13,7 +13,7 @@ endif ()
 set(version "${CMAKE_MATCH_1}")
 set(series "${CMAKE_MATCH_2}")
 
-# Each has to be named at least once, and with no other number in place of it.
+# Each line must occur at least once, and never with another number.
 foreach (line IN ITEMS
     "CITATION.cff|\nversion: |${version}"
     "CMake/packages/conda/recipe.yaml|\n  version: |${version}"
@@ -28,7 +28,7 @@ foreach (line IN ITEMS
   list(GET line 2 wanted)
   file(READ "${root}/${file}" text)
   string(REGEX MATCHALL "${before}[0-9][0-9.]*[0-9]" names "${text}")
-  if (file STREQUAL "CHANGELOG.md") # the newest of them
+  if (file STREQUAL "CHANGELOG.md") # compares only the newest version
     list(SUBLIST names 0 1 names)
   endif ()
   if (NOT names)

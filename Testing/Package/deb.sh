@@ -2,14 +2,14 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Builds the Debian packages, unpacks them, and uses them as their users do: find_package() and a program of the
-# examples, the Python package, and the programs. What each package holds is compared with what it is for.
+# Builds the Debian packages, unpacks them, and uses them as users do: find_package() with a program of the examples,
+# the Python package, and the programs. Compares the contents of each package with its purpose.
 #
 # usage: deb.sh SOURCE_DIR BUILD_DIR [PACKAGES]
 #
 #   PACKAGES  a folder with packages that CMake/packages/deb.sh has built before
 #
-# Ends with 77 if SOURCE_DIR is no checkout of git, whose committed sources are packed.
+# Exits with 77 if SOURCE_DIR is not a checkout of git: the committed sources are packed.
 set -euo pipefail
 
 source_dir=$1
@@ -39,7 +39,7 @@ fail()
 }
 
 # usage: holds PACKAGE PATTERN...
-# One package of this name, with a file for each pattern.
+# Fails unless one package has this name, and a file for each pattern.
 holds()
 {
   local package=$1 found
@@ -62,7 +62,7 @@ holds libvtkvolumehaptics-dev "$library" 'usr/include/volumehaptics/vtkVolumeHap
 holds volumehaptics-tools usr/bin/volumehaptics-{explore,device,dicom,read,guard} 'usr/lib/[^/]*/volumehaptics/libvolumehaptics-autoload[.]so' \
   usr/share/man/man1/volumehaptics-{explore,device,guard}[.]1[.]gz 'usr/lib/udev/rules[.]d/70-volume-haptics[.]rules'
 
-# Build against the three packages without Python, as an application would.
+# Build against the three packages without Python, as an application does.
 lib=$(dirname "$(find "$root/usr/lib" -name "libvtkVolumeHaptics.so.$series")")
 cmake -S "$source_dir/Examples/Cxx" -B "$work/examples" -G Ninja -DCMAKE_PREFIX_PATH="$root/usr" > "$work/configure.log"
 grep -q "^VolumeHaptics_DIR:PATH=$root/" "$work/examples/CMakeCache.txt" || fail "another VolumeHaptics was found"
@@ -76,7 +76,7 @@ esac
 "$root/usr/bin/volumehaptics-explore" --help | grep '^Usage: volumehaptics-explore' > /dev/null ||
   fail "volumehaptics-explore has no help"
 
-# This file would end the explorer if volumehaptics-read could not load the library.
+# Read a file for which the explorer would end if volumehaptics-read could not load the library.
 refused=$("$root/usr/bin/volumehaptics-explore" "$source_dir/Testing/Data/FarPoint.vtk" --inspect 2>&1 || true)
 grep -q 'its reader ended' <<< "$refused" || fail "volumehaptics-read reads nothing: $refused"
 
@@ -87,7 +87,7 @@ from_python=$(PYTHONPATH=$root/usr/lib/python3/dist-packages LD_LIBRARY_PATH=$li
 echo "Python: $from_python"
 [ "${from_cxx%.*}" = "${from_python%%.*}" ] || fail "C++ and Python disagree"
 
-# Dependencies that dpkg-shlibdeps and the rules must have found.
+# Check the dependencies that dpkg-shlibdeps and the rules must find.
 for dependency in 'libvtk9[.][0-9]+' libvtk9-dev "libvtkvolumehaptics$series" python3-vtk9 python3-numpy; do
   grep -qE "(^|, )$dependency( |,|$)" "$work/depends.txt" || fail "no package depends on $dependency"
 done

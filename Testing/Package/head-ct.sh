@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Unpacks the head CT from a package made here, whose archive lets everybody write to the samples as Debian's does, and
-# looks that only their owner can then.
+# Makes a package whose archive lets everybody write to the samples, as Debian's does. Unpacks the head CT from it, and
+# checks that then only the owner can write to the samples.
 # usage: head-ct.sh SOURCE_DIR
 set -euo pipefail
 
@@ -37,7 +37,7 @@ umask 022
 get_head_ct "$work/data" > "$work/licence.txt"
 grep -q GPL-2 "$work/licence.txt"
 check
-# A file that was unpacked before gets the right permissions.
+# A file that was unpacked earlier also gets the right permissions.
 chmod 666 "$work/data/matrix.dat"
 get_head_ct "$work/data" > "$work/licence.txt"
 check

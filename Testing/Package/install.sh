@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Installs a build tree into a fresh prefix, builds Examples/Cxx against it as any other project would,
-# and runs the README's examples from there.
+# Installs a build tree into a new prefix, builds Examples/Cxx against it as other projects do, and runs the README's
+# examples from there.
 # usage: install.sh SOURCE_DIR BUILD_DIR WRAPPED_FOR_PYTHON
 set -euo pipefail
 
@@ -23,7 +23,7 @@ cmake -S "$source_dir/Examples/Cxx" -B "$work/examples" -G Ninja \
   -DVolumeHaptics_DIR="$(dirname "$config")" \
   ${sanitize:+-DCMAKE_CXX_FLAGS="-fsanitize=$sanitize"} >"$work/configure.log"
 cmake --build "$work/examples" >"$work/build.log"
-# The CMakeLists.txt that Documentation/window.md shows, for the viewer beside it.
+# Build the viewer with the CMakeLists.txt that Documentation/window.md shows.
 mkdir "$work/viewer"
 # shellcheck disable=SC2016 # fences of Markdown
 sed -n '/^```cmake$/,/^```$/{/^```/d;p}' "$source_dir/Documentation/window.md" > "$work/viewer/CMakeLists.txt"
@@ -45,7 +45,7 @@ case $from_own in
   *) echo "own-device did not run" >&2; exit 1 ;;
 esac
 "$prefix/bin/volumehaptics-device" list
-# The plug-in of the examples, from a folder that no other user can write.
+# Use the plug-in of the examples from a folder that no other user can write.
 vendor=$work/plugins
 mkdir -p "$vendor"
 cp "$work/examples/libvolumehaptics-example.so" "$vendor"
@@ -54,12 +54,12 @@ if from_plugin=$(VOLUMEHAPTICS_VENDOR_PATH=$vendor "$prefix/bin/volumehaptics-de
   [[ $from_plugin == *vendor:example:0* ]]; then
   VOLUMEHAPTICS_VENDOR_PATH=$vendor "$prefix/bin/volumehaptics-device" monitor vendor:example --seconds 0.3
 else
-  # The folders above the build tree may belong to others: then the tool has to say so.
+  # If the folders above the build tree belong to other users, the tool has to say so.
   echo "$from_plugin"
   [[ $from_plugin == *"others may write"* || $from_plugin == *"belongs to another user"* ]] ||
     { echo "the plug-in of the examples is not listed" >&2; exit 1; }
 fi
-# The guard must say what it is for, and that it is not to be started by hand.
+# The guard must say its purpose, and that users must not start it.
 if "$prefix/bin/volumehaptics-guard" 2>"$work/guard.txt" || ! grep -q 'zero force' "$work/guard.txt"; then
   echo "the guard of devices is not installed" >&2
   exit 1
@@ -74,12 +74,12 @@ cmake -S "$source_dir/Testing/Package/Consumer" -B "$work/consumer" -G Ninja \
 cmake --build "$work/consumer" >"$work/build-consumer.log"
 "$work/consumer/consumer"
 
-# The build tree must hide the private folders as well.
+# The build tree must hide private folders, too.
 from_build=$(dirname "$(find "$build_dir/lib" -path '*/cmake/*/VolumeHapticsConfig.cmake')")
 cmake -S "$source_dir/Testing/Package/Consumer" -B "$work/build-tree" -G Ninja \
   -DVolumeHaptics_DIR="$from_build" >"$work/configure-build-tree.log"
 
-# Opens a window, which has to stay.
+# Starts a program, and fails if its window closes by itself.
 stays_open() {
   "$@" &
   local window=$!
@@ -96,8 +96,8 @@ if [ -n "${DISPLAY:-}" ]; then
   stays_open "$work/examples/beside-style" "$head"
 fi
 
-# The headers that are installed are those of the public classes and of the seams for vendors' libraries, for volumes in
-# pieces and for Qt, and nothing internal.
+# Installed headers are those of the public classes and of the interfaces for vendors' libraries, for volumes in pieces
+# and for Qt. No internal header is installed.
 installed=$(find "$prefix/include" -name '*.h' -not -name '*Module.h' -exec basename {} \; | sort)
 expected=$({ find "$source_dir/Module/VTK" -name 'vtk*.h' -printf '%f\n' | grep -vE 'Compat|Internals'
   printf '%s\n' DeviceBackend.h DeviceKind.h ForceCaps.h Vector3.h NoiseSamples.h Quaternion.h VendorPlugin.h \

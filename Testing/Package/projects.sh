@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Configures projects of others that use the sources by add_subdirectory() or the package by find_package(), and looks
-# for the cure in CMake's text where a project has a mistake.
+# Configures other projects that use the sources by add_subdirectory() or the package by find_package(). Where a project
+# has a mistake, looks for the cure in CMake's output.
 # usage: projects.sh SOURCE_DIR BUILD_DIR
 set -euo pipefail
 
@@ -35,7 +35,7 @@ refuse()
     echo "$2: accepted"
     exit 1
   fi
-  # Join lines first, since CMake breaks them.
+  # Join the lines first, because CMake breaks them.
   tr -s ' \n' ' ' < "$work/$2.log" | grep -F "$1" > /dev/null || { cat "$work/$2.log"; echo "$2: nothing like '$1'"; exit 1; }
 }
 
@@ -49,7 +49,7 @@ refuse "VolumeHaptics has no components, but Servo was asked for" components "C 
   "find_package(VolumeHaptics REQUIRED COMPONENTS Servo)"
 refuse "enable C, by project(NAME LANGUAGES C CXX)" no_c CXX "find_package(VolumeHaptics REQUIRED)"
 
-# The folder of the sources stays as it is, and the other project gets no setting that is not its own.
+# The folder of the sources must stay unchanged, and the other project must get no settings that are not its own.
 written=$(find "$source_dir" -newer "$work/begin" -type f -not -path '*/.git/*' -not -path '*cache*' \
   -not -path "$source_dir/build/*" -not -path "$build_dir/*")
 if [ -n "$written" ]; then

@@ -13,7 +13,7 @@ import pathlib
 import re
 import sys
 
-# What a block may use without saying how it was made.
+# Variables that a block may use without making them.
 GIVEN = """
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkRenderWindow> window;

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Builds the module inside another project's vtk_module_build(), the way VTK/Remote does; without the libraries of
+# Builds the module inside another project's vtk_module_build(), as VTK/Remote does. Leaves out the libraries of
 # devices, which such a project may not want.
 # usage: superproject.sh SOURCE_DIR BUILD_DIR
 set -euo pipefail
@@ -10,7 +10,7 @@ set -euo pipefail
 work=$2/Testing/Package/superproject
 rm -rf "$work"
 mkdir -p "$work"
-# A remote module is a folder in the other project's source tree.
+# Link this repository as a remote module: a folder in the other project's source tree.
 cp -r "$1/Testing/Package/Superproject" "$work/source"
 ln -s "$1" "$work/source/Remote"
 cmake -S "$work/source" -B "$work/build" -G Ninja -DCMAKE_UNITY_BUILD=ON \

@@ -39,7 +39,7 @@ TEST_P(HidCarrier, CarriesReports)
   EXPECT_EQ(hid_get_feature_report(device, back, 5), 5);
   EXPECT_EQ(std::memcmp(back, feature, 5), 0);
 
-  const int front = GetParam() ? 0 : 1; // an input report has its id in front if there are ids
+  const int front = GetParam() ? 0 : 1; // if the device uses ids, the id precedes an input report
   {
     const RateOf rate("HID output and input", 1000);
     for (unsigned i = 0; i < 1000; ++i)

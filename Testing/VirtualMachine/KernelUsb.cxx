@@ -45,7 +45,7 @@ class EmulatedUsb::Plug
 {
 public:
   Plug(UsbModel& model, const std::string& port)
-    // "1-2" is the second port of the first bus, which is the virtual hub's.
+    // "1-2" is the second port of the first bus, the virtual hub.
     : Port(model, std::stoi(port.substr(2)) - 1)
   {
   }
@@ -98,7 +98,7 @@ std::string EmulatedUsb::GetNode() const
 void EmulatedUsb::BindDriver(const std::string& name)
 {
   const auto number = [this](const char* file) { return ReadLine(Devices / this->Port / file); };
-  // Make the kernel's serial driver accept the device, whose numbers it does not know.
+  // Make the kernel's serial driver accept the device's numbers, which the driver does not know.
   const std::string drivers = "/sys/bus/usb-serial/drivers/" + name + "/new_id";
   if (!name.empty())
   {

@@ -4,9 +4,9 @@
 
 int main(int argc, char** argv)
 {
-  // Tests that can't run on this kernel: it drops reports that are shorter than their descriptor
-  // says, before any program sees them; and its virtual hub is only one bus for devices of this
-  // speed.
+  // Leave out tests that can't run on this kernel. The kernel drops reports that are shorter than
+  // their descriptor says, before programs see them. And its virtual hub has only one bus for
+  // devices of this speed.
   GTEST_FLAG_SET(
     filter, "-*.ShortReport:SpaceMouse.AReportOfAnotherModel*:FalconListing.InTheOrderOfThePorts");
   testing::InitGoogleTest(&argc, argv);

@@ -37,7 +37,7 @@ double Since(std::chrono::steady_clock::time_point begin)
 }
 
 constexpr int Full = 32767;
-constexpr int Duration = 100; ///< ms, of the effect
+constexpr int Duration = 100; ///< ms, length of the effect
 
 /** A way to push x of the device: levels are -Full to Full. */
 class Road
@@ -65,7 +65,7 @@ public:
   {
     this->File = open(this->Node.c_str(), O_RDWR);
     std::uint8_t create[] = { 0x11, 1, 0, 0 };
-    // HIDIOCSFEATURE(4), as linux/hidraw.h defines it.
+    // The number of HIDIOCSFEATURE(4), as linux/hidraw.h defines it.
     constexpr unsigned long setFeature = _IOC(_IOC_WRITE | _IOC_READ, 'H', 0x06, sizeof(create));
     return this->Send({ 0x0C, 8 }) && this->Send({ 0x0C, 1 }) && this->Send({ 0x0D, 255 }) &&
       ioctl(this->File, setFeature, create) == sizeof(create) &&
@@ -211,7 +211,7 @@ TEST_P(PidRoads, LatencyAndRate)
   }
   std::cout << "\n";
 
-  // Send once in a millisecond, then as fast as possible.
+  // Send once a millisecond, and then as fast as possible (pause in us).
   for (const int pause : { 1000, 0 })
   {
     const int before = this->Model.CountOutputs();
@@ -266,7 +266,7 @@ TEST_P(PidRoads, DeathOfTheHost)
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
     const auto begin = std::chrono::steady_clock::now();
     kill(child, signal);
-    // Measure also by the model's own clock, which runs slower on a slow machine.
+    // Measure by the model's own clock as well, because the model runs slower on a slow machine.
     const int time = this->Model.GetClock();
     EXPECT_TRUE(Eventually([&] { return this->GetPush() == 0.0; }));
     std::cout << (GetParam() ? "evdev" : "hidraw") << ": "

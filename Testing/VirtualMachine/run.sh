@@ -2,15 +2,15 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Runs the back ends of real devices on a real kernel: in a virtual machine, on emulated USB devices.
+# Tests the back ends of real devices on a real kernel in a virtual machine, with emulated USB devices.
 #
 # usage: Testing/VirtualMachine/run.sh [BUILD_DIR] [--gtest_OPTION...]
 #
-# The other tests of emulated devices have umockdev in the place of the kernel; here libusb and hidapi talk to Debian's
-# own, down to its USB core, which gets the devices from vhci_hcd. Installs what is missing (a kernel is only unpacked,
-# in BUILD_DIR/virtual-machine), builds in BUILD_DIR (default build/test), boots without KVM, and runs for about ten
-# minutes; --gtest_filter=PATTERN chooses tests. The exit status is the test program's; 125 if it got none.
-# Messages of the kernel: BUILD_DIR/virtual-machine/kernel.log.
+# In other tests of emulated devices, umockdev takes the kernel's place. Here, libusb and hidapi use Debian's kernel,
+# whose USB core gets the devices from vhci_hcd. Installs what is missing (but only unpacks a kernel in
+# BUILD_DIR/virtual-machine), builds in BUILD_DIR (default build/test), boots without KVM, and runs for about ten
+# minutes. --gtest_filter=PATTERN chooses tests. Exits with the test program's status, or 125 if there was none. Writes
+# the kernel's messages to BUILD_DIR/virtual-machine/kernel.log.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -69,7 +69,7 @@ ldd "$program" "$build_dir/bin/volumehaptics-guard" | sed -n 's/.*=> \(\/[^ ]*\)
   while read -r library; do
     install -D "$library" "$files$library"
   done
-# List the modules in the order of their dependencies, as udev would load them: hid-logitech handles the older
+# List the modules in the order of their dependencies, in which udev would load them. hid-logitech handles the older
 # SpaceMice.
 for module in vhci-hcd usbhid hid-generic hid-logitech evdev joydev ftdi_sio; do
   modprobe -d "$kernel" -S "$version" --show-depends "$module" | sed -n 's/^insmod \([^ ]*\).*/\1/p'
@@ -101,7 +101,7 @@ chmod +x "$files/init"
 
 echo "== Running in the machine"
 : > "$machine/status"
-# One processor: if two are emulated on a busy computer, each that wakes up the other waits for milliseconds.
+# Emulate one processor. On a busy computer, two emulated processors wait for milliseconds to wake each other up.
 timeout 3000 qemu-system-x86_64 -accel tcg -cpu max -smp 1 -m 1024 -nodefaults -no-reboot -display none \
   -kernel "$kernel/boot/vmlinuz-$version" -initrd "$machine/initramfs.gz" \
   -append "console=ttyS0 panic=-1" \

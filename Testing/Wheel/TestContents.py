@@ -14,11 +14,11 @@ import pytest
 
 SITE = Path(os.environ["VOLUMEHAPTICS_BUILD"])
 PACKAGE = SITE / "volumehaptics"
-# Libraries of every Linux with Python and OpenGL; PEP 600 names them, too.
-# libexpat, which GDCM's process needs, is on every system that manylinux is for (PEP 599); auditwheel leaves it out.
+# Libraries of every Linux with Python and OpenGL, which PEP 600 also names. GDCM's process needs libexpat; every
+# manylinux system has it (PEP 599), so auditwheel leaves it out.
 SYSTEM = re.compile(r"(ld-linux-x86-64|libc|libdl|libexpat|libgcc_s|libm|libpthread|librt|libstdc\+\+|libz)\.so\.\d+")
 
-# The licences that Debian's packages of these libraries name for what is linked, and those of headers.
+# Licences of the linked libraries and of headers, as Debian's packages of these libraries name them.
 LICENCES = {
     "boost": "BSL-1.0",
     "libblosc": "BSD-3-Clause AND MIT AND Zlib",

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-TOLERANCE = 1e-12  # of the largest size of a number in the array
+TOLERANCE = 1e-12  # relative to the largest absolute number in the array
 HEAD_CT = ROOT / "build/explore/data/Cranium.mhd"
 
 

@@ -2,19 +2,19 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# A step of the wheel's tests, which CTest runs in order (label wheel): installs the wheel as its users do, and runs
-# Python tests against it.
+# Runs a step of the wheel's tests. CTest runs the steps in order (label wheel): they install the wheel as users do, and
+# run Python tests against the wheel.
 #
 # usage: Testing/Wheel/test.sh FOLDER REFERENCE_BUILD PYTHON STEP ENVIRONMENT [ARGUMENT...]
 #
 #   install    makes a new ENVIRONMENT in FOLDER with the wheel, and the packages that ARGUMENT names
 #   pytest     runs pytest there, with the arguments
-#   close      opens a plotter of PyVista and closes it: Testing/Window/close.sh, with the arguments
-#   host       touches a volume in a program of others: Testing/Hosts/host.sh, whose PROGRAM ARGUMENT names
-#   uninstall  removes the wheel, which has to leave and to take nothing else
+#   close      opens a plotter of PyVista and closes it, by Testing/Window/close.sh with the arguments
+#   host       touches a volume in another project's program, which ARGUMENT names, by Testing/Hosts/host.sh
+#   uninstall  removes the wheel; expects that nothing of it is left, and that nothing else is removed
 #
-# FOLDER is what CMake/wheel/build.sh made. REFERENCE_BUILD is a build with the system's VTK, whose traces the wheel's
-# have to equal. Exits with 77 if there is no wheel of the present sources.
+# FOLDER is the result of CMake/wheel/build.sh. REFERENCE_BUILD is a build with the system's VTK; the wheel's traces
+# must equal its traces. Exits with 77 if there is no wheel of the present sources.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -42,7 +42,7 @@ fi
 unset PYTHONPATH
 export PIP_FIND_LINKS=$folder/sdk PIP_DISABLE_PIP_VERSION_CHECK=1
 
-# The files of the environment's packages, but for those that Python compiled on its own.
+# Lists the files of the environment's packages, without those that Python compiles.
 list_packages()
 {
   "$environment/bin/python" - << 'EOF'
@@ -56,14 +56,14 @@ case $step in
   install)
     rm -rf "${environment:?}"
     "$python" -m venv "$environment"
-    # Python compiles what it imports: a tenth of the packages.
+    # Don't let pip compile: Python compiles what it imports, a tenth of the packages.
     "$environment/bin/pip" install -q --no-compile "$@" "$wheel"
     ;;
   pytest)
     VOLUMEHAPTICS_BUILD=$("$environment/bin/python" -c 'import sysconfig; print(sysconfig.get_path("purelib"))')
     VOLUMEHAPTICS_VERSION=$("$environment/bin/pip" show volumehaptics | sed -n 's/^Version: //p')
     export VOLUMEHAPTICS_BUILD VOLUMEHAPTICS_VERSION VOLUMEHAPTICS_REFERENCE_BUILD=$reference
-    # From elsewhere, so that nothing of the repository is imported by accident.
+    # Run in another folder, so that nothing of the repository is imported by accident.
     cd "$folder"
     exec "$environment/bin/python" -m pytest -q -p no:cacheprovider "$@"
     ;;
