@@ -367,7 +367,7 @@ TEST(BackgroundWork, OfAParentThatHasEndedItDoesNotHoldBackThatOfAChild)
 {
   Gate gate;
   Work work;
-  // The flags are shared, since the task outlives this test.
+  // The task shares these flags, since it may outlive the test.
   const auto mayLeave = std::make_shared<std::atomic<bool>>(false);
   const auto isEntered = std::make_shared<std::atomic<bool>>(false);
   work.Poll(1,

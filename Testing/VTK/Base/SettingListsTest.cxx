@@ -59,7 +59,7 @@ public:
   {
   }
 
-  /// Returns the property with this name; null if there is none.
+  /// Returns the property with this name, or null if there is none.
   vtkXMLDataElement* Find(const std::string& name) const
   {
     vtkXMLDataElement* const proxy = this->Tree->GetNestedElement(0)->GetNestedElement(0);

@@ -72,7 +72,7 @@ protected:
     this->Pairs.emplace_back(device, world);
   }
 
-  /// Fits the placement; returns false if the points don't determine one.
+  /// Fits the placement. Returns false if the points don't determine a placement.
   bool Compute()
   {
     this->Largest = this->Device->FitDeviceToWorld(this->Touched, this->Known, this->FixedScale);

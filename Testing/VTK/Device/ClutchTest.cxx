@@ -23,7 +23,7 @@ namespace
 class Clutch : public DeviceTest
 {
 protected:
-  /// Presses the ramp with 1.5 N, and turns the clutch on.
+  /// Presses the ramp with 1.5 N, turns the clutch on, and waits until the force is off.
   void Press()
   {
     ASSERT_NO_FATAL_FAILURE(this->BeginPressed());

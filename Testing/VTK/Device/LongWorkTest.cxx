@@ -476,7 +476,7 @@ TEST_F(LongWork, IsNotMeshingASmallVolume)
 
 TEST_F(LongWork, IsNotHashingALargeVolume)
 {
-  // V = 100 z with 162 MB of samples.
+  // Image of V = 100 z with 162 MB of samples.
   vtkNew<vtkImageData> image;
   image->SetDimensions(256, 256, 310);
   vtkNew<vtkDoubleArray> values;

@@ -98,7 +98,7 @@ TEST_F(PhantomHaply, IsFeltLostAndFeltAgain)
   EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
   this->Service.reset();
   this->Service.emplace();
-  // The device is opened again without a user.
+  // The device must be opened again without a user.
   ASSERT_TRUE(this->Hand.Wait([&] { return this->Hand.Says("is back. Arm() again"); }))
     << this->Device->GetStatusText();
   EXPECT_TRUE(this->Hand.WaitTicks(100));

@@ -33,7 +33,6 @@ protected:
     this->Filter->SetMethodToPrimitives();
   }
 
-  /// Adds a point array to the image.
   template <typename F>
   vtkSmartPointer<vtkDoubleArray> AddArray(const char* name, int components, F&& f)
   {

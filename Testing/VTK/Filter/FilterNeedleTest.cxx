@@ -137,7 +137,7 @@ TEST_F(FilterNeedle, FeelsLayersInAndOut)
         ASSERT_NEAR(Get(trace, "ShaftForce", i), ShaftAt(depth), 1e-5);
       }
       const double cutting = depth > 0.0 ? Layers[LabelAt(depth) - 1][2] : 0.0;
-      // In the tick in which the tip reaches harder tissue, the force has not risen yet.
+      // The force has not risen yet in the tick in which the tip reaches harder tissue.
       const bool isSame = LabelAt(depth) == LabelAt(lastDepth);
       if (depth > lastDepth && isSame)
       {
@@ -357,7 +357,7 @@ TEST_F(FilterNeedle, TellsWhatCannotBeFelt)
   this->Path->GetPointData()->AddArray(orientations);
   this->Path->Modified();
   refuse({ "\"Orientation\"", "point 0", "unit quaternion" });
-  // Without a tool, the array "Orientation" is ignored.
+  // The filter must ignore the array "Orientation" without a tool.
   this->Filter->SetTool(nullptr);
   this->Filter->Update();
   EXPECT_GT(this->Filter->GetOutput()->GetNumberOfPoints(), 0);

@@ -300,7 +300,7 @@ TEST_F(FilterMeasured, ManyHolesAreTold)
     << this->Log.Warnings[0];
 }
 
-// A single bad voxel in the middle is a hole in the data, not an outside.
+// A single bad voxel in the middle is a hole in the data, and no outside.
 TEST_F(FilterMeasured, OneBadVoxelIsNoOutside)
 {
   for (const double bad : { NaN, Infinity })

@@ -102,7 +102,7 @@ protected:
       this->Wait([this] { return !this->Device->GetPlayback()->IsWaitingForData(); });
   }
 
-  /// Returns the value of the shown time step at (12, 12, 12); -1 without a time step.
+  /// Returns the value of the shown time step at (12, 12, 12), or -1 without a time step.
   double GetFelt() const
   {
     vtkImageData* const image = this->Device->GetPlayback()->GetTimeStepImage();

@@ -56,7 +56,7 @@ protected:
     unlink(file.c_str());
     return reader->GetOutput();
   }
-  /// Replays a recording; returns true if it was refused.
+  /// Replays a recording. Returns true if the filter refused the recording.
   bool Replay(vtkPolyData* recording)
   {
     this->FilterLog.Errors.clear();

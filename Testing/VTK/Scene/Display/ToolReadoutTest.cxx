@@ -162,7 +162,7 @@ TEST_F(ToolReadout, TellsTheTorqueOnAShape)
   tool->SetMesh(bar->GetOutput());
   this->Filter->SetTool(tool);
   this->Begin();
-  // A tool that appears inside solid tissue begins there without a force.
+  // A tool that appears inside solid tissue must begin there without a force.
   ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
   ASSERT_TRUE(this->ArmFully());
   EXPECT_EQ(this->Display->GetText().find("N mm"), std::string::npos);

@@ -157,7 +157,7 @@ inline void SetLook(vtkVolumeProperty* property, int components, double air, dou
   property->ShadeOn();
 }
 
-/// A window that shows a volume with its own mapper and property.
+/// Window that shows a volume with its own mapper and property.
 class Shown
 {
 public:
