@@ -1,14 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The Python package volumehaptics, usable from the build tree and from the install tree. VolumeHaptics_PYTHON_SITE, set
-# before and relative to both, is its place.
+# The Python package volumehaptics, usable from the build tree and from the install tree. VolumeHaptics_PYTHON_SITE,
+# which must be set before, is the package's folder relative to either tree.
 if (NOT DEFINED VolumeHaptics_PYTHON_SITE)
   vtk_module_python_default_destination(VolumeHaptics_PYTHON_SITE MAJOR_VERSION 3)
 endif ()
 set(python_options)
 if (SKBUILD)
-  set(python_options SOABI "${Python3_SOABI}") # the name says which Python it is for
+  set(python_options SOABI "${Python3_SOABI}") # the file's name tells which Python it is for
 endif ()
 set(CMAKE_UNITY_BUILD ON) # for generated code
 vtk_module_wrap_python(
@@ -19,7 +19,7 @@ vtk_module_wrap_python(
   MODULE_DESTINATION  "${VolumeHaptics_PYTHON_SITE}"
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   BUILD_STATIC        OFF
-  INSTALL_HEADERS     OFF # properties for projects that wrap classes which derive from these
+  INSTALL_HEADERS     OFF # for projects that wrap classes derived from these
   ${python_options})
 unset(CMAKE_UNITY_BUILD)
 
@@ -72,7 +72,7 @@ foreach (file IN ITEMS
   install(FILES "${source}" DESTINATION "${folder}" COMPONENT python)
 endforeach ()
 
-# VTK's generator of hints imports the classes, which a Python that is not instrumented can't with sanitizers.
+# VTK's generator of hints imports the classes, which fails with sanitizers in a Python that is not instrumented.
 execute_process(
   COMMAND         "${Python3_EXECUTABLE}" -c "import vtkmodules.generate_pyi"
   RESULT_VARIABLE no_generator

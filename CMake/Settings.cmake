@@ -333,7 +333,7 @@ function(_write_property variable attributes body)
     if (minimum MATCHES "^-?[0-9]")
       string(APPEND domain " min=\"${minimum}\"")
     endif ()
-    # A slider covers a whole range, so it is of no use for larger ranges.
+    # A slider covers a whole range, so larger ranges get none.
     if (maximum MATCHES "^[0-9.]+$" AND NOT maximum GREATER 1000)
       string(APPEND domain " max=\"${maximum}\"")
     endif ()

@@ -43,7 +43,7 @@ require_packages()
     as_root=(sudo)
   fi
   echo "Installing the missing Debian packages: ${missing[*]}"
-  # An update that fails is no reason to give up: the lists may be good enough.
+  # If the update fails, go on: the present lists may be good enough.
   "${as_root[@]}" apt-get update -qq || echo "The package lists could not be brought up to date."
   if ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
     apt-get install -y -qq --no-install-recommends "${missing[@]}"

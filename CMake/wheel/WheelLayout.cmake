@@ -4,7 +4,7 @@
 # The layout of a wheel: everything lies in the one folder volumehaptics, beside the folder vtkmodules of VTK's wheel.
 set(BUILD_TESTING OFF) # tests run on the installed wheel
 set(VolumeHaptics_BUILD_EXPLORER ON CACHE BOOL "Build and install the explorer, volumehaptics-explore")
-# PulseAudio's library would have to come with the wheel, with all that it needs, and fit the server's version.
+# The wheel would have to contain PulseAudio's library with all its dependencies, and fit the server's version.
 set(VolumeHaptics_USE_PULSE OFF CACHE BOOL "Let the explorer be heard through PulseAudio or PipeWire")
 set(VolumeHaptics_PYTHON_SITE ".")
 set(VolumeHaptics_PROGRAM_RPATH "$ORIGIN/..:$ORIGIN/../../vtkmodules")

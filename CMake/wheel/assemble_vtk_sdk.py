@@ -24,7 +24,7 @@ SUITES = ("forky", "sid", "trixie")
 # the functions of lz4, hdf5 and tiff. The third text is the library that Debian's VTK links instead.
 JSONCPP = ("libjsoncpp-dev", "1.9.6", "JsonCpp::JsonCpp")
 LZ4 = ("liblz4-dev", "1.10.0", "LZ4::LZ4")
-HDF5 = ("libhdf5-dev", "1.14.5", "hdf5::hdf5;hdf5::hdf5_hl;VTK::mpi") # the wheel's may be a later 1.14
+HDF5 = ("libhdf5-dev", "1.14.5", "hdf5::hdf5;hdf5::hdf5_hl;VTK::mpi") # the wheel may have a later 1.14
 TIFF = ("libtiff-dev", "4.7.0", "TIFF::TIFF") # the wheel may have a 4.6; both have the functions in use
 BUNDLED = {"jsoncpp": JSONCPP, "lz4": LZ4, "hdf5": HDF5, "tiff": TIFF}
 TOOLS = ("vtkWrapHierarchy", "vtkWrapPython", "vtkWrapPythonInit")
@@ -67,7 +67,7 @@ Requires-Dist: vtk=={version}
 
 
 class NotToBeHad(Exception):
-    """Why there is no SDK."""
+    """Raised with the reason why no SDK can be assembled."""
 
 
 def run(*command, **options):
@@ -78,7 +78,7 @@ def run(*command, **options):
 
 
 class Debian:
-    """Packages of newer suites, beside the system's own and from the same servers."""
+    """Gets packages of newer suites, beside the system's own and from the same servers."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -97,7 +97,7 @@ class Debian:
         run("apt-get", *self.options, "-qq", "update")
 
     def find(self, package, version):
-        """The package's full version, or None."""
+        """Returns the package's full version, or None."""
         for line in run("apt-cache", *self.options, "madison", package).splitlines():
             found = line.split("|")[1].strip()
             if re.split(r"[+-]", found)[0] == version:
@@ -105,7 +105,7 @@ class Debian:
         return None
 
     def unpack(self, package, version, into):
-        """A version of None is the newest."""
+        """Unpacks a version of a package; None means the newest."""
         archive = f"{package}={version}" if version else package
         run("apt-get", *self.options, "-qq", "download", archive, cwd=self.folder)
         archive = next(self.folder.glob(f"{package}_*.deb"))
@@ -114,7 +114,7 @@ class Debian:
 
 
 def replace(path, *pairs):
-    """Each of the pairs (pattern, replacement) has to occur."""
+    """Replaces texts in a file; each of the pairs (pattern, replacement) has to occur."""
     text = path.read_text()
     for pattern, replacement in pairs:
         text, count = re.subn(pattern, replacement, text, flags=re.MULTILINE)
@@ -124,15 +124,16 @@ def replace(path, *pairs):
 
 
 def name_as_vtk(header, library, prefix):
-    """Begins a header with macros that give the functions of a library of the wheel the names that they have there."""
+    """Adds macros at the beginning of a header, which give a library's functions the names that they have in the
+    wheel."""
     names = re.findall(rf"\b{prefix}(\w+)(?:@+\S+)?$", run("nm", "-D", "--defined-only", str(library)), flags=re.MULTILINE)
-    # The headers define macros of these names themselves.
+    # The headers themselves define macros of these names.
     macros = "".join(f"#define {name} {prefix}{name}\n" for name in names if not name.endswith("_async"))
     header.write_text(macros + header.read_text())
 
 
 def place_headers(include, headers, libraries):
-    """The headers of lz4, hdf5 and tiff, below `headers`, beside VTK's own."""
+    """Places the headers of lz4, hdf5 and tiff, which lie below `headers`, beside VTK's own."""
     for name in ("lz4", "hdf5", "tiff"):
         replace(include / f"vtk_{name}.h", (rf"^(#define VTK_MODULE_USE_EXTERNAL_vtk{name}) 1", r"\1 0"))
     lz4 = include / "vtklz4" / "lib" / "lz4.h"
@@ -171,7 +172,7 @@ def correct_headers(include, json):
 
 
 def place_targets(cmake, version, libraries):
-    """The targets are the wheel's libraries and the tools. Returns their names."""
+    """Makes the targets of the wheel's libraries and of the tools. Returns their names."""
     short = ".".join(version.split(".")[:2])
     wheel = "${_IMPORT_PREFIX}/../../vtkmodules"
     python = f"{sys.version_info.major}.{sys.version_info.minor}"
@@ -250,7 +251,7 @@ def write_tools(usr, content, version):
 
 
 def pack(tree, version, folder):
-    """The tree as a wheel; the list of its files is left to the tool that repacks it."""
+    """Packs the tree as a wheel; the tool that repacks the wheel writes the list of its files."""
     tag = f"cp{sys.version_info.major}{sys.version_info.minor}"
     info = tree / f"vtk_sdk-{version}.dist-info"
     info.mkdir()

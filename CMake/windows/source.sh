@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Unpacks the source package NAME of this Debian into FOLDER, from the mirrors that apt-get uses, without
-# a change of the system: usage: source.sh NAME FOLDER
+# Unpacks the source package NAME of this Debian into FOLDER, from the mirrors that apt-get uses, without changing the
+# system: usage: source.sh NAME FOLDER
 set -e
 name=$1
 mkdir -p "$2"

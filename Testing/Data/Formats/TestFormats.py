@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every input of write.py is right at every voxel, or refused with its cause and a cure: see formats.sh."""
+"""Every input of write.py is right at every voxel, or is refused with the cause and a cure: see formats.sh."""
 
 import fnmatch
 import itertools
@@ -32,13 +32,13 @@ except ImportError:  # without Python wrapping, only the explorer is tested
 FILES = Path(os.environ["VOLUMEHAPTICS_FORMATS"])
 EXPLORE = os.environ["VOLUMEHAPTICS_EXPLORE"]
 CASES = json.loads((FILES / "cases.json").read_text())
-# Cases that still fail. A case that is mended fails here until its line is removed.
+# Cases that still fail. When a case is mended, the test fails until the case is removed from this list.
 WRONG = set((Path(__file__).parent / "wrong.txt").read_text().split())
 BALLS = 4.0 / 3.0 * np.pi * (20.0**3 + 5.0**3 + 7.0**3)  # mm^3, a little more than the phantom's volume
 
 
 def read(path):
-    """The image that was written, its values (nx, ny, nz), and the affine from index to world."""
+    """Reads the written image: its values (nx, ny, nz), and the affine from index to world."""
     reader = vtkXMLImageDataReader()
     reader.SetFileName(str(path))
     reader.Update()
@@ -46,7 +46,7 @@ def read(path):
 
 
 def measure(image):
-    """The image's values (nx, ny, nz), and the affine from index to world."""
+    """Returns the image's values (nx, ny, nz), and the affine from index to world."""
     direction = np.array([[image.GetDirectionMatrix().GetElement(i, j) for j in range(3)] for i in range(3)])
     affine = np.eye(4)
     affine[:3, :3] = direction * np.array(image.GetSpacing())
@@ -58,11 +58,11 @@ def measure(image):
 
 
 def phantom_points(case, affine, size):
-    """Where the voxels of the result are in the phantom, and the volume of a voxel there (mm^3)."""
+    """Returns the positions of the result's voxels in the phantom, and the volume of a voxel there (mm^3)."""
     index = np.moveaxis(np.indices(size, dtype=float), 0, -1)
     points = index @ affine[:3, :3].T + affine[:3, 3]
     volume = abs(np.linalg.det(affine[:3, :3]))
-    if case["steps"]:  # the file knows no patient: the voxels themselves say where they are in the phantom
+    if case["steps"]:  # the file names no patient: its steps place the voxels in the phantom
         grid = Grid()
         points = ((points - case["first"]) / case["steps"]) @ grid.affine[:3, :3].T + grid.origin
         volume *= np.prod(grid.spacing) / abs(np.prod(case["steps"]))
@@ -70,8 +70,8 @@ def phantom_points(case, affine, size):
 
 
 def compare_with_python(case, image, said):
-    """Python and ParaView read by this class what the explorer writes, to the bit, and say the same, but that the class
-    names its settings, and the explorer its options."""
+    """Python and ParaView, which use this class, read the explorer's result to the bit and report the same, except that
+    the class names its settings and the explorer its options."""
     if volumehaptics is None:
         return
     said = re.sub("--series (\\w)", "Series = \\1", said.replace("eave --series out", "eave Series out"))
@@ -104,7 +104,7 @@ def test_is_right_or_refused(case, tmp_path):
     said = run.stdout + run.stderr
     if case["refused"]:
         assert run.returncode == 2, said
-        # Remove the file's own name, which says nothing of the cause.
+        # Remove the file's own name, which does not tell the cause.
         cause = said.replace(case["path"], "").replace(Path(case["path"]).name, "").replace(case["name"], "")
         assert re.search(case["refused"], cause), said
         assert "Cure:" in said
@@ -117,7 +117,7 @@ def test_is_right_or_refused(case, tmp_path):
     for told in case["told"]:
         assert re.search(told, said, re.IGNORECASE), said
     if case["labels"]:
-        # The middle of the phantom's edge is where a label begins; the values were rounded to 1.
+        # A label begins in the middle of the phantom's edge; the values were rounded to 1.
         body, left = values(points), points[..., 0] > CENTRE[0] + 20.5
         one = case["first_label"]
         expected = {"": one + left, "body": one, "knob": (one + 1) * left}[case["alone"]] * (body > -470.0)
@@ -130,14 +130,14 @@ def test_is_right_or_refused(case, tmp_path):
         return
     in_phantom = values(points)
     wrong = np.abs(found - case["offset"] - case["scale"] * in_phantom)
-    if case["outside"]:  # nothing was measured there: air, or less
+    if case["outside"]:  # not measured there: air, or less
         air = case["offset"] + case["scale"] * values(CENTRE + 1000.0)
         wrong[((found <= air) | ~np.isfinite(found)) & (distance(points) > 2.0)] = 0.0
     assert np.isfinite(wrong).all()
     assert wrong.max() <= case["tolerance"], (wrong.max(), said)
-    if re.search("tilted|sheared", case["name"]):  # resampling goes beyond nothing that is there
+    if re.search("tilted|sheared", case["name"]):  # resampling adds no samples beyond the data
         assert AIR <= found.min() and found.max() <= TISSUE, (found.min(), found.max())
-    # All of the phantom is there.
+    # The whole phantom is in the volume.
     body = voxel * np.count_nonzero(in_phantom > -470.0)
     assert 0.9 * BALLS < body < BALLS, (body, said)
 
@@ -148,7 +148,8 @@ ONE_OF_EACH = ("dicom-tilted-20", "dicom-oblique", "dicom-enhanced", "nifti-obli
 
 
 def corners(image):
-    """The first and the last voxel along each axis, in any order: where a volume lies, whichever axes it is stored along."""
+    """Returns the first and the last voxel along each axis, in any order: they tell where a volume lies, along whatever
+    axes it is stored."""
     found, affine = measure(image)
     index = np.array(list(itertools.product(*[(0, n - 1) for n in found.shape])))
     places = index @ affine[:3, :3].T + affine[:3, 3]
@@ -156,7 +157,7 @@ def corners(image):
 
 
 def large_image(path):
-    """The whole of what open_large() reads; None where the file is for memory alone."""
+    """Returns all samples that open_large() reads; None if the file can only be read into memory."""
     try:
         source = volumehaptics.open_large(path)
     except ValueError:
@@ -197,7 +198,7 @@ def test_there_is_one_truth_in_every_front_end(tmp_path):
 
 
 def in_the_patient():
-    """The cases of ONE_OF_EACH whose files say where the patient is."""
+    """Returns the cases of ONE_OF_EACH whose files have patient coordinates."""
     return [one for one in CASES if one["name"] in ONE_OF_EACH and not one["steps"]]
 
 
@@ -215,7 +216,7 @@ def test_lengths_and_sides_are_the_patients_in_the_scene(touch, case):
     measured = volumehaptics.vtkHapticMeasurements()
     measured.AddDistance(*touched)
     assert measured.GetUnit(0) == "mm"
-    assert abs(measured.GetValue(0) - 47.0) < 2.0  # from the tip of the left knob to the right of the ball
+    assert abs(measured.GetValue(0) - 47.0) < 2.0  # from the left knob's tip to the right side of the ball
     display = volumehaptics.vtkHapticHeadUpDisplay()
     display.SetMeasurements(measured)
     assert re.search(rf"Distance 1: {measured.GetValue(0):.1f}\d* mm", display.GetText()), display.GetText()
@@ -235,8 +236,8 @@ def test_lengths_and_sides_are_the_patients_in_the_scene(touch, case):
     slices.SetRenderWindow(window)
     slices.SetPosition(CENTRE)
     window.Render()
-    # Axes as radiologists see them: the patient's right at the left, the front or the head at the top; and a view from
-    # the left side.
+    # The slices have radiologists' axes: the patient's right at the left, the front or the head at the top; and a view
+    # from the left side.
     for number, (right, up, letters) in enumerate((("L", "A", "RLPA"), ("L", "S", "RLIS"), ("P", "S", "APIS"))):
         renderer = slices.GetRenderer(number)
         (x, y), (width, height) = renderer.GetOrigin(), renderer.GetSize()
@@ -249,7 +250,7 @@ def test_lengths_and_sides_are_the_patients_in_the_scene(touch, case):
             for j in range(height // 6, height * 5 // 6, 5):
                 assert slices.FindPosition(number, x + i, y + j, at)
                 far = distance(at)
-                if abs(far) > 1.5 and np.ptp(shown[j, i]) == 0:  # neither an edge nor the crosshair's colours
+                if abs(far) > 1.5 and np.ptp(shown[j, i]) == 0:  # neither an edge nor a colour of the crosshair
                     bright, dark = bright + (far < 0.0), dark + (far > 0.0)
                     wrong += (shown[j, i, 0] > 128) != (far < 0.0)
         assert bright > 20 and dark > 20 and wrong <= 0.02 * (bright + dark), (number, bright, dark, wrong)
@@ -271,7 +272,7 @@ def test_lengths_and_sides_are_the_patients_in_the_scene(touch, case):
 
 @pytest.fixture
 def touch():
-    """volumehaptics.touch(), where it was wrapped."""
+    """Returns volumehaptics.touch() if Python is wrapped."""
     return pytest.importorskip("volumehaptics").touch
 
 
@@ -326,7 +327,8 @@ def test_without_the_program_that_reads_dicom_it_is_refused_with_the_cure(tmp_pa
 
 
 def test_that_grids_are_read_without_limits_is_told(tmp_path):
-    """Where another user could have written volumehaptics-read, which has them."""
+    """If another user may write volumehaptics-read, which has the limits, a note tells that grids are read without
+    limits."""
     place, good = tmp_path / "away", tmp_path / "good.vtk"
     place.mkdir(mode=0o755)
     linked = subprocess.run(["ldd", EXPLORE], capture_output=True, text=True, check=True).stdout
@@ -422,7 +424,8 @@ def test_a_volume_larger_than_memory_is_chosen_by_the_same_number():
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case["name"])
 def test_a_volume_larger_than_memory_and_labels_lie_where_the_file_says(case):
-    """open_large() and the labels of every input: the phantom at every voxel, or a refusal with its cause and a cure."""
+    """Compares open_large() and the labels of every input: the phantom at every voxel, or a refusal with the cause and
+    a cure."""
     if volumehaptics is None:
         pytest.skip("the module was not wrapped")
     number = int(case["options"][case["options"].index("--series") + 1]) if "--series" in case["options"] else 0
@@ -487,7 +490,7 @@ def test_labels_of_a_file_with_several_are_chosen():
 
 
 def test_labels_of_a_table_that_are_in_no_voxel_are_told(tmp_path):
-    """The folder of masks has one without a voxel, the aorta; so has a table of the user's."""
+    """The folder of masks contains one without a voxel, the aorta; the user's table also has such a label."""
     def notes(*words):
         run = subprocess.run([EXPLORE, *words, "--inspect", "--json"], capture_output=True, text=True, check=True)
         return "\n".join(json.loads(run.stdout)["notes"])
@@ -563,7 +566,7 @@ def test_the_trail_is_as_smooth_at_a_place_of_utm(tmp_path):
         reader.Update()
         width, height, _ = reader.GetOutput().GetDimensions()
         pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, -1)
-        red, green, blue = (pixels[:, :width * 4 // 5, i] for i in range(3))  # without the scale of colours
+        red, green, blue = (pixels[:, :width * 4 // 5, i] for i in range(3))  # without the colour scale
         trails.append((red < 70) & (green < 90) & (blue > 150))
     assert trails[0].sum() > 1000
     assert (trails[0] ^ trails[1]).sum() < 0.02 * trails[0].sum()

@@ -21,7 +21,8 @@ class Case:
     tolerance: float = 1.0  #: of values; more where something is resampled
     scale: float = 1.0  #: the values are the phantom's times this ...
     offset: float = 0.0  #: ... and this is added
-    #: Where the file itself knows no patient: steps (mm) of the result's world along the index axes, and its first voxel.
+    # : Used if the file has no patient coordinates: steps (mm) of the result's world along the index axes, and its
+    # first voxel.
     steps: tuple[float, float, float] | None = None
     first: tuple[float, float, float] = (0.0, 0.0, 0.0)
     outside: bool = False  #: where nothing was measured, the value is air's or below

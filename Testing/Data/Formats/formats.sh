@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Writes files as other people have them, by independent libraries from PyPI, and compares what the explorer reads
-# with the phantom's formula.
+# Writes files like those of other people, by independent libraries from PyPI, and compares the explorer's result with
+# the phantom's formula.
 #
 # usage: Testing/Data/Formats/formats.sh BUILD_DIR [seeds | only FOLDER NAME...]
 #

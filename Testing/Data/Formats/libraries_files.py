@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes what pydicom and nibabel say of each file that they bring for their own tests: libraries_files.py FOLDER.
+"""Writes what pydicom and nibabel report about each of their own test files: libraries_files.py FOLDER.
 
 FOLDER/libraries.json has for each file the kind of object that it is, and, if it is a volume, or a slice of one, the
 affine from index (x, y, z) to left-posterior-superior; FOLDER/N.npy the voxels [x, y, z] of the first volume."""
@@ -19,7 +19,7 @@ TO_LPS = np.diag([-1.0, -1.0, 1.0, 1.0])
 
 
 def say_nibabel(path):
-    """The class of the image, the voxels and the affine, or why there are none."""
+    """Returns the class of the image, the voxels and the affine, or the reason why they are missing."""
     try:
         image = nibabel.load(path)
         voxels = np.asarray(image.dataobj, dtype=float)
@@ -46,9 +46,9 @@ def read_dicom(path):
 
 
 def place(first, step):
-    """The affine of slices, the first of which has the position of `first`."""
+    """Returns the affine of slices, whose first slice has the position of `first`."""
     along, down = np.reshape(np.array(first.ImageOrientationPatient, dtype=float), (2, 3))
-    spacing = np.array(first.PixelSpacing, dtype=float)  # from row to row first
+    spacing = np.array(first.PixelSpacing, dtype=float)  # the step from row to row comes first
     affine = np.eye(4)
     affine[:3, :3] = np.stack([along * spacing[1], down * spacing[0], step], axis=1)
     affine[:3, 3] = np.array(first.ImagePositionPatient, dtype=float)

@@ -22,14 +22,14 @@ _sampled = {}  # cache of sampled grids, because most writers use the same grid
 
 
 def distance(points):
-    """The signed distance (mm, outside positive) of points (..., 3) from the phantom's surface: exact outside of it, and
-    near the surface at all places but the seams of the knobs."""
+    """Returns the signed distance (mm, outside positive) of points (..., 3) from the phantom's surface: exact outside,
+    and near the surface except at the seams of the knobs."""
     points = np.asarray(points, dtype=float) - CENTRE
     return np.min([np.linalg.norm(points - centre, axis=-1) - radius for centre, radius in BALLS], axis=0)
 
 
 def values(points, air=AIR, tissue=TISSUE):
-    """The phantom's values at points (..., 3)."""
+    """Returns the phantom's values at points (..., 3)."""
     return air + (tissue - air) * np.clip(0.5 - distance(points) / EDGE, 0.0, 1.0)
 
 
@@ -55,12 +55,12 @@ class Grid:
         return self.affine[:3, 3]
 
     def points(self):
-        """The positions of all voxels, of the shape (nx, ny, nz, 3)."""
+        """Returns the positions of all voxels, with the shape (nx, ny, nz, 3)."""
         index = np.moveaxis(np.indices(self.size, dtype=float), 0, -1)
         return index @ self.affine[:3, :3].T + self.affine[:3, 3]
 
     def sample(self, dtype=np.int16, **limits):
-        """The phantom's values at all voxels, of the shape (nx, ny, nz)."""
+        """Returns the phantom's values at all voxels, with the shape (nx, ny, nz)."""
         key = (self.size, self.affine.tobytes(), *limits.items())
         if key not in _sampled:
             _sampled[key] = np.round(values(self.points(), **limits))
@@ -68,7 +68,7 @@ class Grid:
 
 
 def turned(degrees, axis=(1.0, 2.0, 3.0)):
-    """A matrix that turns about an axis."""
+    """Returns a matrix that rotates about an axis."""
     x, y, z = np.asarray(axis) / np.linalg.norm(axis)
     angle = np.radians(degrees)
     cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])

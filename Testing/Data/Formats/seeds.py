@@ -8,7 +8,7 @@ from pathlib import Path
 
 import phantom
 
-SIZE = 6  # voxels along each axis; the writers' own are about 42
+SIZE = 6  # voxels along each axis; the writers' default is about 42
 _init = phantom.Grid.__init__
 
 
@@ -33,7 +33,7 @@ LARGEST = 60000  # bytes
 
 
 def pack(folder):
-    """A folder in one buffer: see Testing/Fuzz/TouchFiles.h."""
+    """Packs a folder into one buffer: see Testing/Fuzz/TouchFiles.h."""
     packed = b"PACK"
     for file in sorted(folder.rglob("*")):
         if file.is_file() and file.stat().st_size < 1 << 16:

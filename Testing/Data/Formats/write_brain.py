@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""FreeSurfer's MGH and MGZ by nibabel, MINC 1 by the NetCDF writer that nibabel has, and MINC 2 by h5py. All have
-right-anterior-superior; the phantom's grids have left-posterior-superior."""
+"""Writes FreeSurfer's MGH and MGZ by nibabel, MINC 1 by nibabel's NetCDF writer, and MINC 2 by h5py. All use
+right-anterior-superior; the phantom's grids use left-posterior-superior."""
 
 import gzip
 
@@ -51,7 +51,7 @@ mgh_case("no-such-frame", voxels=frames, chosen=("--series", "4"), refused="3 fr
 @case("mgh-no-place", source="FreeSurfer's mriio.cpp: without goodRASFlag the slices are coronal",
       told=("no position: coronal slices of 1 mm",), steps=(1.0, 1.0, 1.0), first=(-22.0, -19.0, -20.0))
 def no_place(folder):
-    """Coronal slices, from the right to the left, from head to feet, and from back to front."""
+    """Returns coronal slices that go from right to left, from head to feet, and from back to front."""
     path = save_mgh(folder, GRID.sample().transpose(0, 2, 1)[:, ::-1, ::-1], TO_RAS @ GRID.affine, "head.mgh")
     raw = bytearray(path.read_bytes())
     raw[28:30] = b"\0\0"
@@ -84,7 +84,8 @@ damaged_mgh("of-text", lambda raw: b"hello", "no file of FreeSurfer")
 
 def save_minc(folder, grid=GRID, dtype=np.int16, signtype="signed__", per_slice=True, order="zyx", units="mm",  # noqa: PLR0913
               extra=None, second=False, valid=None, limits=True, **facts):
-    """Image dimensions in `order`, the slowest first; `extra` is the name of a further, slowest one."""
+    """Names the image dimensions in `order`, slowest first; `extra` is the name of another dimension, which is still
+    slower."""
     path = folder / "head.mnc"
     file = netcdf_file(str(path), "w")
     affine = TO_RAS @ grid.affine

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""DICOM whose pixels are compressed by JPEG, JPEG-LS, JPEG 2000 and what came after them: imagecodecs packs the pixels, and
-pydicom the file."""
+"""Writes DICOM with pixels compressed by JPEG, JPEG-LS, JPEG 2000 and their successors: imagecodecs packs the pixels,
+and pydicom the file."""
 
 import imagecodecs
 import numpy as np
@@ -23,7 +23,7 @@ BITS = 12
 
 
 def stored(data):
-    """The pixels of a slice, or of all frames."""
+    """Returns the stored pixels of a slice, or of all frames."""
     kind = f"<{'i' if data.PixelRepresentation else 'u'}{data.BitsAllocated // 8}"
     size = (data.Rows, data.Columns) if data.get("NumberOfFrames", 1) == 1 else (-1, data.Rows, data.Columns)
     return np.frombuffer(data.PixelData, kind).reshape(size)
@@ -39,7 +39,7 @@ def pack(data, syntax, packed, is_lossy=False):
 
 
 def packed_case(name, syntax, encode, signed=False, is_lossy=False, **facts):
-    """Slices of 12 bits, or signed ones of 16."""
+    """Registers a case with slices of 12 bits, or of 16 bits if signed."""
 
     @case(f"dicom-{name}", **facts)
     def write(folder):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""DICOM as scanners, archives and anonymisers write it, by pydicom."""
+"""Writes DICOM as scanners, archives and anonymisers do, by pydicom."""
 
 import os
 import shutil
@@ -33,12 +33,12 @@ from pydicom.uid import (
     generate_uid,
 )
 
-config.settings.writing_validation_mode = config.IGNORE  # takes a quarter of the time
+config.settings.writing_validation_mode = config.IGNORE  # ignoring takes a quarter of the time
 _PREFIX = "1.2.826.0.1.3680043.10.1.7."
 
 
 def uid(*parts):
-    """A number that is the same in each run."""
+    """Returns a UID that is the same in each run."""
     return generate_uid(prefix=_PREFIX, entropy_srcs=[str(part) for part in parts])
 
 
@@ -63,7 +63,7 @@ def header(sop_class, modality, *names, syntax=ExplicitVRLittleEndian):
 
 
 def put_pixels(data, plane, intercept=-1024.0, slope=1.0, bits=16, signed=False):
-    """`plane` has rows x columns (x frames before them) of real values."""
+    """Stores `plane`: rows x columns (preceded by frames) of real values."""
     data.RescaleIntercept = f"{intercept:.10g}"
     data.RescaleSlope = f"{slope:.10g}"
     data.SamplesPerPixel = 1
@@ -81,7 +81,7 @@ def put_pixels(data, plane, intercept=-1024.0, slope=1.0, bits=16, signed=False)
 
 
 def slices(grid, name="head", sop_class=CTImageStorage, modality="CT", sampled=None, **pixels):
-    """A data set for each slice of a grid."""
+    """Yields a data set for each slice of a grid."""
     voxels = grid.sample(float) if sampled is None else sampled
     made = []
     for k in range(grid.size[2]):
@@ -187,7 +187,7 @@ def tilt(name, degrees):
     @case(f"dicom-tilted-{name}", source="Slicer#4409, dcm2niix#253, cornerstone3D#227", told=("tilt|shear|slant",),
           tolerance=120.0, outside=True)
     def write(folder):
-        # Slices stay parallel to x and turn about it; the table moves along z.
+        # The slices stay parallel to x and rotate about it; the table moves along z.
         angle = np.radians(degrees)
         row, column = np.array([1.0, 0.0, 0.0]), np.array([0.0, np.cos(angle), np.sin(angle)])
         grid = Grid(size=(44, 44, 50))
@@ -343,8 +343,8 @@ def trigger_time(folder):
 
 
 def segmentation(grid, bits=1, overlapping=False):
-    """A SEG of two segments, the ball with its upper knob, and the left knob: PS3.3 C.8.20.2. If they overlap, the left
-    knob is in the first one, too."""
+    """Returns a SEG of two segments, the ball with its upper knob, and the left knob: PS3.3 C.8.20.2. If they overlap,
+    the first segment also contains the left knob."""
     data = header(SegmentationStorage, "SEG", "seg")
     data.SegmentationType = "BINARY" if bits == 1 else "FRACTIONAL"
     body = grid.sample(float) > -470.0
@@ -460,7 +460,7 @@ def no_spacing(data):
 
 def comma_spacing(data):
     del data.PixelSpacing
-    data.add_new(0x00280030, "LO", ["1,6", "1,5"])  # the bytes of a wrong DS
+    data.add_new(0x00280030, "LO", ["1,6", "1,5"])  # bytes of a wrong DS
 
 
 spacing_case("only-imager-spacing", only_imager_spacing, told=("ImagerPixelSpacing|imager",))

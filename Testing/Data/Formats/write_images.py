@@ -90,7 +90,7 @@ nrrd_case("vector-first-of-which-none-is-chosen", channel_header(0, "vector"), v
 
 
 def save_segments(folder, masks, layers):
-    """A segmentation of 3D Slicer: a layer for each segment, or one for all."""
+    """Writes a segmentation as 3D Slicer does: a layer for each segment, or one layer for all."""
     voxels = np.stack(masks) if layers else masks[0] + 2 * masks[1]
     header = {**(channel_header(0, "list") if layers else nrrd_header()), "Segmentation_MasterRepresentation": "Binary labelmap"}
     for number, name in enumerate(("ball", "knob")):
@@ -146,7 +146,7 @@ def cells(folder):
 
 
 def slices_apart(name, line):
-    """A raw file for each slice, named as teem's definition of the format says."""
+    """Writes a raw file for each slice, named as in teem's definition of the format."""
 
     @case(f"nrrd-{name}", source="teem: data file LIST, or a pattern")
     def write(folder):
@@ -333,7 +333,7 @@ def tiff_signed(folder):
 
 
 def hyperstack(other):
-    """Two times of three channels, of which the second channel of the second time is the phantom."""
+    """Writes two times of three channels; the second channel of the second time is the phantom."""
     voxels = np.full((2, GRID.size[2], 3, GRID.size[1], GRID.size[0]), other, np.uint16)
     voxels[1, :, 1] = UNSIGNED.transpose(2, 1, 0)
     return voxels  # TZCYX

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""NIfTI and Analyze, by nibabel. NIfTI has right-anterior-superior; the phantom's grids have left-posterior-superior."""
+"""Writes NIfTI and Analyze by nibabel. NIfTI uses right-anterior-superior; the phantom's grids use
+left-posterior-superior."""
 
 import gzip
 
@@ -154,7 +155,7 @@ unit_case("meter", 0.001)
 
 @case("nifti-4d-times", told=("frames|time",))
 def times(folder):
-    """Softer from time to time."""
+    """Writes time steps in which the tissue becomes softer."""
     return save(folder, image(voxels=np.stack([GRID.sample(tissue=TISSUE - 100.0 * t) for t in range(3)], axis=3)))
 
 

@@ -60,7 +60,7 @@ def high_bits(name, change, told=(), **pixels):
         return save_all(folder, sets)
 
 
-# The outer slices are air alone, which is stored as 16: its four lowest bits are 0, as if it were shifted.
+# The outer slices are only air, which is stored as 16: its four lowest bits are 0, as if the value were shifted.
 high_bits("and-samples-below", lambda stored: stored, ("not where HighBit says",), intercept=-1016.0)
 high_bits("and-signed-samples-below", lambda stored: stored, ("not where HighBit says",), intercept=0.0, signed=True)
 high_bits("and-an-overlay", lambda stored: stored << 4 | np.arange(stored.size) % 3, ("may be an overlay",))
@@ -251,7 +251,7 @@ def nifti_case(name, voxels=GRID.sample, file="head.nii", change=None, **facts):
 
 
 def both_forms(image):
-    """A qform for the scanner, and an sform for a template."""
+    """Writes a qform for the scanner, and an sform for a template."""
     image.set_qform(TO_RAS @ Grid(axes=turned(50.0), at_centre=(0, 0, 0)).affine, 1)
     image.set_sform(TO_RAS @ GRID.affine, 4)
 

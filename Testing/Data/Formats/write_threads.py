@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Data as further public threads tell of it, by the libraries of the other writers. `source` names each thread; where it complains of a wrong
-volume, the case here is right at every voxel, and where nothing can be right, it is refused."""
+"""Writes data like those in further public threads, by the libraries of the other writers. `source` names each thread.
+Where the thread complains of a wrong volume, the case here is right at every voxel; where no volume can be right,
+the case is refused."""
 
 import shutil
 
@@ -84,7 +85,8 @@ def two_orientations(folder):
 
 
 def frames(spacing_between):
-    """All slices in a file of CT Image Storage, which may have one only, without the places of frames."""
+    """Writes all slices into one file of CT Image Storage, which may have a single slice only, without the positions of
+    frames."""
     data = slices(GRID)[0]
     put_pixels(data, np.moveaxis(GRID.sample(float), 2, 0).transpose(0, 2, 1))
     data.NumberOfFrames = GRID.size[2]
@@ -170,7 +172,7 @@ def one_number(folder):
     sets = slices(GRID)
     for data in sets:
         data.PixelSpacing = None
-        data.add_new(0x00280030, "LO", "1.6,1.5")  # a comma for the backslash
+        data.add_new(0x00280030, "LO", "1.6,1.5")  # a comma instead of the backslash
     return save_all(folder, sets)
 
 
@@ -178,7 +180,7 @@ def one_number(folder):
       offset=50.0, tolerance=1e-3, told=("doses in Gy",), options=("--preset", "histogram"))
 def flipped_dose(folder):
 
-    grid = Grid(axes=np.diag([1.0, -1.0, 1.0]))  # rows to the left, columns to the front: the normal is to the feet
+    grid = Grid(axes=np.diag([1.0, -1.0, 1.0]))  # rows to the left, columns to the front: the normal points to the feet
     data = header(RTDoseStorage, "RTDOSE", "dose")
     data.DoseUnits, data.DoseType, data.DoseSummationType = "GY", "PHYSICAL", "PLAN"
     data.ImageOrientationPatient = [1, 0, 0, 0, -1, 0]
@@ -194,7 +196,7 @@ def flipped_dose(folder):
 
 
 def real_world(slope, intercept, unit, table=None, last=65535):
-    """An item of RealWorldValueMappingSequence: PS3.3 C.7.6.16.2.11."""
+    """Returns an item of RealWorldValueMappingSequence: PS3.3 C.7.6.16.2.11."""
     mapping, code = Dataset(), Dataset()
     mapping.LUTExplanation, mapping.LUTLabel = "map", "map"
     mapping.RealWorldValueFirstValueMapped, mapping.RealWorldValueLastValueMapped = 0, last
@@ -208,7 +210,7 @@ def real_world(slope, intercept, unit, table=None, last=65535):
 
 
 def mapped(folder, mappings, rescale=False):
-    """Values from 500 to 1030, times 2 in the file."""
+    """Writes values from 500 to 1030, which the file stores times 2."""
     sets = slices(GRID, "mapped", MRImageStorage, "MR", 2.0 * (1000.0 + 0.5 * GRID.sample(float)), intercept=0.0)
     for data in sets:
         if rescale:
