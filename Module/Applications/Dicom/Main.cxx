@@ -43,7 +43,7 @@ using VolumeHaptics::SendAll;
 
 constexpr std::uint32_t LONGEST_VALUE = 1024; // bytes of the longest value that is passed on
 constexpr std::uint32_t LONGEST_OFFSETS = 65536;
-const gdcm::Tag OFFSETS(0x3004, 0x000c);             // of a dose's frames
+const gdcm::Tag OFFSETS(0x3004, 0x000c);             // position of each frame of a dose
 constexpr std::uint32_t REAL_WORLD = 0x00409096;     // RealWorldValueMappingSequence
 constexpr std::uint32_t MODALITY_TABLE = 0x00283000; // ModalityLUTSequence
 const gdcm::Tag ROWS(0x0028, 0x0010), BEFORE_PIXELS(0x7fe0, 0x0007);
@@ -124,7 +124,7 @@ void AppendValues(const gdcm::DataSet& set, std::uint32_t sequence, int item, st
   for (auto at = set.Begin(); at != set.End(); ++at)
   {
     const std::uint32_t tag = ToNumber(at->GetTag());
-    if (tag == MODALITY_TABLE) // only that it is there, with an item
+    if (tag == MODALITY_TABLE) // only whether the sequence has an item
     {
       const gdcm::SmartPointer<gdcm::SequenceOfItems> tables = at->GetValueAsSQ();
       if (tables ? tables->GetNumberOfItems() == 0 : at->IsEmpty())
@@ -207,7 +207,7 @@ bool FindPixels(
   return true;
 }
 
-/// Returns the pixels of a data set as it has them; null if there are none.
+/// Returns the pixels of a data set as they are stored; null if there are none.
 const gdcm::DataElement* GetPixels(const gdcm::DataSet& set)
 {
   for (const gdcm::Tag& tag : { PIXELS, FLOAT_PIXELS, DOUBLE_PIXELS })

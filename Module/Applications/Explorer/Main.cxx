@@ -293,7 +293,7 @@ int Run(const Explore::Options& options, Explore::FileChoice& next)
     const Explore::LiveRun live = Explore::RunLive(exploration, options.Folder + "/live.vtp");
     std::cout << live.Report << std::endl;
     isReproduced = live.IsReproduced;
-    // Show in the pictures what was felt live.
+    // Show the live trace in the pictures.
     exploration.Trace = live.Trace;
   }
   WriteSound(exploration, options);

@@ -171,7 +171,7 @@ void SetSound(Options& options, const std::string& file)
   options.Sound = true;
 }
 
-/// Sets the device, or if there is one already, that of the second hand.
+/// Sets the first device, or if that is set, the device of the second hand.
 void SetDevice(Options& options, const std::string& id)
 {
   if (options.HasDevice && !options.Device.SecondId.empty())
@@ -381,7 +381,7 @@ Options ParseOptions(int argc, char* argv[])
       const std::string name = word.substr(0, equals);
       if (equals == std::string::npos && i + 1 >= argc)
       {
-        // All options have a line of their own in the help.
+        // Every option has a line in the help.
         const bool isKnown = Explore::HelpText().find("\n  " + name + " ") != std::string::npos;
         throw InputError(
           word, isKnown ? "needs a value" : "is not an option", "--help lists the options");

@@ -194,7 +194,7 @@ std::string DetectHoles(const std::string& file)
 {
   constexpr std::int64_t smallest = std::int64_t{ 64 } << 20;
   constexpr std::int64_t largestCompression =
-    1032; // of zeros by deflate (zlib's technical details)
+    1032; // largest ratio of deflate, for zeros (zlib's technical details)
   Files::Status status;
   const int descriptor = Files::Open(file, Files::For::Reading);
   if (descriptor < 0)

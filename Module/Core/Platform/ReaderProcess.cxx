@@ -95,7 +95,8 @@ void SetLimits(ReadTask task, const std::string& path, std::uint64_t unpacked)
   const bool isGrid = task == ReadTask::Grid || task == ReadTask::Case;
   std::uint64_t bytes = (std::uint64_t{ isGrid ? 4U : 1U } << 30) + perByte * size + 4 * unpacked;
   std::uint64_t seconds = leastSeconds + (size + unpacked) / slowest;
-  // A case does not tell how large what it names is, nor a folder how large its files are.
+  // The size of a case does not tell the size of the files that it names, nor does a folder's size
+  // that of its files.
   if (task == ReadTask::Case || std::filesystem::is_directory(Files::ToPath(path), failure))
   {
     bytes = std::max(bytes, GetPhysicalMemory() / 2);
@@ -110,7 +111,7 @@ void SetLimits(ReadTask task, const std::string& path, std::uint64_t unpacked)
   alarm(static_cast<unsigned>(seconds));
 }
 
-/** Receives bytes as they come, since their number is what the reader says. */
+/** Receives bytes as they arrive, since the reader may give any number as their size. */
 bool ReceiveBytes(int link, std::uint64_t size, std::string& bytes)
 {
   const auto most = std::min(static_cast<double>(GetPhysicalMemory()) / 2, ReadGroupMemory());
@@ -136,7 +137,7 @@ bool ReceiveText(int link, std::uint32_t size, std::string& text)
   return ReceiveAll(link, &text[0], text.size());
 }
 
-/** Reads a file, and sends what was read. */
+/** Reads a file, and sends the result. */
 void Serve(int link, const Request& request, const std::string& folder, const std::string& path,
   const std::string& detail, ReadAnswer* read, volatile bool& isSending)
 {

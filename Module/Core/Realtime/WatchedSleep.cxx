@@ -198,8 +198,8 @@ void WatchedSleep::EndBinding() noexcept
 }
 
 /**
- * Restores the sleeper's processors. Both threads may call this at the same time; the effect is the
- * same. Returns whether the sleeper is no longer bound.
+ * Restores the sleeper's processors. Both threads may call this at the same time, with the same
+ * effect. Returns whether the sleeper is no longer bound.
  */
 bool WatchedSleep::GiveBack() const noexcept
 {

@@ -236,8 +236,8 @@ void ForceGate::ReportCommand(bool flows) noexcept
   this->Restarts = this->Restarts || (!flows && (this->Retreated || this->Retreats));
   this->Retreated = this->Retreats;
   this->Rests = this->Held && !flows;
-  // The device may be armed during a hold. Then the force must not begin with what is left of a
-  // fade.
+  // The device may be armed during a hold. Then the force must not begin with the remaining opening
+  // of a fade.
   this->Opening = this->Rests ? 0.0 : this->Opening;
   this->Settle();
 }

@@ -79,8 +79,8 @@ double GrowthLimit::ComputeMostShare() const noexcept
   const double paid = this->Work - this->Unpaid;
   const double taken = std::max(paid, LeastPaid * this->Work);
   const double share = 2.0 * taken / (this->Work + taken);
-  // A tick is a finite step along the curve, and the next tick may give back as much work as this
-  // one. So the share is limited to what the account still has.
+  // A tick is a finite step along the curve, and the next tick may return as much work as this one.
+  // So the account limits the share.
   const bool isTooMuch = this->Return > 0.0 && share * this->Return > paid;
   return isTooMuch ? std::max(0.0, paid) / this->Return : share;
 }

@@ -120,7 +120,7 @@ void SafetyStage::ObserveGains(
 {
   const bool taps = limits.TransientGain > 0.0 && (!limits.MovesTip || input.RoundTrip > 0.0);
   const bool augments = input.Feedback > 0.0;
-  // A part that was off has not seen what happened meanwhile.
+  // A rule that was off did not observe the ticks in between.
   if (taps && !this->Taps)
   {
     this->Transient.Reset();

@@ -168,7 +168,8 @@ void CarryState(
   if ((isRegion || isSeries) && from.Baked->Number == to.Baked->Number &&
     IsIdentical(from.DeviceToWorld, to.DeviceToWorld))
   {
-    // Another region of the same volume, or other time steps, do not change the felt force.
+    // The felt force does not change with another region of the same volume or with other time
+    // steps.
     return;
   }
   const auto carry = [&](const Vector3& x) { return to.WorldToDevice(from.DeviceToWorld(x)); };

@@ -94,8 +94,8 @@ void WaitForParent(int link, int parent, int signals, HardwareExchange& exchange
 
 /**
  * Returns whether the program's clock, which said `told` when it started this process, is also this
- * process's. It is not if a time namespace begins between them; then this process could not see
- * that the program stands still.
+ * process's. The clocks differ if a time namespace begins between the two processes; then this
+ * process could not see that the program stands still.
  */
 bool IsSameClock(const std::string& told)
 {

@@ -25,7 +25,7 @@ std::vector<DeviceListing> ListBoards()
 
 /**
  * Returns the obstacle if there is no board. A board can only be identified when it is opened; its
- * listing shows whether the user may do so.
+ * listing shows whether the user may open it.
  */
 std::string WhyNoBoards()
 {

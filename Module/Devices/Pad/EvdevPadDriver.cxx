@@ -15,7 +15,7 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int PadRoundPause = 2; // in ms, if there is nothing new from servo and pad
+constexpr int PadRoundPause = 2; // in ms, while servo and pad send nothing
 constexpr int PadLostPause = 10; // in ms
 constexpr const char* PadUnplugged =
   "is gone: unplugged, switched off or out of reach. Bring it back: it is opened by itself, and "

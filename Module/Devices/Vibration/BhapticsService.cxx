@@ -108,7 +108,7 @@ bool BhapticsService::Connect(std::string& error)
   {
     return false;
   }
-  // Once it was opened, only the same one is opened again.
+  // After the first connection, only the same place is opened again.
   const std::string before = this->Place.empty() ? this->Wanted : this->Place;
   for (const std::string& place : BhapticsPlaces)
   {

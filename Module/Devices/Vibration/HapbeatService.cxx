@@ -18,7 +18,8 @@ namespace
 constexpr double HapbeatPi = 3.14159265358979323846;
 constexpr double HapbeatAskTime = 1.0; // in s
 constexpr auto HapbeatAskPause = std::chrono::milliseconds(2);
-constexpr int HapbeatRepeats = 3; // of a packet that nobody acknowledges, as in Hapbeat's SDK
+// copies of a packet that nobody acknowledges, as in Hapbeat's SDK
+constexpr int HapbeatRepeats = 3;
 constexpr double FullSample = 0.8 * 32767; // as in Hapbeat's SDK
 
 } // namespace
@@ -69,7 +70,7 @@ bool HapbeatService::Connect(std::string& error)
     return false;
   }
   this->IsStreaming = false;
-  this->End(); // of what an earlier session has begun
+  this->End(); // ends the stream of an earlier session
   return true;
 }
 
@@ -142,7 +143,7 @@ bool HapbeatService::Stream(double amplitude)
   }
   const auto played =
     static_cast<std::int64_t>(HapbeatRate * ServoClock::SecondsSince(this->Begun));
-  // If this thread stood still, the device has played all of it, and goes on from now.
+  // If this thread stood still, the device has played all samples, and continues from now.
   this->Samples = std::max(this->Samples, played - played % Chunk);
   bool isThere = true;
   while (isThere && this->Samples - played + Chunk <= Lead)

@@ -39,7 +39,7 @@ std::string Text(const Json& object, const char* name)
   return value.is_string() ? value.get<std::string>() : std::string();
 }
 
-/** Counts the dots that all models of a place have; those of a vest are its front. */
+/** Counts the dots that all models of a place have; for a vest, those of its front. */
 int CountDots(const std::string& place)
 {
   return place == "Vest" ? 20 : place == "GloveL" || place == "GloveR" ? 6 : 3;
@@ -157,7 +157,7 @@ std::string WriteWeartQuestion()
 
 std::string WriteWeartStart()
 {
-  // The kind and the version of the SDK after whose messages these are written.
+  // The messages follow this kind and version of the SDK.
   return "StartFromClient:SdkLLCPP:2.0.0:TrackType1";
 }
 
@@ -190,7 +190,7 @@ HapbeatPacket WriteHapbeatBegin(std::uint16_t number)
   packet.Add(HapbeatRate, 2);
   packet.Add(1, 1); // a channel
   packet.Add(0, 1); // PCM of 16 bits
-  packet.Add(0, 4); // as many samples as come
+  packet.Add(0, 4); // 0: the stream has no fixed number of samples
   const float gain = 1.0F;
   std::uint32_t bits = 0;
   std::memcpy(&bits, &gain, sizeof(bits));

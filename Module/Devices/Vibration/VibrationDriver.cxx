@@ -13,7 +13,7 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int RoundPause = 2; // in ms, if there is nothing new from the servo
+constexpr int RoundPause = 2; // in ms, while the servo sends nothing
 constexpr int LostPause = 10; // in ms
 
 } // namespace

@@ -94,7 +94,7 @@ bool WeartService::Connect(std::string& error)
   {
     return false;
   }
-  // Once it was opened, only the same one is opened again.
+  // After the first connection, only the same hand is opened again.
   const std::string before = this->Hand.empty() ? this->Wanted : this->Hand;
   for (const char* const hand : { "RIGHT", "LEFT" })
   {

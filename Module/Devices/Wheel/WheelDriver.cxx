@@ -18,7 +18,7 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int WheelRoundPause = 1; // in ms, if there is nothing new from servo and wheel
+constexpr int WheelRoundPause = 1; // in ms, while servo and wheel send nothing
 constexpr int WheelLostPause = 10; // in ms
 constexpr int FullLevel = 32767;
 constexpr int ToTheLeft = 0x4000;

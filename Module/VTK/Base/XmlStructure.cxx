@@ -411,7 +411,7 @@ private:
     }
   }
 
-  /** Checks at the end of an element that it had what it must have. */
+  /** Checks at the end of an element that it had all required parts. */
   void Leave(const Element& element, const std::vector<Element>& open)
   {
     if (element.Name == "Piece" && (this->Kind == "PolyData" || this->Kind == "UnstructuredGrid"))

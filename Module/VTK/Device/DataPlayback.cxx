@@ -246,7 +246,7 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
   auto model =
     filter->GetBaker().BakeTimeSteps(rate, caps, deviceToWorld, std::move(read), this->Steps.Times);
   this->Span = model ? model->Baked : nullptr;
-  // Read after the bake, because the first bake creates what the property lacks.
+  // Get the time after the bake, because the first bake creates the property's missing functions.
   this->MadeBeside = ComputeChangeTimeBesideImage(filter);
   if (this->Span)
   {

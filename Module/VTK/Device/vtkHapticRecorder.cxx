@@ -162,7 +162,7 @@ private:
   using HashKey = std::array<TouchedArray::Key, 2>; ///< keys of scalars and labels
 
   bool Begin(const std::string& file, vtkVolumeHapticsFilter* filter);
-  /** Returns the hashes of what a filter touches now; null until they are known. */
+  /** Returns the hashes of the data that a filter touches now; null until they are known. */
   const RecordingHashes* GetHashes(vtkVolumeHapticsFilter* filter);
   /**
    * Adds the hashes at the end of a recording. Waits for them unless the device is armed, because

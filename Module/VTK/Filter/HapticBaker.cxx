@@ -176,7 +176,7 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeInput(
   // Keep the volume, not the model, because a model that is baked only once would take the volume
   // with it.
   this->LastBaked = isMoving || !model ? nullptr : model->Baked;
-  // Get the time after the bake, because the first bake creates what the property lacks.
+  // Get the time after the bake, because the first bake creates the property's missing functions.
   this->LastBakedTime = getTime();
   return model;
 }

@@ -361,7 +361,7 @@ bool MakeVolumeTimeStep(const ImageTimeStep& read, const TimeStepShape& shape,
     error = message.str();
     return false;
   }
-  // All time steps replace samples that are not numbers by the same value.
+  // In all time steps, samples that are not numbers are replaced by the same value.
   volume.View.BorderValue = shape.View.BorderValue;
   timeStep = { read.Time, volume.View, ShareArray(volume.Holder) };
   timeStep.Mesh = read.Mesh;

@@ -47,7 +47,7 @@ bool HasNumber(vtkDoubleArray* array)
     begin, begin + array->GetNumberOfValues(), [](double number) { return std::isfinite(number); });
 }
 
-/** Makes points and cells, and arrays of what was felt at the points. */
+/** Makes points and cells, and arrays of the forces and values measured at the points. */
 class ShapeMaker
 {
 public:

@@ -272,7 +272,7 @@ vtkSmartPointer<vtkImageData> Run(Reader* reader, const std::string& path, const
     throw InputError(path, std::string("is not a ") + format + " file, whatever its name says",
       "check what the file really is; " + cure);
   }
-  // Before the reader's first look, because it believes the file.
+  // Check before the reader's first look, because the reader trusts the file.
   std::string detail = IsXml(path) ? Explore::DetectMissingEnd(path) : std::string();
   if (!detail.empty() ||
     !Explore::ReadChecked(reader, detail, [&] { return DetectFalsePromise(reader, path); }))

@@ -23,7 +23,7 @@ namespace
 {
 using Explore::RGB;
 
-constexpr RGB GROUND{ 0.09, 0.11, 0.15 }; // of bar and menus
+constexpr RGB GROUND{ 0.09, 0.11, 0.15 }; // background of bar and menus
 constexpr RGB LIT{ 0.19, 0.23, 0.31 };    // behind what the pointer is at
 constexpr RGB CHOSEN{ 0.16, 0.36, 0.60 }; // behind what is switched on
 constexpr RGB INK{ 0.90, 0.92, 0.95 };
@@ -248,7 +248,7 @@ bool CommandBar::Handle(unsigned long event)
   {
     case vtkCommand::MouseMoveEvent:
       this->PointAt(x, y);
-      // A drag that began in the scene goes on over the bar.
+      // A drag that began in the scene continues over the bar.
       return this->IsMenuOpen ||
         (isOnBar &&
           std::find(this->IsDown.begin(), this->IsDown.end(), true) == this->IsDown.end());
@@ -256,8 +256,8 @@ bool CommandBar::Handle(unsigned long event)
       this->PointAt(-1, -1);
       return false;
     case vtkCommand::KeyPressEvent:
-      // The key does what it does without a menu. If it lets go, nothing may come before that, not
-      // even a frame.
+      // Let the key have its usual effect. If the key ends the touch, nothing may come before that,
+      // not even a frame.
       this->HideMenu();
       return false;
     case vtkCommand::TimerEvent:
@@ -687,7 +687,7 @@ void CommandBar::DrawMenu(vtkContext2D* painter)
       painter->DrawString(row.Place.Left + row.Place.Width - 0.8f * mark - width, middle, row.Key);
     }
   }
-  // A thin bar at the right tells that there is more.
+  // A thin bar at the right shows that the list continues.
   const auto count = static_cast<float>(this->Rows.size());
   if (this->Visible < static_cast<int>(this->Rows.size()))
   {

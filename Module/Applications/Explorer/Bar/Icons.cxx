@@ -64,7 +64,7 @@ struct Point
 struct Shape
 {
   char Kind;
-  std::vector<Point> Points; // of O and D only the centre
+  std::vector<Point> Points; // for O and D only the centre
   double Radius = 0.0;
 };
 

@@ -161,7 +161,7 @@ std::string Quote(const std::string& text)
 std::string Round(double number)
 {
   std::ostringstream text;
-  constexpr int digits = 3, all = 15; // of numbers below and above 1000
+  constexpr int digits = 3, all = 15; // digits of numbers below and above 1000
   text.precision(std::abs(number) < 1000.0 ? digits : all);
   text << (std::abs(number) < 1000.0 ? number : std::round(number));
   return text.str();

@@ -101,7 +101,7 @@ FileDialog::State FileDialog::Poll(std::string& path)
     return State::Open;
   }
   this->Process = -1;
-  this->Read(); // what came before the end
+  this->Read(); // output that came before the end
   path = this->Output.substr(0, this->Output.find_last_not_of("\r\n") + 1);
   this->Close();
   const int code = ended > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;

@@ -83,7 +83,7 @@ void LookSwitch::ScaleOpacity(double factor)
     opacity->GetNodeValue(i, node);
     largest = std::max(largest, node[1]);
   }
-  // Scale all nodes alike, so that the other direction brings the same look back.
+  // Scale all nodes alike, so that the other direction restores the same look.
   if (largest * factor > 1.0 || largest * factor < LEAST_OPACITY)
   {
     this->Touch.Display->SetNotice(

@@ -223,7 +223,7 @@ void TouchReplay::Show(double time)
   const double newtons = vtkMath::Norm(force);
   // The arrows are as long and as thick as those of the hand.
   constexpr double arrowRadii = 30.0;
-  constexpr double thickness = 10.0; // of VTK's arrow, whose shaft has a radius of 0.03
+  constexpr double thickness = 10.0; // thickness of VTK's arrow, whose shaft has a radius of 0.03
   const double radius = this->Touch.Hand->GetRadius();
   const double length = std::min(newtons / this->Touch.Hand->GetForceScale(), arrowRadii * radius);
   const double sizes[3] = { length, thickness * radius, thickness * radius };

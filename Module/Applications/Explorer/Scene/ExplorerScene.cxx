@@ -48,7 +48,7 @@ vtkSmartPointer<vtkPolyData> Thin(vtkPolyData* trace, double spacing)
 {
   vtkDataArray* force = trace->GetPointData()->GetArray("Force");
   vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble(); // at 5e6, as in UTM, single precision has steps of 0.5
+  points->SetDataTypeToDouble(); // single precision at 5e6, as in UTM, has steps of 0.5
   vtkNew<vtkCellArray> line;
   vtkNew<vtkDoubleArray> magnitude;
   magnitude->SetName(FORCE_NAME);

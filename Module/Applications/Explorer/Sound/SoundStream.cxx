@@ -73,7 +73,7 @@ void SoundStream::Advance(double seconds) noexcept
       this->HasNext = true;
     }
   }
-  // If the servo was restarted, its times have begun anew, too.
+  // If the servo was restarted, its times start again, too.
   this->Position = std::min(this->Position + this->Pace * seconds, newest);
   this->UpdateBacklog(newest - this->Position, seconds);
   this->Starved += seconds;

@@ -166,7 +166,7 @@ bool HoldWhole(
   return true;
 }
 
-/** Does the same as HoldWhole, except that parts that are cut away hold nothing. */
+/** Does the same as HoldWhole, except that parts that are cut away have no force. */
 bool Hold(const HapticModel& model, const Vector3& tip, double friction, LocalState& local,
   ContactState& contact) noexcept
 {

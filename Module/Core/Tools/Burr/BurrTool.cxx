@@ -111,7 +111,7 @@ private:
     return cost;
   }
 
-  /** Removes another part of a sphere. Returns false if the tick can do no more. */
+  /** Removes another part of a sphere. Returns false if the tick can do no further work. */
   bool GoOn() noexcept
   {
     BurrState& s = this->State;
@@ -186,7 +186,7 @@ private:
     s.Unspent = std::min(s.Unspent, s.LastCost);
     if (!(s.LastCost < HUGE_VAL))
     {
-      // This tissue can't be removed, so its cost does not predict that of the next step.
+      // This tissue can't be removed, so its cost does not predict the cost of the next step.
       s.Unspent = s.LastCost = s.LastWay = 0.0;
     }
   }

@@ -148,7 +148,7 @@ bool PacketSocket::Open(const std::string& address, std::uint16_t port, std::str
   link->Socket.open(asio::ip::udp::v4(), failure);
   if (!failure)
   {
-    // The system then passes on what comes from this address only.
+    // From then on, the system passes only packets from this address.
     link->Socket.connect({ to, port }, failure);
   }
   if (!failure)

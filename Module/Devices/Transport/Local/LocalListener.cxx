@@ -16,7 +16,7 @@ namespace VolumeHaptics
 
 std::optional<unsigned> FindOtherListener(std::istream& table, std::uint16_t port, unsigned own)
 {
-  constexpr unsigned firstPerson = 1000; // as Debian and Fedora number their users
+  constexpr unsigned firstPerson = 1000; // first user's number on Debian and Fedora
   constexpr unsigned hidden = 65534;
   std::string line;
   while (std::getline(table, line))

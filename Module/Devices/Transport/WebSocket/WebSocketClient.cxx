@@ -40,7 +40,8 @@ Moment After(double seconds)
     ServoClock::Now() + static_cast<std::int64_t>(seconds * ServoClock::NanosecondsPerSecond));
 }
 
-/** Handles events until holds() returns true. Returns false if it does not do so before `end`. */
+/** Handles events until holds() returns true. Returns false if that does not happen before
+   `end`. */
 template <typename Holds>
 bool RunUntil(asio::io_context& io, Moment end, Holds&& holds)
 {
@@ -133,7 +134,7 @@ public:
   next_layer_type& next_layer() noexcept { return this->Tcp; }
   const next_layer_type& next_layer() const noexcept { return this->Tcp; }
 
-  /** Reads frames in what is written from now on. Called after the handshake. */
+  /** Reads all further bytes as frames. Called after the handshake. */
   void BeginFrames() noexcept { this->HasFrames = true; }
   /** Sets the text (shorter than 64 KiB) of the last message. */
   void SetLastWord(const std::string& text)

@@ -103,7 +103,7 @@ void HapticRecording::AddModel(std::uint64_t generation, std::shared_ptr<const H
   this->Models.erase(this->Models.begin(), this->Models.lower_bound(this->LastGeneration));
   if (this->Failure.load() != 0)
   {
-    this->Models.clear(); // no further tick will be recorded
+    this->Models.clear(); // no more ticks will be recorded
     return;
   }
   this->Models[generation] = { std::move(model), std::move(tool) };

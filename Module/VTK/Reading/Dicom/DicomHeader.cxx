@@ -693,7 +693,7 @@ std::vector<DicomHeader> ReadDicomSlices(const std::string& path)
     {
       continue; // its header has a place, or it is at a scanner's default place
     }
-    // The offsets of a dose are along the normal from 0 on, or else z in the patient (PS3.3,
+    // The offsets of a dose either begin at 0 along the normal, or are z in the patient (PS3.3,
     // section C.8.8.3.2).
     const bool areAbsolute = haveOffsets && places.Offsets[0] != 0.0;
     const double step = !haveOffsets ? header.Step * static_cast<double>(i)

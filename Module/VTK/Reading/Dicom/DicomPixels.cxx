@@ -223,7 +223,8 @@ std::optional<double> ReadPadding(const DicomHeader& slice)
   return slice.Slope * std::floor(std::ldexp(sample, -below)) + slice.Intercept;
 }
 
-/// Sets pixels that were not measured to the least value of the others. Returns their number.
+/// Sets pixels that were not measured to the least value of the measured pixels. Returns their
+/// number.
 template <typename Value>
 vtkIdType ReplacePadding(const std::vector<DicomHeader>& slices, vtkIdType count, Value* values)
 {

@@ -22,7 +22,7 @@ bool HasEnding(const std::string& name, const std::string& ending)
       [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
 }
 
-/** A format: the ending of its files or folders, and what opens it. */
+/** A format: the ending of its files or folders, and the function that opens them. */
 struct KnownFormat
 {
   const char* Ending;

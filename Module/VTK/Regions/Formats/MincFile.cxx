@@ -222,7 +222,7 @@ std::string WordsOf(const Attributes& facts, const char* name)
 struct MincImage
 {
   const Variable* Image = nullptr;
-  std::vector<std::size_t> Sizes; ///< of each dimension, the slowest first
+  std::vector<std::size_t> Sizes; ///< size of each dimension, the slowest first
   std::vector<std::size_t> Steps; ///< distance of neighbours along each dimension (samples)
   std::vector<int> Axes;          ///< the index axis of each dimension: 0, 1, 2; -1: none of space
   std::vector<FurtherAxis> Further;

@@ -720,7 +720,7 @@ void PackStack(const TiffStack& stack, BytePacker& packer)
   packer.Put(stack.Layout);
 }
 
-/** Unpacks a stack, and checks what libtiff has not to be believed. */
+/** Unpacks a stack, and checks the facts that libtiff would otherwise trust. */
 TiffStack UnpackStack(ByteUnpacker& unpacker)
 {
   TiffStack stack;
@@ -739,7 +739,7 @@ TiffStack UnpackStack(ByteUnpacker& unpacker)
   return stack;
 }
 
-/** Throws what the other process found wrong, which is the first text of its answer. */
+/** Throws the fault that the other process found, which is the first text of its answer. */
 void CheckAnswer(ReadResult result, const std::string& answer, ByteUnpacker& unpacker)
 {
   if (result == ReadResult::Ended)
@@ -908,7 +908,7 @@ TiffFacts AskForFacts(const std::string& path, int number)
   return UnpackFacts(unpacker, path);
 }
 
-/** Returns what a function packs; or, if it throws, the reason. */
+/** Returns the packed result of a function; or, if the function throws, the reason. */
 template <typename Function>
 std::string PackAnswer(const Function& pack)
 {

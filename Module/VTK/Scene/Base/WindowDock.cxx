@@ -195,7 +195,7 @@ void DockLayout::Arrange()
       Viewport wanted = strip.IsBar ? Viewport{ { 0.0, 0.0, 1.0, 1.0 } } : taken;
       if (strip.IsBar)
       {
-        // The renderer draws over the others.
+        // A bar takes no room, because its renderer draws over the others.
       }
       else if (IsColumn(strip.Edge))
       {

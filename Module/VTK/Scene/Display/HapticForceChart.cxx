@@ -404,7 +404,7 @@ bool HapticForceChart::Fit(int width, int height, const std::array<int, 2>& from
   if (width == this->Viewport[0] && height == this->Viewport[1] && from == this->From &&
     scale == this->Scale)
   {
-    return false; // because a chart lays itself out again whenever its size is set
+    return false; // a chart lays itself out again whenever its size is set
   }
   this->Viewport[0] = width;
   this->Viewport[1] = height;

@@ -18,7 +18,7 @@ namespace
 {
 constexpr int LargestLetters = 14; // points
 constexpr int SmallestLetters = 6;
-constexpr int PartLetters = 9; ///< of a list of which a part is shown
+constexpr int PartLetters = 9; ///< points, for a list of which only a part is shown
 constexpr double TextColour[3] = { 0.90, 0.92, 0.95 };
 constexpr double TitleColour[3] = { 1.0, 0.78, 0.35 };
 constexpr int MostColumns = 3;

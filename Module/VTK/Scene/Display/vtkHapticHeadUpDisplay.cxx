@@ -226,7 +226,7 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   std::vector<TissueRange> Tissues;
   HapticForceHistory History;
   LateSlide Slide;
-  std::array<double, 3> Proxy{}; // of the last row (world)
+  std::array<double, 3> Proxy{}; // proxy of the last row (world)
   HapticForceChart Chart{ HapticForceChart::Ground::Panel };
   HapticOverlayPicture Picture;
   std::chrono::steady_clock::time_point Due; // time when the chart is drawn next
@@ -403,7 +403,7 @@ double vtkHapticHeadUpDisplay::vtkInternals::MeasureStep(vtkDataArray* proxies, 
 {
   if (!proxies || proxies->GetNumberOfComponents() != 3 || row >= proxies->GetNumberOfTuples())
   {
-    return 1.0; // not known: a slide is what the contact says
+    return 1.0; // the step is unknown: the contact alone tells whether the proxy slides
   }
   const std::array<double, 3> before = this->Proxy;
   proxies->GetTuple(row, this->Proxy.data());

@@ -273,7 +273,7 @@ MeasuredShapes::MeasuredShapes(double red, double green, double blue)
     part.Ghost->GetProperty()->SetColor(red, green, blue);
     part.Ghost->GetProperty()->LightingOff();
     part.Ghost->GetProperty()->SetOpacity(HiddenOpacity);
-    part.Ghost->ForceOpaqueOn(); // because the overlay pass does not sort
+    part.Ghost->ForceOpaqueOn(); // the overlay pass does not sort
     Begin(part.Data);
   }
 }

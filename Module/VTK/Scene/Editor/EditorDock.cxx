@@ -54,7 +54,7 @@ EditorDock::EditorDock(vtkHapticFunctionEditor* editor, DrawFunction draw)
   prop->Draw = std::move(draw);
   prop->PickableOff();
   this->Renderer->AddViewProp(prop);
-  this->Renderer->InteractiveOff(); // so that interactors do not move its camera
+  this->Renderer->InteractiveOff(); // keeps interactors from moving its camera
   this->Renderer->SetBackground(0.93, 0.94, 0.95);
   this->StartObserver->SetClientData(this);
   this->StartObserver->SetCallback(

@@ -169,7 +169,7 @@ void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
     // observer also calls Interrupt() on these events.
     mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, this->Observer);
   }
-  // A setting that differs from what was set here was changed by the application since the last
+  // If a setting differs from the value set here, the application has changed it since the last
   // frame.
   Settings& own = caster->Own;
   own.ImageDistance =

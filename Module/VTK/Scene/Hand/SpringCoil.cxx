@@ -16,7 +16,7 @@ namespace
 constexpr double FullTurn = 6.283185307179586; ///< rad
 constexpr int Windings = 8;
 constexpr int WindingSides = 24;    ///< sides of a winding
-constexpr double WireRadius = 0.09; ///< in radii of the proxy
+constexpr double WireRadius = 0.09; ///< as a fraction of the proxy's radius
 /** radius of the windings of a coil at rest, in radii of the proxy */
 constexpr double RestRadius = 0.5;
 /// A spring shorter than this (in radii of the proxy) is not drawn, because the proxy hides it.

@@ -45,7 +45,8 @@ void FilterPublisher::Update(bool isPlaced)
   const vtkMTimeType time = this->GetChangeTime();
   // If the device is published already, the application or another style has published the change.
   const bool hasChanged = time != this->Published && !device->IsPublished();
-  // A notice of the application stays when what it has set up is published for the first time.
+  // The first publication keeps a notice of the application, which concerns the application's own
+  // setup.
   const bool isFirst = std::exchange(this->IsFirst, false);
   this->Published = time;
   if ((isPlaced || hasChanged) && device->Publish() && hasChanged && !isFirst &&

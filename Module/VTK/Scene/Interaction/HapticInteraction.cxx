@@ -61,7 +61,7 @@ std::vector<unsigned long> HapticStateWatch::Watch(vtkTable* states)
   {
     const bool hasFault = fault->GetComponent(i, 0) != 0.0;
     note(this->HasFault, hasFault, vtkInteractorStyleHaptic::FaultEvent, 0);
-    // After a fault, report no DisarmedEvent: FaultEvent says enough.
+    // After a fault, report no DisarmedEvent: FaultEvent is enough.
     note(this->IsArmed, armed->GetComponent(i, 0) != 0.0, vtkInteractorStyleHaptic::ArmedEvent,
       hasFault ? 0 : vtkInteractorStyleHaptic::DisarmedEvent);
     note(this->IsTouching, contact->GetComponent(i, 0) != 0.0,
@@ -144,7 +144,7 @@ bool HapticInteraction::SetDevice(vtkHapticDevice* device)
   }
   if (device && device == this->Second.Scene.Device)
   {
-    this->Second.SetDevice(nullptr); // it has one tip, now the first hand's
+    this->Second.SetDevice(nullptr); // the mode has one tip, now the first hand's
   }
   this->LetGo(); // an observer of the events in this call may remove the device, too
   if (this->IsUpdating)
@@ -379,7 +379,7 @@ bool HapticInteraction::DrawSlices()
 bool HapticInteraction::TurnWheel(double steps)
 {
   const int* const at = this->Scene.Style->GetInteractor()->GetEventPosition();
-  constexpr double lines = 3.0; // of the list of keys, for a step of the wheel
+  constexpr double lines = 3.0; // lines of the list of keys for each step of the wheel
   if (this->Scene.Display &&
     this->Scene.Display->ScrollHelp(static_cast<int>(std::lround(-lines * steps))))
   {

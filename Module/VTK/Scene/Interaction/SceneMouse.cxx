@@ -33,7 +33,7 @@ int SliceMouse::Find(int x, int y) const
 {
   vtkHapticSliceView* const slices = this->Scene.Slices;
   vtkRenderWindowInteractor* const interactor = this->Scene.Style->GetInteractor();
-  // While a drag that began in the scene goes on, the mouse is in no slice.
+  // During a drag that began in the scene, the mouse is in no slice.
   return slices && slices->GetRenderWindow() == interactor->GetRenderWindow() &&
       this->Scene.Style->GetState() == VTKIS_NONE
     ? slices->FindSlice(x, y)

@@ -131,7 +131,7 @@ void TouchMode::Begin(const Vector3* at)
     }
     if (const vtkSmartPointer<vtkVolumeHapticsFilter> filter = device->GetVolumeHaptics())
     {
-      // A mesh may be made in the background. Do not wait for it.
+      // Do not wait for a mesh that is made in the background.
       BakePreparation& baking = filter->GetBaker().GetPreparation();
       const LongWork work(device, MeshingWork, baking.Prepare() ? 0.0 : baking.EstimateTime());
       if (this->IsBeginning && FindFirstContact(renderer, start, filter, start))
@@ -249,7 +249,7 @@ Vector3 TouchMode::FindStart(vtkRenderer* renderer) const
 {
   constexpr double same = 1e-6; // greatest change of the place in the view (halves of its height)
   const std::array<double, 2> now = FindInView(renderer, this->Lead);
-  // After a motion of the camera, the hand goes on from where it is.
+  // After a motion of the camera, the hand starts from its present position.
   return std::hypot(now[0] - this->InView[0], now[1] - this->InView[1]) < same
     ? UnderPointer(renderer, this->InWindow.data(), this->Lead)
     : this->Lead;

@@ -492,7 +492,7 @@ struct vtkHapticWidget::vtkInternals
     }
   }
 
-  /** Ends the touch, and removes what was added for it. */
+  /** Ends the touch, and removes the props that were added for it. */
   void Leave()
   {
     this->Style->SetInteractor(nullptr);
@@ -524,7 +524,7 @@ struct vtkHapticWidget::vtkInternals
   std::vector<vtkSmartPointer<vtkVolume>> Touched;
   double Radius = this->Hand->GetRadius();
   double ForceScale = this->Hand->GetForceScale();
-  /** whether the widget has connected the filter's input to what a volume shows */
+  /** whether the widget has connected the filter's input to the data of a volume */
   bool IsInputOurs = false;
   bool HasOpened = false;
   bool HasStarted = false;

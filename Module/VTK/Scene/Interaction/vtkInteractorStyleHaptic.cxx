@@ -52,7 +52,8 @@ struct vtkInteractorStyleHaptic::vtkInternals
     this->MotionObserver->SetClientData(this);
     this->MotionObserver->SetCallback([](vtkObject*, unsigned long, void* internals, void*)
       { static_cast<vtkInternals*>(internals)->Interaction.Touch.RecordMotion(); });
-    this->MotionObserver->SetPassiveObserver(1); // so that it gets what others use
+    // a passive observer also gets events that others use
+    this->MotionObserver->SetPassiveObserver(1);
     this->EnableObserver->SetClientData(self);
     this->EnableObserver->SetCallback(
       [](vtkObject*, unsigned long, void* style, void*)

@@ -582,7 +582,7 @@ bool CarvedPictures::Update(vtkRenderer* renderer, const std::vector<CarvedArray
       this->Collect(one, array, now);
     }
   }
-  // Pictures that end also change what is shown.
+  // The end of a picture also changes what is shown.
   bool isNew = std::any_of(this->All.begin(), this->All.end(),
     [](const std::unique_ptr<CarvedPicture>& one) { return one != nullptr; });
   this->All = std::move(now);
