@@ -31,8 +31,9 @@ namespace VolumeHapticsLive
 class HapticTimeStepLink
 {
 public:
-  /** Returns whether the data of a port have times, and the filter feels the motion between
-     them. */
+  /**
+   * Returns whether the data of a port have times, and the filter feels the motion between them.
+   */
   static bool IsMoving(vtkSMSourceProxy* volume, unsigned int port, vtkVolumeHapticsFilter* filter);
 
   /** Begins a new volume with an image at a time. */

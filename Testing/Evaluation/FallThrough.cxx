@@ -25,8 +25,10 @@ HapticMaterial WallMaterial()
   return material;
 }
 constexpr double WholeFrom = -1.18;
-/** Returns the position where the wall has its full strength; with alignment Edge, this is the
-   edge's middle. */
+/**
+ * Returns the position where the wall has its full strength; with alignment Edge, this is the
+ * edge's middle.
+ */
 double ComputeWhole(const HapticModel& model)
 {
   return model.Baked->Settings.Alignment == ContactAlignment::Edge ? 0.0 : WholeFrom;
@@ -39,8 +41,10 @@ constexpr double Deepest = 0.9 * 4.0;
 /** Distance (mm) behind its rest position at which a proxy counts as fallen through. */
 constexpr double Through = 0.3;
 
-/** Moves a random tip into the wall, lets it stay and slide. Returns whether the proxy falls
-   through. */
+/**
+ * Moves a random tip into the wall, lets it stay and slide. Returns whether the proxy falls
+ * through.
+ */
 bool FallsThrough(const HapticModel& model, std::mt19937& random)
 {
   Uniform uniform(random);

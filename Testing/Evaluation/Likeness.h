@@ -26,8 +26,10 @@ struct Thresholds
 constexpr Thresholds ForceThresholds{ 7.0, 10.0 };     // %
 constexpr Thresholds StiffnessThresholds{ 8.0, 22.0 }; // %
 constexpr double DirectionThreshold = 25.0;            // degrees
-/** Ticks in which the reference has less force (N) are not compared, because the hand does not
-   press. */
+/**
+ * Ticks in which the reference has less force (N) are not compared, because the hand does not
+ * press.
+ */
 constexpr double LeastForce = 0.1;
 
 struct Spread

@@ -128,8 +128,10 @@ std::vector<FieldTimeStep> MakeTimeSteps(const std::vector<VolumeTimeStep>& give
   return timeSteps;
 }
 
-/** Bit that distinguishes the number of a volume for a point from that of the same volume for a
-   tool. */
+/**
+ * Bit that distinguishes the number of a volume for a point from that of the same volume for a
+ * tool.
+ */
 constexpr std::uint64_t PointNumber = std::uint64_t{ 1 } << 63;
 
 bool KnowMotion(const std::vector<FieldTimeStep>& timeSteps)

@@ -49,8 +49,10 @@ double ReadCached(const std::string& folder, const char* wanted)
   return 0.0;
 }
 
-/** Returns the memory that a group and the groups above it leave. A container may hide some of
-   their folders. */
+/**
+ * Returns the memory that a group and the groups above it leave. A container may hide some of their
+ * folders.
+ */
 double ReadRoom(const std::string& root, std::string group, const Names& names)
 {
   constexpr double none = std::numeric_limits<double>::infinity();

@@ -40,8 +40,10 @@ namespace
 constexpr DWORD Replacing = DELETE | FILE_DELETE_CHILD | WRITE_DAC | WRITE_OWNER | GENERIC_ALL;
 constexpr DWORD Changing = Replacing | FILE_WRITE_DATA | FILE_APPEND_DATA | GENERIC_WRITE;
 
-/** Returns whether an account is this user, the system or its administrators, or stands for the
-   owner. */
+/**
+ * Returns whether an account is this user, the system or its administrators, or stands for the
+ * owner.
+ */
 bool IsTrusted(PSID account, PSID user)
 {
   for (const WELL_KNOWN_SID_TYPE kind : { WinLocalSystemSid, WinBuiltinAdministratorsSid,

@@ -25,8 +25,10 @@ namespace
 /** Fraction of the examined samples above which holes are reported. */
 constexpr double MostHoles = 0.01;
 
-/** Returns whether a corner sample may be outside, or samples may be NaN. If not, no samples are
-   read. */
+/**
+ * Returns whether a corner sample may be outside, or samples may be NaN. If not, no samples are
+ * read.
+ */
 bool MayHaveOutside(vtkImageData* image, vtkDataArray* scalars, int component)
 {
   const int type = scalars->GetDataType();

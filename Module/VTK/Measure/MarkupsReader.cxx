@@ -71,8 +71,9 @@ public:
     this->Scale = isSame ? 1.0 : meters / frame.MetersPerWorldUnit;
   }
 
-  /** Reads the points that are defined, with their labels and the forces and values measured
-     there. */
+  /**
+   * Reads the points that are defined, with their labels and the forces and values measured there.
+   */
   void ReadControlPoints()
   {
     const Json::Value& all = this->Markup["controlPoints"];

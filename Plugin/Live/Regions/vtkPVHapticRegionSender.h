@@ -57,8 +57,10 @@ private:
   Instant* Find(double time, bool isPresent);
   bool UpdatePiece(Instant& instant);
   bool ReadLargeFile(const int region[6], vtkImageData* image, std::string& error);
-  /** Returns whether any process has data that are no image. All processes have to call this
-     together. */
+  /**
+   * Returns whether any process has data that are no image. All processes have to call this
+   * together.
+   */
   static bool IsGrid(const Instant& instant);
   bool Assemble(
     Instant& instant, bool hasPiece, const char* array, const int region[6], std::string& error);

@@ -40,8 +40,9 @@ Moment After(double seconds)
     ServoClock::Now() + static_cast<std::int64_t>(seconds * ServoClock::NanosecondsPerSecond));
 }
 
-/** Handles events until holds() returns true. Returns false if that does not happen before
-   `end`. */
+/**
+ * Handles events until holds() returns true. Returns false if that does not happen before `end`.
+ */
 template <typename Holds>
 bool RunUntil(asio::io_context& io, Moment end, Holds&& holds)
 {

@@ -332,8 +332,9 @@ void Place(const NetCdfHead& head, const MincImage& image, LargeFile& file)
   file.Notes.emplace_back("turned from right-anterior-superior to left-posterior-superior");
 }
 
-/** Describes how stored integers become values: a slope and an intercept, perhaps for each
-   slice. */
+/**
+ * Describes how stored integers become values: a slope and an intercept, perhaps for each slice.
+ */
 struct MincScale
 {
   std::vector<std::pair<double, double>> Lines; ///< slopes and intercepts

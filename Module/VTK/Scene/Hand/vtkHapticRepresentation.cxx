@@ -170,8 +170,9 @@ const double White[3] = { 0.97, 0.97, 0.97 };
 const double StylusColor[3] = { 1.0, 1.0, 1.0 };
 const double ContactColors[4][3] = { { 0.62, 0.64, 0.67 }, { 1.0, 0.72, 0.1 }, { 0.1, 0.75, 0.45 },
   { 0.85, 0.2, 0.65 } };
-/** Returns whether the proxy is on the viewer's side of the touched surface, so that it can be
-   seen. */
+/**
+ * Returns whether the proxy is on the viewer's side of the touched surface, so that it can be seen.
+ */
 bool IsSeen(vtkRenderer* renderer, vtkHapticDevice* device)
 {
   const Vector3 sight = LineOfSight(renderer, FromArray(device->GetState()->GetProxyPosition()));

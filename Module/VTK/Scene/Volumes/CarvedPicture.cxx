@@ -69,8 +69,9 @@ bool IsShownInstead(vtkDataArray* shown, vtkDataArray* touched)
  */
 constexpr int MostMissed = 3;
 
-/** Returns whether VTK fills textures from arrays of this type, or from floats computed from
-   them. */
+/**
+ * Returns whether VTK fills textures from arrays of this type, or from floats computed from them.
+ */
 bool HasTextureType(vtkDataArray* array)
 {
   switch (array->GetDataType())

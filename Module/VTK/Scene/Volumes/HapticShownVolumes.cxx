@@ -108,8 +108,9 @@ const Difference Differences[] = {
     "vtkGhostType), but they are still felt. Cure: TouchVolume() of the interactor style." },
 };
 
-/** Returns whether corners of an image have different positions in the scene and in the felt
-   image. */
+/**
+ * Returns whether corners of an image have different positions in the scene and in the felt image.
+ */
 bool IsPlacedElsewhere(vtkMatrix4x4* matrix, vtkImageData* shown, vtkImageData* felt)
 {
   const int* const here = shown->GetExtent();

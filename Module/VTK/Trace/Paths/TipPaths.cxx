@@ -107,8 +107,9 @@ bool AreNear(vtkPolyData* path, vtkIdType a, vtkIdType b, double near)
     first, first + 3, second, [near](double x, double y) { return std::abs(x - y) <= near; });
 }
 
-/** Returns whether the only line cell goes through all points in the order in which they are
-   stored. */
+/**
+ * Returns whether the only line cell goes through all points in the order in which they are stored.
+ */
 bool IsInOrder(vtkPolyData* path)
 {
   bool isInOrder = path->GetNumberOfLines() == 1;

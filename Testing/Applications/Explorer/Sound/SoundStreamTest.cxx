@@ -57,8 +57,10 @@ struct Player
       this->Stream.Render(this->Heard.data() + this->Heard.size() - 48, 48);
     }
   }
-  /** Returns the times (s) at which clicks begin: at a loud sample after 50 ms without a loud
-     sample. */
+  /**
+   * Returns the times (s) at which clicks begin: at a loud sample after 50 ms without a loud
+   * sample.
+   */
   std::vector<double> Onsets() const
   {
     std::vector<double> onsets;
