@@ -72,7 +72,7 @@ protected:
     for (const unsigned long event :
       { vtkCommand::EnableEvent, vtkCommand::RenderEvent, vtkCommand::MouseMoveEvent })
     {
-      made->AddObserver(event, begin, 1.0f); // priority above the widget's
+      made->AddObserver(event, begin, 1.0f); // a higher priority than the widget's
     }
   }
 };

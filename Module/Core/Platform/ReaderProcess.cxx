@@ -230,7 +230,7 @@ ReadResult AskReader(ReadTask task, const std::string& path, std::string& answer
   {
     isRead = isRead && ReceiveBytes(link, head.ByteCount, answer);
   }
-  catch (const std::exception&) // the answer promises more than there is memory
+  catch (const std::exception&) // the answer declares more than fits into memory
   {
     isRead = false;
   }

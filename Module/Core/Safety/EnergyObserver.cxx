@@ -11,10 +11,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** E has changed direction if it has come back by at least this fraction of the last swing. */
+/** E has changed direction if it has returned by at least this fraction of the last swing. */
 constexpr double Turn = 0.2;
 /**
- * E must also come back by at least the force times this length (m), because encoders have steps,
+ * E must also return by at least the force times this length (m), because encoders have steps,
  * which differ between axes.
  */
 constexpr double StepWay = 1e-4;

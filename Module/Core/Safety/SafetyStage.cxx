@@ -85,7 +85,7 @@ Vector3 SafetyStage::Retreat(
   // Without fresh samples, a force must end soon, even if forces may only grow slowly.
   const double rate = std::max(limits.MaximumForceRate, limits.MaximumForce / RetreatTime);
   Vector3 last = ClampNorm(this->Growth.GetForce(), limits.MaximumForce);
-  // Augmentation and pulses may have sent less than that.
+  // Augmentation and pulses may have reduced the force that was sent.
   const double sent = std::min(Norm(last), Norm(this->Touched));
   const double most = std::max(0.0, sent - rate * input.Period);
   if (input.Fresh || input.Alive)
@@ -281,7 +281,7 @@ Vector3 SafetyStage::Augment(
   augmented.Feedback = input.Feedback;
   augmented.Most = ComputeMost(this->Augmented, wall, input.Period, limits);
   augmented.MaximumDamping = ComputeDampingShare(input) * limits.MaximumDamping;
-  // The two dampings together would be more than either may be.
+  // Both dampings together would exceed the limit of each.
   augmented.DampingShare = this->Damper.IsEngaged() ? 0.0 : share;
   augmented.Period = input.Period;
   return this->Augmentation.Apply(augmented);

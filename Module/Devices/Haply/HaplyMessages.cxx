@@ -125,7 +125,7 @@ HaplyArm ReadArm(const Json& device, const char* family)
   arm.Type = Text(config, "type");
   arm.Type = arm.Type.empty() ? family : arm.Type;
   arm.Handedness = Text(config, "handedness");
-  // A name; an object with the name where it is set.
+  // The service sends the preset as a name, or as an object that contains the name.
   arm.Preset = Text(config, "preset");
   arm.Preset = arm.Preset.empty() ? Text(At(config, "preset"), "preset") : arm.Preset;
   arm.Position = Told<Vector3>(state, "cursor_position");

@@ -35,7 +35,7 @@ bool ReadXmlFile(vtkXMLReader* reader, const std::string& file)
     hasFailed ? void() : reader->UpdateInformation();
     hasFailed ? void() : reader->Update();
   }
-  catch (const std::exception&) // there is not enough memory for what it promises
+  catch (const std::exception&) // the file declares more than fits into memory
   {
     hasFailed = true;
   }

@@ -438,7 +438,7 @@ void vtkHapticXRController::Vibrate(double amplitude)
       << this->ActionName
       << "\". Give the interactor the manifest that WriteActions() makes, then SetInteractor().");
   }
-  d.SentAt = ServoClock::Now(); // after the call, which may take long
+  d.SentAt = ServoClock::Now(); // taken after the call, which may take long
   if (isNew)
   {
     this->InvokeEvent(vtkCommand::UserEvent, &this->Amplitude);

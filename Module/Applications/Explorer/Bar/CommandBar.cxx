@@ -25,7 +25,7 @@ using Explore::RGB;
 
 constexpr RGB GROUND{ 0.09, 0.11, 0.15 }; // background of bar and menus
 constexpr RGB LIT{ 0.19, 0.23, 0.31 };    // behind what the pointer is at
-constexpr RGB CHOSEN{ 0.16, 0.36, 0.60 }; // behind what is switched on
+constexpr RGB CHOSEN{ 0.16, 0.36, 0.60 }; // background of commands that are switched on
 constexpr RGB INK{ 0.90, 0.92, 0.95 };
 constexpr RGB FAINT{ 0.58, 0.63, 0.70 };
 constexpr RGB UNUSABLE{ 0.36, 0.40, 0.46 };

@@ -31,7 +31,7 @@
 
 namespace
 {
-// N, which is felt clearly, and which any device can give several times
+// N: a force that is felt clearly, and of which any device can give several times as much
 constexpr double STRONGEST_PUSH = 1.0;
 // fraction of the surface's points that are less sharp; the sharper ones may be noise
 constexpr double SHARPEST = 0.95;

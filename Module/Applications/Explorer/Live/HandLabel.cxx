@@ -21,9 +21,10 @@
 
 namespace
 {
-constexpr int LETTERS = 11;          // points
-constexpr double TIP_GAP = 22.0;     // points between the tip and its label
-constexpr double SCALE_SHARE = 0.15; // least width of the scale, as a share of the view's
+constexpr int LETTERS = 11;      // points
+constexpr double TIP_GAP = 22.0; // points between the tip and its label
+// smallest width of the scale, as a fraction of the view's width
+constexpr double SCALE_SHARE = 0.15;
 
 std::string Format(double value, const char* unit)
 {

@@ -164,7 +164,7 @@ void HandTool::Hold(vtkHapticTool* tool)
   filter->SetTool(tool);
   if (this->Device->IsRunning())
   {
-    // Now, because the style takes a notice away when it publishes a change.
+    // Publish now, because the style removes a notice when it publishes a change.
     this->Device->Publish();
   }
   this->Tell("The hand holds a " + name + ".");

@@ -16,7 +16,7 @@ namespace
 {
 using Explore::SoundStream;
 
-constexpr std::uint32_t LATENCY = 25; // ms, which the server is asked for
+constexpr std::uint32_t LATENCY = 25; // ms, requested from the server
 /// Longest wait for the fade at the end, so that a server that hangs does not delay the program.
 constexpr std::chrono::milliseconds FADE(60);
 

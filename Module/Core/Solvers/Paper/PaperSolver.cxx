@@ -133,7 +133,7 @@ VOLUME_HAPTICS_OUTLINE bool StepPlainMotion(
   const FractionPair levels = field->Values(index);
   if (levels.First == levels.Second)
   {
-    return false; // perhaps the volume has not changed here, which CarryProxy finds out
+    return false; // CarryProxy finds out whether the volume has changed here
   }
   double fade = model.BorderFade(index);
   const Vector3 start = state.Proxy;

@@ -318,7 +318,7 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
         }
       }
       cost.Work += WorkOfFractions;
-      // All samples of the row at once, because the compiler vectorises this loop.
+      // Compute all samples of the row at once, because the compiler vectorises this loop.
       double ramp[BrickSide]; // distance of each sample from the surface in widths of the ramp
       for (int i = 0; i < BrickSide; ++i)
       {

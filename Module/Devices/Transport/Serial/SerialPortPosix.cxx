@@ -141,7 +141,7 @@ bool SerialPort::Open(const std::string& path, std::string& error)
     this->Close();
     return false;
   }
-  // Excludes programs that do not use the lock, too.
+  // Also exclude programs that do not use the lock.
   ioctl(this->Descriptor, TIOCEXCL);
   tcflush(this->Descriptor, TCIOFLUSH);
   return true;

@@ -691,7 +691,7 @@ std::vector<DicomHeader> ReadDicomSlices(const std::string& path)
     }
     if (count == 1)
     {
-      continue; // its header has a place, or it is at a scanner's default place
+      continue; // the header has a position, or the frame is at a scanner's default position
     }
     // The offsets of a dose either begin at 0 along the normal, or are z in the patient (PS3.3,
     // section C.8.8.3.2).

@@ -152,7 +152,7 @@ private:
   template <typename TakeOne>
   void TakeList(TakeOne&& take)
   {
-    this->TakeCount(); // what is in the list
+    this->TakeCount(); // kind of the list's elements
     for (std::size_t left = this->TakeCount(); left > 0; --left)
     {
       take();

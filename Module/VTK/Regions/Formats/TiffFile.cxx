@@ -132,7 +132,7 @@ int IgnoreMessage(TIFF*, void*, const char*, const char*, va_list)
 /** Opens a file without printing messages: calls return errors. */
 TiffPointer OpenQuietly(const std::string& name)
 {
-  const OpenedFile isThere(name); // throws if it is missing, or a pipe
+  const OpenedFile isThere(name); // throws if the file is missing, or a pipe
 #if defined(TIFFLIB_VERSION) && TIFFLIB_VERSION >= 20221213
   TIFFOpenOptions* const options = TIFFOpenOptionsAlloc();
   TIFFOpenOptionsSetErrorHandlerExtR(options, IgnoreMessage, nullptr);

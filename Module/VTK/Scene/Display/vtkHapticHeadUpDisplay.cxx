@@ -637,7 +637,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderHint(
   constexpr int largest = 16; // points
   constexpr int smallest = 7;
   const int* const view = viewport->GetSize();
-  // The hint is centred, and ends before what other renderers draw at the right.
+  // The hint is centred, and ends before the area in which other renderers draw at the right.
   const double room = 2.0 * ComputeTextRight(viewport) - view[0];
   this->Hint->SetInput(self.Hint.c_str());
   this->Hint->GetTextProperty()->SetBackgroundOpacity(IsOnLight(viewport) ? 0.95 : 0.75);
