@@ -44,6 +44,7 @@ home_of()
 }
 
 # usage: inside USER COMMAND [ARGUMENT...]
+# Runs a command in the tree as a user.
 inside()
 {
   # shellcheck disable=SC2016 # the inner shell expands it
@@ -61,11 +62,12 @@ if [ ! -f "$tree/etc/made" ]; then
   # shellcheck disable=SC2016 # apt-get expands it
   mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Label: Debian' 'Identifier: Packages' | sed -n 1p)
   script=/usr/share/debootstrap/scripts/$suite
-  [ -e "$script" ] || script=/usr/share/debootstrap/scripts/sid # a suite that is newer than debootstrap
+  [ -e "$script" ] || script=/usr/share/debootstrap/scripts/sid # for a suite that is newer than debootstrap
   debootstrap --variant=minbase "$suite" "$tree" "$mirror" "$script"
-  # Nobody needs what a crash would leave of it, and a slow disk takes minutes to be sure of each file.
+  # Let dpkg not wait for the disk: nobody needs what a crash would leave, and a slow disk takes minutes to write each
+  # file.
   echo force-unsafe-io > "$tree/etc/dpkg/dpkg.cfg.d/unsafe-io"
-  # A mirror may keep an old state of a suite.
+  # Accept a mirror's old state of a suite.
   echo 'Acquire::Check-Valid-Until "false";' > "$tree/etc/apt/apt.conf.d/old-state"
   echo "127.0.0.1 localhost $(hostname)" > "$tree/etc/hosts"
   inside root apt-get update -qq
@@ -88,7 +90,7 @@ if [ ! -d "$sources" ]; then
   git clone -q --no-hardlinks "$root" "$sources"
 fi
 git -c safe.directory='*' -C "$sources" fetch -q "$root" HEAD
-git -c safe.directory='*' -C "$sources" update-index -q --refresh || true # with their owner, which chown changed
+git -c safe.directory='*' -C "$sources" update-index -q --refresh || true # also the owner, which chown has changed
 git -c safe.directory='*' -C "$sources" reset -q --hard FETCH_HEAD
 inside root chown -R "$user:" "$home/volume-haptics"
 # shellcheck disable=SC2016

@@ -27,7 +27,7 @@ require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy py
 
 options=(--output "$root/build/evaluation")
 # usage: add_scan OPTION FILE COMMAND FOLDER
-# Unless the caller's words have the option, fetches a scan into a folder by a command.
+# Fetches a scan into a folder by a command, unless the caller has given the option.
 words=" $* "
 add_scan()
 {

@@ -26,13 +26,13 @@ run()
 {
   mkdir "$folder/temporary"
   local status=0
-  # The system's own messages stay as the tests know them.
+  # Keep the system's own messages in English, as the tests expect them.
   env -u LC_ALL -u LANGUAGE LANG=de_DE.UTF-8 LC_MESSAGES=C LD_PRELOAD="$library" TEST_TMPDIR="$folder/temporary" \
     "$@" > "$folder/output" 2>&1 || status=$?
   rm -rf "$folder/temporary"
   return $status
 }
-# Run each case in its own process, as CTest does: some cases change what their process may do.
+# Run each test in a process of its own, as CTest does, because some tests change the rights of their process.
 for program in "$@"; do
   cases=$("$program" --gtest_list_tests --gtest_filter="${GTEST_FILTER:-*}" | sed 's/ *#.*//')
   suite=

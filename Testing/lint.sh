@@ -21,7 +21,7 @@ source CMake/install-packages.sh
 # These tools find different faults from version to version, so all of them have the versions of Debian 12, which has no
 # ruff. lint-tools.txt has the versions, and the hashes that pip checks.
 
-# The files with one of the given endings, separated by zeros.
+# Prints the files with one of the given endings, separated by zeros.
 list_files()
 {
   local ending names=()
@@ -31,8 +31,9 @@ list_files()
   find Module Plugin Examples Testing CMake Data -type f \( "${names[@]:1}" \) -print0
 }
 
-# usage: find_tool NAME [PACKAGE] Sets $tool to a program: Debian 12's, if its PACKAGE is named, else PyPI's in an
-# environment of its own. Returns 1 with a message if neither has the program.
+# usage: find_tool NAME [PACKAGE]
+# Sets $tool to a program: that of Debian 12, if its PACKAGE is named, or that of PyPI in an environment of its own.
+# Returns 1 with a message if neither has the program.
 find_tool()
 {
   local requirement environment
@@ -61,7 +62,7 @@ check_format()
   list_files .h .cxx | xargs -0 "$tool" --dry-run --Werror
 }
 
-# Checks code and comments. Help texts in raw strings may be wider.
+# Checks the width of code and comments. Help texts in raw strings may be wider.
 check_columns()
 {
   list_files .h .cxx | xargs -0 awk '
@@ -95,13 +96,13 @@ check_documents()
   Testing/Package/documents.py
 }
 
-# Checks that no text of the programs has a phrase that software does not use.
+# Checks the texts of the programs for phrases that software does not use.
 check_texts()
 {
   Testing/Package/strings.py --check
 }
 
-# Checks that the documentation's site is built without a warning.
+# Checks that the documentation's site builds without a warning.
 check_site()
 {
   local status=0
@@ -153,7 +154,7 @@ check_analyze()
 
 failed=()
 for check in "${@:-format columns spelling python shell documents texts site tidy analyze}"; do
-  # The default is one argument with all names; split it into words.
+  # By default, $check is one argument with all names. Split it into words.
   for name in $check; do
     echo "== Checking: $name"
     "check_$name" || failed+=("$name")
