@@ -13,9 +13,9 @@ namespace benchmarks
 {
 
 /**
- * The motion is one of:
+ * Returns the name of a benchmark. The motion is one of:
  * slide:  along a level of the ball, as a hand moves; the samples are in the cache.
- * random: at another place each time, waiting for each result before the next one.
+ * random: to another place each time; each place waits for the result of the place before.
  */
 inline std::string NameOf(const std::string& subject, const std::string& variant,
   const std::string& motion, const std::string& volume)
