@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Shared by the fuzzer's targets: bytes as choices, and invariants that abort.
+ * Provides for all fuzzer targets: choices made from bytes, and checks that abort.
  */
 #ifndef Dealer_h
 #define Dealer_h
@@ -13,7 +13,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-/** Deals out bytes; zeros when there are no more. */
+/** Deals out bytes, and zeros when the bytes have run out. */
 class Dealer
 {
 public:
@@ -34,7 +34,7 @@ public:
     return *this->Bytes++;
   }
   int Choose(int count) { return this->Byte() % count; }
-  /** Between two numbers, in steps of 1/65535. */
+  /** Returns a number between two numbers, in steps of 1/65535 of their distance. */
   double Between(double low, double high)
   {
     const int word = this->Byte() * 256 + this->Byte();

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The fuzzer's target on random bytes, for compilers without libFuzzer and for the sanitizer runs.
+ * Runs the fuzzer's target on random bytes, for compilers without libFuzzer and for the sanitizer
+ * runs.
  */
 
 #include "TouchAnything.h"

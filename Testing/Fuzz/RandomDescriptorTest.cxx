@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The fuzzer's target for descriptors on random bytes, and on a stick's with some bytes changed.
+ * Runs the fuzzer's target for descriptors on random bytes, and on a stick's bytes with some of
+ * them changed.
  */
 
 #include "Rigs/PidRig.h"

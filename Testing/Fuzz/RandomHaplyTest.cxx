@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The fuzzer's target for Haply's Inverse service on random bytes.
+ * Runs the fuzzer's target for Haply's Inverse service on random bytes.
  */
 
 #include "TouchHaply.h"

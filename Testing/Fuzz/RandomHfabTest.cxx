@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The fuzzer's target for hfab controllers on random bytes.
+ * Runs the fuzzer's target for hfab controllers on random bytes.
  */
 
 #include "TouchHfab.h"

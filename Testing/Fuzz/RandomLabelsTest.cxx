@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The fuzzer's target for tables of labels on random bytes, and on good files with some bytes
+ * Runs the fuzzer's target for tables of labels on random bytes, and on good files with some bytes
  * changed.
  */
 

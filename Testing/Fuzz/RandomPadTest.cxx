@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The fuzzer's target for gamepads on random bytes.
+ * Runs the fuzzer's target for gamepads on random bytes.
  */
 
 #include "TouchPad.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The fuzzer's target for firmware and the file of devices on random bytes, and on a good file of
- * devices with some bytes changed.
+ * Runs the fuzzer's target for firmware and the file of devices on random bytes, and on a good file
+ * of devices with some bytes changed.
  */
 
 #include "TouchUserFile.h"

@@ -18,7 +18,10 @@ namespace
 constexpr int MostTicks = 400;
 constexpr double Rounding = 1e-6; // of a force
 
-/** One to four points, in ascending order, maybe with the same X: a step. */
+/**
+ * Deals a function of one to four points in ascending order. Points may have the same X, which is a
+ * step.
+ */
 Polyline Function(Dealer& dealer, double most)
 {
   Polyline line;
@@ -97,7 +100,7 @@ void Deal(Dealer& dealer, Scene& scene)
   d.View.Data = scene.Samples.data();
 }
 
-/** Two or three time steps, of which one has other samples. */
+/** Deals two or three time steps, one of which has other samples. */
 void DealTimeSteps(Dealer& dealer, Scene& scene)
 {
   HapticModelDescription& d = scene.Description;
@@ -122,7 +125,7 @@ void DealTimeSteps(Dealer& dealer, Scene& scene)
   }
 }
 
-/** Baking refuses label samples that are no whole numbers: they become 0. */
+/** Makes label samples whole numbers, because baking refuses others: those become 0. */
 template <typename T>
 void MakeWhole(std::vector<char>& samples)
 {
@@ -134,7 +137,7 @@ void MakeWhole(std::vector<char>& samples)
   }
 }
 
-/** Any number of any material, for a label that the image may have. */
+/** Deals a material with any numbers, for a label that the image may have. */
 LabelledMaterial DealEntry(Dealer& dealer, const LabelView& view, std::int64_t otherwise)
 {
   LabelledMaterial entry;
@@ -156,7 +159,7 @@ LabelledMaterial DealEntry(Dealer& dealer, const LabelView& view, std::int64_t o
   return entry;
 }
 
-/** A label image of any type, extent, placement and direction, and a table. */
+/** Deals a label image of any type, extent, placement and direction, and a table of labels. */
 void DealLabels(Dealer& dealer, Scene& scene)
 {
   VolumeView view;

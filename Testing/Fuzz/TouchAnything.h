@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Any bytes as an image, a property and a tip path, touched by both solvers.
+ * Takes any bytes as an image, a property and a tip path, and touches the image with both solvers.
  */
 #ifndef TouchAnything_h
 #define TouchAnything_h
@@ -11,11 +11,11 @@
 #include <cstdint>
 
 /**
- * Bytes choose everything: type, size, spacing and samples (NaN and infinities, too), estimator,
- * solver, side, functions with steps, a path with jumps and tips that are not numbers, and if they
- * want, a label image of any type, size and direction with a table of materials and forbidden
- * labels. Aborts if a force or a proxy is not finite, a force exceeds what the material holds, or a
- * state can't be stored and taken up again.
+ * Chooses everything from the bytes: type, size, spacing and samples (also NaN and infinities),
+ * estimator, solver, side, functions with steps, a path with jumps and with tips that are not
+ * numbers. Some bytes also choose a label image of any type, size and direction with a table of
+ * materials and forbidden labels. Aborts if a force or a proxy is not finite, if a force exceeds
+ * what the material holds, or if a state can't be stored and used again.
  */
 void TouchAnything(const std::uint8_t* bytes, std::size_t size);
 

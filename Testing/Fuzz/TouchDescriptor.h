@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Any bytes as what a HID device says: its descriptor and its packets.
+ * Takes any bytes as a HID device's descriptor and packets.
  */
 #ifndef TouchDescriptor_h
 #define TouchDescriptor_h
@@ -11,9 +11,10 @@
 #include <cstdint>
 
 /**
- * The first byte is the length of a packet, which follows; the rest is a descriptor. The packet
- * goes to every codec. Aborts if a field lies outside its report, a value does not come back as it
- * was written, an axis or a current is out of its range, or a dialogue does not end.
+ * Takes the first byte as the length of a packet, which follows, and the rest as a descriptor.
+ * Gives the packet to every codec. Aborts if a field lies outside its report, if a value is read
+ * differently from how it was written, if an axis or a current is out of its range, or if a
+ * dialogue does not end.
  */
 void TouchDescriptor(const std::uint8_t* bytes, std::size_t size);
 

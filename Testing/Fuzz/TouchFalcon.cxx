@@ -32,7 +32,10 @@ FalconReport DealReport(Dealer& dealer)
   return report;
 }
 
-/** Raw bytes, a part of a packet, or a whole one that may be spoilt; of exactly their size. */
+/**
+ * Deals raw bytes, a part of a packet, or a whole packet that may be damaged, in a buffer of
+ * exactly their size.
+ */
 std::vector<std::uint8_t> DealBytes(Dealer& dealer)
 {
   std::vector<std::uint8_t> bytes;
@@ -140,7 +143,7 @@ void Listen(Dealer& dealer)
   }
 }
 
-/** A device that mostly answers as it should: without that the dialogue would end at once. */
+/** Answers as the device mostly does. With wrong answers only, the dialogue would end at once. */
 void Answer(Dealer& dealer, FalconLoader& loader, const std::vector<std::uint8_t>& written)
 {
   const std::size_t due = loader.GetStep().Size;

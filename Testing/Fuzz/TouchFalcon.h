@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Any bytes as what a Novint Falcon sends.
+ * Takes any bytes as what a Novint Falcon sends.
  */
 #ifndef TouchFalcon_h
 #define TouchFalcon_h
@@ -11,10 +11,10 @@
 #include <cstdint>
 
 /**
- * Bytes choose transfers of any length, whole reports among garbage, times, forces, and the answers
- * while firmware is loaded. Aborts if a position is not finite, a reached pose is none, a motor
- * gets more than the cap or a force that was not wanted, homing is ready without its conditions, or
- * the loader sends something that it should not.
+ * Chooses from the bytes transfers of any length, whole reports among garbage, times, forces, and
+ * the answers while firmware is loaded. Aborts if a position is not finite, if a pose counts as
+ * reached that is not, if a motor gets more than its limit or a force that was not requested, if
+ * homing is ready without its conditions, or if the loader sends wrong bytes.
  */
 void TouchFalcon(const std::uint8_t* bytes, std::size_t size);
 

@@ -31,7 +31,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/** A folder in memory that goes with the process. */
+/** A folder, in memory if possible, that the process removes at its end. */
 struct Folder
 {
   fs::path Path;
@@ -59,7 +59,7 @@ void Write(const fs::path& file, std::string_view bytes)
   std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<long>(bytes.size()));
 }
 
-/** Unpacks a folder. Names stay within it. */
+/** Unpacks the files of a folder. Their names can't lead out of the folder. */
 void Unpack(std::string_view bytes, const fs::path& folder)
 {
   while (!bytes.empty())
@@ -93,7 +93,10 @@ void Unpack(std::string_view bytes, const fs::path& folder)
   }
 }
 
-/** Makes this process read what another one would, which has no sanitizers that stop the search. */
+/**
+ * Makes this process read files that another process would read otherwise. There, no sanitizer
+ * would stop the search at a fault.
+ */
 void ReadHere()
 {
   static const bool isSet =

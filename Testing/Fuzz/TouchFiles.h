@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The fuzzer's targets for files: bytes as a file of a format, or as a folder of files, which
- * vtkHapticVolumeReader reads. A volume must be whole and finite; a refusal must name its cure.
+ * Takes any bytes as a file of a format, or as a folder of files, which vtkHapticVolumeReader
+ * reads. A volume must be whole and finite; a refusal must name its cure.
  *
  * A folder is packed into one buffer: "PACK", then for each file the length of its name (a byte),
- * the name, the size of its contents (2 bytes, the lower one first) and the contents. What is cut
- * off ends earlier.
+ * the name, the size of its contents (2 bytes, the lower one first) and the contents. A buffer that
+ * ends early shortens the last file.
  */
 #ifndef TouchFiles_h
 #define TouchFiles_h
@@ -17,7 +17,7 @@
 
 void TouchDicom(const std::uint8_t* bytes, std::size_t size);
 void TouchBrain(const std::uint8_t* bytes, std::size_t size);
-/** Grids of VTK: the first byte chooses the format. */
+/** Reads grids of VTK. The first byte chooses the format. */
 void TouchGrid(const std::uint8_t* bytes, std::size_t size);
 void TouchHdf(const std::uint8_t* bytes, std::size_t size);
 void TouchMetaImage(const std::uint8_t* bytes, std::size_t size);
@@ -26,7 +26,7 @@ void TouchNrrd(const std::uint8_t* bytes, std::size_t size);
 void TouchTiff(const std::uint8_t* bytes, std::size_t size);
 void TouchVti(const std::uint8_t* bytes, std::size_t size);
 void TouchZarr(const std::uint8_t* bytes, std::size_t size);
-/** Files of tables, by their endings, and label images with their names. */
+/** Reads files of tables by their endings, and label images with their names. */
 void TouchLabelFile(const std::uint8_t* bytes, std::size_t size);
 
 #endif

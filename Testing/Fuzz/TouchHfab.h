@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Any bytes as what an hfab controller sends.
+ * Takes any bytes as what an hfab controller sends.
  */
 #ifndef TouchHfab_h
 #define TouchHfab_h
@@ -11,9 +11,9 @@
 #include <cstdint>
 
 /**
- * Bytes choose lines: garbage, answers, spoilt answers. Aborts if the reader finds other answers
- * than a slow search for brackets and commas, a tip is not finite, or a motor gets more than its
- * cap.
+ * Chooses lines from the bytes: garbage, answers, damaged answers. Aborts if the reader finds other
+ * answers than a slow search for brackets and commas, if a tip is not finite, or if a motor gets
+ * more than its limit.
  */
 void TouchHfab(const std::uint8_t* bytes, std::size_t size);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Any bytes as a file with a table of labels.
+ * Takes any bytes as a file with a table of labels.
  */
 #ifndef TouchLabels_h
 #define TouchLabels_h
@@ -11,9 +11,9 @@
 #include <cstdint>
 
 /**
- * Gives the bytes to the reader of each format, and to that of a segmentation's samples. Aborts if
- * a refusal has no reason or changes something, if a name is not UTF-8, if a colour or a material
- * is out of its range, or if what was read changes when it is written as CSV and read again.
+ * Gives the bytes to the reader of each format, and to the reader of a segmentation's samples.
+ * Aborts if a refusal has no reason or changes something, if a name is not UTF-8, if a colour or a
+ * material is out of its range, or if a table changes when it is written as CSV and read again.
  */
 void TouchLabels(const std::uint8_t* bytes, std::size_t size);
 

@@ -34,7 +34,7 @@ void CheckState(const PadState& state)
   Check(Norm(motion.Push) <= 1.0 + 1e-12 && Norm(motion.Turn) <= 1.0, "nothing is too fast");
 }
 
-/** The same as HasEvdevBit, word by word. */
+/** Returns the same as HasEvdevBit(), by reading word by word. */
 bool SearchBit(std::string text, unsigned bit)
 {
   while (!text.empty() && text.back() == '\n')

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Any bytes as what Linux and a DualSense tell of a gamepad, and any force as what it is to feel.
+ * Takes any bytes as what Linux and a DualSense report of a gamepad, and as forces that the gamepad
+ * shows.
  */
 #ifndef TouchPad_h
 #define TouchPad_h
@@ -11,9 +12,9 @@
 #include <cstdint>
 
 /**
- * Bytes choose texts of sysfs, axes, events, reports and forces. Aborts if a bit is found that a
- * slow reading of the text does not find, a stick leaves its range, a spoilt report counts, or a
- * motor's level leaves 0 to 1 or its limits of the rate.
+ * Chooses from the bytes texts of sysfs, axes, events, reports and forces. Aborts if a bit is found
+ * that a slow reading of the text does not find, if a stick leaves its range, if a damaged report
+ * counts, or if a motor's level leaves the range from 0 to 1 or its limits of the rate.
  */
 void TouchPad(const std::uint8_t* bytes, std::size_t size);
 

@@ -19,7 +19,7 @@ using namespace VolumeHaptics;
 
 namespace
 {
-/** A file in memory that goes with the process. */
+/** A file in memory that the process removes at its end. */
 struct File
 {
   File()

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Any bytes as the files that a user has for devices: the Falcon's firmware, and the file of
- * devices.
+ * Takes any bytes as a user's files for devices: the Falcon's firmware, and the file of devices.
  */
 #ifndef TouchUserFile_h
 #define TouchUserFile_h
@@ -12,9 +11,9 @@
 #include <cstdint>
 
 /**
- * The bytes are both files. Aborts if an image is not the file byte for byte, or has a wrong size;
- * if a device's scale is out of its limits, or its days are none; if facts that are written do not
- * come back, or change those of another device; or if a refusal names no cure.
+ * Takes the bytes as both files. Aborts if an image differs from the file or has a wrong size; if a
+ * device's scale is out of its limits, or a day is not a date; if written facts are not read again,
+ * or change those of another device; or if a refusal names no cure.
  */
 void TouchUserFile(const std::uint8_t* bytes, std::size_t size);
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Contacts with the faces of a cut. Behind an open face, no force acts. A solid face at depth w
- * answers a tip at depth h with the force k (h - w), up to the surface strength T_N: the closed
- * form of a wall.
+ * Tests contacts with the faces of a cut. Behind an open face, no force may act. A solid face at
+ * depth w answers a tip at depth h with the force k (h - w), up to the surface strength T_N: the
+ * closed form of a wall.
  */
 
 #include "Rigs/CoreScene.h"

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The lag between tip and proxy that a drag R causes with solver PRECISE, in a medium without a
- * surface: R/k (T6 in Documentation/evaluation.md), but at most R over the coupling stiffness, or
- * three voxels along the normal if that is longer (Documentation/method.md). PAPER keeps R/k.
+ * Tests the lag between tip and proxy that a drag R causes with solver PRECISE in a medium without
+ * a surface. The lag is R/k (T6 in Documentation/evaluation.md), but at most R over the coupling
+ * stiffness, or three voxels along the normal if that is longer (Documentation/method.md). With
+ * PAPER, the lag is always R/k.
  */
 
 #include "Rigs/CoreScene.h"

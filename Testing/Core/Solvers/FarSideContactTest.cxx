@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A hand on surfaces that take their material from the far side of the edge. The volumes are built
- * from plateaus, so the expected values are those of the plateaus. How the value changes along a
- * surface is the solution of the equation in FarSide.h, an exponential. A distance field has no far
- * side: the test expects the same force as with the kernel's values.
+ * Tests a hand on surfaces that take their material from the far side of the edge. The volumes
+ * consist of plateaus, whose values are the expected ones. Along a surface, the value changes by
+ * the solution of the equation in FarSide.h, an exponential. A distance field has no far side, so
+ * the test expects the same force as with the kernel's values.
  */
 
 #include "Core/Solvers/Precise/FarSide.h"

@@ -3,8 +3,8 @@
 
 /**
  * Tests the walk to the plateaus on both sides of an edge. The expected values are those from which
- * the edges are built: V1 + (V2 - V1) Phi(z/s), with Phi the normal distribution. Ramps are linear
- * functions of the position, or distances from a point.
+ * the edges are made: V1 + (V2 - V1) Phi(z/s), where Phi is the normal distribution. Ramps are
+ * linear functions of the position, or distances from a point.
  */
 
 #include "Core/Solvers/Precise/FarSide.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Walls between labels under a hand, in a volume with one value. A wall at depth w that holds
- * answers a tip at depth h with the force k (h - w): the closed form of these tests.
+ * Tests walls between labels under a hand, in a volume with one value. A wall at depth w that holds
+ * answers a tip at depth h with the force k (h - w), the closed form of these tests.
  */
 
 #include "Rigs/CoreScene.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The force doesn't depend on the world's length unit: the same ball in micrometres, centimetres,
- * metres and kilometres gives the forces that it gives in millimetres.
+ * Expects that the force does not depend on the world's length unit: a ball in micrometres,
+ * centimetres, metres and kilometres gives the same forces as in millimetres.
  */
 
 #include "Rigs/CoreScene.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * LOCAL_SURFACE under hands that move at random: the force never jumps.
+ * Expects that the force of LOCAL_SURFACE never jumps under hands that move at random.
  */
 
 #include "Rigs/LocalSurfaceRig.h"

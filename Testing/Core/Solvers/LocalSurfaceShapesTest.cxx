@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * LOCAL_SURFACE on shapes that are not flat: friction stays within its cone, hollows hold the tip,
- * and thin walls do not pull.
+ * Tests LOCAL_SURFACE on shapes that are not flat: friction stays within its cone, hollows hold the
+ * tip, and thin walls do not pull.
  */
 
 #include "Rigs/LocalSurfaceRig.h"

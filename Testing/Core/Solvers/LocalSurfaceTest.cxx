@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Surfaces that the slow loop fits to known shapes.
+ * Tests the surfaces that the slow loop fits to known shapes.
  */
 
 #include "Rigs/LocalSurfaceRig.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Forces on a surface that the slow loop has fitted: 500 N/m at 1 kHz, surface at z = 12 mm.
+ * Tests forces on a surface that the slow loop has fitted. The surface is at z = 12 mm; the
+ * stiffness is 500 N/m, and the tick rate 1 kHz.
  */
 
 #include "Core/State/ServoStateNumbers.h"

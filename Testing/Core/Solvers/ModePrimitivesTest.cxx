@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Modes on sampled fields with closed forms: vortices, fronts, shear and twisting fibres.
+ * Tests modes on sampled fields with closed forms: vortices, fronts, shear and twisting fibres.
  */
 
 #include "Rigs/ModeGrid.h"

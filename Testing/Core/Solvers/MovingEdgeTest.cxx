@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Errors in V1 to V3 that come from the samples, not from the force law: how far from its middle a
- * moving edge holds the proxy.
+ * Computes how far from its middle a moving edge holds the proxy: errors in V1 to V3 that come from
+ * the samples, not from the force law.
  *
- * An edge is where V is the mean of V at one kernel radius R in front and one behind. With the
- * Gaussian estimator, V is interpolated between samples h apart. At a fraction f of a voxel,
- * interpolation gives
+ * An edge is where V is the mean of two values of V: one kernel radius R in front and one behind.
+ * With the Gaussian estimator, V is interpolated between samples h apart. At a fraction f of a
+ * voxel, interpolation gives
  *
  *   V + f(1 - f)/2 h^2 V'' + f(1 - f)(1 - 2f)/6 h^3 V''' + ...
  *
- * At the middle of an edge and at R from there, the first term is 0 or cancels. The second term
- * moves the middle to and fro from voxel to voxel, by at most
+ * At the middle of an edge and at R from there, the first error term is 0 or cancels. The second
+ * term moves the middle to and fro from voxel to voxel, by at most
  *
  *   e = sqrt(3)/108 h^3 |V'''(0) - V'''(R)| / |V'(0) - V'(R)|   at f = (3 - sqrt(3))/6.
  *
@@ -21,12 +21,12 @@
  *   e = sqrt(3)/108 h^3/w^2 (2 - 2 s^2 + 4 (1 - s) s)/(1 - s)
  *
  * The surface is never in front of the middle of its edge. A moving wall passes through all
- * positions within a voxel, so in the end it holds at e behind its middle, and the force on the
- * hand is too small by up to k e, and never too large. A ball's level moves as well: a Gaussian of
+ * positions within a voxel, so in the end it holds at e behind its middle. The force on the hand is
+ * then too small by up to k e, and never too large. A ball's level moves as well: a Gaussian of
  * variance q reads the surface q/r too far inside, so the surface moves inside by q (1/r2 - 1/r1)
  * while the radius falls from r1 to r2.
  *
- * PAPER holds in front of the middle, where its surface is distinct enough for the pull. The
+ * PAPER holds in front of the middle, where its surface is distinct enough for the pull. This
  * distance has no effect on how the proxy is carried.
  */
 

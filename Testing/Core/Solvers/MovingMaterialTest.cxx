@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Volumes whose time steps have displacements, which tell where the material goes. The expected
- * forces are closed forms, or those of the same hand in the material's coordinates: a volume that
- * moves as a whole under a resting hand feels like a volume at rest under a hand that moves the
- * other way.
+ * Tests volumes whose time steps have displacements, which say where the material moves. The
+ * expected forces are closed forms, or those of the same hand in the material's coordinates: a
+ * volume that moves as a whole under a resting hand feels like a volume at rest under a hand that
+ * moves the other way.
  */
 
 #include "Core/Model/HapticModel.h"

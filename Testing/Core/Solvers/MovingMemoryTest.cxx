@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The samples that one tick on a moving volume keeps for the next only save time: a hand without
- * this memory, a hand with a new memory for each tick and a hand that keeps its memory feel the
- * same force to the bit.
+ * Expects that the samples which a tick on a moving volume keeps for the next tick only save time.
+ * Three hands must feel the same force to the bit: without this memory, with a new memory for each
+ * tick, and with a memory that is kept.
  */
 
 #include "Rigs/CoreScene.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A sphere of 1 mm on moving meshes. The sphere rests on the mesh, so its force is known at all
- * times.
+ * Tests a sphere of 1 mm on moving meshes. The sphere rests on the mesh, so its force is known at
+ * all times.
  */
 
 #include "Rigs/SurfaceRig.h"

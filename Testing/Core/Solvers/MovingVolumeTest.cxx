@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Moving volumes under a resting tip, with closed forms of the force: the surface is where the
- * analytic volume has it, a spring of stiffness k pulls the tip to it, and the surface slips at
- * T_N.
+ * Tests moving volumes under a resting tip, with closed forms of the force: the surface is where
+ * the analytic volume has it, a spring of stiffness k pulls the tip to the surface, and the surface
+ * slips at its strength T_N.
  */
 
 #include "Rigs/MovingRig.h"

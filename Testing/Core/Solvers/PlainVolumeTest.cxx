@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The solvers have a shorter code path for plain volumes, at rest and moving. The reference is the
- * same volume with a solid cut far outside, which selects the general path and changes nothing
- * else.
+ * Tests the solvers' shorter code path for plain volumes, at rest and moving. The reference is the
+ * same volume with a solid cut far outside, which only selects the general path.
  */
 
 #include "Rigs/CoreScene.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Proxies led by analytic flows, compared with the flows' streamlines and with the balance of
- * spring and strength. Voxels are 1 mm, so that a step is at most 0.25 mm.
+ * Compares proxies that follow analytic flows with the flows' streamlines, and with the balance of
+ * spring and strength. Voxels are 1 mm, so a step is at most 0.25 mm.
  */
 
 #include "Core/Solvers/Primitives/PrimitiveFollower.h"

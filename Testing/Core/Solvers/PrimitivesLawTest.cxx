@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The paper's law as primitives, for PAPER and for PRECISE: compared with the law that the solvers
- * use, and with the solvers' ticks in random scenes.
+ * Tests the paper's law in the form of primitives, for PAPER and PRECISE. Compares it with the law
+ * that the solvers use, and with the solvers' ticks in random scenes.
  */
 
 #include "Core/Law/MaterialLaw.h"

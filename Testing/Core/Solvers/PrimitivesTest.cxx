@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Balances of haptic primitives, compared with closed forms and with other algorithms: the primal
+ * Compares balances of haptic primitives with closed forms and with other algorithms: the primal
  * problem by ADMM in long double, with the prox of each potential alone and many iterations; planes
  * by trying all combinations; and large sets by the duality gap, which needs no solver.
  */

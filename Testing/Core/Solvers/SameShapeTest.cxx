@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A hand strokes with a constant force f over a flat slab of two materials. If each has its own
- * stiffness, the tip rises or sinks by f (1/k1 - 1/k2) at the border. With one stiffness it goes
- * straight on. The closed form is that of two springs, k1 and k2, pressed with f.
+ * Strokes over a flat slab of two materials, with a hand that presses with a constant force f. If
+ * each material has its own stiffness, the tip rises or sinks by f (1/k1 - 1/k2) at the border,
+ * which is the closed form of two springs, k1 and k2. With one stiffness, the tip must go straight
+ * on.
  */
 
 #include "Rigs/CoreScene.h"

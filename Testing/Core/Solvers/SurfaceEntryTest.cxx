@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Where the surface method starts its proxy if another method was used at that position before.
+ * Tests where the surface method starts its proxy if another method was used at that position
+ * before.
  */
 
 #include "Rigs/MeshScene.h"

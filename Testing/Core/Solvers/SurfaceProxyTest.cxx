@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Rest positions of a sphere of 1 mm on known faces, edges and corners, with a stiffness of
- * 500 N/m.
+ * Tests the rest positions of a sphere of 1 mm on known faces, edges and corners, with a stiffness
+ * of 500 N/m.
  */
 
 #include "Rigs/SurfaceRig.h"

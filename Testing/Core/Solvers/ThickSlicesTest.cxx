@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Walls in volumes whose voxels are not cubes. The wall is V = low + h Phi(d / s), with d the
- * distance from a plane. Across an axis, or in the plane of two axes with one spacing, its samples
- * equal those of cubes with that spacing, and so do contact and force. Where the samples resolve
- * the wall, the contact is at d = 0. Across thick slices, and where the wall leans between slices,
- * only the linear interpolation of the samples is known. The test computes that interpolation by
- * itself.
+ * Tests walls in volumes whose voxels are not cubes. The wall is V = low + h Phi(d / s), where d is
+ * the distance from a plane. Across an axis, or in the plane of two axes with one spacing, the
+ * samples equal those of cubes with that spacing, and so must contact and force. Where the samples
+ * resolve the wall, the contact is at d = 0. Across thick slices, and where the wall leans between
+ * slices, only the linear interpolation of the samples is known, which the test computes by itself.
  */
 
 #include "Rigs/CoreScene.h"
@@ -100,9 +99,8 @@ struct Wall
 };
 
 /**
- * Returns the largest distance between the middle of (1 - t) Phi(u) + t Phi(u - shift), which is
- * the linear interpolation of two edges of blur 1, and the true middle u = t shift. Computed by
- * bisection.
+ * Returns the largest distance between the true middle u = t shift and the middle of (1 - t) Phi(u)
+ * + t Phi(u - shift), which is the linear interpolation of two edges of blur 1. Uses bisection.
  */
 double FarthestMiddle(double shift)
 {

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Where a surface gives way, the hand feels it over some milliseconds. Ticks with a release time
- * are compared with the same ticks without one: what remains of the force before a leap fades as
- * e dt/(tau + dt) or 150 N/s (Core/State/ProxyRelease.h). No tick changes the force by more than
- * 0.25 N, and the work on the hand, by trapezoids, is at most the |F|^2/(2 k) of a spring that is
- * released slowly.
+ * Expects that the hand feels over some milliseconds that a surface gives way. Compares ticks with
+ * a release time with the same ticks without a release time: the rest of the force before a leap
+ * fades as e dt/(tau + dt) or by 150 N/s (Core/State/ProxyRelease.h). No tick may change the force
+ * by more than 0.25 N, and the work on the hand, by trapezoids, must be at most the |F|^2/(2 k) of
+ * a spring that is released slowly.
  */
 
 #include "Core/State/ServoStateNumbers.h"
@@ -326,9 +326,9 @@ TEST(ProxyRelease, HoldsItsLimitsOnRandomWalks)
 }
 
 /**
- * Tissue whose stiffness varies from 50 to 1000 N/m, and a hand at up to 0.1 m/s whose springs are
- * millimetres long. A proxy that creeps by hundredths of a voxel reaches tissue that is softer by
- * percents, which changes a force of several newtons.
+ * The tissue's stiffness varies from 50 to 1000 N/m. The hand moves at up to 0.1 m/s, and its
+ * springs are millimetres long. A proxy that creeps by hundredths of a voxel reaches tissue that is
+ * softer by some percent, which changes a force of several newtons.
  */
 TEST(ProxyRelease, HoldsItsLimitsWhereAProxyCreepsToSofterTissue)
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A burr as the tool of a model: in a servo tick, with its size in the world, across changes of the
- * model, and from a stored state.
+ * Tests a burr as the tool of a model: in a servo tick, with its size in the world, across changes
+ * of the model, and from a stored state.
  */
 
 #include "Core/Safety/EnergyObserver.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A tool with a shape as the tool of a model: in world units, across changes of the model, and from
- * a stored state with its contacts.
+ * Tests a tool with a shape as the tool of a model: in world units, across changes of the model,
+ * and from a stored state with its contacts.
  */
 
 #include "Core/Servo/ServoTick.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A needle and a tool with a shape in a closed loop with a hand. The energy observer finds no
- * unstable loop.
+ * Tests a needle and a tool with a shape in a closed loop with a hand. The energy observer must
+ * find no unstable loop.
  */
 
 #include "Core/Safety/EnergyObserver.h"

@@ -20,7 +20,7 @@ using namespace VolumeHaptics;
 namespace
 {
 
-/** Ends a child with exit status 5 if the child uses the parent's driver. */
+/** A driver that ends a child process with exit status 5 if the child uses the parent's driver. */
 class ParentsDriver : public HardwareDriver
 {
 public:
@@ -53,7 +53,10 @@ private:
   const pid_t Parent = getpid();
 };
 
-/** Waits for a child. Returns its exit status, or the signal's number with a minus sign. */
+/**
+ * Waits for a child process. Returns its exit status, or minus the number of the signal that ended
+ * it.
+ */
 int WaitFor(pid_t child)
 {
   int status = 0;

@@ -3,7 +3,7 @@
 
 /**
  * Expects that the thread of a device without privileges gets its priority from RealtimeKit, which
- * is played (see played_rtkit.py).
+ * played_rtkit.py simulates.
  */
 
 #include "Devices/Common/HardwareDevice.h"

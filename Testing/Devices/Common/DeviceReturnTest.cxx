@@ -19,7 +19,7 @@ using devicetest::Eventually;
 namespace
 {
 
-/** The state that the test sets, and counts of the driver's calls. It outlives the driver. */
+/** State that the test sets, and counts of the driver's calls. It outlives the driver. */
 struct Played
 {
   std::atomic<bool> IsPluggedIn{ true };

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that the servo sees a device as ready as soon as its condition says so, so that arming is
- * not undone.
+ * Expects that the servo sees a device as ready as soon as its condition says so. Otherwise, arming
+ * would be undone.
  */
 
 #include "ExchangeRig.h"

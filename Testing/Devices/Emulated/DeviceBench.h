@@ -23,8 +23,8 @@ inline constexpr double Friction = 0.3;         ///< friction coefficient of the
 inline constexpr double FloorStiffness = 500.0; ///< N/m
 
 /**
- * A floor. The touching sphere rests on it with its middle at `height` (m) along the outward
- * normal, a direction of the device.
+ * A floor of the device. The touching sphere rests on it with its middle at `height` (m) along the
+ * outward normal.
  */
 class Floor
 {
@@ -45,8 +45,8 @@ private:
 };
 
 /**
- * The depth (m) of a hand's spring that is led to a depth (m), where it balances the floor's
- * spring.
+ * Returns the depth (m) at which the hand's spring, led to the depth `led` (m), balances the
+ * floor's spring.
  */
 inline double BalancedDepth(double led)
 {
@@ -108,9 +108,9 @@ public:
   }
 
   /**
-   * Leads a hand to the surface, and in until it feels the expected force. If a busy machine made
-   * the servo stand still meanwhile, the force has begun again from inside and would hold the hand
-   * there. In that case, leads the hand out without force and tries again.
+   * Leads a hand to the surface, and into it until the hand feels the expected force. If a busy
+   * machine made the servo stand still meanwhile, the force has begun again from inside and would
+   * hold the hand there. In that case, leads the hand out without force and tries again.
    */
   template <typename Approach, typename Enter, typename IsFelt>
   bool Press(Approach&& approach, Enter&& enter, IsFelt&& isFelt)
@@ -149,7 +149,7 @@ public:
   }
 
   /**
-   * Expects that a device that is plugged in again reconnects by itself and gives no force before
+   * Expects that a device which is plugged in again reconnects by itself, and gives no force before
    * the user arms it.
    */
   void ExpectBack()

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests sessions with a guarded DualSense through hidapi, by cable and by Bluetooth: contact is
- * felt, and the motors stop when the program ends, however it ends.
+ * Tests sessions with a guarded DualSense through hidapi, by cable and by Bluetooth. Contact is
+ * felt, and the motors stop when the program ends in any way.
  */
 
 #include "DeviceBench.h"

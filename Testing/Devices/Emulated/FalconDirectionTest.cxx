@@ -34,16 +34,16 @@ protected:
   {
     return std::max({ std::fabs(commands[0]), std::fabs(commands[1]), std::fabs(commands[2]) });
   }
-  /** The force (N) that the motors make of commands. */
+  /** Returns the force (N) that the motors make of commands. */
   Vector3 ForceOf(const Numbers& commands)
   {
     const Numbers made = FalconMotorForce(this->Falcon.GetGrip(), commands);
     return { made[0], made[1], made[2] };
   }
   /**
-   * Writes a force until the device gets it, whole or at the motors' limit, and returns the
-   * commands. On a busy machine, a force that is not renewed in time fades, so this waits for the
-   * whole force.
+   * Writes a force until the device gets all of it, or the motors' limit. Returns the commands. On
+   * a busy machine, a force that is renewed too late fades, so the function waits for the whole
+   * force.
    */
   Numbers Realise(const Vector3& wanted)
   {

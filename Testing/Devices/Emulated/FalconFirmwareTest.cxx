@@ -30,7 +30,7 @@ protected:
     EXPECT_TRUE(Has(this->Error, "--firmware")) << this->Error;
     EXPECT_FALSE(this->Usb.IsClaimed()) << "it lets go of the device";
   }
-  /** Lets every attempt to load an image fail with this fault. */
+  /** Makes every attempt to load an image fail with this fault. */
   void Break(FalconFault fault, const std::string& why)
   {
     const TemporaryFile file(MakeImage(2000));

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Lets an application that presses with a Falcon die, or stops it, in every way: the guard sends
- * zero force, and the force stays zero. An end that the system reports counts at once; silence
+ * Ends or stops an application that presses with a Falcon, in every way. The guard must send zero
+ * force, and the force must stay zero. An end that the system reports counts at once. Silence
  * counts after 50 ms, which are 25 of the driver's idle rounds.
  */
 
@@ -28,7 +28,10 @@ using namespace emulated;
 
 namespace
 {
-/** The most rounds with force after the end: 50 ms take 25 rounds; a busy machine gets 25 more. */
+/**
+ * Largest number of rounds with force after the end: 50 ms take 25 rounds; a busy machine gets 25
+ * more.
+ */
 constexpr long MostRounds = 50;
 
 class FalconGuard : public FalconTest

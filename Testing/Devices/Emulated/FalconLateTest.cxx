@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests an answer that comes a round late, as libnifalcon describes (see FalconModel.h): driver and
- * device must be in step again soon, instead of a round apart for good.
+ * Tests an answer that comes a round late, as libnifalcon describes (see FalconModel.h). Driver and
+ * device must soon be in step again, and must not stay a round apart.
  */
 
 #include "Rigs/FalconRig.h"
@@ -17,7 +17,10 @@ class FalconLate : public FalconTest
 protected:
   ~FalconLate() override { this->Falcon.SetTimed(false); }
 
-  /** Writes a force as fast as a servo of more than 1 kHz, for `packets` packets. */
+  /**
+   * Writes forces at more than 1 kHz, as a fast servo does, until the device has got `packets`
+   * packets.
+   */
   bool PushFor(long packets)
   {
     const long end = this->Falcon.GetPackets() + packets;

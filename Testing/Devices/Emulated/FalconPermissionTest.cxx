@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a device that this user may not open.
+ * Tests a device for which this user has no permission.
  */
 
 #include "Emulators/Testbed.h"

@@ -37,8 +37,8 @@ protected:
     this->Home();
   }
   /**
-   * Leads the hand `beyond` (m) beyond the wall at x, y, and expects the grip at the balance of the
-   * hand's spring and the wall's.
+   * Leads the hand to `beyond` (m) behind the wall at x, y. Expects the grip where the hand's
+   * spring balances the wall's.
    */
   void PressAt(double x, double y, double beyond)
   {
@@ -54,7 +54,7 @@ protected:
     EXPECT_TRUE(Eventually([&] { return AreClose(this->Falcon.GetForce(), force, 0.06); }))
       << this->Falcon.GetForce()[2] << " N instead of " << force[2] << ". " << this->GetText();
   }
-  /** Expects that no command ever pointed into the wall. */
+  /** Expects that no command has pointed into the wall. */
   void ExpectPushedOut(servotest::RunningLoop& loop)
   {
     ServoSnapshot snapshot;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a loader that fails as often as libnifalcon describes (see FalconModel.h). Loading is tried
- * again after the device was closed and opened, the text tells the number of the attempt, and the
- * driver gives up after ten.
+ * Tests a loader that fails as often as libnifalcon describes (see FalconModel.h). After a failure,
+ * the driver closes and opens the device and loads again. The text names the number of the attempt,
+ * and the driver gives up after ten attempts.
  */
 
 #include "Rigs/FalconRig.h"

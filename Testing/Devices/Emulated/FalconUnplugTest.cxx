@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests unplugging and closing at any moment.
+ * Unplugs and closes a device at any moment.
  */
 
 #include "Rigs/FalconRig.h"

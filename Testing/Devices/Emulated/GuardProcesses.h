@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The processes of a test of the guard: the guard itself, and an application that ends while its
- * device gives force.
+ * Finds and runs the processes of the guard's tests: the guard itself, and an application that ends
+ * while its device gives force.
  */
 #ifndef GuardProcesses_h
 #define GuardProcesses_h
@@ -26,7 +26,7 @@ extern char** environ;
 namespace emulated
 {
 
-/** The guard process that this process has started for the device, or 0. */
+/** Returns the guard process that this process has started for the device, or 0. */
 inline pid_t FindGuard()
 {
   for (const auto& process : std::filesystem::directory_iterator("/proc"))
@@ -92,7 +92,10 @@ public:
       kill(this->Process, number);
     }
   }
-  /** Waits for the end. Returns the exit status, or the signal's number with a minus sign. */
+  /**
+   * Waits for the program's end. Returns its exit status, or minus the number of the signal that
+   * ended it.
+   */
   int Wait()
   {
     if (this->Process > 0)

@@ -210,7 +210,9 @@ INSTANTIATE_TEST_SUITE_P(
 
 namespace
 {
-/** A program that writes motor speeds through its own open file of the device node. */
+/**
+ * A program that writes motor speeds through a file of the device's node that it has opened itself.
+ */
 class Rumbling : public testing::Test
 {
 protected:

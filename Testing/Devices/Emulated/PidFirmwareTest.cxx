@@ -24,7 +24,7 @@ namespace
 using Kind = OpenFfboardModel::Kind;
 using Version = OpenFfboardModel::Version;
 
-/** A model that is plugged in, and a driver that is opened on it. */
+/** A model that is plugged in, and the driver that has opened it. */
 template <typename Model>
 class Bench
 {

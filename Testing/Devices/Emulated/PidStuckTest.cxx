@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a stick that no longer accepts reports: the kernel waits with each report, and no other
+ * Tests a stick that accepts no more reports: the kernel waits with each report. Only the device's
  * thread may wait.
  */
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a stick that reports every 8 ms and only what is new, as the timing of its samples shows.
+ * Tests the timing of samples from a stick that reports every 8 ms, and only new positions.
  */
 
 #include "Rigs/ReadTimes.h"

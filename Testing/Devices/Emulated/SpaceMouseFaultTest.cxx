@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests six-axis mice that misbehave.
+ * Tests six-axis mice with faults.
  */
 
 #include "DeviceBench.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An emulated wheel, a wall to the right of its middle, and a hand that is led into the wall.
+ * Provides an emulated wheel, a wall to the right of its middle, and a hand that is led into the
+ * wall.
  */
 #ifndef StickRig_h
 #define StickRig_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An emulated WoodenHaptics, a floor, and a hand that is led into the floor.
+ * Provides an emulated WoodenHaptics, a floor, and a hand that is led into the floor.
  */
 #ifndef WoodenRig_h
 #define WoodenRig_h

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests when a device's reports are believed, and what is sent to the device in each case.
+ * Tests when the controller trusts a device's reports, and what it sends to the device in each
+ * case.
  */
 
 #include "Devices/Falcon/FalconController.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests forces as motor commands: the published numbers, and the force's direction at saturation.
+ * Tests the conversion of forces to motor commands: the published numbers, and the force's
+ * direction at saturation.
  */
 
 #include "FalconWorkspace.h"
@@ -28,7 +29,7 @@ Matrix3 JacobianAt(const Vector3& position)
   return jacobian;
 }
 
-/** Returns the force (N) that commands make: F = J^-T tau, tau = -command / 1e4. */
+/** Returns the force (N) of motor commands: F = J^-T tau, with tau = -command / 1e4. */
 Vector3 RealisedForce(const Matrix3& jacobian, const FalconCounts& commands)
 {
   const Vector3 torque = -1e-4 * Vector3{ 1.0 * commands[0], 1.0 * commands[1], 1.0 * commands[2] };

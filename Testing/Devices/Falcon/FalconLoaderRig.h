@@ -100,7 +100,7 @@ protected:
     return { this->Image.begin() + first, this->Image.begin() + first + size };
   }
 
-  /** An image of two blocks and a rest (150 bytes), whose values wrap around at 255. */
+  /** An image of two blocks and a rest (150 bytes in all), whose values wrap around at 255. */
   std::vector<std::uint8_t> Image = []
   {
     std::vector<std::uint8_t> image(150);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests run packets to the byte, in both directions, and what counts as no packet.
+ * Tests run packets to the byte in both directions, and which bytes do not count as a packet.
  */
 
 #include "Devices/Falcon/FalconProtocol.h"

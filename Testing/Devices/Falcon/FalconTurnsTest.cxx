@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests how host and device take turns, in simulated time. The device answers every packet in
- * order, each answer a round after its packet and after the answer before, as a serial line does.
- * It has the faults that libnifalcon/libnifalcon (commit f7c727a) copes with: an answer that comes
- * only after the next packet was sent (isFirmwareLoaded() in src/core/FalconFirmware.cpp), and no
- * answer.
+ * Tests in simulated time how host and device take turns. As on a serial line, the device answers
+ * all packets in order: each answer comes a round after its packet, and a round after the answer
+ * before. The device has the faults that libnifalcon/libnifalcon (commit f7c727a) copes with: an
+ * answer that comes only after the next packet was sent (isFirmwareLoaded() in
+ * src/core/FalconFirmware.cpp), and no answer.
  */
 
 #include "Devices/Falcon/FalconTurns.h"
@@ -26,7 +26,7 @@ constexpr std::int64_t Round = 1000 * Microsecond;
 class FalconTakesTurns : public testing::Test
 {
 protected:
-  /** Advances by 10 us. The servo gives a force every `period`. */
+  /** Advances the time by 10 us. The servo gives a force every `period`. */
   void Step(std::int64_t period)
   {
     this->Now += 10 * Microsecond;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Positions in a Falcon's workspace, and encoder counts at a position.
+ * Lists positions in a Falcon's workspace, and computes encoder counts at a position.
  */
 #ifndef FalconWorkspace_h
 #define FalconWorkspace_h
@@ -40,8 +40,8 @@ inline std::vector<Vector3> SampleWorkspace(double step = 0.005)
 }
 
 /**
- * The encoder counts at a position, for emulated reports: 0 counts are 35 degrees, a count is
- * 0.0364347 degrees.
+ * Returns the encoder counts at a position, for emulated reports. At a count of 0, an arm is at 35
+ * degrees; a count is 0.0364347 degrees.
  */
 inline FalconCounts CountsAt(const Vector3& position)
 {

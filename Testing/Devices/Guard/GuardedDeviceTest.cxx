@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a device behind a guard, as its owner and the servo see it. The guard is a real process
- * whose device is played (PlayedGuard.cxx). Emulated/FalconGuardTest.cxx tests how the guard
- * outlives a program.
+ * Tests a device behind a guard as its owner and the servo see it. The guard is a real process with
+ * a simulated device (PlayedGuard.cxx). Emulated/FalconGuardTest.cxx tests how the guard outlives a
+ * program.
  */
 
 #include "Devices/Guard/GuardedDevice.h"
@@ -31,7 +31,7 @@ using devicetest::Eventually;
 namespace
 {
 
-/** A driver in this process that counts how often it is asked to send zero in the guard's place. */
+/** A driver in this process that counts the requests to send zero in the guard's place. */
 class Rescuer : public HardwareDriver
 {
 public:

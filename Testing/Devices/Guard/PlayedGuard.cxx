@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A guard with a played device, for GuardedDeviceTest.cxx. The device reports each force as a
- * position and its lights as an orientation; or a hand holds it, and the force moves the hand, with
- * motors of the right sign ("held") or not ("crossed").
+ * A guard with a simulated device, for GuardedDeviceTest.cxx. The device reports each force as a
+ * position, and its lights as an orientation. Or a hand holds the device, and the force moves the
+ * hand: "held" has motors of the right sign, and "crossed" of the wrong sign.
  */
 
 #include "Devices/Guard/GuardMain.h"
@@ -66,7 +66,7 @@ public:
   void Disconnect() noexcept override {}
 
 private:
-  /** Advances the held device in steps of a millisecond, up to the real time. */
+  /** Advances the held device up to the real time, in steps of a millisecond. */
   void ServeHeld(HardwareExchange& exchange)
   {
     using Clock = std::chrono::steady_clock;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that every fault of a played Inverse service ends in zero force and a text.
+ * Expects that every fault of a simulated Inverse service ends in zero force and a text.
  */
 
 #include "HaplyRig.h"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Reads the messages of Haply's Inverse service: the examples of its public documentation
- * (docs.haply.co/inverseSDK: service/api/simulation of 3.1, service/realtime/websocket-protocol,
- * service/commons/types, service/events, service/api/http, 3.0.2/service), whole, shortened and
- * spoilt.
+ * Reads messages of Haply's Inverse service: the examples of its public documentation, whole,
+ * shortened and damaged (docs.haply.co/inverseSDK: service/api/simulation of 3.1,
+ * service/realtime/websocket-protocol, service/commons/types, service/events, service/api/http,
+ * 3.0.2/service).
  */
 
 #include "Devices/Haply/HaplyMessages.h"

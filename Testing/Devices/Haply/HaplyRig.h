@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A played Inverse service, a floor that its arm feels, and a hand that is led into the floor.
+ * Provides a simulated Inverse service, a floor that its arm feels, and a hand that is led into the
+ * floor.
  */
 #ifndef HaplyRig_h
 #define HaplyRig_h
@@ -75,8 +76,8 @@ protected:
     EXPECT_TRUE(Eventually([&] { return Size(this->LastForce()) == 0.0; }));
   }
   /**
-   * The number of messages by which the client's position is behind; one of them may be on its way.
-   * The service must number its positions, and no loop may run.
+   * Returns the number of messages by which the client's position is behind; one message may be on
+   * its way. The service must number its positions, and no loop may run.
    */
   double CountBehind()
   {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Leads a hand on an arm of a played Inverse service: positions and forces go over real WebSockets
- * of this computer. The service is written from Haply's documentation (see
- * Emulators/HaplyService.h). On the floor, the hand's spring and the floor's must balance.
+ * Leads a hand on an arm of a simulated Inverse service. Positions and forces go over real
+ * WebSockets of this computer. The service is written from Haply's documentation (see
+ * Emulators/HaplyService.h). On the floor, the hand's spring and the floor's spring must balance.
  */
 
 #include "HaplyRig.h"

@@ -23,7 +23,7 @@ namespace
 {
 constexpr double Circle = 6.283185307179586;
 
-/** Yields the pose for calibration first, then random poses about the middle of the workspace. */
+/** Returns the calibration pose first, and then random poses around the middle of the workspace. */
 class HfabPoses
 {
 public:

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the reports of a DualSense. The layout is that of Linux' drivers/hid/hid-playstation.c, as
- * byte counts of its structures. The CRC-32's check value is from its definition (IEEE 802.3).
+ * Tests the reports of a DualSense. Their layout is that of Linux' drivers/hid/hid-playstation.c,
+ * as byte counts of its structures. The check value of the CRC-32 follows from its definition (IEEE
+ * 802.3).
  */
 
 #include "Devices/Pad/DualSense.h"
@@ -27,7 +28,7 @@ const char* Take(const Bytes& bytes, Link& link, PadState& state)
 }
 
 /**
- * Returns a report by cable that begins with: x, y, rx, ry, l2, r2, a counter, three bytes of
+ * Returns a report by cable with these first bytes: x, y, rx, ry, l2, r2, a counter, three bytes of
  * buttons.
  */
 Bytes MakeCableReport(const Bytes& first)

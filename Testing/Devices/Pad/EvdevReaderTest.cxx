@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests how Linux' descriptions of pads are read. The texts of sysfs are those that the kernel's
- * drivers show, from dumps in public bug reports: xpad's key=7cdb000000000000 0 0 0 0, ff=107030000
- * 0.
+ * Tests how Linux' descriptions of pads are read. The texts of sysfs are those of the kernel's
+ * drivers, taken from public bug reports: xpad's key=7cdb000000000000 0 0 0 0, ff=107030000 0.
  */
 
 #include "Devices/Pad/EvdevReader.h"

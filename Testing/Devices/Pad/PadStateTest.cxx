@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests gamepads' sticks and buttons, and how they lead the tip.
+ * Tests gamepads' sticks and buttons, and how they move the tip.
  */
 
 #include "Devices/Pad/PadState.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests how a force drives the motors of a pad: the closed forms of the two low-pass filters that
- * Vibration.h describes, and the limits of the rates with random forces.
+ * Tests how a force drives the motors of a pad: by the closed forms of the two low-pass filters
+ * that Vibration.h describes, and by the limits of the rates for random forces.
  */
 
 #include "Devices/Pad/Vibration.h"
@@ -23,7 +23,7 @@ constexpr double Fast = 0.02; // s
 constexpr double Slow = 0.15; // s
 
 /**
- * The speed requested of the weak motor after a force has stepped from 0 to `step` (N) at time 0.
+ * Returns the weak motor's level `time` (s) after a force has stepped from 0 to `step` (N).
  */
 double WeakOf(double step, double time)
 {
@@ -34,7 +34,9 @@ double StrongOf(double step, double time)
   return std::min(1.0, step * (std::exp(-time / Slow) - std::exp(-time / Fast)));
 }
 
-/** The time (s) at which a level that rises by 100 per second meets the weak motor's curve. */
+/**
+ * Returns the time (s) at which a level that rises by 100 per second meets the weak motor's curve.
+ */
 double MeetingTime(double step)
 {
   double low = 0.0;

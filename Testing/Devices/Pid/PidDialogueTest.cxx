@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the dialogue that makes a force-feedback device ready, reports why it can't, and keeps the
- * device alive. What devices need is known from Linux (torvalds/linux,
- * drivers/hid/usbhid/hid-pidff.c, commit 02b5a60): the pool is "sometimes messed up", up to twenty
- * times, and a first effect in the second block means that the first block is the device's spring
- * towards the centre. Its pidff_reset() stops all effects after the reset since 6.15. A magnitude
- * without a sign gets the absolute value there (pidff_set_signed()), and the direction tells where
- * the force acts.
+ * Tests the dialogue that makes a force-feedback device ready, or reports why it can't, and keeps
+ * the device alive. The needs of devices are known from Linux (torvalds/linux,
+ * drivers/hid/usbhid/hid-pidff.c, commit 02b5a60). The pool is "sometimes messed up", up to twenty
+ * times. If the first effect gets the second block, the first block is the device's spring towards
+ * the centre. Since 6.15, pidff_reset() stops all effects after the reset. A magnitude without a
+ * sign gets the absolute value (pidff_set_signed()), and the direction says where the force acts.
  */
 
 #include "Devices/Pid/PidDialogue.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that a force-feedback device's reports are found by their usages, and filled to the byte.
+ * Expects that a force-feedback device's reports are found by their usages and filled exactly, byte
+ * by byte.
  */
 
 #include "Rigs/PidRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests how report descriptors give the places of values in reports.
+ * Tests that report descriptors give the right places of values in reports.
  */
 
 #include "Rigs/DescriptorRig.h"

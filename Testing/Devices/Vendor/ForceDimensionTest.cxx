@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the plug-in for Force Dimension's library in closed loop: a hand presses a floor through
- * it. The library is a stand-in that behaves as the SDK's public documentation says
- * (Emulators/ForceDimension/FakeForceDimension.h): x is towards the user, y right, z up.
+ * Tests the plug-in for Force Dimension's library in closed loop: a hand presses a floor. The
+ * library is a stand-in that follows the SDK's public documentation
+ * (Emulators/ForceDimension/FakeForceDimension.h): x points towards the user, y to the right, and z
+ * up.
  */
 
 #include "Emulators/ForceDimension/FakeForceDimension.h"

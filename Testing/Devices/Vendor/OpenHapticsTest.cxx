@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the plug-in for OpenHaptics in closed loop: a hand presses a floor through it. The library
- * is a stand-in that behaves as the toolkit's public documentation says
- * (Emulators/OpenHaptics/FakeOpenHaptics.h): axes right, up, towards the user; millimetres.
+ * Tests the plug-in for OpenHaptics in closed loop: a hand presses a floor. The library is a
+ * stand-in that follows the toolkit's public documentation
+ * (Emulators/OpenHaptics/FakeOpenHaptics.h): axes point right, up, and towards the user; lengths
+ * are in millimetres.
  */
 
 #include "Devices/Vendor/VendorPlugin.h"

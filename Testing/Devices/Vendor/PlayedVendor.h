@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A plug-in with a device that a test plays. The test finds the device in the loaded plug-in by the
- * function GetPlayedVendor.
+ * A plug-in with a device that a test controls. The test finds the device in the loaded plug-in by
+ * the function GetPlayedVendor.
  */
 #ifndef PlayedVendor_h
 #define PlayedVendor_h

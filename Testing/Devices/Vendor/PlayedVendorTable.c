@@ -2,8 +2,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 
 /*
- * The table of the played plug-in, in C: a compiler of C takes VendorPlugin.h as it is. The
- * environment variable PLAYED_VENDOR asks for a plug-in of version 1, or for one that is not to be
+ * The function table of the played plug-in, in C, because VendorPlugin.h must compile as C, too.
+ * The environment variable PLAYED_VENDOR selects a plug-in of version 1, or one that must not be
  * loaded.
  */
 #include "Devices/Vendor/VendorPlugin.h"
@@ -22,7 +22,7 @@ int PlayedHome(void* device);
 const char* PlayedLastError(void* device);
 void PlayedClose(void* device);
 
-/* As VendorPlugin.h of version 1 had it. */
+/* The limits as declared in VendorPlugin.h of version 1. */
 struct LimitsOfVersion1
 {
   double MaximumForce, MaximumTorque, MaximumStiffness, MaximumDamping, MaximumSpeed, OwnDamping,

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a device behind a plug-in, from opening to closing, and its faults: each ends in zero force
- * and a text. The test plays the plug-in, and expects what VendorPlugin.h promises.
+ * Tests a device behind a plug-in, from opening to closing. Each of its faults must end in zero
+ * force and a text. The test controls the plug-in, and expects what VendorPlugin.h promises.
  */
 
 #include "PlayedVendor.h"
@@ -51,8 +51,8 @@ protected:
     ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
   }
   /**
-   * Reads and writes as the servo does until the device has exactly this force. If a busy machine
-   * renews it late, the force fades for a while.
+   * Reads and writes as the servo does, until the device has exactly this force. If a busy machine
+   * renews the force late, it fades for a while.
    */
   bool Push(const DeviceCommand& command)
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests which plug-ins are loaded, and the error texts of those that are not, by the rules in
+ * Tests which plug-ins are loaded, and the error texts for the others, by the rules in
  * Documentation/devices.md. File modes are POSIX modes.
  */
 

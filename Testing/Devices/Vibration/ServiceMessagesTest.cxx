@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Compares messages of bHaptics, WEART and Hapbeat with what their makers publish
+ * Compares messages to bHaptics, WEART and Hapbeat with those that their makers publish
  * (ServiceMessages.h names the sources).
  */
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests sessions with played services that vibrate, over real sockets of this computer: a tip is
- * led into a floor.
+ * Leads a tip into a floor in sessions with simulated vibrating services, over real sockets of this
+ * computer.
  */
 
 #include "Devices/Emulated/DeviceBench.h"

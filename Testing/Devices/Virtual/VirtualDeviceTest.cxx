@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that the device without hardware does what its settings say, tick by tick.
+ * Expects that the device without hardware follows its settings, tick by tick.
  */
 
 #include "Devices/Virtual/VirtualDevice.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that a simulated device in a simulated hand moves by the closed form.
+ * Expects that a simulated device in a simulated hand moves as the closed form says.
  */
 
 #include "Devices/Virtual/VirtualDevice.h"

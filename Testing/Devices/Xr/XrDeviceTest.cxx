@@ -3,7 +3,7 @@
 
 /**
  * Tests a headset's controller as the servo sees it: the amplitude requested in a frame, by the
- * closed form of the filters in Vibration.h, and its row in the list of devices.
+ * closed form of the filters in Vibration.h, and the controller's row in the list of devices.
  */
 
 #include "Devices/Xr/XrDevice.h"
@@ -26,7 +26,7 @@ namespace
 {
 constexpr double TickOfXr = 1e-3; // s
 
-/** Writes a force for some ticks, and returns the amplitude requested then. */
+/** Writes a force for some ticks. Returns the amplitude that is then requested. */
 double AmplitudeAfter(XrDevice& device, int ticks, const Vector3& force)
 {
   DeviceSample sample;
@@ -38,7 +38,7 @@ double AmplitudeAfter(XrDevice& device, int ticks, const Vector3& force)
   return device.DrainAmplitude();
 }
 
-/** The strong motor's level at a time (s) after a step of 1 N. */
+/** Returns the strong motor's level `time` (s) after a step of 1 N. */
 double StrongOfStep(double time)
 {
   return std::exp(-time / 0.15) - std::exp(-time / 0.02);

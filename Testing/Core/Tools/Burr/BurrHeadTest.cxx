@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A burr on a real head CT, which Examples/explore.sh fetches; without it the test is skipped.
- * Q = mu F v/U (method.md, "The burr"): while the burr is pressed, its energy removes tissue.
+ * Tests a burr on a real head CT, which Examples/explore.sh fetches; without the CT, the test is
+ * skipped. While the burr is pressed, its energy must remove tissue: Q = mu F v/U (method.md, "The
+ * burr").
  */
 
 #include "Rigs/BurrRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Ticks of a burr never allocate memory, whatever they remove and restore.
+ * Expects that ticks of a burr never allocate memory, for all that they remove and restore.
  */
 
 #include "Rigs/AllocationCounter.h"

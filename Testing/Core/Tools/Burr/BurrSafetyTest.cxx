@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A burr that removes the tissue below it creates no energy, presses no harder than its tissue
- * bears, and gives no force while tissue is restored.
+ * Expects that a burr which removes the tissue below it creates no energy, presses at most as hard
+ * as its tissue bears, and gives no force while tissue is restored.
  */
 
 #include "Rigs/BurrRig.h"

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Removal by a burr in closed form: B1 to B3 of the design. A sphere that has sunk by h into a
- * half-space has removed V = pi h^2 (3 a - h)/3, at the rate Q = mu F v/U.
+ * Compares the removal by a burr with closed forms: B1 to B3 of the design. A sphere of radius a
+ * that has sunk by h into a half-space has removed V = pi h^2 (3 a - h)/3, at the rate Q = mu F
+ * v/U.
  */
 
 #include "Rigs/BurrRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Removed spheres, compared with loops over all samples and with the sphere itself.
+ * Compares removed spheres with loops over all samples, and with the sphere itself.
  */
 
 #include "Core/Tools/Burr/SphereCarver.h"

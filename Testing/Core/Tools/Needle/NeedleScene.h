@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Layers of tissue for a needle, with their closed forms: test N1 of the needle.
+ * Describes layers of tissue for a needle, with their closed forms (test N1 of the needle).
  */
 #ifndef NeedleScene_h
 #define NeedleScene_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A needle in layers of tissue, compared with the closed forms N1 to N3. The spring has 500 N/m.
+ * Compares a needle in layers of tissue with the closed forms N1 to N3. The spring has 500 N/m.
  */
 
 #include "Core/Tools/Needle/NeedleTool.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A needle in a volume without labels: the tissue that it reads, its track, and its stored state.
+ * Tests a needle in a volume without labels: the tissue that it reads, its track, and its stored
+ * state.
  */
 
 #include "Core/Tools/Needle/NeedleTissue.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A shell in a partly removed volume feels the same as in a volume of the remaining samples.
+ * Expects that a shell feels the same in a partly removed volume as in a volume of the remaining
+ * samples.
  */
 
 #include "Rigs/CarvingRig.h"

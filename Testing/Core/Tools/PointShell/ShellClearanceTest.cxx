@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What is stored about points saves time and changes no bit: a tool whose memory is cleared before
- * each tick feels the same force.
+ * Expects that what is stored about points only saves time. A tool whose memory is cleared before
+ * each tick must feel the same force to the bit.
  */
 
 #include "Rigs/CarvingRig.h"

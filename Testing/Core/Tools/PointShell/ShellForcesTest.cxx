@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Forces and torques of shells in closed form. A sphere of radius a at a depth delta in a
- * half-space has the area 2 pi a dh between the depths h and h + dh (Archimedes), so that
+ * Compares forces and torques of shells with closed forms. A sphere of radius a at a depth delta in
+ * a half-space has the area 2 pi a dh between the depths h and h + dh (Archimedes), so
  *
  *   F = integral of p(h) 2 pi a dh = pi kappa a delta^2,
  *
- * and, with a largest pressure P that is reached at d_c = P/kappa, pi kappa a d_c (2 delta - d_c).
+ * and, with a largest pressure P that is reached at d_c = P/kappa, F = pi kappa a d_c (2 delta -
+ * d_c).
  */
 
 #include "Rigs/ShellRig.h"

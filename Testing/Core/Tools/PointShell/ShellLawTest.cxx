@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The law of contacts computed for many points at a time, compared with the same law computed point
- * by point as ShellContacts.h describes it. The bits must be the same on each processor.
+ * Compares the law of contacts for many points at a time with the same law computed point by point,
+ * as ShellContacts.h describes it. The bits must be the same on each processor.
  */
 
 #include "Rigs/ShellRig.h"

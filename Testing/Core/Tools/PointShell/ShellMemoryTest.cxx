@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Ticks of a shell never allocate memory.
+ * Expects that ticks of a shell never allocate memory.
  */
 
 #include "Rigs/AllocationCounter.h"

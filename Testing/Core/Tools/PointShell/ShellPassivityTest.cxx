@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * S6: on a way from free space to free space, the hand never gets back more energy than it has put
- * in.
+ * S6: expects that the hand never gets more energy than it has put in, on a way from free space to
+ * free space.
  */
 
 #include "Rigs/ShellRig.h"

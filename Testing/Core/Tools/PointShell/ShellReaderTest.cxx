@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Reading at many points, compared with loops over the eight samples of a cell. The bits must be
- * the same on each processor.
+ * Compares reading at many points with loops over the eight samples of a cell. The bits must be the
+ * same on each processor.
  */
 
 #include "Rigs/ShellRig.h"

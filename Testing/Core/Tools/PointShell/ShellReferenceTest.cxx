@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Pose, force and torque of random tools in random poses on a ball, compared with the pose of least
- * energy. The search uses the ball's exact distance and no derivatives.
+ * Compares pose, force and torque of random tools in random poses on a ball with the pose of least
+ * energy. The search for this pose uses the ball's exact distance and no derivatives.
  */
 
 #include "Rigs/ShellRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Shells in trouble: hands and data that are NaN, tools that begin within tissue, fast hands and
- * thin walls, and shells of no points, one point or very many.
+ * Tests shells in trouble: hands and data that are NaN, tools that begin inside of tissue, fast
+ * hands and thin walls, and shells of no points, one point or very many points.
  */
 
 #include "Rigs/ShellRig.h"
