@@ -56,7 +56,7 @@ void Ordinals(HidItems& items)
   items.Open(HidItems::LogicalCollection).Usages(0x000A0001, 0x000A0002);
 }
 
-/** Divides as the board's processor does: division by 0 gives a quotient with all bits set. */
+/** Divides as the board's processor does: a division by 0 gives a quotient with all bits set. */
 int Divide(int a, int b)
 {
   return b == 0 ? -1 : a / b;

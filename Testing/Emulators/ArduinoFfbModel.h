@@ -31,7 +31,7 @@ namespace emulated
 class ArduinoFfbModel : public FfbHandle
 {
 public:
-  /** A board with a motor on x, or on x and y: the descriptor is the same. */
+  /** @param motors 1: a motor on x; 2: motors on x and y. The descriptor is the same. */
   explicit ArduinoFfbModel(int motors = 2)
     : FfbHandle(motors)
   {

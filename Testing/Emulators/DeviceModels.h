@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The behaviour of an emulated device, apart from its carrier (umockdev in the tests, or a virtual
- * USB port of a real kernel). The carrier calls a model from one thread at a time, but not always
- * from the same thread.
+ * The behaviour of an emulated device, independent of its carrier (umockdev in the tests, or a
+ * virtual USB port of a real kernel). The carrier calls a model from one thread at a time, but not
+ * always from the same thread.
  */
 #ifndef DeviceModels_h
 #define DeviceModels_h
@@ -22,18 +22,21 @@ class UsbModel
 {
 public:
   virtual ~UsbModel() = default;
-  /** The device descriptor, followed by the configuration descriptor. */
+  /** Returns the device descriptor, followed by the configuration descriptor. */
   virtual std::vector<std::uint8_t> GetDescriptors() const = 0;
   virtual int Control(const std::uint8_t setup[8], std::uint8_t* data, int size) = 0;
   virtual int Out(std::uint8_t endpoint, const std::uint8_t* bytes, int size) = 0;
   /**
-   * Returns -EAGAIN if no data are ready. The carrier asks again after every Out and every Ready.
+   * Reads data from the device. Returns -EAGAIN if no data are ready; the carrier then tries again
+   * after every Out() and every Ready().
    */
   virtual int In(std::uint8_t endpoint, std::uint8_t* bytes, int size) = 0;
-  /** The host has closed the device, if the carrier can detect that. */
+  /** Called when the host has closed the device, if the carrier can detect this. */
   virtual void Released() {}
 
-  /** The carrier sets this. The model calls it if In has data that no Out has caused. */
+  /**
+   * A function that the carrier sets. The model calls it if In() has data that no Out() has caused.
+   */
   std::function<void()> Ready = [] {};
 };
 
@@ -46,15 +49,15 @@ public:
   virtual std::uint16_t GetProduct() const = 0;
   virtual std::string GetName() const = 0;
   virtual std::vector<std::uint8_t> GetReportDescriptor() const = 0;
-  /** Returns the size, or -errno. */
+  /** Receives an output report. Returns its size, or -errno. */
   virtual int Output(const std::uint8_t* report, int size) = 0;
   virtual int SetFeature(const std::uint8_t*, int size) { return size; }
-  /** Fills in the bytes after the id; returns the size with the id, or -errno. */
+  /** Fills in the bytes after the id. Returns the size including the id, or -errno. */
   virtual int GetFeature(std::uint8_t* report, int size) = 0;
 
   /**
-   * The carrier sets this. The model calls it with an input report, which has no id if the device
-   * has none.
+   * A function that the carrier sets. The model calls it with an input report, which has no id if
+   * the device has none.
    */
   std::function<void(const std::uint8_t* report, int size)> Input = [](const std::uint8_t*, int) {};
   bool TellsSerial = true;  ///< whether the device has a serial number

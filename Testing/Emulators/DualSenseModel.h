@@ -6,9 +6,9 @@
  *
  * Written from Sony's driver in Linux, drivers/hid/hid-playstation.c (torvalds/linux 0b25b55, and
  * the newer way of vibration of 6.1): the reports, their sizes and checksums, buttons, the feature
- * reports, and that classic vibration has to be selected. Checksums are zlib's, after a byte for
- * the direction. A pad on Bluetooth sends short reports until its calibration is requested: SDL's
- * and other drivers wake it in this way. It has no watchdog, the worst case of a pad.
+ * reports, and that classic vibration has to be selected. Checksums are those of zlib, after a byte
+ * for the direction. On Bluetooth, a pad sends short reports until its calibration is requested;
+ * SDL's and other drivers wake it up in this way. The pad has no watchdog, which is the worst case.
  */
 #ifndef DualSenseModel_h
 #define DualSenseModel_h
@@ -29,14 +29,14 @@ namespace emulated
 class DualSenseModel : public HidModel
 {
 public:
-  /** Speeds of the motors, 0 to 255. */
+  /** Speeds of the motors, from 0 to 255. */
   struct Motors
   {
     int Left = 0;  ///< strong
     int Right = 0; ///< weak
   };
 
-  /** `version` is the firmware's feature version, such as 0x0215 for 2.21. */
+  /** @param version feature version of the firmware, such as 0x0215 for 2.21 */
   DualSenseModel(bool isWireless, int version, bool isEdge = false)
     : IsWireless(isWireless)
     , Version(version)
@@ -120,8 +120,8 @@ public:
 
   ///@{
   /**
-   * Moves the hand: the sticks x, y, rx, ry, then the triggers (each 0 to 255), and the buttons'
-   * bits.
+   * Moves the hand: the sticks x, y, rx, ry, then the triggers (0 to 255 each), and presses buttons
+   * by their bits.
    */
   void Move(int axis, int value)
   {
@@ -179,7 +179,7 @@ public:
     const Motors motors = this->GetMotors();
     return motors.Left == 0 && motors.Right == 0;
   }
-  /** The largest value of each motor since the last call. */
+  /** Returns the largest value of each motor since the last call. */
   Motors DrainLargest()
   {
     const std::lock_guard<std::mutex> lock(this->Guard);

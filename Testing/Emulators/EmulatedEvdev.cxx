@@ -108,7 +108,7 @@ int AnswerIoctl(PadModel& model, UMockdevIoctlClient* client, unsigned long requ
 }
 
 /**
- * Formats bits as sysfs does: words of the size of a long, the highest first, without leading
+ * Formats bits as sysfs does: words of the size of a long, the highest word first, without leading
  * zeros.
  */
 std::string WordsOf(const std::set<unsigned>& bits)

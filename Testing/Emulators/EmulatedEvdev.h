@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A gamepad that is plugged into the kernel that umockdev plays: its node of evdev, and sysfs.
+ * A gamepad in the kernel that umockdev simulates: its evdev node, and its files in sysfs.
  *
- * umockdev does not report that a file is closed: PadModel::CloseFiles.
+ * umockdev does not report that a file was closed; use PadModel::CloseFiles().
  */
 #ifndef EmulatedEvdev_h
 #define EmulatedEvdev_h
@@ -26,12 +26,12 @@ public:
   EmulatedEvdev(const EmulatedEvdev&) = delete;
   EmulatedEvdev& operator=(const EmulatedEvdev&) = delete;
 
-  /** Unplugs the gamepad. From then on, every open file gets ENODEV. */
+  /** Unplugs the gamepad. From then on, every open file returns ENODEV. */
   void Unplug();
 
-  /** The node, such as /dev/input/event9. */
+  /** Returns the path of the node, such as /dev/input/event9. */
   const std::string& GetNode() const;
-  /** Sets the mode of the node, such as 0000. */
+  /** Sets the permissions of the node, such as 0000. */
   void SetPermissions(unsigned mode);
 
 private:

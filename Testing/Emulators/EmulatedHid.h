@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A HID device that is plugged into the kernel that umockdev plays.
+ * A HID device that is plugged into the kernel that umockdev simulates.
  */
 #ifndef EmulatedHid_h
 #define EmulatedHid_h
@@ -18,9 +18,9 @@ class EmulatedHid
 {
 public:
   /**
-   * Plugs the device in. Its node gets a new number each time, as the old node may still be open.
-   * The serial number stays, if the model has one; 0 requests a number that no other device has.
-   * The model has to outlive this object.
+   * Plugs the device in. Its node gets a new number each time, because the old node may still be
+   * open. The serial number stays the same, if the model has one. A serial number of 0 requests a
+   * number that no other device has. The model has to outlive this object.
    */
   explicit EmulatedHid(HidModel& model, int serialNumber = 0);
   ~EmulatedHid();
@@ -29,21 +29,23 @@ public:
 
   ///@{
   /**
-   * Unplugs the device: every open handle gets EIO from then on, even after it is plugged in again.
+   * Unplugs the device. From then on, every open handle returns EIO, even after the device was
+   * plugged in again.
    */
   void Unplug();
   void PlugIn();
   ///@}
 
-  /** The node of a plugged-in device, such as /dev/hidraw8. */
+  /** Returns the node of the plugged-in device, such as /dev/hidraw8. */
   const std::string& GetNode() const;
   int GetSerialNumber() const { return this->SerialNumber; }
 
-  /** Sets the mode of the node, such as 0000, as the kernel would. */
+  /** Sets the permissions of the node, such as 0000. */
   void SetPermissions(unsigned mode);
 
   /**
-   * The target of the handles on a node, from plugging in to unplugging. Private to this carrier.
+   * The object behind the handles of a node, from plugging in to unplugging. Private to this
+   * carrier.
    */
   struct Plug;
 

@@ -15,7 +15,7 @@ namespace emulated
 namespace
 {
 
-/** Thrown if the client has ended in the middle of its request, like a killed program. */
+/** Thrown if the client, like a killed program, has ended in the middle of its request. */
 struct ClientHasEnded
 {
 };
@@ -26,7 +26,7 @@ UMockdevIoctlData* Resolve(UMockdevIoctlData* argument, std::size_t offset, std:
   return target != nullptr ? target : throw ClientHasEnded();
 }
 
-/** The target of an argument, while this object exists. */
+/** Reads the target of an argument, which stays valid as long as this object exists. */
 template <typename T>
 class Argument
 {

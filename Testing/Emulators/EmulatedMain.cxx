@@ -29,8 +29,8 @@ void RememberConfirmed(const std::string& identity)
 namespace
 {
 /**
- * Removes umockdev's folder. Deleting the testbed would remove it, too, but threads may use the
- * testbed until the end.
+ * Removes umockdev's folder. Deleting the testbed would also remove the folder, but threads may use
+ * the testbed until the end.
  */
 void RemoveTestbed()
 {

@@ -72,8 +72,8 @@ void EmulatedUsb::Plug::AddDevice(const std::string& port, int address)
 }
 
 /**
- * Replaces the node by a pipe, as poll() would always succeed on a plain file. A full pipe is not
- * ready for writing, and an empty pipe is.
+ * Replaces the node by a pipe, because poll() always succeeds on a plain file. The pipe is ready
+ * for writing only while it is not full.
  */
 void EmulatedUsb::Plug::ReplaceNode()
 {

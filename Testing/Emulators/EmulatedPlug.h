@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A USB device from plugging in to unplugging: the file under /dev/bus/usb, and its ioctls. It
- * answers requests until the program ends.
+ * A USB device from plugging in to unplugging: the file under /dev/bus/usb, and its ioctls. This
+ * object answers requests until the program ends.
  */
 #ifndef EmulatedPlug_h
 #define EmulatedPlug_h
@@ -27,7 +27,7 @@ public:
   bool IsGone() const { return this->Gone; }
   std::string GetFile() const { return this->File; }
 
-  /** Passes data that the model sends unasked to the waiting caller. */
+  /** Passes data that the model sends unasked to the caller that waits for data. */
   void Pump();
 
   mutable std::mutex Mutex;
@@ -47,7 +47,7 @@ private:
   void AddDevice(const std::string& port, int address);
   void ReplaceNode();
   ///@{
-  /** Call these under the mutex. They return 0 or -errno. */
+  /** Answers a request. Call these functions under the mutex; they return 0 or -errno. */
   int Answer(UMockdevIoctlClient* client, unsigned long request, UMockdevIoctlData* argument);
   int Claim(UMockdevIoctlClient* client);
   int DisconnectAndClaim(UMockdevIoctlClient* client, UMockdevIoctlData* argument);

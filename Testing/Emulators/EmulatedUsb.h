@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A port of the computer that umockdev plays, with a USB device in it. It answers libusb's requests
- * to the kernel, and passes sent data to a model.
+ * A USB port of the computer that umockdev simulates, with a device in it. The port answers
+ * libusb's requests to the kernel, and passes sent data to a model.
  */
 #ifndef EmulatedUsb_h
 #define EmulatedUsb_h
@@ -19,7 +19,8 @@ class EmulatedUsb
 {
 public:
   /**
-   * Plugs the device in, with a new address. The port has sysfs' form: "1-2" is bus 1, port 2.
+   * Plugs the device in, with a new address.
+   * @param port in the form of sysfs: "1-2" is bus 1, port 2
    */
   EmulatedUsb(UsbModel& model, const std::string& port);
   /** Unplugs the device. */
@@ -29,25 +30,25 @@ public:
 
   ///@{
   /**
-   * Plug in and unplug with the kernel's events. Transfers in flight fail with ESHUTDOWN when the
-   * device is unplugged.
+   * Plugs the device in or out, with the kernel's events. Unplug() lets transfers in flight fail
+   * with ESHUTDOWN.
    */
   void PlugIn();
   void Unplug();
   ///@}
 
-  /** The file that replaces the device, for chmod. */
+  /** Returns the path of the file that replaces the device's node. */
   std::string GetNode() const;
   /**
-   * Binds a kernel driver to interface 0, as if the device had just been plugged in; "" for none.
+   * Binds a kernel driver to interface 0, as if the device had just been plugged in. "" binds none.
    */
   void BindDriver(const std::string& name);
   std::string GetDriver() const;
-  /** Whether a program has claimed interface 0. */
+  /** Returns whether a program has claimed interface 0. */
   bool IsClaimed() const;
 
   /**
-   * Acts as if the program that claimed the device had been killed. umockdev does not report a
+   * Acts as if the program that has claimed the device had been killed. umockdev does not report a
    * program that ends in the middle of an answer.
    */
   void ForgetProgram();

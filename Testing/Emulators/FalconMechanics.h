@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The mechanics of the emulated Novint Falcon, written from the published dimensions alone: it
- * shares no code with the tested driver. Positions are in metres in the device's frame, z from the
- * base to the hand.
+ * The mechanics of the emulated Novint Falcon, written from the published dimensions alone: they
+ * share no code with the tested driver. Positions are in metres in the device's frame, with z from
+ * the base to the hand.
  */
 #ifndef FalconMechanics_h
 #define FalconMechanics_h
@@ -16,10 +16,10 @@ namespace emulated
 
 using Numbers = std::array<double, 3>;
 
-/** The angles (degrees) of the three arms; NaN if the grip can't be there. */
+/** Returns the angles (degrees) of the three arms, or NaN if the grip can't be there. */
 Numbers FalconArmAngles(const Numbers& grip);
 
-/** The unrounded counts of homed encoders. */
+/** Returns the unrounded counts of homed encoders. */
 Numbers FalconEncoderCounts(const Numbers& grip);
 
 /**
@@ -42,7 +42,7 @@ public:
   static constexpr double Innermost = 0.078;     ///< m, along z
   static constexpr double Outermost = 0.174;     ///< m, along z
 
-  /** Advances by a millisecond under a force of the motors (N). */
+  /** Advances by a millisecond under a force (N) of the motors. */
   void Step(const Numbers& force);
 
   Numbers Place{ 0.0, 0.0, 0.11 };

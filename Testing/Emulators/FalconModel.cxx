@@ -292,8 +292,8 @@ void FalconModel::ReceivePacket()
 }
 
 /**
- * Sets a leg's zero once the leg has been at both ends, and clears all zeros by a packet that does
- * not request homing.
+ * Sets a leg's zero once the leg has been at both ends. Clears all zeros if a packet does not
+ * request homing.
  */
 void FalconModel::FindZero(const Numbers& counts, bool asked)
 {

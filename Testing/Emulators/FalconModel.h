@@ -45,7 +45,7 @@
 namespace emulated
 {
 
-/** The possible faults of the device. */
+/** Faults that a test can inject into the device. */
 enum class FalconFault
 {
   None,
@@ -85,20 +85,28 @@ public:
   void Released() override;
 
   ///@{
-  /** Injects a fault; any thread. It lasts for this number of packets, greetings or blocks. */
+  /**
+   * Injects a fault that lasts for this number of packets, greetings or blocks. Any thread may call
+   * it.
+   */
   void Break(FalconFault fault, int packets = 1 << 30);
-  /** Sets whether answers take time and come one by one, or follow their packets at once. */
+  /**
+   * Sets whether answers take time and come one by one. If not, each answer follows its packet at
+   * once.
+   */
   void SetTimed(bool timed);
   /**
-   * Returns the number of consecutive packets that came when no answer was still on its way to the
-   * host.
+   * Returns how many packets in a row came while no answer was on its way to the host.
    */
   long GetInStep() const;
-  /** Sets the faults of the loader's next attempts, in order. None lets an attempt succeed. */
+  /**
+   * Sets the faults of the loader's next attempts, in order. FalconFault::None lets an attempt
+   * succeed.
+   */
   void BreakAttempts(const std::vector<FalconFault>& faults);
   void SetButtons(int bits);
   void SetAim(const Numbers& aim);
-  /** Sets the sign of all motors: 1, or -1 if they are wired the other way round. */
+  /** Sets the sign of all motors: 1, or -1 for motors that are wired the other way round. */
   void SetMotorSign(double sign);
   void SetHeld(bool held); ///< holds the grip in a vice, which moves to the aim
   Numbers GetGrip() const;
@@ -108,7 +116,7 @@ public:
   int GetLights() const;       ///< returns the lights of the last packet
   long GetPackets() const;
   double DrainLargestCommand(); ///< returns the largest command since the last call
-  /** The number of the last packet with a command other than zero, and its time. */
+  /** Returns the number and the time of the last packet with a command other than zero. */
   std::pair<long, std::chrono::steady_clock::time_point> GetLastPush() const;
   std::vector<std::uint8_t> GetImage() const;
   void SetImageSize(std::size_t bytes); ///< sets the size from which on an image runs (bytes)
@@ -116,9 +124,9 @@ public:
   /** Interrupts the power: the device loses its firmware and its zero. */
   void SwitchOff();
   /**
-   * Returns the transfers that the host sent since the last call, one line each. "c 40 09 0010" is
-   * a control request of type 0x40, number 9, value 0x10. "o " and hexadecimal bytes are a transfer
-   * of data.
+   * Returns the transfers that the host has sent since the last call, one line each. "c 40 09 0010"
+   * is a control request of type 0x40, number 9, value 0x10. "o " and hexadecimal bytes are a
+   * transfer of data.
    */
   std::vector<std::string> DrainTranscript();
   ///@}

@@ -39,38 +39,38 @@ public:
   int SetFeature(const std::uint8_t* report, int size) override;
   int GetFeature(std::uint8_t* report, int size) override;
 
-  /** Advances by a millisecond. */
+  /** Advances by a millisecond of the device's time. */
   void Step();
   void PowerUp();
-  /** Sets the goal (m) of the hand on the handle: to the right, and away from the user. */
+  /** Sets the goal (m) of the hand that holds the handle: to the right, and away from the user. */
   void SetGoal(double right, double away);
   /**
-   * The handle's position (m). Without a motor on an axis, only the hand or a pedal moves it along
-   * that axis.
+   * Returns the handle's position (m). Along an axis without a motor, only the hand or a pedal
+   * moves the handle.
    */
   Triple GetTip() const;
-  /** The force (N) on the hand: to the right, and away from the user. */
+  /** Returns the force (N) on the hand: to the right, and away from the user. */
   Triple GetForce() const;
   int CountPlaying() const;
   int CountEffects() const;
-  /** Returns the last report with this id. */
+  /** Returns the last received report with this id. */
   std::vector<std::uint8_t> GetLast(std::uint8_t id) const;
   int GetResets() const { return this->Resets; }
   int CountOutputs() const { return this->Outputs; }
-  /** The device's clock: ms since power came. */
+  /** Returns the time of the device's clock: ms since power came. */
   int GetClock() const { return this->Time; }
 
   std::atomic<FfbFault> Fault{ FfbFault::None };
   ///@{
   /**
-   * Deviations from the published firmware: reports every millisecond, or only new values, or
-   * checks for new values less often than every millisecond.
+   * Deviations from the published firmware: reports every millisecond; reports only new values;
+   * looks for new values less often than every millisecond.
    */
   std::atomic<bool> Streams{ false };
   std::atomic<bool> OnlySaysNews{ false };
   std::atomic<int> ReportPeriod{ 1 }; ///< ms
   ///@}
-  /** The second motor's sign: -1 if it is wired the other way round. */
+  /** Sign of the second motor: -1 if it is wired the other way round. */
   std::atomic<double> SecondSign{ 1.0 };
   std::atomic<int> Buttons{ 0 };
 
@@ -84,19 +84,19 @@ protected:
 
   ///@{
   /**
-   * The firmware. Called under the lock. Outputs and features include their id. Returns sizes or
-   * -errno.
+   * Functions of the firmware, called under the lock. Outputs and features include their id. They
+   * return sizes or -errno.
    */
   virtual int ReceiveOutput(const std::uint8_t* report, int size) = 0;
   virtual int ReceiveFeature(const std::uint8_t* report, int size) = 0;
   virtual int GiveFeature(std::uint8_t* report, int size) = 0;
   virtual void ForgetEffects() = 0;
   virtual int CountAll(bool onlyPlaying) const = 0;
-  /** Fractions of the full torque, towards the positive ends of HID's axes x and y. */
+  /** Returns the fractions of the full torque, towards the positive ends of HID's axes x and y. */
   virtual std::array<double, 2> ComputeTorques() const = 0;
-  /** The input report for a position, -1 to 1 on HID's axes. */
+  /** Returns the input report for a position (-1 to 1 on HID's axes). */
   virtual Bytes BuildReport(double x, double y) const = 0;
-  /** The time (ms) after which a report is sent even without news. */
+  /** Returns the time (ms) after which a report is sent even without news. */
   virtual int GetReminderTime() const = 0;
   ///@}
 

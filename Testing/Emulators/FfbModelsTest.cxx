@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Checks the arithmetic of the force-feedback firmwares against numbers worked out by hand from the
- * published formulas.
+ * Compares the arithmetic of the force-feedback firmwares with numbers that were worked out by hand
+ * from the published formulas.
  */
 #include "ArduinoFfbModel.h"
 #include "OpenFfboardModel.h"

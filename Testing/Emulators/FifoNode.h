@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A node under /dev in the kernel that umockdev plays, from plugging in its device to unplugging
- * it. Its open files may live longer: keep the node until they are closed.
+ * A node under /dev in the kernel that umockdev simulates, from plugging in its device to
+ * unplugging it. Open files may live longer: keep this object until they are closed.
  *
- * A FIFO in packet mode replaces the node for data to programs: one write is one read, poll() works
- * as on a device, and data not read in time are dropped, as by the kernel. Writes and ioctls of
- * programs are answered on umockdev's own thread.
+ * A FIFO in packet mode takes the node's place for data to programs: each write is one read, poll()
+ * works as on a device, and data that are not read in time are dropped, as by the kernel.
+ * umockdev's own thread answers the writes and ioctls of programs.
  */
 #ifndef FifoNode_h
 #define FifoNode_h
@@ -26,7 +26,7 @@ namespace emulated
 class FifoNode
 {
 public:
-  /** Answers of a node to a program's calls. Results are 0 or more, or -errno. */
+  /** The node's answers to a program's calls. Results are 0 or more, or -errno. */
   struct Answers
   {
     unsigned IoctlType; ///< type in _IOC() of the handled ioctls
@@ -36,7 +36,8 @@ public:
   };
 
   /**
-   * The entries in umockdev's format for udev, and the paths of their devices, the innermost first.
+   * The device's entries in umockdev's format for udev, and the paths of its devices, the innermost
+   * first.
    */
   struct Device
   {
@@ -44,22 +45,28 @@ public:
     std::vector<std::string> SysPaths;
   };
 
-  /** Plugs a device in. `node` is the path that programs see, such as /dev/hidraw8. */
+  /**
+   * Plugs a device in.
+   * @param node path that programs see, such as /dev/hidraw8
+   */
   FifoNode(const std::string& node, const Device& device, const Answers& answers);
   ~FifoNode();
   FifoNode(const FifoNode&) = delete;
   FifoNode& operator=(const FifoNode&) = delete;
 
-  /** Makes calls of open files fail from then on. */
+  /** Unplugs the device. From then on, calls of open files fail. */
   void Unplug();
-  /** Sends data to the reading program, from any thread. The data are lost if the FIFO is full. */
+  /**
+   * Sends data to the reading program. Any thread may call it. The data are lost if the FIFO is
+   * full.
+   */
   void Send(const void* bytes, std::size_t size);
 
   const std::string& GetNode() const { return this->Node; }
-  /** Sets the mode of the node, such as 0000. */
+  /** Sets the permissions of the node, such as 0000. */
   void SetPermissions(unsigned mode);
 
-  /** Calls `answer` with the target of a client's ioctl argument, and returns its result. */
+  /** Calls `answer` with the target of the client's ioctl argument. Returns its result. */
   static int WithTarget(UMockdevIoctlClient* client, std::size_t size,
     const std::function<int(std::uint8_t* bytes)>& answer);
 

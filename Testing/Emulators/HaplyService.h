@@ -36,7 +36,7 @@
 namespace emulated
 {
 
-/** Records what the service received in a session. */
+/** Records what the service has received in a session. */
 struct HaplySession
 {
   std::string Greeting;       ///< the first message
@@ -52,38 +52,41 @@ public:
   static constexpr const char* Id = HaplyState::Id;
   static constexpr const char* Other = HaplyState::Other;
 
-  /** Listens, and writes its ports to VOLUMEHAPTICS_HAPLY. */
+  /** Starts to listen, and writes its ports to VOLUMEHAPTICS_HAPLY. */
   explicit HaplyService(const HaplyShape& shape = {});
   ~HaplyService();
   HaplyService(const HaplyService&) = delete;
   HaplyService& operator=(const HaplyService&) = delete;
 
-  /** Closes all connections and stops listening. */
+  /** Closes all connections, and stops listening. */
   void Die();
   void Break(HaplyFault fault);
-  /** Sends an event to all listeners. */
+  /** Sends an event to all listeners of events. */
   void PushEvent(const std::string& json);
   std::size_t CountListeners();
-  /** Ends the connections of all listeners to events. */
+  /** Ends the connections of all listeners of events. */
   void DropListeners();
 
   ///@{
-  /** The hand's goal, and the tip, from the middle of the workspace, in Haply's axes (m). */
+  /**
+   * Sets the hand's goal (m), from the middle of the workspace, in Haply's axes. GetTip() returns
+   * the tip in the same way.
+   */
   void SetGoal(const Triple& goal);
   Triple GetTip();
   ///@}
-  /** Moves the arm (m) without its hand, as a change of the preset would. */
+  /** Moves the arm (m) without its hand, as a change of the preset does. */
   void Shift(const Triple& by);
-  /** The present force (N) of the arm. */
+  /** Returns the present force (N) of the arm. */
   Triple GetForce();
 
   void SetCalibrated(bool isCalibrated);
   void SetReady(bool isReady);
   void Unplug();
   void PlugIn();
-  /** Sets the session's transform, position (m) and scale, as a program of the Hub does. */
+  /** Sets the session's transform (position in m, and scale), as a program of the Hub does. */
   void SetTransform(const Triple& position, double scale);
-  /** Sets the wireless grip: orientation (w, x, y, z) and its button a. */
+  /** Sets the wireless grip's orientation (w, x, y, z) and whether its button a is pressed. */
   void SetGrip(const std::array<double, 4>& orientation, bool isPressed);
 
   std::vector<HaplySession> GetSessions();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The arms and the grip of a played Inverse service, and its messages about them. HaplyService.h
+ * The arms and the grip of a simulated Inverse service, and its messages about them. HaplyService.h
  * names the sources.
  */
 #ifndef HaplyState_h
@@ -36,13 +36,16 @@ struct HaplyShape
   bool HasStatus = true;        ///< writes the status into states, and not only into the inventory
   int DropTime = 0;             ///< ms until a closed session does not count as in use
   /**
-   * The basis of a session that names none. Haply's Hub may apply the basis of an earlier session
+   * Basis of a session that names no basis. Haply's Hub may use the basis of an earlier session
    * again.
    */
   std::string Basis = "XYZ";
-  /** Sets a position's x (m) to this times the number of the session's message that it answers. */
+  /**
+   * m: a position's x is larger by this, times the number of the session's message that the state
+   * answers.
+   */
   double NumberScale = 0.0;
-  /** The preset of a session that names none. */
+  /** Preset of a session that names no preset. */
   std::string Preset = "defaults";
   bool TakesPresets = true; ///< false: a session keeps the preset that it begins with
   bool TellsConfig = true;  ///< writes the configuration into a requested full state

@@ -29,7 +29,7 @@ constexpr auto Patience = std::chrono::milliseconds(15);
 /// For this long after such a pause, answers and messages may cross.
 constexpr auto Confusion = std::chrono::milliseconds(200);
 
-/** A row of the host's tables, in the host's order and with its names. */
+/** A row of the host's tables, with the host's names and in the host's order. */
 struct Row
 {
   Triple CapstanDiameters;
@@ -61,7 +61,10 @@ double Square(double x)
   return x * x;
 }
 
-/** Polhem's tip position by the host's formula, from three angles of triangles at the elbow. */
+/**
+ * Returns Polhem's tip position by the host's formula, from the angles of three triangles at the
+ * elbow.
+ */
 Triple PolhemTip(const Triple& t)
 {
   constexpr double l0 = 34e-3;
@@ -88,7 +91,7 @@ double Determinant(const Triple& a, const Triple& b, const Triple& c)
     a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/** The derivatives of the tip's position by each angle, from differences. */
+/** Returns the derivatives of the tip's position by each angle, computed from differences. */
 std::array<Triple, 3> SlopesOf(int model, const Triple& angles)
 {
   constexpr double h = 1e-5;
@@ -109,7 +112,7 @@ std::array<Triple, 3> SlopesOf(int model, const Triple& angles)
   return slopes;
 }
 
-/** Computes the angles for a tip position by Newton's method, from angles nearby. */
+/** Computes the angles for a tip position by Newton's method, starting from angles nearby. */
 void Follow(int model, const Triple& tip, Triple& angles)
 {
   for (int i = 0; i < 8; ++i)
@@ -362,7 +365,10 @@ void HfabEmulator::Move()
   }
 }
 
-/** Like await_message() of the firmware, which waits for a ']' and counts brackets and commas. */
+/**
+ * Takes a byte like await_message() of the firmware, which waits for a ']' and counts brackets and
+ * commas.
+ */
 void HfabEmulator::Take(char byte, bool isTrailed)
 {
   this->Line += byte;

@@ -54,33 +54,36 @@ public:
   /** The port's node. */
   const std::string& GetPort() const { return this->Port; }
   void Unplug();
-  /** Puts the arm into its pose for calibration, at once. */
+  /** Moves the arm into its calibration pose at once. */
   void PlaceAtHome();
   void PressButton();
   /** Requires that the button is pressed first, as the firmware with calibration_needed does. */
   void NeedButton() { this->NeedsButton = true; }
   void SetGoal(const Triple& goal);
-  /** Turns the handle to these counts of its encoders. */
+  /** Turns the handle until its encoders have these counts. */
   void SetHandle(const std::array<int, 3>& counts);
   Triple GetTip() const;
-  /** The force (N) on the hand from the present currents. */
+  /** Returns the force (N) of the present currents on the hand. */
   Triple GetForce() const;
   std::array<int, 3> GetCurrents() const;
   int GetMessages() const { return this->Messages; }
-  /** The number of times the watchdog switched currents off, and the bits of errors in messages. */
+  /**
+   * Returns how often the watchdog has switched the currents off. GetErrors() returns the bits of
+   * errors in messages.
+   */
   int GetWatchdogs() const { return this->Watchdogs; }
   int GetErrors() const { return this->Errors; }
-  /** The longest time (s) between two messages since the last call. */
+  /** Returns the longest time (s) between two messages since the last call. */
   double DrainLongestPause();
-  /** Whether the port was opened for raw bytes. */
+  /** Returns whether the port was opened for raw bytes. */
   bool IsRaw() const;
 
   ///@{
-  /** The published arithmetic, for calibrated counts. */
+  /** Functions with the published arithmetic, for calibrated counts. */
   static Triple TipOf(int model, const Triple& angles);
   static Triple AnglesOf(int model, const std::array<int, 3>& counts);
   static std::array<int, 3> HomeOf(int model);
-  /** Returns the currents (mA) for a force (N). */
+  /** Returns the currents (mA) of the motors for a force (N). */
   static Triple CurrentsOf(int model, const Triple& angles, const Triple& force);
   ///@}
 

@@ -60,7 +60,7 @@ public:
   {
     return this->Signed(0x34, least).Signed(0x44, most);
   }
-  /** Sets a unit and its exponent, a byte in two's complement. */
+  /** Sets a unit, and its exponent as a byte in two's complement. */
   HidItems& Unit(std::uint32_t unit, std::uint8_t exponent)
   {
     return this->Unsigned(0x64, unit).Unsigned(0x54, exponent);
@@ -95,7 +95,7 @@ private:
   {
     return this->Item(prefix, data, data < 0x100 ? 1 : data < 0x10000 ? 2 : 4);
   }
-  /** Writes a signed value in as many bytes as its sign needs: 255 takes two. */
+  /** Writes a signed value in as many bytes as it needs with its sign: 255 takes two bytes. */
   HidItems& Signed(std::uint8_t prefix, std::int64_t data)
   {
     const int size = data >= -0x80 && data < 0x80 ? 1 : data >= -0x8000 && data < 0x8000 ? 2 : 4;

@@ -28,7 +28,7 @@ std::uint8_t High(std::size_t number)
   return static_cast<std::uint8_t>(number >> 8 & 0xFF);
 }
 
-/** Whether a report descriptor contains a Report ID item. */
+/** Returns whether a report descriptor contains a Report ID item. */
 bool DetectIds(const Bytes& descriptor)
 {
   std::size_t at = 0;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Makes a USB device from the model of a HID device: descriptors, requests of the HID class, and
- * two interrupt endpoints.
+ * Makes a USB device of a HID device's model: descriptors, requests of the HID class, and two
+ * interrupt endpoints.
  */
 #ifndef HidOverUsb_h
 #define HidOverUsb_h
@@ -29,7 +29,7 @@ public:
   int Out(std::uint8_t endpoint, const std::uint8_t* bytes, int size) override;
   int In(std::uint8_t endpoint, std::uint8_t* bytes, int size) override;
 
-  /** Drops input reports that were not fetched, as a loss of power does. */
+  /** Drops input reports that were not read, as a loss of power does. */
   void Forget();
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Checks the requests of a kernel to a HID device over USB, with and without report ids. */
+/** Tests a kernel's requests to a HID device over USB, with and without report ids. */
 #include "HidOverUsb.h"
 #include "PlayedKernel.h"
 #include "SmallModels.h"

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The handle of a haptic device, in simulated time; it can carry a weight or press a kitchen scale.
- * It follows Newton's second law, m a = sum of forces, with Coulomb's dry friction, a friction
- * proportional to the speed, and Hooke's law for the arm's own springs and for the scale. The
- * motors give `Strength` newtons for each newton of a command. This law is the source, not the
- * device's driver or its tool: a measurement should find the values that are set here.
+ * The handle of a haptic device in simulated time, which can carry a weight or press a kitchen
+ * scale. The handle follows Newton's second law, m a = sum of forces, with Coulomb's dry friction,
+ * a friction proportional to the speed, and Hooke's law for the arm's own springs and for the
+ * scale. The motors give `Strength` newtons for each newton of a command. This law is independent
+ * of the device's driver and of the tool: a measurement must find the values that are set here.
  */
 #ifndef HungHandle_h
 #define HungHandle_h

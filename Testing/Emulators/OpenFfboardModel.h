@@ -64,7 +64,7 @@ public:
   }
   std::vector<std::uint8_t> GetReportDescriptor() const override;
 
-  /** An analogue input of a wheel, -1 to 1, which is the second axis of its input report. */
+  /** An analogue input of a wheel (-1 to 1), which is the second axis of its input report. */
   std::atomic<double> Pedal{ 0.0 };
 
 private:

@@ -48,7 +48,7 @@ public:
     Wheel        ///< a wheel at X, pedals at Y, Z and RZ; constant forces
   };
 
-  /** The speeds of the motors from a time on, 0 to 65535. */
+  /** Speeds of the motors from a time on, from 0 to 65535. */
   struct Change
   {
     double Time = 0.0; ///< s since the model began
@@ -59,7 +59,7 @@ public:
   explicit PadModel(Kind kind);
 
   ///@{
-  /** The pad's entries in sysfs. */
+  /** Entries of the pad in sysfs. */
   std::string GetName() const;
   int GetVendor() const;
   int GetProduct() const;
@@ -75,17 +75,20 @@ public:
    */
   void Move(unsigned axis, double share);
   void Press(unsigned button, bool isHeld);
-  /** Moves an axis but loses the event with others, as if the buffer was full. */
+  /** Moves an axis, but loses the event, as if the kernel's buffer was full. */
   void MoveUnheard(unsigned axis, double share);
   ///@}
 
   ///@{
-  /** Requests of a program's file, which any number may name. Results are 0 or more, or -errno. */
+  /**
+   * Requests of a program's file. Any number may identify the file. Results are 0 or more, or
+   * -errno.
+   */
   int Grab(const void* file, bool isOn);
   int Upload(const void* file, ff_effect& effect);
   int Erase(const void* file, int id);
   int Write(const input_event& event);
-  /** Acts as the kernel when a program ends: closes the program's files. */
+  /** Closes the program's files, as the kernel does when a program ends. */
   void CloseFiles();
   input_absinfo GetAxis(unsigned code);
   bool IsPressed(unsigned button);
@@ -94,13 +97,13 @@ public:
 
   /** Runs the kernel's timer and the hand on a wheel. Call it every millisecond. */
   void Step();
-  /** Steps with the right stick pushed forward and pulled back, half a second each. */
+  /** Pushes the right stick forward and then pulls it back, for half a second each. */
   void StepInAndOut();
 
   ///@{
   /**
-   * For a wheel: the goal of its hand, its position (m to the right), and the force (N) on the
-   * hand.
+   * For a wheel: the full force, the goal of its hand, its position (m to the right), and the force
+   * (N) on the hand.
    */
   static constexpr double FullScale = 4.0; ///< N
   static constexpr double Travel = 0.05;   ///< m, position at the end of the axis
@@ -108,7 +111,7 @@ public:
   double GetPlace();
   double GetForce();
   int GetAutocentre();
-  /** Whether effects of the next program are refused, as by a device that does not answer. */
+  /** Whether the effects of the next program are refused, as by a device that does not answer. */
   std::atomic<bool> Refuses{ false };
   std::string Serial; ///< serial number that the driver reports; may be empty
   ///@}
@@ -120,11 +123,13 @@ public:
   void ForgetHistory();
   double GetTime() const;
   int CountEffects();
-  /** Returns the length (ms) of the longest effect requested so far; 0 is an effect without end. */
+  /**
+   * Returns the length (ms) of the longest effect that was requested. 0 is an effect without end.
+   */
   int GetLongestReplay();
   ///@}
 
-  /** The carrier sets this. It passes events to the reading program. */
+  /** A function that the carrier sets, which passes events to the reading program. */
   std::function<void(const std::vector<input_event>&)> Input = [](const auto&) {};
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Plays the kernel's side of USB/IP for a test, one command after the other.
+ * Plays the kernel's side of USB/IP for a test, command by command.
  */
 #ifndef PlayedKernel_h
 #define PlayedKernel_h
@@ -64,7 +64,9 @@ public:
   bool Raw(const std::vector<std::uint32_t>& numbers) { return this->Send(numbers, Bytes(8), {}); }
   ///@}
 
-  /** Makes a control request. The answer has the data, or the size of the sent data. */
+  /**
+   * Makes a control request. Returns the answer with the data, or with the size of the sent data.
+   */
   Reply Request(const Bytes& setup, const Bytes& data = {})
   {
     const std::uint32_t isIn = setup[0] >> 7;

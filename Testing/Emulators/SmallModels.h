@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Two devices that send back what they get, to test the carriers alone. */
+/** Two devices that send back what they receive, for tests of the carriers alone. */
 #ifndef SmallModels_h
 #define SmallModels_h
 
@@ -15,7 +15,8 @@
 namespace machinetest
 {
 /**
- * A device with two bulk endpoints. Vendor requests without data succeed, all other requests stall.
+ * A USB device with two bulk endpoints. Vendor requests without data succeed; all other requests
+ * stall.
  */
 class EchoUsb : public emulated::UsbModel
 {
@@ -55,8 +56,8 @@ private:
 };
 
 /**
- * A device with reports of four bytes, with or without ids. Outputs come back as inputs, and a
- * feature keeps its value.
+ * A HID device with reports of four bytes, with or without ids. Output reports come back as input
+ * reports, and a feature keeps its value.
  */
 class EchoHid : public emulated::HidModel
 {

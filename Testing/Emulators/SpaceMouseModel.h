@@ -87,7 +87,7 @@ public:
   }
   int GetFeature(std::uint8_t*, int) override { return -EPIPE; }
 
-  /** Sets the motion from now on. Zeros are reported once. */
+  /** Sets the cap's motion from now on. The mouse reports zeros once. */
   void Push(const Counts& counts)
   {
     const std::lock_guard<std::mutex> lock(this->Guard);

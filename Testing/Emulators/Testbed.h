@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** The kernel that umockdev plays, one for each program. */
+/** Provides the kernel that umockdev simulates: one for each program. */
 #ifndef Testbed_h
 #define Testbed_h
 
@@ -13,7 +13,7 @@ namespace emulated
 {
 UMockdevTestbed* Testbed();
 /**
- * Enters a device as confirmed into the user's file of devices, for tests of other subjects.
+ * Writes a device as confirmed into the user's file of devices, for tests of other things.
  */
 void RememberConfirmed(const std::string& identity);
 } // namespace emulated

@@ -172,7 +172,9 @@ int UsbIp::Describe(std::size_t from, std::size_t size, std::uint8_t* data, int 
   return static_cast<int>(given);
 }
 
-/** Handles the requests that are the same for every device, and passes the others to the model. */
+/**
+ * Handles the requests that are the same for all devices, and passes other requests to the model.
+ */
 int UsbIp::Control(const std::uint8_t setup[8], std::uint8_t* data, int size)
 {
   constexpr std::uint8_t GetStatus = 0, ClearFeature = 1, GetDescriptor = 6, SetConfiguration = 9,

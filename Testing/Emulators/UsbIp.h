@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The device's side of USB/IP, the protocol that Linux uses to speak to USB devices over a socket.
- * A message has 48 bytes of big-endian numbers, and data. A transfer waits until the model has data
+ * The device's side of USB/IP, the protocol by which Linux uses USB devices over a socket. A
+ * message has 48 bytes of big-endian numbers, and data. A transfer waits until the model has data
  * or room for it, or until the kernel unlinks it.
  */
 #ifndef UsbIp_h
@@ -20,7 +20,7 @@ namespace emulated
 class UsbIp
 {
 public:
-  /** Answers on the socket. Socket and model have to outlive this object. */
+  /** Answers on the socket. The socket and the model have to outlive this object. */
   UsbIp(UsbModel& model, int socket)
     : Model(model)
     , Socket(socket)
@@ -29,8 +29,8 @@ public:
   }
 
   /**
-   * Reads one message and answers it. Returns false if the other side has hung up or sends
-   * nonsense.
+   * Reads a message and answers it. Returns false if the other side has closed the connection or
+   * sends nonsense.
    */
   bool Receive();
   /**
@@ -53,11 +53,10 @@ private:
   int Describe(std::size_t from, std::size_t size, std::uint8_t* data, int room) const;
   bool Submit(const Message& message);
   bool Unlink(const Message& message);
-  /** Returns a size or -errno; -EAGAIN if the model has no data or no room. */
+  /** Tries a transfer. Returns a size or -errno; -EAGAIN if the model has no data or no room. */
   int Try(Transfer& transfer);
   /**
-   * Sends an answer with a size or -errno, and data if there are any. Returns false if sending
-   * fails.
+   * Sends an answer with a size or -errno, and with data, if any. Returns false if sending fails.
    */
   bool Answer(std::uint32_t number, int result, const std::uint8_t* data);
   bool Send(const void* bytes, std::size_t size);
@@ -68,7 +67,8 @@ private:
   std::list<Transfer> Waiting; ///< transfers in order of arrival
   std::uint32_t Newest = 0;    ///< number of the newest transfer
   /**
-   * Transfers unlinked before they arrived, as the kernel's sending thread may swap both messages.
+   * Numbers of transfers that were unlinked before they arrived: the kernel's sending thread may
+   * swap both messages.
    */
   std::set<std::uint32_t> TakenBack;
 };

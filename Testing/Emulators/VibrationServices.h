@@ -34,7 +34,7 @@
 namespace emulated
 {
 
-/** Records what a service did with the messages it received. */
+/** Records what a service did with the messages that it received. */
 struct Vibrations
 {
   std::vector<std::string> Messages; ///< all messages, as they arrived
@@ -53,7 +53,7 @@ public:
   ~PlayedBhaptics();
 
   Vibrations Get();
-  /** The present intensity of a dot, 0 to 100. */
+  /** Returns the present intensity of a dot, from 0 to 100. */
   int GetDot(const std::string& place, int index);
   void SetPlaces(const std::vector<std::string>& places);
   void SendJunk();
@@ -74,12 +74,12 @@ public:
   ~PlayedWeart();
 
   Vibrations Get();
-  /** The present volume of the texture at the index finger, 0 to 100. */
+  /** Returns the present volume of the texture at the index finger, from 0 to 100. */
   double GetVolume(const std::string& hand);
   std::string GetStatus();
   void SetActuating(bool isActuating);
   void SetHands(const std::vector<std::string>& hands);
-  /** Ends the connection and continues to run. */
+  /** Ends the connection. The service continues to run. */
   void HangUp();
   void Die();
 
@@ -96,9 +96,9 @@ public:
 
   std::uint16_t GetPort() const;
   Vibrations Get();
-  /** The largest sample played in the last 16 ms, as a fraction of the largest number. */
+  /** Returns the largest sample played in the last 16 ms, as a fraction of the largest number. */
   double GetLoudness();
-  /** The number of samples that the ring could not hold. */
+  /** Returns the number of samples for which the ring had no room. */
   int CountLost();
   void SetSilent(bool isSilent); ///< answers no ping
 

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A port of the kernel's virtual USB hub (vhci_hcd) with a model plugged in. Everything above it is
- * a real kernel. It needs root and the module vhci_hcd, and is meant for a virtual machine of its
- * own.
+ * A port of the kernel's virtual USB hub (vhci_hcd) with a model plugged in. Everything above the
+ * port is a real kernel. It needs root and the module vhci_hcd, and is meant for a virtual machine.
  */
 #ifndef VirtualUsb_h
 #define VirtualUsb_h
@@ -20,8 +19,7 @@ class VirtualUsb
 {
 public:
   /**
-   * Begins with nothing plugged in. The model has to outlive the port, which sets the model's Ready
-   * for good.
+   * Begins with an empty port. The model has to outlive the port, which sets the model's Ready.
    */
   VirtualUsb(UsbModel& model, int port);
   /** Unplugs the device. */
@@ -30,11 +28,11 @@ public:
   VirtualUsb& operator=(const VirtualUsb&) = delete;
 
   /**
-   * Plugs the device in: the kernel requests descriptors. Throws std::runtime_error if the kernel
-   * accepts no devices.
+   * Plugs the device in. The kernel then requests its descriptors. Throws std::runtime_error if the
+   * kernel accepts no devices.
    */
   void Plug();
-  /** Unplugs the device at any moment. Returns once the port is free again. */
+  /** Unplugs the device at any moment. Returns when the port is free again. */
   void Unplug();
 
   bool IsPlugged() const { return this->Thread.joinable(); }

@@ -32,7 +32,10 @@ Triple TipOf(const Triple& t)
     Height + Upper * std::cos(t[1]) - Fore * std::cos(t[2]) - Foot[2] };
 }
 
-/** The derivatives of the tip's position by each angle, as columns, from differences. */
+/**
+ * Returns the derivatives of the tip's position by each angle as columns, computed from
+ * differences.
+ */
 std::array<Triple, 3> Slopes(const Triple& angles)
 {
   constexpr double h = 1e-6;
@@ -62,7 +65,7 @@ Triple RowOf(const std::array<Triple, 3>& m, int row)
   return { m[0][row], m[1][row], m[2][row] };
 }
 
-/** Computes the angles for a tip position by Newton's method, from angles nearby. */
+/** Computes the angles for a tip position by Newton's method, starting from angles nearby. */
 void Follow(const Triple& tip, Triple& angles)
 {
   for (int i = 0; i < 8; ++i)

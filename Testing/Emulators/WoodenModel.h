@@ -40,7 +40,10 @@ enum class WoodenFault
   LostZero ///< the controller restarts without notice, and its encoders begin at 0
 };
 
-/** Each received packet advances the model's time by a millisecond, and is answered by a packet. */
+/**
+ * The emulated device. Each received packet advances its time by a millisecond, and is answered by
+ * a packet.
+ */
 class WoodenModel : public HidModel
 {
 public:
@@ -62,11 +65,11 @@ public:
   int Output(const std::uint8_t* report, int size) override;
   int GetFeature(std::uint8_t*, int) override { return -EPIPE; }
 
-  /** Switches power on. The arm is in its rest pose, which the encoders do not know. */
+  /** Switches the power on. The arm is in its rest pose, which the encoders do not know. */
   void PowerUp();
   void SetGoal(const Triple& goal);
   Triple GetTip() const;
-  /** The force (N) on the hand from the present currents. */
+  /** Returns the force (N) of the present currents on the hand. */
   Triple GetForce() const;
   std::vector<std::uint8_t> GetLastPacket() const;
   std::vector<std::uint8_t> GetLastPreset() const;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Says to drive.py what is felt in a program that runs no code of others: VTK loads this library
- * into it. The folder HOST_PROBE has state.json, as program.py writes it.
+ * Reports to drive.py what is felt in a program that runs no foreign code: VTK loads this library
+ * into the program. In the folder HOST_PROBE, it writes state.json as program.py does.
  */
 #include "Applications/Autoload/InteractorFactory.h"
 
@@ -35,7 +35,7 @@ std::string Text(const double* vector)
     std::to_string(vector[2]) + "]";
 }
 
-/** The window's id, and pixels from above. */
+/** Returns the window's id, and a position in the window in pixels from the top left. */
 std::string PlaceOn(vtkRenderWindow* window, double x, double y)
 {
   return "[" + std::to_string(reinterpret_cast<std::uintptr_t>(window->GetGenericWindowId())) +

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A hand that presses in a widget of Qt, which is hidden in every way that Qt knows: no force is
- * left. Qt draws off the screen here, and so does VTK, since the events are what counts.
+ * Presses in a Qt widget, and hides the widget in every way that Qt knows: no force may be left. Qt
+ * and VTK draw off the screen here, since only the events matter.
  */
 
 #include "VTK/Scene/Interaction/StyleRig.h"

@@ -11,7 +11,7 @@
 namespace
 {
 #if defined(_WIN32)
-/** Windows does not report the size of aligned memory, so the size is stored in front of it. */
+/** Header before an aligned block: stores its size, because Windows does not report it. */
 struct Head
 {
   std::size_t Size = 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** A filter on a small volume with a path through it, which records all its messages. */
+/** Runs a filter on a small volume with a path through it, and records all its messages. */
 #ifndef ApiRig_h
 #define ApiRig_h
 

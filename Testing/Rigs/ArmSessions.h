@@ -65,7 +65,7 @@ enum class Gesture : std::uint8_t
   Scrub
 };
 
-/** The random properties of a session. */
+/** Random properties of a session. */
 struct ArmScene
 {
   double Rate = 1000.0;  ///< Hz
@@ -254,7 +254,10 @@ private:
                                         ///< arm
 
   static constexpr double Pi = 3.14159265358979323846;
-  /** A fraction of the stiffness, so that the surface is not stiffer in any direction. */
+  /**
+   * Fraction of the stiffness from which the ripples are made, so that the surface is not stiffer
+   * in any direction.
+   */
   static constexpr double RippleFraction = 0.4;
   double Pick(double from, double to) { return from + (to - from) * (this->Engine() * 0x1p-32); }
 
@@ -371,9 +374,9 @@ private:
   }
 
   /**
-   * Computes a wall with a proxy, whose goal is the surface point next to the tip. Friction holds
-   * the proxy until it slides along the surface, down to the friction cone. `place` projects a
-   * point onto the surface.
+   * Computes the force of a wall with a proxy. The proxy's goal is the surface point next to the
+   * tip. Friction holds the proxy until it slides along the surface, down to the friction cone.
+   * `place` projects a point onto the surface.
    */
   template <class Place>
   Vector3 Push(const Vector3& tip, const Vector3& goal, bool isInside, const Place& place)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** A burr in a hand. Lengths are in millimetres unless stated otherwise. */
+/** Leads a burr with a hand. Lengths are in millimetres unless stated otherwise. */
 #ifndef BurrRig_h
 #define BurrRig_h
 

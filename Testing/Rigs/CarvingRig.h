@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Removal from small volumes, and a reference in loops over all samples. */
+/** Removes tissue from small volumes, and has a reference with loops over all samples. */
 #ifndef CarvingRig_h
 #define CarvingRig_h
 

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Models on small volumes, in a world of millimetres, and a tip that wanders through them. */
+/**
+ * Makes models on small volumes, in a world of millimetres, and a tip that wanders through them.
+ */
 #ifndef CoreScene_h
 #define CoreScene_h
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Shared by the tests of HID descriptors.
+ * Provides what the tests of HID descriptors share.
  */
 #ifndef DescriptorRig_h
 #define DescriptorRig_h
@@ -28,7 +28,7 @@ inline HidReportDescriptor Parsed(const Bytes& bytes)
   return descriptor;
 }
 
-/** Returns the error of a bad descriptor. */
+/** Returns the error that a bad descriptor causes. */
 inline std::string ErrorOf(const Bytes& bytes)
 {
   HidReportDescriptor descriptor;

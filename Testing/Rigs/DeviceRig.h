@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** A virtual device on a ramp. The test moves it. */
+/** Runs a virtual device on a ramp. The test moves the device's tip. */
 #ifndef DeviceRig_h
 #define DeviceRig_h
 

@@ -16,7 +16,7 @@ namespace apitest
 {
 
 /**
- * Counts the invocations of an object's event during this counter's life.
+ * Counts how often an object invokes an event, as long as the counter exists.
  */
 class EventCounter
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Waits for another thread's work. */
+/** Waits until another thread has done its work. */
 #ifndef Eventually_h
 #define Eventually_h
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** A recorded servo loop on a ramp, checked tick by tick: no force jumps. */
+/** Records a servo loop on a ramp, and checks in each tick that the force does not jump. */
 #ifndef FadingLoop_h
 #define FadingLoop_h
 

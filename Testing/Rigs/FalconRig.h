@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** An emulated Novint Falcon in a hand, plugged in, and opened as an application does. */
+/** Provides an emulated Novint Falcon in a hand, plugged in, and opened as by an application. */
 #ifndef FalconRig_h
 #define FalconRig_h
 
@@ -43,7 +43,7 @@ protected:
     this->Options.HomingTime = 60.0;
   }
 
-  /** Returns false, with this->Error, on failure. */
+  /** Opens a device. On failure, sets this->Error and returns false. */
   bool Open(const std::string& id = "falcon")
   {
     this->Device = MakeDevice(id, this->Options, this->Error);
@@ -68,7 +68,7 @@ protected:
     this->LeadTo(Rest);
     ASSERT_TRUE(this->IsAt(DeviceStage::Ready)) << this->GetText();
   }
-  /** Homes the device, and leads it to the middle of the workspace. */
+  /** Homes the device, and leads its grip to the middle of the workspace. */
   void MakeReady()
   {
     ASSERT_TRUE(this->Open()) << this->Error;
@@ -96,8 +96,8 @@ protected:
       });
   }
   /**
-   * Returns whether commands stay zero during a number of packets, whatever the servo writes.
-   * Ignores the packet that may already be under way.
+   * Returns whether the commands stay zero during a number of packets, for any force that the servo
+   * writes. Ignores the packet that may already be under way.
    */
   bool StaysAtZero(long packets)
   {
@@ -110,7 +110,7 @@ protected:
     this->Falcon.DrainLargestCommand();
     return arrived && pass(packets) && this->Falcon.DrainLargestCommand() == 0.0;
   }
-  /** Expects that the device is lost, reports why, and got zero as its last commands. */
+  /** Expects that the device is lost, says why, and got zero as its last commands. */
   void ExpectLost(const std::string& why)
   {
     EXPECT_TRUE(this->Push(
@@ -128,7 +128,7 @@ protected:
   std::string Error;
 };
 
-/** A file that is removed with this object. */
+/** A file that this object removes at its end. */
 class TemporaryFile
 {
 public:
@@ -144,7 +144,7 @@ public:
   const std::filesystem::path Path;
 };
 
-/** Returns a firmware image for tests: every byte value, in no simple order. */
+/** Returns a firmware image for tests. It has every byte value, in no simple order. */
 inline std::vector<std::uint8_t> MakeImage(std::size_t size)
 {
   std::vector<std::uint8_t> image(size);

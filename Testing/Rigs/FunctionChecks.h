@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Returns the allowed distance of a baked value from a vtkPiecewiseFunction. */
+/** Computes the allowed distance between a baked value and a vtkPiecewiseFunction. */
 #ifndef FunctionChecks_h
 #define FunctionChecks_h
 

@@ -16,8 +16,8 @@ namespace apitest
 {
 
 /**
- * Passes its input on, with its time steps. Behind a source whose time steps are felt without a
- * copy, it acts like a file reader: its steps are copied one by one when time reaches them.
+ * Passes its input on with its time steps, like a file reader. Behind a source whose time steps are
+ * felt without a copy, each time step is copied when the time reaches it.
  */
 class GivenImage : public vtkImageAlgorithm
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The growth of a force, which the slew limit bounds: its length minus the previous force's part
- * along it.
+ * Computes the growth of a force, which the slew limit bounds: the force's length minus the
+ * component of the previous force along it.
  */
 #ifndef Growth_h
 #define Growth_h

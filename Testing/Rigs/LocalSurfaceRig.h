@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * LOCAL_SURFACE on volumes whose surface is known.
+ * Describes LOCAL_SURFACE on volumes whose surface is known.
  */
 #ifndef LocalSurfaceRig_h
 #define LocalSurfaceRig_h

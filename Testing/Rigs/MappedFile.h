@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A file mapped into memory, and the kernel's data about it: mincore(2), VmLck of
+ * A file mapped into memory, and what the kernel says about it: mincore(2), VmLck of
  * /proc/self/status, and Locked of /proc/self/smaps.
  */
 #ifndef MappedFile_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Meshes whose contacts are known, and random shapes.
+ * Makes meshes whose contacts are known, and random shapes.
  */
 #ifndef MeshScene_h
 #define MeshScene_h

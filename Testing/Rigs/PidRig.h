@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A force-feedback stick that exists only as its descriptor, written item by item after the PID 1.0
- * specification.
+ * Describes a force-feedback stick that exists only as its descriptor, written item by item after
+ * the PID 1.0 specification.
  */
 #ifndef PidRig_h
 #define PidRig_h
@@ -14,7 +14,7 @@
 namespace hardwaretest
 {
 
-/** The differences between devices. */
+/** Differences between sticks. */
 struct Stick
 {
   std::uint8_t FirstId = 0x11;
@@ -26,18 +26,21 @@ struct Stick
   const char* Without = ""; ///< name of the part to leave out
 };
 
-/** Fields of one byte: values of 0 to 255, and block indices of 1 to 40. */
+/**
+ * Descriptor items of a field of one byte: values from 0 to 255 (OneByte), and block indices from 1
+ * to 40 (OneOfForty).
+ */
 inline const Bytes OneByte{ 0x15, 0x00, 0x26, 0xFF, 0x00, 0x75, 0x08, 0x95, 0x01 };
 inline const Bytes OneOfForty{ 0x09, 0x22, 0x15, 0x01, 0x25, 0x28, 0x75, 0x08, 0x95, 0x01 };
 inline const Bytes Output{ 0x91, 0x02 };
 
-/** The effect type: constant, ramp or spring, 1 to 3. */
+/** Items of the effect type: constant, ramp or spring, as 1 to 3. */
 inline const Bytes EffectTypes{ 0x09, 0x25, 0xA1, 0x02, 0x09, 0x26, 0x09, 0x27, 0x09, 0x40, 0x15,
   0x01, 0x25, 0x03, 0x75, 0x08, 0x95, 0x01 };
 
 /**
- * Set Effect, 8 bytes: block, type, duration (ms, 16 bits), gain, one bit for each axis, one for
- * the direction, and two angles of 0 to 255 for 0 to 359.99 degrees.
+ * Returns the fields of Set Effect (8 bytes): block, type, duration (ms, 16 bits), gain, one bit
+ * for each axis, one bit for the direction, and two angles of 0 to 255 for 0 to 359.99 degrees.
  */
 inline Bytes SetEffectFields(const Stick& stick)
 {
@@ -56,7 +59,8 @@ inline Bytes SetEffectFields(const Stick& stick)
 }
 
 /**
- * Device Control: enable, disable, stop all, reset, pause, continue, as 1 to 6, or as bits 0 to 5.
+ * Returns the fields of Device Control: enable, disable, stop all, reset, pause, continue, as 1 to
+ * 6 or as bits 0 to 5.
  */
 inline Bytes ControlFields(const Stick& stick)
 {
@@ -67,7 +71,7 @@ inline Bytes ControlFields(const Stick& stick)
                          : Bytes{ 0x15, 0x01, 0x25, 0x06, 0x75, 0x08, 0x95, 0x01, 0x91, 0x00 });
 }
 
-/** Returns the whole descriptor; ids count up in this order. */
+/** Returns the whole descriptor. The ids of the reports count up in this order. */
 inline Bytes Describe(const Stick& stick)
 {
   const auto low = static_cast<std::uint16_t>(stick.HasSign ? -stick.Magnitude : 0);
@@ -123,7 +127,7 @@ inline PidDevice Mapped(const Stick& stick)
   return device;
 }
 
-/** Returns the descriptor as hidapi returns it. */
+/** Returns a report's bytes as hidapi gets them: the id, and then the data. */
 inline Bytes Wire(const HidReport& report)
 {
   return { report.Bytes.begin(), report.Bytes.begin() + 1 + static_cast<long>(report.Size) };

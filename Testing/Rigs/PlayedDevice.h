@@ -96,8 +96,8 @@ private:
 };
 
 /**
- * While this object exists, the loop waits for its reader. The ring holds 0.4 s, and a reader under
- * a sanitizer on a busy machine takes longer.
+ * Makes the loop wait for its reader, as long as this object exists. The ring holds 0.4 s of ticks,
+ * and a reader under a sanitizer on a busy machine takes longer.
  */
 class ReaderPace
 {

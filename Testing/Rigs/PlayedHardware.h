@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** A kind of device that a test plays: it reports its stage, and a hand turns it. */
+/**
+ * A kind of device that a test controls: the test sets its stage, and a simulated hand turns it.
+ */
 #ifndef PlayedHardware_h
 #define PlayedHardware_h
 
@@ -15,7 +17,7 @@
 namespace devicetest
 {
 
-/** The test's input to all devices of the kind, and its output. */
+/** Input of the test to all devices of the kind, and their output. */
 struct PlayedHardware
 {
   std::atomic<VolumeHaptics::DeviceStage> Stage{ VolumeHaptics::DeviceStage::Ready };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** The test's own D-Bus, with a simulated RealtimeKit service (played_rtkit.py). */
+/** Runs a D-Bus for the test, with a simulated RealtimeKit service (played_rtkit.py). */
 #ifndef PlayedRealtimeKit_h
 #define PlayedRealtimeKit_h
 

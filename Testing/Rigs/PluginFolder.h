@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Plug-ins for vendors' libraries in a folder that no other user can write, which is the search
+ * A folder of plug-ins for vendors' libraries that no other user can write. It becomes the search
  * path.
  */
 #ifndef PluginFolder_h
@@ -18,7 +18,7 @@ namespace devicetest
 {
 
 /**
- * The folder is in the system's folder for temporary files, which is sticky. Other users may be
+ * A temporary folder. The system's folder for temporary files is sticky, while other users may be
  * able to write the folders above the build tree.
  */
 class PluginFolder
@@ -37,7 +37,7 @@ public:
     std::filesystem::permissions(this->Path, std::filesystem::perms::owner_all, ignored);
     std::filesystem::remove_all(this->Path, ignored);
   }
-  /** Copies a plug-in from the build tree; only its owner can write the copy. */
+  /** Copies a plug-in from the build tree. Only the copy's owner can write it. */
   std::filesystem::path Add(const std::string& plugin, const std::string& name = "") const
   {
     const std::filesystem::path file = this->Path /

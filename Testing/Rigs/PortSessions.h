@@ -37,7 +37,7 @@ enum class PortKind : std::uint8_t
   WrongSign
 };
 
-/** The result of a session. */
+/** Result of a session. */
 struct PortResult
 {
   bool IsFound = false;

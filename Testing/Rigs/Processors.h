@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The processors on which the calling thread may run. Linux only.
+ * Lists the processors on which the calling thread may run. Linux only.
  */
 #ifndef Processors_h
 #define Processors_h

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** vtkPiecewiseFunctions of all kinds, and critical arguments for them. */
+/** Makes vtkPiecewiseFunctions of all kinds, and critical arguments for them. */
 #ifndef RandomFunctions_h
 #define RandomFunctions_h
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Records into its own folder until a failure. */
+/** Records into a folder of its own until a failure. */
 #ifndef RecordingFailureRig_h
 #define RecordingFailureRig_h
 

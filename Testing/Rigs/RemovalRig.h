@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tissue removed from images by loops over their samples, and its file in the format that
+ * Removes tissue from images by loops over their samples, and writes it in the file format that
  * vtkHapticRemoval::WriteFile() documents.
  */
 #ifndef RemovalRig_h

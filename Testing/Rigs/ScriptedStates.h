@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** States of a device, made by a formula. */
+/** Makes states of a device from a formula. */
 #ifndef ScriptedStates_h
 #define ScriptedStates_h
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A session on a ramp, for each method.
+ * Runs a session on a ramp, for each method.
  */
 #ifndef ServoFixture_h
 #define ServoFixture_h

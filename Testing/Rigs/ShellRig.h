@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Tools with a shape on small volumes. Lengths are in millimetres unless stated otherwise. */
+/**
+ * Leads tools with a shape through small volumes. Lengths are in millimetres unless stated
+ * otherwise.
+ */
 #ifndef ShellRig_h
 #define ShellRig_h
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Sign checks in closed loop with a simulated hand: through the force gate and the safety stage,
- * with encoders of a finite quantum, slow reports and late forces.
+ * Runs sign checks in closed loop with a simulated hand: through the force gate and the safety
+ * stage, with encoders of a finite resolution, slow reports and late forces.
  */
 #ifndef SignTrials_h
 #define SignTrials_h
@@ -14,7 +14,7 @@
 
 namespace signtest
 {
-/** The properties of a device that matter to the servo. */
+/** Properties of a device that matter to the servo. */
 struct Port
 {
   double Rate = 1000.0;     ///< Hz, rate of the servo

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** A direction that is not along an axis. */
+/** Makes a rotation about a direction that is not along an axis. */
 #ifndef Slanted_h
 #define Slanted_h
 

@@ -40,14 +40,14 @@ struct StiffArm
 
   static constexpr double Period = 1e-3; ///< s
   double RoundTrip() const { return Period * (1 + 2 * this->Delay); }
-  /** Returns 2 b / T. */
+  /** Returns 2 b / T (N/m): the stiffness up to which a sampled wall is passive. */
   double Sampled() const { return 2.0 * this->Damping / this->RoundTrip(); }
 
   static StiffArm FalconLike() { return { "Falcon-like", 0.1, 0.5, 0.2, 6e-5, 1, 8.0 }; }
   static StiffArm TouchLike() { return { "Touch-like", 0.045, 0.5, 0.2, 5.5e-5, 0, 3.3 }; }
 };
 
-/** How the arm is pressed. */
+/** A way to press the arm. */
 struct StiffPress
 {
   bool IsHeld = false;
@@ -56,7 +56,7 @@ struct StiffPress
   double Gain = 1.0;  ///< stiffness of the wall in units of 2 b / T
   bool Augments = false;
   double MaximumForceRate = 500.0; ///< N/s
-  /** Slack (m) of the wall's spring as in PassiveSpring.h: |f| = K (|d| - slack). */
+  /** Slack (m) of the wall's spring, as in PassiveSpring.h: |f| = K (|d| - slack). */
   double Slack = 0.0;
 };
 
@@ -66,18 +66,21 @@ struct StiffResult
   double Swing = 0.0; ///< m, swing of the tip during the hold
   /**
    * Energy that the port gave to the hand, divided by the energy that the port took and that
-   * damping and friction lost (while the wall is felt).
+   * damping and friction lost while the wall was felt.
    */
   double Ratio = 0.0;
   double MostGiven = 0.0; ///< J: largest energy that the hand has got beyond what it had put in
-  /** The same without the help of the dry friction, which the account does not know. */
+  /**
+   * J: as MostGiven, but without the energy that the dry friction takes, which the account does not
+   * know.
+   */
   double MostWithoutFriction = 0.0;
   double Deepest = 0.0;  ///< m
   bool IsDamped = false; ///< whether PortDamper acted
   bool IsCut = false;    ///< whether a fault cut the force
 };
 
-/** Presses for two seconds and releases for one. The hold is measured from 1.0 to 1.9 s. */
+/** Presses for two seconds and releases for one second. Measures the hold from 1.0 s to 1.9 s. */
 inline StiffResult PressStiffly(const StiffArm& arm, const StiffPress& press)
 {
   using namespace VolumeHaptics;

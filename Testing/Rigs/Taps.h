@@ -33,7 +33,7 @@ struct TapResult
   double Effective = 0.0; ///< N/m
   double Returned = 0.0;  ///< energy with which the arm leaves, divided by the energy with which it
                           ///< came
-  /** J: largest energy that port and friction ever gave beyond what they took */
+  /** J: largest energy that port and friction have given beyond what they took */
   double MostGiven = 0.0;
   std::vector<double> Forces; ///< N, forces sent in each tick from the touch on
 };

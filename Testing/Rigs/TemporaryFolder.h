@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** The files of a test program, in its own folder, which is removed at the program's end. */
+/** Gives a test program a folder for its files, which is removed at the program's end. */
 #ifndef TemporaryFolder_h
 #define TemporaryFolder_h
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A source of time steps.
+ * Makes a source of time steps.
  */
 #ifndef TimeSource_h
 #define TimeSource_h

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The carrier of the models: a kernel that knows nothing of emulation lets hidapi talk to them.
+ * Tests the carrier of the HID models: hidapi talks to the models through a kernel that knows
+ * nothing of emulation.
  */
 #include "Emulators/HidOverUsb.h"
 #include "Emulators/SmallModels.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * EmulatedHid on a real kernel: the tests that are written for umockdev's run on it as they are.
+ * Implements EmulatedHid on a real kernel, so that tests written for umockdev run unchanged.
  */
 #include "Emulators/EmulatedHid.h"
 
@@ -16,7 +16,7 @@ namespace emulated
 {
 namespace
 {
-/** Ports that are taken, a bit each. The first three are those of the tests of USB devices. */
+/** Ports in use, one bit each. The first three ports belong to the tests of USB devices. */
 unsigned int Taken = 7;
 
 int ClaimPort()
@@ -35,7 +35,7 @@ std::string NameOf(int port)
   return "1-" + std::to_string(port + 1);
 }
 
-/** The node of the device in a port; empty if the kernel has made none. */
+/** Returns the node of the device in a port; empty if the kernel has made none. */
 std::string FindNode(const std::string& port)
 {
   std::error_code none;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * EmulatedUsb on a real kernel: the tests that are written for umockdev's run on it as they are.
+ * Implements EmulatedUsb on a real kernel, so that tests written for umockdev run unchanged.
  */
 #include "Emulators/EmulatedUsb.h"
 
@@ -32,7 +32,8 @@ std::string ReadLine(const std::filesystem::path& path)
 }
 
 /**
- * The driver that is bound to the interface, usbfs for a program that has claimed it; "" for none.
+ * Returns the driver that is bound to the interface: "usbfs" if a program has claimed it, "" for
+ * none.
  */
 std::string BoundTo(const std::string& port)
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A USB device that this user may not open, with the permissions that a kernel gives it without a
- * rule.
+ * Tests a USB device that this user may not open, with the permissions that a kernel without a rule
+ * gives it.
  */
 #include "Rigs/FalconRig.h"
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Two roads to the same force-feedback device on a real kernel: reports through hidraw, and effects
- * through the kernel's own driver (hid-pidff, evdev's force feedback). Prints how fast each is and
- * what is left of the force when its process dies. Documentation/devices/wheels.md has the figures
- * and what follows from them.
+ * Compares two ways to the same force-feedback device on a real kernel: reports through hidraw, and
+ * effects through the kernel's own driver (hid-pidff, evdev's force feedback). Prints how fast each
+ * way is, and which force remains when its process dies. Documentation/devices/wheels.md has the
+ * figures and the conclusions.
  */
 
 #include "Emulators/EmulatedHid.h"
@@ -39,7 +39,7 @@ double Since(std::chrono::steady_clock::time_point begin)
 constexpr int Full = 32767;
 constexpr int Duration = 100; ///< ms, length of the effect
 
-/** A way to push x of the device: levels are -Full to Full. */
+/** A way to push along the device's x. Levels are from -Full to Full. */
 class Road
 {
 public:
@@ -51,7 +51,7 @@ public:
   virtual bool Refresh() = 0;
 };
 
-/** OpenFFBoard's reports, to the byte: PidDialogue's sequence. */
+/** A way through hidraw, with OpenFFBoard's reports, byte by byte as PidDialogue sends them. */
 class Hidraw : public Road
 {
 public:

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The carrier of the models: a kernel that knows nothing of emulation lets libusb talk to them.
+ * Tests the carrier of the USB models: libusb talks to the models through a kernel that knows
+ * nothing of emulation.
  */
 #include "Emulators/SmallModels.h"
 #include "Emulators/VirtualUsb.h"
@@ -15,8 +16,8 @@ namespace machinetest
 using namespace emulated;
 
 /**
- * A device of libusb's, once the kernel has it. The context is a new one each time: an old one only
- * learns of what is plugged in from udev's daemon, which is not here.
+ * libusb's handle of a device, once the kernel has the device. Each handle has a new context,
+ * because an old context learns of new devices only from udev's daemon, which does not run here.
  */
 class UsbHandle
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Waits for what a kernel does in its own time, and says how long it takes.
+ * Waits for the kernel, and measures how long it takes.
  */
 #ifndef Waiting_h
 #define Waiting_h
@@ -15,7 +15,7 @@
 
 namespace machinetest
 {
-/** Polls until something holds; false after a generous time. */
+/** Polls until `holds` returns true. Returns false after a generous time. */
 template <typename F>
 bool Eventually(F&& holds)
 {
@@ -31,7 +31,7 @@ bool Eventually(F&& holds)
   return true;
 }
 
-/** Prints how often something was done in a second, at its end. */
+/** Counts events. At its end, prints how many events there were per second. */
 class RateOf
 {
 public:

@@ -16,7 +16,7 @@ using Clock = std::chrono::steady_clock;
 const char* lastError = "no error";
 Clock::time_point lastRead;
 
-/** Locks the fake, if this device is open. */
+/** Locks the fake library, if this device is open. */
 struct Opened
 {
   explicit Opened(char id)
@@ -37,7 +37,7 @@ struct Opened
   const bool Is;
 };
 
-/** Moves the hand by the time since the last read, in steps of at most a millisecond. */
+/** Moves the hand for the time since the last read, in steps of at most a millisecond. */
 bool Move(FakeForceDimension& fake)
 {
   const auto now = Clock::now();

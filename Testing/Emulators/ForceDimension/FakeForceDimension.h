@@ -68,9 +68,9 @@ struct FakeForceDimension : FakeForceDimensionState
 {
   std::mutex Mutex;
 
-  /** Forgets what an earlier test did. The device must be closed. */
+  /** Forgets the state of earlier tests. The device must be closed. */
   void Reset() { static_cast<FakeForceDimensionState&>(*this) = {}; }
-  /** Returns the fake in the library, if the program is linked to the library. */
+  /** Returns the fake library's state, if the program is linked to the library. */
   static FakeForceDimension& Get();
 };
 

@@ -78,9 +78,9 @@ struct FakeOpenHaptics : FakeOpenHapticsState
   std::mutex Mutex;
   std::atomic<long> Frames{ 0 };
 
-  /** Forgets what an earlier test did. The scheduler must not run. */
+  /** Forgets the state of earlier tests. The scheduler must not run. */
   void Reset() { static_cast<FakeOpenHapticsState&>(*this) = {}; }
-  /** Returns the fake in the library, if the program is linked to the library. */
+  /** Returns the fake library's state, if the program is linked to the library. */
   static FakeOpenHaptics& Get();
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A stand-in for Force Dimension's header of this name: see dhdc.h.
+ * A stand-in for Force Dimension's header of the same name (see dhdc.h).
  */
 #ifndef FakeDrdc_h
 #define FakeDrdc_h
