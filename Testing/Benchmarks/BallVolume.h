@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The volumes that are touched, and their models.
+ * Describes the volumes that the benchmarks touch, and makes models of them.
  */
 #ifndef BallVolume_h
 #define BallVolume_h
@@ -19,9 +19,9 @@
 namespace benchmarks
 {
 
-/** Radius, in voxels and mm, of the level along which the tip slides. */
+/** Radius (voxels, and mm) of the level along which the tip slides. */
 constexpr double BallRadius = 100.0;
-/** The value at that level. */
+/** Value at the radius BallRadius. */
 constexpr double BallLevel = 2000.0 - BallRadius * BallRadius / 20.0;
 
 /**
@@ -44,14 +44,14 @@ struct Estimator
   std::string Name;
   VolumeHaptics::GradientEstimator Kind;
   int Radius;
-  /** Taps per axis, if the gradient is a sum over taps; otherwise 0. */
+  /** Number of taps per axis, if the gradient is a sum over taps; otherwise 0. */
   int Taps;
 };
 
 /** Returns all estimators that are measured. */
 const std::vector<Estimator>& GetEstimators();
 
-/** The settings with which a model is touched. */
+/** Settings with which a model is touched. */
 struct ModelChoice
 {
   VolumeHaptics::HapticMethod Method = VolumeHaptics::HapticMethod::Proxy;
@@ -61,9 +61,11 @@ struct ModelChoice
   VolumeHaptics::LocalSurfaceShape LocalShape = VolumeHaptics::LocalSurfaceShape::Plane;
   std::shared_ptr<const VolumeHaptics::BakedLabels> Labels;
   VolumeHaptics::SurfaceGeometry Geometry = VolumeHaptics::SurfaceGeometry::Scalars;
-  /** Whether PRECISE has the paper's surfaces: alignment Distinctness, materials of the kernel. */
+  /**
+   * Whether PRECISE has the paper's surfaces: alignment Distinctness, and materials of the kernel.
+   */
   bool IsPlacedAsThePaper = false;
-  /** For a moving volume. */
+  /** Time steps of a moving volume; empty for a volume at rest. */
   std::vector<VolumeHaptics::VolumeTimeStep> TimeSteps;
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The smallest possible cost of a gradient: reading its taps.
+ * Measures the smallest possible cost of a gradient: reading its taps.
  */
 #ifndef BareGather_h
 #define BareGather_h
@@ -13,8 +13,9 @@ namespace benchmarks
 {
 
 /**
- * Returns a number to which each sample of a cube contributes (the sum of its columns' sums modulo
- * 2^16). Takes the cube's corner and the distances between lines and between planes.
+ * A function that returns a number to which each sample of a cube contributes: the sum of its
+ * columns' sums, modulo 2^16. Its arguments are the cube's corner, and the distances between lines
+ * and between planes.
  */
 using Gather = std::int32_t (*)(const std::int16_t* corner, std::int64_t line, std::int64_t plane);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The measurements. Each registered benchmark refers to its volume, which must outlive it.
+ * Registers the benchmarks. Each benchmark refers to its volume, which must outlive it.
  */
 #ifndef Benchmarks_h
 #define Benchmarks_h

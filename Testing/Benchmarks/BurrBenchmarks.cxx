@@ -29,11 +29,11 @@ struct BurrChoice
 };
 
 /**
- * A burr large enough that the surface it leaves is within 0.05 voxel: in tissue so soft that it
- * removes a layer of bone, and in tissue so hard that it removes little.
+ * Burrs so large that the surface they leave is right within 0.05 voxel. "soft": the burr removes a
+ * layer of bone. "hard": the burr removes little.
  */
 constexpr BurrChoice SmallBurrs[] = { { "soft", 4.0, 1.0 }, { "hard", 4.0, 100.0 } };
-/** Burrs that use all the time that a tick has for removal. */
+/** Burrs that need all the time that a tick has for removal. */
 constexpr BurrChoice LargeBurrs[] = { { "radius16", 16.0, 0.05 }, { "radius30", 30.0, 0.05 } };
 
 /** A burr that slides around the ball, 2 mm deep, and removes tissue. */

@@ -29,10 +29,10 @@ namespace
 
 /** Depth (mm) at which the tip is held below the surface. */
 constexpr double Depth = 2.0;
-/** Number of ticks, so large that the rest of an Update() does not matter. */
+/** Number of ticks. It is so large that the other costs of an Update() don't matter. */
 constexpr int Ticks = 100000;
 
-/** Returns a path into the ball and then along its surface again and again. */
+/** Returns a path into the ball, and then several times around along its surface. */
 std::vector<Vector3> SlideFor(const BallVolume& volume, int ticks)
 {
   constexpr int approach = 100; // ticks
@@ -98,7 +98,9 @@ vtkSmartPointer<vtkVolumeHapticsFilter> MakeFilter(
   return filter;
 }
 
-/** Measures the ticks alone, as the filter runs them, with or without the value at the proxy. */
+/**
+ * Measures the ticks alone as the filter runs them, with or without reading the value at the proxy.
+ */
 void Bare(benchmark::State& bench, const BallVolume& volume, HapticSolver solver, bool withValue)
 {
   const std::vector<Vector3> tips = SlideFor(volume, Ticks);
@@ -125,7 +127,7 @@ void Bare(benchmark::State& bench, const BallVolume& volume, HapticSolver solver
   }
 }
 
-/** Measures an Update() of the filter; the time is per tick. */
+/** Measures an Update() of the filter, as time per tick. */
 void Whole(
   benchmark::State& bench, const BallVolume& volume, HapticSolver solver, const char* arrays)
 {
@@ -152,7 +154,7 @@ double Time(vtkVolumeHapticsFilter* filter)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/** Returns the time (s) of a purely arithmetic task that is divided among threads. */
+/** Returns the time (s) of a purely arithmetic task that several threads share. */
 double TimeArithmetic(int threads)
 {
   constexpr int steps = 40000000;
@@ -183,7 +185,7 @@ double TimeArithmetic(int threads)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/** Measures one and two threads in turns and prints the speed-up. Returns the median. */
+/** Measures one thread and two threads alternately, and prints the speed-up. Returns its median. */
 template <typename Timing>
 double PrintSpeedup(const std::string& name, int repetitions, const Timing& timing)
 {

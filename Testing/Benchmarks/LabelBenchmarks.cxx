@@ -30,7 +30,7 @@ LabelTable MakeTable()
   return LabelTable(entries);
 }
 
-/** Returns labels: 1 within BallRadius of the volume's centre, 0 elsewhere. */
+/** Returns a label image: label 1 within BallRadius of the volume's centre, and 0 elsewhere. */
 template <typename T>
 BakedLabels MakeBall(const BallVolume& volume, ScalarType type)
 {

@@ -16,7 +16,7 @@
 namespace benchmarks
 {
 
-/** Processor time of an iteration (ns). */
+/** Processor time (ns) of an iteration. */
 struct IterationTime
 {
   double Median; ///< median time of the repetitions
@@ -37,8 +37,9 @@ public:
   void ReportRuns(const std::vector<Run>& runs) override;
 
   /**
-   * Returns the time of a benchmark; NaN if it was not measured. With "/p50" after the name,
-   * returns the benchmark's counter p50 (ns): its own measurement of single iterations.
+   * Returns the time of a benchmark, or NaN if it was not measured. With "/p50" after the name,
+   * returns the benchmark's counter p50 (ns), which the benchmark has measured from single
+   * iterations.
    */
   IterationTime operator[](const std::string& name) const;
 

@@ -73,7 +73,10 @@ HapticModelDescription Describe(const std::vector<ModeDescription>& modes)
   return d;
 }
 
-/** Measures a tip near a circle of 20 mm, at 0.1 m/s, with a lag that the modes hold in part. */
+/**
+ * Measures ticks of a tip that moves near a circle of 20 mm at 0.1 m/s. The modes hold the tip's
+ * lag in part.
+ */
 void MeasureModes(benchmark::State& bench, const std::vector<ModeDescription>& modes)
 {
   const HapticModel model(Describe(modes));
@@ -120,7 +123,7 @@ void MeasureModes(benchmark::State& bench, const std::vector<ModeDescription>& m
   }
 }
 
-/** Measures the work of servo and filter after a tick that computes the force of each mode. */
+/** Measures the work that servo and filter do after a tick to compute the force of each mode. */
 void MeasureModeForces(benchmark::State& bench, const std::vector<ModeDescription>& modes)
 {
   const HapticModel model(Describe(modes));

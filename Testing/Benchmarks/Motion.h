@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The positions at which the volumes are touched.
+ * Computes the positions at which the volumes are touched.
  */
 #ifndef Motion_h
 #define Motion_h
@@ -20,12 +20,12 @@ namespace benchmarks
 /** Depth (mm) at which the tip is held below the surface. */
 constexpr double Depth = 2.0;
 
-/** Continuous indices, which are also mm; some are stated to be in m. */
+/** Positions in index space, which are also mm. Some functions return m instead. */
 using Positions = std::vector<VolumeHaptics::Vector3>;
 
 /**
- * Returns positions once around the volume's centre on a great circle oblique to all axes, in steps
- * of 0.1 mm, which are 0.1 m/s at 1 kHz.
+ * Returns positions once around the volume's centre, on a great circle oblique to all axes. Their
+ * steps are 0.1 mm, which is 0.1 m/s at 1 kHz.
  */
 Positions SlideAt(const BallVolume& volume, double radius);
 
@@ -40,11 +40,17 @@ struct Slide
   /** Measures ticks, round after round. Returns the last tick's record. */
   VolumeHaptics::TickRecord Measure(
     benchmark::State& bench, const VolumeHaptics::HapticModel& model) const;
-  /** Returns whether the proxy slides in nine tenths of a round. It may stick for single ticks. */
+  /**
+   * Returns whether the proxy slides in at least nine tenths of a round's ticks. It may stick for
+   * single ticks.
+   */
   bool IsSliding(const VolumeHaptics::HapticModel& model) const;
 };
 
-/** Returns random positions away from the border. They touch far more memory than a cache holds. */
+/**
+ * Returns random positions away from the border. Their samples take far more memory than a cache
+ * has.
+ */
 Positions Scattered(const BallVolume& volume);
 
 /** Repeats positions endlessly. */
@@ -69,8 +75,8 @@ private:
 };
 
 /**
- * Returns a zero that depends on a result. Added to the next position, it keeps the processor from
- * starting with that position early, because a servo waits for each of its ticks.
+ * Returns a zero that depends on a result. If the zero is added to the next position, the processor
+ * can't begin with that position before the result is known: a servo, too, waits for each tick.
  */
 inline double Wait(double result)
 {

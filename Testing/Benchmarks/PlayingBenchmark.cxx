@@ -31,7 +31,8 @@ namespace
 constexpr int TimeSteps = 8;
 constexpr double FramesPerSecond = 20.0;
 /**
- * Number of turns. Rows are measured in turns, so that a temporary disturbance affects all of them.
+ * Number of turns. All rows of the table are measured in each turn, so that a temporary disturbance
+ * affects all rows.
  */
 constexpr int Turns = 8;
 constexpr double Turn = 1.0;     // s
@@ -40,7 +41,7 @@ constexpr double Settling = 0.3; // s, after Start()
 constexpr auto Pause = std::chrono::milliseconds(16);
 
 /**
- * Makes a time step. The inside is at lower x, and the wall advances by one voxel per time step.
+ * Makes a time step. The body is at lower x, and its wall advances by one voxel per time step.
  */
 vtkSmartPointer<vtkImageData> MakeFrame(int size, int number)
 {
@@ -62,7 +63,7 @@ vtkSmartPointer<vtkImageData> MakeFrame(int size, int number)
   return image;
 }
 
-/** A row of the table, measured in turns. */
+/** Results of a row of the table. */
 struct Row
 {
   const char* Name;
@@ -140,9 +141,9 @@ std::uint64_t CountOwn(const LoopCounts& counts)
 }
 
 /**
- * Prints whether changing time steps cost a tick. If the loop is late by itself while nothing
- * changes, the machine causes that many late ticks: the clock of a virtual machine's thread goes on
- * while the host has taken the processor.
+ * Prints whether changing time steps cost a tick. A loop without changes shows how many ticks the
+ * machine makes late: in a virtual machine, the clock of a thread goes on while the host runs
+ * something else.
  */
 void Judge(const LoopCounts& still, const LoopCounts& changing)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A moving volume under a device, in real time.
+ * Measures a servo on a moving volume, in real time.
  */
 #ifndef PlayingBenchmark_h
 #define PlayingBenchmark_h
@@ -12,10 +12,12 @@ namespace benchmarks
 
 /**
  * Plays time steps of size^3 samples, 20 per second, to a servo at 1 kHz whose hand rests on a
- * wall. Prints how many ticks were left out, and why, in turns with the same volume held still and
- * with a loop without a volume. A tick counts as the loop's own fault if its thread computed for
- * longer than a period (by the thread's clock) or waited for a lock or the disk; otherwise the
- * machine did not run the thread.
+ * wall. Prints how many ticks were left out, and why. Alternates with the same volume at rest, and
+ * with a loop without a volume.
+ *
+ * A left-out tick counts as the loop's own fault if its thread computed for longer than a period
+ * (by the thread's clock), or waited for a lock or the disk. Otherwise, the machine did not run the
+ * thread.
  */
 void MeasurePlaying(int size);
 

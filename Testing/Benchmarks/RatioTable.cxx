@@ -15,21 +15,24 @@ namespace
 
 constexpr double NoTarget = 0.0;
 /**
- * Largest ratio between ticks in a volume 32 times as large and in the small one, with warm caches.
- * They should cost the same; the rest is noise.
+ * Largest ratio of ticks in a volume 32 times as large to ticks in the small volume, with warm
+ * caches. Both should cost the same; the rest is noise.
  */
 constexpr double SameCost = 1.15;
 /** Largest ratio of PRECISE to PAPER in contact. */
 constexpr double PreciseTarget = 4.0;
-/** Largest ratio of the median tick with labels to that without. */
+/** Largest ratio of the median tick with labels to the median tick without labels. */
 constexpr double LabelTarget = 1.25;
 /** Largest ratio of PRECISE's default settings to the paper's placement and alignment. */
 constexpr double PlacementTarget = 1.25;
-/** Largest ratio of PRECISE on a moving volume (a blend of two frames) to one at rest. */
+/**
+ * Largest ratio of PRECISE on a moving volume (a blend of two time steps) to PRECISE on a volume at
+ * rest.
+ */
 constexpr double BlendTarget = 2.2;
 /**
- * Largest ratios of a gradient to reading its taps, with the taps in the cache and not in the
- * cache.
+ * Largest ratios of a gradient to the reading of its taps: with the taps in the cache, and with the
+ * taps in memory.
  */
 constexpr double WarmTarget = 2.0;
 constexpr double ColdTarget = 1.3;
@@ -41,14 +44,13 @@ constexpr double SurfaceTarget = 10.0;
 constexpr double ModeTarget = 1.5;
 constexpr double SetTarget = 4.0;
 /**
- * Largest ratios of these ticks to a tick of PRECISE, which takes 0.6 us where both targets are
- * reached.
+ * Largest ratios of these ticks to a tick of PRECISE, which takes 0.6 us if both targets are met.
  */
 constexpr double ModeRatio = 2.5;
 constexpr double SetRatio = 6.7;
 /** Longest tick (us) of a tool of 10^4 points. */
 constexpr double ShellTarget = 250.0;
-/** Longest time (ns) of a step in addition to its gradient. */
+/** Longest time (ns) that a step takes beyond its gradient. */
 constexpr double RestTarget = 60.0;
 /** Longest ticks (ns) of the offline filter with all its outputs. */
 constexpr double PaperFilterTarget = 250.0;

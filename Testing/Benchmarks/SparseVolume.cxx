@@ -25,8 +25,8 @@ struct Mapping
 };
 
 /**
- * Unmaps the file when the array is deleted. Background work may read the array for some
- * milliseconds after it was cancelled.
+ * Unmaps the file when the array is deleted. Background work may still read the array for some
+ * milliseconds after its cancellation.
  */
 void UnmapWith(vtkDataArray* array, const Mapping& mapping)
 {

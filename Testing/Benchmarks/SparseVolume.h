@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A cubic int16 image in a memory-mapped file that is almost all hole, so that a volume of any size
- * takes neither memory nor disk space until something reads it. The mapping ends with its array.
+ * Makes a cubic int16 image in a memory-mapped file that is almost all hole. A volume of any size
+ * takes neither memory nor disk space until its samples are read. The mapping ends with its array.
  */
 #ifndef SparseVolume_h
 #define SparseVolume_h
@@ -17,22 +17,25 @@
 namespace benchmarks
 {
 
-/** The value is 0 everywhere but in a cube of 64^3 samples in the middle, where it is 20 k. */
+/**
+ * A volume with the value 0, except for a cube of 64^3 samples in the middle, where the value is 20
+ * k.
+ */
 class SparseVolume
 {
 public:
   /**
-   * Throws std::runtime_error if there is no room for the file, which has no name. Puts the samples
-   * into `array`, or into an array of its own if it is null.
+   * Puts the samples into `array`, or into a new array if it is null. The file has no name. Throws
+   * std::runtime_error if there is no room for the file.
    */
   explicit SparseVolume(int size, vtkShortArray* array = nullptr);
   SparseVolume(const SparseVolume&) = delete;
   SparseVolume& operator=(const SparseVolume&) = delete;
 
   vtkImageData* GetImage() const { return this->Image; }
-  /** Returns the middle of the cube, in indices along each axis, which are also world units. */
+  /** Returns the middle of the cube along each axis, in indices (which are also world units). */
   double GetMiddle() const { return 0.5 * this->Size; }
-  /** Returns the number of bytes that are in memory. */
+  /** Returns the number of the volume's bytes that are in memory. */
   std::size_t GetResident() const;
 
 private:

@@ -19,7 +19,7 @@ namespace benchmarks
 namespace
 {
 
-/** Returns the level along which the tip slides, as cut by vtkFlyingEdges3D. */
+/** Returns a mesh of the level along which the tip slides, made by vtkFlyingEdges3D. */
 std::shared_ptr<const SurfaceMesh> MakeMesh(const BallVolume& volume)
 {
   vtkNew<vtkFlyingEdges3D> contour;
@@ -50,7 +50,7 @@ std::shared_ptr<const SurfaceMesh> MakeMesh(const BallVolume& volume)
   return std::make_shared<const SurfaceMesh>(points, triangles, directions);
 }
 
-/** Measures rounds in contact. */
+/** Measures ticks in contact, round after round. */
 void MeasureRounds(benchmark::State& bench, const BallVolume& volume, const ModelChoice& choice)
 {
   const auto model = MakeModel(volume, GetEstimators()[2], choice);

@@ -15,8 +15,8 @@ namespace
 {
 
 /**
- * The parts of a model. The model itself is made in the benchmark, so that only the running
- * benchmark takes memory and cache.
+ * The parts of a model. Each benchmark makes its model when it runs, so that only its own model
+ * takes memory and cache.
  */
 struct Scene
 {
@@ -42,7 +42,7 @@ void MeasureSlide(benchmark::State& bench, const Scene& scene)
   }
 }
 
-/** Whether time steps have displacements, which tell where the material goes. */
+/** Whether time steps have displacements, which say where the material moves. */
 enum class Displacements
 {
   None,
@@ -50,7 +50,7 @@ enum class Displacements
 };
 
 /**
- * A ball that grows and shrinks by 1 mm in 50 ms, in a span of three time steps, as a servo has it.
+ * A ball that grows and shrinks by 1 mm in 50 ms, as a time span of three time steps.
  */
 class Beating
 {
@@ -83,8 +83,8 @@ public:
 
 private:
   /**
-   * Displaces outwards by 1 mm in the first time step and inwards in the second; not at the very
-   * middle.
+   * Fills in displacements: outwards by 1 mm in the first time step, inwards in the second, and
+   * none at the very middle.
    */
   void FillMotion(const BallVolume& volume)
   {

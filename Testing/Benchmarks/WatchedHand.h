@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A hand at rest that observes the servo's loop from the loop's own thread: how late ticks are, and
+ * Watches the servo's loop with a hand at rest, from the loop's own thread: how late ticks are, and
  * why.
  */
 #ifndef WatchedHand_h
@@ -20,7 +20,7 @@ namespace benchmarks
 /** Counts of a loop's ticks. */
 struct LoopCounts
 {
-  /** Why the loop left out ticks between two of its ticks. */
+  /** Reasons why the loop left out ticks between two of its ticks. */
   enum Cause
   {
     Computed, ///< the thread computed for longer than a period

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The time from a force to the sample that answers it, at 1 kHz, for a device that answers at once:
- * with its driver on a thread of this process, and in a guard process. There is no bus, so the
- * difference is the cost of the guard.
+ * Measures the time from a force to the sample that answers the force, at 1 kHz, for a device that
+ * answers at once. Compares a driver on a thread of this process with a driver in a guard process.
+ * There is no bus, so the difference is the cost of the guard.
  *
- * usage: volumehaptics-guard-benchmark [--seconds S]   (S is the time of a line of the table, 5 s
- * by default)
+ * usage: volumehaptics-guard-benchmark [--seconds S]   (S is the time of each line of the table, 5
+ * s by default)
  */
 
 #include "Core/Realtime/ServoClock.h"
@@ -28,7 +28,7 @@ namespace
 constexpr std::int64_t Period = ServoClock::Millisecond;
 constexpr double Microsecond = 1e3; // ns
 
-/** Reports each force as a position, as soon as the force arrives. */
+/** A driver that reports each force as a position, as soon as the force arrives. */
 class EchoDriver : public HardwareDriver
 {
 public:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Fractions in bricks, compared with a table of all samples.
+ * Compares the fractions in bricks with a table of all samples.
  */
 
 #include "Core/Carving/CarvedBricks.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * One thread removes tissue. Another thread follows it without a lock, and requests undo and redo.
- * The test also runs under the thread sanitizer.
+ * Removes tissue in one thread, while another thread follows the removal without a lock, and
+ * requests undo and redo. The test also runs under the thread sanitizer.
  */
 
 #include "Core/Carving/TissueRemoval.h"

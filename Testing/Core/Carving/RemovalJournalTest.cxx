@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Undo, redo and reset, compared with copies of all fractions after each stroke.
+ * Compares undo, redo and reset with copies of all fractions after each stroke.
  */
 
 #include "Core/Carving/TissueRemoval.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * B4: removed tissue is written to an image and read back, equal to the bit.
+ * B4: writes removed tissue to an image and reads it back. Both must be equal to the bit.
  */
 
 #include "Core/Carving/TissueImage.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Copies of the fractions at one tick, in one thread; RemovalHandOffTest tests them with two
+ * Tests copies of the fractions at one tick, in one thread. RemovalHandOffTest tests them with two
  * threads.
  */
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * All results of the sampler near the border and beyond, compared with naive code.
+ * Compares all results of the sampler near the border and beyond with naive code.
  */
 
 #include "NaiveField.h"

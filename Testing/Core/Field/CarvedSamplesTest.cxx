@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Reading a volume with removed tissue gives the same bits as reading a volume of the remaining
- * samples; where nothing was removed, it gives the same bits as reading without bricks.
+ * Expects that reading a volume with removed tissue gives the same bits as reading a volume of the
+ * remaining samples. Where nothing was removed, it must give the same bits as reading without
+ * bricks.
  */
 
 #include "Core/Field/FieldSampler.h"

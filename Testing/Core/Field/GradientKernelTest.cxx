@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The Gaussian's weights, measured with impulses: tabulated and interpolated, they must equal those
- * of the documented formula.
+ * Measures the Gaussian's weights with impulses. Tabulated and interpolated, they must equal the
+ * weights of the documented formula.
  */
 
 #include "NaiveField.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * All instruction sets give the same bits, so that a trace does not depend on the processor.
+ * Expects that all instruction sets give the same bits, so that a trace does not depend on the
+ * processor.
  */
 
 #include "Core/Field/LabelSampler.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Values and gradients of a TestVolume, computed directly from the formulas: each tap is read by
- * its index, and an index beyond the border gives the border's sample.
+ * Computes values and gradients of a TestVolume directly from the formulas. Each tap is read by its
+ * index, and an index beyond the border gives the border's sample.
  */
 #ifndef NaiveField_h
 #define NaiveField_h

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The device may be placed anywhere in the world, rotated and at any scale. The offline filter has
- * an upright device only.
+ * Tests devices that are placed anywhere in the world, rotated and at any scale. (The offline
+ * filter has only an upright device.)
  */
 
 #include "Rigs/CoreScene.h"

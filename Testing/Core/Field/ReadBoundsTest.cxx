@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The sampler reads no sample in front of the first or behind the last one. The volume is placed
- * once at the end of the accessible memory and once at its beginning, so that a stray read ends the
- * test.
+ * Expects that the sampler reads nothing before the first sample or after the last one. The volume
+ * is placed once at the end of the accessible memory and once at its beginning, so that a stray
+ * read ends the test.
  */
 
 #include "Rigs/TestVolume.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Vectors and tensors at continuous positions, compared with analytic fields and with a slow sum
+ * Compares vectors and tensors at continuous positions with analytic fields, and with a slow sum
  * over all taps, component by component.
  */
 

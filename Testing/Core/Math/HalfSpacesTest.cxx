@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The nearest point that half-spaces allow, compared with alternating projections.
+ * Compares the nearest point that half-spaces allow with alternating projections.
  */
 
 #include "Core/Math/HalfSpaces.h"

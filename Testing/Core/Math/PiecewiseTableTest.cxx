@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The baked table equals the piecewise-linear function, for any positions of its break points.
+ * Expects that the baked table equals the piecewise-linear function, for any positions of its break
+ * points.
  */
 
 #include "PolylineChecks.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Piecewise-linear functions, evaluated in the simplest way and compared with their baked table.
+ * Evaluates piecewise-linear functions in the simplest way, and compares them with their baked
+ * table.
  */
 #ifndef PolylineChecks_h
 #define PolylineChecks_h

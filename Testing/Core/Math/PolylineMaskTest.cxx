@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Masks, compared with their definition.
+ * Compares masks with their definition.
  */
 
 #include "Core/Math/PolylineMask.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Eigenvalues and eigenvectors of matrices made from known ones, and their defining properties.
+ * Tests eigenvalues and eigenvectors of matrices that are made from known ones, and their defining
+ * properties.
  */
 
 #include "Core/Math/SymmetricEigen.h"

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Where a cut keeps a volume, and how far away its faces are, compared with the definitions of
- * planes and of VTK's 27 cropping regions, in an oblique image with three different spacings.
+ * Tests where a cut keeps a volume, and how far away its faces are. The expected values follow from
+ * the definitions of planes and of VTK's 27 cropping regions. The image is oblique and has three
+ * different spacings.
  */
 
 #include "Core/Model/CutAway.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The wall in front of forbidden labels is where geometry places it: closed forms of balls,
- * cylinders and planes.
+ * Expects the wall in front of forbidden labels where geometry places it: at the closed forms of
+ * balls, cylinders and planes.
  */
 
 #include "Core/Model/ForbiddenZone.h"

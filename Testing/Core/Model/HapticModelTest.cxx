@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Lengths that the model derives from the volume.
+ * Tests the lengths that the model derives from the volume.
  */
 
 #include "Rigs/CoreScene.h"

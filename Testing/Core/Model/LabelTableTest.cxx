@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The table of labels finds what was put into it, and nothing else. It is compared with std::map.
+ * Expects that the table of labels finds exactly the labels that were put into it. Compares it with
+ * std::map.
  */
 
 #include "Core/Model/BakedLabels.h"

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Walls between labels equal those of a slow reference, in random volumes.
+ * Compares walls between labels with a slow reference, in random volumes.
  *
- * The reference knows the equations of LabelWalls.h and GradientKernel.h, and only the module's
- * interface. It computes the window at every tap with exp(), sums the fraction of each label in a
- * map, voxel by voxel, and takes the slopes of the weights from central differences.
+ * The reference is written from the equations of LabelWalls.h and GradientKernel.h and shares no
+ * code with the module. It computes the window at each tap with exp(), sums the fraction of each
+ * label in a map, voxel by voxel, and takes the slopes of the weights from central differences.
  */
 
 #include "Core/Law/MaterialLaw.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Walls between labels have the right positions and normals. The expectations are closed forms
+ * Tests the positions and normals of walls between labels. The expected values are closed forms
  * (planes, balls, sheets) and, for the errors due to voxels, the figures of a prototype that
- * weighted binary balls by Gaussians of s = 1, 1.5 and 2 voxels.
+ * smoothed binary balls with Gaussians of s = 1, 1.5 and 2 voxels.
  */
 
 #include "Core/Model/LabelWalls.h"

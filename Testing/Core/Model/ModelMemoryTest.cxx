@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The memory that a model needs in addition to the image: less than 1 MiB, and no more for a large
- * image.
+ * Tests the memory that a model needs besides the image: less than 1 MiB for an image of any size.
  */
 
 #include "Rigs/AllocationCounter.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Nearest points and swept spheres, compared with slow searches.
+ * Compares nearest points and swept spheres with slow searches.
  */
 
 #include "Rigs/MeshScene.h"

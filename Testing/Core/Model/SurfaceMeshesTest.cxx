@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Meshes as they occur: coarse, sharp, cracked, overlapping or empty; with hands at high speeds.
+ * Tests meshes as users have them (coarse, sharp, cracked, overlapping or empty) with hands at high
+ * speeds.
  */
 
 #include "Rigs/SurfaceRig.h"

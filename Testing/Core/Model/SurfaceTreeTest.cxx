@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The tree of boxes, compared with a slow search; and its limit of work per tick.
+ * Compares the tree of boxes with a slow search, and tests its limit of work per tick.
  */
 
 #include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Walls between labels in images with thick slices have the positions and normals of the labelled
- * shape: a ball, a plane, a shell, whose normals and positions are closed forms.
+ * Tests walls between labels in images with thick slices. Their positions and normals must be those
+ * of the labelled shape (a ball, a plane, a shell), which are closed forms.
  */
 
 #include "Core/Field/FineLabels.h"

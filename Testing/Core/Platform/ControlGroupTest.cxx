@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The memory that a control group leaves, read from folders with the layouts of both kernel
- * interfaces (Documentation/admin-guide/cgroup-v1/memory.rst and cgroup-v2.rst of Linux).
+ * Tests how much memory a control group leaves. The test writes folders with the layouts of both
+ * kernel interfaces (Documentation/admin-guide/cgroup-v1/memory.rst and cgroup-v2.rst of Linux).
  */
 
 #include "Core/Platform/ControlGroup.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The limits of the process that reads files: here it answers with the limits that it has while it
- * reads. The bytes of requests and answers are written out again in this test.
+ * Tests the limits of the process that reads files. Here, that process answers with the limits that
+ * it has while it reads. The test writes out the bytes of requests and answers again.
  */
 
 #include "Core/Platform/ReaderProcess.h"

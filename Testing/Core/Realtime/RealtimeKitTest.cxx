@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A servo without privileges asks RealtimeKit, and no answer does harm.
+ * Tests that a servo without privileges asks RealtimeKit, and that no answer does harm.
  *
- * The service is simulated on the test's own bus by played_rtkit.py, which is written from rtkit's
+ * played_rtkit.py simulates the service on the test's own bus, and is written from rtkit's
  * published interface. The test reads the results from the kernel.
  */
 

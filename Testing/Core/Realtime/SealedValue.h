@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A value of several cache lines that shows if two writes are mixed, and its reader.
+ * A value of several cache lines, which shows if two writes are mixed, and its reader.
  */
 #ifndef SealedValue_h
 #define SealedValue_h

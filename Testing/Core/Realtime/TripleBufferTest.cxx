@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The latest value passes completely from one thread to another.
+ * Expects that the latest value passes completely from one thread to another.
  */
 
 #include "Core/Realtime/TripleBuffer.h"

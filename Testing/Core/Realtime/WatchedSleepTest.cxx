@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * If a sleeper's processor does not wake it up, it is woken up on another processor, and nothing
- * else about it changes. The tests read from the kernel where a thread runs and may run.
+ * Expects that a sleeper whose processor does not wake it up is woken up on another processor, and
+ * that nothing else of the sleeper changes. The tests read from the kernel where a thread runs and
+ * may run.
  */
 
 #include "Core/Realtime/WatchedSleep.h"

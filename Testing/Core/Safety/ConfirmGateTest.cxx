@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The force gate of a device whose signs are not yet confirmed, compared with a gate that gets the
- * same events and has nothing to confirm. The states are the same, except for Confirming instead of
- * Ramping and Armed, and none of the volume's force ever passes.
+ * Tests the force gate of a device whose signs are not confirmed yet. Compares it with a gate that
+ * gets the same events and has nothing to confirm: the states must be the same, except for
+ * Confirming instead of Ramping and Armed, and no force of the volume may pass.
  */
 
 #include "Core/Safety/ForceGate.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The pulse at touch-down has the specified impulse and frequency, makes walls feel stiffer to a
- * tap, and gives no energy.
+ * Expects that the pulse at touch-down has the specified impulse and frequency, makes walls feel
+ * stiffer to a tap, and gives no energy.
  */
 
 #include "Rigs/Taps.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The observer finds unstable loops, and raises no alarm at hands: compared with the theory of
+ * Expects that the observer finds unstable loops and raises no alarm for hands: by the theory of
  * sampled springs (SampledLoop.h), and in random sessions of an arm, a device and a volume
  * (ArmSessions.h).
  */

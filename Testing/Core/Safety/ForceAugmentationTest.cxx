@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Walls that are stiffer than the loop can hold by itself.
+ * Tests walls that are stiffer than the loop can hold without help.
  *
  * Theory: a sampled spring with a viscous friction b is passive up to K = 2 b / T (Colgate and
  * Schenkel 1997), and with encoder steps q and dry friction f up to 2 f / q (Abbott and Okamura
- * 2005). Energies are the exact ones of the arm, not those of the account.
+ * 2005). The test computes the energies exactly from the arm, not from the account.
  */
 
 #include "Rigs/StiffWalls.h"
@@ -21,7 +21,8 @@ using namespace rigs;
 namespace
 {
 /**
- * Slew limit (N/s), which is that of 6000 N/m at 0.5 m/s. It does not limit hits at up to 0.1 m/s.
+ * N/s: slew limit, which is the rate of a press at 0.5 m/s into 6000 N/m. It does not limit hits at
+ * up to 0.1 m/s.
  */
 constexpr double FastRate = 3000.0;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The force gate in random sequences of events, compared with a model that has a flag for each
+ * Compares the force gate in random sequences of events with a model that has a flag for each
  * cause.
  */
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The force gate: every event in every state, compared with a table that is written by hand.
+ * Compares the force gate with a table that is written by hand, for every event in every state.
  */
 
 #include "Core/Safety/ForceGate.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The safety stage with StiffnessGain and TransientGain: whatever they add, the force grows at most
- * by the slew limit, fades with the gate, and gives no energy.
+ * Tests the safety stage with StiffnessGain and TransientGain. With both, the force must grow at
+ * most by the slew limit, fade with the gate, and give no energy.
  */
 
 #include "SafetyRig.h"
@@ -299,9 +299,9 @@ struct Path
 };
 
 /**
- * Leads a tip through a wall of a stiffness (N/m). Returns the largest energy (J) that the tip ever
- * got beyond what it had put in: from the pulses alone, or from all forces, with the damping's b
- * v^2 on its side.
+ * Leads a tip through a wall of a stiffness (N/m). Returns the largest energy (J) that the tip got
+ * beyond what it had put in. With `isPulse`, counts only the pulses; otherwise all forces, with the
+ * work of the damping, b v^2, on the tip's side.
  */
 double FindMostGiven(const Path& path, double stiffness, bool augments, double gain, bool isPulse)
 {

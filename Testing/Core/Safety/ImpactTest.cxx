@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A mass without damping flies against a spring, in closed loop through the safety stage. With the
- * slew limit, it never leaves with more energy than without.
+ * Throws an undamped mass against a spring, in closed loop through the safety stage. With the slew
+ * limit, the mass must leave with at most the energy that it has without it.
  *
  * In each tick, the mass moves exactly as under a constant force: x += v T + a T^2 / 2, v += a T.
- * An undamped sampled spring adds energy by itself: the characteristic polynomial of x, v under
- * f = -k x held for T is z^2 - (2 - k T^2 / 2m) z + 1 + k T^2 / 2m, so that in a tick the energy
- * grows by 1 + k T^2 / 2m.
+ * An undamped sampled spring adds energy by itself: the characteristic polynomial of x, v under f =
+ * -k x held for T is z^2 - (2 - k T^2 / 2m) z + 1 + k T^2 / 2m. So in a tick the energy grows by
+ * the factor 1 + k T^2 / 2m.
  */
 
 #include "Rigs/Impacts.h"

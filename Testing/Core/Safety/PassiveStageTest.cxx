@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * No rule of the safety stage adds energy, alone or with the others: a hand that is led into a
- * conservative force field and out again gets no more energy from the stage than it has put in.
+ * Expects that no rule of the safety stage adds energy, alone or with other rules. A hand that is
+ * led into a conservative force field and out again gets at most the energy that it has put in.
  */
 
 #include "Rigs/RandomPresses.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Damping at the port only takes energy, whatever the hand does.
+ * Expects that damping at the port only takes energy, for any motion of the hand.
  */
 
 #include "Core/Safety/PortDamper.h"

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The observer finds a device that runs away against its force, and raises no alarm at honest
- * devices: in closed form, and in random sessions of a hand, a device and a wall (PortSessions.h).
+ * Expects that the observer finds a device that runs away against its force, and raises no alarm
+ * for honest devices: in closed form, and in random sessions of a hand, a device and a wall
+ * (PortSessions.h).
  *
- * With a wrong sign, a spring k on a mass m obeys x'' = +(k / m) x: x = a cosh(w t), w^2 = k / m.
- * With the right sign, x = v / w sin(w t).
+ * With a wrong sign, a mass m on a spring k obeys x'' = +(k / m) x, so x = a cosh(w t) with w^2 = k
+ * / m. With the right sign, x = v / w sin(w t).
  */
 
 #include "Core/Safety/PortObserver.h"

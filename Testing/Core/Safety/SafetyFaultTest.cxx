@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Faults cut the force, and the force stays cut until the user arms again.
+ * Expects that faults cut the force, and that the force stays zero until the user arms again.
  */
 
 #include "SafetyRig.h"

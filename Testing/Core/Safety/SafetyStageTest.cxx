@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Clamp, slew limit, ramp and watchdog.
+ * Tests the limit of the force, the slew limit, the ramp and the watchdog.
  */
 
 #include "SafetyRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The commands of all joints are scaled down by the same factor.
+ * Expects that the commands of all joints are reduced by the same factor.
  */
 
 #include "SafetyRig.h"

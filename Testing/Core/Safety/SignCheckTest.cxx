@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The check of a device's signs, in closed loop with simulated hands (SignTrials.h).
+ * Tests the check of a device's signs, in closed loop with simulated hands (SignTrials.h).
  */
 
 #include "Rigs/SignTrials.h"

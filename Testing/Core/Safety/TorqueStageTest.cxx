@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The outgoing torque stays within its bound, grows at most by its limit, acts only while force may
- * flow, and gives no more energy than the hand has put in.
+ * Expects that the outgoing torque stays within its bound, grows at most by its limit, acts only
+ * while force may flow, and gives at most the energy that the hand has put in.
  */
 
 #include "Core/Safety/TorqueStage.h"

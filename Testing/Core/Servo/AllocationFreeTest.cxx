@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Ticks never allocate memory.
+ * Expects that ticks never allocate memory.
  */
 
 #include "Core/Solvers/Primitives/PrimitivesMethod.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * If the caps of the stiffness change during contact, the hand gains no energy.
+ * Expects that a hand gains no energy when the caps of the stiffness change during contact.
  */
 
 #include "Core/Servo/ServoTick.h"

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A mass without damping is thrown against a spring in the whole loop; the model clamps the force.
- * With the slew limit, the mass returns with no more energy than without.
+ * Throws an undamped mass against a spring in the whole loop, while the model limits the force.
+ * With the slew limit, the mass must return with at most the energy that it has without it.
  *
- * The clamp takes no energy. A mass m at a speed v that meets a spring k clamped to F stops at a
- * depth x with F x - F^2 / 2k = m v^2 / 2. It gets all of that back, plus what sampling adds
- * (ImpactTest.cxx).
+ * The limit of the force takes no energy. A mass m at a speed v that meets a spring k limited to F
+ * stops at a depth x with F x - F^2 / 2k = m v^2 / 2. It gets all of this energy back, plus what
+ * sampling adds (ImpactTest.cxx).
  */
 
 #include "Rigs/PlayedDevice.h"

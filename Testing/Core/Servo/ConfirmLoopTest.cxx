@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The loop with a device whose signs have not been confirmed yet: the volume is felt only after the
- * tip has moved in the direction of the force.
+ * Tests the loop with a device whose signs are not confirmed yet. The volume may be felt only after
+ * the tip has moved in the direction of the force.
  */
 
 #include "Rigs/HeldDevice.h"

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The servo's clock of a moving volume, tick by tick. Compared with folding a time by repeated
- * reflection and subtraction, and with the closed form of a wall that moves as a whole.
+ * Tests the servo's clock of a moving volume, tick by tick. The references fold a time by repeated
+ * reflection and subtraction, and use the closed form of a wall that moves as a whole.
  *
- * The wall is V = 100 (z - h(t)). With linear blending it is at h(t), and h is linear between time
- * steps.
+ * The wall is V = 100 (z - h(t)). With linear blending, its surface is at h(t), which is linear
+ * between time steps.
  */
 
 #include "Core/Servo/DataClock.h"

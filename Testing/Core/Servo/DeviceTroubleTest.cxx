@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Faults of the back ends: frozen, lost, quenched, closed, and at the end of a recording.
+ * Tests back ends in trouble: frozen, lost, quenched, closed, and at the end of a recording.
  */
 
 #include "Devices/Replay/ReplayDevice.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A force that fades out reaches zero without a step, and a loop without attention from its owner
- * fades out by itself.
+ * Expects that a force which fades out reaches zero without a step, and that a loop without
+ * attention from its owner fades out by itself.
  */
 
 #include "Rigs/FadingLoop.h"

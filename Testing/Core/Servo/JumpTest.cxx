@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A model is published under an armed hand. A force that would leap grows with the ramp instead,
- * and the proxy is not carried far.
+ * Publishes a model while a hand is armed. A force that would jump must grow with the ramp instead,
+ * and the proxy must not be carried far.
  *
- * The spring is 1000 N/m on a ramp along z whose surface nothing moves, pressed 1 mm deep. If the
- * proxy is carried by c, the force is 1000 N/m (1 mm + c).
+ * The spring has 1000 N/m, is pressed 1 mm deep, and its surface stays in place on a ramp along z.
+ * If the proxy is carried by c, the force is 1000 N/m (1 mm + c).
  */
 
 #include "Rigs/PlayedDevice.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The loop starts and stops, and measures its time.
+ * Tests that the loop starts and stops, and measures its time.
  */
 
 #include "Rigs/PlayedDevice.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * LOCAL_SURFACE in a running loop: the slow thread answers, also while models change.
+ * Tests LOCAL_SURFACE in a running loop. The slow thread must answer, also while models change.
  */
 
 #include "Rigs/LocalSurfaceRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The loop: when orders take effect, and that force flows only while it may.
+ * Tests when orders take effect in the loop, and that force flows only while it may.
  */
 
 #include "Rigs/PlayedDevice.h"

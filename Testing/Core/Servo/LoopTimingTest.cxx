@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Time by the device's clock: report periods, round trips and speeds from the samples' own times,
- * on simulated devices whose times are known; and springs that are capped by these times.
+ * Tests times by the device's clock: report periods, round trips and speeds from the samples' own
+ * times, on simulated devices with known times; and springs that are capped by these times.
  *
- * The closed loop is a mass with friction, integrated exactly under a force that is constant during
- * a tick (SampledLoop.h). The theory of sampled data tells where it is unstable, independently of
- * LoopTiming.
+ * The closed loop is a mass with friction. It is integrated exactly under a force that is constant
+ * during a tick (SampledLoop.h). The theory of sampled data says where the loop is unstable,
+ * independently of LoopTiming.
  */
 
 #include "Core/Servo/LoopTiming.h"
@@ -48,8 +48,8 @@ DeviceSample MakeSign()
 }
 
 /**
- * A device in a loop of 1 kHz that measures every few ticks, and applies a force a few ticks after
- * it was written.
+ * A device in a loop of 1 kHz that measures every `Every` ticks, and applies a force `Delay` ticks
+ * after it was written.
  */
 class LateDevice
 {

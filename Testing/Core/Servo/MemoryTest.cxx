@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A running loop locks the memory that it uses, but no memory of a volume that is mapped from a
- * file. The tests read the kernel's own figures: mincore(2), and VmLck in /proc/self/status.
+ * Expects that a running loop locks the memory that it uses, but no memory of a volume that is
+ * mapped from a file. The tests read the kernel's own figures: mincore(2), and VmLck in
+ * /proc/self/status.
  */
 
 #include "Core/Realtime/MemoryLock.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The owners of a model. No owner keeps a model that was freed.
+ * Tests the owners of a model: no owner may keep a model that was freed.
  */
 
 #include "Core/Servo/ModelExchange.h"

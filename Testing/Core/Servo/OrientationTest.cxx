@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The stylus's orientation passes through the loop, and invalid orientations do not. No force
- * depends on the orientation.
+ * Expects that the stylus' orientation passes through the loop and that invalid orientations do
+ * not. The force must not depend on the orientation.
  */
 
 #include "Rigs/PlayedDevice.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Ticks neither allocate nor lock, whatever happens around them.
+ * Expects that ticks neither allocate nor lock, for anything that happens around them.
  */
 
 #include "Rigs/PlayedDevice.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The statistics of the latest durations, compared with sorting.
+ * Compares the statistics of the latest durations with those of a sorted list.
  */
 
 #include "Core/Servo/RecentDurations.h"

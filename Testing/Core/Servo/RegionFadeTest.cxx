@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * If data are missing, the force fades and the proxy moves with the tip. When data are back, the
- * force returns in the same way.
+ * Expects that the force fades and the proxy moves with the tip while data are missing. When the
+ * data are back, the force must return as slowly.
  */
 
 #include "RegionRig.h"

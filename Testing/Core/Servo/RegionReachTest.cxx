@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The residency counts all samples that a tick reads: kernels, x_s and x_v, and the walk to the far
- * side of an edge.
+ * Expects that the residency counts all samples that a tick reads: kernels, x_s and x_v, and the
+ * walk to the far side of an edge.
  *
- * Random strokes in random boxes are compared with the same strokes in the whole volume, so that
- * the test notices any read outside of the box. The length of a walk is three kernel radii, in
- * voxels along the normal (FarSide.h). How the residency falls is described in
- * Documentation/method.md.
+ * The test compares random strokes in random boxes with the same strokes in the whole volume, so it
+ * notices any read outside of the box. The length of a walk is three kernel radii, in voxels along
+ * the normal (FarSide.h). Documentation/method.md describes how the residency falls.
  */
 
 #include "Core/Regions/Residency.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A region of a volume gives the same force as the whole volume to the bit, also while regions
- * change under a hand that presses.
+ * Expects that a region of a volume gives the same force as the whole volume to the bit, also while
+ * regions change under a hand that presses.
  */
 
 #include "RegionRig.h"

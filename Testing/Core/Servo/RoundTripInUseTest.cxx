@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The round trip in use grows at once. It shrinks only after a while and only while no force acts.
+ * Expects that the round trip in use grows at once, and shrinks only after a while and only while
+ * no force acts.
  */
 
 #include "Core/Servo/RoundTripInUse.h"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A servo that moves through a volume of 2 GiB, mapped from a file, finds its samples in memory.
- * The tests read the kernel's own figures: page faults of the servo's thread (getrusage(2)), pages
- * of the file in memory (mincore(2)) and locked pages (/proc/self/smaps). The pages of a box are
- * compared with those of all its samples, one by one.
+ * Expects that a servo which moves through a volume of 2 GiB, mapped from a file, finds its samples
+ * in memory. The tests read the kernel's own figures: page faults of the servo's thread
+ * (getrusage(2)), pages of the file in memory (mincore(2)) and locked pages (/proc/self/smaps).
+ * They compare the pages of a box with those of all its samples, one by one.
  */
 
 #include "Rigs/MappedFile.h"

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The stiffness at which a sampled spring becomes unstable, by theory: stiffness k, sampled with
- * period T, on a mass m with damping b.
+ * Computes by theory whether a sampled spring is unstable: stiffness k, sampled with period T, on a
+ * mass m with damping b.
  *
- * Over a period with constant force f, position and velocity become A (x, v) + B f with
- * e = exp(-bT/m), A = (1, (1 - e) m/b; 0, e), B = (T/b - (1 - e) m/b^2; (1 - e)/b). With f = -k x
- * from `delay` ticks ago, the loop is unstable if an eigenvalue of the whole system has a modulus
- * above 1.
+ * Over a period with constant force f, position and velocity become A (x, v) + B f with e =
+ * exp(-bT/m), A = (1, (1 - e) m/b; 0, e), B = (T/b - (1 - e) m/b^2; (1 - e)/b). With f = -k x from
+ * `delay` ticks ago, the loop is unstable if an eigenvalue of the whole system has a modulus above
+ * 1.
  */
 #ifndef SampledLoop_h
 #define SampledLoop_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The force stays within its limit, whatever the tip does.
+ * Expects that the force stays within its limit, for any motion of the tip.
  */
 
 #include "Rigs/ServoFixture.h"

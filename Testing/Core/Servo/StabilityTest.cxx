@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The closed loop of a device and the servo's tick becomes unstable at the stiffness that the
- * theory of sampled data predicts (T16).
+ * Expects that the closed loop of a device and the servo's tick becomes unstable at the stiffness
+ * that the theory of sampled data predicts (T16).
  */
 
 #include "Devices/Virtual/VirtualDevice.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Publishes a thousand models while the loop runs at 5 kHz, one thread reads states and another
- * records.
+ * Publishes a thousand models while the loop runs at 5 kHz, one thread reads states, and another
+ * thread records.
  */
 
 #include "Core/State/ServoStateNumbers.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Percentiles from fixed buckets, exact to 1/8.
+ * Expects that percentiles from fixed buckets are right within 1/8.
  */
 
 #include "Core/Servo/TimeHistogram.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A tool with a shape in a running loop: force and torque stay within their limits, whatever is
- * published; the tool's memory is freed with the models; a replay from a stored state and its
+ * Tests a tool with a shape in a running loop: force and torque stay within their limits, for any
+ * published model; the tool's memory is freed with the models; a replay from a stored state and its
  * contacts is equal to the bit; and a hand whose device measures no orientation can be turned.
  */
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Every value passes from one thread to another in order, and values that found no room are
- * counted.
+ * Expects that every value passes from one thread to another in order, and that values without room
+ * are counted.
  */
 
 #include "Core/Servo/TraceRing.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Edges blurred by a Gaussian, so that their widths are known, which move by known distances.
+ * Tests the estimate of an edge's motion. The edges are blurred by a Gaussian, so their widths are
+ * known, and they move by known distances.
  */
 
 #include "Core/Field/Estimates/EdgeMotion.h"

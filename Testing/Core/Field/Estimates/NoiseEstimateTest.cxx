@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The noise estimate of volumes of any size, compared with the known standard deviation: a sample's
- * noise is uniform among the whole numbers -a ... a, whose variance is a (a + 1) / 3.
+ * Compares the noise estimate of volumes of any size with the known standard deviation. Each
+ * sample's noise is uniform among the whole numbers -a ... a, whose variance is a (a + 1) / 3.
  */
 
 #include "Core/Field/Estimates/NoiseEstimate.h"

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * How Hounsfield units of synthetic bodies are stored. Air is at -1000 and water at 0 by the
- * definition of the unit (Hounsfield, British Journal of Radiology 46, 1973); fat, muscle, lung and
- * bone have textbook values (Bushberg, The Essential Physics of Medical Imaging, table 10-1). The
- * test adds a known offset: 1024 is the usual Rescale Intercept of DICOM (PS3.3 C.11.1); 1000 and
- * 32768 also occur.
+ * Tests the estimate of how Hounsfield units are stored, on synthetic bodies. Air is at -1000 and
+ * water at 0 by the definition of the unit (Hounsfield, British Journal of Radiology 46, 1973).
+ * Fat, muscle, lung and bone have textbook values (Bushberg, The Essential Physics of Medical
+ * Imaging, table 10-1). The test adds a known offset: 1024 is the usual Rescale Intercept of DICOM
+ * (PS3.3 C.11.1); 1000 and 32768 also occur.
  */
 
 #include "Core/Field/Estimates/StoredShift.h"
