@@ -3,22 +3,26 @@
 
 /**
  * A board with ArduinoJoystickWithFFBLibrary, written from its published source
- * (YukMingLaw/ArduinoJoystickWithFFBLibrary, version 1.0.0, commit ed86e27).
+ * (YukMingLaw/ArduinoJoystickWithFFBLibrary, version 1.0.0, commit ed86e27):
+ * - src/FFBDescriptor.h and the constructor in src/Joystick.cpp: the reports;
+ * - src/DynamicHID/DynamicHID.cpp and PIDReportHandler.cpp: the blocks and their states;
+ * - PIDReportType.h: the layout;
+ * - getEffectForce(), forceCalculator() and ApplyEnvelope() in Joystick.cpp: the forces, in the
+ *   integers of the board;
+ * - examples/SingleJoystickFFB: the sketch, which sends a report in each turn of its loop.
+ * Vendor and product numbers and the name are those of Arduino's Leonardo, the board that the
+ * library names first.
  *
- * Facts: src/FFBDescriptor.h and the constructor in src/Joystick.cpp (the reports),
- * src/DynamicHID/DynamicHID.cpp and PIDReportHandler.cpp (the blocks and their states),
- * PIDReportType.h (the layout), Joystick.cpp getEffectForce(), forceCalculator() and
- * ApplyEnvelope() (the forces, in the integers of the board); the sketch is
- * examples/SingleJoystickFFB, which sends a report in each turn of its loop. Numbers belong to
- * Arduino's Leonardo, the board that the library names first; its core gives them and the name.
+ * A direction is a number of 255 parts of a circle. If Direction Enable is the only one of its
+ * three bits that is set, both axes use the first direction; otherwise, each axis has its own. The
+ * force is
  *
- * A direction is 255 parts of a circle. If Direction Enable is the only one of the three bits that
- * is set, both axes use the first direction, else each its own. The force is
- *   magnitude sin(direction) of x, -magnitude cos(direction) of y,
- * whatever the bits of the axes are. A force above zero moves an axis towards its positive
- * end: the library's spring is -coefficient times position. So the force points to the direction,
- * contrary to OpenFFBoard and to Linux' hid-pidff. The division in ApplyEnvelope() loses an
- * effect's gain, and Device Gain is stored and not used.
+ *   magnitude sin(direction) along x, -magnitude cos(direction) along y,
+ *
+ * for any bits of the axes. A positive force moves an axis towards its positive end: the library's
+ * spring is -coefficient times position. So the force points in the direction, contrary to
+ * OpenFFBoard and to Linux' hid-pidff. The division in ApplyEnvelope() loses an effect's gain.
+ * Device Gain is stored and not used.
  */
 #ifndef ArduinoFfbModel_h
 #define ArduinoFfbModel_h

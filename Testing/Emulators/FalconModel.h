@@ -3,32 +3,34 @@
 
 /**
  * An emulated Novint Falcon behind its serial converter: loader, firmware, homing, and a grip in a
- * hand. Written from the published facts alone; every run packet advances its time by a
+ * hand. It is written from published facts alone. Every run packet advances its time by a
  * millisecond.
  *
- * Homing: libnifalcon/libnifalcon, include/falcon/firmware/FalconFirmwareNovintSDK.h (commit
- * 0cf9f06), gives the three bits of homed encoders as "(If homing mode on)", and formatInput() in
- * src/firmware/FalconFirmwareNovintSDK.cpp sends the bit of the homing mode (0x01) with every
- * packet while that is on. No source says what a packet without this bit does to a known zero. The
- * conservative reading is that the zero is lost, until the mode is on again and the grip has been
- * at both ends anew: a driver that leaves the bit out fails here, whatever a real device does.
+ * Homing: include/falcon/firmware/FalconFirmwareNovintSDK.h of libnifalcon/libnifalcon (commit
+ * 0cf9f06) describes the three bits of homed encoders as "(If homing mode on)". While that mode is
+ * on, formatInput() in src/firmware/FalconFirmwareNovintSDK.cpp sends its bit (0x01) with every
+ * packet. No source says what a packet without this bit does to a known zero. This model takes the
+ * worst case: the zero is lost until the mode is on again and the grip has been at both ends. So a
+ * driver that leaves the bit out fails here, even if a real device would accept it.
  *
- * The converter: libftdi 1.5, src/ftdi.h, has 2 to drop data that the device has sent
- * (SIO_TCIFLUSH) and 1 for data on their way to it (SIO_TCOFLUSH); its older SIO_RESET_PURGE_RX and
- * _TX, 1 and 2, are deprecated there because they are swapped.
+ * Converter: in libftdi 1.5, src/ftdi.h, 2 drops data that the device has sent (SIO_TCIFLUSH), and
+ * 1 drops data on their way to the device (SIO_TCOFLUSH). The older SIO_RESET_PURGE_RX and _TX, 1
+ * and 2, are deprecated there because they are swapped.
  *
- * Loader and answers that libnifalcon (commit f7c727a) handles:
- * - setFirmwareMode() in src/comm/FalconCommLibUSB.cpp takes the greeting's answer with a leading
- *   0x00 as well as without one, and greets up to 100 times.
+ * Loader and answers, as libnifalcon (commit f7c727a) handles them:
+ * - setFirmwareMode() in src/comm/FalconCommLibUSB.cpp accepts the greeting's answer with and
+ * without
+ *   a leading 0x00, and greets up to 100 times.
  * - nifalcon_load_firmware() in boneyard/c_driver/nifalcon_ftd2xx.c (commit 28347c2) expects 13 41
- *   as the answer to 41, all later ones 41 alone.
- * - openDevice() in src/util/FalconCLIBase.cpp tries ten times to load, and between two tries it
- *   "completely" closes the device and opens it again: a loader may be stuck until then, or one
- *   load may fail by a wrong echo or none.
- * - the greeting may be answered only after the host has waited for it.
- * - isFirmwareLoaded() in src/core/FalconFirmware.cpp: "Sometimes we need to kick out another write
- *   to get a proper return". Such an answer is late: it comes after the next packet was sent, and
- *   the next packet's own answer follows behind it.
+ * as
+ *   the first answer to 41, and 41 alone as later answers.
+ * - openDevice() in src/util/FalconCLIBase.cpp tries ten times to load. Between two attempts, it
+ *   "completely" closes the device and opens it again: a loader may be stuck until then, or a load
+ *   may fail by a wrong echo or no echo.
+ * - The answer to the greeting may come after the host has stopped waiting for it.
+ * - isFirmwareLoaded() in src/core/FalconFirmware.cpp says "Sometimes we need to kick out another
+ *   write to get a proper return". Such an answer is late: it comes after the next packet was sent,
+ *   and before that packet's own answer.
  */
 #ifndef FalconModel_h
 #define FalconModel_h

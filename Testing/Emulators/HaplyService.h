@@ -2,27 +2,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A stand-in for Haply's Inverse service, with an arm in a hand: a real WebSocket and HTTP
- * server on this computer.
+ * A stand-in for Haply's Inverse service, with an arm in a hand: a real WebSocket and HTTP server
+ * on this computer. It is written from Haply's public documentation alone,
+ * docs.haply.co/inverseSDK.
  *
- * Written from Haply's public documentation alone, docs.haply.co/inverseSDK. Of 3.5:
- * service/realtime/websocket-protocol (inventory, one state for each message),
- * service/api/simulation, service/realtime/control-commands ("vector"; forces of a tick),
- * service/commons/types (units), service/commons/basis (right, forward, up),
- * service/commons/mount-and-workspace (presets and their origins),
- * service/session-configuration/device-config (a preset is set as {"preset":{"preset":NAME}}; the
- * inventory's "config" tells it as a string), service/session-configuration/sessions (profile;
- * the Hub applies its changes in a session of a profile again to the next session),
- * service/events and service/api/events, service/api/http (version, envelope), service/tutorials/00
- * to 06 (handshake, omitted defaults, a grip's buttons and axis). Of 3.0: 3.0.2/service (maps of
- * devices, /3.0/version; up to 3.1.1 HTTP "on http://localhost:10000", which is not the WebSocket's
- * port), and /3.1/devices of the Rust client haply 0.8. That services before 3.5 take "values" is
- * from programs for them: NVIDIA Isaac Lab, isaaclab/devices/haply, and jhu-saw/sawHaplyService
- * 25f21be. That a session asks for a full state by "force_render_full_state" is from the Rust
- * client haply 0.7.1.
+ * Version 3.5:
+ * - service/realtime/websocket-protocol: inventory, one state for each message;
+ * - service/api/simulation; service/realtime/control-commands: "vector", forces of a tick;
+ * - service/commons/types: units; service/commons/basis: right, forward, up;
+ * - service/commons/mount-and-workspace: presets and their origins;
+ * - service/session-configuration/device-config: a preset is set as {"preset":{"preset":NAME}}, and
+ * is
+ *   a string in the inventory's "config";
+ * - service/session-configuration/sessions: profile. The Hub applies its changes to a session of a
+ *   profile again to the next session;
+ * - service/events and service/api/events; service/api/http: version, envelope;
+ * - service/tutorials/00 to 06: handshake, omitted defaults, a grip's buttons and axis.
  *
- * It is not documented how long a force lasts without another message, or after its client has
- * left. Here it lasts for ever, the worst case.
+ * Version 3.0: 3.0.2/service (maps of devices, /3.0/version; up to 3.1.1, HTTP is "on
+ * http://localhost:10000", which is not the WebSocket's port), and /3.1/devices of the Rust client
+ * haply 0.8. Programs for services before 3.5 send "values": NVIDIA Isaac Lab,
+ * isaaclab/devices/haply, and jhu-saw/sawHaplyService 25f21be. The Rust client haply 0.7.1 asks for
+ * a full state by "force_render_full_state".
+ *
+ * No document says how long a force lasts without another message, or after its client has left.
+ * Here it lasts forever, which is the worst case.
  */
 #ifndef PlayedHaplyService_h
 #define PlayedHaplyService_h

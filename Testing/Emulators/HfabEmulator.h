@@ -6,16 +6,21 @@
  * host.
  *
  * The controller is the firmware of forsslund/woodenhaptics, firmware/woody_teensy_mini (commit
- * 86ecdba): it reads byte by byte up to a ']'; answers 256, 512, 8, 128 and 1024 mean a rejected
- * message, with the previous counts; an accepted message feeds a watchdog of 100 ms, which else
- * switches the currents off; a current beyond the amplifiers' limit counts as zero, for that motor
- * alone; its button sets all counts to 0, as power-on does. If its switch calibration_needed is
- * set, it keeps the amplifiers off until its button is pressed, and answers with a slow sine as the
- * first count and with the first motor's requested current as the second.
+ * 86ecdba):
+ * - It reads byte by byte up to a ']'.
+ * - The answers 256, 512, 8, 128 and 1024 mean a rejected message, and repeat the previous counts.
+ * - An accepted message feeds a watchdog, which switches the currents off after 100 ms.
+ * - A current beyond the amplifiers' limit counts as zero for that motor alone.
+ * - Its button sets all counts to 0, as power-on does.
+ * - With the switch calibration_needed, it keeps the amplifiers off until its button is pressed.
+ * Until
+ *   then, it answers with a slow sine as the first count, and with the current requested of the
+ * first
+ *   motor as the second count.
  *
- * The arm is that of the published host, forsslund/hfabapi (commit cf00e97): tables of
- * hfab_math.h, positions of hfab_kinematics.cpp, Polhem's linkage by the three angles of
- * hfab_polhem.h. Slopes are differences of these positions, as in the host for Polhem.
+ * The arm is that of the published host, forsslund/hfabapi (commit cf00e97): tables of hfab_math.h,
+ * positions of hfab_kinematics.cpp, and Polhem's linkage by the three angles of hfab_polhem.h.
+ * Slopes are differences of these positions, as in the host for Polhem.
  */
 #ifndef HfabEmulator_h
 #define HfabEmulator_h

@@ -4,26 +4,29 @@
 /**
  * OpenFFBoard's firmware, written from its published source (Ultrawipf/OpenFFBoard).
  *
- * Facts of version 1.17.1, commit 160af910, of the folder Firmware/FFBoard:
+ * Facts of version 1.17.1, commit 160af910, in the folder Firmware/FFBoard:
  * - UserExtensions/Inc/usb_hid_ffb_desc.h, Src/usb_hid_1ffb_desc.c and usb_hid_2ffb_desc.c: the
- *   reports, with vendor's fields of 64 bits, and two bits with a range of 0 to 0 in the descriptor
- *   of one axis;
+ *   reports, with a vendor's fields of 64 bits, and with two bits of the range 0 to 0 in the
+ *   descriptor of one axis;
  * - UserExtensions/Src/FFBWheel.cpp and FFBJoystick.cpp: a wheel has the descriptor of two axes,
- *   too, unless it was built with FFBWHEEL_USE_1AXIS_DESC; it reads bit 2 as Direction Enable in
- *   both cases, although the descriptor of one axis says bit 1;
- * - UserExtensions/Src/usb_descriptors.cpp: names and numbers. The board's name follows "FFBoard "
- *   since version 1.16.5;
- * - Src/HidFFB.cpp: its reports' effects; Src/EffectsCalculator.cpp: their torques;
- * - UserExtensions/Src/FFBHIDMain.cpp: a report whenever something is new, else every 100 ms.
+ * too,
+ *   unless it was built with FFBWHEEL_USE_1AXIS_DESC. In both cases, it reads bit 2 as Direction
+ *   Enable, although the descriptor of one axis says bit 1;
+ * - UserExtensions/Src/usb_descriptors.cpp: names and numbers. Since version 1.16.5, the board's
+ * name
+ *   follows "FFBoard ";
+ * - Src/HidFFB.cpp: the effects of the reports; Src/EffectsCalculator.cpp: their torques;
+ * - UserExtensions/Src/FFBHIDMain.cpp: a report is sent when something is new, or after 100 ms.
  *
- * With Direction Enable an effect's share is sin(direction) of x and -cos(direction) of y, and the
- * torque is -magnitude times that, where a positive torque moves an axis towards its positive end
- * (the torque of a spring is -coefficient times position). Without it, and with the axis' bit, the
- * share is (direction - 18000) / 18000 of x and the negative of that of y's own direction.
+ * With Direction Enable, the fraction of an effect is sin(direction) along x and -cos(direction)
+ * along y. The torque is -magnitude times this fraction. A positive torque moves an axis towards
+ * its positive end (the torque of a spring is -coefficient times position). Without Direction
+ * Enable, and with the axis' bit, the fraction is (direction - 18000) / 18000 along x, and the
+ * negative of this, with y's own direction, along y.
  *
- * The previous version, 1.16.0 (HidFFB.cpp of commit 92c62ee8), has cos(direction) for y: it pushes
- * y the other way. So do all versions since 1.10.0 (commit 6ae9fac1); older versions push y as
- * 1.17.1 does.
+ * The previous version, 1.16.0 (HidFFB.cpp of commit 92c62ee8), uses cos(direction) for y, which
+ * pushes y the other way. So do all versions since 1.10.0 (commit 6ae9fac1). Older versions push y
+ * as 1.17.1 does.
  */
 #ifndef OpenFfboardModel_h
 #define OpenFfboardModel_h

@@ -4,18 +4,21 @@
 /**
  * A gamepad or a wheel and its kernel driver, as a program sees them through evdev.
  *
- * Written from the kernel, not from the driver of this library: linux/input.h (structures and
- * requests), ff.rst and gamepad.rst of its documentation of input; drivers/input/ff-core.c (the
- * owners of effects, and that closing a file removes its effects), drivers/input/ff-memless.c (when
- * effects begin, end and add up; an effect that is changed while it plays does not count as playing
- * until the timer's next tick, and if it is stopped before that, the motors stay on),
- * drivers/input/evdev.c (grabs, lost events). Axes: drivers/input/joystick/xpad.c, and
- * drivers/hid/hid-playstation.c. A jiffy is 4 ms, as of Debian's kernels.
+ * Written from the kernel, not from the driver of this library:
+ * - linux/input.h: structures and requests; ff.rst and gamepad.rst of the kernel's documentation;
+ * - drivers/input/ff-core.c: the owners of effects; closing a file removes its effects;
+ * - drivers/input/ff-memless.c: when effects begin, end and add up. An effect that is changed while
+ * it
+ *   plays does not count as playing until the timer's next tick. If it is stopped before that tick,
+ *   the motors stay on;
+ * - drivers/input/evdev.c: grabs and lost events;
+ * - drivers/input/joystick/xpad.c and drivers/hid/hid-playstation.c: the axes.
+ * A jiffy is 4 ms, as in Debian's kernels.
  *
- * The wheel is a Logitech G29 with the kernel's drivers/hid/hid-lg4ff.c: constant forces, combined
- * by ff-memless as x = sin(direction) level (an effect pulls into its direction, and 0x4000 is
- * left: linux/input.h); one byte for the device, of which 0x80 is no force; a spring towards the
- * centre; and a gain. The wheel is held by a hand.
+ * The wheel is a Logitech G29 with the kernel's drivers/hid/hid-lg4ff.c, held by a hand. ff-memless
+ * combines its constant forces as x = sin(direction) level: an effect pulls in its direction, and
+ * 0x4000 is left (linux/input.h). The device gets one byte, in which 0x80 means no force. The wheel
+ * also has a spring towards the centre, and a gain.
  */
 #ifndef PadModel_h
 #define PadModel_h

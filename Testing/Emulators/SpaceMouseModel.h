@@ -3,11 +3,13 @@
 
 /**
  * A six-axis mouse. A hand pushes and turns its cap by counts, which the mouse repeats while the
- * cap is held. The models, their axes (for most of them y is towards the hand and z down, for some
- * y is up and z away from the hand) and the numbers of the Enterprise's keys are from
- * FreeSpacenav/spacenavd, src/dev.c, commit bac572a (usbdb; bnhack_sment(), where the kernel's code
- * of a key is 255 more than its number in the report). That file does not state the lengths of
- * reports, because it reads evdev; they are 3Dconnexion's here, as in other public drivers.
+ * cap is held.
+ *
+ * The source is FreeSpacenav/spacenavd, src/dev.c, commit bac572a: the models, their axes (for most
+ * models, y points towards the hand and z down; for some, y points up and z away from the hand),
+ * and the numbers of the Enterprise's keys (usbdb; bnhack_sment(), where the kernel's code of a key
+ * is 255 more than its number in the report). That file does not state the lengths of reports,
+ * because it reads evdev. Here they are 3Dconnexion's, as in other public drivers.
  */
 #ifndef SpaceMouseModel_h
 #define SpaceMouseModel_h

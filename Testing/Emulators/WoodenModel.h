@@ -2,20 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A WoodenHaptics of 2015, with its firmware and its mechanics, written from published source.
+ * A WoodenHaptics of 2015 with its firmware and its mechanics, written from published source.
  *
  * The packets of 14 bytes, the watchdog and the calibration button are those of the mbed firmware
  * (Forsslund Systems, 2019-09-10, "Polhem USB HID interface based on the woodenhapitcs hid";
- * forsslund/haptikfabrikenapi, firmware/main.cpp, commit a72d87e): all counts are 0 when power
- * comes; `info` is the flag of the calibration button, 0 until the button is pressed, and cleared
- * by command 1; command 1 sets the first three counts to the attributes and the others to the
- * currents, while no current flows; of waiting packets it reads the last one; after 0.5 s without a
- * packet the motors are off. It answers each packet with a packet.
+ * forsslund/haptikfabrikenapi, firmware/main.cpp, commit a72d87e):
+ * - All counts are 0 when power comes.
+ * - `info` is the flag of the calibration button: 0 until the button is pressed. Command 1 clears
+ * it.
+ * - Command 1 sets the first three counts to the attributes, and the other counts to the currents,
+ *   while no current flows.
+ * - The firmware reads the last one of the waiting packets, and answers each packet with a packet.
+ * - After 0.5 s without a packet, the motors are off.
  *
  * Name, numbers and report descriptor are mbed's defaults (WoodenHaptics/woody-experimental, commit
  * 726e186, mbed-code/WoodenHapticsHID/USBDevice/USBHID/USBHID.h and USBHID.cpp), or those of PJRC's
- * raw HID for Teensy, with packets of 64 bytes; no firmware for a Teensy with these packets is
- * public, so there the rest is an assumption.
+ * raw HID for Teensy, with packets of 64 bytes. No firmware for a Teensy with these packets is
+ * public, so the rest is an assumption for that board.
  */
 #ifndef WoodenModel_h
 #define WoodenModel_h

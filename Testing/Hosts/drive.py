@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Lives with a program of others as its user does, with real keys and a real mouse, while a volume is touched in it.
+"""Uses another project's program as its user does, with real keys and a real mouse, while a volume is touched in it.
 
 usage: drive.py PYTHON PROGRAM FOLDER [VOLUME PICTURE]
 
-It runs program.py with PYTHON, which writes to FOLDER what is felt. The expectations: a spring of 500 N/m, which is what a
-filter feels like that was told nothing, on a ball whose radius is known; and of what the program gets, that it is what it
-would get without the touch, but for the keys and wheel turns that the touch has used.
+Runs program.py with PYTHON, which writes to FOLDER what is felt. Expects a spring of 500 N/m (the default of a filter)
+on a ball whose radius is known. Expects that the program gets the same events as without the touch, except for the keys
+and wheel turns that the touch has used.
 
-With the file VOLUME it takes a PICTURE of its window instead, while that is touched.
+With the file VOLUME, takes a PICTURE of the program's window instead, while the volume is touched.
 
-Needs a screen and a window manager, which host.sh brings along.
+Needs a screen and a window manager, which host.sh provides.
 """
 
 import json
@@ -44,7 +44,7 @@ def xdotool(*words):
 
 
 def write_ball(file):
-    """The ball of program.py for f3d, whose opacity rises from 0 at the least value: it is seen from 0.25 mm outside on."""
+    """Writes the ball of program.py for f3d. Its opacity rises from 0 at the least value, 0.25 mm outside of the ball."""
     count, spacing = 97, 1.0
     axis = [spacing * (i - count // 2) for i in range(count)]
     values = [max(0.0, min(1.0, 2.0 * (RADIUS + 0.25 - math.hypot(x, y, z)))) for z in axis for y in axis for x in axis]
@@ -58,7 +58,7 @@ def write_ball(file):
 
 
 def f3d_command(libraries, folder, volume=None):
-    """The line of the page, with the libraries and the volume of this test."""
+    """Returns the page's command line for f3d, with the libraries and the volume of this test."""
     page = (HERE.parents[1] / "Documentation" / "hosts.md").read_text(encoding="utf-8")
     line = re.search(r"^## f3d\n.*?```sh\n(.*?)\n```", page, re.DOTALL | re.MULTILINE)[1]
     command = re.fullmatch(r"VTK_AUTOLOAD_PATH=\S+ (f3d .*) head\.vti", line)[1].split()
@@ -101,7 +101,7 @@ class Program:
         self.place = self.state()["middle"]
 
     def find_scene(self):
-        """The corner of a scene in a page: the scene follows the pointer, which is known on the screen."""
+        """Finds the corner of a scene in a page by the pointer: the scene reports the pointer, whose place on the screen is known."""
         self.run("probe.corner = (0, 0)")
         place = {}
 
@@ -135,7 +135,7 @@ class Program:
         self.wait(what, lambda: condition(self.state()), patience)
 
     def wait_until_steady(self, what, value, looks=4, patience=PATIENCE):
-        """Until so many looks of the program, in its loop of events, see the same value."""
+        """Waits until the program's last looks, made in its event loop, have seen the same value."""
         known = {}
 
         def is_steady():
@@ -147,7 +147,7 @@ class Program:
         self.wait(what, is_steady, patience)
 
     def let_run(self, looks=6):
-        """Lets the program handle all that has come to it."""
+        """Lets the program handle all events that have arrived."""
         begin = self.state()["looks"]
         self.wait_state("its loop of events", lambda state: state["looks"] >= begin + looks)
 
@@ -164,7 +164,7 @@ class Program:
             self.fail(what)
 
     def run(self, statement):
-        """In the program, between two events."""
+        """Runs a statement in the program, between two events."""
         before = self.state()["runs"]
         new = self.folder / "command.new"
         new.write_text(statement)
@@ -202,7 +202,7 @@ class Program:
         self.point()
 
     def touch(self, radius=RADIUS):
-        """Presses the ball, until the force is that of a spring; its radius is where the hand is held."""
+        """Presses the ball until the force is that of a spring. The hand is held at the radius of the ball."""
         self.point()
         keys = self.state()["keys"]
         xdotool("key", "t")
@@ -221,7 +221,7 @@ class Program:
         self.check("the program did not get t", self.state()["keys"] == keys)
 
     def lists_keys_that_arrive(self):
-        """Each listed key that shows this list, or lets go, does so."""
+        """Expects that the listed keys work which show the list or let go."""
         if not self.runs_code:
             return
         lines = dict(line.split("\t")[::-1] for line in self.state()["listed"].splitlines() if "\t" in line)
@@ -237,7 +237,7 @@ class Program:
             self.touch()
 
     def press(self):
-        """By a step of the wheel, once the steps before are done: the wall of a ball breaks at 2 N, 4 mm deep."""
+        """Presses by a step of the wheel, after the earlier steps: the wall of a ball breaks at 2 N, 4 mm deep."""
         before = self.state()["tip"]
         xdotool("click", 4)
         self.wait_state("a step of the wheel", lambda state: math.dist(state["tip"], before) > 0.9 * STEP)
@@ -252,7 +252,7 @@ class Program:
         self.wait_state("the force of a spring", is_spring)
 
     def drag(self, back=False):
-        """The program's slider, if it has one, to another place, and back."""
+        """Drags the program's slider, if there is one, to another place and back."""
         if "drag" not in self.state():
             return
         said = len(self.state()["said"])
@@ -276,7 +276,7 @@ class Program:
         self.check("the program did not get Escape", self.state()["keys"] == keys)
 
     def hears(self, key):
-        """The program's own key does what it does."""
+        """Expects that the program's own key still works."""
         before = len(self.state()["keys"])
         xdotool("key", key)
         self.wait_state(f"the program's key {key}", lambda state: state["keys"][before:] == [key])

@@ -1,26 +1,27 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs a program of programs/ with the lines of Documentation/hosts.md, and says to drive.py what is felt in it.
+"""Runs a program of programs/ with the lines of Documentation/hosts.md, and tells drive.py what is felt in it.
 
 usage: program.py PROGRAM FOLDER [VOLUME]
 
-The program's comment "the lines of the page" is replaced by the page's block of the same name. It finds these names:
+Replaces the program's comment "the lines of the page" by the page's block of the same name. The block and the program
+use these names:
 
-image       of a ball of RADIUS around (0, 0, 0), whose values are 0 at its surface; or the file VOLUME
+image       image of a ball of RADIUS around (0, 0, 0), whose values are 0 at its surface; or of the file VOLUME
 opacity     points (value, opacity), which show the ball; the head, if there is a file
 colors      points (value, (red, green, blue))
-is_scan     whether there is a file
-hear(key)   what the program calls from its own handler of keys
-make_volume a vtkVolume of an image
-page        the lines
-change_style  what sets another style, as the program does it
+is_scan     whether there is a file VOLUME
+hear(key)   function that the program calls from its own handler of keys
+make_volume function that makes a vtkVolume of an image
+page        the lines of the page
+change_style  statement that sets another style, as the program does it
 lets_go     key that ends the touch, if the program keeps Escape to itself (optional)
-again       what opens another window of the program, which goes on when the first one is closed (optional)
+again       statement that opens another window, which stays open when the first window is closed (optional)
 probe       has watch_widget(), for lines that have no add_haptics()
-server      of trame, which shows the window in a page (optional); it ends by SIGINT
+server      trame's server, which shows the window in a page (optional); it ends by SIGINT
 
-While it runs, FOLDER/state.json has what is felt, and FOLDER/command the next statement that it runs, in its own thread of
-the GUI, between two events: as its own code would.
+While the program runs, FOLDER/state.json says what is felt. The program runs the statements in FOLDER/command one after
+another in its GUI thread, between two events, like its own code.
 """
 
 import asyncio
@@ -96,7 +97,7 @@ class Probe:
         self.watch(types.SimpleNamespace(widget=widget, device=widget.GetDevice(), style=widget.GetStyle()), None)
 
     def begin(self, target):
-        """A timer of the toolkit, by what it has; or one of VTK."""
+        """Starts a timer of the program's toolkit if it has one, or else a timer of VTK."""
         self.target = getattr(target, "plotter", target)
         if "server" in self.names:
             return self.names["server"].controller.on_server_ready.add(self.repeat_in_loop)
@@ -123,7 +124,7 @@ class Probe:
         asyncio.get_running_loop().call_later(PERIOD / 1000.0, self.repeat_in_loop)
 
     def volume(self):
-        """What the window shows."""
+        """Returns the volume that the window shows."""
         window = self.interactor.GetRenderWindow()
         if window is None:  # it was closed
             return None, None
@@ -134,8 +135,8 @@ class Probe:
         return None, None
 
     def on_screen(self, x, y):
-        """Of a place in the window, in shares of its width and height from below: the id of X11, and pixels from above.
-        Without an id they are of the screen."""
+        """Returns X11's id of the window, and the pixels from the top of a place, which is given in fractions of the
+        window's width and height from the bottom. Without an id, the pixels are those of the screen."""
         window = self.interactor.GetRenderWindow()
         if window is None:
             return 0, 0, 0
@@ -153,14 +154,14 @@ class Probe:
         return int(words[1], 16) if len(words) > 1 else 0, x, y
 
     def pointer(self):
-        """Where the program has last seen it."""
+        """Returns the place where the program has last seen the pointer."""
         window = self.interactor.GetRenderWindow()
         width, height = window.GetSize() if window else (0, 0)
         x, y = self.interactor.GetEventPosition()
         return self.on_screen(x / max(width, 1), y / max(height, 1))
 
     def middle(self):
-        """Of the volume."""
+        """Returns the middle of the volume on the screen."""
         renderer, volume = self.volume()
         if renderer is None:
             return self.on_screen(0.5, 0.5)
@@ -172,7 +173,7 @@ class Probe:
         return self.on_screen(x / width, y / height)
 
     def turn(self):
-        """A head is seen from the left, in front."""
+        """Turns the camera, so that a head is seen from the left and the front."""
         renderer, volume = self.volume()
         camera = renderer.GetActiveCamera()
         camera.SetFocalPoint(volume.GetCenter())
@@ -217,7 +218,7 @@ class Probe:
 
 
 def blocks():
-    """The first block of Python of each section of the page, by the first word of its heading."""
+    """Returns the first Python block of each section of the page, by the first word of its heading."""
     if not PAGE.exists():
         return {}
     sections = re.split(r"^## ", PAGE.read_text(encoding="utf-8"), flags=re.MULTILINE)[1:]

@@ -24,7 +24,7 @@ def documents():
 
 
 def anchors(text):
-    """The anchors of a document's headings, as GitHub makes them."""
+    """Returns the anchors of a document's headings, as GitHub makes them."""
     headings = re.findall(r"^#+ (.+)$", re.sub(r"^```.*?^```", "", text, flags=re.M | re.S), re.M)
     return {re.sub(r"[^\w\- ]", "", heading.lower()).strip().replace(" ", "-") for heading in headings}
 
@@ -78,7 +78,7 @@ def check_mentions(path, text):
 
 
 def check_class_index():
-    """The index of classes lists every public class."""
+    """Checks that the index of classes lists every public class."""
     page = "Documentation/first-touch.md"
     index = (ROOT / page).read_text(encoding="utf-8")
     for header in sorted((ROOT / "Module" / "VTK").rglob("vtk*.h")):

@@ -44,12 +44,12 @@ TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\((.*?)\)\1"|"((?:\\.|[^"\\\n])*)
 
 
 def is_read(text):
-    """Whether it is a sentence or a phrase, and no name, path, format or code."""
+    """Returns whether a text is a sentence or a phrase, and not a name, path, format or code."""
     return bool(re.search(r"[A-Za-z]{2,}[,:;.)]? +[(\"']?[A-Za-z…\d]", text)) and "#include" not in text
 
 
 def texts_of_cxx(source):
-    """The literals of an argument or a statement, joined, with the number of their line."""
+    """Yields the joined literals of each argument or statement, with the number of their line."""
     parts, line = [], 0
     for token in TOKEN.finditer(source):
         word = token.group(0)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A pulsating ball and an approaching wall, in time steps, and a hand that rests in them.
+ * Makes a pulsating ball and an approaching wall in time steps, and a hand that rests in them.
  */
 #ifndef MovingRig_h
 #define MovingRig_h

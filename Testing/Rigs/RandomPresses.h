@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Random presses of a hand that is led through a conservative force field, in and out again,
- * through the safety stage. They measure how much more energy the hand gets than it has put in.
+ * Leads a hand at random into a conservative force field and out again, through the safety stage.
+ * Measures how much more energy the hand gets than it has put in.
  *
- * The field is a spring wall: a plane or the inside of a sphere. Half of the walls have a proxy:
- * where the gate makes the proxy begin at the tip, the wall begins there, too, until the tip has
- * gone back. Walls without a proxy are armed only while the hand is outside; inside, the hand would
- * get the energy of its position.
+ * The field is a spring wall: a plane, or the inside of a sphere. Half of the walls have a proxy.
+ * Where the gate makes the proxy begin at the tip, the wall also begins there until the tip has
+ * gone back. Walls without a proxy are armed only while the hand is outside, because inside the
+ * hand would get the energy of its position.
  *
- * The device holds the force of a tick until the next one, so that a tick gives the hand the energy
- * F . dx. Around a closed path, a spring k gives k |dx|^2 / 2 per tick even without the stage: W
- * held over dx is W . dx, and the integral of W along dx is W . dx - k |dx|^2 / 2. This leak of
- * sampling is allowed for all motions with force. While a device does not report its motion, or the
- * loop stands still, the energy of the last force is allowed.
+ * The device holds the force of a tick until the next tick, so a tick gives the hand the energy F .
+ * dx. Around a closed path, a spring k gives k |dx|^2 / 2 per tick even without the stage: W held
+ * over dx is W . dx, and the integral of W along dx is W . dx - k |dx|^2 / 2. This leak of sampling
+ * is allowed for all motions with force. While a device does not report its motion, or the loop
+ * stands still, the energy of the last force is allowed.
  */
 #ifndef RandomPresses_h
 #define RandomPresses_h

@@ -2,19 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * An arm that is pressed against a stiff wall, in closed loop through the safety stage.
+ * Presses an arm against a stiff wall, in closed loop through the safety stage.
  *
- * The arm is a mass m with viscous friction b and dry friction f. Its encoder has steps, and it may
- * take forces a tick late. It is pressed by a weight, whose mass comes in addition, or held: a
- * finger of 0.3 kg on a soft grip (500 N/m, 5 N s/m) is led by muscles (100 N/m, 10 N s/m) with a
- * tremor of 0.1 mm at 9.3 Hz (the figures are in the range of ArmSessions.h). Semi-implicit steps
- * of 50 us; forces are constant between ticks, so the work of the port is exact.
+ * The arm is a mass m with viscous friction b and dry friction f. Its encoder has steps, and forces
+ * may act a tick late. Either a weight presses the arm, whose mass is added to it, or a finger
+ * holds the arm: 0.3 kg on a soft grip (500 N/m, 5 N s/m), led by muscles (100 N/m, 10 N s/m) with
+ * a tremor of 0.1 mm at 9.3 Hz. These figures are in the range of ArmSessions.h. The integration
+ * has semi-implicit steps of 50 us. Forces are constant between ticks, so the work of the port is
+ * exact.
  *
  * Figures of the arms: the Touch has 45 g at its tip, 0.26 N of dry friction, 3.3 N and steps of
  * 0.055 mm, as its data sheet is usually quoted (not read here); here its dry friction is 0.2 N.
- * The Falcon has 8 N and steps of 0.06 mm, and takes forces a millisecond late by USB. Mass and
- * friction of the Falcon, and the viscous friction of both, are those of T16 in
- * Documentation/evaluation.md: 0.1 kg, 0.5 N s/m.
+ * The Falcon has 8 N and steps of 0.06 mm, and takes forces a millisecond late by USB. The Falcon's
+ * mass (0.1 kg) and friction, and the viscous friction of both (0.5 N s/m), are those of T16 in
+ * Documentation/evaluation.md.
  */
 #ifndef StiffWalls_h
 #define StiffWalls_h

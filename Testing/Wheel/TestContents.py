@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The contents of the installed wheel: all that it needs besides VTK's wheel, and no path of the machine that built it."""
+"""Tests the contents of the installed wheel: it has all that it needs besides VTK's wheel, and no path of the machine that built it."""
 
 import importlib.metadata
 import os
@@ -44,7 +44,7 @@ def binaries():
 
 
 def dynamic(path):
-    """(needed libraries, folders in which they are searched) of a program or library."""
+    """Returns the libraries that a program or library needs, and the folders in which they are searched."""
     text = subprocess.run(["readelf", "-d", path], check=True, capture_output=True, text=True).stdout
     needed = re.findall(r"\(NEEDED\).*\[(.*)\]", text)
     places = re.findall(r"\((?:RUNPATH|RPATH)\).*\[(.*)\]", text)
@@ -75,7 +75,7 @@ def test_finds_all_libraries_beside_it(path):
 
 
 def test_carries_the_libraries_of_devices_and_codecs():
-    """The kinds of devices that need a library are there, and tell the error if none is plugged in."""
+    """Expects that the kinds of devices which need a library are there, and report the error if no device is plugged in."""
     from volumehaptics import vtkHapticDevice
 
     carried = {path.name.split("-")[0] for path in SITE.glob("volumehaptics.libs/*")}
@@ -125,7 +125,7 @@ def test_programs_run():
 
 
 def write_slice(file, z):
-    """A slice of 8 x 8 pixels, after PS3.5 (implicit VR, little endian) and PS3.10; its middle has the value 1000."""
+    """Writes a slice of 8 x 8 pixels, by PS3.5 (implicit VR, little endian) and PS3.10. Its middle has the value 1000."""
     def element(group, number, value):
         value = value.encode() if isinstance(value, str) else value
         value += b"" if len(value) % 2 == 0 else b" "
@@ -143,7 +143,7 @@ def write_slice(file, z):
 
 
 def test_its_process_reads_grids():
-    """A file that would end this process, if volumehaptics-read could not load the library."""
+    """Reads a file that would end this process if volumehaptics-read could not load the library."""
     from volumehaptics import _files
 
     with pytest.raises(ValueError, match="its reader ended"):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The wheel gives the same forces as the build with the system's VTK: $VOLUMEHAPTICS_REFERENCE_BUILD."""
+"""Expects the same forces of the wheel as of the build with the system's VTK ($VOLUMEHAPTICS_REFERENCE_BUILD)."""
 
 import json
 import os
@@ -25,7 +25,7 @@ def write_traces(folder, python, path):
 
 @pytest.fixture(scope="module")
 def traces(tmp_path_factory):
-    """The folders of the reference's traces and of the wheel's."""
+    """Returns the folders of the reference's traces and of the wheel's traces."""
     reference, ours = tmp_path_factory.mktemp("reference"), tmp_path_factory.mktemp("wheel")
     build = Path(os.environ["VOLUMEHAPTICS_REFERENCE_BUILD"])
     package = next(build.glob("lib/**/volumehaptics/__init__.py"))

@@ -33,7 +33,7 @@ ZPIXMAP, ALL_PLANES = 2, ctypes.c_ulong(-1)
 
 
 class Image(ctypes.Structure):
-    """The beginning of XImage."""
+    """The first members of Xlib's structure XImage."""
 
     _fields_ = [("width", ctypes.c_int), ("height", ctypes.c_int), ("xoffset", ctypes.c_int), ("format", ctypes.c_int),
                 ("data", ctypes.c_void_p), ("byte_order", ctypes.c_int), ("bitmap_unit", ctypes.c_int),
@@ -66,7 +66,7 @@ for function, result, arguments in (
 
 
 class Screen:
-    """What a hand does with mouse and keys, and what an eye sees, in pixels of the screen."""
+    """Moves the mouse, presses keys and reads pixels of the screen."""
 
     def __init__(self):
         self.display = X11.XOpenDisplay(None)
@@ -75,7 +75,7 @@ class Screen:
         self.root = X11.XDefaultRootWindow(self.display)
 
     def find(self, title):
-        """The window with this beginning of a title: x, y, width and height; None without one."""
+        """Returns x, y, width and height of the window whose title begins with this text, or None."""
         def search(window):
             name = ctypes.c_char_p()
             X11.XFetchName(self.display, window, ctypes.byref(name))
@@ -99,7 +99,7 @@ class Screen:
         return x.value, y.value, width.value, height.value
 
     def see(self, x, y, reach):
-        """The pixels around a place: bytes of blue, green, red, none."""
+        """Returns the pixels around a place, as bytes of blue, green, red and an unused byte."""
         image = X11.XGetImage(self.display, self.root, x - reach, y - reach, 2 * reach, 2 * reach, ALL_PLANES, ZPIXMAP)
         pixels = ctypes.string_at(image.contents.data, image.contents.bytes_per_line * image.contents.height)
         X11.XDestroyImage(image)
@@ -115,19 +115,19 @@ class Screen:
         X11.XFlush(self.display)
 
     def push(self, button):
-        """A mouse button, of which the fourth is a step of the wheel."""
+        """Clicks a mouse button. Button 4 is a step of the wheel."""
         for down in (1, 0):
             TEST.XTestFakeButtonEvent(self.display, button, down, 0)
         X11.XFlush(self.display)
 
 
 def shows_contact(pixels):
-    """Whether some pixels have the blue of the arrow that begins at the proxy, which skin, bone and stylus have not."""
+    """Returns whether some pixels have the blue of the proxy's arrow. Skin, bone and stylus do not have this colour."""
     return sum(blue > red + 90 for blue, red in zip(pixels[0::4], pixels[2::4])) >= 6
 
 
 def stroke(screen, x, y, seconds):
-    """To and fro; how often the picture changed."""
+    """Moves the mouse to and fro. Returns how often the picture changed."""
     frames, before, begin = 0, None, time.monotonic()
     reach = 60
     while (now := time.monotonic()) < begin + seconds:
@@ -141,7 +141,7 @@ def stroke(screen, x, y, seconds):
 
 
 def watch_rest(screen, x, y, seconds):
-    """The picture at its end, and how long it took to become that one."""
+    """Returns the last picture, and how long (s) it took until the picture looked like this."""
     before, begin, since = None, time.monotonic(), 0.0
     while (now := time.monotonic()) < begin + seconds:
         picture = screen.see(x, y, 40)
@@ -152,12 +152,12 @@ def watch_rest(screen, x, y, seconds):
 
 
 def count_equal(one, other):
-    """The share of equal pixels."""
+    """Returns the fraction of equal pixels."""
     return sum(one[i:i + 3] == other[i:i + 3] for i in range(0, len(one), 4)) / (len(one) / 4)
 
 
 def measure_latency(screen, x, y, rounds):
-    """Times (s) from a motion to its picture, at random moments after the hand came to rest."""
+    """Returns the times (s) from a motion to its picture, at random moments after the hand came to rest."""
     times, side = [], 0
     for _ in range(rounds):
         time.sleep(0.3 + random.uniform(0.0, 0.3))  # a fine frame is due 0.3 s after the last quick frame

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A head to touch in a plotter of PyVista, for close.sh: writes "felt" when a surface holds the hand first."""
+"""Shows a head to touch in a plotter of PyVista, for close.sh. Writes "felt" when a surface first holds the hand."""
 
 import pyvista as pv
 from volumehaptics import examples, vtkInteractorStyleHaptic

@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A library that replaces Force Dimension's, with a device in a hand. It behaves as the SDK's
- * public documentation says (Haptic and Robotic SDK 3.14): IDs of devices that are not open are
- * errors; results above zero are no errors; x is towards the user, y to the right, z up; metres,
- * newtons; forces have no effect while they are switched off.
+ * A library in place of Force Dimension's, with a device in a hand. It follows the SDK's public
+ * documentation (Haptic and Robotic SDK 3.14): IDs of devices that are not open are errors; results
+ * above zero are not errors; x points towards the user, y to the right, and z up; units are metres
+ * and newtons; forces have no effect while they are switched off.
  *
- * The search for the zero is the robotic library's regulation, which continues until drdStop(), as
- * programs for the SDK assume: sawForceDimensionSDK (jhu-saw), mtsForceDimensionDevice::Startup(),
- * and CHAI3D, CDeltaDevices.cpp, call drdStop(true) after drdAutoInit(). Until then this library
- * accepts no force; drdStop(false) switches the force off, too.
+ * The search for the zero is the robotic library's regulation, which continues until drdStop().
+ * Programs for the SDK assume this: sawForceDimensionSDK (jhu-saw),
+ * mtsForceDimensionDevice::Startup(), and CHAI3D, CDeltaDevices.cpp, call drdStop(true) after
+ * drdAutoInit(). Until then, this library accepts no force. drdStop(false) also switches the force
+ * off.
  *
  * Numbers of device types are those of forcedimension_core, test/test_constants.py.
  * dhdGetMaxForce() and dhdGetMaxTorque() return the limit in use, or a negative number if the limit

@@ -2,24 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A library that replaces OpenHaptics' libHD, with a device in a hand. It behaves as the
- * toolkit's public documentation says (OpenHaptics Toolkit 3.5, API Reference and Programmer's
- * Guide): callbacks run on the scheduler's thread; forces are set between hdBeginFrame and
- * hdEndFrame, else that is an error; hdGetError pops faults from a stack; millimetres,
- * newtons, millinewton metres; matrices have their columns first.
+ * A library in place of OpenHaptics' libHD, with a device in a hand. It follows the toolkit's
+ * public documentation (OpenHaptics Toolkit 3.5, API Reference and Programmer's Guide): callbacks
+ * run on the scheduler's thread; setting a force outside of hdBeginFrame and hdEndFrame is an
+ * error; hdGetError pops faults from a stack; units are millimetres, newtons and millinewton
+ * metres; matrices are stored column by column.
  *
- * HD_CALIBRATION_STYLE is a mask of the ways that a device supports, of which
- * hdUpdateCalibration() takes one; 3D Systems' example prefers automatic calibration to the inkwell
- * and the inkwell to a reset of the encoders (Geomagic_Touch_ROS_Drivers, HHD_Auto_Calibration(),
- * copies it). Nominal forces of a Touch are 3.3 N and, continuously, 0.88 N, as its library prints
- * them in published programs. A device may answer to its own name only ("Default Device", or
- * "Default PHANToM" before; pyOpenHaptics issue 10).
+ * HD_CALIBRATION_STYLE is a mask of the ways to calibrate a device; hdUpdateCalibration() takes one
+ * of them. 3D Systems' example prefers automatic calibration to the inkwell, and the inkwell to a
+ * reset of the encoders (Geomagic_Touch_ROS_Drivers, HHD_Auto_Calibration(), copies it). The
+ * nominal forces of a Touch are 3.3 N, and 0.88 N continuously, as its library prints them in
+ * published programs. A device may answer only to its own name ("Default Device", or "Default
+ * PHANToM" before; pyOpenHaptics issue 10).
  *
- * A second arm answers to the name "Right" only. As in jhu-saw/sawSensablePhantom
+ * A second arm answers only to the name "Right". As in jhu-saw/sawSensablePhantom
  * (components/code/mtsSensableHD.cpp, 0f16f47), all arms are initialized before the one scheduler
- * starts, and the current device, which hdMakeCurrentDevice() sets and hdBeginFrame() does not, is
- * the one that is read and set. Initializing or disabling an arm while the scheduler runs is an
- * error here.
+ * starts. Reading and setting use the current device, which hdMakeCurrentDevice() sets and
+ * hdBeginFrame() does not. Initializing or disabling an arm while the scheduler runs is an error
+ * here.
  */
 #ifndef FakeOpenHaptics_h
 #define FakeOpenHaptics_h

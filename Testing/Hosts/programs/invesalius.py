@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The program itself, with the lines of the page as a plug-in of its user, which its menu loads."""
+"""Starts InVesalius with the lines of the page as a user's plug-in, which the menu loads."""
 
 import json
 import os

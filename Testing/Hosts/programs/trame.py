@@ -18,7 +18,7 @@ server.state.trame__title = "host"
 
 
 def open_page(address):
-    """In a window of its user's browser."""
+    """Opens the page in a window of its user's browser."""
     global browser, opened
     opened = address
     browser = subprocess.Popen([

@@ -224,7 +224,7 @@ TEST_F(ShellForces, AToolIsHeldDeeperThanTheEdgeIsWide)
   edge.Fill<std::int16_t>([](std::int64_t, std::int64_t, std::int64_t k)
     { return static_cast<std::int16_t>(std::clamp<std::int64_t>(500 * (k - 18), 0, 1000)); });
   HapticModelDescription scene = Describe(edge);
-  scene.DeviceToWorld.Linear = 2000.0 * Matrix3{}; // mm: voxels of 0.5
+  scene.DeviceToWorld.Linear = 2000.0 * Matrix3{}; // makes voxels of 0.5 mm
   scene.Material.SurfaceStrength = ConstantPolyline(100.0);
   this->Settings.Level = 500.0; // at 9.5 mm
   ShellHand hand(scene, MakeSphere(4.0, 8000), this->Settings);
