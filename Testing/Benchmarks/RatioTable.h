@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The results of one run as ratios: times drift with the processor's speed, ratios much less.
- * Ratios of the least times are those of an idle machine, ratios of medians those of this machine.
+ * Prints the results of a run as ratios: times change with the processor's speed, ratios much less.
+ * Ratios of the least times are those of an idle machine; ratios of medians are those of this
+ * machine.
  */
 #ifndef RatioTable_h
 #define RatioTable_h

@@ -75,7 +75,7 @@ void TouchMemory(const std::string& bytes)
   {
     if (identity.empty())
     {
-      continue; // each device has one
+      continue; // every device has an identity
     }
     DeviceFacts facts = Read(identity);
     const DeviceFacts before = Read(other);

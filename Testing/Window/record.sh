@@ -104,8 +104,8 @@ printf '0.5 key Ctrl+z\n1.0 key q\n' > undo.txt
 play undo.txt
 grep -q "^1,Point 1,Point," head.csv || fail "an emptied list replaced the file"
 
-# A list does not replace a file of 3D Slicer of which a part was not read. It is written to a file beside that one. The
-# file follows Slicer's markups schema 1.0.3.
+# A list must not replace a file of 3D Slicer that was read only in part. Instead, it is written to a new file beside
+# it. The file follows Slicer's markups schema 1.0.3.
 cat > slicer.mrk.json << END
 {"@schema": "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/Schema/markups-schema-v1.0.3.json#",
  "markups": [

@@ -22,8 +22,8 @@ protected:
   const std::int64_t Size = 2 * this->Taps;
 };
 
-/// Returns fractions of a voxel: evenly dense ones, the intervals' ends, and values just beside
-/// them.
+/// Returns fractions of a voxel: evenly spaced fractions, the ends of the intervals, and values
+/// just beside the ends.
 std::vector<double> Fractions()
 {
   std::vector<double> fractions;
@@ -58,8 +58,8 @@ TEST_P(GradientKernelOf, WeightsAreThoseOfTheFormula)
       EXPECT_NEAR(slope[i], expected.Slope[i], 1e-13);
     }
   }
-  // The samples are a plane of ones. The smoothing weights across the plane add up to one, so the
-  // result is the weight of one tap.
+  // All samples of a plane are 1. The smoothing weights across the plane add up to 1, so the result
+  // is the weight of a single tap.
   for (int tap = 0; tap < this->Taps; ++tap)
   {
     TestVolume volume(ScalarType::UInt8, { this->Size, this->Size, this->Size });

@@ -17,7 +17,7 @@ using namespace coretest;
 
 namespace
 {
-/// A volume of interleaved vector components, without a spare byte behind the last one.
+/// A volume of interleaved vector components. Its memory ends with the last component.
 class VectorVolume
 {
 public:

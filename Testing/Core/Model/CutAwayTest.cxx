@@ -150,8 +150,8 @@ TEST_F(CutAwayPlaces, RegionsKeepWhatTheirFlagsSay)
       {
         continue;
       }
-      // The reported depth is that of a face: just in front of it, the region is that of the
-      // position; just behind it, the other one begins.
+      // Up to the reported depth, the region is that of the position. Just behind it, the region on
+      // the other side of the face begins.
       ++faces;
       EXPECT_NEAR(Norm(place.Normal), 1.0, 1e-12);
       const auto at = [&](double fraction)

@@ -147,7 +147,8 @@ TEST(ThickLabels, WallsOfABallPointOutwards)
     const Errors errors = MeasureBall(0.4, 0.4 * ratio, axis, 16.0);
     SCOPED_TRACE(testing::Message() << "1:" << ratio << " along axis " << axis << ": mean "
                                     << errors.Mean << ", worst " << errors.Worst << " degrees");
-    // For cubic voxels of 0.4 mm, the mean error is 1.35 degrees and the largest one 10.5 degrees.
+    // For cubic voxels of 0.4 mm, the mean error is 1.35 degrees, and the largest error is 10.5
+    // degrees.
     EXPECT_LT(errors.Mean, 2.0);
     EXPECT_LT(errors.Worst, 15.0);
     EXPECT_LT(errors.Rms, 0.25 * 0.4);

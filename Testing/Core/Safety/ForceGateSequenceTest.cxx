@@ -127,7 +127,7 @@ struct Flags
       : wanted < this->Opening - most             ? this->Opening - most
                                                   : wanted;
   }
-  /// Ends a tick: applies the faults, and tells whether a force would act.
+  /// Ends a tick: applies the faults, and decides whether a force acts.
   void Finish(GateReason fault, bool gap, bool isStale, bool flows, double step)
   {
     const bool retreated = this->Retreats;

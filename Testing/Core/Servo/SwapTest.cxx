@@ -85,7 +85,7 @@ std::uint64_t SumOf(const ServoSnapshot& s)
   return sum;
 }
 
-/// Checks a stream of snapshots: counts torn, repeated and skipped ones.
+/// Checks a stream of snapshots: counts torn, repeated and skipped snapshots.
 struct Watcher
 {
   std::vector<std::pair<std::uint64_t, std::uint64_t>> Sums; ///< number of each tick, and its

@@ -161,7 +161,7 @@ TEST_P(LabelWallOfSolver, HoldsWhereTheLabelsMeet)
     const TickRecord& pressed = hand.MoveTo({ x, 12, 13.5 }, 0.01);
     EXPECT_NEAR(pressed.Stiffness, stiffness, 1e-9 * stiffness);
     EXPECT_NEAR(pressed.Proxy.Z, 11.5 * Millimetre, 0.015 * Millimetre);
-    // The force is the lag times the stiffness of this region, not of the other one.
+    // The force is the lag times the stiffness of this region. The other region has no effect.
     EXPECT_NEAR(-pressed.Force.Z / (stiffness * (13.5 * Millimetre - pressed.Proxy.Z)), 1.0, 1e-9);
     const TickRecord& left = hand.MoveTo({ x, 12, 8 });
     EXPECT_EQ(Norm(left.Force), 0.0) << "the way out is free";

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Bounds for the change of a mode's force when the tip moves.
+ * Tests bounds for the change of a mode's force when the tip moves.
  *
  * For one set of primitives with its anchors, the force is k-Lipschitz in the tip: the proxy is a
  * proximal map (PrimitiveSolver.h). A mode has other primitives at each place. Let K(x) be the set

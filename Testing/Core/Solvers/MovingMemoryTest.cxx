@@ -102,7 +102,7 @@ void ExpectMemoriesChangeNothing(const HapticModelDescription& description, doub
   {
     const Vector3 tip = wanderer.Next();
     const double way = 0.0037 * i;
-    // In some ticks, the time is exactly that of a time step, or 0.
+    // In some ticks, the data time is exactly the time of a time step, or 0.
     const double time =
       i % 50 < 5 ? std::floor(way) : last * (0.5 - 0.5 * std::cos(way)) * (i % 97 == 0 ? 0.0 : 1.0);
     TickMemory anew;

@@ -100,7 +100,7 @@ TEST_P(RestingHands, V1ABallThatPulsatesPushes)
     EXPECT_NEAR(force.X, ForceOfBall(t), OnePercent) << "at " << t;
     EXPECT_NEAR(force.Y, 0.0, 1e-9);
     EXPECT_NEAR(force.Z, 0.0, 1e-9);
-    // The largest step of the force: twice that of the surface at its largest speed in this test.
+    // Allow twice the step that the surface makes at its largest speed in this test.
     EXPECT_LE(std::abs(force.X - before), 2.0 * 0.001 * K * 4.0 * Pi * Dt) << "at " << t;
     before = force.X;
   }

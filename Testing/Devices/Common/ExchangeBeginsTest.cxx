@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that after a device was not ready, its next sample begins anew for the servo.
+ * Expects that the first sample of a device that was not ready begins a new motion for the servo.
  */
 
 #include "Devices/Common/HardwareExchange.h"

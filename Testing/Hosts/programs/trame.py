@@ -13,7 +13,7 @@ plotter.add_volume(pyvista.wrap(image), clim=(-10, 10), opacity="linear", show_s
 plotter.add_slider_widget(said.append, (0.0, 1.0), pointa=(0.3, 0.1), pointb=(0.7, 0.1), color="white")
 plotter.add_key_event("u", lambda: hear("u"))
 drag = ((0.32, 0.1), (0.5, 0.1))
-server = get_server("volumehaptics-serve", client_type="vue3")  # that of the page's lines
+server = get_server("volumehaptics-serve", client_type="vue3")  # the server that the page's lines use
 server.state.trame__title = "host"
 
 

@@ -259,7 +259,7 @@ TEST_P(ReadingOfShells, MarksWhatIsSolid)
     const double same[12] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 };
     for (std::size_t i = 0; i < places.size(); ++i)
     {
-      // The reader processes four points at a time, and the remaining ones one by one.
+      // The reader processes four points at a time, and then the remaining points one by one.
       const std::size_t first = i - i % 10;
       const std::uint64_t marks =
         reader.Mark({ x.data() + first, y.data() + first, z.data() + first, 10 }, same);
