@@ -41,7 +41,7 @@ public:
   /// Returns the shift of the spring's fixed end (m).
   double GetShift() const { return this->Shift; }
   bool IsDone() const { return this->Readings.size() == this->Pairs; }
-  /// Whether the handle does not move: the current way takes longer than MostTime.
+  /// Returns whether the handle does not move: the current way takes longer than MostTime.
   bool IsStuck() const { return this->WayTime > MostTime; }
   const std::vector<Reading>& GetReadings() const { return this->Readings; }
 

@@ -19,7 +19,7 @@ struct ToolStreams
   std::ostream& Out;
   std::ostream& Errors;
 
-  /// Shows what the user has to do, and waits for Enter. Returns false and reports an error if the
+  /// Shows a request to the user, and waits for Enter. Returns false and reports an error if the
   /// input ends first.
   bool AskForEnter(const char* wish);
 };

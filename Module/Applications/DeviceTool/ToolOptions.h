@@ -25,10 +25,12 @@ struct ToolOptions
   };
   Command What = Command::Help;
   std::string Id;
-  std::string File;                 ///< file of the recording
-  std::string Firmware;             ///< firmware file; empty: the one of the environment variable
-  std::string VendorPath;           ///< folders of plug-ins; empty: those of the environment
-                                    ///< variable
+  std::string File; ///< file of the recording
+  /// firmware file; empty: the file named by the environment variable
+  std::string Firmware;
+  /// folders of plug-ins; empty: the folders in the environment variable
+  std::string VendorPath;
+  ///< variable
   double Seconds = 0.0;             ///< s; 0: not given
   double HomingTime = 120.0;        ///< s for each step
   double ServoRate = 1000.0;        ///< Hz
@@ -40,7 +42,7 @@ struct ToolOptions
   double Grams = 0.0;          ///< mass of the hung weight (g); 0: a scale is used instead
   bool HasScale = false;
 
-  /** Whether the device is a stick or a wheel, whose first axis is x. */
+  /** Returns whether the device is a stick or a wheel, whose first axis is x. */
   bool IsStick() const { return this->Id.rfind("pid", 0) == 0 || this->Id.rfind("wheel", 0) == 0; }
 };
 

@@ -7,7 +7,7 @@
 
 namespace Explore
 {
-/// Returns what --help prints: the usage and all options.
+/// Returns the text of --help: the usage and all options.
 std::string HelpText();
 } // namespace Explore
 

@@ -49,7 +49,7 @@ struct Options
   Settings How;
   MapperChoice Mapper = MapperChoice::Auto;
   int Width = 900;
-  WindowPlace Place; // of the volume before; a new window has Width
+  WindowPlace Place; // place of the last volume's window; a new window has Width
 };
 
 /// Throws InputError for an unknown option or a wrong value.

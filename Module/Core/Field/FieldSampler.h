@@ -390,7 +390,7 @@ public:
       std::equal(a.First, a.First + 3, b.First) && std::equal(a.Last, a.Last + 3, b.Last) &&
       !this->Carved.HasAny() && !other.Carved.HasAny();
   }
-  /** Return the view of the samples as it was given, and what was removed from them. */
+  /** Return the view of the samples as it was given, and the tissue that was removed from them. */
   const VolumeView& GetView() const noexcept { return this->Given; }
   const CarvedView& GetCarved() const noexcept { return this->Carved; }
 

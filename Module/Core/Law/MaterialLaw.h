@@ -58,8 +58,8 @@ struct SplitLag
 };
 
 /**
- * How the spring's force (N) is shared out: the forces of surface and friction, and the excess,
- * which moves the proxy.
+ * The parts of the spring's force (N): the forces of surface and friction, and the excess, which
+ * moves the proxy.
  */
 struct Balance
 {

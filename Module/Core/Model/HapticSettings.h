@@ -23,7 +23,7 @@ enum class HapticMethod : std::uint8_t
   Primitives    ///< modes for vectors, tensors, ridges and guides (PrimitivesMethod.h)
 };
 
-/** How the method Proxy advances its proxy in a tick. */
+/** Ways in which the method Proxy advances its proxy in a tick. */
 enum class HapticSolver : std::uint8_t
 {
   Paper,  ///< as published, with one gradient a tick

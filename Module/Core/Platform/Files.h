@@ -32,7 +32,7 @@ using Status = struct stat;
 using Mode = mode_t;
 #endif
 
-/** What Open() may do with a file. */
+/** The ways in which Open() may use a file. */
 enum class For : std::uint8_t
 {
   Reading,   ///< does not wait for the writer of a FIFO
@@ -80,19 +80,19 @@ bool GetStatus(int descriptor, Status& status) noexcept;
 bool IsRegular(const Status& status) noexcept;
 bool IsFolder(const Status& status) noexcept;
 bool IsPipe(const Status& status) noexcept;
-/** Whether a name exists, even as a link that leads nowhere. */
+/** Returns whether a name exists, even as a link that leads nowhere. */
 bool Exists(const std::string& name);
-/** Whether `name` names the open file. */
+/** Returns whether `name` names the open file. */
 bool IsSame(int descriptor, const std::string& name);
 
-/** Renames a file, and replaces the one that has the new name. */
+/** Renames a file, and replaces an existing file of the new name. */
 bool Rename(const std::string& from, const std::string& to);
 bool Remove(const std::string& name);
 /** Creates a file with a random name beside `file`, as Open() does for MakingNew. */
 int CreateBeside(const std::string& file, Mode mode, std::string& name);
 
 ///@{
-/** Whether the user may write a file, or make files in a folder. */
+/** Returns whether the user may write a file, or make files in a folder. */
 bool MayWrite(const std::string& name);
 bool MayWriteFolder(const std::string& name);
 ///@}

@@ -49,8 +49,8 @@ std::ifstream OpenStream(const std::string& file);
 int SyncFolder(const std::string& file);
 
 /**
- * Whether a path is a regular file: reading a FIFO or a terminal may block for ever. If not,
- * `error` names the kind of the file.
+ * Returns whether a path is a regular file: reading a FIFO or a terminal may block for ever. If
+ * not, `error` names the kind of the file.
  */
 bool CheckRegular(const std::string& file, std::string& error);
 

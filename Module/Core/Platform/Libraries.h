@@ -26,7 +26,7 @@ std::string FindFileOf(const void* code);
 /** Returns the path of this process's program. */
 std::string FindOwnProgram();
 
-/** How files of libraries end, ".so" or ".dll", and the separator of search paths, ':' or ';'. */
+/** The ending of library files, ".so" or ".dll", and the separator of search paths, ':' or ';'. */
 #if defined(_WIN32)
 constexpr const char* Ending = ".dll";
 constexpr char PathSeparator = ';';

@@ -59,7 +59,7 @@ public:
   template <typename T>
   T Get()
   {
-    if constexpr (std::is_same<T, bool>::value) // a byte may be another one than 0 and 1
+    if constexpr (std::is_same<T, bool>::value) // a byte may have a value other than 0 and 1
     {
       return this->Get<std::uint8_t>() != 0;
     }
@@ -85,7 +85,7 @@ public:
     count > 0 ? std::memcpy(list.data(), begin, list.size() * sizeof(T)) : nullptr;
     return list;
   }
-  /** Returns `count` elements of a size, and goes on behind them. */
+  /** Returns `count` elements of a size, and moves the position behind them. */
   const char* Take(std::uint64_t count, std::size_t size)
   {
     if (size > 0 && count > (this->Bytes.size() - this->At) / size)

@@ -37,7 +37,7 @@ enum class ReadTask : std::uint32_t
   VtkHdf,  ///< where the samples are in a VTKHDF file
   Surface, ///< a mesh
   Case,    ///< a grid, from files that this file names, wherever they are
-  Tiff,    ///< which pages a TIFF file or a folder of them has
+  Tiff,    ///< the pages in a TIFF file or a folder of TIFF files
   TiffBox, ///< samples of TIFF pages
 };
 

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * Reads a small file as a whole. Waits neither for a pipe nor for a device, and takes no more
- * memory than a file of this kind can need.
+ * @file Reads a small file as a whole. Refuses to wait for a pipe or a device, and allocates at
+ * most the memory that a file of this kind can need.
  */
 #ifndef SmallFile_h
 #define SmallFile_h

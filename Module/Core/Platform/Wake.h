@@ -18,7 +18,7 @@ int Open() noexcept;
 void Close(int wake) noexcept;
 /** Wakes the thread that waits, or the next one. */
 void Set(int wake) noexcept;
-/** Takes back what Set() has set. */
+/** Clears the signal that Set() has set. */
 void Clear(int wake) noexcept;
 /** Waits until the signal is set, at most `time` ms, and clears it. */
 void Wait(int wake, int time) noexcept;

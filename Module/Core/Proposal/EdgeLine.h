@@ -56,7 +56,7 @@ struct EdgeLine
   std::array<float, Fractions> Curvature{};
 };
 
-/** Slopes per voxel that tell edges and plateaus from noise. */
+/** Slopes per voxel that separate edges and plateaus from noise. */
 struct EdgeThresholds
 {
   double Least = 0.0; ///< least slope of an edge

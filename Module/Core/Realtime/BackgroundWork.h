@@ -45,7 +45,7 @@ class WorkMonitor
 {
 public:
   ///@{
-  /** Whether the owner has cancelled the task. The task calls this. */
+  /** Returns whether the owner has cancelled the task. The task calls this. */
   bool IsCancelled() const noexcept { return this->Cancelled.load(std::memory_order_relaxed); }
   void SetProgress(double fraction) noexcept
   {
@@ -97,11 +97,13 @@ public:
    */
   void Cancel() noexcept;
 
-  /** Whether a task was begun, and End() was not called since. */
+  /** Returns whether a task was begun, and End() was not called since. */
   bool IsBegun() const { return this->Current != nullptr; }
-  /** Whether this process began the task, rather than the process that it was forked from. */
+  /**
+   * Returns whether this process began the task, rather than the process that it was forked from.
+   */
   bool IsOurs() const { return this->Current && this->Current->IsOurs(); }
-  /** Whether the task has returned; its results can be read then. */
+  /** Returns whether the task has returned; its results can be read then. */
   bool HasReturned() const;
   /**
    * Waits until the task has returned, at most this many seconds. Returns whether it has returned.
@@ -171,7 +173,7 @@ public:
     return this->IsOf(key) && !this->Work.IsBegun() && *this->Made ? &**this->Made : nullptr;
   }
 
-  /** Whether the result that is under way or was computed last belongs to a key. */
+  /** Returns whether the result that is under way or was computed last belongs to a key. */
   bool IsOf(const Key& key) const { return this->Of && *this->Of == key; }
 
   /** Cancels the work and discards its result. */
@@ -198,8 +200,8 @@ public:
   }
 
   /**
-   * Whether a result is being computed, or abandoned work has not ended yet. Returns false for work
-   * of the process that this one was forked from: such work never ends here.
+   * Returns whether a result is being computed, or abandoned work has not ended yet. Returns false
+   * for work of the process that this one was forked from: such work never ends here.
    */
   bool IsUnderWay() const
   {

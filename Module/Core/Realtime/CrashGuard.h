@@ -19,7 +19,7 @@ namespace VolumeHaptics
 class CrashGuard
 {
 public:
-  /** Must use neither locks nor memory from the heap. */
+  /** A function to be called in a crash. It must use neither locks nor memory from the heap. */
   using Act = void (*)(void*) noexcept;
 
   /**

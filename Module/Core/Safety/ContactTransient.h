@@ -60,7 +60,7 @@ struct TransientInput
   double Gain = 0.0;      ///< gain of (1)
   double Share = 1.0;     ///< fraction of the pulse that is sent, 0 to 1
   double Most = 0.0;      ///< largest force (N)
-  double Least = 0.0;     ///< least force (N) to which a pulse may lower that of the wall
+  double Least = 0.0;     ///< lowest value (N) to which a pulse may reduce the force of the wall
   double Period = 1e-3;   ///< T (s)
   bool MovesTip = true;   ///< whether (3) is needed
 };
@@ -82,7 +82,7 @@ public:
 
   /**
    * Processes a measurement of the tip (m). `time` (s) is the time since the last measurement,
-   * `late` (s) the time that a force takes to the device, `period` (s) that of the ticks.
+   * `late` (s) the time that a force takes to the device, and `period` (s) the duration of a tick.
    */
   void Observe(const Vector3& tip, double time, double late, double period) noexcept;
 

@@ -28,7 +28,7 @@
 namespace VolumeHaptics
 {
 
-/** What a device can do, and what it can take. */
+/** The abilities of a device, and the forces that it can take. */
 struct DeviceLimits
 {
   double MaximumForce = 0.0;     ///< largest force (N)
@@ -128,11 +128,11 @@ enum class DeviceState : std::uint8_t
 {
   Running,  ///< reads and writes succeed
   NotReady, ///< not homed or not loaded yet: there is no position, and arming has no effect yet
-  Finished, ///< no more samples will come, for example at the end of a replay
+  Finished, ///< the samples have ended, for example at the end of a replay
   Lost      ///< unplugged or broken; the back end has to be opened again
 };
 
-/** How far a device is from accepting forces, as displays show it. */
+/** Stages of a device on its way to accepting forces, as displays show them. */
 enum class DeviceStage : std::uint8_t
 {
   Firmware, ///< the device's firmware is being loaded

@@ -66,7 +66,7 @@ struct SafetyLimits
   double TransientGain = 0.0;      ///< gain of ContactTransient.h; 0 for no pulses
 };
 
-/** What the stage reads in a tick. */
+/** The inputs of the stage in a tick. */
 struct SafetyInput
 {
   Vector3 Force; ///< computed force (N)

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * Recognizes motion of the tip that was not observed. The energy observers begin anew after such a
- * motion.
+ * @file Recognizes motion of the tip that was not observed. After such a motion, the energy
+ * observers start again.
  */
 #ifndef UnseenMotion_h
 #define UnseenMotion_h

@@ -59,9 +59,10 @@ struct DataClockOrders
 /** The report of the clock after a tick. */
 struct DataClockReport
 {
-  bool IsMoving = false;    ///< whether the volume moves; true even while time holds
-  bool IsWaiting = false;   ///< whether time holds because time steps are missing
-  bool IsBackward = false;  ///< whether time runs backward or, while it holds, would do so
+  bool IsMoving = false;  ///< whether the volume moves; true even while time holds
+  bool IsWaiting = false; ///< whether time holds because time steps are missing
+  /// whether time runs backward, or would run backward if it did not hold
+  bool IsBackward = false;
   double Wanted = 0.0;      ///< if the clock waits, the data time whose time steps it needs
   std::uint32_t Places = 0; ///< Places of the orders that the clock has used
 };

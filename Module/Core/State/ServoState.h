@@ -25,7 +25,7 @@ namespace VolumeHaptics
 /** Limit of a tip's coordinates (m), so that their squares do not overflow. No hand reaches it. */
 constexpr double FarthestTip = 1e9;
 
-/** The state from which the next tick goes on. */
+/** The state from which the next tick starts. */
 struct ServoState : ToolStates
 {
   Vector3 Proxy;

@@ -35,7 +35,7 @@ struct ShellSum
   std::uint32_t Yielding = 0; ///< number of contacts that have reached the limit of their material
 };
 
-/** The state from which the next tick goes on, together with ShellMemory. */
+/** The state from which the next tick starts, together with ShellMemory. */
 struct ShellState
 {
   bool Enabled = false;   ///< false: the next tick puts the tool into the hand, without a force

@@ -17,7 +17,7 @@ namespace VolumeHaptics
 struct ToolStates
 {
   NeedleState Needle;
-  ShellState Shell; ///< state of a shell; ToolMemory has the rest of it
+  ShellState Shell; ///< state of a shell; ToolMemory has the other part
   BurrState Burr;
 
   /** Drops the states that hold the hand, so that the next tick begins without a force. */

@@ -36,7 +36,7 @@ public:
     this->MostAsked.store(most);
     this->Scale.store(scale);
   }
-  /** Converts the limits of a device to true newtons. They do not exceed what the driver allows. */
+  /** Converts the limits of a device to true newtons, which stay within the driver's limits. */
   DeviceLimits LimitsOf(DeviceLimits limits) const noexcept
   {
     const double share = std::min(1.0, this->Scale.load());
@@ -60,7 +60,7 @@ private:
 
 class HardwareDriver;
 
-/** What a driver says of its device. */
+/** Facts that a driver reports about its device. */
 struct DriverFacts
 {
   explicit DriverFacts(const HardwareDriver& driver);
@@ -175,7 +175,7 @@ private:
   void SeekPriority();
 
   std::unique_ptr<HardwareDriver> Driver;
-  /** As of the last Open(), because the driver's thread may connect the device again. */
+  /** Facts of the last Open(), because the driver's thread may connect the device again. */
   DriverFacts Facts;
   HardwareExchange Exchange;
   TrueNewtons Newtons;

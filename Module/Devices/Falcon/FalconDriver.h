@@ -46,7 +46,7 @@ public:
   void Disconnect() noexcept override;
 
 private:
-  /** How a part of a session has ended. */
+  /** Tells how a part of a session has ended. */
   enum class End
   {
     Done,
@@ -62,7 +62,7 @@ private:
   End Talk(HardwareExchange& exchange);
 
   const int Number;
-  std::string Identity = "falcon"; ///< of the device that was connected last
+  std::string Identity = "falcon"; ///< id of the device that was connected last
   const DeviceOptions Options;
   std::string Name;
   UsbInterface Usb;

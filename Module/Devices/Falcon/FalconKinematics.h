@@ -37,7 +37,7 @@ constexpr int FalconLargestCommand = 4096;
 enum class FalconReach : std::uint8_t
 {
   Reached,
-  OutOfReach,  ///< no position closes all legs of the device as it is assembled
+  OutOfReach,  ///< no position of the assembled device closes all its legs
   NotConverged ///< FalconMostSteps steps did not suffice
 };
 

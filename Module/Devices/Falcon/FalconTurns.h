@@ -54,8 +54,8 @@ public:
   bool CheckMissed(std::int64_t now, bool isSending) noexcept;
   bool MaySend(std::int64_t now) noexcept;
   /**
-   * Returns the time (ns) at which the result of CheckMissed() or MaySend() changes if nothing else
-   * happens.
+   * Returns the time (ns) at which the result of CheckMissed() or MaySend() changes if no event
+   * comes first.
    */
   std::int64_t GetDeadline() const noexcept
   {

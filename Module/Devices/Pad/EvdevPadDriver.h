@@ -80,7 +80,7 @@ private:
   void Report(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept;
 
   const int Number;
-  EvdevPad Pad; ///< the one that was opened last
+  EvdevPad Pad; ///< pad that was opened last
   std::string Label = "A gamepad";
   int Node = -1;
   bool Lost = false;

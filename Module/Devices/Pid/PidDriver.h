@@ -69,7 +69,7 @@ public:
   /** Largest speed of a stick (m/s), which is its whole way in 20 ms. No hand is faster. */
   static constexpr double FastestStick = 5.0;
 
-  /** Which devices an id means: all of them, or those of a vendor and product. */
+  /** The devices that an id means: all devices, or the devices of a vendor and product. */
   struct Numbers
   {
     bool Any = true;
@@ -93,7 +93,7 @@ public:
   std::string GetIdentity() const override;
 
 private:
-  /** How a device is driven, as its descriptor and its names show. */
+  /** Describes how to drive a device, as found in its descriptor and its names. */
   struct Mapping
   {
     PidDevice Device;

@@ -115,7 +115,7 @@ private:
   int Write(const Vector3& force, const Vector3& torque) noexcept;
   /**
    * Returns the largest force (N) now: the peak, which fades to the continuous force if a larger
-   * one is wanted for longer than PeakTime, and comes back in the same time.
+   * force is wanted for longer than PeakTime, and returns in the same time.
    */
   double ComputeMostForce(double wanted) noexcept;
   void TellOfFading(HardwareExchange& exchange, double wanted);

@@ -54,7 +54,7 @@ private:
   const std::uint16_t Port;
   std::string Device; ///< its name
   PacketSocket Socket;
-  std::uint16_t Number = 0; ///< of the last packet
+  std::uint16_t Number = 0; ///< number of the last packet
   bool IsStreaming = false;
   std::int64_t Begun = 0; ///< time at which the stream has begun
   std::int64_t Samples = 0;

@@ -41,7 +41,7 @@ extern const std::vector<std::string> BhapticsPlaces;
 bool ReadBhapticsStatus(const std::string& text, std::vector<std::string>& places);
 /** Writes a request to vibrate with an intensity, 1 to 100, for a time (ms). */
 std::string WriteBhapticsFrame(const std::string& place, int intensity, int milliseconds);
-/** Writes a request to stop what WriteBhapticsFrame() has begun. */
+/** Writes a request to stop the vibration that WriteBhapticsFrame() has begun. */
 std::string WriteBhapticsStop();
 ///@}
 

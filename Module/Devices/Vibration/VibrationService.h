@@ -22,7 +22,7 @@ public:
   {
     Ready,
     Waiting, ///< connected, but it can't vibrate yet: GetText() asks for what it needs
-    Gone     ///< GetText() tells the reason and the cure
+    Gone     ///< disconnected: GetText() has the reason and the cure
   };
 
   VibrationService() = default;
@@ -33,7 +33,7 @@ public:
   /** Returns the name for people; after Connect(), that of the device. */
   virtual std::string GetName() const = 0;
   /**
-   * Connects, and stops what may still vibrate. Returns false and writes the reason and the cure to
+   * Connects, and stops earlier vibrations. Returns false and writes the reason and the cure to
    * `error` if this fails. Takes two seconds at most.
    */
   virtual bool Connect(std::string& error) = 0;
@@ -42,7 +42,7 @@ public:
    * Returns at once.
    */
   virtual State Show(double amplitude) = 0;
-  /** Returns a text that goes on after the device's name. */
+  /** Returns a text to be read after the device's name. */
   virtual std::string GetText() const = 0;
   /**
    * Stops the vibration by a system call only, as the handler of a crash needs it. Does nothing if

@@ -13,8 +13,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Whether a byte order differs from this computer's. `isBig`: the most significant byte comes
- * first.
+ * Returns whether a byte order differs from this computer's. `isBig`: the most significant byte
+ * comes first.
  */
 inline bool IsOtherByteOrder(bool isBig)
 {

@@ -33,8 +33,8 @@ inline std::string ReadDigits(const std::string& name, std::size_t& at)
 }
 
 /**
- * Whether a name comes before another name if digits in names are compared as numbers: "T2" comes
- * before "T10". Digits come before all other characters.
+ * Returns whether a name comes before another name if digits in names are compared as numbers: "T2"
+ * comes before "T10". Digits come before all other characters.
  */
 inline bool IsNamedBefore(const std::string& a, const std::string& b)
 {

@@ -40,7 +40,7 @@ struct NrrdHeader
   /** Returns the numbers of a field. Leaves out words that are not numbers. */
   std::vector<double> GetNumbers(const std::string& name) const;
   NrrdType GetType() const;
-  /** Whether the most significant byte of a sample comes first. */
+  /** Returns whether the most significant byte of a sample comes first. */
   bool IsBig() const;
   /**
    * Returns the file with the samples, as the header names it; empty if the samples follow the
@@ -60,7 +60,7 @@ struct NrrdSpace
   NrrdVector Signs;          ///< factors that convert positions to left-posterior-superior
 };
 
-/** Whether bytes begin like a NRRD file. */
+/** Returns whether bytes begin like a NRRD file. */
 bool IsNrrd(std::string_view bytes);
 
 ///@{
@@ -95,7 +95,10 @@ NrrdVector FindNrrdSpacings(const NrrdHeader& header);
  */
 std::optional<NrrdVector> FindNrrdOrigin(const NrrdHeader& header);
 
-/** Returns a note on what is assumed because the header does not tell it; empty if it tells all. */
+/**
+ * Returns a note on the values that are assumed because the header lacks them; empty if the header
+ * is complete.
+ */
 std::string DescribeNrrdGuess(const NrrdHeader& header);
 
 /** Returns a note on the unit of length; empty if it is the millimetre or not given. */

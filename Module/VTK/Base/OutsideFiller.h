@@ -44,12 +44,16 @@ VTKVOLUMEHAPTICS_EXPORT void FillOutside(
 VTKVOLUMEHAPTICS_EXPORT vtkSmartPointer<vtkDataArray> CopyFilled(
   const OutsideSamples& outside, vtkDataArray* scalars, int component);
 
-/** Describes what was treated as outside or as holes, with the cure; empty if nothing was. */
+/**
+ * Describes which values were treated as outside or as holes, with the cure; empty if there are
+ * none.
+ */
 VTKVOLUMEHAPTICS_EXPORT std::string DescribeOutside(
   const OutsideSamples& outside, vtkDataArray* scalars);
 
 /**
- * Whether an array with this many components holds scalars; vectors and tensors are read unchanged.
+ * Returns whether an array with this many components holds scalars; vectors and tensors are read
+ * unchanged.
  */
 bool AreScalars(int components);
 

@@ -42,7 +42,9 @@ struct WholeFacts
   BackgroundLevel Solid; ///< absent if the image does not carry it
   StoredShift Shift;     ///< 0 if the image does not carry it
   double Time = 0.0;     ///< changes whenever the whole volume changes
-  /** Factor on the force. Below 1 if the samples only stand in for those of the whole volume. */
+  /**
+   * Factor on the force; below 1 if the samples only replace those of the whole volume for a time.
+   */
   double Share = 1.0;
   OutsideSamples Outside; ///< which samples have yet to be filled, and how many are holes
 };

@@ -19,7 +19,7 @@ class vtkXMLWriter;
 namespace VolumeHaptics
 {
 
-/** Reads a file. Returns false after an error; the reader's output then has what could be read. */
+/** Reads a file. Returns false after an error; the reader's output then has the readable part. */
 bool ReadXmlFile(vtkXMLReader* reader, const std::string& file);
 /**
  * Writes the file completely, or not at all. On failure, returns false, with the reason and the

@@ -10,7 +10,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkVersionMacros.h"
 
-// For #include: since VTK 9.4 glad loads the functions of OpenGL, and vtkVector includes its
+// For #include: since VTK 9.4, glad loads the functions of OpenGL, and vtkVector includes its
 // operators.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
 #define VOLUME_HAPTICS_OPENGL_HEADER "vtk_glad.h"
@@ -23,7 +23,9 @@
 namespace VolumeHaptics
 {
 
-/** Whether the user asked a filter to stop; since VTK 9.3 a filter has to ask upstream, too. */
+/**
+ * Returns whether the user asked a filter to stop; since VTK 9.3 a filter has to ask upstream, too.
+ */
 inline bool MustAbort(vtkAlgorithm* algorithm)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
@@ -33,7 +35,10 @@ inline bool MustAbort(vtkAlgorithm* algorithm)
 #endif
 }
 
-/** Keeps what a filter has made until it aborted; since VTK 9.3 the pipeline empties its output. */
+/**
+ * Keeps the part of its output that a filter has made when it aborts; since VTK 9.3 the pipeline
+ * empties the output.
+ */
 inline void KeepAbortedOutput(vtkAlgorithm* algorithm)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
@@ -59,8 +64,8 @@ struct Storage : Array
 } // namespace Detail
 
 /**
- * Whether a vtkSOADataArrayTemplate has each component in a memory block of its own now. Since VTK
- * 9.2, all components are in one block while the array is new, and again after the first
+ * Returns whether a vtkSOADataArrayTemplate has each component in a memory block of its own now.
+ * Since VTK 9.2, all components are in one block while the array is new, and again after the first
  * GetVoidPointer(), which a mapper calls; then there are no pointers to components.
  */
 template <typename Array>

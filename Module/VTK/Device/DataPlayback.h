@@ -70,7 +70,7 @@ public:
    * servo has reached it.
    */
   double GetTime() const;
-  /** Whether time stands still because the next time steps have not been read yet. */
+  /** Returns whether time stands still because the next time steps have not been read yet. */
   bool IsWaiting() const;
   /** Returns a sentence on the time steps that playback waits for; empty if it does not wait. */
   std::string Describe() const;
@@ -81,7 +81,7 @@ public:
    */
   ImageTimeStep GetShown(vtkVolumeHapticsFilter* filter) const;
 
-  /** Whether the time steps of a filter's image are to be felt, if it has any. */
+  /** Returns whether the time steps of a filter's image are to be felt, if it has any. */
   bool IsFelt(vtkVolumeHapticsFilter* filter) const;
   /** Checks IsFelt() after asking the image's source for its time steps. */
   bool DetectFelt(vtkVolumeHapticsFilter* filter) const;
@@ -95,7 +95,7 @@ public:
   /** Estimates the time (s) that Make() will need for the meshes that Prepare() has left to it. */
   double EstimateTime() const { return this->Preparation.GetTimeOfRest(); }
   ///@}
-  /** Whether the source of a stream had further time steps when Make() was called. */
+  /** Returns whether the source of a stream had further time steps when Make() was called. */
   bool IsBehind() const { return this->Preparation.WasBehind(); }
   /**
    * Makes a model of the time span at the present time; null after an error of the filter. If
@@ -103,7 +103,7 @@ public:
    */
   std::shared_ptr<const HapticModel> Make(vtkVolumeHapticsFilter* filter, double rate,
     const ForceCaps& caps, vtkMatrix4x4* deviceToWorld, bool isCurrent);
-  /** Forgets the last time span. Call this when the servo gets a model that was not made of it. */
+  /** Forgets the last time span. Call this when the servo gets a model from another source. */
   void Forget() { this->Span.reset(); }
 
   /** Makes a servo that has just been started continue at the time of the last servo. */

@@ -19,8 +19,9 @@ namespace VolumeHaptics
 {
 
 /**
- * Carries out what the functions of vtkHapticDevice document. Errors are reported by the device,
- * and its observers are called: they may stop it, close it, or release its last reference.
+ * Carries out the functions of vtkHapticDevice as its header documents them. Errors are reported by
+ * the device, and its observers are called: they may stop it, close it, or release its last
+ * reference.
  */
 class DeviceOrders
 {
@@ -83,8 +84,8 @@ private:
    */
   void PublishRegion(double rate);
   /**
-   * Stores for the status which work Publish() or Start() has left to the background; null stands
-   * for none.
+   * Stores, for the status, which work Publish() or Start() has left to the background; null means
+   * no work.
    */
   void SetAwaited(const char* work);
 

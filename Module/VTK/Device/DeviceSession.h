@@ -54,7 +54,10 @@ public:
   }
   /** Returns the back end if the program leads its tip; null otherwise. */
   VirtualDevice* GetVirtual() const { return this->Virtual; }
-  /** Returns whether the mouse may lead the tip. A headset leads that of an XR device. */
+  /**
+   * Returns whether the mouse may lead the tip. The tip of an XR device is led by a headset
+   * instead.
+   */
   bool MayMouseLead() const { return this->Virtual && !this->Xr; }
   /** Returns how strongly to vibrate: see vtkHapticVirtualHand::TakeVibration. */
   double TakeVibration() { return this->Xr ? this->Xr->DrainAmplitude() : 0.0; }
@@ -67,18 +70,18 @@ public:
    */
   const DeviceFacts& GetFacts() const { return this->Facts; }
   std::string DrainMemoryTrouble() { return std::exchange(this->MemoryTrouble, {}); }
-  /** Whether the device has facts: it gives force and has an identity. */
+  /** Returns whether the device has facts: it gives force and has an identity. */
   bool HasFacts() const { return !this->Identity.empty(); }
-  /** Whether the user's file remembers its facts: no other device has its identity. */
+  /** Returns whether the user's file remembers its facts: no other device has its identity. */
   bool IsRemembered() const { return this->HasFacts() && this->Backend->KeepsIdentity(); }
   /** Describes the device's calibration; empty if the device has no facts. */
   std::string DescribeCalibration() const
   {
     return this->HasFacts() ? this->Facts.DescribeScale() : std::string();
   }
-  /** Whether the device's signs have to be confirmed before anything is felt. */
+  /** Returns whether the device's signs have to be confirmed before anything is felt. */
   bool NeedsConfirmation() const;
-  /** Whether the device is open and needs no confirmation. */
+  /** Returns whether the device is open and needs no confirmation. */
   bool AreSignsConfirmed() const { return this->IsOpen() && !this->NeedsConfirmation(); }
   /**
    * Makes the next Start require that the signs are confirmed again. Call it while the servo does
@@ -95,8 +98,8 @@ public:
   void Stop();
   bool IsRunning() const { return this->Servo != nullptr; }
   /**
-   * Whether this process itself started the servo, or no servo runs; false in a fork of the process
-   * that started it.
+   * Returns whether this process itself started the servo, or no servo runs; false in a fork of the
+   * process that started it.
    */
   bool IsOurs() const { return !this->Servo || this->Servo->IsOurs(); }
   ///@{
@@ -147,14 +150,14 @@ public:
   /** See vtkHapticDevice::SetClutch. The clutch outlives the servo and the open device. */
   void SetClutched(bool on);
   bool IsClutched() const { return this->Clutched; }
-  /** Whether force returns when the clutch ends, as far as the orders so far decide. */
+  /** Returns whether force returns when the clutch ends, as far as the orders so far decide. */
   bool ReturnsAfterClutch() const
   {
     return this->Servo ? this->Servo->GetLoop().ReturnsAfterClutch()
                        : this->Clutched && this->ArmsAtStart;
   }
   ///@}
-  /** Whether the last order was Arm, clutched or not. */
+  /** Returns whether the last order was Arm, clutched or not. */
   bool HasArmOrder() const { return this->IsArmOrdered() || this->ReturnsAfterClutch(); }
   ///@{
   /**
@@ -172,15 +175,15 @@ public:
    */
   void SetBackgroundWork(const std::string& what, double share);
   /**
-   * Stores for the status what data a volume that is read by regions waits for; empty if it does
-   * not wait.
+   * Stores, for the status, the data for which a volume that is read by regions waits; empty if it
+   * does not wait.
    */
   void SetRegionStatus(const std::string& status) { this->RegionStatus = status; }
   /**
    * Stores for the status which time steps a moving volume waits for; empty if it does not wait.
    */
   void SetTimeStepsStatus(const std::string& status) { this->TimeStepsStatus = status; }
-  /** Whether the device is open and its last reported condition is ready. */
+  /** Returns whether the device is open and its last reported condition is ready. */
   bool IsReady() const
   {
     return this->Backend && this->Backend->GetCondition().Stage == DeviceStage::Ready;

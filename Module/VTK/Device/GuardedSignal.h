@@ -64,7 +64,7 @@ private:
   std::atomic<int> Count{ 0 };
 };
 
-/** Whether the instruction that crashed runs and crashes again when the handler returns. */
+/** Returns whether the instruction that crashed runs and crashes again when the handler returns. */
 bool ComesAgain(int number, const siginfo_t& info) noexcept;
 
 } // namespace VolumeHaptics

@@ -63,10 +63,13 @@ public:
   std::shared_ptr<const HapticModel> MakeRegion(double rate);
   /** Ends the work that Prepare() began. */
   void EndPreparing();
-  /** Whether the last Prepare() left something to the background. */
+  /** Returns whether the last Prepare() left something to the background. */
   bool IsAwaited() const { return this->Awaited != nullptr; }
 
-  /** Whether Make was called, successfully or not, since the filter or its input last changed. */
+  /**
+   * Returns whether Make was called, successfully or not, since the filter or its input last
+   * changed.
+   */
   bool IsUpToDate() const;
   /** Makes IsUpToDate() false until the next Make. */
   void Outdate() { this->MadeTime = 0; }
@@ -90,10 +93,11 @@ public:
   std::shared_ptr<const HapticModel> PollTimeSteps();
   bool LacksTimeSteps() const;
   /**
-   * Whether a stream already had newer time steps when the last model was made of its time steps.
+   * Returns whether a stream already had newer time steps when the last model was made of its time
+   * steps.
    */
   bool IsBehind() const { return this->IsMadeOfTimeSteps && this->Playback.IsBehind(); }
-  /** Whether the servo's model has time steps of a moving volume. */
+  /** Returns whether the servo's model has time steps of a moving volume. */
   bool HasTimeSteps() const;
   /**
    * Return the image and the time of the time step nearest to the servo's time. The image is null
@@ -129,7 +133,7 @@ private:
    * if another device holds it.
    */
   bool HoldRemovalOf(const HapticModel& model, vtkVolumeHapticsFilter* filter);
-  /** Whether the regions of a source, which may be null, follow this device's tip. */
+  /** Returns whether the regions of a source, which may be null, follow this device's tip. */
   bool Leads(vtkHapticRegionSource* source);
   /** Reports to the source of regions how long it took to make a model of its last region. */
   void ReportRegionMade();
@@ -148,7 +152,7 @@ private:
   DataPlayback Playback;
   TimeStepImage Shown;
   ///@{
-  /** The last volume that FitToHand() has changed, and what it has made of this volume. */
+  /** The last volume that FitToHand() has changed, and the volume that it has made. */
   std::shared_ptr<const BakedVolume> WithTool;
   std::shared_ptr<const BakedVolume> ForPoint;
   ///@}

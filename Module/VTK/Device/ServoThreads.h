@@ -42,7 +42,7 @@ public:
 
   ServoLoop& GetLoop() { return this->Loop; }
   TickCollector& GetTicks() { return this->Ticks; }
-  /** Whether this process started the threads; false in a fork of that process. */
+  /** Returns whether this process started the threads; false in a fork of that process. */
   bool IsOurs() const { return this->Process == ServoClock::GetProcess(); }
 
   /**
@@ -68,8 +68,8 @@ private:
   static VTK_THREAD_RETURN_TYPE RunRequest(void* info);
   void Keep();
   /**
-   * Whether the device has received the order of Quench and no tick that still runs can write a
-   * force. Call this after Quench has begun.
+   * Returns whether the device has received the order of Quench and no tick that still runs can
+   * write a force. Call this after Quench has begun.
    */
   bool IsQuenched() noexcept;
 

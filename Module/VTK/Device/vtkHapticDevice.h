@@ -229,8 +229,8 @@ public:
    */
   bool Publish();
   /**
-   * Whether Publish or Start was called, successfully or not, since the filter, image or surface
-   * last changed.
+   * Returns whether Publish or Start was called, successfully or not, since the filter, image or
+   * surface last changed.
    */
   bool IsPublished();
 

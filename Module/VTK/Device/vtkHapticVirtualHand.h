@@ -52,8 +52,8 @@ public:
   ///@}
 
   /**
-   * Return whether the mouse of a window may lead the tip of the open device: of "virtual", and of
-   * what vibrates and has no position, such as "vibration:bhaptics".
+   * Return whether the mouse of a window may lead the tip of the open device: that of "virtual",
+   * and of devices that vibrate and have no position, such as "vibration:bhaptics".
    */
   bool MayMouseLead();
 

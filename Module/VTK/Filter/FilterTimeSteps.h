@@ -23,7 +23,7 @@ namespace VolumeHaptics
 class TipPaths;
 struct BakedVolume;
 
-/** Whether paths use the time steps of a filter's input port 0, if it has any. */
+/** Returns whether paths use the time steps of a filter's input port 0, if it has any. */
 bool AreTimeStepsFelt(vtkVolumeHapticsFilter* filter);
 
 /**

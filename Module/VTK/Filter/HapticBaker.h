@@ -97,8 +97,8 @@ public:
     vtkImageData* image, vtkDataArray* scalars, int component, bool areTimeSteps);
 
   /**
-   * Records the text on what was guessed about the values. Returns whether there is one and it
-   * differs from the last one.
+   * Records the note on guesses about the values. Returns whether there is a note that differs from
+   * the last one.
    */
   bool IsNewGuess(const std::string& guess)
   {
@@ -117,7 +117,8 @@ public:
   void EndPreparing();
 
   /**
-   * Whether baking needs no slow meshing. If it does, begins to make the mesh in the background.
+   * Returns whether baking needs no slow meshing. If it does, begins to make the mesh in the
+   * background.
    */
   bool IsSurfaceAtHand();
   /** Waits for the mesh of IsSurfaceAtHand(). Returns false if the user aborts the wait. */
@@ -253,15 +254,17 @@ public:
     const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld, std::string& error,
     vtkPolyData* recording, ImageTimeSteps&& timeSteps);
 
-  /** Whether walls between the labels on port 3 are felt. False if there are no labels. */
+  /** Returns whether walls between the labels on port 3 are felt. False if there are no labels. */
   bool HasLabelWalls();
   /**
-   * Whether the scalars of an image on port 0 are felt as labels. False if they can't be labels.
+   * Returns whether the scalars of an image on port 0 are felt as labels. False if they can't be
+   * labels.
    */
   bool AreLabels(vtkImageData* image);
 
   /**
-   * Whether the data on port 0 are a grid that is not an image, and are resampled around the tip.
+   * Returns whether the data on port 0 are a grid that is not an image, and are resampled around
+   * the tip.
    */
   bool IsResampled();
   /** Warns once that only the first time step of a grid is felt. */

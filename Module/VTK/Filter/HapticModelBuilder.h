@@ -45,7 +45,7 @@ struct HapticModelOptions
   TimeStepSeries Series;         ///< the whole series that contains TimeSteps
   OutsideSamples Outside;        ///< outside samples of TimeSteps, to be filled
   HapticModes Modes;             ///< modes for HapticMethod::Primitives
-  vtkHapticTool* Tool = nullptr; ///< null stands for a point
+  vtkHapticTool* Tool = nullptr; ///< null for a point
   vtkHapticRemoval* Removal = nullptr;
   const HapticCut* Cut = nullptr; ///< null if nothing is cut away
   double MetersPerWorldUnit = 0.001;

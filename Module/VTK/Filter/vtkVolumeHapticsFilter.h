@@ -783,8 +783,8 @@ public:
   vtkHapticRegionSource* GetRegionSource();
 
   /**
-   * Set what a source of regions needs from this filter, to plan and fill them. The filter and
-   * vtkHapticDevice call this for the source on port 0.
+   * Give a source of regions the settings of this filter that it needs to plan and fill regions.
+   * The filter and vtkHapticDevice call this for the source on port 0.
    */
   void ConfigureSource(vtkHapticRegionSource* source);
 

@@ -21,8 +21,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Factors from a preset's values and gradients to those of an image, as a property scales the
- * image.
+ * Factors that convert a preset's values and gradients to those of an image, as a property scales
+ * the image.
  */
 struct PresetScale
 {
@@ -51,7 +51,7 @@ vtkSmartPointer<vtkStringArray> MakePresetNames();
 /** Lists the names, quoted and separated by commas. */
 std::string ListPresets();
 
-/** Whether the name of a preset is the name of a file. The name may be null. */
+/** Returns whether the name of a preset is the name of a file. The name may be null. */
 bool IsPresetFile(const char* name);
 
 ///@{

@@ -111,7 +111,7 @@ bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
 /** Sets the five functions of a property in place, its side, and its table of boundaries. */
 void FillFromProposal(const MaterialProposal& proposal, vtkHapticProperty* property);
 
-/** Copies to a property what FillFromProposal() has set in `proposed`. */
+/** Copies to a property the functions that FillFromProposal() has set in `proposed`. */
 void CopyProposal(vtkHapticProperty* proposed, vtkHapticProperty* property);
 
 } // namespace VolumeHaptics

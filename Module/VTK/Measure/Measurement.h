@@ -29,7 +29,7 @@ enum class MeasuredKind
 };
 inline constexpr int MeasuredKinds = 5;
 
-/** What was felt at a point; NaN stands for unknown. */
+/** Force, value and time at a point when it was measured; NaN stands for unknown. */
 struct MeasuredSample
 {
   static constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
@@ -44,7 +44,7 @@ struct Measurement
   MeasuredKind Kind = MeasuredKind::Point;
   std::string Name;
   std::vector<Vector3> Points;               ///< points in the world
-  std::vector<MeasuredSample> Samples;       ///< one for every point, or none at all
+  std::vector<MeasuredSample> Samples;       ///< one sample for every point, or no samples
   std::vector<std::array<int, 3>> Triangles; ///< triangles of an area
 
   /**

@@ -37,8 +37,8 @@ bool WriteMeasurements(const std::string& file, const std::vector<Measurement>& 
   const MarkupsFrame& frame, std::string& error);
 
 /**
- * Reads a file. Returns false and writes the reason and the cure to `error` if that fails. `notes`
- * says what was left out.
+ * Reads a file. On failure, returns false and writes the reason and the cure to `error`. `notes`
+ * lists the parts that were left out.
  */
 bool ReadMeasurements(const std::string& file, const MarkupsFrame& frame,
   std::vector<Measurement>& measurements, std::string& notes, std::string& error);

@@ -18,8 +18,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Makes the shape of one measurement: a vertex, a line or triangles, with point arrays of what was
- * felt.
+ * Makes the shape of one measurement: a vertex, a line or triangles, with point arrays of the
+ * forces and values that were felt.
  */
 void CopyShape(const Measurement& measurement, vtkPolyData* shape);
 

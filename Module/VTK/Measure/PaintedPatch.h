@@ -52,7 +52,7 @@ public:
   /** Makes the next position begin a new line. */
   void Lift() { this->Last.reset(); }
 
-  /** Whether the samples of an image are at the positions of this patch's samples. */
+  /** Returns whether the samples of an image are at the positions of this patch's samples. */
   bool IsOf(vtkImageData* image) const;
 
   /** Returns the painted triangles; empty if there are none. */

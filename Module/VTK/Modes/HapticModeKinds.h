@@ -42,7 +42,7 @@ const ModeKindRow& GetModeKind(vtkHapticMode* mode);
 
 /** Returns which data of the touched image a mode reads. */
 ModeInput GetInput(vtkHapticMode* mode);
-/** Whether a mode can read an array with this many components. */
+/** Returns whether a mode can read an array with this many components. */
 bool HasComponents(ModeInput input, int components);
 
 /** A strength function of a mode. */

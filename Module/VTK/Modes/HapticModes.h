@@ -34,7 +34,7 @@ vtkDataArray* FindModeArray(const HapticModes& modes, vtkImageData* image);
 bool DescribeModes(const HapticModes& modes, vtkImageData* image, const VolumeView& view,
   std::vector<ModeDescription>& described, std::string& error);
 
-/** Whether a tick has enough time for all of these modes, as if all were active. */
+/** Returns whether a tick has enough time for all of these modes, as if all were active. */
 bool FitIntoATick(const HapticModes& modes);
 
 } // namespace VolumeHaptics

@@ -12,8 +12,8 @@ namespace Explore
 /// Returns the endings of grid files, for messages.
 std::string ListGridEndings();
 
-/// Whether a file's name is that of a data set that is not an image: a rectilinear, structured or
-/// unstructured grid, or several of them.
+/// Returns whether a file's name is that of a data set that is not an image: a rectilinear,
+/// structured or unstructured grid, or several of them.
 bool IsGrid(const std::string& path);
 
 /// Reads a grid file and resamples it to an image whose voxels are cubes as large as the average

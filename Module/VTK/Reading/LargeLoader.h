@@ -9,9 +9,9 @@
 
 namespace Explore
 {
-/// Whether a volume is read from its file region by region: VTKHDF and Zarr always; files of the
-/// other formats of LargeFile.cxx (such as NRRD, TIFF or MINC) if `isWanted`, or if their samples
-/// take more than half of the free memory.
+/// Returns whether a volume is read from its file region by region: VTKHDF and Zarr always; files
+/// of the other formats of LargeFile.cxx (such as NRRD, TIFF or MINC) if `isWanted`, or if their
+/// samples take more than half of the free memory.
 bool IsLargeVolume(const std::string& path, bool isWanted);
 
 /// Returns the size (bytes) of the samples of a file that can be read region by region; 0 for other

@@ -27,7 +27,7 @@ public:
   MessageCapture(const MessageCapture&) = delete;
   MessageCapture& operator=(const MessageCapture&) = delete;
 
-  /// Whether a reader reported an error, or a warning that means missing data.
+  /// Returns whether a reader reported an error, or a warning that means missing data.
   bool HasErrors() const;
 
   /// Returns the first error in one line, without VTK's addresses and source positions; empty if

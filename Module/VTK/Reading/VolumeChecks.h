@@ -21,7 +21,8 @@ void CheckMemory(const std::string& path, double bytes, std::size_t frames);
 /// Throws InputError unless a volume of this size along x, y and z can be touched.
 void CheckSize(const std::string& path, const int size[3]);
 
-/// Whether the values of a DICOM modality may be Hounsfield units. True for an unknown modality.
+/// Returns whether the values of a DICOM modality may be Hounsfield units. True for an unknown
+/// modality.
 bool MayBeHounsfield(const std::string& modality);
 
 /// Reduces the scalars to one component: colours to their brightness, other scalars to the

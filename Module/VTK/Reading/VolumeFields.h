@@ -38,9 +38,9 @@ private:
   std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
 };
 
-/// Whether the values of a volume look like label numbers: they are few whole numbers of 0 or more,
-/// most voxels equal their neighbours, and the other steps are of any size. In a scan, noise makes
-/// neighbours differ, and blurred edges make most steps small.
+/// Returns whether the values of a volume look like label numbers: they are few whole numbers of 0
+/// or more, most voxels equal their neighbours, and the other steps are of any size. In a scan,
+/// noise makes neighbours differ, and blurred edges make most steps small.
 bool LooksLikeLabels(vtkImageData* image);
 
 } // namespace Explore

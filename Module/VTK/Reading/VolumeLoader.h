@@ -50,9 +50,10 @@ struct Volume
   bool IsGrid = false;       // whether the volume was resampled from cells
   bool IsField = false; // values come from a grid or are the magnitude of a field, of no tissue
   vtkSmartPointer<vtkPolyData> Outline = nullptr; // where the cells of a grid are
-  // What there is to choose from: the series of a DICOM folder, as `1 "Thorax", CT, 133 slices of
-  // 512 x 512`, the segments of a segmentation, or the volumes of a file with more than three axes.
-  // Each begins with its number, from 1 on. SeriesNumber is the number of the one that was read.
+  // The choices in the file: the series of a DICOM folder, as
+  // `1 "Thorax", CT, 133 slices of 512 x 512`, the segments of a segmentation, or the volumes of a
+  // file with more than three axes. Each begins with its number, from 1 on. SeriesNumber is the
+  // number of the choice that was read.
   std::vector<std::string> Series = {};
   int SeriesNumber = 0;
   bool MayBeLabels = false; // whether the values look like label numbers
@@ -91,15 +92,16 @@ Volume LoadVolume(const std::string& path, int series = 0, const std::string& ar
 /// `error`, on failure.
 vtkSmartPointer<vtkImageData> ReadWhole(vtkHapticRegionSource* source, std::string& error);
 
-/// Adds notes on what the source assumed when it opened its file, and what there is to choose from.
+/// Adds notes on the assumptions that the source made when it opened its file, and the list of
+/// choices in the file.
 void AddFileNotes(vtkHapticRegionSource* source, Volume& volume);
 
 /// Reads a NRRD file of labels, which may have segments in layers. If it has segments, they can be
 /// chosen from.
 Volume ReadNrrdSegmentation(const std::string& path, int series = 0);
 
-/// Lists the segments of a segmentation, whose table has their names, to choose from. `chosen` is
-/// the number of the one that was read alone; 0: all.
+/// Lists the segments of a segmentation, whose table has their names, for the user to choose from.
+/// `chosen` is the number of the segment that was read alone; 0 means all.
 void ListSegments(Volume& volume, int chosen);
 } // namespace Explore
 

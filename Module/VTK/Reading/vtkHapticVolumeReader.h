@@ -117,8 +117,8 @@ public:
   vtkHapticLabelTable* GetLabelTable();
 
   /**
-   * Returns what is wrong with labels, one on each line: none of them lies in the volume, or some
-   * labels of the table, which may be null, are in no voxel.
+   * Returns the faults of labels, one on each line: no label lies in the volume, or some labels of
+   * the table, which may be null, are in no voxel.
    */
   static std::string DescribeLabels(
     vtkImageData* labels, vtkImageData* volume, vtkHapticLabelTable* table);

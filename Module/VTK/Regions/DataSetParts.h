@@ -33,8 +33,8 @@ struct SamplingGrid
 std::vector<vtkDataSet*> CollectParts(vtkDataObject* data);
 
 /**
- * Whether a part has polyhedra without faces. VTK before 9.4 does not read the faces that later
- * versions write, and its filters then read past the end of memory.
+ * Returns whether a part has polyhedra without faces. VTK before 9.4 does not read the faces that
+ * later versions write, and its filters then read past the end of memory.
  */
 bool LackFaces(const std::vector<vtkDataSet*>& parts);
 

@@ -51,7 +51,9 @@ struct LargeVolumeKey
   }
 };
 
-/** Identifies what the coarse level is made of. By default, there is no coarse level. */
+/**
+ * Identifies the data from which the coarse level is made. By default, there is no coarse level.
+ */
 struct CoarseKey
 {
   const void* Image = nullptr;
@@ -72,14 +74,14 @@ public:
   RegionStore();
   ~RegionStore();
 
-  /** Whether there is a volume and it was made with these settings. */
+  /** Returns whether there is a volume and it was made with these settings. */
   bool IsOf(const LargeVolumeKey& key) const { return this->Volume && this->Key == key; }
   /** Replaces the volume, and discards everything about the last volume. */
   void SetVolume(const LargeVolumeKey& key, std::shared_ptr<const LargeVolume> volume);
   const LargeVolume* GetVolume() const { return this->Volume.get(); }
   /** Ends the thread, and discards the volume and the coarse level. */
   void Clear();
-  /** Sets the coarse level that replaces late samples; null stands for none. */
+  /** Sets the coarse level that replaces late samples; null means no coarse level. */
   void SetCoarseLevel(const CoarseKey& key, std::shared_ptr<const CoarseLevel> level);
   bool HasCoarseLevel(const CoarseKey& key) const { return this->CoarseOf == key; }
 
@@ -99,15 +101,15 @@ public:
    */
   vtkDataArray* GetSamples() const { return this->Samples; }
   const BoxExtent& GetRegion() const { return this->Region; }
-  /** Whether the resident samples belong to the coarse level. */
+  /** Returns whether the resident samples belong to the coarse level. */
   bool IsStandIn() const { return this->StandsIn; }
   bool IsWaiting() const { return this->Ordered.has_value(); }
   bool IsSurveyed() const { return this->Facts.has_value(); }
   /** Returns why the last read failed; empty if it did not. */
   const std::string& GetTrouble() const { return this->Trouble; }
   /**
-   * Returns a notice on what is treated as outside, and then, until there is a new notice, an empty
-   * text.
+   * Returns a notice on the values that are treated as outside, and then, until there is a new
+   * notice, an empty text.
    */
   std::string DrainNotice() { return std::exchange(this->Notice, {}); }
 
@@ -125,7 +127,10 @@ private:
   bool ReceiveRegion(const double tip[3], double interval);
   /** Makes a region of the coarse level if the resident region lacks samples around the tip. */
   bool UpdateStandIn(const double tip[3]);
-  /** Whether a region has all samples for a hand that does not press deeper than the tip is now. */
+  /**
+   * Returns whether a region has all samples for a hand that does not press deeper than the tip is
+   * now.
+   */
   bool Holds(const BoxExtent& region, const double tip[3]) const;
   void Show(RegionSamples&& region, bool standsIn);
   void MeasureVelocity(const double tip[3], double time);

@@ -265,8 +265,8 @@ public:
   }
 
   /**
-   * Discard what was read. Call this if the samples behind the reader, or in the file, have
-   * changed: they are not checked for changes. Waits as SetReader does.
+   * Discard all samples that were read. Call this if the samples behind the reader, or in the file,
+   * have changed: the source does not check them for changes. Waits as SetReader does.
    */
   void Reload();
 
@@ -295,7 +295,7 @@ public:
   ///@{
   /**
    * Reserve the source for one of several devices, whose tip its regions follow. TakeLead returns
-   * false while another one leads.
+   * false while another device leads.
    */
   bool TakeLead(const void* device);
   void LeaveLead(const void* device);

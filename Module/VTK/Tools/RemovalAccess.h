@@ -89,9 +89,11 @@ struct RemovalData
   bool Replace(const std::vector<BrickTissue>& fractions, vtkImageData* geometry);
   /** Replaces the tissue by a file's contents. */
   void ApplyContent(std::unique_ptr<RemovalContent> content);
-  /** Whether the fractions within the volume still equal those of the file. */
+  /** Returns whether the fractions within the volume still equal those of the file. */
   bool IsAsRead() const;
-  /** Whether a volume with the last volume's extent is another part of the file's volume. */
+  /**
+   * Returns whether a volume with the last volume's extent is another part of the file's volume.
+   */
   bool IsOtherPart(vtkImageData* geometry, const int extent[6]) const;
   /**
    * Fits the file's contents to another part of the file's volume. Returns false if the samples are

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * Checks and describes what vtkHapticPointShell and vtkHapticBurr, the tools with a shape, have in
- * common.
+ * @file Checks and describes the settings that vtkHapticPointShell and vtkHapticBurr, the tools
+ * with a shape, share.
  */
 #ifndef ShellDescription_h
 #define ShellDescription_h

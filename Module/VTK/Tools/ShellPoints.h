@@ -53,8 +53,8 @@ class ShellPreparation
 {
 public:
   /**
-   * Whether GetShellPoints() is quick now. If not, makes the points in the background, for one mesh
-   * at a time.
+   * Returns whether GetShellPoints() is quick now. If not, makes the points in the background, for
+   * one mesh at a time.
    */
   bool Prepare(vtkPolyData* mesh, int count);
   /** Ends the work that Prepare() began, without waiting for it. */

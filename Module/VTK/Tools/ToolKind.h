@@ -96,10 +96,11 @@ public:
   virtual vtkSmartPointer<vtkPolyData> MakeShape(vtkHapticTool* /*tool*/) const { return nullptr; }
   virtual double ComputeReach(vtkHapticTool* /*tool*/) const { return 0.0; }
   /**
-   * Whether the tool's mesh turns with the stylus and spins. Otherwise it has the felt orientation.
+   * Returns whether the tool's mesh turns with the stylus and spins. Otherwise it has the felt
+   * orientation.
    */
   virtual bool TurnsWithStylus() const { return false; }
-  /** Whether turning the tool changes its look. */
+  /** Returns whether turning the tool changes its look. */
   virtual bool IsTurnable() const { return false; }
   ///@}
 

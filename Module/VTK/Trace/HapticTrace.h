@@ -111,7 +111,7 @@ public:
   /** `work` carries its sum from one part of a path to the next. */
   TracePart(const HapticTrace& trace, vtkIdType firstRow, WorkMeter& work);
 
-  /** Returns the record that the next Append() adds. Write all of it before. */
+  /** Returns the record that the next Append() adds. Write all of its members before. */
   TickRecord& GetNext() { return this->Records[this->Filled]; }
   /**
    * Adds the record of GetNext(). `forces` are the modes' forces on device axes, if the trace has

@@ -31,13 +31,13 @@ void SetRecordedSettings(vtkPolyData* path, const std::string& settings);
 std::string FindRecordedSetting(vtkPolyData* recording, const std::string& prefix);
 
 /**
- * Whether a recording is older than the setting MaterialPlacement. Its surfaces then have the
- * materials of the kernel.
+ * Returns whether a recording is older than the setting MaterialPlacement. Its surfaces then have
+ * the materials of the kernel.
  */
 bool IsOlderThanMaterialPlacement(vtkPolyData* recording);
 
 /**
- * Whether walls of labels with thick slices come from a finer grid. It is false only for a
+ * Returns whether walls of labels with thick slices come from a finer grid. It is false only for a
  * recording that was made without this grid. `recording` may be null, or a path.
  */
 bool HasFineLabels(vtkPolyData* recording);

@@ -131,7 +131,7 @@ private:
  */
 std::int64_t GetTraceLabel(const HapticModel& model, const TickRecord& record);
 
-/** Whether the proxy of a record is held by the wall in front of a forbidden label. */
+/** Returns whether the proxy of a record is held by the wall in front of a forbidden label. */
 bool IsHeldAtForbidden(const HapticModel& model, const TickRecord& record);
 
 /**

@@ -25,8 +25,8 @@ class vtkContext2D;
 namespace Explore
 {
 /// A bar with buttons along the top of a window, with a hint for the button under the pointer, and
-/// the menus that its buttons open: those of a group of commands, and one of all commands. The rest
-/// of the window gets what is below the bar.
+/// the menus that its buttons open: a menu for each group of commands, and a menu of all commands.
+/// The rest of the window is below the bar.
 class CommandBar
 {
 public:
@@ -68,7 +68,7 @@ private:
   void Activate(const Button& button);
   void OpenMenu(const std::string& group, const Button& from);
   void CloseMenu();
-  /// Closes the menu without a frame.
+  /// Called before each command.
   void HideMenu();
   /// Draws the scene after HideMenu().
   void EndMenu();
@@ -104,9 +104,9 @@ private:
   int Pointed = -1; ///< button under the pointer
   float Height = 0.0f;
   bool HasLabels = true;
-  std::vector<float> LabelWidths; ///< for the present scale
+  std::vector<float> LabelWidths; ///< label widths for the present scale
   double LabelScale = 0.0;
-  std::string Drawn; ///< what the picture of the bar shows
+  std::string Drawn; ///< content of the bar's picture
   vtkNew<vtkImageData> Picture;
 
   std::vector<Row> Rows; ///< rows of the open menu

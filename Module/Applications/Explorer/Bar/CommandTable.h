@@ -76,7 +76,7 @@ public:
   std::string ListKeys() const;
   /// Sets lines that stand before these keys in the style's list, which is kept up to date.
   void SetFacts(const std::string& facts);
-  /// Returns what is printed on a key, such as "Ctrl+O".
+  /// Returns the label of a key, such as "Ctrl+O".
   static std::string LabelKey(const std::string& key);
 
 private:

@@ -13,8 +13,8 @@ class vtkVolumeHapticsFilter;
 
 namespace Explore
 {
-/// Describes what a file contains, and what of it can be felt. Lengths are in the volume's world,
-/// which is in millimetres if its file says so.
+/// Describes the contents of a file, and which of them can be felt. Lengths are in the volume's
+/// world, which is in millimetres if its file says so.
 class Inspection
 {
 public:
@@ -29,7 +29,8 @@ public:
   std::string ToJson() const;
   /// Returns titles, and lines with a word, a tab and a value, for the list of keys.
   std::string ListFacts() const;
-  /// Returns what was guessed, left out, filled, resampled or turned, a line each, for the window.
+  /// Returns the notes for the window, one on each line, on everything that was guessed, left out,
+  /// filled, resampled or turned.
   std::string ListTold() const;
 
 private:
@@ -44,7 +45,7 @@ private:
   std::string Axes;
   std::string Modality;
   std::string ModalityReason;
-  std::string Padding; // what was treated as outside; empty if nothing was
+  std::string Padding; // values that were treated as outside; empty if there are none
   std::string Preset;
   std::string PresetReason;
   std::string Unit; // unit of the values, after a blank; empty if there is none

@@ -7,8 +7,8 @@
 
 namespace Explore
 {
-/// The desktop's own dialog for files: zenity or kdialog, whichever is installed. It runs as a
-/// process of its own, so that the window and the servo go on meanwhile. Windows has none of them.
+/// The desktop's own dialog for files: zenity or kdialog, whichever is installed. The dialog runs
+/// in a separate process, so that the window and the servo continue. Windows has neither program.
 class FileDialog
 {
 public:
@@ -38,7 +38,7 @@ private:
 
   int Process = -1;   // id; -1: no dialog is open
   int Pipe = -1;      // end from which the program's output is read
-  std::string Output; // what the program has written
+  std::string Output; // output of the dialog's program
 };
 } // namespace Explore
 

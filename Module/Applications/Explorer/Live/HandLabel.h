@@ -17,8 +17,8 @@ class vtkContext2D;
 
 namespace Explore
 {
-/// Writes beside the tip what is in the hand, what it touches, with how much force, and how deep
-/// below the surface that the viewer sees; and draws a scale with its unit. Ctrl+H hides both.
+/// Writes beside the tip which tool the hand holds, what it touches, with how much force, and how
+/// deep below the surface that the viewer sees; and draws a scale with its unit. Ctrl+H hides both.
 class HandLabel
 {
 public:

@@ -32,7 +32,7 @@ public:
   HandTool(const HandTool&) = delete;
   HandTool& operator=(const HandTool&) = delete;
 
-  /// Whether the burr has removed tissue since a file was last written.
+  /// Returns whether the burr has removed tissue since a file was last written.
   bool HasUnwrittenRemoval() const;
 
 private:

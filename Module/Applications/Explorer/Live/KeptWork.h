@@ -30,7 +30,7 @@ public:
   KeptWork(const KeptWork&) = delete;
   KeptWork& operator=(const KeptWork&) = delete;
 
-  /// Returns a notice of what F11 would restore; empty if there is nothing.
+  /// Returns a notice that lists the work which F11 would restore; empty if there is none.
   std::string GetOffer() const;
   /// Restores the work, as F11 does.
   void BringBack();

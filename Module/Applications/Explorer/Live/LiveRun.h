@@ -12,7 +12,7 @@ namespace Explore
 /// Results of a run through the servo loop.
 struct LiveRun
 {
-  vtkSmartPointer<vtkPolyData> Trace; // trace as it was recorded, tick by tick
+  vtkSmartPointer<vtkPolyData> Trace; // recorded trace, tick by tick
   // text on how well the servo kept time, with a comparison with the offline filter
   std::string Report;
   bool IsReproduced = false; // whether equal tips gave equal forces offline and live

@@ -32,7 +32,7 @@ public:
 private:
   void Swap();
   void Switch();
-  /// Multiplies the opacities of the shown look, down to what can hardly be seen.
+  /// Multiplies the opacities of the shown look, down to a look that is hardly visible.
   void ScaleOpacity(double factor);
 
   TouchScene& Touch;
@@ -40,7 +40,7 @@ private:
   const bool HasOther;
   bool IsInside = false;
   double Factor = 1.0;
-  double OtherFactor = 1.0; // of the look that is not shown
+  double OtherFactor = 1.0; // factor of the look that is hidden
 };
 } // namespace Explore
 

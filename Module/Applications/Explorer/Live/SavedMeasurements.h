@@ -30,7 +30,7 @@ public:
   /// reason.
   std::string SaveAtEnd();
 
-  /// Whether all measurements are saved.
+  /// Returns whether all measurements are saved.
   bool IsSaved() const;
 
 private:

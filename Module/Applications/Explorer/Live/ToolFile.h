@@ -10,7 +10,7 @@
 
 namespace Explore
 {
-/// Whether a file name has the ending of a surface: .stl, .ply, .obj or .vtp.
+/// Returns whether a file name has the ending of a surface: .stl, .ply, .obj or .vtp.
 bool IsToolFile(const std::string& name);
 
 /// Reads the surface of a tool. Lengths in the file are assumed to be in the volume's unit. If the

@@ -30,7 +30,7 @@ constexpr double SLICE_SHARE = 0.3;
 struct DeviceChoice
 {
   std::string Id = "virtual";
-  std::string SecondId; // of the other hand; empty: none
+  std::string SecondId; // device of the other hand; empty for one hand
   std::string Firmware; // empty: the file of the environment variable
   // newtons of a stick that is fully deflected, along x and y
   std::array<double, 2> Newtons{ 100.0, 100.0 };
@@ -84,7 +84,7 @@ struct FileChoice
   std::string Path;
   int Series = 0;            // see LoadVolumes
   bool AsLabels = false;     // whether the values are shown as labels
-  WindowPlace Place = {};    // of the window in which the file was chosen
+  WindowPlace Place = {};    // place of the window in which the file was chosen
   bool HasMoreFiles = false; // whether it is the first one of several files
 };
 

@@ -50,7 +50,7 @@ private:
   /// Begins or ends the recording of the second hand, next to the first hand's file, as
   /// touch-001-second.vtp. Returns an error; empty if there is none, or no recording to end.
   std::string RecordSecond(bool begins, const std::string& file);
-  /// Shows in the display what is being recorded.
+  /// Shows the recordings in progress in the display.
   void Report();
 
   TouchScene& Touch;

@@ -34,7 +34,7 @@ public:
   /// inside the volume, 0 if none did.
   double Quality(double right, double up) const;
 
-  /// Whether no ray met the body.
+  /// Returns whether no ray met the body.
   bool IsEmpty() const { return this->Hits == 0; }
 
 private:

@@ -13,7 +13,7 @@
 
 namespace Explore
 {
-/// One action of the hand, from tick First to the tick before Last.
+/// An action of the hand, from tick First to the tick before Last.
 struct Phase
 {
   std::string Name;

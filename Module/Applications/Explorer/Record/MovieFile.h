@@ -21,7 +21,7 @@ public:
   /// Number of pictures per second.
   static constexpr int RATE = 20;
 
-  /// Whether this program can write movies.
+  /// Returns whether this program can write movies.
   static bool IsAvailable();
 
   /// Opens a file. Returns null, with the reason, if it can't be written.

@@ -16,8 +16,8 @@ namespace Explore
 /// opacity, which is for a cut, is disabled here.
 void SetVolumeLook(const Analysis& analysis, vtkVolumeProperty* property);
 
-/// Whether the inside has parts to see and to feel. Returns false for labels, which can be hidden
-/// one by one, and for fields.
+/// Returns whether the inside has parts to see and to feel. Returns false for labels, which can be
+/// hidden one by one, and for fields.
 bool HasInside(const Analysis& analysis);
 
 /// Shows only the dense parts of the volume. With vtkHapticProperty::SetVisibilityFrom, only these

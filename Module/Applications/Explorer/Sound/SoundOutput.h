@@ -25,7 +25,7 @@ public:
   SoundOutput(const SoundOutput&) = delete;
   SoundOutput& operator=(const SoundOutput&) = delete;
 
-  /// Whether the program was built with the library.
+  /// Returns whether the program was built with the library.
   static bool IsAvailable();
   /// Returns at once, and connects to the server in the background. The stream must outlive the
   /// output.

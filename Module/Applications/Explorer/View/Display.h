@@ -7,8 +7,8 @@ class vtkRenderWindow;
 
 namespace Explore
 {
-/// Whether the environment names a display, or windows do not need one. Without a display, VTK's
-/// X11 windows abort the program, also off screen.
+/// Returns whether the environment names a display, or windows do not need one. Without a display,
+/// VTK's X11 windows abort the program, also off screen.
 bool HasDisplay();
 
 /// Sets the window's dots per inch to those of its screen, which scales all texts and the spaces

@@ -19,7 +19,7 @@
 namespace VolumeHaptics
 {
 
-/** Which samples of a volume are outside, and the value with which they are felt. */
+/** Tells which samples of a volume are outside, and with which value they are felt. */
 struct OutsideSamples
 {
   /**

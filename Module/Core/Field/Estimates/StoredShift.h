@@ -13,10 +13,10 @@ namespace VolumeHaptics
 {
 
 /**
- * How Hounsfield units are stored, estimated from the values in the noise blocks. DICOM stores them
- * without sign, usually 1024 higher (its Rescale Intercept, PS3.3 C.7.6.16-2.9). Other formats
- * store them 1000 or 32768 higher. Air and soft tissue, the two peaks in every CT of a body, then
- * have shifted values.
+ * An estimate, from the values in the noise blocks, of the shift with which Hounsfield units are
+ * stored. DICOM stores them without sign, usually 1024 higher (its Rescale Intercept, PS3.3
+ * C.7.6.16-2.9). Other formats store them 1000 or 32768 higher. Air and soft tissue, the two peaks
+ * in every CT of a body, then have shifted values.
  */
 struct StoredShift
 {

@@ -49,7 +49,7 @@ template <int N>
 VOLUME_HAPTICS_INLINE bool ReadCell(
   const TimeStepTaps& memory, const CellPlace& place, double fraction, TapCell<N>& cell)
 {
-  // As unsigned numbers, negative ones are large, so that one comparison checks both ends.
+  // Converted to unsigned, negative numbers are large, so that one comparison checks both ends.
   const auto i = static_cast<std::uint64_t>(place.X.Cell - memory.First[0]);
   const auto j = static_cast<std::uint64_t>(place.Y.Cell - memory.First[1]);
   const auto k = static_cast<std::uint64_t>(place.Z.Cell - memory.First[2]);

@@ -146,8 +146,8 @@ public:
   }
 
   /**
-   * Performs a fraction of a motion, or less if the material there allows no more. Returns where it
-   * ends.
+   * Performs a fraction of a motion, or less if the material there allows less. Returns where the
+   * motion ends.
    */
   Arrival Arrive(
     const Departure& start, const Motion& motion, double fraction, const Vector3& tip) noexcept;

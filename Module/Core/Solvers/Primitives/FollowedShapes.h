@@ -62,8 +62,8 @@ public:
   FollowedShapes& operator=(const FollowedShapes&) = delete;
 
   /**
-   * Returns the shapes at a place (m). Modes that hold nothing there have none, and so have methods
-   * other than Primitives.
+   * Returns the shapes at a place (m). Modes without a force there have no shapes, and neither have
+   * methods other than Primitives.
    */
   std::vector<FollowedShape> Collect(const Vector3& place);
 

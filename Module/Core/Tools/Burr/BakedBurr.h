@@ -59,8 +59,8 @@ public:
    */
   bool Step(const ToolTick& tick) const noexcept override;
   /**
-   * Moves the head to another model, and begins the removal anew. Returns whether the method begins
-   * anew.
+   * Moves the head to another model, and starts a new removal. Returns whether the method starts
+   * again.
    */
   bool Carry(const HapticModel& from, const HapticModel& to, ServoState& state,
     ToolMemory* memory) const noexcept override;

@@ -40,8 +40,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Work (CarvingCost) after which a tick begins no more bricks. It takes about a fifth of a
- * millisecond, whatever the size of the burr and of the volume.
+ * Work (CarvingCost) after which a tick starts no further bricks. This work takes about a fifth of
+ * a millisecond, whatever the size of the burr and of the volume.
  */
 constexpr std::size_t MostBurrWork = 20480;
 
@@ -53,7 +53,7 @@ struct BurrHand
   double Step = 0.0; ///< time since the last tick (s); with 0, nothing is removed
 };
 
-/** Memory of a burr between ticks. A larger tool needs more of it. */
+/** Memory of a burr between ticks. A larger tool needs more memory. */
 struct BurrMemory
 {
   ShellMemory& Shell;

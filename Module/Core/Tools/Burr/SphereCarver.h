@@ -41,7 +41,7 @@ namespace VolumeHaptics
 /** Energy (J/mm^3) to remove tissue, by value; in channel 0. */
 using SpecificEnergyTable = PiecewiseTable<2>;
 
-/** Which tissue is carved. */
+/** Describes the tissue that is carved. */
 struct CarvedTissue
 {
   double Level = 0.0;   ///< level beyond which the value of a sample is solid
@@ -54,7 +54,7 @@ struct CarvingPart
 {
   /** Index of the brick with which the part begins; the last part ended there. */
   std::uint32_t First = 0;
-  std::size_t MostWork = ~std::size_t{ 0 }; ///< work after which no more bricks are begun
+  std::size_t MostWork = ~std::size_t{ 0 }; ///< work after which no further bricks are started
 };
 
 /** The cost of a sphere, or of a part of it, and the amount that it removes. */

@@ -36,7 +36,7 @@ public:
   static const ShapedTool* Find(const BakedVolume& baked) noexcept;
 
   bool IsSame(const BakedTool& other) const override;
-  /** Moves the state to another model. If that is impossible, the hand begins anew. */
+  /** Moves the state to another model. If that is impossible, the hand starts again. */
   bool Carry(const HapticModel& from, const HapticModel& to, ServoState& state,
     ToolMemory* memory) const noexcept override;
   void Begin(ServoState& state) const noexcept override;

@@ -64,7 +64,7 @@ struct FourPlaces
 VOLUME_HAPTICS_INLINE FourPlaces LocateCells(const Double4& position, double first, double last)
 {
   const Double4 inside = Smaller(Larger(position, Spread(first)), Spread(last));
-  // Both are whole numbers, and the smaller one is at most the last cell.
+  // Both operands are whole numbers, and the smaller one is at most the last cell.
   const Double4 cell = Smaller(Floor(inside), Spread(last - 1.0));
   return { cell, inside - cell };
 }

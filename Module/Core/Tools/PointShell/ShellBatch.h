@@ -41,8 +41,9 @@ static_assert(std::is_standard_layout_v<ShellContact> &&
 /** Maps of a gradient per index step, and of a displacement in the device's space. */
 struct ShellFrame
 {
-  double GradientToDevice[9]; ///< by rows; to a gradient per world unit along the device's axes
-  double DeviceToIndex[9];    ///< by rows; from m to index steps
+  /// matrix by rows, to a gradient per world unit along the device's axes
+  double GradientToDevice[9];
+  double DeviceToIndex[9]; ///< matrix by rows, from m to index steps
   double UnitsPerMeter;
   double Voxel;        ///< in m
   double KernelLength; ///< in m
@@ -53,7 +54,7 @@ struct ShellFrame
 struct ShellPlacement
 {
   double ToolToIndex[12]; ///< a matrix by rows, followed by an offset
-  double ToolToDevice[9]; ///< by rows; for displacements
+  double ToolToDevice[9]; ///< matrix by rows, for displacements
 };
 
 /**

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * Tests which points of a shell are solid, and what a box of samples contains, for ShellKernels.h.
- * The rules of FieldKernels.h hold here, too.
+ * @file Tests which points of a shell are solid, and what a box of samples contains, for
+ * ShellKernels.h. The rules of FieldKernels.h apply here, too.
  */
 #ifndef ShellMarkKernels_h
 #define ShellMarkKernels_h

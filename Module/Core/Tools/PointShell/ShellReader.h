@@ -119,7 +119,9 @@ struct ShellFunctions
 };
 
 ///@{
-/** Not inline, because the kernels must not call inline functions (FieldKernels.h). */
+/**
+ * This function is not inline, because the kernels must not call inline functions (FieldKernels.h).
+ */
 const MaterialTable::Segment* FindSegmentOf(const MaterialTable& table, double x) noexcept;
 const DistinctnessTable::Segment* FindSegmentOf(const DistinctnessTable& table, double x) noexcept;
 ///@}

@@ -38,14 +38,17 @@ struct HidDeviceInfo
    * the same identity.
    */
   bool KeepsIdentity() const { return !this->Serial.empty(); }
-  /** Whether this may be the same device: everything that does not depend on the port is equal. */
+  /**
+   * Returns whether this may be the same device: everything that does not depend on the port is
+   * equal.
+   */
   bool IsLike(const HidDeviceInfo& other) const
   {
     return this->Vendor == other.Vendor && this->ProductId == other.ProductId &&
       this->UsagePage == other.UsagePage && this->Serial == other.Serial &&
       this->Product == other.Product;
   }
-  /** Returns what a user who may not open the device can do about it. */
+  /** Returns advice for a user who may not open the device. */
   std::string GetPermissionCure() const;
   /** Returns "available", "in use", or the obstacle and its cure. */
   std::string GetState() const;

@@ -101,15 +101,15 @@ protected:
 private:
   bool Take(const HidDeviceInfo& info, std::string& error);
   /**
-   * Whether the device is known again once it is back: no other one has its serial number, or it
-   * gives no force.
+   * Returns whether the device is known again once it is back: no other one has its serial number,
+   * or it gives no force.
    */
   bool CanReturn() const
   {
     return (this->KeepsIdentity() && !this->HasTwin) || this->GetIdentity().empty();
   }
   const char* GetUnpluggedText() const { return this->CanReturn() ? UnpluggedText : OpenAgainText; }
-  /** Lists the devices that may be the one of before, or its twins. */
+  /** Lists the devices that may be the previous device, or its twins. */
   std::vector<HidDeviceInfo> ListLike(const HidDeviceInfo& before) const;
   /** Remembers whether another device with the same names and serial number is plugged in. */
   void LookForTwin();

@@ -42,7 +42,7 @@ class HidReportDescriptor
 {
 public:
   ///@{
-  /** Limits of what is accepted. Real devices stay far below. */
+  /** Limits of an accepted descriptor. Real devices stay far below. */
   static constexpr std::size_t MaximumSize = 16384; ///< bytes of a descriptor
   static constexpr int MaximumDepth = 32; ///< nesting of collections, and of pushed states
   static constexpr std::size_t MaximumFields = 4096;

@@ -25,7 +25,7 @@ std::optional<unsigned> FindOtherListener(std::istream& table, std::uint16_t por
 
 /**
  * Returns false and writes the reason to `error` if another user's program listens at a port of
- * this computer. Only Linux tells.
+ * this computer. Only Linux reports this.
  */
 bool IsOwnListener(std::uint16_t port, std::string& error);
 

@@ -45,9 +45,9 @@ public:
   SerialPort(const SerialPort&) = delete;
   SerialPort& operator=(const SerialPort&) = delete;
 
-  /** Whether a text, which is not empty, may be the path of a port. */
+  /** Returns whether a text, which is not empty, may be the path of a port. */
   static bool IsPath(const std::string& path);
-  /** Whether there is a port of this path. */
+  /** Returns whether there is a port of this path. */
   static bool IsThere(const std::string& path);
   /** Lists the boards whose names contain a word, in the order of the names. */
   static std::vector<SerialPortInfo> List(

@@ -14,7 +14,7 @@
 namespace VolumeHaptics
 {
 
-/** How a transfer ended. */
+/** Tells how a transfer ended. */
 enum class UsbOutcome : std::uint8_t
 {
   Done,

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * Computes the modification times of what a servo feels.
+ * @file Computes the modification times of the objects that a servo feels.
  */
 #ifndef HapticChangeTime_h
 #define HapticChangeTime_h

@@ -55,8 +55,8 @@ class PastTimeSpans
 public:
   void Record(const std::shared_ptr<const BakedVolume>& span);
   /**
-   * Whether no earlier time span is in use any more. Also true if a reader of states has held one
-   * for too long.
+   * Returns whether no earlier time span is in use any more. Also true if a reader of states has
+   * held one for too long.
    */
   bool AreGone() const;
 
@@ -69,9 +69,9 @@ private:
 VolumeTimeStep KeepTimeStep(const BakedVolume& span, std::size_t number);
 
 /**
- * Whether time steps at the times `next` and time steps at the times `last` give the same volume at
- * `time`. A time step at a time of both lists is equal in both, so this is true at such a time, and
- * between two neighbouring times that both lists contain. Times are ascending.
+ * Returns whether time steps at the times `next` and time steps at the times `last` give the same
+ * volume at `time`. A time step at a time of both lists is equal in both, so this is true at such a
+ * time, and between two neighbouring times that both lists contain. Times are ascending.
  */
 bool GoesOnWith(const std::vector<double>& last, const std::vector<double>& next, double time);
 

@@ -48,7 +48,7 @@ struct TimeSteps
   {
     return (step + this->Times.size() - 1) % this->Times.size();
   }
-  /** Whether the servo gets all steps in one time span. */
+  /** Returns whether the servo gets all steps in one time span. */
   bool AreAllAtOnce() const
   {
     constexpr std::size_t most = 3;
@@ -70,7 +70,7 @@ struct PreparedTimeSpan
 /** The data time for which time steps are wanted, and how playback continues from it. */
 struct TimeStepPlace
 {
-  std::optional<double> Time; ///< data time; none stands for the first step
+  std::optional<double> Time; ///< data time; empty for the first step
   bool IsBackward;
   Playback Mode;
 };
@@ -88,9 +88,9 @@ public:
    */
   bool Poll(vtkVolumeHapticsFilter* filter, const TimeStepPlace& place, const BakedVolume* last,
     const BakedVolume* kept);
-  /** Whether Poll() has read time steps that Drain() has not taken yet. */
+  /** Returns whether Poll() has read time steps that Drain() has not taken yet. */
   bool IsBegun() const { return this->Span.has_value(); }
-  /** Whether neither this object nor its worker holds time steps. */
+  /** Returns whether neither this object nor its worker holds time steps. */
   bool IsIdle() { return !this->IsBegun() && this->Mesher.IsIdle(); }
   /** Returns the data times of all steps of the series that was read; empty before that. */
   std::vector<double> GetTimes() const
@@ -103,7 +103,7 @@ public:
   /** Returns the time steps of Poll(); if there are none, reads them now. */
   PreparedTimeSpan Drain(
     vtkVolumeHapticsFilter* filter, const TimeStepPlace& place, const BakedVolume* kept);
-  /** Whether the source had further time steps at the last call of Drain(). */
+  /** Returns whether the source had further time steps at the last call of Drain(). */
   bool WasBehind() const { return this->TookLate; }
   /** Ends the preparation without waiting for the worker, and discards the time steps. */
   void End();

@@ -58,7 +58,8 @@ public:
   /** Ends the work that is under way, without waiting for it. */
   void End() { this->Meshing.Abandon(); }
   /**
-   * Whether no worker holds time steps any more. Call it when no time steps wait for their meshes.
+   * Returns whether no worker holds time steps any more. Call it when no time steps wait for their
+   * meshes.
    */
   bool IsIdle()
   {

@@ -68,7 +68,7 @@ public:
    * are older than the kept memory of the tool and the removed tissue (ServoLoop::KeepTool).
    */
   bool Append(const ServoSnapshot& snapshot);
-  /** Whether no tick has been recorded yet. */
+  /** Returns whether no tick has been recorded yet. */
   bool IsAwaited() const { return this->LastPlacement < 0; }
   /** Sets the hashes when they are known. Call it once, on the owner's thread. */
   void SetHashes(const RecordingHashes& hashes);
@@ -83,8 +83,8 @@ public:
   std::uint64_t GetNumberOfTicks() const { return this->Written.load(); }
 
   /**
-   * Returns why the recording ended before it was stopped, and what is left of it; empty if it did
-   * not. Any thread may call it.
+   * Returns why the recording ended before it was stopped, and which part of it remains; empty if
+   * the recording did not end early. Any thread may call this.
    */
   std::string GetTrouble() const;
 

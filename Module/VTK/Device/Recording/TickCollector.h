@@ -118,7 +118,7 @@ public:
   {
     return this->Models.empty() ? nullptr : this->Models.rbegin()->second.Model.get();
   }
-  /** Whether the loop uses the model that was published last. */
+  /** Returns whether the loop uses the model that was published last. */
   bool IsLatestUsed() const
   {
     return !this->Models.empty() && this->Loop.GetAcknowledged() >= this->Models.rbegin()->first;
@@ -160,7 +160,7 @@ public:
   void Drain();
 
 private:
-  /** Whether a recording waits for its first tick with a removal other than this one. */
+  /** Returns whether a recording waits for its first tick with a removal other than this one. */
   bool AwaitsOther(const TissueRemoval* removal);
   /** Returns the removal of the model that was published last; null if nothing is removed. */
   TissueRemoval* GetLatestRemoval() const;

@@ -28,7 +28,7 @@ namespace VolumeHaptics
 {
 
 ///@{
-/** Whether the first line that is not ignored has the format of such a list. */
+/** Returns whether the first line that is not ignored has the format of such a list. */
 bool IsItkSnapTable(std::string_view text);
 bool IsFreeSurferTable(std::string_view text);
 bool IsNameList(std::string_view text);
@@ -44,7 +44,7 @@ bool ReadFreeSurferTable(std::string_view text, LabelEntries& entries, std::stri
 bool ReadNameList(std::string_view text, LabelEntries& entries, std::string& error);
 ///@}
 
-/** Whether bytes can be a file of colours, because there are 768 of them. */
+/** Returns whether bytes can be a file of colours, because there are 768 of them. */
 bool IsPalette(std::string_view bytes);
 /** Reads the colours of the labels 0 to 255. */
 void ReadPalette(std::string_view bytes, LabelEntries& entries);

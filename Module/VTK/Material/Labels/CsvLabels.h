@@ -40,8 +40,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Whether the first line that is not empty has at least two cells, one of which names the column of
- * labels.
+ * Returns whether the first line that is not empty has at least two cells, one of which names the
+ * column of labels.
  */
 bool IsCsv(std::string_view text);
 

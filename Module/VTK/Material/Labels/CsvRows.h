@@ -31,7 +31,7 @@ public:
   bool Next(std::vector<std::string>& cells);
   /** Returns the number of the line, from 1, where the last row begins. */
   int GetLine() const { return this->RowLine; }
-  /** Whether the text ends within quotes. */
+  /** Returns whether the text ends within quotes. */
   bool IsCutOff() const { return this->CutOff; }
 
 private:

@@ -34,7 +34,7 @@ GzipFile OpenGzipFile(const std::string& name, std::size_t offset, std::string& 
  */
 bool ReadLabelBytes(const std::string& file, std::string& bytes, std::string& error);
 
-/** Whether bytes begin like a VTK XML file, whose field data LabelFieldData.h reads. */
+/** Returns whether bytes begin like a VTK XML file, whose field data LabelFieldData.h reads. */
 bool IsVtkFile(std::string_view bytes);
 
 /**

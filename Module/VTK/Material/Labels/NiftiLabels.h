@@ -18,7 +18,7 @@
 namespace VolumeHaptics
 {
 
-/** Whether uncompressed bytes begin like a NIfTI file, version 1 or 2. */
+/** Returns whether uncompressed bytes begin like a NIfTI file, version 1 or 2. */
 bool IsNifti(std::string_view bytes);
 
 /**

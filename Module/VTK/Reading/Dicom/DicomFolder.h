@@ -22,7 +22,7 @@ Volume ReadDicomFolder(const std::string& path, int series = 0);
 /// The directory of a medium (DICOMDIR) is read like ReadDicomFolder.
 Volume ReadDicomFile(const std::string& path, int series = 0);
 
-/// Whether a file is a DICOM slice, or the directory of a medium.
+/// Returns whether a file is a DICOM slice, or the directory of a medium.
 bool IsDicomFile(const std::string& path);
 
 /// Throws InputError unless the first pixels of all slices are on one line.

@@ -92,7 +92,7 @@ struct DicomHeader
     double Intercept = 0.0;
     std::string Unit; // UCUM's code, such as "um2/s"
     int Count = 0;    // number of maps in the file
-    // first and last stored value that the map is for; equal if the file has none
+    // first and last stored value of the map; equal if the file has no range
     double Range[2] = { 0.0, 0.0 };
     bool IsUsed = false;
   };
@@ -125,8 +125,8 @@ struct DicomHeader
   double Whole = 1.0;
   std::string SegmentationType;
 
-  /// Whether the slice is uncompressed little endian, implicit or explicit, or explicit big endian,
-  /// with samples of 1, 8, 16 or 32 bits, or floating-point numbers.
+  /// Returns whether the slice is uncompressed little endian, implicit or explicit, or explicit big
+  /// endian, with samples of 1, 8, 16 or 32 bits, or floating-point numbers.
   bool IsPlain() const;
   /// Returns the size of this slice's pixels in bytes, if they are not compressed. Samples of one
   /// bit are rounded up to whole bytes.

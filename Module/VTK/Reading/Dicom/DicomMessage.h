@@ -7,8 +7,8 @@
 
 namespace Explore
 {
-/// What the module asks of volumehaptics-dicom, through a socket. Both are of one build and run
-/// on one computer, so numbers are sent as they are in memory. The path follows.
+/// The module's request to volumehaptics-dicom, through a socket. Both programs are of one build
+/// and run on one computer, so numbers are sent as they are in memory. The path follows.
 struct DicomRequest
 {
   enum Kind : std::uint32_t
@@ -19,7 +19,7 @@ struct DicomRequest
   };
   std::uint32_t What = Values;
   std::uint32_t PathLength = 0;
-  std::uint64_t MostBytes = 0; // of pixels; if there are more, the file is refused
+  std::uint64_t MostBytes = 0; // largest number of pixel bytes; a larger file is refused
 };
 
 /// The answer. Bytes follow: pixels, or DicomElement with the value behind each.
@@ -34,7 +34,7 @@ struct DicomAnswer
   std::uint64_t PixelPlace = 0;  // where the pixels begin in the file
   std::uint64_t PixelLength = 0; // bytes from there on
   ///@{
-  /// What unpacked pixels are.
+  /// Describes unpacked pixels.
   std::uint32_t Bits = 0, StoredBits = 0, Samples = 0, ArePlanes = 0, IsYbr = 0;
   ///@}
   std::uint64_t ByteCount = 0;

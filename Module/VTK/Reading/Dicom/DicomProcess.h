@@ -9,7 +9,7 @@
 
 namespace Explore
 {
-/// Whether a file has the mark of DICOM, behind its preamble.
+/// Returns whether a file has the mark of DICOM, behind its preamble.
 bool HasDicomMark(const std::string& path);
 
 /// Asks volumehaptics-dicom, which reads DICOM by GDCM in a process of its own, about a file.

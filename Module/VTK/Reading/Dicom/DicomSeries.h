@@ -25,7 +25,7 @@ struct DicomSeries
   std::size_t Copies = 0;          // number of slices that were found twice
   bool IsPlacedByLocation = false; // whether positions come from SliceLocation
 
-  /// Whether a file belongs to the series.
+  /// Returns whether a file belongs to the series.
   bool Holds(const std::string& file) const;
   /// Returns a text such as `4 "Thorax", CT, 133 slices of 512 x 512`, which begins with the number
   /// in a list.
@@ -38,16 +38,16 @@ struct DicomSeries
 std::vector<DicomSeries> ListDicomSeries(
   const std::string& folder, bool& hasFolders, const std::string& named = {});
 
-/// Sorts slices into series, and removes copies: keeps that in the file `named`, or else a whole
-/// one. Slices of several volumes become several series.
+/// Sorts slices into series, and removes copies: keeps the copy in the file `named`, or otherwise a
+/// complete copy. Slices of several volumes become several series.
 std::vector<DicomSeries> SortDicomSlices(
   const std::vector<DicomHeader>& slices, const std::string& named = {});
 
 /// Returns the series with most pixels, among those with enough slices for a volume.
 std::size_t FindLargest(const std::vector<DicomSeries>& series);
 
-/// Whether each folder contains one series, with slices of the same size at the same positions: the
-/// phases of a moving volume.
+/// Returns whether each folder contains one series, with slices of the same size at the same
+/// positions: the phases of a moving volume.
 bool ArePhases(const std::vector<std::string>& folders);
 } // namespace Explore
 

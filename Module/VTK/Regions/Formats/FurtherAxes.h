@@ -19,7 +19,7 @@ struct LargeFile;
 /** An axis of a file beside x, y and z. */
 struct FurtherAxis
 {
-  std::string Name; ///< what is along the axis, such as "channel"
+  std::string Name; ///< quantity along the axis, such as "channel"
   std::size_t Count = 1;
   std::vector<std::string> Labels = {}; ///< the file's own names, such as "DAPI"; empty if none
 };

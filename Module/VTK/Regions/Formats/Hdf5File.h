@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * Reads through HDF5's library what an HDF5 file contains, and where the samples of its arrays are.
+ * @file Reads the contents of an HDF5 file through HDF5's library, and where the samples of its
+ * arrays are.
  */
 #ifndef Hdf5File_h
 #define Hdf5File_h
@@ -67,9 +67,9 @@ public:
 
   [[noreturn]] static void ThrowDamaged();
 
-  /** Whether there is a group or an array at a path, such as "VTKHDF/PointData". */
+  /** Returns whether there is a group or an array at a path, such as "VTKHDF/PointData". */
   bool Has(const std::string& path) const;
-  /** Whether there is an array at a path. */
+  /** Returns whether there is an array at a path. */
   bool HasArray(const std::string& path) const;
   /** Returns the names of the members of a group, in alphabetical order. */
   std::vector<std::string> ListMembers(const std::string& group) const;

@@ -25,8 +25,8 @@ public:
   std::string Value(const std::vector<std::string>& keys) const;
 
   /**
-   * Whether a value is true by MetaIO's rule: it begins with T, t or 1. Without a value, returns
-   * `otherwise`.
+   * Returns whether a value is true by MetaIO's rule: it begins with T, t or 1. Without a value,
+   * returns `otherwise`.
    */
   bool IsTrue(const std::vector<std::string>& keys, bool otherwise = false) const;
 
@@ -40,10 +40,10 @@ public:
   std::size_t GetSize() const { return this->Size; }
 
   /**
-   * Whether MetaIO finds the same keys in a MetaImage's header, and has room for them: every line
-   * is `key = value`, no key comes twice, and neither is longer than 254 letters. Otherwise MetaIO
-   * may write past the end of its memory: for a long text, or for an array that a second NDims
-   * enlarges.
+   * Returns whether MetaIO finds the same keys in a MetaImage's header, and has room for them:
+   * every line is `key = value`, no key comes twice, and neither is longer than 254 letters.
+   * Otherwise MetaIO may write past the end of its memory: for a long text, or for an array that a
+   * second NDims enlarges.
    */
   bool IsPlain() const { return this->Size > 0 && this->HasPlainLines; }
 

@@ -52,7 +52,7 @@ std::string GetFormatName(const std::string& name);
 /** Returns the endings of all formats, such as ".nrrd .tif", with a blank between them. */
 std::string ListFileEndings();
 
-/** Opens what is in a file or folder, as OpenLargeFile() does, whatever its ending. */
+/** Opens a file or folder, as OpenLargeFile() does, whatever its ending. */
 using LargeFileOpener = LargeFile(const std::string& name, bool mayBeWhole, int volume);
 
 /** Opens the active array of the image in a VTKHDF file, following VTK's specification. */
@@ -97,13 +97,14 @@ std::string PackTiffBox(const std::string& detail);
 ///@}
 
 /**
- * Whether a name ends with .tif or .tiff, or is that of a folder that contains TIFF files but no
- * Zarr.
+ * Returns whether a name ends with .tif or .tiff, or is that of a folder that contains TIFF files
+ * but no Zarr.
  */
 bool IsTiffName(const std::string& name);
 
 /**
- * Whether most files of a folder are TIFF files. A folder of DICOM slices may contain some as well.
+ * Returns whether most files of a folder are TIFF files. A folder of DICOM slices may contain some
+ * as well.
  */
 bool IsTiffFolder(const std::string& folder);
 

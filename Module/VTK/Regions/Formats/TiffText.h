@@ -23,7 +23,7 @@ struct TiffText
   std::size_t Slices = 0;                ///< 0: not given
   std::size_t Channels = 1;
   std::size_t Times = 1;
-  std::string TimeName = "time"; ///< what the times are, if the description does not say that
+  std::string TimeName = "time"; ///< meaning of the times, if the description does not name it
   std::vector<std::string> ChannelNames;
   ///@{
   /** Number of pages from one slice, channel or time to the next. */
@@ -47,7 +47,10 @@ struct TiffText
 /** Reads a number, whatever the user's locale is; `other` if the text has none. */
 double ReadNumberOr(const char* text, double other);
 
-/** Reads what ImageJ, tifffile or OME have written into the description; empty for others. */
+/**
+ * Reads the facts that ImageJ, tifffile or OME have written into the description; empty for other
+ * programs.
+ */
 TiffText ReadTiffText(const std::string& description, const std::string& file);
 
 } // namespace VolumeHaptics

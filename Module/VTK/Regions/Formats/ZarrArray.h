@@ -86,7 +86,7 @@ private:
   std::shared_ptr<CheckedShards> Checked = std::make_shared<CheckedShards>();
 };
 
-/** Whether a folder contains an array. */
+/** Returns whether a folder contains an array. */
 bool IsZarrArray(const std::string& folder);
 
 /** Reads the head. Throws std::runtime_error, with the cure. */

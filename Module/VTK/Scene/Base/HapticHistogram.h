@@ -29,7 +29,7 @@ namespace VolumeHaptics
  */
 using SweepProgress = std::function<bool(double)>;
 
-/** Whether all tuples can be visited within 25 ms, on a desktop computer of 2023. */
+/** Returns whether all tuples can be visited within 25 ms, on a desktop computer of 2023. */
 inline bool IsQuicklySwept(vtkDataArray* array)
 {
   constexpr vtkIdType most = 1 << 22;

@@ -52,15 +52,15 @@ ViewportBox MoveOff(
  */
 std::array<int, 2> FindFreeCorner(vtkViewport* viewport, int width, int height);
 
-/** Whether two boxes have a pixel in common. */
+/** Returns whether two boxes have a pixel in common. */
 bool Overlaps(const ViewportBox& a, const ViewportBox& b);
 
 /** Returns the right end (pixels) of the room for a text that begins at the upper left corner. */
 double ComputeTextRight(vtkViewport* viewport);
 
 /**
- * Whether a 2D actor, or the representation of one of VTK's widgets, is at a position in a window
- * (pixels). Representations are checked by the actors that they list.
+ * Returns whether a 2D actor, or the representation of one of VTK's widgets, is at a position in a
+ * window (pixels). Representations are checked by the actors that they list.
  */
 bool IsOverPartOfHost(vtkRenderWindow* window, int x, int y);
 

@@ -18,7 +18,9 @@
 namespace VolumeHaptics
 {
 
-/** Whether the background behind a viewport is light. The viewport may be in an upper layer. */
+/**
+ * Returns whether the background behind a viewport is light. The viewport may be in an upper layer.
+ */
 inline bool IsOnLight(vtkViewport* viewport)
 {
   vtkViewport* ground = viewport;

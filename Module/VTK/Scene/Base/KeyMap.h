@@ -70,7 +70,7 @@ public:
    * as Escape, keeps its action with Ctrl.
    */
   std::string Find(const std::string& pressed) const;
-  /** As Find(), for a key that was perhaps pressed without the Ctrl that is down now. */
+  /** Like Find(), but for a key that was perhaps pressed without the Ctrl that is down now. */
   std::string FindReleased(const std::string& released) const;
   /** Returns the default key of an action; empty if the action does not exist. */
   static std::string FindDefaultKey(const std::string& action);

@@ -32,7 +32,7 @@ public:
     constexpr std::chrono::milliseconds soon(15);
     return key == this->Released && Clock::now() - this->ReleaseTime < soon;
   }
-  /** Whether an action repeats while its key is held. `key` is the action's default key. */
+  /** Returns whether an action repeats while its key is held. `key` is the action's default key. */
   static bool MayRepeat(const std::string& key)
   {
     return key == "plus" || key == "minus" || key == "comma" || key == "period" || key == "Left" ||

@@ -29,21 +29,21 @@ enum class DockEdge
   Top
 };
 
-/** Whether a strip at an edge is as high as the window. */
+/** Returns whether a strip at an edge is as high as the window. */
 constexpr bool IsColumn(DockEdge edge)
 {
   return edge == DockEdge::Left || edge == DockEdge::Right;
 }
-/** Whether an edge is the left or the bottom one, which have the lower coordinate. */
+/** Returns whether an edge is the left or the bottom one, which have the lower coordinate. */
 constexpr bool IsLow(DockEdge edge)
 {
   return edge == DockEdge::Left || edge == DockEdge::Bottom;
 }
 
 /**
- * Places a strip along an edge of a window. The strip that is placed first gets the whole edge,
- * each later strip gets an edge of the rest, and all other renderers of the window get what is left
- * then.
+ * Places a strip along an edge of a window. The first strip gets the whole edge, each later strip
+ * gets an edge of the remaining window, and all other renderers of the window share the part that
+ * then remains.
  */
 class VTKVOLUMEHAPTICS_EXPORT WindowDock
 {
@@ -62,8 +62,8 @@ public:
     const std::vector<vtkRenderer*>& strip);
 
   /**
-   * Puts a bar along the top of the window, above all strips. `over`, which draws the bar and what
-   * unfolds from it, gets the whole window. Call it before each frame.
+   * Puts a bar along the top of the window, above all strips. `over`, which draws the bar and its
+   * menus, gets the whole window. Call it before each frame.
    */
   void PlaceBar(vtkRenderWindow* window, double fraction, vtkRenderer* over);
 

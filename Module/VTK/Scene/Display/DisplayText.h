@@ -47,7 +47,10 @@ public:
     this->Last = slides ? time : this->Last;
     this->IsKnown = true;
   }
-  /** Whether the hand has slid, for a contact of now; as the contact says if no tick is known. */
+  /**
+   * Returns whether the hand has slid, for a contact of now; as the contact says if no tick is
+   * known.
+   */
   bool Is(int contact) const { return this->IsKnown ? this->Now - this->Last < 0.2 : contact == 2; }
   void Clear() { *this = LateSlide(); }
 

@@ -61,7 +61,7 @@ private:
    * shows a part of the lines.
    */
   void Fit(vtkContext2D* painter);
-  /** Whether letters of this size fit; computes their columns. */
+  /** Returns whether letters of this size fit; computes their columns. */
   bool FitAll(vtkContext2D* painter, int letters);
   /** Makes one column of as many lines as fit. */
   void FitPart(vtkContext2D* painter);

@@ -47,7 +47,7 @@ public:
   ///@{
   /** Returns the editor's rectangle in pixels of its viewport: left, bottom, width and height. */
   std::array<int, 4> GetRectangle();
-  /** Whether a position on the display is in the editor. */
+  /** Returns whether a position on the display is in the editor. */
   bool Contains(int x, int y);
   ///@}
 

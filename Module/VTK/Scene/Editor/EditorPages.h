@@ -172,7 +172,7 @@ public:
 
   /** Sets the page, a vtkHapticFunctionEditor::FunctionType. */
   void SetPage(int page) { this->Page = page; }
-  /** Whether a page has something to edit. */
+  /** Returns whether a page has something to edit. */
   bool Has(int page) const;
   const char* GetTitle() const;
 
@@ -192,7 +192,7 @@ public:
   vtkMTimeType GetEditTime() const;
 
   ///@{
-  /** Whether the histogram or the list of the page is complete. */
+  /** Returns whether the histogram or the list of the page is complete. */
   bool IsCounted() const;
   void Count();
   void PollCounts();

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * Draws what is behind the function of a HapticFunctionChart: edges and tissues.
+ * @file Draws the background of a HapticFunctionChart: edges and tissues.
  */
 #ifndef HapticChartBackground_h
 #define HapticChartBackground_h

@@ -46,13 +46,15 @@ public:
 
   virtual vtkIdType GetNumberOfRows() const = 0;
   virtual int GetKey(vtkIdType row) const = 0;
-  /** Whether the rows show the current data. */
+  /** Returns whether the rows show the current data. */
   virtual bool IsCounted() const { return true; }
   /** Returns the object whose MTime changes with edits; may be null. */
   virtual vtkObject* GetEdited() const = 0;
 
   ///@{
-  /** Return what to paint. GetTitle() returns the title, or why there are no rows. */
+  /**
+   * Return the texts to paint. GetTitle() returns the title, or the reason why there are no rows.
+   */
   virtual std::string GetTitle() const = 0;
   /** Returns a hint that tells the user how to select a row. */
   virtual const char* GetHint() const = 0;

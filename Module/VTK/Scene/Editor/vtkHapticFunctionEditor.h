@@ -300,7 +300,7 @@ public:
   double GetCountedFraction();
   ///@}
 
-  /** Whether the editor is visible and contains a position on the display (pixels). */
+  /** Returns whether the editor is visible and contains a position on the display (pixels). */
   bool Contains(int x, int y);
 
   enum ButtonType

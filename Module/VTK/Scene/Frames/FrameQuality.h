@@ -233,7 +233,10 @@ private:
   /** Makes the object that keeps the rays of this mapper's image. */
   static void KeepRays(
     Caster& caster, vtkFixedPointVolumeRayCastMapper* mapper, const Shown& shown);
-  /** Whether OpenGL runs on the processor. Asks the window once, because the answer takes long. */
+  /**
+   * Returns whether OpenGL runs on the processor. Asks the window once, because the answer takes
+   * long.
+   */
   bool IsOnProcessor();
 
   const std::function<Touch()> AskTouch;

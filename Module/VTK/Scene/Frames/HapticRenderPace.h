@@ -74,9 +74,9 @@ public:
   }
 
   /**
-   * Whether a motion of the mouse should draw the frame itself, because timers are late: VTK's
-   * timers on X11 wait their whole period after a frame. It is true only FeltTime after the last
-   * frame, so that the hand has felt the motion before.
+   * Returns whether a motion of the mouse should draw the frame itself, because timers are late:
+   * VTK's timers on X11 wait their whole period after a frame. It is true only FeltTime after the
+   * last frame, so that the hand has felt the motion before.
    */
   bool IsLate(double now) const
   {
@@ -86,8 +86,8 @@ public:
   }
 
   /**
-   * Whether a motion of the mouse is the first one after a rest while timers are late. Such a
-   * motion is drawn FeltTime later.
+   * Returns whether a motion of the mouse is the first one after a rest while timers are late. Such
+   * a motion is drawn FeltTime later.
    */
   bool IsFirst(double now) const
   {

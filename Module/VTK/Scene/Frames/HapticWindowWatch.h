@@ -56,14 +56,15 @@ public:
   void LookAt(vtkRenderer* renderer);
 
   /**
-   * Whether the window could be seen at an earlier call and can no longer be seen, if the window
-   * system reports it: see PendingInput.h. Asks the window system at most ten times a second.
+   * Returns whether the window could be seen at an earlier call and can no longer be seen, if the
+   * window system reports it: see PendingInput.h. Asks the window system at most ten times a
+   * second.
    */
   bool HasVanished();
 
   /**
-   * Whether the window was closed when the loop ended. Do not draw then, because VTK would open a
-   * new window.
+   * Returns whether the window was closed when the loop ended. Do not draw then, because VTK would
+   * open a new window.
    */
   bool IsClosed() const;
 
@@ -87,7 +88,7 @@ private:
   bool WasViewable = false;
   std::int64_t ViewTime = 0; ///< ServoClock: when the window system was last asked
   bool IsEnabled = false;    ///< whether the interactor was enabled at the last look
-  bool IsDone = false;       ///< whether the loop had been told to end at the last look
+  bool IsDone = false;       ///< whether the last look found that the loop was told to end
   /** whether the window has released its graphics resources and was not rendered since */
   bool IsReleased = false;
   vtkWeakPointer<vtkRenderWindow> ReleasedWindow;

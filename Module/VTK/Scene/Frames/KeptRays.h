@@ -47,12 +47,12 @@ public:
   KeptRays(const KeptRays&) = delete;
   KeptRays& operator=(const KeptRays&) = delete;
 
-  /** Whether this object is for a volume in this renderer. */
+  /** Returns whether this object is for a volume in this renderer. */
   bool Follows(vtkRenderer* renderer, vtkVolume* volume) const
   {
     return this->Renderer == renderer && this->Volume == volume;
   }
-  /** Whether the image still shows the current state of the volume. */
+  /** Returns whether the image still shows the current state of the volume. */
   bool IsCurrent() const;
   ///@{
   /** Return the distance between rays (pixels) or between samples (world units) in the image. */
@@ -62,9 +62,9 @@ public:
 
   /** Says that the next frame has to be quick: it is given up if it would have to cast all rays. */
   void Expect() { this->IsExpected = true; }
-  /** Whether the current frame casts all rays. */
+  /** Returns whether the current frame casts all rays. */
   bool IsCastingAll() const { return this->IsWhole; }
-  /** Whether all rays have been cast since the last call. */
+  /** Returns whether all rays have been cast since the last call. */
   bool DrainWhole();
 
 private:
@@ -103,11 +103,11 @@ private:
    * draw. Returns whether it was copied.
    */
   bool CopyCoarse(const Words& look, const Words& image);
-  /** Describes what the mapper's table of shades depends on. */
+  /** Describes the inputs of the mapper's table of shades. */
   Words DescribeShades() const;
-  /** Whether the mapper draws this volume in this window now. */
+  /** Returns whether the mapper draws this volume in this window now. */
   bool IsDrawn() const;
-  /** Whether rays may be kept at all in this window and with this mapper. */
+  /** Returns whether rays may be kept at all in this window and with this mapper. */
   bool CanKeep() const;
   /** Reads the depths where the rays of the image in use end, row by row. */
   void ReadDepths(std::vector<float>& depths) const;

@@ -14,13 +14,13 @@ namespace VolumeHaptics
 {
 
 /**
- * Whether a window has key, button or mouse motion events, or its closing, to process.
+ * Returns whether a window has key, button or mouse motion events, or its closing, to process.
  * vtkRenderWindow::GetEventPending() detects only presses of mouse buttons. For a window of X11,
  * this searches the queue of events, and takes nothing out of it.
  */
 bool HasPendingInput(vtkRenderWindow* window);
 
-/** Whether HasPendingInput() sees mouse motion on this window (X11 only). */
+/** Returns whether HasPendingInput() sees mouse motion on this window (X11 only). */
 bool KnowsInput(vtkRenderWindow* window);
 
 /**
@@ -31,9 +31,9 @@ bool KnowsInput(vtkRenderWindow* window);
 void WakeEventLoop(vtkRenderWindow* window);
 
 /**
- * Whether a window may be visible. Returns false for an X11 window if it or its parent is not
- * mapped: it was minimised, hidden, destroyed, or is behind a tab. Waits for the X server's answer.
- * Returns true for other windows, because nothing is known about them.
+ * Returns whether a window may be visible. Returns false for an X11 window if it or its parent is
+ * not mapped: it was minimised, hidden, destroyed, or is behind a tab. Waits for the X server's
+ * answer. Returns true for other windows, because nothing is known about them.
  */
 bool MayBeSeen(vtkRenderWindow* window);
 

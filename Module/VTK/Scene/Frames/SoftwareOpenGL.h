@@ -15,8 +15,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Whether a text of vtkRenderWindow::ReportCapabilities names a renderer of Mesa or of Windows that
- * runs on the processor.
+ * Returns whether a text of vtkRenderWindow::ReportCapabilities names a renderer of Mesa or of
+ * Windows that runs on the processor.
  */
 inline bool NamesSoftwareOpenGL(const std::string& capabilities)
 {
@@ -27,8 +27,8 @@ inline bool NamesSoftwareOpenGL(const std::string& capabilities)
 }
 
 /**
- * Whether a window draws with OpenGL on the processor, by the name of its renderer. Returns false
- * before the window has rendered.
+ * Returns whether a window draws with OpenGL on the processor, by the name of its renderer. Returns
+ * false before the window has rendered.
  */
 inline bool IsSoftwareOpenGL(vtkRenderWindow* window)
 {

@@ -34,7 +34,7 @@ namespace VolumeHaptics
 /** Returns the tool in the hand of a device; null if the hand touches with a point. */
 vtkHapticTool* GetHeldTool(vtkHapticDevice* device);
 
-/** Whether a tool looks different when it is turned. */
+/** Returns whether a tool looks different when it is turned. */
 bool IsTurnable(vtkHapticTool* tool);
 
 /**
@@ -55,7 +55,7 @@ public:
    */
   void Update(vtkHapticDevice* device, const Quaternion& leaning);
 
-  /** Whether the hand holds a tool that has a mesh. */
+  /** Returns whether the hand holds a tool that has a mesh. */
   bool IsShown() const { return this->Shown; }
   void RenderOpaque(vtkViewport* viewport);
   /** Draws the faint copy. */
@@ -82,7 +82,7 @@ public:
   /** Shows the latest state, or nothing without a device. Lengths are in world units. */
   void Update(vtkHapticDevice* device, double radius, double length);
 
-  /** Whether a needle is in tissue. */
+  /** Returns whether a needle is in tissue. */
   bool IsShown() const { return this->Lines.AreShown(); }
   void RenderOpaque(vtkViewport* viewport);
   /** Draws the faint copy. */

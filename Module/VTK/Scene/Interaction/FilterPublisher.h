@@ -57,7 +57,7 @@ public:
   {
   }
 
-  /** Forgets what was published. Call this for a new device, whose servo has no model yet. */
+  /** Forgets the published settings. Call this for a new device, whose servo has no model yet. */
   void Reset();
 
   /**

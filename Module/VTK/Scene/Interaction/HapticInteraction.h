@@ -128,19 +128,19 @@ public:
    */
   bool Perform(const std::string& key, bool isPressed = false);
   bool ReleaseKey(const std::string& released);
-  /** Whether a key was pressed now for the action with a default key. */
+  /** Returns whether a key was pressed now for the action with a default key. */
   bool IsPressOf(const std::string& pressed, const std::string& key) const
   {
     return !this->Repeat.IsRepeat(pressed) && this->FindAction(pressed) == key;
   }
-  /** Whether a press repeats the last used press because the key is held. */
+  /** Returns whether a press repeats the last used press because the key is held. */
   bool IsRepeat(const std::string& pressed) const
   {
     return pressed == this->UsedKey && this->Repeat.IsRepeat(pressed);
   }
   /**
-   * Whether the superclass must not get a typed key, because it would do something else with the
-   * key.
+   * Returns whether the superclass must not get a typed key, because the key has another effect
+   * there.
    */
   bool TypeKey(const std::string& typed) const;
 
@@ -175,7 +175,7 @@ private:
   void LeaveDevice();
   /** Arms the hands that are not armed. If that changes nothing, disarms both. */
   void ArmOrDisarm();
-  /** Homes the real devices that wait for it. If none does, homes all of them. */
+  /** Homes the real devices that wait for homing. If no device waits, homes all of them. */
   void HomeDevices();
   bool Update(vtkInteractorStyleHaptic* style);
   bool UpdateFirst(vtkInteractorStyleHaptic* style, vtkRenderer* renderer);

@@ -43,9 +43,9 @@ public:
    */
   bool DrawIfDue(bool isNew);
   /**
-   * Whether a motion of the mouse in the touch mode should draw a frame now, because timers are
-   * late: see HapticRenderPace::IsLate. After a rest, first waits until the motion has been felt
-   * and the hand has arrived; `travel` is the time (s) that the hand needs.
+   * Returns whether a motion of the mouse in the touch mode should draw a frame now, because timers
+   * are late: see HapticRenderPace::IsLate. After a rest, first waits until the motion has been
+   * felt and the hand has arrived; `travel` is the time (s) that the hand needs.
    */
   bool AwaitLateMotion(double travel) const;
   /** Records an event that the next frame has to show. */
@@ -55,7 +55,7 @@ public:
 
 private:
   bool HasMoved() const;
-  /** Whether it is known that no input waits. */
+  /** Returns whether it is known that no input waits. */
   bool IsIdle() const;
   /** Records an event if the editor has counted more values than the last frame shows. */
   void PollEditor();

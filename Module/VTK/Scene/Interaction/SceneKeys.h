@@ -48,7 +48,7 @@ public:
   std::string ListKeys() const;
   /** Returns which parts with keys the scene has. */
   KeyedParts FindParts() const;
-  /** Shows what the user can do next, until something is touched. */
+  /** Shows hints on the user's next step, until something is touched. */
   void UpdateHint();
 
   /** keys of the application, which are listed after the keys of the style */

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * Handles what the mouse moves besides camera and tip: the slices, and the tool in the hand.
+ * @file Handles the objects that the mouse moves besides camera and tip: the slices, and the tool
+ * in the hand.
  */
 #ifndef SceneMouse_h
 #define SceneMouse_h
@@ -37,7 +37,10 @@ public:
   bool Move(int x, int y);
   bool TurnWheel(double steps, int x, int y);
 
-  /** Whether events have changed what the slices show without moving the tip. Resets the answer. */
+  /**
+   * Returns whether events have changed the slices' picture without moving the tip. Resets the
+   * answer.
+   */
   bool DrainChange();
 
 private:
@@ -74,9 +77,9 @@ public:
   {
   }
 
-  /** Whether the hand holds a tool that only the mouse can turn. */
+  /** Returns whether the hand holds a tool that only the mouse can turn. */
   bool HasTool() const;
-  /** Whether HasTool() is true and the key Alt is held. */
+  /** Returns whether HasTool() is true and the key Alt is held. */
   bool IsOn() const;
 
   ///@{

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * The second device of a scene, in the other hand. Its workspace, its models and its force are its
- * own; keys, the window and the view are those of the scene.
+ * @file The second device of a scene, in the other hand. Its workspace, its models and its force
+ * are separate; both hands share the keys, the window and the view of the scene.
  */
 #ifndef SecondHand_h
 #define SecondHand_h

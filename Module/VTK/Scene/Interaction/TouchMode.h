@@ -43,7 +43,7 @@ public:
    */
   void StopBeginning() { this->IsBeginning = false; }
 
-  /** Whether the mouse leads the tip now. The functions below require it. */
+  /** Returns whether the mouse leads the tip now. The functions below require it. */
   bool LeadsTip() const;
   /** Moves the tip towards a position in the world. */
   void LeadTo(const Vector3& world);
@@ -67,9 +67,9 @@ public:
   /** Zooms by a function, and pans the camera so that the hand stays where it is in the window. */
   void KeepInWindow(const std::function<void()>& zoom);
 
-  /** Lets the next motion go on from where the hand is, whatever the view has done meanwhile. */
+  /** Makes the next motion start from the hand's position, whatever the view has done meanwhile. */
   void ForgetView() { this->InView.fill(std::numeric_limits<double>::quiet_NaN()); }
-  /** Whether the hand is outside the renderer's part of the window. */
+  /** Returns whether the hand is outside the renderer's part of the window. */
   bool IsOutOfView() const;
   /** Returns the factor for motions of the mouse, which is smaller with Shift. */
   double GetFineness() const;
@@ -97,7 +97,7 @@ private:
    * same view elsewhere since the last motion, the position that is now where the target was.
    */
   Vector3 FindStart(vtkRenderer* renderer) const;
-  /** Whether the felt method has surfaces that the tip can follow. */
+  /** Returns whether the felt method has surfaces that the tip can follow. */
   bool HasSurfaces() const;
   /**
    * Returns the position on the surface to which the tip should go, for a target in the plane of

@@ -60,7 +60,7 @@ public:
   /** Returns whether the mouse leads the tip. */
   bool IsVirtual() const { return this->Device && this->Device->GetVirtualHand()->MayMouseLead(); }
   bool IsReal() const { return this->Device && this->Device->IsOpen() && !this->IsVirtual(); }
-  /** Whether the device in either hand is real. */
+  /** Returns whether the device in either hand is real. */
   bool IsAnyReal() const { return this->IsReal() || (this->Second && this->Second->IsReal()); }
 
   ///@{

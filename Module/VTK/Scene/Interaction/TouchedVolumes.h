@@ -85,7 +85,7 @@ private:
   };
   /** Returns the felt volume; null if there is none. */
   const Entry* FindFelt() const;
-  /** Whether a volume can be touched; if not, reports why. */
+  /** Returns whether a volume can be touched; if not, reports why. */
   bool CanTouch(vtkVolume* volume) const;
   void Append(vtkVolume* volume, vtkVolumeHapticsFilter* filter);
   /** Adds new ports of the touched vtkMultiVolume. */

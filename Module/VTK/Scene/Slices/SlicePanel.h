@@ -71,12 +71,12 @@ public:
   bool Update(vtkHapticDevice* device, vtkImageData* chosen);
 
   /**
-   * Checks what a tool of the device's filter has removed from the shown image. Returns whether the
-   * removed tissue has changed.
+   * Checks which tissue a tool of the device's filter has removed from the shown image. Returns
+   * whether the removed tissue has changed.
    */
   bool PollRemoval(vtkHapticDevice* device);
 
-  /** Whether there is an image to show. */
+  /** Returns whether there is an image to show. */
   bool HasSamples() const { return this->Samples != nullptr; }
 
   /**

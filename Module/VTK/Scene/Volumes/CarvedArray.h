@@ -77,7 +77,7 @@ struct ArrayBox
   std::int64_t Samples() const { return this->Size[0] * this->Size[1] * this->Size[2]; }
 };
 
-/** What to read of a brick: the remaining tissue, or all tissue as if nothing was removed. */
+/** Content to read of a brick: the remaining tissue, or all tissue as if nothing was removed. */
 enum class BrickContent : std::uint8_t
 {
   Left,

@@ -50,12 +50,12 @@ struct RemovedTissue
 RemovedTissue GetRemoved(vtkVolumeHapticsFilter* filter);
 
 /**
- * Collects in `carved` what was removed from the filter's present volume, without an update.
- * Returns false if no tissue was removed from it.
+ * Collects in `carved` the tissue that was removed from the filter's present volume, without an
+ * update. Returns false if no tissue was removed.
  */
 bool CollectCarved(vtkVolumeHapticsFilter* filter, CarvedArray& carved);
 
-/** Which samples of the volume a sample of an image stands for. */
+/** Tells which samples of the volume a sample of an image stands for. */
 enum class CarvedCover : std::uint8_t
 {
   Nearest, ///< the nearest sample

@@ -52,7 +52,7 @@ public:
   void Put(vtkVolumeMapper* mapper, int port, vtkImageData* image);
   /** Restores the mapper's own input, unless the application has set another input. */
   void GiveBack();
-  /** Whether the mapper shows the image. */
+  /** Returns whether the mapper shows the image. */
   bool IsShown() const;
   bool IsShownBy(vtkVolumeMapper* mapper) const
   {
@@ -158,9 +158,9 @@ public:
    */
   bool DrainFrameDue() { return std::exchange(this->IsFrameDue, false); }
   /**
-   * Whether bricks can't be written to the texture. That is so if the texture is divided into
-   * blocks or does not hold the array, if it can't show the value of removed tissue because the
-   * value is beyond the array's range, or if VTK uploads the texture in each rendering.
+   * Returns whether bricks can't be written to the texture. That is so if the texture is divided
+   * into blocks or does not hold the array, if it can't show the value of removed tissue because
+   * the value is beyond the array's range, or if VTK uploads the texture in each rendering.
    */
   bool IsImpossible() const { return this->HasFailed; }
   /**
@@ -176,7 +176,7 @@ private:
   void EndRendering();
   /** Detects whether VTK has uploaded another texture, or the same texture again. */
   bool DetectUpload();
-  /** Whether the last texture can be written to now. */
+  /** Returns whether the last texture can be written to now. */
   bool IsAtHand() const;
   template <typename Take>
   void Send(BrickContent content, Take&& take);
@@ -216,7 +216,7 @@ public:
   const CarvedArray& GetArray() const { return this->Touched; }
   /** Returns the shown array, which may differ from the touched one. */
   vtkDataArray* GetShown() const { return this->Carved.Array; }
-  /** Whether an image is the copy that replaces the mapper's own image. */
+  /** Returns whether an image is the copy that replaces the mapper's own image. */
   bool IsCopy(vtkDataObject* image) const { return this->Copy && this->Copy->IsCopy(image); }
   /** Returns the image that the copy replaces; null if no copy is shown. */
   vtkAlgorithmOutput* GetReplaced() const
@@ -224,8 +224,8 @@ public:
     return this->Copy ? this->Copy->GetReplaced() : nullptr;
   }
   /**
-   * Whether bricks are written to the mapper's texture; false if there is no texture, or if a copy
-   * is shown.
+   * Returns whether bricks are written to the mapper's texture; false if there is no texture, or if
+   * a copy is shown.
    */
   bool HasTexture() const { return this->Texture != nullptr; }
 
@@ -238,7 +238,7 @@ private:
   std::unique_ptr<CarvedCopy> Copy;
 };
 
-/** Makes the volumes of a scene show what a tool has left of them. */
+/** Makes the volumes of a scene show only the tissue that a tool has left. */
 class CarvedPictures
 {
 public:

@@ -26,7 +26,7 @@ class vtkRenderer;
 namespace VolumeHaptics
 {
 
-/** Whether a shown image is a given image, or has its scalars. */
+/** Returns whether a shown image is a given image, or has its scalars. */
 bool HasSamplesOf(vtkImageData* shown, vtkImageData* image);
 
 class HapticShownTimeSteps
@@ -45,7 +45,7 @@ public:
   bool Show(vtkHapticDevice* device);
   /** Makes these volumes show their own images again. */
   void Restore();
-  /** Whether an image is one of the time steps shown here. */
+  /** Returns whether an image is one of the time steps shown here. */
   bool IsPicture(vtkImageData* image) const;
 
 private:

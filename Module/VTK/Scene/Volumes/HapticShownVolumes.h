@@ -58,7 +58,7 @@ private:
    * cells. With `byAnyFlag`, those with any other flag count, too.
    */
   bool HasBlanks(vtkImageData* image, bool areCells, bool byAnyFlag);
-  /** Whether the followed volume is opaque up to all faces of its image. */
+  /** Returns whether the followed volume is opaque up to all faces of its image. */
   bool IsFull(vtkImageData* image, vtkVolumeHapticsFilter* filter);
 
   std::vector<Known> All;

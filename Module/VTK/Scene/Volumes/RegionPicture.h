@@ -66,7 +66,7 @@ public:
 
   /** Follows source and camera. The renderer calls this before each picture. */
   void Update();
-  /** Whether a box is shown finely. */
+  /** Returns whether a box is shown finely. */
   bool IsRefined() const;
   /** Returns the volume of the box, which has the property of the coarse volume. */
   vtkVolume* GetFineVolume() const;

@@ -79,7 +79,7 @@ public:
    * vtkDataSetAttributes::HIDDENCELL. Returns null if the image's own flags are sufficient.
    */
   vtkUnsignedCharArray* GetCells(const DrawnImage& drawn);
-  /** Whether the flags alone decide what is felt, without the property's scalar opacity. */
+  /** Returns whether the flags alone decide what is felt, without the property's scalar opacity. */
   bool ReplacesOpacity() const { return this->HasOpacity; }
 
 private:
@@ -109,13 +109,14 @@ vtkImageData* GetBinaryMask(vtkAbstractVolumeMapper* mapper);
 vtkImageData* GetOpacityMask(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property);
 
 /**
- * Whether a mask fits an image: whether it has as many voxels along each axis, wherever it lies.
+ * Returns whether a mask fits an image: whether it has as many voxels along each axis, wherever it
+ * lies.
  */
 bool IsMaskOf(vtkImageData* mask, vtkImageData* image);
 
 /**
- * Whether a mapper hides points and cells that have flags. Since VTK 9.2, a mapper that draws cell
- * data hides only cells.
+ * Returns whether a mapper hides points and cells that have flags. Since VTK 9.2, a mapper that
+ * draws cell data hides only cells.
  */
 bool HidesBlanked(vtkAbstractVolumeMapper* mapper, bool areCells);
 
@@ -134,7 +135,7 @@ public:
    * if it is not among them; then its own matrix gives its position.
    */
   bool FindPlace(const std::vector<DrawnVolume>& drawn);
-  /** Whether FindPlace() has found data that a mapper shows. */
+  /** Returns whether FindPlace() has found data that a mapper shows. */
   bool HasData() const { return this->Drawn.GetData() != nullptr; }
 
   /**
@@ -184,13 +185,16 @@ bool PlaceImage(vtkMatrix4x4* matrix, vtkImageData* image, vtkImageData* placed)
  */
 vtkDataArray* GetDrawnArray(vtkAbstractVolumeMapper* mapper, vtkDataObject* data, bool& areCells);
 
-/** Whether a filter touches an isosurface, at its IsoValue. */
+/** Returns whether a filter touches an isosurface, at its IsoValue. */
 bool TouchesIsosurface(vtkVolumeHapticsFilter* filter);
 
-/** Whether a filter feels this array, or the array of which this one is a copy for the picture. */
+/**
+ * Returns whether a filter feels this array, or the array of which this one is a copy for the
+ * picture.
+ */
 bool FeelsArray(vtkVolumeHapticsFilter* filter, vtkDataArray* array);
 
-/** Whether a component of an array has opacity for any value. */
+/** Returns whether a component of an array has opacity for any value. */
 bool IsComponentDrawn(vtkVolumeProperty* property, vtkDataArray* array, int component);
 
 /**

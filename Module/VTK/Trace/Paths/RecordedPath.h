@@ -48,7 +48,7 @@ struct RecordedPath
   double AirValue = std::numeric_limits<double>::quiet_NaN();
   ///@}
   ///@{
-  /** What a tool with a shape touched at the beginning. It belongs to InitialState. */
+  /** Contacts of a tool with a shape at the beginning. They belong to InitialState. */
   std::vector<ShellContact> InitialContacts;
   double ContactFraction = 1.0; ///< fraction of the contacts' energies that counts
   ///@}

@@ -52,7 +52,7 @@ public:
   {
   }
 
-  /** Whether the polydata is one path; also true without points. */
+  /** Returns whether the polydata is one path; also true without points. */
   bool IsOne() const;
 
   /**
@@ -113,7 +113,7 @@ public:
   }
   /** Returns the time of the last tick of all paths (s). */
   double ComputeLastTime() const;
-  /** Whether there are several paths, each of which gets a line, whatever its length. */
+  /** Returns whether there are several paths, each of which gets a line, whatever its length. */
   bool AreSeveral() const { return !this->Divided.Begins.empty(); }
   /** Returns the recording, which is the only path; null if there is no recording. */
   const RecordedPath* GetRecording() const { return this->Recording ? &*this->Recording : nullptr; }
@@ -141,17 +141,18 @@ public:
     const double* const x = this->Doubles + 3 * point;
     return { x[0], x[1], x[2] };
   }
-  /** Whether the points have times; otherwise each point is a tick. */
+  /** Returns whether the points have times; otherwise each point is a tick. */
   bool HaveTimes() const { return !this->Times.empty(); }
   /** Returns the time of a point (s). */
   double GetTime(vtkIdType point) const { return this->Times[point]; }
   double GetPeriod() const { return this->Period; }
-  /** Whether points have orientations of the stylus (world). */
+  /** Returns whether points have orientations of the stylus (world). */
   bool HaveOrientations() const { return !this->Orientations.empty(); }
   /** Returns the orientation at a point; NoOrientation if there is none. */
   const Quaternion& GetOrientation(vtkIdType point) const { return this->Orientations[point]; }
   /**
-   * Whether a burr spins between a point and the next one. It does unless the path says otherwise.
+   * Returns whether a burr spins between a point and the next one. It does unless the path says
+   * otherwise.
    */
   bool IsSpinning(vtkIdType point) const { return this->Spinning.empty() || this->Spinning[point]; }
 

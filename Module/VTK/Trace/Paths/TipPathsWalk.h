@@ -52,7 +52,7 @@ public:
   {
     return this->Paths.HaveOrientations() ? this->ComputeOrientation() : NoOrientation;
   }
-  /** Whether a burr spins at the last tick. */
+  /** Returns whether a burr spins at the last tick. */
   bool IsSpinning() const
   {
     const vtkIdType point = this->Paths.HaveTimes() ? this->Before : this->Tick;
@@ -103,7 +103,7 @@ public:
    * says, or the model that the finder returned. Throws the finder's exceptions.
    */
   std::shared_ptr<const HapticModel> Tick(std::shared_ptr<const HapticModel> model);
-  /** Whether all ticks use one model of a whole volume, and read their tips from a path. */
+  /** Returns whether all ticks use one model of a whole volume, and read their tips from a path. */
   bool IsPlain(const HapticModel& model) const
   {
     return this->Tips && !this->Finder && model.Resident.IsWhole();
