@@ -111,6 +111,9 @@ TRIED = {
         "is HDF5, of which VTKHDF": "is HDF5", "is a CIFTI file, whose": "CIFTI",
         "Write it with these axes last": "as the last ones", "and the first page has its own. Take that page away": "the first page has its own",
     },
+    "Applications/Explorer/TestExploreInputErrors.cxx": {
+        "a pipe or a device in place of a file…take it away": "a pipe or a device in place of a file",
+    },
     "Data/Formats/write_nifti.py": {"has … volumes along its fourth axis, and none with the number": "and none with the number"},
     "Data/Formats/write_threads.py": {
         "it is a collection of …": "collection of", "masks, and none with the number": "masks, and none with the number",

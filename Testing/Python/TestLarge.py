@@ -9,6 +9,7 @@ import subprocess
 import sys
 import threading
 import time
+import warnings
 
 import numpy as np
 import pytest
@@ -204,6 +205,28 @@ def test_ome_zarr_of_other_shapes(zarr):
     zarr.opened = make_ome()
     with pytest.raises(ValueError, match="2 levels"):
         open_large("bed.zarr", level=2)
+
+
+def test_sizes_and_units_that_are_assumed_are_told(zarr):
+    """Of what is in a file; an array in memory has none by itself."""
+    stored = type("Array", (np.ndarray,), {"attrs": {}})  # as Zarr's and HDF5's arrays have attributes
+    with pytest.warns(UserWarning, match="no size of a voxel: cubes of 1 mm are assumed"):
+        open_large(make_bed().view(stored))
+    zarr.opened = make_bed()
+    with pytest.warns(UserWarning, match="no size of a voxel: cubes of 1 mm are assumed"):
+        open_large("bed.zarr")
+    zarr.opened = make_ome()
+    with pytest.warns(UserWarning, match="no unit of length: millimetres are assumed"):
+        open_large("bed.zarr")
+    axes = [{"name": name, "unit": "millimeter"} for name in "zyx"]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        open_large("bed.zarr", spacing=(1, 1, 1))
+        open_large(make_bed().view(stored), spacing=(1, 1, 1))
+        open_large(make_bed())
+        zarr.opened = make_ome("zyx")
+        zarr.opened.attrs["multiscales"][0]["axes"] = axes
+        open_large("bed.zarr")
 
 
 def test_a_time_and_a_channel_are_chosen_by_a_number(zarr):

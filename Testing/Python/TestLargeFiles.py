@@ -516,7 +516,7 @@ def test_a_pipe_among_slices_is_told(tmp_path):
     for number, page in enumerate(make_array()[:3]):
         tiff(tmp_path / f"{number}.tif", [page])
     os.mkfifo(tmp_path / "3.tif")
-    assert "no regular file" in error_of(tmp_path)
+    assert "3.tif is no regular file" in error_of(tmp_path)
 
 
 def test_a_damaged_tiff_ends_nothing(tmp_path):

@@ -39,7 +39,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from . import vtkVolumeHaptics
 from ._files import in_words
-from ._touch import Errors
+from ._touch import Errors, _warn
 from .arrays import image
 from .vtkVolumeHaptics import vtkHapticRegionSource
 
@@ -190,19 +190,25 @@ def _scale_and_translation(transformations: list, axes: int) -> tuple[list[float
     return scale, translation
 
 
+def _units(axes: list) -> list[str]:
+    """Returns the names of the units of the last three axes; empty ones if they are not known."""
+    return [str(one.get("unit", "")) if isinstance(one, dict) else "" for one in axes[-3:]] or [""] * 3
+
+
 def _in_millimetres(lengths: Sequence[float], axes: list) -> list[float]:
     """Converts lengths along the last three axes, which are z, y and x, to millimetres. Returns them as x, y and z."""
-    names = [str(one.get("unit", "")) if isinstance(one, dict) else "" for one in axes[-3:]] or [""] * 3
+    names = _units(axes)
     units = [vtkHapticRegionSource.GetMillimetersPerUnit(name) or 1.0 for name in names]
     return [length * unit for length, unit in zip(lengths[-3:], units)][::-1]
 
 
 class _Level(NamedTuple):
-    """A volume, and its spacing and origin along x, y and z, if they are known."""
+    """A volume, and its spacing and origin along x, y and z, if they are known, and whether it tells their unit."""
 
     array: Any
     spacing: Sequence[float] | None = None
     origin: Sequence[float] | None = None
+    has_unit: bool = True
 
 
 def _choose(shape: Sequence[int], path: str, series: int) -> tuple[int, ...]:
@@ -229,7 +235,9 @@ def _open_dataset(group: Any, path: str, scales: dict, dataset: dict, series: in
     steps = [*dataset.get("coordinateTransformations", []), *scales.get("coordinateTransformations", [])]
     scale, translation = _scale_and_translation(steps, axes)
     told = scales.get("axes", [])
-    return _Level(_Volume(array, _choose(array.shape[:-3], path, series)), _in_millimetres(scale, told), _in_millimetres(translation, told))
+    known = all(vtkHapticRegionSource.GetMillimetersPerUnit(name) for name in _units(told))
+    return _Level(_Volume(array, _choose(array.shape[:-3], path, series)), _in_millimetres(scale, told),
+                  _in_millimetres(translation, told), known)
 
 
 def _open_multiscales(group: Any, path: str, level: int, series: int) -> list[_Level]:
@@ -327,6 +335,8 @@ def _open_in_cpp(path: str, spacing: Any, origin: Any, coarse: Any, series: int)
     with Errors(source) as errors:
         if not source.OpenFile(path, series):
             raise ValueError(in_words(errors[0]))
+    if source.GetFileNotes():
+        _warn(in_words(source.GetFileNotes()))
     if spacing is not None:
         source.SetSpacing(_three("spacing", spacing))
     if origin is not None:
@@ -353,7 +363,7 @@ def open_large(
         HDF5 (h5py), dask or tensorstore, a DataArray of xarray, a numpy.memmap; or the path of a Zarr array, of an
         OME-Zarr image, of a .npy file, or of a file that vtkHapticRegionSource.OpenFile() reads.
     spacing: the size of a voxel along x, y and z (world units, mm). Default: that of an OME-Zarr image, in mm if
-        its axes name a unit of OME-NGFF, or of the file; else 1.
+        its axes name a unit of OME-NGFF, or of the file; else 1, with a warning for what is in a file.
     origin: the position of the first voxel (world units, mm): x, y and z. Default: that of an OME-Zarr image or of
         the file; else 0.
     level: the level of an OME-Zarr image: 0 is the finest, -1 the coarsest.
@@ -384,7 +394,7 @@ def open_large(
         levels = _open_path(os.fspath(array_or_path), level, series)
     elif series:
         raise TypeError("series is of a file or a folder: give its name, or choose a part of the array")
-    array, own_spacing, own_origin = levels[0]
+    array, own_spacing, own_origin, has_unit = levels[0]
     shape, kind = getattr(array, "shape", None), getattr(array, "dtype", None)
     if shape is None or kind is None or not hasattr(array, "__getitem__"):
         raise TypeError(f"a large volume is an array with shape, dtype and parts [z, y, x], or a path, not "
@@ -396,6 +406,10 @@ def open_large(
                         "array.astype(numpy.float32), which converts what is read")
     if len(shape) != 3 or 0 in shape:
         raise ValueError(f"a volume has three dimensions [z, y, x], and voxels; this array's shape is {tuple(shape)}")
+    is_file = isinstance(array_or_path, (str, os.PathLike)) or hasattr(array_or_path, "attrs")  # also Zarr's, HDF5's
+    if spacing is None and is_file and (own_spacing is None or not has_unit):
+        _warn("the array has no size of a voxel: cubes of 1 mm are assumed. Give spacing= otherwise" if own_spacing is None
+              else "the axes name no unit of length: millimetres are assumed. Give spacing= otherwise")
     fine = _Level(array, _three("spacing", spacing if spacing is not None else own_spacing or (1.0, 1.0, 1.0)),
                   _three("origin", origin if origin is not None else own_origin or (0.0, 0.0, 0.0)))
     source = _Source()

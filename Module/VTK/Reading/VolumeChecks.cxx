@@ -167,6 +167,23 @@ void UseOutside(Volume& volume)
   volume.Image = image; // last, because the old image may own the scalars
 }
 
+/// Adds a note if the values of a CT can't be Hounsfield units, for which the presets of CT are.
+void NoteOddValues(const VolumeHaptics::StoredShift& found, Volume& volume)
+{
+  constexpr double lowest = -4096.0, highest = 40000.0; // HU, of air beside metal, and of metal
+  vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();
+  double range[2];
+  scalars->GetFiniteRange(range, 0);
+  if (volume.Modality == "CT" &&
+    (found.IsStrange || scalars->GetDataTypeSize() == 1 || range[0] < lowest || range[1] > highest))
+  {
+    std::ostringstream note;
+    note << "the file says CT, but values from " << range[0] << " to " << range[1]
+         << " are no Hounsfield units: a preset of CT does not fit them";
+    volume.Notes.push_back(note.str());
+  }
+}
+
 /// Corrects Hounsfield units that a scanner has stored higher, so that the picture, the thresholds
 /// and the kind of the volume agree with the touch.
 void UseHounsfieldUnits(Volume& volume)
@@ -182,19 +199,10 @@ void UseHounsfieldUnits(Volume& volume)
     VolumeHaptics::EstimateStoredShift(scalars, dimensions, 0);
   if (found.Shift == 0.0)
   {
+    NoteOddValues(found, volume);
     return;
   }
-  const bool isWhole = scalars->GetDataType() != VTK_FLOAT && scalars->GetDataType() != VTK_DOUBLE;
-  vtkNew<vtkImageShiftScale> shift;
-  shift->SetInputData(volume.Image);
-  shift->SetShift(found.Shift);
-  shift->SetOutputScalarType(isWhole ? VTK_INT : scalars->GetDataType());
-  shift->Update();
-  vtkNew<vtkImageData> image;
-  image->ShallowCopy(shift->GetOutput());
-  image->SetDirectionMatrix(volume.Image->GetDirectionMatrix());
-  image->GetPointData()->GetScalars()->SetName(scalars->GetName());
-  volume.Image = image;
+  Explore::ShiftValues(volume, found.Shift);
   std::ostringstream note;
   note << "air is at " << found.Air << ": taken for Hounsfield units + " << -found.Shift
        << ", which is subtracted";
@@ -311,6 +319,27 @@ void UseComponent(const std::string& path, Volume& volume, int chosen)
     volume.Series = names;
     volume.SeriesNumber = used + 1;
   }
+}
+
+void ShiftValues(Volume& volume, double shift)
+{
+  if (shift == 0.0)
+  {
+    return;
+  }
+  vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();
+  const bool isWhole = scalars->GetDataType() != VTK_FLOAT && scalars->GetDataType() != VTK_DOUBLE;
+  vtkNew<vtkImageShiftScale> shifted;
+  shifted->SetInputData(volume.Image);
+  shifted->SetShift(shift);
+  shifted->SetOutputScalarType(isWhole ? VTK_INT : scalars->GetDataType());
+  shifted->Update();
+  vtkNew<vtkImageData> image;
+  image->ShallowCopy(shifted->GetOutput());
+  image->SetDirectionMatrix(volume.Image->GetDirectionMatrix());
+  image->GetPointData()->GetScalars()->SetName(scalars->GetName());
+  volume.Image = image;
+  volume.Shift += shift;
 }
 
 void CheckVolume(const std::string& path, Volume& volume, int chosen)

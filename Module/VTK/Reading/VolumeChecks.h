@@ -31,6 +31,9 @@ bool MayBeHounsfield(const std::string& modality);
 /// series, and the first component is used. Throws InputError if there is no such component.
 void UseComponent(const std::string& path, Volume& volume, int chosen);
 
+/// Adds a number to the values, so that they are Hounsfield units.
+void ShiftValues(Volume& volume, double shift);
+
 /// Throws InputError unless the volume can be touched. If there are no active scalars, activates
 /// the first point array, or a cell array; reduces the scalars to one component, with a note. For
 /// `chosen`, see vtkHapticVolumeReader::SetSeries().

@@ -753,6 +753,7 @@ Volume LoadVolume(const std::string& path, int series, const std::string& array)
     one.IsField = volume.IsField;
     one.Modality = volume.Modality;
     CheckVolume(path, one);
+    ShiftValues(one, volume.Shift - one.Shift); // as the first one, whatever this one looks like
     AlignVolume(one);
     phase.Image = one.Image;
   }

@@ -45,6 +45,7 @@ struct Volume
     vtkSmartPointer<vtkImageData> Image;
   };
   std::vector<Phase> Phases = {};
+  double Shift = 0.0;        // was added to the values, so that they are Hounsfield units
   std::string Modality = {}; // DICOM's modality, such as "CT"; empty if not known
   bool HasPlace = true;      // whether the file defines the position of the volume
   bool IsGrid = false;       // whether the volume was resampled from cells

@@ -252,9 +252,11 @@ Volume LoadNiftiSeries(
   AddTimeStep(volume, path, volume.Image, 0.0);
   for (int i = 1; i < count; ++i)
   {
-    vtkSmartPointer<vtkImageData> timeStep = ExtractTimeStep(all, i * step);
-    Explore::StraightenIfSheared(timeStep, false);
-    AddTimeStep(volume, path, Explore::AlignToAxes(timeStep), i * times.Spacing);
+    Volume timeStep;
+    timeStep.Image = ExtractTimeStep(all, i * step);
+    Explore::ShiftValues(timeStep, volume.Shift);
+    Explore::StraightenIfSheared(timeStep.Image, false);
+    AddTimeStep(volume, path, Explore::AlignToAxes(timeStep.Image), i * times.Spacing);
   }
   Finish(volume);
   volume.Notes.push_back(
@@ -293,8 +295,9 @@ Volume LoadTimeSteps(const std::string& path, const std::vector<TimeStepPath>& t
   AddTimeStep(volume, timeSteps.front().Path, volume.Image, timeSteps.front().Time);
   for (std::size_t i = 1; i < timeSteps.size(); ++i)
   {
-    AddTimeStep(volume, timeSteps[i].Path, LoadFrame(timeSteps[i].Path, series, array).Image,
-      timeSteps[i].Time);
+    Volume frame = LoadFrame(timeSteps[i].Path, series, array);
+    Explore::ShiftValues(frame, volume.Shift - frame.Shift); // as the first one
+    AddTimeStep(volume, timeSteps[i].Path, frame.Image, timeSteps[i].Time);
   }
   Finish(volume);
   return volume;

@@ -508,16 +508,17 @@ void ExpectPipesAreRefused()
   makePipe(pipes + "/foam/system/controlDict");
   refuse(write("foam/one.foam", ""), "controlDict is a pipe");
   makePipe(pipes + "/slices/1.dcm");
-  makePipe(pipes + "/slices/2");
-  refuse(pipes + "/slices", "without a single DICOM slice");
+  makePipe(pipes + "/named/2");
+  refuse(pipes + "/slices", "has a pipe or a device in place of a file (1.dcm)");
+  refuse(pipes + "/named", "has a pipe or a device in place of a file (2)");
   makePipe(pipes + "/stack/1.tif");
   makePipe(pipes + "/stack/2.tif");
-  refuse(pipes + "/stack", "");
+  refuse(pipes + "/stack", ".tif is no regular file");
   write("one.zarr/.zarray",
     R"({"zarr_format": 2, "shape": [8, 8, 8], "chunks": [8, 8, 8], "dtype": "|u1", "order": "C",
         "compressor": null, "filters": null, "fill_value": 0})");
   makePipe(pipes + "/one.zarr/0.0.0");
-  refuse(pipes + "/one.zarr", "");
+  refuse(pipes + "/one.zarr", "0.0.0 is no regular file");
 }
 } // namespace
 

@@ -18,6 +18,7 @@ from phantom import AIR, CENTRE, TISSUE, Grid, distance, values
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkTextActor
@@ -489,6 +490,23 @@ def test_labels_of_a_file_with_several_are_chosen():
         np.testing.assert_array_equal(measure(labels.GetOutput())[0], measure(values.GetOutput())[0])
 
 
+@pytest.mark.parametrize("name", ["dicom-phases-stored-higher", "nifti-4d-stored-higher", "nifti-files-stored-higher"])
+def test_all_times_have_the_shift_of_the_first(name):
+    """The later time, alone, does not show that it is stored higher."""
+    if volumehaptics is None:
+        pytest.skip("the module was not wrapped")
+    reader = volumehaptics.vtkHapticVolumeReader()
+    reader.SetFileName(path_of(name))
+    reader.UpdateInformation()
+    times = reader.GetOutputInformation(0).Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS())
+    assert len(times) == 2
+    for time in times:
+        reader.UpdateTimeStep(time)
+        found, affine = measure(reader.GetOutput())
+        points, _ = phantom_points(next(one for one in CASES if one["name"] == name), affine, found.shape)
+        assert np.abs(found - values(points)).max() <= 95.0, time
+
+
 def test_labels_of_a_table_that_are_in_no_voxel_are_told(tmp_path):
     """The folder of masks contains one without a voxel, the aorta; the user's table also has such a label."""
     def notes(*words):
@@ -511,7 +529,7 @@ TRUE_NAMES = {"RT Ion Plan Storage": "RT ion plan", "RT Plan Storage": "RT plan"
               "AFNIImage": "AFNI|packed file", "PARRECImage": "PAR/REC", "EcatImage": "ECAT", "Minc2Image": "MINC 2"}
 # Faults of a slice from which no volume can be made.
 NO_VOLUME = ("is a single slice|too thin|no distance of its pixels|no position of its slices|is it a film|several volumes|mosaic|"
-             "without its pixels|damaged or cut-off|without an image|numbers of colours")
+             "without its pixels|damaged or cut-off|without an image|numbers of colours|turned against each other")
 
 
 @pytest.mark.parametrize("file", LIBRARIES, ids=lambda file: file["name"])

@@ -242,7 +242,7 @@ def two_stacks(folder):
 
 
 @case("dicom-values-of-a-micro-ct", source="PS3.3 C.8.2.1: rescaled values of a CT may be no HU", scale=10.0, offset=-5000.0,
-      tolerance=8.0, options=("--preset", "histogram"))
+      tolerance=8.0, options=("--preset", "histogram"), told=("no Hounsfield units",))
 def micro_ct(folder):
     return save_all(folder, slices(GRID, sampled=10.0 * GRID.sample(float) - 5000.0, intercept=-32768.0))
 

@@ -66,6 +66,22 @@ high_bits("and-signed-samples-below", lambda stored: stored, ("not where HighBit
 high_bits("and-an-overlay", lambda stored: stored << 4 | np.arange(stored.size) % 3, ("may be an overlay",))
 
 
+@case("dicom-high-bit-15-in-phases", source="PS3.5 8.1.1: decided once, also where a phase has no low bits", tolerance=9.0,
+      told=("not where HighBit says", "2 phases"))
+def high_bit_phases(folder):
+    for phase in range(2):
+        # All samples of the first phase are whole multiples of 16, as if 12 bits of 16 were shifted.
+        voxels = GRID.sample(float) if phase else np.round((GRID.sample(float) + 1024.0) / 16.0) * 16.0 - 1024.0
+        sets = slices(GRID, sampled=voxels)
+        for k, data in enumerate(sets):
+            data.BitsStored, data.HighBit = 12, 15
+            data.TemporalPositionIdentifier = phase + 1
+            data.InstanceNumber = phase * len(sets) + k + 1
+            data.SOPInstanceUID = data.file_meta.MediaStorageSOPInstanceUID = uid("high bit", phase, k)
+        save_all(folder, sets)
+    return folder
+
+
 @case("dicom-high-bit-15", source="PS3.5 8.1.1: 12 bits stored, of which the highest is bit 15")
 def high_bit(folder):
     sets = slices(GRID)
@@ -73,6 +89,64 @@ def high_bit(folder):
         stored = np.frombuffer(data.PixelData, "<u2")
         data.BitsStored, data.HighBit = 12, 15
         data.PixelData = (stored << 4).astype("<u2").tobytes()
+    return save_all(folder, sets)
+
+
+def noisy(deviation):
+    """The phantom as a scanner has it: with noise in air and tissue, which shows where zero is."""
+    voxels = GRID.sample(float)
+    noise = np.random.default_rng(5).normal(0.0, deviation, voxels.shape).round().clip(-90, 90)
+    return np.maximum(voxels + noise, -1024.0)
+
+
+STORED_HIGHER = {"source": "Modality CT without a rescale: stored as HU + 1024", "tolerance": 95.0,
+                 "told": ("taken for Hounsfield units .*1024",)}
+
+
+@case("dicom-phases-stored-higher", **STORED_HIGHER)
+def phases_stored_higher(folder):
+    """In the second phase, the soft tissue alone does not show that it is stored so."""
+    for phase in range(2):
+        sets = slices(GRID, sampled=1024.0 + noisy(deviation=0.0 if phase else 20.0), intercept=0.0)
+        for k, data in enumerate(sets):
+            del data.RescaleIntercept, data.RescaleSlope
+            data.TemporalPositionIdentifier = phase + 1
+            data.InstanceNumber = phase * len(sets) + k + 1
+            data.SOPInstanceUID = data.file_meta.MediaStorageSOPInstanceUID = uid("higher", phase, k)
+        save_all(folder, sets)
+    return folder
+
+
+@case("nifti-4d-stored-higher", **STORED_HIGHER)
+def times_stored_higher(folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    voxels = np.stack([1024.0 + noisy(deviation=one) for one in (20.0, 0.0)], axis=3)
+    made = nibabel.Nifti1Image(voxels.astype(np.int16), TO_RAS @ GRID.affine)
+    made.header.set_xyzt_units("mm", "sec")
+    nibabel.save(made, folder / "head.nii.gz")
+    return folder / "head.nii.gz"
+
+
+@case("nifti-files-stored-higher", **STORED_HIGHER)
+def files_stored_higher(folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    for number, deviation in enumerate((20.0, 0.0)):
+        voxels = (1024.0 + noisy(deviation=deviation)).astype(np.int16)
+        nibabel.save(nibabel.Nifti1Image(voxels, TO_RAS @ GRID.affine), folder / f"{number}.nii.gz")
+    return folder
+
+
+@case("dicom-ct-of-8-bits", scale=0.1, offset=110.0, tolerance=0.6, told=("can't be|no Hounsfield units",),
+      source="PS3.3 C.8.2.1: a windowed picture of a CT has no HU", options=("--preset", "histogram"))
+def ct_of_8_bits(folder):
+    return save_all(folder, slices(GRID, sampled=110.0 + 0.1 * GRID.sample(float), intercept=0.0, bits=8))
+
+
+@case("dicom-spacing-between-slices-negative", source="Slicer/Slicer#7987: a negative SpacingBetweenSlices of a CT")
+def spacing_negative(folder):
+    sets = slices(GRID)
+    for data in sets:
+        data.SpacingBetweenSlices = "-5.0"
     return save_all(folder, sets)
 
 
@@ -126,7 +200,8 @@ def nuclear_down(folder):
     return path
 
 
-@case("dicom-enhanced-orientation-per-frame", source="PS3.3 C.7.6.16.2.4: each frame has its own orientation", refused="is a single slice")
+@case("dicom-enhanced-orientation-per-frame", source="PS3.3 C.7.6.16.2.4: each frame has its own orientation",
+      refused="turned against each other, by up to 17[0-9.]+ degrees")
 def orientation_per_frame(folder):
     data = enhanced(GRID, range(GRID.size[2]))
     del data.SharedFunctionalGroupsSequence[0].PlaneOrientationSequence
@@ -136,6 +211,32 @@ def orientation_per_frame(folder):
         item.PlaneOrientationSequence = Sequence([plane])
         item.PlanePositionSequence[0].ImagePositionPatient = [f"{x:.6f}" for x in CENTRE]
     return save(folder, data, "radial.dcm")
+
+
+def turned_case(name, step, **facts):
+    """Slices at even places, each turned by some degrees against the one before it."""
+
+    @case(f"dicom-{name}", refused="turned against each other", **facts)
+    def write(folder):
+        sets = slices(GRID)
+        for k, data in enumerate(sets):
+            c, s = np.cos(np.radians(step * k)), np.sin(np.radians(step * k))
+            data.ImageOrientationPatient = [f"{x:.8f}" for x in (c, 0, s, 0, 1, 0)]
+        return save_all(folder, sets)
+
+
+turned_case("slices-of-a-fan", 2.0, source="PS3.3 C.7.6.2: each slice has its own orientation")
+turned_case("slices-turned-little", 0.05, source="PS3.3 C.7.6.2: each slice has its own orientation")
+
+
+@case("dicom-slices-turned-in-their-plane", source="PS3.3 C.7.6.2: rows may have any direction in one plane",
+      told=("22 slices of 40 x 40, .*of 2 series|of 2 series",), scale=0.0)
+def turned_in_plane(folder):
+    grid = Grid(size=(40, 40, 42))
+    sets = slices(grid)
+    for data in sets[:20]:
+        data.ImageOrientationPatient = [0, 1, 0, -1, 0, 0]
+    return save_all(folder, sets)
 
 
 @case("dicom-enhanced-times", source="PS3.3 C.7.6.16.2.2: TemporalPositionIndex", told=("2 phases",))

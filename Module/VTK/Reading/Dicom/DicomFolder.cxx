@@ -9,6 +9,7 @@
 #include "VTK/Reading/SliceGeometry.h"
 #include "VTK/Reading/VolumeChecks.h"
 #include "VTK/Reading/VolumeOrientation.h"
+#include "VTK/Reading/WholeFile.h"
 
 #include "vtkImageData.h"
 #include "vtkMath.h"
@@ -301,9 +302,12 @@ Explore::DicomObject FindObjects(const std::string& folder)
   for (unsigned long i = 0; i < directory.GetNumberOfFiles(); ++i)
   {
     const std::string name = directory.GetFile(i);
-    const bool isFile = !vtksys::SystemTools::FileIsDirectory(folder + "/" + name);
-    const auto [kind, cure] =
-      isFile ? Explore::FindDicomObject(folder + "/" + name) : Explore::DicomObject();
+    const std::string path = folder + "/" + name;
+    const bool isFile = !vtksys::SystemTools::FileIsDirectory(path);
+    const auto [kind, cure] = !isFile ? Explore::DicomObject()
+      : Explore::DetectDevice(path).empty()
+      ? Explore::FindDicomObject(path)
+      : Explore::DicomObject{ "a pipe or a device in place of a file", "take it away" };
     if (!kind.empty() && found.Name.find(kind) == std::string::npos)
     {
       found.Name += (found.Name.empty() ? "" : ", ") + kind + " (" + name + ")";
@@ -430,20 +434,61 @@ void NoteUnmapped(const DicomHeader::RealWorldMap& map, vtkImageData* image, Vol
   }
 }
 
-/// Reads the phases of a moving volume. `along` has the positions of the slices.
+/// Reads the later phases of a moving volume. `along` has the positions of the slices.
 void ReadPhases(const std::string& path, const DicomSeries& series,
-  const std::vector<double>& along, Volume& volume)
+  const std::vector<std::vector<DicomHeader>>& phases, const std::vector<double>& along,
+  Volume& volume)
 {
   constexpr double perSecond = 10.0; // phases per second, if they have no times
   const std::vector<std::string> notes = volume.Notes;
-  for (std::size_t i = 0; i < series.MorePhases.size(); ++i)
+  for (std::size_t i = 1; i < phases.size(); ++i)
   {
-    const std::vector<DicomHeader>& slices = series.MorePhases[i];
-    CheckSlices(path, slices, series.IsPlacedByLocation);
-    const double time = series.Times[i + 1] / (series.HaveTimes ? 1.0 : perSecond);
-    volume.Phases.push_back({ time, ReadPlaced(path, slices, along, volume) });
+    const double time = series.Times[i] / (series.HaveTimes ? 1.0 : perSecond);
+    volume.Phases.push_back({ time, ReadPlaced(path, phases[i], along, volume) });
   }
   volume.Notes = notes; // keep the notes once: each phase would add the same ones
+}
+
+/// Returns the angle (degrees) between the planes of two slices, or between their rows, if that is
+/// larger.
+double MeasureTurn(const DicomHeader& a, const DicomHeader& b)
+{
+  return vtkMath::DegreesFromRadians(std::max(
+    vtkMath::AngleBetweenVectors(a.Normal, b.Normal), vtkMath::AngleBetweenVectors(a.Row, b.Row)));
+}
+
+/// Throws InputError if the slices of a series are turned against each other by more than a pixel
+/// at their edge. A series of a few slices may be a part of such slices, as of a radial scan.
+void CheckParallel(
+  const std::string& path, const DicomSeries& series, const std::vector<DicomSeries>& all)
+{
+  constexpr std::size_t fewest = 5; // smallest number of slices of a volume
+  const DicomHeader& first = series.Slices.front();
+  const double edge = std::max(first.Width * first.Spacing[0], first.Height * first.Spacing[1]);
+  const double pixel = std::max(first.Spacing[0], first.Spacing[1]);
+  double turn = 0.0; // degrees
+  for (const DicomHeader& slice : series.Slices)
+  {
+    turn = std::max(turn, MeasureTurn(first, slice));
+  }
+  turn = edge * std::sin(vtkMath::RadiansFromDegrees(turn)) > pixel ? turn : 0.0;
+  bool areFew = true;
+  double parts = 0.0;
+  for (const DicomSeries& part : all)
+  {
+    const bool isPart = part.Slices.front().Series == first.Series;
+    areFew = areFew && !(isPart && part.Slices.size() >= fewest);
+    parts = isPart ? std::max(parts, MeasureTurn(first, part.Slices.front())) : parts;
+  }
+  turn = areFew ? std::max(turn, parts) : turn;
+  if (turn > 0.0)
+  {
+    std::ostringstream fault;
+    fault << "has slices that are turned against each other, by up to " << turn
+          << " degrees, as in a localizer or a radial scan";
+    throw InputError(path, fault.str(),
+      "name a series of parallel slices, or resample this one where it was made");
+  }
 }
 
 /// Loads one of several series. For `segment`, see ReadDicomSegmentation().
@@ -466,22 +511,25 @@ Volume LoadSeries(
     volume.IsField = one.Modality == "RTDOSE";
     volume.Modality = one.Modality;
     const bool isMoving = !series.MorePhases.empty();
-    const std::vector<DicomHeader> slices =
-      isMoving ? series.Slices : LeaveOutFar(series.Slices, volume);
-    CheckSlices(path, slices, series.IsPlacedByLocation);
+    std::vector<std::vector<DicomHeader>> phases{ isMoving ? series.Slices
+                                                           : LeaveOutFar(series.Slices, volume) };
+    phases.insert(phases.end(), series.MorePhases.begin(), series.MorePhases.end());
+    const std::vector<DicomHeader>& slices = phases.front();
+    for (const std::vector<DicomHeader>& phase : phases)
+    {
+      CheckSlices(path, phase, series.IsPlacedByLocation);
+    }
+    CheckParallel(path, series, all);
     const std::vector<double> along = FindPlaces(path, slices, volume);
     Explore::CheckLine(path, slices);
     AddNotes(series, volume);
     const int size[] = { one.Width, one.Height, static_cast<int>(slices.size()) };
     Explore::CheckSize(path, size); // before pixels, which may be unreadable, are unpacked
-    Explore::CheckMemory(
-      path, Explore::MeasureSlices(slices), slices.size() * (1 + series.MorePhases.size()));
+    Explore::CheckMemory(path, Explore::MeasureSlices(slices), slices.size() * phases.size());
+    Explore::CorrectHighBit(path, phases, volume.Notes);
     volume.Image = ReadPlaced(path, slices, along, volume);
     NoteUnmapped(one.RealWorld, volume.Image, volume);
-    if (isMoving)
-    {
-      ReadPhases(path, series, along, volume);
-    }
+    ReadPhases(path, series, phases, along, volume);
   }
   for (std::size_t i = 0; i < all.size(); ++i)
   {

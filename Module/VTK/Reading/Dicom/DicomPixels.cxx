@@ -173,40 +173,6 @@ void Fill(const std::string& bytes, const DicomHeader& slice, Value* values)
   }
 }
 
-/// Corrects the HighBit of a series whose samples are all in the low bits. Notes what else is in
-/// the bits below the stored ones, such as an overlay.
-void CheckHighBit(
-  const std::string& path, std::vector<DicomHeader>& slices, std::vector<std::string>& notes)
-{
-  bool areUsed = false, areAllLow = true;
-  DicomPixels pixels;
-  for (DicomHeader slice : slices)
-  {
-    const bool isAsked = CountBitsBelow(slice) > 0;
-    const std::string bytes = isAsked ? pixels.Read(path, slice) : std::string();
-    const int unused = slice.Bits - slice.Stored, below = CountBitsBelow(slice);
-    for (std::size_t i = 0; below > 0 && i < bytes.size() / (slice.Bits / 8); ++i)
-    {
-      const std::uint64_t bits = ReadBits(bytes, i, slice), above = bits >> slice.Stored;
-      const bool isNegative = slice.IsSigned && (bits >> (slice.Stored - 1) & 1) != 0;
-      areUsed = areUsed || (bits & ((std::uint64_t{ 1 } << below) - 1)) != 0;
-      areAllLow =
-        areAllLow && (above == 0 || (isNegative && above == (std::uint64_t{ 1 } << unused) - 1));
-    }
-  }
-  for (DicomHeader& slice : slices)
-  {
-    slice.HighBit =
-      areUsed && areAllLow ? std::min(slice.HighBit, slice.Stored - 1) : slice.HighBit;
-  }
-  if (areUsed)
-  {
-    notes.emplace_back(areAllLow
-        ? "the samples are in the low bits, not where HighBit says: they are taken from there"
-        : "the bits below the samples, which may be an overlay, are left out");
-  }
-}
-
 /// Returns the value of pixels that were not measured, if the file gives it. Its two bytes may or
 /// may not have a sign, whatever the pixels have, and may have the unused bits below.
 std::optional<double> ReadPadding(const DicomHeader& slice)
@@ -394,11 +360,49 @@ double MeasureSlices(const std::vector<DicomHeader>& slices)
     vtkDataArray::GetDataTypeSize(ChooseType(ComputeValues(slices)));
 }
 
-vtkSmartPointer<vtkImageData> ReadSlices(
-  const std::string& path, const std::vector<DicomHeader>& given, std::vector<std::string>& notes)
+void CorrectHighBit(const std::string& path, std::vector<std::vector<DicomHeader>>& phases,
+  std::vector<std::string>& notes)
 {
-  std::vector<DicomHeader> slices = given;
-  CheckHighBit(path, slices, notes);
+  bool areUsed = false, areAllLow = true;
+  const auto check = [&](DicomPixels& pixels, DicomHeader slice)
+  {
+    const bool isAsked = CountBitsBelow(slice) > 0;
+    const std::string bytes = isAsked ? pixels.Read(path, slice) : std::string();
+    const int unused = slice.Bits - slice.Stored, below = CountBitsBelow(slice);
+    for (std::size_t i = 0; below > 0 && i < bytes.size() / (slice.Bits / 8); ++i)
+    {
+      const std::uint64_t bits = ReadBits(bytes, i, slice), above = bits >> slice.Stored;
+      const bool isNegative = slice.IsSigned && (bits >> (slice.Stored - 1) & 1) != 0;
+      areUsed = areUsed || (bits & ((std::uint64_t{ 1 } << below) - 1)) != 0;
+      areAllLow =
+        areAllLow && (above == 0 || (isNegative && above == (std::uint64_t{ 1 } << unused) - 1));
+    }
+  };
+  DicomPixels pixels;
+  for (const std::vector<DicomHeader>& slices : phases)
+  {
+    std::for_each(
+      slices.begin(), slices.end(), [&](const DicomHeader& slice) { check(pixels, slice); });
+  }
+  for (std::vector<DicomHeader>& slices : phases)
+  {
+    for (DicomHeader& slice : slices)
+    {
+      slice.HighBit =
+        areUsed && areAllLow ? std::min(slice.HighBit, slice.Stored - 1) : slice.HighBit;
+    }
+  }
+  if (areUsed)
+  {
+    notes.emplace_back(areAllLow
+        ? "the samples are in the low bits, not where HighBit says: they are taken from there"
+        : "the bits below the samples, which may be an overlay, are left out");
+  }
+}
+
+vtkSmartPointer<vtkImageData> ReadSlices(
+  const std::string& path, const std::vector<DicomHeader>& slices, std::vector<std::string>& notes)
+{
   const DicomHeader& first = slices.front();
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(first.Width, first.Height, static_cast<int>(slices.size()));

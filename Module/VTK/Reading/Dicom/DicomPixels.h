@@ -34,6 +34,12 @@ private:
 /// because compressed files can promise any number.
 double MeasureSlices(const std::vector<DicomHeader>& slices);
 
+/// Corrects the HighBit of a series whose samples are all in the low bits: of all its phases, or of
+/// none. Notes what else is in the bits below the stored ones, such as an overlay. Throws
+/// InputError.
+void CorrectHighBit(const std::string& path, std::vector<std::vector<DicomHeader>>& phases,
+  std::vector<std::string>& notes);
+
 /// Reads the values of slices in this order into an image without a position. Chooses the smallest
 /// type that can store all values. Pixels that were not measured get the least value, with a note.
 /// Throws InputError.

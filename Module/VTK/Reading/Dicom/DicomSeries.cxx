@@ -37,7 +37,7 @@ bool IsAlike(const DicomHeader& a, const DicomHeader& b)
   return a.Series == b.Series && a.Patient == b.Patient && a.Width == b.Width &&
     a.Height == b.Height && a.Samples == b.Samples && (a.Frames > 1) == (b.Frames > 1) &&
     HaveSameSpacing(a, b) && vtkMath::Dot(a.Normal, b.Normal) > SAME_DIRECTION &&
-    (!a.IsSegmentation() || a.File == b.File);
+    vtkMath::Dot(a.Row, b.Row) > SAME_DIRECTION && (!a.IsSegmentation() || a.File == b.File);
 }
 
 bool IsSamePlace(const DicomHeader& a, const DicomHeader& b)

@@ -23,7 +23,8 @@ OpenedFile::OpenedFile(const std::string& name)
   if (!Files::GetStatus(this->Descriptor, status) || !Files::IsRegular(status))
   {
     Files::Close(this->Descriptor);
-    throw std::runtime_error("it is no regular file. Give the name of the file of samples.");
+    throw std::runtime_error(
+      Printable(name) + " is no regular file. Give the name of the file of samples.");
   }
 }
 
