@@ -135,6 +135,7 @@ struct vtkHapticViewLink::vtkInternals
   std::unique_ptr<VolumeHaptics::HapticViewProps> Props;
   std::vector<std::pair<vtkWeakPointer<vtkObject>, unsigned long>> Observers;
   std::string Reason;
+  std::string Notes; // the reader's notes that were shown last
 };
 
 //------------------------------------------------------------------------------
@@ -193,12 +194,24 @@ bool vtkHapticViewLink::Attach(vtkSMRenderViewProxy* view, vtkSMHapticDeviceProx
   d.Style->SetDevice(d.Device);
   d.Style->SetHeadUpDisplay(d.Props->GetDisplay());
   d.Style->SetDeviceProxy(device);
-  d.Props->GetDisplay()->SetNotice(VolumeHaptics::FindNotes(device).c_str());
+  this->ShowNotes();
   interactor->SetInteractorStyle(d.Style);
   d.Style->SetView(view);
   d.Style->SetSlicesFollowTip(this->SlicesFollowTip);
   this->Watch();
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticViewLink::ShowNotes()
+{
+  auto& d = *this->Internals;
+  const std::string notes = VolumeHaptics::FindNotes(d.DeviceProxy);
+  if (notes != d.Notes)
+  {
+    d.Notes = notes;
+    d.Props->GetDisplay()->SetNotice(notes.c_str());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -213,6 +226,7 @@ void vtkHapticViewLink::Watch()
     }
   };
   watch(d.View, vtkCommand::DeleteEvent, &vtkHapticViewLink::OnEvent);
+  watch(d.View, vtkCommand::UpdateDataEvent, &vtkHapticViewLink::OnEvent);
   watch(d.DeviceProxy, vtkCommand::DeleteEvent, &vtkHapticViewLink::OnEvent);
   watch(d.Style, vtkCommand::DisableEvent, &vtkHapticViewLink::OnEvent);
   watch(
@@ -231,6 +245,12 @@ void vtkHapticViewLink::OnEvent(vtkObject* caller, unsigned long event, void* da
   {
     case vtkCommand::ModifiedEvent:
       this->Modified(); // because a key may have changed the touch mode
+      break;
+    case vtkCommand::UpdateDataEvent:
+      if (d.DeviceProxy)
+      {
+        this->ShowNotes(); // because another file may have been read
+      }
       break;
     case vtkCommand::DisableEvent:
       this->End("ParaView gave the view another way of interaction. Attach again when it is done.");

@@ -93,6 +93,8 @@ private:
   vtkHapticViewLink(const vtkHapticViewLink&) = delete;
   void operator=(const vtkHapticViewLink&) = delete;
 
+  /** Shows what the reader of the touched volume tells of its file, if that has changed. */
+  void ShowNotes();
   void Watch();
   void OnEvent(vtkObject* caller, unsigned long event, void* data);
   void End(const char* reason);

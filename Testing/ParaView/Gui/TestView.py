@@ -6,8 +6,11 @@ Each process opens one view only: if pvpython of ParaView 5.11 has closed a view
 crashes, with or without this plugin.
 """
 
+import re
 import sys
+import tempfile
 import time
+from pathlib import Path
 
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -165,6 +168,37 @@ def volume(view, device, link):
     link.Attached = 0
     simple.Render(view)
     assert (look() == before).all(), "the view has not got its own ray caster back"
+
+
+def notes(view, device, link):
+    """What was assumed about a file is told when the device is attached, and after another file was opened."""
+
+    def notice():
+        props = view.SMProxy.GetClientSideObject().GetNonCompositedRenderer().GetViewProps()
+        said = [str(prop) for prop in props if prop.GetClassName() == "vtkHapticHeadUpDisplay"]
+        return re.search(r"^ *Notice: (.*(?:\n\S.*)*)", said[0], re.MULTILINE)[1]
+
+    def write(name, *lines):
+        path = Path(folder, name + ".mha")
+        header = ["ObjectType = Image", "NDims = 3", "DimSize = 16 16 16", "ElementType = MET_UCHAR", *lines]
+        path.write_bytes("\n".join([*header, "ElementDataFile = LOCAL\n"]).encode() + bytes(range(256)) * 16)
+        return str(path)
+
+    with tempfile.TemporaryDirectory() as folder:
+        files = [write("plain"), write("told", "ElementSpacing = 2 2 2"),
+                 write("scaled", "ElementSpacing = 2 2 2", "DistanceUnits = um")]
+        reader = simple.HapticVolume(FileName=files[0])
+        device.Touch.Input = reader
+        simple.Show(reader, view, "UniformGridRepresentation")
+        simple.Render(view)
+        link.Attached = 1
+        assert "1 mm are assumed" in notice(), notice()
+        reader.FileName = files[1]
+        simple.Render(view)
+        assert "1 mm" not in notice(), notice()
+        reader.FileName = files[2]
+        simple.Render(view)
+        assert "um" in notice(), notice()
 
 
 def end_session(view, device, link):
