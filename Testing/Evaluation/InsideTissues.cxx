@@ -122,7 +122,7 @@ void AddRows(const BandedScan& scan, const std::vector<TissueBand>& tissues,
     {
       vtkNew<vtkVolumeHapticsFilter> filter;
       filter->SetInputDataObject(0, scan.Image);
-      filter->GetProperty()->ApplyPreset(preset.c_str());
+      filter->GetProperty()->ApplyPreset(preset.c_str(), scan.Image);
       const auto model = filter->GetBaker().Bake(1000.0, {}, nullptr);
       std::vector<Roughness> each;
       double roughest = 0.0;
@@ -205,6 +205,13 @@ Table MeasureInsideTissues(const Scans& scans, const Effort& effort)
         { "fat", -145.0, -65.0, { 0 } },
         { "lung", -1100.0, -650.0, FindLabels(scans.Names, { "lung_" }) } },
       { "CT contrast", "CT chest", "CT angiography", "CT physical" }, effort, table);
+  }
+  if (scans.Mri)
+  {
+    AddRows({ "head MRI", scans.Mri, nullptr },
+      { { "grey matter", 76.0, 104.0, {}, 8.0, 1.5 },
+        { "white matter", 108.0, 145.0, {}, 12.0, 2.0 } },
+      { "MRI" }, effort, table);
   }
   return table;
 }

@@ -23,6 +23,7 @@ constexpr double LeastCosine = 0.707; // between a ray and the normal
 constexpr double RayStep = 0.25;      // voxels
 constexpr double Persistence = 0.75;  // voxels: thickness that a surface must have behind it
 constexpr double FarAstray = 2.0;     // voxels
+constexpr double LeastBehind = 0.25;  // mm behind an edge: FeltForce of a spring of 400 N/m
 
 /** A ray through the volume, in world coordinates. */
 struct Ray
@@ -201,6 +202,36 @@ bool IsAstray(const HapticModel& structures, double level, const Vector3& place)
   return !isIn || !isOut;
 }
 
+/**
+ * Returns how far (mm along the normal) a press goes behind the middle of an edge: where the second
+ * derivative along the gradient of the smoothed values is negative (Marr and Hildreth, Proceedings
+ * of the Royal Society B 207, 1980).
+ */
+double MeasureBehindEdge(const PressedVolume& volume, const Ray& ray, double from, double deep)
+{
+  constexpr double step = 0.05; // mm
+  const HapticModel& shape = *volume.Shape;
+  double run = 0.0;
+  double deepest = 0.0;
+  for (double t = from; t <= deep; t += step)
+  {
+    const Vector3 at = volume.Scale * ray.At(t / volume.Scale);
+    const auto inwards = ComputeInwards(volume, at);
+    if (!inwards)
+    {
+      continue;
+    }
+    const Vector3 index = shape.DeviceToIndex(0.001 * at);
+    const Vector3 along = shape.DeviceToIndex(0.001 * (at + *inwards)) - index;
+    const Vector3 voxel = (1.0 / Norm(along)) * along;
+    const auto value = [&](const Vector3& i) { return shape.Baked->Field.Gradient(i).Value; };
+    const double bend = value(index + voxel) + value(index - voxel) - 2.0 * value(index);
+    run = bend < 0.0 ? run + step * Dot(*inwards, ray.Way) : 0.0;
+    deepest = std::max(deepest, run);
+  }
+  return deepest;
+}
+
 void Press(const PressedVolume& volume, const Ray& ray, const Meeting& met, Presses& found)
 {
   const Vector3 surface = volume.Scale * ray.At(met.At); // mm in the hand's space
@@ -211,7 +242,6 @@ void Press(const PressedVolume& volume, const Ray& ray, const Meeting& met, Pres
   const std::size_t pressed = tips.size();
   MoveTo(tips, surface - deep * ray.Way, PressStep);
   const Trace trace = Play(*volume.Model, tips);
-  ++found.Count;
   const auto findFirst = [&](double force)
   {
     const auto end = trace.begin() + static_cast<std::ptrdiff_t>(std::min(pressed, trace.size()));
@@ -221,6 +251,7 @@ void Press(const PressedVolume& volume, const Ray& ray, const Meeting& met, Pres
   };
   const std::optional<Vector3> felt = findFirst(FeltForce);
   const std::optional<Vector3> touched = findFirst(TouchedForce);
+  ++found.Count;
   const auto half = MeasureHalfOpacity(volume, ray);
   const Vector3 seen = half ? volume.Scale * ray.At(*half) : Vector3{};
   if (half && touched)
@@ -238,6 +269,14 @@ void Press(const PressedVolume& volume, const Ray& ray, const Meeting& met, Pres
   {
     ++found.Unfelt;
     found.UnfeltThoughSeen += half && *half <= met.At + FarAstray * ray.Unit ? 1 : 0;
+    const double at = volume.Scale * met.At;
+    found.UnfeltBehindEdge +=
+      MeasureBehindEdge(volume, ray, at - voxel, at + deep) >= LeastBehind ? 1 : 0;
+    return;
+  }
+  // What continues beyond the border has dragged the hand before it came to the volume.
+  if (!volume.Shape->Baked->Field.IsInside(volume.Shape->DeviceToIndex(0.001 * *felt)))
+  {
     return;
   }
   found.OffSurface.push_back(Dot(*felt - surface, met.Normal) / voxel);
@@ -311,6 +350,8 @@ Steps WalkAtRandom(const PressedVolume& pressed, int walks, double stiffest)
         std::hypot(1.0, std::max(before.Friction, now.Friction)) * Norm(now.Tip - before.Tip);
       found.Largest = std::max(found.Largest, step);
       found.Beyond = std::max(found.Beyond, step - std::max(release, own + noLeap));
+      found.BeyondSpring = std::max(found.BeyondSpring,
+        step - std::max(before.Stiffness, now.Stiffness) * Norm(now.Tip - before.Tip));
     }
   }
   return found;

@@ -56,6 +56,7 @@ struct Presses
   int Count = 0;
   int Unfelt = 0;                 ///< force below 0.1 N down to 5 mm under the surface
   int UnfeltThoughSeen = 0;       ///< unfelt, but seen within 2 voxels behind the surface
+  int UnfeltBehindEdge = 0;       ///< unfelt, but 0.25 mm behind the middle of an edge
   std::vector<double> OffSurface; ///< voxels from the isosurface to the felt place, inwards
   int Astray = 0; ///< felt more than 2 voxels from the isosurface of Level of any structure
   /// of the astray ones, more than 2 voxels from the isosurface of HeldLevel, too
@@ -71,7 +72,8 @@ struct Presses
  * Presses along rays. The hand comes along a ray at 100 mm/s, from outside of the volume and from
  * at least 40 mm away, so that it meets everything that the eye sees. It presses 5 mm deep and goes
  * back. The felt place is the proxy of the first tick with 0.1 N. Rays that enter the volume inside
- * of the body are left out, and so are rays beside which the body continues beyond the volume.
+ * of the body are left out, and so are rays beside which the body continues beyond the volume. A
+ * press that is felt there has no felt place.
  *
  * A ray's own surface is that of the values smoothed by the kernel. A thin structure in front of or
  * beside the surface can be felt and seen although the kernel smooths it below the level: it has an
@@ -90,6 +92,8 @@ struct Steps
   double Largest = 0.0;
   /// part of a step that neither a release (0.25 N) nor the hand's own step explains
   double Beyond = 0.0;
+  /// largest step without the spring's own: stiffness times the hand's step
+  double BeyondSpring = 0.0;
 };
 
 /**

@@ -115,6 +115,74 @@ TEST(Presses, APlateauInAirIsAstrayEvenIfTheMaterialHoldsIt)
   EXPECT_EQ(PressFromAllSides(ball, 60).AstrayOfHeld, found.Astray);
 }
 
+TEST(Presses, WhatDragsBeyondTheBorderHasNoFeltPlace)
+{
+  // The box is full of a medium that drags and goes on beyond it, far from the ball.
+  vtkSmartPointer<vtkImageData> image;
+  PressedVolume ball = MakeBall(1000.0, image);
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  filter->SetInputDataObject(0, image);
+  filter->SetMetersPerWorldUnit(0.001);
+  SetConstant(filter->GetProperty()->GetStiffness(), 1000.0);
+  SetConstant(filter->GetProperty()->GetViscosity(), 0.3);
+  SetConstant(filter->GetProperty()->GetSurfaceStrength(), Impenetrable);
+  SetConstant(filter->GetProperty()->GetDistinctness(), 1.0);
+  ball.Model = filter->GetBaker().Bake(1000.0, {}, nullptr);
+  const Presses found = PressFromAllSides(ball, 60);
+  EXPECT_GT(found.Count, 30);
+  EXPECT_EQ(found.Unfelt, 0);
+  EXPECT_EQ(found.Astray, 0);
+  EXPECT_TRUE(found.OffSurface.empty());
+}
+
+TEST(Presses, AGrazeIsNotBehindAnEdge)
+{
+  // A ball of 10 N/m is unfelt, but presses of 5 mm go behind its edge.
+  vtkSmartPointer<vtkImageData> image;
+  PressedVolume ball = MakeBall(10.0, image);
+  EXPECT_EQ(PressFromAllSides(ball, 60).UnfeltBehindEdge, PressFromAllSides(ball, 60).Count);
+  // An edge that is blurred by 4 mm has 2 % of its height 8.2 mm before its middle. Presses that
+  // begin there end in front of the edge.
+  PressedVolume wide = MakeBall(10.0, image, BallRadius, 1.0, 100.0);
+  const auto foot = SampleImage(
+    [](const Vector3& x) { return BlurredStep(BallRadius - Norm(x), 4.0, 100.0); }, 25.0);
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  filter->SetInputDataObject(0, foot);
+  filter->SetMetersPerWorldUnit(0.001);
+  SetConstant(filter->GetProperty()->GetSurfaceStrength(), 0.0);
+  SetConstant(filter->GetProperty()->GetViscosity(), 0.0);
+  wide.Model = wide.Shape = wide.Structures = wide.Held =
+    filter->GetBaker().Bake(1000.0, {}, nullptr);
+  wide.Level = wide.HeldLevel = 2.0;
+  const Presses found = PressFromAllSides(wide, 60);
+  EXPECT_GT(found.Count, 20);
+  EXPECT_EQ(found.Unfelt, found.Count);
+  EXPECT_EQ(found.UnfeltBehindEdge, 0);
+}
+
+TEST(Presses, AStepIsTheHandsOwnOrARelease)
+{
+  // A shell of 2 N that gives way. At 0.45 m/s, a spring of 1000 N/m changes by up to 0.45 N a tick
+  // without a leap. What is more than this is a release, which takes its time.
+  vtkSmartPointer<vtkImageData> image;
+  PressedVolume ball = MakeBall(1000.0, image);
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  filter->SetInputDataObject(0, image);
+  filter->SetMetersPerWorldUnit(0.001);
+  SetConstant(filter->GetProperty()->GetStiffness(), 1000.0);
+  SetConstant(filter->GetProperty()->GetFriction(), 0.0);
+  SetConstant(filter->GetProperty()->GetViscosity(), 0.0);
+  SetConstant(filter->GetProperty()->GetSurfaceStrength(), 2.0);
+  SetConstant(filter->GetProperty()->GetDistinctness(), 1.0);
+  ball.Model = filter->GetBaker().Bake(1000.0, {}, nullptr);
+  const Steps spread = WalkAtRandom(ball, 10, 0.0);
+  EXPECT_GT(spread.Largest, 0.2);
+  EXPECT_LE(spread.BeyondSpring, 0.25);
+  filter->SetReleaseTime(0.0);
+  ball.Model = filter->GetBaker().Bake(1000.0, {}, nullptr);
+  EXPECT_GT(WalkAtRandom(ball, 10, 0.0).BeyondSpring, 1.0);
+}
+
 TEST(Presses, WalksAreSlowWhereASpringIsStiff)
 {
   // 0.45 mm a tick at 1000 N/m are 0.45 N, without any leap; at 0.18 mm they are 0.18 N.

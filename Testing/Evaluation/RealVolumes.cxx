@@ -380,17 +380,19 @@ std::vector<std::string> MeasureVolume(const std::string& name, const Explore::V
   const Steps walks = WalkAtRandom(pressed, walkCount, FindStiffest(*pressed.Model, values.Range));
   const Steps fastWalks = WalkAtRandom(pressed, walkCount, 0.0);
   return { name, materials, std::to_string(presses.Count), std::to_string(presses.Unfelt),
-    Number(ComputeMedian(presses.OffSurface)), Number(FindLargest(presses.OffSurface, 0.95)),
-    Number(100.0 * static_cast<double>(far) / felt), Number(100.0 * presses.Astray / felt),
-    Number(100.0 * presses.AstrayOfHeld / felt), std::to_string(inWindow.Unfelt),
-    std::to_string(inWindow.UnfeltThoughSeen), Number(100.0 * inWindow.Astray / feltInWindow),
+    std::to_string(presses.UnfeltBehindEdge), Number(ComputeMedian(presses.OffSurface)),
+    Number(FindLargest(presses.OffSurface, 0.95)), Number(100.0 * static_cast<double>(far) / felt),
+    Number(100.0 * presses.Astray / felt), Number(100.0 * presses.AstrayOfHeld / felt),
+    std::to_string(inWindow.Unfelt), std::to_string(inWindow.UnfeltThoughSeen),
+    Number(100.0 * inWindow.Astray / feltInWindow),
     Number(100.0 * inWindow.AstrayOfHeld / feltInWindow), Number(ComputeMedian(inWindow.OffSeen)),
     Number(FindLargest(inWindow.OffSeen, 0.95)),
     Number(FindLargest(inWindow.OffSeenStraight, 0.95)),
     Number(FindLargest(inWindow.OffSeenTouched, 0.95)), Number(ComputeMedian(seen)),
     Number(FindLargest(seen, 0.95)), Number(strokes.Mean), Number(strokes.Both),
     Number(strokes.Drops / seconds), Number(strokes.LargestStep), Number(presses.LargestStep),
-    Number(walks.Largest), Number(fastWalks.Largest), Number(fastWalks.Beyond) };
+    Number(walks.Largest), Number(fastWalks.Largest), Number(fastWalks.Beyond),
+    Number(fastWalks.BeyondSpring) };
 }
 
 void PrintLine(const std::vector<std::string>& row)
@@ -408,7 +410,9 @@ Table MeasureRealVolumes(const VolumePlaces& places, const Effort& effort)
   Table table{ "Real volumes: felt and seen",
     "Presses from outside of the volume, 40 mm away at least, and 5 mm deep, but at least 3 "
     "voxels, on rays from all sides within 45 degrees of the normal; "
-    "unfelt are those with less than 0.1 N. The felt place is the proxy at 0.1 N: voxels behind "
+    "unfelt are those with less than 0.1 N, and behind an edge are those of them that go 0.25 mm "
+    "behind the middle of an edge of the smoothed values, where the second derivative along the "
+    "gradient is negative. The felt place is the proxy at 0.1 N: voxels behind "
     "the isosurface of the outer threshold (with \"Micro-CT\", of Otsu's) that the ray meets, "
     "as the kernel smooths it, and from it to half of the opacity along the ray, each the median "
     "and the magnitude that 95 % do not exceed. Felt places are counted that are more than 2 "
@@ -421,16 +425,19 @@ Table MeasureRealVolumes(const VolumePlaces& places, const Effort& effort)
     "stiffest material has more than 400 N/m, by as much, and then all at 0.45 m/s; beyond the "
     "bound is what, at 0.45 m/s, "
     "neither 0.25 N, to which releases are bound, nor the hand's own step explains: stiffness "
-    "times sqrt(1 + friction^2) times its length, and 0.02 N. For what is seen, what the picture "
+    "times sqrt(1 + friction^2) times its length, and 0.02 N; beyond the spring is the largest "
+    "step "
+    "without stiffness times the length of the hand's. For what is seen, what the picture "
     "hides is not felt, as in the explorer's window: what is unfelt there is hidden, or it is seen "
     "within 2 voxels of the isosurface, and counted apart. A ray that grazes a strand sees it, and "
     "a press slides off it: straight are the rays that meet what they see within 45 degrees of its "
     "normal, too, and at 0.01 N is for all rays the first place with that force.",
-    { "volume", "preset", "presses", "unfelt", "off surface", "95 %", "> 2 voxels (%)",
-      "from any (%)", "and from held (%)", "unfelt in window", "though seen", "from any (%)",
-      "and from held (%)", "seen behind", "95 %", "straight, 95 %", "at 0.01 N, 95 %", "by strokes",
-      "95 %", "stroke (N)", "30-500 Hz (%)", "drops / s", "largest step (N)", "of presses (N)",
-      "of walks (N)", "at 0.45 m/s (N)", "beyond bound (N)" },
+    { "volume", "preset", "presses", "unfelt", "behind an edge", "off surface", "95 %",
+      "> 2 voxels (%)", "from any (%)", "and from held (%)", "unfelt in window", "though seen",
+      "from any (%)", "and from held (%)", "seen behind", "95 %", "straight, 95 %",
+      "at 0.01 N, 95 %", "by strokes", "95 %", "stroke (N)", "30-500 Hz (%)", "drops / s",
+      "largest step (N)", "of presses (N)", "of walks (N)", "at 0.45 m/s (N)", "beyond bound (N)",
+      "beyond spring (N)" },
     {} };
   for (const KnownVolume& known : ListVolumes(places))
   {

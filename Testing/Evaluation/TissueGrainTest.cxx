@@ -179,6 +179,10 @@ std::vector<GrainOf> ListGrains()
     grains.push_back({ preset, "MuscleWithSepta", 60.0, 6.0, isFelt, 75.0 });
     grains.push_back({ preset, "LungWithVessels", -870.0, 12.0, false, -400.0 });
   }
+  // Noise takes grey matter to the values of white matter, and white matter to those of grey. Both
+  // have one drag.
+  grains.push_back({ "MRI", "GreyMatter", 92.0, 5.0 });
+  grains.push_back({ "MRI", "WhiteMatter", 112.0, 5.0 });
   return grains;
 }
 

@@ -364,17 +364,18 @@ public:
       index.Z > 0.0 ? std::min(index.Z, last[2]) : 0.0 };
   }
 
-  /**
-   * Returns the distance (voxels) of an index from the volume's nearest border, along the axis of
-   * that border.
-   */
-  double DistanceToBorder(const Vector3& index) const noexcept
+  /** Returns the distances (voxels) of an index from the volume's nearer border along each axis. */
+  Vector3 DistancesToBorder(const Vector3& index) const noexcept
   {
     const double* const last = this->Border;
-    const double x = std::min(index.X, last[0] - index.X);
-    const double y = std::min(index.Y, last[1] - index.Y);
-    const double z = std::min(index.Z, last[2] - index.Z);
-    return std::min(std::min(x, y), z);
+    return { std::min(index.X, last[0] - index.X), std::min(index.Y, last[1] - index.Y),
+      std::min(index.Z, last[2] - index.Z) };
+  }
+  /** Returns the smallest of these distances. */
+  double DistanceToBorder(const Vector3& index) const noexcept
+  {
+    const Vector3 distances = this->DistancesToBorder(index);
+    return std::min(std::min(distances.X, distances.Y), distances.Z);
   }
 
   /**

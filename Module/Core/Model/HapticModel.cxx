@@ -120,6 +120,12 @@ HapticModel::HapticModel(std::shared_ptr<const BakedVolume> baked, const Affine3
   , KernelLength(
       this->Baked->Kernel.Radius * this->Baked->LargestSpacing / SimilarityScale(deviceToWorld))
   , InverseRadius(1.0 / this->Baked->Kernel.Radius)
+  , FadePerVoxel(this->HasLengthByDirection
+        ? this->InverseRadius *
+          Vector3{ this->MostVoxelsPerMeter / this->VoxelsPerMeter.X,
+            this->MostVoxelsPerMeter / this->VoxelsPerMeter.Y,
+            this->MostVoxelsPerMeter / this->VoxelsPerMeter.Z }
+        : Vector3{ this->InverseRadius, this->InverseRadius, this->InverseRadius })
   , GradientToReach(this->KernelLength * (this->DeviceToIndex.Linear * this->GradientToDevice))
   , FallbackReach(this->DeviceToIndex.Linear *
       (this->KernelLengthAlong(this->FallbackNormal) * this->FallbackNormal))

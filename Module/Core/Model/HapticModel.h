@@ -77,6 +77,11 @@ public:
   const double KernelLength;
   const double InverseRadius; ///< 1/KernelRadius
   /**
+   * 1 divided by the voxels along each axis over which surfaces fade at the volume's border:
+   * KernelRadius times the smallest spacing or, with the solver PAPER, KernelRadius voxels.
+   */
+  const Vector3 FadePerVoxel;
+  /**
    * Converts a gradient per index step, divided by its magnitude in device space, to x_s - x_p for
    * the length KernelLength (see ComputeReach).
    */
@@ -171,11 +176,13 @@ public:
 
   /**
    * Returns the factor of surfaces near the volume's border: 0 at the border, 1 from one kernel
-   * radius inside.
+   * radius of the smallest spacing inside.
    */
   double BorderFade(const Vector3& index) const noexcept
   {
-    const double fade = this->Baked->Field.DistanceToBorder(index) * this->InverseRadius;
+    const Vector3 inside = this->Baked->Field.DistancesToBorder(index);
+    const Vector3& per = this->FadePerVoxel;
+    const double fade = std::min(std::min(inside.X * per.X, inside.Y * per.Y), inside.Z * per.Z);
     return fade < 1.0 ? (fade > 0.0 ? fade : 0.0) : 1.0;
   }
 

@@ -263,7 +263,7 @@ void EmptyBackground(MaterialProposal& proposal, const ProposalFacts& facts)
   const double constant = next - ConstantFraction * (next - outside); // begin of the next material
   const auto empty = [&](Polyline& line, double from, double to)
   { line = isDark ? CutBelow(line, from, to) : Mirror(CutBelow(Mirror(line), -from, -to)); };
-  empty(proposal.SurfaceStrength, end, full);
+  empty(proposal.SurfaceStrength, end + 0.5 * rise, full);
   empty(proposal.Friction, end, full);
   // Move the drag's rise, too. Otherwise a small, dim material would drag a hand as much as a large
   // one.

@@ -178,7 +178,9 @@ void BakeSolid(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* s
     whole.IsThere ? whole.Solid : EstimateSolid(image, scalars, d.View, component);
   if (solid.IsThere)
   {
-    d.Material.SurfaceStrength = CutBelow(d.Material.SurfaceStrength, solid.Threshold, solid.Full);
+    // Grains of the background reach a little above the threshold.
+    d.Material.SurfaceStrength =
+      CutBelow(d.Material.SurfaceStrength, solid.Full, 2.0 * solid.Full - solid.Threshold);
   }
 }
 

@@ -168,7 +168,7 @@ const std::vector<Preset>& Presets()
         { "background", 0, 12, K, 0.00, 0.00, 0.0 },
         { "fluid", 30, 50, K, 0.05, 0.30, 0.8 },
         { "grey matter, muscle", 80, 95, K, 0.20, 0.30, 1.4 },
-        { "white matter", 115, 135, K, 0.35, 0.40, 2.0 },
+        { "white matter", 115, 135, K, 0.35, 0.30, 2.0 },
         { "fat", 175, 255, K, 0.15, 0.20, 2.6 },
       },
       3, 70, vtkHapticProperty::BOTH, false, false, 90.0 },

@@ -41,3 +41,20 @@ TEST(HapticModel, SurfacesFadeOverOneKernelRadius)
   }
   EXPECT_DOUBLE_EQ(model.BorderFade({ 1.0, 14.0, 2.0 }), 1.0 / 3.0);
 }
+
+// Thick slices must not fade over more than fine ones: a radius of 3 is 3 x 0.5 mm here, which is
+// 0.3 of a slice of 5 mm. PAPER fades over 3 voxels of each axis.
+TEST(HapticModel, SurfacesFadeOverTheSmallestSpacing)
+{
+  const TestVolume volume = MakeRamp(16);
+  HapticModelDescription description = Describe(volume);
+  description.KernelRadius = 3;
+  description.IndexToWorld.Linear = { { { 0.5, 0, 0 }, { 0, 1.0, 0 }, { 0, 0, 5.0 } } };
+  const HapticModel model(description);
+  EXPECT_DOUBLE_EQ(model.BorderFade({ 1.5, 7.0, 7.0 }), 0.5);
+  EXPECT_DOUBLE_EQ(model.BorderFade({ 7.0, 14.25, 7.0 }), 0.5);
+  EXPECT_DOUBLE_EQ(model.BorderFade({ 7.0, 7.0, 0.15 }), 0.5);
+  EXPECT_DOUBLE_EQ(model.BorderFade({ 7.0, 7.0, 14.7 }), 1.0);
+  description.Settings.Solver = HapticSolver::Paper;
+  EXPECT_DOUBLE_EQ(HapticModel(description).BorderFade({ 7.0, 7.0, 1.5 }), 0.5);
+}

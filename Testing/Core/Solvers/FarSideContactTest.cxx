@@ -387,6 +387,31 @@ TEST(FarSideContact, ANewContactBeginsWithTheMaterialOfItsOwnPlace)
   EXPECT_NEAR(trace.back().NormalForce, 500.0 * 0.005, 0.15);
 }
 
+// A hand comes out of air to a wall whose edge is 5 voxels wide. One knob is ahead beside its way,
+// and one behind on the other side. So the normal turns, and along it the second knob is soon
+// behind the hand. The wall rises from -1000 to 1000, and the hand goes to where it has 1863.
+TEST(FarSideContact, AnEdgeDoesNotMoveAheadOfTheHand)
+{
+  constexpr double at = 30.0;
+  const auto knob = [](double x, double z, double size)
+  { return std::exp(-0.5 * (x * x + z * z) / (size * size)); };
+  const auto value = [&](double x, double z)
+  {
+    return Air + 2000.0 * Phi(z / 2.4) + 2300.0 * knob(x - at + 3.7, z - 3.8, 2.8) +
+      1300.0 * knob(x - at - 5.0, z + 3.0, 2.1);
+  };
+  constexpr double depth = 4.0;
+  ASSERT_GT(value(at, depth), 1800.0);
+  ASSERT_LT(value(at, -8.0), -990.0);
+  const TestVolume volume = MakeVolume(value);
+  double most = 0.0;
+  for (const TickRecord& tick : Stroke(HapticModel(DescribeFar(volume)), depth, at, at))
+  {
+    most = std::max(most, tick.NormalForce);
+  }
+  EXPECT_GT(most, 0.1) << "what a hand feels";
+}
+
 TEST(FarSideContact, StructuresOfLowerValuesFeelAsThoseOfHigherOnes)
 {
   const auto value = [](double x, double z)

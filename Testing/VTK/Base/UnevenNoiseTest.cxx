@@ -197,6 +197,47 @@ TEST(UnevenNoise, MicroCTHasNoWallInStreaks)
   }
 }
 
+// A clump whose values are a tenth of the way from Otsu's threshold to the solid is a grain of the
+// background; one halfway is solid. The two heaps, 0 and 100, have the threshold 50.
+TEST(UnevenNoise, MicroCTHasNoWallInGrains)
+{
+  for (const double clump : { 55.0, 75.0 })
+  {
+    constexpr int side = 48;
+    const auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(side, side, side);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+    auto* value = static_cast<unsigned char*>(image->GetScalarPointer());
+    for (int k = 0; k < side; ++k)
+    {
+      for (int j = 0; j < side; ++j)
+      {
+        for (int i = 0; i < side; ++i)
+        {
+          const double far = std::hypot(i - 12.0, std::hypot(j - 24.0, k - 24.0));
+          const double blur = 1.0 / (1.0 + std::exp(2.0 * (far - 5.0)));
+          const double solid = 1.0 / (1.0 + std::exp(2.0 * (30.0 - i)));
+          *value++ = static_cast<unsigned char>(std::lround(100.0 * solid + clump * blur));
+        }
+      }
+    }
+    vtkNew<vtkPoints> points;
+    for (int tick = 0; tick < 200; ++tick)
+    {
+      points->InsertNextPoint(12.0, 24.0, 10.0 + 0.05 * tick);
+    }
+    vtkNew<vtkPolyData> path;
+    path->SetPoints(points);
+    vtkNew<vtkVolumeHapticsFilter> filter;
+    filter->GetProperty()->ApplyPreset("Micro-CT");
+    filter->SetInputData(0, image);
+    filter->SetPathData(path);
+    filter->Update();
+    const double most = filter->GetOutput()->GetPointData()->GetArray("NormalForce")->GetRange()[1];
+    EXPECT_EQ(most > 0.1, clump > 60.0) << clump << ": " << most;
+  }
+}
+
 TEST(UnevenNoise, StreaksAreWallsWithoutTheImagesLevel)
 {
   vtkNew<vtkVolumeHapticsFilter> filter;

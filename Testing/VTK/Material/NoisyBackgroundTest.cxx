@@ -109,6 +109,9 @@ TEST(NoisyBackground, ResistsNothingHoweverNearTheNextMaterialIs)
         {
           EXPECT_EQ(ValueAt(line, sign * value), 0.0) << i << " at " << value;
         }
+        // Grains that reach a fourteenth of the way to the next material hold nothing.
+        const double grain = end + (Grey - end) / 14.0;
+        EXPECT_EQ(ValueAt(noisy.SurfaceStrength, sign * grain), 0.0) << grain;
         for (const double value : { Grey, 160.0, 215.0, 300.0 })
         {
           EXPECT_NEAR(ValueAt(line, sign * value), ValueAt(*before[i], sign * value), 1e-12)

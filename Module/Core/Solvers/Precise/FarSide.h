@@ -60,6 +60,12 @@
  *
  * A new contact begins with the values at its own position. So does a contact whose walk finds
  * another edge or no edge, for example after the proxy has gone through a surface.
+ *
+ * On the way to an edge the normal may turn, so that another structure is behind the edge: its
+ * middle then moves ahead of the proxy, which would pass unfelt. So while walks find the same edge,
+ * the value behind it is remembered, and follows the walks over PathLength. A fully distinct edge
+ * that does not hold with the value behind it holds with the remembered value, from a tenth of its
+ * height beyond the middle on. The remembered value is then the medium's.
  */
 #ifndef FarSide_h
 #define FarSide_h
@@ -129,11 +135,26 @@ FarValues MeasureFarSide(const FieldAtTime& field, const Vector3& index, const V
  * Returns whether a walk has found the edge of the touched surface again, and not the plateau
  * behind it or the next edge. A walk on the same edge has some of this edge's values.
  */
-inline bool IsSameEdge(const MaterialPoint& touched, const FarValues& far) noexcept
+inline bool IsSameEdge(const FarValues& touched, const FarValues& far) noexcept
 {
-  const auto [low, high] = std::minmax(touched.SurfaceValue, touched.MediumValue);
+  const auto [low, high] = std::minmax(touched.Ahead, touched.Behind);
   const auto [farLow, farHigh] = std::minmax(far.Ahead, far.Behind);
   return std::min(high, farHigh) - std::max(low, farLow) >= FarSide::SharedHeight * (high - low);
+}
+inline bool IsSameEdge(const MaterialPoint& touched, const FarValues& far) noexcept
+{
+  return IsSameEdge(FarValues{ touched.SurfaceValue, touched.MediumValue }, far);
+}
+
+/**
+ * Returns the value from which the hand has come to an edge, `voxels` of path after a walk that
+ * found `before`.
+ */
+inline double ComputeOrigin(const FarValues& before, const FarValues& far, double voxels) noexcept
+{
+  return before.Ahead != before.Behind
+    ? before.Behind + voxels / (voxels + FarSide::PathLength) * (far.Behind - before.Behind)
+    : far.Behind;
 }
 
 /**

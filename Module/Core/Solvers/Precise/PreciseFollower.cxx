@@ -148,7 +148,7 @@ TouchedMaterial PreciseFollower::ComputeTouched(const Vector3& lag) const noexce
   const PrecisePoint& here = this->State.Here;
   const bool holds = here.SurfaceStrength > 0.0 && Dot(lag, here.Normal) > 0.0;
   const bool dragsOn = here.Viscosity > 0.0 && here.FarLasts > 0.0;
-  return { Law::IsFelt(here) && (holds || dragsOn) ? &here : nullptr, holds };
+  return { Law::IsFelt(here) ? &here : nullptr, holds || dragsOn, holds };
 }
 
 void PreciseFollower::LookAround(const Vector3& lag, const TouchedMaterial& touched) noexcept

@@ -27,6 +27,8 @@ constexpr double EdgeStrength = 20.0;
 constexpr double BeforeStairs = -0.5;
 /** The fraction of the edge's height by which the estimator's own value counts beyond V(x_p). */
 constexpr double OwnLead = 0.25;
+/** Twice the fraction of the height by which an edge is passed before its origin counts. */
+constexpr double OriginMargin = 0.2;
 /** Step (kernel radii) of the search for a rise behind an edge. */
 constexpr double BankStep = 0.5;
 ///@{
@@ -165,7 +167,7 @@ PrecisePoint PreciseSurroundings::Look(
   this->Hide(index, false, point);
   if (baked.Settings.Alignment == ContactAlignment::Edge && point.SurfaceStrength > 0.0)
   {
-    this->Align(index, slope, isDescending, distinct[0], join, point);
+    this->Align(index, slope, isDescending, distinct[0], touched.IsContact, join, point);
   }
   if (this->Hides)
   {
@@ -221,7 +223,7 @@ PrecisePoint PreciseSurroundings::LookAt(const Vector3& index, Surface surface, 
   if (this->Model.Baked->Settings.Alignment == ContactAlignment::Edge && !surface.IsWall &&
     point.SurfaceStrength > 0.0)
   {
-    this->Align(index, slope, isDescending, distinct[0], join, point);
+    this->Align(index, slope, isDescending, distinct[0], touched.IsContact, join, point);
   }
   if (this->Hides && !surface.IsWall)
   {
@@ -326,7 +328,7 @@ double PreciseSurroundings::ComputeHeldOfRipple(const Vector3& index, const Law:
 
 template <typename Join>
 void PreciseSurroundings::Align(const Vector3& index, const Law::Slope& slope, bool isDescending,
-  double distinctness, const Join& join, PrecisePoint& point) const noexcept
+  double distinctness, bool isContact, const Join& join, PrecisePoint& point) const noexcept
 {
   const ValuePair sides{ point.SurfaceValue, point.MediumValue };
   if (this->Model.Baked->Settings.Placement == MaterialPlacement::Kernel)
@@ -343,8 +345,26 @@ void PreciseSurroundings::Align(const Vector3& index, const Law::Slope& slope, b
     (!this->IsSeen(sides.Behind) || !this->IsSeen(this->Field.Values(index, slope.Reach).Behind));
   if (even < 1.0 && !isOfPicture)
   {
-    edge = GradedStrength(
-      sides, point.SurfaceStrength, point.Value, value, this->ComputePromise(slope), isDescending);
+    const auto grade = [&](const ValuePair& of)
+    {
+      return GradedStrength(
+        of, point.SurfaceStrength, point.Value, value, this->ComputePromise(slope), isDescending);
+    };
+    edge = grade(sides);
+    // The normal turns on the way to an edge, so that another structure may come to be behind it.
+    // The edge still rises from the values that the hand has come from.
+    const ValuePair origin{ sides.Ahead, point.Far.Behind };
+    const double held = edge > 0.0 || isContact || distinctness < 1.0
+      ? 0.0
+      : grade({ origin.Ahead, origin.Behind + OriginMargin * (origin.Ahead - origin.Behind) });
+    if (held > 0.0)
+    {
+      MaterialPoint material;
+      join(origin, material);
+      edge = held;
+      point.MediumValue = origin.Behind;
+      point.Viscosity = material.Viscosity;
+    }
     // A gap without drag, such as air, is no tissue, so that its far side is a boundary.
     if (edge > 0.0 && distinctness < 1.0 && point.Viscosity > 0.0)
     {
@@ -451,8 +471,9 @@ ValuePair PreciseSurroundings::ComputeValues(const Vector3& index, const Law::Sl
   }
   const PrecisePoint* const before = touched.Point;
   const bool isAlike = before && Dot(before->Normal, slope.Normal) > 0.0;
+  const bool isOn = isAlike && touched.IsContact;
   double lasts = FarSide::WalkInterval;
-  if (isAlike && touched.IsSurface && voxels < before->FarLasts)
+  if (isOn && touched.IsSurface && voxels < before->FarLasts)
   {
     walk.Far = before->Far;
     lasts = before->FarLasts - voxels;
@@ -475,9 +496,14 @@ ValuePair PreciseSurroundings::ComputeValues(const Vector3& index, const Law::Sl
     walk.Lasts = lasts;
     return this->Field.Values(index, slope.Reach);
   }
-  if (!isAlike || !IsSameEdge(*before, walk.Far))
+  if (!isOn || !IsSameEdge(*before, walk.Far))
   {
-    return { walk.Far.Ahead, walk.Far.Behind };
+    const ValuePair sides{ walk.Far.Ahead, walk.Far.Behind };
+    if (isAlike && !isOn && IsSameEdge(before->Far, walk.Far))
+    {
+      walk.Far.Behind = ComputeOrigin(before->Far, walk.Far, voxels);
+    }
+    return sides;
   }
   walk.Lasts = lasts;
   const ValuePair followed = ComputeFarSide(*before, walk.Far, voxels);

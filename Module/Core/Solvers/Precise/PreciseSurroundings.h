@@ -27,10 +27,11 @@ struct Motion
   bool IsFree = false; ///< whether no material holds the proxy
 };
 
-/** The material that was in contact before a motion, for MaterialPlacement::FarSide. */
+/** The material before a motion, for MaterialPlacement::FarSide. */
 struct TouchedMaterial
 {
-  const PrecisePoint* Point = nullptr; ///< null if no material was in contact
+  const PrecisePoint* Point = nullptr; ///< null if nothing was felt
+  bool IsContact = false;              ///< whether the material was in contact
   /**
    * Whether the surface holds a force. If not, it did so earlier, and now only its medium drags.
    */
@@ -191,7 +192,7 @@ private:
    */
   template <typename Join>
   void Align(const Vector3& index, const Law::Slope& slope, bool isDescending, double distinctness,
-    const Join& join, PrecisePoint& point) const noexcept;
+    bool isContact, const Join& join, PrecisePoint& point) const noexcept;
   /**
    * Returns how alike the tissues on both sides of an edge are: 1 if the one behind it has 0.65 of
    * the strength ahead or more, 0 if it has half or less, as air does, or fat beside muscle. It is

@@ -130,7 +130,7 @@ struct ShellLaw
   double LeastStiffness;   ///< stiffness in N/m below which nothing is felt
   double PerContactArea;   ///< inverse of the contact area in 1/m^2
   double SquareMeters;     ///< area (m^2) of a unit of ShellBatch::Area
-  double InverseRadius;    ///< 1 divided by the kernel's radius (voxels)
+  Vector3 FadePerVoxel;    ///< HapticModel::FadePerVoxel
   double Fraction;         ///< fraction of their energies that the earlier contacts keep
   double FarthestFollowed; ///< limit of ShellBatch::Beyond (m)
   bool IsStart;            ///< whether contacts begin without energy, whatever their depth

@@ -333,7 +333,7 @@ ShellLaw ShellContactFinder::MakeLaw(double fraction, bool isStart) const noexce
   law.LeastStiffness = HapticModel::MinimumStiffness;
   law.PerContactArea = 1.0 / this->Settings.ContactArea;
   law.SquareMeters = this->Scale * this->Scale;
-  law.InverseRadius = this->Model.InverseRadius;
+  law.FadePerVoxel = this->Model.FadePerVoxel;
   law.Fraction = fraction;
   law.FarthestFollowed = FarthestFollowed * this->Voxel;
   law.IsStart = isStart;

@@ -96,13 +96,14 @@ VOLUME_HAPTICS_INLINE FourSegments<typename Table::Segment> FindSegments(
 
 /** Does the same as HapticModel::BorderFade, for four points. */
 VOLUME_HAPTICS_INLINE Double4 FadeAtBorder(
-  const ShellReading& reading, const FourVectors& index, double inverseRadius)
+  const ShellReading& reading, const FourVectors& index, const Vector3& perVoxel)
 {
-  const auto least = [](const Double4& p, double last) { return Smaller(Spread(last) - p, p); };
-  const Double4 x = least(index.X, reading.Border[0]);
-  const Double4 y = least(index.Y, reading.Border[1]);
-  const Double4 z = least(index.Z, reading.Border[2]);
-  const Double4 fade = Spread(inverseRadius) * Smaller(z, Smaller(y, x));
+  const auto least = [](const Double4& p, double last, double per)
+  { return Spread(per) * Smaller(Spread(last) - p, p); };
+  const Double4 x = least(index.X, reading.Border[0], perVoxel.X);
+  const Double4 y = least(index.Y, reading.Border[1], perVoxel.Y);
+  const Double4 z = least(index.Z, reading.Border[2], perVoxel.Z);
+  const Double4 fade = Smaller(z, Smaller(y, x));
   const Double4 one = Spread(1.0);
   const Double4 zero = Spread(0.0);
   return ChooseAbove(one, fade, ChooseAbove(fade, zero, fade, zero), one);
@@ -159,7 +160,7 @@ VOLUME_HAPTICS_INLINE FourLaws ComputeLaws(
   }
   const auto distinct =
     FindSegments(*law.Distinctness, LoadDouble4(batch.Magnitude + i), law.LastDistinctness);
-  const Double4 fade = FadeAtBorder(reading, LoadVectors(batch.Foot, i), law.InverseRadius);
+  const Double4 fade = FadeAtBorder(reading, LoadVectors(batch.Foot, i), law.FadePerVoxel);
   const Double4 perArea = Spread(law.PerContactArea);
   FourLaws laws;
   laws.Stiffness = stiffness * perArea;

@@ -115,7 +115,7 @@ protected:
     this->Law.LeastStiffness = HapticModel::MinimumStiffness;
     this->Law.PerContactArea = 4e4;
     this->Law.SquareMeters = 1e-6;
-    this->Law.InverseRadius = 0.5;
+    this->Law.FadePerVoxel = { 0.5, 0.5, 0.5 };
     this->Law.Fraction = this->GetParam() % 4 == 2 ? 0.7 : 1.0;
     this->Law.FarthestFollowed = 0.75 * Voxel;
     this->Law.IsStart = this->GetParam() % 4 == 3;
