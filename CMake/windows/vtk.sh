@@ -13,7 +13,12 @@ set -e
 here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$1"
 cd "$1"
-[ -d source ] || "$here/source.sh" paraview .
+if [ ! -d source ]; then
+  "$here/source.sh" paraview .
+  # GCC takes an exported variable for a definition, if its declaration doesn't say extern.
+  sed -i -E 's/^(vtktiff_EXPORT (TIFFErrorHandler|const TIFFCodec))/extern \1/' \
+    source/VTK/ThirdParty/tiff/vtktiff/libtiff/tiffiop.h
+fi
 modules="CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms FiltersCore
   FiltersFlowPaths FiltersGeneral FiltersGeometry FiltersSources IOCore IOEnSight IOGeometry IOImage IOInfovis IOLegacy IOPLY
   IOXML IOXMLParser ImagingCore RenderingCore hdf5 jsoncpp lz4 tiff vtksys"
@@ -34,6 +39,6 @@ cmake -S source/VTK -B build -G Ninja -DCMAKE_TOOLCHAIN_FILE="$here/mingw.cmake"
   -DCMAKE_BUILD_TYPE=Release '-DCMAKE_C_FLAGS_RELEASE=-O1 -DNDEBUG' '-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG' \
   -DCMAKE_INSTALL_PREFIX="$PWD/install" -DBUILD_SHARED_LIBS=ON -DVTK_VERSIONED_INSTALL=OFF -DBUILD_TESTING=OFF \
   -DVTK_BUILD_TESTING=OFF -DVTK_ENABLE_WRAPPING=OFF -DVTK_ENABLE_REMOTE_MODULES=OFF -DVTK_LEGACY_REMOVE=ON \
-  -DVTK_SMP_IMPLEMENTATION_TYPE=STDThread -DVTK_DEBUG_LEAKS=OFF "$@"
+  -DVTK_SMP_IMPLEMENTATION_TYPE=STDThread -DVTK_DEBUG_LEAKS=OFF "-DCMAKE_PROJECT_VTK_INCLUDE=$here/sources.cmake" "$@"
 ninja -C build
 ninja -C build install > install.log
