@@ -16,8 +16,9 @@
 // The vendor's setup program names the devices. vendor:openhaptics is the default, or "Default
 // Device", or "Default PHANToM"; $VOLUMEHAPTICS_OPENHAPTICS_DEVICES names others, separated by
 // commas, as vendor:openhaptics:1 and so on. Several devices can be open, and one callback serves
-// them all. While a device is opened or closed, the scheduler stops: the other devices get a zero
-// force before that, and have to be armed again afterwards.
+// them all. While a device is opened or closed, the scheduler stops, because the library takes
+// devices only before its scheduler starts. The force of the other devices fades out before that,
+// and they have to be armed again afterwards.
 #include <Devices/Vendor/VendorPlugin.h>
 
 #include "Latest.h"
@@ -42,6 +43,7 @@ constexpr std::int64_t LongestForce = 50'000'000; // ns that a force lasts witho
 // ns without a callback after which the scheduler counts as stopped
 constexpr std::int64_t LongestSilence = 100'000'000;
 constexpr HDulong SchedulerRate = 1000; // Hz
+constexpr int FadeRounds = 50;          // calls of the callback in which the force fades out
 // s for which more than the continuous force is given. 3D Systems states no time; a motor that gets
 // warm nevertheless is a fault of libHD.
 constexpr double PeakTime = 2.5;
@@ -97,6 +99,8 @@ struct Service
   std::mutex Mutex; // held while a device is opened or closed; never by the callback
   std::vector<Device*> Devices;
   HDSchedulerHandle Callback = 0;
+  std::atomic<bool> Fades{ false }; // whether a pause is near
+  double Share = 1.0;               // of the force; used by the callback only
   std::atomic<bool> Pauses{ false };
   std::atomic<unsigned> Pause{ 0 };       // number of pauses so far
   std::atomic<std::int64_t> Resumed{ 0 }; // time of the last start
@@ -208,8 +212,8 @@ void Serve(Device& device)
   double torque[3] = {};
   for (int axis = 0; flows && axis < 3; ++axis)
   {
-    force[axis] = order.Force[axis];
-    torque[axis] = 1000.0 * order.Torque[axis]; // mN m
+    force[axis] = service.Share * order.Force[axis];
+    torque[axis] = service.Share * 1000.0 * order.Torque[axis]; // mN m
   }
   hdSetDoublev(HD_CURRENT_FORCE, force);
   if (device.Limits.MaximumTorque > 0.0)
@@ -225,6 +229,7 @@ void Serve(Device& device)
 
 HDCallbackCode HDCALLBACK OnTick(void* /*data*/)
 {
+  service.Share = service.Fades.load() ? std::max(0.0, service.Share - 1.0 / FadeRounds) : 1.0;
   for (Device* const device : service.Devices)
   {
     Serve(*device);
@@ -233,17 +238,19 @@ HDCallbackCode HDCALLBACK OnTick(void* /*data*/)
   return HD_CALLBACK_CONTINUE;
 }
 
-// Waits until the callback has run from beginning to end: for the end of two calls, because the
-// first one may have begun before. Waits at most LongestSilence for each.
-void WaitForRound()
+// Waits until the callback has run so many times from beginning to end: for the end of one more
+// call, because the first one may have begun before. Gives up after LongestSilence without a call.
+void WaitForRounds(int count)
 {
-  for (int i = 0; i < 2; ++i)
+  bool isCalled = true;
+  for (int i = 0; i <= count && isCalled; ++i)
   {
     const unsigned long before = service.Rounds.load(std::memory_order_acquire);
-    for (const std::int64_t end = Now() + LongestSilence;
-         service.Rounds.load(std::memory_order_acquire) == before && Now() < end;)
+    isCalled = false;
+    for (const std::int64_t end = Now() + LongestSilence; !isCalled && Now() < end;)
     {
       std::this_thread::sleep_for(std::chrono::microseconds(200));
+      isCalled = service.Rounds.load(std::memory_order_acquire) != before;
     }
   }
 }
@@ -257,14 +264,19 @@ void ForgetFaults()
   }
 }
 
-// Stops the scheduler if it runs, after a zero force for every device.
+// Stops the scheduler if it runs, after the force of every device has faded to zero.
 void Pause()
 {
+  service.Fades.store(true);
+  if (!service.Devices.empty())
+  {
+    WaitForRounds(FadeRounds);
+  }
   service.Pauses.store(true);
   service.Pause.fetch_add(1);
   if (!service.Devices.empty())
   {
-    WaitForRound();
+    WaitForRounds(1);
     hdStopScheduler();
   }
 }
@@ -273,6 +285,7 @@ void Pause()
 HDErrorInfo Resume()
 {
   ForgetFaults();
+  service.Fades.store(false);
   HDErrorInfo fault{};
   if (!service.Devices.empty())
   {
@@ -462,7 +475,7 @@ int Write(void* handle, const double force[3], const double torque[3])
 int Home(void* handle)
 {
   static_cast<Device*>(handle)->Forgives.store(true, std::memory_order_release);
-  WaitForRound();
+  WaitForRounds(1);
   return VOLUME_HAPTICS_VENDOR_DONE;
 }
 

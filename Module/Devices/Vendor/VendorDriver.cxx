@@ -394,10 +394,12 @@ void VendorDriver::TellOfFading(HardwareExchange& exchange, double wanted)
 {
   const double continuous = this->Limits.ContinuousForce;
   const bool fades = continuous > 0.0 && wanted > continuous && this->Spent > this->PeakTime;
-  if (fades == this->IsFading)
+  const bool isOver = !this->Interruption.empty() && wanted > 0.0;
+  if (fades == this->IsFading && !isOver)
   {
     return;
   }
+  this->Interruption.clear(); // because the user has armed the device again
   this->IsFading = fades;
   char text[96] = "";
   if (fades)
@@ -455,6 +457,7 @@ void VendorDriver::Serve(HardwareExchange& exchange)
 void VendorDriver::Home(HardwareExchange& exchange)
 {
   this->Lost = this->IsReady = false;
+  this->Interruption.clear();
   const auto home = this->Library->Functions().Home;
   this->Write({}, {});
   if (home && home(this->Device) < 0)
@@ -470,8 +473,13 @@ void VendorDriver::Round(HardwareExchange& exchange)
   const int result = this->Library->Functions().Read(this->Device, &pose);
   if (result == VOLUME_HAPTICS_VENDOR_WAITS)
   {
+    const std::string reason = this->Library->LastError(this->Device);
+    if (this->IsReady)
+    {
+      this->Interruption = "lost its force: it " + reason + " Arm() it again.";
+    }
     this->IsReady = false;
-    this->Report(exchange, DeviceStage::Homing, this->Library->LastError(this->Device));
+    this->Report(exchange, DeviceStage::Homing, reason);
     exchange.GetForce();
     this->Write({}, {});
     return;
@@ -541,7 +549,7 @@ void VendorDriver::ReceivePose(
   {
     this->IsReady = true;
     this->IsFading = false;
-    this->Report(exchange, DeviceStage::Ready, "");
+    this->Report(exchange, DeviceStage::Ready, this->Interruption);
   }
 }
 

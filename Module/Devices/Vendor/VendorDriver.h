@@ -146,6 +146,7 @@ private:
   double Spent = 0.0;         // time in s above the continuous force, less the time below
   std::int64_t WrittenAt = 0; // in ns
   bool IsFading = false;      // whether the user was told that the force fades
+  std::string Interruption;   // why a ready device had to wait; empty once it has a force again
 };
 
 } // namespace VolumeHaptics

@@ -281,7 +281,8 @@ std::string DeviceStatus::DescribeState() const
           ? ". Its signs were never confirmed: hold it loosely in the middle of its workspace, "
             "keep "
             "the hand still, and Arm(). For some seconds it then pushes gently along each axis."
-          : ". Arm() lets force through.");
+          : ". Arm() lets force through.") +
+      this->DescribeWarning();
   }
   if (this->State->Gate == GateState::Confirming)
   {

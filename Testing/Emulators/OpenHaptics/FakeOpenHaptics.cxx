@@ -167,6 +167,10 @@ extern "C"
       Push(HD_FRAME_ERROR);
     }
     arm.IsInFrame = false;
+    if (device == FirstHandle)
+    {
+      Fake().LargestFall = std::max(Fake().LargestFall, arm.Force[1] - arm.FrameForce[1]);
+    }
     arm.Force = arm.FrameForce;
     arm.Torque = arm.FrameTorque;
     ++Fake().Frames;

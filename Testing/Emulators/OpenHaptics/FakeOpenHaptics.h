@@ -70,6 +70,7 @@ struct FakeOpenHapticsState : FakeArm
   int ForcesBeforeZero = 0;       ///< number of forces in frames before the zero was known
   int ForcesAtTheEnd = 0;         ///< number of times that the scheduler stopped while any arm had
                                   ///< force
+  double LargestFall = 0.0;       ///< N, of the first arm's upward force between two frames
   std::vector<std::string> Calls; ///< names of the calls outside of frames
 };
 
