@@ -65,8 +65,10 @@ void HapticOrderLink::ApplyLimits()
   }
   this->Device->SetMaximumForceRate(
     vtkSMPropertyHelper(this->Proxy, "MaximumForceRate").GetAsDouble());
+  this->Device->SetAttentionTime(vtkSMPropertyHelper(this->Proxy, "AttentionTime").GetAsDouble());
   this->Device->SetStiffnessGain(vtkSMPropertyHelper(this->Proxy, "StiffnessGain").GetAsDouble());
   this->Device->SetTransientGain(vtkSMPropertyHelper(this->Proxy, "TransientGain").GetAsDouble());
+  this->Device->SetUseTool(this->GetInt("UseTool") != 0);
 }
 
 void HapticOrderLink::ApplyTip()

@@ -7,9 +7,48 @@
 #include "vtkSMPropertyHelper.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace VolumeHapticsLive
 {
+namespace
+{
+
+/**
+ * The library's words for a programmer, and those of ParaView's dock and panels. The first ones in
+ * the list win.
+ */
+constexpr const char* Words[][2] = {
+  { "Closed. Open() a device.", "Closed: attach a device, or set Running." },
+  { ". Start() the servo.", ": set Running." },
+  { ". Arm() lets force through.", ": Arm lets force through." },
+  { "Open() and Start() it", "attach it again" },
+  { "Open() it again", "attach it again" },
+  { "Open()", "Attach" },
+  { "Start()", "Running" },
+  { "Arm()", "Arm" },
+  { "Home()", "Home" },
+  { "SetMaximumForce()", "Maximum Force" },
+  { "UseToolOff() of this device", "Use Tool off for this device" },
+  { "SetVolumeHaptics()", "Touch" },
+  { "a program of your own may raise AttentionTime", "or raise Attention Time" },
+  { "AttentionTime", "Attention Time" },
+};
+
+std::string SayAsPanel(std::string text)
+{
+  for (const auto& [from, to] : Words)
+  {
+    for (std::size_t at = text.find(from); at != std::string::npos;
+         at = text.find(from, at + std::strlen(to)))
+    {
+      text.replace(at, std::strlen(from), to);
+    }
+  }
+  return text;
+}
+
+} // namespace
 
 std::string HapticReport::DrainNewError()
 {
@@ -50,7 +89,7 @@ void HapticReport::ReportInformation(
   vtkSMProxy* proxy, vtkHapticDevice* device, double latency) const
 {
   const std::string wrong = this->Problem.empty() ? this->Notice : this->Problem;
-  const std::string text = wrong.empty() ? device->GetStatusText() : wrong;
+  const std::string text = SayAsPanel(wrong.empty() ? device->GetStatusText() : wrong);
   vtkHapticState* const latest = device->GetState();
   vtkSMPropertyHelper(proxy, "StatusText").Set(text.c_str());
   vtkSMPropertyHelper(proxy, "TipPosition").Set(latest->GetTipPosition(), 3);

@@ -149,18 +149,6 @@ vtkStandardNewMacro(vtkSMHapticDeviceProxy);
 
 using namespace VolumeHapticsLive;
 
-namespace
-{
-
-/**
- * The longest pause (s) between calls of Poll while the device is armed. After a longer pause the
- * force fades, because a user interface that stands still, for example while a server does not
- * answer, can't be used to stop the hand.
- */
-constexpr double AttentionTime = 2.0;
-
-} // namespace
-
 //------------------------------------------------------------------------------
 struct vtkSMHapticDeviceProxy::vtkInternals
 {
@@ -169,7 +157,6 @@ struct vtkSMHapticDeviceProxy::vtkInternals
     , Orders(self, Device, Report, [self] { return self->CanReachServer(); })
     , Watch(std::move(calls))
   {
-    this->Device->SetAttentionTime(AttentionTime);
   }
 
   vtkNew<vtkHapticDevice> Device;
@@ -300,6 +287,7 @@ bool vtkSMHapticDeviceProxy::Poll()
     d.Report.Catch(d.Device);
     d.Report.SetProblem("");
     d.Data.Update(this, d.Device, d.Report);
+    const bool isOrdered = vtkSMPropertyHelper(this, "Running").GetAsInt() != 0;
     d.Orders.ApplyRunning(d.Data.GetFilter());
     d.Orders.Publish(d.Data.GetFilter());
     d.Orders.Apply();
@@ -307,6 +295,10 @@ bool vtkSMHapticDeviceProxy::Poll()
     if (!error.empty())
     {
       vtkErrorMacro(<< error);
+    }
+    if (isOrdered && !d.Device->IsRunning() && d.Report.HasProblem())
+    {
+      d.Report.SetNotice(d.Report.GetProblem()); // so that it is shown until the next start
     }
   }
   const bool isNew = d.Device->UpdateState();

@@ -23,9 +23,9 @@
  * vtkHapticDevice. Running, Armed and Recording are neither saved in a state nor traced. They
  * become 0, with zero force, if this proxy, the touched filter or its view is deleted, if the
  * session is closed, and after a fault. If the server is lost, force fades within 50 ms. Force also
- * fades if Poll is not called for 2 s, for example because the client waits for a server that hangs
- * (vtkHapticDevice::SetAttentionTime). Setting Running or Armed to 0 takes effect at once, without
- * a Poll.
+ * fades if Poll is not called for AttentionTime (2 s), because a user interface that stands still,
+ * for example while a server does not answer, can't be used to stop the hand. Setting Running or
+ * Armed to 0 takes effect at once, without a Poll.
  */
 #ifndef vtkSMHapticDeviceProxy_h
 #define vtkSMHapticDeviceProxy_h

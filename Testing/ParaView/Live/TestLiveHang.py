@@ -37,7 +37,7 @@ with server:
     device.UpdatePipeline()
     live.check(waited > HANG - 0.5, "the client waited", waited)
     live.check(live.norm(device.Force) == 0.0 and device.Armed == 0, "the force was taken away", device.StatusText)
-    live.check("AttentionTime" in device.StatusText, "what happened, and the cure", device.StatusText)
+    live.check("Attention Time" in device.StatusText, "what happened, and the cure", device.StatusText)
     device.Recording = 0
     device.Armed = 1
     device.VirtualTip = [-9, 0, 0]
