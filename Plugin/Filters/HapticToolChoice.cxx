@@ -7,6 +7,7 @@
 #include "vtkDataObject.h"
 #include "vtkHapticPointShell.h"
 #include "vtkHapticTool.h"
+#include "vtkImageData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkVolumeHapticsFilter.h"
@@ -19,7 +20,9 @@ namespace
 {
 
 constexpr const char* ShellKind = "Point shell";
+constexpr const char* BurrKind = "Burr";
 constexpr const char* NoKind = "None";
+constexpr double RadiusInVoxels = 3.0; // radius of a burr's head, unless the user gives one
 
 /** Returns the name of a kind's class, such as "PointShell" for "Point shell". */
 std::string ClassOf(const std::string& kind)
@@ -70,10 +73,16 @@ std::string HapticToolChoice::Fill(vtkVolumeHapticsFilter* filter)
   vtkDataObject* const shape = this->Kind == ShellKind && filter->GetNumberOfInputConnections(2) > 0
     ? filter->GetInputDataObject(2, 0)
     : nullptr;
-  if (!this->IsDirty && shape == this->Shape)
+  auto* const image = filter->GetNumberOfInputConnections(0) > 0
+    ? vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0))
+    : nullptr;
+  const double* const spacing = this->Kind == BurrKind && image ? image->GetSpacing() : nullptr;
+  const double voxel = spacing ? *std::max_element(spacing, spacing + 3) : 0.0;
+  if (!this->IsDirty && shape == this->Shape && voxel == this->Voxel)
   {
     return {};
   }
+  this->Voxel = voxel;
   this->IsDirty = false; // reset this first, because the calls below call this function again
   this->Shape = shape;
   const std::string error = this->Make(filter);
@@ -108,7 +117,12 @@ std::string HapticToolChoice::Make(vtkVolumeHapticsFilter* filter) const
   for (const auto& [setting, value] : this->Numbers)
   {
     const std::string name = NameIn(setting, kind);
-    if (!name.empty() && !tool->SetNumber(name.c_str(), value))
+    const bool isByVoxel = name == "Radius" && value == 0.0;
+    if (isByVoxel && this->Voxel > 0.0)
+    {
+      tool->SetNumber("Radius", RadiusInVoxels * this->Voxel);
+    }
+    else if (!isByVoxel && !name.empty() && !tool->SetNumber(name.c_str(), value))
     {
       error += setting + " is not a number of a tool. ";
     }

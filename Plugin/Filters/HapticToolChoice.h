@@ -48,6 +48,7 @@ private:
   std::string Make(vtkVolumeHapticsFilter* filter) const;
 
   vtkWeakPointer<vtkDataObject> Shape; ///< shape of the last shell that was made
+  double Voxel = 0.0; ///< largest edge of a voxel for which the last burr was made; 0: no image
   bool IsDirty = false;
   bool IsMade = true;
 };

@@ -18,10 +18,13 @@
 #include "pqUndoStack.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkSMDocumentation.h"
 #include "vtkSMHapticDeviceProxy.h"
 #include "vtkSMHapticViewProxy.h"
 #include "vtkSMParaViewPipelineControllerWithRendering.h"
+#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMPropertyIterator.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
@@ -38,6 +41,8 @@
 #include <QWidget>
 
 #include <algorithm>
+#include <initializer_list>
+#include <utility>
 
 namespace
 {
@@ -109,8 +114,8 @@ void HapticController::attach(const QString& deviceId, const QString& preset, in
   if (!device)
   {
     Q_EMIT this->told(source
-        ? tr("%1 is no image data, so it can't be felt. Select a volume in the pipeline browser "
-             "(Apply it first); the filter \"Resample To Image\" makes one of other data.")
+        ? tr("%1 is neither an image nor another grid, so it can't be felt. Select a volume in the "
+             "pipeline browser (Apply it first).")
             .arg(source->getSMName())
         : tr("Nothing is selected. Open a volume, and select it in the pipeline browser."));
     return;
@@ -118,7 +123,9 @@ void HapticController::attach(const QString& deviceId, const QString& preset, in
   active.setActiveSource(source);
   if (pqPipelineSource* const touch = hadTouch ? nullptr : HapticPipeline::GetTouch(device))
   {
-    SetOfFilter(touch, "Preset", preset.toUtf8().data());
+    const QString chosen =
+      preset.isEmpty() ? HapticPipeline::ProposePreset(HapticPipeline::GetVolume(touch)) : preset;
+    SetOfFilter(touch, "Preset", chosen.toUtf8().data());
     SetOfFilter(touch, "Method", method);
   }
   this->Device = vtkSMHapticDeviceProxy::SafeDownCast(device->getProxy());
@@ -162,12 +169,16 @@ void HapticController::detach()
 void HapticController::release()
 {
   this->detach();
-  if (this->Device && this->Device->GetSession())
+  for (auto* const device : { this->Second.GetPointer(), this->Device.GetPointer() })
   {
-    this->change("Running", 0);
-    this->Device->Shutdown();
+    if (device && device->GetSession())
+    {
+      order(device, "Running", 0);
+      device->Shutdown();
+    }
   }
   this->Device = nullptr;
+  this->Second = nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -193,21 +204,25 @@ void HapticController::onItemGoes(pqServerManagerModelItem* item)
 }
 
 //------------------------------------------------------------------------------
-void HapticController::change(const char* property, int value)
+void HapticController::order(vtkSMHapticDeviceProxy* device, const char* property, int value)
 {
-  if (!this->Device)
-  {
-    return;
-  }
   BEGIN_UNDO_EXCLUDE();
   {
     // Neither this change nor the changes by Poll() are traced, because a user who replays a trace
     // may not have a hand on the device.
-    vtkSMPropertyHelper(this->Device, property).Set(value);
-    this->Device->UpdateVTKObjects();
-    this->Device->Poll();
+    vtkSMPropertyHelper(device, property).Set(value);
+    device->UpdateVTKObjects();
+    device->Poll();
   }
   END_UNDO_EXCLUDE();
+}
+
+void HapticController::change(const char* property, int value)
+{
+  if (this->Device)
+  {
+    order(this->Device, property, value);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -220,7 +235,65 @@ void HapticController::set(const char* property, const QString& value)
 //------------------------------------------------------------------------------
 void HapticController::setArmed(bool on)
 {
+  if (this->Second && (!on || this->Second->GetDevice()->IsRunning()))
+  {
+    order(this->Second, "Armed", on ? 1 : 0);
+  }
   this->change("Armed", on ? 1 : 0);
+}
+
+//------------------------------------------------------------------------------
+void HapticController::setSecondDevice(const QString& deviceId)
+{
+  const QString before =
+    this->Second ? QString(vtkSMPropertyHelper(this->Second, "Device").GetAsString()) : QString();
+  if (deviceId == before)
+  {
+    this->showSecond(); // the view may have been attached again
+    return;
+  }
+  if (this->Second)
+  {
+    order(this->Second, "Running", 0);
+    this->Second->Shutdown();
+    this->Second = nullptr;
+    this->showSecond();
+  }
+  if (deviceId.isEmpty() || !this->Device || !this->View)
+  {
+    return;
+  }
+  pqServerManagerModel* const model = pqApplicationCore::instance()->getServerManagerModel();
+  auto* const first = model->findItem<pqPipelineSource*>(this->Device.GetPointer());
+  pqPipelineSource* const active = pqActiveObjects::instance().activeSource();
+  pqPipelineSource* const source = HapticPipeline::FindOrMakeSecondDevice(first);
+  pqActiveObjects::instance().setActiveSource(active);
+  auto* const second = vtkSMHapticDeviceProxy::SafeDownCast(source->getProxy());
+  {
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", static_cast<vtkSMProxy*>(second));
+    vtkSMPropertyHelper(second, "Device").Set(deviceId.toUtf8().data());
+    vtkSMPropertyHelper(second, "UseTool").Set(0); // the first hand holds the tool
+  }
+  order(second, "Running", 1);
+  if (!second->GetDevice()->IsRunning())
+  {
+    Q_EMIT this->told(vtkSMPropertyHelper(second, "StatusText").GetAsString());
+    order(second, "Running", 0);
+    return;
+  }
+  this->Second = second;
+  this->showSecond();
+  Q_EMIT this->told(QString());
+}
+
+//------------------------------------------------------------------------------
+void HapticController::showSecond()
+{
+  if (this->View)
+  {
+    vtkSMPropertyHelper(this->View, "SecondDevice").Set(this->Second.GetPointer());
+    this->View->UpdateVTKObjects();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -249,8 +322,10 @@ bool HapticController::eventFilter(QObject* watched, QEvent* event)
   // Qt sends ShortcutOverride first, to widgets that override shortcuts; in a menu it sends
   // KeyPress at once.
   const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
-  if (isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && this->Device &&
-    this->Device->GetDevice()->IsArmOrdered())
+  const auto isArmed = [](vtkSMHapticDeviceProxy* device)
+  { return device && device->GetDevice()->IsArmOrdered(); };
+  if (isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape &&
+    (isArmed(this->Device) || isArmed(this->Second)))
   {
     this->setTouchMode(false);
     this->setArmed(false);
@@ -261,10 +336,13 @@ bool HapticController::eventFilter(QObject* watched, QEvent* event)
 //------------------------------------------------------------------------------
 void HapticController::home()
 {
-  if (this->Device)
+  for (auto* const device : { this->Device.GetPointer(), this->Second.GetPointer() })
   {
-    this->change("Armed", 0);
-    this->Device->GetDevice()->Home();
+    if (device)
+    {
+      order(device, "Armed", 0);
+      device->GetDevice()->Home();
+    }
   }
 }
 
@@ -436,6 +514,41 @@ void HapticController::openRecorded()
 }
 
 //------------------------------------------------------------------------------
+QString HapticController::describeAll()
+{
+  QString text;
+  pqServer* const server = pqActiveObjects::instance().activeServer();
+  vtkSMSessionProxyManager* const manager = server ? server->proxyManager() : nullptr;
+  for (const auto& [group, name] : std::initializer_list<std::pair<const char*, const char*>>{
+         { "filters", "VolumeHaptics" }, { "sources", "HapticDevice" }, { "sources", "HapticPath" },
+         { "sources", "HapticVolume" }, { "sources", "HapticLargeFile" } })
+  {
+    vtkSMProxy* const proxy = manager ? manager->GetPrototypeProxy(group, name) : nullptr;
+    if (!proxy)
+    {
+      continue;
+    }
+    text += QString("<h2>%1</h2><p>%2</p><dl>")
+              .arg(proxy->GetXMLLabel(),
+                QString(proxy->GetDocumentation()->GetDescription()).toHtmlEscaped());
+    vtkSmartPointer<vtkSMPropertyIterator> properties;
+    properties.TakeReference(proxy->NewPropertyIterator());
+    for (properties->Begin(); !properties->IsAtEnd(); properties->Next())
+    {
+      vtkSMProperty* const property = properties->GetProperty();
+      vtkSMDocumentation* const about = property->GetDocumentation();
+      if (about && about->GetDescription() && !property->GetIsInternal())
+      {
+        text += QString("<dt><b>%1</b></dt><dd>%2</dd>")
+                  .arg(property->GetXMLLabel(), QString(about->GetDescription()).toHtmlEscaped());
+      }
+    }
+    text += "</dl>";
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
 HapticController::Figures HapticController::look()
 {
   Figures figures;
@@ -461,9 +574,24 @@ HapticController::Figures HapticController::look()
   }
   this->Device->Poll();
   vtkHapticDevice* const device = this->Device->GetDevice();
-  const int status = device->GetStatus();
+  const auto isArmed = [](vtkHapticDevice* one)
+  {
+    const int status = one->GetStatus();
+    return status == vtkHapticDevice::ARMED || status == vtkHapticDevice::ACTIVE;
+  };
   figures.Attached = this->View != nullptr;
-  figures.Armed = status == vtkHapticDevice::ARMED || status == vtkHapticDevice::ACTIVE;
+  figures.Armed = isArmed(device);
+  figures.IsFault = figures.Attached && device->GetStatus() == vtkHapticDevice::FAULT;
+  if (this->Second)
+  {
+    this->Second->Poll();
+    vtkHapticDevice* const second = this->Second->GetDevice();
+    figures.HasSecond = true;
+    figures.Armed = figures.Armed || isArmed(second);
+    figures.IsFault = figures.IsFault || second->GetStatus() == vtkHapticDevice::FAULT;
+    figures.SecondForce = vtkMath::Norm(second->GetState()->GetForce());
+    figures.SecondStatus = vtkSMPropertyHelper(this->Second, "StatusText").GetAsString();
+  }
   figures.Touches = this->View && this->View->GetLink()->GetTouchMode();
   figures.Recording = vtkSMPropertyHelper(this->Device, "Recording").GetAsInt() != 0;
   this->followRecording(figures.Recording);

@@ -64,11 +64,18 @@ public:
     QString Recorded;      ///< file of the last recording if it was written, otherwise empty
     QString Felt; ///< names of the felt volume and its filter; empty if nothing is attached
     QString Status;
-    double Force = 0.0;        ///< N, on the hand
+    bool IsFault = false;
+    double Force = 0.0;       ///< N, on the hand
+    bool HasSecond = false;   ///< whether another device is the other hand's
+    double SecondForce = 0.0; ///< N, on the other hand
+    QString SecondStatus;
     double MaximumForce = 0.0; ///< N
     double TickRate = 0.0;     ///< Hz
     long long MissedTicks = 0;
   };
+
+  /** Returns what the filter, the device and the path are for, with all properties, as HTML. */
+  static QString describeAll();
 
   /** Polls the device and returns its state. */
   Figures look();
@@ -79,12 +86,19 @@ public:
 public Q_SLOTS:
   /**
    * Attaches a device to the active render view. The active source determines what is felt: it is a
-   * HapticDevice, a VolumeHaptics filter, or image data. Missing objects are made; a new filter
-   * gets the preset and the method. If this fails, told() is emitted with the cure.
+   * HapticDevice, a VolumeHaptics filter, or a volume. Missing objects are made; a new filter gets
+   * the preset and the method. An empty preset stands for the one that the data propose. If this
+   * fails, told() is emitted with the cure.
    */
   void attach(const QString& deviceId, const QString& preset, int method);
   void detach();
+  /** Arms or disarms all hands. */
   void setArmed(bool on);
+  /**
+   * Makes a device the other hand's, which feels what the attached one feels. An empty name takes
+   * the other hand out of the view, and stops its device.
+   */
+  void setSecondDevice(const QString& deviceId);
   /** Sets the touch mode. Switching it on also gives the view the keyboard focus. */
   void setTouchMode(bool on);
   void home();
@@ -126,13 +140,16 @@ private Q_SLOTS:
 
 private:
   void change(const char* property, int value);
+  static void order(vtkSMHapticDeviceProxy* device, const char* property, int value);
   void set(const char* property, const QString& value);
   pqPipelineSource* findTouch() const;
   pqPipelineSource* findVolume(pqPipelineSource* touch) const;
   pqView* findView() const;
   void followRecording(bool isRecording);
+  void showSecond();
 
   vtkWeakPointer<vtkSMHapticDeviceProxy> Device;
+  vtkWeakPointer<vtkSMHapticDeviceProxy> Second;
   vtkSmartPointer<vtkSMHapticViewProxy> View;
   bool WasRecording = false;
   QString Recorded;

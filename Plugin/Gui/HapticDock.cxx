@@ -10,9 +10,11 @@
 
 #include "pqFileDialog.h"
 
+#include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QCursor>
+#include <QDialog>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
@@ -20,6 +22,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QStyle>
+#include <QTextBrowser>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -68,17 +71,28 @@ HapticDock::HapticDock(QWidget* parent)
   refresh->setIcon(this->style()->standardIcon(QStyle::SP_BrowserReload));
   refresh->setToolTip(tr("Look for devices again."));
   grid->addWidget(refresh, 0, 2);
+  auto* const help = new QToolButton(panel);
+  help->setObjectName("HapticHelp");
+  help->setText("?");
+  help->setToolTip(tr("What this window, the filter and the device are for."));
+  grid->addWidget(help, 1, 2);
 
-  this->Attach = this->addButton(grid, 1, 0, "HapticAttach", tr("Attach"),
+  this->SecondDevice = new QComboBox(panel);
+  this->SecondDevice->setObjectName("HapticSecondDevice");
+  this->SecondDevice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  this->SecondDevice->setToolTip(tr("A device for the other hand, in the same view and volume."));
+  grid->addWidget(this->SecondDevice, 1, 0, 1, 2);
+
+  this->Attach = this->addButton(grid, 2, 0, "HapticAttach", tr("Attach"),
     tr("To the active render view and the active volume, or back."));
-  this->Arm = this->addButton(grid, 1, 1, "HapticArm", tr("Arm"),
+  this->Arm = this->addButton(grid, 2, 1, "HapticArm", tr("Arm"),
     tr("Let force through to the hand, or stop it at once. Key a in the view; Escape stops."));
-  this->Touch = this->addButton(grid, 2, 0, "HapticTouch", tr("Touch with the mouse"),
+  this->Touch = this->addButton(grid, 3, 0, "HapticTouch", tr("Touch with the mouse"),
     tr(
       "The mouse leads the tip of the virtual device, the wheel moves it into the screen. Key t."));
-  this->Record = this->addButton(grid, 2, 1, "HapticRecord", tr("Record..."),
+  this->Record = this->addButton(grid, 3, 1, "HapticRecord", tr("Record..."),
     tr("Every tick of the servo, into a file, until pressed again."));
-  this->Home = this->addButton(grid, 3, 0, "HapticHome", tr("Home"),
+  this->Home = this->addButton(grid, 4, 0, "HapticHome", tr("Home"),
     tr("Look for the zero of the device's encoders, with the hand's help."));
   this->Home->setCheckable(false);
 
@@ -104,10 +118,10 @@ HapticDock::HapticDock(QWidget* parent)
   this->Bar->setRange(0, BarSteps);
   this->Bar->setTextVisible(false);
   this->Bar->setMaximumHeight(10);
-  this->addChoices(grid, 4);
-  grid->addWidget(this->Force, 8, 0);
-  grid->addWidget(this->Rate, 8, 1, 1, 2);
-  this->OpenRecorded = this->addButton(grid, 3, 1, "HapticOpenRecorded", QString(),
+  this->addChoices(grid, 5);
+  grid->addWidget(this->Force, 9, 0);
+  grid->addWidget(this->Rate, 9, 1, 1, 2);
+  this->OpenRecorded = this->addButton(grid, 4, 1, "HapticOpenRecorded", QString(),
     tr("Opens the last recording in ParaView, and shows it: its line in a render view, or its "
        "table."));
   this->OpenRecorded->setCheckable(false);
@@ -117,10 +131,21 @@ HapticDock::HapticDock(QWidget* parent)
   all->addWidget(this->Bar);
   all->addWidget(this->Felt);
   all->addWidget(this->Status);
+  this->Why = new QToolButton(panel);
+  this->Why->setObjectName("HapticWhy");
+  this->Why->setText(tr("Why?"));
+  this->Why->setCheckable(true);
+  this->Why->setToolTip(tr("The whole status, with the cure."));
+  all->addWidget(this->Why);
   all->addStretch(1);
   this->setWidget(panel);
 
   this->connect(refresh, &QToolButton::clicked, this, &HapticDock::listDevices);
+  this->connect(help, &QToolButton::clicked, this, &HapticDock::onHelp);
+  this->connect(this->Why, &QToolButton::toggled, this, &HapticDock::update);
+  using Chosen = void (QComboBox::*)(int);
+  this->connect(this->SecondDevice, static_cast<Chosen>(&QComboBox::currentIndexChanged), this,
+    &HapticDock::onSecond);
   this->connect(this->Attach, &QPushButton::toggled, this, &HapticDock::onAttach);
   this->connect(this->Arm, &QPushButton::toggled, this->Controller, &HapticController::setArmed);
   this->connect(
@@ -168,11 +193,13 @@ void HapticDock::addChoices(QGridLayout* grid, int row)
   this->Preset = addCombo(row, "HapticPreset", tr("Preset"),
     tr("What the tissues feel like. Custom: the functions of the filter. \"CT contrast\" is for CT "
        "in Hounsfield units. A filter that Attach makes begins with it."));
-  this->Preset->addItem("Custom");
+  this->Preset->addItem(tr("Proposed by the data"), QString());
+  this->Preset->addItem("Custom", "Custom");
   vtkStringArray* const names = vtkHapticProperty::GetPresetNames();
   for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
   {
-    this->Preset->addItem(QString::fromStdString(names->GetValue(i)));
+    const QString name = QString::fromStdString(names->GetValue(i));
+    this->Preset->addItem(name, name);
   }
   this->Method = addCombo(row + 1, "HapticMethod", tr("Method"),
     tr("How the volume is felt. Key m in the view goes through them."));
@@ -194,7 +221,14 @@ void HapticDock::addChoices(QGridLayout* grid, int row)
   }
   using Chosen = void (QComboBox::*)(int);
   this->connect(this->Preset, static_cast<Chosen>(&QComboBox::currentIndexChanged), this,
-    [this] { this->Controller->setPreset(this->Preset->currentText()); });
+    [this]
+    {
+      const QString chosen = this->Preset->currentData().toString();
+      if (!chosen.isEmpty())
+      {
+        this->Controller->setPreset(chosen);
+      }
+    });
   this->connect(this->Method, static_cast<Chosen>(&QComboBox::currentIndexChanged),
     this->Controller, &HapticController::setMethod);
   this->connect(this->LoadPreset, &QPushButton::clicked, this, &HapticDock::onLoadPreset);
@@ -218,7 +252,7 @@ void HapticDock::showChoices(const HapticController::Figures& now)
   int at = this->Preset->findText(now.Preset);
   if (at < 0) // the preset comes from a script or a file, so it is not in the list yet
   {
-    this->Preset->addItem(now.Preset);
+    this->Preset->addItem(now.Preset, now.Preset);
     at = this->Preset->count() - 1;
   }
   // Do not change a list that the user has opened.
@@ -270,18 +304,34 @@ void HapticDock::onSavePreset()
 //------------------------------------------------------------------------------
 void HapticDock::listDevices()
 {
-  const QString chosen = this->Device->currentData().toString();
-  this->Device->clear();
-  for (const HapticController::DeviceChoice& choice : HapticController::listDevices())
+  const QList<HapticController::DeviceChoice> choices = HapticController::listDevices();
+  for (QComboBox* const list : { this->Device, this->SecondDevice })
   {
-    // Show only the first sentence of the state, which may include the cure. The tool tip has the
-    // whole text.
-    const QString state = choice.State.section(". ", 0, 0);
-    this->Device->addItem(QString("%1: %2").arg(choice.Id, state), choice.Id);
-    this->Device->setItemData(
-      this->Device->count() - 1, choice.Name + "\n" + choice.State, Qt::ToolTipRole);
+    const QSignalBlocker blocker(list);
+    const QString chosen = list->currentData().toString();
+    list->clear();
+    if (list == this->SecondDevice)
+    {
+      list->addItem(tr("No second hand"), QString());
+    }
+    for (const HapticController::DeviceChoice& choice : choices)
+    {
+      // Show only the first sentence of the state, which may include the cure. The tool tip has the
+      // whole text.
+      const QString state = choice.State.section(". ", 0, 0);
+      list->addItem(QString("%1: %2").arg(choice.Id, state), choice.Id);
+      list->setItemData(list->count() - 1, choice.Name + "\n" + choice.State, Qt::ToolTipRole);
+    }
+    list->setCurrentIndex(std::max(0, list->findData(chosen)));
   }
-  this->Device->setCurrentIndex(std::max(0, this->Device->findData(chosen)));
+}
+
+//------------------------------------------------------------------------------
+void HapticDock::onSecond()
+{
+  this->Told.clear();
+  this->Controller->setSecondDevice(this->SecondDevice->currentData().toString());
+  this->update();
 }
 
 //------------------------------------------------------------------------------
@@ -290,8 +340,9 @@ void HapticDock::onAttach(bool on)
   this->Told.clear();
   if (on)
   {
-    this->Controller->attach(this->Device->currentData().toString(), this->Preset->currentText(),
-      this->Method->currentIndex());
+    this->Controller->attach(this->Device->currentData().toString(),
+      this->Preset->currentData().toString(), this->Method->currentIndex());
+    this->Controller->setSecondDevice(this->SecondDevice->currentData().toString());
   }
   else
   {
@@ -324,6 +375,42 @@ void HapticDock::onTold(const QString& message)
 }
 
 //------------------------------------------------------------------------------
+void HapticDock::onHelp()
+{
+  auto* const window = new QDialog(this);
+  window->setObjectName("HapticHelpWindow");
+  window->setAttribute(Qt::WA_DeleteOnClose);
+  window->setWindowTitle(tr("Volume Haptics: help"));
+  window->resize(700, 600);
+  auto* const page = new QTextBrowser(window);
+  page->setObjectName("HapticHelpPage");
+  page->setOpenExternalLinks(true);
+  QString text = tr("<h2>This window</h2><p>Select a volume in the pipeline browser, click on a "
+                    "render view, choose a "
+                    "device and press Attach. Arm lets force through, Stop and Escape end it at "
+                    "once. Touch with the "
+                    "mouse leads the virtual device.</p><dl>");
+  for (const auto* const widget : this->widget()->findChildren<QWidget*>())
+  {
+    const auto* const button = qobject_cast<const QAbstractButton*>(widget);
+    const bool isSecond = widget == this->SecondDevice;
+    const QString name = button       ? button->text()
+      : isSecond                      ? tr("Second device")
+      : widget->inherits("QComboBox") ? QString(widget->objectName()).remove("Haptic")
+                                      : QString();
+    if (!widget->toolTip().isEmpty() && !name.isEmpty())
+    {
+      text += QString("<dt><b>%1</b></dt><dd>%2</dd>")
+                .arg(name.toHtmlEscaped(), widget->toolTip().toHtmlEscaped());
+    }
+  }
+  page->setHtml(text + "</dl>" + HapticController::describeAll());
+  auto* const all = new QVBoxLayout(window);
+  all->addWidget(page);
+  window->show();
+}
+
+//------------------------------------------------------------------------------
 void HapticDock::update()
 {
   const HapticController::Figures now = this->Controller->look();
@@ -339,7 +426,9 @@ void HapticDock::update()
   this->Touch->setEnabled(now.Attached && now.IsVirtual);
   this->Record->setEnabled(now.Attached);
   this->Home->setVisible(now.Attached && now.CanHome);
-  this->Force->setText(QString("%1 N").arg(now.Force, 0, 'f', 2));
+  this->Force->setText(now.HasSecond
+      ? tr("%1 N, %2 N").arg(now.Force, 0, 'f', 2).arg(now.SecondForce, 0, 'f', 2)
+      : tr("%1 N").arg(now.Force, 0, 'f', 2));
   this->Bar->setValue(now.MaximumForce > 0.0
       ? static_cast<int>(std::min(1.0, now.Force / now.MaximumForce) * BarSteps)
       : 0);
@@ -357,7 +446,31 @@ void HapticDock::update()
                  : now.Felt);
   this->OpenRecorded->setVisible(!now.Recorded.isEmpty());
   this->OpenRecorded->setText(tr("Open %1").arg(QFileInfo(now.Recorded).fileName()));
-  this->Status->setText(!this->Told.isEmpty() ? this->Told
-      : now.Attached                          ? now.Status
-                     : tr("Select a volume and a render view, and attach."));
+  // Show only the first sentence of a status; the button Why has the rest. A fault is always shown.
+  const bool isStatus = now.Attached && (this->Told.isEmpty() || now.IsFault);
+  const auto shorten = [this](const QString& status)
+  {
+    const QString first = status.section(". ", 0, 0);
+    return this->Why->isChecked() || first == status ? status : first + ".";
+  };
+  QStringList lines;
+  if (isStatus)
+  {
+    lines << shorten(now.Status);
+  }
+  if (isStatus && now.HasSecond)
+  {
+    lines << shorten(now.SecondStatus);
+  }
+  if (!this->Told.isEmpty())
+  {
+    lines << this->Told;
+  }
+  else if (!now.Attached)
+  {
+    lines << tr("Select a volume and a render view, and attach.");
+  }
+  this->Status->setText(lines.join("\n"));
+  this->Status->setToolTip(isStatus ? now.Status : QString());
+  this->Why->setVisible(isStatus && now.Status.contains(". "));
 }

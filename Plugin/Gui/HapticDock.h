@@ -21,6 +21,7 @@ class QGridLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QToolButton;
 
 class HapticDock : public QDockWidget
 {
@@ -34,10 +35,12 @@ public:
 private Q_SLOTS:
   void listDevices();
   void onAttach(bool on);
+  void onSecond();
   void onRecord(bool on);
   void onLoadPreset();
   void onSavePreset();
   void onTold(const QString& message);
+  void onHelp();
   void update();
 
 private:
@@ -56,6 +59,7 @@ private:
   QTimer Timer;
   QString Told; ///< last message of the controller, shown until the next action
   QComboBox* Device;
+  QComboBox* SecondDevice;
   QPushButton* Attach;
   QPushButton* Arm;
   QPushButton* Touch;
@@ -69,6 +73,7 @@ private:
   QPushButton* OpenRecorded;
   QLabel* Felt;
   QLabel* Status;
+  QToolButton* Why;
   QLabel* Force;
   QProgressBar* Bar;
   QLabel* Rate;

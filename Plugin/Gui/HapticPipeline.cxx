@@ -29,6 +29,7 @@
 #include <QList>
 #include <QString>
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace
@@ -76,12 +77,13 @@ pqPipelineSource* FindOrMakeTouch(pqPipelineSource* volume)
   return made;
 }
 
-pqPipelineSource* FindDevice(pqPipelineSource* touch)
+/** Returns the device of a filter or, if it has none, another one; never the excepted one. */
+pqPipelineSource* FindDevice(pqPipelineSource* touch, pqPipelineSource* except = nullptr)
 {
   pqPipelineSource* any = nullptr;
   for (pqPipelineSource* source : Model()->findItems<pqPipelineSource*>(touch->getServer()))
   {
-    if (HapticPipeline::IsDevice(source))
+    if (HapticPipeline::IsDevice(source) && source != except)
     {
       any = source;
       if (HapticPipeline::GetTouch(source) == touch)
@@ -105,6 +107,28 @@ void Disarm(vtkSMProxy* device)
   END_UNDO_EXCLUDE();
 }
 
+/** Makes a device, unless there is one, and lets it feel what a filter says. */
+pqPipelineSource* LeadTo(pqPipelineSource* device, pqPipelineSource* touch)
+{
+  if (device && HapticPipeline::GetTouch(device) != touch)
+  {
+    Disarm(device->getProxy());
+  }
+  if (!device)
+  {
+    device = pqApplicationCore::instance()->getObjectBuilder()->createSource(
+      "sources", "HapticDevice", touch->getServer());
+    device->setModifiedState(pqProxy::UNMODIFIED);
+  }
+  if (HapticPipeline::GetTouch(device) != touch)
+  {
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", device->getProxy());
+    vtkSMPropertyHelper(device->getProxy(), "Touch").Set(touch->getProxy());
+    device->getProxy()->UpdateVTKObjects();
+  }
+  return device;
+}
+
 } // namespace
 
 namespace HapticPipeline
@@ -125,7 +149,29 @@ bool IsVolume(pqPipelineSource* source)
   pqOutputPort* const port =
     source && source->getNumberOfOutputPorts() > 0 ? source->getOutputPort(0) : nullptr;
   vtkPVDataInformation* const info = port ? port->getDataInformation() : nullptr;
-  return info && info->GetDataSetType() == VTK_IMAGE_DATA;
+  constexpr int types[] = { VTK_IMAGE_DATA, VTK_UNIFORM_GRID, VTK_RECTILINEAR_GRID,
+    VTK_STRUCTURED_GRID, VTK_UNSTRUCTURED_GRID };
+  return info &&
+    std::any_of(
+      std::begin(types), std::end(types), [info](int type) { return info->HasDataSetType(type); });
+}
+
+QString ProposePreset(pqPipelineSource* volume)
+{
+  constexpr double air = -500.0; // HU; in a CT of the body, there is air around it
+  constexpr double bone = 300.0; // HU
+  vtkPVDataSetAttributesInformation* const points =
+    volume->getOutputPort(0)->getDataInformation()->GetPointDataInformation();
+  for (int i = 0; i < points->GetNumberOfArrays(); ++i)
+  {
+    vtkPVArrayInformation* const array = points->GetArrayInformation(i);
+    const double* const range = array->GetComponentRange(0);
+    if (array->GetNumberOfComponents() == 1)
+    {
+      return range[0] >= -32768.0 && range[0] <= air && range[1] >= bone ? "CT contrast" : "Custom";
+    }
+  }
+  return "Custom";
 }
 
 pqPipelineSource* GetTouch(pqPipelineSource* device)
@@ -158,23 +204,16 @@ pqPipelineSource* FindOrMakeDevice(pqPipelineSource* source)
   }
   BEGIN_UNDO_SET("Touch");
   pqPipelineSource* const touch = IsTouch(source) ? source : FindOrMakeTouch(source);
-  pqPipelineSource* device = FindDevice(touch);
-  if (device && GetTouch(device) != touch)
-  {
-    Disarm(device->getProxy());
-  }
-  if (!device)
-  {
-    device = pqApplicationCore::instance()->getObjectBuilder()->createSource(
-      "sources", "HapticDevice", touch->getServer());
-    device->setModifiedState(pqProxy::UNMODIFIED);
-  }
-  if (GetTouch(device) != touch)
-  {
-    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", device->getProxy());
-    vtkSMPropertyHelper(device->getProxy(), "Touch").Set(touch->getProxy());
-    device->getProxy()->UpdateVTKObjects();
-  }
+  pqPipelineSource* const device = LeadTo(FindDevice(touch), touch);
+  END_UNDO_SET();
+  return device;
+}
+
+pqPipelineSource* FindOrMakeSecondDevice(pqPipelineSource* first)
+{
+  pqPipelineSource* const touch = GetTouch(first);
+  BEGIN_UNDO_SET("Second hand");
+  pqPipelineSource* const device = LeadTo(FindDevice(touch, first), touch);
   END_UNDO_SET();
   return device;
 }

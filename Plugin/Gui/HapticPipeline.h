@@ -17,7 +17,10 @@ namespace HapticPipeline
 {
 
 ///@{
-/** Return whether a pipeline source is a device, a VolumeHaptics filter, or a volume. */
+/**
+ * Return whether a pipeline source is a device, a VolumeHaptics filter, or a volume: an image or
+ * another grid, or composite data of these.
+ */
 bool IsDevice(pqPipelineSource* source);
 bool IsTouch(pqPipelineSource* source);
 bool IsVolume(pqPipelineSource* source);
@@ -30,6 +33,11 @@ bool IsVolume(pqPipelineSource* source);
  * can't be felt.
  */
 pqPipelineSource* FindOrMakeDevice(pqPipelineSource* source);
+/** Returns a HapticDevice for the other hand that feels what the first one feels. */
+pqPipelineSource* FindOrMakeSecondDevice(pqPipelineSource* first);
+
+/** Returns the preset for a volume: "CT contrast" for Hounsfield units, otherwise "Custom". */
+QString ProposePreset(pqPipelineSource* volume);
 
 ///@{
 /**

@@ -46,10 +46,13 @@ public:
   HapticViewProps& operator=(const HapticViewProps&) = delete;
 
   vtkHapticHeadUpDisplay* GetDisplay() { return this->Display; }
+  /** Shows a device of the other hand; null for none. */
+  void SetSecondDevice(vtkHapticDevice* device);
 
 private:
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkNew<vtkHapticRepresentation> Representation;
+  vtkNew<vtkHapticRepresentation> SecondHand;
   vtkNew<vtkHapticHeadUpDisplay> Display;
 };
 
@@ -102,8 +105,24 @@ HapticViewProps::HapticViewProps(
   }
 }
 
+void HapticViewProps::SetSecondDevice(vtkHapticDevice* device)
+{
+  this->SecondHand->SetDevice(device);
+  this->SecondHand->SecondHandOn();
+  this->SecondHand->SetRadius(this->Representation->GetRadius());
+  this->SecondHand->SetForceScale(this->Representation->GetForceScale());
+  this->SecondHand->SetWorldUnitName(this->Representation->GetWorldUnitName());
+  this->Display->SetSecondDevice(device);
+  this->Renderer->RemoveViewProp(this->SecondHand);
+  if (device)
+  {
+    this->Renderer->AddViewProp(this->SecondHand);
+  }
+}
+
 HapticViewProps::~HapticViewProps()
 {
+  this->Renderer->RemoveViewProp(this->SecondHand);
   this->Renderer->RemoveViewProp(this->Representation);
   this->Renderer->RemoveViewProp(this->Display);
 }
@@ -126,7 +145,9 @@ struct vtkHapticViewLink::vtkInternals
   // restore the view are kept alive.
   vtkWeakPointer<vtkSMRenderViewProxy> View;
   vtkWeakPointer<vtkSMHapticDeviceProxy> DeviceProxy;
+  vtkWeakPointer<vtkSMHapticDeviceProxy> SecondProxy;
   vtkSmartPointer<vtkHapticDevice> Device;
+  vtkSmartPointer<vtkHapticDevice> SecondDevice;
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   vtkSmartPointer<vtkInteractorObserver> StyleBefore;
   vtkSmartPointer<vtkHapticViewStyle> Style;
@@ -177,7 +198,9 @@ bool vtkHapticViewLink::Attach(vtkSMRenderViewProxy* view, vtkSMHapticDeviceProx
   }
   if (vtkHapticViewStyle::SafeDownCast(interactor->GetInteractorStyle()))
   {
-    vtkErrorMacro("Another device is attached to this view. Detach that one first.");
+    vtkErrorMacro(
+      "Another device is attached to this view. Detach that one first, or make this one "
+      "its SecondDevice.");
     return false;
   }
   d.View = view;
@@ -212,6 +235,48 @@ void vtkHapticViewLink::ShowNotes()
     d.Notes = notes;
     d.Props->GetDisplay()->SetNotice(notes.c_str());
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticViewLink::SetSecondDevice(vtkSMHapticDeviceProxy* device)
+{
+  auto& d = *this->Internals;
+  if (device == d.SecondProxy && (device || !d.SecondDevice))
+  {
+    return true;
+  }
+  if (device && (!d.Style || device == d.DeviceProxy))
+  {
+    vtkErrorMacro(
+      << (d.Style
+             ? "The second device is the first one, which has one tip. Make another Haptic Device."
+             : "There is no first hand in this view. Set Device and Attached before "
+               "SecondDevice."));
+    return false;
+  }
+  const vtkSmartPointer<vtkSMHapticDeviceProxy> before = d.SecondProxy.GetPointer();
+  if (d.SecondDevice)
+  {
+    d.SecondDevice->Disarm(); // first, because the hand is not shown after this
+  }
+  d.SecondProxy = device;
+  d.SecondDevice = device ? device->GetDevice() : nullptr;
+  d.Style->SetSecondDevice(d.SecondDevice);
+  d.Style->SetSecondDeviceProxy(device);
+  d.Props->SetSecondDevice(d.SecondDevice);
+  if (before)
+  {
+    vtkSMPropertyHelper(before, "Armed").Set(0);
+    before->UpdateVTKObjects();
+  }
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkSMHapticDeviceProxy* vtkHapticViewLink::GetSecondDeviceProxy() const
+{
+  return this->Internals->SecondProxy;
 }
 
 //------------------------------------------------------------------------------
@@ -264,6 +329,10 @@ void vtkHapticViewLink::OnEvent(vtkObject* caller, unsigned long event, void* da
       {
         this->End(DeviceDeleted);
       }
+      else if (info->Proxy && info->Proxy == d.SecondProxy)
+      {
+        this->SetSecondDevice(nullptr);
+      }
       break;
     case vtkCommand::DeleteEvent:
       if (caller == d.DeviceProxy.GetPointer())
@@ -278,6 +347,7 @@ void vtkHapticViewLink::OnEvent(vtkObject* caller, unsigned long event, void* da
       break;
     default:
       d.DeviceProxy = nullptr;
+      d.SecondProxy = nullptr;
       d.Style->ForgetVolumes();
       this->End(ViewClosed); // the view was closed with the connection
   }
@@ -291,8 +361,9 @@ void vtkHapticViewLink::Detach()
   {
     return;
   }
-  // Disarm first, because the hand is not shown after this.
+  // Disarm first, because the hands are not shown after this.
   d.Device->Disarm();
+  this->SetSecondDevice(nullptr);
   for (auto& [object, tag] : d.Observers)
   {
     if (object)
@@ -419,6 +490,7 @@ void vtkHapticViewLink::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "View: " << this->GetView() << "\n";
   os << indent << "DeviceProxy: " << this->GetDeviceProxy() << "\n";
+  os << indent << "SecondDeviceProxy: " << this->GetSecondDeviceProxy() << "\n";
   os << indent << "Style: " << this->GetStyle() << "\n";
   os << indent << "SlicesFollowTip: " << (this->SlicesFollowTip ? "On" : "Off") << "\n";
   os << indent << "Reason: " << this->GetReason() << "\n";

@@ -54,6 +54,17 @@ public:
   std::string GetReason() const;
 
   ///@{
+  /**
+   * A device for the other hand, which gets a hand of its own in the view; nullptr for none. It is
+   * taken out by Detach(), and if it is deleted. Returns false and reports an error with the cure
+   * if nothing is attached, or if it is the first hand's device. A change invokes
+   * vtkCommand::ModifiedEvent.
+   */
+  bool SetSecondDevice(vtkSMHapticDeviceProxy* device);
+  vtkSMHapticDeviceProxy* GetSecondDeviceProxy() const;
+  ///@}
+
+  ///@{
   /** Return the attached view, device and style; null unless attached. */
   vtkSMRenderViewProxy* GetView() const;
   vtkSMHapticDeviceProxy* GetDeviceProxy() const;

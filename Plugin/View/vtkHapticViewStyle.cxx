@@ -58,6 +58,28 @@ namespace
 constexpr double ShortestPause = 0.05; // s: shortest pause between two moves
 constexpr double PauseFraction = 4.0;  // pause as a multiple of the time that drawing took
 
+/** Orders a device to arm or to disarm, which can't be undone: "undo" must not arm a device. */
+void OrderArmed(vtkSMProxy* device, bool on)
+{
+  if (device)
+  {
+    const VolumeHapticsLive::HapticUndoExclusion exclusion;
+    vtkSMPropertyHelper(device, "Armed").Set(on ? 1 : 0);
+    device->UpdateVTKObjects();
+  }
+}
+
+bool IsArmOrdered(vtkSMProxy* device)
+{
+  return device && vtkSMPropertyHelper(device, "Armed").GetAsInt() != 0;
+}
+
+bool IsArmed(vtkHapticDevice* device)
+{
+  const int status = device ? device->GetStatus() : vtkHapticDevice::CLOSED;
+  return status == vtkHapticDevice::ARMED || status == vtkHapticDevice::ACTIVE;
+}
+
 std::vector<vtkSMViewProxy*> CollectSliceViews(vtkSMSession* session)
 {
   std::vector<vtkSMViewProxy*> views;
@@ -119,6 +141,8 @@ void HapticSlices::Update(
 
 vtkStandardNewMacro(vtkHapticViewStyle);
 
+using namespace VolumeHaptics;
+
 //------------------------------------------------------------------------------
 vtkHapticViewStyle::vtkHapticViewStyle()
   : Slices(std::make_unique<VolumeHaptics::HapticSlices>())
@@ -178,6 +202,12 @@ void vtkHapticViewStyle::SetDeviceProxy(vtkSMHapticDeviceProxy* device)
 }
 
 //------------------------------------------------------------------------------
+void vtkHapticViewStyle::SetSecondDeviceProxy(vtkSMHapticDeviceProxy* device)
+{
+  this->SecondProxy = device;
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticViewStyle::SetInteractor(vtkRenderWindowInteractor* interactor)
 {
   this->Superclass::SetInteractor(interactor);
@@ -197,9 +227,12 @@ void vtkHapticViewStyle::OnTimer()
   this->IsBusy = true;
   // Keep this alive, because a poll or a frame may close the view and delete this.
   const vtkSmartPointer<vtkHapticViewStyle> self(this);
-  if (this->DeviceProxy)
+  for (const auto& proxy : { this->DeviceProxy, this->SecondProxy })
   {
-    this->DeviceProxy->Poll();
+    if (proxy)
+    {
+      proxy->Poll();
+    }
   }
   if (this->Interactor)
   {
@@ -224,11 +257,20 @@ void vtkHapticViewStyle::MoveSlices()
 //------------------------------------------------------------------------------
 void vtkHapticViewStyle::SetArmed(bool on)
 {
-  if (this->DeviceProxy)
+  OrderArmed(this->DeviceProxy, on);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticViewStyle::ToggleArmed()
+{
+  const bool isSecond = this->SecondProxy && this->SecondProxy->GetDevice()->IsRunning();
+  const bool isArmed =
+    IsArmOrdered(this->DeviceProxy) && (!isSecond || IsArmOrdered(this->SecondProxy));
+  const bool on = !isArmed && !this->GetClutch();
+  this->SetArmed(on);
+  if (isSecond)
   {
-    const VolumeHapticsLive::HapticUndoExclusion exclusion; // because undo must not arm a device
-    vtkSMPropertyHelper(this->DeviceProxy, "Armed").Set(on ? 1 : 0);
-    this->DeviceProxy->UpdateVTKObjects();
+    OrderArmed(this->SecondProxy, on);
   }
 }
 
@@ -240,8 +282,7 @@ void vtkHapticViewStyle::OnKeyPress()
   const bool isMethod = this->IsPressOf("NextMethod");
   if (this->IsPressOf("Arm") && this->DeviceProxy)
   {
-    const bool isArmed = vtkSMPropertyHelper(this->DeviceProxy, "Armed").GetAsInt() != 0;
-    this->SetArmed(!isArmed && !this->GetClutch());
+    this->ToggleArmed();
     this->DrawScene(true);
     return;
   }
@@ -292,8 +333,7 @@ void vtkHapticViewStyle::DrawScene(bool quickly)
   }
   using Touch = VolumeHaptics::HapticVolumeFrames::Touch;
   vtkHapticDevice* const device = this->GetDevice();
-  const int status = device ? device->GetStatus() : vtkHapticDevice::CLOSED;
-  const bool isArmed = status == vtkHapticDevice::ARMED || status == vtkHapticDevice::ACTIVE;
+  const bool isArmed = IsArmed(device) || IsArmed(this->GetSecondDevice());
   const bool isTouched = this->GetTouchMode() ||
     (device && device->GetPlayback()->HasTimeSteps() && device->GetPlayback()->IsPlaying());
   this->Frames->Draw(quickly,
@@ -310,4 +350,5 @@ void vtkHapticViewStyle::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "View: " << this->View.GetPointer() << "\n";
   os << indent << "SlicesFollowTip: " << (this->SlicesFollowTip ? "On" : "Off") << "\n";
   os << indent << "DeviceProxy: " << this->DeviceProxy.GetPointer() << "\n";
+  os << indent << "SecondProxy: " << this->SecondProxy.GetPointer() << "\n";
 }

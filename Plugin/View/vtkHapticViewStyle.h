@@ -43,11 +43,12 @@ public:
 
   ///@{
   /**
-   * The view and the device. They are not kept alive: a view that was deleted is not drawn, a
-   * device that was deleted is not polled.
+   * The view, and the devices of the first and the second hand. They are not kept alive: a view
+   * that was deleted is not drawn, a device that was deleted is not polled.
    */
   void SetView(vtkSMRenderViewProxy* view);
   void SetDeviceProxy(vtkSMHapticDeviceProxy* device);
+  void SetSecondDeviceProxy(vtkSMHapticDeviceProxy* device);
   ///@}
 
   /**
@@ -74,7 +75,7 @@ public:
    */
   static void SetPointerQuery(void (*query)(int position[2]));
 
-  /** Sets the property Armed of the device's proxy. */
+  /** Sets the property Armed of the first device's proxy. */
   void SetArmed(bool on);
 
   /**
@@ -97,10 +98,13 @@ private:
   void operator=(const vtkHapticViewStyle&) = delete;
 
   void ReportMethod();
+  /** Arms the hands that are not armed; disarms both if both are. */
+  void ToggleArmed();
   void MoveSlices();
 
   vtkWeakPointer<vtkSMRenderViewProxy> View;
   vtkWeakPointer<vtkSMHapticDeviceProxy> DeviceProxy;
+  vtkWeakPointer<vtkSMHapticDeviceProxy> SecondProxy;
   bool SlicesFollowTip = true;
   std::unique_ptr<VolumeHaptics::HapticSlices> Slices;
   std::unique_ptr<VolumeHaptics::HapticVolumeFrames> Frames;

@@ -48,7 +48,10 @@ void vtkSMHapticViewProxy::UpdateVTKObjects()
     vtkSMHapticDeviceProxy::SafeDownCast(vtkSMPropertyHelper(this, "Device").GetAsProxy());
   if (this->Link->Attach(view, device))
   {
+    this->Link->SetSecondDevice(
+      vtkSMHapticDeviceProxy::SafeDownCast(vtkSMPropertyHelper(this, "SecondDevice").GetAsProxy()));
     this->Link->SetTouchMode(vtkSMPropertyHelper(this, "TouchMode").GetAsInt() != 0);
+    this->OnModified();
     vtkSMPropertyHelper(this, "Keys").Set(this->Link->GetKeys().c_str());
   }
   else
@@ -65,12 +68,18 @@ void vtkSMHapticViewProxy::OnEnd()
   // Remove the view, because the property would keep a closed view alive.
   vtkSMPropertyHelper(this, "View").RemoveAllValues();
   vtkSMPropertyHelper(this, "Device").RemoveAllValues();
+  vtkSMPropertyHelper(this, "SecondDevice").RemoveAllValues();
 }
 
 //------------------------------------------------------------------------------
 void vtkSMHapticViewProxy::OnModified()
 {
   vtkSMPropertyHelper(this, "TouchMode").Set(this->Link->GetTouchMode() ? 1 : 0);
+  if (!this->Link->GetSecondDeviceProxy())
+  {
+    // Remove the device, because it was refused, or because the property would keep it alive.
+    vtkSMPropertyHelper(this, "SecondDevice").RemoveAllValues();
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -43,6 +43,18 @@ touch.InvokeCommand("CopyPreset")
 touch.SurfaceStrength.Points = [0, 0, 0.5, 0, 499, 0, 0.5, 0, 501, 1, 0.5, 0, 1500, 1, 0.5, 0]
 touch.SurfaceStrengthScale = 1000.0
 touch.Tool = "Burr"
+# The radius that nobody has set is three voxels, whatever they measure.
+for factor in 1.0, 0.5:
+    data = image.GetClientSideObject().GetOutputDataObject(0)
+    spacing = data.GetSpacing()
+    data.SetSpacing([factor * edge for edge in spacing])
+    image.GetClientSideObject().Modified()
+    touch.BurrRadius = 0
+    whole = rig.arrays_of(touch)["RemovedVolume"].sum()
+    touch.BurrRadius = 3.0 * factor * max(spacing)
+    assert rig.arrays_of(touch)["RemovedVolume"].sum() == whole, factor
+    data.SetSpacing(spacing)
+    image.GetClientSideObject().Modified()
 touch.BurrRadius = RADIUS
 touch.BurrSpeed = SPEED
 touch.BurrSpecificEnergy = str(ENERGY)

@@ -87,6 +87,21 @@ def disarm(view, device, link):
     lead_in(view, device)
 
 
+def two_keys(view, device, link):
+    """The key arms the hands that are not armed, and disarms both if both are; Escape lets both go."""
+    second = simple.HapticDevice(Touch=device.Touch)
+    link.Attached = 1
+    link.SecondDevice = second
+    press(view, device)
+    press(view, second, 25)
+    for key, before, after in (("a", (1, 1), (0, 0)), ("a", (1, 0), (1, 1)), ("a", (0, 1), (1, 1)), ("a", (0, 0), (1, 1)),
+                               ("Escape", (1, 1), (0, 0))):
+        device.Armed, second.Armed = before
+        hit(view, key)
+        assert (device.Armed, second.Armed) == after, (key, before, device.Armed, second.Armed)
+    wait_until(view, lambda: force(device) == 0.0 and force(second) == 0.0, "a force is left")
+
+
 def method(view, device, link):
     """The panel and a saved state show the method that is felt."""
     link.Attached = 1

@@ -40,6 +40,41 @@ def refuse_second(view, device, link):
     assert view.GetInteractor().GetInteractorStyle() is haptic
 
 
+def two_hands(view, device, link):
+    """Each has a tip, a force and an order of its own in the one view, which polls both."""
+    one = ["vtkHapticHeadUpDisplay", "vtkHapticRepresentation"]
+    second = simple.HapticDevice(Touch=device.Touch)
+    link.Attached = 1
+    link.SecondDevice = device
+    assert link.SecondDevice is None and hands(view) == one, "one tip in two hands"
+    link.SecondDevice = second
+    assert link.SecondDevice == second and hands(view) == one + ["vtkHapticRepresentation"], hands(view)
+    press(view, device)
+    wait_until(view, lambda: get(device, "TipPosition") == [-25, -70, 45], "the tip did not get there")
+    wait_until(view, lambda: get(device, "ComputedForce") == get(device, "ComputedForce") != [0, 0, 0], "the proxy did not come to rest")
+    held = get(device, "ComputedForce")
+    assert second.Running == 0 and second.Armed == 0, "the other hand waits for its user"
+    press(view, second, 25)
+    wait_until(view, lambda: get(second, "TipPosition") == [25, -70, 45], "the second tip did not get there")
+    assert get(device, "TipPosition") == [-25, -70, 45], "one hand has led both tips"
+    assert abs(get(device, "ProxyPosition")[0] - get(second, "ProxyPosition")[0]) > 20, "one proxy in two hands"
+    assert max(abs(a - b) for a, b in zip(get(device, "ComputedForce"), held)) < 0.01, "beside another hand it feels different"
+
+    second.Armed = 0
+    wait_until(view, lambda: force(second) == 0.0, "the second hand was not let go")
+    assert force(device) > 0.5 and device.Armed == 1, "one let go, and the other one's force is gone"
+    press(view, second, 25)
+    simple.Delete(second)
+    assert force(second) == 0.0 and link.SecondDevice is None and hands(view) == one, "a deleted device is in the view"
+    assert link.Attached == 1 and device.Armed == 1 and force(device) > 0.5, "one deleted, and the other one's force is gone"
+
+    third = simple.HapticDevice(Touch=device.Touch)
+    link.SecondDevice = third
+    press(view, third, 25)
+    link.Attached = 0
+    assert third.Armed == 0 and force(third) == 0.0 and not hands(view), "detached, and a hand or its force is left"
+
+
 def change_style(view, device, link):
     """If ParaView gives the view another style meanwhile, that style stays."""
     style = view.GetInteractor().GetInteractorStyle()

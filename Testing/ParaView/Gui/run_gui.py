@@ -18,7 +18,8 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 STEPS = ["setup", "attached", "chosen", "saved", "loaded", "picture_of_dock", "shown_as_ct", "focused", "touch_mode", "contact",
          "at_rest", "picture", "recorded", "opened_while_touched", "escaped", "detached", "keys", "armed_elsewhere",
          "taken_over", "armed", "other_style", "close_view", "view_closed", "delete_device",
-         "device_deleted", "cures", "on_a_server", "armed_at_exit"]
+         "device_deleted", "cures", "second_hand", "words", "proposed",
+         "on_a_server", "armed_at_exit"]
 LIMIT = 600  # s; beyond that it hangs: a run takes a minute, or four beside six times the machine's load
 
 

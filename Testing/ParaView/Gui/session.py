@@ -125,9 +125,9 @@ class Session:
         shown.SetRepresentationType("Outline")
         simple.Render()
 
-    def picture_of_dock(self):
+    def picture_of_dock(self, name="dock.png"):
         if shutil.which("import"):
-            subprocess.run(["import", "-window", "root", os.path.join(OUTPUT, "dock.png")], check=True, timeout=60)
+            subprocess.run(["import", "-window", "root", os.path.join(OUTPUT, name)], check=True, timeout=60)
 
     def shown_as_ct(self):
         head = simple.FindSource("HeadPhantom.vti")
@@ -430,11 +430,81 @@ class Session:
         shown.SetRepresentationType("Volume")
         assert self.told() and words not in felt.text(), felt.text()
         told = self.call("savePreset", file)
-        assert told == "Saved: " + file and os.path.getsize(file) > 0, told
+        assert told.endswith("Saved: " + file) and os.path.getsize(file) > 0, told
         self.call("loadPreset", file)
         assert self.touch().Preset == "Custom", self.touch().Preset
         self.feel()
         self.press_button("HapticAttach")
+
+    def second_hand(self):
+        """The dock's second list: another hand in the same view, which Arm and Stop lead with the first one."""
+        simple.SetActiveSource(simple.FindSource("HeadPhantom.vti"))
+        self.press_button("HapticAttach")
+        first = self.device()
+        list_of_second, = self.main_window().findChildren(QtWidgets.QComboBox, "HapticSecondDevice")
+        list_of_second.setCurrentIndex(list_of_second.findData("virtual"))
+        told = self.told()
+        devices = [proxy for proxy in simple.GetSources().values() if proxy.GetXMLName() == "HapticDevice"]
+        second, = [proxy for proxy in devices if proxy.SMProxy is not first.SMProxy]
+        assert second.Running == 1 and second.Armed == 0 and second.Touch == first.Touch and second.UseTool == 0, told
+        assert len(self.hands()) == 3, self.hands()
+        for armed in 1, 0:
+            self.press_button("HapticArm")
+            assert (first.Armed, second.Armed) == (armed, armed), (armed, first.Armed, second.Armed)
+        force, = self.main_window().findChildren(QtWidgets.QLabel, "HapticForce")
+        assert force.text() == "0.00 N, 0.00 N", force.text()
+        self.picture_of_dock("hands.png")
+        list_of_second.setCurrentIndex(0)
+        self.told()
+        assert second.Running == 0 and first.Running == 1 and len(self.hands()) == 2, self.hands()
+        simple.Delete(second)
+        self.press_button("HapticAttach")
+
+    def words(self):
+        """One sentence in the panel's words, and the rest behind Why; a message hides no fault; the help."""
+        simple.SetActiveSource(simple.FindSource("HeadPhantom.vti"))
+        self.press_button("HapticAttach")
+        device = self.device()
+        why, = self.main_window().findChildren(QtWidgets.QToolButton, "HapticWhy")
+        assert self.told() == "Running: virtual: Arm lets force through.", self.told()
+        why.click()
+        assert "Real-time priority" in self.told() and "()" not in self.told(), self.told()
+        why.click()
+        device.AttentionTime = 0.2
+        self.press_button("HapticArm")
+        time.sleep(1.0)  # the window stands still
+        told = self.call("savePreset", os.path.join(OUTPUT, "fault.json"))
+        assert told.startswith("Force faded out") and told.endswith("Saved: " + os.path.join(OUTPUT, "fault.json")), told
+        assert "()" not in told and device.Armed == 0, told
+        device.AttentionTime = 2.0
+        help_button, = self.main_window().findChildren(QtWidgets.QToolButton, "HapticHelp")
+        help_button.click()
+        page, = self.main_window().findChildren(QtWidgets.QTextBrowser, "HapticHelpPage")
+        for words in "This window", "Touch with the mouse", "Burr Radius", "Attention Time", "Virtual Tip":
+            assert words in page.toPlainText(), words
+        self.told()
+        self.picture_of_dock("help.png")
+        page.parent().close()
+        self.press_button("HapticAttach")
+
+    def proposed(self):
+        """A volume of Hounsfield units begins with a preset for CT, another one with Custom; the dock takes grids, too."""
+        head = simple.FindSource("HeadPhantom.vti")
+        list_of_presets, = self.main_window().findChildren(QtWidgets.QComboBox, "HapticPreset")
+        wavelet = simple.Wavelet(registrationName="Wavelet")
+        for source, preset in ((simple.Transform(Input=head), "CT contrast"), (simple.Tetrahedralize(Input=wavelet), "Custom")):
+            source.UpdatePipeline()
+            simple.SetActiveSource(source)
+            list_of_presets.setCurrentIndex(0)
+            told = self.press_button("HapticAttach")
+            touch = self.device().Touch
+            assert touch.Input == source and touch.Preset == preset, (told, touch.Preset)
+            self.press_button("HapticAttach")
+            self.device().Touch = None
+            for proxy in touch, source:
+                simple.Delete(proxy)
+        simple.Delete(wavelet)
+        simple.SetActiveSource(head)
 
     def on_a_server(self):
         """Opens a recording that lies on this computer: a server does not read it, and this computer does."""

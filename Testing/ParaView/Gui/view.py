@@ -44,28 +44,28 @@ def wait_until(view, is_so, what):
         time.sleep(0.005)
 
 
-def lead_out(view, device):
+def lead_out(view, device, x=-25):
     """Moves the tip in front of the forehead."""
-    device.VirtualTip = [-25, -110, 45]
-    wait_until(view, lambda: get(device, "TipPosition") == [-25, -110, 45], "the tip did not get there")
+    device.VirtualTip = [x, -110, 45]
+    wait_until(view, lambda: get(device, "TipPosition") == [x, -110, 45], "the tip did not get there")
 
 
-def lead_in(view, device):
+def lead_in(view, device, x=-25):
     """Arms the device and moves the tip into the forehead. A wall that is pressed before the full force may act stays
     soft."""
     wait_until(view, lambda: "100 % of the force" in "".join(get(device, "StatusText")), "the ramp was not over")
-    device.VirtualTip = [-25, -70, 45]
+    device.VirtualTip = [x, -70, 45]
     wait_until(view, lambda: force(device) > 0.5, "the skin was not felt")
 
 
-def press(view, device):
+def press(view, device, x=-25):
     """Moves the tip into the forehead from the front."""
-    device.VirtualTip = [-25, -110, 45]
+    device.VirtualTip = [x, -110, 45]
     device.Running = 1
     device.UpdatePipeline()
-    lead_out(view, device)
+    lead_out(view, device, x)
     device.Armed = 1
-    lead_in(view, device)
+    lead_in(view, device, x)
 
 
 def run(case):
