@@ -249,8 +249,9 @@ TRIED = {
         "Connect to a server again, and open the data there": "Connect",
         "Choose a RecordingFile in a folder that can be": "Choose a RecordingFile in a folder that can be",
     },
+    "Devices/Vendor/OpenHapticsTest.cxx": {"lost its force: it": "lost its force: it"},
     "ParaView/Gui/session.py": {
-        "is no image data, so it can't be felt. Select a volume in the": "can't be felt. Select a volume",
+        "is neither an image nor another grid, so it can't be felt. Select a volume in the": "can't be felt. Select a volume",
         "is a file of this computer, which the server does not read: open it there": "is a file of this computer",
         "There is nothing to be felt yet: attach first": "There is nothing to be felt yet: attach first",
         "There is nothing felt to be saved: attach first": "There is nothing felt to be saved: attach first",
@@ -282,6 +283,9 @@ TRIED = {
 # Cures that no program can apply: actions of a hand on a device, and actions outside the program. Only the names in
 # these texts are checked, by test_names_in_cures_exist.
 OUTSIDE = {
+    "what ParaView's view, dock and panel show is looked at instead (View.two_hands, Gui)": (
+        "Make another Haptic Device", "There is no first hand in this view", "choose a device and press Attach",
+        "Open() and Start() it", "Open() it again", "UseToolOff() of this device"),
     "a hand plugs in, switches on, or leads a device": (
         "devices have its serial number now. Open() and Start() the one that you mean",
         "put its handle into the inkwell…available", "has no Inverse3, Inverse3x or Minverse. Plug one in",
