@@ -103,6 +103,12 @@ public:
 
   bool IsInside(const Vector3& index) const noexcept { return this->First.IsInside(index); }
 
+  /** Returns whether both time steps have the same value at a place, or there is only one. */
+  bool IsStill(const Vector3& index) const noexcept
+  {
+    return !this->Second || this->First.Value(index) == this->Second->Value(index);
+  }
+
 private:
   /** Returns whether the time steps are read at different places, where the material is in each. */
   bool FollowsMaterial() const noexcept { return this->Motion && this->Second; }

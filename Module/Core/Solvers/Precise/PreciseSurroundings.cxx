@@ -499,7 +499,8 @@ ValuePair PreciseSurroundings::ComputeValues(const Vector3& index, const Law::Sl
   if (!isOn || !IsSameEdge(*before, walk.Far))
   {
     const ValuePair sides{ walk.Far.Ahead, walk.Far.Behind };
-    if (isAlike && !isOn && IsSameEdge(before->Far, walk.Far))
+    // Where values change with time, a remembered value may be out of date.
+    if (isAlike && !isOn && this->Field.IsStill(index) && IsSameEdge(before->Far, walk.Far))
     {
       walk.Far.Behind = ComputeOrigin(before->Far, walk.Far, voxels);
     }
