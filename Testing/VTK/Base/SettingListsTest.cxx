@@ -230,9 +230,8 @@ TEST(SettingLists, ParaViewHasAllSettings)
       function.Default);
   }
   const ParaViewProxy device("HapticDevice.xml");
-  // ParaView's device has no AttentionTime, since ParaView calls the device all the time. It has no
-  // MaximumTorque and UseTool, since ParaView has no tools.
-  device.ExpectAll(DeviceSettings, { "AttentionTime", "MaximumTorque", "UseTool" });
+  // ParaView does not offer MaximumTorque.
+  device.ExpectAll(DeviceSettings, { "MaximumTorque" });
   device.ExpectAll(DeviceVectors);
   const ParaViewProxy path("HapticPath.xml");
   path.ExpectAll(PathSettings);
