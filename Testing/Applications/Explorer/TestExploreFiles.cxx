@@ -289,9 +289,9 @@ int TestExploreFiles(int argc, char* argv[])
   Expect(facts.ListTold().find(felt.Hidden) != std::string::npos,
     "the window tells: " + facts.ListTold());
   // The list of keys contains all facts that --inspect prints.
-  for (const char* const fact :
-    { "format\t", "voxels\t", "size\t", "from\t", "axes\t", "values\t", "kind\tCT", "padding\tnone",
-      "noise\t", "least\tsheets of ", "preset\tCT contrast, because ", "\tFelt but not shown" })
+  for (const char* const fact : { "format\t", "voxels\t", "size\t", "from\t", "axes\t", "values\t",
+         "nearly", "kind\tCT; ", "padding\tnone", "noise\t", "least\tsheets of ",
+         "preset\tCT contrast, because ", "\tFelt but not shown" })
   {
     Expect(facts.ListFacts().find(fact) != std::string::npos,
       std::string(fact) + " is not in: " + facts.ListFacts());

@@ -395,9 +395,10 @@ std::string Inspection::ListFacts() const
     text << "felt at\t" << Round(1000.0 * this->MetersPerUnit) << " times its size\n";
   }
   text << "Values\n"
-       << "values\t" << Round(this->Range[0]) << " to " << Round(this->Range[1]) << this->Unit
-       << "\n"
-       << Wrap("kind", this->Modality)
+       << Wrap("values",
+            Round(this->Range[0]) + " to " + Round(this->Range[1]) + this->Unit + ", nearly all " +
+              Round(this->Usual[0]) + " to " + Round(this->Usual[1]))
+       << Wrap("kind", this->Modality + "; " + this->ModalityReason)
        << Wrap("padding", this->Padding.empty() ? "none" : this->Padding)
        << Wrap("noise", this->DescribeNoise()) << "Felt\n"
        << Wrap("least", this->DescribeFeature())
