@@ -12,7 +12,6 @@ import time
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import rig  # noqa: E402
 from paraview import simple  # noqa: E402
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow  # noqa: E402
 
 SIDE = 16
 SAMPLES = struct.pack(f"<{SIDE ** 3}h", *range(SIDE ** 3))
@@ -91,19 +90,10 @@ def write(name, content):
     return path
 
 
-def listen(use):
-    """What ParaView says meanwhile."""
-    log, console = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
-    vtkOutputWindow.SetInstance(log)
-    use()
-    vtkOutputWindow.SetInstance(console)
-    return log.GetOutput()
-
-
 def check_live(volume, name):
     """A device that starts on it says why there is nothing to feel, and gives no force."""
     status = []
-    listen(lambda: status.append(touch_live(volume)))
+    rig.report_of(lambda: status.append(touch_live(volume)))
     print(name, "live:", status[0], flush=True)
     assert "()" not in status[0] and "Ready" not in status[0], (name, status)
     assert any(words in status[0] for words in ("no image", "cell", "Input")), (name, status)
@@ -135,11 +125,7 @@ for name, content in VOLUMES.items():
     for source in (simple.HapticVolume(), simple.HapticLargeFile()):
         if name.endswith(("nii", "gz")) and source.GetXMLName() == "HapticLargeFile":
             continue  # not a format of that one
-
-        def use(source=source, path=path):
-            source.FileName = path
-            source.UpdatePipeline()
-        said = listen(use)
+        said = rig.report_of_update(source, FileName=path)
         print(name, source.GetXMLName(), said, flush=True)
         assert "ERR" in said and name in said, (name, source.GetXMLName(), said)
         assert "Cure" in said or said.rstrip().endswith("."), said
@@ -149,9 +135,9 @@ for name, content in VOLUMES.items():
 
 for name, content in GRIDS.items():
     reader = simple.XMLUnstructuredGridReader(FileName=[write(name, content)])
-    said = listen(reader.UpdatePipeline)
+    said = rig.report_of(reader.UpdatePipeline)
     touch = simple.VolumeHaptics(Input=reader, Path=line, Preset="CT contrast")
-    said += listen(touch.UpdatePipeline)
+    said += rig.report_of(touch.UpdatePipeline)
     print(name, said, flush=True)
     assert "ERR" in said, (name, said)
     assert touch.GetDataInformation().GetNumberOfPoints() == 0, name
@@ -162,7 +148,7 @@ for name, content in GRIDS.items():
 # ParaView goes on: a whole file of each kind is felt.
 for name, content in (("whole.vti", vti(SAMPLES)), ("whole.nrrd", nrrd(SAMPLES)), ("whole.mha", mha(SAMPLES)), ("whole.nii", nifti(SAMPLES))):
     source = simple.HapticVolume(FileName=write(name, content))
-    assert "ERR" not in listen(source.UpdatePipeline) and source.GetDataInformation().GetNumberOfPoints() == SIDE ** 3, name
+    assert "ERR" not in rig.report_of(source.UpdatePipeline) and source.GetDataInformation().GetNumberOfPoints() == SIDE ** 3, name
 reader = simple.XMLUnstructuredGridReader(FileName=[write("whole.vtu", grid("0 1 2 3 4 5 6 7", "8", "12"))])
 touch = simple.VolumeHaptics(Input=reader, Path=line, Preset="CT contrast")
-assert "ERR" not in listen(touch.UpdatePipeline) and touch.GetDataInformation().GetNumberOfPoints() > 0
+assert "ERR" not in rig.report_of(touch.UpdatePipeline) and touch.GetDataInformation().GetNumberOfPoints() > 0

@@ -48,20 +48,9 @@ def open_volume(case):
     return rig.HapticVolume(Series=series_of(case), FileName=case["path"])
 
 
-def read_quietly(source, time=None, **settings):
-    """Returns what ParaView reports when a source is set and updated."""
-    log, console = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
-    vtkOutputWindow.SetInstance(log)
-    for name, value in settings.items():
-        setattr(source, name, value)
-    source.UpdatePipeline() if time is None else source.UpdatePipeline(time)
-    vtkOutputWindow.SetInstance(console)
-    return log.GetOutput()
-
-
 def compare(case, source, time=None, tissue=TISSUE):
     """Compares the volume at a time with the formula, at every voxel."""
-    assert "ERR" not in read_quietly(source, time)
+    assert "ERR" not in rig.report_of_update(source, time)
     image = servermanager.Fetch(source)
     direction = numpy.array([[image.GetDirectionMatrix().GetElement(i, j) for j in range(3)] for i in range(3)])
     axes = direction * numpy.array(image.GetSpacing())
@@ -92,7 +81,7 @@ def check_refusal(case, said):
 for case in cases.values():
     if case["refused"]:
         source = rig.HapticVolume()
-        check_refusal(case, read_quietly(source, Series=series_of(case), FileName=case["path"]))
+        check_refusal(case, rig.report_of_update(source, Series=series_of(case), FileName=case["path"]))
         assert source.GetDataInformation().GetNumberOfPoints() == 0
         continue
     source = open_volume(case)
@@ -107,7 +96,7 @@ for case in cases.values():
     if case["name"].startswith(("dicom", "nifti", "analyze", "refused")) or case["labels"]:
         continue
     source = rig.HapticLargeFile()
-    said = read_quietly(source, Series=series_of(case), FileName=case["path"])
+    said = rig.report_of_update(source, Series=series_of(case), FileName=case["path"])
     if "ERR" in said:
         assert re.search(r"Cure: |\. [A-Z][a-z]+ ", said), said
     else:

@@ -48,16 +48,29 @@ def produce(data):
     return source
 
 
+def report_of(action):
+    """Returns what ParaView reports during an action."""
+    log, console = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(log)
+    action()
+    vtkOutputWindow.SetInstance(console)
+    return log.GetOutput()
+
+
+def report_of_update(source, time=None, **settings):
+    """Returns what ParaView reports when a source is set and updated."""
+    def update():
+        for name, value in settings.items():
+            setattr(source, name, value)
+        source.UpdatePipeline() if time is None else source.UpdatePipeline(time)
+
+    return report_of(update)
+
+
 def expect(touch, *words, **settings):
     """Expects that an update with these settings reports all the words and has an empty output; without words, that it
     reports nothing."""
-    log, console = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
-    vtkOutputWindow.SetInstance(log)
-    for name, value in settings.items():
-        setattr(touch, name, value)
-    touch.UpdatePipeline()
-    vtkOutputWindow.SetInstance(console)
-    text = log.GetOutput()
+    text = report_of_update(touch, **settings)
     for word in words:
         assert word in text, f"{word} is not in: {text}"
     assert words or "ERROR" not in text, text
