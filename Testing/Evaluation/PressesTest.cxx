@@ -24,24 +24,36 @@ namespace
 {
 constexpr double BallRadius = 12.0;
 
+/** Makes a filter that gives all values the same material, without friction. */
+vtkSmartPointer<vtkVolumeHapticsFilter> MakeFilter(vtkImageData* image, double stiffness,
+  double drag = 0.0, double strength = Impenetrable, double scale = 1.0)
+{
+  auto filter = vtkSmartPointer<vtkVolumeHapticsFilter>::New();
+  filter->SetInputDataObject(0, image);
+  filter->SetMetersPerWorldUnit(0.001 * scale);
+  vtkHapticProperty* const feel = filter->GetProperty();
+  SetConstant(feel->GetStiffness(), stiffness);
+  SetConstant(feel->GetFriction(), 0.0);
+  SetConstant(feel->GetViscosity(), drag);
+  SetConstant(feel->GetSurfaceStrength(), strength);
+  SetConstant(feel->GetDistinctness(), 1.0);
+  return filter;
+}
+
+std::shared_ptr<const HapticModel> Bake(vtkVolumeHapticsFilter* filter)
+{
+  return filter->GetBaker().Bake(1000.0, {}, nullptr);
+}
+
 /** Returns a ball of a value in surroundings of 0, with a stiffness (N/m). */
 PressedVolume MakeBall(double stiffness, vtkSmartPointer<vtkImageData>& image,
   double radius = BallRadius, double scale = 1.0, double value = 100.0)
 {
   image =
     SampleImage([=](const Vector3& x) { return BlurredStep(radius - Norm(x), 1.0, value); }, 20.0);
-  vtkNew<vtkVolumeHapticsFilter> filter;
-  filter->SetInputDataObject(0, image);
-  filter->SetMetersPerWorldUnit(0.001 * scale);
-  vtkHapticProperty* const feel = filter->GetProperty();
-  SetConstant(feel->GetStiffness(), stiffness);
-  SetConstant(feel->GetFriction(), 0.0);
-  SetConstant(feel->GetViscosity(), 0.0);
-  SetConstant(feel->GetSurfaceStrength(), Impenetrable);
-  SetConstant(feel->GetDistinctness(), 1.0);
   PressedVolume ball;
   ball.Model = ball.Shape = ball.Structures = ball.Held =
-    filter->GetBaker().Bake(1000.0, {}, nullptr);
+    Bake(MakeFilter(image, stiffness, 0.0, Impenetrable, scale));
   ball.Level = ball.HeldLevel = 50.0;
   ball.Scale = scale;
   ball.Box = { -BallRadius, BallRadius, -BallRadius, BallRadius, -BallRadius, BallRadius };
@@ -91,18 +103,7 @@ TEST(Presses, APlateauInAirIsAstrayEvenIfTheMaterialHoldsIt)
         BlurredStep(blanket - Norm(x), 1.0, 40.0);
     },
     25.0);
-  const auto bake = [&](vtkImageData* values)
-  {
-    vtkNew<vtkVolumeHapticsFilter> filter;
-    filter->SetInputDataObject(0, values);
-    filter->SetMetersPerWorldUnit(0.001);
-    SetConstant(filter->GetProperty()->GetStiffness(), 1000.0);
-    SetConstant(filter->GetProperty()->GetViscosity(), 0.0);
-    SetConstant(filter->GetProperty()->GetSurfaceStrength(), Impenetrable);
-    SetConstant(filter->GetProperty()->GetDistinctness(), 1.0);
-    return filter->GetBaker().Bake(1000.0, {}, nullptr);
-  };
-  ball.Model = ball.Shape = ball.Structures = ball.Held = bake(covered);
+  ball.Model = ball.Shape = ball.Structures = ball.Held = Bake(MakeFilter(covered, 1000.0));
   ball.HeldLevel = 20.0;
   const Presses found = PressFromAllSides(ball, 60);
   ASSERT_GT(found.OffSurface.size(), 10u);
@@ -111,7 +112,7 @@ TEST(Presses, APlateauInAirIsAstrayEvenIfTheMaterialHoldsIt)
   EXPECT_EQ(found.AstrayOfHeld, 0);
   // A plateau between both levels is on neither level's isosurface.
   const auto plateau = SampleImage([](const Vector3&) { return 40.0; }, 25.0);
-  ball.Structures = ball.Held = bake(plateau);
+  ball.Structures = ball.Held = Bake(MakeFilter(plateau, 1000.0));
   EXPECT_EQ(PressFromAllSides(ball, 60).AstrayOfHeld, found.Astray);
 }
 
@@ -120,14 +121,7 @@ TEST(Presses, WhatDragsBeyondTheBorderHasNoFeltPlace)
   // The box is full of a medium that drags and goes on beyond it, far from the ball.
   vtkSmartPointer<vtkImageData> image;
   PressedVolume ball = MakeBall(1000.0, image);
-  vtkNew<vtkVolumeHapticsFilter> filter;
-  filter->SetInputDataObject(0, image);
-  filter->SetMetersPerWorldUnit(0.001);
-  SetConstant(filter->GetProperty()->GetStiffness(), 1000.0);
-  SetConstant(filter->GetProperty()->GetViscosity(), 0.3);
-  SetConstant(filter->GetProperty()->GetSurfaceStrength(), Impenetrable);
-  SetConstant(filter->GetProperty()->GetDistinctness(), 1.0);
-  ball.Model = filter->GetBaker().Bake(1000.0, {}, nullptr);
+  ball.Model = Bake(MakeFilter(image, 1000.0, 0.3));
   const Presses found = PressFromAllSides(ball, 60);
   EXPECT_GT(found.Count, 30);
   EXPECT_EQ(found.Unfelt, 0);
@@ -140,19 +134,14 @@ TEST(Presses, AGrazeIsNotBehindAnEdge)
   // A ball of 10 N/m is unfelt, but presses of 5 mm go behind its edge.
   vtkSmartPointer<vtkImageData> image;
   PressedVolume ball = MakeBall(10.0, image);
-  EXPECT_EQ(PressFromAllSides(ball, 60).UnfeltBehindEdge, PressFromAllSides(ball, 60).Count);
+  const Presses soft = PressFromAllSides(ball, 60);
+  EXPECT_EQ(soft.UnfeltBehindEdge, soft.Count);
   // An edge that is blurred by 4 mm has 2 % of its height 8.2 mm before its middle. Presses that
   // begin there end in front of the edge.
-  PressedVolume wide = MakeBall(10.0, image, BallRadius, 1.0, 100.0);
+  PressedVolume wide = MakeBall(10.0, image);
   const auto foot = SampleImage(
     [](const Vector3& x) { return BlurredStep(BallRadius - Norm(x), 4.0, 100.0); }, 25.0);
-  vtkNew<vtkVolumeHapticsFilter> filter;
-  filter->SetInputDataObject(0, foot);
-  filter->SetMetersPerWorldUnit(0.001);
-  SetConstant(filter->GetProperty()->GetSurfaceStrength(), 0.0);
-  SetConstant(filter->GetProperty()->GetViscosity(), 0.0);
-  wide.Model = wide.Shape = wide.Structures = wide.Held =
-    filter->GetBaker().Bake(1000.0, {}, nullptr);
+  wide.Model = wide.Shape = wide.Structures = wide.Held = Bake(MakeFilter(foot, 10.0, 0.0, 0.0));
   wide.Level = wide.HeldLevel = 2.0;
   const Presses found = PressFromAllSides(wide, 60);
   EXPECT_GT(found.Count, 20);
@@ -166,20 +155,13 @@ TEST(Presses, AStepIsTheHandsOwnOrARelease)
   // without a leap. What is more than this is a release, which takes its time.
   vtkSmartPointer<vtkImageData> image;
   PressedVolume ball = MakeBall(1000.0, image);
-  vtkNew<vtkVolumeHapticsFilter> filter;
-  filter->SetInputDataObject(0, image);
-  filter->SetMetersPerWorldUnit(0.001);
-  SetConstant(filter->GetProperty()->GetStiffness(), 1000.0);
-  SetConstant(filter->GetProperty()->GetFriction(), 0.0);
-  SetConstant(filter->GetProperty()->GetViscosity(), 0.0);
-  SetConstant(filter->GetProperty()->GetSurfaceStrength(), 2.0);
-  SetConstant(filter->GetProperty()->GetDistinctness(), 1.0);
-  ball.Model = filter->GetBaker().Bake(1000.0, {}, nullptr);
+  const auto filter = MakeFilter(image, 1000.0, 0.0, 2.0);
+  ball.Model = Bake(filter);
   const Steps spread = WalkAtRandom(ball, 10, 0.0);
   EXPECT_GT(spread.Largest, 0.2);
   EXPECT_LE(spread.BeyondSpring, 0.25);
   filter->SetReleaseTime(0.0);
-  ball.Model = filter->GetBaker().Bake(1000.0, {}, nullptr);
+  ball.Model = Bake(filter);
   EXPECT_GT(WalkAtRandom(ball, 10, 0.0).BeyondSpring, 1.0);
 }
 
