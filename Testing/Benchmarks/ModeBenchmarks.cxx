@@ -74,8 +74,8 @@ HapticModelDescription Describe(const std::vector<ModeDescription>& modes)
 }
 
 /**
- * Measures ticks of a tip that moves near a circle of 20 mm at 0.1 m/s. The modes hold the tip's
- * lag in part.
+ * Measures ticks of a tip that moves at 0.1 m/s near a circle with a radius of 20 mm. The modes
+ * hold only a part of the lag.
  */
 void MeasureModes(benchmark::State& bench, const std::vector<ModeDescription>& modes)
 {

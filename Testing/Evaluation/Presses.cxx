@@ -274,7 +274,7 @@ void Press(const PressedVolume& volume, const Ray& ray, const Meeting& met, Pres
       MeasureBehindEdge(volume, ray, at - voxel, at + deep) >= LeastBehind ? 1 : 0;
     return;
   }
-  // What continues beyond the border has dragged the hand before it came to the volume.
+  // Outside of the volume, values are those of its border: their drag is felt, but no surface.
   if (!volume.Shape->Baked->Field.IsInside(volume.Shape->DeviceToIndex(0.001 * *felt)))
   {
     return;

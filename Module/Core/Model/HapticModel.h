@@ -86,7 +86,7 @@ public:
    * the length KernelLength (see ComputeReach).
    */
   const Matrix3 GradientToReach;
-  /** x_s - x_p (index steps) where there is no gradient. */
+  /** Vector x_s - x_p (index steps) that is used where the field has no gradient. */
   const Vector3 FallbackReach;
   const ResidentBox Resident; ///< the samples in memory in Baked->Field
   ///@{

@@ -31,8 +31,8 @@ constexpr double NoiseFraction = 0.4;
 /** Fraction of the gap to the next material over which a material's functions are constant. */
 constexpr double ConstantFraction = 0.2;
 /**
- * Kernel radius per width of a boundary: two widths behind the middle of its boundary, V has
- * reached 97.7 % of a material.
+ * Kernel radius per width (standard deviation) of a boundary. Two widths behind the boundary's
+ * middle, V has made 97.7 % of its rise to the material's value.
  */
 constexpr double RadiusPerWidth = 2.0;
 constexpr int LeastRadius = 2;

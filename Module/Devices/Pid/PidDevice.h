@@ -106,7 +106,7 @@ public:
    * descriptor has one.
    */
   void UseOneAxis() noexcept { this->Axes = 1; }
-  /** Makes directions shares of the enabled axis (PidFirmware). */
+  /** Makes the direction field a fraction of the force on the enabled axis, not an angle. */
   void UseShares() noexcept { this->HasShares = true; }
 
   ///@{

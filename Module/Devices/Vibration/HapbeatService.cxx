@@ -18,7 +18,7 @@ namespace
 constexpr double HapbeatPi = 3.14159265358979323846;
 constexpr double HapbeatAskTime = 1.0; // in s
 constexpr auto HapbeatAskPause = std::chrono::milliseconds(2);
-// copies of a packet that nobody acknowledges, as in Hapbeat's SDK
+// how often each packet is sent, as in Hapbeat's SDK: the device acknowledges none
 constexpr int HapbeatRepeats = 3;
 constexpr double FullSample = 0.8 * 32767; // as in Hapbeat's SDK
 

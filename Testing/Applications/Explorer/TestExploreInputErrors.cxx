@@ -534,7 +534,7 @@ int TestExploreInputErrors(int argc, char* argv[])
   ExpectTools();
   ExpectCutOff();
   ExpectPresetFiles(head);
-  // 0.30 red + 0.59 green + 0.11 blue = 15 + 59 + 16.5.
+  // 0.30 red + 0.59 green + 0.11 blue = 15 + 59 + 16.5 = 90.5, of which a byte holds 90.
   ExpectComponents(VTK_UNSIGNED_CHAR, 3, "colours: their brightness is used", 90.0);
   ExpectComponents(VTK_UNSIGNED_CHAR, 4, "colours: their brightness is used", 90.0);
   ExpectComponents(VTK_SHORT, 2, "2 components a voxel: component 0 used", 50.0);

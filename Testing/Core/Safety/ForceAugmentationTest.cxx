@@ -61,8 +61,8 @@ TEST(StiffWalls, ArePassiveUpToWhatTheorySaysOfASampledSpring)
     }
     for (const StiffPress& press : MakePresses(2.0, false))
     {
-      // Check only the weight of 1 N that nobody holds. With 2 N, MaximumForce limits the wall's
-      // force.
+      // Check only the weight of 1 N that presses by itself, without a hand. With 2 N, MaximumForce
+      // limits the wall's force.
       if (!press.IsHeld && press.Force == 1.0)
       {
         EXPECT_GT(PressStiffly(arm, press).Ratio, 1.0) << Describe(arm, press);

@@ -22,8 +22,8 @@ TEST_F(FalconPermission, MissingGivesTheRule)
 {
   const std::string rule =
     "SUBSYSTEM==\"usb\", ATTR{idVendor}==\"0403\", ATTR{idProduct}==\"cb48\", TAG+=\"uaccess\"";
-  // Root may open all devices. So the test runs as the user "nobody" for a while, who sees the
-  // whole system but may not open this device.
+  // Root may open all devices. So the test runs for a while as the user "nobody", who may see all
+  // devices but not open this one.
   char* const root = umockdev_testbed_get_root_dir(Testbed());
   using std::filesystem::perms;
   std::filesystem::permissions(root, perms::all);

@@ -21,7 +21,7 @@ using namespace emulated;
 
 namespace
 {
-/** Device with one axis that points out of the face. */
+/** An arm, one axis of which points outwards from the face of the phantom that it presses. */
 class PressedDevice
 {
 public:

@@ -10,7 +10,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Smallest rise that is not zero. The reciprocal of a smaller one might not be finite. */
+/** Smallest rise that counts as one. The reciprocal of a smaller rise might not be finite. */
 constexpr double LeastRise = std::numeric_limits<double>::min();
 
 /** Returns a smooth step that rises from 0 at `low` to 1 at `high`. */

@@ -373,8 +373,8 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
 double SphereCarver::ComputeEdge(double value) const noexcept
 {
   const double fraction = (this->Tissue.Level - this->Air) / (value - this->Air);
-  // No fraction gives the level to a sample that is not solid: it keeps all of its tissue except
-  // half a step.
+  // If the value is not solid, no fraction of tissue gives the sample the level. The sample then
+  // keeps all of its tissue except half a step.
   return fraction >= 0.0 && fraction < 1.0 - HalfFraction ? std::max(fraction, HalfFraction)
                                                           : 1.0 - HalfFraction;
 }

@@ -48,8 +48,8 @@ public:
     this->IsKnown = true;
   }
   /**
-   * Returns whether the hand has slid, for a contact of now; as the contact says if no tick is
-   * known.
+   * Returns whether the hand slid within the last 0.2 s. Before the first tick was added, returns
+   * whether `contact`, the current one, is at the limit of its friction.
    */
   bool Is(int contact) const { return this->IsKnown ? this->Now - this->Last < 0.2 : contact == 2; }
   void Clear() { *this = LateSlide(); }

@@ -326,8 +326,8 @@ void MeasuredShapes::AddLine(vtkPolyData* shape)
   for (vtkIdType i = 0; i <= last; ++i)
   {
     const Vector3 point = FromArray(shape->GetPoint(i));
-    // Of points close together, add a single point. Add the last point only if it differs, because
-    // a tube can't continue from a point to itself.
+    // Leave out points that are close to the one before. Leave out the last point only if it equals
+    // the one before, because a tube can't continue from a point to itself.
     const double least = i == last ? 0.0 : 0.5 * this->Radius;
     if (i == 0 || Norm(point - before) > least)
     {

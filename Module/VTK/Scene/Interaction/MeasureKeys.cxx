@@ -29,7 +29,7 @@ constexpr double LeastMeasuredForce = 0.005;
 /** The radius of the brush, and the least distance between two of its positions (voxels). */
 constexpr double BrushVoxels = 4.0;
 constexpr double BrushStepVoxels = 0.25;
-/** The fraction of the time that drawing a growing area may take. */
+/** Largest fraction of the program's time for cutting a growing area out of the surface. */
 constexpr double CutFraction = 0.1;
 
 bool IsTouching(vtkHapticDevice* device)
