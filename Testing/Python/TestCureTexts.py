@@ -112,7 +112,7 @@ TRIED = {
         "Write it with these axes last": "as the last ones", "and the first page has its own. Take that page away": "the first page has its own",
     },
     "Applications/Explorer/TestExploreInputErrors.cxx": {
-        "a pipe or a device in place of a file…take it away": "a pipe or a device in place of a file",
+        "put a file in its place, or name another folder": "is a folder without a single DICOM slice, but",
     },
     "Data/Formats/write_nifti.py": {"has … volumes along its fourth axis, and none with the number": "and none with the number"},
     "Data/Formats/write_threads.py": {

@@ -509,8 +509,8 @@ void ExpectPipesAreRefused()
   refuse(write("foam/one.foam", ""), "controlDict is a pipe");
   makePipe(pipes + "/slices/1.dcm");
   makePipe(pipes + "/named/2");
-  refuse(pipes + "/slices", "has a pipe or a device in place of a file (1.dcm)");
-  refuse(pipes + "/named", "has a pipe or a device in place of a file (2)");
+  refuse(pipes + "/slices", "is a folder without a single DICOM slice, but 1.dcm is a pipe");
+  refuse(pipes + "/named", "is a folder without a single DICOM slice, but 2 is a pipe");
   makePipe(pipes + "/stack/1.tif");
   makePipe(pipes + "/stack/2.tif");
   refuse(pipes + "/stack", ".tif is no regular file");

@@ -558,6 +558,21 @@ def foreign(folder):
     return folder / "IM0003.dcm"
 
 
+@case("dicom-a-pipe-among-slices", source="mkfifo(1)", told=("aside is a pipe, not a file: left out",))
+def pipe(folder):
+    save_all(folder, slices(GRID))
+    (folder / "export").mkdir()
+    os.mkfifo(folder / "export" / "aside")
+    return folder
+
+
+@case("dicom-a-device-beside-a-named-slice", source="null(4)", told=("IM0099.dcm is a device or a socket, not a file: left out",))
+def device(folder):
+    save_all(folder, slices(GRID))
+    os.symlink("/dev/zero", folder / "IM0099.dcm")
+    return folder / "IM0003.dcm"
+
+
 def bare_file(name, syntax):
     @case(f"dicom-{name}", source="pydicom's no_meta.dcm, ExplVR_LitEndNoMeta.dcm")
     def write(folder):

@@ -304,10 +304,7 @@ Explore::DicomObject FindObjects(const std::string& folder)
     const std::string name = directory.GetFile(i);
     const std::string path = folder + "/" + name;
     const bool isFile = !vtksys::SystemTools::FileIsDirectory(path);
-    const auto [kind, cure] = !isFile ? Explore::DicomObject()
-      : Explore::DetectDevice(path).empty()
-      ? Explore::FindDicomObject(path)
-      : Explore::DicomObject{ "a pipe or a device in place of a file", "take it away" };
+    const auto [kind, cure] = isFile ? Explore::FindDicomObject(path) : Explore::DicomObject();
     if (!kind.empty() && found.Name.find(kind) == std::string::npos)
     {
       found.Name += (found.Name.empty() ? "" : ", ") + kind + " (" + name + ")";
@@ -318,8 +315,8 @@ Explore::DicomObject FindObjects(const std::string& folder)
 }
 
 /// Chooses a series. Throws InputError if there is no such series.
-std::size_t ChooseSeries(
-  const std::string& path, const std::vector<DicomSeries>& all, int wanted, bool hasFolders)
+std::size_t ChooseSeries(const std::string& path, const std::vector<DicomSeries>& all, int wanted,
+  const Explore::DicomFolderFacts& facts)
 {
   const Explore::DicomObject other = all.empty() ? FindObjects(path) : Explore::DicomObject();
   if (!other.Name.empty())
@@ -327,11 +324,16 @@ std::size_t ChooseSeries(
     throw InputError(
       path, "is a folder without a single DICOM slice, but has " + other.Name, other.Cure);
   }
+  if (all.empty() && !facts.Device.empty())
+  {
+    throw InputError(path, "is a folder without a single DICOM slice, but " + facts.Device,
+      "put a file in its place, or name another folder");
+  }
   if (all.empty())
   {
     throw InputError(path, "is a folder without a single DICOM slice",
-      hasFolders ? "name a folder that holds DICOM slices, or folders of them"
-                 : "name a folder of DICOM slices, or a volume file");
+      facts.HasFolders ? "name a folder that holds DICOM slices, or folders of them"
+                       : "name a folder of DICOM slices, or a volume file");
   }
   if (wanted > static_cast<int>(all.size()))
   {
@@ -492,8 +494,8 @@ void CheckParallel(
 }
 
 /// Loads one of several series. For `segment`, see ReadDicomSegmentation().
-Volume LoadSeries(
-  const std::string& path, const std::vector<DicomSeries>& all, std::size_t chosen, int segment = 0)
+Volume LoadSeries(const std::string& path, const std::vector<DicomSeries>& all, std::size_t chosen,
+  const Explore::DicomFolderFacts& facts = {}, int segment = 0)
 {
   Volume volume;
   const DicomSeries& series = all[chosen];
@@ -541,6 +543,10 @@ Volume LoadSeries(
     volume.Notes.push_back("series " + all[chosen].Describe(chosen + 1) + ", of " +
       std::to_string(all.size()) + " series; Series = N takes another one:" + ListSeries(all));
   }
+  if (!facts.Device.empty())
+  {
+    volume.Notes.push_back(facts.Device + ": left out");
+  }
   for (const DicomSeries& other : all)
   {
     const DicomHeader& slice = other.Slices.front();
@@ -558,9 +564,9 @@ namespace Explore
 {
 Volume ReadDicomFolder(const std::string& path, int series)
 {
-  bool hasFolders = false;
-  const std::vector<DicomSeries> all = ListDicomSeries(path, hasFolders);
-  return LoadSeries(path, all, ChooseSeries(path, all, series, hasFolders));
+  DicomFolderFacts facts;
+  const std::vector<DicomSeries> all = ListDicomSeries(path, facts);
+  return LoadSeries(path, all, ChooseSeries(path, all, series, facts), facts);
 }
 
 Volume ReadDicomFile(const std::string& path, int series)
@@ -578,11 +584,11 @@ Volume ReadDicomFile(const std::string& path, int series)
     const std::vector<DicomSeries> own = SortDicomSlices(ReadDicomSlices(whole));
     if (header.IsSegmentation() && own.size() == 1)
     {
-      Volume segments = LoadSeries(path, own, 0, series);
+      Volume segments = LoadSeries(path, own, 0, {}, series);
       ListSegments(segments, series);
       return segments;
     }
-    Volume volume = LoadSeries(path, own, ChooseSeries(path, own, series, false));
+    Volume volume = LoadSeries(path, own, ChooseSeries(path, own, series, {}));
     // number of entries: the file, the folder itself and its parent
     constexpr unsigned long alone = 3;
     if (vtksys::Directory::GetNumberOfFilesInDirectory(folder) > alone && !header.IsSegmentation())
@@ -595,15 +601,15 @@ Volume ReadDicomFile(const std::string& path, int series)
   {
     return ReadDicomFolder(folder, series);
   }
-  bool hasFolders = false;
-  const std::vector<DicomSeries> all = ListDicomSeries(folder, hasFolders, whole);
+  DicomFolderFacts facts;
+  const std::vector<DicomSeries> all = ListDicomSeries(folder, facts, whole);
   const auto found =
     std::find_if(all.begin(), all.end(), [&](const DicomSeries& one) { return one.Holds(whole); });
   if (found == all.end())
   {
     throw InputError(path, "is not there any more", "name the folder of its series");
   }
-  return LoadSeries(path, all, static_cast<std::size_t>(found - all.begin()));
+  return LoadSeries(path, all, static_cast<std::size_t>(found - all.begin()), facts);
 }
 
 bool IsDicomFile(const std::string& path)

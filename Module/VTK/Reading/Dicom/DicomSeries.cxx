@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Reading/Dicom/DicomSeries.h"
 
+#include "VTK/Reading/WholeFile.h"
+
 #include "vtkMath.h"
 
 #include <vtksys/Directory.hxx>
@@ -241,7 +243,7 @@ std::vector<DicomSeries> Part(const DicomSeries& series)
 }
 
 void AddFolder(const std::string& folder, int depth, std::set<std::string>& visited,
-  std::vector<DicomHeader>& all, bool& hasFolders)
+  std::vector<DicomHeader>& all, Explore::DicomFolderFacts& facts)
 {
   vtksys::Directory directory;
   directory.Load(folder);
@@ -260,12 +262,16 @@ void AddFolder(const std::string& folder, int depth, std::set<std::string>& visi
     }
     if (Files::FileIsDirectory(path))
     {
-      hasFolders = true;
+      facts.HasFolders = true;
       // A link may lead back to its own folder, or to another folder that was visited.
       if (depth < DEEPEST_FOLDER && visited.insert(Files::GetRealPath(path)).second)
       {
-        AddFolder(path, depth + 1, visited, all, hasFolders);
+        AddFolder(path, depth + 1, visited, all, facts);
       }
+    }
+    else if (const std::string fault = Explore::DetectDevice(path); !fault.empty())
+    {
+      facts.Device = facts.Device.empty() ? fault : facts.Device;
     }
     else
     {
@@ -343,12 +349,11 @@ std::vector<DicomSeries> SortDicomSlices(
 }
 
 std::vector<DicomSeries> ListDicomSeries(
-  const std::string& folder, bool& hasFolders, const std::string& named)
+  const std::string& folder, DicomFolderFacts& facts, const std::string& named)
 {
-  hasFolders = false;
   std::vector<DicomHeader> all;
   std::set<std::string> visited{ Files::GetRealPath(folder) };
-  AddFolder(folder, 0, visited, all, hasFolders);
+  AddFolder(folder, 0, visited, all, facts);
   return SortDicomSlices(all, named);
 }
 
@@ -364,9 +369,9 @@ bool ArePhases(const std::vector<std::string>& folders)
   std::vector<DicomHeader> slices;
   for (const std::string& folder : folders)
   {
-    bool hasFolders = false;
-    const std::vector<DicomSeries> found = ListDicomSeries(folder, hasFolders);
-    if (found.size() != 1 || hasFolders || !found.front().MorePhases.empty())
+    DicomFolderFacts facts;
+    const std::vector<DicomSeries> found = ListDicomSeries(folder, facts);
+    if (found.size() != 1 || facts.HasFolders || !found.front().MorePhases.empty())
     {
       return false;
     }

@@ -32,11 +32,17 @@ struct DicomSeries
   std::string Describe(std::size_t number) const;
 };
 
+/// What a folder has beside slices.
+struct DicomFolderFacts
+{
+  bool HasFolders = false;
+  std::string Device = {}; // first pipe or device, as DetectDevice() tells it
+};
+
 /// Lists all series in a folder and the folders below it, in the order of the numbers that the
-/// scanner has given them. Sets `hasFolders` to whether there were folders. See SortDicomSlices()
-/// for `named`.
+/// scanner has given them. Sets what else was found. See SortDicomSlices() for `named`.
 std::vector<DicomSeries> ListDicomSeries(
-  const std::string& folder, bool& hasFolders, const std::string& named = {});
+  const std::string& folder, DicomFolderFacts& facts, const std::string& named = {});
 
 /// Sorts slices into series, and removes copies: keeps the copy in the file `named`, or otherwise a
 /// complete copy. Slices of several volumes become several series.
