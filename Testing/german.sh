@@ -21,30 +21,6 @@ if ! locale -a | grep -qix 'de_DE\.utf-\?8'; then
   fi
   export LOCPATH=$folder
 fi
-failed=0
-run()
-{
-  mkdir "$folder/temporary"
-  local status=0
-  # Keep the system's own messages in English, as the tests expect them.
-  env -u LC_ALL -u LANGUAGE LANG=de_DE.UTF-8 LC_MESSAGES=C LD_PRELOAD="$library" TEST_TMPDIR="$folder/temporary" \
-    "$@" > "$folder/output" 2>&1 || status=$?
-  rm -rf "$folder/temporary"
-  return $status
-}
-# Run each test in a process of its own, as CTest does, because some tests change the rights of their process.
-for program in "$@"; do
-  cases=$("$program" --gtest_list_tests --gtest_filter="${GTEST_FILTER:-*}" | sed 's/ *#.*//')
-  suite=
-  while read -r word; do
-    if [[ $word == *. ]]; then
-      suite=$word
-    elif [[ -n $suite && -n $word && $word != DISABLED_* ]] && ! run "$program" --gtest_brief=1 \
-      --gtest_filter="$suite$word"; then
-      echo "$suite$word of $(basename "$program") fails in German:"
-      cat "$folder/output"
-      failed=1
-    fi
-  done <<< "$cases"
-done
-exit $failed
+# Keep the system's own messages in English, as the tests expect them.
+"$(dirname "${BASH_SOURCE[0]}")/each_case.sh" "in German" \
+  env -u LC_ALL -u LANGUAGE LANG=de_DE.UTF-8 LC_MESSAGES=C LD_PRELOAD="$library" -- "$@"
