@@ -118,6 +118,23 @@ def test_cures_of_options(shelf, explore, wrong, words, right):
         expect_forces(shelf, explore, f"{{}}/ramp.vti {right}")
 
 
+# Options that name a file to be read.
+READ = ("--device replay:{}.vtp", "--guide {}.csv", "--guide {}.mrk.json", "--guide {}.stl", "--guide {}.vtp", "--labels {}.nii",
+        "--labels {}.seg.nrrd", "--labels {}/labels.vti --materials {}.csv", "--measurements {}.csv", "--measurements {}.mrk.json",
+        "--measurements {}.vtp", "--preset {}.json", "--replay {}.vtp", "--script {}.txt", "--setup {}.json", "--tool {}.ply",
+        "--tool {}.stl", "--tool {}.vtp")
+
+
+@pytest.mark.parametrize("option", READ)
+def test_no_option_waits_for_a_pipe(shelf, explore, option):
+    ending = re.search(r"{}([.][.a-z]+)", option).group(1)
+    if not (shelf / f"pipe{ending}").exists():
+        os.mkfifo(shelf / f"pipe{ending}")
+    window = "" if "--script" in option else " --script {}/close.txt"
+    told = explore("{}/ramp.vti --size 150 " + option.replace("{}.", "{}/pipe.") + window)
+    assert told.returncode != 0 and f"pipe{ending}" in told.stderr and "is a pipe" in told.stderr, told.stderr
+
+
 def expect_forces(shelf, explore, options):
     cured = explore(f"{options} --size 100" if "--size" not in options else options)
     assert cured.returncode == 0, cured.stderr
