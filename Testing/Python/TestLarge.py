@@ -46,6 +46,23 @@ def test_what_was_not_measured_is_felt_as_the_least_value(missing):
     expect_same(touch(open_large(Sliced(masked)), make_tip(), "MRI"), expected)
 
 
+@pytest.mark.parametrize("shift", [0, 1024])
+@pytest.mark.parametrize("bad", [np.inf, -np.inf, 1e38, -1e38])
+def test_one_voxel_does_not_hide_hounsfield_units(bad, shift):
+    """NumPy makes the CT, as it was before: the force must be that without the voxel, which no kernel on the path reads."""
+    z, y, x = np.meshgrid(*map(np.arange, (80, 60, 300)), indexing="ij", sparse=True)
+    body = (z + 3 * np.sin(0.05 * x) + 0 * y < 42).astype(np.float32)
+    head = 1040 * body - 1000 + shift + np.random.default_rng(3).normal(0, 12, body.shape).astype(np.float32)
+    expected = touch(image(head), make_tip(), "CT contrast")
+    assert arrays(expected)["NormalForce"].max() > 0.5
+    head[5, 7, 9] = bad
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        felt = touch(image(head), make_tip(), "CT contrast")
+    expect_same(felt, expected)
+    expect_same(touch(open_large(Sliced(head)), make_tip(), "CT contrast"), expected)
+
+
 class Sliced:
     """An object with only those parts of a NumPy array that open_large() needs; it records what is requested."""
 

@@ -159,14 +159,14 @@ std::string DescribeOutside(const OutsideSamples& outside, vtkDataArray* scalars
   text << (hasHoles ? " It has " : "");
   if (outside.AreNonFinite)
   {
-    text << "samples that are no numbers";
+    text << "samples that are no numbers in a corner";
   }
   if (!std::isnan(outside.Missing))
   {
     text << (outside.AreNonFinite ? ", and " : "") << "the value " << outside.Missing
-         << ", which is taken for \"missing\",";
+         << ", which is taken for \"missing\"";
   }
-  text << " in a corner: all such samples are outside, and felt as " << outside.Fill << ".";
+  text << ": all such samples are outside, and felt as " << outside.Fill << ".";
   if (!std::isnan(outside.Missing))
   {
     text << " If it was measured, shift all values by 1, and the functions with them.";

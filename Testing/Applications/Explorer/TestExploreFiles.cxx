@@ -257,6 +257,11 @@ int TestExploreFiles(int argc, char* argv[])
   const vtkSmartPointer<vtkImageData> head = LoadHead(argc, argv);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   ExpectCT(head, "infinite.vti", infinity, false, "");
+  for (const double enormous : { 1e38, -1e38 })
+  {
+    ExpectCT(head, "enormous.vti", enormous, false, "is taken for \"missing\"");
+    ExpectCT(head, "enormous.vti", enormous, false, "Hounsfield units + 1024", 1024.0);
+  }
   ExpectCT(head, "masked.vti", std::nan(""), true, "has samples that are no numbers");
   for (const double missing : { -9999.0, -32768.0, 1e37 })
   {

@@ -127,3 +127,43 @@ TEST(GradientKernel, RadiusIsLimited)
   EXPECT_EQ(GradientKernel(GradientEstimator::Gaussian, 99).Radius, GradientKernel::MaximumRadius);
   EXPECT_TRUE(GradientKernel(GradientEstimator::CentralDifference, 3).Table.empty());
 }
+
+// The table in Documentation/method.md: the standard deviation of the weights, by their first two
+// moments, which the fields x and x^2 show.
+TEST(GradientKernel, BlursAsTheMethodSays)
+{
+  struct Row
+  {
+    int Radius;
+    double Paper;
+    double Precise;
+  };
+  for (const Row& row : { Row{ 1, 0.53, 0.54 }, Row{ 2, 1.00, 0.97 }, Row{ 3, 1.42, 1.34 },
+         Row{ 4, 1.84, 1.71 }, Row{ 6, 2.65, 2.43 }, Row{ 8, 3.45, 3.14 } })
+  {
+    const std::int64_t size = 4 * (row.Radius + 1) + 1;
+    const auto middle = static_cast<double>(size / 2);
+    TestVolume first(ScalarType::Float64, { size, size, size });
+    TestVolume second(ScalarType::Float64, { size, size, size });
+    const auto along = [&](std::int64_t i) { return static_cast<double>(i) - middle; };
+    first.Fill<double>([&](std::int64_t i, std::int64_t, std::int64_t) { return along(i); });
+    second.Fill<double>(
+      [&](std::int64_t i, std::int64_t, std::int64_t) { return along(i) * along(i); });
+    for (const bool isOwn : { false, true })
+    {
+      const GradientKernel kernel(GradientEstimator::Gaussian, row.Radius,
+        isOwn ? GaussianWeights::OwnDerivative : GaussianWeights::FittedLine);
+      const FieldSampler mean(first.View, kernel);
+      const FieldSampler square(second.View, kernel);
+      double variance = 0.0;
+      constexpr int places = 100;
+      for (int i = 0; i < places; ++i)
+      {
+        const Vector3 at{ middle + (i + 0.5) / places, middle, middle };
+        const double m = mean.Gradient(at).Value;
+        variance += (square.Gradient(at).Value - m * m) / places;
+      }
+      EXPECT_NEAR(std::sqrt(variance), isOwn ? row.Precise : row.Paper, 0.0055) << row.Radius;
+    }
+  }
+}

@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <random>
 #include <sstream>
 
 using namespace apitest;
@@ -312,6 +313,59 @@ TEST_F(FilterMeasured, OneBadVoxelIsNoOutside)
     image->Modified();
     EXPECT_TRUE(IsSame(this->Feel(image), expected)) << bad;
     EXPECT_TRUE(this->Log.Warnings.empty());
+  }
+}
+
+// A number that programs write for missing values, and that is far from all others, is outside
+// wherever it is. If it counted, a range up to 1e38 would hide all edges.
+TEST_F(FilterMeasured, OneEnormousVoxelIsOutside)
+{
+  for (const double bad : { 1e38, -1e37, 1e20 })
+  {
+    const auto image = MakeBall({ "", VTK_FLOAT, Air }, false);
+    const auto expected = this->Feel(image);
+    image->SetScalarComponentFromDouble(6, 6, 6, 0, bad);
+    image->Modified();
+    EXPECT_TRUE(IsSame(this->Feel(image), expected)) << bad;
+    ASSERT_EQ(this->Log.Warnings.size(), 1U) << bad;
+    EXPECT_NE(this->Log.Warnings[0].find("is taken for \"missing\": all such samples are outside"),
+      std::string::npos)
+      << this->Log.Warnings[0];
+    this->Log.Warnings.clear();
+  }
+}
+
+TEST_F(FilterMeasured, OneVoxelDoesNotHideHounsfieldUnits)
+{
+  std::mt19937 random(51);
+  std::normal_distribution<double> noise(0.0, 15.0);
+  for (const double shift : { 0.0, 1000.0, 1024.0, 32768.0 })
+  {
+    // Values are stored higher so that none is below 0.
+    const double least = shift > 0.0 ? 0.0 : -2000.0;
+    const auto image = MakeImage(Size, VTK_FLOAT,
+      [&](const Point& p) { return std::max(least, BallAt(p, shift) + noise(random)); });
+    for (const double bad : { NaN, Infinity, -Infinity, 1e38, -1e38 })
+    {
+      SCOPED_TRACE(bad);
+      image->SetScalarComponentFromDouble(6, 6, 6, 0, bad);
+      image->Modified();
+      ASSERT_TRUE(this->Property->ApplyPreset("CT contrast"));
+      this->Log.Warnings.clear();
+      EXPECT_GT(MostForce(this->Feel(image)), 0.5);
+      EXPECT_EQ(this->Property->GetFoundShift(), -shift);
+      for (const std::string& warning : this->Log.Warnings)
+      {
+        EXPECT_EQ(warning.find("can't be a CT"), std::string::npos) << warning;
+      }
+      // a region of the same volume
+      vtkNew<vtkHapticRegionFilter> crop;
+      crop->SetInputData(image);
+      crop->SetRegion(3, 36, 3, 36, 5, 39);
+      this->Filter->SetInputConnection(crop->GetOutputPort());
+      this->Filter->Update();
+      EXPECT_EQ(this->Property->GetFoundShift(), -shift) << "of a region";
+    }
   }
 }
 

@@ -224,6 +224,19 @@ TEST_F(ProposalInput, MissingSamplesAreLeftOut)
   this->ExpectBalls(1.0, 0.02);
 }
 
+TEST_F(ProposalInput, OneEnormousSampleHidesNoEdges)
+{
+  const auto image = apitest::MakeImage(Small, VTK_FLOAT, Rounded);
+  for (const double enormous : { std::numeric_limits<double>::infinity(), 1e38, -1e38 })
+  {
+    SCOPED_TRACE(enormous);
+    image->SetScalarComponentFromDouble(2, 3, 4, 0, enormous);
+    image->Modified();
+    ASSERT_TRUE(this->Property->ProposeFromImage(image));
+    this->ExpectBalls(1.0, 0.02);
+  }
+}
+
 // Labels and masks have edges without blur.
 TEST_F(ProposalInput, StepsAreEdges)
 {

@@ -73,6 +73,11 @@ OutsideSamples DetectOutside(const NoiseSamples& samples)
     return outside; // no sample is inside
   }
   const bool isOneValue = inside[0] == inside[1];
+  const auto isFar = [&](double value)
+  {
+    return !isOneValue &&
+      std::max(inside[0] - value, value - inside[1]) > LeastGap * (inside[1] - inside[0]);
+  };
   std::size_t holes = 0;
   for (std::size_t s = 0; s < samples.Indices.size(); ++s)
   {
@@ -83,16 +88,22 @@ OutsideSamples DetectOutside(const NoiseSamples& samples)
     {
       continue;
     }
-    const double gap = std::max(inside[0] - value, value - inside[1]);
     if (!isNumber)
     {
       outside.AreNonFinite = true;
     }
     // If several numbers qualify, the smallest one is used, so that the order of the pieces does
     // not matter. If there are only two values, neither stands for missing values.
-    else if (!isOneValue && gap > LeastGap * (inside[1] - inside[0]) && !(outside.Missing <= value))
+    else if (isFar(value) && !(outside.Missing <= value))
     {
       outside.Missing = value;
+    }
+  }
+  for (const double end : samples.Range)
+  {
+    if (std::isnan(outside.Missing) && IsEnormous(end) && isFar(end))
+    {
+      outside.Missing = end;
     }
   }
   outside.Holes = outside.AreNonFinite || holes == 0

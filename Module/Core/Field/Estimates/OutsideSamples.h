@@ -54,7 +54,7 @@ bool MayBeMissing(double value);
 /**
  * Finds the samples of a whole volume that are outside. A number in a corner stands for missing
  * values if MayBeMissing() returns true, and if it differs from all other values by at least a
- * tenth of their range, which must not be 0.
+ * tenth of their range, which must not be 0. From 1e20 on, it does so in any place.
  */
 OutsideSamples DetectOutside(const NoiseSamples& samples);
 
