@@ -5,6 +5,7 @@
  * Tests two different devices at once, each with its own loop: neither disturbs the other.
  */
 
+#include "Emulators/SpaceMouseModel.h"
 #include "StickRig.h"
 #include "WoodenRig.h"
 
@@ -31,6 +32,16 @@ public:
   using Pid::Hid;
   using Pid::Model;
   using Pid::Options;
+};
+
+/// A six-axis mouse whose cap leads a tip without force.
+struct MousePart
+{
+  SpaceMouseModel Model{ SpaceMouseModel::Kind::Compact };
+  EmulatedHid Hid{ this->Model };
+  ModelClock Clock{ [this] { this->Model.Step(); } };
+  Floor Ground{ 0.0 };
+  DeviceBench Bench;
 };
 } // namespace
 
@@ -83,6 +94,63 @@ TEST(HidTogether, TwoOfOneKindComeBackEachAsItself)
   ASSERT_NO_FATAL_FAILURE(first.Feel());
   EXPECT_EQ(Size(second.Model.GetForce()), 0.0) << "it was not armed";
   EXPECT_EQ(first.Bench.Device->GetIdentity(), one);
+}
+
+TEST(HidTogether, AHubThatLosesAllGivesEachBackWithoutForce)
+{
+  WoodenPart arms[2];
+  StickPart stick;
+  MousePart mice[2];
+  ASSERT_TRUE(stick.Bench.Open("pid", stick.Options)) << stick.Bench.Error;
+  ASSERT_NO_FATAL_FAILURE(stick.Feel());
+  for (int i = 0; i < 2; ++i)
+  {
+    ASSERT_TRUE(arms[i].Bench.Open("wooden:" + std::to_string(i))) << arms[i].Bench.Error;
+    ASSERT_NO_FATAL_FAILURE(arms[i].Feel());
+    ASSERT_NO_FATAL_FAILURE(
+      mice[i].Bench.Begin("spacemouse:" + std::to_string(i), mice[i].Ground.Model));
+  }
+  ASSERT_NE(arms[0].Bench.Device->GetIdentity(), arms[1].Bench.Device->GetIdentity());
+  EXPECT_EQ(ListDevices().size(), 5U);
+
+  stick.Hid.Unplug();
+  for (int i = 0; i < 2; ++i)
+  {
+    arms[i].Hid.Unplug();
+    mice[i].Hid.Unplug();
+  }
+  EXPECT_TRUE(ListDevices().empty());
+  EXPECT_TRUE(stick.Bench.WaitForFault(GateReason::DeviceLost));
+  for (int i = 0; i < 2; ++i)
+  {
+    EXPECT_TRUE(arms[i].Bench.WaitForFault(GateReason::DeviceLost));
+    EXPECT_TRUE(mice[i].Bench.WaitForFault(GateReason::DeviceLost));
+    arms[i].Model.PowerUp();
+  }
+  stick.Model.PowerUp();
+
+  // The second one of each kind is found first.
+  for (int i = 1; i >= 0; --i)
+  {
+    mice[i].Hid.PlugIn();
+    mice[i].Bench.ExpectBack();
+    arms[i].Hid.PlugIn();
+    arms[i].Bench.ExpectBack();
+    EXPECT_EQ(Size(arms[i].Model.GetForce()), 0.0);
+    if (i == 1)
+    {
+      EXPECT_EQ(arms[0].Bench.Device->GetCondition().Stage, DeviceStage::Lost) << "not its twin";
+      EXPECT_EQ(mice[0].Bench.Device->GetCondition().Stage, DeviceStage::Lost) << "not its twin";
+    }
+  }
+  stick.Hid.PlugIn();
+  stick.Bench.ExpectBack();
+  EXPECT_EQ(Size(stick.Model.GetForce()), 0.0);
+  // Only one of them is armed.
+  arms[0].Bench.Stop();
+  ASSERT_NO_FATAL_FAILURE(arms[0].Feel());
+  EXPECT_EQ(Size(arms[1].Model.GetForce()), 0.0);
+  EXPECT_EQ(Size(stick.Model.GetForce()), 0.0);
 }
 
 TEST(HidTogether, AStickIsNotMistakenForItsTwinWithTheSameSerialNumber)
