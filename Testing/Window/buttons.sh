@@ -5,8 +5,9 @@
 # Uses the explorer by its buttons and menus alone, with real mouse events on a screen of its own: touches and holds,
 # measures, undoes, saves, and chooses another preset, a cut, slices, a picture, a recording and a tool. Opens another
 # file by the desktop's dialog (a stand-in program chooses at once), and a recent file. Then Ctrl+O opens the dialog,
-# too. If the dialog fails, a list in the window takes its place. While a dialog waits, the explorer handles signals as
-# before, closes, and ends on SIGTERM.
+# too. If the dialog fails or can't open its window, a list in the explorer's window takes its place. While a dialog
+# waits, the explorer handles signals as before, closes, and ends on SIGTERM. A picture that is taken while the mouse
+# moves shows the volume.
 #
 # usage: buttons.sh [--pictures FOLDER] EXPLORER VOLUME
 #
@@ -15,7 +16,7 @@ set -euo pipefail
 
 # shellcheck source=own-screen.sh
 source "$(dirname "${BASH_SOURCE[0]}")/own-screen.sh"
-require_programs "xvfb xauth openbox xdotool wmctrl x11-utils" xvfb-run openbox xdotool wmctrl xprop
+require_programs "xvfb xauth openbox xdotool wmctrl x11-utils imagemagick" xvfb-run openbox xdotool wmctrl xprop compare
 take_own_screen "$@"
 pictures=""
 if [[ "$1" == --pictures ]]
@@ -36,6 +37,7 @@ echo "\$*" >> "$folder/dialogs"
 case \$(cat "$folder/manner") in
   choose) echo "$folder/data/second.vti" ;;
   fail) exit 127 ;;
+  refuse) exit 1 ;; # as zenity does without a screen
   wait) echo \$\$ > "$folder/dialog" && exec sleep 300 ;;
 esac
 END
@@ -50,22 +52,22 @@ button_width=$((size / 13))
 go()
 {
   xdotool mousemove --window "$window" "$1" "$2"
-  sleep 0.3
 }
 click_button()
 {
   go $(($1 * button_width + button_width / 2)) $((button_width / 2))
   xdotool click 1
-  sleep 0.6
 }
 choose()
 {
   click_button "$1"
-  [[ -z "$pictures" ]] || import -window "$window" "$pictures/menu-$1.png"
+  if [[ -n "$pictures" ]]
+  then
+    sleep 1 # until the menu is drawn
+    import -window "$window" "$pictures/menu-$1.png"
+  fi
   xdotool mousemove_relative -- 20 $((button_width / 2 + 8 + $2 * 19 + 9))
-  sleep 0.4
   xdotool click 1
-  sleep 0.6
 }
 FILE=1 TOUCH=2 HOLD=3 PRESET=5 TOOL=6 CUT=7 SLICES=8 MEASURE=9 RECORD=10
 has_read()
@@ -82,8 +84,9 @@ start_window_manager
 child=$!
 wait_for_window "VTK Volume Haptics: first.vti"
 
-# Hold the hand where it presses, so that the pointer can go to the buttons without the hand. On a busy machine, the
-# events of a press may come in one frame, so that nothing is touched; then try again.
+# Hold the hand where it presses, so that the pointer can go to the buttons without the hand. The servo takes its time
+# for a press. On a busy machine, the events of a press may come in one frame, so that nothing is touched; then try
+# again.
 press_hold_and_measure()
 {
   click_button $HOLD # also begins the touch
@@ -91,21 +94,25 @@ press_hold_and_measure()
   xdotool click --repeat 6 --delay 120 4
   sleep 1
   xdotool click 1
-  sleep 0.5
   choose $MEASURE 1
   choose $FILE 1
-  sleep 1
 }
 has_positions()
 {
   [[ $(count_positions) -eq $1 ]]
 }
-for _ in 1 2 3 4 5
-do
+has_measured()
+{
   press_hold_and_measure
-  [[ ! -s measurements-001.mrk.json ]] || break
+  for _ in 1 2 3 4 5 6 7 8 9 10
+  do
+    [[ ! -s measurements-001.mrk.json ]] || return 0
+    sleep 0.3
+  done
   click_button $TOUCH # lets go
-done
+  return 1
+}
+wait_for "a press that can be measured" has_measured
 wait_for "a file with a point" has_positions 1
 choose $MEASURE 1
 choose $MEASURE 1
@@ -121,22 +128,57 @@ wait_for "the second preset" test -s preset-002.json
 ! cmp -s preset-001.json preset-002.json || fail "another preset changes nothing"
 xdotool key Escape
 
-# A picture shows the last complete frame; frames that an event interrupts are left out. So take pictures until one is
-# different.
 picture=0
-take_other_picture()
+take_picture()
 {
-  choose $RECORD 3
+  "$@"
   picture=$((picture + 1))
-  wait_for "picture $picture" test -s "$(printf 'picture-%03d.png' $picture)"
-  [[ $picture -eq 1 ]] ||
-    ! cmp -s "$(printf 'picture-%03d.png' $((picture - 1)))" "$(printf 'picture-%03d.png' $picture)"
+  last=$(printf 'picture-%03d.png' $picture)
+  wait_for "picture $picture" is_complete "$last"
 }
-take_other_picture
+is_complete()
+{
+  [[ "$(tail -c 8 "$1")" == *IEND* ]]
+}
+# usage: shows_same FIRST SECOND
+# Succeeds if two pictures show the same cheek, which no text covers.
+shows_same()
+{
+  local different
+  different=$(compare -metric AE -fuzz 10% -extract 30x40+236+190 "$1" "$2" null: 2>&1) || true
+  echo "$different of 1200 pixels of $1 and $2 differ"
+  [[ ${different%%.*} -lt 300 ]]
+}
+# The picture shows a whole frame, so that each command changes it.
+take_picture choose $RECORD 3
+whole=$last
 choose $CUT 2
-wait_for "a cut" take_other_picture
+take_picture choose $RECORD 3
+! cmp -s "$whole" "$last" || fail "a cut changes nothing in the picture"
 click_button $SLICES
-wait_for "slices" take_other_picture
+before=$last
+take_picture choose $RECORD 3
+! cmp -s "$before" "$last" || fail "slices change nothing in the picture"
+click_button $SLICES
+choose $CUT 1
+
+# Input interrupts a frame, but not that of a picture.
+move_on()
+{
+  while xdotool mousemove_relative 2 0 mousemove_relative -- -2 0
+  do
+    :
+  done
+}
+go $((size / 2)) $((size / 2))
+move_on &
+mover=$!
+for _ in 1 2 3
+do
+  take_picture xdotool key F12
+  shows_same "$whole" "$last" || fail "a picture that is taken while the mouse moves lacks the volume"
+done
+kill $mover
 choose $RECORD 2
 sleep 1
 choose $RECORD 2
@@ -156,11 +198,21 @@ wait_for "the file of the dialog again" has_read second.vti 2
 wait_for_window "VTK Volume Haptics: second.vti"
 
 echo fail > manner
+# Chooses the file before or after the present one, once there is a list: the keys do nothing else.
+# usage: list_gives KEY FILE TIMES
+list_gives()
+{
+  xdotool key "$1" Return
+  sleep 0.5
+  has_read "$2" "$3"
+}
 xdotool key ctrl+o
-sleep 1
-xdotool key Up Return # goes from the present file to the previous one
-wait_for "the file of the list" has_read first.vti 3
+wait_for "the file of the list" list_gives Up first.vti 3
 wait_for_window "VTK Volume Haptics: first.vti"
+echo refuse > manner
+xdotool key ctrl+o
+wait_for "the file of the list of a dialog without a window" list_gives Down second.vti 3
+wait_for_window "VTK Volume Haptics: second.vti"
 
 list_signals()
 {

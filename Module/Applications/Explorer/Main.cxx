@@ -152,6 +152,7 @@ void WritePictures(Explore::Exploration& exploration, const Explore::Options& op
   const Explore::SceneOptions look = MakeLook(exploration, options);
   Explore::ExplorerScene scene;
   Explore::BuildScene(scene, exploration, look);
+  scene.Window->Render();
   Explore::WritePicture(scene.Window, options.Folder + "/explore.png");
   std::cout << "explore.png (" << scene.MapperName << ")\n";
 
@@ -162,6 +163,7 @@ void WritePictures(Explore::Exploration& exploration, const Explore::Options& op
   paper.Modes = Explore::NameModes(exploration.Filter);
   Explore::ForcePicture chart;
   Explore::BuildForcePicture(chart, exploration.Trace, exploration.Tip.Phases, paper);
+  chart.Window->Render();
   Explore::WritePicture(chart.Window, options.Folder + "/force.png");
   std::cout << "force.png\n";
 }

@@ -183,15 +183,16 @@ void CommandBar::Dock()
     this->Strip.GiveBack();
     return;
   }
-  // The bar has labels if they fit; their widths are known after the first frame.
+  this->MeasureLabels();
+  // The bar has labels if they fit.
   float labelled = 2.0f * GAP;
   for (const float width : this->LabelWidths)
   {
     labelled += std::max(this->ToPixels(BUTTON), width + 2.0f * this->ToPixels(LABEL_GAP));
   }
   constexpr int roomy = 400; // points: in a lower window, labels take too much
-  this->HasLabels = !this->LabelWidths.empty() && labelled <= static_cast<float>(size[0]) &&
-    size[1] >= static_cast<int>(this->ToPixels(roomy));
+  this->HasLabels =
+    labelled <= static_cast<float>(size[0]) && size[1] >= static_cast<int>(this->ToPixels(roomy));
   const float most = static_cast<float>(size[0]) / static_cast<float>(this->Buttons.size());
   const float icon = std::clamp(most, this->ToPixels(SMALLEST), this->ToPixels(BUTTON));
   this->Height = this->HasLabels ? this->ToPixels(BUTTON + LABEL_HEIGHT) : icon;
@@ -445,7 +446,7 @@ void CommandBar::UpdateButtons()
   }
 }
 
-void CommandBar::LayOut()
+void CommandBar::MeasureLabels()
 {
   const double scale = VolumeHaptics::PixelsPerPoint(this->Renderer.Get());
   if (this->LabelWidths.empty() || scale != this->LabelScale)
@@ -457,6 +458,10 @@ void CommandBar::LayOut()
       this->LabelWidths.push_back(this->MeasureWidth(button.Label, LABEL_LETTERS, false));
     }
   }
+}
+
+void CommandBar::LayOut()
+{
   const int* const size = this->Window->GetSize();
   const auto right = static_cast<float>(size[0]);
   const float bottom = static_cast<float>(size[1]) - this->Height;

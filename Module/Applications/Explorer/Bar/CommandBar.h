@@ -78,6 +78,7 @@ private:
   int FindRow(int x, int y) const;
 
   void UpdateButtons();
+  void MeasureLabels();
   void LayOut();
   void DrawButtons(vtkContext2D* painter);
   void DrawPicture();

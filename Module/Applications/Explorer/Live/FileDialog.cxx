@@ -88,6 +88,7 @@ bool FileDialog::Open(const std::string& folder)
   {
     this->Close();
   }
+  this->Begin = this->Seen = Clock::now();
   return this->IsOpen();
 }
 
@@ -98,6 +99,7 @@ FileDialog::State FileDialog::Poll(std::string& path)
   const pid_t ended = waitpid(this->Process, &status, WNOHANG);
   if (ended == 0 || (ended < 0 && errno == EINTR))
   {
+    this->Seen = Clock::now();
     return State::Open;
   }
   this->Process = -1;
@@ -105,7 +107,13 @@ FileDialog::State FileDialog::Poll(std::string& path)
   path = this->Output.substr(0, this->Output.find_last_not_of("\r\n") + 1);
   this->Close();
   const int code = ended > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return code == 0 && !path.empty() ? State::Chosen : code == 1 ? State::Cancelled : State::Failed;
+  // The programs end with 1 if the user cancels, and also if they can't open a window. No user
+  // cancels so soon.
+  constexpr std::chrono::milliseconds soon(500);
+  const bool isCancelled = code == 1 && this->Seen - this->Begin > soon;
+  return code == 0 && !path.empty() ? State::Chosen
+    : isCancelled                   ? State::Cancelled
+                                    : State::Failed;
 }
 
 void FileDialog::Read()

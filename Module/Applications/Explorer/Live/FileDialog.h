@@ -3,6 +3,7 @@
 #ifndef Explore_FileDialog_h
 #define Explore_FileDialog_h
 
+#include <chrono>
 #include <string>
 
 namespace Explore
@@ -33,12 +34,16 @@ public:
   State Poll(std::string& path);
 
 private:
+  using Clock = std::chrono::steady_clock;
+
   void Read();
   void Close();
 
   int Process = -1;   // id; -1: no dialog is open
   int Pipe = -1;      // end from which the program's output is read
   std::string Output; // output of the dialog's program
+  Clock::time_point Begin;
+  Clock::time_point Seen; // when the program was last known to run
 };
 } // namespace Explore
 

@@ -83,6 +83,7 @@ void WindowRecorder::TakePicture()
   const std::string file = FindFreePath("picture", ".png");
   try
   {
+    this->Touch.Style->DrawWholeFrame();
     WritePicture(this->Touch.Scene.Window, file);
     this->Touch.Display->SetNotice(("Picture saved to " + file).c_str());
   }

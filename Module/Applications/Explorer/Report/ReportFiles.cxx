@@ -78,7 +78,6 @@ void WriteImage(vtkImageData* image, const std::string& file)
 
 void WritePicture(vtkRenderWindow* window, const std::string& file)
 {
-  window->Render();
   vtkNew<vtkWindowToImageFilter> grab;
   grab->SetInput(window);
   grab->ReadFrontBufferOff();

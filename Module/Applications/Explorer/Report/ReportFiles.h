@@ -25,7 +25,7 @@ void WriteTable(vtkPolyData* trace, const std::string& file);
 /// Writes an image in VTK's XML format, with all of its arrays, uncompressed.
 void WriteImage(vtkImageData* image, const std::string& file);
 
-/// Renders the window into a PNG file.
+/// Writes the last frame of the window to a PNG file.
 void WritePicture(vtkRenderWindow* window, const std::string& file);
 
 void WriteText(const std::string& text, const std::string& file);

@@ -472,7 +472,7 @@ void FrameQuality::Interrupt()
   {
     const bool isSlow = this->IsArmed && this->AtRest.Steps < RayPace::MostSteps &&
       std::max(this->GetElapsed(), this->EstimateTime().value_or(0.0)) > LongestTry;
-    const bool hasInput = HasPendingInput(this->Window);
+    const bool hasInput = this->IsInterruptible && HasPendingInput(this->Window);
     this->IsGivenUp = isSlow && !hasInput;
     this->Window->SetAbortRender(isSlow || hasInput || this->Window->GetAbortRender());
   }

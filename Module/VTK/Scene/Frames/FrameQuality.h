@@ -161,6 +161,9 @@ public:
    */
   void SetWindow(vtkRenderWindow* window, bool offScreen = false);
 
+  /** Sets whether input interrupts frames at rest. */
+  void SetInterruptible(bool is) { this->IsInterruptible = is; }
+
   /** Reasons to draw a frame again. */
   enum class Interruption
   {
@@ -261,6 +264,7 @@ private:
    */
   int SlowFrames = 0;
   double CoarseTime = 0.0; ///< time of frames in motion with coarse kept rays (s)
+  bool IsInterruptible = true;
   bool IsFine = false;    ///< whether the current frame in motion uses the fine rays kept from rest
   bool IsExposed = false; ///< whether the interactor is about to draw the window
   bool IsResized = false; ///< whether the frame is drawn as in motion because the size has changed

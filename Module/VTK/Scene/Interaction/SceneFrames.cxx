@@ -78,6 +78,21 @@ void SceneFrames::Draw(bool quickly)
   }
 }
 
+bool SceneFrames::DrawWhole()
+{
+  constexpr int most = 6; // frames; while armed, a slow frame is drawn again with fewer rays
+  this->Quality.SetInterruptible(false);
+  auto why = FrameQuality::Interruption::Slow;
+  for (int i = 0; i < most && why != FrameQuality::Interruption::None; ++i)
+  {
+    this->Quality.DrainInterruption();
+    this->Draw(false);
+    why = this->Quality.DrainInterruption();
+  }
+  this->Quality.SetInterruptible(true);
+  return this->Scene.Style->GetInteractor() && !this->Window.IsClosed();
+}
+
 void SceneFrames::PollEditor()
 {
   constexpr double step = 0.05;

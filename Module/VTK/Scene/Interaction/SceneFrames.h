@@ -37,6 +37,8 @@ public:
     this->Quality.SetWindow(window, offScreen);
   }
   void Draw(bool quickly);
+  /** Draws a fine frame that no input interrupts. Returns false if there is no open window. */
+  bool DrawWhole();
   /**
    * Draws a frame if one is due, and returns whether it did. The timer calls this. `isNew`: whether
    * the device has a new state.

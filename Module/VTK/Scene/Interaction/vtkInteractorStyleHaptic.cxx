@@ -498,6 +498,12 @@ bool vtkInteractorStyleHaptic::DrawHaptics()
 }
 
 //------------------------------------------------------------------------------
+bool vtkInteractorStyleHaptic::DrawWholeFrame()
+{
+  return this->Internals->Interaction.Frames.DrawWhole();
+}
+
+//------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::DrawScene(bool quickly)
 {
   if (!this->Interactor)

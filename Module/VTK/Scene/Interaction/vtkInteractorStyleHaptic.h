@@ -450,6 +450,12 @@ public:
    */
   bool DrawHaptics();
 
+  /**
+   * Draw a frame as at rest which no input interrupts, such as for a picture in a file. An
+   * interrupted frame lacks the volumes. Returns false if the window is closed.
+   */
+  bool DrawWholeFrame();
+
   ///@{
   /**
    * Feel what a volume shows, and follow it. From now on, each update of the haptics gives the
