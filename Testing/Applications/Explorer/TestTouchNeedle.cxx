@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Presses a needle into the forehead in the explorer's window. Ctrl+E writes the needle's track; on
-// a full disk, the program reports the error and leaves no file.
+// Presses a needle into the forehead in the explorer's window. The needle has its hub before it is
+// inserted. Ctrl+F holds the hand, because Ctrl presses in depth. Ctrl+E writes the needle's track;
+// on a full disk, the program reports the error and leaves no file.
+#include "Applications/Explorer/Live/HandHold.h"
 #include "Applications/Explorer/Live/HandTool.h"
 #include "Expectations.h"
+#include "Rigs/DrawnPixels.h"
 #include "Rigs/FullDisk.h"
 #include "TouchedHead.h"
 
@@ -14,6 +17,7 @@
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -27,6 +31,21 @@ std::string PressWithCtrl(TouchedHead& head, const char* letter)
   head.Interactor->SetControlKey(0);
   std::cout.rdbuf(before);
   return text.str();
+}
+
+/// Counts the pixels of a new frame that have the blue of the needle's hub.
+int CountHub(TouchedHead& head)
+{
+  vtkRenderWindow* const window = head.Touch.Scene.Window;
+  window->Render();
+  const int* const size = window->GetSize();
+  const std::vector<double> levels = apitest::ReadPixels(window, 0, 0, size[0] - 1, size[1] - 1);
+  int count = 0;
+  for (std::size_t i = 0; i < levels.size(); i += 3)
+  {
+    count += levels[i + 2] > 140.0 && levels[i + 2] > levels[i] + 90.0 ? 1 : 0;
+  }
+  return count;
 }
 
 bool Contains(const std::string& text, const std::string& part)
@@ -43,7 +62,20 @@ int TestTouchNeedle(int argc, char* argv[])
     std::filesystem::path(MakeTestFolder(argc, argv, "TouchNeedle")) / "track-001.vtp";
   std::filesystem::remove(file);
   std::filesystem::current_path(file.parent_path());
+  head.TouchAt(165, 160, [] {});
+  const int pen = CountHub(head);
+  Expect(pen < 10, "a pen has no hub, but " + std::to_string(pen) + " of its pixels");
   const Explore::HandTool tool(head.Touch, head.Exploration, "needle");
+  head.TouchAt(165, 160, [] {});
+  const int needle = CountHub(head);
+  Expect(needle > 40, "a needle in the air has a hub of " + std::to_string(needle) + " pixels");
+  {
+    const Explore::HandHold hold(head.Touch);
+    PressWithCtrl(head, "f");
+    Expect(head.Touch.Style->GetHoldClicks() == 1, "Ctrl+F holds a touching hand");
+    PressWithCtrl(head, "f");
+    Expect(head.Touch.Style->GetHoldClicks() == 0, "Ctrl+F lets a held hand go on");
+  }
   Expect(
     Contains(PressWithCtrl(head, "e"), "has no track"), "there is no track without a puncture");
   head.TouchAt(165, 160, [&] { head.Press(165, 160, 6); });

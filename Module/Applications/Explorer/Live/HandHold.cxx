@@ -17,7 +17,11 @@ HandHold::HandHold(TouchScene& touch)
   touch.Commands.Add(this,
     { "Touch", "hold the hand where it is; go on", "f", [this] { this->Toggle(1); },
       [&touch] { return touch.Style->GetHoldClicks() == 1; }, isUsable });
-  // The button has no line of its own in the menu.
+  // While Ctrl presses in depth, the key of a touching hand works, too. Neither this key nor the
+  // button has a line of its own in the menu.
+  touch.Commands.Add(this,
+    { "", "hold", "Ctrl+f", [this] { this->Toggle(1); }, nullptr, isUsable, Icon::None,
+      [&touch] { return touch.Style->GetTouchMode(); } });
   touch.Commands.Add(this,
     { "", "hold: click where the hand shall stay; click again to go on", "",
       [this] { this->Toggle(2); }, [&touch] { return touch.Style->GetHoldClicks() > 0; }, isUsable,

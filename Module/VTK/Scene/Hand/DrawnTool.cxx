@@ -12,6 +12,7 @@
 #include "vtkDataArray.h"
 #include "vtkHapticDevice.h"
 #include "vtkHapticLabelTable.h"
+#include "vtkHapticNeedle.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -191,25 +192,27 @@ DrawnNeedle::DrawnNeedle()
   this->HubActor->GetProperty()->SetColor(0.25, 0.55, 0.85);
 }
 
-void DrawnNeedle::Update(vtkHapticDevice* device, double radius, double length)
+void DrawnNeedle::Update(
+  vtkHapticDevice* device, double radius, double length, const Vector3& handle)
 {
   const double time = device ? device->GetState()->GetTime() : -1.0;
-  if (time != this->Time || length != this->Length)
+  if (time != this->Time || length != this->Length || Norm(handle - this->Handle) > 0.0)
   {
     this->Time = time;
     this->Length = length;
+    this->Handle = handle;
     this->Track->Initialize();
     if (device)
     {
       device->GetState()->GetNeedleTrack(this->Track);
     }
-    this->Draw(device, length);
+    this->Draw(device, length, handle);
   }
   this->Lines.SetRadius(ShaftRadii * radius);
   this->Hub->SetRadius(HubRadii * radius);
 }
 
-void DrawnNeedle::Draw(vtkHapticDevice* device, double length)
+void DrawnNeedle::Draw(vtkHapticDevice* device, double length, const Vector3& handle)
 {
   vtkPolyData* const drawn = this->Lines.GetLines();
   drawn->Initialize();
@@ -219,7 +222,8 @@ void DrawnNeedle::Draw(vtkHapticDevice* device, double length)
     ? FromArray(this->Track->GetPoint(last)) - FromArray(this->Track->GetPoint(0))
     : Vector3{};
   const double depth = Norm(whole);
-  if (!(depth > 0.0))
+  const bool isInAir = !(depth > 0.0);
+  if (isInAir && !(Norm(handle) > 0.0 && vtkHapticNeedle::SafeDownCast(GetHeldTool(device))))
   {
     return;
   }
@@ -229,15 +233,16 @@ void DrawnNeedle::Draw(vtkHapticDevice* device, double length)
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
   const auto colors = ColoredTubes::NewColors();
-  for (vtkIdType i = 0; i < last; ++i)
+  for (vtkIdType i = 0; i < last && !isInAir; ++i)
   {
     AddLine(
       points, lines, FromArray(this->Track->GetPoint(i)), FromArray(this->Track->GetPoint(i + 1)));
     const auto label = static_cast<int>(labels->GetComponent(i, 0));
     AddColor(colors, table && table->HasColor(label) ? table->GetColor(label) : Steel);
   }
-  const Vector3 entry = FromArray(this->Track->GetPoint(0));
-  const Vector3 back = (-length / depth) * whole;
+  const Vector3 entry =
+    FromArray(isInAir ? device->GetState()->GetProxyPosition() : this->Track->GetPoint(0));
+  const Vector3 back = isInAir ? length * handle : (-length / depth) * whole;
   AddLine(points, lines, entry, entry + back);
   AddColor(colors, Steel);
   drawn->SetPoints(points);

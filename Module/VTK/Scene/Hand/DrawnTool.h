@@ -3,8 +3,8 @@
 /**
  * @file
  * Draws a tool in the scene: the mesh of its kind (ToolKind::MakeShape) at the tool's pose. The
- * pose may lag behind the hand, and a burr spins. A needle in tissue is drawn with its track in the
- * colours of the labels, its shaft and its hub.
+ * pose may lag behind the hand, and a burr spins. A needle is drawn with its shaft and its hub, and
+ * in tissue with its track in the colours of the labels.
  */
 #ifndef DrawnTool_h
 #define DrawnTool_h
@@ -79,10 +79,14 @@ class DrawnNeedle
 public:
   DrawnNeedle();
 
-  /** Shows the latest state, or nothing without a device. Lengths are in world units. */
-  void Update(vtkHapticDevice* device, double radius, double length);
+  /**
+   * Shows the latest state, or nothing without a device. Lengths are in world units.
+   * @param handle direction from the tip to the hand while the needle is in the air (unit vector);
+   * 0 if it is unknown
+   */
+  void Update(vtkHapticDevice* device, double radius, double length, const Vector3& handle);
 
-  /** Returns whether a needle is in tissue. */
+  /** Returns whether the hand holds a needle, or a needle is in tissue. */
   bool IsShown() const { return this->Lines.AreShown(); }
   void RenderOpaque(vtkViewport* viewport);
   /** Draws the faint copy. */
@@ -91,7 +95,7 @@ public:
   void AddTo(vtkBoundingBox& box) { this->Lines.AddTo(box); }
 
 private:
-  void Draw(vtkHapticDevice* device, double length);
+  void Draw(vtkHapticDevice* device, double length, const Vector3& handle);
 
   vtkNew<vtkPolyData> Track;
   ColoredTubes Lines{ 12 }; ///< pieces of the track, then the shaft outside the tissue
@@ -99,8 +103,9 @@ private:
   vtkNew<vtkTubeFilter> Hub;
   vtkNew<vtkPolyDataMapper> HubMapper;
   vtkNew<vtkActor> HubActor;
-  double Time = -1.0; ///< time and length of the drawn lines
+  double Time = -1.0; ///< time, length and direction of the drawn lines
   double Length = 0.0;
+  Vector3 Handle;
 };
 
 } // namespace VolumeHaptics

@@ -344,8 +344,6 @@ void vtkHapticRepresentation::UpdateMarkers()
     d.Spheres[State::SURFACE_POSITION].Show(this->MarkerVisibility && !d.HasLetGo);
     d.Spheres[State::MEDIUM_POSITION].Show(this->MarkerVisibility && !d.HasLetGo);
   }
-  d.Needle.Update(this->StylusVisibility && d.HasState ? this->GetDevice() : nullptr, this->Radius,
-    this->ComputeStylusLength());
   this->UpdateStylus();
   d.Followed.Update(this->FollowedVisibility && d.HasState ? this->GetDevice() : nullptr,
     this->FollowedReach, this->Radius);
@@ -358,10 +356,13 @@ void vtkHapticRepresentation::UpdateMarkers()
 void vtkHapticRepresentation::UpdateStylus()
 {
   auto& d = *this->Internals;
-  d.Tool.Update(this->StylusVisibility && d.HasState ? this->GetDevice() : nullptr, d.Leaning);
+  vtkHapticDevice* const device =
+    this->StylusVisibility && d.HasState ? this->GetDevice() : nullptr;
+  d.Tool.Update(device, d.Leaning);
   d.Stylus.Show(false);
-  if (!d.HasState || !this->StylusVisibility || d.Needle.IsShown() || d.Tool.IsShown())
+  if (!d.HasState || !this->StylusVisibility || d.Tool.IsShown())
   {
+    d.Needle.Update(device, this->Radius, this->ComputeStylusLength(), {});
     return;
   }
   vtkPolyData* const state = d.State;
@@ -370,9 +371,12 @@ void vtkHapticRepresentation::UpdateStylus()
   const Quaternion orientation = isMeasured || !IsFelt(this->GetDevice()) ? measured : d.Leaning;
   const bool isFitted = !isMeasured && !(this->StylusLength > 0.0);
   const double whole = this->ComputeStylusLength();
-  d.Stylus.Show(SquaredNorm(orientation) > 0.0);
-  d.Stylus.PlaceTurned(FromArray(state->GetPoint(vtkHapticState::PROXY)), orientation,
-    isFitted ? std::min(whole, d.MostLength) : whole);
+  const double length = isFitted ? std::min(whole, d.MostLength) : whole;
+  const bool isKnown = SquaredNorm(orientation) > 0.0;
+  const Vector3 handle = ToMatrix(orientation) * Vector3{ 0.0, 0.0, 1.0 };
+  d.Needle.Update(device, this->Radius, length, isKnown ? handle : Vector3{});
+  d.Stylus.Show(isKnown && !d.Needle.IsShown());
+  d.Stylus.PlaceTurned(FromArray(state->GetPoint(vtkHapticState::PROXY)), orientation, length);
 }
 
 //------------------------------------------------------------------------------

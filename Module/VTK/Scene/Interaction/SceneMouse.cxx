@@ -61,6 +61,8 @@ bool SliceMouse::Press(int x, int y, bool isRight)
   if (!isLook)
   {
     this->GoTo(x, y);
+    const int hold = this->Scene.Style->GetHoldClicks();
+    this->Scene.Style->SetHoldClicks(hold == 2 ? 1 : hold); // the hand stays at this place
   }
   return true;
 }
@@ -144,7 +146,10 @@ void SliceMouse::GoTo(const double position[3])
 {
   if (this->Touch.LeadsTip())
   {
-    this->Touch.LeadTo({ position[0], position[1], position[2] });
+    if (this->Scene.Style->GetHoldClicks() != 1) // a held hand stays
+    {
+      this->Touch.LeadTo({ position[0], position[1], position[2] });
+    }
     return;
   }
   // An observer of the event that begins the touch mode may have removed the slices.

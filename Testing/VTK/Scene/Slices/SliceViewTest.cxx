@@ -226,6 +226,38 @@ TEST_F(SliceViewTest, AClickBeginsTheTouchThereAndTheNextOneLeadsTheTip)
   }
 }
 
+TEST_F(SliceViewTest, DoesNotLeadAHeldHand)
+{
+  this->OpenAndStart();
+  this->Press("t");
+  this->Run(50);
+  ASSERT_TRUE(this->Style->GetTouchMode());
+  const double* const tip = this->Device->GetState()->GetTipPosition();
+  const double start[3] = { tip[0], tip[1], tip[2] };
+  const auto way = [&]
+  {
+    this->Run(300);
+    const double moved[3] = { tip[0] - start[0], tip[1] - start[1], tip[2] - start[2] };
+    return Length(moved);
+  };
+  this->Style->SetHoldClicks(1);
+  const auto [x, y] = this->ComputeMiddle(2);
+  const auto drag = [&, x = x, y = y]
+  {
+    this->Pointer(x, y, vtkCommand::LeftButtonPressEvent);
+    this->Pointer(x + 10, y + 5);
+    this->Pointer(x + 10, y + 5, vtkCommand::LeftButtonReleaseEvent);
+    this->Pointer(x, y, vtkCommand::MouseWheelForwardEvent);
+  };
+  drag();
+  EXPECT_LT(way(), 1e-3) << "it stays where it is held";
+  EXPECT_EQ(this->Style->GetHoldClicks(), 1);
+  this->Style->SetHoldClicks(2);
+  drag();
+  EXPECT_GT(way(), 1.0) << "it goes where it shall stay";
+  EXPECT_EQ(this->Style->GetHoldClicks(), 1);
+}
+
 TEST_F(SliceViewTest, WithoutATouchTheWheelLooksThroughTheSlices)
 {
   this->OpenAndStart();
