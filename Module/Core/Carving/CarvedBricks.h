@@ -9,9 +9,8 @@
  * of fixed size locates them, so that no memory grows with the volume.
  *
  * One thread writes, without a lock or an allocation. Any other thread may read at any time, but
- * the rows of a brick that it reads may be of different moments. A few threads may follow the
- * changes: each receives all bricks that were written since its last call, and misses none, however
- * slow it is.
+ * the rows of a brick may then come from different moments. A few threads may follow the changes:
+ * each receives every brick that was written since its last call, even if it calls rarely.
  */
 #ifndef CarvedBricks_h
 #define CarvedBricks_h
@@ -68,15 +67,14 @@ public:
 
   ///@{
   /**
-   * Return the limit of bricks, the number of bricks in use, and whether there are none. From any
-   * thread.
+   * Return the limit of bricks, the number of bricks in use, and whether none is in use. Any thread
+   * may call these functions.
    */
   std::uint32_t GetMost() const noexcept { return this->Most; }
   std::uint32_t GetCount() const noexcept { return this->Count.load(std::memory_order_acquire); }
   bool IsEmpty() const noexcept { return this->Count.load(std::memory_order_relaxed) == 0; }
-  /** Returns whether all tissue remains. If it does, the call reads all bricks. */
+  /** Returns whether all tissue remains. If it does, the call has to read all bricks. */
   bool IsWhole() const noexcept;
-  /** Returns whether all tissue of one brick remains. */
   bool IsWhole(std::uint32_t brick) const noexcept;
   /** Returns a counter that grows with each call of MarkChanged. */
   std::uint64_t GetChanges() const noexcept
@@ -100,7 +98,7 @@ public:
   {
     return this->Fractions[RowAt(brick, row)].load(std::memory_order_relaxed);
   }
-  /** Returns the remaining fraction at a sample. Its indices must not be negative. */
+  /** Returns the remaining fraction (0 to Whole) at a sample. Its indices must not be negative. */
   std::uint8_t GetFraction(std::int64_t i, std::int64_t j, std::int64_t k) const noexcept;
   /** Returns whether any sample in a box of indices, both ends included, is in a brick. */
   bool HasBricks(const std::int64_t* low, const std::int64_t* high) const noexcept;
@@ -108,15 +106,15 @@ public:
 
   ///@{
   /**
-   * Returns the number of a brick. If the brick is missing, adds it with all of its tissue, or
-   * returns None if there is no room. Called by the writer.
+   * Returns the number of a brick. If the brick does not exist, adds it with all of its tissue;
+   * returns None if there is no room. Only the writer may call this.
    */
   std::uint32_t FindOrAdd(std::uint64_t key) noexcept;
   void SetRow(std::uint32_t brick, int row, std::uint64_t fractions) noexcept
   {
     this->Fractions[RowAt(brick, row)].store(fractions, std::memory_order_relaxed);
   }
-  /** Reports to the followers that rows of a brick were set. */
+  /** Marks a brick as changed for all followers. Call this after SetRow(). */
   void MarkChanged(std::uint32_t brick) noexcept
   {
     this->Changed[brick / BricksOfWord].fetch_or(
@@ -128,8 +126,9 @@ public:
 
   ///@{
   /**
-   * Registers a follower, for which all bricks count as changed. Returns the follower's number, or
-   * -1 if fewer than keptFree places for followers would remain. From any thread.
+   * Registers a follower, for which all bricks count as changed at first. Returns the follower's
+   * number, or -1 if fewer than keptFree places for followers would remain. Any thread may call
+   * this.
    */
   int AddFollower(int keptFree = 0) noexcept;
   void RemoveFollower(int follower) noexcept
@@ -167,7 +166,7 @@ public:
     }
   }
 
-  /** Returns the memory that this uses (bytes). */
+  /** Returns the memory use (bytes). */
   std::size_t GetMemorySize() const noexcept;
 
 private:
@@ -186,7 +185,7 @@ private:
   const std::uint32_t Most;
   std::uint64_t SlotMask = 0;
   int SlotShift = 0;
-  /** The hash; at least twice as many slots as bricks. */
+  /** Hash table of brick numbers, with at least twice as many slots as bricks. */
   std::unique_ptr<std::atomic<std::uint32_t>[]> Slots;
   std::unique_ptr<std::uint64_t[]> Keys; ///< key of each brick, written before the brick's slot
   std::unique_ptr<std::atomic<std::uint64_t>[]> Fractions;

@@ -9,8 +9,8 @@
  * exchanges them again. The memory is fixed: when it is used up, the oldest strokes can no longer
  * be undone.
  *
- * Work is done in pieces, so that a tick does a bounded part of it. Only the writer of the bricks
- * may call the journal, but any thread may ask for the numbers of strokes.
+ * Work is done in pieces, so that each tick does a bounded part of it. Only the writer of the
+ * bricks may change the journal, but any thread may read the numbers of strokes.
  */
 #ifndef RemovalJournal_h
 #define RemovalJournal_h
@@ -54,8 +54,8 @@ public:
 
   ///@{
   /**
-   * Begin to undo, to redo or to restore. Each function ends an open stroke. Returns false if there
-   * is nothing to do or if work is pending.
+   * Start undoing, redoing or restoring. Each function ends an open stroke. Returns false if there
+   * is nothing to do or if other work is pending.
    */
   bool StartUndo() noexcept;
   bool StartRedo() noexcept;
@@ -63,20 +63,20 @@ public:
   bool StartReset() noexcept;
   ///@}
   bool HasWork() const noexcept { return this->Work != Kind::None; }
-  /** Does a piece of the pending work, on at most this many bricks. */
+  /** Processes at most `bricks` bricks of the pending work. */
   void Continue(std::size_t bricks) noexcept;
 
   ///@{
   /**
-   * GetUndoable() returns the number of strokes that can be undone, including an open stroke;
-   * GetRedoable() the number of strokes that can be redone. From any thread.
+   * Return the numbers of strokes that can be undone (an open stroke counts) and redone. Any thread
+   * may call these functions.
    */
   std::size_t GetUndoable() const noexcept { return this->Undoable.load(); }
   std::size_t GetRedoable() const noexcept { return this->Redoable.load(); }
   ///@}
-  /** Returns the removed volume (mm^3) without the undone strokes. From any thread. */
+  /** Returns the removed volume (mm^3), without undone strokes. Any thread may call this. */
   double GetVolume() const noexcept { return this->Volume.load(std::memory_order_relaxed); }
-  /** Returns the memory that this uses (bytes). */
+  /** Returns the memory use (bytes). */
   std::size_t GetMemorySize() const noexcept;
 
 private:
@@ -119,7 +119,7 @@ private:
   std::uint32_t Stamp = 0; ///< stamp of the open stroke
   std::uint64_t Head = 0;  ///< number of the next entry
   ///@{
-  /** Strokes from First up to Applied can be undone, and strokes from Applied up to Last redone. */
+  /** Strokes First to Applied - 1 can be undone; strokes Applied to Last - 1 can be redone. */
   std::uint64_t First = 0;
   std::uint64_t Applied = 0;
   std::uint64_t Last = 0;

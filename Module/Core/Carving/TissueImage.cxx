@@ -51,7 +51,7 @@ struct BrickPart
   int GetLength() const noexcept { return static_cast<int>(this->High[0] - this->Low[0] + 1); }
 };
 
-/** Calls f(place) for each brick of a box. */
+/** Calls f(place) for each brick that a box touches. */
 template <typename F>
 void ForEachPlace(const TissueBox& box, F&& f)
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The tissue that a tool has removed from a volume. It is the only data outside its own state that
- * a tick writes.
+ * Records which tissue a tool has removed from a volume. A tick writes only these data and its own
+ * state.
  */
 #ifndef TissueRemoval_h
 #define TissueRemoval_h
@@ -30,8 +30,8 @@ enum class RemovalRequest : std::uint8_t
 };
 
 /**
- * The remaining fractions, their journal, and the undo and redo requests of another thread. The
- * ticking thread serves the requests piece by piece.
+ * The remaining fractions, their journal, and a queue of undo and redo requests from another
+ * thread. The ticking thread serves the requests piece by piece.
  */
 class TissueRemoval
 {
@@ -45,28 +45,28 @@ public:
   TissueRemoval(const TissueRemoval&) = delete;
   TissueRemoval& operator=(const TissueRemoval&) = delete;
 
-  /** Queues a request. Returns false if too many requests wait. Called by one thread. */
+  /** Queues a request. Returns false if the queue is full. Only one thread may call this. */
   bool Request(RemovalRequest request) noexcept;
-  /** Returns the number of requests that are not finished yet. From any thread. */
+  /** Returns the number of unfinished requests. Any thread may call this. */
   std::size_t GetPending() const noexcept
   {
     return this->Head.load(std::memory_order_acquire) - this->Done.load(std::memory_order_acquire);
   }
-  /** Returns the number of finished requests. From any thread. */
+  /** Returns the number of finished requests. Any thread may call this. */
   std::size_t GetDone() const noexcept { return this->Done.load(std::memory_order_acquire); }
   /**
-   * Returns whether a tool could not remove tissue because all bricks were in use. From any thread.
+   * Returns whether a tool could not remove tissue because all bricks were in use. Any thread may
+   * call this.
    */
   bool IsUsedUp() const noexcept { return this->UsedUp.load(std::memory_order_relaxed); }
 
   ///@{
   /**
-   * Serves a piece of the oldest request, which may restore tissue. Called by the ticking thread at
-   * the beginning of a tick. Returns false if there was no request.
+   * Serves a piece of the oldest request, which may restore tissue. The ticking thread calls this
+   * at the beginning of a tick. Returns false if there was no request.
    * @param begun if not null, receives the request that this call began, or None
    */
   bool Serve(RemovalRequest* begun = nullptr) noexcept;
-  /** Returns whether Serve would find a request. */
   bool HasWork() const noexcept { return this->GetPending() > 0; }
   void SetUsedUp(bool isUsedUp) noexcept
   {
@@ -94,7 +94,7 @@ public:
 
 private:
   static constexpr std::size_t MostRequests = 64;
-  /** Number of bricks that a tick exchanges (16 KiB). */
+  /** Number of bricks that a tick may exchange (16 KiB). */
   static constexpr std::size_t BricksPerTick = 32;
 
   std::atomic<RemovalRequest> Requests[MostRequests] = {};

@@ -27,11 +27,13 @@ struct BrickTissue
 };
 
 /**
- * Returns the bricks from which tissue was removed. From any thread. If bricks change during the
- * call, the copies are from different moments.
+ * Returns the bricks from which tissue was removed. Any thread may call this. If bricks change
+ * during the call, the copies are from different moments.
  */
 std::vector<BrickTissue> CopyBricks(const CarvedBricks& bricks);
-/** Stores bricks. Returns false if there is no room for all of them. Called by the writer. */
+/**
+ * Stores bricks. Returns false if there is no room for all of them. Only the writer may call this.
+ */
 bool WriteBricks(const std::vector<BrickTissue>& fractions, CarvedBricks& bricks) noexcept;
 
 class TissueSnapshot
@@ -53,7 +55,10 @@ public:
    * Returns false if too many bricks have changed, or if the snapshot is complete already.
    */
   bool Complete() noexcept;
-  /** Returns whether Complete() failed because too many bricks had changed. From any thread. */
+  /**
+   * Returns whether Complete() failed because too many bricks had changed. Any thread may call
+   * this.
+   */
   bool IsLate() const noexcept { return this->State.load(std::memory_order_acquire) == Late; }
   /**
    * Returns all bricks in the order of their numbers. Includes bricks that are whole again, because

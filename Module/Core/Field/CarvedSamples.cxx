@@ -10,8 +10,8 @@ namespace
 {
 
 /**
- * Copies samples along x as they remain. The lowest byte of `fractions` belongs to the first
- * sample.
+ * Copies samples along x, with the removal applied. The lowest byte of `fractions` is the remaining
+ * fraction of the first sample.
  */
 template <typename T>
 inline void CopyRun(const T* from, std::int64_t stride, std::uint64_t fractions, int last,
@@ -24,7 +24,7 @@ inline void CopyRun(const T* from, std::int64_t stride, std::uint64_t fractions,
   }
 }
 
-/** The numbers of the bricks in a box, x first. */
+/** Numbers of the bricks that a box touches, x fastest. */
 struct BoxBricks
 {
   static constexpr std::int64_t MostAlong = CarvedBox::MostSide / CarvedBricks::Side + 1;
@@ -33,7 +33,7 @@ struct BoxBricks
   std::int64_t First[3];
   std::int64_t Count[3];
 
-  /** Finds the bricks of a box. Returns false if it has none. */
+  /** Looks up the bricks that the box touches. Returns false if none of them exists. */
   bool Find(const CarvedBricks& bricks, const CarvedBox& box) noexcept
   {
     for (int a = 0; a < 3; ++a)
@@ -59,7 +59,7 @@ struct BoxBricks
   }
 };
 
-/** Copies the samples of a box as they remain. */
+/** Copies the samples of a box, with the removal applied. */
 template <typename T>
 void CopyBox(const VolumeView& whole, const CarvedView& carved, const CarvedBox& box,
   const BoxBricks& bricks, double* to)

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The samples of a volume of which a tool has removed tissue:
+ * The samples of a volume from which a tool has removed tissue:
  *
  *   V' = V - (1 - rho) (V - V_air),
  *
- * rho the fraction that remains. Where something was removed, a kernel reads a copy of the few
- * samples that it needs, as doubles; elsewhere it reads the samples themselves, with the same bits
- * as without removal.
+ * where rho is the fraction that remains. Where tissue was removed, a kernel reads a copy of the
+ * few samples that it needs, as doubles. Elsewhere it reads the samples themselves, so the result
+ * equals that without removal, to the bit.
  */
 #ifndef CarvedSamples_h
 #define CarvedSamples_h
@@ -20,8 +20,8 @@ namespace VolumeHaptics
 {
 
 /**
- * The remaining fractions, and the value of a sample without tissue. Stores only a pointer to the
- * bricks; it is null if nothing can be removed.
+ * The remaining fractions, and the value of a sample without tissue. The pointer to the bricks is
+ * null if nothing can be removed.
  */
 struct CarvedView
 {
@@ -63,9 +63,9 @@ CarvedBox ComputeBox(
   const VolumeView& view, const double* position, int before, int behind) noexcept;
 
 /**
- * Copies the samples of a box, as they remain, to `to`, x first. `copy` receives a view of them
- * with the indices of the whole volume; only samples in the box may be read. Returns false and
- * copies nothing if no tissue was removed in the box.
+ * Copies the samples of a box to `to`, x fastest, with the removal applied. `copy` receives a view
+ * of them with the indices of the whole volume; only samples in the box may be read. Returns false
+ * and copies nothing if no tissue was removed in the box.
  * @param whole a view whose Data points to the volume's first sample (WholeData)
  */
 bool CopyCarved(const VolumeView& whole, const CarvedView& carved, const CarvedBox& box, double* to,

@@ -10,11 +10,11 @@ namespace
 {
 
 constexpr int MostNewtonSteps = 3;
-/** No step is taken after a step that is shorter than this length (voxels). */
+/** A step that is shorter than this length (voxels) is the last one. */
 constexpr double ShortNewtonStep = 0.01;
 /**
- * The displacements fold the volume where the determinant of the map from the first time step is
- * below this limit.
+ * The volume counts as folded where the determinant of the map from the first time step is below
+ * this limit.
  */
 constexpr double LeastVolume = 0.05;
 
@@ -55,7 +55,7 @@ DisplacementField::DisplacementField(
 
 DisplacementField::Sample DisplacementField::Read(const Vector3& index) const noexcept
 {
-  // The order of the arguments replaces NaN, too.
+  // With the arguments in this order, NaN is clamped, too.
   const Vector3 inside = Least(Most(index, this->Low), this->High);
   VectorSample found;
   if (!this->Displacements.Sample(inside, found))
@@ -84,7 +84,7 @@ MaterialPlace DisplacementField::Compute(const Vector3& index, double fraction) 
   {
     const Sample u = this->Read(first);
     const Matrix3 map = PlusIdentity(fraction, u.Slope);
-    // The condition is false for NaN, too.
+    // The comparison is false for NaN, too.
     if (!(Determinant(map) > LeastVolume))
     {
       motion = i > 0 ? this->Read(index).Value : u.Value;
@@ -98,8 +98,7 @@ MaterialPlace DisplacementField::Compute(const Vector3& index, double fraction) 
     motion = u.Value + u.Slope * step;
     isThere = Dot(step, step) < ShortNewtonStep * ShortNewtonStep;
   }
-  // Compute this from the motion, so that both places are the index itself, to the bit, without a
-  // motion.
+  // Add multiples of the motion, so that without a motion both places equal the index, to the bit.
   place.First = index - fraction * motion;
   place.Second = index + (1.0 - fraction) * motion;
   return place;

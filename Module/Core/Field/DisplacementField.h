@@ -49,13 +49,13 @@ struct MaterialPlace
   Vector3 First;  ///< X, an index
   Vector3 Second; ///< X + u(X), an index
   ///@{
-  /** Derivatives of First and Second with respect to the place at the instant between. */
+  /** Derivatives of First and Second with respect to the place at the instant between them. */
   Matrix3 FirstSlope;
   Matrix3 SecondSlope;
   ///@}
 };
 
-/** Computes where material is. Stores only a view of the displacements. */
+/** Computes where material is in both time steps. Stores only a view of the displacements. */
 class DisplacementField
 {
 public:

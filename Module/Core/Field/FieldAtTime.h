@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A volume that moves, at one instant: two time steps, blended.
+ * The field of a moving volume at one instant: a blend of two time steps,
  *
  *   V(x) = V_a(x) + share (V_b(x) - V_a(x))
  *
- * and its gradient alike; or, if the motion of the material is known (DisplacementField.h),
+ * and its gradient likewise. If the motion of the material is known (DisplacementField.h), the
+ * blend is
  *
  *   V(x) = V_a(X) + share (V_b(X + u(X)) - V_a(X)),   X + share u(X) = x.
  *
@@ -71,7 +72,7 @@ public:
     }
     return this->Second ? this->First.Value(this->GetOther(), index) : this->First.Value(index);
   }
-  /** Returns the values at one index and two instants. This is faster than two calls of Value. */
+  /** Returns the values at one index and two instants, faster than two calls of Value() would. */
   static FractionPair Values(
     const FieldAtTime& a, const FieldAtTime& b, const Vector3& index) noexcept
   {
@@ -110,7 +111,7 @@ public:
   }
 
 private:
-  /** Returns whether the time steps are read at different places, where the material is in each. */
+  /** Returns whether each time step is read where the material is in it. */
   bool FollowsMaterial() const noexcept { return this->Motion && this->Second; }
 
   FieldSampler::OtherTimeStep GetOther() const noexcept
@@ -135,8 +136,8 @@ private:
   }
 
   /**
-   * Reads a time step at the place of the material in it. The gradient is with respect to the place
-   * at the instant.
+   * Reads a time step where the material is in it. The gradient is with respect to the place at the
+   * instant.
    */
   static FieldSample ReadMaterial(const FieldSampler& timeStep, const Vector3& place,
     const Matrix3& slope, TapMemory* memory) noexcept
@@ -151,7 +152,7 @@ private:
   }
 
   /**
-   * Returns the values on both sides of a place in the material. The offset is turned and stretched
+   * Returns the values on both sides of a place in the material. The offset rotates and stretches
    * with the material.
    */
   ValuePair ValuesOfMaterial(const Vector3& index, const Vector3& offset) const noexcept

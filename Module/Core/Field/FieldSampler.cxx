@@ -102,7 +102,7 @@ bool FieldSampler::ReadCarved(const Vector3& index, FieldSample& sample) const n
   {
     return false;
   }
-  // A large copy uses much of the stack, so only wide kernels make one.
+  // Only wide kernels make a large copy, because it uses much of the stack.
   constexpr int fewest = 9;
   const auto read = 2 * reach + 3 <= fewest ? GradientOfCopy<fewest>
                                             : GradientOfCopy<GradientKernel::MaximumTaps + 1>;

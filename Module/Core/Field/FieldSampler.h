@@ -4,10 +4,10 @@
  * @file
  * Values and gradients of a volume at continuous positions.
  *
- * The kernels are compiled once for each instruction set, in a translation unit of their own, and
- * chosen at run time, so that the code around them (and VTK) needs only the baseline. All variants
- * carry out the same operations in the same order, without fused multiply-add, so that a trace does
- * not depend on the processor.
+ * The kernels are compiled once for each instruction set, in separate translation units, and chosen
+ * at run time, so that the code around them (and VTK) needs only the baseline. All variants carry
+ * out the same operations in the same order, without fused multiply-add, so that a trace does not
+ * depend on the processor.
  */
 #ifndef FieldSampler_h
 #define FieldSampler_h
@@ -36,7 +36,7 @@ struct FieldSample
   Vector3 Gradient;
 };
 
-/** The samples and the weights of a kernel. Points to memory of others. */
+/** The samples and the weights of a kernel. Owns none of them. */
 struct FieldView
 {
   /** The samples. Data points to the volume's first sample, even if only a region is resident. */
@@ -44,7 +44,7 @@ struct FieldView
   KernelView Kernel;
   double First[3] = { 0.0, 0.0, 0.0 }; ///< smallest resident index along each axis
   double Last[3] = { 0.0, 0.0, 0.0 };  ///< largest resident index along each axis
-  std::uint64_t Number = 0;            ///< number that no other field has
+  std::uint64_t Number = 0;            ///< unique number of the field
 };
 
 /** The values on both sides of a position, at +offset and -offset. A tick always needs both. */
@@ -70,8 +70,8 @@ struct FractionPair
 };
 
 /**
- * The memories of a tick. First and Second are for time steps that are read separately. All may be
- * null.
+ * Memories in which ticks keep samples for later ticks. First and Second are for time steps that
+ * are read separately. All may be null.
  */
 struct BlendMemories
 {
@@ -111,14 +111,14 @@ using TapPairFunction = ValuePair (*)(const TimeStepTaps&, const FieldView&, dou
   double x, double y, double z, double dx, double dy, double dz) noexcept;
 ///@}
 /**
- * Reads all taps to a memory, beginning with the tap at `first`. Returns false if some taps are
+ * Reads all taps into a memory, beginning with the tap at `first`. Returns false if some taps are
  * outside the samples.
  */
 using FillFunction = bool (*)(
   const VolumeView&, const std::int64_t* first, TapMemory& memory) noexcept;
 /**
- * Computes the gradient from the taps in a memory, and reads the taps first if necessary. Returns
- * false if the gradient can't be computed from a memory.
+ * Computes the gradient from the taps in a memory, which it fills first if necessary. Returns false
+ * if a memory can't be used for this gradient.
  */
 using RememberedFunction = bool (*)(const FieldView&, double x, double y, double z, FillFunction,
   TapMemory& memory, FieldSample& sample) noexcept;
@@ -130,7 +130,7 @@ struct FieldFunctions
   PairFunction Pair = nullptr;
   GradientFunction Gradient = nullptr;
   BlendedValueFunction BlendedValue = nullptr;
-  /** Values for the blend's fraction and for another fraction. */
+  /** Values at one position for the blend's fraction and for another fraction. */
   SharedValuesFunction SharedValues = nullptr;
   BlendedPairFunction BlendedPair = nullptr;
   /** The blended gradient; null for kernels with many taps. */
@@ -161,8 +161,8 @@ enum class InstructionSet : std::uint8_t
 InstructionSet DetectInstructionSet();
 
 /**
- * Samples a volume with an estimator. Stores references to the samples, to the kernel's table, and
- * to the remaining fractions of tissue.
+ * Samples a volume with an estimator. The caller owns the samples, the kernel's table and the
+ * remaining fractions of tissue.
  */
 class FieldSampler
 {
@@ -194,7 +194,7 @@ public:
     return this->Checked(this->Functions.Value(this->View, index.X, index.Y, index.Z));
   }
 
-  /** Returns V at index + offset and at index - offset. This is faster than two calls of Value. */
+  /** Returns V at index + offset and at index - offset, faster than two calls of Value() would. */
   ValuePair Values(const Vector3& index, const Vector3& offset) const noexcept
   {
     if (this->Carved.HasAny())
@@ -209,7 +209,7 @@ public:
 
   /**
    * Returns value and gradient at a continuous index, which must be inside. They may be NaN. With a
-   * memory, the gradient is faster if the previous one was nearby.
+   * memory, this is faster if the previous gradient was computed nearby.
    */
   FieldSample Gradient(const Vector3& index, TapMemory* memory = nullptr) const noexcept
   {
@@ -229,7 +229,7 @@ public:
 
   ///@{
   /**
-   * Return the same results for a blend with another time step of the volume. Where possible, the
+   * The same functions for a blend with another time step of the volume. Where possible, the
    * samples are blended before they are summed; otherwise the sums are blended. If `taps` (from
    * GetTaps() of a gradient's memory) has the samples, values are computed from it.
    */
@@ -257,8 +257,8 @@ public:
     return this->BlendValue(other, other.Fraction, index);
   }
   /**
-   * Returns the values for the other time step's fraction and for a second fraction. This is faster
-   * than two calls of Value.
+   * Returns the values for the other time step's fraction and for a second fraction, faster than
+   * two calls of Value() would.
    */
   FractionPair Values(const OtherTimeStep& other, double fraction, const Vector3& index,
     const TimeStepTaps* taps = nullptr) const noexcept
@@ -309,8 +309,8 @@ public:
       Blend(first.Behind, second.Behind, other.Fraction) };
   }
   /**
-   * Returns the samples of both time steps that a gradient has stored in a memory. Returns null if
-   * the memory belongs to other time steps, or if the samples are not blended.
+   * Returns the samples of both time steps that a gradient has stored in a memory, or null if the
+   * memory belongs to other time steps or the samples are not blended.
    */
   const TimeStepTaps* GetTaps(const OtherTimeStep& other, const TickMemory& memory) const noexcept
   {
@@ -364,14 +364,14 @@ public:
       index.Z > 0.0 ? std::min(index.Z, last[2]) : 0.0 };
   }
 
-  /** Returns the distances (voxels) of an index from the volume's nearer border along each axis. */
+  /** Returns the distance (voxels) along each axis from an index to the volume's nearer border. */
   Vector3 DistancesToBorder(const Vector3& index) const noexcept
   {
     const double* const last = this->Border;
     return { std::min(index.X, last[0] - index.X), std::min(index.Y, last[1] - index.Y),
       std::min(index.Z, last[2] - index.Z) };
   }
-  /** Returns the smallest of these distances. */
+  /** Returns the distance (voxels) from an index to the volume's nearest border. */
   double DistanceToBorder(const Vector3& index) const noexcept
   {
     const Vector3 distances = this->DistancesToBorder(index);
@@ -379,8 +379,8 @@ public:
   }
 
   /**
-   * Returns whether the samples of this time step and another one can be blended. For this, kernel,
-   * type and resident samples must be the same, and no tissue may have been removed.
+   * Returns whether the samples of this time step and another one can be blended. Both must have
+   * the same kernel, type and resident samples, and no tissue may have been removed.
    */
   bool BlendsSamples(const FieldSampler& other) const noexcept
   {
@@ -410,7 +410,7 @@ private:
     return std::isfinite(value) ? value : this->View.Volume.BorderValue;
   }
 
-  /** Returns the value at an index where tissue may have been removed. */
+  /** Returns the value at an index near which tissue may have been removed. */
   double CarvedValue(const Vector3& index) const noexcept;
   /** Computes the gradient if tissue was removed around the index. Otherwise returns false. */
   bool ReadCarved(const Vector3& index, FieldSample& sample) const noexcept;

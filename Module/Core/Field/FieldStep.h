@@ -9,9 +9,9 @@ namespace VolumeHaptics
 {
 
 /**
- * A moving volume at two instants between the same two time steps. The results are those of two
- * FieldAtTime, to the bit, but need less work, because both instants read the same samples, and the
- * samples of the last gradient are stored. Neither instant may be that of a time step.
+ * A moving volume at two instants between the same two time steps. The results equal those of two
+ * FieldAtTime objects, to the bit, but cost less, because both instants read the same samples, and
+ * the samples of the last gradient are stored. Neither instant may coincide with a time step.
  */
 class FieldStep
 {

@@ -15,19 +15,22 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Distance of a label that a slice lacks: AwaySlices slices, but at most Farthest fine voxels. */
+/**
+ * Distance assigned to a label in a slice that lacks it: AwaySlices slices, but at most Farthest
+ * fine voxels.
+ */
 constexpr double AwaySlices = 12.0;
 constexpr double Farthest = 120.0;
 /**
- * Distance (fine voxels) from another label in the slice below which a pixel may have a part of
- * that label.
+ * A pixel may contain a part of another label if that label is nearer in the slice than this
+ * distance (fine voxels).
  */
 constexpr double ActiveWidth = 4.0;
 /** Number of slices that are processed at once. */
 constexpr std::int64_t ChunkSlices = 16;
 
 /**
- * A cubic between two values. Its slopes are limited so that it does not leave the range of the
+ * A cubic between two values. Its slopes are limited so that it stays within the range of the
  * values.
  */
 struct Cubic
@@ -83,8 +86,8 @@ struct Place
   }
 
   /**
-   * Returns the other label's fraction in parts. In the slice, the boundary is half the difference
-   * of the distances away.
+   * Returns the fraction of the voxel that has the second label, in units of 1 / Parts. In the
+   * slice, the boundary is at half the difference of both distances.
    */
   std::uint8_t ComputeFraction() const
   {
@@ -178,8 +181,8 @@ struct FineLabels::Pass
   }
 
   /**
-   * Returns for each slice whether its hash has changed since the last time. The first time, all
-   * have.
+   * Returns for each slice whether its hash differs from the one in `last`. If there are no earlier
+   * hashes, all slices count as changed.
    */
   std::vector<char> CollectChanged(const std::vector<std::uint64_t>& last) const
   {

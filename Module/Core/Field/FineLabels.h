@@ -13,12 +13,12 @@
  * - in each slice a label has a signed distance S to its boundary, above 0 inside;
  * - along the slices' axis S is a cubic between slices, without overshoot (F. N. Fritsch and R. E.
  *   Carlson, SIAM Journal on Numerical Analysis 17, 1980);
- * - at a fine voxel the label with the largest S wins, and the fraction of the label with the next
- *   largest S gives the place of the boundary between both voxels.
+ * - at a fine voxel the label with the largest S wins, and the fraction of the label with the
+ *   second largest S sets where the boundary between two voxels is.
  *
- * The distances are smoothed along the slice, since pixels make stairs, too; but not where a label
- * or a gap is thinner than eight fine voxels, so that thin parts keep their shape. A label that a
- * slice lacks has a distance of some slices there, so that it ends between both slices.
+ * The distances are smoothed along the slice, because pixels make stairs, too, but not where a
+ * label or a gap is thinner than eight fine voxels, so that thin parts keep their shape. In a slice
+ * that lacks a label, the label has a distance of some slices, so that it ends between both slices.
  */
 #ifndef FineLabels_h
 #define FineLabels_h
@@ -37,11 +37,11 @@ namespace VolumeHaptics
 class FineLabels
 {
 public:
-  /** Largest ratio of a spacing to the finest one that is not refined. */
+  /** A spacing up to this multiple of the finest spacing is not refined. */
   static constexpr double LargestRatio = 1.5;
   /**
-   * Limit of the fine voxels, which take 2 to 9 bytes each. If it would be exceeded, fine voxels
-   * are made longer.
+   * Limit of the fine voxels, which use 2 to 9 bytes each. If an image would need more, its fine
+   * voxels become longer.
    */
   static constexpr std::int64_t MostVoxels = std::int64_t{ 1 } << 28;
   /**
@@ -54,8 +54,8 @@ public:
 
   using Body = std::function<void(std::int64_t)>;
   /**
-   * Calls a function with each number below `count`, in any order, possibly in parallel. If a loop
-   * leaves out numbers, Make() ends early, and its result must not be used.
+   * Calls a function with each number below `count`, in any order, possibly in parallel. To cancel
+   * Make(), a loop leaves out numbers; then the result must not be used.
    */
   using Loop = std::function<void(std::int64_t count, const Body& body)>;
 
@@ -69,7 +69,7 @@ public:
   /**
    * Makes the finer grid of an image. Returns null if the spacings are similar, or if the image is
    * too large or has too many labels; then walls come from the image's own voxels. If `last` was
-   * made from an earlier state of the same image, only changed slices are computed again.
+   * made from an earlier version of the same image, only changed slices are computed again.
    * @param spacing spacing of the image, above 0
    * @param mostVoxels limit of the fine voxels: MostVoxels, or less in tests
    */
@@ -87,9 +87,9 @@ public:
    */
   const Vector3& GetSteps() const noexcept { return this->Steps; }
   /**
-   * Returns, for each sample of GetView(), how much of the voxel has another label, in Parts. The
-   * other label is that of the first neighbour with a different label. Neighbours are searched axis
-   * by axis, along each axis first at the lower index.
+   * Returns, for each sample of GetView(), the fraction of the voxel that has another label, in
+   * units of 1 / Parts. This label is that of the first neighbour with a different label.
+   * Neighbours are searched axis by axis, along each axis first at the lower index.
    */
   const std::uint8_t* GetFractions() const noexcept { return this->Fractions.data(); }
   /** Returns the size of the object in bytes. */
@@ -112,8 +112,8 @@ private:
   std::vector<std::uint8_t> Fractions;
   ///@{
   /**
-   * Make() compares these with the next image, to find the slices that have not changed. There is
-   * one hash for each slice, or none if more than one axis was refined.
+   * Data with which the next Make() finds the slices that have not changed. There is one hash for
+   * each slice, or none if more than one axis was refined.
    */
   std::vector<std::uint64_t> Hashes;
   Vector3 Spacing;

@@ -14,9 +14,9 @@ namespace
 {
 
 /**
- * Computes tap weights for the line that is fitted by least squares, where each tap counts with
- * `window`. The weights `smoothing` sum up to the line's value at `mean`, the weighted mean of the
- * taps' positions, and the weights `derivative` to its slope.
+ * Computes tap weights for a line that is fitted by least squares with the weights `window`. The
+ * sum with `smoothing` is the line's value at `mean`, the weighted mean of the taps' positions, and
+ * the sum with `derivative` is its slope.
  */
 void FitLine(int radius, double fraction, const std::function<double(double)>& window,
   double* smoothing, double* derivative, double& mean)

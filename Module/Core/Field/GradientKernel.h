@@ -10,7 +10,7 @@
  * | Gaussian          | (2 Radius + 2)^3 taps, derivative of a Gaussian   | trilinear     |
  * | CubicBSpline      | 64 taps, analytic derivative of the spline        | cubic B-spline|
  *
- * All of them are evaluated at the continuous position and reproduce a linear field exactly.
+ * All of them work at continuous positions and reproduce a linear field exactly.
  *
  * The Gaussian has the scale s = 0.53 Radius voxels and is cut at c = Radius + 1 voxels. w(t) =
  * exp(-t^2 / (2 s^2)) - exp(-c^2 / (2 s^2)) is zero there: no tap enters or leaves with a step. The
@@ -55,7 +55,7 @@ enum class GaussianWeights : std::uint8_t
   OwnDerivative
 };
 
-/** The part of a kernel that a tick needs. Points to the kernel's table. */
+/** The part of a kernel that a tick needs. Does not own the table. */
 struct KernelView
 {
   const double* Table = nullptr;

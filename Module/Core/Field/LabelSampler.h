@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The labels around a position, and the fractions of their voxels under a Gaussian of 8 taps.
+ * Samples a label image: for each label around a position, the fraction of the voxels that have it,
+ * weighted by a Gaussian of 8 taps.
  *
- * Collect() reads the 8^3 voxels, and stores for each label and voxel a bit that tells whether the
- * voxel has the label. Fraction() sums the kernel's weights over the bits of a label. A row along x
- * has 8 bits. LabelWeights has a table of the weights' sums for all patterns of 4 bits, so that a
- * row needs two lookups, whatever its labels.
+ * Collect() reads the 8^3 voxels, and stores one bit for each label and voxel: whether the voxel
+ * has the label. Fraction() sums the kernel's weights over the bits of a label. A row along x has 8
+ * bits. LabelWeights has a table of the weights' sums for all patterns of 4 bits, so that a row
+ * needs only two lookups, whatever its labels are.
  *
- * Near a wall, most rows begin or end with a label. Then the sums over the first and over the last
- * voxels suffice, and a row needs one lookup (LabelSteps, StepWeights).
+ * Near a wall, a label usually covers the beginning or the end of a row. Then the sums over the
+ * first and over the last voxels suffice, and a row needs one lookup (LabelSteps, StepWeights).
  *
- * The kernels are compiled once for each instruction set, as those of FieldSampler. All variants
+ * The kernels are compiled once for each instruction set, like those of FieldSampler. All variants
  * return the same fractions, to the bit.
  */
 #ifndef LabelSampler_h
@@ -30,7 +31,10 @@ namespace VolumeHaptics
 struct LabelBlock
 {
   static constexpr int Taps = 8;
-  /** Limit of the labels around a position. Further labels count as the last of these. */
+  /**
+   * Limit of the labels around a position. Voxels with further labels count as if they had the last
+   * one.
+   */
   static constexpr int Most = 32;
 
   int Count; ///< number of labels
@@ -40,7 +44,7 @@ struct LabelBlock
 };
 
 /**
- * The rows of a label if each row begins or ends with the label, is full of it, or lacks it. Place
+ * The rows of a label if it covers the beginning, the end, the whole or nothing of each row. Place
  * is the position of each row's sums in StepWeights::Sums, in bytes.
  */
 struct LabelSteps
@@ -48,7 +52,7 @@ struct LabelSteps
   /** Position for row j of plane k: Place[k][j]. */
   std::uint16_t Place[LabelBlock::Taps][LabelBlock::Taps];
 
-  /** Sets the positions from the planes of a label. Returns false if a row has another form. */
+  /** Sets the positions from the planes of a label. Returns false if a row has another pattern. */
   bool Set(const std::uint64_t* planes) noexcept;
 };
 
@@ -59,7 +63,7 @@ struct StepWeights
 
   /**
    * Sums over the first 0 to 8 weights of a row, followed by sums over the last 0 to 8 weights.
-   * Each sum has the numbers of LabelWeights::Low.
+   * Each sum consists of the same numbers as in LabelWeights::Low.
    */
   alignas(32) double Sums[2 * Ends][4];
   ///@{
@@ -75,8 +79,8 @@ struct LabelWeights
   static constexpr int Patterns = 16;
 
   /**
-   * Sums for each pattern of the first (Low) and the last (High) four bits of a row. A sum has the
-   * numbers value, slope, and value again.
+   * Sums for each pattern of the first (Low) and the last (High) four bits of a row. A sum consists
+   * of value, slope, and value again.
    */
   alignas(32) double Low[Patterns][4];
   alignas(32) double High[Patterns][4];
@@ -86,7 +90,7 @@ struct LabelWeights
   alignas(32) double Along[2 * LabelBlock::Taps];
 };
 
-/** The samples and the weights of a kernel. Points to memory of others. */
+/** The samples and the weights of a kernel. Owns none of them. */
 struct LabelField
 {
   static constexpr int Intervals = 32; ///< number of intervals per voxel
@@ -111,10 +115,10 @@ struct LabelFunctions
 };
 
 /**
- * Samples a label image with a Gaussian of 8 taps (GaussianWeights::OwnDerivative). Stores a view
- * of the samples.
+ * Samples a label image with a Gaussian of 8 taps (GaussianWeights::OwnDerivative). Does not own
+ * the samples.
  *
- * At 32 fractions of a voxel, the weights are the kernel's. Between them, they are cubic Hermite
+ * The weights equal the kernel's at 32 fractions of a voxel. Between them, they are cubic Hermite
  * polynomials, so that weights and slopes are continuous, and each slope is the derivative of its
  * weight. They differ from the kernel's own weights by less than 1e-8.
  */
@@ -149,14 +153,14 @@ public:
     return this->Functions.Fraction(weights, planes);
   }
 
-  /** Returns the same for a label whose rows are steps. The index must be in the image. */
+  /** The same for a label whose rows are steps. The index must be in the image. */
   FieldSample Fraction(const Vector3& index, const LabelSteps& steps) const noexcept
   {
     return this->Functions.FractionSteps(this->View, index.X, index.Y, index.Z, steps);
   }
 
   ///@{
-  /** Return the memory outside the object and its size in bytes. */
+  /** Return the address and the size (bytes) of the memory outside the object. */
   const void* GetMemory() const noexcept { return this->Table.data(); }
   std::size_t GetMemorySize() const noexcept { return this->Table.capacity() * sizeof(double); }
   ///@}

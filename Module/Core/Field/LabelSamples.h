@@ -17,7 +17,8 @@
 namespace VolumeHaptics
 {
 
-// The namespace is unnamed because the kernels need that: see FieldKernels.h.
+// The namespace is unnamed, because the kernels must not call functions with external linkage
+// (FieldKernels.h).
 namespace
 {
 
@@ -31,7 +32,7 @@ VOLUME_HAPTICS_INLINE constexpr std::int64_t ToLabel(T sample) noexcept
   }
   else if constexpr (std::is_floating_point_v<T>)
   {
-    // The conversion of NaN, or of a number beyond these limits, would be undefined.
+    // Converting NaN, or a number beyond these limits, would be undefined behaviour.
     constexpr T end = T(9223372036854775808.0);
     return sample >= -end && sample < end ? static_cast<std::int64_t>(sample) : NoLabel;
   }

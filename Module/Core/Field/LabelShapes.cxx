@@ -14,11 +14,11 @@ namespace
 /** Standard deviation (fine voxels) of the Gaussian that smooths distances in a slice. */
 constexpr double Smoothing = 2.0;
 /**
- * Half of the thickness (fine voxels) from which labels and gaps are fully smoothed. Those half as
- * thick are not smoothed at all.
+ * Labels and gaps are fully smoothed if half of their thickness (fine voxels) is at least this
+ * length, and not smoothed if it is less than half of it.
  */
 constexpr float Thick = 4.0F;
-/** Number of parts of a fine voxel in which distances are stored. */
+/** Number of steps per fine voxel in which distances are stored. */
 constexpr float DistanceParts = 256.0F;
 constexpr float NoSite = 1e12F;
 
@@ -88,7 +88,7 @@ private:
   std::vector<float> Begins;
 };
 
-/** Computes the distances in a box of a slice. */
+/** Computes the distances of pixels from a label's boundary in a box of a slice. */
 class DistanceMap
 {
 public:
@@ -137,7 +137,7 @@ private:
     const auto pixel = static_cast<float>(this->Grid.Pixel[0]);
     for (std::int64_t j = 0; j < this->Size[1]; ++j)
     {
-      // Go along a row in both directions.
+      // Scan the row in both directions.
       const std::uint8_t* const row = &is[static_cast<std::size_t>(this->Size[0] * j)];
       float* const to = &squares[static_cast<std::size_t>(this->Size[0] * j)];
       float way = NoSite;
@@ -164,7 +164,7 @@ private:
   }
 
   /**
-   * Smooths the values along an axis with a Gaussian. Values outside repeat those at the border.
+   * Smooths the values along an axis with a Gaussian. Repeats the values at the border.
    */
   void Smooth(std::vector<float>& values, int axis) const
   {
@@ -264,12 +264,12 @@ private:
 
 /**
  * Returns where a piece ends that the next slice lacks, as a fraction of the distance to that
- * slice. At the pixel, the piece's distance is `here` in this slice and `before` in the previous
- * one. Its largest distances there are `most` and `mostBefore`. Slices are `step` fine voxels
- * apart.
+ * slice. The piece's distance at the pixel is `here` in this slice and `before` in the previous
+ * one; its largest distances in these slices are `most` and `mostBefore`. Slices are `step` fine
+ * voxels apart.
  *
- * In the slices of a ball, r^2 - rho^2 = S (2 r - S) is a parabola of the height with the second
- * difference -2 step^2. A piece that does not get smaller ends halfway.
+ * In a slice through a ball, r^2 - rho^2 = S (2 r - S). Along the slices, it is a parabola with the
+ * second difference -2 step^2. A piece that does not get smaller ends halfway.
  */
 float ComputeEnd(float here, float before, float most, float mostBefore, float step)
 {
@@ -495,7 +495,7 @@ void LimitEnds(const SliceGrid& grid, const LabelShape& shape, const LabelShape*
       limits[static_cast<std::size_t>(i + grid.Size[0] * run.Row)] = here * (1.0F - end) / end;
     }
   }
-  // Around a piece, the decrease is that at the nearest pixel of the piece.
+  // Around a piece, use the decrease at the piece's nearest pixel.
   const auto acrossX = static_cast<float>(grid.Pixel[0]);
   const auto acrossY = static_cast<float>(grid.Pixel[1]);
   for (std::int64_t j = box.Low[1]; j < box.High[1]; ++j)

@@ -25,7 +25,7 @@ struct PixelBox
   std::int64_t Area() const { return this->Size(0) * this->Size(1); }
 };
 
-/** A run of pixels in a row that belong to a label, and the number of their connected piece. */
+/** A run of adjacent pixels of a label in a row, and the number of their connected piece. */
 struct PieceRun
 {
   std::int64_t Row;
@@ -35,7 +35,7 @@ struct PieceRun
 };
 
 /**
- * The signed distances of a label in a slice. They are stored for a box; outside it, they are
+ * The signed distances of a label in a slice. They are stored for a box; outside the box, they are
  * -Away.
  */
 struct LabelShape
@@ -61,7 +61,8 @@ struct LabelShape
 using SliceShapes = std::vector<LabelShape>;
 
 /**
- * The sizes of a slice's pixels in fine voxels, and the distance of a label that the slice lacks.
+ * The sizes of a slice's pixels in fine voxels, and the distance assigned to a label that the slice
+ * lacks.
  */
 struct SliceGrid
 {
@@ -75,8 +76,8 @@ struct SliceGrid
 const LabelShape* FindShape(const SliceShapes& shapes, std::int64_t label);
 
 /**
- * ExtractShapes() returns the shapes of a slice's labels without distances. MeasureShapes()
- * computes the distances.
+ * ExtractShapes() returns the shapes of all labels in a slice, without distances. MeasureShapes()
+ * adds the distances.
  */
 SliceShapes ExtractShapes(const SliceGrid& grid, const std::vector<std::int64_t>& labels);
 
@@ -88,8 +89,8 @@ float DistanceAt(const LabelShape* shape, const SliceGrid& grid, std::int64_t i,
 
 /**
  * Finds the pieces of a label that end at this slice, because the next slice lacks them. Around
- * them, limits the distances of all labels in the next slice, so that each piece ends as a ball
- * would, with the same slope around its end.
+ * them, limits the distances of all labels in the next slice, so that each piece ends like a ball,
+ * with the same slope around its end.
  */
 void LimitEnds(const SliceGrid& grid, const LabelShape& shape, const LabelShape* before,
   const LabelShape* next, std::vector<float>& limits);

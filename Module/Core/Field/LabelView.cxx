@@ -19,7 +19,7 @@ LabelCell CellOutside() noexcept
   return cell;
 }
 
-/** The voxel before a position along an axis, and the position's distance behind it. */
+/** The voxel before a position along an axis, and the distance from there to the position. */
 struct AxisPart
 {
   std::int64_t Low;
@@ -46,7 +46,6 @@ bool LocatePart(double position, std::int64_t count, AxisPart& part) noexcept
   return true;
 }
 
-/** Sets the trilinear weights of the eight voxels for a position in a cell. */
 void SetFractions(double x, double y, double z, LabelCell& cell) noexcept
 {
   const double along[2] = { 1.0 - x, x };

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A view of a label image by type: no copy, no ownership.
+ * A view of a label image of any scalar type. It copies and owns nothing.
  *
  * A label is an integer. There is no label outside the image, nor where the image has the value
- * NoLabel or an unsigned number that does not fit into a signed integer of 64 bits.
+ * NoLabel or a number that does not fit into a signed integer of 64 bits.
  */
 #ifndef LabelView_h
 #define LabelView_h
@@ -33,16 +33,15 @@ struct LabelCell
 };
 
 /**
- * The voxels of a label image, at continuous indices of this image. Stores only a view of the
- * memory.
+ * The voxels of a label image, at continuous indices of this image. Does not own them.
  */
 class LabelView
 {
 public:
   LabelView() = default;
   /**
-   * Makes a view of the whole image. Uses only data, dimensions, strides and type of the argument.
-   * Floating-point samples must be whole numbers.
+   * Makes a view of the whole image. Uses only the data, dimensions, strides and type of the
+   * argument. Floating-point samples must be whole numbers.
    */
   explicit LabelView(const VolumeView& view) noexcept;
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Samples of a whole volume from which its noise and its border value are estimated.
+ * Collects the samples of a whole volume from which its noise and its border value are estimated.
  *
- * A region of a volume feels as the whole volume does, with its noise and its border value. If a
- * volume is in pieces, each piece adds its samples (NoiseEstimate.h): up to 4096 blocks of 5^3
- * samples, or 512 in a large volume, and the corners. Merge() joins the samples of pieces. The data
- * are plain numbers, so that they can be sent between processes directly.
+ * A region of a volume uses the noise and the border value of the whole volume, so that it feels
+ * the same. If a volume is in pieces, each piece adds its samples (NoiseEstimate.h): up to 4096
+ * blocks of 5^3 samples, or 512 in a large volume, and the corners. Merge() joins the samples of
+ * pieces. The data are plain numbers, so that they can be sent between processes directly.
  */
 #ifndef NoiseSamples_h
 #define NoiseSamples_h
@@ -29,8 +29,8 @@ struct NoiseSamples
   /** Dimensions of the whole volume. */
   std::int64_t Dimensions[3] = { 0, 0, 0 };
   /**
-   * Numbers of samples, i + Dimensions[0] (j + Dimensions[1] k) with indices from 0, in any order,
-   * and the values of these samples.
+   * Numbers of the samples, i + Dimensions[0] (j + Dimensions[1] k) with indices from 0, in any
+   * order, and their values.
    */
   std::vector<std::int64_t> Indices;
   std::vector<double> Values;
@@ -45,7 +45,7 @@ struct NoiseSamples
    */
   double Inside[2] = { 1.0, 0.0 };
 
-  /** Returns the index along each axis of the sample whose value is Values[s]. */
+  /** Returns the index along each axis of sample s. */
   std::array<std::int64_t, 3> ComputePlace(std::size_t s) const
   {
     const std::int64_t number = this->Indices[s];
@@ -54,8 +54,8 @@ struct NoiseSamples
   }
 
   /**
-   * Returns the number of the corner whose value is Values[s]. Its bit a is set at the end of axis
-   * a. Returns -1 if the sample is not at a corner.
+   * Returns the number of the corner at which sample s is, or -1 if it is not at a corner. Bit a of
+   * the number is set if the corner is at the end of axis a.
    */
   int GetCorner(std::size_t s) const
   {
@@ -100,7 +100,7 @@ struct NoiseSamples
 
   void MergeRange(const double range[2]) { Extend(this->Range, range); }
 
-  /** Extends a range by another range. */
+  /** Extends a range so that it includes another one. */
   static void Extend(double to[2], const double range[2])
   {
     if (range[0] > range[1])

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The box of the resident samples in a larger volume (VolumeView::Whole).
+ * The box of the resident samples of a larger volume (VolumeView::Whole).
  */
 #ifndef ResidentBox_h
 #define ResidentBox_h
@@ -13,7 +13,7 @@
 namespace VolumeHaptics
 {
 
-/** Number of voxels over which the residency falls from 1 to 0. */
+/** Distance (voxels) over which the residency falls from 1 to 0 at the box's border. */
 constexpr double ResidencyBand = 4.0;
 
 /** The box of the resident samples in index steps. */
@@ -21,8 +21,8 @@ class ResidentBox
 {
 public:
   /**
-   * Makes the box of a view's samples. `fraction` is below 1 if they are coarser than the volume's
-   * own.
+   * Makes the box of a view's samples. `fraction` is below 1 if the samples are coarser than the
+   * volume's own.
    */
   explicit ResidentBox(const VolumeView& view, double fraction = 1.0) noexcept;
 

@@ -10,8 +10,8 @@ namespace VolumeHaptics
 {
 
 /**
- * The samples of the last gradient. They are stored from one tick to the next, because a hand stays
- * within a voxel for many ticks. The memory changes no result.
+ * The samples that the last gradient used. They are kept for the next ticks, because a hand stays
+ * within a voxel for many ticks. The memory saves time and changes no result.
  */
 struct TapMemory
 {
@@ -25,7 +25,7 @@ struct TapMemory
 
 /**
  * The samples around the last gradient in two time steps, which can be blended with any fraction.
- * Rows are along x as in a volume, so that values can be computed from them, too.
+ * As in a volume, rows are along x, so that values can be computed from them, too.
  */
 struct TimeStepTaps
 {
@@ -35,7 +35,7 @@ struct TimeStepTaps
   static constexpr int Line = (N + 3) / 4 * 4;
   static constexpr int Most = MostTaps * MostTaps * Line<MostTaps>;
 
-  std::uint64_t Field = 0;       ///< number of the first time step, as TapMemory::Field
+  std::uint64_t Field = 0;       ///< number of the first time step, like TapMemory::Field
   std::uint64_t SecondField = 0; ///< number of the second time step
   std::int64_t First[3] = { 0, 0, 0 };
   alignas(64) double Taps[Most];    ///< taps of the first time step
@@ -50,10 +50,10 @@ struct BlendMemory : TapMemory
 };
 
 /**
- * The memories of a tick. If both time steps are read at places of their own, each has a memory of
- * its own (TimeSteps). If they are blended, both share a memory (Pair), and the blend at each of a
- * tick's two instants has one (Blends). A time step keeps its memory when the data time passes it.
- * A volume that does not move uses the first memory.
+ * The memories of a tick. If both time steps are read at different places, each has its own memory
+ * (TimeSteps). If they are blended, they share a memory (Pair), and the blend at each of the tick's
+ * two instants has its own (Blends). A time step keeps its memory when the data time passes it. A
+ * volume that does not move uses only the first memory.
  */
 struct TickMemory
 {

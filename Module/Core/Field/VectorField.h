@@ -2,16 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Vectors and tensors of a volume that stands somewhere in the world.
+ * Reads the vectors and tensors of a volume in world axes.
  *
  *   VectorField field(view, indexToWorld);
  *   Vector3 v;
  *   Matrix3 jacobian;
  *   field.Read(index, v, jacobian);
  *
- * Everything is in world axes, and derivatives are per world unit. The components of the array are
- * along the world's axes, as in ParaView, or along the image's (VectorAxes::Image): with D the
- * image's direction matrix, a vector is then D v, and a tensor is D T D^T.
+ * Results are along the world's axes, and derivatives are per world unit. The components of the
+ * array are along the world's axes, as in ParaView, or along the image's (VectorAxes::Image). In
+ * the second case, a vector is multiplied by the image's direction matrix D, and a tensor T becomes
+ * D T D^T.
  */
 #ifndef VectorField_h
 #define VectorField_h
@@ -21,14 +22,14 @@
 namespace VolumeHaptics
 {
 
-/** The axes along which the components of an array are. */
+/** The axes to which the components of an array refer. */
 enum class VectorAxes : std::uint8_t
 {
   World,
   Image
 };
 
-/** The vectors or tensors of a volume. Stores only a view of the samples. */
+/** Does not own the samples. */
 class VectorField
 {
 public:
@@ -43,25 +44,25 @@ public:
   ///@{
   /**
    * Reads the vector at a continuous index, and its Jacobian, whose row c is the gradient of
-   * component c. Returns false outside the volume, where samples are not finite, and if the field
-   * has no vectors. Then both results are 0.
+   * component c. Returns false and sets both to 0 outside the volume, where samples are not finite,
+   * and if the field has no vectors.
    */
   bool Read(const Vector3& index, Vector3& vector) const noexcept;
   bool Read(const Vector3& index, Vector3& vector, Matrix3& jacobian) const noexcept;
   ///@}
 
   /**
-   * Reads the tensor at a continuous index: from 6 components (XX YY ZZ XY YZ XZ, as in VTK), or
-   * the symmetric part of 9 components (row by row). Returns false as Read does; then the result is
-   * 0.
+   * Reads the tensor at a continuous index, from 6 components (XX YY ZZ XY YZ XZ, as in VTK), or
+   * from the symmetric part of 9 components (row by row). Returns false and sets the tensor to 0 in
+   * the same cases as Read().
    */
   bool ReadTensor(const Vector3& index, Matrix3& tensor) const noexcept;
 
   const VectorSampler& GetSampler() const noexcept { return this->Sampler; }
 
   /**
-   * Returns the sum of the squares of a voxel's edges (world units), which limits the squared
-   * length of a displacement by one voxel.
+   * Returns the sum of the squares of a voxel's edges (world units). It limits the squared length
+   * of a displacement by one voxel.
    */
   double GetSquaredVoxel() const noexcept { return this->SquaredVoxel; }
 
@@ -69,7 +70,7 @@ private:
   VectorSampler Sampler;
   bool IsOfImage = false; ///< whether the components are along the axes of the image
   Matrix3 ToWorld;        ///< maps components to the world's axes
-  Matrix3 WorldToIndex;   ///< maps displacements in the world to index steps
+  Matrix3 WorldToIndex;   ///< maps displacements in the world to displacements in index steps
   double SquaredVoxel = 0.0;
 };
 

@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Vectors and tensors of a volume at continuous positions, with their derivatives.
+ * Samples the vectors or tensors of a volume and their derivatives at continuous positions.
  *
  *   VectorSampler sampler(view);
  *   VectorSample sample;
  *   if (sampler.IsInside(index) && sampler.Sample(index, sample)) { ... sample.Value[0] ... }
  *
- * All components are cubic B-splines with the conventions of GradientEstimator::CubicBSpline, and
- * share one set of weights: three components with their gradients take twice as long as one.
- * Derivatives are those of the values, to rounding. There is no prefilter: a linear field is
- * reproduced exactly, and a quadratic one lies higher by a sixth of its second derivative (per
- * index step).
+ * All components are cubic B-splines with the conventions of GradientEstimator::CubicBSpline. They
+ * share one set of weights, so that three components with their gradients take only twice as long
+ * as one. Derivatives are exact derivatives of the values, to rounding. There is no prefilter: a
+ * linear field is reproduced exactly, and a quadratic one is raised by a sixth of its second
+ * derivative (per index step).
  *
- * Like FieldSampler, it gives the same bits on every processor.
+ * Like those of FieldSampler, results are equal on every processor, to the bit.
  */
 #ifndef VectorSampler_h
 #define VectorSampler_h
@@ -25,7 +25,7 @@
 namespace VolumeHaptics
 {
 
-/** The components at a position. Only as many are set as the view has. */
+/** The components at a position. Only the view's components are set. */
 struct VectorSample
 {
   double Value[VectorView::MostComponents] = {};
@@ -33,7 +33,8 @@ struct VectorSample
 };
 
 /**
- * The samples as the kernels read them. Data of View.Volume points to the volume's first sample.
+ * The samples in the form that the kernels read. View.Volume.Data points to the whole volume's
+ * first sample.
  */
 struct VectorFieldView
 {
@@ -52,12 +53,12 @@ struct VectorFunctions
   VectorFunction Gradient = nullptr;
 };
 
-/** Samples a volume of vectors or tensors. Stores only a view of the samples. */
+/** Samples a volume of vectors or tensors. Does not own the samples. */
 class VectorSampler
 {
 public:
   VectorSampler() = default;
-  /** Makes a sampler for 3, 6 or 9 components. For any other number, the sampler is not valid. */
+  /** A number of components other than 3, 6 or 9 makes a sampler that is not valid. */
   explicit VectorSampler(
     const VectorView& view, InstructionSet instructions = DetectInstructionSet());
 
@@ -66,8 +67,8 @@ public:
   ///@{
   /**
    * Read the components at a continuous index, which is clamped to the resident samples. Sample()
-   * reads their gradients, too. Both return false if a sample with a weight is not finite; then the
-   * result must not be used.
+   * reads their gradients, too. Both return false if a sample with a weight is not finite; the
+   * result must then be ignored.
    */
   bool Sample(const Vector3& index, VectorSample& sample) const noexcept
   {
@@ -81,7 +82,7 @@ public:
 
   ///@{
   /**
-   * Do the same as FieldSampler's functions. For an index that is NaN, IsInside() returns false and
+   * The same as FieldSampler's functions. If the index is NaN, IsInside() returns false, and
    * DistanceToBorder() a negative number.
    */
   bool IsInside(const Vector3& index) const noexcept

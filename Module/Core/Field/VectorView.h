@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A view of an array of vectors or tensors by type: no copy, no ownership.
+ * A view of an array of vectors or tensors of any scalar type. It copies and owns nothing.
  */
 #ifndef VectorView_h
 #define VectorView_h

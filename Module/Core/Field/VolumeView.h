@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A view of a scalar array by type: no copy, no ownership.
+ * A view of a scalar array of any type. It copies and owns nothing.
  */
 #ifndef VolumeView_h
 #define VolumeView_h
@@ -27,7 +27,7 @@ enum class ScalarType : std::uint8_t
   Float64
 };
 
-/** Calls f with a value of the C++ type that belongs to a scalar type. */
+/** Calls f with a value of the C++ type of a scalar type. */
 template <typename F>
 auto WithSampleType(ScalarType type, F&& f)
 {
@@ -59,12 +59,12 @@ auto WithSampleType(ScalarType type, F&& f)
 
 /**
  * One component of a structured point array. The sample with index (i, j, k) is i*Stride[0] +
- * j*Stride[1] + k*Stride[2] elements of `Type` behind `Data`. Indices are from 0 to Dimensions - 1,
- * whatever extent the image has: the maps from index to space account for the extent.
+ * j*Stride[1] + k*Stride[2] elements of `Type` after `Data`. Indices run from 0 to Dimensions - 1,
+ * whatever the image's extent is, because the maps from index to space account for the extent.
  *
  * A view may show a region of a larger volume. Then its indices are those of the volume, and `Data`
- * points to the sample with the index First. So reading in a region gives the same values as
- * reading in the whole volume, to the bit.
+ * points to the sample with the index First. Reading in a region therefore returns the same values
+ * as reading in the whole volume, to the bit.
  */
 struct VolumeView
 {

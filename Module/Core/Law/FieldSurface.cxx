@@ -9,7 +9,7 @@ namespace Law
 namespace
 {
 
-/** Returns x_s - x_p (index steps) at a wall between labels with a normal. */
+/** Returns x_s - x_p (index steps) for a wall between labels with the given normal. */
 Vector3 WallReach(const HapticModel& model, const Vector3& normal) noexcept
 {
   return model.DeviceToIndex.Linear * (model.LabelReachAlong(normal) * normal);
@@ -49,7 +49,7 @@ Surface ComputeWall(const HapticModel& model, const FieldAtTime& field, const Ve
   Surface surface = MakeNoSurface(model);
   if (baked.Settings.Geometry == SurfaceGeometry::Both)
   {
-    // A wall replaces the scalars' surface where that surface has less than half of its
+    // A wall replaces the scalars' surface only where that surface has less than half of its
     // distinctness.
     constexpr double least = 0.5;
     surface = ComputeFieldSurface(model, field, index);
@@ -75,7 +75,7 @@ Surface ComputeWall(const HapticModel& model, const FieldAtTime& field, const Ve
   {
     return surface;
   }
-  // The root and the reciprocal are independent, so the processor computes them at the same time.
+  // Root and reciprocal are independent, so that the processor can compute them in parallel.
   const double magnitude = std::sqrt(square);
   const double inverse = (1.0 / square) * magnitude;
   surface.Normal = inverse * gradient;
@@ -90,7 +90,7 @@ Surface ComputeWall(const HapticModel& model, const FieldAtTime& field, const Ve
   return surface;
 }
 
-/** Returns the surface of labels or scalars, as if nothing were cut away. */
+/** Returns the surface of labels or scalars, ignoring the cut. */
 Surface ComputeUncutSurface(const HapticModel& model, const FieldAtTime& field,
   const Vector3& index, LabelMemory& memory) noexcept
 {
@@ -114,7 +114,7 @@ Surface MakeCutFace(const HapticModel& model, const Vector3& index, const CutPla
   return surface;
 }
 
-/** Returns the surface of a volume of which a part is cut away. */
+/** Returns the surface of a volume with a cut. */
 Surface ComputeKeptSurface(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
   LabelMemory& memory) noexcept
 {
@@ -168,7 +168,8 @@ Surface ComputeOtherSurface(const HapticModel& model, const FieldAtTime& field,
   const Vector3& index, LabelMemory& memory) noexcept
 {
   Surface surface;
-  // A forbidden label counts in a part that is cut away, too, because no cut gives access to it.
+  // A forbidden label also counts where the volume is cut away, because no cut may give access to
+  // it.
   if (model.Baked->GetZone() && ComputeForbidden(model, model.IndexToLabel(index), surface))
   {
     return surface;

@@ -5,9 +5,9 @@
  * The material law: how the material at a point balances the spring that pulls the proxy.
  *
  * With N the normal into the structure, d = x_tip - x_p the lag and F = k d the spring's force:
- * - the surface takes F.N up to T = T_N W_d (eqs. 12, 13), and nothing outward;
- * - friction takes the tangential part up to mu times that (eqs. 8 to 10);
- * - the drag takes up to R of the remainder (eq. 14);
+ * - the surface carries F.N up to T = T_N W_d (eqs. 12, 13), and no outward force;
+ * - friction carries the tangential force up to mu times that (eqs. 8 to 10);
+ * - the drag carries up to R of the remainder (eq. 14);
  * - the rest moves the proxy.
  *
  * All solvers share this law. They differ in where and how often they read the material.
@@ -33,7 +33,8 @@ struct Surface
   double GradientMagnitude = 0.0;
   double Value = 0.0; ///< the estimator's own value; the normal is the direction of its gradient
   /**
-   * Factor of the surface's strength, 0 to 1; falls to 0 at the border and is 0 without a gradient.
+   * Factor of the surface's strength, 0 to 1. It falls to 0 at the border, and is 0 without a
+   * gradient.
    */
   double Fade = 0.0;
   /** Fraction of the medium's drag that is felt; 0 in a part that is cut away. */
@@ -41,15 +42,15 @@ struct Surface
   /** Whether the surface is a cut's face or a wall between labels (Value: LabelWall's). */
   bool IsWall = false;
   double Depth = 0.0; ///< value of a wall, with the sign of the normal
-  /** Whether the normal points into the structure on whichever side the tip is. */
+  /** Whether the normal points into the structure wherever the tip is. */
   bool IsOneSided = false;
-  /** The faces of a cut here (CutPlace::Faces); several in a hollow corner. */
+  /** The faces of a cut here (CutPlace::Faces). In a hollow corner there are several. */
   std::uint32_t CutFaces = 0;
   /** Whether the wall is in front of a forbidden label; Value is then in world units. */
   bool IsForbidden = false;
 };
 
-/** A lag, split into its length along the normal and its tangential vector. */
+/** A lag, split into its length along the normal and its tangential part. */
 struct SplitLag
 {
   double Push;
@@ -58,17 +59,17 @@ struct SplitLag
 };
 
 /**
- * The parts of the spring's force (N): the forces of surface and friction, and the excess, which
- * moves the proxy.
+ * How the spring's force (N) is shared between the surface, the friction, and the excess that moves
+ * the proxy.
  */
 struct Balance
 {
-  double Normal;        ///< force held by the surface
-  double Friction;      ///< force held by friction
-  double NormalExcess;  ///< rest of the force along the normal
-  double TangentExcess; ///< rest of the force along the surface
+  double Normal;        ///< force that the surface carries
+  double Friction;      ///< force that friction carries
+  double NormalExcess;  ///< remaining force along the normal
+  double TangentExcess; ///< remaining tangential force
   double Pull;          ///< tangential force of the spring
-  double Excess;        ///< magnitude of both rests together, before the drag
+  double Excess;        ///< magnitude of both excesses together, before the drag
   double ExcessSquare;
   bool IsThrough; ///< whether the normal force exceeds the surface's strength
   bool Slides;    ///< whether the tangential force exceeds the friction
@@ -76,7 +77,7 @@ struct Balance
 
 namespace Law
 {
-/** A gradient below this fraction of the value per voxel is only rounding. */
+/** A gradient below this fraction of the value per voxel counts as rounding. */
 constexpr double RelativeGradientEpsilon = 1e-12;
 constexpr double SmallestSquare = std::numeric_limits<double>::min();
 /** Distances (m) and forces (N) below these limits count as zero. */
@@ -88,7 +89,7 @@ inline double Capped(double value, double cap) noexcept
   return cap > 0.0 ? std::min(value, cap) : value;
 }
 
-/** Makes the surface that stands for no surface, with the model's normal. */
+/** Makes a surface without strength, with the model's fallback normal. */
 inline Surface MakeNoSurface(const HapticModel& model) noexcept
 {
   Surface surface;
@@ -112,13 +113,13 @@ VOLUME_HAPTICS_INLINE bool ComputeSlope(
   const double floor = RelativeGradientEpsilon * sample.Value;
   const Vector3 gradient = model.GradientToDevice * sample.Gradient;
   const double square = Dot(gradient, gradient);
-  // The condition is false for NaN, too: where a sample is not finite, there is no surface.
+  // The comparison is false for NaN, too: where a sample is not finite, there is no surface.
   if (!(Dot(sample.Gradient, sample.Gradient) > floor * floor && square > SmallestSquare &&
         std::isfinite(square)))
   {
     return false;
   }
-  // The root and the reciprocal are independent, so the processor computes them at the same time.
+  // Root and reciprocal are independent, so that the processor can compute them in parallel.
   slope.Magnitude = std::sqrt(square);
   const double inverse = (1.0 / square) * slope.Magnitude;
   slope.Normal = inverse * gradient;
@@ -126,7 +127,10 @@ VOLUME_HAPTICS_INLINE bool ComputeSlope(
   return true;
 }
 
-/** Makes the scalars' surface through an index from the gradient there. The normal ascends. */
+/**
+ * Makes the scalars' surface through an index from the gradient there. The normal points to higher
+ * values.
+ */
 inline Surface MakeFieldSurface(
   const HapticModel& model, const Vector3& index, const FieldSample& sample) noexcept
 {
@@ -143,7 +147,7 @@ inline Surface MakeFieldSurface(
   return surface;
 }
 
-/** Computes the scalars' surface through an index. The normal ascends. */
+/** Computes the scalars' surface through an index. The normal points to higher values. */
 inline Surface ComputeFieldSurface(
   const HapticModel& model, const FieldAtTime& field, const Vector3& index) noexcept
 {
@@ -152,13 +156,16 @@ inline Surface ComputeFieldSurface(
 }
 
 /**
- * Computes the surface through an index if labels or a cut count, not only the scalars. Defined in
+ * Computes the surface through an index of a model with labels or a cut. Defined in
  * FieldSurface.cxx.
  */
 Surface ComputeOtherSurface(const HapticModel& model, const FieldAtTime& field,
   const Vector3& index, LabelMemory& memory) noexcept;
 
-/** Computes the surface through an index. The normal ascends. */
+/**
+ * Computes the surface through an index, whatever it comes from. The normal of the scalars' surface
+ * points to higher values.
+ */
 inline Surface ComputeSurface(const HapticModel& model, const FieldAtTime& field,
   const Vector3& index, LabelMemory& memory) noexcept
 {
@@ -167,27 +174,27 @@ inline Surface ComputeSurface(const HapticModel& model, const FieldAtTime& field
 }
 
 /**
- * Distance (voxels along the normal) over which a drag may hold a proxy, however soft the material
- * is.
+ * Distance (voxels along the normal) within which the drag may hold a proxy, however soft the
+ * material is.
  */
 constexpr double DragVoxels = 3.0;
 
 /**
- * Limits the drag R so that it holds the proxy at most as far behind the tip as it would with the
- * coupling stiffness, or three voxels along the normal, whichever is longer.
+ * Limits the drag R: it holds the proxy at most as far behind the tip as with the coupling
+ * stiffness, or three voxels along the normal, whichever is longer.
  *
- * A k near 0 with an R above 0 is a mistake in the functions, or noise on a ramp of k. Without the
- * limit, the proxy would stay R/k behind, and the hand would go through a surface without feeling
- * it. PAPER keeps the drag as published.
+ * A stiffness near 0 with a drag above 0 is a mistake in the functions, or noise on a ramp of the
+ * stiffness. Without the limit, the proxy would stay R/k behind, and the hand would pass through a
+ * surface without feeling it. The solver Paper does not limit the drag.
  *
- * @param slack the part (m) of the distance over which the spring (PassiveSpring.h) does not pull
+ * @param slack the part (m) of the lag over which the spring (PassiveSpring.h) does not pull
  */
 inline void LimitDrag(const HapticModel& model, double slack, MaterialPoint& point) noexcept
 {
   const double k = point.Stiffness;
   const double drag = point.Viscosity;
-  // The smallest spacing shows for most materials that the limit does not apply, without the root
-  // below.
+  // For most materials, a comparison with the smallest spacing shows that the limit does not apply,
+  // and saves the root below.
   if (!(drag > k * (DragVoxels / model.MostVoxelsPerMeter - slack)))
   {
     return;
@@ -214,8 +221,8 @@ constexpr double ForbiddenStrength = 1e6;
 constexpr double ForbiddenStiffness = 500.0;
 
 /**
- * Depths (as LabelWall::Value): up to WallHolds a wall has all of its strength, from WallEnds on
- * none.
+ * Depths (as LabelWall::Value): a wall has its full strength up to WallHolds, and none from
+ * WallEnds on.
  */
 constexpr double WallHolds = 0.5;
 constexpr double WallEnds = 0.9;
@@ -226,8 +233,8 @@ constexpr double WallEnds = 0.9;
 constexpr double WallBegins = 5e-3;
 
 /**
- * Returns the distinctness of a wall: 1 on the wall and down to WallHolds, 0 in front of WallBegins
- * and below WallEnds, and linear ramps between.
+ * Returns the distinctness of a wall: 1 from the wall down to WallHolds, 0 in front of WallBegins
+ * and below WallEnds, with linear ramps between.
  */
 inline double DistinctnessOfWall(double depth) noexcept
 {
@@ -236,7 +243,7 @@ inline double DistinctnessOfWall(double depth) noexcept
   return std::clamp(std::min(before, behind), 0.0, 1.0);
 }
 
-/** Returns W_d and the visibility, which depend on the gradient. */
+/** Returns W_d and the visibility, which depend on the gradient, or on the depth in a wall. */
 inline DistinctnessTable::Values ComputeDistinctness(
   const HapticModel& model, const Surface& surface) noexcept
 {
@@ -245,8 +252,8 @@ inline DistinctnessTable::Values ComputeDistinctness(
 }
 
 /**
- * Returns whether the structure is on the side of the lower values, by the settings and, if both
- * sides are felt, by the lag.
+ * Returns whether the structure is on the side of the lower values. The settings decide this, or
+ * the lag if both sides are felt.
  */
 inline bool IsDescending(
   const HapticModel& model, const Vector3& lag, const Vector3& normal) noexcept
@@ -256,13 +263,13 @@ inline bool IsDescending(
 }
 
 /**
- * Changes the normal in a hollow corner between faces of a cut to the direction of the lag's joint
+ * In a hollow corner between faces of a cut, turns the normal to the direction of the lag's joint
  * push against these faces. Defined in FieldSurface.cxx.
  */
 void TurnIntoCorner(const HapticModel& model, const Vector3& lag, Surface& surface) noexcept;
 
 /**
- * Turns a surface's normal towards its structure. Returns true if the normal then points against
+ * Turns a surface's normal towards its structure. Returns whether the normal then points against
  * the gradient.
  */
 inline bool Orient(const HapticModel& model, const Vector3& lag, Surface& surface) noexcept
@@ -345,7 +352,7 @@ inline void ReadMaterials(const HapticModel& model, const FieldAtTime& field, co
 }
 
 /**
- * Reads the material at the isovalue, for methods that touch an isosurface. Returns false if that
+ * Reads the material at the isovalue, for methods with an isosurface. Returns false if that
  * material is not felt.
  */
 inline bool ReadIsoMaterial(const HapticModel& model, MaterialPoint& point) noexcept
@@ -360,15 +367,15 @@ inline bool ReadIsoMaterial(const HapticModel& model, MaterialPoint& point) noex
   return point.Stiffness > HapticModel::MinimumStiffness && material[4] > 0.0;
 }
 
-/** Returns whether the material is felt. Otherwise the proxy moves with the tip. */
+/** Returns whether the material is felt. If not, the proxy moves with the tip. */
 inline bool IsFelt(const MaterialPoint& point) noexcept
 {
   return point.Stiffness > HapticModel::MinimumStiffness;
 }
 
 /**
- * Computes the forces that surface and friction hold against a spring of stiffness k (N/m), and the
- * excess, from which Move computes the proxy's motion (eqs. 8 to 12).
+ * Computes the forces of surface and friction against a spring of stiffness k (N/m), and the
+ * excess, from which Move() computes the proxy's motion (eqs. 8 to 12).
  */
 inline Balance Weigh(const MaterialPoint& point, double k, const SplitLag& lag) noexcept
 {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The material at a point of the volume.
  */
 #ifndef MaterialPoint_h
 #define MaterialPoint_h

@@ -2,18 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A spring whose stiffness changes with the tissue without giving energy to the hand.
+ * A spring whose stiffness changes with the tissue without adding energy to the hand.
  *
  * Let the proxy rest at a distance d from the tip. If the tissue's stiffness K rises there, using
  * the new K at once would store energy that the hand has not put in (T15 in
- * Documentation/evaluation.md). So a rise keeps the force instead: the spring gets slack s,
+ * Documentation/evaluation.md). To avoid this, the force stays the same, and the spring gets slack
+ * s,
  *
  *   |f| = K (|d| - s)   for |d| > s, else 0,
  *
- * and the new stiffness is felt when the hand presses on. A fall of K keeps the stretch |d| - s and
- * loses energy, which is added to a reserve. The reserve pays for later rises first, so that
- * sliding over uneven tissue does not wear the force down. The stored energy K (|d| - s)^2 / 2 plus
- * the reserve rises only by the hand's work. Slack and reserve end with the contact.
+ * so that the new stiffness is felt when the hand presses on. If K falls, the stretch |d| - s stays
+ * the same, and the spring loses energy, which is added to a reserve. The reserve pays for later
+ * rises first, so that sliding over uneven tissue does not wear the force down. The stored energy K
+ * (|d| - s)^2 / 2 plus the reserve rises only by the hand's work. Slack and reserve end with the
+ * contact.
  */
 #ifndef PassiveSpring_h
 #define PassiveSpring_h
@@ -33,7 +35,8 @@ struct PassiveSpring
   double GetEffective() const noexcept { return std::max(this->Tension, Least) * this->Tissue; }
 
   /**
-   * Changes the stretch for a tip that moved: d grows or shrinks from one length (m) to another.
+   * Changes the stretch when the tip moves and its distance from the proxy changes from one length
+   * (m) to another.
    */
   void Stretch(double from, double to) noexcept
   {
@@ -44,7 +47,10 @@ struct PassiveSpring
     }
   }
 
-  /** Sets the tissue's stiffness (N/m) at the proxy, at the tip's present distance d (m). */
+  /**
+   * Sets the tissue's stiffness (N/m) when the proxy passes into other tissue. d (m) is the tip's
+   * present distance.
+   */
   void Pass(double stiffness, double d) noexcept
   {
     const double before = this->Tissue;
@@ -62,7 +68,7 @@ struct PassiveSpring
     this->Reserve = 0.0;
   }
 
-  /** Ends the contact: removes slack and reserve. `stiffness` (N/m) is the tissue's. */
+  /** Ends the contact: removes slack and reserve, and sets the tissue's stiffness (N/m). */
   void Relax(double stiffness) noexcept
   {
     this->Tissue = stiffness;
@@ -74,7 +80,7 @@ struct PassiveSpring
   void DropReserve() noexcept { this->Reserve = 0.0; }
 
   /**
-   * Smallest tension in use, so that the law's quotients stay finite if the spring is all slack.
+   * Smallest tension in use. It keeps the law's quotients finite if the whole distance is slack.
    */
   static constexpr double Least = 1e-6;
 };

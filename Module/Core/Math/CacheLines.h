@@ -15,8 +15,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Allocates memory that begins at a cache line, because a vector that lies in two lines takes two
- * reads.
+ * Allocates memory that begins at a cache line, because reading a vector that crosses into the next
+ * line takes two reads.
  */
 template <typename T>
 struct CacheLines

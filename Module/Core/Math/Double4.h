@@ -4,8 +4,8 @@
  * @file
  * Vectors of four doubles for the instruction set of the translation unit.
  *
- * Double4Avx.h uses a vector type of the compiler, and Double4Portable.h a plain struct. Both have
- * the same results.
+ * Double4Avx.h uses a vector type of the compiler, and Double4Portable.h a plain struct. Their
+ * results are equal, to the bit.
  */
 #ifndef Double4_h
 #define Double4_h
@@ -24,7 +24,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Returns false for NaN and infinities. Does not call std::isfinite: see FieldKernels.h. */
+/**
+ * Returns false for NaN and infinities. std::isfinite must not be called here: see FieldKernels.h.
+ */
 VOLUME_HAPTICS_INLINE bool IsNumber(double x)
 {
   return x - x == 0.0;

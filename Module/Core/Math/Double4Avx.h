@@ -23,8 +23,8 @@ typedef double Double4 __attribute__((vector_size(32)));
 typedef std::int32_t Int4 __attribute__((vector_size(16)));
 
 /**
- * Makes four lanes from four numbers. An array would be slower, because the processor would have to
- * wait for its load.
+ * Makes four lanes from four numbers. Loading them from an array would be slower, because the
+ * processor would have to wait.
  */
 VOLUME_HAPTICS_INLINE Double4 MakeDouble4(double a, double b, double c, double d)
 {
@@ -33,7 +33,8 @@ VOLUME_HAPTICS_INLINE Double4 MakeDouble4(double a, double b, double c, double d
 
 ///@{
 /**
- * Functions of single lanes. Larger() and Smaller() return the second argument if a lane is NaN.
+ * Functions that work lane by lane. Larger() and Smaller() return the second argument if a lane is
+ * NaN.
  */
 VOLUME_HAPTICS_INLINE Double4 Root(const Double4& a)
 {
@@ -70,7 +71,7 @@ VOLUME_HAPTICS_INLINE Double4 ChooseEqual(
 }
 ///@}
 
-/** Stores numbers that are whole and below 2^51. */
+/** Stores lanes that are whole numbers below 2^51. */
 VOLUME_HAPTICS_INLINE void StoreWhole(const Double4& from, std::int64_t* to)
 {
   // AVX2 has no instruction for this conversion. The lowest bits of (number + shift) are the whole
@@ -82,8 +83,8 @@ VOLUME_HAPTICS_INLINE void StoreWhole(const Double4& from, std::int64_t* to)
 }
 ///@{
 /**
- * Return one bit for each lane, which is set where the condition holds. The lowest bit is that of
- * the first lane. The bit is 0 for NaN.
+ * Return one bit for each lane, the lowest for the first lane. The bit is set where the condition
+ * holds; it is 0 for NaN.
  */
 VOLUME_HAPTICS_INLINE std::uint64_t NotNegative(const Double4& a)
 {
@@ -101,8 +102,8 @@ VOLUME_HAPTICS_INLINE std::uint64_t IsEqual(const Double4& a, const Double4& b)
 ///@}
 
 /**
- * Loads four samples of 8 or 16 bits. GCC splits a generic conversion into single samples, so this
- * uses the instructions for four.
+ * Loads four samples of 8 or 16 bits. GCC would convert them one by one, so this uses the
+ * instructions for four.
  */
 template <typename T>
 VOLUME_HAPTICS_INLINE Int4 LoadInt4(const T* from)
@@ -122,7 +123,6 @@ VOLUME_HAPTICS_INLINE Int4 LoadInt4(const T* from)
   }
 }
 
-/** Loads four samples of any type. */
 template <typename T>
 VOLUME_HAPTICS_INLINE Double4 LoadDouble4(const T* from)
 {
@@ -144,7 +144,7 @@ VOLUME_HAPTICS_INLINE Double4 LoadDouble4(const T* from)
 }
 
 ///@{
-/** Load or store the first two lanes at `low` and the last two lanes at `high`. */
+/** Load or store the first two lanes at `low`, and the last two lanes at `high`. */
 VOLUME_HAPTICS_INLINE Double4 LoadHalves(const double* low, const double* high)
 {
   return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(low)), _mm_loadu_pd(high), 1);
@@ -189,7 +189,7 @@ VOLUME_HAPTICS_INLINE void LoadFourPairs(
   }
 }
 
-/** Loads one number from memory to all lanes, without a shuffle. */
+/** Loads one number from memory into all lanes, without a shuffle. */
 VOLUME_HAPTICS_INLINE Double4 Spread(const double* from)
 {
   return _mm256_broadcast_sd(from);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Four doubles as a plain struct, for any compiler and processor. Only Double4.h includes this
- * file.
+ * Four doubles as a plain struct, for compilers and processors without AVX. Only Double4.h includes
+ * this file.
  */
 #ifndef Double4Portable_h
 #define Double4Portable_h
@@ -54,7 +54,8 @@ VOLUME_HAPTICS_INLINE Double4 MakeDouble4(double a, double b, double c, double d
 
 ///@{
 /**
- * Functions of single lanes. Larger() and Smaller() return the second argument if a lane is NaN.
+ * Functions that work lane by lane. Larger() and Smaller() return the second argument if a lane is
+ * NaN.
  */
 template <typename F>
 VOLUME_HAPTICS_INLINE Double4 EachLane(const Double4& a, const Double4& b, F&& f)
@@ -98,7 +99,7 @@ VOLUME_HAPTICS_INLINE Double4 ChooseEqual(
 }
 ///@}
 
-/** Stores numbers that are whole and below 2^51. */
+/** Stores lanes that are whole numbers below 2^51. */
 VOLUME_HAPTICS_INLINE void StoreWhole(const Double4& from, std::int64_t* to)
 {
   for (int lane = 0; lane < 4; ++lane)
@@ -108,8 +109,8 @@ VOLUME_HAPTICS_INLINE void StoreWhole(const Double4& from, std::int64_t* to)
 }
 ///@{
 /**
- * Return one bit for each lane, which is set where the condition holds. The lowest bit is that of
- * the first lane. The bit is 0 for NaN.
+ * Return one bit for each lane, the lowest for the first lane. The bit is set where the condition
+ * holds; it is 0 for NaN.
  */
 VOLUME_HAPTICS_INLINE std::uint64_t NotNegative(const Double4& a)
 {
@@ -140,7 +141,6 @@ VOLUME_HAPTICS_INLINE std::uint64_t IsEqual(const Double4& a, const Double4& b)
 }
 ///@}
 
-/** Loads four samples of any type. */
 template <typename T>
 VOLUME_HAPTICS_INLINE Double4 LoadDouble4(const T* from)
 {
@@ -179,7 +179,6 @@ VOLUME_HAPTICS_INLINE void LoadFourPairs(
   }
 }
 
-/** Loads one number to all lanes. */
 VOLUME_HAPTICS_INLINE Double4 Spread(const double* from)
 {
   return { { *from, *from, *from, *from } };

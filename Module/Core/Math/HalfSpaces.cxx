@@ -11,7 +11,7 @@ namespace
 
 /** Angle (rad) between two normals below which they count as equal. */
 constexpr double SameDirection = 1e-6;
-/** Fraction of the distances by which a point may miss a bound. */
+/** A point may miss a bound by this fraction of the distances. */
 constexpr double Slack = 1e-12;
 /** Determinant below which a system of normals counts as singular. */
 constexpr double Singular = 1e-9;
@@ -22,8 +22,8 @@ double Excess(const HalfSpace& space, const Vector3& y) noexcept
 }
 
 /**
- * Computes the point nearest to `goal` that is on all of `count` (1 to 3) bounds. Returns false if
- * there is no such point.
+ * Computes the point nearest to `goal` that is on the planes of all `count` (1 to 3) half-spaces.
+ * Returns false if there is no such point.
  */
 bool Project(
   const HalfSpace* const* spaces, int count, const Vector3& goal, Vector3& point) noexcept
@@ -86,7 +86,7 @@ Vector3 HalfSpaces::Nearest(const Vector3& goal, const Vector3& fallback) const 
   int count = 0;
   Vector3 point = goal;
   const double slack = Slack * (1.0 + Norm(goal) + Norm(fallback));
-  // In each round the point is farther from the goal, so that no active set occurs twice.
+  // The point gets farther from the goal in each round, so no active set occurs twice.
   for (int round = 0; round < 4 * Most; ++round)
   {
     const HalfSpace* worst = nullptr;

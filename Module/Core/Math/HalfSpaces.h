@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The point in several half-spaces that is nearest to a goal. It is the goal of a proxy that
- * touches several faces at once.
+ * Computes the point in several half-spaces that is nearest to a goal. A proxy that touches several
+ * faces at once moves to this point.
  */
 #ifndef HalfSpaces_h
 #define HalfSpaces_h
@@ -32,8 +32,8 @@ public:
   int GetCount() const noexcept { return this->Count; }
 
   /**
-   * Adds a half-space. If a stored half-space has almost the same normal, keeps only the larger
-   * bound. If Most half-spaces are stored, ignores other ones.
+   * Adds a half-space. If a stored one has almost the same normal, keeps only the larger bound.
+   * Ignores the new half-space if Most are stored.
    */
   void Add(const HalfSpace& space) noexcept;
 

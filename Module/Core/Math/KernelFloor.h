@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Rounds down in the sampling kernels, by the rules of FieldKernels.h.
+ * A floor function for the sampling kernels, by the rules of FieldKernels.h.
  */
 #ifndef KernelFloor_h
 #define KernelFloor_h
@@ -17,7 +17,7 @@ namespace
 {
 
 /**
- * Returns the largest whole number that is not above a position. The position must not be negative.
+ * Returns the largest whole number that is not above the position, which must not be negative.
  */
 VOLUME_HAPTICS_INLINE double Floor(double position)
 {

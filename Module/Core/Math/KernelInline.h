@@ -5,11 +5,12 @@
  * Macros for the sampling kernels.
  *
  * A kernel is inlined as a whole to make it fast. All its functions are static, because otherwise
- * the linker could use the AVX2 unit's copy of a function in the baseline kernel. Without
- * optimisation nothing is inlined, because inlined code takes ten times as long to compile, most of
- * all with sanitizers.
+ * the linker could put the AVX2 unit's copy of a function into the baseline kernel. Without
+ * optimisation nothing is inlined, because inlined code takes ten times as long to compile, or more
+ * with sanitizers.
  *
- * VOLUME_HAPTICS_UNROLL is for a loop of at most eight rounds whose arrays should be in registers.
+ * VOLUME_HAPTICS_UNROLL is for a loop of at most eight rounds, and keeps the loop's arrays in
+ * registers.
  */
 #ifndef KernelInline_h
 #define KernelInline_h

@@ -16,9 +16,9 @@ namespace VolumeHaptics
 {
 
 /**
- * Parses a decimal number with a decimal point, as in C. strtod, atof and streams must not be used:
- * in programs that set the user's locale, they read 1.6 as 1 if the user writes 1,6. Returns none
- * if the text contains anything else, or if the number is too large for a double.
+ * Parses a decimal number with a decimal point, as in C. Don't use strtod, atof or streams instead:
+ * in programs that set the user's locale, they read 1.6 as 1 if the locale has a decimal comma.
+ * Returns none if the text contains anything else, or if the number is too large for a double.
  */
 inline std::optional<double> ParseNumber(std::string_view text) noexcept
 {

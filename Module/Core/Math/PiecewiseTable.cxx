@@ -95,7 +95,7 @@ PiecewiseTable<Channels>::PiecewiseTable(const std::array<Polyline, Channels>& f
   std::uint32_t segment = 0;
   for (int bin = 0; bin < Bins; ++bin)
   {
-    // Use the edge half a bin earlier, because rounding may assign a value to the next bin.
+    // Begin half a bin earlier, because rounding may assign a value to the next bin.
     const double edge = this->Low + width * (bin - 0.5) / Bins;
     const std::uint32_t first = segment;
     while (edge > this->Segments[segment + 1].Begin)

@@ -4,11 +4,11 @@
  * @file
  * Several piecewise-linear functions of one variable, baked for lookup in constant time.
  *
- * A table merges the break points of its channels, so that one search serves all of them. So a
- * lookup by the scalar value gives the whole material (stiffness, friction, surface strength,
- * viscosity). Between break points a channel is exactly linear, and steps stay steps: nothing is
- * resampled to a grid. A piecewise-linear function is therefore reproduced to rounding, however
- * steep it is.
+ * A table merges the break points of its channels, so that one search serves all of them: a lookup
+ * by the scalar value returns the whole material (stiffness, friction, surface strength,
+ * viscosity). Between break points a channel is exactly linear, and a step remains a step, because
+ * nothing is resampled to a grid. A piecewise-linear function is therefore reproduced to rounding,
+ * however steep it is.
  */
 #ifndef PiecewiseTable_h
 #define PiecewiseTable_h
@@ -103,7 +103,7 @@ public:
   /** Returns the smallest and the largest value of a channel. */
   const ValueRange& GetRange(int channel) const noexcept { return this->Range[channel]; }
 
-  /** Memory outside the object. */
+  /** Return the address and the size (bytes) of the memory that a lookup reads. */
   const void* GetMemory() const noexcept { return this->Segments.data(); }
   std::size_t GetMemorySize() const noexcept
   {
@@ -111,7 +111,7 @@ public:
   }
 
 private:
-  /** Evaluates all channels without a loop, so that the values stay in registers. */
+  /** Evaluates all channels, without a loop, so that the values stay in registers. */
   template <std::size_t... Channel>
   static Values Evaluate(const Segment& segment, double x, std::index_sequence<Channel...>) noexcept
   {
@@ -121,11 +121,11 @@ private:
   const Segment* Bisect(double x, int bin) const noexcept;
 
   static constexpr int Bins = 1024;
-  /** Largest number of break points in a bin for which they are searched one by one. */
+  /** Largest number of break points in a bin for a linear search. */
   static constexpr int MostInBin = 4;
 
   std::vector<Segment> Segments;
-  /** For each bin, the first segment in it or one before that. */
+  /** For each bin, the first segment in it or an earlier one. */
   std::array<std::uint32_t, Bins> FirstSegment{};
   bool IsCrowded = false;
   double Low = 0.0;

@@ -28,7 +28,7 @@ struct Symmetric3
 
 /**
  * A quadric, given by the depth of a point x in the structure: Gradient.u + u.Curvature u / 2,
- * where u = x - Centre. The depth is more than 0 in the structure.
+ * where u = x - Centre. The depth is positive inside the structure.
  */
 struct Quadric
 {

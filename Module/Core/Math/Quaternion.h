@@ -18,7 +18,7 @@
 namespace VolumeHaptics
 {
 
-/** An orientation, or any four numbers before MakeUnit has checked them. */
+/** An orientation, or four numbers that MakeUnit() has not checked yet. */
 struct Quaternion
 {
   double W = 1.0;
@@ -35,7 +35,7 @@ constexpr Quaternion operator*(double s, const Quaternion& q) noexcept
 {
   return { s * q.W, s * q.X, s * q.Y, s * q.Z };
 }
-/** Returns the rotation by b, followed by the rotation by a, both about fixed axes. */
+/** Returns the rotation by b followed by the rotation by a, both about fixed axes. */
 constexpr Quaternion operator*(const Quaternion& a, const Quaternion& b) noexcept
 {
   return { a.W * b.W - a.X * b.X - a.Y * b.Y - a.Z * b.Z,
@@ -48,21 +48,23 @@ constexpr Quaternion Conjugate(const Quaternion& q) noexcept
   return { q.W, -q.X, -q.Y, -q.Z };
 }
 
-/** Largest difference of the norm from 1 that MakeUnit accepts, because sensors send few digits. */
+/**
+ * Largest difference of the norm from 1 that MakeUnit() accepts. It is large because sensors send
+ * few digits.
+ */
 constexpr double UnitTolerance = 0.01;
 
 /**
- * Divides a quaternion by its norm. Returns false and does not change it if it is no orientation,
- * that is, if a number is not finite or if the norm differs from 1 by more than the tolerance. If
- * the norm is 1 apart from rounding, the quaternion stays exactly the same, so that a second call
- * changes nothing.
+ * Divides a quaternion by its norm. Returns false and changes nothing if it is no orientation, that
+ * is, if a number is not finite or the norm differs from 1 by more than the tolerance. A norm of 1
+ * apart from rounding leaves the quaternion unchanged, so that a second call changes nothing.
  */
 inline bool MakeUnit(Quaternion& q) noexcept
 {
   constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
   const double square = SquaredNorm(q);
   const double norm = std::sqrt(square);
-  // The condition is false for NaN and infinity, too.
+  // The comparison is false for NaN and infinity, too.
   if (!(std::abs(norm - 1.0) <= UnitTolerance))
   {
     return false;
@@ -88,8 +90,8 @@ constexpr Matrix3 ToMatrix(const Quaternion& q) noexcept
 /** Returns the unit quaternion of a rotation matrix. Its largest component is positive. */
 inline Quaternion ToQuaternion(const Matrix3& m) noexcept
 {
-  // The largest component comes from the diagonal. The other ones are divided by it, so that all
-  // are accurate.
+  // Take the largest component from the diagonal and divide the others by it, so that all are
+  // accurate.
   const double xx = m.Row[0].X;
   const double yy = m.Row[1].Y;
   const double zz = m.Row[2].Z;
@@ -120,15 +122,15 @@ inline Quaternion ToQuaternion(const Matrix3& m) noexcept
 /** Value for "no orientation" in arrays and files. */
 inline constexpr Quaternion NoOrientation{ 0.0, 0.0, 0.0, 0.0 };
 /**
- * Returns an orientation for arrays and files: `q` rotated by a matrix, such as the rotation from
- * the device's axes to the world's. Returns NoOrientation if `isValid` is false.
+ * Returns an orientation for arrays and files: `q` rotated by a matrix, for example by the rotation
+ * from the device's axes to the world's. Returns NoOrientation if `isValid` is false.
  */
 inline Quaternion TurnedBy(const Matrix3& rotation, const Quaternion& q, bool isValid) noexcept
 {
   return isValid ? ToQuaternion(rotation) * q : NoOrientation;
 }
 
-/** Returns whether all numbers are exactly equal. */
+/** Returns whether the numbers are exactly equal. q and -q are not. */
 constexpr bool IsIdentical(const Quaternion& a, const Quaternion& b) noexcept
 {
   return a.W == b.W && a.X == b.X && a.Y == b.Y && a.Z == b.Z;

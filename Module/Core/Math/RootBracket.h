@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Searches for the root of a falling function, for example for the end point of a motion.
+ * Searches for the root of a falling function, for example for the end of a motion.
  */
 #ifndef RootBracket_h
 #define RootBracket_h
@@ -14,13 +14,13 @@ namespace VolumeHaptics
 {
 
 /**
- * Value to give to Narrow() if the function has no root up to the argument that Next() returned.
- * The bracket then begins there.
+ * Value for Narrow() if the function has no root up to the argument that Next() returned. The
+ * bracket then begins there.
  */
 constexpr double NoRoot = std::numeric_limits<double>::infinity();
 
 /**
- * Width (voxels) at which a bracket is narrow enough. A limit is needed because a material function
+ * A bracket of this width (voxels) is narrow enough. A limit is needed because a material function
  * with a step may have no root.
  */
 constexpr double NarrowBracket = 1e-3;
@@ -28,7 +28,7 @@ constexpr double NarrowBracket = 1e-3;
 /**
  * Encloses the root of a falling function on [0, 1] (regula falsi, Illinois variant).
  *
- * Next proposes an argument, Narrow receives the function's value there:
+ * Next() proposes an argument, and Narrow() receives the function's value there:
  *
  *   RootBracket bracket(f(0), f(1), length);
  *   for (int trial = 0; !bracket.IsNarrow(); ++trial)
@@ -55,11 +55,11 @@ public:
     return !this->IsOpen || (this->High - this->Low) * this->Length <= NarrowBracket;
   }
   /**
-   * Returns the upper end of the bracket, where the function is below zero; 1 if there is no root.
+   * Returns the upper end of the bracket, where the function is negative, or 1 if there is no root.
    */
   double GetHigh() const noexcept { return this->High; }
 
-  /** Returns the next argument to evaluate. Every third call halves the bracket. */
+  /** Returns the argument to evaluate next. Every third call halves the bracket. */
   double Next(int trial) noexcept
   {
     if (this->IsNarrow())

@@ -10,12 +10,12 @@ namespace
 {
 
 /**
- * Limit of the rotations: ten sweeps of three. Near the end, each sweep roughly squares the
- * off-diagonal elements, so that far fewer sweeps suffice.
+ * Limit of the rotations: ten sweeps of three. Usually far fewer sweeps suffice, because each of
+ * the last sweeps roughly squares the off-diagonal elements.
  */
 constexpr int MostRotations = 30;
 
-/** Makes a[p][q] zero by a rotation of the axes p and q. */
+/** Rotates the axes p and q so that a[p][q] becomes zero. */
 void RotateAxes(double (&a)[3][3], double (&v)[3][3], int p, int q) noexcept
 {
   if (a[p][q] == 0.0)

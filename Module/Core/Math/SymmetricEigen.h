@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Eigenvalues and eigenvectors of a symmetric 3x3 matrix, by Jacobi rotations. They are exact to
- * rounding even if eigenvalues are equal. Nothing is allocated.
+ * Computes eigenvalues and eigenvectors of a symmetric 3x3 matrix by Jacobi rotations. They are
+ * exact to rounding even if eigenvalues are equal. Allocates nothing.
  */
 #ifndef SymmetricEigen_h
 #define SymmetricEigen_h
@@ -16,7 +16,7 @@ namespace VolumeHaptics
 struct SymmetricEigen
 {
   double Value[3] = { 0.0, 0.0, 0.0 }; ///< eigenvalues, in descending order
-  /** Unit eigenvectors, orthogonal to one another. */
+  /** Unit eigenvectors, perpendicular to one another. */
   Vector3 Direction[3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
 };
 

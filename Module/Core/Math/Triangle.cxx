@@ -10,14 +10,14 @@ namespace
 {
 
 /**
- * Difference in time, as a fraction of the displacement, below which contacts are simultaneous. It
- * is less than the remaining gap.
+ * Two contacts count as simultaneous if their times differ by less than this fraction of the
+ * displacement, which is less than the remaining gap.
  */
 constexpr double Rounding = 1e-9;
 
 /**
  * Returns the fraction of a displacement after which a path from outside enters a sphere around a
- * point. Returns Never if it does not.
+ * corner, or Never if it does not.
  */
 double MeetCorner(
   const Vector3& corner, const Vector3& centre, const Vector3& displacement, double radius)
@@ -31,14 +31,13 @@ double MeetCorner(
   {
     return Never;
   }
-  // The form (-b - root) / a would lose digits for a long displacement.
+  // The form (-b - root) / a would lose digits if the displacement is long.
   const double time = c / (-b + std::sqrt(discriminant));
   return time <= 1.0 ? time : Never;
 }
 
 /**
- * Does the same as MeetCorner for a cylinder around an edge. Only the part between the edge's ends
- * counts.
+ * Like MeetCorner(), but for a cylinder around an edge, between the edge's ends.
  */
 double MeetEdge(const Vector3& begin, const Vector3& end, const Vector3& centre,
   const Vector3& displacement, double radius)
@@ -119,8 +118,8 @@ double MeetingTime(const Triangle& triangle, const Vector3& centre, const Vector
   normal = height < 0.0 ? -normal : normal;
   const double closing = -Dot(displacement, normal);
   const double gap = std::abs(height) - radius;
-  // The sphere can't meet the triangle before the triangle's plane. If many triangles are in one
-  // plane, only few of them pass this test.
+  // The sphere meets the triangle's plane before the triangle. Few triangles pass this test, even
+  // if many are in one plane.
   if (gap > 0.0 && gap >= closing * latest * (1.0 - Rounding))
   {
     return Never;
@@ -141,8 +140,8 @@ double MeetingTime(const Triangle& triangle, const Vector3& centre, const Vector
     const double time = gap / closing;
     const Vector3 touched = centre + time * displacement - radius * normal;
     const auto& weight = NearestPoint(triangle, touched).Weight;
-    // Otherwise the sphere meets an edge. At the border of the face, it meets both at the same
-    // time.
+    // If the place is outside the face, the sphere meets an edge instead. At the border of the
+    // face, it meets both at the same time.
     if (time <= 1.0 && weight[0] > 0.0 && weight[1] > 0.0 && weight[2] > 0.0)
     {
       return time;

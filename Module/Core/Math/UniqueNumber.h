@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Unique numbers, which distinguish objects even if one reuses the memory of another.
+ * Unique numbers, which distinguish objects even if a new object reuses the memory of an old one.
  */
 #ifndef UniqueNumber_h
 #define UniqueNumber_h

@@ -62,7 +62,7 @@ inline double Norm(const Vector3& a) noexcept
 {
   return std::sqrt(Dot(a, a));
 }
-/** Shortens a vector to a norm of `most`. Returns zero if `most` is NaN or not positive. */
+/** Shortens a vector whose norm exceeds `most`. Returns zero if `most` is NaN or not positive. */
 inline Vector3 ClampNorm(const Vector3& v, double most) noexcept
 {
   if (!(most > 0.0))
@@ -73,7 +73,7 @@ inline Vector3 ClampNorm(const Vector3& v, double most) noexcept
   return norm > most ? (most / norm) * v : v;
 }
 ///@{
-/** Return for each component the smaller one (Least) or the larger one (Most). */
+/** Return the smaller (Least) or the larger (Most) of each pair of components. */
 inline Vector3 Least(const Vector3& a, const Vector3& b) noexcept
 {
   return { std::fmin(a.X, b.X), std::fmin(a.Y, b.Y), std::fmin(a.Z, b.Z) };
@@ -83,12 +83,12 @@ inline Vector3 Most(const Vector3& a, const Vector3& b) noexcept
   return { std::fmax(a.X, b.X), std::fmax(a.Y, b.Y), std::fmax(a.Z, b.Z) };
 }
 ///@}
-/** Returns whether the magnitudes of all components are below a limit. Returns false for NaN. */
+/** Returns whether the magnitudes of all components are below a limit, which is false for NaN. */
 inline bool IsNear(const Vector3& a, double most) noexcept
 {
   return std::abs(a.X) < most && std::abs(a.Y) < most && std::abs(a.Z) < most;
 }
-/** Returns a unit vector that is perpendicular to a unit vector. */
+/** Returns a unit vector perpendicular to `unit`. */
 inline Vector3 UnitAcross(const Vector3& unit) noexcept
 {
   const Vector3 axis = std::abs(unit.X) < 0.6 ? Vector3{ 1.0, 0.0, 0.0 } : Vector3{ 0.0, 1.0, 0.0 };
@@ -132,7 +132,7 @@ constexpr double Determinant(const Matrix3& m) noexcept
 {
   return Dot(m.Row[0], Cross(m.Row[1], m.Row[2]));
 }
-/** Returns the inverse. The determinant must not be zero. */
+/** The determinant must not be zero. */
 constexpr Matrix3 Inverse(const Matrix3& m) noexcept
 {
   const double s = 1.0 / Determinant(m);
@@ -141,8 +141,8 @@ constexpr Matrix3 Inverse(const Matrix3& m) noexcept
 }
 
 /**
- * Returns the length of a matrix's longest column. If the matrix maps indices, this is the length
- * of the longest index step.
+ * Returns the length of a matrix's longest column. For a map from indices, this is the length of
+ * the longest index step.
  */
 inline double LargestColumn(const Matrix3& m) noexcept
 {
@@ -173,7 +173,7 @@ constexpr Affine3 Inverse(const Affine3& a) noexcept
 }
 
 /**
- * Returns the rotation of a map that consists of a rotation, a translation and a uniform positive
+ * Returns the rotation in a map that consists of a rotation, a translation and a uniform positive
  * scale.
  */
 inline Matrix3 RotationOf(const Affine3& map) noexcept
@@ -182,7 +182,6 @@ inline Matrix3 RotationOf(const Affine3& map) noexcept
 }
 
 ///@{
-/** Returns whether all numbers are exactly equal. */
 constexpr bool IsIdentical(const Vector3& a, const Vector3& b) noexcept
 {
   return a.X == b.X && a.Y == b.Y && a.Z == b.Z;

@@ -43,8 +43,8 @@ void BakedLabels::Remember(std::int64_t label, const Vector3& labelIndex, std::u
   MixMemory& memory) const noexcept
 {
   const LabelMaterial* const material = this->Table.Find(label);
-  // Do not remember a cell if there is no label here: at the volume's border, other voxels of the
-  // cell may have labels.
+  // Do not store a cell in the memory if there is no label here: at the volume's border, other
+  // voxels of the cell may have labels.
   memory.Baked = label == NoLabel ? 0 : baked;
   memory.Low = { std::floor(labelIndex.X), std::floor(labelIndex.Y), std::floor(labelIndex.Z) };
   memory.HasMaterial = material != nullptr;
@@ -68,8 +68,8 @@ void BakedLabels::MixCell(const LabelCell& cell, MaterialTable::Values& values) 
       }
     }
   };
-  // A cell mostly has two labels. Their fractions are added up without a branch that depends on
-  // where they are.
+  // Usually a cell has two labels. Add up their fractions without a branch that depends on the
+  // voxels.
   const std::int64_t first = cell.Label[0];
   std::int64_t second = first;
   double fractions[2] = { 0.0, 0.0 };

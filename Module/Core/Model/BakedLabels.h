@@ -19,8 +19,8 @@ namespace VolumeHaptics
 {
 
 /**
- * The material of the last cell whose eight voxels have one label. The next position is mostly in
- * the same cell, so that the lookup is faster. The memory changes no result.
+ * The material of the last cell whose eight voxels have one label. It makes the next lookup faster,
+ * because the next position is usually in the same cell. The memory changes no result.
  */
 struct MixMemory
 {
@@ -37,7 +37,10 @@ struct MixMemory
   }
 };
 
-/** A label image with its materials. Immutable. The label image has its own geometry. */
+/**
+ * A label image with its materials. Immutable. The image has its own geometry, which may differ
+ * from the volume's.
+ */
 struct BakedLabels
 {
   LabelView View;
@@ -46,27 +49,27 @@ struct BakedLabels
   LabelTable Table;
   std::shared_ptr<const ForbiddenZone> Zone; ///< null if no label is forbidden
   /**
-   * The finer grid that View shows, or null. If it is not null, "label image" means this grid
-   * everywhere in this struct, but Zone belongs to the original image.
+   * The finer grid that View shows, or null. If there is one, "label image" means this grid
+   * everywhere in this struct, except that Zone belongs to the original image.
    */
   std::shared_ptr<const FineLabels> Fine;
   ///@{
-  /** The label image itself, if View is a finer grid. */
+  /** The original label image, if View shows a finer grid. */
   LabelView Image;
   Affine3 ImageToWorld;
   ///@}
 
-  /** Replaces the view by a finer grid of the image. Does nothing for null. */
+  /** Replaces the view by a finer grid of the image. Does nothing if `fine` is null. */
   void Refine(std::shared_ptr<const FineLabels> fine);
 
-  /** Returns the distance to forbidden labels, as ForbiddenZone::Compute. Zone must not be null. */
+  /** Returns the distance to forbidden labels (ForbiddenZone::Compute). Zone must not be null. */
   ForbiddenPlace ComputeForbidden(const Vector3& labelIndex) const noexcept;
 
   /**
-   * Mixes the materials of the labels at a position into the functions' values, by the trilinear
-   * weights of the eight voxels around it. Where a label does not set a value, the functions' value
-   * counts with the label's weight. A value that no label sets stays exactly the same. `baked`
-   * identifies the volume with these labels in `memory`.
+   * Mixes the materials of the labels at a position into `values`, which come from the material
+   * functions. The weights are the trilinear ones of the eight voxels around the position. A label
+   * that does not set a value counts with the functions' value. A value that no label sets remains
+   * unchanged, to the bit. `baked` identifies the volume with these labels in `memory`.
    */
   void Mix(const Vector3& labelIndex, std::uint64_t baked, MixMemory& memory,
     MaterialTable::Values& values) const noexcept

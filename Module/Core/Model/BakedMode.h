@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A mode: a way to feel the vectors or tensors of a volume.
+ * A mode is a way to feel the vectors or tensors of a volume, its scalars, or a guide.
  *
- * With v the vector, J its Jacobian, omega its curl, and l_1 >= l_2 >= l_3 the eigenvalues of a
- * tensor, negative ones as 0:
+ * v is the vector, J its Jacobian, omega its curl, and l_1 >= l_2 >= l_3 are the eigenvalues of a
+ * tensor, where negative ones count as 0:
  *
  * | kind          | feel                                        | first strength | second     |
  * | ------------- | ------------------------------------------- | -------------- | ---------- |
@@ -20,7 +20,7 @@
  * | GuideSurface  | held on a surface, or on one side of it     | hold, of dist. |            |
  * | Surface       | the surfaces of the scalars                 |                |            |
  *
- * with c_l = (l_1 - l_2)/l_1 and c_p = (l_2 - l_3)/l_1. Strengths are in newtons. d is the second
+ * c_l = (l_1 - l_2)/l_1 and c_p = (l_2 - l_3)/l_1. Strengths are in newtons. d is the second
  * smallest magnitude of the eigenvalues of the scalars' Hessian minus the smallest one, where the
  * scalars fall to all sides; dist. is the distance from the line or surface, in world units.
  */
@@ -58,18 +58,18 @@ enum class ModeInput : std::uint8_t
 {
   Vectors,
   Tensors,
-  Scalars, ///< the scalars that the model feels
+  Scalars, ///< the scalars of the model's volume
   Line,    ///< ModeDescription::Guide
   Surface  ///< ModeDescription::GuideSurface
 };
 
-/** Facts about a kind of mode. ModePrimitives.cxx computes its primitives. */
+/** Properties of a kind of mode. ModePrimitives.cxx computes its primitives. */
 struct ModeFacts
 {
   ModeInput Input;
   int Primitives; ///< number of primitives that an active mode adds to a tick
-  bool HasLine;   ///< whether the hand is free along a line
-  bool HasFront;  ///< whether the hand is free on a surface
+  bool HasLine;   ///< whether the hand can move freely along a line
+  bool HasFront;  ///< whether the hand can move freely on a surface
 };
 
 constexpr ModeFacts FactsOf(ModeKind kind) noexcept
@@ -106,9 +106,9 @@ struct ModeDescription
   VectorAxes Axes = VectorAxes::World;
   Polyline First = ConstantPolyline(2.0);  ///< first strength (N); see the table above
   Polyline Second = ConstantPolyline(0.0); ///< second strength (N)
-  bool IsActive = true; ///< whether the mode adds primitives; an inactive mode still has its number
+  bool IsActive = true; ///< whether the mode adds primitives; an inactive mode keeps its number
   bool IsDark = false;  ///< for Ridge: whether vessels are darker than their surroundings
-  /** For Ridge: largest distance (voxels) at which the mode holds with all of its strength. */
+  /** For Ridge: largest distance (voxels) at which the mode holds with its full strength. */
   double SnapDistance = 3.0;
   std::shared_ptr<const GuidePath> Guide; ///< for Guide: the line; not null
   ///@{
@@ -135,7 +135,7 @@ struct BakedMode
   {
   }
 
-  /** Returns whether the mode has the data that its kind reads. */
+  /** Returns whether the data that this kind of mode reads are there. */
   bool IsValid() const noexcept
   {
     switch (FactsOf(this->Kind).Input)

@@ -16,9 +16,10 @@ namespace
 {
 
 /**
- * Chooses the weights of the Gaussian. PRECISE holds its proxy on levels of the estimator's own
- * value, so its normals must be perpendicular to these levels. LOCAL_SURFACE and the ridges of
- * PRIMITIVES also depend on how the normals change from place to place.
+ * Chooses the weights of the Gaussian. The solver Precise holds its proxy on levels of the
+ * estimator's own value, so its normals must be perpendicular to these levels. The method
+ * LocalSurface and the ridges of Primitives also depend on how the normals change from place to
+ * place.
  */
 GaussianWeights ChooseWeights(const HapticSettings& settings)
 {
@@ -29,8 +30,8 @@ GaussianWeights ChooseWeights(const HapticSettings& settings)
 }
 
 /**
- * Returns the function of stiffness. With SameShape, all materials with any stiffness get the same
- * one.
+ * Returns the function of stiffness. With SameShape, all materials that have any stiffness get the
+ * same stiffness.
  */
 Polyline MakeStiffness(const HapticModelDescription& d)
 {
@@ -83,7 +84,7 @@ std::vector<BakedMode> MakeModes(const HapticModelDescription& d)
   return modes;
 }
 
-/** Limit of the time steps that a tick crosses, because the servo has no time for more. */
+/** A tick crosses at most this many time steps, because it has no time for more. */
 constexpr int MostTimeStepsCrossed = 4;
 
 TimeStepSeries MakeSeries(const HapticModelDescription& d)
@@ -115,7 +116,7 @@ std::vector<FieldTimeStep> MakeTimeSteps(const std::vector<VolumeTimeStep>& give
     }
     timeSteps.push_back({ timeStep.Time, 0.0, false, FieldSampler(timeStep.View, kernel),
       timeStep.Samples, {}, timeStep.DisplacementSamples, timeStep.Mesh });
-    // The material's motion from the last time step back to the first one is not known.
+    // The material's motion from the last time step back to the first is not known.
     if (timeStep.Displacements.Data && timeStep.Time < series.Last)
     {
       timeSteps.back().Motion.emplace(timeStep.Displacements, timeStep.View, indexToWorld);
@@ -129,8 +130,8 @@ std::vector<FieldTimeStep> MakeTimeSteps(const std::vector<VolumeTimeStep>& give
 }
 
 /**
- * Bit that distinguishes the number of a volume for a point from that of the same volume for a
- * tool.
+ * Bit that distinguishes the number of a volume that is felt with a point from the number of the
+ * same volume with a tool.
  */
 constexpr std::uint64_t PointNumber = std::uint64_t{ 1 } << 63;
 
@@ -230,8 +231,8 @@ BakedVolume::BakedVolume(const BakedVolume& other, ForAPoint)
 
 std::size_t BakedVolume::FindTimeStep(double time) const noexcept
 {
-  // If the time steps cross the end of a loop, data times before the first one belong to the time
-  // steps after that end.
+  // If the time steps cross the end of a loop, data times before the first time step belong to
+  // those after the loop's end.
   const double front = this->TimeSteps.front().Time;
   const double turn = front < this->TimeSteps.back().Time ? -HUGE_VAL : front;
   const auto isBefore = [turn, time](double other)
@@ -253,7 +254,7 @@ double BakedVolume::ComputeFraction(std::size_t timeStep, double time) const noe
   {
     return 0.0; // there is only one time step
   }
-  // The time may lie behind the end of a loop, if the time steps end there.
+  // The time may be after the end of a loop at which the time steps end.
   const bool isPast = time < before.Time && this->TimeSteps[timeStep + 1].Time < before.Time;
   return isPast ? 1.0 : std::clamp((time - before.Time) / before.Interval, 0.0, 1.0);
 }
@@ -311,7 +312,7 @@ Vector3 BakedVolume::TrackMaterial(const Vector3& index, double from, double to)
     std::fmax(from, to) > this->Series.Last && std::abs(to - from) > 0.5 * this->Series.GetPeriod();
   if (isSpanOfLoop && (isOverEnd || (from < front) != (to < front)))
   {
-    // Both times are in one tick that crosses the end of the loop, where no motion is known.
+    // Both times belong to one tick that crosses the end of the loop, where no motion is known.
     return index;
   }
   const auto within = [&](double time)
@@ -320,7 +321,8 @@ Vector3 BakedVolume::TrackMaterial(const Vector3& index, double from, double to)
   const double begin = within(from);
   Vector3 at = index;
   std::size_t timeStep = this->FindTimeStep(begin);
-  // If time runs backwards from the beginning of this time step, the motion is in the previous one.
+  // If time runs backwards from the beginning of this time step, the motion takes place in the
+  // previous one.
   timeStep -= end < begin && begin == this->TimeSteps[timeStep].Time && timeStep > 0 ? 1 : 0;
   double time = begin;
   for (int i = 0; i < MostTimeStepsCrossed && time != end && timeStep + 1 < this->TimeSteps.size();

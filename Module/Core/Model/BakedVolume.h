@@ -29,20 +29,22 @@ namespace VolumeHaptics
 struct FieldTimeStep
 {
   double Time;     ///< data time, in the units of the data
-  double Interval; ///< data time from this time step to the next; 0 if no time step is next
+  double Interval; ///< data time from this time step to the next one; 0 if there is no next one
   bool BlendsNext; ///< whether FieldSampler::BlendsSamples() holds for this and the next time step
   FieldSampler Field;
   std::shared_ptr<const void> Samples; ///< keeps the memory of Field alive
-  /** Motion of the material to the next time step, if it is known. */
+  /** Motion of the material to the next time step. Empty if it is not known. */
   std::optional<DisplacementField> Motion;
   std::shared_ptr<const void> DisplacementSamples; ///< keeps the memory of Motion alive
-  /** Isosurface that moves to the next time step. Null if there is no mesh or no next time step. */
+  /**
+   * Isosurface, which moves to the next time step. Null if there is no mesh or no next time step.
+   */
   std::shared_ptr<const SurfaceMesh> Mesh;
 };
 
 /**
- * The way of a time step's mesh: the mesh moves between two fractions (0 to 1) of the way to the
- * next time step.
+ * A part of the motion of a time step's mesh. The mesh moves to the next time step from fraction 0
+ * to 1; this part lasts from one fraction to another.
  */
 struct MeshWay
 {
@@ -50,7 +52,7 @@ struct MeshWay
   double From;
   double To;
   /**
-   * Whether the points of the mesh move with the material. If not, they move only with the level.
+   * Whether the mesh's points move with the material. If not, they only follow the level.
    */
   bool IsMaterial;
 };
@@ -59,43 +61,46 @@ struct MeshWay
 struct BakedVolume
 {
   explicit BakedVolume(const HapticModelDescription& description);
-  /** Makes the same volume with other time steps of its series. Nothing is baked again. */
+  /** Copies a volume, with other time steps of its series. Bakes nothing again. */
   BakedVolume(const BakedVolume& other, const std::vector<VolumeTimeStep>& timeSteps,
     const TimeStepSeries& series);
-  /** Makes the same volume, which must not move, with another removal. Nothing is baked again. */
+  /** Copies a volume, which must not move, with another removal. Bakes nothing again. */
   BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval> removal, double airValue);
   struct ForAPoint
   {
   };
   /**
-   * Makes the same volume, which must not move, for a hand that feels with a point while another
-   * hand holds the tool. Nothing is baked again.
+   * Copies a volume, which must not move, for a hand that feels with a point while another hand
+   * holds the tool. Bakes nothing again.
    */
   BakedVolume(const BakedVolume& other, ForAPoint);
   BakedVolume(const BakedVolume&) = delete;
   BakedVolume& operator=(const BakedVolume&) = delete;
 
-  /** Makes the kernel of a model with this description. */
+  /** Makes the gradient kernel for a model with this description. */
   static GradientKernel MakeKernel(const HapticModelDescription& description);
 
   const GradientKernel Kernel;
   /**
-   * The tissue that a tool removes; null if no tool removes tissue. A tick changes the object, but
-   * not the pointer.
+   * The tissue that the tool removes, or null if the tool removes none. A tick changes the object,
+   * but not the pointer.
    */
   const std::shared_ptr<TissueRemoval> Removal;
-  /** The tissue that another hand's tool removes; null if there is none. Removal is then null. */
+  /**
+   * The tissue that another hand's tool removes, or null if there is none. If it is not null,
+   * Removal is null.
+   */
   const std::shared_ptr<const TissueRemoval> Others;
   /** Samples of the volume, or of the first time step if the volume moves. */
   const FieldSampler Field;
   const TimeStepSeries Series; ///< the series that contains TimeSteps
   /**
-   * The time steps in the order of their times. If they cross the end of a loop, the time steps
-   * after that end come last. Empty if the volume does not move.
+   * The time steps in the order of their times. If they cross the end of a loop, those after the
+   * end come last. Empty if the volume does not move.
    */
   const std::vector<FieldTimeStep> TimeSteps;
-  const bool HasMotion;          ///< whether the material's motion is known for any time step
-  const MaterialTable Materials; ///< channels k, mu, T_N, R, visibility
+  const bool HasMotion;                 ///< whether the material's motion is known in any time step
+  const MaterialTable Materials;        ///< channels k, mu, T_N, R, visibility
   const DistinctnessTable Distinctness; ///< channels W_d, visibility
   const bool IsDistinctFromNoise;       ///< see HapticMaterial
   const bool IsSeenByNearest;           ///< see HapticMaterial
@@ -106,18 +111,18 @@ struct BakedVolume
   const std::shared_ptr<const void> Samples;       ///< keeps the memory of Field alive
   const std::shared_ptr<const SurfaceMesh> Mesh;   ///< null without a mesh
   const std::shared_ptr<const BakedLabels> Labels; ///< null without a label image
-  /** The walls between labels; null if all surfaces come from the scalars. */
+  /** The walls between labels, or null if all surfaces come from the scalars. */
   const std::shared_ptr<const LabelWalls> Walls;
   const std::shared_ptr<const CutAway> Cut; ///< null if all of the volume is felt
-  /** Whether surfaces depend on labels or on a cut, and not only on the scalars. */
+  /** Whether labels or a cut also make surfaces, not only the scalars. */
   const bool HasOtherSurfaces;
   const std::vector<BakedMode> Modes; ///< modes of HapticMethod::Primitives
-  /** Tool in the hand; null if the hand feels with a point. */
+  /** Tool in the hand, or null if the hand feels with a point. */
   const std::shared_ptr<const BakedTool> Tool;
-  const bool IsForAPoint; ///< whether the tool was left out: see ForAPoint
+  const bool IsForAPoint; ///< whether this is a copy without its tool (see ForAPoint)
 
   /**
-   * Returns the fraction of the force that is felt at an index (CutPlace::Fraction); 1 without a
+   * Returns the fraction of the force that is felt at an index (CutPlace::Fraction), or 1 without a
    * cut.
    */
   double KeptFraction(const Vector3& index) const noexcept
@@ -125,20 +130,20 @@ struct BakedVolume
     return this->Cut ? this->Cut->Compute(index).Fraction() : 1.0;
   }
   bool IsMoving() const noexcept { return !this->TimeSteps.empty(); }
-  /** Returns whether surfaces and materials come from the volume's scalars alone. */
+  /** Returns whether the volume's scalars alone determine surfaces and materials. */
   bool IsPlain() const noexcept { return !this->HasOtherSurfaces && !this->Labels; }
   /**
-   * Returns the field at a data time. Before the first time step and after the last one, the field
-   * does not change. `memory` stores the last gradients.
+   * Returns the field at a data time. The field is constant before the first time step and after
+   * the last one. `memory` stores the last gradients.
    */
   FieldAtTime At(double time, TickMemory* memory = nullptr) const noexcept
   {
     return this->IsMoving() ? this->BlendTimeSteps(time, memory) : FieldAtTime(this->Field, memory);
   }
   /**
-   * Returns the field at two data times that lie between the same two time steps, and not at them.
-   * Returns none if they do not, if the material's motion is known, or if the samples of the two
-   * time steps are not blended.
+   * Returns the field at two data times, if both are between the same two time steps and not at
+   * one. Returns none if they are not, if the material's motion is known, or if the samples of the
+   * two time steps are not blended.
    */
   std::optional<FieldStep> ComputeStep(
     double before, double now, TickMemory& memory) const noexcept;
@@ -148,25 +153,24 @@ struct BakedVolume
       this->TimeSteps.size() == 1 };
   }
   /**
-   * Returns the index of the last time step that is not later than a data time. At() blends it with
-   * the next time step.
+   * Returns the index of the last time step that is not after a data time. At() blends it with the
+   * next one.
    */
   std::size_t FindTimeStep(double time) const noexcept;
   /** Returns the index of the time step nearest to a data time. */
   std::size_t FindNearestTimeStep(double time) const noexcept;
   /**
-   * Returns the index to which the material at an index moves between two data times. The result
-   * lies in the volume. Returns the same index if the motion is not known. Crosses at most four
-   * time steps.
+   * Returns the index to which the material at an index moves between two data times, limited to
+   * the volume. Returns the same index if the motion is not known. Crosses at most four time steps.
    */
   Vector3 TrackMaterial(const Vector3& index, double from, double to) const noexcept;
 
   ///@{
   /**
-   * Writes the ways of the meshes between two data times to `ways`, and returns their number. If
-   * both times are in one time step, or in two consecutive ones, these are the ways within them. If
-   * there are more time steps between them, or the end of a series, it is only the last mesh, which
-   * then does not move.
+   * Writes the motions of the meshes between two data times to `ways`, and returns their number.
+   * Two data times in one time step, or in two consecutive ones, give the motions within these time
+   * steps. If more time steps or the end of a series are between them, the result is only the last
+   * mesh, at rest.
    */
   static constexpr int MostMeshWays = 2;
   int CollectMeshWays(double from, double to, MeshWay ways[MostMeshWays]) const noexcept;
@@ -176,7 +180,7 @@ struct BakedVolume
   {
     return this->Labels ? this->Labels->Zone.get() : nullptr;
   }
-  /** Returns whether labels make surfaces: walls, or a zone around forbidden labels. */
+  /** Returns whether labels make surfaces, that is, walls or a zone around forbidden labels. */
   bool FeelsLabels() const noexcept { return this->Walls || this->GetZone(); }
   /**
    * Number that identifies volume, material and settings. Only models of regions of one volume, or
@@ -187,14 +191,17 @@ struct BakedVolume
 private:
   /**
    * Copies a volume, with another removal and other time steps. `shown` is the first time step, or
-   * the volume if it does not move.
+   * the whole volume if it does not move.
    */
   BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval> removal, double airValue,
     const VolumeTimeStep& shown, const std::vector<VolumeTimeStep>& timeSteps,
     const TimeStepSeries& series, bool isForAPoint = false);
 
   FieldAtTime BlendTimeSteps(double time, TickMemory* memory) const noexcept;
-  /** Returns the fraction (0 to 1) of the way from a time step to the next one at a data time. */
+  /**
+   * Returns how much of the way from a time step to the next one is past at a data time, from 0 to
+   * 1.
+   */
   double ComputeFraction(std::size_t timeStep, double time) const noexcept;
 };
 

@@ -9,7 +9,7 @@ namespace VolumeHaptics
 namespace
 {
 
-// steps between the numbers of neighbouring regions along each axis
+// Steps between the numbers of neighbouring regions along each axis.
 constexpr int Strides[3] = { 1, 3, 9 };
 
 double ComponentOf(const Vector3& v, int axis) noexcept
@@ -125,7 +125,7 @@ CutPlace CutAway::ComputeHidden(const Vector3& index) const noexcept
     return place;
   }
   place.Normal = (1.0 / steepness) * gradient;
-  // At half a voxel behind the face, t is 1 and the full force acts.
+  // At half a voxel behind the face, t is 1, and the full force acts.
   place.Voxel = 0.5 / Norm(this->WorldToIndex * place.Normal);
   place.Depth = (2.0 * kept - 1.0) * place.Voxel;
   return place;
@@ -209,7 +209,7 @@ CutPlace CutAway::ComputeRegion(const Vector3& index) const noexcept
     place.Normal = aside > farthest ? this->GetNormal(face) : place.Normal;
     farthest = std::max(farthest, aside);
   }
-  // Outside the faces, the normal is along the shortest way to the region. If this way ends on an
+  // Outside the faces, the normal is along the shortest path to the region. If this path ends on an
   // edge, the normal is oblique to the faces.
   if (distance > 0.0)
   {

@@ -22,11 +22,11 @@ constexpr double HalfVariance = 0.5 * 0.355 * 0.355 * (BoundaryRadius + 1) * (Bo
 /** Number of voxels by which the box exceeds the stand-off. */
 constexpr std::int64_t Margin = 6;
 /**
- * Distance (voxels) from the nearest point at which the boundary's tangent plane ends, so that the
- * distance around an edge is that to the point.
+ * Within this distance (voxels) from its nearest point, the boundary counts as its tangent plane.
+ * Farther away, the distance is that to the point itself, as around an edge.
  */
 constexpr double PlanePart = 0.75;
-/** Wall value at a forbidden voxel below which smoothing has removed the voxel. */
+/** Smoothing has removed a forbidden voxel if its wall value is below this limit. */
 constexpr double TakenAway = -0.38;
 
 /** A box of voxels of the label image. `Is` is 1 for forbidden voxels. */
@@ -53,7 +53,7 @@ struct Mask
   }
 };
 
-/** Exception that ends the work. It is caught in this file. */
+/** Thrown to cancel the work, and caught in this file. */
 struct Ended
 {
 };
@@ -106,8 +106,8 @@ void VisitForbidden(const VolumeView& view, const LabelTable& table,
 }
 
 /**
- * Makes the box of all forbidden voxels and of everything within the stand-off. Returns false if no
- * voxel is forbidden.
+ * Makes the box that contains all forbidden voxels and everything within the stand-off. Returns
+ * false if no voxel is forbidden.
  */
 bool MakeMask(const VolumeView& view, const LabelTable& table, const Affine3& indexToWorld,
   double standOff, const ForbiddenZone::Progress& goesOn, Mask& mask)
@@ -156,9 +156,9 @@ bool MakeMask(const VolumeView& view, const LabelTable& table, const Affine3& in
 }
 
 /**
- * A point of the boundary (index steps of the box) and the outward normal (world). The normal is 0
- * for a voxel that smoothing would remove, as in a speck or a thin vessel: such a point is a ball
- * with a diameter of one voxel.
+ * A point of the boundary (index steps of the box) and the outward normal (world). In a speck or a
+ * thin vessel, smoothing would remove the voxel. Its point is then a ball with a diameter of one
+ * voxel, and the normal is 0.
  */
 struct BoundaryPoint
 {
@@ -174,7 +174,9 @@ Vector3 OutwardAt(const LabelWalls& walls, const Vector3& at)
   return wall.IsThere && norm > 0.0 ? (-1.0 / norm) * wall.Gradient : Vector3{};
 }
 
-/** Returns the sum of the principal curvatures (1 / voxel) of the boundary with this normal. */
+/**
+ * Returns the sum of the principal curvatures (1 / voxel) of the boundary, which has this normal.
+ */
 double ComputeCurvature(const LabelWalls& walls, const Vector3& at, const Vector3& normal)
 {
   constexpr double h = 3.0;
@@ -192,7 +194,7 @@ double ComputeCurvature(const LabelWalls& walls, const Vector3& at, const Vector
   return std::clamp(divergence, -most, most);
 }
 
-/** Goes from a voxel along the gradient to the boundary. Returns false if no boundary is near. */
+/** Moves from a voxel along the gradient to the boundary. Returns false if no boundary is near. */
 bool FindBoundary(const LabelWalls& walls, const Vector3& voxel, const Matrix3& gradientToWorld,
   BoundaryPoint& point)
 {
@@ -222,7 +224,7 @@ bool FindBoundary(const LabelWalls& walls, const Vector3& voxel, const Matrix3& 
 }
 
 /**
- * Finds the nearest boundary point of each voxel in a box, by passing points from voxel to voxel.
+ * Finds the boundary point nearest to each voxel in a box, by passing points from voxel to voxel.
  */
 class NearestPoints
 {
@@ -271,7 +273,7 @@ public:
 
   bool IsEmpty() const { return this->Points.empty(); }
 
-  /** Returns the distance (world units) of a voxel; below 0 inside a label. */
+  /** Returns the distance (world units) of a voxel from the boundary; negative inside a label. */
   double DistanceAt(std::int64_t i, std::int64_t j, std::int64_t k) const
   {
     const BoundaryPoint& point = this->Points[static_cast<std::size_t>(
@@ -333,7 +335,7 @@ private:
     }
   }
 
-  /** Replaces each voxel's nearest point if a neighbour's point is nearer. */
+  /** For each voxel, takes over the neighbours' nearest points that are nearer than its own. */
   void Sweep(bool isBackward)
   {
     const std::int64_t* const n = this->Box.Size;

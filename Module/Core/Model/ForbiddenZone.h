@@ -7,7 +7,7 @@
  *
  * The boundary of the labels is a level of their smoothed indicator (LabelWalls.h). Smoothing by s
  * moves the boundary inward by s^2 kappa / 2, where kappa is the sum of the principal curvatures;
- * the zone moves it outward again. Each voxel stores its distance to the tangent plane at the
+ * the zone compensates for this motion. Each voxel stores its distance to the tangent plane at the
  * nearest point of the boundary or, beyond an edge, to this point itself. Between voxels the
  * distance is a cubic B-spline.
  */
@@ -28,24 +28,25 @@ namespace VolumeHaptics
 /** The distance of a position from the forbidden labels. */
 struct ForbiddenPlace
 {
-  bool IsNear = false; ///< whether Distance is known; if not, the position is outside the stand-off
-  double Distance = 0.0; ///< distance in world units; below 0 inside a label
+  bool IsNear = false;   ///< whether Distance is known; otherwise the position is outside the
+                         ///< stand-off
+  double Distance = 0.0; ///< distance in world units; negative inside a label
   Vector3 Gradient;      ///< derivative of Distance per index step of the label image
 };
 
 class ForbiddenZone
 {
 public:
-  /** Limit of a zone's voxels; baking so many takes 0.5 GiB. */
+  /** Limit of a zone's voxels. Baking this many needs 0.5 GiB. */
   static constexpr std::int64_t MostVoxels = std::int64_t{ 1 } << 25;
 
-  /** Function that is called for every slice of voxels. If it returns false, the work ends. */
+  /** Called for every slice of voxels. The work is cancelled if it returns false. */
   using Progress = std::function<bool()>;
 
   /**
    * Makes the zone of a label image. `standOff` is in world units. Returns null if no label in the
-   * image is forbidden, or if `goesOn` ended the work. Throws std::bad_alloc if the zone would have
-   * more than MostVoxels.
+   * image is forbidden, or if `goesOn` cancelled the work. Throws std::bad_alloc if the zone would
+   * have more than MostVoxels.
    */
   static std::shared_ptr<const ForbiddenZone> Make(const LabelView& view, const LabelTable& table,
     const Affine3& indexToWorld, double standOff, const Progress& goesOn = nullptr);
@@ -56,7 +57,7 @@ public:
   ForbiddenPlace Compute(const Vector3& labelIndex) const noexcept;
 
   double GetStandOff() const noexcept { return this->StandOff; }
-  /** Returns the distance (world units) in front of the wall over which the wall begins to hold. */
+  /** Returns the distance (world units) in front of the wall over which its strength rises. */
   double GetTolerance() const noexcept { return this->Tolerance; }
   std::size_t GetMemorySize() const noexcept
   {
@@ -70,7 +71,7 @@ private:
 
   double StandOff = 0.0;
   double Tolerance = 0.0;
-  std::int64_t First[3] = {}; ///< index of the stored box's first voxel in the label image
+  std::int64_t First[3] = {}; ///< index of the box's first voxel in the label image
   std::vector<float> Distances;
   GradientKernel Kernel{ GradientEstimator::CubicBSpline, 1 };
   FieldSampler Field;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Limits of stiffness and damping, that is, of how fast a force changes with position and speed.
+ * Limits of stiffness and damping, that is, of how fast a force may change with position and speed.
  */
 #ifndef ForceCaps_h
 #define ForceCaps_h
@@ -21,8 +21,8 @@ struct ForceCaps
   double Stiffness = 0.0; ///< N/m
   double Damping = 0.0;   ///< N s/m
   /**
-   * Stiffness (N/m) that the loop holds by itself, if Stiffness is larger (ForceAugmentation.h); 0
-   * if it is not.
+   * Stiffness (N/m) that the loop can render by itself, if Stiffness is larger
+   * (ForceAugmentation.h). Otherwise 0.
    */
   double Feedback = 0.0;
 
@@ -33,7 +33,7 @@ struct ForceCaps
   }
 };
 
-/** Returns the smaller one of two caps. 0 means no cap. */
+/** Returns the smaller of two caps. 0 means no cap. */
 inline double TighterCap(double a, double b) noexcept
 {
   return a > 0.0 && b > 0.0 ? std::min(a, b) : std::max(a, b);

@@ -11,7 +11,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Returns the unit vector along a sum, or `otherwise` if the parts of the sum cancel. */
+/** Returns the unit vector along a sum, or `otherwise` if the summands cancel. */
 Vector3 UnitOf(const Vector3& sum, const Vector3& otherwise) noexcept
 {
   const double length = Norm(sum);
@@ -60,7 +60,7 @@ void GuideMesh::CollectFaces()
       face.AtEdge[e] = face.Normal;
       face.Height[e] = area / length[e];
     }
-    // The turn ends at the middle of the triangle, so that a place is near at most two edges.
+    // End the turn at the middle of the triangle, so that a place is near at most two edges.
     face.Turn = std::min(0.5 * this->Rounding, area / (length[0] + length[1] + length[2]));
   }
 }

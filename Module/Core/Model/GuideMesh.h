@@ -2,23 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A mesh that guides a hand, with the nearest place on it and a normal that does not jump.
+ * A mesh that guides a hand. Finds the nearest place on it, with a normal that does not jump.
  *
  *   GuideMesh guide(mesh, 1.0);
  *   const GuideMeshPlace place = guide.Find(world);
  *
- * A proxy on the plane through the nearest place rests where the lag is along the normal. But a tip
- * may be outside of an edge, where the lag is along no triangle's normal. So the normal turns
- * steadily within half of the rounding from an edge or corner. With u_e = min(1, h_e / turn), h_e
- * the distance of the place from edge e of its triangle, and a = min(1, d / turn of the corner), d
- * the distance from the nearest corner, the normal is along
+ * A proxy on the plane through the nearest place comes to rest where the lag is along the normal.
+ * But a tip may be outside an edge, where the lag is along no triangle's normal. The normal
+ * therefore turns steadily within half of the rounding from an edge or corner. With u_e = min(1,
+ * h_e / turn), where h_e is the distance of the place from edge e of its triangle, and a = min(1, d
+ * / turn of the corner), where d is the distance from the nearest corner, the normal is along
  *
  *   (1 - a) n_corner + a (w n_face + sum w_e n_e) / (w + sum w_e),
  *   w = u_0 u_1 u_2,   w_0 = (1 - u_0) u_1 u_2 and so on,
  *
- * with n_e the bisector of two faces and n_corner the mean of faces by their angles. On an edge,
- * both of its triangles give the same. Places stay on the mesh, and faces wider than the rounding
- * stay flat.
+ * where n_e is the bisector of two faces, and n_corner the mean of faces weighted by their angles.
+ * On an edge, both triangles give the same normal. Places stay on the mesh, and faces wider than
+ * the rounding stay flat.
  */
 #ifndef GuideMesh_h
 #define GuideMesh_h
@@ -42,14 +42,14 @@ class GuideMesh
 {
 public:
   /**
-   * Makes a guide of a mesh. Merges points at the same place.
-   * @param rounding in the units of the mesh
+   * Makes a guide of a mesh. Merges points that coincide.
+   * @param rounding width of rounded edges, in the units of the mesh
    */
   GuideMesh(std::shared_ptr<const SurfaceMesh> mesh, double rounding);
 
   /**
-   * Returns the place nearest to a position, which must be finite. Returns no place if the mesh has
-   * no triangles.
+   * Returns the place nearest to a position, which must be finite. Returns an empty place if the
+   * mesh has no triangles.
    */
   GuideMeshPlace Find(const Vector3& position) const noexcept;
 
@@ -60,7 +60,7 @@ private:
   struct Face
   {
     Vector3 Normal;
-    Vector3 AtEdge[3]; ///< normals at the edges; each edge has the number of the opposite corner
+    Vector3 AtEdge[3]; ///< normals at the edges, each with the number of the opposite corner
     double Height[3] = { 0.0, 0.0, 0.0 };
     double Turn = 0.0;
   };
@@ -70,13 +70,13 @@ private:
     double Turn = 0.0;
   };
   /**
-   * Limit of the boxes that a query visits. It is many more than a place near the mesh needs, and
-   * takes some tens of microseconds.
+   * Limit of the boxes that a query visits. A place near the mesh needs far fewer. Visiting them
+   * all takes some tens of microseconds.
    */
   static constexpr int Budget = 2000;
 
   void CollectFaces();
-  /** Returns the triangles' corners as numbers. Corners at the same place share a number. */
+  /** Returns a number for each corner of each triangle. Corners that coincide share a number. */
   std::vector<SurfaceMesh::Indices> MergeCorners();
   void ComputeCorners(const std::vector<SurfaceMesh::Indices>& merged);
   void CollectEdges(const std::vector<SurfaceMesh::Indices>& merged);

@@ -12,7 +12,7 @@ namespace
 
 /**
  * Returns the direction halfway between two consecutive directions, or the second one if the line
- * turns back.
+ * reverses.
  */
 Vector3 DirectionBetween(const Vector3& a, const Vector3& b) noexcept
 {
@@ -100,7 +100,7 @@ void GuidePath::MakeBoxes()
     leaves *= 2;
   }
   this->FirstLeaf = leaves - 1;
-  // Boxes without segments are infinitely far away, so that no search visits them.
+  // Put boxes without segments infinitely far away, so that no search visits them.
   this->Boxes.assign(
     2 * leaves - 1, { { Nowhere, Nowhere, Nowhere }, { -Nowhere, -Nowhere, -Nowhere } });
   for (std::size_t i = 0; i < this->Segments.size(); ++i)
@@ -128,7 +128,7 @@ double GuidePath::SquareDistance(std::size_t box, const Vector3& place) const no
 
 GuidePlace GuidePath::Find(const Vector3& place) const noexcept
 {
-  // size of the stack: at most one box per level of the tree waits, and one more
+  // Size of the stack: at most one box per level of the tree waits, and one more.
   constexpr std::size_t deepest = 64;
   std::size_t waiting[deepest] = { 0 };
   std::size_t count = 1;

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Polylines that guide a hand, with the nearest place on them.
+ * Polylines that guide a hand. Finds the nearest place on them.
  *
  *   GuidePath guide({ { { 0, 0, 0 }, { 10, 0, 0 }, { 10, 10, 0 } } }, 1.0);
  *   const GuidePlace place = guide.Find(world);
  *
- * The direction of a line turns at its corners. A proxy on the line through the nearest place rests
- * where the lag is at right angles to the line. But a tip may be outside of a corner, where no
- * segment is at right angles to the lag. So within half of the rounding from a corner the direction
- * turns steadily from one segment's to the next one's. The places stay on the polyline, so that a
- * proxy on the polyline is not drawn away from it.
+ * The direction of a polyline changes at its corners. A proxy on the line through the nearest place
+ * comes to rest where the lag is perpendicular to the line. But a tip may be outside a corner,
+ * where no segment is perpendicular to the lag. Within half of the rounding from a corner, the
+ * direction therefore turns steadily from one segment's to the next one's. Places stay on the
+ * polyline, so that a proxy on it is not drawn away.
  */
 #ifndef GuidePath_h
 #define GuidePath_h
@@ -44,24 +44,23 @@ public:
   using Line = std::vector<Vector3>;
 
   /**
-   * Builds the guide from finite points. Leaves out repeated points and lines of one point. A line
-   * that ends where it begins is closed.
-   * @param rounding of corners, in the units of the points
+   * Makes the guide from finite points. Drops repeated points, and lines of one point. A line that
+   * ends where it begins is closed.
+   * @param rounding length over which corners are rounded, in the units of the points
    */
   GuidePath(const std::vector<Line>& lines, double rounding);
 
   bool IsEmpty() const noexcept { return this->Segments.empty(); }
-  /** Returns whether another guide has the same lines and directions. */
   bool IsSame(const GuidePath& other) const noexcept;
 
   /**
-   * Returns the place nearest to a position. The guide must not be empty. Returns any place if the
-   * position is not finite.
+   * Returns the place nearest to a position. The guide must not be empty. If the position is not
+   * finite, the result may be any place.
    */
   GuidePlace Find(const Vector3& place) const noexcept;
 
   ///@{
-  /** Return the memory that Find reads and its size in bytes. */
+  /** Return the addresses and sizes (bytes) of the memory that Find() reads. */
   const void* GetSegments() const noexcept { return this->Segments.data(); }
   std::size_t GetSegmentsSize() const noexcept { return this->Segments.size() * sizeof(Segment); }
   const void* GetBoxes() const noexcept { return this->Boxes.data(); }
@@ -74,7 +73,10 @@ private:
     Vector3 Begin;
     Vector3 Direction; ///< unit vector
     double Length = 0.0;
-    /** Direction of the line at Begin; at a corner, between the directions of both segments. */
+    /**
+     * Direction of the line at Begin. At a corner, it is halfway between the directions of both
+     * segments.
+     */
     Vector3 AtBegin;
     Vector3 AtEnd;
     double Turn = 0.0; ///< length from a corner over which the direction turns
@@ -91,7 +93,8 @@ private:
   void AddLine(const Line& line, double rounding);
   void MakeBoxes();
   /**
-   * Returns the squared distance to box i of the tree. Its children are boxes 2 i + 1 and 2 i + 2.
+   * Returns the squared distance to box i of the tree, whose children are boxes 2 i + 1 and 2 i +
+   * 2.
    */
   double SquareDistance(std::size_t box, const Vector3& place) const noexcept;
 

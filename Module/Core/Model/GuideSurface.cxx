@@ -10,9 +10,12 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Within this fraction of the rounding from the mesh, a position has no direction of its own. */
+/**
+ * If a position is nearer to the mesh than this fraction of the rounding, the direction from the
+ * mesh to it is not defined.
+ */
 constexpr double LeastAway = 1e-9;
-/** Distance (voxels) from the field's border over which the hold fades. */
+/** Distance (voxels) from the field's border within which the hold fades. */
 constexpr double FieldFade = 2.0;
 
 } // namespace
@@ -93,7 +96,7 @@ GuideSurfacePlace GuideSurface::FindInField(const Vector3& position) const noexc
   const Vector3 gradient = Transpose(this->WorldToIndex.Linear) * sample.Gradient;
   const double slope = Norm(gradient);
   const double fraction = std::clamp(4.0 * slope - 1.0, 0.0, 1.0);
-  // The condition is false for NaN, too.
+  // The comparison is false for NaN, too.
   if (!(fraction > 0.0 && std::isfinite(slope) && std::isfinite(sample.Value)))
   {
     return {};

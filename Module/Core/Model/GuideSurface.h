@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A surface that guides a hand: at a distance from a mesh, or a level of a distance field.
+ * A surface that guides a hand, either at a distance from a mesh, or at a level of a distance
+ * field.
  *
- * With p the nearest place of the mesh, n its normal and u the direction from p to the position,
- * away from the back, the surface at the distance a goes through p + a u with the normal u; at the
- * distance 0 the normal is n. With d the distance field, a cubic B-spline of its samples, and g its
- * gradient, the surface is at (a - d) g/|g|^2 from the position. Where |g| is less than a half, a
- * place is equally far from several parts of the surface and has no single direction; the hold
- * fades there, and within two voxels of the border of the field.
+ * For a mesh, let p be the nearest place, n its normal, and u the direction from p to the position,
+ * reversed behind the mesh. The surface at the distance a goes through p + a u with the normal u;
+ * at the distance 0 the normal is n. For a field, let d be the distance, a cubic B-spline of the
+ * samples, and g its gradient. The surface is at (a - d) g/|g|^2 from the position. Where |g| is
+ * less than a half, a place is equally far from several parts of the surface and has no single
+ * direction. There, and within two voxels of the field's border, the hold fades.
  */
 #ifndef GuideSurface_h
 #define GuideSurface_h
@@ -26,9 +27,9 @@ namespace VolumeHaptics
 struct GuideSurfacePlace
 {
   Vector3 Anchor;
-  Vector3 Normal;        ///< unit vector outward, to where distances grow
+  Vector3 Normal;        ///< unit vector towards larger distances
   double Distance = 0.0; ///< distance from the surface to the position
-  double Fraction = 0.0; ///< factor of the holding strength, 0 to 1; 0 if no place was found
+  double Fraction = 0.0; ///< factor of the holding strength, 0 to 1; 0 if there is no place
 };
 
 /** A surface that guides a hand. Immutable. All lengths are in world units. */
@@ -37,7 +38,7 @@ class GuideSurface
 public:
   GuideSurface(std::shared_ptr<const GuideMesh> mesh, double distance);
   /**
-   * Makes a surface from a level of a distance field. `view` shows `samples`, which the surface
+   * Makes a surface from a level of a distance field. `view` shows `samples`, which this object
    * keeps alive.
    */
   GuideSurface(const VolumeView& view, std::shared_ptr<const void> samples,
@@ -45,7 +46,6 @@ public:
   GuideSurface(const GuideSurface&) = delete; // not copied, because Field refers to Kernel
   void operator=(const GuideSurface&) = delete;
 
-  /** Returns the place that is nearest to a position. */
   GuideSurfacePlace Find(const Vector3& position) const noexcept;
 
   /** Returns whether another surface is the same level of the same mesh or samples. */

@@ -32,7 +32,7 @@ const Affine3& LabelToWorld(const BakedVolume& baked)
 }
 
 /**
- * Returns whether voxels are cubes apart from rounding, so that a voxel is equally long in all
+ * Returns whether voxels are cubes apart from rounding, so that a voxel has the same length in all
  * directions.
  */
 bool IsOfCubes(const Matrix3& indexToWorld)
@@ -45,7 +45,8 @@ bool IsOfCubes(const Matrix3& indexToWorld)
 }
 
 /**
- * Returns whether the solver is PAPER, for which the radius r is the same length in all directions.
+ * Returns whether the solver is Paper, for which the radius r has the same length in all
+ * directions.
  */
 bool IsOfPaper(const HapticSettings& settings)
 {
@@ -108,8 +109,8 @@ HapticModel::HapticModel(std::shared_ptr<const BakedVolume> baked, const Affine3
   // The axes are perpendicular, so the length of a row is the number of index steps in 1 m.
   , MostVoxelsPerMeter(
       std::fmax(this->VoxelsPerMeter.X, std::fmax(this->VoxelsPerMeter.Y, this->VoxelsPerMeter.Z)))
-  // A gradient transforms with the inverse transpose. It keeps the world's length unit; from the
-  // world's axes to the device's it is only rotated.
+  // A gradient transforms with the inverse transpose, and stays per world unit. From the world's
+  // axes to the device's, it is only rotated.
   , GradientToDevice(
       Transpose(this->DeviceToWorldRotation) * Transpose(Inverse(this->Baked->IndexToWorld.Linear)))
   , FallbackNormal(

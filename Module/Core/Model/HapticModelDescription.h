@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The input of a model: volume, material and settings.
+ * The volume, material and settings from which a model is made.
  */
 #ifndef HapticModelDescription_h
 #define HapticModelDescription_h
@@ -29,7 +29,7 @@ struct BakedLabels;
 class CutAway;
 
 /**
- * Material as functions of the scalar, and as functions of the gradient magnitude per world unit.
+ * Material as functions of the scalar. Some are functions of the gradient magnitude per world unit.
  */
 struct HapticMaterial
 {
@@ -41,11 +41,11 @@ struct HapticMaterial
   Polyline ScalarVisibility = ConstantPolyline(1.0); ///< factor 0 or 1 of T_N and R
   /** Factor 0 or 1 of T_N and R, by the gradient magnitude. */
   Polyline GradientVisibility = ConstantPolyline(1.0);
-  bool IsSeenByNearest = false; ///< whether the picture shows the nearest sample everywhere
+  bool IsSeenByNearest = false; ///< whether the display shows the nearest sample everywhere
   /**
-   * Whether Distinctness is the ramp of MakeNoiseRamp. The larger the spacing along an axis, the
-   * less noise the gradient along it has. So W_d is looked up for the rise over a voxel along the
-   * normal, divided by the smallest spacing (not with the solver PAPER).
+   * Whether Distinctness is the ramp of MakeNoiseRamp(). The larger the spacing along an axis, the
+   * less noise the gradient along it has. W_d is therefore looked up for the rise over a voxel
+   * along the normal, divided by the smallest spacing (except with the solver Paper).
    */
   bool IsDistinctFromNoise = false;
 };
@@ -57,7 +57,7 @@ struct VolumeTimeStep
   VolumeView View;
   std::shared_ptr<const void> Samples; ///< keeps View.Data alive
   /**
-   * Displacements to the next time step at the points of View. Empty if they are not known or if
+   * Displacements to the next time step at the points of View. Empty if they are not known, or if
    * there is no next time step.
    */
   DisplacementView Displacements = {};
@@ -66,15 +66,15 @@ struct VolumeTimeStep
   std::shared_ptr<const SurfaceMesh> Mesh = {};
 };
 
-/** Everything that a model is baked from. */
+/** Everything from which a model is baked. */
 struct HapticModelDescription
 {
   VolumeView View;
   std::shared_ptr<const void> Samples; ///< keeps View.Data alive
   /**
-   * Time steps of a volume that moves, in the order of their times: at least two, or one time step
-   * of Series. View is the first one, and all have its geometry. In a loop, the first time step may
-   * follow again after the last one of the series.
+   * Time steps of a moving volume, in the order of their times: at least two, or one time step of
+   * Series. View is the first one, and all have its geometry. In a loop, the first time step may
+   * also come after the last one of the series.
    */
   std::vector<VolumeTimeStep> TimeSteps;
   /** The series that contains TimeSteps. If LoopInterval is 0, TimeSteps are the whole series. */
@@ -90,21 +90,21 @@ struct HapticModelDescription
   std::shared_ptr<const BakedLabels> Labels; ///< null without a label image
   std::shared_ptr<const CutAway> Cut;        ///< null if all of the volume is felt
   /**
-   * Modes for HapticMethod::Primitives, whose samples are at the points of View. Modes that are not
-   * valid are not felt, nor are modes whose primitives exceed the limit of a tick.
+   * Modes for HapticMethod::Primitives. Their samples are at the points of View. Invalid modes are
+   * not felt, nor are modes whose primitives exceed the limit of a tick.
    */
   std::vector<ModeDescription> Modes;
   std::shared_ptr<const BakedTool> Tool; ///< tool in the hand; null if the hand feels with a point
   /**
    * The tissue that a tool removes from the samples of View, or null. A tick reads the samples as
-   * if removed tissue were absent. The ticking thread writes to it. A volume that moves ignores it.
+   * if removed tissue were absent, and may remove more. Ignored for a moving volume.
    */
   std::shared_ptr<TissueRemoval> Removal;
   double AirValue = 0.0; ///< value of a sample whose tissue was removed
   /**
-   * 0, or the BakedVolume::Number of another model that has the same material and settings and
-   * shows another region of the same volume, or other time steps of it. The servo continues from
-   * that model as if both models were the whole volume.
+   * 0, or the BakedVolume::Number of another model with the same material and settings that shows
+   * another region or other time steps of the same volume. The servo then continues from that model
+   * as if both models were the whole volume.
    */
   std::uint64_t Number = 0;
   /**

@@ -23,36 +23,36 @@ enum class HapticMethod : std::uint8_t
   Primitives    ///< modes for vectors, tensors, ridges and guides (PrimitivesMethod.h)
 };
 
-/** Ways in which the method Proxy advances its proxy in a tick. */
+/** Ways to advance the proxy in a tick, for the method Proxy. */
 enum class HapticSolver : std::uint8_t
 {
-  Paper,  ///< as published, with one gradient a tick
-  Precise ///< by the same law, in balance at the proxy's end point (PreciseSolver.h)
+  Paper,  ///< as published, with one gradient per tick
+  Precise ///< the same law, but in balance at the proxy's end point (PreciseSolver.h)
 };
 
-/** Where a surface begins to hold. For HapticSolver::Precise. */
+/** Where a surface begins to hold, for HapticSolver::Precise. */
 enum class ContactAlignment : std::uint8_t
 {
   Distinctness, ///< where W_d and T_N are above 0
   Edge          ///< only where V(x_p) >= (V(x_s) + V(x_v))/2
 };
 
-/** The image whose surfaces are felt. For HapticMethod::Proxy. */
+/** The image whose surfaces are felt, for HapticMethod::Proxy. */
 enum class SurfaceGeometry : std::uint8_t
 {
   Scalars,
   Labels, ///< only walls between labels (LabelWalls.h)
-  Both    ///< surfaces of the scalars and, where these are not distinct, walls between labels
+  Both    ///< surfaces of the scalars and, where they are not distinct, walls between labels
 };
 
-/** The values that determine a surface's material. For HapticSolver::Precise. */
+/** Where the values are read that determine a surface's material, for HapticSolver::Precise. */
 enum class MaterialPlacement : std::uint8_t
 {
   Kernel, ///< V(x_s) and V(x_v), a kernel radius to either side of the proxy
   FarSide ///< values of the plateaus on both sides of the edge (FarSide.h)
 };
 
-/** The shape that replaces the surface near the proxy. For HapticMethod::LocalSurface. */
+/** The shape that replaces the surface near the proxy, for HapticMethod::LocalSurface. */
 enum class LocalSurfaceShape : std::uint8_t
 {
   Plane,
@@ -60,8 +60,8 @@ enum class LocalSurfaceShape : std::uint8_t
 };
 
 /**
- * The side of a surface on which its structure is: the side of higher values, the side of lower
- * values, or the side that the tip moves to.
+ * The side of a surface on which its structure is: where values are higher, where they are lower,
+ * or wherever the tip moves to.
  */
 enum class SurfaceSide : std::uint8_t
 {
@@ -79,9 +79,10 @@ struct HapticSettings
   SurfaceGeometry Geometry = SurfaceGeometry::Scalars; ///< must be Scalars without labels
   MaterialPlacement Placement = MaterialPlacement::FarSide;
   SurfaceSide Side = SurfaceSide::Higher;
-  bool SameShape = false; ///< whether all materials with any stiffness have the same one
+  bool SameShape = false; ///< whether all materials that have any stiffness get the same one
   /**
-   * Duration (s) over which the force of a leap is spread, for Precise with FarSide; 0 for none.
+   * Time (s) over which the force of a leap is spread, for Precise with FarSide; 0 for no
+   * spreading.
    */
   double ReleaseTime = 0.005;
   double CouplingStiffness = 500.0; ///< N/m; for SameShape and for Primitives
@@ -94,10 +95,10 @@ struct HapticSettings
   double IsoValue = 0.0;            ///< value at the surface of SurfaceProxy and LocalSurface
   bool HasIsoSurface = false;       ///< whether the mesh is the isosurface at IsoValue
   double ProxyRadius = 0.5;         ///< world units, more than 0, for SurfaceProxy
-  /** Whether SurfaceProxy interpolates the normals of a mesh that has them. */
+  /** Whether SurfaceProxy interpolates the mesh's normals, if it has any. */
   bool ForceShading = true;
   double LocalSurfaceRate = 60.0; ///< rate (Hz) of the slow loop of LocalSurface
-  /** Duration (s) of the change from one surface to the next, for LocalSurface. */
+  /** Time (s) over which LocalSurface changes from one surface to the next. */
   double RecoveryTime = 0.015;
   LocalSurfaceShape LocalShape = LocalSurfaceShape::Plane;
 };

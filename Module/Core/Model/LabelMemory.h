@@ -10,7 +10,7 @@ namespace VolumeHaptics
 {
 
 /**
- * Memories of the last label lookups. They are kept from tick to tick, make lookups faster, and
+ * Memories of the last label lookups. They are kept from tick to tick to make lookups faster, and
  * change no result.
  */
 struct LabelMemory

@@ -15,7 +15,7 @@
 namespace VolumeHaptics
 {
 
-/** The material of a label. A value that is not set comes from the functions of the scalar. */
+/** The material of a label. Values that are not set come from the functions of the scalar. */
 struct LabelMaterial
 {
   /** The channels of MaterialTable that a label may have: k, mu, T_N and R. */
@@ -33,7 +33,7 @@ struct LabelMaterial
   double SpecificEnergy = 0.0;
   bool HasSpecificEnergy = false;
   ///@}
-  /** Whether the label is felt; if not, T_N, R and tau are 0, and it makes no surface. */
+  /** Whether the label is felt. If not, T_N, R and tau are 0, and the label makes no surface. */
   bool IsFelt = true;
   bool IsForbidden = false;
 };
@@ -46,8 +46,8 @@ struct LabelledMaterial
 };
 
 /**
- * The place of a label in the order from soft to hard, by which a wall's structure lies on the side
- * of the harder label. The order is by Kind, then by T_N, then by k, then by the label's number.
+ * The place of a label in the order from soft to hard. The structure of a wall is on the side of
+ * the harder label. Labels are ordered by Kind, then by T_N, then by k, then by number.
  */
 struct LabelOrder
 {
@@ -74,12 +74,12 @@ class LabelTable
 public:
   LabelTable() = default;
   /**
-   * Makes the table from entries. Each label must occur once. For labels that are not felt, sets
-   * the channels that make surfaces to 0.
+   * Makes the table from entries, at most one per label. For labels that are not felt, sets the
+   * channels that make surfaces to 0.
    */
   explicit LabelTable(const std::vector<LabelledMaterial>& entries);
 
-  /** Sets the stiffness (N/m) of all labels whose own stiffness exceeds `floor` (N/m). */
+  /** Sets the stiffness (N/m) of all labels whose own stiffness is above `floor` (N/m). */
   void SetOneStiffness(double stiffness, double floor);
 
   bool IsEmpty() const noexcept { return this->Entries.empty(); }
@@ -127,7 +127,7 @@ public:
   }
 
   ///@{
-  /** Return the memory outside the object. */
+  /** Return the address and the size (bytes) of the memory that a lookup reads. */
   const void* GetEntries() const noexcept { return this->Entries.data(); }
   std::size_t GetEntriesSize() const noexcept
   {
@@ -140,7 +140,6 @@ public:
   }
   ///@}
 
-  /** Returns the size (bytes) of the memory outside the object. */
   std::size_t GetMemorySize() const noexcept
   {
     return this->GetEntriesSize() + this->GetPlacesSize();
@@ -148,8 +147,8 @@ public:
 
 private:
   /**
-   * Returns the slot where the search for a label begins. It has the highest bits of a product,
-   * because these depend on all bits of the label.
+   * Returns the slot where the search for a label begins: the highest bits of a product, because
+   * these depend on all bits of the label.
    */
   std::size_t Home(std::int64_t label) const noexcept
   {

@@ -29,7 +29,7 @@ struct LabelWalls::Taps
   std::int64_t Place[3][Most]; ///< the voxels' indices along each axis
 };
 
-/** The labels around a position, with their fractions and the gradients of these. */
+/** The labels around a position, with their fractions and the gradients of the fractions. */
 struct LabelWalls::Around
 {
   static constexpr int Most = LabelBlock::Most;
@@ -193,7 +193,7 @@ LabelWalls::LabelWalls(
 
 LabelWall LabelWalls::Compute(const Vector3& index, WallMemory& memory) const noexcept
 {
-  // The condition is false for NaN, too.
+  // The comparisons are false for NaN, too.
   const bool isInside = index.X >= 0.0 && index.Y >= 0.0 && index.Z >= 0.0 &&
     index.X <= this->Last.X && index.Y <= this->Last.Y && index.Z <= this->Last.Z;
   if (!isInside)
@@ -294,8 +294,8 @@ template <typename F>
 LabelWall LabelWalls::FindNearest(
   int count, const std::int64_t* labels, F&& fraction) const noexcept
 {
-  // Sort the labels, the hardest first. There is a wall where the fractions of the hardest labels
-  // add up to 1/2, unless the next label has the same place in the order. Find the nearest wall.
+  // Sort the labels, hardest first. There is a wall where the fractions of the hardest labels add
+  // up to 1/2, unless the next label has the same place in the order. Use the nearest wall.
   LabelOrder order[LabelBlock::Most];
   int sorted[LabelBlock::Most];
   for (int i = 0; i < count; ++i)

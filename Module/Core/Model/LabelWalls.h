@@ -2,25 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Walls between labels, straight from the label image: no distance field, no smoothing beforehand.
+ * Computes walls between labels directly from the label image, without a distance field or
+ * smoothing beforehand.
  *
  * The fraction of a set of labels around a position x,
  *
  *   u(x) = sum of w(x - x_i) over the voxels i of the set,   sum of all w = 1,
  *
- * with the weights of the Gaussian kernel (GradientKernel.h), is smooth although labels are not.
- * Labels have an order (LabelTable::OrderOf); a set contains a label and all harder labels. Where
- * the set and the remaining labels have equal fractions, there is a wall; u_in - u_out = 2 u
+ * with the weights w of the Gaussian kernel (GradientKernel.h), is smooth although labels are not.
+ * Labels have an order (LabelTable::OrderOf), and a set contains a label and all harder labels.
+ * There is a wall where the set and the remaining labels have equal fractions. Its value is u_in -
+ * u_out = 2 u - 1, and its normal is the gradient of the value, which points to the harder side.
+ * The sets are nested, so that walls never cross. Near several walls, the nearest counts.
  * - 1 is its value and the gradient of that its normal, into the harder side. The sets are nested,
  * so that walls never cross. Near several walls, the nearest counts.
  *
- * The kernel is wider than that of gradients, and cut at r + 1 voxels of the label image for a
- * radius r: its standard deviation is s = 0.355 (r + 1), 1.4 voxels for r = 3. A wall on a ball of
- * radius R lies s^2 / R inside it, and a sheet thinner than 1.35 s between equal labels has no
- * wall.
+ * The kernel is wider than that of gradients. For a radius r it is cut at r + 1 voxels of the label
+ * image, and its standard deviation is s = 0.355 (r + 1), 1.4 voxels for r = 3. The wall of a ball
+ * with radius R is s^2 / R inside the ball, and a sheet thinner than 1.35 s between equal labels
+ * has no wall.
  *
- * In FineLabels, which resolve boundaries within voxels, each voxel counts with the fractions of
- * its two labels.
+ * In FineLabels, which resolve boundaries within voxels, each voxel counts for its two labels with
+ * their fractions.
  */
 #ifndef LabelWalls_h
 #define LabelWalls_h
@@ -44,8 +47,8 @@ struct LabelWall
 };
 
 /**
- * The voxels that the last lookup read, in a cell of the label image. The next lookups mostly need
- * the same voxels. The memory makes them faster and changes no result.
+ * The voxels that the last lookup read around a cell of the label image. The next lookups usually
+ * need the same voxels, and become faster. The memory changes no result.
  */
 struct WallMemory
 {
@@ -54,8 +57,8 @@ struct WallMemory
   bool HasWall = false; ///< whether the voxels have two labels; without two there is no wall
   ///@{
   /**
-   * Whether the rows of the harder label are steps. If not, the lookup uses Planes, as in
-   * LabelBlock.
+   * Whether the label covers one end, the whole or nothing of each row of voxels. If not, the
+   * lookup uses Planes, as in LabelBlock.
    */
   bool HasSteps = false;
   LabelSteps Steps = {};
@@ -63,13 +66,13 @@ struct WallMemory
   ///@}
 };
 
-/** Computes walls. Stores references to the view's memory and to the table. */
+/** Computes walls. Owns neither the view's memory nor the table. */
 class LabelWalls
 {
 public:
   /**
    * Makes walls for a label image. `radius` is the kernel's radius in voxels of the label image.
-   * `fractions`, unless null, are those of the FineLabels with this view.
+   * `fractions` come from the FineLabels with this view, or are null.
    */
   LabelWalls(const LabelView& view, const LabelTable& table, int radius,
     const std::uint8_t* fractions = nullptr);
@@ -90,8 +93,8 @@ public:
   ///@}
 
   /**
-   * Returns the factor of walls near the image's border: 0 at the border, 1 from one kernel radius
-   * inside.
+   * Returns the strength factor of walls near the image's border: 0 at the border, and 1 from one
+   * kernel radius inside.
    */
   double BorderFade(const Vector3& index) const noexcept
   {
@@ -107,7 +110,10 @@ public:
   }
 
   ///@{
-  /** Return the table that every tick reads if the kernel has the default radius. */
+  /**
+   * Return the table that every tick reads if the kernel has the default radius, and its size
+   * (bytes).
+   */
   const void* GetTable() const noexcept { return this->Sampler.GetMemory(); }
   std::size_t GetTableSize() const noexcept { return this->Sampler.GetMemorySize(); }
   ///@}
@@ -124,7 +130,7 @@ private:
 
   template <typename T>
   static void Gather(const VolumeView& view, const Taps& taps, Around& around) noexcept;
-  /** Gathers as Gather, from voxels with fractions. */
+  /** Like Gather(), from voxels with fractions. */
   template <typename T>
   static void GatherShared(const VolumeView& view, const Taps& taps, Around& around) noexcept;
 

@@ -12,7 +12,8 @@ namespace
 {
 
 /**
- * Height of a triangle, as a fraction of its longest edge, below which its normal is not reliable.
+ * The normal of a triangle is not reliable if the triangle's height is below this fraction of its
+ * longest edge.
  */
 constexpr double LeastHeight = 1e-9;
 
@@ -22,7 +23,7 @@ bool HasArea(const Triangle& triangle)
   const Vector3 ac = triangle.Corner[2] - triangle.Corner[0];
   const Vector3 bc = ac - ab;
   const double longest = std::max({ Dot(ab, ab), Dot(ac, ac), Dot(bc, bc) });
-  // The condition is false for NaN, too.
+  // The comparison is false for NaN, too.
   return Norm(Cross(ab, ac)) > LeastHeight * longest && std::isfinite(longest);
 }
 
@@ -205,7 +206,7 @@ void SurfaceMesh::Build()
   std::vector<std::int32_t> order(size);
   std::iota(order.begin(), order.end(), 0);
 
-  // Splits the triangles into two halves of equal number along the axis on which the centres are
+  // Split the triangles into two halves of equal number, along the axis on which their centres are
   // spread most.
   const auto twiceMiddle = [&](std::int32_t i, int axis)
   { return boxes[i].Low[axis] + boxes[i].High[axis]; };
@@ -245,7 +246,7 @@ void SurfaceMesh::Build()
     this->Boxes[i] = boxes[order[i]];
   }
   this->Triangles = std::move(triangles);
-  // Children come after their parents, so compute their boxes first.
+  // Children come after their parents, so start from the end to compute their boxes first.
   for (auto node = this->Nodes.rbegin(); node != this->Nodes.rend(); ++node)
   {
     if (node->Count > 0)

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Triangles in the world, in an immutable tree of boxes that finds the triangles near a place.
+ * Triangles in the world, in an immutable tree of boxes that finds the triangles near a position.
  *
- * The corners of a moving surface's triangles move along straight lines to their positions in the
- * next time step. The boxes contain these lines.
+ * If the surface moves, the corners of its triangles move along straight lines to their positions
+ * in the next time step. The boxes contain these lines.
  *
- * A mesh is built outside the servo thread. Queries visit a triangle at most once and allocate
- * nothing. Each box that a query visits counts against a budget. A query returns false if the
- * budget is spent.
+ * A mesh is built outside the servo thread. Queries visit each triangle at most once and allocate
+ * nothing. Each box that a query visits counts against a budget; the query fails when the budget is
+ * spent.
  */
 #ifndef SurfaceMesh_h
 #define SurfaceMesh_h
@@ -24,7 +24,7 @@
 namespace VolumeHaptics
 {
 
-/** The place on a mesh that is nearest to a position. */
+/** The point of a mesh that is nearest to a position. */
 struct MeshPlace
 {
   std::int32_t Triangle = -1; ///< -1 if the mesh has no triangles
@@ -40,7 +40,7 @@ public:
   /**
    * Makes a mesh of triangles, which are indices into `points` (world units). `normals` are the
    * points' unit normals for shading, or empty. `motions` are the points' motions to the next time
-   * step, or empty. Leaves out triangles without an area or with a corner that is not finite.
+   * step, or empty. Drops triangles without an area, or with a corner that is not finite.
    */
   SurfaceMesh(std::vector<Vector3> points, const std::vector<Indices>& triangles,
     std::vector<Vector3> normals, std::vector<Vector3> motions = {});
@@ -66,14 +66,14 @@ public:
   }
   const Indices& GetCorners(std::int32_t i) const noexcept { return this->Triangles[i]; }
   const std::vector<Vector3>& GetPoints() const noexcept { return this->Points; }
-  /** Returns the longest motion (world units) of any point to the next time step. */
+  /** Returns the length (world units) of the longest motion of any point to the next time step. */
   double GetLongestMotion() const noexcept { return this->LongestMotion; }
   /** Returns the interpolated normal at a point of a triangle. Its length is only roughly 1. */
   Vector3 GetNormal(std::int32_t i, const TrianglePoint& point) const noexcept;
 
   /**
-   * Estimates how many boxes VisitNear visits at most, from queries around some hundred triangles
-   * all over the mesh.
+   * Estimates the largest number of boxes that VisitNear() visits, from queries around some hundred
+   * triangles all over the mesh.
    */
   int EstimateVisits(double distance) const noexcept;
 
@@ -99,14 +99,14 @@ public:
   }
 
   /**
-   * Returns the place nearest to a finite position, or the nearest place so far if the budget is
-   * spent. The mesh must not move.
+   * Returns the place nearest to a finite position. If the budget is spent, the result is the
+   * nearest place so far. The mesh must not move.
    */
   MeshPlace FindNearest(const Vector3& position, int budget) const noexcept;
 
   /**
-   * Calls visit(i) for the triangles that a moving sphere may meet. `visit` returns the fraction of
-   * the displacement (0 to 1) behind which other triangles no longer matter. Returns false if the
+   * Calls visit(i) for the triangles that a moving sphere may meet. `visit` returns the fraction (0
+   * to 1) of the displacement after which other triangles no longer matter. Returns false if the
    * budget is spent.
    */
   template <typename Visitor>
@@ -154,7 +154,7 @@ private:
   };
 
   static constexpr int LeafSize = 4;
-  /** Limit of the tree's depth. Nodes are halved, so that even 2^31 triangles need less. */
+  /** Limit of the tree's depth. Each level halves the nodes, so even 2^31 triangles need less. */
   static constexpr int Deepest = 64;
 
   void Build();

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The data times of a volume that moves.
+ * The data times of a moving volume.
  *
- * A series begins with the time step at First and ends with the time step at Last. In a loop, the
- * last time step is blended into the first one during a further interval:
+ * A series begins with the time step at First and ends with the time step at Last. In a loop, one
+ * more interval blends the last time step into the first one:
  *
  *   First ... Last ... First + GetPeriod(), which is First again.
  *
- * A model may hold only some consecutive time steps of the series, the *time span*. If the time
- * span crosses the end of a loop, it ends at an earlier data time than it begins. If it has one
- * time step, it has only the data time of that time step.
+ * A model may contain only some consecutive time steps of the series, the *time span*. If the time
+ * span crosses the end of a loop, it ends at an earlier data time than it begins. A time span with
+ * one time step contains only the data time of that time step.
  */
 #ifndef TimeStepSeries_h
 #define TimeStepSeries_h
@@ -25,18 +25,18 @@ struct TimeStepSeries
 {
   double First = 0.0;
   double Last = 0.0;
-  /** Data time from Last to First in a loop; more than 0 if there are time steps. */
+  /** Data time from Last back to First in a loop; more than 0 if there are time steps. */
   double LoopInterval = 0.0;
 
   double GetPeriod() const noexcept { return this->Last - this->First + this->LoopInterval; }
 };
 
-/** The span of data time whose time steps a model has. */
+/** The data times for which a model has time steps. */
 struct TimeSpan
 {
   TimeStepSeries Series;
   double Front = 0.0; ///< data time of the first time step
-  /** Data time of the last time step. It equals Front if the time span has the whole loop. */
+  /** Data time of the last time step. It equals Front if the time span covers the whole loop. */
   double Back = 0.0;
   bool IsInstant = false; ///< whether the time span has only one time step
 
@@ -48,7 +48,8 @@ struct TimeSpan
   }
   ///@{
   /**
-   * Return how much data time the time span has after `time` (GetAhead) and before it (GetBehind).
+   * Return the data time from `time` to the end of the time span (GetAhead), or from its beginning
+   * to `time` (GetBehind).
    */
   double GetAhead(double time) const noexcept { return this->Measure(this->Back - time); }
   double GetBehind(double time) const noexcept { return this->Measure(time - this->Front); }

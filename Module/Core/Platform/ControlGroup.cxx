@@ -11,7 +11,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Names of files in the folder of a group: versions 1 and 2 of the kernel's interface. */
+/**
+ * Names of the files in a group's folder. Versions 1 and 2 of the kernel's interface have different
+ * ones.
+ */
 struct Names
 {
   const char* Limit;
@@ -21,7 +24,7 @@ struct Names
 constexpr Names FIRST = { "memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file" };
 constexpr Names SECOND = { "memory.max", "memory.current", "inactive_file" };
 
-/** Reads a number. Returns `otherwise` if there is none; "max" is none. */
+/** Reads a number. Returns `otherwise` if there is none, for example if the file contains "max". */
 double ReadNumber(std::istream& in, double otherwise)
 {
   double number = 0.0;
@@ -50,8 +53,8 @@ double ReadCached(const std::string& folder, const char* wanted)
 }
 
 /**
- * Returns the memory that a group and the groups above it leave. A container may hide some of their
- * folders.
+ * Returns how much memory a group and the groups above it leave. Some of their folders may be
+ * hidden in a container.
  */
 double ReadRoom(const std::string& root, std::string group, const Names& names)
 {
@@ -79,7 +82,7 @@ double ReadGroupMemory(const std::string& groups, const std::string& root)
   std::string line;
   while (std::getline(in, line))
   {
-    // NUMBER:CONTROLLERS:/GROUP; version 2 has the number 0 and no controllers.
+    // A line is NUMBER:CONTROLLERS:/GROUP. Version 2 has the number 0 and no controllers.
     const std::size_t first = line.find(':');
     const std::size_t second = line.find(':', first + 1);
     if (first == std::string::npos || second == std::string::npos)

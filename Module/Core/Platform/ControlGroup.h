@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The limit of memory that a container or a service manager gives a process.
+ * Reads the limit of memory that a container or a service manager sets for a process.
  */
 #ifndef ControlGroup_h
 #define ControlGroup_h
@@ -13,12 +13,12 @@ namespace VolumeHaptics
 {
 
 /**
- * Returns how many bytes of memory this process's control group and the groups above it leave. What
- * the kernel would drop, which are cached files, counts as free. Infinite without a limit, and on
- * systems without control groups.
+ * Returns how many bytes of memory this process's control group and the groups above it leave.
+ * Cached files count as free memory, because the kernel would drop them. Returns infinity if there
+ * is no limit, and on systems without control groups.
  *
- * @param groups a file like /proc/self/cgroup
- * @param root   the folder where the groups' file system is
+ * @param groups a file with the format of /proc/self/cgroup
+ * @param root   the folder of the groups' file system
  */
 double ReadGroupMemory(
   const std::string& groups = "/proc/self/cgroup", const std::string& root = "/sys/fs/cgroup");

@@ -98,7 +98,7 @@ bool FileReplacement::Finish(std::string& error)
   if (this->Descriptor >= 0)
   {
     this->Flush();
-    // A full disk may not be reported before this call.
+    // Only this call may report that the disk is full.
     if (this->Failure == 0)
     {
       this->Failure = Files::Sync(this->Descriptor);

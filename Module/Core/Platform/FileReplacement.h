@@ -15,16 +15,16 @@ namespace VolumeHaptics
 {
 
 /**
- * Writes a file under a temporary name in the same folder, and renames it when all of it is on the
- * disk. An existing file stays unchanged until then, whatever happens; its owner and permissions
- * are kept. If this user may not give the file's group to a new file, the existing file is
- * overwritten at the end.
+ * Writes a file under a temporary name in the same folder, and renames it when it is completely on
+ * the disk. Until then, an existing file stays unchanged, even after a crash. Its owner and
+ * permissions are kept. If this user may not give the file's group to a new file, the existing file
+ * is overwritten at the end.
  */
 class FileReplacement
 {
 public:
   FileReplacement() = default;
-  /** Removes the temporary file, unless it was committed. */
+  /** Removes the temporary file, if it exists. */
   ~FileReplacement();
   FileReplacement(const FileReplacement&) = delete;
   FileReplacement& operator=(const FileReplacement&) = delete;
@@ -40,15 +40,15 @@ public:
   std::uint64_t GetSize() const { return this->Size; }
   bool HasFailed() const { return this->Failure != 0; }
   /**
-   * Writes all bytes to the disk, without renaming the file. Returns false, with an error, as
-   * Commit() does, which calls this function if needed.
+   * Writes all bytes to the disk, without renaming the file. Commit() calls this function if
+   * needed. Returns false on failure, with an error as Commit() does.
    */
   bool Finish(std::string& error);
   /**
    * Replaces the file: renames the temporary file, or copies it over the existing file if the
-   * file's group could not be kept. On failure, returns false, with the reason and the cure in
-   * `error`. The existing file is then unchanged, except after a failed copy: then it may be
-   * incomplete, and the temporary file, which the error names, is kept.
+   * file's group could not be kept. On failure, returns false, with the reason and the remedy in
+   * `error`. The existing file is then unchanged, except after a failed copy, when it may be
+   * incomplete. In that case, the temporary file is kept, and the error names it.
    */
   bool Commit(std::string& error);
 

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Files by their descriptors, and names of files, on Linux, macOS and Windows.
+ * Functions for files, their descriptors and their names, on Linux, macOS and Windows.
  *
- * Names are UTF-8 on all systems. On failure, a function sets errno. Windows lets no program remove
- * or rename a file that another one has open; files that are opened here allow it.
+ * Names are UTF-8 on all systems. On failure, a function sets errno. On Windows, a program can't
+ * remove or rename a file that another program has open, unless the other program allows it; files
+ * that are opened here allow it.
  */
 #ifndef Files_h
 #define Files_h
@@ -32,22 +33,25 @@ using Status = struct stat;
 using Mode = mode_t;
 #endif
 
-/** The ways in which Open() may use a file. */
+/** The ways to open a file. */
 enum class For : std::uint8_t
 {
-  Reading,   ///< does not wait for the writer of a FIFO
+  Reading,   ///< reads without waiting for the writer of a FIFO
   Writing,   ///< replaces the contents of an existing file
   MakingNew, ///< fails with EEXIST if the name exists, even as a link; reads and writes
   ReadingFolder
 };
 
 ///@{
-/** Convert between names and paths of the standard library. */
+/** Convert a UTF-8 name to a path of the standard library, and back. */
 std::filesystem::path ToPath(const std::string& name);
 std::string ToName(const std::filesystem::path& path);
 ///@}
 
-/** Opens a file, also if a signal interrupts. Returns a descriptor, or a negative number. */
+/**
+ * Opens a file. Tries again if a signal interrupts. Returns a descriptor, or a negative number on
+ * failure.
+ */
 int Open(const std::string& name, For what, Mode mode = 0);
 void Close(int descriptor) noexcept;
 /** Closes a file. Returns false if bytes may be lost. */
@@ -56,7 +60,10 @@ bool CloseWritten(int descriptor) noexcept;
 int Duplicate(int descriptor) noexcept;
 
 ///@{
-/** Read and write bytes. Return their number, which may be smaller, or a negative number. */
+/**
+ * Read or write bytes. Return their number, which may be smaller than `size`, or a negative number
+ * on failure.
+ */
 std::int64_t Read(int descriptor, void* data, std::size_t size) noexcept;
 std::int64_t ReadAt(int descriptor, void* data, std::size_t size, std::int64_t from) noexcept;
 std::int64_t Write(int descriptor, const void* data, std::size_t size) noexcept;
@@ -67,7 +74,9 @@ bool SeekEnd(int descriptor) noexcept;
 int Sync(int descriptor) noexcept;
 
 ///@{
-/** Lock an open file without waiting. Set errno to EWOULDBLOCK if the file is locked already. */
+/**
+ * Lock an open file without waiting. If the file is locked already, they set errno to EWOULDBLOCK.
+ */
 bool LockAlone(int descriptor) noexcept;
 bool LockShared(int descriptor) noexcept;
 void Unlock(int descriptor) noexcept;
@@ -80,19 +89,22 @@ bool GetStatus(int descriptor, Status& status) noexcept;
 bool IsRegular(const Status& status) noexcept;
 bool IsFolder(const Status& status) noexcept;
 bool IsPipe(const Status& status) noexcept;
-/** Returns whether a name exists, even as a link that leads nowhere. */
+/** Returns whether a name exists, even as a link without a target. */
 bool Exists(const std::string& name);
-/** Returns whether `name` names the open file. */
+/** Returns whether a name belongs to the open file. */
 bool IsSame(int descriptor, const std::string& name);
 
-/** Renames a file, and replaces an existing file of the new name. */
+/** Renames a file. Replaces an existing file with the new name. */
 bool Rename(const std::string& from, const std::string& to);
 bool Remove(const std::string& name);
-/** Creates a file with a random name beside `file`, as Open() does for MakingNew. */
+/**
+ * Creates a file with a random name in the folder of `file`. Returns a descriptor, like Open() for
+ * MakingNew.
+ */
 int CreateBeside(const std::string& file, Mode mode, std::string& name);
 
 ///@{
-/** Returns whether the user may write a file, or make files in a folder. */
+/** Return whether the user may write a file, or create files in a folder. */
 bool MayWrite(const std::string& name);
 bool MayWriteFolder(const std::string& name);
 ///@}
@@ -103,24 +115,24 @@ bool MayWriteFolder(const std::string& name);
 bool CopyPermissions(int descriptor, const Status& other) noexcept;
 
 /**
- * Counts the bytes of a file that are on the disk, until there are `enough`. Returns a larger
- * number than `enough` if the file system does not report it.
+ * Counts the bytes of a file that are stored on the disk, and stops after `enough`. Returns more
+ * than `enough` if the file system does not report holes.
  */
 std::int64_t CountStored(int descriptor, std::int64_t enough) noexcept;
 
-/** Returns the folder of a file, "." if its name has none. */
+/** Returns the folder of a file, or "." if its name contains none. */
 std::string GetFolder(const std::string& name);
 bool IsAbsolute(const std::string& name) noexcept;
-/** Returns the folder in which the process works, or an empty name. */
+/** Returns the current working folder, or an empty name. */
 std::string GetWorkingFolder();
-/** Returns the file to which symbolic links lead, even if it does not exist yet. */
+/** Follows symbolic links. Returns the file to which they lead, even if it does not exist yet. */
 std::string ResolveLinks(const std::string& name);
 
-/** Returns an environment variable, or an empty text. */
+/** Returns the value of an environment variable, or an empty text. */
 std::string GetVariable(const char* name);
 /**
- * Returns the folder of the user's settings: $XDG_CONFIG_HOME or ~/.config, %APPDATA% on Windows.
- * Returns an empty name if the environment names none.
+ * Returns the folder for the user's settings: $XDG_CONFIG_HOME or ~/.config, or %APPDATA% on
+ * Windows. Returns an empty name if these variables are not set.
  */
 std::string GetSettingsFolder();
 

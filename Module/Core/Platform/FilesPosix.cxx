@@ -159,7 +159,7 @@ bool CopyPermissions(int descriptor, const Status& other) noexcept
   const bool isKept = fchown(descriptor, other.st_uid, other.st_gid) == 0 ||
     fchown(descriptor, static_cast<uid_t>(-1), other.st_gid) == 0 ||
     (fstat(descriptor, &status) == 0 && status.st_gid == other.st_gid);
-  // Set-user-ID and similar bits must not be copied to a file with another owner.
+  // A file with another owner must not get set-user-ID and similar bits.
   (void)!fchmod(descriptor, isKept ? other.st_mode & 0777 : (other.st_mode & 0700) | 0600);
   return isKept;
 }
@@ -173,7 +173,8 @@ std::int64_t CountStored(int descriptor, std::int64_t enough) noexcept
     const off_t data = lseek(descriptor, at, SEEK_DATA);
     at = data < 0 ? data : lseek(descriptor, data, SEEK_HOLE);
     hasMore = at >= 0;
-    // ENXIO: no data follow. Another error: the file system does not report holes.
+    // ENXIO means that no data follow. Any other error means that the file system does not report
+    // holes.
     stored = hasMore ? stored + (at - data) : errno == ENXIO ? stored : enough;
   }
   return stored;
@@ -199,7 +200,7 @@ std::string GetWorkingFolder()
 std::string ResolveLinks(const std::string& file)
 {
   std::string name = file;
-  constexpr int most = 40; // limit of Linux on the number of links
+  constexpr int most = 40; // limit on the number of links, as in Linux
   for (int i = 0; i < most; ++i)
   {
     const std::unique_ptr<char, void (*)(void*)> real(realpath(name.c_str(), nullptr), std::free);

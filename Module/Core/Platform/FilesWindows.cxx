@@ -17,7 +17,10 @@ namespace Files
 namespace
 {
 
-/** The bytes that LockFileEx locks can't be read by others: one that no file has. */
+/**
+ * LockFileEx makes the locked bytes unreadable to others, so lock a byte beyond the end of any
+ * file.
+ */
 constexpr DWORD FarAway = 0x7fffffff;
 
 int ToErrno(DWORD error) noexcept
@@ -75,7 +78,7 @@ HANDLE ToHandle(int descriptor) noexcept
   return reinterpret_cast<HANDLE>(_get_osfhandle(descriptor));
 }
 
-/** Opens a file to ask about it, also if it may not be read. */
+/** Opens a file to query its properties, even if it may not be read. */
 HANDLE OpenToAsk(const std::string& name)
 {
   return CreateFileW(ToWide(name).c_str(), FILE_READ_ATTRIBUTES,
@@ -102,7 +105,7 @@ int Open(const std::string& name, For what, Mode mode)
   const DWORD disposition = what == For::Writing ? TRUNCATE_EXISTING
     : what == For::MakingNew                     ? CREATE_NEW
                                                  : OPEN_EXISTING;
-  (void)mode; // the folder's access list holds for the new file
+  (void)mode; // the folder's access list applies to the new file
   const HANDLE handle = CreateFileW(ToWide(name).c_str(), access,
     FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE, nullptr, disposition,
     what == For::ReadingFolder ? FILE_FLAG_BACKUP_SEMANTICS : FILE_ATTRIBUTE_NORMAL, nullptr);
@@ -174,7 +177,7 @@ bool SeekEnd(int descriptor) noexcept
 
 int Sync(int descriptor) noexcept
 {
-  // Windows can't synchronize folders and files that are open for reading only. It need not.
+  // Windows can't flush folders, and files that are open for reading only. They need no flush.
   return FlushFileBuffers(ToHandle(descriptor)) || GetLastError() == ERROR_ACCESS_DENIED
     ? 0
     : ToErrno(GetLastError());
@@ -251,7 +254,7 @@ bool Remove(const std::string& name)
 
 bool MayWrite(const std::string& name)
 {
-  // Opening without write access does not check who may write.
+  // Opening a file for attributes would not check whether it may be written.
   const WindowsHandle file(CreateFileW(ToWide(name).c_str(), GENERIC_WRITE,
     FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE, nullptr, OPEN_EXISTING,
     FILE_ATTRIBUTE_NORMAL, nullptr));

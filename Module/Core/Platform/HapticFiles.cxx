@@ -17,8 +17,8 @@ namespace
 constexpr std::size_t ChunkSize = 1 << 16;
 
 /**
- * Returns the size (bytes) of the UTF-8 character that begins here, or 0 if none begins (RFC 3629,
- * table in section 4).
+ * Returns the size (bytes) of the UTF-8 character at the beginning of a text, or 0 if there is none
+ * (RFC 3629, table in section 4).
  */
 std::size_t CharacterSize(const unsigned char* text, std::size_t left)
 {
@@ -70,7 +70,7 @@ int SyncFolder(const std::string& file)
   const int descriptor = Files::Open(GetFolder(file), Files::For::ReadingFolder);
   if (descriptor < 0)
   {
-    // A folder that can't be read can still allow new files.
+    // New files may be possible even in a folder that can't be read.
     return errno == EACCES ? 0 : errno;
   }
   const int failure = Files::Sync(descriptor);
@@ -242,7 +242,7 @@ bool ReadSmallFile(const std::string& file, std::size_t most, std::string& text,
   }
   Files::Status status;
   int failure = Files::GetStatus(descriptor, status) ? 0 : errno;
-  // The file may have been replaced after the check.
+  // Check again, because the file may have been replaced meanwhile.
   bool isGood = failure == 0 && Files::IsRegular(status);
   char buffer[ChunkSize];
   while (isGood && text.size() <= most)

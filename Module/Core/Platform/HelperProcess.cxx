@@ -23,7 +23,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Makes two sockets that no other program gets, and that raise no signal. */
+/** Makes two sockets that are closed on exec and raise no signal. */
 bool MakeLinks(int links[2])
 {
 #if defined(SOCK_CLOEXEC)
@@ -96,7 +96,7 @@ void HelperProcess::End()
   }
   close(this->Link);
   this->Link = -1;
-  // After a fork, the process still works for the parent.
+  // In a forked child, leave the process running, because it still works for the parent.
   if (this->Owner == getpid())
   {
     kill(this->Process, SIGKILL);

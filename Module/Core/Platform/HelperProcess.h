@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A program of this project that works for this process, in a process of its own, such as one that
- * reads files.
+ * Runs one of the project's programs in a separate process that works for this one, for example to
+ * read files.
  */
 #ifndef HelperProcess_h
 #define HelperProcess_h
@@ -17,8 +17,9 @@ namespace VolumeHaptics
 {
 
 /**
- * The process, and the socket to it, which is its standard input. It gets no output, none of the
- * signals of this process, and of its files only those that are not closed on exec.
+ * A helper process, and the socket that connects it. The socket is the helper's standard input. The
+ * helper has no output and receives no signals of this process. Of this process's files, it gets
+ * only those that stay open on exec.
  */
 class HelperProcess
 {
@@ -29,19 +30,17 @@ public:
   HelperProcess& operator=(const HelperProcess&) = delete;
 
   /**
-   * Starts a program, with an argument, if it does not run. It is looked for near the library that
-   * has a function at `code`. Returns false on failure; `obstacle` receives the reason if the
-   * program was found but may not be run.
+   * Starts a program, with an argument, unless it runs already. Looks for the program near the
+   * library that contains the function at `code`. Returns false on failure; if the program was
+   * found but may not be run, `obstacle` receives the reason.
    */
   bool Start(const char* program, const void* code, std::string& obstacle,
     const std::string& argument = std::string());
-  /** Ends the process. */
   void End();
-  /** Returns the socket. */
   int GetLink() const { return this->Link; }
 
 private:
-  pid_t Owner = -1; ///< process that has started it
+  pid_t Owner = -1; ///< process that has started the helper
   pid_t Process = -1;
   int Link = -1;
 };

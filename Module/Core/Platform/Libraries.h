@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Shared libraries that are loaded at run time, and the files of code.
+ * Loads shared libraries at run time, and finds the files that contain code.
  */
 #ifndef Libraries_h
 #define Libraries_h
@@ -15,18 +15,24 @@ namespace Libraries
 {
 
 /**
- * Loads a library by its whole path, and the libraries that it needs, also from its own folder.
- * Returns null and writes the loader's text to `error` if this fails. It is never unloaded.
+ * Loads a library by its full path. Also looks in the library's own folder for the libraries that
+ * it needs. On failure, returns null and writes the loader's message to `error`. The library is
+ * never unloaded.
  */
 void* Load(const std::string& path, std::string& error);
-/** Finds a function of a loaded library. Returns null if there is none of that name. */
+/**
+ * Returns a function of a loaded library, or null if the library has no function with that name.
+ */
 void* Find(void* library, const char* name);
-/** Returns the path of the library or program that has a function at `code`; empty if not known. */
+/**
+ * Returns the path of the library or program that contains the function at `code`, or an empty path
+ * if it is not known.
+ */
 std::string FindFileOf(const void* code);
-/** Returns the path of this process's program. */
+/** Returns the path of the running program. */
 std::string FindOwnProgram();
 
-/** The ending of library files, ".so" or ".dll", and the separator of search paths, ':' or ';'. */
+/** The file name extension of libraries, and the separator of search paths. */
 #if defined(_WIN32)
 constexpr const char* Ending = ".dll";
 constexpr char PathSeparator = ';';

@@ -41,8 +41,8 @@ constexpr DWORD Replacing = DELETE | FILE_DELETE_CHILD | WRITE_DAC | WRITE_OWNER
 constexpr DWORD Changing = Replacing | FILE_WRITE_DATA | FILE_APPEND_DATA | GENERIC_WRITE;
 
 /**
- * Returns whether an account is this user, the system or its administrators, or stands for the
- * owner.
+ * Returns whether an account is this user, the system or its administrators, or a placeholder for
+ * the owner.
  */
 bool IsTrusted(PSID account, PSID user)
 {
@@ -54,15 +54,16 @@ bool IsTrusted(PSID account, PSID user)
       return true;
     }
   }
-  // The account of the system's installer, which owns the folders of programs: S-1-5-80-95600...
+  // TrustedInstaller, the account of the system's installer, owns the folders of programs:
+  // S-1-5-80-95600...
   const bool isService = *GetSidSubAuthorityCount(account) == 6 &&
     *GetSidSubAuthority(account, 0) == 80 && *GetSidSubAuthority(account, 1) == 956008885;
   return isService || EqualSid(account, user);
 }
 
 /**
- * Returns why a path is not safe, and the cure. Returns an empty text if only this user and the
- * administrators have the rights `refused`.
+ * Returns why a path is not safe, and the remedy. Returns an empty text if only this user and the
+ * administrators have the rights in `refused`.
  */
 std::string ReasonAgainst(const std::filesystem::path& path, DWORD refused)
 {
@@ -163,8 +164,8 @@ namespace
 constexpr int MostLinks = 40; // limit of the links in a path, as in Linux
 
 /**
- * Returns why a path is not safe, and the cure. Returns an empty text if only this user, root and a
- * trusted group can write it.
+ * Returns why a path is not safe, and the remedy. Returns an empty text if only this user, root and
+ * a trusted group can write it.
  */
 std::string ReasonAgainst(const std::string& path, FileGroup trusted, bool isAbove)
 {
@@ -182,7 +183,7 @@ std::string ReasonAgainst(const std::string& path, FileGroup trusted, bool isAbo
       "your own.";
   }
   const mode_t open = trusted != NoGroup && info.st_gid == trusted ? S_IWOTH : S_IWGRP | S_IWOTH;
-  // The mode of a link does not count, because its folder determines who can replace it.
+  // The mode of a link is ignored, because its folder determines who can replace it.
   const bool isOpen = !S_ISLNK(info.st_mode) && (info.st_mode & open) != 0;
   const bool isSticky = S_ISDIR(info.st_mode) && (info.st_mode & S_ISVTX) != 0;
   return !isOpen || (isAbove && isSticky)
@@ -192,7 +193,7 @@ std::string ReasonAgainst(const std::string& path, FileGroup trusted, bool isAbo
 
 /**
  * Returns the real path. If another user can write a link or a folder in the path, returns an empty
- * path and writes the reason and the cure to `error`.
+ * path and writes the reason and the remedy to `error`.
  */
 std::string Resolve(const std::string& path, FileGroup trusted, std::string& error)
 {
@@ -266,7 +267,7 @@ FileGroup FindPrivateGroup()
 std::string FindOwnFile(const std::string& path, FileGroup trusted, std::string& error)
 {
   namespace fs = std::filesystem;
-  // Others must neither be able to add links to the named folder nor to replace the file.
+  // Other users must not be able to add links to the named folder, or to replace the file.
   const std::string folder = Resolve(fs::path(path).parent_path().string(), trusted, error);
   const std::string real = error.empty() ? Resolve(path, trusted, error) : std::string();
   std::error_code ignored;

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Checks whether a file may run with the user's rights. For plug-ins and for programs that the
- * library starts.
+ * Checks whether it is safe to run a file with the user's rights. Used for plug-ins, and for
+ * programs that the library starts.
  *
  * The file, its folder, all folders above and all links in the path must belong to the user or to
- * root, and no other user may write them. (Other users may write a folder above that is sticky,
- * such as /tmp, because they can't replace files in it.) On Windows, the owner and the access list
- * of the file and the folders say this; administrators stand for root, and the real path is
- * checked.
+ * root, and no other user may write them. (Sticky folders above, such as /tmp, may be writable,
+ * because other users can't replace files in them.) On Windows, the owner and the access list of
+ * the file and the folders are checked in the real path, and administrators count as root.
  */
 #ifndef OwnFile_h
 #define OwnFile_h
@@ -36,26 +35,28 @@ constexpr FileGroup NoGroup = static_cast<FileGroup>(-1);
 FileGroup FindPrivateGroup();
 
 /**
- * Returns the real path of a file if only this user, root and members of the group `trusted` can
- * have written it. Otherwise returns an empty path, and writes the reason and the cure to `error`.
+ * Returns the real path of a file that only this user, root and members of the group `trusted` can
+ * have written. If others can, returns an empty path, and writes the reason and the remedy to
+ * `error`.
  */
 std::string FindOwnFile(const std::string& path, FileGroup trusted, std::string& error);
 
 /**
- * Looks for a program in the folder of a file, in all folders above, up to six, and in a folder
- * "bin" in each of them. A program that FindOwnFile() refuses is skipped. Then `obstacle` receives
- * the reason, unless it already has a text. Returns an empty path if there is no program.
+ * Looks for a program in the folder of a file, in up to six folders above it, and in the subfolder
+ * "bin" of each of them. Skips a program that FindOwnFile() refuses; `obstacle` then receives the
+ * reason, unless it already contains a text. Returns an empty path if there is no program.
  */
 std::string FindProgramNear(const std::string& file, const char* program, std::string& obstacle);
 /**
- * Looks for a program near the library that has a function at `code`, and near this process's own
- * program, because the path of a library that is linked into it may be only its first argument.
+ * Looks for a program near the library that contains the function at `code`, and near the running
+ * program. The second search is needed if the library is linked into the program, because its path
+ * may then be only the program's first argument.
  */
 std::string FindProgramOfLibrary(const void* code, const char* program, std::string& obstacle);
 
 /**
- * Returns an environment variable. Returns an empty text if it is not set, or if this program has
- * more rights than its user.
+ * Returns the value of an environment variable. Returns an empty text if it is not set, or if this
+ * program has more rights than its user.
  */
 std::string ReadSafeVariable(const char* name);
 

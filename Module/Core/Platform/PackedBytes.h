@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Numbers and texts as bytes, between processes of one build on one computer. What is unpacked is
- * as trustworthy as the file that the other process has read.
+ * Packs numbers and texts into bytes, to send them between processes of one build on one computer.
+ * Unpacked bytes are only as trustworthy as the file that the other process has read.
  */
 #ifndef PackedBytes_h
 #define PackedBytes_h
@@ -47,7 +47,9 @@ public:
   std::string Bytes;
 };
 
-/** Every fault is a std::runtime_error. */
+/**
+ * Unpacks numbers and texts from bytes. Throws std::runtime_error if the bytes are not as expected.
+ */
 class ByteUnpacker
 {
 public:
@@ -85,7 +87,9 @@ public:
     count > 0 ? std::memcpy(list.data(), begin, list.size() * sizeof(T)) : nullptr;
     return list;
   }
-  /** Returns `count` elements of a size, and moves the position behind them. */
+  /**
+   * Returns the address of `count` elements with a given size, and moves the position past them.
+   */
   const char* Take(std::uint64_t count, std::size_t size)
   {
     if (size > 0 && count > (this->Bytes.size() - this->At) / size)

@@ -39,8 +39,8 @@ bool Lock(void* address, std::size_t size) noexcept
   {
     return true;
   }
-  // Windows lets a process lock only about as much as its minimum working set, some 200 KiB at
-  // first. So raise the minimum and try again.
+  // Windows lets a process lock only about as much as its minimum working set, initially some 200
+  // KiB. Raise the minimum and try again.
   SIZE_T least = 0;
   SIZE_T most = 0;
   constexpr std::size_t spare = std::size_t{ 1 } << 20;
@@ -76,7 +76,7 @@ Stack FindFreeStack(std::size_t size) noexcept
   ULONG_PTR lowest = 0;
   ULONG_PTR highest = 0;
   GetCurrentThreadStackLimits(&lowest, &highest);
-  // The system makes the stack's memory page by page, when its guard page is touched.
+  // The system commits the stack page by page, when the guard page is touched.
   const char here = 0;
   const auto left = static_cast<std::size_t>(reinterpret_cast<ULONG_PTR>(&here) - lowest);
   const std::size_t kept = 4 * GetSize(); // the guard page, and room for the calls
@@ -121,8 +121,8 @@ bool Fetch([[maybe_unused]] void* address, [[maybe_unused]] std::size_t size) no
 {
 #if defined(__linux__)
   constexpr int populateForReading = 22; // MADV_POPULATE_READ of Linux 5.14
-  // EINVAL means that this kernel lacks the call. After any other error, reading the pages would
-  // crash.
+  // EINVAL means that this kernel does not have the call. After any other error, reading the pages
+  // would crash the process.
   return madvise(address, size, populateForReading) == 0 || errno != EINVAL;
 #else
   return false;
@@ -155,7 +155,7 @@ Stack FindFreeStack([[maybe_unused]] std::size_t size) noexcept
   return {};
 #endif
 #if defined(__linux__) || defined(__APPLE__)
-  // The stack grows downwards on all processors for which this code is compiled.
+  // On all processors for which this code is compiled, the stack grows downwards.
   const char* const here = static_cast<const char*>(__builtin_frame_address(0));
   const auto left = static_cast<std::size_t>(here - static_cast<const char*>(lowest));
   const std::size_t used = std::min(size, left);

@@ -47,11 +47,11 @@ void ServeReading(int, ReadAnswer*) {}
 namespace
 {
 
-/** The three texts follow. */
+/** A request. The folder, the path and the detail follow it in the socket. */
 struct Request
 {
   ReadTask Task = ReadTask::Grid;
-  std::uint32_t FolderLength = 0; ///< length of the folder in which the asker works
+  std::uint32_t FolderLength = 0; ///< length of the asking process's working folder
   std::uint32_t PathLength = 0;
   std::uint32_t DetailLength = 0;
   std::uint64_t Unpacked = 0;
@@ -64,14 +64,14 @@ enum class End : std::uint64_t
   TookTooMuch ///< memory or time
 };
 
-/** The bytes follow. */
+/** An answer. Its bytes follow it in the socket. */
 struct Answer
 {
   End State = End::Broken;
   std::uint64_t ByteCount = 0;
 };
 
-bool IsServing = false; ///< whether this process reads for another one
+bool IsServing = false; ///< whether this process reads files for another one
 
 std::uint64_t GetPhysicalMemory()
 {
@@ -79,11 +79,11 @@ std::uint64_t GetPhysicalMemory()
     static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-/** Limits memory and time to what such a file can need. */
+/** Limits memory and time to the amounts that a file of this size can need. */
 void SetLimits(ReadTask task, const std::string& path, std::uint64_t unpacked)
 {
   constexpr std::uint64_t leastSeconds = 120;
-  alarm(leastSeconds); // a folder of the network may not tell a size
+  alarm(leastSeconds); // set first, because a network folder may never report the size
   constexpr std::uint64_t most = std::uint64_t{ 1 } << 40; // a file of holes may be larger
   std::error_code failure;
   std::uint64_t size = std::filesystem::file_size(Files::ToPath(path), failure);
@@ -91,18 +91,18 @@ void SetLimits(ReadTask task, const std::string& path, std::uint64_t unpacked)
   unpacked = std::min(unpacked, most);
   constexpr std::uint64_t perByte = 64;
   constexpr std::uint64_t slowest = 256 << 10; // bytes a second
-  // The image of a grid has up to 2^25 samples, with several values each.
+  // A grid's image has up to 2^25 samples, with several values each.
   const bool isGrid = task == ReadTask::Grid || task == ReadTask::Case;
   std::uint64_t bytes = (std::uint64_t{ isGrid ? 4U : 1U } << 30) + perByte * size + 4 * unpacked;
   std::uint64_t seconds = leastSeconds + (size + unpacked) / slowest;
-  // The size of a case does not tell the size of the files that it names, nor does a folder's size
-  // that of its files.
+  // The size of a case file does not include the files that it names, nor does a folder's size
+  // include its files.
   if (task == ReadTask::Case || std::filesystem::is_directory(Files::ToPath(path), failure))
   {
     bytes = std::max(bytes, GetPhysicalMemory() / 2);
     seconds = std::max<std::uint64_t>(seconds, 3600);
   }
-#if !defined(VOLUME_HAPTICS_SANITIZED) // sanitizers map terabytes
+#if !defined(VOLUME_HAPTICS_SANITIZED) // sanitizers reserve terabytes
   rlimit memory = {};
   getrlimit(RLIMIT_DATA, &memory);
   memory.rlim_cur = std::min<rlim_t>(memory.rlim_cur, bytes);
@@ -111,7 +111,7 @@ void SetLimits(ReadTask task, const std::string& path, std::uint64_t unpacked)
   alarm(static_cast<unsigned>(seconds));
 }
 
-/** Receives bytes as they arrive, since the reader may give any number as their size. */
+/** Receives bytes as they arrive, because the reader may announce any size. */
 bool ReceiveBytes(int link, std::uint64_t size, std::string& bytes)
 {
   const auto most = std::min(static_cast<double>(GetPhysicalMemory()) / 2, ReadGroupMemory());
@@ -159,7 +159,7 @@ void Serve(int link, const Request& request, const std::string& folder, const st
   {
     answer.State = End::TookTooMuch;
   }
-  catch (...) // the answer makes no sense
+  catch (...) // the read function failed
   {
     bytes.clear();
   }
@@ -177,9 +177,9 @@ ReadResult AskReader(ReadTask task, const std::string& path, std::string& answer
   const std::string& detail, std::uint64_t unpacked)
 {
   const void* const code = reinterpret_cast<const void*>(&vtkHapticServeReading);
-  // Boxes have processes of their own, because those who wait for them can't wait for a whole file,
-  // nor threads and stacks for each other. A process holds a copy of the library's data, so there
-  // are few; a thread that finds none free waits for the last one.
+  // Boxes have separate processes, because their readers must wait neither for whole files nor for
+  // each other. There are only a few processes, because each has a copy of the library's data. If
+  // none is free, a thread waits for the last one.
   constexpr std::size_t boxProcesses = 4;
   static HelperProcess processes[1 + boxProcesses];
   static std::mutex accesses[1 + boxProcesses];
@@ -207,7 +207,7 @@ ReadResult AskReader(ReadTask task, const std::string& path, std::string& answer
       SendAll(link, detail.data(), detail.size()) && ReceiveAll(link, &isReady, 1);
   };
   bool isSent = false;
-  // The process may have ended since the last file: then start a new process.
+  // If the process has ended since the last file, start a new one.
   for (int tries = 0; tries < 2 && !isSent && !IsServing && !library.empty(); ++tries)
   {
     isSent = process.Start("volumehaptics-read", code, obstacle, library) && send();
@@ -230,7 +230,7 @@ ReadResult AskReader(ReadTask task, const std::string& path, std::string& answer
   {
     isRead = isRead && ReceiveBytes(link, head.ByteCount, answer);
   }
-  catch (const std::exception&) // the answer declares more than fits into memory
+  catch (const std::exception&) // the answer announces more bytes than fit into memory
   {
     isRead = false;
   }

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads files, in a separate process, with libraries that do not check them. The process has limits
- * of memory and time. If such a library ends it, neither the window nor the servo notices.
+ * Reads files in a separate process, for libraries that do not check files well. The process has
+ * limits of memory and time. If such a library crashes, neither the window nor the servo is
+ * affected.
  *
- * The process is the program volumehaptics-read, which loads the library that asks, and reads each
- * file in a copy of itself. There is none on Windows, nor if that library is linked into a program
- * as a whole: then files are read in the asking process.
+ * The process runs the program volumehaptics-read, which loads the library that asks, and reads
+ * each file in a forked copy of itself. It does not exist on Windows, nor if the library is linked
+ * into a program. Files are then read in the asking process.
  */
 #ifndef ReaderProcess_h
 #define ReaderProcess_h
@@ -22,7 +23,7 @@
 #endif
 
 /**
- * Answers requests that come through a socket. The library that asks defines this function, and the
+ * Answers requests that arrive through a socket. The asking library defines this function, and the
  * program volumehaptics-read calls it.
  */
 extern "C" VOLUME_HAPTICS_SERVES void vtkHapticServeReading(int link);
@@ -30,13 +31,13 @@ extern "C" VOLUME_HAPTICS_SERVES void vtkHapticServeReading(int link);
 namespace VolumeHaptics
 {
 
-/** Kinds of requests. The caller knows the layout of each answer. */
+/** Kinds of requests. Only the caller knows the layout of an answer. */
 enum class ReadTask : std::uint32_t
 {
   Grid,    ///< a grid, resampled to an image
   VtkHdf,  ///< where the samples are in a VTKHDF file
   Surface, ///< a mesh
-  Case,    ///< a grid, from files that this file names, wherever they are
+  Case,    ///< a grid, from files that the given file names, wherever they are
   Tiff,    ///< the pages in a TIFF file or a folder of TIFF files
   TiffBox, ///< samples of TIFF pages
 };
@@ -44,23 +45,23 @@ enum class ReadTask : std::uint32_t
 enum class ReadResult : std::uint8_t
 {
   Answered,
-  Ended, ///< the file has ended the process, or taken more memory or time than it may: see `answer`
-  NoProcess ///< there is no such process: read the file in this one
+  Ended, ///< the file made the process crash, or use more memory or time than allowed: see `answer`
+  NoProcess ///< there is no such process: read the file in the calling process
 };
 
 /**
- * Asks the process to read a file, or the part of it that `detail` describes. Starts the process if
- * it does not run. If there is none because another user could have written its program, `answer`
- * receives a note of that for the user; if the process ended, it says why. `unpacked` is the number
- * of bytes that the file may unpack to, if the asker knows it.
+ * Asks the process to read a file, or the part of the file that `detail` describes. Starts the
+ * process unless it runs already. If it must not be started because another user could have written
+ * its program, `answer` receives a note for the user. If the process ended, `answer` receives the
+ * reason. `unpacked` is the number of bytes to which the file may unpack, if the caller knows it.
  */
 ReadResult AskReader(ReadTask task, const std::string& path, std::string& answer,
   const std::string& detail = std::string(), std::uint64_t unpacked = 0);
 
-/** Returns the answer, or throws. */
+/** Reads a file and returns the answer, or throws. */
 using ReadAnswer = std::string(ReadTask task, const std::string& path, const std::string& detail);
 
-/** The work of vtkHapticServeReading(): answers until the other side closes the socket. */
+/** Implements vtkHapticServeReading(): answers requests until the other side closes the socket. */
 void ServeReading(int link, ReadAnswer* read);
 
 } // namespace VolumeHaptics

@@ -59,7 +59,7 @@ std::string ReadSmallFile(const std::string& file, std::size_t most, std::string
     {
       return NoSuchFile;
     }
-    // Windows opens no folder, and no system a socket.
+    // The open call fails for folders on Windows, and for sockets on all systems.
     return !Files::GetStatus(file, status) || Files::IsRegular(status) ? DescribeFailure(failure)
       : Files::IsFolder(status)                                        ? "is a folder"
                                                                        : "is no regular file";

@@ -14,12 +14,12 @@ namespace VolumeHaptics
 {
 
 /**
- * Reads a regular file of at most `most` bytes. Returns an empty text; or the fault, such as "does
- * not exist", and `bytes` is then empty.
+ * Reads a regular file of at most `most` bytes. Returns an empty text on success. On failure,
+ * returns the fault, such as "does not exist", and `bytes` is empty.
  */
 std::string ReadSmallFile(const std::string& file, std::size_t most, std::string& bytes);
 
-/** The fault of a file that does not exist. */
+/** Fault of a file that does not exist. */
 constexpr const char* NoSuchFile = "does not exist";
 
 } // namespace VolumeHaptics

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Sends and receives bytes through a socket to a process that reads files.
+ * Sends bytes to a reader process through a socket, and receives its answers.
  */
 #ifndef SocketBytes_h
 #define SocketBytes_h
@@ -22,8 +22,8 @@ namespace VolumeHaptics
 #endif
 
 /**
- * Sends all bytes through a socket, also if signals interrupt it. Returns false if the other side
- * is gone.
+ * Sends all bytes through a socket, even if signals interrupt. Returns false if the other side has
+ * closed the socket.
  */
 inline bool SendAll(int link, const void* from, std::size_t size)
 {
@@ -42,8 +42,8 @@ inline bool SendAll(int link, const void* from, std::size_t size)
 }
 
 /**
- * Receives `size` bytes from a socket, also if signals interrupt it. Returns false if the other
- * side is gone.
+ * Receives `size` bytes from a socket, even if signals interrupt. Returns false if the other side
+ * has closed the socket.
  */
 inline bool ReceiveAll(int link, void* to, std::size_t size)
 {

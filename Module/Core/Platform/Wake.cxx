@@ -25,7 +25,7 @@ namespace
 {
 HANDLE ToHandle(int wake) noexcept
 {
-  return LongToHandle(wake); // 32 bits of a handle are significant
+  return LongToHandle(wake); // only 32 bits of a handle are significant
 }
 } // namespace
 
@@ -65,7 +65,7 @@ void Close(int wake) noexcept
 void Set(int wake) noexcept
 {
   const std::uint64_t one = 1;
-  // Writing fails only if the descriptor is readable already.
+  // Writing fails only if the signal is set already.
   [[maybe_unused]] const auto size = write(wake, &one, sizeof(one));
 }
 

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A signal that wakes one thread. It is a descriptor on Linux, which a thread may watch together
- * with others, and an event on Windows. macOS has none of them here: threads look each millisecond.
+ * A signal that wakes one thread. On Linux it is a descriptor, which a thread may poll together
+ * with others, and on Windows an event. On macOS there is none here, and threads poll every
+ * millisecond.
  */
 #ifndef Wake_h
 #define Wake_h
@@ -13,14 +14,13 @@ namespace VolumeHaptics
 namespace Wake
 {
 
-/** Makes a signal. Returns its number, or a negative number. */
+/** Makes a signal. Returns its handle, or a negative number on failure. */
 int Open() noexcept;
 void Close(int wake) noexcept;
-/** Wakes the thread that waits, or the next one. */
+/** Wakes the waiting thread. If no thread waits, the next call of Wait() returns at once. */
 void Set(int wake) noexcept;
-/** Clears the signal that Set() has set. */
 void Clear(int wake) noexcept;
-/** Waits until the signal is set, at most `time` ms, and clears it. */
+/** Waits at most `time` ms until the signal is set, and clears it. */
 void Wait(int wake, int time) noexcept;
 
 } // namespace Wake

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * <windows.h> without its macros min and max, and texts in UTF-8.
+ * Includes <windows.h> without its macros min and max, and converts texts from and to UTF-8.
  */
 #ifndef WindowsApi_h
 #define WindowsApi_h
@@ -42,7 +42,7 @@ inline std::string FromWide(const std::wstring& wide)
   return text;
 }
 
-/** A handle that is closed at the end. */
+/** A handle that the destructor closes. */
 class WindowsHandle
 {
 public:
@@ -68,7 +68,7 @@ private:
   HANDLE Value;
 };
 
-/** Describes an error of GetLastError(). */
+/** Describes an error number of GetLastError(). */
 inline std::string DescribeWindowsError(DWORD number)
 {
   wchar_t text[512];

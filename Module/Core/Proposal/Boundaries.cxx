@@ -14,12 +14,12 @@ constexpr int Bins = 128;
 constexpr int Cells = Bins * Bins;
 constexpr double BlurBins = 3.0; // standard deviation (bins) of the blur of the histogram
 /**
- * Two peaks become one if the saddle between them is higher than this fraction of the lower peak.
+ * Two peaks are merged if the saddle between them is higher than this fraction of the lower peak.
  */
 constexpr double SaddleFraction = 0.6;
 constexpr double LeastFraction = 0.02;
 constexpr std::size_t LeastLines = 8;
-/** Fraction of the largest value from which the axis is logarithmic. */
+/** The axis is logarithmic above this fraction of the largest value. */
 constexpr double LinearFraction = 0.05;
 constexpr double NoiseReach = 4.0; // reach of noise in standard deviations
 
@@ -31,7 +31,7 @@ struct Weighted
   double Weight;
 };
 
-/** Returns the value below which a fraction of the total weight lies. */
+/** Returns the value below which the given fraction of the total weight lies. */
 double Quantile(std::vector<Weighted> values, double fraction)
 {
   std::sort(values.begin(), values.end(),
@@ -52,7 +52,10 @@ double Quantile(std::vector<Weighted> values, double fraction)
   return values.back().Value;
 }
 
-/** Blurs a histogram along an axis. Weight that would leave the histogram stays in its last bin. */
+/**
+ * Blurs a histogram along an axis. Weight that would leave the histogram stays in the bin at its
+ * border.
+ */
 Histogram BlurAlong(const Histogram& histogram, int stride)
 {
   constexpr int reach = 9;
@@ -75,7 +78,7 @@ Histogram BlurAlong(const Histogram& histogram, int stride)
   return blurred;
 }
 
-/** Returns the peak to which each cell belongs; -1 for cells without lines nearby. */
+/** Returns the peak to which each cell belongs, or -1 for cells without lines nearby. */
 std::vector<int> AssignPeaks(const Histogram& histogram)
 {
   std::vector<int> order(Cells);
@@ -97,8 +100,8 @@ std::vector<int> AssignPeaks(const Histogram& histogram)
     {
       break;
     }
-    // Find the peaks of the higher neighbours. If two peaks meet here, drop the lower one unless it
-    // stands out enough.
+    // Find the peaks of the higher neighbours. If two peaks meet in this cell, merge the lower one
+    // into the higher one, unless it stands out enough.
     int best = -1;
     for (int neighbour = 0; neighbour < 9; ++neighbour)
     {
@@ -133,7 +136,7 @@ std::vector<int> AssignPeaks(const Histogram& histogram)
   return parent;
 }
 
-/** Returns the extreme value of the parabola through a sample and its two neighbours. */
+/** Returns the extremum of the parabola through a sample and its two neighbours. */
 double Extreme(const std::vector<double>& curve, std::size_t at)
 {
   if (at == 0 || at + 1 == curve.size())
@@ -151,8 +154,8 @@ double Extreme(const std::vector<double>& curve, std::size_t at)
  */
 double MeasureWidth(const std::vector<const EdgeLine*>& lines)
 {
-  // Use only lines with wide layers if there are enough, because a thin layer makes an edge look
-  // sharper than it is.
+  // If there are enough lines with wide layers, use only these, because a thin layer makes an edge
+  // look sharper than it is.
   const auto wide = static_cast<std::size_t>(
     std::count_if(lines.begin(), lines.end(), [](const EdgeLine* line) { return line->IsWide; }));
   const bool onlyWide = wide >= LeastLines;
@@ -166,7 +169,7 @@ double MeasureWidth(const std::vector<const EdgeLine*>& lines)
     }
     for (int k = 0; k < EdgeLine::Fractions; ++k)
     {
-      // An edge is symmetric: it falls as it has risen. So add the mirrored half.
+      // The profile of an edge is symmetric, so average it with its mirror image.
       const int mirrored = EdgeLine::Fractions - 1 - k;
       slope[k] += line->Slope[k] + line->Slope[mirrored];
       bend[k] += line->Curvature[k] - line->Curvature[mirrored];
@@ -235,7 +238,7 @@ double ValueAxis::operator()(double value) const noexcept
 //------------------------------------------------------------------------------
 std::vector<Boundary> DetectBoundaries(const std::vector<EdgeLine>& lines, const ValueAxis& axis)
 {
-  // The histogram covers more than the range of values, so that its blur stays inside.
+  // Make the histogram wider than the range of values, so that the blur stays inside.
   const double origin = axis.First - 0.1 * axis.Span();
   const double width = 1.2 * axis.Span() / Bins;
   const auto bin = [&](double value)

@@ -14,36 +14,36 @@
 namespace VolumeHaptics
 {
 
-/** A boundary: all lines that lead from one material to another material. */
+/** A boundary consists of all lines that lead from one material to another. */
 struct Boundary
 {
   /** The values of the materials on both sides. */
   double Low = 0.0;
   double High = 0.0;
-  /** First quartile of the lines' rises. A bias makes it smaller than High - Low. */
+  /** First quartile of the lines' rises. With a bias field, it is smaller than High - Low. */
   double LeastRise = 0.0;
   /** Standard deviation s (world units) of the blurred step V = Low + (High - Low) Phi(x/s). */
   double Width = 0.0;
-  /** Variance (world units squared) of the estimator's own blur, which Width does not include. */
+  /** Variance (world units squared) of the estimator's own blur. It is not part of Width. */
   double Blur = 0.0;
   double Voxel = 0.0; ///< mean length (world units) of a voxel along the lines
   /** Area of this boundary as a fraction of the area of all boundaries. */
   double Fraction = 0.0;
-  /** Fraction of the lines that get brighter towards the middle of all edges. */
+  /** Fraction of the lines whose values rise towards the middle of all edges. */
   double Inward = 0.0;
 };
 
 /**
- * Maps the values of materials to the axis of the histogram. A multiplicative bias, such as that of
- * a coil in MRI, shifts all values of a logarithmic axis by the same amount. Near zero such an axis
- * is linear.
+ * Maps the values of materials to the axis of the histogram. The axis is logarithmic, so that a
+ * multiplicative bias, such as that of a coil in MRI, shifts all values by the same amount. Near
+ * zero, the axis is linear.
  */
 class ValueAxis
 {
 public:
   /**
-   * Makes a linear axis if lines have values below 0 that are not noise, otherwise a logarithmic
-   * one.
+   * Makes a linear axis if lines have negative values that are not noise, and otherwise a
+   * logarithmic one.
    */
   ValueAxis(const std::vector<EdgeLine>& lines, double noise);
 
@@ -57,7 +57,7 @@ private:
 };
 
 /**
- * Returns the boundaries, that with the largest fraction first. Leaves out boundaries with very few
+ * Returns the boundaries, sorted by fraction, the largest first. Drops boundaries with very few
  * lines.
  */
 std::vector<Boundary> DetectBoundaries(const std::vector<EdgeLine>& lines, const ValueAxis& axis);

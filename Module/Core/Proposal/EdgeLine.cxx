@@ -14,7 +14,7 @@ namespace
 {
 constexpr double StepsPerVoxel = 4.0;
 constexpr int Reach = 48; // limit of the steps to either side
-/** Number of a plateau's steps over which its value is averaged. */
+/** The value of a plateau is averaged over this number of steps. */
 constexpr int PlateauSteps = 8;
 /**
  * A plateau begins where the slope is below this fraction of the largest slope, or below the noise.
@@ -22,8 +22,8 @@ constexpr int PlateauSteps = 8;
 constexpr double PlateauFraction = 0.03;
 /**
  * A plateau may drift, for example because of a bias field. It is recognized if its slope is below
- * DriftFraction of the largest slope, and still more than DriftFall of the slope that was measured
- * DriftSteps (one voxel) before.
+ * DriftFraction of the largest slope, but above DriftFall of the slope DriftSteps (one voxel)
+ * before.
  */
 constexpr double DriftFraction = 0.15;
 constexpr double DriftFall = 0.9;
@@ -156,7 +156,7 @@ bool EdgeTracer::WalkSide(const Ray& ray, int side, Profile& profile) const noex
     }
     if (slope < -flat)
     {
-      // The slope is negative behind a thin layer, so the middle of the layer counts as the
+      // Behind a thin layer the slope is negative, so the middle of the layer counts as the
       // plateau.
       profile.IsWide[side] = false;
       profile.Plateau[side] = profile.At(sign * (i - 1)).Value;
@@ -200,7 +200,7 @@ bool EdgeTracer::WalkSide(const Ray& ray, int side, Profile& profile) const noex
 namespace
 {
 
-/** Returns the derivative of the slope at a step, from the neighbours that the profile has. */
+/** Returns the derivative of the slope at a step, computed from its neighbours. */
 template <typename Profile>
 double Curvature(const Profile& profile, int step, double length)
 {
@@ -218,8 +218,8 @@ double Curvature(const Profile& profile, int step, double length)
 }
 
 /**
- * Stores slope and curvature of a profile at the fractions of its rise. Returns false if the
- * profile does not reach a fraction.
+ * Stores slope and curvature of a profile at the given fractions of its rise. Returns false if the
+ * profile does not reach one of them.
  */
 template <typename Profile>
 bool KeepFractions(const Profile& profile, double length, EdgeLine& line)
@@ -265,7 +265,7 @@ bool EdgeTracer::Trace(const Vector3& index, EdgeLine& line) const noexcept
     return false;
   }
   const double found = ray.Slope;
-  // Climbs twice, because the gradient's direction is most exact where the gradient is largest.
+  // Climb twice, because the gradient's direction is most exact where the gradient is largest.
   if (!this->Climb(ray) || !this->Aim(ray) || !this->Climb(ray) || !this->Aim(ray) ||
     ray.Slope * ray.StepLength * StepsPerVoxel < this->Thresholds.Least)
   {

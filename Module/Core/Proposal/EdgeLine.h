@@ -2,17 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A line along the gradient across an edge: the plateaus at both ends, and how fast the value rises
- * between them.
+ * A line along the gradient across an edge, with the plateaus at both ends, and the slope between
+ * them.
  *
  * The values at both ends of the line, low and high, are those of an LH histogram. Slope and
  * curvature (the first and the second derivative along the line) are divided by high - low, and
- * stored as functions of the fraction of the rise, (V - low) / (high - low). So the lines of a
- * boundary can be averaged wherever they cross it, and a multiplicative bias does not change them.
+ * stored as functions of the fraction of the rise, (V - low) / (high - low). The lines of a
+ * boundary can therefore be averaged wherever they cross it, and a multiplicative bias does not
+ * change them.
  *
- * Kindlmann and Durkin, "Semi-automatic generation of transfer functions for direct volume
- * rendering", 1998, look at edges against their values; Sereda et al., "Visualization of boundaries
- * in volumetric data sets using LH histograms", 2006, look at the values at their ends.
+ * The method combines two papers. Kindlmann and Durkin, "Semi-automatic generation of transfer
+ * functions for direct volume rendering", 1998, plot the derivatives at edges against values.
+ * Sereda et al., "Visualization of boundaries in volumetric data sets using LH histograms", 2006,
+ * plot the values at the ends of edges.
  */
 #ifndef EdgeLine_h
 #define EdgeLine_h
@@ -35,15 +37,15 @@ struct EdgeLine
   double Low = 0.0;
   double High = 0.0;
   /**
-   * Whether both ends are plateaus. If not, an end may be the middle of a thin layer, whose own
+   * Whether both ends are plateaus. If not, an end may be the middle of a thin layer, whose real
    * value the line does not reach.
    */
   bool IsWide = false;
-  /** Area of the boundary for which the line stands, relative to other lines. */
+  /** Area of the boundary that the line represents, relative to other lines. */
   double Weight = 0.0;
   /**
    * Centre is where the edge is steepest, relative to the volume's first sample. Ahead is the
-   * direction from low to high. In world units.
+   * direction from low to high. Both are in world units.
    */
   Vector3 Centre;
   Vector3 Ahead;
@@ -56,7 +58,7 @@ struct EdgeLine
   std::array<float, Fractions> Curvature{};
 };
 
-/** Slopes per voxel that separate edges and plateaus from noise. */
+/** Limits of slopes (per voxel) that distinguish edges, plateaus and noise. */
 struct EdgeThresholds
 {
   double Least = 0.0; ///< least slope of an edge
@@ -64,8 +66,8 @@ struct EdgeThresholds
 };
 
 /**
- * Traces lines through a volume. The sampler's gradients must be the derivatives of its values
- * (GaussianWeights::OwnDerivative).
+ * Traces lines across the edges of a volume. The sampler's gradients must be the derivatives of its
+ * values (GaussianWeights::OwnDerivative).
  */
 class EdgeTracer
 {
@@ -78,15 +80,15 @@ public:
     const EdgeThresholds& thresholds);
 
   /**
-   * Returns the slope at an index, per voxel along the gradient in the world. Returns 0 if it is
-   * not finite.
+   * Returns the slope at an index, per voxel along the gradient in the world, or 0 if it is not
+   * finite.
    */
   double Slope(const Vector3& index) const noexcept;
 
   /**
-   * Traces the edge on whose slope an index is. Returns false if the slope is too small, if there
-   * is no plateau within reach, or if the line meets the volume's border or a sample that is not
-   * finite before a plateau.
+   * Traces the edge to whose slope an index belongs. Returns false if the slope is too small, if
+   * there is no plateau within reach, or if the line reaches the volume's border or a sample that
+   * is not finite before a plateau.
    */
   bool Trace(const Vector3& index, EdgeLine& line) const noexcept;
 
@@ -106,8 +108,8 @@ private:
 };
 
 /**
- * Returns the variance (voxels squared) of an estimator's kernel along an axis: the value to which
- * the kernel smooths the function x^2, less x^2.
+ * Returns the variance (voxels squared) of an estimator's kernel along an axis, which is the
+ * smoothed value of x^2 at x = 0.
  */
 double MeasureKernelVariance(const GradientKernel& kernel);
 

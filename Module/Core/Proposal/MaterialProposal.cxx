@@ -12,35 +12,36 @@ namespace VolumeHaptics
 namespace
 {
 /**
- * Least area times rise of a boundary that matters, as a fraction of the sum over all boundaries.
+ * Boundaries matter if their area times rise is at least this fraction of the sum over all
+ * boundaries.
  */
 constexpr double LeastSalience = 0.03;
 constexpr double Salient = 0.1;
 /** Values that are closer than this fraction of the axis belong to one material. */
 constexpr double MergeFraction = 0.06;
-// Fraction of the weakest boundary's slope up to which distinctness is 0.
+// Distinctness is 0 up to this fraction of the weakest boundary's slope.
 constexpr double StartFraction = 0.2;
-constexpr double FullFraction = 0.5; // fraction of the same slope from which distinctness is 1
+constexpr double FullFraction = 0.5; // distinctness is 1 from this fraction of the same slope on
 /**
- * Fraction of the gap between the end of a noisy background and the next material over which the
- * strength rises.
+ * The strength rises over this fraction of the gap between the end of a noisy background and the
+ * next material.
  */
 constexpr double EmptyFraction = 0.15;
 /** A boundary is felt if the noise is below this fraction of its slope. */
 constexpr double NoiseFraction = 0.4;
-/** Fraction of the gap to the next material over which a material's functions are constant. */
+/** The functions are constant around a material, over this fraction of the gap to the next one. */
 constexpr double ConstantFraction = 0.2;
 /**
- * Kernel radius per width (standard deviation) of a boundary. Two widths behind the boundary's
- * middle, V has made 97.7 % of its rise to the material's value.
+ * Kernel radius divided by the width (standard deviation) of a boundary. Two widths behind the
+ * boundary's middle, V has completed 97.7 % of its rise to the material's value.
  */
 constexpr double RadiusPerWidth = 2.0;
 constexpr int LeastRadius = 2;
-constexpr int LargestRadius = 5; // a larger radius smears thin parts and takes long
+constexpr int LargestRadius = 5; // larger radii smear thin parts and take long
 /**
- * Limits of the fraction of lines that get brighter inward. Below DarkInside the darker side lies
- * inside, above BrightInside the brighter side. A search from the other side alone would miss such
- * a boundary.
+ * Limits of the fraction of lines whose values rise inward. Below DarkInside, the darker side
+ * counts as the inside; above BrightInside, the brighter side does. Searching from only one side
+ * would miss a boundary seen from the other.
  */
 constexpr double DarkInside = 1.0 / 3.0;
 constexpr double BrightInside = 2.0 / 3.0;
@@ -57,7 +58,8 @@ double Salience(const Boundary& boundary)
 }
 
 /**
- * Returns the largest slope (per world unit) of a boundary as a kernel of a radius estimates it.
+ * Returns the largest slope (per world unit) of a boundary, as a kernel with the given radius
+ * estimates it.
  */
 double FeltSlope(const Boundary& boundary, int radius, double searchVariance)
 {
@@ -67,7 +69,7 @@ double FeltSlope(const Boundary& boundary, int radius, double searchVariance)
   return boundary.LeastRise / (rootTwoPi * std::sqrt(boundary.Width * boundary.Width + blur));
 }
 
-/** Returns the boundaries that matter, in descending order of area times rise. */
+/** Returns the boundaries that matter, sorted by area times rise, the largest first. */
 std::vector<Boundary> KeepSalient(const std::vector<Boundary>& all)
 {
   double total = 0.0;
@@ -89,8 +91,8 @@ std::vector<Boundary> KeepSalient(const std::vector<Boundary>& all)
 }
 
 /**
- * Returns the values of the materials, which are the values on both sides of all boundaries. Close
- * values become one material, and so do all values in the background.
+ * Returns the values of the materials, that is, of both sides of all boundaries. Close values are
+ * merged into one material, and so are all values in the background.
  */
 std::vector<double> MergeEnds(
   const std::vector<Boundary>& boundaries, const ValueAxis& axis, const ProposalFacts& facts)
@@ -193,9 +195,9 @@ std::vector<double> ChooseStrengths(
   const std::size_t count = proposal.Materials.size();
   const bool down = proposal.Side == ProposedSide::Lower;
   std::vector<double> rise(count, 0.0); // largest rise of the boundaries into a material
-  // isLast: whether no other material lies behind this one. isBehind: whether a material other than
-  // the background lies in front of it; with only two materials, it counts as true. Only a material
-  // with both gets the Ceiling, because one that is met directly from outside may hide others.
+  // isLast: no other material is behind this one. isBehind: a material other than the background is
+  // in front of it, or there are only two materials. Only a material with both gets the Ceiling,
+  // because a material that is met directly from outside may hide others.
   std::vector<bool> isLast(count, proposal.Side != ProposedSide::Both);
   std::vector<bool> isBehind(count, count == 2);
   double largest = 0.0;
@@ -245,7 +247,8 @@ Polyline Mirror(const Polyline& line)
 }
 
 /**
- * Removes strength, friction and drag from a noisy background, where blended values would be felt.
+ * Removes strength, friction and drag from a noisy background, where the blends between materials
+ * would be felt.
  */
 void EmptyBackground(MaterialProposal& proposal, const ProposalFacts& facts)
 {
@@ -265,8 +268,8 @@ void EmptyBackground(MaterialProposal& proposal, const ProposalFacts& facts)
   { line = isDark ? CutBelow(line, from, to) : Mirror(CutBelow(Mirror(line), -from, -to)); };
   empty(proposal.SurfaceStrength, end + 0.5 * rise, full);
   empty(proposal.Friction, end, full);
-  // Move the drag's rise, too. Otherwise a small, dim material would drag a hand as much as a large
-  // one.
+  // Move the rise of the drag, too. Otherwise a small, dim material would drag a hand as much as a
+  // large one does.
   empty(proposal.Viscosity, full,
     isDark ? std::max(constant, full + rise) : std::min(constant, full + rise));
 }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Material functions that a volume's boundaries suggest.
+ * Proposes material functions from the boundaries in a volume.
  *
- * The values on both sides of the boundaries are materials. All of them have one stiffness, so that
- * a surface is felt where it is; they are told apart by strength, friction and drag:
+ * The values on both sides of the boundaries are materials. All of them get the same stiffness, so
+ * that a surface is felt at its true place. They differ in strength, friction and drag:
  *
  *   strength     Strongest dV / dV_max of the largest rise dV of a boundary that leads into it; the
  *                Ceiling for the largest rise into a material with another one in front of it and
@@ -16,9 +16,9 @@
  *                the largest slope that the estimator finds at the weakest boundary, and sigma_g
  *                the noise of its gradients
  *
- * Around each value the functions are constant, and between two of them there is a wide blend: a
- * steep function would turn noise and partial volumes into changes of the force. The background has
- * neither strength nor drag up to where its noise ends.
+ * The functions are constant around each material's value, with a wide blend between two values,
+ * because steep functions would turn noise and partial volumes into changes of the force. The
+ * background has neither strength nor drag up to the value where its noise ends.
  */
 #ifndef MaterialProposal_h
 #define MaterialProposal_h
@@ -42,7 +42,7 @@ enum class ProposedSide : std::uint8_t
   Both
 };
 
-/** Facts about a volume that its edges do not show. */
+/** Properties of a volume that its edges do not show. */
 struct ProposalFacts
 {
   double Outside = 0.0; ///< value at the volume's border
@@ -54,7 +54,7 @@ struct ProposalFacts
   double SearchVariance = 1.0; ///< variance (voxels squared) of the kernel that found the edges
   int MostRadius = 2;          ///< largest kernel radius (voxels) that the volume allows
   /**
-   * Returns 3.4 times the standard deviation of a gradient's noise (scalar units per world unit)
+   * Returns 3.4 times the standard deviation of the gradient's noise (scalar units per world unit)
    * for a kernel radius.
    */
   std::function<double(int)> NoiseGradient;
@@ -69,7 +69,7 @@ struct MaterialProposal
   static constexpr double Strongest = 3.0;   // N; any device can break through
   static constexpr double Ceiling = 12.0;    // N; more than most devices exert
 
-  /** Boundaries that are felt, in descending order of area times rise. */
+  /** Boundaries that are felt, sorted by area times rise, the largest first. */
   std::vector<Boundary> Boundaries;
   std::vector<double> Slopes; ///< for each boundary, its largest slope as the kernel estimates it
   std::vector<double> Materials; ///< values of the materials, in ascending order
@@ -83,7 +83,7 @@ struct MaterialProposal
 };
 
 /**
- * Proposes material functions. The proposal has no boundaries if all of them are hidden by noise.
+ * Proposes material functions. If noise hides all boundaries, the proposal has none.
  */
 MaterialProposal ProposeMaterials(
   const std::vector<Boundary>& boundaries, const ValueAxis& axis, const ProposalFacts& facts);

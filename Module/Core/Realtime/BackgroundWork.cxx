@@ -12,12 +12,12 @@
 
 namespace VolumeHaptics
 {
-/** Runs that a thread has begun and does not need any more. */
+/** The runs that a thread has begun and no longer needs. */
 class BackgroundWork::Leavings
 {
 public:
   /**
-   * Returns the unneeded runs of the calling thread. Returns null at the thread's end, when static
+   * Returns the unneeded runs of the calling thread. Returns null at the thread's end, where static
    * objects may still end their work.
    */
   static Leavings* OfThread()
@@ -26,10 +26,10 @@ public:
     return IsGone ? nullptr : &leavings;
   }
 
-  /** Waits for the runs that the ending thread has begun; nothing else waits for them. */
+  /** Waits for the runs that the ending thread has begun, because nothing else waits for them. */
   ~Leavings()
   {
-    // Releasing a task may end other work that the task owns.
+    // Releasing a task may end other work that the task owns, and add its run.
     while (!this->Runs.empty())
     {
       for (std::unique_ptr<Run>& run : std::exchange(this->Runs, {}))
@@ -51,7 +51,7 @@ public:
     }
   }
 
-  /** Waits for the end of a run, and releases what it holds. */
+  /** Waits for the end of a run, and releases the objects of its task. */
   static void WaitFor(std::unique_ptr<Run> run)
   {
     if (!run->IsOurs())
@@ -71,7 +71,7 @@ public:
   {
     const auto over = std::partition(this->Runs.begin(), this->Runs.end(),
       [](const std::unique_ptr<Run>& run) { return !run->IsOurs() || !run->IsOver(); });
-    // A release may run code of the program, which may end other work.
+    // A release may run the program's code, which may end other work, and change this->Runs.
     std::vector<std::unique_ptr<Run>> runs(
       std::make_move_iterator(over), std::make_move_iterator(this->Runs.end()));
     this->Runs.erase(over, this->Runs.end());
@@ -84,7 +84,7 @@ public:
     }
   }
 
-  /** Returns the threads whose tasks are done, so that another thread can wait for their end. */
+  /** Returns the threads whose tasks have returned, so that another thread can join them. */
   std::vector<std::thread> DrainThreads()
   {
     std::vector<std::thread> threads;
@@ -111,7 +111,7 @@ private:
   };
   std::vector<std::unique_ptr<Run>> Runs;
   std::vector<Spent> Threads;
-  // Has no destructor, so that it can be read until the thread has ended.
+  // Has no destructor, so that it can still be read while the thread ends.
   static thread_local bool IsGone;
 };
 
@@ -141,7 +141,7 @@ void BackgroundWork::Begin(Task task)
   this->End();
   auto run = std::make_unique<Run>();
   run->Work = std::move(task);
-  // In a forked process, the work of the parent never ends: do not wait for it.
+  // In a forked process, the parent's work never ends, so do not wait for it.
   run->Before = this->LastProcess == ServoClock::GetProcess() ? std::move(this->Last) : nullptr;
   this->Current = std::move(run);
   Run* const current = this->Current.get();

@@ -2,28 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Runs long work on a volume on a thread of its own, so that the hand does not wait for it.
+ * Runs long work on a volume in a background thread, so that the hand does not wait for it.
  *
- * The owner (the GUI thread) begins the work, polls its progress, and takes its result whenever it
- * likes; neither thread waits for the other. The task works in pieces of some milliseconds and asks
- * between them whether it is cancelled. A KeyedWork also remembers which data its result belongs
- * to, and begins again if the data have changed:
+ * The owner (the GUI thread) begins the work, polls its progress, and fetches its result at any
+ * later time; neither thread waits for the other. The task works in pieces of some milliseconds,
+ * and checks between them whether it is cancelled. A KeyedWork also remembers to which data its
+ * result belongs, and begins again if the data have changed:
  *
  *   KeyedWork<DataKey, std::string> hash;
  *   const std::string* known = hash.Poll({ array, array->GetMTime() }, // on each GUI tick
  *     [array](WorkMonitor& monitor) { return HashArray(array, dimensions, monitor); });
  *
- * The owner's thread releases the objects that the task holds, such as a reference to an array; the
+ * The owner's thread releases the objects that the task owns, such as a reference to an array. The
  * worker never does, because another thread must not drop the last reference of a VTK object. If
- * work is cancelled while it runs, the owner's thread releases its objects at the next call of a
- * function of any work after the end of the task's piece, or when the owner's thread ends. So a
- * task must own all that it reads: it may outlive the object that began it. The task may read
- * values while the program writes them: the program then calls Modified() and gets a new result.
- * The memory of the values must stay at its address for as long as the array exists, as for the
+ * running work is cancelled, its objects are released later: at the next call of a function of any
+ * work in the owner's thread after the task's piece has ended, or when the owner's thread ends. A
+ * task must therefore own all that it reads, because it may outlive the object that began it. The
+ * task may read values while the program changes them; the program then calls Modified() and gets a
+ * new result. The values must stay at their address for as long as the array exists, as for the
  * servo: see vtkHapticDevice.
  *
- * The worker has a low priority, so that it delays neither the servo nor the picture. A forked
- * child has no worker; work that was under way at the fork never ends in the child.
+ * The worker has a low priority, so that it delays neither the servo nor the rendering. A forked
+ * child has no worker: work that was running at the fork never ends in the child.
  */
 #ifndef BackgroundWork_h
 #define BackgroundWork_h
@@ -52,7 +52,8 @@ public:
     this->Fraction.store(fraction, std::memory_order_relaxed);
   }
   /**
-   * Reports the task's progress (0 to 1). The task calls this. Returns false if it is cancelled.
+   * Reports the task's progress (0 to 1). Returns false if the task is cancelled. The task calls
+   * this.
    */
   bool GoesOn(double fraction) noexcept
   {
@@ -61,7 +62,7 @@ public:
   }
   ///@}
   ///@{
-  /** Cancel the task, and read its progress (0 to 1). The owner calls these. */
+  /** Cancel the task, and return its progress (0 to 1). The owner calls these functions. */
   void Cancel() noexcept { this->Cancelled.store(true, std::memory_order_relaxed); }
   double GetProgress() const noexcept { return this->Fraction.load(std::memory_order_relaxed); }
   ///@}
@@ -71,7 +72,7 @@ private:
   std::atomic<double> Fraction{ 0.0 };
 };
 
-/** A task on a thread of its own. Only the owner calls these functions. */
+/** A task in a separate thread. Only the owner may call these functions. */
 class BackgroundWork
 {
 public:
@@ -84,32 +85,32 @@ public:
   BackgroundWork& operator=(const BackgroundWork&) = delete;
 
   /**
-   * Begins a task. A task that is under way is cancelled; the new task starts when the current
-   * piece of the old one has ended. If the system provides no thread, the task runs to its end
-   * within this call.
+   * Begins a task, and cancels one that is running. The new task starts after the current piece of
+   * the old one. If the system provides no thread, the task runs to its end within this call.
    */
   void Begin(Task task);
-  /** Cancels the task without waiting for it. Releases its objects if it has returned. */
+  /** Cancels the task without waiting for it. If it has returned, releases its objects. */
   void End() noexcept;
 
   /**
-   * Cancels the task without waiting for it: HasReturned() becomes true at the end of its piece.
+   * Cancels the task without waiting for it. HasReturned() returns true from the end of the current
+   * piece on.
    */
   void Cancel() noexcept;
 
-  /** Returns whether a task was begun, and End() was not called since. */
+  /** Returns whether a task was begun and not ended by End(). */
   bool IsBegun() const { return this->Current != nullptr; }
   /**
-   * Returns whether this process began the task, rather than the process that it was forked from.
+   * Returns whether this process began the task. If not, its parent did, before the fork.
    */
   bool IsOurs() const { return this->Current && this->Current->IsOurs(); }
-  /** Returns whether the task has returned; its results can be read then. */
+  /** Returns whether the task has returned. Its results may then be read. */
   bool HasReturned() const;
   /**
-   * Waits until the task has returned, at most this many seconds. Returns whether it has returned.
+   * Waits at most `seconds` until the task has returned. Returns whether it has.
    */
   bool WaitFor(double seconds) const;
-  /** Returns the progress of the task, 0 to 1; 0 without a task. */
+  /** Returns the progress of the task (0 to 1), or 0 without a task. */
   double GetProgress() const;
 
 private:
@@ -119,7 +120,7 @@ private:
     Task Work;
     WorkMonitor Monitor;
     const std::shared_ptr<Flag> HasReturned = std::make_shared<Flag>(false);
-    /** Flag of the earlier run that has to end before this one; null if there is none. */
+    /** Flag of the earlier run that has to end before this one, or null. */
     std::shared_ptr<const Flag> Before;
     std::thread Thread;
     const std::int64_t Process = ServoClock::GetProcess();
@@ -143,12 +144,12 @@ template <typename Key, typename Result>
 class KeyedWork
 {
 public:
-  /** Computes a result. Returns nothing if the work is cancelled. */
+  /** Computes a result. Returns none if the work is cancelled. */
   using Maker = std::function<std::optional<Result>(WorkMonitor&)>;
 
   /**
-   * Returns the result for a key; null until it is known. If the key has changed, cancels the work
-   * for the old key and begins new work with `make`. If the work fails for lack of memory, the
+   * Returns the result for a key, or null while it is not known. If the key has changed, cancels
+   * the work for the old key and begins new work with `make`. If the work runs out of memory, the
    * result stays null.
    */
   const Result* Poll(const Key& key, const Maker& make)
@@ -163,7 +164,7 @@ public:
     return this->Find(key);
   }
 
-  /** Returns the result for a key like Poll(), but begins no work. */
+  /** Like Poll(), but begins no work. */
   const Result* Find(const Key& key)
   {
     if (this->Work.IsBegun() && this->Work.HasReturned())
@@ -173,7 +174,7 @@ public:
     return this->IsOf(key) && !this->Work.IsBegun() && *this->Made ? &**this->Made : nullptr;
   }
 
-  /** Returns whether the result that is under way or was computed last belongs to a key. */
+  /** Returns whether the running work or the last result belongs to a key. */
   bool IsOf(const Key& key) const { return this->Of && *this->Of == key; }
 
   /** Cancels the work and discards its result. */
@@ -186,7 +187,7 @@ public:
 
   /**
    * Cancels the work and discards its result like Forget(), but keeps the work until it has
-   * returned, so that IsUnderWay() sees it.
+   * returned, so that IsUnderWay() includes it.
    */
   void Abandon()
   {
@@ -201,14 +202,14 @@ public:
 
   /**
    * Returns whether a result is being computed, or abandoned work has not ended yet. Returns false
-   * for work of the process that this one was forked from: such work never ends here.
+   * for work of the parent process, which never ends in a forked child.
    */
   bool IsUnderWay() const
   {
     return this->Work.IsBegun() && this->Work.IsOurs() && !this->Work.HasReturned();
   }
   /**
-   * Waits until no result is being computed, at most this many seconds. Returns whether none is.
+   * Waits at most `seconds` until no result is being computed. Returns whether none is.
    */
   bool WaitFor(double seconds) const
   {

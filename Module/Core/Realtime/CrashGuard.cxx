@@ -23,13 +23,13 @@ namespace VolumeHaptics
 namespace
 {
 
-// thread_local would allocate memory when a handler is the first to use it in a thread.
+// Don't use thread_local: it would allocate memory if a handler is the first to use it in a thread.
 struct RegisteredAct
 {
   std::atomic<bool> IsTaken{ false };
   std::atomic<bool> IsSet{ false };
   pthread_t Thread{};
-  std::int64_t Process = 0; // a forked child has none of the threads
+  std::int64_t Process = 0; // a forked child has only one of the threads
   CrashGuard::Act Act = nullptr;
   void* Object = nullptr;
 };

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Lets a thread act when it crashes.
+ * Registers a function that is called if a thread crashes.
  *
- * A handler of a stack overflow runs only if the thread has an alternate stack. What the handler
- * has to do for this thread, such as ending the force of its device, is registered here, because a
- * thread that has crashed does no more work.
+ * The handler of a stack overflow can only run if the thread has an alternate stack. The function
+ * ends the force of the thread's device, for example, because a crashed thread does no more work.
  */
 #ifndef CrashGuard_h
 #define CrashGuard_h
@@ -19,20 +18,20 @@ namespace VolumeHaptics
 class CrashGuard
 {
 public:
-  /** A function to be called in a crash. It must use neither locks nor memory from the heap. */
+  /** A function that is called in a crash. It must neither lock nor allocate. */
   using Act = void (*)(void*) noexcept;
 
   /**
-   * Sets an alternate stack for the calling thread while this lives, unless the thread has one, and
-   * registers an act for it. The object must be destroyed by the same thread. At most 64 acts are
-   * registered at a time in a process; more are ignored.
+   * Registers an act for the calling thread, and sets an alternate stack unless the thread has one.
+   * Both end with this object, which must be destroyed by the same thread. A process can register
+   * at most 64 acts at a time; further ones are ignored.
    */
   explicit CrashGuard(Act act = nullptr, void* object = nullptr) noexcept;
   ~CrashGuard();
   CrashGuard(const CrashGuard&) = delete;
   CrashGuard& operator=(const CrashGuard&) = delete;
 
-  /** Runs the act of the calling thread, once. A handler of a crash calls it. */
+  /** Runs the act of the calling thread, once. Crash handlers call this. */
   static void RunAct() noexcept;
 
 private:

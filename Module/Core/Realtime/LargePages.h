@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * An allocator for arrays of megabytes that are filled right after they were allocated.
+ * An allocator for arrays of megabytes that are filled right after the allocation.
  */
 #ifndef LargePages_h
 #define LargePages_h
@@ -18,8 +18,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Allocates in large pages (2 MiB). The system clears small pages (4 KiB) one by one, each when it
- * is first touched, and this takes longer than filling the array.
+ * Allocates in large pages (2 MiB). The system clears small pages (4 KiB) one by one when they are
+ * first touched, which takes longer than filling the array.
  */
 template <typename T>
 struct LargePages
@@ -40,8 +40,8 @@ struct LargePages
     void* const memory = ::operator new(count * sizeof(T), GetAlignment(count));
     if (count * sizeof(T) >= PageSize)
     {
-      // The call has no effect where large pages are off. The end of the array that does not fill a
-      // large page stays in small pages.
+      // The call has no effect if large pages are switched off. If the end of the array does not
+      // fill a large page, it stays in small pages.
       Pages::MakeLarge(memory, count * sizeof(T));
     }
     return static_cast<T*>(memory);

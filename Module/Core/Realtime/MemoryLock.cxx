@@ -48,7 +48,7 @@ public:
     catch (...) // there was no memory for the counts
     {
     }
-    // The call may have locked some pages of the range. Release them.
+    // The call may have locked some pages of the range, so release them.
     Run run;
     for (std::uintptr_t page = first; page < end; ++page)
     {
@@ -59,8 +59,8 @@ public:
   }
 
   /**
-   * Unlocks ranges in ascending order. If they are of one array, uses as few system calls as
-   * possible.
+   * Unlocks ranges, which must be in ascending order. If all are in one array, uses as few system
+   * calls as possible.
    */
   template <typename Ranges>
   void Remove(const Ranges& ranges, bool areOfOneArray) noexcept
@@ -84,7 +84,8 @@ public:
 
 private:
   /**
-   * A run of pages to unlock: pages without a lock, and pages between them that were never locked.
+   * A run of pages to unlock: pages that have no lock left, and pages between them that were never
+   * locked.
    */
   struct Run
   {

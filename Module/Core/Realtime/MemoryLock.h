@@ -4,13 +4,15 @@
  * @file
  * Locks ranges of memory, so that the system does not page them out while the servo uses them.
  *
- * Only named ranges are locked, such as the loop's own memory. Program code and the memory of back
- * ends are not locked: mlockall would read every mapped file of the process from the disk, even a
- * volume of gigabytes. A page in several locks stays locked until the last of them is released,
- * although the system does not count. A forked child inherits no locks. If an application has
- * locked its memory with mlockall, it loses that lock on pages that these locks share.
+ * Only given ranges are locked, such as the loop's own memory. Program code and the memory of back
+ * ends are not locked, because mlockall would read every mapped file of the process from the disk,
+ * even a volume of gigabytes. The system does not count locks, but this class does: a page in
+ * several locks stays locked until the last of them is released. A forked child inherits no locks.
+ * If an application has locked its memory with mlockall, it loses that lock on pages that are also
+ * locked here.
  *
- * Must not be used in the servo loop: locking may wait for memory, and fetching pages for the disk.
+ * Must not be used in the servo loop: locking may wait for memory, and fetching pages may wait for
+ * the disk.
  */
 #ifndef MemoryLock_h
 #define MemoryLock_h
@@ -22,17 +24,15 @@
 namespace VolumeHaptics
 {
 
-/** Returns the size (bytes) of a page of memory. */
 std::size_t GetPageSize() noexcept;
 
 /**
- * Starts to read the pages of a range from the disk if they are not in memory, and no other pages.
- * Does not wait for them.
+ * Starts to read the pages of a range that are not in memory from the disk. Does not wait for them.
  */
 void RequestPages(const void* begin, std::size_t size) noexcept;
 /**
- * Reads the pages of a range into memory. May wait for the disk; other threads can lock and unlock
- * at the same time. Skips pages that can't be read, such as the end of a truncated file.
+ * Reads the pages of a range into memory. May wait for the disk; meanwhile, other threads can lock
+ * and unlock. Skips pages that can't be read, such as the end of a truncated file.
  */
 void FetchPages(const void* begin, std::size_t size) noexcept;
 
@@ -42,7 +42,7 @@ public:
   MemoryLock() = default;
   /**
    * Makes a lock. If isOfOneArray is true, all ranges must be in one array and be added in
-   * ascending order; they are then unlocked with a few system calls instead of hundreds. This also
+   * ascending order; unlocking them then needs a few system calls instead of hundreds, but also
    * unlocks pages between them that the application has locked.
    */
   explicit MemoryLock(bool isOfOneArray)
@@ -59,7 +59,7 @@ public:
    */
   bool Add(const void* begin, std::size_t size) noexcept;
   /**
-   * Locks the next `size` bytes of the calling thread's stack, as Add(). They must be unlocked
+   * Locks the next `size` bytes of the calling thread's stack, like Add(). They must be unlocked
    * before the thread ends.
    */
   bool AddStack(std::size_t size) noexcept;

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * An object that exists once for each process, for data that threads share under a mutex.
+ * An object that exists once in each process, for data that threads share under a mutex.
  *
- * A forked child has copies of its parent's objects. In such a copy, a mutex may be locked by a
- * thread that the child does not have. So the child makes a new object and never touches the copy.
+ * A forked child has copies of its parent's objects. A mutex in such a copy may be locked by a
+ * thread that the child does not have. The child therefore makes a new object and never touches the
+ * copy.
  */
 #ifndef PerProcess_h
 #define PerProcess_h
@@ -27,9 +28,9 @@ public:
   PerProcess& operator=(const PerProcess&) = delete;
 
   /**
-   * Returns the object. From any thread. The first call makes it and may throw std::bad_alloc. The
-   * object is never destroyed, because threads and signal handlers may use it while the process
-   * ends.
+   * Returns the object. Any thread may call this. The first call makes the object, and may throw
+   * std::bad_alloc. The object is never destroyed, because threads and signal handlers may still
+   * use it while the process ends.
    */
   T& Get()
   {

@@ -29,22 +29,22 @@ constexpr const char* Path = "/org/freedesktop/RealtimeKit1";
 constexpr const char* BusService = "org.freedesktop.DBus";
 constexpr const char* BusPath = "/org/freedesktop/DBus";
 
-/** Longest time to wait for one answer (ns), and the pause between two checks of `stop` (ms). */
+/** Longest time (ns) to wait for one answer, and the interval (ms) at which `stop` is polled. */
 constexpr std::int64_t LongestWait = 10000000000;
 constexpr int LookPeriod = 10;
 constexpr int NoTimeLimit = 0x7fffffff;
 /**
- * Largest priority to request. It is below that of the kernel's interrupt threads (50), so that
- * these run first.
+ * Largest priority to request. It is below the kernel's interrupt threads (50), so that these run
+ * first.
  */
 constexpr std::int64_t HighestPriority = 40;
 /**
- * Shortest limit (us) of a thread's computing time with which a real-time class is requested. With
- * a shorter limit, the class would do more harm than good.
+ * Shortest limit (us) of a thread's computing time for which a real-time class is requested. A
+ * shorter limit would do more harm than the class does good.
  */
 constexpr std::int64_t LeastTime = 20000;
 
-/** Types of arguments in messages: the letters of D-Bus signatures. */
+/** Types of arguments in messages, as letters of D-Bus signatures. */
 constexpr int None = 0;
 constexpr int Text = 's';
 constexpr int Variant = 'v';
@@ -52,20 +52,20 @@ constexpr int Int32 = 'i';
 constexpr int Int64 = 'x';
 constexpr int UInt32 = 'u';
 constexpr int UInt64 = 't';
-/** The type of a message that answers a call. */
+/** Message type of a reply to a call. */
 constexpr int MethodReturn = 2;
 
 struct Connection;
 struct Message;
 struct PendingCall;
-/** An object of the size of DBusMessageIter, whose members are private. */
+/** An object large enough for a DBusMessageIter, whose members are private. */
 struct Iterator
 {
   alignas(std::max_align_t) unsigned char Memory[256];
 };
 
 /**
- * The functions of libdbus that this file calls. Names and types are those of its public interface.
+ * The libdbus functions that this file calls, with the names and types of its public interface.
  */
 struct Library
 {
@@ -129,7 +129,7 @@ private:
   }
 };
 
-/** The answer to a call. It is empty if none came in time. */
+/** The reply to a call. Empty if none came in time. */
 class Reply
 {
 public:
@@ -153,7 +153,7 @@ public:
     return this->Content && this->Functions.GetType(this->Content) == MethodReturn;
   }
 
-  /** Returns whether the bus answers that the service does not exist. */
+  /** Returns whether the bus replied that the service does not exist. */
   bool IsAbsent() const
   {
     const char* const name = this->Content ? this->Functions.GetErrorName(this->Content) : nullptr;
@@ -168,7 +168,7 @@ public:
     return false;
   }
 
-  /** Returns the number in the variant of a property, or 0 if there is none. */
+  /** Returns the number in a property's variant, or 0 if there is none. */
   std::int64_t GetNumber() const
   {
     Iterator outer;
@@ -221,7 +221,7 @@ public:
   Bus(const Bus&) = delete;
   Bus& operator=(const Bus&) = delete;
 
-  /** Registers with the bus. Call this function first. */
+  /** Registers with the bus. Must be the first call. */
   bool SayHello()
   {
     return this->Wire && this->Call(BusService, BusPath, BusService, "Hello").Returned();
@@ -249,7 +249,7 @@ private:
     PendingCall* call = nullptr;
     if (message)
     {
-      // Await() limits the time, because libdbus itself can do so only with a main loop.
+      // Await() limits the time, because libdbus can do so only with a main loop.
       if (this->Functions.Append(message, arguments..., None))
       {
         this->Functions.Send(this->Wire, message, &call, NoTimeLimit);

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * RealtimeKit, a service of Linux desktops that grants a real-time class to threads of users who
- * are logged in at the computer.
+ * Requests a real-time class from RealtimeKit, a service of Linux desktops that grants it to
+ * threads of users who are logged in at the computer.
  *
  * Requests are sent over D-Bus, either to the system bus or to the bus at $DBUS_SYSTEM_BUS_ADDRESS.
- * The library libdbus-1.so.3 is loaded when it is needed. Without the library, a bus or the
- * service, the thread's class does not change. If $VOLUMEHAPTICS_RTKIT is "off", no request is
+ * The library libdbus-1.so.3 is loaded when needed. If the library, the bus or the service is
+ * missing, the thread's class does not change. If $VOLUMEHAPTICS_RTKIT is "off", no request is
  * sent.
  *
- * RealtimeKit requires a limit on how long a real-time thread may compute without a pause, as a
- * rule 200 ms; the kernel ends a process that exceeds it. So the process's limit RLIMIT_RTTIME is
+ * RealtimeKit requires a limit on how long a real-time thread may compute without a pause, usually
+ * 200 ms; the kernel ends a process that exceeds it. The process's limit RLIMIT_RTTIME is therefore
  * lowered permanently to the time that the service reports. After half of this time, the process
  * receives SIGXCPU, so that it can still send zero force.
  */
@@ -30,7 +30,7 @@ namespace RealtimeKit
 enum class Answer : std::uint8_t
 {
   Granted,
-  Absent, ///< there is no library, bus or service, or requests are switched off
+  Absent, ///< the library, the bus or the service is missing, or requests are switched off
   Refused ///< the service refused, or did not answer
 };
 
@@ -42,16 +42,16 @@ struct Wish
 };
 
 /**
- * Reads the settings. Must be called from a thread that may read the environment: on many systems
+ * Reads the settings. The calling thread must be allowed to read the environment: on many systems
  * the process crashes if another thread changes a variable at the same time, as a script may do
- * once the servo runs.
+ * while the servo runs.
  */
 Wish ReadEnvironment();
 
 /**
  * Requests a real-time class for a thread of this process. `thread` is the kernel's number of the
  * thread. Waits at most 10 s for each of the service's three answers, because the service may have
- * to be started. Returns within milliseconds when `stop` is set.
+ * to start first. Returns within milliseconds when `stop` is set.
  */
 Answer MakeRealTime(std::int64_t thread, const Wish& wish, const std::atomic<bool>& stop) noexcept;
 

@@ -31,7 +31,10 @@ namespace ServoClock
 namespace
 {
 
-/** The timer of a thread, which wakes it to half a millisecond. The usual ones take up to 16 ms. */
+/**
+ * A high-resolution timer for each thread, accurate to half a millisecond. The usual timers may be
+ * 16 ms late.
+ */
 class Timer
 {
 public:
@@ -105,7 +108,8 @@ std::int64_t GetTimeAsleep() noexcept
   return static_cast<std::int64_t>(whole - awake) * 100;
 }
 
-void BlockSignals() noexcept {} // Windows has a thread for its only signals, those of the console
+void BlockSignals() noexcept {} // Windows handles its only signals, those of the console, in a
+                                // separate thread
 
 std::int64_t GetProcess() noexcept
 {
@@ -132,8 +136,8 @@ const mach_timebase_info_data_t& GetTimebase() noexcept
 
 std::int64_t Now() noexcept
 {
-  // Use integers, which lose no digits as doubles would, and do not overflow in the years that a
-  // computer runs.
+  // Use integers. Unlike doubles, they lose no digits, and this formula does not overflow for
+  // years.
   const mach_timebase_info_data_t& base = GetTimebase();
   const std::uint64_t ticks = mach_absolute_time();
   return static_cast<std::int64_t>(
@@ -178,7 +182,8 @@ void SleepUntil(std::int64_t time) noexcept
   timespec wake{};
   wake.tv_sec = time / Second;
   wake.tv_nsec = time % Second;
-  // Sleep on after a signal that was handled on this thread, so that it does not shorten the tick.
+  // If a signal was handled on this thread, continue to sleep, so that the tick does not get
+  // shorter.
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &wake, nullptr) == EINTR)
   {
   }
@@ -203,8 +208,8 @@ void BlockSignals() noexcept
 {
   sigset_t others;
   sigfillset(&others);
-  // Crash signals must not be blocked, because a handler has to end the force before the process
-  // ends.
+  // Crash signals must not be blocked, because their handler has to end the force before the
+  // process ends.
   for (const int crash : { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGTRAP })
   {
     sigdelset(&others, crash);

@@ -28,7 +28,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Pause (ns) between two checks in AskRealtimeKit() whether Raise() was called. */
+/** Interval (ns) at which AskRealtimeKit() polls whether Raise() was called. */
 constexpr std::int64_t LookPeriod = 5000000;
 
 #if defined(__linux__)
@@ -65,7 +65,7 @@ std::int64_t GetThread() noexcept
   return syscall(SYS_gettid);
 }
 
-/** Returns the highest real-time priority that the user may have without a privilege. */
+/** Returns the highest real-time priority that the user may set without a privilege. */
 int GetAllowedPriority() noexcept
 {
   rlimit limit{};
@@ -89,8 +89,8 @@ std::int64_t GetThread() noexcept
 
 bool ServoPriority::RaiseThread() noexcept
 {
-  // The service for multimedia (MMCSS) gives a class above all usual programs. It may be switched
-  // off; the priority of the thread alone is still above that of others.
+  // The multimedia service (MMCSS) grants a class above all usual programs. It may be switched off;
+  // the thread's own priority is still above that of other threads.
   using Setter = HANDLE(WINAPI*)(LPCWSTR, LPDWORD);
   static const HMODULE library = LoadLibraryExW(L"avrt.dll", nullptr, LOAD_LIBRARY_SEARCH_SYSTEM32);
   const auto set = library ? reinterpret_cast<Setter>(reinterpret_cast<void*>(
@@ -110,8 +110,8 @@ void ServoPriority::LowerThread() noexcept
 
 bool ServoPriority::RaiseThread() noexcept
 {
-  // The class of threads with a deadline: needs no privilege. A round of a servo comes each
-  // millisecond and takes a part of it.
+  // The class for threads with a deadline needs no privilege. The servo runs every millisecond, and
+  // computes during a part of it.
   mach_timebase_info_data_t base{};
   mach_timebase_info(&base);
   const auto toTicks = [&base](std::uint64_t time)
@@ -138,7 +138,7 @@ bool ServoPriority::RaiseThread() noexcept
 #if defined(__linux__)
   prctl(PR_SET_TIMERSLACK, 1UL); // ns
 #endif
-  // Priority below that of the kernel's interrupt threads (50), so that these run first.
+  // The priority is below the kernel's interrupt threads (50), so that these run first.
   constexpr int wanted = 40;
   sched_param parameters{};
   parameters.sched_priority = wanted;
@@ -161,7 +161,7 @@ bool ServoPriority::RaiseThread() noexcept
 void ServoPriority::LowerThread() noexcept
 {
 #if defined(__linux__)
-  // On Linux this lowers only the calling thread; in POSIX it would lower the whole process.
+  // On Linux, this affects only the calling thread; POSIX specifies the whole process.
   constexpr int nice = 10;
   (void)setpriority(PRIO_PROCESS, 0, nice);
 #endif

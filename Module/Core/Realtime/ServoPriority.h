@@ -11,15 +11,15 @@
  * 1. The kernel: a real-time class (SCHED_FIFO), if a privilege or the limit RLIMIT_RTPRIO allows
  *    it.
  * 2. RealtimeKit, if the kernel refuses: see RealtimeKit.h.
- * 3. In any case the settings that need no privilege: wake-ups that are not delayed to save energy,
- *    and short time slices. With these, on Linux 6.12 and later, a thread that needs less than its
- *    fraction of a processor runs as soon as it wakes up. Otherwise it may have to wait until the
- *    slice of a busy thread ends, which takes milliseconds.
+ * 3. In any case, settings that need no privilege: wake-ups that are not delayed to save energy,
+ *    and short time slices. On Linux 6.12 and later, a thread with short slices that needs less
+ *    than its fair part of a processor runs as soon as it wakes up. Otherwise it may have to wait
+ *    milliseconds until the slice of a busy thread ends.
  *
- * On Windows, the kernel's class is that of the multimedia service (MMCSS), and on macOS that of
- * threads with a deadline; both need no privilege.
+ * On Windows, the real-time class is that of the multimedia service (MMCSS), and on macOS that of
+ * threads with a deadline; neither needs a privilege.
  *
- * Documentation/devices.md has measurements.
+ * Measurements are in Documentation/devices.md.
  */
 #ifndef ServoPriority_h
 #define ServoPriority_h
@@ -48,18 +48,18 @@ class ServoPriority
 public:
   /**
    * Requests a real-time class for the calling thread, with a priority below the kernel's interrupt
-   * threads. If the request is refused, makes the settings that need no privilege. Returns whether
-   * the class was granted.
+   * threads. If the request is refused, applies the settings that need no privilege. Returns
+   * whether the class was granted.
    */
   static bool RaiseThread() noexcept;
-  /** Lowers the priority of the calling thread, for work in the background. */
+  /** Lowers the priority of the calling thread, which does background work. */
   static void LowerThread() noexcept;
 
-  /** Calls RaiseThread() and stores its answer. Call it on the servo's thread. */
+  /** Calls RaiseThread() and stores the result. Must be called on the servo's thread. */
   void Raise() noexcept;
   /**
-   * Waits for Raise() and, if the kernel has refused, asks RealtimeKit. Call it on another thread.
-   * Returns after RealtimeKit's answer, or soon after RequestStop().
+   * Waits for Raise() and, if the kernel has refused, asks RealtimeKit. Must be called on another
+   * thread. Returns after RealtimeKit's answer, or soon after RequestStop().
    */
   void AskRealtimeKit() noexcept;
   void RequestStop() noexcept { this->StopRequested.store(true, std::memory_order_release); }
@@ -67,7 +67,7 @@ public:
   RealTimeGrant GetGrant() const noexcept { return this->Grant.load(std::memory_order_acquire); }
 
 private:
-  /** Settings from the environment. The thread that makes this object reads them. */
+  /** Settings from the environment, which the constructing thread reads. */
   const RealtimeKit::Wish Environment = RealtimeKit::ReadEnvironment();
   std::atomic<RealTimeGrant> Grant{ RealTimeGrant::Unknown };
   /** The kernel's number of the servo's thread; 0 before Raise(). */

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Passes the latest value from one thread to another, without either thread having to wait.
+ * Passes the latest value from one thread to another. Neither thread waits.
  *
- * There are three slots: one that the writer fills, one that the reader reads, and a spare one that
- * holds the latest complete value. Each thread exchanges its own slot with the spare one in one
- * atomic operation, so that it never touches the other thread's slot.
+ * There are three slots: one that the writer fills, one that the reader reads, and a spare one with
+ * the latest complete value. Each thread exchanges its own slot with the spare one in one atomic
+ * operation, so that it never touches the other thread's slot.
  */
 #ifndef TripleBuffer_h
 #define TripleBuffer_h
@@ -28,7 +28,7 @@ public:
   TripleBuffer(const TripleBuffer&) = delete;
   TripleBuffer& operator=(const TripleBuffer&) = delete;
 
-  /** Stores a value for the reader. Called by the writer. */
+  /** Stores a value for the reader. Only the writer may call this. */
   void Write(const T& value) noexcept
   {
     this->Slot[this->Writing].Value = value;
@@ -38,8 +38,8 @@ public:
   }
 
   /**
-   * Exchanges the slots if there is a new value. Returns whether there was one. Called by the
-   * reader. The latest value can be read again and again.
+   * Fetches a new value, if there is one, and returns whether there was. Read() returns it until
+   * the next new value. Only the reader may call this.
    */
   bool Update() noexcept
   {
@@ -52,14 +52,14 @@ public:
     return true;
   }
 
-  /** Called by the reader: returns the value that the last Update found. */
+  /** Returns the value that Update() fetched last. Only the reader may call this. */
   const T& Read() const noexcept { return this->Slot[this->Reading].Value; }
 
 private:
   static constexpr std::uint8_t Index = 3;
   static constexpr std::uint8_t Fresh = 4;
 
-  // A slot with cache lines of its own, so that the two threads do not slow each other down.
+  // A slot with its own cache lines, so that the two threads do not slow each other down.
   struct alignas(64) Padded
   {
     T Value{};

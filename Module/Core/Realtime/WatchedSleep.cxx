@@ -22,11 +22,11 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Longest delay (ns) of the sleeper that the watcher accepts. */
+/** The watcher tolerates a delay of the sleeper up to this time (ns). */
 constexpr std::int64_t MostPatience = 300000;
 /**
- * Shortest and longest pause (ns) of the watcher between two checks. The watcher pauses to use
- * little of its processor, and not longer than this to react soon to a request to stop.
+ * Shortest and longest pause (ns) of the watcher between two checks. The pause saves processor
+ * time, and is short enough to react soon to a request to stop.
  */
 constexpr std::int64_t LeastPause = 250000;
 constexpr std::int64_t MostPause = 5000000;
@@ -38,8 +38,8 @@ constexpr long FutexCall = SYS_futex;
 #endif
 
 /**
- * Reads on which processors a thread may run. `thread` is 0 for the calling thread. Returns false
- * if the kernel does not report them.
+ * Reads which processors a thread may use. `thread` is 0 for the calling thread. Returns false if
+ * the kernel does not report them.
  */
 bool GetProcessors(std::int64_t thread, cpu_set_t& processors) noexcept
 {
@@ -76,7 +76,7 @@ void WatchedSleep::SleepUntil(std::int64_t planned, std::int64_t alarm) noexcept
   this->Processor.store(sched_getcpu(), std::memory_order_relaxed);
   std::uint32_t wakes = this->Wakes.load(std::memory_order_acquire);
   this->Planned.store(planned, std::memory_order_release);
-  // Sleep on if a signal, or a watcher that is late itself, has woken the thread too early.
+  // Continue to sleep if a signal, or a late watcher, has woken the thread too early.
   while (ServoClock::Now() < planned)
   {
     if (syscall(FutexCall, &this->Wakes, FUTEX_WAIT_BITSET_PRIVATE, wakes, &end, nullptr,
@@ -126,7 +126,7 @@ void WatchedSleep::Watch() noexcept
 }
 
 /**
- * Moves the watcher to another processor than the sleeper's, on which the sleeper may run. Returns
+ * Moves the watcher away from the sleeper, to another processor that the sleeper may use. Returns
  * false if there is none.
  */
 bool WatchedSleep::StandApart() noexcept
@@ -178,14 +178,14 @@ bool WatchedSleep::WakeHere(std::int64_t planned) noexcept
     syscall(FutexCall, &this->Wakes, FUTEX_WAKE_PRIVATE, 1, nullptr, nullptr, 0);
   }
   // The binding must be ended even if State is None again, because the sleeper may have checked
-  // State before the binding took effect.
+  // State before it was bound.
   this->IsOwing = true;
   this->EndBinding();
   return isBound;
 }
 
 /**
- * Ends the binding if the sleeper has not done so. The watcher calls this again until it succeeds.
+ * Ends the binding if the sleeper has not done so. The watcher repeats this call until it succeeds.
  */
 void WatchedSleep::EndBinding() noexcept
 {
@@ -198,8 +198,8 @@ void WatchedSleep::EndBinding() noexcept
 }
 
 /**
- * Restores the sleeper's processors. Both threads may call this at the same time, with the same
- * effect. Returns whether the sleeper is no longer bound.
+ * Allows the sleeper to use its original processors again. Both threads may call this at the same
+ * time, with the same effect. Returns whether the sleeper is no longer bound.
  */
 bool WatchedSleep::GiveBack() const noexcept
 {

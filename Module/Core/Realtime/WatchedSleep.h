@@ -1,21 +1,21 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file The pause of the servo between two ticks, and a second thread that ends the pause if it
- * gets too long.
+ * @file The servo's sleep between two ticks, and a second thread that ends the sleep if it gets too
+ * long.
  *
- * A processor may keep a thread from running at its time: the scheduler lets a busy thread go on,
+ * A processor may keep a thread from running on time: the scheduler lets a busy thread continue,
  * the kernel is busy with interrupts off, or the host of a virtual machine has taken the processor
- * away. Such delays last milliseconds, and rarely come to two processors at a time. So, after a
- * planned time, a watcher on another processor checks whether the sleeper has woken up. If it has
- * not, the watcher moves it to the watcher's processor and wakes it up there. This needs no
+ * away. Such delays last milliseconds, and rarely affect two processors at the same time. After a
+ * planned time, a watcher on another processor therefore checks whether the sleeper has woken up.
+ * If it has not, the watcher moves it to its own processor and wakes it up there. This needs no
  * privilege.
  *
  *   WatchedSleep sleep(period);
  *   sleep.SleepUntil(time); // always the same thread
  *   sleep.Watch();          // on another thread, until RequestStop
  *
- * The pause is a plain ServoClock::SleepUntil if
+ * The sleep is a plain ServoClock::SleepUntil() if
  *
  * - there is no watcher,
  * - the sleeper may run on one processor only,
@@ -24,9 +24,9 @@
  *
  * A delay within a tick is not shortened.
  *
- * To move the sleeper, the watcher binds it to its own processor. Both threads then restore the
- * sleeper's processors, unless someone else has changed them after the binding. Processors that the
- * system gets later are not included.
+ * To move the sleeper, the watcher binds it to the watcher's processor. Both threads then restore
+ * the sleeper's processors, unless someone else has changed them after the binding. Processors that
+ * are added to the system later are not included.
  */
 #ifndef WatchedSleep_h
 #define WatchedSleep_h
@@ -44,26 +44,26 @@ namespace VolumeHaptics
 class WatchedSleep
 {
 public:
-  /** @param period the time between two ticks (ns) */
+  /** @param period time between two ticks (ns) */
   explicit WatchedSleep(std::int64_t period) noexcept;
 
-  /** Sleeps at least until a time of ServoClock::Now(). */
+  /** Sleeps at least until `time`, as ServoClock::Now() counts it. */
   void SleepUntil(std::int64_t time) noexcept { this->SleepUntil(time, time); }
   /**
-   * Sleeps with an alarm at `alarm`. If that is later than `planned`, only a watcher can wake the
-   * sleeper in time. For tests.
+   * Sleeps with an alarm at `alarm`. If the alarm is later than `planned`, only a watcher can wake
+   * the sleeper on time. For tests.
    */
   void SleepUntil(std::int64_t planned, std::int64_t alarm) noexcept;
 
   /**
-   * Watches the sleeper until RequestStop(), which can't be undone. Called by one thread. This
-   * thread gets the priority of a servo (ServoPriority::RaiseThread) and leaves the sleeper's
+   * Watches the sleeper until RequestStop(), which can't be undone. Only one thread may call this.
+   * The thread gets the priority of a servo (ServoPriority::RaiseThread) and leaves the sleeper's
    * processor.
    */
   void Watch() noexcept;
   void RequestStop() noexcept { this->StopRequested.store(true, std::memory_order_release); }
 
-  /** Returns the number of sleeps that the watcher has tried to end. */
+  /** Returns how often the watcher has tried to wake a late sleeper. */
   std::uint64_t GetRescues() const noexcept { return this->Rescues.load(); }
 
 private:
@@ -76,9 +76,9 @@ private:
   /** Whether the sleeper is bound to the watcher's processor. */
   enum class Binding : std::uint8_t
   {
-    None,  ///< set by either thread; only in this state, the watcher may change Allowed and Here
+    None,  ///< set by either thread; only in this state may the watcher change Allowed and Here
     Bound, ///< set by the watcher before it binds the sleeper
-    Ending ///< set by the sleeper, which reads Allowed and Here only in this state
+    Ending ///< set by the sleeper, which may read Allowed and Here only in this state
   };
 
   bool StandApart() noexcept;
@@ -95,7 +95,7 @@ private:
   cpu_set_t Here{};    // processor to which the sleeper is bound
   ///@{
   /**
-   * Data of the watcher alone: whether it must still end a binding, and the processor that it has
+   * Data of the watcher alone: whether it still has to end a binding, and the processor that it has
    * left.
    */
   bool IsOwing = false;

@@ -9,10 +9,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The longest length that a plan uses (world units). Longer lengths are shortened to it. */
+/** The longest length (world units) in a plan. Longer lengths are shortened to it. */
 constexpr double Longest = 1e12;
 /**
- * The smallest useful width of a region along an axis (samples). A smaller volume is fetched as a
+ * The smallest useful width of a region along an axis (samples). A narrower volume is fetched as a
  * whole.
  */
 constexpr double LeastWidth = 16.0;
@@ -23,7 +23,7 @@ constexpr double FallingFraction = 0.1;
 
 double Length(double value) noexcept
 {
-  // The condition is false for NaN, too.
+  // The comparison is false for NaN, too.
   return value > 0.0 ? std::min(value, Longest) : 0.0;
 }
 
@@ -34,7 +34,7 @@ struct Cube
 };
 
 /**
- * Computes the cube around a position (world), or around the volume's middle if the position is not
+ * Computes the cube around a position (world), or around the volume's centre if the position is not
  * finite.
  */
 Cube ComputeCube(const WholeGeometry& whole, const Matrix3& inverse, const Vector3& centre) noexcept
@@ -62,7 +62,7 @@ double CountVoxels(const int extent[6]) noexcept
 
 /**
  * Computes the part of a volume within a half-width (world units), as indices. The part is never
- * empty. Returns the number of its voxels.
+ * empty. Returns its number of voxels.
  */
 double Cut(const WholeGeometry& whole, const Cube& cube, double halfWidth, int region[6]) noexcept
 {
@@ -158,9 +158,9 @@ bool PlanRegion(const WholeGeometry& whole, const RegionNeeds& needs, const Vect
   const bool isSame = std::equal(wanted, wanted + 6, resident);
   const double now = FindRoom(whole, cube, resident) - needed;
   const double then = FindRoom(whole, cube, wanted) - needed;
-  // A cut region may have no room at all. Then the next region is fetched when the tip is half as
-  // far from the nearest border as the wanted centre is, so that the region comes before the tip
-  // leaves.
+  // A cut region may have no room at all. Then the next region is fetched when the tip's distance
+  // from the nearest border has fallen to half of the wanted centre's distance, so that the region
+  // arrives before the tip leaves.
   const double enough = LeastRoom * (then > 0.0 ? then : then - needed);
   return !isSame && now < enough;
 }

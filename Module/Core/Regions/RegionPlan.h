@@ -4,22 +4,24 @@
  * @file
  * Plans which region of a remote volume to fetch, and when.
  *
- * With the latency t from the request for a region until it is felt, no hand slower than v_max
- * leaves a cube with the half-width
+ * Let t be the latency from the request for a region until it is felt. A hand that is slower than
+ * v_max then stays within a cube with the half-width
  *
  *   h = v_max t + T_N/k + r + b
  *
- * around its position while the next region is being fetched: T_N/k is the proxy's largest lag, r
- * the reach of the samples that are read around tip and proxy, b the band over which the residency
- * falls (Residency.h). The centre of the cube is the position of the tip when the region comes,
- * x + t v (|v| is at most v_max); the cube is clipped to the volume. If h is cut, the centre is no
- * farther ahead than h - T_N/k - r - b: a hand that stops still has its data.
+ * around its position while the next region is being fetched. T_N/k is the proxy's largest lag, r
+ * the reach of the samples that are read around tip and proxy, and b the band over which the
+ * residency falls (Residency.h). The centre of the cube is the predicted position of the tip when
+ * the region arrives, x + t v (|v| is at most v_max); the cube is clipped to the volume. If h has
+ * to be cut, the centre is at most h - T_N/k - r - b ahead of the tip, so that a hand that stops
+ * still has its data.
  *
- * The room of a region is the distance of the centre from the region's nearest border that is not
- * the volume's own, less T_N/k + r + b. The wanted region is fetched when the resident one gives
- * less than half of its room. So a hand at rest fetches nothing, and at any steady speed the next
- * region comes while the tip still has half its room. If h is cut so far that the wanted region has
- * no room, it is fetched when the nearest border of the resident one is half as far as its own.
+ * The room of a region is the distance of the centre from the region's nearest border inside the
+ * volume, minus T_N/k + r + b. The wanted region is fetched when the room in the resident one is
+ * less than half of its own. A hand at rest therefore fetches nothing, and at any constant speed
+ * the next region arrives while the tip still has half its room. If h is cut so far that the wanted
+ * region has no room, the region is fetched when the distance from the nearest border of the
+ * resident one has fallen to half of its own.
  */
 #ifndef RegionPlan_h
 #define RegionPlan_h
@@ -39,7 +41,7 @@ struct WholeGeometry
 };
 
 /**
- * Speed, latency and lengths that decide how large a region must be. Lengths are in world units.
+ * Speed, latency and lengths that determine how large a region must be. Lengths are in world units.
  */
 struct RegionNeeds
 {
@@ -51,18 +53,18 @@ struct RegionNeeds
   double MostVoxels = 2097152.0; ///< limit of a region's voxels; at least LeastVoxels
 };
 
-/** Number of voxels that a region may always have, so that a kernel fits into it. */
+/** Least limit of a region's voxels, so that a kernel fits into it. */
 constexpr double LeastVoxels = 4096.0;
 
-/** Returns the half-width h (above). It is finite and not negative for any needs. */
+/** Returns the half-width h (see above). It is finite and not negative for any needs. */
 double ComputeHalfWidth(const RegionNeeds& needs) noexcept;
 
 /**
  * Computes the wanted region (indices) for a tip (world) with a velocity (world units per second).
- * Returns whether to fetch it now. `resident` is the region in memory; it may be empty.
+ * Returns whether to fetch the region now. `resident` is the region in memory; it may be empty.
  *
- * The wanted region is the whole volume if that has at most MostVoxels; otherwise h is cut to that
- * size. Whatever the input, it is not empty and lies in the volume. If the tip is not finite, it
+ * The wanted region is the whole volume if it has at most MostVoxels; otherwise h is cut to this
+ * limit. For any input, the region is inside the volume and not empty. A tip that is not finite
  * counts as at rest in the middle of the volume. For an empty volume, the function returns false
  * and an empty region.
  */
@@ -70,20 +72,20 @@ bool PlanRegion(const WholeGeometry& whole, const RegionNeeds& needs, const Vect
   const Vector3& velocity, const int resident[6], int wanted[6]) noexcept;
 
 /**
- * Returns the room of a region for a tip (both above; world units). If the room is negative, a tick
- * at this tip may lack samples. Returns a large negative number for an empty region, and a large
- * positive number for the whole volume.
+ * Returns the room (world units, see above) of a tip in a region. If it is negative, a tick at this
+ * tip may lack samples. Returns a large negative number for an empty region, and a large positive
+ * number for the whole volume.
  */
 double ComputeSpareRoom(const WholeGeometry& whole, const RegionNeeds& needs, const Vector3& tip,
   const int region[6]) noexcept;
 
 /**
- * Returns the smoothed latency (s) after a new measurement. It rises fast and falls slowly. Ignores
- * measurements that are negative or not finite.
+ * Returns the smoothed latency (s) after a new measurement. It rises fast and falls slowly.
+ * Negative measurements and those that are not finite are ignored.
  */
 double SmoothLatency(double latency, double measured) noexcept;
 
-/** The largest latency (s) that a plan accounts for. */
+/** The largest latency (s) in a plan. */
 constexpr double MostLatency = 10.0;
 
 } // namespace VolumeHaptics

@@ -12,8 +12,8 @@ namespace
 {
 
 /**
- * Computes how far a shaped tool reads beyond the method's own reach: the largest distance of its
- * points from its origin, and a kernel length more, because the material is read around each point.
+ * Computes how far a shaped tool reads beyond the method's own reach. It is the largest distance of
+ * its points from its origin plus a kernel length, because the material is read around each point.
  */
 Vector3 ComputeToolReach(const HapticModel& model) noexcept
 {
@@ -23,8 +23,7 @@ Vector3 ComputeToolReach(const HapticModel& model) noexcept
     return {};
   }
   const double reach = tool->GetReach() / model.WorldUnitsPerMeter;
-  // The foot of a point may move by one voxel, and its gradient reads one more voxel on either
-  // side.
+  // The foot of a point may move by one voxel, and its gradient reads one more voxel on each side.
   constexpr double around = 3.0;
   return (reach + model.KernelLength) * model.VoxelsPerMeter + Vector3{ around, around, around };
 }
@@ -41,7 +40,7 @@ bool ComputeReadBox(
 {
   const HapticSettings& settings = model.Baked->Settings;
   const bool readsMesh = settings.Method == HapticMethod::SurfaceProxy && !settings.HasIsoSurface;
-  // The tick itself handles a tip that is not finite.
+  // A tip that is not finite is handled by the tick itself.
   if (readsMesh || !IsFinite(tip))
   {
     return false;

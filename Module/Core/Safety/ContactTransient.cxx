@@ -15,13 +15,13 @@ namespace
 constexpr double TwoPi = 6.283185307179586;
 /** Shortest time (s) over which the velocity is averaged. */
 constexpr double ApproachTime = 3e-3;
-/** Frequency (Hz) of a surface of 400 N/m that holds 1 N, and the limits of all frequencies. */
+/** Frequency (Hz) for a surface with 400 N/m and 1 N, and the limits of all frequencies. */
 constexpr double MiddleFrequency = 120.0;
 constexpr double LowestFrequency = 50.0;
 constexpr double HighestFrequency = 300.0;
-/** Larger strengths (N) do not feel harder. */
+/** Strengths (N) above this limit do not raise the frequency. */
 constexpr double MostStrength = 12.0;
-/** The pulse ends after so many periods, when it has decayed to 0.2 %. */
+/** The pulse ends after this number of periods, when it has decayed to 0.2 %. */
 constexpr double LastPeriod = 6.0;
 
 /** Integral of exp(-x) sin(2 pi x) from 0 to x. */
@@ -107,7 +107,7 @@ void ContactTransient::Begin(const TransientInput& input) noexcept
   this->Account = std::min(this->Account, 0.0);
 }
 
-/** Returns the mean of (1) over the next tick (N). */
+/** Returns the pulse (N) of (1), averaged over the next tick. */
 double ContactTransient::ComputePulse(double period) const noexcept
 {
   const double from = this->Frequency * this->Played;
@@ -115,7 +115,7 @@ double ContactTransient::ComputePulse(double period) const noexcept
   return this->Height * (Integrate(from + way) - Integrate(from)) / way;
 }
 
-/** Reduces a pulse along `out` by (3). `wall` (N) is the force of the wall. */
+/** Reduces a pulse along `out` so that (3) holds. `wall` (N) is the force of the wall. */
 double ContactTransient::Limit(
   double pulse, double wall, const Vector3& out, double period) const noexcept
 {

@@ -5,42 +5,44 @@
  * A short pulse of force when the tip touches a surface, so that the surface feels hard.
  *
  * A tap on a real surface stops the hand within milliseconds and rings; a sampled spring does
- * neither. A pulse that is played at touch-down without feedback does both (Hwang, Williams and
- * Niemeyer, "Toward event-based haptics: rendering contact using open-loop force pulses", 2004;
- * Fiene and Kuchenbecker, "Shaping event-based haptic transients via an improved understanding of
- * real contact dynamics", 2007; both read in their abstracts only). Let v be the speed of the
- * approach along the push n of the surface, t the time since touch-down, and f a frequency of the
- * material. The pulse along n is a decaying sine, the form that Okamura, Hage, Cutkosky and
- * Dennerlein fitted to taps ("Improving reality-based models for vibration feedback", 2000),
+ * neither. Both effects can be produced by a force pulse at touch-down that is played without
+ * feedback (Hwang, Williams and Niemeyer, "Toward event-based haptics: rendering contact using
+ * open-loop force pulses", 2004; Fiene and Kuchenbecker, "Shaping event-based haptic transients via
+ * an improved understanding of real contact dynamics", 2007; only the abstracts of both were read).
+ * Let v be the speed of the approach along the push n of the surface, t the time since touch-down,
+ * and f a frequency of the material. The pulse along n is a decaying sine, the form that Okamura,
+ * Hage, Cutkosky and Dennerlein fitted to taps ("Improving reality-based models for vibration
+ * feedback", 2000),
  *
  *   P(t) = a exp(-f t) sin(2 pi f t).                                                          (1)
  *
- * Its height a is such that the first half wave has the impulse gain m v, with m = TouchMass: with
- * a gain of 1 it stops an arm of that mass by itself. A tick of duration T sends the mean of P over
- * T, so that sampling changes no impulse. The pulse never pulls into the wall: wall and pulse
- * together push by 0 at least.
+ * The height a makes the impulse of the first half wave equal to gain m v, with m = TouchMass. With
+ * a gain of 1, the pulse alone stops an arm of this mass. A tick of duration T sends the mean of P
+ * over T, so that sampling does not change the impulse. The pulse never pulls into the wall: wall
+ * and pulse together never push inward.
  *
- * The harder the material, the higher f. The presets give most tissues one stiffness k, so that the
- * surface strength T_N has to tell them apart, as in the explorer's sound (ContactSound.h):
+ * The harder the material, the higher f. Most tissues of the presets have the same stiffness k, so
+ * f also depends on the surface strength T_N, as in the explorer's sound (ContactSound.h):
  *
  *   f = 120 Hz (k / 400 N/m)^(1/4) (T_N / 1 N)^(1/2),   T_N <= 12 N,   50 Hz <= f <= 300 Hz.    (2)
  *
  * Energy
  * ------
  *
- * The pulse takes energy from a tip that still moves inward. An account sums up that work,
+ * The pulse takes energy from a tip that still moves inward. An account sums up this work,
  *
  *   dA = -p.dx.
  *
- * The delay is known only as an upper bound: of all pulses that may have acted during dx, p is the
- * one that gives the hand the most energy. A pulse that acts until the next measurement moves a
- * light tip by s + c |p| along p at most. So
+ * Only an upper bound of the delay is known. Therefore p is the one of all pulses that may have
+ * acted during dx that gives the hand the most energy. A pulse that acts until the next measurement
+ * moves a light tip along p by at most s + c |p|. The pulse is limited to
  *
  *   |p| (s + c |p|) <= A.                                                                      (3)
  *
- * The way s includes the push of the wall itself. What a pulse still owes counts in the next
- * contact, unless nothing was touched for RestTime. So a pulse never gives more than it took, and
- * without an account it only brakes. What the slew limit holds back after a pulse is a part of p.
+ * The distance s includes the push of the wall itself. A debt of the account remains for the next
+ * contact, unless nothing is touched for RestTime. A pulse therefore never gives more than it took,
+ * and with an empty account it only brakes. A force that the slew limit still holds back after a
+ * pulse counts as a part of p.
  */
 #ifndef ContactTransient_h
 #define ContactTransient_h
@@ -60,9 +62,9 @@ struct TransientInput
   double Gain = 0.0;      ///< gain of (1)
   double Share = 1.0;     ///< fraction of the pulse that is sent, 0 to 1
   double Most = 0.0;      ///< largest force (N)
-  double Least = 0.0;     ///< lowest value (N) to which a pulse may reduce the force of the wall
+  double Least = 0.0;     ///< least value (N) to which a pulse may reduce the force of the wall
   double Period = 1e-3;   ///< T (s)
-  bool MovesTip = true;   ///< whether (3) is needed
+  bool MovesTip = true;   ///< whether (3) must hold
 };
 
 class ContactTransient
@@ -70,32 +72,37 @@ class ContactTransient
 public:
   static constexpr double TouchMass = 0.1;  ///< m in kg: arm and fingers
   static constexpr double LightMass = 0.05; ///< in kg
-  static constexpr double FreeTime = 0.02;  ///< time (s) without a surface before the next pulse
-  static constexpr double RestTime = 0.5;   ///< time (s) without a surface that ends a debt
+  static constexpr double FreeTime = 0.02;  ///< time (s) without a surface after which the next
+                                            ///< pulse may start
+  static constexpr double RestTime = 0.5;   ///< time (s) without a surface after which a debt is
+                                            ///< cancelled
   static constexpr double StepSize = 7e-5;  ///< m, more than a step of an encoder
 
-  /** Returns f (Hz) by (2) for k (N/m) and T_N (N), or 0 for a material that holds nothing. */
+  /** Returns f (Hz) by (2) for k (N/m) and T_N (N), or 0 for a material without strength. */
   static double ComputeFrequency(double stiffness, double strength) noexcept;
 
-  /** Clears everything. Tip and force are unknown then. */
+  /** Clears all data. Afterwards, tip and force are unknown. */
   void Reset() noexcept { *this = ContactTransient{}; }
 
   /**
    * Processes a measurement of the tip (m). `time` (s) is the time since the last measurement,
-   * `late` (s) the time that a force takes to the device, and `period` (s) the duration of a tick.
+   * `late` (s) the delay until a force reaches the device, and `period` (s) the duration of a tick.
    */
   void Observe(const Vector3& tip, double time, double late, double period) noexcept;
 
-  /** Records that the tip has not moved for another time (s), although it was not measured. */
+  /** Records that the tip has rested for another `time` (s) without a measurement. */
   void Rest(double time) noexcept;
 
-  /** Returns the force (N) of wall and pulse. Called in every tick. */
+  /** Returns the force (N) of wall and pulse. Must be called in every tick. */
   Vector3 Apply(const TransientInput& input) noexcept;
 
-  /** Records the part of the force (N) sent until the next tick that is a pulse. Every tick. */
+  /**
+   * Records the pulse's part (N) of the force sent until the next tick. Must be called in every
+   * tick.
+   */
   void RecordSent(const Vector3& pulse) noexcept;
 
-  /** Returns A in J. */
+  /** Returns the account A (J). */
   double GetAccount() const noexcept { return this->Account; }
 
 private:
@@ -119,7 +126,7 @@ private:
   Vector3 Velocity;      ///< velocity of the tip (m/s)
   double Rested = 0.0;   ///< time (s) of Rest() since the last measurement
   double Between = 1e-3; ///< time between the last two measurements (s)
-  double Late = 0.0;     ///< time that a force takes to the device (s)
+  double Late = 0.0;     ///< delay until a force reaches the device (s)
   bool HasTip = false;
   double Free = 0.0;      ///< time without a surface (s)
   double Frequency = 0.0; ///< f (Hz)

@@ -13,7 +13,8 @@ void DriftLine::Reset() noexcept
 
 void DriftLine::Add(const Vector3& tip, double time) noexcept
 {
-  // Tolerates half a millisecond, so that a tick that wakes up late does not lose a whole interval.
+  // Accept a tip that is half a millisecond early, so that a tick that woke up late does not cost a
+  // whole interval.
   if (this->Count > 0 && time - this->LastTime < Spacing - 5e-4)
   {
     return;

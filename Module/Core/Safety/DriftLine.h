@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Predicts where a hand drifts by itself: a line through the last tips, and a check of whether such
+ * Predicts where a hand drifts by itself, by a line through the last tips, and checks whether such
  * a line predicts the next tips.
  *
  * The line is fitted by least squares to the tips of a quarter of a second. This is long enough for
- * two cycles of a hand's tremor (8 to 12 Hz), which then hardly tilts the line. A slow swing also
- * looks like a line over this time, but does not continue along it. So the tips of 0.4 s are
- * stored, and a line through the older ones has to predict the newer ones.
+ * two cycles of a hand's tremor (8 to 12 Hz), so that tremor hardly tilts the line. A slow swing
+ * also looks like a line over this time, but soon leaves it. To detect this, the tips of 0.4 s are
+ * stored, and a line through the older ones must predict the newer ones.
  */
 #ifndef DriftLine_h
 #define DriftLine_h
@@ -21,17 +21,16 @@ namespace VolumeHaptics
 class DriftLine
 {
 public:
-  /** Time (s) between two stored tips. */
+  /** Shortest time (s) between two stored tips. */
   static constexpr double Spacing = 0.008;
-  /** Number of stored tips, and number of tips to which a line is fitted. */
+  /** Number of stored tips, and the number of tips to which a line is fitted. */
   static constexpr int Capacity = 50;
   static constexpr int Fitted = 31;
 
-  /** Removes all tips. */
   void Reset() noexcept;
   /**
-   * Adds a measured tip (m) at a time (s). Ignores a tip that follows the last one in less than
-   * Spacing.
+   * Adds a measured tip (m) at a time (s). Ignores a tip that comes less than Spacing after the
+   * last one.
    */
   void Add(const Vector3& tip, double time) noexcept;
   bool IsFull() const noexcept { return this->Count == Capacity; }
@@ -63,7 +62,7 @@ private:
     Vector3 Tip;
     double Time = 0.0;
   };
-  /** Returns an entry by age: 0 is the oldest. */
+  /** Returns an entry, in the order of age. 0 is the oldest. */
   const Entry& Get(int i) const noexcept { return this->Entries[(this->Next + i) % Capacity]; }
   Vector3 GetDistance(int i) const noexcept
   {

@@ -11,14 +11,14 @@ namespace VolumeHaptics
 namespace
 {
 
-/** E has changed direction if it has returned by at least this fraction of the last swing. */
+/** E has changed direction when it has returned by this fraction of the last swing. */
 constexpr double Turn = 0.2;
 /**
- * E must also return by at least the force times this length (m), because encoders have steps,
- * which differ between axes.
+ * E must also return by at least the force times this length (m), because the steps of an encoder,
+ * which differ between axes, change E, too.
  */
 constexpr double StepWay = 1e-4;
-/** Limit of the ratio given / taken that counts for one cycle. */
+/** A single cycle counts with at most this ratio given / taken. */
 constexpr double MostGain = 2.0;
 
 } // namespace
@@ -73,7 +73,7 @@ bool EnergyObserver::UpdateEnergy() noexcept
   }
   if (-ahead < std::max({ LeastSwing, Turn * this->Swing, StepWay * this->Force }))
   {
-    // Forget the last swing after a rest, so that a much smaller swing is detected, too.
+    // After a rest, forget the last swing, so that a much smaller swing is detected, too.
     const bool rests = this->Time - this->Extreme.Time > LongestCycle;
     this->Swing = rests ? 0.0 : this->Swing;
     return false;

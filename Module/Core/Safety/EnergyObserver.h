@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Detects a loop of device, hand and wall that oscillates by itself, felt as a wall that buzzes.
+ * Detects a loop of device, hand and wall that oscillates by itself. The hand feels such a wall
+ * buzz.
  *
- * A spring of stiffness k that is sampled with period T, and whose forces are late by d, gives more
- * energy than it takes. The observer sums up the energy that the port of the device gives to the
- * hand (Hannaford and Ryu, "Time-domain passivity control of haptic interfaces", 2002),
+ * A sampled spring with stiffness k, period T and a delay d of the force gives more energy than it
+ * takes. The observer sums up the energy that the device's port gives to the hand (Hannaford and
+ * Ryu, "Time-domain passivity control of haptic interfaces", 2002),
  *
  *   E = sum of F.dx,
  *
@@ -18,54 +19,55 @@
  * Cycles
  * ------
  *
- * On a mass m with damping b, a tip that swings by A at w = sqrt(k / m) puts S = k A^2 / 2 into the
- * spring, gets it back, and gets in addition, in each cycle,
+ * With a mass m and a damping b, a tip that swings by A with w = sqrt(k / m) puts S = k A^2 / 2
+ * into the spring and gets it back. In addition, it gets in each cycle
  *
  *   2 pi S w (d + T / 2),   of which friction takes   2 pi S b / (m w).
  *
- * So the swing changes in a cycle by the factor
+ * In a cycle, the swing therefore changes by the factor
  *
  *   r = exp(2 pi (w (d + T / 2) - b / (m w))),                                                 (1)
  *
  * and grows if b < k (d + T / 2), which is k > 2 b / T without a delay. If a hand presses the tip
- * with F at the same time, E swings by 2 F A, and changes by the root of r. A free swing of a
- * stable loop decays, even faster if a hand holds the device. A hand can sustain a swing, but no
- * hand moves to and fro faster than 12 Hz: voluntary motions end near 8 Hz, and tremor is at 8 to
- * 12 Hz. So the observer looks for the cycles of E, from one maximum to the next, and counts those
- * in a row that
+ * with F at the same time, E swings by 2 F A, and its swing changes by the square root of r. A free
+ * swing of a stable loop decays, even faster if a hand holds the device. A hand can sustain a
+ * swing, but no hand moves to and fro faster than 12 Hz: voluntary motions end near 8 Hz, and
+ * tremor is at 8 to 12 Hz. The observer therefore looks for the cycles of E, from one maximum to
+ * the next, and counts consecutive cycles that
  *
- * - take at most LongestCycle: no hand makes them;
- * - end near the place at which they began, by less than half of their path: a tip that is drawn
- *   over a rippled surface moves on;
- * - are longer than LeastPath, which the steps of an encoder make by themselves;
- * - give back at least LeastShare of the largest cycle in the row: taps do not continue by
+ * - take at most LongestCycle, because no hand is that fast;
+ * - end near the place where they began, closer than half of their path, because a tip that is
+ *   drawn over a rippled surface moves on;
+ * - are longer than LeastPath, because the steps of an encoder make shorter ones;
+ * - give back at least LeastShare of the largest cycle in the row, because taps do not continue by
  *   themselves;
- * - are not driven by a wall that moves to and fro: its work is at most MostDriven of what they
- *   give back.
+ * - are not driven by a wall that moves to and fro, whose work is at most MostDriven of the energy
+ *   that they give back.
  *
  * The port *gives energy* if the last Cycles of a row
  *
- * - together gave back LeastEnergy, and LeastReturn of what they took: friction and drag of the
- *   wall, as in stick and slip, take more;
- * - do not decay: their second half gives back at least LeastLasting of what the first half does.
+ * - together give back at least LeastEnergy, and LeastReturn of the energy that they took, because
+ *   friction and drag of the wall, as in stick and slip, take more;
+ * - do not decay: their second half gives back at least LeastLasting of the energy of the first
+ *   half.
  *
  * By (1), a free swing of a stable loop decays if r^(Cycles / 4) < LeastLasting, which is r <
  * 0.975, for example at 13 Hz and more with b > 1.3 k (d + T / 2) and d + T / 2 >= 0.17 ms.
  *
- * The last FewCycles are enough if the product of their given / taken is at least MuchGiven. E has
- * a part of the gain, at most g = exp(2 pi w T / 2) in a cycle, and so (1) gives r <= g^-0.3 if b >
- * 1.3 k (d + T / 2). Then r^(FewCycles / 4) <= MuchGiven^-0.075 = 0.90 < LeastLasting.
+ * FewCycles are enough if the product of their ratios given / taken is at least MuchGiven. E
+ * contains a part of the gain, at most g = exp(2 pi w T / 2) in a cycle, so (1) gives r <= g^-0.3
+ * if b > 1.3 k (d + T / 2). Then r^(FewCycles / 4) <= MuchGiven^-0.075 = 0.90 < LeastLasting.
  *
  * If the force changes for a reason other than the motion of the tip (a new model, the gate's
- * share), the change may rightly add energy. Excuse() then begins a new row. A gap in the
- * measurements or a leap of the tip begins a new row, too. A swing below LeastSwing counts as rest.
+ * share), the change may rightly add energy. Excuse() then begins a new row. So do a gap in the
+ * measurements and a leap of the tip. A swing below LeastSwing counts as rest.
  *
  * Limits
  * ------
  *
- * The observer can't tell a loop that swings more slowly than LongestCycle from a hand, and does
- * not observe a wall that is published anew every few ticks. A device with a wrong sign does not
- * oscillate; PortObserver.h detects it.
+ * The observer can't distinguish a loop that swings more slowly than LongestCycle from a hand, and
+ * does not observe a wall that is published anew every few ticks. A device with a wrong sign does
+ * not oscillate; PortObserver.h detects it.
  */
 #ifndef EnergyObserver_h
 #define EnergyObserver_h
@@ -93,27 +95,27 @@ public:
   static constexpr std::size_t FewCycles = 4;
   static constexpr double MuchGiven = 4.0;
 
-  /** Clears everything. Force and tip are unknown then. */
+  /** Clears all data. Afterwards, force and tip are unknown. */
   void Reset() noexcept;
 
-  /** Begins a new row, because energy has changed for a reason other than the loop. */
+  /** Begins a new row, because the energy has changed for a reason outside the loop. */
   void Excuse() noexcept;
 
   /**
    * Processes a measurement of the tip (m). `time` (s) is the time since the last measurement.
-   * Returns true if the port gives energy; then begins a new row.
+   * Returns true if the port gives energy, and then begins a new row.
    */
   bool Observe(const Vector3& tip, double time) noexcept;
 
   /**
    * Records the force (N) that is sent until the next tick, without its purely dissipative part,
-   * and the work (J) of a wall that moves. Called in every tick.
+   * and the work (J) of a wall that moves. Must be called in every tick.
    */
   void RecordSent(const Vector3& force, double wallWork = 0.0) noexcept;
 
   /**
    * Returns the energy (J) that the port has given since Reset. It is negative if the hand has put
-   * energy in.
+   * in more than it got back.
    */
   double GetEnergy() const noexcept { return this->Energy; }
   /** Returns the number of cycles in the row. */

@@ -12,11 +12,11 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Shortest time (s) between two measurements that are kept. */
+/** Shortest time (s) between two stored measurements. */
 constexpr double KeepTime = 0.9e-3;
 /** Shortest time (s) over which the velocity is averaged. */
 constexpr double VelocityTime = 1.9e-3;
-/** Least way (m) within NoticeTime (s) that is more than a step of an encoder. */
+/** A motion of at least this length (m) within NoticeTime (s) is more than a step of an encoder. */
 constexpr double NoticeWay = 1e-4;
 constexpr double NoticeTime = 4e-3;
 
@@ -91,7 +91,7 @@ void ForceAugmentation::Rest(double time) noexcept
   this->Velocity = ClampNorm(this->Velocity, StepSize / this->Rested);
 }
 
-/** Returns the energy (J) that the port gave during the last motion. */
+/** Returns the energy (J) that the port gave to the hand during the last motion. */
 double ForceAugmentation::ComputeGiven(const Vector3& force, double period) const noexcept
 {
   const auto before = static_cast<std::size_t>(std::ceil(this->Late / period - 0.01));
@@ -128,7 +128,10 @@ void ForceAugmentation::RecordSent(const Vector3& force, double period, double w
   ++this->SentSince;
 }
 
-/** Solves (2) for the largest force (N), for a force `base` (N) that may give `kept` (J) back. */
+/**
+ * Solves (2) for the largest force (N). `kept` (J) is the energy that a force `base` (N) may give
+ * back.
+ */
 double ForceAugmentation::ComputeMost(
   double speed, const AugmentationInput& input, double base, double kept) const noexcept
 {
@@ -168,7 +171,7 @@ Vector3 ForceAugmentation::Apply(const AugmentationInput& input) noexcept
   const double soft = k / ideal * pull;
   const double base = std::min(wall, soft);
   const double wanted = std::max(base, wall - input.DampingShare * damping * speed);
-  // A spring that did not push in full on the way in must not do so on the way out.
+  // A spring that did not push with its full force on the way in must not do so on the way out.
   this->IsHeldBack = this->IsHeldBack || base > input.Most;
   const double floor = this->IsHeldBack ? 0.0 : base;
   const double most =

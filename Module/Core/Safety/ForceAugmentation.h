@@ -2,55 +2,55 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Renders walls that are stiffer than the loop can hold by itself.
+ * Renders walls that are stiffer than the loop can render stably by itself.
  *
- * A sampled spring is stable up to a stiffness of k = 2 b / T, with the friction b of the device
- * and the round trip T (LoopTiming.h). A wall of K > k feels as stiff as K if the force of the soft
- * spring k gets an offset O that is fed forward, after the idea of the successive force
- * augmentation of Singh, Janetzko, Jafari, Weber, Lee and Ryu ("Enhancing the rate-hardness of
- * haptic interaction: successive force augmentation approach", 2019; only the abstract was read,
- * so the rules below are not theirs). Let d be the depth, x the measured tip, n the direction in
- * which the wall pushes, and v the speed of the tip along n:
+ * A sampled spring is stable up to a stiffness of k = 2 b / T, where b is the friction of the
+ * device and T the round trip (LoopTiming.h). A wall with K > k feels as stiff as K if an offset O
+ * is added to the force of the soft spring k without feedback. This follows the idea of the
+ * successive force augmentation of Singh, Janetzko, Jafari, Weber, Lee and Ryu ("Enhancing the
+ * rate-hardness of haptic interaction: successive force augmentation approach", 2019; only the
+ * abstract was read, so the rules below are not theirs). Let d be the depth, x the measured tip, n
+ * the direction in which the wall pushes, and v the speed of the tip along n:
  *
  *   F = k d + O,   O = (K - k) d - B v,   0 <= O,   F <= M.                                    (1)
  *
  * Damping
  * -------
  *
- * The offset makes the loop swing, so B takes the energy of the swing. As in PortDamper.h it is
- * limited to B <= m / (2 tau), m = LightMass, where tau is the time by which v is late. The speed
- * is the slope of the longest line within StepSize of all measured positions (the adaptive window
- * of Janabi-Sharifi, Hayward and Chen, "Discrete-time adaptive windowing for velocity estimation",
- * 2000), so that the steps of an encoder at rest are no speed.
+ * The offset makes the loop swing, and B takes the energy of the swing. As in PortDamper.h, B is
+ * limited to B <= m / (2 tau), m = LightMass, where tau is the delay of v. The speed is the slope
+ * of the longest line that is within StepSize of all measured positions (the adaptive window of
+ * Janabi-Sharifi, Hayward and Chen, "Discrete-time adaptive windowing for velocity estimation",
+ * 2000), so that the steps of an encoder at rest do not count as speed.
  *
  * Account
  * -------
  *
- * A = energy that the hand has put into the port since the contact began, less what it got back,
- * with the friction b of the device on the hand's side:
+ * The account A is the energy that the hand has put into the port since the contact began, minus
+ * the energy that it got back, with the friction b of the device on the hand's side:
  *
  *   dA = -F.dx + b v^2 dt.
  *
- * The delay is known only as an upper bound. If the tip moves noticeably, F is therefore that of
- * all forces that may have acted during dx which gives the hand the most energy. If it does not, dx
- * are steps of the encoder, F is the mean of the forces before and after the step, and b v^2 dt is
- * left out. In a contact A is at most the largest energy of the ideal spring K. If a force F acted
- * until the next measurement, a light stylus would move outward by s + c F at most. So the force is
- * limited to
+ * Only an upper bound of the delay is known. If the tip moves noticeably, F is therefore the one of
+ * all forces that may have acted during dx that gives the hand the most energy. If it does not, dx
+ * consists of steps of the encoder: F is the mean of the forces before and after the step, and b
+ * v^2 dt is left out. In a contact, A is at most the largest energy of the ideal spring K. If a
+ * force F acted until the next measurement, a light stylus would move outward by at most s + c F.
+ * The force is therefore limited to
  *
  *   O (s + c F) <= A + Tolerance - k d^2 / 2,   O = F - k d >= 0,                              (2)
  *
- * So the wall gives at most Tolerance more than it got, apart from what the spring k does by
- * itself, and without an account it is as soft as k. If the slew limit has held back k d, the
- * contact has (2) alone from then on. A debt is kept until nothing was felt for RestTime. If the
- * spring has slack s (PassiveSpring.h), d is the depth less s.
+ * The wall thus gives at most Tolerance more than it got, apart from the energy of the spring k,
+ * and with an empty account it is as soft as k. If the slew limit has held back k d, only (2)
+ * limits the force for the rest of the contact. A debt remains until nothing was felt for RestTime.
+ * If the spring has slack s (PassiveSpring.h), d is the depth minus s.
  *
  * Limits
  * ------
  *
  * The steps q of an encoder let any wall swing within a step unless the dry friction of the device
  * is at least K q / 2 (Abbott and Okamura, "Effects of position quantization and sampling rate on
- * virtual-wall passivity", 2005). A device without dry friction and with coarse encoders buzzes;
+ * virtual-wall passivity", 2005). A device with coarse encoders and no dry friction buzzes;
  * EnergyObserver.h detects larger swings.
  */
 #ifndef ForceAugmentation_h
@@ -69,7 +69,7 @@ struct AugmentationInput
   Vector3 Wall;                ///< force of the wall (N), K d n in (1), or less if it was clamped
   double Pull = 0.0;           ///< K d (N)
   double Stiffness = 0.0;      ///< stiffness K of the wall (N/m)
-  double Feedback = 0.0;       ///< stiffness k that the loop holds by itself (N/m)
+  double Feedback = 0.0;       ///< stiffness k that the loop renders stably by itself (N/m)
   double Most = 0.0;           ///< largest force M (N)
   double MaximumDamping = 0.0; ///< largest B (N s/m); 0 for no limit
   double DampingShare = 1.0;   ///< fraction of B that is used, 0 to 1
@@ -84,13 +84,13 @@ public:
   static constexpr double Tolerance = 1e-3; ///< in J; below the bounds of PortObserver.h
   static constexpr double RestTime = 0.5;   ///< in s
 
-  /** Clears everything. Force and tip are unknown then. */
+  /** Clears all data. Afterwards, force and tip are unknown. */
   void Reset() noexcept { *this = ForceAugmentation{}; }
 
   /**
    * Processes a measurement of the tip (m). `time` (s) is the time since the last measurement,
-   * `late` (s) the time that a force takes to the device, `damping` the friction b (N s/m) of the
-   * device.
+   * `late` (s) the delay until a force reaches the device, and `damping` the friction b (N s/m) of
+   * the device.
    */
   void Observe(const Vector3& tip, double time, double late, double damping) noexcept;
 
@@ -100,16 +100,16 @@ public:
    */
   void Rest(double time) noexcept;
 
-  /** Returns the force (N) of the wall by (1) and (2). Called in every tick. */
+  /** Returns the force (N) of the wall by (1) and (2). Must be called in every tick. */
   Vector3 Apply(const AugmentationInput& input) noexcept;
 
   /**
    * Records the force (N) that is sent until the next tick, and the work (J) of a wall that moves,
-   * which may reach the hand. Called in every tick.
+   * which may reach the hand. Must be called in every tick.
    */
   void RecordSent(const Vector3& force, double period, double wallWork) noexcept;
 
-  /** Returns A in J. */
+  /** Returns the account A (J). */
   double GetAccount() const noexcept { return this->Account; }
 
 private:
@@ -141,7 +141,7 @@ private:
   Vector3 Velocity;      ///< velocity of the tip (m/s)
   double Rested = 0.0;   ///< time (s) of Rest() since the last measurement
   double Between = 1e-3; ///< time between the last two measurements (s)
-  double Late = 0.0;     ///< time that a force takes to the device (s)
+  double Late = 0.0;     ///< delay until a force reaches the device (s)
   double Damping = 0.0;  ///< friction of the device (N s/m)
   bool HasTip = false;
   bool HasMotion = false;

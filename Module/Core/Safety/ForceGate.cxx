@@ -44,7 +44,7 @@ bool ForceGate::Arm(bool isSole) noexcept
   this->Ending = End::None;
   if (!isFelt)
   {
-    // The hand moved while it felt nothing, so that a spring from the old proxy would push it.
+    // The hand has moved while it felt nothing, and a spring from the old proxy would push it.
     this->Restarts = true;
     this->Cause = GateReason::None;
     this->State = GateState::Ramping;
@@ -75,11 +75,11 @@ void ForceGate::FadeOut() noexcept
 
 void ForceGate::SetHeld(bool held) noexcept
 {
-  // A fade that has begun continues to zero. Only then may the force begin again.
+  // A fade that has begun continues to zero. The force may begin again only after that.
   const bool isHeld = held || (this->Held && !this->Rests);
   if (this->Held && !isHeld)
   {
-    // The hand moved while it felt nothing, so that a spring from the old proxy would push it back.
+    // The hand has moved while it felt nothing, and a spring from the old proxy would push it back.
     this->Restarts = true;
     this->Ramp = 0.0;
   }
@@ -91,7 +91,7 @@ void ForceGate::SetUnconfirmed(bool unconfirmed) noexcept
 {
   if (this->Unconfirmed && !unconfirmed)
   {
-    // The hand moved while it did not feel the volume.
+    // The hand has moved while it did not feel the volume.
     this->Restarts = true;
     this->Ramp = 0.0;
   }
@@ -123,8 +123,8 @@ void ForceGate::ReportSilence() noexcept
 {
   if (this->IsOpen() && !this->Held)
   {
-    // If the owner returns during the fade, the fade continues: the hand must feel the fault before
-    // force returns.
+    // If the owner returns during the fade, the fade continues, so that the user notices the fault
+    // before the force returns.
     this->EndInFault(GateReason::Unattended);
   }
 }
@@ -155,14 +155,14 @@ void ForceGate::ReportData(double residency, double period) noexcept
   const double step = period / FadeTime;
   const double wanted = this->IsClosing() ? 0.0 : residency;
   const double change = wanted - this->Opening;
-  // std::clamp is not used, so that a target within one step is reached to the bit.
+  // Don't use std::clamp, so that a target within one step is reached exactly, to the bit.
   this->Opening = std::fabs(change) <= step ? wanted : this->Opening + std::copysign(step, change);
   this->Data = residency;
 }
 
 void ForceGate::ReportFault(GateReason fault) noexcept
 {
-  // A clutch only interrupts, but the device that is back may not be where the hand has left it.
+  // A clutch is only an interruption, but the stylus may have moved while the device was lost.
   const bool isOver = this->Returns && fault == GateReason::DeviceLost;
   if (this->IsOpen() || isOver)
   {
@@ -225,19 +225,19 @@ void ForceGate::EndFade() noexcept
 void ForceGate::ReportCommand(bool flows) noexcept
 {
   this->Flows = flows;
-  // The slew limit may keep the command above zero after the gate has closed. So a fade ends only
+  // The slew limit may keep the command above zero after the gate has closed, so a fade ends only
   // when the command is zero, too.
   if (!flows && this->Ending != End::None && this->Opening == 0.0)
   {
     this->EndFade();
   }
-  // The hand moved while it was not observed, so begin at the tip. Not while there is a force,
-  // because it would end in a step.
+  // The hand has moved while it was not observed, so restart the proxy at the tip. Don't do this
+  // while a force flows, because the force would jump.
   this->Restarts = this->Restarts || (!flows && (this->Retreated || this->Retreats));
   this->Retreated = this->Retreats;
   this->Rests = this->Held && !flows;
-  // The device may be armed during a hold. Then the force must not begin with the remaining opening
-  // of a fade.
+  // The device may be armed during a hold. The force must then begin at zero, not with the
+  // remaining opening of a fade.
   this->Opening = this->Rests ? 0.0 : this->Opening;
   this->Settle();
 }

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The one state machine that decides whether force may flow.
+ * The state machine that decides whether force may flow.
  *
- * Orders of the owner and the servo loop's findings are events. The result is a state, a share of
- * the force from 0 to 1, and one reason. SafetyStage.h multiplies the force by the share, limits
- * its growth, and cuts it in the states in which nothing may flow.
+ * Orders of the owner and findings of the servo loop are events. The result is a state, a share of
+ * the force from 0 to 1, and a reason. SafetyStage.h multiplies the force by the share, limits its
+ * growth, and cuts it in the states in which no force may flow.
  *
  * States
  * ------
@@ -21,15 +21,16 @@
  *   Ramping     the share rises from 0 to 1 over SafetyLimits::RampTime
  *   Armed       the whole force flows, unless data are missing
  *
- * The last six states are *open*. A hold may begin in any state, no other order ends it, and
- * samples may be missing during a fade. So the gate stores each cause, and its open state is the
- * first one in the list whose cause exists. Holding and Retreating are separate states because the
- * force ends differently than in Fading, and returns by itself.
+ * The last six states are *open*. A hold may begin in any state and is not ended by other orders,
+ * and samples may be missing during a fade. The gate therefore stores each cause, and its open
+ * state is the first one in the list whose cause exists. Holding and Retreating are separate
+ * states, because the force ends differently than in Fading, and returns by itself.
  *
  * Events
  * ------
  *
- * "open" means the open state by the list above, and "-" that the state does not change.
+ * "open" means the first open state of the list whose cause exists, and "-" means that the state
+ * does not change.
  *
  *   event                     Disarmed    Fault          open
  *   Arm                       open (a, b) open (a, b)    open (a, b, c)
@@ -54,29 +55,30 @@
  *   ReportData                -           -              - (i)
  *
  *   (a) Ends a fade and a retreat; the ramp begins at 0.
- *   (b) The proxy begins at the tip (DrainRestart), so that no force is wanted until the tip moves.
+ *   (b) The proxy restarts at the tip (DrainRestart), so no force is wanted until the tip moves.
  *   (c) Changes nothing while force flows, unless the force fades or other orders came at the same
  *       time.
- *   (d) The fault stays the reason.
- *   (e) The share of the data falls to 0 and rises again, as in Fading: see GetOpening.
- *   (f) Stored for Arm.
- *   (g) A hold that has begun continues until no force flows. Then the ramp begins at 0.
- *   (h) The ramp begins at 0. The cause of Retreating exists as long as samples are missing or
- *       force flows.
- *   (i) Moves the opening towards the share of the data in memory, by 1 in FadeTime.
+ *   (d) The fault remains the reason.
+ *   (e) The share of the data falls to 0 and rises again, as in Fading (GetOpening).
+ *   (f) Stored until Arm.
+ *   (g) A hold that has begun continues until no force flows. After that, the ramp begins at 0.
+ *   (h) The ramp begins at 0. The cause of Retreating exists while samples are missing or force
+ *       flows.
+ *   (i) Moves the opening towards the share of the data in memory, at most by 1 in FadeTime.
  *   (j) The ramp begins at 0.
- *   (k) Until SetClutched(false), Arm only ends a fade and makes the force return afterwards.
+ *   (k) Until SetClutched(false), Arm only ends a fade and lets the force return afterwards.
  *   (l) The force returns with SetClutched(false), unless the gate was fading after FadeOut.
- *   (m) As Arm, if it returns: not after Disarm, FadeOut, ReportNotReady or DeviceLost, now Fault.
+ *   (m) Acts like Arm if the force is to return. It does not return after Disarm, FadeOut,
+ *       ReportNotReady or DeviceLost, which is then a fault.
  *
- * Faults, Disarm and the clutch act in the tick in which they come. When the gate opens, the share
- * never jumps: the ramp takes RampTime, and the opening FadeTime.
+ * Faults, Disarm and the clutch take effect in the same tick. When the gate opens, the share never
+ * jumps: the ramp takes RampTime, and the opening FadeTime.
  *
  * Share
  * -----
  *
- * While the gate is open and the force does not retreat: share = opening * ramp. Else 0. While it
- * is unconfirmed, the ramp stays at 0, and the opening is the share of the pushes.
+ * While the gate is open and the force does not retreat, share = opening * ramp. Otherwise it is 0.
+ * While the gate is unconfirmed, the ramp stays at 0, and the opening is the share of the pushes.
  */
 #ifndef ForceGate_h
 #define ForceGate_h
@@ -98,7 +100,10 @@ enum class GateState : std::uint8_t
   Confirming
 };
 
-/** Why the share is below 1. Recordings store these numbers in the arrays Reason and Fault. */
+/**
+ * The reason why the share is below 1. Recordings store these numbers in the arrays Reason and
+ * Fault.
+ */
 enum class GateReason : std::uint8_t
 {
   None,       ///< the whole force is sent
@@ -121,7 +126,7 @@ enum class GateReason : std::uint8_t
    * (EnergyObserver.h).
    */
   Active,
-  Clutched ///< the hand moves without the tip (clutch); the force returns by itself afterwards
+  Clutched ///< the hand moves while the tip stays (clutch); the force returns by itself afterwards
 };
 
 constexpr bool IsFault(GateReason reason) noexcept
@@ -130,7 +135,7 @@ constexpr bool IsFault(GateReason reason) noexcept
     reason == GateReason::Unmoved || reason == GateReason::WrongSign ||
     reason == GateReason::Active;
 }
-/** Returns the fault that must be cleared by Arm, or None. */
+/** Returns the fault that Arm must clear, or None. */
 constexpr GateReason ComputeFault(GateState state, GateReason reason) noexcept
 {
   const bool isShut = state == GateState::Disarmed || state == GateState::Fault;
@@ -145,8 +150,8 @@ public:
 
   ///@{
   /**
-   * Orders, given before a tick. Arm returns true if it changed anything; then earlier contact no
-   * longer counts. `isSole` is false if other orders came at the same time, because one of them may
+   * Orders, given before a tick. Arm returns true if it changed anything; earlier contact must then
+   * be ignored. `isSole` is false if other orders came at the same time, because one of them may
    * have been Disarm.
    */
   bool Arm(bool isSole = true) noexcept;
@@ -155,34 +160,33 @@ public:
   void SetHeld(bool held) noexcept;
   /** Sets whether the device's signs must still be confirmed. */
   void SetUnconfirmed(bool unconfirmed) noexcept;
-  /** Sets whether the gate is clutched. Returns true if the call has armed the gate. */
+  /** Sets whether the gate is clutched. Returns true if this has armed the gate. */
   bool SetClutched(bool clutched) noexcept;
   ///@}
 
   ///@{
   /**
-   * ReportSilence() reports that the owner was silent for longer than SafetyLimits::AttentionTime.
-   * ReportNotReady() reports that the device is not ready.
+   * ReportSilence() reports that the owner was silent for longer than SafetyLimits::AttentionTime,
+   * and ReportNotReady() that the device is not ready.
    */
   void ReportSilence() noexcept;
   void ReportNotReady() noexcept;
   ///@}
 
-  /** Reports that the force would jump with a new model. */
+  /** Reports that a new model would make the force jump. */
   void ReportJump() noexcept;
   /**
-   * Reports for this tick of a period (s) the share of the data that are in memory: 1, or the
-   * residency.
+   * Reports how much of the data is in memory in this tick: 1, or the residency. `period` is in s.
    */
   void ReportData(double residency, double period) noexcept;
 
   ///@{
   /**
-   * SafetyStage calls these functions in this order. First ReportFault, or ReportUnstable for a
-   * loop that oscillates although it is damped, so that the force fades and the fade ends in a
-   * fault. Then ReportGap for missing samples. Then one of Pass, ReportRetreat and Cut; Pass
-   * returns the share (or that of the pushes) and raises the ramp by a step. Last ReportCommand,
-   * which reports whether the device receives a force.
+   * SafetyStage calls these functions in this order. First, ReportFault() or, for a loop that
+   * oscillates although it is damped, ReportUnstable(), which lets the force fade and then ends in
+   * a fault. Then ReportGap() for missing samples. Then one of Pass(), ReportRetreat() and Cut();
+   * Pass() returns the share (or that of the pushes) and raises the ramp by a step. Last,
+   * ReportCommand(), which reports whether the device receives a force.
    */
   void ReportFault(GateReason fault) noexcept;
   void ReportUnstable() noexcept;
@@ -203,15 +207,14 @@ public:
   /** Returns the share of the last tick, 0 to 1. */
   double GetShare() const noexcept { return this->Share; }
   /**
-   * Returns the opening, 0 to 1: the share without the ramp, that is, after fades, holds and
+   * Returns the opening, 0 to 1. It is the share without the ramp, and depends on fades, holds and
    * missing data.
    */
   double GetOpening() const noexcept { return this->Opening; }
-  /** Returns whether an order lowers the opening to 0, whatever data are in memory. */
+  /** Returns whether an order reduces the opening to 0, whatever data are in memory. */
   bool IsClosing() const noexcept { return this->Held || this->Ending != End::None; }
   /**
-   * Returns whether samples are missing, so that the last force falls to zero or has already done
-   * so.
+   * Returns whether samples are missing, so that the last force falls or has fallen to zero.
    */
   bool IsRetreating() const noexcept { return this->Retreats; }
   bool IsUnconfirmed() const noexcept { return this->Unconfirmed; }
@@ -219,12 +222,13 @@ public:
   bool IsAtRest() const noexcept { return this->Rests; }
 
   /**
-   * Returns whether an event has made the proxy begin at the tip. Returns true only once for it.
+   * Returns whether an event requires the proxy to restart at the tip. Returns true only once per
+   * event.
    */
   bool DrainRestart() noexcept;
 
 private:
-  /** State of the gate after a fade. */
+  /** State that follows a fade. */
   enum class End : std::uint8_t
   {
     None,
@@ -234,7 +238,7 @@ private:
   void Shut(GateReason why) noexcept;
   void EndFade() noexcept;
   void EndInFault(GateReason fault) noexcept;
-  /** Computes the open state from its causes. */
+  /** Computes the open state from the stored causes. */
   void Settle() noexcept;
 
   GateState State = GateState::Disarmed;

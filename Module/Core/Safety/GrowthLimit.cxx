@@ -9,7 +9,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Smallest Paid / Work that is used in (2). With zero, the force could never return. */
+/** Least value of Paid / Work in (2). With zero, the force could never return. */
 constexpr double LeastPaid = 1.0 / 64.0;
 
 } // namespace
@@ -49,7 +49,7 @@ void GrowthLimit::Account(const Vector3& source, const Vector3& tip, double reco
   }
   else if (this->HasTip)
   {
-    // The work uses the mean of both forces, which is exact for springs.
+    // The work is computed with the mean of both forces, which is exact for springs.
     const double work = -0.5 * Dot(this->Source + source, tip - this->Tip);
     this->Return = IsIdentical(tip, this->Tip) ? this->Return : std::max(0.0, -work);
     this->Work += work;
@@ -61,8 +61,8 @@ void GrowthLimit::Account(const Vector3& source, const Vector3& tip, double reco
     }
     if (!(this->Work > 0.0))
     {
-      // The hand has got back all that it put in. The wanted force itself would pay for further
-      // work.
+      // The hand has got back all that it put in. Further work would come from the wanted force
+      // itself.
       this->Work = 0.0;
       this->Unpaid = 0.0;
     }
@@ -80,7 +80,7 @@ double GrowthLimit::ComputeMostShare() const noexcept
   const double taken = std::max(paid, LeastPaid * this->Work);
   const double share = 2.0 * taken / (this->Work + taken);
   // A tick is a finite step along the curve, and the next tick may return as much work as this one.
-  // So the account limits the share.
+  // The account therefore limits the share.
   const bool isTooMuch = this->Return > 0.0 && share * this->Return > paid;
   return isTooMuch ? std::max(0.0, paid) / this->Return : share;
 }
@@ -97,8 +97,8 @@ Vector3 GrowthLimit::Apply(const GrowthInput& input) noexcept
     const double share = std::min(input.Share, this->ComputeMostShare());
     const double sent = std::min(share, (before + input.Growth) / norm);
     const bool isKnown = input.IsMeasured || !this->HasTip;
-    // A device may output a force one tick late, so that the hand has felt the share of the last
-    // tick.
+    // A device may output a force one tick late, so the share of the last tick may still act on the
+    // hand.
     this->LeastShare = std::min(isKnown ? this->LastShare : this->LeastShare, sent);
     this->MostShare = std::max(isKnown ? this->LastShare : this->MostShare, sent);
     this->LastShare = sent;

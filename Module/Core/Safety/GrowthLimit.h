@@ -3,56 +3,57 @@
 /**
  * @file
  * Limits the growth of the force on the hand (slew limit), and keeps an energy account of
- * everything that lowers a force, so that forces grow slowly, fall at once, and give no energy to
+ * everything that lowers a force. Forces thus grow slowly, may fall at once, and give no energy to
  * the hand.
  *
- * Only growth is limited. A limit on falls would hold the force after the tip has left a wall, and
- * push the hand out with energy that it never put in. Let W be the wanted force, w its direction, F
- * the force that is sent and F' the one sent before. Then F = s W with a share s from 0 to 1, at
- * most the gate's (ForceGate.h), and
+ * Only growth is limited. If falls were limited, too, the force would continue after the tip has
+ * left a wall, and push the hand out with energy that it never put in. Let W be the wanted force, w
+ * its direction, F the force that is sent, and F' the one sent before. Then F = s W, where the
+ * share s is between 0 and the gate's share (ForceGate.h), and
  *
  *   |F| <= max(0, F'.w) + rate * period.                                                       (1)
  *
  * The new direction takes effect at once, and only the component of F' along it counts as present.
- * So a reversed force starts from zero, and a force that turns by a few degrees a tick is not held
- * back.
+ * A reversed force therefore starts from zero, and a force that turns by a few degrees per tick is
+ * not held back.
  *
- * With (1) alone, a stiff wall is still active. On the way in W rises faster than the rate, so the
- * hand works against less than W; on the way out it gets all of W back. The gate's share does the
- * same if it rises while the hand presses. So the limit keeps an account of the contact, which
- * begins when W is zero or turns by a right angle:
+ * With (1) alone, a stiff wall would still add energy. On the way in, W rises faster than the rate,
+ * so the hand works against less than W; on the way out, it gets all of W back. The gate's share
+ * has the same effect if it rises while the hand presses. The limit therefore keeps an account of
+ * each contact, which begins when W is zero or turns by a right angle:
  *
  *   Work = the work of the hand against W,   Paid = its work against F,   dPaid = s dWork,
  *
- * both from the motion of the tip, and sends at most
+ * both computed from the motion of the tip, and sends at most
  *
  *   s <= p(Paid / Work),   p(r) = 2 r / (1 + r).                                               (2)
  *
- * If s = p(r), then dr / d(ln Work) = p(r) - r = r (1 - r) / (1 + r), on the way in and out alike.
- * On the way out r runs back along the same curve, and reaches 0 together with Work. So Paid never
- * becomes negative: the hand never gets back more than it put in, for any wanted force. A tick is a
- * finite step, so s is limited further: if the next tick takes back as much of Work as this one
- * did, Paid must suffice for it. On the way in r rises to 1: pressing on restores the force that
- * the limit took, and a hand at rest feels no change. For a spring, with Work = k x^2 / 2, the
- * stiffness of F is
+ * If s = p(r), then dr / d(ln Work) = p(r) - r = r (1 - r) / (1 + r), both on the way in and on the
+ * way out. On the way out, r returns along the same curve, and reaches 0 together with Work. Paid
+ * therefore never becomes negative: the hand never gets back more than it put in, whatever the
+ * wanted force is. Because a tick is a finite step, s is limited further: if the next tick takes
+ * back as much of Work as this one did, Paid must suffice for it. On the way in, r rises to 1:
+ * pressing on restores the force that the limit has held back, and a hand at rest feels no change.
+ * For a spring, with Work = k x^2 / 2, the stiffness of F is
  *
  *   k (p + 2 (p - r) dp/dr) <= k,
  *
- * which is why p is this function: the sampled loop is as stable with the limit as without. Until
- * something is held back, Paid = Work, s = 1, and F = W to the bit. A wall that was pressed while
- * the gate's share was small stays soft until the tip leaves it or presses deeper.
+ * This is the reason for the choice of p: the sampled loop is as stable with the limit as without
+ * it. Until some force is held back, Paid = Work, s = 1, and F = W to the bit. A wall that was
+ * pressed while the gate's share was small stays soft until the tip leaves it or presses deeper.
  *
- * A device may report more slowly than the servo ticks. The tip then stands still for some ticks
- * and leaps, although the hand moved all the time, and s has changed in these ticks. So dPaid takes
- * the least s since the tip was last measured if the hand did work, and the largest s if it got
- * work back, so that the account never counts more than the hand really put in. The s of the
- * previous tick is among them, because a force may take a tick to reach the hand.
+ * A device may report more slowly than the servo ticks. The tip then seems to rest for some ticks
+ * and to leap, although the hand moved all the time, and s has changed in these ticks. To count at
+ * most the work that the hand really did, dPaid uses the smallest s since the last measurement if
+ * the hand did work, and the largest s if it got work back. This includes the s of the previous
+ * tick, because a force may take a tick to reach the hand.
  *
- * Work that friction, drag and yielding tissue have used up does not come back, and must not hide
- * the debt to a spring that the tip meets later in the same contact. So a source that knows how
- * much energy can come back passes it as `recoverable`, and Work and Paid are scaled down to it. A
- * source that knows its drag passes it, too, and the account leaves it out, because drag takes
- * energy at any share. If a source passes neither, its drag counts as work that can come back.
+ * Work that was used up by friction, drag and yielding tissue does not come back, and must not hide
+ * the debt to a spring that the tip meets later in the same contact. A source that knows how much
+ * energy can come back therefore passes it as `recoverable`, and Work and Paid are scaled down to
+ * it. A source that knows its drag passes it, too, and the account leaves it out, because drag
+ * takes energy at any share. If a source passes neither, its drag counts as work that can come
+ * back.
  */
 #ifndef GrowthLimit_h
 #define GrowthLimit_h
@@ -80,7 +81,7 @@ class GrowthLimit
 {
 public:
   /**
-   * Resets the limit, after a force was cut or if the motion of the tip is unknown. The next force
+   * Resets the limit after a force was cut, or if the motion of the tip is unknown. The next force
    * grows from zero in a new contact.
    */
   void Reset() noexcept;
@@ -92,14 +93,14 @@ public:
   Vector3 Apply(const GrowthInput& input) noexcept;
 
   /**
-   * Records that a smaller force in the direction of the last one was sent. The contact continues.
-   * The tip is unknown until the next Apply.
+   * Records that a smaller force in the direction of the last one was sent. The contact continues,
+   * but the tip counts as unknown until the next Apply.
    */
   void Lower(const Vector3& force) noexcept;
 
   /**
-   * Returns whether the account holds back more than a tenth of the wanted force, because the hand
-   * did less work on the way in and has not pressed deeper since.
+   * Returns whether the account holds back more than a tenth of the wanted force. This happens if
+   * the hand did less work on the way in and has not pressed deeper since.
    */
   bool IsSoft() const noexcept { return this->ComputeMostShare() < 0.9; }
 

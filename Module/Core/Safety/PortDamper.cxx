@@ -10,11 +10,11 @@ namespace
 {
 
 /**
- * Shortest time (s) over which the velocity is averaged. Over it, an encoder's step of 0.06 mm is
- * 30 mm/s.
+ * Shortest time (s) over which the velocity is averaged. In this time, an encoder step of 0.06 mm
+ * counts as 30 mm/s.
  */
 constexpr double DamperVelocityTime = 2e-3;
-/** Time (s) without a measurement after which the tip counts as having moved unseen. */
+/** After this time (s) without a measurement, the tip may have moved unseen. */
 constexpr double DamperGapTime = 0.03;
 
 } // namespace
@@ -65,8 +65,8 @@ Vector3 PortDamper::Apply(const Vector3& wall, double most, double cap, double p
   {
     return wall;
   }
-  // The longest delay of the damping force is half the time span over which the velocity is
-  // measured, one tick until the force reaches the hand, and one tick for which the force lasts.
+  // The longest delay of the damping force is half of the time over which the velocity is measured,
+  // plus one tick until the force reaches the hand, and one tick during which the force lasts.
   const double late = 0.5 * this->Span + std::max(this->Between, period) + period;
   const double largest = 0.5 * LightMass / late;
   const double damping = cap > 0.0 ? std::min(cap, largest) : largest;

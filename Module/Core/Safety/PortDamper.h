@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Damps the force of a wall that oscillates, so that the wall only takes energy.
+ * Damps the force of an oscillating wall. The damping only takes energy.
  *
  * Let F be the force of the wall, and v the measured speed of the tip along F. The damped force has
  * the direction of F and the magnitude
  *
  *   max(0, |F| - B v).
  *
- * B is the largest damping that the device renders, but limited so that the damping itself can't
- * reverse the motion before it is measured again. If v is late by the time tau, from the middle of
- * its measurement to the end of the force, then
+ * B is the largest damping that the device renders. It is limited further, so that the damping
+ * itself can't reverse the motion before the motion is measured again. If tau is the delay from the
+ * middle of the measurement of v to the end of the force, then
  *
  *   B <= m / (2 tau),   m = LightMass,
  *
@@ -19,8 +19,8 @@
  * a further check, an account sums up the energy that the damping has taken. If the damping has
  * given more than MostGiven instead, it ends.
  *
- * The force stays within a bound that the caller sets. The damping never pulls the tip into the
- * wall, and does not affect motion along the wall.
+ * The caller sets a bound of the force. The damping never pulls the tip into the wall, and does not
+ * affect motion along the wall.
  */
 #ifndef PortDamper_h
 #define PortDamper_h
@@ -39,11 +39,11 @@ public:
   static constexpr double LightMass = 0.05; ///< in kg
   static constexpr double MostGiven = 1e-4; ///< energy (J) that the damping may give before it ends
 
-  /** Clears everything and ends the damping. */
+  /** Clears all data and ends the damping. */
   void Reset() noexcept;
 
   ///@{
-  /** Starts the damping, which ends when the wall has not pushed for RestTime (s). */
+  /** Starts the damping. It ends when the wall has not pushed for RestTime (s). */
   static constexpr double RestTime = 0.5;
   void Engage() noexcept { this->Engaged = true; }
   bool IsEngaged() const noexcept { return this->Engaged; }
@@ -53,9 +53,9 @@ public:
   void Observe(const Vector3& tip, double time) noexcept;
 
   /**
-   * Returns the damped force of the wall (N). Called in every tick of a period (s). Damping does
-   * not raise the force above `most` (N). `cap` is the largest B (N s/m) that the device renders; 0
-   * if it does not limit B.
+   * Returns the damped force of the wall (N). Must be called in every tick of a period (s). Damping
+   * does not raise the force above `most` (N). `cap` is the largest B (N s/m) that the device
+   * renders, or 0 if the device does not limit B.
    */
   Vector3 Apply(const Vector3& wall, double most, double cap, double period) noexcept;
 

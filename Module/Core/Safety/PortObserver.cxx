@@ -13,20 +13,20 @@ namespace
 {
 
 /**
- * Shortest time (s) over which the velocity is averaged. Over it, an encoder's step of 0.06 mm is
- * 15 mm/s.
+ * Shortest time (s) over which the velocity is averaged. In this time, an encoder step of 0.06 mm
+ * counts as 15 mm/s.
  */
 constexpr double ObserverVelocityTime = 4e-3;
 /**
- * Time (s) without motion after which the tip is at rest. After a shorter time, the device may only
- * not have reported a motion yet.
+ * Time (s) without motion after which the tip counts as at rest. A shorter pause may be a motion
+ * that the device has not reported yet.
  */
 constexpr double RestTime = 10e-3;
-/** Time (s) for which a hand can still push as strongly after the force has fallen. */
+/** Time (s) for which a hand may still push as strongly after the force has fallen. */
 constexpr double HandTime = 0.3;
 /** A force rises if it is above its mean over this time (s). */
 constexpr double RiseTime = 2e-3;
-/** Force (N) below which the direction is unknown and the force moves nothing. */
+/** Below this force (N), the direction is unknown, and the force moves nothing. */
 constexpr double LeastForce = 0.02;
 
 } // namespace
@@ -105,8 +105,8 @@ void PortObserver::Account(const Vector3& force, const Vector3& motion, double t
   const bool rises = norm > 1.02 * this->EarlierForce + 0.005;
   this->EarlierForce += (1.0 - std::exp(-time / RiseTime)) * (norm - this->EarlierForce);
   const Vector3 into = norm >= LeastForce ? (-1.0 / norm) * force : Vector3{};
-  // Only motion along the present force counts, because a force that changes direction does not
-  // speed the tip up.
+  // Only motion along the present force counts, because a change of the force's direction does not
+  // accelerate the tip.
   const double before = std::max(0.0, Dot(this->Velocity, into));
   this->Velocity = this->EstimateVelocity();
   const double speed = std::max(0.0, Dot(this->Velocity, into));

@@ -12,12 +12,12 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Time (s) within which a force goes to zero if there are no samples. */
+/** Longest time (s) until a force has fallen to zero if there are no samples. */
 constexpr double RetreatTime = 0.02;
 
 /**
- * Computes the energy (J) that the spring of an input gives back when it relaxes, if at most `most`
- * (N) of its pull is felt. Uses the stretch to compute the pull, because the force may be clamped.
+ * Computes the energy (J) that an input's spring gives back when it relaxes, if at most `most` (N)
+ * of its pull is felt. The pull is computed from the stretch, because the force may be clamped.
  * Returns a negative number if the stiffness is not known.
  */
 double ComputeRecoverable(const SafetyInput& input, double most) noexcept
@@ -27,17 +27,19 @@ double ComputeRecoverable(const SafetyInput& input, double most) noexcept
   return k > 0.0 ? 0.5 * most * (2.0 * pull - most) / k : -1.0;
 }
 
-/** Returns the fraction of the largest damping that the loop renders with its round trip. */
+/**
+ * Returns the fraction of the device's largest damping that is stable with the loop's round trip.
+ */
 double ComputeDampingShare(const SafetyInput& input) noexcept
 {
   return std::min(1.0, StatedRoundTrip / std::max(input.Period, input.RoundTrip));
 }
 
-/** Returns the length (N) to which a force in the direction of `wall` may grow after `last`. */
+/** Returns the magnitude (N) to which a force in the direction of `wall` may grow after `last`. */
 double ComputeMost(
   const Vector3& last, const Vector3& wall, double period, const SafetyLimits& limits) noexcept
 {
-  // Rounding must not cut a force that the slew limit allows.
+  // A margin, so that rounding does not cut a force that the slew limit allows.
   constexpr double above = 1.0 + 1e-12;
   const double norm = Norm(wall);
   const double before = norm > 0.0 ? std::max(0.0, Dot(last, wall) / norm) : 0.0;
@@ -82,16 +84,16 @@ GrowthInput SafetyStage::ComputeGrowth(
 Vector3 SafetyStage::Retreat(
   const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept
 {
-  // Without fresh samples, a force must end soon, even if forces may only grow slowly.
+  // Without fresh samples, a force must end soon, even if the slew limit is low.
   const double rate = std::max(limits.MaximumForceRate, limits.MaximumForce / RetreatTime);
   Vector3 last = ClampNorm(this->Growth.GetForce(), limits.MaximumForce);
-  // Augmentation and pulses may have reduced the force that was sent.
+  // Augmentation and pulses may have made the sent force smaller.
   const double sent = std::min(Norm(last), Norm(this->Touched));
   const double most = std::max(0.0, sent - rate * input.Period);
   if (input.Fresh || input.Alive)
   {
     // The hand's position is known, so limit the last force as in any other tick: it may push the
-    // hand only if the wanted force does.
+    // hand only as far as the wanted force does.
     GrowthInput growth = this->ComputeGrowth(input, limits);
     growth.Share = gate.GetOpening();
     last = this->Growth.Apply(growth);
@@ -120,7 +122,7 @@ void SafetyStage::ObserveGains(
 {
   const bool taps = limits.TransientGain > 0.0 && (!limits.MovesTip || input.RoundTrip > 0.0);
   const bool augments = input.Feedback > 0.0;
-  // A rule that was off did not observe the ticks in between.
+  // A rule that was switched off has not observed the ticks in between.
   if (taps && !this->Taps)
   {
     this->Transient.Reset();
@@ -218,7 +220,7 @@ Vector3 SafetyStage::ComputeCommand(
   }
   if (input.Elapsed > limits.WatchdogTime)
   {
-    // The loop itself did not run, and the device may have ended the force by itself.
+    // The loop itself has paused, and the device may have ended the force by itself.
     this->Growth.Lower({});
     this->Augmented = this->Touched = {};
   }
@@ -233,7 +235,7 @@ Vector3 SafetyStage::ComputeCommand(
   GrowthInput growth = this->ComputeGrowth(input, limits);
   growth.Share = gate.Pass(limits.RampTime > 0.0 ? input.Period / limits.RampTime : 1.0);
   growth.Growth = limits.MaximumForceRate * input.Period;
-  // After a gain was switched off, the force may have to grow to that of the wall.
+  // After a gain was switched off, the force may still have to grow to the wall's force.
   const bool isBehind = !IsIdentical(this->Touched, this->Growth.GetForce());
   const Vector3 wall = this->Growth.Apply(growth);
   this->Augmented = this->Augment(wall, input, limits, growth.Share);
@@ -257,11 +259,12 @@ Vector3 SafetyStage::AddTransient(
   touch.Gain = limits.TransientGain;
   touch.Share = share;
   touch.Most = most;
-  // A part of the force that drops at once would be missing until the slew limit lets it return.
+  // If more of the force dropped at once, the slew limit would delay its return.
   touch.Least = std::max(0.0, most - 2.0 * limits.MaximumForceRate * input.Period);
   touch.Period = input.Period;
   touch.MovesTip = limits.MovesTip;
-  // The part of the force that the slew limit holds back after a pulse belongs to the pulse.
+  // The part of the force that the slew limit holds back after a pulse counts as a part of the
+  // pulse.
   const Vector3 force = ClampNorm(this->Transient.Apply(touch), most);
   this->Pulse = force - wall;
   return force;
@@ -281,7 +284,7 @@ Vector3 SafetyStage::Augment(
   augmented.Feedback = input.Feedback;
   augmented.Most = ComputeMost(this->Augmented, wall, input.Period, limits);
   augmented.MaximumDamping = ComputeDampingShare(input) * limits.MaximumDamping;
-  // Both dampings together would exceed the limit of each.
+  // Don't damp twice, because both dampings together would exceed the limit of each.
   augmented.DampingShare = this->Damper.IsEngaged() ? 0.0 : share;
   augmented.Period = input.Period;
   return this->Augmentation.Apply(augmented);
@@ -316,7 +319,7 @@ Vector3 SafetyStage::Apply(
   this->Observer.RecordSent(command);
   if (this->Augments)
   {
-    // The pulse has its own account.
+    // The pulse has its own account, so leave it out.
     const Vector3 sent = command - this->Pulse;
     const double whole = Norm(input.Force);
     const double felt = whole > 0.0 ? std::min(1.0, Norm(sent) / whole) : 0.0;

@@ -2,35 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The only way from a computed force to a device.
+ * All computed forces pass this stage on their way to a device.
  *
- * In the order in which a force passes:
+ * A force passes these steps, in this order:
  * 1. If the force, the torque or the tip is not finite, the result is zero and a fault.
- * 2. If the tip is faster than the limit, the result is zero and a fault. The speed is taken
- *    between two measurements, by their own times. A device that runs away against its force
- *    (PortObserver.h) gives zero and a fault, too.
+ * 2. If the tip is faster than the limit, the result is zero and a fault. The speed is computed
+ *    from two measurements and their own times. If the device runs away against its force
+ *    (PortObserver.h), the result is zero and a fault, too.
  * 3. The norm is clamped to the smaller of the device's and the user's maximum.
  * 4. The force is multiplied by the gate's share (ForceGate.h), and the growth of the force is
- *    limited (the slew limit). A force may fall at once. GrowthLimit.h keeps the account of both:
- *    work that the hand was spared on the way in is not given to it on the way out.
- * 5. A wall that is stiffer than the loop can hold by itself, which the user must allow, is damped
- *    and pays from an account (ForceAugmentation.h).
+ *    limited (the slew limit). A force may fall at once. GrowthLimit.h keeps an account of both:
+ *    work that the hand did not have to do on the way in is not given to it on the way out.
+ * 5. If the user allows walls that are stiffer than the loop can render stably by itself, such a
+ *    wall is damped, and its energy is limited by an account (ForceAugmentation.h).
  * 6. A pulse may be added at touch-down (ContactTransient.h).
- * 7. If the loop swings by itself (EnergyObserver.h), it is damped (PortDamper.h). If that does not
- *    end it, the force fades, with a fault.
+ * 7. If the loop oscillates by itself (EnergyObserver.h), it is damped (PortDamper.h). If this does
+ *    not end the oscillation, the force fades, with a fault.
  *
- * The torque has its own stage with the same gate: TorqueStage.h. Stiffness and damping are capped
- * in the computation of the force: see HapticModel::Caps. Joint commands are scaled down together,
- * by the back end: SaturateTogether.
+ * The torque has its own stage with the same gate (TorqueStage.h). Stiffness and damping are capped
+ * where the force is computed (HapticModel::Caps). A back end scales down its joint commands
+ * together (SaturateTogether).
  *
  * No rule adds energy, and no force grows faster than the slew limit allows. A fault or disarming
  * cuts the force at once.
  *
- * If no sample and no sign of the device comes for WatchdogTime, the force retreats: the last force
- * falls to zero at MaximumForceRate, or faster, so that it is gone after 20 ms. A retreat goes on
- * to zero even if samples come back. It then follows the wanted force, by the same account, so that
- * it never pushes a hand that has moved on. After the loop itself stood still for WatchdogTime, the
- * force starts from zero.
+ * If neither a sample nor any sign of the device comes for WatchdogTime, the force retreats: the
+ * last force falls to zero at MaximumForceRate, or faster, so that it is gone after 20 ms. A
+ * retreat continues to zero even if samples return. It then follows the wanted force, with the same
+ * account, so that it never pushes a hand that has moved on. After the loop itself has paused for
+ * WatchdogTime, the force starts from zero.
  */
 #ifndef SafetyStage_h
 #define SafetyStage_h
@@ -55,7 +55,7 @@ struct SafetyLimits
   double RampTime = 0.5;           ///< duration of the ramp after Arm (s)
   double WatchdogTime = 0.03;      ///< time without samples (s) after which the force retreats
   /**
-   * Time (s) for which the owner may be silent before the force fades out (ServoLoop::Attend); 0
+   * Time (s) for which the owner may be silent before the force fades out (ServoLoop::Attend). 0
    * for no limit.
    */
   double AttentionTime = 0.0;
@@ -72,12 +72,15 @@ struct SafetyInput
   Vector3 Force; ///< computed force (N)
   /** Stiffness (N/m) of the spring that pulls with the force; 0 without a spring. */
   double Stiffness = 0.0;
-  double Stretch = 0.0; ///< stretch of the spring (m); Force may be less than the spring's pull
-  /** Stiffness (N/m) by which the force grows with more stretch, if it is more than Stiffness. */
+  double Stretch = 0.0; ///< stretch of the spring (m); if the pull is clamped, Force is smaller
+                        ///< than the spring's pull
+  /**
+   * Stiffness (N/m) with which the force grows if the stretch grows, if it is more than Stiffness.
+   */
   double Slope = 0.0;
   /**
-   * Stiffness (N/m) that the loop holds by itself, if Stiffness may be larger
-   * (ForceAugmentation.h); 0 if it may not.
+   * Stiffness (N/m) that the loop renders stably by itself, if Stiffness may be larger
+   * (ForceAugmentation.h). Otherwise 0.
    */
   double Feedback = 0.0;
   Vector3 Drag; ///< purely dissipative part of the force (N), if it is known
@@ -86,7 +89,9 @@ struct SafetyInput
    * is sent.
    */
   double WallWork = 0.0;
-  /** Frequency (Hz) of the surface that holds the tip, for ContactTransient.h; 0 without one. */
+  /**
+   * Frequency (Hz) of the surface that holds the tip, for ContactTransient.h; 0 without a surface.
+   */
   double Frequency = 0.0;
   bool IsNew = false;   ///< whether the force has changed for a reason other than the tip's motion
   Vector3 Tip;          ///< position of the tip (m)
@@ -95,27 +100,27 @@ struct SafetyInput
   bool Fresh = false;   ///< whether the tip was measured for this tick
   bool Alive = false;   ///< whether the tip is known not to have moved (DeviceSample::Alive)
   /**
-   * Time (s) in which the tip moved here from its last measured position, by the device's own
-   * clock. If it is not known (0), the stage uses the time since the last fresh tip.
+   * Time (s) of the tip's motion from its last measured position, by the device's own clock. If it
+   * is not known (0), the stage uses the time since the last fresh tip.
    */
   double MotionTime = 0.0;
   double RoundTrip = 0.0; ///< measured round trip (s); 0 if it is not known
   bool Lost = false;      ///< whether the device is lost
-  Vector3 Torque;         ///< computed torque (N m), which the stage only checks for finite numbers
+  Vector3 Torque;         ///< computed torque (N m); the stage only checks that it is finite
 };
 
 class SafetyStage
 {
 public:
   /**
-   * Returns the force to send. Reports the stage's findings to the gate, and multiplies the force
-   * by the gate's share.
+   * Returns the force to send. Multiplies the input by the gate's share, and reports findings to
+   * the gate.
    */
   Vector3 Apply(const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept;
 
   /**
    * Resets the stage after ForceGate::Arm, so that forces grow from zero and earlier motion of the
-   * tip does not count.
+   * tip is ignored.
    */
   void Reset() noexcept;
 
@@ -123,12 +128,12 @@ public:
   bool IsDamping() const noexcept { return this->Damper.IsEngaged(); }
 
   /**
-   * Returns whether a wall feels softer than wanted, which lasts until the tip leaves it or presses
-   * deeper (GrowthLimit.h).
+   * Returns whether a wall feels softer than wanted. This lasts until the tip leaves the wall or
+   * presses deeper (GrowthLimit.h).
    */
   bool IsSoft() const noexcept { return this->Growth.IsSoft(); }
 
-  /** Returns whether the last samples are older than the watchdog allows. */
+  /** Returns whether the last samples are older than WatchdogTime. */
   bool IsStale() const noexcept { return this->Stale; }
 
 private:
@@ -156,7 +161,10 @@ private:
   PortDamper Damper;
   Vector3 LastCommand; ///< in N
   ///@{
-  /** Last force (N) after Augment and after AddTransient; that of Growth if both are off. */
+  /**
+   * Last force (N) after Augment, and after AddTransient. If both are off, it equals the force of
+   * Growth.
+   */
   Vector3 Augmented;
   Vector3 Touched;
   ///@}
@@ -173,7 +181,7 @@ private:
 
 /**
  * Reduces all commands by the same factor, so that the largest is within the limit and the
- * direction does not change. Sets all commands to zero if one is not finite.
+ * direction does not change. Sets all commands to zero if one of them is not finite.
  */
 void SaturateTogether(double* commands, int count, double limit) noexcept;
 

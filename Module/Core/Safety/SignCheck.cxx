@@ -10,12 +10,12 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Time (s) in which a push rises, and time after which it ends. */
+/** Time (s) over which a push rises, and time (s) after which it ends. */
 constexpr double PushRiseTime = 0.15;
 constexpr double PushTime = 0.2;
 /**
- * Number of force levels, the lowest level as a fraction of the highest one, and the limit of the
- * lowest level in newtons.
+ * Number of force levels, the lowest level as a fraction of the highest one, and a limit (N) of the
+ * lowest level.
  */
 constexpr int Levels = 4;
 constexpr double FirstShare = 0.125;
@@ -24,27 +24,27 @@ constexpr double FirstForce = 0.1;
 constexpr double RestSpeed = 0.02;
 constexpr double RestSpread = 0.25e-3;
 constexpr double RestSurprise = 0.35e-3;
-/** Distance (m) from the farthest place at which the tip counts as having turned back. */
+/** The tip has turned back when it is this distance (m) from its farthest position. */
 constexpr double TurnedBack = 0.1e-3;
-/** Distance (m) at which a return ends. A free mass turns back earlier. */
+/** A return ends at this distance (m) at the latest. A free mass turns back earlier. */
 constexpr double MostDistance = 3.5e-3;
-/** Time (s) for which the check waits for rest. */
+/** Time (s) for which the check waits until the hand rests. */
 constexpr double Patience = 8.0;
 /**
- * Distance of a vote that is clear of the noise: at least this length (m), and at least this
- * multiple of the spread.
+ * A vote counts if its distance is at least this length (m), and at least this multiple of the
+ * spread, because it is then clear of the noise.
  */
 constexpr double ClearDistance = 0.4e-3;
 constexpr double ClearSpread = 4.0;
 /**
- * Number of votes that an axis needs in each direction, and number of votes by which it must exceed
- * three times the opposite votes.
+ * Number of votes that an axis needs in each direction, and the number by which its votes must
+ * exceed three times the opposite votes.
  */
 constexpr int VotesEachWay = 2;
 constexpr int VotesAhead = 4;
 constexpr int MostTrials = 20;
 /**
- * Number of trials at the highest level without a vote after which an axis counts as not moving.
+ * After this number of trials at the highest level without a vote, an axis counts as not moving.
  */
 constexpr int MostUnclear = 6;
 
@@ -101,7 +101,8 @@ void SignCheck::Interrupt() noexcept
 
 double SignCheck::GetDirection() const noexcept
 {
-  // The directions are the Thue-Morse sequence, the parity of the trial number's bits.
+  // The directions follow the Thue-Morse sequence, which is the parity of the bits of the trial's
+  // number.
   int parity = 0;
   for (int bits = this->Tally[this->Axis].Trials; bits != 0; bits >>= 1)
   {
@@ -110,7 +111,7 @@ double SignCheck::GetDirection() const noexcept
   return parity == 0 ? 1.0 : -1.0;
 }
 
-/** Returns the force of the push at a time (s) after its beginning. */
+/** Returns the magnitude (N) of the push at a time (s) after its beginning. */
 double SignCheck::GetForce(double time) const noexcept
 {
   const double first = std::min(FirstShare * this->Most, FirstForce);
@@ -143,7 +144,7 @@ void SignCheck::Rest() noexcept
 
 /**
  * Continues a push. `distance` (m) is the distance of the measured tip from the line, along the
- * direction of the push.
+ * push.
  */
 void SignCheck::Push(double distance) noexcept
 {
@@ -161,7 +162,7 @@ void SignCheck::Push(double distance) noexcept
 void SignCheck::Return(double distance) noexcept
 {
   const double way = this->Farthest < 0.0 ? -1.0 : 1.0;
-  // No braking is needed if the push has not moved the tip.
+  // If the push has not moved the tip, no return is needed.
   if (way * (this->Farthest - distance) >= TurnedBack || std::abs(this->Farthest) < TurnedBack ||
     std::abs(distance) > MostDistance)
   {
@@ -173,7 +174,7 @@ void SignCheck::Return(double distance) noexcept
   }
 }
 
-/** Counts a vote. `distance` (m) is along the direction of the push. */
+/** Counts a vote. `distance` (m) is measured along the push. */
 void SignCheck::Count(double distance) noexcept
 {
   Votes& votes = this->Tally[this->Axis];
@@ -191,7 +192,7 @@ void SignCheck::Count(double distance) noexcept
   this->MustPushHarder = std::abs(distance) < this->Clear || (with > 0 && against > 0);
 }
 
-/** Ends a trial, and begins the next one on the next axis unless there is a verdict. */
+/** Ends a trial. Unless there is a verdict, begins the next trial on the next axis. */
 void SignCheck::Judge() noexcept
 {
   Votes& votes = this->Tally[this->Axis];

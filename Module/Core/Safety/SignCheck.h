@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Tests whether a device pushes the hand along the force that it is given, or against it.
+ * Tests whether a device pushes the hand along the commanded force, or against it.
  *
- * A device whose motor is wired the other way round turns every spring into one that drives the
- * hand away, and no computed value shows this. So before a device is trusted, it gives the hand a
- * few small pushes along each of its axes, and the motion has to follow them.
+ * A device with a reversed motor turns every spring into one that drives the hand away, and no
+ * computed value shows this. Before a device is trusted, it therefore gives the hand a few small
+ * pushes along each of its axes, and the motion must follow them.
  *
  *   check.Begin(axes, most);
  *   every tick:  force = check.Step(tip, isFresh, elapsed);  until  check.GetVerdict() is one
@@ -14,26 +14,26 @@
  * A trial
  * -------
  *
- * 1. Rest. The check waits until the tip moves slowly and so evenly that a line through its last
- *    places foretells the next ones: that line is where the hand would be without a push
+ * 1. Rest. The check waits until the tip moves slowly, and so steadily that a line through its last
+ *    positions predicts the next ones. The line shows where the hand would be without a push
  *    (DriftLine.h).
  * 2. Push. A force along one axis rises to a level and stays there for a moment. It ends as soon as
- *    the tip is StopDistance away from the line. The distance at its end, if it is clear of the
- *    hand's own restlessness, is a vote: *with* the force, or *against* it.
- * 3. Return. The force of the push with the opposite sign, played backwards in time, until the tip
- *    turns back. A free mass is then at rest again, whichever sign the device has, so that motion
- *    does not build up.
+ *    the tip is StopDistance away from the line. If the distance at its end is clear of the hand's
+ *    own motion, it is a vote: *with* the force, or *against* it.
+ * 3. Return. The force of the push is applied with the opposite sign and backwards in time, until
+ *    the tip turns back. A free mass is then at rest again, whichever sign the device has, so that
+ *    motion does not build up.
  *
  * A passive hand that begins at rest first moves with the force, whether it is a mass, a damper or
- * a spring, so that the vote shows the sign of the device. A constant force (gravity, a spring that
- * is already bent) can't fake a vote, because the distance is measured from the line.
+ * a spring, so the vote shows the sign of the device. A constant force (gravity, or a spring that
+ * is already bent) can't produce a vote, because the distance is measured from the line.
  *
  * The verdict
  * -----------
  *
- * Trials go round the axes. On each axis the directions follow + - - + - + + - ..., which no steady
- * drift, and no swing of a hand, follows. The level begins low, for a hand that gives way at once,
- * and rises with each trial of that axis without a clear vote, up to a tenth of the device's force.
+ * Trials alternate between the axes. On each axis, the directions follow + - - + - + + - ...,
+ * unlike any steady drift or swing of a hand. The level begins low, for a hand that yields at once.
+ * It rises with each trial of this axis without a clear vote, up to a tenth of the device's force.
  * An axis is right (or wrong) as soon as each direction has at least two votes for it, and all its
  * votes exceed three times the opposite votes by four. The first wrong axis ends the check.
  */
@@ -72,18 +72,18 @@ public:
   static constexpr double MostForce = 4.0;
 
   /**
-   * Starts from the beginning. Bit i of `axes` is set if the device can exert a force along axis i.
+   * Restarts the check. Bit i of `axes` is set if the device can exert a force along axis i.
    * `force` (N) is the device's largest force.
    */
   void Begin(unsigned axes, double force) noexcept;
   /**
    * Returns the force (N) to send in this tick, or zero if there is a verdict. `tip` (m) is the
-   * position of the tip; it was measured in this tick if isFresh is true. `elapsed` (s) is the time
+   * position of the tip; isFresh is true if it was measured in this tick. `elapsed` (s) is the time
    * since the last tick.
    */
   Vector3 Step(const Vector3& tip, bool isFresh, double elapsed) noexcept;
   /**
-   * Discards the present trial, because the force was held back for another reason or because the
+   * Discards the present trial, because the force was held back for another reason, or because the
    * tip jumped.
    */
   void Interrupt() noexcept;

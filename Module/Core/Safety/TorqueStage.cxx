@@ -40,7 +40,8 @@ Vector3 TorqueStage::Apply(
   growth.IsMeasured = input.IsMeasured;
   growth.Share = gate.GetShare();
   growth.Growth = limits.MaximumTorqueRate * input.Period;
-  // The energy of a spring that pulls with the computed torque, if at most `most` of it is felt.
+  // The energy that a spring with the computed torque can give back, if at most `most` of the
+  // torque is felt.
   growth.Recoverable = k > 0.0 ? 0.5 * most * (2.0 * Norm(input.Torque) - most) / k : -1.0;
   return this->Growth.Apply(growth);
 }

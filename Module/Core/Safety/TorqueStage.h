@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The only way from a computed torque to a device.
+ * All computed torques pass this stage on their way to a device.
  *
  * The torque passes the same gate as the force (ForceGate.h), after SafetyStage.h has updated the
- * gate. In a tick in which no force may flow, no torque flows either, and the gate's share applies
- * to both. A torque that is not finite is a fault, which SafetyStage reports. Then, in this order:
- * 1. The norm is clamped to the smaller one of the device's and the user's maximum.
+ * gate. If no force may flow in a tick, no torque flows either, and the gate's share applies to
+ * both. A torque that is not finite is a fault, which SafetyStage reports. The torque passes these
+ * steps, in this order:
+ * 1. The norm is clamped to the smaller of the device's and the user's maximum.
  * 2. The torque is multiplied by the gate's share, and its growth is limited. It may fall at once.
  *    GrowthLimit.h keeps the account, with torques and angles instead of forces and lengths: work
  *    that a turning hand did not have to do on the way in is not given to it on the way out.
  *
- * If samples are missing, the force retreats, but the torque ends at once.
+ * If samples are missing, the torque ends at once, while the force falls gradually.
  */
 #ifndef TorqueStage_h
 #define TorqueStage_h
@@ -40,7 +41,6 @@ struct TorqueInput
 class TorqueStage
 {
 public:
-  /** Returns the torque to send (N m). */
   Vector3 Apply(
     const TorqueInput& input, const SafetyLimits& limits, const ForceGate& gate) noexcept;
 

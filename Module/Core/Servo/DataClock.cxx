@@ -11,7 +11,7 @@ namespace
 {
 
 /**
- * Limit of the ends of series and intervals that a tick crosses. The rest of its time is dropped.
+ * A tick crosses at most this many ends of series and intervals. The rest of its time is dropped.
  */
 constexpr int MostTurns = 8;
 
@@ -35,7 +35,7 @@ DataClock::Leap DataClock::Update(const BakedVolume& volume, const DataClockOrde
   Leap leap = Leap::None;
   if (!this->HasTime || !span.Has(time))
   {
-    // The volume is another one, or its time steps have other times.
+    // It is another volume, or its time steps have other times.
     const double first = span.Series.First;
     time = !this->HasTime && span.Has(first) ? first : span.Front;
     leap = Leap::Away;
@@ -59,7 +59,7 @@ DataClock::Leap DataClock::Update(const BakedVolume& volume, const DataClockOrde
   state.DataTime = time;
   if (isNew)
   {
-    // No surface carries the proxy from one volume to another.
+    // The proxy can't be carried from one volume to another.
     state.CarriedTo = time;
   }
   return leap;
@@ -113,7 +113,7 @@ void DataClock::Advance(
     else
     {
       // Continue at the other end of the series, after the interval from the last time step to the
-      // first one.
+      // first.
       time = isBetween ? (isBackward ? series.Last : series.First) : end;
     }
     if (step == there || !span.Has(time))

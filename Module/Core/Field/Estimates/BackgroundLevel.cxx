@@ -22,13 +22,13 @@ constexpr double ApartFraction = 0.65;
 constexpr double EvenFraction = 0.15;
 ///@{
 /**
- * A darker material counts if the difference between it and the background accounts for this
- * fraction of the variance in the even places.
+ * A darker material is accepted if its difference from the background accounts for this fraction of
+ * the variance among the even blocks.
  */
 constexpr double DarkFraction = 0.88;
 /**
- * Least rise of the darker material as a fraction of the brighter one's, and its least fraction of
- * the even places.
+ * Least rise of the darker material as a fraction of the brighter material's rise, and least
+ * fraction of the even blocks that it must fill.
  */
 constexpr double LeastRise = 0.1;
 constexpr double LeastPart = 0.01;
@@ -148,10 +148,10 @@ private:
     return sum / 27.0;
   }
 
-  /** Returns the split of Otsu's threshold. */
+  /** Returns the split at Otsu's threshold, which maximises the fraction. */
   static Split ComputeSplit(const std::vector<double>& values)
   {
-    // subtracted from all values for precision
+    // Subtracted from all values, so that the sums keep their precision.
     const double first = values.empty() ? 0.0 : values.front();
     double sum = 0.0;
     double squares = 0.0;

@@ -27,7 +27,7 @@ struct BackgroundLevel
 
   /**
    * Computes Otsu's threshold (IEEE Transactions on Systems, Man, and Cybernetics 9, 1979), unless
-   * the histogram has a single peak. While the even places below the threshold contain a darker
+   * the histogram has a single peak. While the even blocks below the threshold contain a darker
    * material that differs clearly from the background, moves the threshold between this material
    * and the background.
    */

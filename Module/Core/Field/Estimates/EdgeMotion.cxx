@@ -18,8 +18,8 @@ using LatticePlace = std::array<std::int64_t, 3>;
 constexpr double MostPlaces = 8000.0;
 constexpr std::size_t MostEdges = 256;
 /**
- * Number of samples to either side within which an edge's plateaus, and the moved edge, are
- * searched.
+ * Distance (samples) to either side within which an edge's plateaus, and the edge in the other time
+ * step, are searched.
  */
 constexpr std::int64_t EdgeReach = 64;
 /**
@@ -41,7 +41,7 @@ constexpr double SamePlateau = 0.3;
 constexpr double PlateauDistance = 3.0;
 constexpr double SqrtTwoPi = 2.50662827463100050242;
 
-/** Samples by their indices. */
+/** Reads the samples of a volume by their indices. */
 class EdgeSamples
 {
 public:
@@ -98,7 +98,7 @@ private:
   const std::size_t Axis;
 };
 
-/** An edge on a line. */
+/** An edge that was found on a line of samples. */
 struct FoundEdge
 {
   double Low;    ///< V1, the value of the plateau at lower indices
@@ -108,7 +108,7 @@ struct FoundEdge
   double Rising; ///< 1 if the edge rises, else -1
 };
 
-/** A place with a steep gradient. */
+/** A place of the lattice where the gradient is steep enough for an edge. */
 struct SteepPlace
 {
   LatticePlace At;
@@ -190,7 +190,7 @@ bool FindEdge(const SampleLine& line, const SteepPlace& steep, double tolerance,
   return false;
 }
 
-/** Returns whether a crossing lies between both plateaus of an edge. */
+/** Returns whether a line has both plateaus of an edge around a crossing at `middle`. */
 bool HasPlateaus(const SampleLine& line, const FoundEdge& edge, double middle)
 {
   const auto distance = static_cast<std::int64_t>(std::ceil(PlateauDistance * edge.Width));

@@ -40,10 +40,10 @@ struct EdgeMotion
 };
 
 /**
- * Measures up to 256 edges, found on a lattice of some 8000 places and searched within 64 samples.
- * Takes a few milliseconds. Both time steps must have the same geometry.
+ * Measures up to 256 edges, in a few milliseconds. Looks for edges at some 8000 places of a
+ * lattice, and follows each within 64 samples. Both time steps must have the same geometry.
  * @param indexToWorld the linear part of the map
- * @param blur the width (samples) of the kernel that blurs edges before they are felt
+ * @param blur the width (samples) of the kernel with which the haptic field blurs edges
  * @param noise the standard deviation of the samples' noise
  */
 EdgeMotion MeasureEdgeMotion(const VolumeView& first, const VolumeView& second,

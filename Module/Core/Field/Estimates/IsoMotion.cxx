@@ -14,7 +14,8 @@ namespace
 {
 
 /**
- * Number of blends through which a point is followed, and limit of the steps to its level in each.
+ * Number of blends of both time steps through which a point is followed, and the limit of Newton
+ * steps in each blend.
  */
 constexpr int Blends = 8;
 constexpr int MostSteps = 4;
@@ -28,7 +29,7 @@ constexpr double ShortStep = 1e-4;
 constexpr double LostStep = 0.1;
 ///@}
 
-/** Returns a step of Newton's method to a level, along the gradient (index steps). */
+/** Returns one Newton step to a level, along the gradient (index steps). */
 Vector3 ComputeStep(const FieldAtTime& field, double value, const Vector3& index)
 {
   const Vector3 slope = field.Gradient(index).Gradient;

@@ -14,13 +14,16 @@ namespace
 constexpr int BlockSide = NoiseBlockSide;
 constexpr int BlockSamples = BlockSide * BlockSide * BlockSide;
 constexpr int Quadratic = 10; // number of coefficients of a quadratic
-/** Largest number of blocks along an axis. At most its third power of blocks are examined. */
+/**
+ * Largest number of blocks along each axis, so that at most 16^3 blocks are examined, or 8^3 in a
+ * large volume.
+ */
 constexpr int MostBlocksAlongAnAxis = 16;
 constexpr int MostBlocksAlongAnAxisIfLarge = 8;
-/** Fraction of the blocks that counts as flat: those with the smallest remainders. */
+/** The blocks with the smallest remainders count as flat; they are this fraction of all blocks. */
 constexpr double Flattest = 0.1;
 /**
- * Fraction of the true value below which a tenth of all estimates lie, if an estimate has 115
+ * A tenth of all estimates lie below this fraction of the true value, if an estimate has 115
  * degrees of freedom.
  */
 constexpr double FractionAtFlattest = 0.916;
@@ -38,7 +41,7 @@ constexpr double Squares[3] = { 5, 10, 14 };
 constexpr int Terms[Quadratic][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
   { 2, 0, 0 }, { 0, 2, 0 }, { 0, 0, 2 }, { 1, 1, 0 }, { 1, 0, 1 }, { 0, 1, 1 } };
 
-/** The blocks along an axis of a volume. */
+/** Positions of the blocks along one axis of a volume. */
 struct BlockAxis
 {
   static constexpr std::int64_t None = -1;
@@ -63,7 +66,6 @@ struct BlockAxis
   std::int64_t Blocks;
 };
 
-/** Returns the blocks along each axis of the whole volume. */
 std::array<BlockAxis, 3> AxesOf(const std::int64_t n[3])
 {
   const int most = IsLargeVolume(n) ? MostBlocksAlongAnAxisIfLarge : MostBlocksAlongAnAxis;
@@ -136,7 +138,7 @@ public:
     }
   }
 
-  /** Returns the noise of a volume whose values have this range. */
+  /** Returns the noise of a volume whose samples have the given range. */
   double ComputeNoise(const double range[2]) const
   {
     std::vector<double> left = this->Left;
@@ -372,7 +374,7 @@ void VisitNoiseBlocks(const NoiseSamples& samples, const BlockVisitor& visit)
   {
     alongX.push_back(axes[0].Find(i));
   }
-  // The row (along x) of the last sample. Mostly it contains the next sample, too.
+  // The row (along x) of the last sample, which usually contains the next sample, too.
   std::array<std::int64_t, 3> at{};
   std::int64_t row = -samples.Dimensions[0];
   std::int64_t y = BlockAxis::None;

@@ -20,26 +20,24 @@ namespace VolumeHaptics
 {
 
 /**
- * Limit of the samples of a volume that is not large: 128 MiB of 16 bits. Reading all of them takes
- * some ten milliseconds. In a larger volume only some samples all over the volume are read, so that
- * the time does not grow with the volume, nor does the memory if the volume is mapped from a file.
+ * Limit of the samples of a volume that is not large: 128 MiB with 16 bits each. Reading all of
+ * them takes some ten milliseconds. In a larger volume, only some samples from all over the volume
+ * are read, so that neither the time nor the memory of a mapped file grows with the volume.
  */
 constexpr std::int64_t MostSamplesRead = std::int64_t{ 1 } << 26;
 
 /** Returns whether a volume is large, that is, has more than MostSamplesRead samples. */
 bool IsLargeVolume(const std::int64_t dimensions[3]);
 
-/** Returns whether a volume with this extent is large. */
 bool IsLargeVolume(const int extent[6]);
 
 /**
- * Limit of the samples of a volume whose range is computed from all samples: 16 MiB of 16 bits,
- * which take 10 ms if they are mapped from a file. The range of a larger volume is that of its
- * noise samples.
+ * If a volume has at most this number of samples, its range is computed from all of them: 16 MiB
+ * with 16 bits each, which take 10 ms if they are mapped from a file. The range of a larger volume
+ * is that of its noise samples.
  */
 constexpr std::int64_t MostSamplesRanged = std::int64_t{ 1 } << 23;
 
-/** Returns whether the range of a volume is computed from all samples. */
 bool HasRangeOfAll(const std::int64_t dimensions[3]);
 
 /**
@@ -96,7 +94,8 @@ auto EstimateInNoiseBlocks(const Volume&... volume)
  * from blocks of 5^3 samples, and takes the remainders of the flattest tenth of the noise blocks.
  *
  * Ignores incomplete blocks, and blocks that have only the smallest or the largest value (padding,
- * saturation). Returns 0 without noise, and for volumes with less than 5 samples along an axis.
+ * saturation). Returns 0 if there is no noise, or if the volume has fewer than 5 samples along an
+ * axis.
  */
 double EstimateNoise(const NoiseSamples& samples);
 
@@ -112,10 +111,10 @@ double EstimateNoise(const SampleReader& read, const std::int64_t dimensions[3],
 double FindBorderValue(const NoiseSamples& samples);
 
 /**
- * Makes the ramp of distinctness that keeps noise (scalar units) from being felt. It is 0 up to 3.4
- * sigma_g, which a hundredth of the gradients of pure noise exceed, and 1 from twice that. sigma_g
- * is the noise of a component of the estimated gradient per world unit, along the axis with the
- * smallest spacing. Along the other axes there is less noise (HapticModel::DistinctnessOf). The
+ * Makes the ramp of distinctness that keeps noise (scalar units) from being felt. The ramp is 0 up
+ * to 3.4 sigma_g, which a hundredth of the gradients of pure noise exceed, and 1 from 6.8 sigma_g.
+ * sigma_g is the noise of a component of the estimated gradient per world unit, along the axis with
+ * the smallest spacing. Along the other axes there is less noise (HapticModel::DistinctnessOf). The
  * ramp is empty if there is no noise.
  */
 Polyline MakeNoiseRamp(double noise, const GradientKernel& kernel, const Affine3& indexToWorld);

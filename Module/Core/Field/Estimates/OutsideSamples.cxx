@@ -20,7 +20,10 @@ constexpr double MissingNumbers[] = { -9999.0, -99999.0, -32768.0, -32767.0, -21
  */
 constexpr float EnormousNumbers[] = { 1e20F, 1e30F, 1e34F, 1e35F, 1e36F, 1e37F, 9.96921e36F, 1e38F,
   std::numeric_limits<float>::max() };
-/** Least difference from all other values, as a fraction of their range. */
+/**
+ * A number stands for missing values only if it differs from all other values by this fraction of
+ * their range.
+ */
 constexpr double LeastGap = 0.1;
 
 bool IsEnormous(double value)

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds samples outside the measurement: NaN around it, as in masked maps of SPM and FSL, and
- * numbers that stand for missing values.
+ * Finds samples outside the measurement. They are NaN around it, as in masked maps of SPM and FSL,
+ * or numbers that stand for missing values.
  *
- * The decision is made once for a whole volume, from its corners and its range, so that all its
- * pieces and regions feel alike.
+ * The decision is made once for a whole volume, from its corners and its range, and applies to all
+ * its pieces and regions.
  */
 #ifndef OutsideSamples_h
 #define OutsideSamples_h
@@ -19,7 +19,10 @@
 namespace VolumeHaptics
 {
 
-/** Tells which samples of a volume are outside, and with which value they are felt. */
+/**
+ * Describes which samples of a volume are outside the measurement, and the value that replaces
+ * them.
+ */
 struct OutsideSamples
 {
   /**
@@ -30,8 +33,8 @@ struct OutsideSamples
   /** Number that stands for missing values; NaN if there is none. */
   double Missing = std::numeric_limits<double>::quiet_NaN();
   /**
-   * Value with which samples outside are felt. It is the smallest value inside; if all values
-   * inside are equal, it is 0 if they are above 0, and otherwise one less than they are.
+   * Value that replaces samples outside. It is the smallest value inside. If all values inside are
+   * equal, it is 0 if they are above 0, and otherwise one less than they are.
    */
   double Fill = 0.0;
   /** Fraction of the read samples that are NaN or infinite, if these are holes. */
@@ -45,9 +48,10 @@ struct OutsideSamples
 };
 
 /**
- * Returns whether programs write this number for missing values. Such numbers are -9999 and -99999;
- * the least number of 16 or 32 bits and the number above it; the least number of 16 bits with a
- * CT's offset; 63536, which is a CT's -2000 read without sign; and 1e20 and larger numbers.
+ * Returns whether programs commonly write this number for missing values. Such numbers are -9999
+ * and -99999; the least number of 16 or 32 bits and the number above it; the least number of 16
+ * bits with a CT's offset; 63536, which is a CT's -2000 read without sign; and numbers of 1e20 and
+ * more.
  */
 bool MayBeMissing(double value);
 

@@ -33,7 +33,7 @@ constexpr double HeapRatio = 2.0;
 constexpr double Air = -1000.0;
 constexpr double Offsets[] = { 1024.0, 32768.0 };
 /**
- * Value (HU) up to which shifted data have almost no values, because the shift makes all of them
+ * Shifted data have almost no values up to this one (HU), because the shift makes all values
  * positive.
  */
 constexpr double Negative = -0.5;
@@ -134,7 +134,6 @@ private:
     return false;
   }
 
-  /** Returns the number of values from `low` to `high`. */
   double Count(double low, double high) const
   {
     const auto from = std::lower_bound(this->All.begin(), this->All.end(), low);

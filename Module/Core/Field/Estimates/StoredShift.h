@@ -13,10 +13,10 @@ namespace VolumeHaptics
 {
 
 /**
- * An estimate, from the values in the noise blocks, of the shift with which Hounsfield units are
- * stored. DICOM stores them without sign, usually 1024 higher (its Rescale Intercept, PS3.3
- * C.7.6.16-2.9). Other formats store them 1000 or 32768 higher. Air and soft tissue, the two peaks
- * in every CT of a body, then have shifted values.
+ * The shift with which a volume stores Hounsfield units, estimated from the values in the noise
+ * blocks. DICOM stores them without sign, usually 1024 higher (its Rescale Intercept, PS3.3
+ * C.7.6.16-2.9). Other formats store them 1000 or 32768 higher. The shift is found from air and
+ * soft tissue, the two peaks in every CT of a body.
  */
 struct StoredShift
 {
@@ -24,7 +24,7 @@ struct StoredShift
   double Air = 0.0;   ///< stored value of air if there is a shift
   /** Whether the values can't be Hounsfield units, because there is neither air nor soft tissue. */
   bool IsStrange = false;
-  /** Range of the values that were read; if there are none, the first number is the larger one. */
+  /** Range of the values that were read. If none was read, the first number is the larger one. */
   double Range[2] = { 1.0, 0.0 };
 
   static StoredShift Estimate(const NoiseSamples& samples);

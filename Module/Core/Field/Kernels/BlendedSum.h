@@ -34,7 +34,6 @@ VOLUME_HAPTICS_INLINE void BlendRows(const RowPair<N>& other, double fraction, R
   }
 }
 
-/** Computes rows = rows - of. */
 template <int N>
 VOLUME_HAPTICS_INLINE void SubtractRows(const RowPair<N>& of, RowPair<N>& rows)
 {
@@ -124,7 +123,7 @@ VOLUME_HAPTICS_INLINE double SumBlend(const TapBlock<T>& first, const TapBlock<T
     foot, gradient);
 }
 
-/** Computes the sum from copies of the taps (see CopyTaps). */
+/** Computes the sum from copies of the taps (CopyTaps()). */
 template <typename T, int N, bool WithGradient>
 VOLUME_HAPTICS_OUTLINE double SumBlendOfCopies(
   const TimeStepBlend& blend, const Footprint<N>& foot, Vector3* gradient)
@@ -213,7 +212,7 @@ VOLUME_HAPTICS_OUTLINE bool FillTimeSteps(
   return true;
 }
 
-/** Returns the memory of a blend, or null if there is none. */
+/** Returns the memory that has this blend, or null if there is none. */
 VOLUME_HAPTICS_INLINE const BlendMemory* FindBlend(
   const TimeStepBlend& blend, const std::int64_t* first, const TickMemory& tick)
 {
@@ -228,7 +227,7 @@ VOLUME_HAPTICS_INLINE const BlendMemory* FindBlend(
   return nullptr;
 }
 
-/** Returns the older one of the two memories, after preparing it for a blend. */
+/** Prepares the older of the two memories for a blend, and returns it. */
 VOLUME_HAPTICS_INLINE BlendMemory& BeginBlend(
   const TimeStepBlend& blend, const std::int64_t* first, TickMemory& tick)
 {
@@ -241,8 +240,8 @@ VOLUME_HAPTICS_INLINE BlendMemory& BeginBlend(
 }
 
 /**
- * Computes the gradient from the memory of the blend, or from the memory of both time steps; in
- * this case it also stores the blend.
+ * Computes the gradient from the memory of the blend, or from the memory of both time steps. In the
+ * second case, also stores the blend.
  */
 template <typename T, int N>
 VOLUME_HAPTICS_INLINE bool SumRememberedBlend(

@@ -39,7 +39,7 @@ VOLUME_HAPTICS_INLINE double Spline(const TimeStepBlend& blend, double x, double
   return SumBlendOfSamples<T, 4, false>(blend, foot, nullptr);
 }
 
-/** Reads from a field, or from a blend of two fields. */
+/** Returns the B-spline's value in a field, or in a blend of two fields. */
 template <typename T, typename Source>
 double SplineValue(const Source& from, double x, double y, double z) noexcept
 {
@@ -128,7 +128,9 @@ VOLUME_HAPTICS_INLINE Double4 ComputeWeights(const double* coefficients, int cou
   return low + t2 * (middle + t2 * high);
 }
 
-/** Where the Gaussian's weights along one axis are in its table, and the index of the first tap. */
+/**
+ * The place of the Gaussian's weights along one axis in its table, and the index of the first tap.
+ */
 struct GaussianPlace
 {
   const double* Coefficients;

@@ -35,7 +35,7 @@ struct LabelCorner
   U At(int i, int j, int k) const { return this->First[i + j * this->Line + k * this->Plane]; }
 };
 
-/** The samples of the labels that a block contains. */
+/** One sample for each label that a block contains. */
 template <typename U>
 struct LabelsFound
 {
@@ -59,7 +59,7 @@ VOLUME_HAPTICS_INLINE void MarkPlanes(const LabelCorner<U>& corner, U label, std
   }
 }
 
-/** Collects all labels except the first one, one after the other. */
+/** Collects all labels after the first one, label by label. */
 template <typename U>
 VOLUME_HAPTICS_OUTLINE void CollectFurtherLabels(
   const LabelCorner<U>& corner, LabelBlock& block, LabelsFound<U>& found)
@@ -91,8 +91,8 @@ VOLUME_HAPTICS_OUTLINE void CollectFurtherLabels(
 }
 
 /**
- * Collects the labels of a block. One pass shows whether there are only two labels a and b, because
- * then x ^ a is 0 or a ^ b for each voxel x.
+ * Collects the labels of a block. A block with only two labels a and b is recognised in one pass,
+ * because then x ^ a is 0 or a ^ b for each voxel x.
  */
 template <typename U>
 VOLUME_HAPTICS_INLINE void CollectFrom(
@@ -132,8 +132,8 @@ VOLUME_HAPTICS_INLINE void CollectFrom(
 }
 
 /**
- * Collects the labels from a copy of the block. Needed at the border, where taps outside repeat the
- * last voxel, and if rows are not dense.
+ * Collects the labels from a copy of the block. This is needed at the border, where taps outside
+ * repeat the last voxel, and if the samples of a row are not adjacent in memory.
  */
 template <typename U>
 VOLUME_HAPTICS_OUTLINE void CollectFromCopy(
@@ -234,7 +234,7 @@ VOLUME_HAPTICS_INLINE void TabulateSums(const double* weights, double (*table)[4
   }
 }
 
-/** Computes the factors of rows and planes for LabelWeights or StepWeights. */
+/** Computes the factors of the rows and of the planes. */
 template <typename Weights>
 VOLUME_HAPTICS_INLINE void WeighRows(const double* table, double y, double z, Weights& weights)
 {
@@ -258,7 +258,6 @@ void WeighLabels(
   WeighRows(view.Table, y, z, weights);
 }
 
-/** The unsigned integer type with the size of T. */
 template <typename T>
 using LabelBits = std::conditional_t<sizeof(T) == 1, std::uint8_t,
   std::conditional_t<sizeof(T) == 2, std::uint16_t,
@@ -290,7 +289,7 @@ VOLUME_HAPTICS_INLINE const double* PatternAt(const double (*table)[4], std::uin
     reinterpret_cast<const char*>(table) + bytes * std::size_t(pattern));
 }
 
-/** Computes the sum over all rows. row(j, k) returns the sums of one row: value, slope, value. */
+/** Adds up the sums of all rows. row(j, k) returns the sums of one row: value, slope, value. */
 template <typename Weights, typename F>
 VOLUME_HAPTICS_INLINE FieldSample SumRows(const Weights& weights, F&& row)
 {
@@ -317,7 +316,7 @@ FieldSample FractionOf(const LabelWeights& weights, const std::uint64_t* planes)
   return SumRows(weights,
     [&](int j, int k)
     {
-      // The upper and lower halves of all rows of a plane, shifted to the bits that PatternAt
+      // Shift the upper and the lower halves of all rows of a plane to the bits that PatternAt()
       // reads.
       constexpr std::uint64_t half = 0xF0F0F0F0F0F0F0F0U;
       const std::uint64_t low = (planes[k] << 4) & half;

@@ -23,7 +23,7 @@ namespace VolumeHaptics
 namespace
 {
 
-// Labels is the type of a vector. LoadVector() returns the vector with a number in a plane.
+// Labels is the type of a vector. LoadVector() returns the vector with a given number in a plane.
 // ToBits() returns one bit for each label of a mask.
 #if defined(__GNUC__) && defined(__AVX2__)
 
@@ -65,7 +65,7 @@ VOLUME_HAPTICS_INLINE Labels Repeat(U label)
                         : _mm256_set1_epi64x(static_cast<long long>(label));
 }
 
-/** Returns a mask whose bits are all set for equal labels. */
+/** Returns a mask in which all bits of a label are set if it is equal in both vectors. */
 template <typename U>
 VOLUME_HAPTICS_INLINE Labels Equal(Labels a, Labels b)
 {
@@ -135,7 +135,7 @@ VOLUME_HAPTICS_INLINE Labels Repeat(U label)
                         : _mm_set1_epi64x(static_cast<long long>(label));
 }
 
-/** Returns a mask whose bits are all set for equal labels. */
+/** Returns a mask in which all bits of a label are set if it is equal in both vectors. */
 template <typename U>
 VOLUME_HAPTICS_INLINE Labels Equal(Labels a, Labels b)
 {
@@ -193,7 +193,7 @@ VOLUME_HAPTICS_INLINE Labels Repeat(U label)
   return label;
 }
 
-/** Returns a mask whose bits are all set for equal labels. */
+/** Returns a mask in which all bits are set if the labels are equal. */
 template <typename U>
 VOLUME_HAPTICS_INLINE Labels Equal(Labels a, Labels b)
 {
@@ -229,7 +229,7 @@ constexpr int LabelsOfVector = sizeof(Labels) > 8 ? int(sizeof(Labels) / sizeof(
 template <typename U>
 constexpr int VectorsOfPlane = 64 / LabelsOfVector<U>;
 
-/** Joins all labels of a vector by a bitwise operation. */
+/** Combines all labels of a vector by a bitwise operation. */
 template <typename U, typename F>
 VOLUME_HAPTICS_INLINE U JoinLabels(Labels labels, F&& join)
 {

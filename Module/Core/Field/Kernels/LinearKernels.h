@@ -19,7 +19,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The sample at or before a position along an axis, and the position's distance behind it. */
+/**
+ * The last sample at or before a position along an axis, and the distance (0 to 1) from there to
+ * the position.
+ */
 struct Axis
 {
   std::int64_t Cell;
@@ -33,14 +36,13 @@ struct Axis
 VOLUME_HAPTICS_INLINE Axis Locate(double position, double first, double last)
 {
   const double inside = position > first ? (position < last ? position : last) : first;
-  // The cell is converted from `inside`, so that the processor need not wait for the rounded
-  // number.
+  // The cell is converted from `inside`, so that the processor need not wait for Floor().
   return { static_cast<std::int64_t>(inside), inside - Floor(inside) };
 }
 
 /**
- * Returns the same as Locate, except that there is always a sample behind the cell: the last sample
- * is the end of the previous cell.
+ * Like Locate(), but there is always a sample behind the cell: at the last sample, returns the end
+ * of the previous cell.
  */
 VOLUME_HAPTICS_INLINE Axis LocateCell(double position, double first, double last)
 {
@@ -68,7 +70,7 @@ VOLUME_HAPTICS_INLINE CellPlace LocateCell(const FieldView& view, double x, doub
     LocateCell(z, view.First[2], view.Last[2]) };
 }
 
-/** Where the eight samples of a cell are. */
+/** The eight samples of a cell. */
 template <typename T>
 struct CellSamples
 {
@@ -76,7 +78,7 @@ struct CellSamples
   const std::int64_t* Stride;
 };
 
-/** Where the eight samples of a cell are in two time steps. */
+/** The eight samples of a cell in two time steps. */
 template <typename T>
 struct CellBlend
 {
@@ -140,7 +142,10 @@ VOLUME_HAPTICS_INLINE double LoadSample(const CellBlend<T>& cell, int i)
 }
 ///@}
 
-/** Interpolates between the two planes of a cell along z. Returns the four values, line by line. */
+/**
+ * Interpolates between the two planes of a cell along z. Returns the plane's four values, line by
+ * line.
+ */
 template <typename Cell>
 VOLUME_HAPTICS_INLINE Double4 BlendPlanes(const Cell& cell, const CellPlace& place)
 {
@@ -149,8 +154,7 @@ VOLUME_HAPTICS_INLINE Double4 BlendPlanes(const Cell& cell, const CellPlace& pla
 }
 
 /**
- * Returns the trilinear value, ignoring samples with the weight 0, so that such a sample may be
- * NaN.
+ * Returns the trilinear value. Skips samples with the weight 0, because they may be NaN.
  */
 template <typename Cell>
 VOLUME_HAPTICS_INLINE double SumNumbers(const Cell& cell, const CellPlace& place)
@@ -181,7 +185,7 @@ VOLUME_HAPTICS_INLINE double CheckNumber(double value, const Cell& cell, const C
   return value;
 }
 
-/** Returns the trilinear value from all eight samples. */
+/** Returns the trilinear value from all eight samples, none of which may be NaN. */
 template <typename Cell>
 VOLUME_HAPTICS_INLINE double BlendCell(const Cell& cell, const CellPlace& place)
 {
@@ -206,7 +210,7 @@ VOLUME_HAPTICS_INLINE ValuePair BlendCells(
 }
 
 ///@{
-/** Reads from samples, or from a blend. */
+/** Returns the trilinear value in samples, or in a blend. */
 template <typename T, typename Cell>
 VOLUME_HAPTICS_INLINE double Interpolate(const Cell& cell, const CellPlace& place)
 {
@@ -236,7 +240,7 @@ VOLUME_HAPTICS_INLINE double Trilinear(const TimeStepBlend& blend, double x, dou
 }
 
 ///@{
-/** Returns the view whose geometry holds for all time steps. */
+/** Returns the view that has the geometry of all time steps. */
 VOLUME_HAPTICS_INLINE const FieldView& GetGeometry(const FieldView& view)
 {
   return view;
@@ -247,7 +251,7 @@ VOLUME_HAPTICS_INLINE const FieldView& GetGeometry(const TimeStepBlend& blend)
 }
 ///@}
 
-/** Reads from a field, or from a blend of two fields. */
+/** Returns the trilinear value in a field, or in a blend of two fields. */
 template <typename T, typename Source>
 double TrilinearValue(const Source& from, double x, double y, double z) noexcept
 {

@@ -65,8 +65,8 @@ VOLUME_HAPTICS_INLINE void LoadRows(const T* even, const T* odd, RowPair<N>& row
 
 ///@{
 /**
- * Store two rows as numbers, and load them again, in vectors of four, because the compiler would
- * split up a copy of the whole structure.
+ * Store two rows as numbers, and load them again. They copy vectors of four, because the compiler
+ * would split up a copy of the whole structure.
  */
 template <int N>
 VOLUME_HAPTICS_INLINE void StoreRows(const RowPair<N>& rows, double* to)
@@ -132,7 +132,7 @@ VOLUME_HAPTICS_INLINE void AddScaled(const RowSum<N>& other, const double* weigh
   }
 }
 
-/** Multiplies a row by the weights along x. Returns four sums, which AddLanes adds up. */
+/** Multiplies a row by the weights along x. Returns four sums, which AddLanes() adds up. */
 template <int N>
 VOLUME_HAPTICS_INLINE Double4 WeighRow(const RowSum<N>& sum, const double* weights)
 {
@@ -151,8 +151,8 @@ VOLUME_HAPTICS_INLINE Double4 WeighRow(const RowSum<N>& sum, const double* weigh
 }
 
 /**
- * Computes value and gradient from three sums over y and z: that of the values, and those of the
- * slopes along y and z.
+ * Computes value and gradient from three sums over y and z: of the values, and of the slopes along
+ * y and along z.
  */
 template <int N>
 VOLUME_HAPTICS_INLINE double WeighSums(const RowSum<N>& sum, const RowSum<N>& sumY,
@@ -208,7 +208,7 @@ VOLUME_HAPTICS_INLINE double SumPlanes(
   return AddLanes(WeighRow<N>(sum, foot.Weights[0]));
 }
 
-/** Computes the sum over N^3 taps, of which `corner` is the first. */
+/** Computes the sum over N^3 taps. `corner` is the first tap. */
 template <typename T, int N, bool WithGradient>
 VOLUME_HAPTICS_INLINE double SumBlock(const T* corner, std::int64_t line, std::int64_t plane,
   const Footprint<N>& foot, Vector3* gradient)
@@ -228,7 +228,7 @@ VOLUME_HAPTICS_INLINE double SumBlock(const T* corner, std::int64_t line, std::i
  */
 VOLUME_HAPTICS_INLINE std::int64_t ClampedOffset(const VolumeView& view, int axis, std::int64_t tap)
 {
-  // Does not use VolumeView's own functions: see FieldKernels.h.
+  // VolumeView's own functions must not be called here: see FieldKernels.h.
   const std::int64_t least = view.First[axis];
   const std::int64_t last = least + view.Dimensions[axis] - 1;
   return (tap < least ? least : (tap < last ? tap : last)) * view.Stride[axis];
@@ -273,7 +273,7 @@ VOLUME_HAPTICS_OUTLINE double SumCopy(
   return SumBlock<T, N, WithGradient>(block, N, N * N, foot, gradient);
 }
 
-/** Prefetches all rows at once, because the processor prefetches fewer rows by itself. */
+/** Prefetches all rows at once, because the processor by itself prefetches only a few rows. */
 template <typename T>
 VOLUME_HAPTICS_INLINE void PrefetchRows(
   const T* corner, int count, std::int64_t line, std::int64_t plane)
@@ -370,8 +370,8 @@ VOLUME_HAPTICS_INLINE void SetPlace(
 }
 
 /**
- * Reads the taps, beginning with the tap at `first`, to a memory, unless it has them already.
- * Returns false if some taps are outside the samples.
+ * Reads the taps into a memory, beginning with the tap at `first`, unless the memory has them
+ * already. Returns false if some taps are outside the samples.
  */
 VOLUME_HAPTICS_INLINE bool KeepTaps(
   const FieldView& view, const std::int64_t* first, FillFunction fill, TapMemory& memory)
@@ -414,8 +414,8 @@ VOLUME_HAPTICS_INLINE void SpreadWeights(const double* from, PlaneWeights<N>& we
 }
 
 /**
- * Multiplies the rows of a plane by their weights and adds them up, as AddRows to the bit. `load`
- * loads a pair of rows.
+ * Multiplies the rows of a plane by their weights and adds them up. The result equals that of
+ * AddRows(), to the bit. `load` loads a pair of rows.
  */
 template <int N, typename LoadFunction>
 VOLUME_HAPTICS_INLINE RowSum<N> SumRows(const LoadFunction& load, const PlaneWeights<N>& weights)
@@ -441,9 +441,9 @@ VOLUME_HAPTICS_INLINE RowSum<N> SumRows(const LoadFunction& load, const PlaneWei
 }
 
 /**
- * Computes the sum over taps and the gradient, as SumPlanes to the bit. It reads the rows twice, so
- * that the weights of all rows stay in registers. `load` loads a pair of a plane's rows, and stores
- * the pair for the second pass if it is not stored yet.
+ * Computes the sum over taps and the gradient. The result equals that of SumPlanes(), to the bit.
+ * Reads the rows twice, so that the weights of all rows stay in registers. `load` loads a pair of
+ * rows of a plane, and stores it for the second pass if it is not stored yet.
  */
 template <int N, typename LoadFunction>
 VOLUME_HAPTICS_INLINE double SumTwice(

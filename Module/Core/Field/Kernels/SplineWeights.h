@@ -20,8 +20,8 @@ template <bool WithGradient>
 VOLUME_HAPTICS_INLINE void LocateSpline(
   const FieldView& view, double x, double y, double z, Footprint<4>& foot)
 {
-  // Coefficients of 1, t, t^2 and t^3, with a lane for each tap, and those of the slope, which are
-  // their derivatives.
+  // Coefficients of 1, t, t^2 and t^3, with a lane for each tap, and the coefficients of their
+  // derivatives.
   constexpr double sixth = 1.0 / 6.0;
   const Double4 c0 = { sixth, 4.0 * sixth, sixth, 0.0 };
   const Double4 c1 = { -0.5, 0.0, 0.5, 0.0 };

@@ -3,9 +3,9 @@
 /**
  * @file
  * Trilinear values of two time steps, blended. They are computed from the samples that the last
- * gradient has stored in a memory, because the samples around a proxy are hardly farther away than
- * the gradient's taps. The values equal those read from the time steps, to the bit. If the memory
- * lacks samples, the result is NaN. The rules of FieldKernels.h hold here, too.
+ * gradient has stored in a memory, because a proxy hardly needs samples beyond the gradient's taps.
+ * The values equal those read from the time steps, to the bit. If the memory lacks samples, the
+ * result is NaN. The rules of FieldKernels.h hold here, too.
  */
 #ifndef TapValues_h
 #define TapValues_h
@@ -22,8 +22,8 @@ namespace
 constexpr double NoTapValue = std::numeric_limits<double>::quiet_NaN();
 
 /**
- * Pointers to the samples of a cell in a TimeStepTaps, and the fraction by which two time steps are
- * blended there.
+ * Pointers to the samples of a cell in a TimeStepTaps, and the fraction by which both time steps
+ * are blended there.
  */
 template <int N>
 struct TapCell
@@ -49,7 +49,8 @@ template <int N>
 VOLUME_HAPTICS_INLINE bool ReadCell(
   const TimeStepTaps& memory, const CellPlace& place, double fraction, TapCell<N>& cell)
 {
-  // Converted to unsigned, negative numbers are large, so that one comparison checks both ends.
+  // Negative numbers become large when converted to unsigned, so that one comparison checks both
+  // ends.
   const auto i = static_cast<std::uint64_t>(place.X.Cell - memory.First[0]);
   const auto j = static_cast<std::uint64_t>(place.Y.Cell - memory.First[1]);
   const auto k = static_cast<std::uint64_t>(place.Z.Cell - memory.First[2]);

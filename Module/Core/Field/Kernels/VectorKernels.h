@@ -25,7 +25,7 @@ template <typename T, int C, bool WithGradient>
 VOLUME_HAPTICS_INLINE void SumVectors(const T* corner, std::int64_t line, std::int64_t plane,
   const Footprint<4>& foot, VectorSample& sample)
 {
-  // sum of the values, and sums of the slopes along y and z
+  // Sum of the values, and sums of the slopes along y and z.
   constexpr int sums = WithGradient ? 3 : 1;
   // Unroll the loop, so that the sums of a vector stay in registers.
   Double4 sum[sums][C] = {};
@@ -169,7 +169,7 @@ bool SampleVectors(
 }
 
 /**
- * Returns the functions of this translation unit's instruction set. Returns none if the number of
+ * Returns the functions of this translation unit's instruction set, or none if the number of
  * components is not 3, 6 or 9.
  */
 VectorFunctions SelectVectorFunctions(ScalarType type, int components)
