@@ -2,30 +2,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The servo's clock of a volume that moves.
+ * The servo's clock for a moving volume.
  *
- * While it plays, data time advances in every tick by
+ * While the clock plays, data time advances in every tick by
  *
  *   Rate * period,
  *
- * and holds otherwise. Orders change its speed and direction but not its present value: the volume
- * does not step. Only Place sets another time; the volume then changes as with a new model.
+ * and otherwise holds. Orders change its speed and direction, but not its present value, so that
+ * the volume does not jump. Only Place sets another time; the volume then changes as with a new
+ * model.
  *
  * At the end of the series
  * - Once holds;
- * - Loop goes on to the first time step, through an interval that blends the last time step into
+ * - Loop continues at the first time step, through an interval that blends the last time step into
  *   it;
  * - PingPong turns around.
  *
- * A time between the last time step and the first one stays there if the mode is no longer Loop,
- * and goes on to the time step that is next.
+ * If the mode is no longer Loop, a time between the last time step and the first one remains there,
+ * and continues to the next time step.
  *
- * A model may have a part of the series only (TimeStepSeries.h). If the next time step has not come
- * when it is needed, time holds at the end of that part and goes on from there: it never jumps.
- * Time also holds while the time steps at another Place have not come and, in ServoLoop, while too
- * little of a region is in memory for a tick. On the way to another Place, the model may have one
- * time step only, where time holds, too. No state is carried from the old place to that time step,
- * or from that time step to Place.
+ * A model may contain only a part of the series (TimeStepSeries.h). If the next time step is not
+ * there when it is needed, time holds at the end of that part and continues from there, without a
+ * jump. Time also holds while the time steps at another Place have not arrived and, in ServoLoop,
+ * while too little of a region is in memory for a tick. On the way to another Place, the model may
+ * have only one time step, where time holds, too. No state is carried from the old place to this
+ * time step, or from this time step to Place.
  */
 #ifndef DataClock_h
 #define DataClock_h
@@ -51,19 +52,19 @@ struct DataClockOrders
   Playback Mode = Playback::Once;
   bool Plays = false;
   double Rate = 1.0; ///< data time per second
-  /** Data time to go to; outside the series, the nearer end of the series counts. */
+  /** Data time to go to. A time outside the series is moved to its nearer end. */
   double Place = 0.0;
   std::uint32_t Places = 0; ///< number that changes whenever Place is set
 };
 
-/** The report of the clock after a tick. */
+/** The clock's report after a tick. */
 struct DataClockReport
 {
   bool IsMoving = false;  ///< whether the volume moves; true even while time holds
   bool IsWaiting = false; ///< whether time holds because time steps are missing
-  /// whether time runs backward, or would run backward if it did not hold
+  /// whether time runs backward, or would do so if it did not hold
   bool IsBackward = false;
-  double Wanted = 0.0;      ///< if the clock waits, the data time whose time steps it needs
+  double Wanted = 0.0;      ///< if the clock waits, the data time for which it needs time steps
   std::uint32_t Places = 0; ///< Places of the orders that the clock has used
 };
 
@@ -73,17 +74,17 @@ public:
   enum class Leap : std::uint8_t
   {
     None,
-    Within, ///< the clock went to another time of the model, so that the force may leap
-    /** The last time is not in the model, or the model of the last tick had only one time step. */
+    Within, ///< the clock jumped to another time of the model, so that the force may jump
+    /** The last time is not in the model, or the last tick's model had only one time step. */
     Away
   };
   /**
-   * Sets state.DataTime for a tick of a period (s). Returns how the time leapt. Called before the
-   * tick. After Leap::Away, the tick must begin with the proxy at the tip.
+   * Sets state.DataTime for a tick of a period (s). Returns how the time jumped. Must be called
+   * before the tick. After Leap::Away, the tick must begin with the proxy at the tip.
    */
   Leap Update(const BakedVolume& volume, const DataClockOrders& orders, double period,
     ServoState& state) noexcept;
-  /** Reports that no volume moves. Called before a tick whose volume does not move. */
+  /** Records that no volume moves. Must be called before a tick whose volume does not move. */
   void Rest() noexcept;
 
   const DataClockReport& GetReport() const noexcept { return this->Report; }
@@ -99,9 +100,9 @@ private:
 
   DataClockReport Report;
   std::uint64_t Number = 0; ///< BakedVolume::Number in the last tick
-  std::uint32_t Places = 0; ///< Places of the last orders whose Place was reached
+  std::uint32_t Places = 0; ///< Places of the last orders whose Place the clock has reached
   bool HasTime = false;
-  bool IsReturning = false; ///< for PingPong: whether time is on the way back
+  bool IsReturning = false; ///< for PingPong: whether time runs backward
   bool WasInstant = false;  ///< whether the model of the last tick had only one time step
 };
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The orientation of a tool on a device that does not measure one: the program rotates the tool,
- * for example by the mouse.
+ * The orientation of a tool if the device does not measure one. The program rotates the tool, for
+ * example with the mouse.
  */
 #ifndef HandTurn_h
 #define HandTurn_h
@@ -15,8 +15,9 @@ namespace VolumeHaptics
 {
 
 /**
- * Follows the program's ordered orientations, not faster than a hand rotates, so that a tool in
- * contact is not torn through the tissue. Begins at the last orientation that the device measured.
+ * Follows the orientations that the program orders, not faster than a hand rotates, so that a tool
+ * in contact does not tear through the tissue. Begins at the last orientation that the device
+ * measured.
  */
 class HandTurn
 {
@@ -25,16 +26,16 @@ public:
 
   ///@{
   /**
-   * Orders an orientation, which is a unit quaternion in the device's space. Called by the owner.
-   * Before the first call there is no orientation.
+   * Orders an orientation, a unit quaternion in the device's space. The owner calls this. Before
+   * the first call there is no orientation.
    */
   void Order(const Quaternion& orientation) noexcept { this->Orders.Write({ orientation, true }); }
   void Forget() noexcept { this->Orders.Write({}); }
   ///@}
 
   /**
-   * Sets the orientation unless the device measured it. Returns whether there is an orientation.
-   * Called by the servo once in each tick of a period (s).
+   * Sets the orientation, unless the device has measured it. Returns whether there is an
+   * orientation. The servo calls this once in each tick of a period (s).
    */
   bool Update(double period, Quaternion& orientation, bool isMeasured) noexcept;
 
@@ -45,7 +46,7 @@ private:
     bool IsThere = false;
   };
   TripleBuffer<Wish> Orders;
-  Quaternion Now; ///< orientation in the last tick; used only by the servo
+  Quaternion Now; ///< orientation in the last tick; only the servo uses it
   bool IsNow = false;
 };
 

@@ -12,7 +12,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Longest time (ns) until the loop looks for a new model or a request to stop. */
+/** Longest time (ns) until the loop polls for a new model or a request to stop. */
 constexpr std::int64_t IdlePeriod = 10000000;
 
 } // namespace
@@ -36,8 +36,8 @@ std::int64_t LocalSurfaceFitter::Look() noexcept
     }
   }
   this->Models.LetGo(ModelExchange::Fitter);
-  // The wait is limited, so that the loop soon notices new models and a request to stop, even if
-  // its rate is low.
+  // The wait is limited, so that the loop soon notices new models and a request to stop even if its
+  // rate is low.
   return std::clamp<std::int64_t>(this->Looked + period - now, 0, IdlePeriod);
 }
 
@@ -65,7 +65,7 @@ void LocalSurfaceFitter::Send(const HapticModel& model, const LocalState& local)
 {
   if (model.Baked->Settings.Method == HapticMethod::LocalSurface)
   {
-    // The request is repeated in every tick until there is a result, because the fitter may have
+    // Repeat the request in every tick until there is a result, because the fitter may have
     // answered an earlier request with another model.
     this->Requests.Write({ local.Request, local.Number });
   }

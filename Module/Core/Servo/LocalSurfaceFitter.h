@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The slow loop of HapticMethod::LocalSurface. On a thread of its own, it fits a surface for the
+ * The slow loop of HapticMethod::LocalSurface. In a separate thread, it fits a surface for the
  * servo's latest request, HapticSettings::LocalSurfaceRate times a second.
  *
- * Triple buffers pass requests and results, so that neither thread waits. A result is valid for the
- * request with the same number, if the servo still uses the same volume and settings.
+ * Triple buffers pass requests and results, so that neither thread waits. A result answers the
+ * request with the same number, provided that the servo still uses the same volume and settings.
  */
 #ifndef LocalSurfaceFitter_h
 #define LocalSurfaceFitter_h
@@ -34,9 +34,9 @@ public:
 
   ///@{
   /**
-   * PollResult() returns the latest result of the slow loop; it has no surface if it is not the
-   * answer to the request in `local`. Send() stores the request for the slow loop. Called by the
-   * servo.
+   * PollResult() returns the latest result of the slow loop, without a surface if it does not
+   * answer the request in `local`. Send() stores a request for the slow loop. Only the servo may
+   * call these.
    */
   LocalSurfaceResult PollResult(const HapticModel& model, const LocalState& local) noexcept;
   void Send(const HapticModel& model, const LocalState& local) noexcept;
@@ -55,14 +55,14 @@ private:
     std::uint64_t Baked = 0; ///< BakedVolume::Number of the model
   };
 
-  /** Fits a surface if a fit is due. Returns the time (ns) until the next call. */
+  /** Fits a surface if one is due. Returns the time (ns) until the next call. */
   std::int64_t Look() noexcept;
 
   ModelExchange& Models;
   TripleBuffer<Request> Requests;
   TripleBuffer<Result> Results;
   std::atomic<bool> StopRequested{ false };
-  /** Time (ns) at which the last fit was due; used only by the slow thread. */
+  /** Time (ns) at which the last fit was due. Only the slow thread uses it. */
   std::int64_t Looked = 0;
 };
 

@@ -16,8 +16,8 @@ namespace
  */
 constexpr std::int64_t LongestRoundTrip = 100000000;
 /**
- * Least number of steps between two reports of a moving tip. With fewer steps, the tip may have
- * rested for most of the time.
+ * Least number of encoder steps between two reports of a moving tip. With fewer steps, the tip may
+ * have rested most of the time.
  */
 constexpr double StepsOfMotion = 3.0;
 
@@ -60,7 +60,7 @@ double LoopTiming::RecordSample(const DeviceSample& sample, std::int64_t now) no
     const std::int64_t interval = sample.Time - before.Time;
     if (interval <= 0)
     {
-      return 0.0; // the clock stands still or runs backwards
+      return 0.0; // the clock has not advanced
     }
     next.TellsPeriod = interval <= LongestPeriod &&
       (this->LeastMotion == 0.0 || Norm(sample.Tip - this->Tip) >= StepsOfMotion * LeastMotion);

@@ -2,23 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Measures how long positions and forces take through the servo loop.
+ * Measures the delay of positions and forces in the servo loop.
  *
- * Let a device measure its tip at the times m, and receive the force for such a measurement at
- * a(m). Until it receives the force for the next measurement m', at a(m'), its force belongs to a
- * position that the tip has left: the force of a spring of stiffness k is wrong by k times the
- * length of the motion since m. On average over that time, the position is
+ * Let a device measure its tip at the times m, and let a(m) be the time at which it receives the
+ * force for such a measurement. Until it receives the force for the next measurement m', at a(m'),
+ * its force belongs to a position that the tip has left: the force of a spring of stiffness k is
+ * wrong by k times the length of the motion since m. On average over that time, the age of the
+ * position is
  *
  *   ((a(m) - m) + (a(m') - m)) / 2 = T / 2
  *
- * old, where T is called the *round trip*. The force of a spring that is late by T / 2 has a
- * component along the motion of k T / 2 times the speed, which the device's own friction b must
- * absorb: k <= 2 b / T. If the device receives its force at once, T = m' - m, its period. If the
- * force takes d to arrive, T = m' - m + 2 d: a delay counts twice.
+ * where T is called the *round trip*. The force of a spring that is late by T / 2 has a component
+ * along the motion of k T / 2 times the speed. The device's own friction b must absorb it: k <= 2 b
+ * / T. If the device receives its force at once, T = m' - m, its period. If the force takes d to
+ * arrive, T = m' - m + 2 d: a delay counts twice.
  *
- * A device that is silent at rest stays at its last position, so that this position does not get
- * old (DeviceSample::Alive). Its period is only measured between two reports with a motion of
- * several times its smallest step.
+ * A device that is silent at rest stays at its last position, so this position does not age
+ * (DeviceSample::Alive). Its period is measured only between two reports with a motion of several
+ * times its smallest step.
  */
 #ifndef LoopTiming_h
 #define LoopTiming_h
@@ -33,8 +34,8 @@ class LoopTiming
 {
 public:
   /**
-   * Longest interval (ns) that counts as a period. In a longer one, the device rested, or something
-   * stopped.
+   * Longest interval (ns) that counts as a period. During a longer one, the device rested, or
+   * something blocked it.
    */
   static constexpr std::int64_t LongestPeriod = 30000000;
 
@@ -49,10 +50,10 @@ public:
 
   ///@{
   /**
-   * Records a sample that has a Time. `now` is in ns. Returns the time (s) in which the tip moved
-   * here from its last position, by the device's own clock. If the thread that receives the reports
-   * was delayed, the result is at least a typical report period. It is 0 if the sample is not new
-   * or is the first one. Called by the servo once in each tick.
+   * Records a sample that has a Time. `now` is in ns. Returns the time (s) of the tip's motion from
+   * its last position, by the device's own clock. If the thread that receives the reports was
+   * delayed, the result is at least a typical report period. It is 0 for the first sample, and if
+   * the sample is not new. The servo calls this once in each tick.
    */
   double RecordSample(const DeviceSample& sample, std::int64_t now) noexcept;
   /** Records a force that the device has received. Ignores a repeated or older force. */
@@ -61,8 +62,8 @@ public:
 
   ///@{
   /**
-   * Return upper estimates (s) over about the last second, or 0 until they are known. From any
-   * thread.
+   * Return upper estimates (s) over about the last second, or 0 until they are known. Any thread
+   * may call these.
    */
   double GetReportPeriod() const noexcept;
   double GetRoundTrip() const noexcept;
@@ -72,7 +73,7 @@ private:
   struct Measurement
   {
     std::int64_t Time = 0;  ///< time in ns
-    std::int64_t Until = 0; ///< end of the time (ns) in which the tip stayed there
+    std::int64_t Until = 0; ///< end of the time (ns) during which the tip stayed there
     bool TellsPeriod = false;
   };
   static constexpr std::size_t Kept = 32;
@@ -82,7 +83,8 @@ private:
   std::array<Measurement, Kept> Last{}; ///< a ring buffer
   std::uint64_t Count = 0;
   Vector3 Tip;              ///< position of the tip at the last measurement
-  std::int64_t AliveAt = 0; ///< last time (ns) at which the device reported that it had not moved
+  std::int64_t AliveAt = 0; ///< last time (ns) at which the device reported that the tip had not
+                            ///< moved
   bool Continues = false;   ///< whether the next motion of the tip begins at the last measurement
   TakenForce Acting;
   RecentDurations Reports;

@@ -51,8 +51,8 @@ std::uint64_t ModelExchange::Publish(std::shared_ptr<const HapticModel> model)
 void ModelExchange::Collect()
 {
   const std::uint64_t inUse = this->GetAcknowledged();
-  // Read only after Next was written: a thread that already holds an older model is then in Held,
-  // and a thread that does not hold a model yet will read Next.
+  // Read Held only after Next was written: a thread that already uses an older model has then
+  // registered it in Held, and any other thread will read Next.
   const PublishedModel* held[Holders];
   std::copy(std::begin(this->Held), std::end(this->Held), held);
   const auto isFree = [&](const std::unique_ptr<const PublishedModel>& kept)

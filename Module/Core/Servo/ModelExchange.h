@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Passes models from the thread that publishes them to the servo and to its helper threads.
+ * Passes models from the publishing thread to the servo and its helper threads.
  *
- * A model is published by swapping a pointer. The servo acknowledges the generation that it uses
- * from then on. The fitter of local surfaces and the keeper of the samples around the tip register
- * the model that they hold. Only the publishing thread frees models, when no thread uses them any
- * more.
+ * To publish a model, a pointer is swapped. The servo acknowledges the generation that it uses from
+ * then on. The fitter of local surfaces and the keeper of the samples around the tip register the
+ * model that they use. Only the publishing thread frees models, as soon as no other thread uses
+ * them.
  *
  * A model comes with the memory of its tool (ToolMemory.h). Models with the same tool share one
- * memory, which only the servo writes.
+ * memory, to which only the servo writes.
  */
 #ifndef ModelExchange_h
 #define ModelExchange_h
@@ -27,7 +27,7 @@ namespace VolumeHaptics
 class HapticModel;
 class ToolMemory;
 
-/** The object that the swapped pointer points to. */
+/** A model and its data. The swapped pointer points to this. */
 struct PublishedModel
 {
   std::shared_ptr<const HapticModel> Model;
@@ -46,15 +46,19 @@ public:
   ModelExchange& operator=(const ModelExchange&) = delete;
 
   ///@{
-  /** Publishes a model and returns its generation. Called by the publishing thread. */
+  /** Publishes a model and returns its generation. Only the publishing thread may call this. */
   std::uint64_t Publish(std::shared_ptr<const HapticModel> model);
-  /** Returns the tool memory of the model that was published last, or null if it needs none. */
+  /**
+   * Returns the tool memory of the model that was published last, or null if its tool needs none.
+   */
   const std::shared_ptr<ToolMemory>& GetTool() const noexcept { return this->Kept.back()->Tool; }
-  /** Frees the models that no other thread uses any more. Called by the publishing thread. */
+  /**
+   * Frees the models that no other thread uses any more. Only the publishing thread may call this.
+   */
   void Collect();
-  /** Returns whether the system refused to lock the tables of a model. From any thread. */
+  /** Returns whether the system refused to lock the tables of a model. Any thread may call this. */
   bool IsLockRefused() const noexcept { return this->LockRefused.load(std::memory_order_relaxed); }
-  /** Returns the generation that the servo has acknowledged. */
+  /** Returns the last generation that the servo has acknowledged. */
   std::uint64_t GetAcknowledged() const noexcept
   {
     return this->Acknowledged.load(std::memory_order_acquire);
@@ -63,8 +67,8 @@ public:
 
   ///@{
   /**
-   * Called by the servo: returns the latest model. It is not freed until the servo acknowledges a
-   * later one.
+   * Returns the latest model. It is not freed until the servo acknowledges a later one. Only the
+   * servo may call this.
    */
   const PublishedModel* GetLatest() const noexcept
   {
@@ -78,8 +82,8 @@ public:
 
   ///@{
   /**
-   * Called by the thread of a holder: returns the latest model. It is not freed until the thread
-   * releases it by LetGo().
+   * Returns the latest model. It is not freed until the thread releases it by LetGo(). Only the
+   * thread of a holder may call this.
    */
   enum Holder : std::uint8_t
   {
@@ -96,10 +100,10 @@ private:
   std::atomic<std::uint64_t> Acknowledged{ 0 };
   std::atomic<const PublishedModel*> Held[Holders] = {};
   std::atomic<bool> LockRefused{ false };
-  // used only by the publisher; oldest first
+  // only for the publisher; oldest first
   std::vector<std::unique_ptr<const PublishedModel>> Kept;
-  std::uint64_t Generation = 0; // used only by the publisher
-  // the last tool memory that a model needed; used only by the publisher
+  std::uint64_t Generation = 0; // only for the publisher
+  // The last tool memory that a model needed. Only for the publisher.
   std::shared_ptr<ToolMemory> LastTool;
 };
 

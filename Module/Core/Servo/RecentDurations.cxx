@@ -37,7 +37,7 @@ void RecentDurations::Compute() noexcept
   }
   const auto begin = this->Sorted.begin();
   const auto end = begin + static_cast<std::ptrdiff_t>(count);
-  // The 95th percentile is duration number 95 * count / 100, rounded up, counted from 1.
+  // Counted from 1, the 95th percentile is duration 95 * count / 100, rounded up.
   const auto upper = begin + static_cast<std::ptrdiff_t>((95 * count + 99) / 100 - 1);
   std::nth_element(begin, upper, end);
   this->Upper.store(*upper, std::memory_order_relaxed);

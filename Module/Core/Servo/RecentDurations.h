@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * An upper and a typical value of recent durations. One thread writes them, and any thread may read
- * them without waiting.
+ * Computes an upper and a typical value of recent durations. One thread adds durations, and any
+ * thread may read the values without waiting.
  *
- * They are the 95th percentile, which a few late wake-ups of a busy machine do not change, and the
- * median of the last durations. The last durations are at most Capacity, and only as many as sum up
- * to one second. Both values are computed again with every Stride-th duration.
+ * The values are the 95th percentile, which a few late wake-ups of a busy machine do not change,
+ * and the median. They are computed from the last Capacity durations, or from fewer if these
+ * already sum up to one second, and are updated with every Stride-th duration.
  */
 #ifndef RecentDurations_h
 #define RecentDurations_h
@@ -28,8 +28,8 @@ public:
 
   ///@{
   /**
-   * Adds a duration (ns). Called only by the writer. The first values are known after Stride
-   * durations.
+   * Adds a duration (ns). Only the writer may call this. The first values are available after
+   * Stride durations.
    */
   void Add(std::int64_t nanoseconds) noexcept;
   void Reset() noexcept;

@@ -33,7 +33,7 @@ void ResidentServo::Tick(const HapticModel& model, ServoState& state, const Vect
   this->Lacks = this->IsOut;
   gate.ReportData(this->IsOut ? 0.0 : there, period);
   const double opening = gate.GetOpening();
-  // If the opening rises again after a fade or a hold, the gate is not waiting for data.
+  // While the opening rises again after a fade or a hold, the gate is not waiting for data.
   const bool isLess = opening < 1.0 && !gate.IsClosing() && (this->Awaits || there < 1.0);
   this->Awaits = !model.Resident.IsWhole() && (this->IsOut || isLess);
   if (!this->IsOut)
@@ -43,7 +43,7 @@ void ResidentServo::Tick(const HapticModel& model, ServoState& state, const Vect
   }
   if (opening == 0.0 || !state.Enabled)
   {
-    // A disabled state must begin at the tip, without a force.
+    // A disabled state begins at the tip, without a force.
     this->Force = this->Lag = Vector3{};
     record = TickRecord{};
   }

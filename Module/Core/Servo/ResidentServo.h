@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Ticks on a region of a volume, where samples may be missing (Residency.h).
+ * Runs ticks in a region of a volume, where samples may be missing (Residency.h).
  */
 #ifndef ResidentServo_h
 #define ResidentServo_h
@@ -21,20 +21,20 @@ struct TickRecord;
 
 /**
  * Runs the ticks of a servo whose model may be a region, and sets the gate's opening (ForceGate.h)
- * by the residency.
+ * according to the residency.
  *
- * The opening follows the residency up and down, by at most 1 in ForceGate::FadeTime. If data of a
- * tick are missing, the tick is not computed: the last force moves along with the tip and fades,
- * and then the proxy stays at the tip. When the data have come, a new force begins there at zero.
- * For models of whole volumes this is Tick() with an opening of 1.
+ * The opening follows the residency up and down, at most from 0 to 1 in ForceGate::FadeTime. If
+ * data for a tick are missing, the tick is not computed: the last force moves along with the tip
+ * and fades, and then the proxy stays at the tip. When the data have arrived, a new force begins
+ * there at zero. For models of whole volumes, this is the plain Tick() with an opening of 1.
  */
 class ResidentServo
 {
 public:
   /**
    * Runs a tick of a period (s). Computes the whole force, before it is multiplied by the gate's
-   * share. `record` has the record of the last tick, and receives the new one. `tool` is as for
-   * VolumeHaptics::Tick.
+   * share. `record` contains the last tick's record, and receives the new one. `tool` is the same
+   * as for VolumeHaptics::Tick().
    */
   void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, double period,
     TickRecord& record, const LocalSurfaceResult& result, ForceGate& gate,
@@ -50,7 +50,7 @@ public:
 private:
   bool Awaits = false;
   bool Lacks = false;
-  bool IsOut = false; ///< whether the old force must end before a new one may begin
+  bool IsOut = false; ///< whether the old force must fade before a new one may begin
   Vector3 Force;      ///< the last force, while IsOut is true
   Vector3 Lag;        ///< proxy minus tip, while IsOut is true
   TickMemory Taps;    ///< samples of the last tick

@@ -20,17 +20,17 @@ namespace
 /** Time (ns) between two polls of the tip. */
 constexpr std::int64_t TipPeriod = 5 * ServoClock::Millisecond;
 /**
- * Margins in index steps along the axis with the smallest spacing. The first margin whose pages are
- * few enough is used.
+ * Margins (index steps along the axis with the smallest spacing), in the order in which they are
+ * tried. The first one with few enough pages is used.
  */
 constexpr int Margins[] = { 32, 24, 16, 12, 8, 6, 4, 3, 2, 1, 0 };
 /**
- * Fractions of the reach that are tried for the box around the proxy if the whole reach has too
- * many pages.
+ * Fractions of the reach that are tried for the box around the proxy if the full reach has too many
+ * pages.
  */
 constexpr double Fractions[] = { 1.0, 0.7, 0.5, 0.3, 0.2, 0.1, 0.0 };
 
-/** Returns the largest number of index steps along each axis for a vector of length 1. */
+/** Returns, for each index axis, the largest number of index steps for a vector of length 1. */
 Vector3 StepsOf(const Affine3& toIndex) noexcept
 {
   const Matrix3& m = toIndex.Linear;
@@ -118,8 +118,8 @@ bool CollectSamplePages(const VolumeView& view, const SampleBox& box, std::size_
 
 void SampleKeeper::Lock(const std::vector<SamplePages>& pages, Kept& kept)
 {
-  // Request all pages at once, because the kernel reads many unneeded pages around a single page
-  // fault.
+  // Request all pages at once. If pages are read one by one, the kernel reads many unneeded pages
+  // around each of them.
   for (const SamplePages& range : pages)
   {
     RequestPages(reinterpret_cast<const void*>(range.Begin), range.End - range.Begin);
@@ -142,8 +142,8 @@ void SampleKeeper::Lock(const std::vector<SamplePages>& pages, Kept& kept)
     };
     return std::all_of(pages.begin(), pages.end(), isLocked) ? std::move(all) : nullptr;
   };
-  // If both fit into the limit, lock the new pages before the old ones are unlocked, so that common
-  // pages stay locked.
+  // If both boxes fit into the limit, lock the new pages before the old ones are unlocked, so that
+  // common pages stay locked.
   std::unique_ptr<MemoryLock> next = lock();
   if (!next && kept.Lock && !this->IsStopping())
   {
@@ -261,7 +261,7 @@ void SampleKeeper::Run() noexcept
     {
       this->Look();
     }
-    catch (...) // there is no memory for the lists of pages
+    catch (...) // out of memory for the lists of pages
     {
       this->Refused.store(true, std::memory_order_relaxed);
     }

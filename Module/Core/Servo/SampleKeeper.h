@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Keeps the samples around the tip in memory. It runs on a thread of its own.
+ * Keeps the samples around the tip in memory, on a separate thread.
  *
- * An array may be mapped from a file that is larger than memory, so that a tick that reads a
- * missing page waits for the disk. This thread polls the tip, reads the pages of a box around tip
+ * An array may be mapped from a file that is larger than the memory. A tick that reads a missing
+ * page would then wait for the disk. This thread polls the tip, reads the pages of a box around tip
  * and proxy into memory before the tip gets there, and locks as many of them as the user's limit
  * allows (RLIMIT_MEMLOCK). It reads no other part of the volume.
  *
  * The box contains the samples that a tick reads (ComputeReadReach) at the tip and at its
  * extrapolated position at the next poll, with a margin of up to 32 voxels. It is limited to
- * SampleKeeper::MostBytes in whole pages. It is renewed when the tip has used up half of the
- * margin. The labels have a box of their own.
+ * SampleKeeper::MostBytes in whole pages. A new box is made when the tip has used up half of the
+ * margin. Labels have a separate box.
  */
 #ifndef SampleKeeper_h
 #define SampleKeeper_h
@@ -48,7 +48,7 @@ struct SamplePages
 
 /**
  * Collects the whole pages that contain a box of samples, in ascending order and without overlap.
- * Returns false, with an incomplete list, if the pages have more than `most` bytes.
+ * Returns false, with an incomplete list, if the pages are larger than `most` bytes.
  */
 bool CollectSamplePages(const VolumeView& view, const SampleBox& box, std::size_t pageSize,
   std::size_t most, std::vector<SamplePages>& pages);
@@ -61,19 +61,19 @@ public:
   {
   }
 
-  /** Limit of the pages of each of the two boxes (bytes). */
+  /** Largest size (bytes) of the pages of each of the two boxes. */
   static constexpr std::size_t MostBytes = std::size_t{ 1 } << 22;
 
   ///@{
   /**
-   * Keeps samples in memory until RequestStop(), then unlocks all pages. Called on the keeper's
-   * thread.
+   * Keeps samples in memory until RequestStop(), then unlocks all pages. Must be called on the
+   * keeper's thread.
    */
   void Run() noexcept;
   void RequestStop() noexcept { this->StopRequested.store(true, std::memory_order_release); }
   ///@}
 
-  /** Stores tip and proxy (device) for the thread. Called by the servo in every tick. */
+  /** Sends tip and proxy (device) to the keeper's thread. The servo calls this in every tick. */
   void Update(const Vector3& tip, const Vector3& proxy) noexcept
   {
     this->Places.Write({ tip, proxy });
@@ -81,8 +81,8 @@ public:
 
   ///@{
   /**
-   * GetLooks() returns the number of polls that had samples to keep. IsLockRefused() returns
-   * whether some samples were not locked at the last poll. From any thread.
+   * GetLooks() returns the number of polls with samples to keep. IsLockRefused() returns whether
+   * some samples were not locked at the last poll. Any thread may call these.
    */
   std::uint64_t GetLooks() const noexcept { return this->Looks.load(std::memory_order_acquire); }
   bool IsLockRefused() const noexcept { return this->Refused.load(std::memory_order_relaxed); }
@@ -94,11 +94,11 @@ private:
     Vector3 Tip;
     Vector3 Proxy;
   };
-  /** The samples of one array that are kept in memory. */
+  /** The samples of one array that are being kept in memory. */
   struct Kept
   {
     const void* First = nullptr; ///< first sample of the array
-    SampleBox Enough;            ///< the box is renewed when ticks read outside this smaller box
+    SampleBox Enough;            ///< a new box is made when ticks read outside this smaller box
     bool IsLocked = false;
     std::unique_ptr<MemoryLock> Lock;
   };

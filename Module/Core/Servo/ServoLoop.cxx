@@ -13,25 +13,25 @@ namespace
 {
 
 /**
- * Time (s) for whose ticks the ring has room, and its least number of ticks. The ring's reader
- * polls every 5 ms. A larger ring would need more time and locked memory at every start; by default
- * a user may lock 8 MiB.
+ * Time (s) whose ticks fit into the ring, and the ring's least number of ticks. The ring's reader
+ * polls every 5 ms. A larger ring would need more time and locked memory at every start; by
+ * default, a user may lock 8 MiB.
  */
 constexpr double LongestWait = 0.4;
 constexpr double LeastTicks = 1024.0;
 /**
- * Stack (bytes) that is locked. It is more than any method needs; the rest of the stack is not
- * locked.
+ * Size (bytes) of the part of the stack that is locked. No method needs more.
  */
 constexpr std::size_t StackSize = 1 << 18;
 /**
- * Longest way (m) by which a new model carries the proxy. If the way is longer, the proxy begins at
- * the tip instead.
+ * Longest distance (m) by which a new model moves the proxy. If the distance is longer, the proxy
+ * restarts at the tip.
  */
 constexpr double FarthestCarry = 3e-3;
 /**
- * Largest change of the force by a new model, as a fraction of the maximum force, and as a time (s)
- * in which the slew limit allows it. After a larger change, the force begins again at zero.
+ * Largest change of the force by a new model, as a fraction of the maximum force, and the time (s)
+ * within which the slew limit must allow this change. After a larger change, the force restarts at
+ * zero.
  */
 constexpr double LargestJump = 0.25;
 constexpr double JumpTime = 0.05;
@@ -53,7 +53,7 @@ ServoLoop::~ServoLoop() = default;
 
 void ServoLoop::LockMemory(MemoryLock& lock) noexcept
 {
-  // The largest part comes last, because a user's limit often allows only the smaller ones.
+  // Lock the largest part last, because a user's limit often allows only the smaller ones.
   const bool own = lock.Add(this, sizeof(*this));
   const bool stack = lock.AddStack(StackSize);
   const bool trace = lock.Add(this->Trace.GetMemory(), this->Trace.GetMemorySize());
@@ -91,7 +91,8 @@ void ServoLoop::SetClutched(bool clutched) noexcept
     {
       return;
     }
-    // The number of changes is in the bits below the number of orders, where it wraps around.
+    // The number of changes of the clutch is stored in the bits below the number of orders, and
+    // wraps around there.
     const std::uint64_t changes = (last + ClutchStep) % OrderStep & ~(ClutchStep - 1);
     next = OrdersOf(last) * OrderStep | changes | (clutched ? ClutchBit : 0) |
       static_cast<std::uint64_t>(OrderOf(last));
@@ -101,7 +102,7 @@ void ServoLoop::SetClutched(bool clutched) noexcept
 void ServoLoop::ApplyOrders(std::uint64_t command) noexcept
 {
   const std::uint64_t seen = std::exchange(this->ArmCommandSeen, command);
-  // If several orders came at once, only the last one is known, and one before may have been
+  // If several orders came at once, only the last one is known, and an earlier one may have been
   // Disarm.
   const auto orders = static_cast<std::uint32_t>(OrdersOf(command) - OrdersOf(seen));
   bool isArmed = false;
@@ -135,10 +136,10 @@ void ServoLoop::ApplyOrders(std::uint64_t command) noexcept
 
 void ServoLoop::ApplyCommands() noexcept
 {
-  // Read first, so that the orders before a release are seen together with it.
+  // Read this first, because the orders before a release must take effect together with it.
   this->Gate.SetHeld(this->HoldWanted.load(std::memory_order_acquire));
   this->ApplyOrders(this->ArmCommand.load(std::memory_order_acquire));
-  // Read after the orders, because a confirmation is required before Arm().
+  // Read this after the orders, because a confirmation is required before Arm().
   if (const unsigned axes = this->ConfirmAxes.exchange(0, std::memory_order_acq_rel))
   {
     this->SignAxes = axes;
@@ -205,7 +206,7 @@ DeviceSample ServoLoop::ReadDevice(std::int64_t woken, double period) noexcept
   this->MotionTime = this->Timing.RecordSample(sample, woken);
   if (s.Device == DeviceState::NotReady)
   {
-    // Force never begins by itself, so the user must arm again when the device is ready.
+    // Force never starts without an order, so the user must arm again when the device is ready.
     this->Gate.ReportNotReady();
   }
   return sample;
@@ -232,12 +233,12 @@ void ServoLoop::UpdateDataClock(double period) noexcept
 
 void ServoLoop::PlaceProxy(const DeviceSample& sample, double elapsed) noexcept
 {
-  // The proxy begins at the tip, without a force, for one of the following four reasons. Tick() and
-  // ResidentServo do the same after a tip that is not finite, and after missing data.
+  // The proxy restarts at the tip, without a force, for one of the following four reasons. Tick()
+  // and ResidentServo do the same after a tip that is not finite, and after missing data.
   const bool isContactNew = std::exchange(this->IsContactNew, false);
-  // The loop stood still for longer than the watchdog's time, while the hand moved on.
+  // The loop was blocked for longer than the watchdog's time, while the hand moved on.
   const bool stood = elapsed > this->Limits.Read().WatchdogTime;
-  // The stylus was just taken up, so the proxy must not be at a tip that no hand held.
+  // The stylus was just picked up, so the proxy must not remain at a tip that no hand held.
   const bool isTakenUp = sample.Begins || (sample.Fresh && !this->HasSample);
   // The hand moved while the gate let no force through (see the table of ForceGate.h).
   const bool isGateNew = this->Gate.DrainRestart();
@@ -281,7 +282,7 @@ bool ServoLoop::KeepForRecording() noexcept
   {
     this->Current->Tool->Keep();
   }
-  // Write this last, because another thread may use the snapshot from now on.
+  // Write this last, because another thread may use the snapshot from then on.
   this->KeepWanted.store(false, std::memory_order_release);
   return isKept;
 }
@@ -290,7 +291,7 @@ void ServoLoop::Touch(const DeviceSample& sample, double period) noexcept
 {
   ServoSnapshot& s = this->Snapshot;
   const Vector3 before = s.Record.Force;
-  // The tick has served a request, so that the hand now feels another volume.
+  // If the tick has served a request, the hand now feels a changed volume.
   this->IsModelNew = this->IsModelNew || s.Record.IsServed;
   if (const HapticModel* const model = this->Current->Model.get())
   {
@@ -331,7 +332,7 @@ void ServoLoop::Touch(const DeviceSample& sample, double period) noexcept
   }
 }
 
-/** Returns the push of the sign check while the gate waits for its verdict. */
+/** Returns the push of the sign check while the gate waits for the verdict. */
 Vector3 ServoLoop::Confirm(const DeviceSample& sample, double elapsed) noexcept
 {
   const bool isUnderWay =
@@ -343,7 +344,7 @@ Vector3 ServoLoop::Confirm(const DeviceSample& sample, double elapsed) noexcept
   }
   if (this->Signs.GetVerdict().Result != SignResult::Pending)
   {
-    // The check begins again after any verdict except Confirmed.
+    // The check restarts after any verdict except Confirmed.
     this->Signs.Begin(this->SignAxes, this->ConfirmForce.load(std::memory_order_relaxed));
   }
   const Vector3 push = this->Signs.Step(sample.Tip, sample.Fresh || sample.Alive, elapsed);
@@ -388,7 +389,7 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
       input.Frequency =
         ContactTransient::ComputeFrequency(s.Record.Stiffness, s.Record.SurfaceStrength);
     }
-    // If data are missing, the force is from an earlier tick.
+    // If data are missing, the force comes from an earlier tick.
     input.Drag = model && !s.Awaiting ? ComputeDrag(*model, s.Before, s.Record) : Vector3{};
   }
   input.Torque = s.Record.Torque;
@@ -397,12 +398,12 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
   input.Elapsed = elapsed;
   input.Fresh = sample.Fresh;
   input.Alive = sample.Alive;
-  // If data are missing, no tick was computed.
+  // If data are missing, no tick was computed, so the wall did no work.
   input.WallWork = s.Awaiting ? 0.0 : s.Record.WallWork;
   input.MotionTime = this->MotionTime;
   input.RoundTrip = this->Timing.GetRoundTrip();
   input.IsNew = std::exchange(this->IsForceNew, false);
-  // If Write reported that the device is lost, the loss counts in the next tick.
+  // If Write reported that the device is lost, the loss takes effect in the next tick.
   input.Lost = s.Device == DeviceState::Lost || this->WriteLost;
   const SafetyLimits& limits = this->Limits.Read();
   s.Command = this->Safety.Apply(input, limits, this->Gate);
@@ -470,7 +471,7 @@ void ServoLoop::CountTime(std::int64_t planned, std::int64_t woken, std::int64_t
 void ServoLoop::Run() noexcept
 {
   ServoClock::BlockSignals();
-  MemoryLock lock; // holds its locks until the loop ends
+  MemoryLock lock; // locks memory until the loop ends
   this->LockMemory(lock);
   this->Priority.Raise();
   const std::int64_t begin = ServoClock::Now();
@@ -491,8 +492,7 @@ void ServoLoop::Run() noexcept
     planned += this->Period;
     if (done > planned)
     {
-      // It is too late for the next tick: skip ticks, so that the loop does not catch up in a
-      // burst.
+      // The next tick is already late. Skip ticks, so that the loop does not catch up in a burst.
       const std::int64_t missed = (done - planned) / this->Period + 1;
       this->MissedTicks.store(
         this->MissedTicks.load(std::memory_order_relaxed) + static_cast<std::uint64_t>(missed),

@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The servo loop: it runs one tick after the other at a fixed rate, on a thread of its own.
+ * The servo loop runs ticks at a fixed rate, on a separate thread.
  *
  * The loop never waits for its inputs and outputs:
  * - a model is published by swapping a pointer (ModelExchange.h);
  * - a slow thread fits the local surfaces (LocalSurfaceFitter.h);
  * - a second slow thread reads the samples around the tip into memory (SampleKeeper.h);
- * - a triple buffer passes the latest state out and, while recording, a ring passes every state;
+ * - a triple buffer passes the latest state out and, during a recording, a ring passes every state;
  * - a triple buffer passes the orders to the clock of a moving volume (DataClock.h);
  * - commands (arm, disarm, fade out, stop), limits and the time of the owner's last call are single
  *   atomics.
  *
- * The loop neither locks, allocates, throws nor logs. Threads: Run belongs to the servo; RunFitter
- * and RunSampleKeeper to the slow threads; AskRealtimeKit to a thread that may wait; ReadState to
- * one reader; Drain to one recorder; all other functions to the owner (the GUI thread).
+ * The loop neither locks, allocates, throws nor logs. The servo's thread calls Run; slow threads
+ * call RunFitter and RunSampleKeeper; a thread that may wait calls AskRealtimeKit; one reader calls
+ * ReadState; one recorder calls Drain; the owner (the GUI thread) calls all other functions.
  */
 #ifndef ServoLoop_h
 #define ServoLoop_h
@@ -51,21 +51,22 @@ namespace VolumeHaptics
 struct ServoSnapshot
 {
   TickRecord Record; ///< result of the tick, before the safety stage
-  ServoState Before; ///< state before the tick; if it is not enabled, the force is 0
-  /** Whether this tick copied the tool's memory, for a recording that begins with Before. */
+  ServoState Before; ///< state before the tick; if its Enabled is false, the force is 0
+  /** Whether this tick copied the tool's memory for a recording, which begins with Before. */
   bool IsKept = false;
-  ModeForces Modes{};           ///< force in N of each mode of PRIMITIVES, before the safety stage
+  ModeForces Modes{};           ///< force (N) of each mode of the method Primitives, before the
+                                ///< safety stage
   Vector3 Command;              ///< force in N that was sent to the device
   Vector3 Torque;               ///< torque in N m that was sent to the device
   double Time = 0.0;            ///< time in s since the loop started
-  std::uint64_t Tick = 0;       ///< number of the tick, from 0; only executed ticks count
+  std::uint64_t Tick = 0;       ///< number of the tick, from 0, without missed ticks
   std::uint64_t Generation = 0; ///< generation of the model; 0 without a model
   std::uint32_t Buttons = 0;
   Vector3 Turn; ///< angular velocity in rad/s (DeviceSample::Turn)
-  /** Orientation of the stylus, with which tools rotate (DeviceSample::Orientation). */
+  /** Orientation of the stylus, which rotates a tool (DeviceSample::Orientation). */
   Quaternion Orientation;
-  bool HasOrientation = false; ///< whether Orientation is valid; then it is a unit quaternion
-  bool IsOrdered = false;      ///< whether Orientation is from ServoLoop::TurnHand
+  bool HasOrientation = false; ///< whether Orientation is valid and a unit quaternion
+  bool IsOrdered = false;      ///< whether Orientation comes from ServoLoop::TurnHand
   GateState Gate = GateState::Disarmed;
   GateReason Reason = GateReason::Ordered; ///< reason why Share is below 1
   bool Stale = false;                      ///< whether the tip is older than the watchdog allows
@@ -73,10 +74,11 @@ struct ServoSnapshot
   bool Awaiting = false;    ///< whether missing data reduced the force
   double Share = 0.0;       ///< fraction of Record.Force that the gate let through
   double Residency = 1.0;   ///< opening of the gate, that is, Share without the ramp
-  std::uint32_t Orders = 0; ///< number of orders that the tick has seen (ServoLoop::GetOrders)
+  std::uint32_t Orders = 0; ///< number of orders that had arrived before the tick
+                            ///< (ServoLoop::GetOrders)
   DeviceState Device = DeviceState::Running;
   SignVerdict Signs;     ///< verdict of the sign check since RequireConfirmation
-  DataClockReport Clock; ///< report of the clock if the volume moves
+  DataClockReport Clock; ///< the clock's report if the volume moves
 
   bool IsArmed() const noexcept { return this->Gate != GateState::Disarmed; }
   GateReason GetFault() const noexcept { return ComputeFault(this->Gate, this->Reason); }
@@ -85,34 +87,34 @@ struct ServoSnapshot
 class ServoLoop
 {
 public:
-  /** Makes a loop. The back end must be open, and must outlive the loop. */
+  /** The back end must be open, and must outlive the loop. */
   ServoLoop(DeviceBackend& backend, double rate);
   ~ServoLoop();
   ServoLoop(const ServoLoop&) = delete;
   ServoLoop& operator=(const ServoLoop&) = delete;
 
-  /** Runs the loop. Returns after RequestStop(), when zero force has been sent. */
+  /** Runs the loop until RequestStop(). Sends zero force before it returns. */
   void Run() noexcept;
   /**
-   * Runs the slow loop of LOCAL_SURFACE, without which there is no surface. Returns after
-   * RequestStop().
+   * Runs the slow loop of the method LocalSurface until RequestStop(). Without it, no surface is
+   * found.
    */
   void RunFitter() noexcept { this->Fitter.Run(); }
   /**
-   * Wakes Run() on another processor if its own one does not wake it in time. Returns after
+   * Wakes Run() on another processor if its own processor does not wake it on time. Returns after
    * RequestStop().
    */
   void WatchSleep() noexcept { this->Sleep.Watch(); }
   /** See WatchedSleep::GetRescues. */
   std::uint64_t GetRescues() const noexcept { return this->Sleep.GetRescues(); }
   /**
-   * Requests a real-time class for Run() from RealtimeKit if the kernel has refused it
+   * If the kernel has refused a real-time class for Run(), requests it from RealtimeKit
    * (ServoPriority).
    */
   void AskRealtimeKit() noexcept { this->Priority.AskRealtimeKit(); }
   /**
-   * Keeps the samples around the tip in memory. Without it, a tick may wait for the disk if the
-   * volume is mapped from a file. Returns after RequestStop(), when it has unlocked the samples.
+   * Keeps the samples around the tip in memory until RequestStop(), and then unlocks them. Without
+   * it, a tick may wait for the disk if the volume is mapped from a file.
    */
   void RunSampleKeeper() noexcept { this->Samples.Run(); }
   void RequestStop() noexcept
@@ -124,35 +126,37 @@ public:
     this->Samples.RequestStop();
   }
 
-  /** Publishes a model for the next tick. With nullptr, nothing is felt. Returns its generation. */
+  /**
+   * Publishes a model for the next tick, and returns its generation. With nullptr, nothing is felt.
+   */
   std::uint64_t Publish(std::shared_ptr<const HapticModel> model)
   {
     return this->Models.Publish(std::move(model));
   }
-  /** Returns ModelExchange::GetTool(). Called by the owner. */
+  /** Returns ModelExchange::GetTool(). Only the owner may call this. */
   std::shared_ptr<const ToolMemory> GetTool() const { return this->Models.GetTool(); }
   /** Frees the models that the loop no longer uses. */
   void Collect() { this->Models.Collect(); }
   /** Returns the generation of the model that the loop uses. */
   std::uint64_t GetAcknowledged() const noexcept { return this->Models.GetAcknowledged(); }
 
-  /** Returns the lowest generation among the states that are still to be read or drained. */
+  /** Returns the lowest generation among the states that are not yet read or drained. */
   std::uint64_t GetWrittenGeneration() const noexcept
   {
     return this->WrittenGeneration.load(std::memory_order_acquire);
   }
 
-  /** Makes force flow after a ramp, and clears a fault. Does nothing if force flows already. */
+  /** Lets force flow after a ramp, and clears a fault. Has no effect while force flows. */
   void Arm() noexcept
   {
     this->Attend();
     this->Command(ArmOrder::Arm);
   }
-  /** Ends the force in the next tick. */
+  /** Cuts the force in the next tick. */
   void Disarm() noexcept { this->Command(ArmOrder::Disarm); }
   /**
-   * Returns whether the last of these orders was Arm and no clutch delays it. The loop need not
-   * have seen the order yet.
+   * Returns whether the last of these orders was Arm, and no clutch delays it. The loop may not
+   * have executed the order yet.
    */
   bool IsArmOrdered() const noexcept
   {
@@ -161,14 +165,14 @@ public:
   }
   /**
    * Returns the number of these orders, modulo 2^32. ServoSnapshot::Orders is the number of orders
-   * that a tick has seen.
+   * that had arrived before a tick.
    */
   std::uint32_t GetOrders() const noexcept
   {
     return static_cast<std::uint32_t>(OrdersOf(this->ArmCommand.load(std::memory_order_relaxed)));
   }
   /**
-   * Lowers the force to zero within ForceGate::FadeTime, then disarms. Does nothing if the last
+   * Reduces the force to zero within ForceGate::FadeTime, then disarms. Has no effect if the last
    * order was Disarm, even if another thread gave it at the same time.
    */
   void FadeOut() noexcept { this->Command(ArmOrder::FadeOut); }
@@ -176,9 +180,9 @@ public:
   ///@{
   /**
    * Hold() ends the force until Release(), whatever other orders are given. The force falls to zero
-   * as with FadeOut(), but the loop stays armed, and AttentionTime does not count. After Release()
-   * and the end of the fade, the force rises as after Arm(), with the proxy at the tip, if the loop
-   * is armed and has no fault. Called by the owner.
+   * as with FadeOut(), but the loop stays armed, and AttentionTime is ignored. After Release() and
+   * the end of the fade, the force rises as after Arm(), with the proxy at the tip, if the loop is
+   * armed and has no fault. Only the owner may call these.
    */
   void Hold() noexcept { this->HoldWanted.store(true, std::memory_order_release); }
   void Release() noexcept
@@ -192,16 +196,16 @@ public:
 
   ///@{
   /**
-   * Sets whether the loop is clutched. A clutched loop sends no force, beginning with the next
-   * tick. Afterwards the force rises as after Arm() if the loop was armed before the clutch or if
-   * the last order was Arm (see the table of ForceGate.h).
+   * Sets whether the loop is clutched. From the next tick on, a clutched loop sends no force.
+   * Afterwards, the force rises as after Arm() if the loop was armed before the clutch, or if the
+   * last order was Arm (see the table of ForceGate.h).
    */
   void SetClutched(bool clutched) noexcept;
   bool IsClutched() const noexcept
   {
     return IsClutched(this->ArmCommand.load(std::memory_order_relaxed));
   }
-  /** Returns whether force returns after the clutch, as far as orders decide it. */
+  /** Returns whether the force would return after the clutch, according to the orders. */
   bool ReturnsAfterClutch() const noexcept
   {
     const std::uint64_t command = this->ArmCommand.load(std::memory_order_relaxed);
@@ -211,15 +215,15 @@ public:
 
   /**
    * Reports that the owner is present. If the loop is armed and neither this nor Arm() is called
-   * for SafetyLimits::AttentionTime, the force fades out as with FadeOut(), and then the fault
-   * Unattended lasts until Arm(). An AttentionTime of 0 means no limit.
+   * for SafetyLimits::AttentionTime, the force fades out as with FadeOut(), and the fault
+   * Unattended follows until Arm(). With an AttentionTime of 0 there is no limit.
    */
   void Attend() noexcept;
 
   /**
-   * Requires a check of the device's signs (SignCheck.h). From the next tick the volume is not
-   * felt, until the armed loop has confirmed that the device moves with the force. Called by the
-   * owner before Arm(). `axes` and `force` (N) are from DeviceLimits.
+   * Requires a check of the device's signs (SignCheck.h). From the next tick on, the volume is not
+   * felt until the armed loop has confirmed that the device moves with the force. The owner must
+   * call this before Arm(). `axes` and `force` (N) come from DeviceLimits.
    */
   void RequireConfirmation(unsigned axes, double force) noexcept
   {
@@ -229,16 +233,16 @@ public:
 
   ///@{
   /**
-   * Sets how the hand holds its tool, in the device's space, for a device that does not measure an
-   * orientation (HandTurn.h).
+   * Sets the orientation of the hand's tool, in the device's space, for a device that does not
+   * measure one (HandTurn.h).
    */
   void TurnHand(const Quaternion& orientation) noexcept { this->Hand.Order(orientation); }
   void ForgetTurn() noexcept { this->Hand.Forget(); }
   ///@}
 
   /**
-   * Spins a burr, whether its button is pressed or not. It spins only while force flows: not while
-   * the loop is disarmed, held or confirming, and not after a fault.
+   * Makes a burr spin, even if its button is not pressed. It spins only while force flows: not
+   * while the loop is disarmed, held or confirming, and not after a fault.
    */
   void Spin(bool on) noexcept { this->SpinOrdered.store(on, std::memory_order_relaxed); }
 
@@ -250,19 +254,22 @@ public:
 
   /**
    * Orders a copy of the tool's memory (ToolMemory::Keep) and the end of a removal's snapshot. The
-   * next tick that has a model and can do both does so, and a recording begins with that tick. Must
-   * only be called when the last copy has been read.
+   * next tick that has a model executes both, as soon as both are possible, and a recording begins
+   * with that tick. Must only be called after the last copy has been read.
    */
   void KeepTool() noexcept { this->KeepWanted.store(true, std::memory_order_release); }
-  /** Returns whether the copy is still to be made. If not, the loop no longer uses the snapshot. */
+  /**
+   * Returns whether the copy is not made yet. If it returns false, the loop no longer uses the
+   * snapshot.
+   */
   bool IsKeepWanted() const noexcept { return this->KeepWanted.load(std::memory_order_acquire); }
-  /** Cancels the order, beginning with the next tick. */
+  /** Cancels the order, from the next tick on. */
   void KeepNothing() noexcept { this->KeepWanted.store(false, std::memory_order_release); }
   void SetRecording(bool on) noexcept { this->Recording.store(on, std::memory_order_release); }
   bool Drain(ServoSnapshot& snapshot) noexcept { return this->Trace.Pop(snapshot); }
   std::uint64_t GetLostRecords() const noexcept { return this->Trace.GetLost(); }
 
-  /** Returns the number of executed ticks since the start, as a heartbeat for watchdogs. */
+  /** Returns the number of executed ticks since the start. Watchdogs use it as a heartbeat. */
   std::uint64_t GetTickCount() const noexcept
   {
     return this->TickCount.load(std::memory_order_relaxed);
@@ -272,7 +279,7 @@ public:
   /** Return the durations of ticks and the delays of wake-ups since the last ResetStatistics(). */
   const TimeHistogram& GetTickCost() const noexcept { return this->TickCost; }
   const TimeHistogram& GetWakeLatency() const noexcept { return this->WakeLatency; }
-  /** Returns the number of ticks in which the solver spent its budget (PreciseSolver.h). */
+  /** Returns the number of ticks in which the solver used up its budget (PreciseSolver.h). */
   std::uint64_t GetUnfinishedTicks() const noexcept
   {
     return this->UnfinishedTicks.load(std::memory_order_relaxed);
@@ -289,8 +296,8 @@ public:
     return this->MissedTicks.load(std::memory_order_relaxed);
   }
   /**
-   * Returns how old the positions are from which forces are computed. This depends on how the
-   * device is read and written, not on the duration of ticks.
+   * Returns the age of the positions from which forces are computed. It depends on how the device
+   * is read and written, and not on the duration of ticks.
    */
   const LoopTiming& GetTiming() const noexcept { return this->Timing; }
   double GetTickRate() const noexcept { return this->TickRate.load(std::memory_order_relaxed); }
@@ -337,8 +344,8 @@ private:
   ///@{
   /**
    * ArmCommand has four parts: the last order (two bits), whether the loop is clutched (one bit),
-   * how often the clutch has changed, and the number of orders (upper half). All are in one word,
-   * so that a tick reads a consistent state.
+   * the number of changes of the clutch, and the number of orders (upper half). All are in one
+   * word, so that a tick reads a consistent state.
    */
   static constexpr std::uint64_t ClutchBit = 4;
   static constexpr std::uint64_t ClutchStep = 8;
@@ -354,7 +361,7 @@ private:
   }
   static std::uint64_t OrdersOf(std::uint64_t command) noexcept { return command / OrderStep; }
   ///@}
-  /** Sends an order, which replaces the last order. From any thread. */
+  /** Sends an order, which replaces the last one. Any thread may call this. */
   void Command(ArmOrder order) noexcept
   {
     std::uint64_t last = this->ArmCommand.load(std::memory_order_relaxed);
@@ -363,7 +370,7 @@ private:
     {
       if (order == ArmOrder::FadeOut && OrderOf(last) == ArmOrder::Disarm)
       {
-        return; // there is no force to fade
+        return; // no force flows that could fade
       }
       next = ((last & ~std::uint64_t(3)) | static_cast<std::uint64_t>(order)) + OrderStep;
     } while (!this->ArmCommand.compare_exchange_weak(last, next, std::memory_order_release));
@@ -409,7 +416,8 @@ private:
   std::atomic<std::uint64_t> ArmCommand{ 0 }; // see ClutchBit
   std::atomic<std::int64_t> AttendedAt{ 0 };  // time (ns) of ServoClock
   LoopTiming Timing;                          // written only by the servo
-  std::atomic<unsigned> ConfirmAxes{ 0 }; // from RequireConfirmation, until the loop has seen it
+  std::atomic<unsigned> ConfirmAxes{ 0 }; // from RequireConfirmation, until the loop has processed
+                                          // it
   std::atomic<double> ConfirmForce{ 0.0 };
   TripleBuffer<SafetyLimits> Limits;
   TripleBuffer<DataClockOrders> ClockOrders;
@@ -422,7 +430,7 @@ private:
   bool IsModelNew = false; ///< whether the model has changed since the last tick
   /** Whether the force changed in this tick for a reason other than the tip's motion. */
   bool IsForceNew = false;
-  bool IsContactNew = false; ///< whether a new model makes the proxy begin at the tip
+  bool IsContactNew = false; ///< whether a new model requires the proxy to restart at the tip
   DataClock Clock;
   ResidentServo Servo;
   HandTurn Hand; ///< orientation ordered by the owner

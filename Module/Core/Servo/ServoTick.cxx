@@ -12,14 +12,14 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Computes a tick of the method, which feels with a point. */
+/** Computes a tick of the method, in which the hand feels with a point. */
 inline void StepMethod(const HapticModel& model, ServoState& state, TickRecord& record,
   const LocalSurfaceResult& result, TickMemory* memory) noexcept
 {
   GetMethod(model.Baked->Settings).Step(model, state, record, { result, memory });
 }
 
-/** The tick of a tool. The tool may also feel with the method's point. */
+/** The tick of a tool. The tool may also use the method's point. */
 class MethodTick final : public ToolTick
 {
 public:
@@ -69,7 +69,7 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
     state.Enabled = false;
     return;
   }
-  // The methods below do not write these members in every tick.
+  // The methods below may leave these members unset, so set them first.
   record.Tip = tip;
   record.DataTime = state.DataTime;
   record.Force = Vector3{};
@@ -101,7 +101,7 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   }
   if (model.Baked->Removal || model.Baked->Others)
   {
-    // Read the value now, because a later tick may remove tissue here.
+    // Read the value now, because a later tick may remove the tissue here.
     record.Value = model.ValueAtDevice(record.Proxy);
   }
   state.Proxy = record.Proxy;
@@ -140,8 +140,8 @@ void TickAndServe(const HapticModel& model, ServoState& state, const Vector3& ti
   }
   if (const TissueRemoval* const others = model.Baked->Others.get())
   {
-    // The hand with the tool serves its requests. Read the number of pending requests first, so
-    // that no request is missed that is finished in between.
+    // The other hand, which has the tool, serves its requests. Read the number of pending requests
+    // first. Otherwise a request that is finished meanwhile would be missed.
     const bool isServed = others->HasWork();
     const std::size_t done = others->GetDone();
     if ((std::exchange(state.OthersRequests, done) != done || isServed) && IsNear(tip, FarthestTip))
@@ -168,8 +168,7 @@ void CarryState(
   if ((isRegion || isSeries) && from.Baked->Number == to.Baked->Number &&
     IsIdentical(from.DeviceToWorld, to.DeviceToWorld))
   {
-    // The felt force does not change with another region of the same volume or with other time
-    // steps.
+    // Another region of the same volume, or other time steps, do not change the felt force.
     return;
   }
   const auto carry = [&](const Vector3& x) { return to.WorldToDevice(from.DeviceToWorld(x)); };
@@ -189,7 +188,7 @@ void CarryState(
     to.Baked->Tool->Begin(state);
   }
   // A coarse image and the data that replace it have surfaces at different positions. The proxy
-  // must not get to the other side of the surface.
+  // must not end up on the other side of the surface.
   const bool isOtherSurface = from.Baked->ResidentShare != to.Baked->ResidentShare &&
     was.Method == HapticMethod::SurfaceProxy && is.Method == HapticMethod::SurfaceProxy &&
     IsOutsideSurface(from, state.Proxy, state.DataTime);
@@ -205,7 +204,7 @@ void CarryState(
   const bool isOther = was.Method != is.Method;
   if (isOther || was.Solver != is.Solver || beginsAnew)
   {
-    // Methods and solvers update only their own state.
+    // A method or solver updates only its own state, so reset the others.
     state.Precise = PreciseState{};
     state.Precise.ReachedTip = carry(state.PreviousTip);
   }
@@ -220,7 +219,7 @@ void CarryState(
     // The forces belong to the old volume's primitives.
     state.Primitives = PrimitiveMemory{};
   }
-  // The level that holds the proxy is a value of the old volume.
+  // The proxy is held by a level, which is a value of the old volume.
   state.Precise.IsHeld = state.Precise.IsHeld && from.Baked->Number == to.Baked->Number;
 }
 

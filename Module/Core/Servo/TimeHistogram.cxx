@@ -10,7 +10,8 @@ namespace VolumeHaptics
 
 int TimeHistogram::Bucket(std::int64_t nanoseconds) noexcept
 {
-  // Below PerOctave ns, each bucket is one nanosecond. Above, the leading bits select the bucket.
+  // Below PerOctave ns, each bucket is one nanosecond wide. Above, the leading bits of the duration
+  // select the bucket.
   auto value = static_cast<std::uint64_t>(std::max<std::int64_t>(nanoseconds, 0));
   int octave = 0;
   while (value >= 2 * PerOctave)

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A histogram of durations in fixed buckets. One thread writes it, and any thread may read it
+ * A histogram of durations with fixed buckets. One thread writes to it, and any thread may read it
  * without waiting.
  *
- * There are eight buckets per octave, from 1 ns to more than an hour, so that a percentile is exact
- * to 1/8.
+ * There are eight buckets per octave, from 1 ns to more than an hour, so percentiles have a
+ * precision of 1/8.
  */
 #ifndef TimeHistogram_h
 #define TimeHistogram_h
@@ -21,7 +21,7 @@ namespace VolumeHaptics
 class TimeHistogram
 {
 public:
-  /** Counts a duration. Called only by the writer. */
+  /** Counts a duration. Only the writer may call this. */
   void Add(std::int64_t nanoseconds) noexcept
   {
     std::atomic<std::uint64_t>& bucket = this->Count[Bucket(nanoseconds)];
@@ -29,14 +29,14 @@ public:
   }
 
   /**
-   * Returns the duration (ns) below which a fraction (0 to 1) of all durations lie. It is the upper
-   * edge of a bucket. Returns 0 if nothing was counted.
+   * Returns the duration (ns) below which a fraction (0 to 1) of all durations lies, rounded up to
+   * the edge of a bucket. Returns 0 if nothing was counted.
    */
   double GetPercentile(double fraction) const noexcept;
 
   std::uint64_t GetTotal() const noexcept;
 
-  /** Clears all buckets. Called only by the writer. */
+  /** Clears all buckets. Only the writer may call this. */
   void Reset() noexcept;
 
 private:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Passes every value from one thread to another, in order and without waiting: a ring for one
- * producer and one consumer. If the ring is full, a value is counted as lost.
+ * Passes every value from one thread to another, in order and without waiting, through a ring for
+ * one producer and one consumer. If the ring is full, a value is dropped and counted as lost.
  */
 #ifndef TraceRing_h
 #define TraceRing_h
@@ -26,8 +26,7 @@ class TraceRing
 
 public:
   /**
-   * Makes a ring. The capacity is rounded up to a power of two. This allocates; no other member
-   * does.
+   * Makes a ring. The capacity is rounded up to a power of two. Only this function allocates.
    */
   explicit TraceRing(std::size_t capacity)
     : Slot(RoundUp(capacity))
@@ -36,8 +35,8 @@ public:
   }
 
   /**
-   * Adds a value. Returns false and counts a lost value if the ring is full. Called by the
-   * producer.
+   * Adds a value. If the ring is full, returns false and counts a lost value. Only the producer may
+   * call this.
    */
   bool Push(const T& value) noexcept
   {
@@ -56,7 +55,9 @@ public:
     return true;
   }
 
-  /** Removes the oldest value. Returns false if the ring is empty. Called by the consumer. */
+  /**
+   * Removes the oldest value. Returns false if the ring is empty. Only the consumer may call this.
+   */
   bool Pop(T& value) noexcept
   {
     const std::uint64_t tail = this->Tail.load(std::memory_order_relaxed);

@@ -12,12 +12,12 @@ namespace
 {
 
 /**
- * Relative difference of levels or gradients below which they belong to the same material.
+ * Two levels or gradients belong to the same material if their relative difference is at most this.
  * Displacements in single precision are not more precise.
  */
 constexpr double SameMaterial = 1e-6;
 
-/** The volume at the proxy, before and after the motion. */
+/** The volume at the proxy, before and after its motion. */
 struct Change
 {
   FieldSample Now;
@@ -27,8 +27,8 @@ struct Change
 };
 
 /**
- * Returns whether the levels are the estimator's. PRECISE holds its proxy on levels of the
- * estimator's own value, whereas PAPER reads V.
+ * Returns whether the levels are the estimator's. The solver Precise holds its proxy on levels of
+ * the estimator's own value, whereas Paper reads V.
  */
 bool HasOwnLevels(const HapticModel& model) noexcept
 {
@@ -36,7 +36,7 @@ bool HasOwnLevels(const HapticModel& model) noexcept
 }
 
 /**
- * Returns whether two samples belong to the same material, before and after a motion, apart from
+ * Returns whether two samples, before and after a motion, belong to the same material, apart from
  * rounding.
  */
 bool IsSame(const FieldSample& a, const FieldSample& b, double levelA, double levelB) noexcept
@@ -59,7 +59,7 @@ Change ComputeChange(const HapticModel& model, const FieldAtTime& before, const 
   FieldSample old;
   if (HasOwnLevels(model))
   {
-    // read first, because the gradient belongs to the older of both blends
+    // Read this first, because the gradient belongs to the older of both blends.
     old = before.Gradient(from);
     change.Now = now.Gradient(index);
     change.LevelBefore = old.Value;
@@ -74,7 +74,7 @@ Change ComputeChange(const HapticModel& model, const FieldAtTime& before, const 
     change.LevelNow = levels.Second;
     if (!isShifted && change.LevelBefore != change.LevelNow)
     {
-      return change; // the gradient has no effect on the result then
+      return change; // the gradient then has no effect on the result
     }
     old = before.Gradient(from);
   }
@@ -85,8 +85,8 @@ Change ComputeChange(const HapticModel& model, const FieldAtTime& before, const 
 }
 
 /**
- * Returns whether a surface of the scalars holds the proxy, or could hold it, as the last tick
- * shows.
+ * Returns whether a surface of the scalars holds the proxy, or could hold it, according to the last
+ * tick.
  */
 bool IsSurfaceThere(const ServoState& state, const Surface& surface) noexcept
 {

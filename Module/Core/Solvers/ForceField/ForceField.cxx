@@ -69,12 +69,12 @@ Vector3 FindFieldDrag(
   {
     return {};
   }
-  // Only damping by the hand's motion removes energy. Where the material moves, damping may add
-  // energy.
+  // Only the damping of the hand's own motion removes energy. The damping relative to moving
+  // material may add energy.
   const Vector3 drag = ComputeFieldDamping(model, before.PreviousTip, record);
   const Vector3 material = ComputeFieldDamping(model, ComputeFieldPlace(model, before), record);
   const double whole = Norm(ComputeFieldPush(model, record) + material);
-  // The force may be clamped, so reduce the drag by the same factor.
+  // Reduce the drag by the same factor as the force, which may be clamped.
   return whole > 0.0 ? (Norm(record.Force) / whole) * drag : Vector3{};
 }
 

@@ -12,13 +12,13 @@ namespace
 /** Step of the search along a ray (voxels). */
 constexpr double RayStep = 0.5;
 /**
- * Distance (voxels) below which two feet count as one, and distance below which the ends of a
- * crossing do.
+ * Two feet count as one within the first distance (voxels), and a crossing is narrow enough if its
+ * ends are within the second one.
  */
 constexpr double SameFoot = 1e-3;
 constexpr double SameCrossing = 1e-7;
 /**
- * Distance (voxels) to both sides of a foot at which V is compared, to find the direction in which
+ * V is compared at this distance (voxels) to both sides of a foot, to find the direction in which
  * it rises.
  */
 constexpr double RiseStep = 0.25;
@@ -72,8 +72,8 @@ public:
     }
     this->SolveFoot(foot, normal);
     const bool isBoth = this->Model.Baked->Settings.Side == SurfaceSide::Both;
-    // By rounding, the proxy may be on either side of the surface that holds it. And if a structure
-    // is thinner than the kernel, the gradient may belong to the structure behind it.
+    // Because of rounding, the proxy may be on either side of the surface that holds it. If a
+    // structure is thinner than the kernel, the gradient may belong to the structure behind it.
     const bool isTurned = this->IsKnown && isBoth ? Dot(normal, this->Request.Normal) < 0.0
                                                   : this->Sign * this->Rise(foot, normal) < 0.0;
     if (isTurned)
@@ -107,7 +107,7 @@ private:
     }
     const Vector3 gradient = this->GradientToWorld * this->Field.Gradient(index).Gradient;
     const double norm = Norm(gradient);
-    // The condition is false for NaN, too.
+    // The comparison is false for NaN, too.
     if (!(norm > 0.0 && std::isfinite(norm)))
     {
       return false;
@@ -116,7 +116,7 @@ private:
     return true;
   }
 
-  /** Returns the rise of V along the normal at a position. */
+  /** Returns how much V rises along the normal at a position. */
   double Rise(const Vector3& x, const Vector3& normal) const noexcept
   {
     const Vector3 step = (RiseStep * this->Voxel) * normal;
@@ -124,8 +124,8 @@ private:
   }
 
   /**
-   * Returns where the isosurface is between two positions whose excesses have different signs.
-   * Halves the segment between them.
+   * Returns where the isosurface is between two positions whose excesses have different signs, by
+   * bisection.
    */
   Vector3 Narrow(Vector3 a, Vector3 b, double atA) const noexcept
   {
@@ -138,7 +138,10 @@ private:
     return 0.5 * (a + b);
   }
 
-  /** Stores the first crossing along a ray from Position if it is the nearest one so far. */
+  /**
+   * Stores the first crossing along a ray from Position, if it is nearer than the nearest one so
+   * far.
+   */
   void LookAlong(const Vector3& ray, int steps, double& nearest, Vector3& crossing) const noexcept
   {
     const Vector3& start = this->Request.Position;
@@ -190,7 +193,7 @@ private:
     return nearest < HUGE_VAL;
   }
 
-  /** Goes from a crossing to the point of the surface that is nearest to Position. */
+  /** Moves from a crossing to the point of the surface that is nearest to Position. */
   void SolveFoot(Vector3& foot, Vector3& normal) const noexcept
   {
     const Vector3& start = this->Request.Position;
@@ -221,8 +224,8 @@ private:
   }
 
   /**
-   * Returns the change of the normal along the surface at the foot, or 0 if there is no normal at a
-   * kernel radius from it.
+   * Returns the change of the normal along the surface at the foot, or 0 if there is no normal at
+   * one kernel radius from it.
    */
   Symmetric3 ComputeCurvature(const Vector3& foot, const Vector3& normal) const noexcept
   {
@@ -254,7 +257,7 @@ private:
     const Symmetric3 curvature =
       Sum(Sum(Product(axes[0], axes[0], 0.5 * a), Product(axes[1], axes[1], 0.5 * b)),
         Product(axes[0], axes[1], mixed));
-    // If the surface bends more tightly than the kernel, the bend is noise.
+    // A surface that bends more tightly than the kernel is noise.
     const double bendA = a * (reach[0] / step);
     const double bendB = b * (reach[1] / step);
     const double twist = mixed * (std::sqrt(reach[0] * reach[1]) / step);

@@ -12,17 +12,17 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Smallest slope of a surface (1 at its centre) that the proxy can follow. */
+/** Smallest slope of a surface (relative to its centre) on which the proxy can move. */
 constexpr double LeastSlope = 0.1;
 /**
- * Fraction of the depth below which the proxy has arrived at the surface, and relative tolerance of
- * the friction.
+ * The proxy has arrived at the surface if its distance is below this fraction of the depth. The
+ * second number is the relative tolerance of the friction.
  */
 constexpr double Arrived = 1e-9;
 constexpr double CloseToCone = 1e-9;
 /**
- * Half of the distance (voxels) over which the slope of V is measured, and the longest motion of a
- * surface in a tick (voxels).
+ * Half of the distance (voxels) over which the slope of V is measured, and the longest motion
+ * (voxels) of a surface in a tick.
  */
 constexpr double CarryStep = 0.25;
 constexpr double LongestFollow = 1.0;
@@ -30,17 +30,17 @@ constexpr int MostSteps = 12;
 constexpr int MostReturns = 6;
 constexpr int MostSlips = 16;
 /**
- * Limits of a step: the largest angle (radian) by which it turns the normal, and the least
- * stiffness, which makes it at most 4 Newton steps long.
+ * Limits of a step: the largest angle (rad) by which it turns the normal, and the least stiffness,
+ * which limits the step to 4 Newton steps.
  */
 constexpr double MostTurn = 0.5;
 constexpr double LeastStiffening = 0.25;
-/** Largest change of the lag that is not a jump, as a multiple of the tip's motion. */
+/** A larger change of the lag, as a multiple of the tip's motion, is a jump. */
 constexpr double MostFollowing = 2.0;
-/** Fraction from which a period counts as complete, because of rounding. */
+/** Because of rounding, a period counts as complete from this fraction on. */
 constexpr double AlmostOne = 1.0 - 1e-9;
 
-/** Moves a point back to the surface along the slope. Returns false if that is not possible. */
+/** Moves a point back to the surface along the slope. Returns false if this is not possible. */
 bool Return(const Quadric& shape, Vector3& x) noexcept
 {
   for (int i = 0; i < MostReturns; ++i)
@@ -57,8 +57,8 @@ bool Return(const Quadric& shape, Vector3& x) noexcept
 }
 
 /**
- * Moves a point on the surface to the surface point nearest to the tip (Newton's method). Returns
- * false if that fails.
+ * Moves a point on the surface to the surface point nearest to the tip, by Newton's method. Returns
+ * false on failure.
  */
 bool Approach(const Quadric& shape, const Vector3& tip, Vector3& x) noexcept
 {
@@ -87,7 +87,7 @@ bool Approach(const Quadric& shape, const Vector3& tip, Vector3& x) noexcept
   return true;
 }
 
-/** Returns the point at which the tip came through the surface. */
+/** Returns the point at which the tip passed through the surface. */
 Vector3 ComputeEntry(const Quadric& shape, const Vector3& from, const Vector3& tip) noexcept
 {
   const double before = shape.Depth(from);
@@ -96,8 +96,7 @@ Vector3 ComputeEntry(const Quadric& shape, const Vector3& from, const Vector3& t
 }
 
 /**
- * Returns the length (world units) by which the tangential lag of a proxy on the surface exceeds
- * friction.
+ * Returns how far (world units) the tangential lag of a proxy on the surface exceeds friction.
  */
 double Slip(const Quadric& shape, const Vector3& tip, const Vector3& x, double friction) noexcept
 {
@@ -109,8 +108,7 @@ double Slip(const Quadric& shape, const Vector3& tip, const Vector3& x, double f
 }
 
 /**
- * Moves the proxy on the surface, as if nothing were cut away. Returns false if the surface does
- * not hold it.
+ * Moves the proxy on the surface, ignoring cuts. Returns false if the surface does not hold it.
  */
 bool HoldWhole(
   const Vector3& tip, double friction, LocalState& local, ContactState& contact) noexcept
@@ -140,8 +138,8 @@ bool HoldWhole(
   }
   local.Position = goal;
   contact = ContactState::Sliding;
-  // Move to the point nearest to the goal at which friction still holds (Illinois method). Use the
-  // last point at which it does.
+  // Move to the point nearest to the goal at which friction still holds (Illinois method). If the
+  // search ends early, use the last point at which it does.
   double low = 0.0;
   double atLow = Slip(shape, tip, goal, friction);
   const double near = -CloseToCone * atLow;
@@ -166,7 +164,7 @@ bool HoldWhole(
   return true;
 }
 
-/** Does the same as HoldWhole, except that parts that are cut away have no force. */
+/** Like HoldWhole(), but parts that are cut away have no force. */
 bool Hold(const HapticModel& model, const Vector3& tip, double friction, LocalState& local,
   ContactState& contact) noexcept
 {
@@ -187,7 +185,7 @@ void Absorb(const HapticModel& model, const Vector3& jump, LocalState& local) no
 {
   const double period = model.Baked->Settings.TickPeriod;
   local.Fading = local.Fading - jump;
-  // A jump must not make an earlier jump last longer.
+  // A new jump must not make an earlier one last longer.
   local.Fall = std::max(
     local.Fall, Norm(local.Fading) * period / std::max(model.Baked->Settings.RecoveryTime, period));
 }
@@ -198,7 +196,7 @@ Vector3 LagOf(const LocalState& local) noexcept
 }
 
 /**
- * Returns the motion (world) of a surface with a moving volume. The surface's centre moves with the
+ * Returns the motion (world) of a surface in a moving volume. The surface's centre moves with the
  * material if displacements are known, and then along the normal to its old level, by a Newton
  * step.
  */
@@ -221,7 +219,7 @@ Vector3 ComputeCarry(
   const double change = now.Value(there) - baked.At(from).Value(index);
   const ValuePair sides = now.Values(there, step);
   const double carry = -2.0 * CarryStep * change / (sides.Ahead - sides.Behind);
-  // The condition is false for a slope of 0, too.
+  // This also handles a slope of 0, for which the quotient is not finite.
   const double length =
     std::isfinite(carry) ? std::clamp(carry, -LongestFollow, LongestFollow) : 0.0;
   return baked.IndexToWorld.Linear * (there - index) + (length / voxels) * normal;
@@ -229,7 +227,7 @@ Vector3 ComputeCarry(
 
 /**
  * Moves the surface, and the proxy that it holds, with the volume from one data time to another.
- * Returns the distance moved (world), and writes the work (J) on the spring.
+ * Returns the distance (world) of this motion, and writes the work (J) on the spring to `work`.
  */
 double Carry(const HapticModel& model, double from, double to, double stiffness, LocalState& local,
   double& work) noexcept
@@ -252,8 +250,8 @@ double Carry(const HapticModel& model, double from, double to, double stiffness,
 }
 
 /**
- * Moves the tip, and the proxy on the present surface. `carried` is the distance that the surface
- * has moved with the volume.
+ * Moves the tip, and the proxy on the present surface. `carried` is the distance by which the
+ * volume has moved the surface.
  */
 void Solve(const HapticModel& model, const Vector3& tip, double carried, double friction,
   LocalState& local, ContactState& contact) noexcept
@@ -321,7 +319,7 @@ void WriteForces(const HapticModel& model, const Vector3& felt, const LocalState
 void Request(const HapticModel& model, const Vector3& motion, LocalState& local) noexcept
 {
   const HapticSettings& settings = model.Baked->Settings;
-  // The result comes after one period, and is used for a further period.
+  // The result arrives after one period, and is used for one more period.
   const double ticksAhead = std::max(2.0, 2.0 / (settings.LocalSurfaceRate * settings.TickPeriod));
   const double near = LocalReach * model.WorldUnitsPerMeter / model.MostVoxelsPerMeter;
   local.Request.Position = local.IsHeld ? local.Position : local.Tip;
@@ -329,7 +327,7 @@ void Request(const HapticModel& model, const Vector3& motion, LocalState& local)
   local.Request.Normal = {};
   const Quadric& shape = local.Surface.Shape;
   const Vector3 slope = shape.Slope(local.Request.Position);
-  // A proxy near a surface that it has not come through is outside, even if the value there is
+  // A proxy near a surface through which it has not passed is outside, even if the value there says
   // inside: behind a plane that touches a hollow, there is a part of the structure.
   if (local.Surface.IsThere && std::abs(shape.Depth(local.Request.Position)) < near)
   {
@@ -340,8 +338,8 @@ void Request(const HapticModel& model, const Vector3& motion, LocalState& local)
 }
 
 /**
- * Returns how far (world units) around a position the search for a surface reads, not counting the
- * ray ahead of the tip.
+ * Returns how far (world units) around a position the search for a surface reads, without the ray
+ * ahead of the tip.
  */
 double FindSearchReach(const HapticModel& model) noexcept
 {
@@ -352,7 +350,7 @@ double FindSearchReach(const HapticModel& model) noexcept
 
 void StartLocalSurface(const Vector3& position, const Vector3& tip, LocalState& local) noexcept
 {
-  // A new number, because the result of an earlier request must not be used.
+  // Use a new number, so that the result of an earlier request is ignored.
   const std::uint32_t number = local.Number + 1;
   local = LocalState{};
   local.Number = number;
@@ -415,7 +413,7 @@ void IncludeLocalSurface(const HapticModel& model, const ServoState& state, Read
 {
   const LocalSurfaceRequest& request = state.Local.Request;
   box.Include(model.DeviceToIndex(model.WorldToDevice(request.Position)));
-  // The surface nearest to the point ahead may be on any side of it.
+  // The nearest surface to the point ahead may be on any side of it.
   const double most = LocalReachAhead * model.Baked->LargestSpacing;
   const double ahead = std::fmin(Norm(request.Ahead), most) - FindSearchReach(model);
   box.Margin += (std::fmax(ahead, 0.0) / model.WorldUnitsPerMeter) * model.VoxelsPerMeter;

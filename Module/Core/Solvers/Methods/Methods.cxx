@@ -20,8 +20,7 @@ namespace
 constexpr Method PaperRow = { &StepPaper, &FindPaperReach };
 
 /**
- * The methods in the order of HapticMethod. The row of PROXY is that of its default solver,
- * PRECISE.
+ * The methods in the order of HapticMethod. The row of Proxy is for its default solver, Precise.
  */
 constexpr Method Rows[] = {
   { &StepPrecise, &FindPreciseReach, &IncludePrecise },

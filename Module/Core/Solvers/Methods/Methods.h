@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Lists the methods with which a tick feels a volume.
+ * Lists the methods for feeling a volume.
  */
 #ifndef Methods_h
 #define Methods_h
@@ -13,7 +13,7 @@ namespace VolumeHaptics
 {
 struct HapticSettings;
 
-/** Returns the method of the settings; for PROXY, the row of its solver. */
+/** Returns the method that the settings select. For Proxy, the result depends on the solver. */
 const Method& GetMethod(const HapticSettings& settings) noexcept;
 
 } // namespace VolumeHaptics

@@ -16,8 +16,8 @@ namespace
 {
 
 /**
- * Returns the proxy's new position by the law, and writes the forces. The proxy stops at the faces
- * of a cut.
+ * Returns the proxy's new position according to the law, and writes the forces. The proxy stops at
+ * the faces of a cut.
  */
 template <bool MayHaveCut>
 VOLUME_HAPTICS_INLINE Vector3 Advance(
@@ -31,7 +31,7 @@ VOLUME_HAPTICS_INLINE Vector3 Advance(
   const double threshold = lag.Push > 0.0 ? record.SurfaceStrength : 0.0;
   if (threshold == 0.0 && record.Viscosity == 0.0)
   {
-    // No surface holds the proxy. The law would also move the proxy to the tip, but with rounding.
+    // No surface holds the proxy. The law would also move it to the tip, but with rounding errors.
     return record.Tip;
   }
   const Balance balance = Law::Weigh(record, k, lag);
@@ -51,8 +51,8 @@ VOLUME_HAPTICS_INLINE Vector3 Advance(
 }
 
 /**
- * Computes a tick that begins at the proxy. `found` is the surface through the proxy, or null if it
- * is not known.
+ * Computes a tick that starts with the present proxy. `found` is the surface through the proxy, or
+ * null if it is not known.
  */
 void Step(const HapticModel& model, ServoState& state, TickRecord& record, const FieldAtTime& field,
   const Surface* found) noexcept
@@ -63,7 +63,7 @@ void Step(const HapticModel& model, ServoState& state, TickRecord& record, const
   const Vector3 index = model.DeviceToIndex(position);
   Surface surface = found ? *found : Law::ComputeSurface(model, field, index, state.Labels);
   Law::Orient(model, lag, surface);
-  // Computed before the materials are read, so that the processor does both at the same time.
+  // Compute this before the materials are read, so that the processor can do both at the same time.
   const SplitLag split = Law::Split(lag, surface.Normal);
   Law::ReadMaterials(model, field, index, surface, state.Labels, record);
   record.Proxy = state.Enabled ? Advance<true>(model, position, split, record) : tip;
@@ -71,9 +71,9 @@ void Step(const HapticModel& model, ServoState& state, TickRecord& record, const
 
 /**
  * Computes the rest of a tick in a plain volume (BakedVolume::IsPlain), given the surface. The
- * result is that of Step, to the bit. It uses no Surface and no FieldAtTime, because their members
- * in memory would have to wait for one another.
- * @param slope slope at the proxy; is turned towards the structure
+ * result equals that of Step(), to the bit. Uses no Surface and no FieldAtTime, because the
+ * processor would have to wait for their members in memory.
+ * @param slope slope at the proxy, which this function turns towards the structure
  * @param fade factor of the surface's strength (Surface::Fade)
  */
 template <typename Field>
@@ -116,8 +116,8 @@ void StepPlain(
 }
 
 /**
- * Computes a tick in a plain volume that moves. The state must be enabled. The result is that of a
- * tick with CarryProxy, to the bit. Returns false if CarryProxy must be used instead.
+ * Computes a tick in a plain volume that moves. The state must be enabled. The result equals that
+ * of a tick with CarryProxy(), to the bit. Returns false if CarryProxy() must be used instead.
  */
 VOLUME_HAPTICS_OUTLINE bool StepPlainMotion(
   const HapticModel& model, ServoState& state, TickRecord& record, TickMemory& memory) noexcept
@@ -133,7 +133,7 @@ VOLUME_HAPTICS_OUTLINE bool StepPlainMotion(
   const FractionPair levels = field->Values(index);
   if (levels.First == levels.Second)
   {
-    return false; // CarryProxy finds out whether the volume has changed here
+    return false; // CarryProxy() checks whether the volume has changed here
   }
   double fade = model.BorderFade(index);
   const Vector3 start = state.Proxy;

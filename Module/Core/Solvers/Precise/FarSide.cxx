@@ -10,7 +10,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Smallest rise that counts as one. The reciprocal of a smaller rise might not be finite. */
+/** Smallest rise that counts. The reciprocal of a smaller rise might not be finite. */
 constexpr double LeastRise = std::numeric_limits<double>::min();
 
 /** Returns a smooth step that rises from 0 at `low` to 1 at `high`. */
@@ -20,16 +20,18 @@ double SmoothStep(double low, double high, double x) noexcept
   return t * t * (3.0 - 2.0 * t);
 }
 
-/** A walk to one side. */
+/** The walk from the proxy to one side. */
 struct Walk
 {
   double Far;    ///< value of the side so far
   double Last;   ///< V at the last sample
   double Valley; ///< Far at the smallest rise since the largest one
-  /** Rise of V along the gradient in this step; before the first step, the gradient's rise. */
+  /**
+   * Rise of V along the gradient in this step. Before the first step, it is the gradient's rise.
+   */
   double Rise;
   double Weight = 1.0;
-  /** Rise at the place where the walk ends, as a fraction of the largest one. */
+  /** Rise where the walk ends, as a fraction of the largest rise. */
   double EndRise = 0.0;
   double EndRiseInValley = 0.0; ///< EndRise at the smallest rise since the largest one
   double Change = 0.0;          ///< change of V in this step
@@ -44,7 +46,7 @@ struct Walk
   double LargestPair = 0.0;
 
   /**
-   * Takes a step to the next sample.
+   * Moves on to the next sample.
    * @param sign 1 if V rises in the direction of this walk, else -1
    */
   void Step(double value, double sign) noexcept
@@ -63,8 +65,8 @@ struct Walk
   }
 
   /**
-   * Counts the last step if it has no partner, because the walk stopped at the border. It counts as
-   * half of a pair.
+   * Completes the last pair if the walk stopped at the border after its first step. That step then
+   * counts twice.
    */
   void AddRest() noexcept
   {
@@ -82,7 +84,7 @@ struct Walk
   }
 
   /**
-   * Adds the step to the side's value.
+   * Adds the last step to the side's value.
    * @param opposite the walk to the other side, after the same step
    */
   void Add(const Walk& opposite, double inverseOfMost) noexcept
@@ -113,16 +115,16 @@ struct Walk
 };
 
 /**
- * Computes how even a ramp is.
+ * Returns the evenness E of a ramp (FarSide.h).
  * @param rise rise of a pair of steps according to the gradient
  */
 double ComputeEvenness(const Walk& ahead, const Walk& behind, double rise) noexcept
 {
   const double found = std::min(ahead.LeastPair, behind.LeastPair);
-  // no pair of steps was inside the volume
+  // If no pair of steps was inside the volume, use the gradient's rise.
   const double least = std::isfinite(found) ? found : rise;
   const double largest = std::max(rise, std::max(ahead.LargestPair, behind.LargestPair));
-  // The condition is false if a rise or a ratio is NaN.
+  // The comparisons are false if a rise or a ratio is NaN.
   return least > 0.0 && largest > LeastRise && least <= largest ? least / largest : 0.0;
 }
 
@@ -165,8 +167,7 @@ FarValues MeasureFarSide(const FieldAtTime& field, const Vector3& index, const V
     }
     const bool isDone =
       (!goesAhead || ahead.Weight == 0.0) && (!goesBehind || behind.Weight == 0.0);
-    // Ripple can reduce both weights to 0, too, but the evenness of a ramp is judged over the whole
-    // walk.
+    // Ripple can reduce both weights to 0, too, so a ramp is checked over the whole walk.
     if (isDone && ComputeEvenness(ahead, behind, 2.0 * part * rise) <= FarSide::EdgeEvenness)
     {
       break;

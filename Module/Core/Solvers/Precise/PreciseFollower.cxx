@@ -10,45 +10,48 @@ namespace
 {
 
 /**
- * Longest step of tip and proxy (voxels), and the fraction of the lag that replaces this limit if
- * it is longer.
+ * Longest step of tip and proxy (voxels). A fraction of the lag replaces this limit if it is
+ * longer.
  */
 constexpr double LongestStep = 0.25;
 constexpr double SpringFraction = 0.02;
-/** Length (voxels) up to which a motion is not judged at its end. */
+/** A motion of at most this length (voxels) is not checked at its end. */
 constexpr double ShortStep = 1e-3;
 /**
- * Length (voxels) up to which a motion is not judged if the next motions are not longer than
- * LongestRest.
+ * A motion of at most LongestCreep (voxels) is not checked at its end if the next motions are at
+ * most LongestRest long.
  */
 constexpr double LongestCreep = 0.03;
 constexpr double LongestRest = 2e-3;
 
 /**
- * Distance (voxels) of the proxy up to which the cached sample is used. Each tick counts as at
- * least LeastSampleDistance, so that a sample of another model is not used for long when a
- * recording is replayed.
+ * The stored sample is used until the proxy is this distance (voxels) away from it. Each tick
+ * counts as at least LeastSampleDistance, so that a sample of another model is not used for long
+ * when a recording is replayed.
  */
 constexpr double LongestSampleDistance = 1e-3;
 constexpr double LeastSampleDistance = LongestSampleDistance / 32.0;
 /**
- * LongestSampleDistance at walls of labels. It is larger, because these have bumps of a tenth of a
- * voxel anyway.
+ * LongestSampleDistance at walls of labels. It is larger, because these walls have bumps of a tenth
+ * of a voxel anyway.
  */
 constexpr double LongestWallDistance = 4e-3;
 
-/** Limits of a prediction. A prediction beyond them would not save the sample that judges it. */
+/** Limits of a prediction. A prediction outside them would not save the sample that checks it. */
 constexpr double LeastPrediction = 0.5;
 constexpr double MostPrediction = 1.5;
-/** Fraction of a tick's prediction that is learned. The rest is learned in the next ticks. */
+/**
+ * Fraction of a tick's prediction error that is learned at once. The rest is learned in the next
+ * ticks.
+ */
 constexpr double LearnedFraction = 0.5;
 
-/** Change of the force (N) below which it is no leap. */
+/** A smaller change of the force (N) is no leap. */
 constexpr double LeastLeap = 0.02;
 
-/** Tolerance of a quotient, so that rounding on another machine does not add a step. */
+/** Tolerance of a quotient, so that different rounding on another machine does not add a step. */
 constexpr double Rounding = 1e-9;
-/** Limit of the motions at one tip that make the spring longer. */
+/** At most this many motions may lengthen the spring while the tip stays. */
 constexpr int MostSetbacks = 8;
 
 } // namespace
@@ -125,14 +128,14 @@ void PreciseFollower::WriteLeap(
 {
   record.MayLeap = true;
   record.ForceBefore = before.Force;
-  // Without a jump, the force changes at most by the change of its spring and by the friction of
-  // that change.
+  // Without a leap, the force changes at most by the change of its spring and by the friction of
+  // this change.
   const double k = std::max({ before.Stiffness, record.Stiffness, this->State.Spring.Tissue });
   const double mu = std::max(before.Friction, record.Friction);
   const double motion = Norm(record.Tip - before.Tip) + carried;
   const double most = k * std::sqrt(1.0 + mu * mu) * motion + LeastLeap;
-  // A change by another model is no leap. With the same model, the tissue at the proxy can only
-  // change by a motion in the last tick at whose end no sample was taken.
+  // A change due to another model is no leap. With the same model, the tissue at the proxy can only
+  // change by a motion in the last tick whose end was not sampled.
   const Vector3 change = record.Force -
     (before.IsOfAnotherModel ? this->Refreshed.value_or(before.Force) : before.Force);
   const double square = Dot(change, change);
@@ -172,8 +175,7 @@ bool PreciseFollower::Settle(const Vector3& tip) noexcept
   const Vector3 before = this->State.ReachedTip;
   if (!Law::IsFelt(this->State.Here))
   {
-    // Makes the spring slack except for the tip's step, because a proxy that follows the tip has no
-    // force.
+    // Only the tip's step stretches the spring, because a proxy that follows the tip has no force.
     this->State.Spring.Tension = 0.0;
   }
   if (this->State.Spring.Tension < 1.0)
@@ -208,8 +210,8 @@ bool PreciseFollower::Settle(const Vector3& tip) noexcept
     }
     const double voxels = this->Field.Voxels(motion.Displacement);
     this->Record(voxels);
-    // While the tip rests, each motion is shorter than the motion before by a constant factor. This
-    // determines the sum of this motion and all later motions.
+    // While the tip rests, each motion is shorter than the previous one by a constant factor, which
+    // determines the sum of this motion and all later ones.
     const double rate = lastVoxels > 0.0 ? voxels / lastVoxels : 1.0;
     const bool isLast = voxels <= LongestCreep && voxels * rate <= LongestRest && rate < 0.5;
     if (isLast && Dot(motion.Displacement, lastDisplacement) > 0.0)
@@ -236,7 +238,7 @@ bool PreciseFollower::Settle(const Vector3& tip) noexcept
       motion, fraction, tip);
     const Vector3 lag = tip - end.Proxy;
     const Vector3 lagBefore = tip - this->Proxy;
-    // Only a return to the level may make the spring longer, and only a few times.
+    // Only a return to the level may lengthen the spring, and only a few times.
     setbacks += Dot(lag, lag) > Dot(lagBefore, lagBefore) ? 1 : 0;
     lastVoxels = fraction * voxels;
     lastDisplacement = motion.Displacement;
@@ -285,7 +287,7 @@ Motion PreciseFollower::Plan(const Vector3& tip, const Vector3* tipBefore) noexc
     this->State.IsHeld = false;
     return motion;
   }
-  // The proxy may have left the surface and met it again.
+  // The proxy may have left the surface and touched it again.
   const double inward = Dot(motion.Displacement, here.Normal);
   if (!this->State.IsHeld ||
     inward * inward > Rounding * Rounding * Dot(motion.Displacement, motion.Displacement) ||

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Computes a tick of solver PRECISE (PreciseSolver.h).
+ * Computes a tick of the solver Precise (PreciseSolver.h).
  */
 #ifndef PreciseFollower_h
 #define PreciseFollower_h
@@ -17,7 +17,7 @@
 namespace VolumeHaptics
 {
 
-/** The spring after the last tick. */
+/** The spring at the end of the last tick. */
 struct SpringBefore
 {
   explicit SpringBefore(const ServoState& state) noexcept
@@ -30,13 +30,13 @@ struct SpringBefore
   }
 
   bool IsOfAnotherModel;
-  Vector3 Tip;      ///< position of the hand's tip, even if the solver has not reached it
-  Vector3 Force;    ///< force in N
-  double Stiffness; ///< stiffness in N/m, without slack
+  Vector3 Tip;      ///< position of the hand's tip, even if the solver has not got that far
+  Vector3 Force;    ///< force (N)
+  double Stiffness; ///< stiffness (N/m), without slack
   double Friction;
 };
 
-/** Moves the tip, and the proxy after it. Changes all of the state except state.Proxy. */
+/** Moves the tip, and then the proxy. Changes the whole state except state.Proxy. */
 class PreciseFollower
 {
 public:
@@ -49,34 +49,36 @@ public:
   {
   }
 
-  /** Sets the surface to which the proxy was moved with the volume. `motion` (m) is that motion. */
+  /**
+   * Sets the surface to which the volume has carried the proxy. `motion` (m) is the proxy's motion.
+   */
   void TakeOver(const Surface& there, const Vector3& motion) noexcept;
-  /** Moves the tip straight to a position, and the proxy by the law. */
+  /** Moves the tip straight to a position, and the proxy according to the law. */
   void Solve(const Vector3& tip) noexcept;
   /** Writes material, proxy and forces to the record. */
   void Write(TickRecord& record) const noexcept;
   /**
-   * Writes the part of the force's change that comes from leaps of the proxy. Neither the tip's
-   * motion nor the proxy's motion with the volume (`carried`, m) explains this part.
+   * Writes the part of the force's change that is due to leaps of the proxy, that is, neither to
+   * the tip's motion nor to the proxy's motion with the volume (`carried`, m).
    */
   void WriteLeap(const SpringBefore& before, double carried, TickRecord& record) const noexcept;
   bool IsUnfinished() const noexcept { return this->LooksAreSpent; }
 
 private:
   /**
-   * Returns the material at the proxy if its surface or its drag holds a part of the spring's
+   * Returns the material at the proxy if its surface or its drag carries a part of the spring's
    * force.
    */
   TouchedMaterial ComputeTouched(const Vector3& lag) const noexcept;
-  /** Samples the material at the proxy. `touched` is as in PreciseSurroundings::Look. */
+  /** Samples the material at the proxy. `touched` is the same as in PreciseSurroundings::Look(). */
   void LookAround(const Vector3& lag, const TouchedMaterial& touched) noexcept;
   /**
-   * Adopts a change of the tissue at the proxy since the last tick, if it was not caused by motion.
+   * Takes over a change of the tissue at the proxy since the last tick, unless a motion caused it.
    * `lag` is in m.
    */
   void Refresh(double lag) noexcept;
   /**
-   * Moves the proxy until the law no longer moves it. Returns false if the budget does not suffice.
+   * Moves the proxy until the law no longer moves it. Returns false if the budget is too small.
    */
   bool Settle(const Vector3& tip) noexcept;
   /**
@@ -84,13 +86,13 @@ private:
    * move.
    */
   Motion Plan(const Vector3& tip, const Vector3* tipBefore) noexcept;
-  /** Stores the kind of contact. `voxels` is the length of the motion. */
+  /** Records the kind of contact. `voxels` is the length of the motion. */
   void Record(double voxels) noexcept;
-  /** Makes a motion longer if the material at its end still holds the spring. */
+  /** Lengthens a motion if the material at its end still holds the spring. */
   void Lengthen(Motion& motion, double factor, const Vector3& tip) const noexcept;
-  /** Learns StepPrediction from the ratio of a tick's displacement to its first motion. */
+  /** Updates StepPrediction from the ratio of a tick's displacement to its first motion. */
   void Learn(const Vector3& firstDisplacement, const Vector3& displacement, bool isJudged) noexcept;
-  /** Performs a motion that is too short to be judged at its end. */
+  /** Performs a motion that is too short to be checked at its end. */
   void Creep(const Motion& motion, const Vector3& tip) noexcept;
 
   PreciseSurroundings Field;

@@ -12,8 +12,8 @@ namespace
 {
 
 /**
- * Moves the tip to its position, and the proxy by the law.
- * @param carried distance (m) that the proxy has moved with the volume before
+ * Moves the tip to its position, and the proxy according to the law.
+ * @param carried distance (m) by which the volume has moved the proxy before
  */
 void Solve(const HapticModel& model, const SpringBefore& before, double carried,
   PreciseFollower& follower, TickRecord& record) noexcept

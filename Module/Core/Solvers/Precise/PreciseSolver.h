@@ -2,51 +2,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Solver PRECISE: the paper's material law, in balance at the proxy's end point.
+ * The solver Precise: the paper's material law, in balance at the proxy's end point.
  *
- * PAPER takes one explicit step with the material at the beginning of a tick's motion, whereas
- * PRECISE makes the law hold at the end of the motion.
+ * Paper makes one explicit step with the material at the beginning of a tick's motion, whereas
+ * Precise makes the law hold at the end of the motion.
  *
  * ## Equations
  *
- * Along the tip's straight path in a tick, the rate-independent law of MaterialLaw.h:
+ * The tip moves along a straight path in a tick. The rate-independent law of MaterialLaw.h then is
  *
  *   x' = 0                  while surface, friction and drag take the force F = k (x_tip - x),
  *   F  = q + R x'/|x'|      else, with q the force that surface and friction take at x,
  *
- * with the normal, the material and the thresholds at the proxy x.
+ * with the normal, the material and the thresholds at the proxy x, and q the force that surface and
+ * friction carry there.
  *
  * ## Method
  *
- * The tip moves in steps of a quarter of a voxel or 2 % of the lag. After each step the proxy moves
- * until the law no longer moves it. A motion is that of Law::Move, at most a quarter of a voxel
- * long, and is judged at its end: if the material there holds more than the spring pulls, the end
- * is moved back to the point at which both are equal (regula falsi, along the normal and
+ * The tip moves in steps of a quarter of a voxel or 2 % of the lag. After each step, the proxy
+ * moves until the law no longer moves it. A motion is that of Law::Move, at most a quarter of a
+ * voxel long, and is checked at its end: if the material there holds more than the spring pulls,
+ * the end is moved back to the point at which both are equal (regula falsi, along the normal and
  * perpendicular to it; at a step of a transfer function, bisection to a thousandth of a voxel, on
- * the side that holds). While a surface holds, the proxy stays on the level of the estimator's own
- * value that it met first (a Newton step after each motion), so that it does not drift. If friction
- * or drag turn a motion, it takes the mean of its first and last direction (second order).
+ * the side that holds). While a surface holds the proxy, the proxy stays on the level of the
+ * estimator's own value at which it first touched the surface (a Newton step after each motion), so
+ * that it does not drift. If friction or drag turn a motion, the mean of its first and last
+ * direction is used (second order).
  *
  * A sliding hand repeats its motion from tick to tick, which saves most samples. The last sample is
- * cached until the proxy is 1e-3 voxels away from it (4e-3 if labels make the geometry). While
- * a surface holds, a tick's first motion is lengthened by the ratio that the last ticks have shown
- * (PreciseState::StepPrediction). A tick of a tenth of a voxel then takes one or two samples. Cache
- * and prediction only propose motions; judgements do not depend on them.
+ * stored until the proxy is 1e-3 voxels away from it (4e-3 if labels make the geometry). While a
+ * surface holds, a tick's first motion is multiplied by the ratio that was found in the last ticks
+ * (PreciseState::StepPrediction). A tick of a tenth of a voxel then needs one or two samples.
+ * Stored sample and prediction only propose motions; the checks do not depend on them.
  *
  * ## Existence and uniqueness
  *
- * For one material point a motion is unique: the drag's motion is the proximal map of R|m| after
- * the surface's proximal map. Both are convex; the law takes normal before friction, which makes
- * the latter unique, too. Each accepted motion shortens the spring, and the solver finds the first
- * point at which the law holds.
+ * For one material point, a motion is unique: the drag's motion is the proximal map of R|m| after
+ * the surface's proximal map. Both are convex; the law applies the normal part before friction,
+ * which makes friction unique, too. Each accepted motion shortens the spring, and the solver finds
+ * the first point at which the law holds.
  *
  * ## Work
  *
- * A tick takes at most MaximumLooks samples. If these do not suffice (for a tip at tens of voxels a
- * tick), the proxy stays at the point that it has reached, the force is that of the earlier tip
- * with which this proxy is in balance, and the next tick goes on from there. So the force neither
- * jumps nor exceeds the material's strength, and no point is skipped. TickRecord::IsUnfinished is
- * then set.
+ * A tick uses at most MaximumLooks samples. If they are not enough (for a tip that moves tens of
+ * voxels in a tick), the proxy stays at the point that it has reached, the force is that of the
+ * earlier tip with which this proxy is in balance, and the next tick continues from there. The
+ * force thus neither jumps nor exceeds the material's strength, and no point is skipped.
+ * TickRecord::IsUnfinished is then set.
  */
 #ifndef PreciseSolver_h
 #define PreciseSolver_h
@@ -60,15 +62,15 @@ namespace VolumeHaptics
 constexpr int MaximumLooks = 256;
 
 /**
- * Computes a tick for record.Tip. Writes the record and the state. The resulting proxy is only in
+ * Computes a tick for record.Tip. Writes the record and the state. The new proxy is only in
  * record.Proxy; Tick() copies it to state.Proxy.
  */
 void StepPrecise(const HapticModel& model, ServoState& state, TickRecord& record,
   const MethodInput& input) noexcept;
 
-/** Returns Method::Reach. */
+/** Implements Method::Reach. */
 Vector3 FindPreciseReach(const HapticModel& model) noexcept;
-/** Does the same as Method::Include. */
+/** Implements Method::Include. */
 void IncludePrecise(const HapticModel& model, const ServoState& state, ReadBox& box) noexcept;
 
 } // namespace VolumeHaptics

@@ -11,43 +11,49 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The fraction of the lag by which a motion may go too far. */
+/** A motion may go too far by this fraction of the lag. */
 constexpr double Tolerance = 2e-4;
-/** A smaller part of a direction is rounding. */
+/** A part of a direction below this fraction is rounding. */
 constexpr double SmallPart = 1e-3;
-/** Trials of the search that draws a motion back. */
+/** Number of trials in the search that shortens a motion. */
 constexpr int MostTrials = 10;
-/** At an edge, V(x_p) may be this fraction of |V(x_s) - V(x_v)| below their mean. */
+/**
+ * At the middle of an edge, V(x_p) may be below the mean of V(x_s) and V(x_v) by this fraction of
+ * their difference.
+ */
 constexpr double EdgeTolerance = 1e-3;
-/** The fraction of the edge's height over which a graded edge gains its strength. */
+/** A graded edge gains its strength over this fraction of its height. */
 constexpr double EdgeWidth = 0.5;
-/** The initial growth (N) of the strength, per EdgeWidth. */
+/** Initial growth (N) of the strength, per EdgeWidth. */
 constexpr double EdgeStrength = 20.0;
-/** Voxels that a wall cuts are not as far in front of it (LabelWall::Value). */
+/** Voxels cut by a wall are not as far in front of it as this value (LabelWall::Value). */
 constexpr double BeforeStairs = -0.5;
-/** The fraction of the edge's height by which the estimator's own value counts beyond V(x_p). */
+/** The estimator's own value may be ahead of V(x_p) by this fraction of the edge's height. */
 constexpr double OwnLead = 0.25;
-/** Twice the fraction of the height by which an edge is passed before its origin counts. */
+/** An edge must be passed by half of this fraction of its height before its origin counts. */
 constexpr double OriginMargin = 0.2;
 /** Step (kernel radii) of the search for a rise behind an edge. */
 constexpr double BankStep = 0.5;
 ///@{
-/** Quotients of the strengths behind and ahead of an edge, for ComputeLikeness(). */
+/** Ratios of the strength behind an edge to the strength ahead, for ComputeLikeness(). */
 constexpr double Unlike = 0.5;
 constexpr double Alike = 0.65;
 ///@}
 ///@{
-/** Strengths (N) up to which a hand gets into a tissue, and from which on it does not. */
+/** A hand gets into a tissue up to the first strength (N), and no longer from the second one on. */
 constexpr double Soft = 5.0;
 constexpr double Hard = 10.0;
 ///@}
 ///@{
-/** Rises behind an edge (edge's heights) with which the edge is no ripple yet, and all ripple. */
+/**
+ * Rises behind an edge, as fractions of its height. Up to the first one the edge is no ripple, and
+ * from the second one on it is nothing else.
+ */
 constexpr double RippleBegins = 0.2;
 constexpr double Ripple = 0.6;
 ///@}
 
-/** 1 if the proxy is at or past the middle of an edge, 0 if it is before. */
+/** Returns 1 if the proxy is at or past the middle of an edge, and 0 if it is before. */
 double AtEdge(const ValuePair& sides, double value, bool isDescending) noexcept
 {
   const double above = value - 0.5 * (sides.Ahead + sides.Behind);
@@ -56,7 +62,7 @@ double AtEdge(const ValuePair& sides, double value, bool isDescending) noexcept
   return std::clamp(fraction, 0.0, 1.0);
 }
 
-/** Returns by how much V rises across an edge, towards the structure. 0 if it falls. */
+/** Returns how much V rises across an edge towards the structure, or 0 if it falls. */
 double ComputeHeight(const ValuePair& sides, bool isDescending) noexcept
 {
   const double rise = sides.Ahead - sides.Behind;
@@ -64,19 +70,20 @@ double ComputeHeight(const ValuePair& sides, bool isDescending) noexcept
 }
 
 /**
- * Returns the strength of a graded edge of height h, whose material has the strength T:
+ * Returns the strength of a graded edge with the height h, whose material has the strength T:
  *
  *   T' = min(T, EdgeStrength s/(1 - s)),   s = (V - middle)/(EdgeWidth h),
  *
- * and 0 before the middle: so the strength does not step if the middle wanders along a surface. If
- * h is less than the `rise` that the gradient predicts, then the edge is elsewhere, and s falls to
+ * and 0 before the middle. The strength thus does not jump if the middle wanders along a surface.
+ * If h is less than the `rise` that the gradient predicts, the edge is elsewhere, and s falls to 0.
+ * s is also 0 if the structure's side has the lower value, because the walk has then met noise.
  * 0. It is 0, too, if the structure's side has the lower value: then the walk has met noise.
  *
  * V is V(x_p) or the estimator's own value, whichever is farther inside. The estimator's value has
- * less noise, but does not reach the middle in a sheet that is thinner than the kernel. It may lead
- * by at most OwnLead h: at the foot of an edge, of which the walk meets only a part, the mean of a
- * wide kernel is past the middle of that part, although the whole edge still lies ahead of the
- * proxy.
+ * less noise, but does not reach the middle in a sheet that is thinner than the kernel. It may be
+ * ahead by at most OwnLead h: at the foot of an edge, where the walk sees only a part of it, the
+ * mean of a wide kernel is past the middle of that part, although the whole edge is still ahead of
+ * the proxy.
  */
 double GradedStrength(const ValuePair& sides, double strength, double own, double value,
   double rise, bool isDescending) noexcept
@@ -94,7 +101,10 @@ double GradedStrength(const ValuePair& sides, double strength, double own, doubl
   return std::min(whole, edge / std::max(1.0 - fraction, 1e-12));
 }
 
-/** The fraction of the way from the middle of an edge to its end at which the medium is left. */
+/**
+ * The medium is left between this fraction of the way from the middle of an edge to its end, and
+ * the end.
+ */
 constexpr double LeavingBegins = 0.5;
 
 } // namespace
@@ -112,7 +122,7 @@ void PassOn(PassiveSpring& spring, double stiffness, double lag) noexcept
   }
   else
   {
-    // If nothing is felt, the spring has no energy to keep. Its slack stays.
+    // If nothing is felt, the spring has no energy to preserve. Its slack remains.
     spring.Tissue = stiffness;
     spring.DropReserve();
   }
@@ -134,8 +144,8 @@ PrecisePoint PreciseSurroundings::Look(
   {
     return this->LookAt(index, Law::MakeNoSurface(this->Model), lag, touched, voxels);
   }
-  // Gives the result of LookAt, to the bit, but without a Surface, whose numbers in memory would
-  // have to wait for one another.
+  // This computes the result of LookAt(), to the bit, but without a Surface, because the processor
+  // would have to wait for its numbers in memory.
   ++this->Looks;
   const BakedVolume& baked = *this->Model.Baked;
   const bool isDescending = Law::IsDescending(this->Model, lag, slope.Normal);
@@ -193,7 +203,7 @@ PrecisePoint PreciseSurroundings::LookAt(const Vector3& index, Surface surface, 
   const bool isDescending = Law::Orient(this->Model, lag, surface);
   if (this->HasWalks && this->Model.Baked->Walls && !(surface.GradientMagnitude > 0.0))
   {
-    surface.Reach = Vector3{}; // there is no wall, so the labels around the proxy count
+    surface.Reach = Vector3{}; // there is no wall, so use the labels around the proxy
   }
   if (this->Hides && surface.IsWall && !isDescending && this->IsThinAndSeen(index, surface))
   {
@@ -201,7 +211,7 @@ PrecisePoint PreciseSurroundings::LookAt(const Vector3& index, Surface surface, 
     surface.Reach = Vector3{};
   }
   const Law::Slope slope{ surface.Normal, surface.Reach, surface.GradientMagnitude };
-  // Look up first: the sampling of the values then hides the lookup's latency.
+  // Look up first, so that sampling the values hides the latency of the lookup.
   const DistinctnessTable::Values distinct = Law::ComputeDistinctness(this->Model, surface);
   const double fraction = surface.IsWall ? 0.0 : distinct[0] * surface.Fade;
   FarWalk walk;
@@ -339,8 +349,8 @@ void PreciseSurroundings::Align(const Vector3& index, const Law::Slope& slope, b
   const double even = FarSide::ComputeEvenFraction(point.Far);
   const double value = this->Field.Value(index);
   double edge = point.SurfaceStrength;
-  // An edge from hidden to seen values holds from where it is seen. Its walk may end at seen values
-  // between two edges.
+  // An edge from hidden to visible values holds from the first visible value on. Its walk may end
+  // at visible values between two edges.
   const bool isOfPicture = this->Hides &&
     (!this->IsSeen(sides.Behind) || !this->IsSeen(this->Field.Values(index, slope.Reach).Behind));
   if (even < 1.0 && !isOfPicture)
@@ -351,8 +361,8 @@ void PreciseSurroundings::Align(const Vector3& index, const Law::Slope& slope, b
         of, point.SurfaceStrength, point.Value, value, this->ComputePromise(slope), isDescending);
     };
     edge = grade(sides);
-    // The normal turns on the way to an edge, so that another structure may come to be behind it.
-    // The edge still rises from the values that the hand has come from.
+    // The normal turns on the way to an edge, so that another structure may appear behind it. The
+    // edge still rises from the values where the hand has come from.
     const ValuePair origin{ sides.Ahead, point.Far.Behind };
     const double held = edge > 0.0 || isContact || distinctness < 1.0
       ? 0.0
@@ -365,7 +375,7 @@ void PreciseSurroundings::Align(const Vector3& index, const Law::Slope& slope, b
       point.MediumValue = origin.Behind;
       point.Viscosity = material.Viscosity;
     }
-    // A gap without drag, such as air, is no tissue, so that its far side is a boundary.
+    // A gap without drag, such as air, is no tissue, so its far side is a boundary.
     if (edge > 0.0 && distinctness < 1.0 && point.Viscosity > 0.0)
     {
       const double alike = this->ComputeLikeness(sides);
@@ -376,7 +386,8 @@ void PreciseSurroundings::Align(const Vector3& index, const Law::Slope& slope, b
       edge *= 1.0 + alike * (held - 1.0);
     }
   }
-  // An even ramp has no middle: it holds as with the kernel's values, from where it is seen.
+  // An even ramp has no middle. It holds as with the kernel's values, from the first visible value
+  // on.
   double ramp = point.SurfaceStrength;
   if (even > 0.0 && even < 1.0)
   {
@@ -499,7 +510,7 @@ ValuePair PreciseSurroundings::ComputeValues(const Vector3& index, const Law::Sl
   if (!isOn || !IsSameEdge(*before, walk.Far))
   {
     const ValuePair sides{ walk.Far.Ahead, walk.Far.Behind };
-    // Where values change with time, a remembered value may be out of date.
+    // If values change with time, a stored value may be out of date.
     if (isAlike && !isOn && this->Field.IsStill(index) && IsSameEdge(before->Far, walk.Far))
     {
       walk.Far.Behind = ComputeOrigin(before->Far, walk.Far, voxels);
@@ -548,7 +559,7 @@ Arrival PreciseSurroundings::Try(const Departure& start, const Motion& motion,
 {
   const Vector3 proxy = Law::StopAtCut(this->Model, start.Proxy, start.Proxy + displacement);
   const Vector3 lag = tip - proxy;
-  // The point is made in place: a copy of it would have to wait until it is in the cache.
+  // The point is made in place, because a copy would have to wait until it is in the cache.
   const double voxels = this->HasWalks ? this->Voxels(displacement) : 0.0;
   Arrival end{ proxy, this->Look(proxy, lag, start.Touched, voxels), 0.0, start.Spring };
   const double length = Norm(lag);
@@ -579,8 +590,8 @@ PreciseSurroundings::Remainder PreciseSurroundings::Judge(const Motion& motion,
   const double holds = there.SurfaceStrength * compliance;
   const double grip = there.Friction * std::clamp(lag.Push, 0.0, holds);
 
-  // The rest of the spring after surface and friction. There is no surface outward. The
-  // perpendicular part of the spring is held in the same way.
+  // The rest of the spring after surface and friction. Outward there is no surface. The
+  // perpendicular part of the spring is treated in the same way.
   const bool goesIn = !motion.IsHeld && inward > SmallPart;
   const bool goesOut = !motion.IsHeld && inward < -SmallPart;
   const bool goesAcross = across > SmallPart;
@@ -588,7 +599,7 @@ PreciseSurroundings::Remainder PreciseSurroundings::Judge(const Motion& motion,
   const double normal = goesIn ? lag.Push - holds : (goesOut ? std::max(0.0, -lag.Push) : 0.0);
   const double tangent = goesAcross ? (pull > 0.0 ? lag.Length : pull / across) - grip : 0.0;
   // If neither part is negative, subtract the drag from the length of both parts combined.
-  // Otherwise, subtract from each part the drag's share in that direction.
+  // Otherwise, subtract from each part the drag's component in that direction.
   const bool isWhole = normal >= 0.0 && tangent >= 0.0;
   const double total = std::sqrt(normal * normal + tangent * tangent) - drag;
   const bool saysNormal = goesIn || (goesOut && drag > 0.0);
@@ -603,7 +614,7 @@ Arrival PreciseSurroundings::DrawBack(const Departure& start, const Motion& moti
   const Vector3 normalPart =
     rest.IsWhole ? displacement : Dot(displacement, first.There.Normal) * first.There.Normal;
   const Vector3 tangentPart = displacement - normalPart;
-  // Computed with the law at its beginning, a motion ends with a remainder of 0.
+  // If a motion is computed with the law at its beginning, its remainder at the end is 0.
   const auto along = [&](const Remainder& r)
   { return rest.IsWhole ? std::min(r.Normal, r.Tangent) : r.Normal; };
   RootBracket normal(Norm(normalPart), along(rest), this->Voxels(normalPart));
@@ -626,7 +637,7 @@ Arrival PreciseSurroundings::DrawBack(const Departure& start, const Motion& moti
     normal.Narrow(along(now));
     tangent.Narrow(now.Tangent);
   }
-  // The end at which the material holds.
+  // This is the end at which the material holds.
   return this->Try(
     start, motion, normal.GetHigh() * normalPart + tangent.GetHigh() * tangentPart, tip);
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Computes single motions of solver PRECISE (PreciseSolver.h): the material around a proxy, and the
- * end point of a motion.
+ * Computes single motions of the solver Precise (PreciseSolver.h): the material around a proxy, and
+ * the end point of a motion.
  */
 #ifndef PreciseSurroundings_h
 #define PreciseSurroundings_h
@@ -18,7 +18,7 @@
 namespace VolumeHaptics
 {
 
-/** A planned motion of the proxy. The material law gives it for the material at the proxy. */
+/** A planned motion of the proxy, according to the law and the material at the proxy. */
 struct Motion
 {
   Vector3 Displacement; ///< displacement in m
@@ -33,7 +33,8 @@ struct TouchedMaterial
   const PrecisePoint* Point = nullptr; ///< null if nothing was felt
   bool IsContact = false;              ///< whether the material was in contact
   /**
-   * Whether the surface holds a force. If not, it did so earlier, and now only its medium drags.
+   * Whether the surface carries a force. If not, it did so earlier, and now only the drag of its
+   * medium acts.
    */
   bool IsSurface = false;
 };
@@ -57,13 +58,14 @@ struct Arrival
 };
 
 /**
- * Changes the spring's stiffness (N/m) to that of other tissue. `lag` (m) is the distance to the
- * tip.
+ * Changes the spring's stiffness (N/m) when the proxy moves into other tissue. `lag` (m) is the
+ * distance to the tip.
  */
 void PassOn(PassiveSpring& spring, double stiffness, double lag) noexcept;
 
 /**
- * Samples the volume around a proxy. It counts the samples, because a tick has a budget of them.
+ * Samples the volume around a proxy. Counts the samples, because a tick has a limited number of
+ * them.
  */
 class PreciseSurroundings
 {
@@ -82,12 +84,12 @@ public:
 
   /**
    * Returns the material at a proxy. If surfaces are two-sided, the normal is on the side of the
-   * lag. `touched` is the material that was in contact before the proxy's last `voxels` of path
-   * (FarSide.h).
+   * lag. `touched` is the material that was in contact before the proxy moved along its last path
+   * of `voxels` (FarSide.h).
    */
   PrecisePoint Look(const Vector3& proxy, const Vector3& lag, const TouchedMaterial& touched,
     double voxels) noexcept;
-  /** Returns the same if the surface through the proxy is already known. */
+  /** Like Look() above, if the surface through the proxy is already known. */
   PrecisePoint Look(const Vector3& proxy, const Surface& surface, const Vector3& lag,
     const TouchedMaterial& touched, double voxels) noexcept;
   /**
@@ -97,10 +99,10 @@ public:
   {
     Law::LimitDrag(this->Model, spring.Tension < 1.0 ? (1.0 - spring.Tension) * lag : 0.0, point);
   }
-  /** Returns whether the budget suffices for another motion. */
+  /** Returns whether enough samples are left for another motion. */
   bool CanGoOn() const noexcept;
 
-  /** Returns ProxyDisplacement::LongestMean, or no limit for the placement Kernel. */
+  /** Returns ProxyDisplacement::LongestMean, or infinity for the placement Kernel. */
   double GetLongestMean() const noexcept
   {
     return this->HasWalks ? ProxyDisplacement::LongestMean
@@ -131,8 +133,8 @@ public:
   bool IsBeyond(const Vector3& a, const Vector3& b) const noexcept;
 
   /**
-   * Returns the displacement (m) along the normal from a point to a level, limited by the spring's
-   * balance.
+   * Returns the displacement (m) along the normal from a point to a level. The balance of the
+   * spring limits it.
    */
   double ToLevel(
     const PrecisePoint& here, double k, double level, const Vector3& lag) const noexcept
@@ -140,15 +142,16 @@ public:
     const double most = FarthestLevel / this->Model.MostStepsPerMeter;
     const double push = Dot(lag, here.Normal);
     const double displacement = (level - here.Value) / here.Slope;
-    // Inward it ends at the tip. Outward it ends where the surface can no longer hold the spring.
+    // The displacement ends inward at the tip, and outward where the surface can no longer hold the
+    // spring.
     const double in = std::clamp(push, 0.0, most);
     const double out = std::clamp(here.SurfaceStrength / k - push, 0.0, most);
     return std::clamp(displacement, -out, in);
   }
 
   /**
-   * Performs a fraction of a motion, or less if the material there allows less. Returns where the
-   * motion ends.
+   * Performs a fraction of a motion, or less if the material allows less. Returns where the motion
+   * ends.
    */
   Arrival Arrive(
     const Departure& start, const Motion& motion, double fraction, const Vector3& tip) noexcept;
@@ -157,7 +160,7 @@ private:
   static constexpr int VisibilityChannel = 4; ///< channel of MaterialTable
   /** Largest distance (voxels) of a proxy from its level. */
   static constexpr double FarthestLevel = 0.25;
-  /** Least strength (N) of an edge that is seen: a hand feels 0.1 N. */
+  /** Least strength (N) of an edge that is visible, because a hand can feel 0.1 N. */
   static constexpr double LeastSeen = 0.15;
 
   /** The result of a walk: PrecisePoint::Far and PrecisePoint::FarLasts. */
@@ -167,8 +170,8 @@ private:
     double Lasts = 0.0;
   };
   /**
-   * The rest of the spring (m) along both components of a motion. Negative if the motion went too
-   * far.
+   * The spring's rest (m) along both components of a motion, after surface, friction and drag. It
+   * is negative if the motion went too far.
    */
   struct Remainder
   {
@@ -187,29 +190,30 @@ private:
   PrecisePoint LookAt(const Vector3& index, Surface surface, const Vector3& lag,
     const TouchedMaterial& touched, double voxels) noexcept;
   /**
-   * Sets the surface strength of `point` for ContactAlignment EDGE: none before the middle of an
+   * Sets the surface strength of `point` for ContactAlignment::Edge: zero before the middle of an
    * edge. `join` returns the material between two values.
    */
   template <typename Join>
   void Align(const Vector3& index, const Law::Slope& slope, bool isDescending, double distinctness,
     bool isContact, const Join& join, PrecisePoint& point) const noexcept;
   /**
-   * Returns how alike the tissues on both sides of an edge are: 1 if the one behind it has 0.65 of
-   * the strength ahead or more, 0 if it has half or less, as air does, or fat beside muscle. It is
-   * 0, too, if a hand does not get into the tissue ahead: from 10 N on, by degrees above 5 N.
+   * Returns how similar the tissues on both sides of an edge are: 1 if the strength behind it is at
+   * least 0.65 of the strength ahead, and 0 if it is half or less, as in air, or in fat beside
+   * muscle. It also falls to 0 if a hand can't get into the tissue ahead, between 5 N and 10 N of
+   * strength.
    */
   double ComputeLikeness(const ValuePair& sides) const noexcept;
   /**
    * Returns the fraction of its strength that an edge holds if it may be a ripple inside a tissue.
    *
    * Behind a boundary between two tissues, V stays on the other side. Behind noise, a streak or a
-   * thin septum, V rises again to the tissue from which the hand came. The hand left this tissue
-   * unfelt, because surfaces are felt from one side. Such an edge holds 2 W_d - 1 instead of W_d:
-   * all of its strength if W_d = 1, and nothing up to W_d = 1/2.
+   * thin septum, V rises again to the value of the tissue from which the hand came. The hand left
+   * this tissue unfelt, because surfaces are felt from one side. Such an edge holds with 2 W_d - 1
+   * instead of W_d: with its full strength if W_d = 1, and not at all up to W_d = 1/2.
    */
   double ComputeHeldOfRipple(const Vector3& index, const Law::Slope& slope, double value,
     double height, bool isDescending, double distinctness) const noexcept;
-  /** Does the same as LeaveMedium at a wall between labels. */
+  /** Like LeaveMedium(), at a wall between labels. */
   void LeaveWall(const Vector3& index, const Surface& surface,
     const DistinctnessTable::Values& distinct, const ValuePair& values,
     PrecisePoint& point) const noexcept;
@@ -221,40 +225,40 @@ private:
   template <typename Join>
   void LeaveMedium(
     const Join& join, const Vector3& index, bool isDescending, PrecisePoint& point) const noexcept;
-  /** Returns whether a value is visible. */
   bool IsSeen(double value) const noexcept;
-  /** Returns whether the picture shows the volume at an index. */
+  /** Returns whether the display shows the volume at an index. */
   bool IsShown(const Vector3& index) const noexcept;
   /**
-   * Returns whether the label at an index is visible, but too thin for a wall. The hand meets it at
-   * the faces of its voxels, which the picture shows.
+   * Returns whether the label at an index is visible, but too thin for a wall. The hand touches it
+   * at the faces of its voxels, which the display shows.
    */
   bool IsThinAndSeen(const Vector3& index, const Surface& surface) const noexcept;
   /**
-   * Lets an edge from hidden to visible values hold a force that can be felt, however gradually the
-   * values rise there, if the tissue behind it has a surface at all. What is seen is felt.
-   * `joinWith` returns the material between two values for a distinctness, of which `whole` is 1.
+   * Gives an edge from hidden to visible values a force that can be felt, however gradually the
+   * values rise, provided that the tissue behind it has a surface at all. What is visible is thus
+   * felt. `joinWith` returns the material between two values for a distinctness; `whole` is the
+   * distinctness 1.
    */
   template <typename JoinWith>
   void HoldWhatIsSeen(const Vector3& index, const Law::Slope& slope,
     const DistinctnessTable::Values& whole, const JoinWith& joinWith,
     PrecisePoint& point) const noexcept;
   /**
-   * If the picture does not show the volume at `index` (its value is hidden, or the index is
+   * If the display does not show the volume at `index` (its value is hidden, or the index is
    * outside), sets the drag to zero, and also the surface strength unless the surface is a wall. A
    * wall holds the proxy in front of the visible tissue, so it keeps its strength.
    */
   void Hide(const Vector3& index, bool isWall, PrecisePoint& point) const noexcept;
-  /** Returns the change of V over the kernel radius according to the gradient. */
+  /** Returns the change of V over the kernel radius, according to the gradient. */
   double ComputeRise(const Law::Slope& slope) const noexcept;
   /**
-   * Returns the rise of an edge over the kernel radius according to the gradient. For a spline it
+   * Returns the rise of an edge over the kernel radius, according to the gradient. For a spline it
    * is the rise over one voxel, because a spline is always as wide as the Gaussian of radius 1.
    */
   double ComputePromise(const Law::Slope& slope) const noexcept;
   /**
-   * Returns the values from which a surface gets its material, by MaterialPlacement. With a
-   * fraction of 0, these are the kernel's values. Writes the walk of a point if there is one.
+   * Returns the values that determine a surface's material, by MaterialPlacement. With a fraction
+   * of 0, these are the kernel's values. Writes the walk of a point if there is one.
    */
   ValuePair ComputeValues(const Vector3& index, const Law::Slope& slope, bool isDescending,
     double fraction, const TouchedMaterial& touched, double voxels, FarWalk& walk) const noexcept;
@@ -262,10 +266,10 @@ private:
   const HapticModel& Model;
   const FieldAtTime Field;
   const bool IsPlain; ///< whether BakedVolume::IsPlain() holds and the volume does not move
-  /** Whether values depend on the proxy's path, as for MaterialPlacement::FarSide. */
+  /** Whether values depend on the proxy's path, as with MaterialPlacement::FarSide. */
   const bool HasWalks;
   const bool LeavesMedium; ///< whether surfaces are felt from both sides
-  const bool Hides;        ///< whether a picture hides some values, which are not felt then
+  const bool Hides;        ///< whether the display hides some values, which then are not felt
   LabelMemory& Labels;
   int Looks = 0;
 };

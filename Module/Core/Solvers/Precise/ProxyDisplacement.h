@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The displacement of a proxy during one step of the tip, by the law of one material point.
+ * Computes the displacement of a proxy during one step of the tip, by the law of one material
+ * point.
  *
- * It is inlined, like the law, because every tick needs it. A step of usual length is computed in
- * one part, and a longer step in several parts.
+ * The functions are inlined, like the law, because every tick needs them. A step of usual length is
+ * computed as a whole, and a longer step in several parts.
  */
 #ifndef ProxyDisplacement_h
 #define ProxyDisplacement_h
@@ -28,17 +29,17 @@ namespace ProxyDisplacement
 constexpr double CirclePart = 0.1;
 constexpr double FreePart = 0.005;
 constexpr double MostParts = 64.0;
-/** Fraction of a circle's radius from which a spring's direction is known. */
+/** A spring's direction is known from this fraction of the circle's radius on. */
 constexpr double OnCircle = 0.9;
 /**
  * Longest spring (in radii) for which a mean direction is used. During a step of q radii, a small
- * angle between spring and step changes by the factor 1/2 + 1/(2 + 2 q) - q/2. For q above 3.2 this
- * would enlarge an angle caused by rounding.
+ * angle between spring and step changes by the factor 1/2 + 1/(2 + 2 q) - q/2. For q above 3.2,
+ * this would enlarge an angle caused by rounding.
  */
 constexpr double LongestMean = 2.0;
 
 /**
- * The part of a spring that the surface does not hold, and the circle within which friction and
+ * The part of a spring that the surface does not carry, and the circle within which friction and
  * drag hold this part.
  */
 struct UnheldSpring
@@ -67,7 +68,7 @@ VOLUME_HAPTICS_INLINE UnheldSpring ComputeUnheldSpring(
 
 /**
  * Returns the displacement by one part of a step: in the mean direction if there is one, otherwise
- * `plain()`.
+ * by `plain()`.
  */
 template <typename Plain>
 VOLUME_HAPTICS_INLINE Vector3 ComputePart(const PrecisePoint& here, double compliance,
@@ -102,12 +103,13 @@ Vector3 ComputeInParts(const PrecisePoint& here, double k, double longest, const
   const Vector3& lag, double parts) noexcept;
 
 /**
- * Returns the displacement of a proxy (m) while the tip's step changes the lag (m) from `lagBefore`
+ * Returns the displacement (m) of a proxy while the tip's step changes the lag (m) from `lagBefore`
  * to `lag`. k (N/m) is the spring's stiffness, and `split` the split of `lag`.
  *
  * The result is of second order in the step if friction and drag hold equally in all directions.
- * `plain()` returns the displacement by the law at the last lag alone. It is used for steps without
- * a mean direction, and for parts whose spring is longer than `longest` radii of the circle.
+ * `plain()` returns the displacement according to the law at the last lag alone. It is used for
+ * steps without a mean direction, and for parts whose spring is longer than `longest` radii of the
+ * circle.
  */
 template <typename Plain>
 VOLUME_HAPTICS_INLINE Vector3 Compute(const PrecisePoint& here, double k, double longest,
@@ -116,7 +118,7 @@ VOLUME_HAPTICS_INLINE Vector3 Compute(const PrecisePoint& here, double k, double
   const SplitLag before = Law::Split(lagBefore, here.Normal);
   const bool isThrough = std::max(split.Push, before.Push) * k > here.SurfaceStrength;
   // If the tip touches, leaves or breaks through a surface with friction in this step, no circle
-  // bounds the spring, so short parts are used.
+  // bounds the spring, so use short parts.
   const bool isCircle =
     here.Friction == 0.0 || (!isThrough && (split.Push > 0.0) == (before.Push > 0.0));
   const double fraction = isCircle ? CirclePart : FreePart;

@@ -13,7 +13,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A place at most this far (voxels) from its anchor is on the line. */
+/** Within this distance (voxels) from its anchor, a place counts as on the line. */
 constexpr double OnLine = 1e-4;
 
 } // namespace
@@ -133,12 +133,12 @@ bool FollowedShapes::FindStart(int mode, Vector3& place)
     {
       return std::isfinite(length);
     }
-    // A ridge may be some voxels away. If Newton's search takes a longer step, that step is wrong.
+    // A ridge may be some voxels away. A longer step of Newton's method is wrong.
     const double longest = (kind == ModeKind::VortexTube ? 1.0 : 32.0) * this->Voxel;
     place = place + std::min(1.0, longest / length) * motion;
     if (kind == ModeKind::Guide)
     {
-      return true; // this is the nearest place; another step might leave it
+      return true; // already the nearest place; another step might leave it
     }
   }
   return kind == ModeKind::Ridge;

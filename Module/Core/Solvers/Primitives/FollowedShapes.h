@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds the lines and fronts near a place on which a model's modes hold the hand, to draw them.
+ * Finds the lines and fronts near a place on which a model's modes hold the hand, so that they can
+ * be drawn.
  *
- * They are made of the primitives that a tick reads (ModePrimitives.h), so that the hand feels what
- * is drawn:
+ * They are made from the primitives that a tick reads (ModePrimitives.h), so that the hand feels
+ * the shapes that are drawn:
  *
  * | mode          | shape                                                     |
  * | ------------- | --------------------------------------------------------- |
@@ -20,7 +21,7 @@
  * | Surface       | nothing: the volume shows it                              |
  *
  * A line is described by one of its points and its direction there. The caller traces it with
- * FollowedShapes::Turn() and Return(). These classes allocate, so they are for the GUI thread.
+ * FollowedShapes::Turn() and Return(). These classes are for the GUI thread, because they allocate.
  */
 #ifndef FollowedShapes_h
 #define FollowedShapes_h
@@ -46,35 +47,35 @@ struct FollowedShape
   int Mode = 0;   ///< number of the shape's mode
   Vector3 Centre; ///< a point (m) of the line or front
   /**
-   * Unit vector along the line, or normal of the front. If the front has a free side, the normal
+   * Unit vector along the line, or normal of the front. If a front has a free side, the normal
    * points to it.
    */
   Vector3 Direction;
-  Matrix3 Tensor; ///< tensor in world axes, divided by its first eigenvalue, which is positive
+  Matrix3 Tensor; ///< tensor in world axes, divided by its first eigenvalue, which must be positive
 };
 
 class FollowedShapes
 {
 public:
-  /** Stores a reference to the model. Ignores the tip and the friction of surfaces. */
+  /** Ignores the tip and the friction of surfaces. The model must outlive this object. */
   explicit FollowedShapes(const HapticModel& model);
   FollowedShapes(const FollowedShapes&) = delete;
   FollowedShapes& operator=(const FollowedShapes&) = delete;
 
   /**
-   * Returns the shapes at a place (m). Modes without a force there have no shapes, and neither have
-   * methods other than Primitives.
+   * Returns the shapes at a place (m). Modes without a force there have no shapes, nor do methods
+   * other than Primitives.
    */
   std::vector<FollowedShape> Collect(const Vector3& place);
 
   /**
    * Replaces `direction` by the unit vector along a mode's line at a place. Of the two possible
-   * directions it chooses the one closer to `direction`. Returns false if there is no line.
+   * directions, the result is the one closer to `direction`. Returns false if there is no line.
    */
   bool Turn(int mode, const Vector3& place, Vector3& direction);
   /**
-   * Moves a place near a mode's line back to the line if the line has an anchor of its own, because
-   * a step along the direction leaves the line. Returns false if the line ends there.
+   * Moves a place near a mode's line back to the line if the line has its own anchor, because a
+   * step along the direction leaves the line. Returns false if the line ends there.
    */
   bool Return(int mode, Vector3& place);
 
@@ -82,13 +83,13 @@ private:
   void CollectOf(int mode, const Vector3& place, std::vector<FollowedShape>& shapes);
   void AddTensor(int mode, const Vector3& place, std::vector<FollowedShape>& shapes) const;
   ModeKind KindOf(int mode) const;
-  /** Reads the primitives of a mode. Returns false if none of them holds. */
+  /** Reads the primitives of a mode. Returns false if none of them exerts a force. */
   bool Read(int mode, const Vector3& place);
   /** Returns the front among the primitives that were read, or null if there is none. */
   const Primitive* FindFront(ModeKind kind) const;
   /**
-   * Returns the line among the primitives that were read. For a vortex, it is the core, wherever
-   * the hand is.
+   * Returns the line among the primitives that were read, or null. For a vortex, it is the core,
+   * wherever the hand is.
    */
   const Primitive* FindLine(ModeKind kind) const;
   /** Returns the first primitive of a kind whose strength exceeds `strength`. */

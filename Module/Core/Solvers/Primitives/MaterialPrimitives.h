@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The material law of MaterialLaw.h as primitives.
+ * Expresses the material law of MaterialLaw.h by primitives.
  *
- * With N the normal into the structure and F = k (y - c) the spring:
+ * Let N be the normal into the structure, and F = k (y - c) the spring's force:
  *
  *   PLANE  -N, T_N W_d     eq. 12: the surface
  *   LINE   N,  mu f_N      eqs. 8 to 10: friction, with f_N the force that the plane takes of F
  *   POINT  R               eq. 14: the drag
  *
- * Their composition in this order is the paper's order of steps. The solvers still use the law for
- * surfaces: it needs no set. The tests compare both.
+ * Their composition in this order equals the paper's order of steps. For surfaces, the solvers
+ * still use the law, because it needs no set of primitives. The tests compare both.
  */
 #ifndef MaterialPrimitives_h
 #define MaterialPrimitives_h
@@ -25,8 +25,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Adds the surface, friction and drag of a material point. The spring of stiffness k (N/m) leads
- * from `anchor` to `tip`.
+ * Adds the surface, friction and drag of a material point. The spring has the stiffness k (N/m) and
+ * leads from `anchor` to `tip`.
  */
 inline void AddMaterial(const MaterialPoint& point, double k, const Vector3& anchor,
   const Vector3& tip, PrimitiveSet& set) noexcept

@@ -13,8 +13,7 @@ namespace VolumeHaptics
 {
 
 /**
- * Adds the primitives of a mode. A primitive that can't be read gets the strength 0, but still
- * counts.
+ * Adds the primitives of a mode. A primitive that can't be read is added with the strength 0.
  */
 class ModeReader
 {
@@ -102,7 +101,7 @@ private:
 
   /**
    * Computes the displacement (world) to the core of a vortex. Returns the fraction of the strength
-   * with which the core holds; 0 if it is far away.
+   * with which the core holds, or 0 if it is far away.
    */
   double ComputeCore(
     const Vector3& v, const Matrix3& j, const Vector3& axis, Vector3& toCore) const noexcept
@@ -114,7 +113,7 @@ private:
     const double slopes =
       Dot(j.Row[0], j.Row[0]) + Dot(j.Row[1], j.Row[1]) + Dot(j.Row[2], j.Row[2]);
     const double reach = far * this->Mode.Field.GetSquaredVoxel() * slopes;
-    // The condition is false for NaN, too.
+    // The comparison is false for NaN, too.
     if (!(std::abs(Dot(v, v) - along * along) <= reach))
     {
       return 0.0;
@@ -128,7 +127,7 @@ private:
     const double ba = Dot(b, ja);
     const double bb = Dot(b, jb);
     const double determinant = aa * bb - ab * ba;
-    // Where the flow is a shear rather than a rotation, there is no core.
+    // A flow that is a shear rather than a rotation has no core.
     if (!(determinant > 0.0))
     {
       return 0.0;
@@ -177,7 +176,7 @@ private:
   void ReadRidge() noexcept
   {
     const FieldSampler& scalars = this->Modes.Model->Baked->Field;
-    // The differences need samples one voxel farther away.
+    // The differences need samples one more voxel away.
     this->SetFade(scalars.DistanceToBorder(this->Index) - 1.0);
     Vector3 toRidge;
     Vector3 along{ 1.0, 0.0, 0.0 };
@@ -190,7 +189,7 @@ private:
   }
 
   /**
-   * Computes the direction of the ridge and the displacement (world) to it. Returns the strength
+   * Computes the direction of the ridge and the displacement (world) to it. Returns its strength
    * (N).
    */
   double ComputeRidge(const FieldSampler& scalars, Vector3& along, Vector3& toRidge) const noexcept
@@ -268,7 +267,7 @@ private:
     AddMaterial(point, this->Modes.Stiffness, this->Place, this->Modes.Tip, this->Set);
   }
 
-  /** Relative difference of two eigenvalues below which they have no directions. */
+  /** Eigenvalues whose relative difference is below this limit have no directions. */
   static constexpr double LeastFraction = 1e-9;
 
   static Matrix3 SymmetricPart(const Matrix3& m) noexcept
@@ -296,7 +295,6 @@ private:
   }
   double StrengthAt(int channel, double x) const noexcept { return this->StrengthsAt(x)[channel]; }
 
-  /** Maps a displacement from the world to the device. */
   Vector3 ToDevice(const Vector3& displacement) const noexcept
   {
     return this->Modes.WorldToDevice.Linear * displacement;

@@ -9,7 +9,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Returns the strength to use, which is 0 if the given one is not valid. */
+/** Returns the strength to use, which is 0 if the primitive's strength is not valid. */
 double UsableStrength(const Primitive& primitive) noexcept
 {
   const double s = primitive.Strength;
@@ -20,7 +20,7 @@ double UsableStrength(const Primitive& primitive) noexcept
   return std::fmin(s, PrimitiveSet::MostStrength);
 }
 
-/** Scales a direction to unit length. Returns false if the length is 0, too large or not finite. */
+/** Scales a direction to unit length. Returns false if its length is 0, too large or not finite. */
 bool Normalise(Vector3& direction) noexcept
 {
   constexpr double safe = 1e100;
@@ -36,7 +36,8 @@ bool Normalise(Vector3& direction) noexcept
   {
     return false;
   }
-  // The squares would overflow or vanish, and the reciprocal of a tiny number may be infinite.
+  // Scale by the largest component first. Otherwise the squares would overflow or vanish, and the
+  // reciprocal of a tiny number might be infinite.
   direction = { direction.X / largest, direction.Y / largest, direction.Z / largest };
   direction = (1.0 / Norm(direction)) * direction;
   return true;
@@ -45,7 +46,7 @@ bool Normalise(Vector3& direction) noexcept
 bool IsNearEnough(const Vector3& anchor) noexcept
 {
   constexpr double most = PrimitiveSet::FarthestAnchor;
-  // The condition is false for NaN, too.
+  // The comparisons are false for NaN, too.
   return std::abs(anchor.X) <= most && std::abs(anchor.Y) <= most && std::abs(anchor.Z) <= most;
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Haptic primitives: the four simple potentials of which a mode is made.
+ * Haptic primitives are the four simple potentials from which modes are made.
  *
- * With x the proxy, c the anchor, q the unit direction and s the strength (N):
+ * x is the proxy, c the anchor, q the unit direction and s the strength (N):
  *
  * | kind  | potential                  | feel                                              |
  * | ----- | -------------------------- | ------------------------------------------------- |
@@ -13,7 +13,7 @@
  * | Line  | s abs((I - q q^T) (x - c)) | holds on the line through c along q in this way   |
  * | Plane | s max(0, -(x - c).q)       | a wall; its free side is the one to which q points|
  *
- * All are convex, and except for Force their forces are at most s. The composition of
+ * All of them are convex, and their forces are at most s, except for Force. The composition in
  * PrimitiveSolver.h has the same properties.
  */
 #ifndef Primitive_h
@@ -41,24 +41,24 @@ struct Primitive
   PrimitiveKind Kind = PrimitiveKind::Force;
   Vector3 Direction;     ///< direction of any length except 0; not used by Point
   Vector3 Anchor;        ///< anchor in m; not used by Force
-  double Strength = 0.0; ///< strength in N
+  double Strength = 0.0; ///< strength (N)
 };
 
-/** The primitives of a tick. Neither allocates nor throws. */
+/** The primitives of a tick. No function allocates or throws. */
 class PrimitiveSet
 {
 public:
   static constexpr int Most = MostPrimitives;
-  /** Largest strength in use (N). Larger strengths are reduced to it. */
+  /** Largest strength (N). Larger strengths are reduced to it. */
   static constexpr double MostStrength = 1e6;
   /** Largest coordinate of an anchor (m). An anchor farther away is an error. */
   static constexpr double FarthestAnchor = 1e9;
 
   /**
-   * Adds a primitive, and gives its direction unit length. A primitive whose strength, direction or
-   * anchor is not valid (0, negative, NaN or infinite) still counts, but has the strength 0. An
-   * infinite strength becomes MostStrength, except for a push. If the strength is 0, the direction
-   * does not change. Returns false if the set is full.
+   * Adds a primitive, and scales its direction to unit length. A primitive whose strength,
+   * direction or anchor is not valid (0, negative, NaN or infinite) is added with the strength 0.
+   * An infinite strength becomes MostStrength, except for a push. If the strength is 0, the
+   * direction does not change. Returns false if the set is full.
    */
   bool Add(const Primitive& primitive) noexcept;
 

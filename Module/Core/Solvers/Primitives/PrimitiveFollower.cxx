@@ -11,13 +11,13 @@ namespace
 {
 
 /**
- * Largest correction of a step's end, as a fraction of the step, towards the end of the way that
- * the stages show. Farther from the step's end, the weights of the stages lose an order.
+ * Largest correction of a step's end, as a fraction of the step, towards the end of the path that
+ * the stages predict. Farther from the step's end, the weights of the stages lose an order.
  */
 constexpr double Farthest = 0.1;
 
 /**
- * Returns where the way ends, as a fraction of a step. It is the zero of the quadratic through the
+ * Returns where the path ends, as a fraction of a step. It is the zero of the quadratic through the
  * remaining lengths at 0, 1/2 and 3/4 of the step.
  */
 double ComputeEnd(double atBegin, double atMiddle, double late) noexcept
@@ -26,16 +26,17 @@ double ComputeEnd(double atBegin, double atMiddle, double late) noexcept
   const double bend = (4.0 / 3.0) * (4.0 * (late - atMiddle) - early);
   const double atEnd = atBegin + early + 0.5 * bend;
   const double slope = early + 1.5 * bend;
-  // The condition is false for NaN, too.
+  // The comparison is false for NaN, too.
   return slope < 0.0 ? 1.0 + std::clamp(-atEnd / slope, -Farthest, Farthest) : 1.0;
 }
 
 constexpr double LeastRate = 0.25;
-constexpr double MostRate = 1e12; // largest rate, as near as a picometre to the axis of a vortex
-/** Ratio of the rate at a step's middle to the expected rate above which the step begins again. */
+constexpr double MostRate = 1e12; // largest rate, reached a picometre away from the axis of a
+                                  // vortex
+/** A step is restarted if the rate at its middle exceeds the expected rate by this factor. */
 constexpr double RateExcess = 1.01;
 
-/** The way of a proxy to the balance with one tip. */
+/** The path of a proxy to the balance with one tip. */
 class Way
 {
 public:
@@ -50,7 +51,7 @@ public:
     this->Arrive(from, memory.Towards);
   }
 
-  /** Takes one step. Returns the rate that the step has measured. */
+  /** Makes one step. Returns the rate that the step has measured. */
   double Step(double rate, double longest) noexcept
   {
     const double across = this->ComputeRateAcross();
@@ -61,12 +62,11 @@ public:
       : this->StepFar(rate, longest);
   }
 
-  /** Return the rest of the motion and its length (m). */
+  /** Return the rest of the motion, and its length (m). */
   const Vector3& GetRest() const noexcept { return this->Rest; }
   double GetLength() const noexcept { return this->Length; }
   bool IsSpent() const noexcept { return this->SweepsLeft <= 0; }
   const Vector3& GetPlace() const noexcept { return this->Place; }
-  /** Returns the balance at the present place. */
   const PrimitiveBalance& GetBalance() const noexcept { return this->Balance; }
 
 private:
@@ -84,7 +84,7 @@ private:
     const double most = longest / length;
     const double fraction =
       std::min(ComputeEnd(before, Dot(middle, second), Dot(late, third)), most);
-    // Compute the direction of the quadratic through the stages at the end of the step, and its
+    // Compute the direction at the end of the step from the quadratic through the stages, and its
     // integrals.
     const Vector3 last = 1.0 / 3.0 * first - 2.0 * second + 8.0 / 3.0 * third;
     const double square = fraction * fraction;
@@ -104,18 +104,18 @@ private:
   }
 
   /**
-   * Returns the rate of the rest of a long step across its way, as the stages show it, or 0 if they
-   * do not show it. Let m be the ratio of this rate to the rate along the way. The weights of the
-   * stages leave the fraction (1 - m) (1 - 5/3 m + 4/3 m^2) of the part across, and the quadratic
-   * through the stages shows (1 - m) (1 - 2 m) of it at the end of the step. The ratio of both
-   * gives m.
+   * Returns the rate of the rest across the path after a long step, as the stages predict it, or 0
+   * if they do not predict it. Let m be the ratio of this rate to the rate along the path. The
+   * weights of the stages leave the fraction (1 - m) (1 - 5/3 m + 4/3 m^2) of the part across, and
+   * the quadratic through the stages predicts (1 - m) (1 - 2 m) of it at the end of the step. The
+   * ratio of both determines m.
    */
   double ComputeRateAcross() const noexcept
   {
     const double shown = Dot(this->Shown, this->Shown);
     const double ratio = Dot(this->Rest, this->Shown) / shown;
     const Vector3 other = this->Rest - ratio * this->Shown;
-    // The condition is false for NaN, too.
+    // The comparisons are false for NaN, too.
     if (!(ratio < -0.5 && ratio > -1.0) || Dot(other, other) > 0.01 * this->Length * this->Length)
     {
       return 0.0;
@@ -126,8 +126,8 @@ private:
   }
 
   /**
-   * Takes a step to slightly before the end of the rest, because a primitive would hold the proxy
-   * if it went too far.
+   * Makes a step that ends slightly before the end of the rest, because a primitive would hold the
+   * proxy if it went too far.
    */
   double StepAcross(double rate) noexcept
   {
@@ -138,7 +138,7 @@ private:
     return Rate((before - Dot(this->Rest, first)) / length);
   }
 
-  /** Takes a step by the midpoint method, to where D ends if it falls at the rate of the middle. */
+  /** Makes a step by the midpoint method, to where D ends if it falls at the rate of the middle. */
   double StepShortly(double rate) noexcept
   {
     const Vector3 from = this->Place;
@@ -147,7 +147,7 @@ private:
     double length = before / rate;
     const Vector3 middle = this->ComputeMiddle(first, rate, length);
     const Vector3 second = Along(middle, first);
-    // The step ends where the middle is valid, because a primitive would hold the proxy if it went
+    // End the step where the middle is valid, because a primitive would hold the proxy if it went
     // farther.
     const double end = before / Rate((before - Dot(middle, second)) / (0.5 * length));
     length = std::min(end, (1.0 + Farthest) * length);
@@ -166,7 +166,7 @@ private:
     const Vector3 middle = this->SolveRest(this->Place + (0.5 * length) * first, first);
     const double met = (before - Dot(middle, first)) / (0.5 * length);
     const double shorter = before / std::min(met, MostRate);
-    // The condition is false for NaN, too.
+    // The comparison is false for NaN, too.
     if (met > RateExcess * rate && shorter < length)
     {
       length = shorter;
@@ -175,13 +175,16 @@ private:
     return middle;
   }
 
-  /** Limits a measured rate to the range LeastRate to MostRate. */
+  /** Limits a measured rate to the range from LeastRate to MostRate. */
   static double Rate(double met) noexcept
   {
     return met > LeastRate ? std::min(met, MostRate) : LeastRate;
   }
 
-  /** Returns the direction of the rest, forwards, or `before` if there is no rest. */
+  /**
+   * Returns the direction of the rest, reversed if it points backwards, or `before` if there is no
+   * rest.
+   */
   static Vector3 Along(const Vector3& rest, const Vector3& before) noexcept
   {
     const double length = Norm(rest);
@@ -215,7 +218,7 @@ private:
   PrimitiveMemory& Memory;
   Vector3 Place;
   Vector3 Rest;
-  /** Rest that the stages of a long step show, if the step ended the way; otherwise 0. */
+  /** Rest that the stages predict after a long step at the end of the path, and otherwise 0. */
   Vector3 Shown;
   double EndRate = 0.0;
   double Length = 0.0;
@@ -228,18 +231,19 @@ private:
 PrimitiveMotion SolvePrimitives(const PrimitiveField& field, double k, double longestStep,
   const Vector3& from, const Vector3& tip, PrimitiveMemory& memory) noexcept
 {
-  // The condition is false for NaN, too.
+  // The comparison is false for NaN, too.
   if (!(longestStep > 0.0) || !IsFinite(from))
   {
     memory = {};
     return { tip, {}, 0, false };
   }
-  // The memory may be from a file, so limit it.
+  // The memory may come from a file, so limit its values.
   memory.Rate = memory.Rate > LeastRate ? std::min(memory.Rate, MostRate) : LeastRate;
   PrimitiveMotion motion;
   Way way(field, k, from, tip, memory);
   const double finished = PrimitiveFollower::FinishedFraction * longestStep;
-  // The next tick's way will be similar to this one. The corrections at its end do not count.
+  // The next tick's path will be similar to this one, but not to the short corrections at its end,
+  // which therefore do not change the stored rate.
   const double told = PrimitiveFollower::ShortFraction * way.GetLength();
   double rate = memory.Rate;
   while (

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Determines the state of a primitive in a balance from forces that are close to the balance.
+ * Determines the state of a primitive in a balance, given forces that are close to it.
  */
 #ifndef PrimitiveHolds_h
 #define PrimitiveHolds_h
@@ -22,7 +22,7 @@ inline Vector3 AtMost(const Vector3& force, double most) noexcept
 }
 
 /**
- * Returns the force in C_i, the set of the primitive's possible forces, that is nearest to `force`.
+ * Returns the force nearest to `force` in C_i, the set of the primitive's possible forces.
  */
 inline Vector3 Nearest(const Primitive& primitive, const Vector3& force) noexcept
 {
@@ -50,8 +50,8 @@ enum class HoldState : std::uint8_t
 
 /**
  * Returns the state of a primitive that exerts a force.
- * @param isOld whether the force is from another tick, where nearly the whole strength counts as
- * all of it
+ * @param isOld whether the force comes from another tick. A force near the full strength then
+ * counts as full
  */
 inline HoldState StateOf(const Primitive& p, const Vector3& force, bool isOld) noexcept
 {

@@ -13,17 +13,17 @@ namespace
 {
 
 /**
- * The penalty m. With a larger penalty, holding primitives have larger rounding errors; with a
- * smaller one, more rounds are needed.
+ * The penalty m. A larger penalty increases the rounding errors of holding primitives; a smaller
+ * one needs more rounds.
  */
 constexpr double Penalty = 1000.0;
 /**
- * Largest change of a force (N) in a round that has converged. Places are then wrong by at most 1/m
- * of it.
+ * A round has converged if no force changes by more than this limit (N). The error of places is
+ * then at most 1/m of it.
  */
 constexpr double SettledRound = 1e-10;
 constexpr int MostHalvings = 30;
-/** Least decrease of the function, as a fraction of the decrease that its slope predicts. */
+/** Least decrease of the function, as a fraction of the decrease predicted by its slope. */
 constexpr double LeastFall = 1e-4;
 
 class MultiplierRound
@@ -44,7 +44,7 @@ public:
   int GetLooks() const noexcept { return this->Looks; }
   bool IsSpent() const noexcept { return this->Looks >= this->MostLooks; }
 
-  /** Takes one step of Newton's method. Returns false if the method has converged. */
+  /** Makes one step of Newton's method. Returns false if the method has converged. */
   bool Step(double settled) noexcept
   {
     const Vector3 slope = this->Slope;
@@ -61,8 +61,8 @@ public:
     {
       return false;
     }
-    // The function is convex, so where it still decreases along the step, its value is lower. Check
-    // the slope, because it has a smaller rounding error than the value.
+    // The function is convex: its value is lower where it still decreases along the step. Check the
+    // slope, because its rounding error is smaller than that of the value.
     double least = 0.0;
     double most = 1.0;
     double fraction = 1.0;
@@ -79,7 +79,7 @@ public:
       (isPast ? most : least) = fraction;
       fraction = 0.5 * (least + most);
     }
-    // The result is as exact as rounding allows.
+    // If the slope has decreased, the result is as exact as rounding allows.
     if (Dot(this->Slope, this->Slope) < Dot(slope, slope))
     {
       return true;
@@ -88,7 +88,7 @@ public:
     return false;
   }
 
-  /** Adopts the forces at this place. Returns the largest change of a force. */
+  /** Takes over the forces at this place. Returns the largest change of a force. */
   double Apply() noexcept
   {
     double square = 0.0;
@@ -123,7 +123,7 @@ private:
       this->Next[at] = Nearest(this->At(at), this->Wish[at]);
       const Vector3 beyond = this->Wish[at] - this->Next[at];
       this->Slope = this->Slope - this->Next[at];
-      // The sum is |u|^2 - |u - P|^2, computed without a difference of large numbers.
+      // Add |u|^2 - |u - P|^2, computed without a difference of large numbers.
       this->Value += Dot(this->Next[at], this->Next[at] + 2.0 * beyond) / (2.0 * Penalty);
     }
   }

@@ -15,7 +15,7 @@ namespace
 constexpr int MostBalanceSteps = 6;
 constexpr int MostConditions = 3;
 constexpr int MostRounds = 6;
-/** Determinant of three unit vectors below which they are in one plane. */
+/** Three unit vectors count as coplanar if their determinant is below this limit. */
 constexpr double LeastDeterminant = 1e-9;
 
 Vector3 AcrossOf(const Vector3& v, const Vector3& q) noexcept
@@ -57,7 +57,7 @@ public:
 
   /**
    * Computes the balance. If the result contradicts the assumed states, corrects them and repeats
-   * this, a few times.
+   * the computation, a few times.
    */
   bool Solve() noexcept
   {
@@ -69,7 +69,7 @@ public:
       this->Conditions = 0;
       this->IsOff = false;
       // If there are more than MostConditions conditions, there is a balance only if all springs
-      // have one anchor. Fraction() computes the force there.
+      // have the same anchor. Fraction() computes the force there.
       if (this->CollectConditions() ? this->Step() : this->Fraction())
       {
         return true;
@@ -138,10 +138,10 @@ private:
   }
 
   /**
-   * Computes the forces of primitives that do not hold, as far as they do not turn, and the slope
-   * of these forces with w. The force of a yielding line or point turns with its place. Direction
-   * and place are both unknowns, so that steps are good even if the primitive yields only by
-   * little, where its force turns fast.
+   * Computes the forces of primitives that do not hold, without their turn, and the slope of these
+   * forces with w. The force of a yielding line or point turns with its place. Direction and place
+   * are both unknowns, so that steps are good even if the primitive yields only a little, where its
+   * force turns fast.
    */
   void ComputeYielding(Matrix3& slope) noexcept
   {
@@ -182,9 +182,9 @@ private:
   }
 
   /**
-   * Returns the component of `v` perpendicular to the force's direction `unit`, and for a line also
-   * perpendicular to the line. A yielding force keeps its magnitude, so it can change in no other
-   * direction.
+   * Returns the component of `v` perpendicular to the force's direction `unit` and, for a line,
+   * also perpendicular to the line. A yielding force has a constant magnitude, so it can change
+   * only in this direction.
    */
   static Vector3 AsideOf(const Primitive& p, const Vector3& unit, const Vector3& v) noexcept
   {
@@ -193,8 +193,7 @@ private:
   }
 
   /**
-   * Turns the forces of yielding lines and points by the amount that belongs to a change of the
-   * sum.
+   * Turns the forces of yielding lines and points according to a change of the sum.
    */
   void Turn(const Vector3& change) noexcept
   {
@@ -226,7 +225,8 @@ private:
       this->Turn(change);
       this->Sum += change;
       // Without yielding lines and points, one step is exact. With them, the next step would be
-      // about the square of this one, if both are fractions of the distance of the nearest anchor.
+      // about the square of this one, if both are measured as fractions of the distance of the
+      // nearest anchor.
       const double square = Dot(change, change);
       if (!this->IsCurved || square * this->Curvature <= this->Settled)
       {
@@ -237,8 +237,8 @@ private:
   }
 
   /**
-   * Changes a step by multipliers, so that it meets the conditions. Returns false if the conditions
-   * are linearly dependent.
+   * Changes a step by multipliers, so that it fulfils the conditions. Returns false if the
+   * conditions are linearly dependent.
    */
   bool MeetConditions(const Matrix3& inverse, Vector3& step) noexcept
   {
@@ -340,8 +340,8 @@ private:
   }
 
   /**
-   * Computes the forces of all holding primitives at their common anchor. Returns false if they do
-   * not suffice.
+   * Computes the forces of all holding primitives at their common anchor. Returns false if they are
+   * too weak.
    */
   bool Fraction() noexcept
   {
@@ -354,8 +354,8 @@ private:
       {
         return false;
       }
-      // At the anchor, a line or point holds whatever the size of its force. A plane, however, may
-      // be left, or push with all its strength.
+      // At the anchor, a line or point holds with any force. A plane, however, may be left, or push
+      // with its full strength.
       if (p.Kind != PrimitiveKind::Plane)
       {
         this->State[at] = HoldState::Holds;

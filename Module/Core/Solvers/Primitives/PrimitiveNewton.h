@@ -2,26 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The exact balance of primitives, once it is known which of them hold and which yield.
+ * Computes the exact balance of primitives if it is known which of them hold and which yield.
  *
- * With w the sum of their forces, b_i = k (y - c_i) and the pushes, and all lengths in newtons, the
- * balance is the minimum of |w|^2 / 2 + sum phi_i(b_i + w) over w alone: three numbers. Each
- * primitive either
+ * Let w be the sum of their forces and b_i = k (y - c_i) plus the pushes, with all lengths in
+ * newtons. Then the balance is the minimum of |w|^2 / 2 + sum phi_i(b_i + w) over w, which are only
+ * three numbers. Each primitive either
  *
- * - holds: b_i + w is on its line, plane or point, a linear condition, and its force is a
+ * - holds: b_i + w is on its line, plane or point, which is a linear condition, and its force is a
  *   multiplier within its strength;
- * - yields: its force is its strength, and phi_i is smooth; or
- * - is a plane that is left: its force is 0.
+ * - yields: its force has the magnitude of its strength, and phi_i is smooth; or
+ * - is a plane that the proxy has left: its force is 0.
  *
  * If the states are known, Newton's method with the conditions of the holding primitives computes
  * w: in one step if no line or point yields, and in a few otherwise. The directions of the yielding
- * forces are unknowns in addition to w: so it also ends in a few steps if they yield by little.
- * Assumptions that the result contradicts are corrected, a few times; a result counts only if it
- * contradicts none.
+ * forces are unknowns in addition to w, so that a few steps suffice even if these primitives yield
+ * only a little. Assumptions that the result contradicts are corrected, a few times; only a result
+ * that contradicts none of them is used.
  *
- * More than three conditions are met only if all primitives that hold have one anchor. Then w is
- * known, and forces that add up to it are not unique. Forces s_i P_i m, with P_i the projection
- * onto the directions in which primitive i holds, share it by strength.
+ * More than three conditions can be fulfilled only if all primitives that hold have the same
+ * anchor. Then w is known, but the forces that add up to it are not unique. Forces s_i P_i m, where
+ * P_i is the projection onto the directions in which primitive i holds, distribute it according to
+ * the strengths.
  */
 #ifndef PrimitiveNewton_h
 #define PrimitiveNewton_h
@@ -31,7 +32,7 @@
 namespace VolumeHaptics
 {
 
-/** The primitives of a set that have a strength and are not pushes, and b_i of each. */
+/** The primitives of a set that have a strength and are not pushes, and the b_i of each. */
 struct HeldPrimitives
 {
   const PrimitiveSet& Set;
@@ -41,12 +42,12 @@ struct HeldPrimitives
 };
 
 /**
- * Computes the exact balance. The given forces must be within the strengths, and must be so close
- * to those of the balance that they show which primitives hold and which yield. If they do, makes
- * the forces and their sum exact and returns true; otherwise writes nothing and returns false.
+ * Computes the exact balance. The given forces must be within the strengths, and so close to those
+ * of the balance that they show which primitives hold and which yield. If so, makes the forces and
+ * their sum exact and returns true. If not, writes nothing and returns false.
  *
- * @param isOld whether the forces are from another tick, where nearly the whole strength counts as
- * all of it
+ * @param isOld whether the forces come from another tick. Forces near the full strength then count
+ * as full
  */
 bool SolveExactBalance(
   const HeldPrimitives& held, bool isOld, PrimitiveForces& forces, Vector3& sum) noexcept;

@@ -15,8 +15,8 @@ namespace
 constexpr int MostRayTurns = 8;
 constexpr int MostRayRounds = 5;
 /**
- * Sine of the angle between a line and the ray below which the line's force turns too fast for
- * Newton's method.
+ * If the sine of the angle between a line and the ray is below this limit, the line's force turns
+ * too fast for Newton's method.
  */
 constexpr double LeastRaySine = 1e-6;
 constexpr double MostRayAngle = 0.5;
@@ -43,7 +43,7 @@ public:
 
   /**
    * Computes the balance. If the result contradicts the assumed states, corrects them and repeats
-   * this, a few times.
+   * the computation, a few times.
    */
   bool Solve() noexcept
   {
@@ -91,8 +91,7 @@ private:
   }
 
   /**
-   * Restricts the ray to the conditions of the holding primitives. Returns false if they leave no
-   * ray.
+   * Restricts the ray to the conditions of the holding primitives. Returns false if no ray is left.
    */
   bool KeepConditions() noexcept
   {
@@ -138,7 +137,7 @@ private:
     return true;
   }
 
-  /** Sets the ray to one of the two directions of a line. Returns false if that is not possible. */
+  /** Sets the ray to one of the two directions of a line. Returns false if this is not possible. */
   bool SetLine(const Vector3& line) noexcept
   {
     return Norm(line) > LeastRaySine &&
@@ -146,7 +145,7 @@ private:
   }
 
   /**
-   * Computes the directions in which the ray can turn, perpendicular to it. Returns their number.
+   * Computes the directions, perpendicular to the ray, in which it can turn. Returns their number.
    */
   int ComputeTurns(Vector3 turns[2]) const noexcept
   {
@@ -169,7 +168,9 @@ private:
     return 2;
   }
 
-  /** Turns the ray until b + F has no part across it. Returns false if this does not converge. */
+  /**
+   * Turns the ray until b + F has no component across it. Returns false if this does not converge.
+   */
   bool Turn() noexcept
   {
     for (int i = 0; i < MostRayTurns; ++i)
@@ -196,7 +197,7 @@ private:
       double a = inverse * (bb * first - ab * second);
       double b = count > 1 ? inverse * (aa * second - ab * first) : 0.0;
       const double most = std::max(std::abs(a), std::abs(b));
-      // The condition is false for NaN, too.
+      // The comparison is false for NaN, too.
       if (!(most < 1e9))
       {
         return false;
@@ -220,7 +221,7 @@ private:
 
   /**
    * Computes the forces of the primitives that yield on the ray, how they turn with the ray, and
-   * the proxy's place on the ray. Returns false if there is none.
+   * the proxy's place on the ray. Returns false if there is no such place.
    */
   bool ComputeYielding(const Vector3 turns[2], Slope& slope) noexcept
   {
@@ -265,8 +266,8 @@ private:
     const double distance = ofSpring + ofForces;
     this->Distance = std::max(distance, 0.0);
     this->Fraction = distance >= 0.0 ? 1.0 : -ofSpring / ofForces;
-    // All primitives hold if the spring pulls along the ray, but less strongly than they can hold.
-    // The condition is false for NaN, too.
+    // If the spring pulls along the ray, but less strongly than the primitives can hold, all of
+    // them hold. The comparisons are false for NaN, too.
     return distance >= 0.0 || (ofSpring > 0.0 && ofForces < 0.0);
   }
 
@@ -341,7 +342,7 @@ private:
   Vector3 Force[PrimitiveSet::Most];
   Vector3 Ray;
   double Distance = 0.0; ///< place of the proxy on the ray (N)
-  /** Fraction of the yielding forces that is used; less than 1 if all primitives hold. */
+  /** Fraction of the yielding forces that is used. It is below 1 if all primitives hold. */
   double Fraction = 1.0;
   Vector3 Yielding; ///< sum of the yielding forces
   Vector3 Sum;

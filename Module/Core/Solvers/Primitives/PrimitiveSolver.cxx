@@ -16,8 +16,8 @@ namespace
 {
 
 /**
- * Largest change of a force in a sweep that has converged: in newtons, and as a fraction of the
- * largest force.
+ * A sweep has converged if no force changes by more than this limit (N), or by more than this
+ * fraction of the largest force.
  */
 constexpr double SettledChange = 1e-11;
 constexpr double SettledFraction = 4e-16;
@@ -25,15 +25,15 @@ constexpr double SettledFraction = 4e-16;
 constexpr double StiffestSpring = 1e9;
 ///@{
 /**
- * Number of first sweeps after each of which an exact balance is tried, and the interval of later
- * trials.
+ * An exact balance is tried after each of the first sweeps, up to this number, and then at this
+ * interval.
  */
 constexpr int FirstLooks = 2;
 constexpr int SweepsOfALook = 4;
 ///@}
 /**
- * Number of sweeps after which the multipliers are tried. So many mostly suffice if directions do
- * not depend on each other.
+ * Multipliers are tried after this number of sweeps. Usually fewer suffice if directions do not
+ * depend on each other.
  */
 constexpr int SweepsAlone = 16;
 
@@ -66,7 +66,8 @@ bool AreSeparate(const Primitive& a, const Primitive& b) noexcept
 }
 
 /**
- * Returns whether the composition is exact for all holding primitives, each with all previous ones.
+ * Returns whether the composition is exact for all holding primitives, each together with all
+ * previous ones.
  */
 bool IsComposable(const PrimitiveSet& set) noexcept
 {
@@ -129,7 +130,7 @@ public:
         this->Number[at] = i;
         this->Spring[at] = k * (tip - set[i].Anchor) + push;
         square = std::max(square, Dot(this->Spring[at], this->Spring[at]));
-        // The forces may be from another set, or from a file.
+        // The forces may come from another set, or from a file.
         forces[i] = IsFinite(forces[i]) ? Nearest(set[i], forces[i]) : Vector3{};
       }
     }
@@ -184,7 +185,7 @@ protected:
   double Largest = 0.0;
 };
 
-/** Sweeps over the dual problem. It stores the last sweeps for the acceleration. */
+/** Sweeps over the dual problem. Stores the last sweeps for the acceleration. */
 class Sweeper : public Dual
 {
 public:
@@ -212,8 +213,8 @@ public:
   }
 
   /**
-   * Computes from the last sweeps the forces that a sweep would not change if it were linear.
-   * Adopts them if their energy is not higher (Anderson's acceleration).
+   * Computes from the last sweeps the forces that a sweep would not change if it were linear. Uses
+   * them if their energy is not higher (Anderson's acceleration).
    */
   void Accelerate() noexcept
   {
@@ -228,7 +229,7 @@ public:
     {
       return;
     }
-    // Find the mixture whose changes are smallest: the newest record plus its differences from the
+    // Find the mixture with the smallest changes: the newest record plus its differences from the
     // other ones.
     const Record* other[Kept - 1];
     for (int i = 0; i < Kept - 1; ++i)
@@ -353,7 +354,7 @@ bool PrimitiveSolver::Compose(const PrimitiveSet& set, double k, const Vector3& 
     balance.Force = push;
     return true;
   }
-  // the part of the spring's force that no primitive holds yet
+  // The part of the spring's force that no primitive holds yet.
   Vector3 rest = k * (tip - first->Anchor) + push;
   for (const PrimitiveKind kind :
     { PrimitiveKind::Plane, PrimitiveKind::Line, PrimitiveKind::Point })
@@ -378,7 +379,7 @@ void PrimitiveSolver::Descend(const PrimitiveSet& set, double k, const Vector3& 
 {
   balance = {};
   Dual dual(set, k, tip, towards, forces);
-  // The forces of the last tick mostly show which primitives hold and which yield.
+  // The forces of the last tick usually show which primitives hold and which yield.
   if (!dual.SolveExactly(true))
   {
     DescendBySweeps(dual, mostSweeps, balance);

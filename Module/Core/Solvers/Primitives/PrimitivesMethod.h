@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * HapticMethod::Primitives: feels vectors, tensors, ridges, guides and surfaces by modes.
+ * HapticMethod::Primitives: the hand feels vectors, tensors, ridges, guides and surfaces by modes.
  *
- * By the modes of the model (ModePrimitives.h), the proxy moves to the balance with a spring of the
+ * The proxy moves to the balance of the model's modes (ModePrimitives.h) and a spring with the
  * CouplingStiffness (PrimitiveFollower.h). Where no mode holds it, the proxy moves freely.
  */
 #ifndef PrimitivesMethod_h
@@ -22,13 +22,13 @@ namespace VolumeHaptics
 
 /**
  * Computes a tick. In the record, NormalForce is the magnitude of the whole force and Normal its
- * direction. The contact is sticking if the proxy stays, and sliding if it moves. There is no
- * material.
+ * direction. The contact is sticking if the proxy stays, and sliding if it moves. No material is
+ * recorded.
  */
 void StepPrimitives(
   const HapticModel& model, ServoState& state, TickRecord& record, const MethodInput&) noexcept;
 
-/** Returns Method::Reach. */
+/** Implements Method::Reach. */
 Vector3 FindPrimitivesReach(const HapticModel& model) noexcept;
 
 /** The forces (N, device, on the hand) of a model's modes, in the order of the modes. */
