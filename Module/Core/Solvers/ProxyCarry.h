@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The steps that move a proxy to a level, for CarriedProxy.cxx and for PAPER's shorter way.
+ * The steps that move a proxy to a level. Used by CarriedProxy.cxx, and by the shorter code of the
+ * solver Paper.
  */
 #ifndef ProxyCarry_h
 #define ProxyCarry_h
@@ -19,7 +20,7 @@ namespace VolumeHaptics
 /** The result of moving a proxy to a level. */
 struct ProxyCarry
 {
-  Vector3 Proxy;     ///< position in m
+  Vector3 Proxy;     ///< position (m)
   double Away = 0.0; ///< length (m) of the motion along the normal
 };
 
@@ -29,22 +30,22 @@ constexpr int MostSteps = 3;
 /** Longest step (voxels). */
 constexpr double LongestStep = 0.25;
 /**
- * Length (voxels) of a step s after which the level is reached. The remaining error is at most s^2
- * / (2 sigma), for an edge of width sigma. A level that holds the proxy is the same in all ticks,
- * so that the next tick corrects the error, and ShortStepToLevel suffices. Otherwise errors would
- * add up.
+ * If a step s is at most this length (voxels), the level is reached. The remaining error is at most
+ * s^2 / (2 sigma), for an edge of width sigma. A level that holds the proxy is the same in all
+ * ticks, so the next tick corrects the error, and ShortStepToLevel suffices. For other levels,
+ * errors would add up.
  */
 constexpr double ShortStep = 0.01;
 constexpr double ShortStepToLevel = 0.06;
 /**
- * Length (voxels) of a motion up to which the surface is not read again, because normal and
+ * After a motion of at most this length (voxels), the surface is not read again, because normal and
  * gradient hardly change.
  */
 constexpr double SameSurface = 0.06;
 
 /**
- * Returns whether a surface holds the proxy, or could hold it, as the last tick shows. `fade` is
- * the surface's Surface::Fade.
+ * Returns whether a surface holds the proxy, or could hold it, according to the last tick. `fade`
+ * is the surface's Surface::Fade.
  */
 inline bool IsSurfaceThere(const ServoState& state, double fade) noexcept
 {
@@ -66,7 +67,7 @@ inline double ComputeWork(
   return 0.5 * state.Stiffness * (Dot(motion, motion) - 2.0 * Dot(lag, motion));
 }
 
-/** Returns the rise of the estimator's value per metre along the gradient. */
+/** Returns how much the estimator's value rises per metre along the gradient. */
 inline double ComputeSlope(const HapticModel& model, double gradientMagnitude) noexcept
 {
   return gradientMagnitude * model.WorldUnitsPerMeter;
@@ -93,8 +94,9 @@ inline double ComputeStep(const HapticModel& model, const Vector3& normal, doubl
 }
 
 /**
- * Returns the slope of V from its rise over the last step. If it differs from the estimator's slope
- * by more than a factor of four, as where V is flat, returns the estimator's slope.
+ * Returns the slope of V, computed from its rise over the last step. If it differs from the
+ * estimator's slope by more than a factor of four, for example where V is flat, returns the
+ * estimator's slope.
  */
 inline double ComputeSlopeOfValue(double estimated, double rise, double step) noexcept
 {

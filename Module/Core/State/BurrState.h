@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The state of a burr from tick to tick, in addition to its head's ShellState: see
+ * The state of a burr from tick to tick, in addition to its head's ShellState. See
  * Core/Tools/Burr/BurrTool.h.
  */
 #ifndef BurrState_h
@@ -17,35 +17,35 @@ namespace VolumeHaptics
 
 struct BurrState
 {
-  bool IsCarving = false; ///< whether the next step of carving begins at Carved
+  bool IsCarving = false; ///< whether the next step of carving starts at Carved
   bool IsRemoved = false; ///< whether the sphere at Carved was removed
   Vector3 Carved;         ///< centre (m) of the last removed sphere
-  double Unspent = 0.0;   ///< energy (J) that the hand has put in and that carving has not used yet
+  double Unspent = 0.0;   ///< energy (J) that the hand has put in, but carving has not used yet
   ///@{
-  /** The cost (J) and the length (m) of the last steps. */
+  /** Cost (J) and length (m) of the last steps. */
   double LastCost = 0.0;
   double LastWay = 0.0;
   ///@}
   double Idle = 0.0;  ///< time (s) since the burr last removed tissue
   double Phase = 0.0; ///< phase of the vibration, 0 to 1
-  double Lost = 0.0;  ///< energy (J) that the hand has lost, which the vibration may give back
+  double Lost = 0.0;  ///< energy (J) that the hand has lost, and that the vibration may give back
   Vector3 Vibration;  ///< force (N) of the vibration in the last tick
   ///@{
   /**
-   * A sphere whose removal takes more than a tick: its centre (m), and the part to remove next.
+   * A sphere whose removal takes more than one tick: its centre (m), and the part to remove next.
    * Part is 0 if there is no such sphere.
    */
   Vector3 Next;
   std::uint32_t Part = 0;
   ///@}
   /**
-   * Limit (m) of the next step's length, set when a later part of a step met tissue that can't be
-   * removed; 0 if there is no limit.
+   * Limit (m) of the next step's length. It is set if a later part of a step met tissue that can't
+   * be removed, and 0 if there is no limit.
    */
   double Shorter = 0.0;
   /**
-   * Radius of the sphere at Carved, less the radius of the head (m). It grows as long as tissue
-   * still holds the head.
+   * Radius of the sphere at Carved, minus the radius of the head (m). It grows while tissue still
+   * holds the head.
    */
   double Room = 0.0;
 };

@@ -11,11 +11,11 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Frictions that differ by less than this fraction belong to one stretch. */
+/** Tissues belong to one stretch if their frictions differ by less than this fraction. */
 constexpr double SameShaft = 0.005;
-/** A friction (N per metre) larger than in any tissue. */
+/** A friction (N per metre) above that of any tissue. */
 constexpr float MostShaft = 1e12F;
-/** A length (m) longer than any needle. */
+/** A length (m) above that of any needle. */
 constexpr float MostLength = 1e9F;
 
 } // namespace
@@ -47,7 +47,7 @@ void NeedleTrack::Append(double depth, double shaft, std::int64_t label) noexcep
 
 void NeedleTrack::MergeTwo(double end) noexcept
 {
-  // The last stretch stays, because it is the tissue that the needle has just left.
+  // Keep the last stretch, because the needle has just left its tissue.
   int least = 0;
   double leastCost = std::numeric_limits<double>::infinity();
   for (int i = 0; i + 1 < this->Size; ++i)
@@ -98,7 +98,7 @@ bool NeedleTrack::IsPossible() const noexcept
   for (int i = 0; i < Most; ++i)
   {
     const NeedleStretch& stretch = (*this)[i];
-    // The condition is false for NaN, too.
+    // The comparisons are false for NaN, too.
     const bool isGood = stretch.Begin >= 0.0F && stretch.Begin < MostLength &&
       stretch.Shaft >= 0.0F && stretch.Shaft <= MostShaft;
     if (!isGood || (i < this->Size && stretch.Begin < last))

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The state of a needle from tick to tick: see Core/Tools/Needle/NeedleTool.h.
+ * The state of a needle from tick to tick. See Core/Tools/Needle/NeedleTool.h.
  */
 #ifndef NeedleState_h
 #define NeedleState_h
@@ -25,8 +25,8 @@ struct NeedleStretch
 };
 
 /**
- * The tissues along the inserted shaft, from entry to tip. At most `Most` stretches are kept. If
- * there are more, the two neighbours that differ least become one, with the same friction in total.
+ * The tissues along the inserted shaft, from entry to tip, in at most `Most` stretches. If there
+ * are more, the two most similar neighbours are merged, with the same total friction.
  */
 class NeedleTrack
 {
@@ -41,15 +41,15 @@ public:
   NeedleStretch& operator[](int i) noexcept { return this->Stretches[static_cast<std::size_t>(i)]; }
 
   /**
-   * Adds the tissue that begins at a depth (m). The depth must be below all earlier tissues. Adds
-   * nothing if the tissue is the same as in the last stretch.
+   * Adds the tissue that begins at a depth (m). The depth must be larger than those of all earlier
+   * tissues. Adds nothing if the tissue is the same as in the last stretch.
    */
   void Append(double depth, double shaft, std::int64_t label) noexcept;
   /** Returns the friction (N) between the entry and a depth in the last stretch. */
   double Sum(double depth) const noexcept;
   const NeedleStretch& Last() const noexcept { return (*this)[this->Size - 1]; }
   /**
-   * Returns whether depths ascend and frictions are possible. Checks states that were read from
+   * Returns whether depths ascend and frictions are possible, to check states that were read from
    * files.
    */
   bool IsPossible() const noexcept;
@@ -62,26 +62,27 @@ private:
   int Size = 0;
 };
 
-/** State of a needle from tick to tick, in device space: metres and newtons. */
+/** The state of a needle from tick to tick, in device space (metres and newtons). */
 struct NeedleState
 {
   bool IsInserted = false;
-  /** Whether a free needle has met no resistance, so that it may be inserted. */
+  /** Whether a free needle has been where nothing resists, so that it may be inserted. */
   bool IsOutside = false;
   Vector3 Axis;   ///< unit vector from handle to tip; constant if the device does not measure it
   Vector3 Normal; ///< unit vector into the tissue at the entry; 0 if there was no surface
   Vector3 Entry;  ///< position at which the insertion began
   double Depth = 0.0;   ///< depth (m) of the tip along the insertion
   double Deepest = 0.0; ///< largest depth (m) of the insertion
-  /** Stiffness (N/m) of the spring from the puncture to the end of the insertion. */
+  /** Stiffness (N/m) of the spring, constant from the puncture to the end of the insertion. */
   double Stiffness = 0.0;
-  double Puncture = 0.0; ///< strength (N) of the boundary in front of the tip; 0 if there is none
+  double Puncture = 0.0; ///< strength (N) of the boundary in front of the tip; 0 if there is no
+                         ///< boundary
   double PuncturedAt = 0.0;              ///< depth (m) of the last puncture
   std::int64_t PuncturedLabel = NoLabel; ///< label of the tissue that was punctured last
-  Vector3 Motion; ///< recent motion (m) of a free needle's tip; older steps weigh less
-  /** How far (m) a free needle was pushed through a surface that still holds it. */
+  Vector3 Motion; ///< recent motion (m) of a free needle's tip; older steps have less weight
+  /** Distance (m) by which a free needle was pushed through a surface that still holds it. */
   double Pushed = 0.0;
-  std::uint32_t Touches = 0; ///< number of times that a forbidden label stopped this insertion
+  std::uint32_t Touches = 0; ///< how often a forbidden label has stopped this insertion
   bool IsTouching = false;   ///< whether a forbidden label stops the insertion now
   NeedleTrack Track;
 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The state of solver PRECISE from tick to tick.
+ * The state of the solver Precise from tick to tick.
  */
 #ifndef PreciseState_h
 #define PreciseState_h
@@ -21,8 +21,8 @@ struct FarValues
   double Ahead = 0.0;
   double Behind = 0.0;
   /**
-   * 1 if V rises evenly over the whole walk, so that there is no edge; 0 if a plateau or another
-   * edge ends the walk on one side.
+   * Evenness of the rise of V: 1 if V rises evenly over the whole walk, so that there is no edge; 0
+   * if a plateau or another edge ends the walk on one side.
    */
   double Evenness = 0.0;
 };
@@ -34,24 +34,26 @@ struct PrecisePoint : MaterialPoint
   double Slope = 0.0; ///< derivative of Value along the normal, per metre; 0 without a gradient
   FarValues Far;      ///< values from the last walk
   /**
-   * Length (voxels) of the proxy's path over which Far stays valid; 0 if the values do not depend
+   * Length (voxels) of the proxy's path over which Far remains valid; 0 if the values do not depend
    * on the path.
    */
   double FarLasts = 0.0;
 };
 
-/** The state that PRECISE carries from tick to tick. */
 struct PreciseState
 {
   static constexpr double Unknown = std::numeric_limits<double>::max();
 
-  /** Tip of the last tick, or the position that the tick reached if it spent its budget. */
+  /**
+   * Tip of the last tick. If the tick used up its budget, the position of the tip that it has
+   * reached.
+   */
   Vector3 ReachedTip;
   double Level = 0.0;  ///< the estimator's value on the surface that holds the proxy
   bool IsHeld = false; ///< whether a surface holds the proxy, so that Level is valid
   PassiveSpring Spring;
   /**
-   * Factor on the first step of a tick, learned from the last ticks; 1 leaves the step unchanged.
+   * Factor of the first step in a tick, learned from the last ticks. 1 leaves the step unchanged.
    */
   double StepPrediction = 1.0;
   PrecisePoint Here; ///< the last sampled material point

@@ -9,10 +9,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A remainder smaller than this force (N) is dropped. */
+/** A remainder below this force (N) is dropped. */
 constexpr double LeastRemainder = 1e-3;
 
-/** Returns the remainder after a tick. */
+/** Returns the remainder after it has faded for one tick. */
 Vector3 Fade(const HapticSettings& settings, const Vector3& force) noexcept
 {
   const double length = Norm(force);
@@ -24,7 +24,7 @@ Vector3 Fade(const HapticSettings& settings, const Vector3& force) noexcept
 
 /**
  * Computes the largest fraction s of `way`, the change of the force `held`, that the saved energy
- * pays for: a s^2 + b s <= 2 k Saved, which holds for s = 0.
+ * can pay for: a s^2 + b s <= 2 k Saved. This holds for s = 0.
  */
 double ComputePaidFraction(
   const ReleaseState& release, const Vector3& way, const Vector3& twiceMean) noexcept
@@ -37,7 +37,7 @@ double ComputePaidFraction(
     return 1.0;
   }
   const double fraction = (std::sqrt(b * b + 4.0 * a * saved) - b) / (2.0 * a);
-  return fraction > 0.0 ? std::min(fraction, 1.0) : 0.0; // NaN gives 0
+  return fraction > 0.0 ? std::min(fraction, 1.0) : 0.0; // 0 for NaN
 }
 
 } // namespace

@@ -72,7 +72,7 @@ void VisitLocal(State& local, Function&& visit)
 }
 
 /**
- * Reads a number. Returns false if the type can't hold it; the value is then one that does no harm.
+ * Reads a number. Returns false if the type can't represent it; the value is then harmless.
  */
 bool Read(double number, double& value)
 {
@@ -101,7 +101,8 @@ bool Read(double number, float& value)
 }
 
 /**
- * Reads a label: a whole number that a double holds exactly, or NoLabel, which a double holds, too.
+ * Reads a label. It is a whole number that a double represents exactly, or NoLabel, which it
+ * represents, too.
  */
 bool Read(double number, std::int64_t& value)
 {
@@ -137,7 +138,7 @@ void VisitNeedle(Needle& needle, Function&& visit)
   visit(needle.Pushed);
   visit(needle.Touches);
   visit(needle.IsTouching);
-  // When the numbers are read, the visit changes the copy `size`, which is therefore stored.
+  // If numbers are being read, the visit changes the copy `size`, so store it afterwards.
   int size = needle.Track.GetSize();
   visit(size);
   if constexpr (!std::is_const_v<Needle>)
@@ -204,8 +205,8 @@ void VisitBurr(Burr& burr, Function&& visit)
 }
 
 /**
- * Visits all numbers of a state. Numbers that were added later are visited later, because older
- * files lack them.
+ * Visits all numbers of a state. Newer numbers come after older ones, because older files lack
+ * them.
  */
 template <typename State, typename Function>
 void VisitState(State& state, Function&& visit)
@@ -215,7 +216,7 @@ void VisitState(State& state, Function&& visit)
   visit(state.Enabled);
   VisitPrecise(state.Precise, visit);
   VisitLocal(state.Local, visit);
-  // Visit the newer numbers after the older ones.
+  // The newer numbers, after the older ones.
   auto& here = state.Precise.Here;
   visit(here.Far.Ahead);
   visit(here.Far.Behind);
@@ -245,7 +246,7 @@ void VisitState(State& state, Function&& visit)
   ToolStates::VisitLast(state, visit);
 }
 
-/** Limit of a place (world units): farther than FarthestTip, even in micrometres. */
+/** Limit of a position (world units). It is beyond FarthestTip, even in micrometres. */
 constexpr double FarthestPlace = 1e15;
 /** Tolerance for the rounding of a unit vector's length. */
 constexpr double DirectionTolerance = 1e-6;
@@ -254,14 +255,14 @@ constexpr double DirectionTolerance = 1e-6;
  * overflow.
  */
 constexpr double MostOfMaterial = 1e100;
-/** Limit (N) of a primitive's force: at least twice the largest force of a primitive. */
+/** Limit (N) of a primitive's force. It is at least twice the largest force of a primitive. */
 constexpr double MostOfForce = 2e6;
 /** Limit of the length of PrimitiveMemory::Towards. */
 constexpr double MostOfDirection = 10.0;
-/** Limit of a learned prediction, above all predictions that PRECISE learns. */
+/** Limit of a learned prediction. The solver Precise learns only smaller ones. */
 constexpr double MostStatePrediction = 2.0;
 
-/** Returns whether a vector is of unit length, or 0 for an unknown direction. */
+/** Returns whether a vector has unit length, or is 0 for an unknown direction. */
 bool IsDirection(const Vector3& v)
 {
   const double square = Dot(v, v);
@@ -317,7 +318,7 @@ bool IsPossible(const NeedleState& needle)
     isLength(needle.Pushed) && needle.Track.IsPossible();
 }
 
-/** Returns whether an orientation that claims to be valid is a unit quaternion. */
+/** Returns whether an orientation that is marked as valid is a unit quaternion. */
 bool IsPossible(Quaternion orientation, bool isValid)
 {
   return !isValid || MakeUnit(orientation);
@@ -329,7 +330,7 @@ bool IsPossible(const ShellState& shell)
   { return IsNear(pose.Position, FarthestTip) && IsPossible(pose.Orientation, true); };
   const auto isNumber = [](double number) { return std::abs(number) <= MostOfMaterial; };
   const ShellSum& sum = shell.Sum;
-  // Files from before shells have zeros here, which are accepted because the state is not enabled.
+  // Files from before shells have zeros here, which is possible because the state is not enabled.
   return !shell.Enabled ||
     (isPose(shell.Tool) && isPose(shell.Hand) && IsAmount(shell.Budget) && IsAmount(sum.Energy) &&
       std::all_of(std::begin(sum.Gradient), std::end(sum.Gradient), isNumber) &&

@@ -23,12 +23,12 @@ constexpr int CountLastToolNumbers()
   return count;
 }
 
-/** Size of a state without the numbers that ToolStates::VisitLast visits. */
+/** Number of the numbers of a state, without those that ToolStates::VisitLast() visits. */
 constexpr int FirstServoStateSize = 299;
 constexpr int ServoStateSize = FirstServoStateSize + CountLastToolNumbers();
 /**
- * Sizes of the states in old recordings. Each size is that before one of these was added:
- * MaterialPlacement, volumes that move, primitives, directions of primitives, tools, tools with a
+ * Sizes of the states in old recordings. Each size precedes the addition of one of these:
+ * MaterialPlacement, moving volumes, primitives, directions of primitives, tools, tools with a
  * shape, burrs, burr steps that take more than a tick, releases, and BurrState::Room. Missing
  * numbers are read as 0.
  */
@@ -50,7 +50,7 @@ constexpr bool IsOldServoStateSize(int size)
 /** Returns all numbers of a state, for a file. */
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept;
 ServoState FromNumbers(const std::array<double, ServoStateSize>& numbers) noexcept;
-/** Returns whether a tick may have produced these numbers; false for a damaged file. */
+/** Returns whether a tick may have produced these numbers. If not, the file is damaged. */
 bool AreOfAState(const std::array<double, ServoStateSize>& numbers) noexcept;
 
 } // namespace VolumeHaptics

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The state of a tool with a shape from tick to tick: see Core/Tools/PointShell/ShellCoupling.h.
+ * The state of a tool with a shape from tick to tick. See Core/Tools/PointShell/ShellCoupling.h.
  */
 #ifndef ShellState_h
 #define ShellState_h
@@ -23,8 +23,8 @@ struct ShellPose
 };
 
 /**
- * The sum over all contacts at a pose. Its six directions are the translations along the device's
- * axes, then the rotations about them.
+ * Sums over all contacts at a pose. Its six directions are the translations along the device's
+ * axes, followed by the rotations about them.
  */
 struct ShellSum
 {
@@ -38,8 +38,8 @@ struct ShellSum
 /** The state from which the next tick starts, together with ShellMemory. */
 struct ShellState
 {
-  bool Enabled = false;   ///< false: the next tick puts the tool into the hand, without a force
-  bool IsCarried = false; ///< whether the model has changed, so that Sum is not the sum at Tool
+  bool Enabled = false;   ///< if false, the next tick puts the tool into the hand, without a force
+  bool IsCarried = false; ///< whether the model has changed, so that Sum does not belong to Tool
   ShellPose Tool;
   ShellPose Hand;      ///< pose of the hand in the last tick
   double Budget = 0.0; ///< energy budget S (J)

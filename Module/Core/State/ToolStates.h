@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The states that tools pass from tick to tick: one member for each tool that has a state.
+ * The states that tools pass from tick to tick. Each tool with a state has one member.
  */
 #ifndef ToolStates_h
 #define ToolStates_h
@@ -17,10 +17,10 @@ namespace VolumeHaptics
 struct ToolStates
 {
   NeedleState Needle;
-  ShellState Shell; ///< state of a shell; ToolMemory has the other part
+  ShellState Shell; ///< state of a shell; ToolMemory contains the other part
   BurrState Burr;
 
-  /** Drops the states that hold the hand, so that the next tick begins without a force. */
+  /** Drops the states that hold the hand, so that the next tick starts without a force. */
   void LetGo() noexcept
   {
     this->Needle = NeedleState{};

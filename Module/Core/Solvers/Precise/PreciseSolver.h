@@ -14,8 +14,7 @@
  *   x' = 0                  while surface, friction and drag take the force F = k (x_tip - x),
  *   F  = q + R x'/|x'|      else, with q the force that surface and friction take at x,
  *
- * with the normal, the material and the thresholds at the proxy x, and q the force that surface and
- * friction carry there.
+ * with the normal, the material and the thresholds at the proxy x.
  *
  * ## Method
  *

@@ -16,43 +16,46 @@ namespace
 {
 
 /**
- * Fractions of the radius: the distance below which the sphere touches a triangle, the distance
+ * Fractions of the radius: the distance within which the sphere touches a triangle, the distance
  * that it keeps from triangles, and the length below which a move counts as rest.
  */
 constexpr double Margin = 3e-3;
 constexpr double Distance = 1e-6;
 constexpr double Still = 1e-5;
 /**
- * Length of a move (radii) that counts as rest after ManyPasses, because in a valley the shadings
+ * After ManyPasses, a move of this length (radii) counts as rest, because in a valley the shadings
  * of both sides may move the sphere back and forth.
  */
 constexpr double ShadedStill = 5e-3;
 constexpr int ManyPasses = 8;
-/** Smallest fraction to which the radius shrinks, even if a triangle is deeper in the sphere. */
+/** The radius shrinks at most to this fraction, even if a triangle is deeper in the sphere. */
 constexpr double LeastLeft = 1e-3;
-/** Longest move (radii), limited because the triangles along it must not exceed the budget. */
+/** Longest move (radii). The triangles along it must not exceed the budget. */
 constexpr double LongestMove = 64.0;
-/** Cosine of the largest angle between a triangle's normal and its shading. */
+/** Cosine of the largest angle between a triangle's normal and its shading normal. */
 constexpr double LeastCosine = 0.8;
 
 /**
- * Range of the rate at which moves shrink for which all further moves are summed up at once, as a
- * geometric series.
+ * If the ratio of successive moves is within this range, all further moves are added up at once, as
+ * a geometric series.
  */
 constexpr double SlowRate = 0.2;
 constexpr double SlowestRate = 0.9;
 
-/** Longest way (radii) by which triangles move the sphere in one step, and limit of these steps. */
+/**
+ * Longest distance (radii) by which triangles move the sphere in one step, and the limit of these
+ * steps.
+ */
 constexpr double LongestCarry = 0.25;
 constexpr int MostCarries = 16;
 /**
- * Length (radii) by which a sphere comes out of a moving triangle that it overlaps, in one step.
+ * Distance (radii) by which one step moves a sphere out of a moving triangle that it overlaps.
  */
 constexpr double Recovery = 0.01;
 
 /**
- * The sphere of the proxy, which moves towards a goal until triangles of the mesh stop it. Lengths
- * are in world units.
+ * The proxy's sphere. It moves towards a goal until triangles of the mesh stop it. Lengths are in
+ * world units.
  */
 class Sphere
 {
@@ -75,16 +78,16 @@ public:
   const Vector3& GetCentre() const noexcept { return this->Centre; }
   bool IsShading() const noexcept { return this->IsShaded; }
   bool IsTouching() const noexcept { return this->True.GetCount() > 0; }
-  /** Returns whether the triangles have exceeded the tick's budget. */
+  /** Returns whether visiting triangles has used up the tick's budget. */
   bool IsSpent() const noexcept { return this->Budget < 0; }
 
-  /** Returns the point nearest to a goal that the half-spaces of the touched triangles allow. */
+  /** Returns the point nearest to a goal that is in the half-spaces of all touched triangles. */
   Vector3 ComputeSubgoal(const Vector3& goal) noexcept
   {
     this->Touch();
     if (this->Nearest < (1.0 - Margin) * this->Radius)
     {
-      // The sphere began in a triangle, or the mesh is new: shrink the sphere until it only touches
+      // The sphere began in a triangle, or the mesh is new. Shrink the sphere until it only touches
       // the triangle.
       this->Radius = std::max(this->Nearest, LeastLeft * this->Radius);
       this->Touch();
@@ -94,7 +97,7 @@ public:
   }
 
   /**
-   * Moves the sphere up to the first triangle. Of a long displacement, moves it only by the first
+   * Moves the sphere up to the first triangle. If the displacement is long, uses only its first
    * part.
    */
   void Move(const Vector3& whole) noexcept
@@ -139,7 +142,7 @@ private:
       NearestPoint(this->Mesh.GetTriangle(i, this->Fraction), this->Centre);
     const Vector3 off = this->Centre - nearest.Position;
     const double distance = Norm(off);
-    // A centre that is in a triangle's plane is on neither side of the triangle.
+    // A centre in a triangle's plane is on neither side of the triangle.
     if (!(distance <= this->Radius * (1.0 + Margin)) || distance == 0.0 ||
       this->Model.IsCutAway(nearest.Position))
     {
@@ -147,7 +150,7 @@ private:
     }
     this->Nearest = std::min(this->Nearest, distance);
     const Vector3 normal = (1.0 / distance) * off;
-    // The sphere must not go deeper, but is not pushed out either.
+    // Keep the sphere from going deeper, but do not push it out.
     const double overlap = this->Radius * (1.0 + Distance) - distance;
     const double missing = overlap > Margin * this->Radius ? 0.0 : overlap;
     this->True.Add({ normal, Dot(normal, this->Centre) + missing });
@@ -175,7 +178,7 @@ private:
 };
 
 /**
- * Returns the place to which triangles move a sphere that would otherwise rest. Approaching
+ * Returns the position to which triangles move a sphere that would otherwise rest. Approaching
  * triangles push it.
  */
 Vector3 Carry(const MeshWay& way, double radius, const Vector3& from) noexcept
@@ -280,7 +283,8 @@ void StepSurfaceProxy(
     held = goal - subgoal;
     rest = Norm(displacement);
     const double excess = rest - record.Friction * Norm(held);
-    // A rate only exists while the sphere touches; without contact it may fall towards the tip.
+    // A rate exists only while the sphere touches a triangle. Without contact it may fall towards
+    // the tip.
     const double rate = sphere.IsTouching() && lastExcess > 0.0 ? excess / lastExcess : 0.0;
     const double still = sphere.IsShading() && pass >= ManyPasses ? ShadedStill : Still;
     if (excess <= still * radius)
@@ -288,7 +292,7 @@ void StepSurfaceProxy(
       record.IsUnfinished = false;
       break;
     }
-    // With friction, no long moves are tried, because a move that is too long can't be undone.
+    // With friction, long moves are not tried, because a move that is too long can't be undone.
     const bool isSlow = record.Friction == 0.0 && rate > SlowRate && rate < SlowestRate;
     sphere.Move((excess / rest / (isSlow ? 1.0 - rate : 1.0)) * displacement);
     slides = slides || sphere.IsTouching();
@@ -304,7 +308,7 @@ void StepSurfaceProxy(
   record.FrictionForce = k * rest / scale;
   if (record.NormalForce > Law::ForceEpsilon)
   {
-    // The surfaces hold the part of the spring's force that friction does not hold.
+    // The surfaces carry the part of the spring's force that friction does not carry.
     record.Normal = (1.0 / Norm(held)) * (Transpose(model.DeviceToWorldRotation) * held);
     record.Contact = slides ? ContactState::Sliding : ContactState::Sticking;
   }
@@ -332,7 +336,7 @@ Vector3 EnterSurface(const HapticModel& model, const Vector3& place, double time
     const double distance = EntryDepth * model.KernelLength * step / steps;
     for (int i = 0; i < 27; ++i)
     {
-      // The directions to the neighbours of the middle of a 3^3 cube.
+      // The neighbours of the middle of a 3^3 cube give the directions.
       const Vector3 direction{ i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0 };
       const Vector3 unit = (1.0 / std::max(1.0, Norm(direction))) * direction;
       if (i != 13 && IsOutsideSurface(model, place + distance * unit, time))

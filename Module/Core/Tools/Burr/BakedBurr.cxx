@@ -25,7 +25,7 @@ double ComputeFrequency(double speed)
   return frequency < HUGE_VAL ? frequency : 0.0;
 }
 
-/** The memory of the head and of the carver. */
+/** The memory of a burr's head and of its carver. */
 class BurrToolMemory final : public ShapedMemory
 {
 public:
@@ -56,7 +56,7 @@ BakedBurr::BakedBurr(BurrDescription description)
 
 const ToolColumns& BakedBurr::Columns()
 {
-  // Never destroyed, because a filter may live until the process ends.
+  // Never destroyed, because a filter may exist until the process ends.
   static const auto* const columns = new ToolColumns{ { "RemovedVolume", " (mm^3)", 1, true,
     [](const HapticModel&, const TickRecord& record, double* numbers)
     { numbers[0] = record.RemovedVolume; } } };
@@ -127,7 +127,7 @@ bool BakedBurr::Spins(std::uint32_t buttons, bool isOrdered) const noexcept
 
 std::vector<ShellPoint> BakedBurr::MakeHead(double radius, std::size_t count)
 {
-  // Place the points along a spiral whose turns differ by the golden angle.
+  // Place the points along a spiral. Consecutive points differ by the golden angle.
   std::vector<ShellPoint> points;
   points.reserve(count);
   const auto number = static_cast<double>(count);

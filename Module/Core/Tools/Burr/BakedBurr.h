@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A burr, baked for the servo tick: see Core/Tools/Burr/BurrTool.h.
+ * A burr, baked for the servo tick. See Core/Tools/Burr/BurrTool.h.
  */
 #ifndef BakedBurr_h
 #define BakedBurr_h
@@ -32,25 +32,25 @@ struct BurrSettings
 struct BurrDescription
 {
   BurrSettings Settings;
-  /** Specific energy U in J/mm^3 of the hand's space, at least 0. */
+  /** Specific energy U (J/mm^3 in the hand's space), at least 0. */
   Polyline SpecificEnergy = ConstantPolyline(10.0);
   ShellDescription Head; ///< the head, with the points of MakeHead()
 };
 
 /**
  * A burr as a tick reads it, with values that follow from its settings. Its centre is at the
- * device's tip. Like a BakedShell, its head has its size in the world. Forces, energies and volumes
- * are in the hand's space.
+ * device's tip. Like a BakedShell, its head has a fixed size in the world. Forces, energies and
+ * volumes are in the hand's space.
  */
 class BakedBurr final : public ShapedTool
 {
 public:
   explicit BakedBurr(BurrDescription description);
 
-  /** Returns the column RemovedVolume. */
+  /** Returns the trace's column RemovedVolume. */
   static const ToolColumns& Columns();
 
-  /** Makes points on a sphere around the origin. All points stand for equal areas. */
+  /** Makes points on a sphere around the origin. Each point stands for the same area. */
   static std::vector<ShellPoint> MakeHead(double radius, std::size_t points = 1000);
 
   bool IsSame(const BakedTool& other) const override;
@@ -59,8 +59,8 @@ public:
    */
   bool Step(const ToolTick& tick) const noexcept override;
   /**
-   * Moves the head to another model, and starts a new removal. Returns whether the method starts
-   * again.
+   * Moves the head to another model, and starts a new removal. Returns whether the method must
+   * start anew.
    */
   bool Carry(const HapticModel& from, const HapticModel& to, ServoState& state,
     ToolMemory* memory) const noexcept override;

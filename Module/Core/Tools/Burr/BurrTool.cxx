@@ -13,29 +13,31 @@ namespace
 {
 
 /**
- * Limit of the steps in a tick, and limit of the trials of a step, each half as long as the one
- * before.
+ * Limit of the steps in a tick, and limit of the trials for a step. Each trial is half as long as
+ * the previous one.
  */
 constexpr int MostCarvingSteps = 8;
 constexpr int MostTries = 6;
-/** Length of a step (voxels) below which it can't be felt. */
+/** A step shorter than this length (voxels) can't be felt. */
 constexpr double ShortestStep = 1.0 / 128.0;
-/** Step (voxels) in which BurrState::Room grows. Room is at most a voxel. */
+/** BurrState::Room grows in steps of this length (voxels), up to a voxel. */
 constexpr double RoomStep = 1.0 / 16.0;
 /** The longest tick (s). */
 constexpr double LongestTick = 0.1;
-/** Time (s) without removal after which a stroke ends. */
+/** A stroke ends when nothing was removed for this time (s). */
 constexpr double StrokeEnd = 0.5;
 /** Limit of the energy (J) that the vibration may give back. */
 constexpr double MostGivenBack = 1e-3;
 
-/** Returns the tool of a model. The tool must be a burr. */
+/** Returns the tool of a model, which must be a burr. */
 const BakedBurr& GetBurr(const HapticModel& model) noexcept
 {
   return static_cast<const BakedBurr&>(*model.Baked->Tool);
 }
 
-/** Returns a wave from -1 to 1 made of parabolas, which is nearly a sine. Its mean is zero. */
+/**
+ * Returns a wave from -1 to 1 that consists of parabolas and is nearly a sine. Its mean is zero.
+ */
 double Wave(double phase) noexcept
 {
   const double x = 2.0 * phase - 1.0;
@@ -56,7 +58,10 @@ public:
   {
   }
 
-  /** Removes tissue towards `goal` as far as the energy suffices. `earned` (J) is added to it. */
+  /**
+   * Removes tissue towards `goal` as far as the energy suffices. First adds `earned` (J) to the
+   * energy.
+   */
   void Advance(const Vector3& goal, double earned) noexcept
   {
     BurrState& s = this->State;
@@ -80,12 +85,12 @@ public:
       const double longest = std::min(distance, s.Shorter > 0.0 ? std::min(s.Shorter, most) : most);
       const double slope = s.LastWay > 0.0 ? s.LastCost / s.LastWay : 0.0;
       const bool isPaid = slope * longest <= s.Unspent;
-      // Step slightly less than the energy pays for, because the cost differs from step to step.
+      // Step slightly less than the energy pays for, because the cost varies from step to step.
       constexpr double careful = 0.8;
       const double way = isPaid ? longest : careful * s.Unspent / slope;
       if (!isPaid && way < std::min(longest, ShortestStep * this->Carver.GetVoxel()))
       {
-        // Keep the energy: a trial would cost more time than so little tissue is worth.
+        // Save the energy, because so little tissue is not worth the time of a trial.
         return;
       }
       if (!this->Step(goal, lag, distance, way) || !isPaid)
@@ -111,7 +116,7 @@ private:
     return cost;
   }
 
-  /** Removes another part of a sphere. Returns false if the tick can do no further work. */
+  /** Removes another part of a sphere. Returns false if the tick can do no more work. */
   bool GoOn() noexcept
   {
     BurrState& s = this->State;
@@ -123,13 +128,14 @@ private:
     }
     if (cost.Energy > s.Unspent)
     {
-      // The energy may suffice for a shorter step, or for a step to where the head is now. The
-      // removed tissue stays removed.
+      // The energy may suffice for a shorter step, or for a step to the head's present position.
+      // The tissue that was removed already is not restored.
       s.Part = 0;
       s.LastCost += cost.Energy;
       if (!(cost.Energy < HUGE_VAL))
       {
-        // The first part was paid for, so the next step would be as long as this one.
+        // The first part was paid for, so without a limit the next step would be as long as this
+        // one.
         const double half = 0.5 * Norm(s.Next - s.Carved);
         s.Shorter = half > ShortestStep * this->Carver.GetVoxel() ? half : 0.0;
       }
@@ -149,7 +155,7 @@ private:
     s.Room += RoomStep * this->Carver.GetVoxel();
     if (s.Room > this->Carver.GetVoxel())
     {
-      // There is no tissue on which to spend the energy.
+      // There is no tissue for which the energy could be used.
       s.Room = before;
       s.Unspent = std::min(s.Unspent, earned);
       return;
@@ -192,8 +198,8 @@ private:
   }
 
   /**
-   * Takes a step or, if the energy does not suffice, a shorter one. Returns false if it does not
-   * suffice even for a shorter step, or if the step takes more ticks.
+   * Makes a step or, if the energy does not suffice, a shorter one. Returns false if it does not
+   * suffice even for a shorter step, or if the step takes more than one tick.
    */
   bool Step(const Vector3& goal, const Vector3& lag, double distance, double longest) noexcept
   {
@@ -222,8 +228,8 @@ private:
   }
 
   /**
-   * Removes the tissue of the last trial. `way` is the length of the step; it is 0 if the first
-   * part of the sphere was removed earlier.
+   * Removes the tissue of the last trial. `way` is the length of the step, or 0 if the first part
+   * of the sphere was removed earlier.
    */
   void Apply(const Vector3& next, double way, const CarvingCost& cost) noexcept
   {
@@ -241,8 +247,8 @@ private:
     s.Unspent -= cost.Energy;
     if (s.Room == 0.0)
     {
-      // Average the cost over steps: fractions are whole numbers, so that a single step may cost
-      // nothing, or more than its neighbours.
+      // Average the cost over several steps. Because fractions are whole numbers, a single step may
+      // cost nothing, or more than its neighbours.
       const double kept = s.Part == 0 ? 0.9 : 1.0;
       s.LastCost = kept * s.LastCost + cost.Energy;
       s.LastWay = kept * s.LastWay + way;
@@ -316,8 +322,8 @@ void Remove(const HapticModel& model, const BurrHand& hand, BurrState& state,
     state.LastCost = state.LastWay = state.Shorter = state.Room = 0.0;
   }
   Removing removing(radius, removal, state, memory.Carver, record);
-  // The level that is felt in a cavity is slightly in front of the removed sphere, so carve beyond
-  // the head as long as the burr is pressed.
+  // In a cavity, the felt level is slightly in front of the removed sphere, so carve beyond the
+  // head while the burr is pressed.
   const double beyond = 0.25 * memory.Carver.GetVoxel();
   const double speed = burr.RimSpeed / model.WorldUnitsPerMeter;
   removing.Advance(head - (beyond / force) * record.Shell.Force,
@@ -331,7 +337,7 @@ double SpringEnergy(const ShellRecord& record, const Vector3& head, const Vector
   return 0.5 * record.Stiffness * Dot(lag, lag);
 }
 
-/** Returns the vibrating force (N). */
+/** Returns the force (N) of the vibration. */
 Vector3 Vibrate(const HapticModel& model, const ShellSettings& settings, const BurrHand& by,
   const ShellState& before, const ShellState& after, BurrState& state,
   const ShellRecord& shell) noexcept
@@ -344,7 +350,7 @@ Vector3 Vibrate(const HapticModel& model, const ShellSettings& settings, const B
   const BakedBurr& burr = GetBurr(model);
   const Vector3& hand = shell.Hand.Position;
   const Vector3 moved = hand - before.Hand.Position;
-  // Compute the hand's work on the spring. The part of it that the spring does not store is lost.
+  // Compute the hand's work on the spring. The part that the spring does not store is lost.
   const double work = SpringEnergy(shell, before.Tool.Position, hand) -
     SpringEnergy(shell, before.Tool.Position, before.Hand.Position);
   const double lost = before.Budget + work - after.Budget;
@@ -352,7 +358,7 @@ Vector3 Vibrate(const HapticModel& model, const ShellSettings& settings, const B
   state.Phase += burr.Frequency * by.Step;
   state.Phase -= std::floor(state.Phase);
   const double force = Norm(shell.Force);
-  // The least length that the hand is assumed to move until the next tick.
+  // The hand is assumed to move at least this far until the next tick.
   constexpr double leastWay = 1e-5; // in m
   const double way = 2.0 * Norm(moved) + leastWay;
   const double most = std::min(burr.Settings.Vibration * force, std::max(state.Lost, 0.0) / way);
@@ -362,7 +368,8 @@ Vector3 Vibrate(const HapticModel& model, const ShellSettings& settings, const B
   }
   const Vector3 direction = (1.0 / force) * shell.Force;
   const Vector3 vibration = (most * Wave(state.Phase)) * direction;
-  // By this limit, the load on the pressed points is at most the strength of the strongest tissue.
+  // With this limit, the load on the pressed points is at most the strength of the strongest
+  // tissue.
   const double strength = model.Baked->Materials.GetRange(2).High *
     model.Baked->Materials.GetRange(4).High / settings.ContactArea;
   const PointShell& head = *burr.Description.Points;

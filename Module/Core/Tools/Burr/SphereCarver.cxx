@@ -17,8 +17,8 @@ constexpr std::int64_t BrickSide = CarvedBricks::Side;
 ///@{
 /**
  * Measured work (CarvingCost) for a brick and for a row, in addition to 1 for each. The work
- * depends only on the fractions and the sphere, and not on what the carver remembers, so that a
- * replay ends its parts where the recording did.
+ * depends only on the fractions and the sphere, and not on the carver's memory, so that a replay
+ * ends its parts at the same places as the recording.
  */
 constexpr std::size_t WorkOfPlace = 1;
 constexpr std::size_t WorkOfSolid = 40; ///< work for a brick that is not in use
@@ -34,18 +34,18 @@ static_assert(SphereCarver::MostWorkOfBrick ==
   "the sum of all");
 
 /**
- * Returns the reach, in index steps along an axis to both sides, of a sphere and of its bounding
- * box.
+ * Returns how far a sphere (and its bounding box) reaches along an axis to both sides, in index
+ * steps.
  */
 double ReachAlong(const Vector3& row, double radius) noexcept
 {
   return radius * Norm(row);
 }
 
-/** Half of the smallest step between fractions, where 1 is all of the tissue. */
+/** Half of the smallest step between fractions, relative to all of the tissue. */
 constexpr double HalfFraction = 0.5 / CarvedBricks::Whole;
 /**
- * Returns the part of a voxel's volume that a fraction leaves. `edge` is the fraction at the
+ * Returns the remaining part of a voxel's volume for a fraction. `edge` is the fraction at the
  * sphere's surface.
  */
 double ComputeLeft(std::int32_t fraction, double edge) noexcept
@@ -58,7 +58,7 @@ double ComputeLeft(std::int32_t fraction, double edge) noexcept
 
 } // namespace
 
-/** A sphere to try, with the values that are needed for each row of samples. */
+/** A sphere to try, with values that every row of samples needs. */
 struct SphereCarver::Sphere
 {
   Vector3 Centre; ///< centre of the sphere (m)
@@ -68,7 +68,8 @@ struct SphereCarver::Sphere
   double Outer; ///< squared distance (m^2) beyond which samples do not change
   double Ramp; ///< squared distance (m^2) beyond which samples with r of at least 1/2 do not change
   /**
-   * Whether there is a sphere around From, so that samples that are nearer to From do not change.
+   * Whether a sphere around From was removed before, so that samples that are nearer to From do not
+   * change.
    */
   bool HasFrom;
   Vector3 Way;   ///< from From to Centre (m)
@@ -104,7 +105,7 @@ void SphereCarver::SetTissue(const HapticModel& model, const CarvedTissue& tissu
   std::copy(columns.Row, columns.Row + 3, this->Step);
   const double volume = std::abs(Dot(this->Step[0], Cross(this->Step[1], this->Step[2])));
   this->Voxel = std::cbrt(volume);
-  // Voxels that are cubes apart from rounding count as cubes, so that rounding does not choose a
+  // Voxels that are cubes apart from rounding count as cubes, so that rounding does not select a
   // side.
   constexpr double cube = 1.0 - 1e-9;
   this->Longest = this->Voxel;
@@ -239,7 +240,7 @@ CarvingCost SphereCarver::TryTyped(
   return cost;
 }
 
-/** Computes the changes in a brick. Returns whether the brick must be added for them. */
+/** Computes the changes in a brick. Returns whether the brick must be added to store them. */
 template <typename T>
 bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, const BrickPlace& place,
   CarvingCost& cost) noexcept
@@ -281,7 +282,7 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
       {
         continue;
       }
-      // Sample i of the row is at begin + i Step[0] from the centre.
+      // Relative to the centre, sample i of the row is at begin + i Step[0].
       const Vector3 begin = (static_cast<double>(bases[0]) - sphere.Index.X) * this->Step[0] +
         (static_cast<double>(j) - sphere.Index.Y) * this->Step[1] +
         (static_cast<double>(k) - sphere.Index.Z) * this->Step[2];
@@ -318,7 +319,7 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
         }
       }
       cost.Work += WorkOfFractions;
-      // Compute all samples of the row at once, because the compiler vectorises this loop.
+      // Compute all samples of the row together, because the compiler vectorises this loop.
       double ramp[BrickSide]; // distance of each sample from the surface in widths of the ramp
       for (int i = 0; i < BrickSide; ++i)
       {

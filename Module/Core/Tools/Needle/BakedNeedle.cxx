@@ -18,33 +18,33 @@ namespace
 {
 
 /*
- * When a free needle enters tissue: it must come from a place where nothing resists. It punctures a
- * surface when the spring pushes with the surface's whole strength and the lag then falls. If a
- * surface never gives way, the needle punctures it when it has been pushed in by two kernel
- * lengths.
+ * Rules for the puncture by a free needle. The needle must come from a place where nothing resists.
+ * It punctures a surface when the spring pushes with the surface's full strength and the lag then
+ * falls. If a surface never gives way, the needle punctures it when it has been pushed in by two
+ * kernel lengths.
  */
 
-/** Least fraction by which the lag falls if the needle breaks through a surface. */
+/** If the needle breaks through a surface, the lag falls by at least this fraction. */
 constexpr double BreakFraction = 1e-3;
 /**
- * Length (kernel lengths) by which a needle must be pushed in before it punctures a surface that
- * still holds.
+ * A needle that was pushed in by this length (kernel lengths) punctures a surface even if it still
+ * holds.
  */
 constexpr double MostPushed = 2.0;
 constexpr double SmallestLag = 1e-9; // smallest lag (m)
-/** Least fraction of its strength at which a surface gives way. */
+/** A surface may give way from this fraction of its strength on. */
 constexpr double WholeFraction = 0.99;
-/** Length (m) of the hand's motion over which its direction is averaged. */
+/** The direction of the hand's motion is averaged over this length (m). */
 constexpr double MotionLength = 1e-3;
 /**
- * Least cosine between motion and normal. A motion with a smaller one is along the surface, and
- * does not show the axis.
+ * Least cosine of the angle between motion and normal. With a smaller one, the motion is along the
+ * surface and does not show the axis.
  */
 constexpr double LeastPush = 0.2;
-/** Farthest beginning of a track behind the tip (steps). */
+/** A track begins at most this far behind the tip (steps). */
 constexpr double MostBack = 64.0;
 
-/** State of the free needle at the beginning of a tick. */
+/** The state of a free needle at the beginning of a tick. */
 struct FreeTick
 {
   explicit FreeTick(const ServoState& state) noexcept
@@ -61,7 +61,7 @@ struct FreeTick
   double SurfaceStrength;
 };
 
-/** Adds a step to the hand's recent motion (m), in which older motion weighs less. */
+/** Adds a step to the hand's recent motion (m), in which older motion has less weight. */
 void UpdateMotion(const Vector3& step, Vector3& motion) noexcept
 {
   const double kept = std::max(0.0, 1.0 - Norm(step) / MotionLength);
@@ -75,7 +75,7 @@ Vector3 HeadingOf(const Vector3& v) noexcept
 }
 
 /**
- * Returns the unit direction of a needle that is inserted now, or 0 if it is not known.
+ * Returns the unit direction of a needle that is being inserted, or 0 if it is not known.
  * @param normal normal of the surface that holds the needle; 0 if none does
  */
 Vector3 FindAxis(const ServoState& state, const Vector3& lag, const Vector3& normal) noexcept
@@ -102,16 +102,16 @@ void Begin(ServoState& state, const Vector3& entry, const Vector3& axis, const V
   state.Proxy = entry;
 }
 
-/** The surface that holds a free needle in a tick that may break through it. */
+/** The surface that holds a free needle in a tick in which it may break through. */
 struct HeldAt
 {
   Vector3 Normal;        ///< unit vector into the structure; 0 if no surface holds
   double Push = 0.0;     ///< push of the spring against the surface (N)
-  NeedleTissue Behind;   ///< the tissue of the surface; only read if there is a push
+  NeedleTissue Behind;   ///< tissue of the surface; only read if there is a push
   double Strength = 0.0; ///< T W_d (N)
   bool IsWhole() const noexcept
   {
-    // With a label behind it, the surface holds with the label's whole strength, whatever W_d is.
+    // With a label behind it, the surface holds with the label's full strength, whatever W_d is.
     return this->Behind.Puncture > 0.0 && this->Push >= WholeFraction * this->Behind.Puncture;
   }
 };
@@ -120,7 +120,8 @@ HeldAt ComputeHeld(const HapticModel& model, const NeedleTissueReader& reader,
   const NeedleState& needle, const FreeTick& before, const TickRecord& record) noexcept
 {
   HeldAt held;
-  // PRECISE may go through a surface within a tick, and then has no normal force at its end.
+  // The solver Precise may pass through a surface within a tick, without a normal force at the
+  // tick's end.
   held.Normal = record.NormalForce > Law::ForceEpsilon ? record.Normal : needle.Normal;
   held.Push = before.Stiffness * Dot(record.Tip - before.Proxy, held.Normal);
   if (held.Push > 0.0)
@@ -133,7 +134,7 @@ HeldAt ComputeHeld(const HapticModel& model, const NeedleTissueReader& reader,
 
 /**
  * Returns whether a tick of the free needle has broken through the surface that held it. `pushed`
- * is how far (m) the needle was pushed in.
+ * is the distance (m) by which the needle was pushed in.
  */
 bool IsThrough(const HapticModel& model, const HeldAt& held, const FreeTick& before,
   const Vector3& axis, const TickRecord& record, double& pushed) noexcept
@@ -154,7 +155,7 @@ bool IsThrough(const HapticModel& model, const HeldAt& held, const FreeTick& bef
 
 /**
  * Sets the force of a surface at its puncture, in addition to R at the entry. The entry may be
- * behind the boundary, so T and R in front of the surface are used, as by the free needle.
+ * behind the boundary, so T and R in front of the surface are used, as for the free needle.
  */
 void SetPuncture(const HapticModel& model, const NeedleTissueReader& reader, const HeldAt& held,
   NeedleState& needle) noexcept
@@ -189,8 +190,8 @@ Vector3 FindFirstResistance(
 
 /**
  * Begins the track where the tissue begins, at most as far back as the needle was pushed in. A
- * surface of the scalars holds over some voxels, so that a needle that breaks through it is already
- * in tissue.
+ * surface of the scalars holds over some voxels, so a needle that breaks through it is already in
+ * tissue.
  */
 void BeginTrack(const NeedleTissueReader& reader, double pushed, NeedleState& needle) noexcept
 {
@@ -218,8 +219,9 @@ void BeginTrack(const NeedleTissueReader& reader, double pushed, NeedleState& ne
 }
 
 /**
- * If the tick has broken through a surface or has come into tissue that resists, inserts the needle
- * and repeats the tick from `before`. Must be called after a tick of the method with a free needle.
+ * If the tick has broken through a surface, or has moved into tissue that resists, inserts the
+ * needle and repeats the tick from `before`. Must be called after a tick of the method with a free
+ * needle.
  */
 void EnterNeedle(
   const HapticModel& model, ServoState& state, const FreeTick& before, TickRecord& record) noexcept
@@ -280,7 +282,7 @@ BakedNeedle::BakedNeedle(NeedleDescription description)
 
 const ToolColumns& BakedNeedle::Columns()
 {
-  // Never destroyed, because a filter may live until the process ends.
+  // Never destroyed, because a filter may exist until the process ends.
   static const auto* const columns = new ToolColumns{ { "ForbiddenTouches", "", 1, false,
     [](const HapticModel&, const TickRecord& record, double* numbers)
     { numbers[0] = record.ToolNumbers[0]; } } };

@@ -14,15 +14,16 @@ namespace VolumeHaptics
 {
 
 /**
- * The friction and cutting force of a needle by the scalar. They are used where no label sets them.
+ * The friction and cutting force of a needle as functions of the scalar, for tissue whose label
+ * does not set them.
  */
 struct NeedleDescription
 {
-  Polyline ShaftFriction = ConstantPolyline(0.0); ///< tau in N per metre of the shaft
-  Polyline CuttingForce = ConstantPolyline(0.0);  ///< R in N
-  /** Whether CuttingForce is used; if not, R is the material's viscosity. */
+  Polyline ShaftFriction = ConstantPolyline(0.0); ///< tau (N per metre of the shaft)
+  Polyline CuttingForce = ConstantPolyline(0.0);  ///< R (N)
+  /** Whether CuttingForce is used. If not, R is the material's viscosity. */
   bool HasCuttingForce = false;
-  double LateralStrength = 1.0; ///< s_l in N
+  double LateralStrength = 1.0; ///< s_l (N)
 };
 
 class BakedNeedle final : public BakedTool
@@ -30,7 +31,7 @@ class BakedNeedle final : public BakedTool
 public:
   explicit BakedNeedle(NeedleDescription description);
 
-  /** Returns the column ForbiddenTouches. */
+  /** Returns the trace's column ForbiddenTouches. */
   static const ToolColumns& Columns();
 
   bool IsSame(const BakedTool& other) const override;

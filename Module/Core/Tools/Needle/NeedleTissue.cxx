@@ -12,7 +12,7 @@ namespace
 {
 
 ///@{
-/** Channels of MaterialTable; the first ones are also those of labels. */
+/** Channels of MaterialTable. All except the last one are also channels of labels. */
 constexpr int StiffnessChannel = 0;
 constexpr int StrengthChannel = 2;
 constexpr int DragChannel = 3;
@@ -61,7 +61,7 @@ NeedleTissue NeedleTissueReader::At(const Vector3& place) const noexcept
     tissue.HasPuncture = label->IsSet[StrengthChannel];
     tissue.Puncture = tissue.HasPuncture ? label->Value[StrengthChannel] : 0.0;
   }
-  // The conditions are false for NaN, which a volume may contain.
+  // The comparisons are false for NaN, which a volume may contain.
   tissue.Cutting = tissue.Cutting > 0.0 ? kept * tissue.Cutting : 0.0;
   tissue.Shaft = tissue.Shaft > 0.0 ? kept * tissue.Shaft : 0.0;
   tissue.Puncture = tissue.Puncture > 0.0 ? kept * tissue.Puncture : 0.0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The tissue around a needle, from the values of a label or from the functions of the scalar.
+ * Reads the tissue around a needle, from the values of a label or from the functions of the scalar.
  */
 #ifndef NeedleTissue_h
 #define NeedleTissue_h
@@ -14,7 +14,7 @@
 namespace VolumeHaptics
 {
 
-/** Returns the tool of a model. The tool must be a needle. */
+/** Returns the tool of a model, which must be a needle. */
 inline const BakedNeedle& GetNeedle(const HapticModel& model) noexcept
 {
   return static_cast<const BakedNeedle&>(*model.Baked->Tool);
@@ -24,11 +24,11 @@ inline const BakedNeedle& GetNeedle(const HapticModel& model) noexcept
 struct NeedleTissue
 {
   double Cutting = 0.0; ///< cutting force R (N)
-  double Shaft = 0.0;   ///< friction tau in N per metre
+  double Shaft = 0.0;   ///< friction tau (N per metre)
   double Value = 0.0;   ///< value of the scalars
   std::int64_t Label = NoLabel;
   bool HasPuncture = false; ///< whether the label sets the strength of its boundary (Puncture)
-  double Puncture = 0.0;    ///< T in N
+  double Puncture = 0.0;    ///< T (N)
 
   bool Resists() const noexcept { return this->Cutting > 0.0 || this->Shaft > 0.0; }
 };
@@ -47,21 +47,20 @@ public:
 
   /**
    * Returns T W_d (N) of the surface at a place, for a needle with an axis. Returns 0 if the
-   * surface's normal is not along the axis. Also returns 0 if the label behind the surface has a
-   * strength of its own, because this strength belongs to the boundary between labels.
+   * surface's normal does not point along the axis. Also returns 0 if the label behind the surface
+   * has its own strength, because that strength belongs to the boundary between labels.
    */
   double SurfaceStrength(const Vector3& place, const Vector3& axis) const noexcept;
 
   /** Returns the stiffness (N/m) of the tissue at a place. */
   double Stiffness(const Vector3& place) const noexcept;
 
-  /** Returns whether there are forbidden labels. */
   bool HasForbidden() const noexcept { return this->Model.Baked->GetZone() != nullptr; }
 
   /** Returns whether a place is within the stand-off of a forbidden label. */
   bool IsForbidden(const Vector3& place) const noexcept;
 
-  /** Returns the length (m) of a quarter voxel of the finer image along a unit axis. */
+  /** Returns the length (m) of a quarter of a voxel of the finer image along a unit axis. */
   double ComputeStep(const Vector3& axis) const noexcept;
 
 private:

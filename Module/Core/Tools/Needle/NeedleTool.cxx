@@ -14,8 +14,8 @@ namespace
 {
 
 /**
- * Limit of the steps in a tick. A needle that needs more ends with the force of the tissue that it
- * has reached.
+ * Limit of the steps in a tick. A needle that needs more steps ends with the force of the tissue
+ * that it has reached.
  */
 constexpr int MostNeedleSteps = 64;
 /**
@@ -23,9 +23,9 @@ constexpr int MostNeedleSteps = 64;
  * there.
  */
 constexpr int MostSkippedSteps = 4096;
-/** Accuracy of boundaries as a fraction of a step, a millionth of a voxel. */
+/** Accuracy of boundaries, as a fraction of a step. It is a millionth of a voxel. */
 constexpr double BoundaryFraction = 4e-6;
-/** Depth (m) from which the lateral hold has its full strength. */
+/** Depth (m) from which on the lateral hold has its full strength. */
 constexpr double HoldDepth = 1e-3;
 
 /** An inserted needle in one tick. */
@@ -88,7 +88,7 @@ public:
   }
 
 private:
-  /** Returns the distance (m) of the tip ahead of the proxy. */
+  /** Returns how far (m) the tip is ahead of the proxy. */
   double ComputeRest() const noexcept { return Dot(this->Tip - this->Proxy, this->Axis); }
 
   Vector3 Ahead(double length) const noexcept { return this->Proxy + length * this->Axis; }
@@ -121,7 +121,7 @@ private:
     return false;
   }
 
-  /** Moves the needle to the boundary within a length, or through it if that needs no force. */
+  /** Moves the needle to the boundary within a length, or through it if this needs no force. */
   void MeetBoundary(double length) noexcept
   {
     const double gap = BoundaryFraction * this->Step;
@@ -167,7 +167,7 @@ private:
     return before;
   }
 
-  /** Counts the number of times that a forbidden label has stopped the needle. */
+  /** Counts how often a forbidden label has stopped the needle. */
   void CountTouch() noexcept
   {
     this->Needle.Touches += this->IsStopped && !this->Needle.IsTouching ? 1 : 0;
@@ -222,9 +222,9 @@ private:
   }
 
   /**
-   * Moves the needle by `length` (m) when the tick has no steps left. All tissue on the way counts
-   * as that at the present place, so that the force does not exceed what the tissue holds. Stops at
-   * forbidden labels; if there are any, takes at most MostSkippedSteps steps.
+   * Moves the needle by `length` (m) if the tick has no steps left. All tissue on the way counts as
+   * that at the present place, so that the force does not exceed what the tissue can hold. Stops at
+   * forbidden labels; if there are any, makes at most MostSkippedSteps steps.
    */
   void Skip(double length) noexcept
   {
@@ -253,7 +253,7 @@ private:
       }
       const NeedleStretch last = track.Last();
       const double room = std::max(0.0, this->Needle.Depth - last.Begin);
-      // The friction decreases with the depth.
+      // The friction decreases as the depth decreases.
       const bool isStable = k > last.Shaft;
       const double length = isStable ? std::min(room, (pull - shaft) / (k - last.Shaft)) : room;
       this->Proxy = this->Ahead(-length);
@@ -317,7 +317,7 @@ void StepNeedle(const HapticModel& model, ServoState& state, TickRecord& record)
   needle.Write(record);
   if (!state.Needle.IsInserted)
   {
-    // The method starts again.
+    // The method starts anew.
     state.Precise = PreciseState{};
     state.Precise.ReachedTip = record.Tip;
   }

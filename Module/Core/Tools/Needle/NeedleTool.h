@@ -2,30 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A needle: its point feels surfaces and punctures them; then the tissue holds the needle.
+ * A needle. Its point feels surfaces and punctures them; then the tissue holds the needle.
  *
- * Its axis a points from the handle to the tip. If the device does not measure an orientation, the
- * axis is set at the puncture to the direction of the hand's motion over the last millimetre.
+ * The needle's axis a points from the handle to the tip. If the device does not measure an
+ * orientation, the axis is set at the puncture to the direction of the hand's motion over the last
+ * millimetre.
  *
- * **Free**, the method's own law applies. A surface is punctured when the spring breaks through it
- * along the axis. Tissue without a surface that holds is entered where R or tau resists.
+ * For a **free** needle, the method's own law applies. A surface is punctured when the spring
+ * breaks through it along the axis. Tissue without a surface that holds is entered where R or tau
+ * resists.
  *
- * **Inserted**, with the spring k that held before the puncture, x the proxy, y the device's tip:
+ * For an **inserted** needle, let k be the spring that held it before the puncture, x the proxy,
+ * and y the device's tip. These primitives (Primitive.h) act on it:
  *
  *   PLANE  a, T        a boundary in front of the tip, until it is punctured
  *   POINT  R           along a: the tissue that the tip cuts, only forwards
  *   shaft  F_s         along a, against motion: the integral of tau over the track
  *   LINE   a, s_l      the tissue holds the needle across its axis
  *
- * All have one anchor, and their directions are parallel or perpendicular, so that their
- * composition is the exact minimiser. So the force along the axis is -(T + R + F_s) during
+ * All have the same anchor, and their directions are parallel or perpendicular, so their
+ * composition is the exact minimiser. The force along the axis is therefore -(T + R + F_s) during
  * insertion, F_s during withdrawal, and any value between at rest. The force perpendicular to the
- * axis is k times the lag, up to s_l. The tip moves to the balance in steps of at most a quarter
- * voxel, which end at boundaries between labels.
+ * axis is k times the lag, up to s_l. The tip moves to the balance in steps of at most a quarter of
+ * a voxel, which end at boundaries between labels.
  *
- * A puncture from R1 to R2 loses (T + R1 - R2)^2/(2(k + tau)), and so does a fall of R, with T = 0.
- * Nothing gives energy: along the axis and perpendicular to it, the proxy only moves towards the
- * tip.
+ * A puncture from R1 to R2 loses the energy (T + R1 - R2)^2/(2(k + tau)), and so does a fall of R,
+ * with T = 0. The needle gives no energy to the hand: along the axis and perpendicular to it, the
+ * proxy only moves towards the tip.
  */
 #ifndef NeedleTool_h
 #define NeedleTool_h
@@ -50,8 +53,8 @@ inline Vector3 AxisOfStylus(const Quaternion& q) noexcept
 void StepNeedle(const HapticModel& model, ServoState& state, TickRecord& record) noexcept;
 
 /**
- * Moves the needle of a model with the device to another placement, or releases it if the next
- * model has another tool.
+ * Moves a model's needle with the device to another placement, or releases it if the next model has
+ * another tool.
  */
 void CarryNeedle(const HapticModel& from, const HapticModel& to, NeedleState& needle) noexcept;
 

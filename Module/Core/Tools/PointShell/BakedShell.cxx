@@ -40,7 +40,7 @@ const PointShell* ShellOf(const BakedVolume& baked) noexcept
   return tool ? tool->Description.Points.get() : nullptr;
 }
 
-/** Returns the settings of a model. Its tool must have a shape. */
+/** Returns the settings of a model, whose tool must have a shape. */
 const ShellSettings& TouchOf(const HapticModel& model) noexcept
 {
   return static_cast<const ShapedTool&>(*model.Baked->Tool).Description.Touch;
@@ -67,7 +67,7 @@ public:
   }
 
   /**
-   * Scales the lengths of a contact, and adapts stiffness and strength per area to the new lengths.
+   * Scales the lengths of a contact, and adapts its stiffness and strength per area.
    */
   void Carry(ShellContact& contact) const noexcept
   {
@@ -90,7 +90,7 @@ private:
   const double Scale;
 };
 
-/** Moves the tool towards the hand until the springs have this fraction of their energy. */
+/** Moves the tool towards the hand until the springs have only this fraction of their energy. */
 void Relax(ShellState& state, double fraction) noexcept
 {
   const double nearer = std::sqrt(fraction);
@@ -106,10 +106,10 @@ void Relax(ShellState& state, double fraction) noexcept
 
 /**
  * Moves the tool and its contacts to another material, other settings, or another placement of the
- * device. The contacts rest on the volume: if the volume moves under the hand, the tool moves with
- * it, and each contact keeps at most its energy. If the springs become stiffer, the tool begins
- * nearer to the hand, so that they have no more energy than before. If the shell or the volume is
- * another one, the state is disabled: the tool begins in the hand, without a force.
+ * device. The contacts stay on the volume: if the volume moves under the hand, the tool moves with
+ * it, and each contact keeps at most its energy. If the springs become stiffer, the tool starts
+ * nearer to the hand, so that they have no more energy than before. With another shell or another
+ * volume, the state is disabled: the tool starts in the hand, without a force.
  */
 void CarryShell(
   const HapticModel& from, const HapticModel& to, ShellState& state, ShellMemory* memory) noexcept
@@ -144,7 +144,7 @@ void CarryShell(
   const double after = energyOf(to);
   if (after > before)
   {
-    // The springs are stiffer, but must not have more energy.
+    // The springs are stiffer, but must not contain more energy.
     Relax(state, before / after);
   }
   state.Budget = energyOf(to) + room;
@@ -253,7 +253,7 @@ BakedShell::BakedShell(ShellDescription description)
 
 const ToolColumns& BakedShell::Columns()
 {
-  // Never destroyed, because a filter may live until the process ends.
+  // Never destroyed, because a filter may exist until the process ends.
   static const auto* const columns = new ToolColumns{ { "ToolOrientation", "", 4, true,
     [](const HapticModel& model, const TickRecord& record, double* numbers)
     {

@@ -4,9 +4,10 @@
  * @file
  * A tool with a shape, baked for the servo tick (ShellCoupling.h).
  *
- * Its frame is the stylus's: the origin is at the device's tip, and the axes are the stylus's. Its
- * size is fixed in the world, so that it is felt as large as it is drawn, whatever the placement of
- * the device. If the device does not measure an orientation, the tool keeps the last one.
+ * The tool's frame is the stylus's: the origin is at the device's tip, and the axes are the
+ * stylus's. The tool has a fixed size in the world, so it is felt with the size in which it is
+ * drawn, whatever the placement of the device. If the device does not measure an orientation, the
+ * tool keeps its last one.
  */
 #ifndef BakedShell_h
 #define BakedShell_h
@@ -20,11 +21,11 @@
 namespace VolumeHaptics
 {
 
-/** A tool with a shape, and the settings with which it is felt. */
+/** A tool with a shape, and its haptic settings. */
 struct ShellDescription
 {
   std::shared_ptr<const PointShell> Points; ///< points in world units; not null
-  /** Settings of the shell. Here, ContactArea is in square world units, and Scale is not used. */
+  /** Settings of the shell. ContactArea is in square world units here, and Scale is not used. */
   ShellSettings Touch;
 };
 
@@ -32,11 +33,11 @@ struct ShellDescription
 class ShapedTool : public BakedTool
 {
 public:
-  /** Returns the tool of a model, or null if the tool has no shape. Not for ticks. */
+  /** Returns the tool of a model, or null if it has no shape. Not for ticks. */
   static const ShapedTool* Find(const BakedVolume& baked) noexcept;
 
   bool IsSame(const BakedTool& other) const override;
-  /** Moves the state to another model. If that is impossible, the hand starts again. */
+  /** Moves the state to another model. If this is impossible, the tool starts anew in the hand. */
   bool Carry(const HapticModel& from, const HapticModel& to, ServoState& state,
     ToolMemory* memory) const noexcept override;
   void Begin(ServoState& state) const noexcept override;
@@ -53,7 +54,7 @@ protected:
   static void WriteRecord(const ToolTick& tick, const ShellRecord& felt) noexcept;
 };
 
-/** What a tool with a shape keeps between ticks: its points, and where they touch. */
+/** Data that a tool with a shape keeps between ticks: its points, and where they touch. */
 class ShapedMemory : public ToolMemory
 {
 public:
@@ -72,7 +73,7 @@ class BakedShell final : public ShapedTool
 public:
   explicit BakedShell(ShellDescription description);
 
-  /** Returns the column ToolOrientation. */
+  /** Returns the trace's column ToolOrientation. */
   static const ToolColumns& Columns();
 
   bool Step(const ToolTick& tick) const noexcept override;
@@ -86,8 +87,9 @@ public:
 ///@{
 /**
  * For recordings. FindKeptContacts() returns the contacts that a tool with a shape has copied
- * (ToolMemory::Keep), or null if the memory is not of such a tool. RestoreContacts() continues with
- * a copy of contacts; it returns false and changes nothing if they belong to another tool.
+ * (ToolMemory::Keep), or null if the memory does not belong to such a tool. RestoreContacts()
+ * continues with a copy of contacts; it returns false and changes nothing if they belong to another
+ * tool.
  */
 const ShellContacts* FindKeptContacts(const ToolMemory* memory) noexcept;
 bool RestoreContacts(ToolMemory& memory, const BakedVolume& baked,

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The cells and samples of four points at a time, in the lanes of vectors. The rules of
- * FieldKernels.h hold here, too.
+ * Computes the cells and reads the samples of four points at a time, in the lanes of vectors. The
+ * rules of FieldKernels.h hold here, too.
  */
 #ifndef FourCells_h
 #define FourCells_h
@@ -19,7 +19,6 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Four three-vectors. */
 struct FourVectors
 {
   Double4 X;
@@ -53,8 +52,8 @@ VOLUME_HAPTICS_INLINE FourVectors Times(const double* m, const FourVectors& v)
 }
 
 /**
- * The cells of four points along an axis, and the points' positions in them. Computed as by
- * LocateCell.
+ * The cells of four points along an axis, and the points' positions in them, computed as by
+ * LocateCell().
  */
 struct FourPlaces
 {
@@ -71,7 +70,7 @@ VOLUME_HAPTICS_INLINE FourPlaces LocateCells(const Double4& position, double fir
 
 /**
  * Loads a pair of neighbours along x for each of four points. Each pair begins `distance` elements
- * behind the point's sample. `first` gets the first neighbours, and `second` the second ones. If
+ * after the point's sample. `first` receives the first neighbours, and `second` the second ones. If
  * IsRow, samples along x are adjacent in memory, and sx is not used.
  */
 template <bool IsRow, typename T>
@@ -126,7 +125,7 @@ VOLUME_HAPTICS_INLINE FourCells<T> ComputeCells(
 }
 
 /**
- * Loads a pair of neighbours along x for each cell. Each pair begins `distance` elements behind the
+ * Loads a pair of neighbours along x for each cell. Each pair begins `distance` elements after the
  * cell's first sample.
  */
 template <bool IsRow, typename T>

@@ -11,7 +11,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Spreads the lower 20 bits of a number, with two zeros after each. */
+/** Spreads the lower 20 bits of a number, inserting two zeros after each. */
 std::uint64_t SpreadBits(std::uint64_t bits)
 {
   std::uint64_t spread = 0;
@@ -40,7 +40,7 @@ struct ShellBox
   Vector3 High;
 };
 
-/** Returns the box of some points, of which there must be at least one. */
+/** Returns the bounding box of points. There must be at least one. */
 ShellBox ComputeBox(const ShellPoint* begin, const ShellPoint* end)
 {
   ShellBox box{ begin->Position, begin->Position };
@@ -79,7 +79,7 @@ void SortAlongCurve(std::vector<ShellPoint>& points)
   points.swap(sorted);
 }
 
-/** Computes a sphere around some points from their box. */
+/** Computes a sphere around points from their bounding box. */
 ShellBlock MakeBlock(const ShellPoint* begin, const ShellPoint* end)
 {
   const ShellBox box = ComputeBox(begin, end);

@@ -17,7 +17,7 @@ namespace VolumeHaptics
 
 /**
  * A point of a tool's surface, in the tool's own frame and in any unit of length
- * (ShellSettings::Scale), with the area of surface that belongs to it.
+ * (ShellSettings::Scale), with the area of the surface around it.
  */
 struct ShellPoint
 {
@@ -25,7 +25,7 @@ struct ShellPoint
   double Area = 0.0; ///< area, more than 0
 };
 
-/** Settings of how a shell is felt. */
+/** Haptic settings of a shell. */
 struct ShellSettings
 {
   double Level = 0.0;               ///< V_c, the level of contact
@@ -33,7 +33,7 @@ struct ShellSettings
   double ContactArea = 2.5e-5;      ///< area to which materials refer (m^2)
   double CouplingStiffness = 500.0; ///< stiffness between hand and tool (N/m)
   double TurningStiffness = 0.5;    ///< stiffness against rotation between hand and tool (N m/rad)
-  double Scale = 1.0;               ///< length of the shell's unit (m)
+  double Scale = 1.0;               ///< the shell's unit of length (m)
 };
 
 /** A block of 64 neighbouring points. The last block may have fewer. */
@@ -47,13 +47,14 @@ struct ShellBlock
 
 /**
  * The surface of a tool. Immutable. The points are ordered so that neighbours in space are
- * neighbours in memory, and their numbers are stored so that several can be read at a time.
+ * neighbours in memory, and each coordinate has its own array, so that several points can be read
+ * at a time.
  */
 class PointShell
 {
 public:
   /**
-   * Makes a shell of points. Leaves out points without an area or with a number that is not finite.
+   * Makes a shell of points. Drops points without an area, or with a number that is not finite.
    */
   explicit PointShell(std::vector<ShellPoint> points);
 
@@ -70,7 +71,7 @@ public:
   double GetArea() const noexcept { return this->Area; } ///< sum of all areas
   /** Largest distance of a point from the origin. */
   double GetReach() const noexcept { return this->Reach; }
-  /** Returns the memory that this uses (bytes). */
+  /** Returns the memory use (bytes). */
   std::size_t GetMemorySize() const noexcept;
 
 private:

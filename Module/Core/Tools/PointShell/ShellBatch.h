@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The data that the kernels of a shell read and write. ShellReader.h declares the kernels, and
+ * The data that a shell's kernels read and write. ShellReader.h declares the kernels, and
  * ShellContacts.h explains contacts.
  */
 #ifndef ShellBatch_h
@@ -19,17 +19,17 @@ namespace VolumeHaptics
 {
 
 /**
- * A point that is held. Kernels read it as two vectors of four numbers, followed by the point's
+ * A point in contact. Kernels read it as two vectors of four numbers, followed by the point's
  * number.
  */
 struct ShellContact
 {
   Vector3 Offset;   ///< vector from the foot to the point, along the device's axes (m)
   double Depth;     ///< length of Offset (m)
-  double Energy;    ///< in J
-  double Stretch;   ///< u in m
+  double Energy;    ///< energy (J)
+  double Stretch;   ///< stretch u (m)
   double Stiffness; ///< stiffness (N/m^3) with which the contact was computed
-  double Strength;  ///< in N/m^2
+  double Strength;  ///< strength (N/m^2)
   std::uint32_t Point;
 };
 static_assert(std::is_standard_layout_v<ShellContact> &&
@@ -38,10 +38,10 @@ static_assert(std::is_standard_layout_v<ShellContact> &&
     offsetof(ShellContact, Strength) == 7 * sizeof(double),
   "eight numbers in this order");
 
-/** Maps of a gradient per index step, and of a displacement in the device's space. */
+/** Maps for a gradient per index step, and for a displacement in the device's space. */
 struct ShellFrame
 {
-  /// matrix by rows, to a gradient per world unit along the device's axes
+  /// matrix by rows, from a gradient per index step to one per world unit along the device's axes
   double GradientToDevice[9];
   double DeviceToIndex[9]; ///< matrix by rows, from m to index steps
   double UnitsPerMeter;
@@ -50,7 +50,7 @@ struct ShellFrame
   double KernelRadius; ///< in voxels, if the kernel is that long along each direction; otherwise 0
 };
 
-/** The pose of a tool as maps. */
+/** The pose of a tool, as maps. */
 struct ShellPlacement
 {
   double ToolToIndex[12]; ///< a matrix by rows, followed by an offset
@@ -63,7 +63,9 @@ struct ShellPlacement
  */
 struct ShellBatch
 {
-  /** Limit of the points; a batch with all results then fits into the first-level cache. */
+  /**
+   * Limit of the points. With this limit, a batch with all results fits into the first-level cache.
+   */
   static constexpr std::size_t Most = 64;
 
   std::size_t Count = 0;
@@ -94,27 +96,27 @@ struct ShellBatch
   ///@}
   double Inside[Most]; ///< trilinear value at Behind
   /**
-   * Stiffness, surface strength and visibility of the material at Behind; only used if ShellLaw has
+   * Stiffness, surface strength and visibility of the material at Behind. Only used if ShellLaw has
    * no table.
    */
   double Material[3][Most];
 };
 
 /**
- * The forces on points. There is one array for each number, filled up with 0 to a multiple of four.
+ * The forces on points. There is one array for each number, padded with 0 to a multiple of four.
  */
 struct ShellPushes
 {
   /**
-   * Limit of the points that may be in contact whose forces are summed at once. The sums of several
-   * such groups are then added.
+   * Limit of the points that may be in contact in one group. The forces of each group are summed at
+   * once, and then added to those of the other groups.
    */
   static constexpr std::size_t Most = 128;
 
   std::size_t Count = 0;
   double Wrench[6][Most]; ///< wrench of 1 N along the normal n: n, and arm x n (m)
-  double Force[Most];     ///< in N
-  double Stiffness[Most]; ///< in N/m
+  double Force[Most];     ///< force (N)
+  double Stiffness[Most]; ///< stiffness (N/m)
 };
 
 /** The data from which the forces of points are computed, given their depths. */
@@ -123,17 +125,17 @@ struct ShellLaw
   const MaterialTable* Materials; ///< null if ShellBatch::Material is set
   const DistinctnessTable* Distinctness;
   ///@{
-  /** The segments that contained the last numbers, which only make the next lookup faster. */
+  /** The segments that contained the last numbers. They only make the next lookup faster. */
   const MaterialTable::Segment* LastMaterial;
   const DistinctnessTable::Segment* LastDistinctness;
   ///@}
-  double LeastStiffness;   ///< stiffness in N/m below which nothing is felt
-  double PerContactArea;   ///< inverse of the contact area in 1/m^2
+  double LeastStiffness;   ///< stiffness (N/m) below which nothing is felt
+  double PerContactArea;   ///< inverse of the contact area (1/m^2)
   double SquareMeters;     ///< area (m^2) of a unit of ShellBatch::Area
   Vector3 FadePerVoxel;    ///< HapticModel::FadePerVoxel
   double Fraction;         ///< fraction of their energies that the earlier contacts keep
   double FarthestFollowed; ///< limit of ShellBatch::Beyond (m)
-  bool IsStart;            ///< whether contacts begin without energy, whatever their depth
+  bool IsStart;            ///< whether contacts begin without energy, whatever their depth is
 };
 
 } // namespace VolumeHaptics

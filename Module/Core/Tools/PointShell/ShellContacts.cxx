@@ -13,14 +13,17 @@ namespace
 {
 
 /**
- * Distance (voxels) of a foot from the level above which it is not found yet. The depth of its
- * point is then not work of the hand.
+ * A foot is not found yet if it is more than this distance (voxels) from the level. The depth of
+ * its point then does not come from work of the hand.
  */
 constexpr double FarthestFollowed = 0.75;
 
-/** Allowance (voxels) for rounding in sums of lengths and in the map to indices. */
+/** Margin (voxels) for rounding in sums of lengths and in the map to indices. */
 constexpr double LeastClearance = 1e-4;
-/** Distance (voxels) from the tool above which marks would not last, so that none are made. */
+/**
+ * If the tool has moved farther than this (voxels) since the last time, marks would soon expire, so
+ * none are made.
+ */
 constexpr double MostWayOfMarks = 0.2;
 
 void SetRows(const Matrix3& matrix, double* rows) noexcept
@@ -89,14 +92,14 @@ void Compact(ShellBatch& batch, std::uint64_t chosen) noexcept
 
 } // namespace
 
-/** Collects points that may be in contact, until there are enough to be computed together. */
+/** Collects points that may be in contact, until there are enough to compute them together. */
 struct ShellContactFinder::Candidates
 {
   ShellBatch Batch;
   ShellLaw Law;
   MixMemory Labels; ///< results of label lookups, which only make the next lookups faster
   ShellPushes Forces;
-  /** Number of candidates since the last AddForces(); Forces has those that press. */
+  /** Number of candidates since the last AddForces(). Forces contains those that press. */
   std::size_t Pushing = 0;
 };
 
@@ -138,8 +141,8 @@ double ShellContactFinder::ComputePerValue(
   {
     return 0.0;
   }
-  // Compute the length of sum g_a r_a, where g_a are slopes up to these, and r_a the rows of the
-  // map to indices.
+  // Compute the largest length of sum g_a r_a, where g_a are at most these slopes, and r_a the rows
+  // of the map to indices.
   double square = 0.0;
   for (int a = 0; a < 3; ++a)
   {
@@ -150,7 +153,7 @@ double ShellContactFinder::ComputePerValue(
   return 1.0 / std::max(std::sqrt(square), flattest);
 }
 
-/** Computes a block's clearance again if the tool has moved too far since the last time. */
+/** Updates a block's clearance if the tool has moved too far since the last time. */
 void ShellContactFinder::Survey(std::size_t block, const Affine3& toolToIndex, double way,
   ShellClearance& clearance) const noexcept
 {
@@ -159,7 +162,7 @@ void ShellContactFinder::Survey(std::size_t block, const Affine3& toolToIndex, d
     return;
   }
   const double from = clearance.Travelled;
-  // Allow one voxel, and a margin for rounding.
+  // Add one voxel, and a margin for rounding.
   constexpr double margin = 1.001;
   const ShellBlock& at = this->Shell.GetBlocks()[block];
   const Vector3& voxels = this->Model.VoxelsPerMeter;
@@ -170,8 +173,8 @@ void ShellContactFinder::Survey(std::size_t block, const Affine3& toolToIndex, d
   const bool isClear = !this->Reader.MayBeSolid(centre, half);
   const double perValue =
     isClear || way > MostWayOfMarks ? 0.0 : this->ComputePerValue(centre, half);
-  // A new bound on the slope changes the ways after which points may reach the level. The bound
-  // also holds for the way so far, because the tool has come from a place in this box.
+  // A new bound of the slope changes the lengths of motion after which points may reach the level.
+  // The bound also holds for the motion so far, because the tool comes from a place in this box.
   const bool isKnown = clearance.Until[block] >= 0.0 && perValue > 0.0;
   const double fraction = isKnown ? perValue / clearance.PerValue[block] : HUGE_VAL;
   double* const until = clearance.MarksUntil.data() + block * ShellBlock::Size;
@@ -181,7 +184,7 @@ void ShellContactFinder::Survey(std::size_t block, const Affine3& toolToIndex, d
   }
   clearance.IsClear[block] = isClear ? 1 : 0;
   clearance.PerValue[block] = perValue;
-  // A block that is not clear may soon become clear, so this is checked earlier.
+  // Check a block that is not clear earlier, because it may soon become clear.
   clearance.Until[block] = clearance.Travelled + way + (isClear || perValue > 0.0 ? 1.0 : 0.5);
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The contacts of a shell's points with a volume, and their forces.
+ * Computes the contacts of a shell's points with a volume, and their forces.
  *
  * A point is in contact where the volume's value is beyond the level of contact. Its depth is its
  * distance from the level's surface. Each contact stores the nearest place on that surface, its
@@ -11,18 +11,18 @@
  *
  *   n = g/|g|,   d = o.n + (V - V_c)/|g|,   o <- d n.
  *
- * A new contact has its foot at the point itself. The last term of d is limited to a voxel. So a
- * point may be deeper than the width of its structure's edge, where there may be no gradient at the
- * point itself.
+ * A new contact has its foot at the point itself. The last term of d is limited to a voxel. A point
+ * may therefore be deeper than the width of its structure's edge, where there may be no gradient at
+ * the point itself.
  *
  * The pressure is p = min(kappa u, P). kappa (N/m^3) and P (N/m^2) are stiffness and surface
- * strength of the material at a kernel radius behind the foot, divided by the contact area, and u
- * is the depth, unless that would create energy: the energy that a point's motion has stored,
+ * strength of the material at a kernel radius behind the foot, divided by the contact area. u is
+ * the depth, unless that would create energy: the energy that a point's motion has stored,
  *
  *   E = area phi(u),   phi = kappa u^2/2 up to the depth at which p = P, linear beyond,
  *
- * does not change with the material, and u follows from it, but is never more than d. A point that
- * is solid in the first tick, or whose foot is not found yet, has E = 0. The difference d - u is
+ * does not change with the material. u follows from it, but is never more than d. A point that is
+ * solid in the first tick, or whose foot is not found yet, has E = 0. The difference d - u is
  * slack, which ends with the contact.
  */
 #ifndef ShellContacts_h
@@ -40,12 +40,12 @@ namespace VolumeHaptics
 {
 
 /**
- * Bounds by which points need not be read, without a change of any result.
+ * Bounds that show which points need not be read. They do not change any result.
  *
- * A block of points is clear if no sample around it is solid, up to a voxel from its points. For
- * other points, the bound is their distance from the nearest place that may have the level of
- * contact: the difference of their values from the level, divided by the largest slope of the
- * values around their block. A point is read again when it may have moved that far.
+ * A block of points is clear if no sample around it is solid, up to a voxel from its points. In
+ * other blocks, the bound of a point is its distance from the nearest place that may have the level
+ * of contact: the difference between its value and the level, divided by the largest slope of the
+ * values around the block. A point is read again when it may have moved that far.
  */
 struct ShellClearance
 {
@@ -66,14 +66,17 @@ struct ShellClearance
     }
   }
 
-  double Travelled = 0.0; ///< largest motion of any point in voxels, summed over all looks
-  /** For each block, Travelled at which IsClear and PerValue expire; -1 if they are not known. */
+  double Travelled = 0.0; ///< largest motion (voxels) of any point, summed over all evaluated poses
+  /**
+   * For each block, the value of Travelled at which IsClear and PerValue expire; -1 if they are not
+   * known.
+   */
   std::vector<double> Until;
   std::vector<char> IsClear;
   ///@{
   /**
-   * Least number of voxels over which the value around each block changes by 1, as if no tissue
-   * were removed (ShellMarking).
+   * Least number of voxels over which the value around each block changes by 1, ignoring removed
+   * tissue (ShellMarking).
    */
   std::vector<double> PerValue;
   std::vector<std::uint64_t> Marks;
@@ -81,7 +84,7 @@ struct ShellClearance
   ///@}
 };
 
-/** The contacts at a pose, in ascending order of their points. Its memory does not grow. */
+/** The contacts at a pose, in ascending order of their points. Their memory does not grow. */
 struct ShellContacts
 {
   explicit ShellContacts(std::size_t points)
@@ -91,14 +94,15 @@ struct ShellContacts
   }
 
   std::vector<ShellContact> List;
-  std::vector<std::uint64_t> Marks; ///< bit for each point that is set if it is in List
+  std::vector<std::uint64_t> Marks; ///< one bit for each point, which is set if the point is in
+                                    ///< List
   std::size_t Count = 0;
   double Fraction = 1.0; ///< fraction of the stored energies that counts
 };
 
 /**
- * Computes the contacts at a pose from those at a pose nearby. Stores references to all its
- * arguments.
+ * Computes the contacts at a pose from those at a pose nearby. All arguments of the constructor
+ * must outlive this object.
  */
 class ShellContactFinder
 {
@@ -112,7 +116,7 @@ public:
   double ComputeWay(const ShellPose& from, const ShellPose& to) const noexcept;
   /**
    * Collects the contacts at a pose. If isStart, they have no energy, whatever their depth. `way`
-   * is the length of the motion since the pose of ShellClearance::Travelled.
+   * is the length of the motion since the pose to which ShellClearance::Travelled belongs.
    */
   void Collect(const ShellPose& pose, double way, bool isStart, const ShellContacts& from,
     ShellContacts& to, ShellClearance& clearance, ShellSum& sum) const noexcept;
@@ -122,8 +126,8 @@ private:
   void Survey(std::size_t block, const Affine3& toolToIndex, double way,
     ShellClearance& clearance) const noexcept;
   /**
-   * Returns the least number of voxels over which the value around a block changes by 1, or 0 if
-   * that is not known.
+   * Returns the least number of voxels over which the value around a block changes by 1, or 0 if it
+   * is not known.
    */
   double ComputePerValue(const Vector3& centre, const Vector3& half) const noexcept;
   std::uint64_t Mark(
@@ -142,7 +146,7 @@ private:
   const double Voxel; ///< smallest spacing (m)
   const double Scale; ///< length of the shell's unit (m)
   const ShellFrame Frame;
-  /** Converts slopes along the axes to the slope per voxel: xx, yy, zz, xy, yz, zx. */
+  /** Maps slopes along the axes to the slope per voxel: xx, yy, zz, xy, yz, zx. */
   double Steepness[6];
 };
 

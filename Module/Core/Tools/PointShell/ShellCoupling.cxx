@@ -15,21 +15,21 @@ namespace
 /** Largest coordinate of a hand (m). */
 constexpr double FarthestHand = 1e9;
 /**
- * Limit of the poses ("looks") at which a tick evaluates the contacts, and limit of the points that
+ * Limit of the poses at which a tick evaluates the contacts ("looks"), and limit of the points that
  * it reads at all poses together. Two poses are always allowed.
  */
 constexpr std::size_t MostLooks = 16;
 constexpr std::size_t MostPointsRead = 40000;
-/** Factor by which reading a point takes longer where a burr has removed tissue. */
+/** Reading a point takes longer by this factor where a burr has removed tissue. */
 constexpr std::size_t PointsOfCarved = 5;
 /**
- * Change of the force by the next step below which a tick ends: this fraction of the force plus
+ * A tick ends if the next step would change the force by less than this fraction of the force plus
  * this force (N).
  */
 constexpr double ForceFraction = 5e-3;
 constexpr double ForceTolerance = 5e-4;
 /**
- * Fraction by which a step may raise the energy, because noise in the data can cause such a rise.
+ * A step may raise the energy by this fraction, because noise in the data can cause such a rise.
  */
 constexpr double EnergyTolerance = 0.02;
 /**
@@ -190,8 +190,8 @@ public:
       pull = this->Springs.At(next, hand);
       if (this->IsTooMuch(before, pull) && this->Looks < this->Most)
       {
-        // The step was computed without the contacts that it has met. The sums have them now, so
-        // correct the step once.
+        // The step was computed without the contacts that it has just met. The sums now contain
+        // them, so correct the step once.
         next = this->Corrected(next, pull);
         this->Look(next, false);
         pull = this->Springs.At(next, hand);
@@ -239,7 +239,8 @@ private:
     const ShellPose tool = s.Tool;
     const Coupling::Pull pull = this->Springs.At(tool, s.Hand);
     s.IsCarried = false;
-    s.Budget = std::max(s.Budget, pull.Energy); // by rounding, the energy may exceed the budget
+    s.Budget = std::max(s.Budget, pull.Energy); // because of rounding, the energy may exceed the
+                                                // budget
     this->Look(tool, false);
     this->Apply(tool, pull);
   }
@@ -255,7 +256,7 @@ private:
     this->IsAway = true;
     ++this->Looks;
   }
-  /** Returns from a pose that was evaluated but not adopted. */
+  /** Returns from a pose that was evaluated but not accepted. */
   void GoBack() noexcept
   {
     if (this->IsAway)
@@ -291,7 +292,7 @@ private:
     return Moved(from, step, this->ComputeFraction(step));
   }
 
-  /** Returns whether one step rotates a free tool to the hand's orientation. */
+  /** Returns whether one step can rotate a free tool to the hand's orientation. */
   bool IsNearlyTurned(const ShellPose& hand) const noexcept
   {
     const Quaternion turn = this->State.Tool.Orientation * Conjugate(hand.Orientation);
@@ -299,7 +300,7 @@ private:
     return std::abs(turn.W) > least;
   }
 
-  /** Adopts the pose of the last look if the budget pays for its pull. Returns whether it does. */
+  /** Accepts the pose of the last look if the budget pays for its pull. Returns whether it does. */
   bool Apply(const ShellPose& next, const Coupling::Pull& pull) noexcept
   {
     ShellState& s = this->State;
@@ -336,7 +337,7 @@ private:
   bool IsFar(const Step& step, const Coupling::Pull& pull) const noexcept
   {
     const double tolerance = ForceTolerance + ForceFraction * Norm(pull.Force);
-    // At an arm of this length, a force of this size has the torque's change.
+    // At an arm of this length, a force of this size corresponds to the torque's change.
     constexpr double leastArm = 1e-3; // in m
     const double torque = std::max(this->Reach, leastArm) * tolerance;
     return this->Springs.Stiffness * Norm(step.Move) > tolerance ||
@@ -350,8 +351,8 @@ private:
   ShellState& State;
   ShellMemory& Memory;
   ShellSum Sum;        ///< sum at the pose of the last look
-  double Way = 0.0;    ///< length from the tool to the last look in voxels
-  bool IsAway = false; ///< whether the pose of the last look was not adopted
+  double Way = 0.0;    ///< distance (voxels) from the tool to the last look
+  bool IsAway = false; ///< whether the pose of the last look was not accepted
   std::uint32_t Looks = 0;
   bool IsUnfinished = false;
 };

@@ -2,25 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A tool with a shape in the hand: computes force and torque from the pose of the hand.
+ * Computes the force and torque of a tool with a shape from the pose of the hand.
  *
- * Between the hand's pose (y, q_y) and the tool's pose (x, q_x) are two springs with the energy
+ * Two springs connect the hand's pose (y, q_y) with the tool's pose (x, q_x). Their energy is
  *
  *   U = k/2 |x - y|^2 + 2 k_r sin^2(theta/2),
  *
  * where theta is the angle between both. The tool is where the sum of U and the contacts' energy E
- * (ShellContacts.h) is smallest: it has no mass (a quasi-static coupling). A tick takes
- * Gauss-Newton steps from the tool's last pose towards that pose; usually one step is enough. No
- * point moves farther than a quarter of a voxel between two looks, so that thin walls hold fast
- * tools.
+ * (ShellContacts.h) is smallest, because it has no mass (a quasi-static coupling). A tick makes
+ * Gauss-Newton steps from the tool's last pose towards this pose; usually one step is enough. No
+ * point moves farther than a quarter of a voxel between two looks, so that even thin walls stop
+ * fast tools.
  *
  * The hand feels f = k (x - y), and the torque k_r sin(theta) about the axis of the rotation.
  *
- * Passivity: a budget S holds the energy that the hand has put in. When the hand moves while the
- * tool rests, S changes by the same amount as U. Steps keep U + E <= S; if nothing else helps, the
- * contacts lose energy. So U <= S always holds, and the hand gets back at most what it has put in,
- * for any volume, materials and accuracy of the steps. The energy that a contact has lost pays for
- * later rises, but only up to a tenth of the stored energy, and not after the contact.
+ * Passivity: a budget S contains the energy that the hand has put in. When the hand moves while the
+ * tool rests, S changes by the same amount as U. Steps maintain U + E <= S; if nothing else helps,
+ * the contacts lose energy. U <= S therefore always holds, and the hand gets back at most the
+ * energy that it has put in, for any volume, materials and accuracy of the steps. The energy that a
+ * contact has lost pays for later rises, but only up to a tenth of the stored energy, and not after
+ * the contact.
  */
 #ifndef ShellCoupling_h
 #define ShellCoupling_h
@@ -30,7 +31,10 @@
 namespace VolumeHaptics
 {
 
-/** The contacts at ShellState::Tool, and memory for the contacts of a step. For one shell. */
+/**
+ * The contacts at ShellState::Tool, and memory for the contacts of a step. Each shell needs its
+ * own.
+ */
 class ShellMemory
 {
 public:
@@ -50,7 +54,8 @@ public:
 
   ///@{
   /**
-   * Keep() copies the current contacts, and GetKept() returns the copy. A recording begins with it.
+   * Keep() copies the current contacts, and GetKept() returns the copy, with which a recording
+   * begins.
    */
   void Keep() noexcept;
   const ShellContacts& GetKept() const noexcept { return this->Kept; }
@@ -74,7 +79,7 @@ private:
   int Current = 0;
 };
 
-/** The results of a tick in device space: metres and newtons. */
+/** The results of a tick in device space (metres and newtons). */
 struct ShellRecord
 {
   ShellPose Hand;
@@ -100,10 +105,10 @@ double ComputeCouplingEnergy(const ShellSettings& settings, const ForceCaps& cap
   const ShellPose& tool, const ShellPose& hand) noexcept;
 
 /**
- * Advances the state by one tick. If the hand is not finite, is far away, or has no unit
- * quaternion, the force is zero and the state becomes disabled, and also if the model is not that
- * of the last tick, or the memory belongs to another shell. The next tick then begins with the tool
- * in the hand. The function neither allocates, locks nor throws.
+ * Advances the state by one tick. The force is zero and the state becomes disabled if the hand is
+ * not finite, is far away, or has no unit quaternion, if the model has changed since the last tick,
+ * or if the memory belongs to another shell. The next tick then begins with the tool in the hand.
+ * The function neither allocates, locks nor throws.
  */
 void TickShell(const HapticModel& model, const PointShell& shell, const ShellSettings& settings,
   const ShellPose& hand, ShellState& state, ShellMemory& memory, ShellRecord& record) noexcept;

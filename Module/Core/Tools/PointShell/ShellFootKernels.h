@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Values and gradients at the feet of points, for ShellKernels.h. The rules of FieldKernels.h hold
- * here, too.
+ * Reads values and gradients at the feet of points, for ShellKernels.h. The rules of FieldKernels.h
+ * hold here, too.
  */
 #ifndef ShellFootKernels_h
 #define ShellFootKernels_h
@@ -42,7 +42,7 @@ VOLUME_HAPTICS_OUTLINE void ReadFootAtBorder(
 
 /**
  * Reads the value and its central differences. These are seven interpolations with the same
- * weights. The differences reach over one sample on both sides, so that 32 samples suffice.
+ * weights. The differences extend over one sample on both sides, so 32 samples suffice.
  */
 template <typename T>
 VOLUME_HAPTICS_INLINE void ReadFoot(const FieldView& view, double x, double y, double z, double* to)
@@ -68,8 +68,8 @@ VOLUME_HAPTICS_INLINE void ReadFoot(const FieldView& view, double x, double y, d
   const double fz = az.Fraction;
   const double ey = 1.0 - fy;
   const double ez = 1.0 - fz;
-  // Four lines along x each: those of the cell, their neighbours along y, and their neighbours
-  // along z.
+  // Four lines along x in each array: the lines of the cell, their neighbours along y, and their
+  // neighbours along z.
   const T* const inner[4] = { p, p + sy, p + sz, p + sy + sz };
   const T* const besideY[4] = { p - sy, p - sy + sz, p + 2 * sy, p + 2 * sy + sz };
   const T* const besideZ[4] = { p - sz, p - sz + sy, p + 2 * sz, p + 2 * sz + sy };
@@ -115,7 +115,7 @@ void ReadOneFoot(const ShellReading& reading, double x, double y, double z, doub
   ReadFoot<T>(reading.View, x, y, z, to);
 }
 
-/** One lane of ReadFoot's sums for four points. */
+/** One lane of ReadFoot()'s sums for four points. */
 struct FourFeet
 {
   Double4 Of[7];
@@ -127,9 +127,9 @@ VOLUME_HAPTICS_INLINE FourFeet AddFeet(const FourFeet& a, const FourFeet& b)
 }
 
 /**
- * Computes what one line along x adds to the sums of ReadFoot, for four cells at a time. isSecondY
- * and isSecondZ choose one of a cell's four lines. If IsRow, the line's samples are adjacent in
- * memory.
+ * Computes the contribution of one line along x to the sums of ReadFoot(), for four cells at a
+ * time. isSecondY and isSecondZ select one of a cell's four lines. If IsRow, the line's samples are
+ * adjacent in memory.
  */
 template <typename T, bool IsRow>
 VOLUME_HAPTICS_INLINE FourFeet ReadLine(const FourCells<T>& at, const std::int64_t* stride,
@@ -147,7 +147,7 @@ VOLUME_HAPTICS_INLINE FourFeet ReadLine(const FourCells<T>& at, const std::int64
   const Double4 acrossZ = wy * (isSecondZ ? ez : fz);
   const std::int64_t sx = IsRow ? 1 : stride[0];
   const std::int64_t line = (isSecondY ? stride[1] : 0) + (isSecondZ ? stride[2] : 0);
-  // In the lanes of ReadFoot, the neighbours along y are in another order.
+  // In the lanes of ReadFoot(), the neighbours along y have another order.
   const bool isBehind = isSecondZ;
   const Double4 outer = (isSecondZ ? fy : ey) * (isSecondY ? fz : ez);
   const std::int64_t besideY =
@@ -177,8 +177,7 @@ VOLUME_HAPTICS_INLINE FourFeet ReadLine(const FourCells<T>& at, const std::int64
 }
 
 /**
- * Does the same as ReadFoot, for four points at a time. Returns false if one of them is at the
- * border.
+ * Like ReadFoot(), for four points at a time. Returns false if one of them is at the border.
  */
 template <typename T, bool IsRow>
 VOLUME_HAPTICS_INLINE bool ReadFourFeet(const FieldView& view, std::size_t i, ShellBatch& batch)
@@ -198,7 +197,7 @@ VOLUME_HAPTICS_INLINE bool ReadFourFeet(const FieldView& view, std::size_t i, Sh
   const Double4 fy = at.Y.Fraction;
   const Double4 fz = at.Z.Fraction;
   const std::int64_t* const stride = view.Volume.Stride;
-  // Add in the same order as AddLanes.
+  // Add in the same order as AddLanes() does.
   FourFeet sum = AddFeet(ReadLine<T, IsRow>(at, stride, fy, fz, false, false),
     ReadLine<T, IsRow>(at, stride, fy, fz, false, true));
   sum = AddFeet(sum,
@@ -235,7 +234,7 @@ void ReadFeet(const ShellReading& reading, ShellBatch& batch) noexcept
                               : ReadFourFeet<T, false>(reading.View, i, batch);
     for (std::size_t n = i; n < i + 4; ++n)
     {
-      // ReadFoot handles samples that are NaN or infinite.
+      // Leave samples that are NaN or infinite to ReadFoot().
       const bool isDone = isRead &&
         (!std::is_floating_point_v<T> ||
           IsNumber(

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads the volume at many points at once, as templates. Only one translation unit for each
- * instruction set may include this file. The rules of FieldKernels.h hold here, too.
+ * Reads the volume at many points at once. The functions are templates, and only one translation
+ * unit for each instruction set may include this file. The rules of FieldKernels.h hold here, too.
  */
 #ifndef ShellKernels_h
 #define ShellKernels_h
@@ -55,7 +55,7 @@ void PlacePoints(
 }
 
 /**
- * Computes the feet of four points from the samples. Returns the bits of points that may be in
+ * Computes the feet of four points from the samples. Returns one bit for each point that may be in
  * contact.
  */
 VOLUME_HAPTICS_INLINE std::uint64_t ComputeFeet(
@@ -64,8 +64,8 @@ VOLUME_HAPTICS_INLINE std::uint64_t ComputeFeet(
   const FourVectors gradient = Times(frame.GradientToDevice, LoadVectors(batch.Gradient, i));
   const Double4 magnitude = Root(DotOf(gradient, gradient));
   const FourVectors normal = Scaled(Spread(reading.Sign) / magnitude, gradient);
-  // Differences over two samples are less steep than the edge of a mask, so the slope in the cell
-  // determines the step along the normal to the level.
+  // Differences over two samples are less steep than the edge of a mask, so use the slope in the
+  // cell for the step along the normal to the level.
   const Double4 slope =
     reading.Sign * DotOf(normal, Times(frame.GradientToDevice, LoadVectors(batch.Cell, i)));
   const Double4 steepest = frame.UnitsPerMeter * Larger(slope, magnitude);
@@ -87,7 +87,7 @@ VOLUME_HAPTICS_INLINE std::uint64_t ComputeFeet(
   StoreVectors(foot, batch.Foot, i);
   StoreVectors({ foot.X + reach * along.X, foot.Y + reach * along.Y, foot.Z + reach * along.Z },
     batch.Behind, i);
-  // The conditions are false for NaN, too: without a gradient there is no contact.
+  // The comparisons are false for NaN, too: without a gradient there is no contact.
   const Double4 floor = 1e-12 * Larger(value, -1.0 * value);
   const std::uint64_t isRising = IsAbove(magnitude, floor) & IsAbove(Spread(HUGE_VAL), magnitude);
   const std::uint64_t isDeep = IsAbove(depth, Spread(0.0)) & batch.Solid >> i;
@@ -165,7 +165,7 @@ void AddForces(const ShellPushes& forces, double* gradient, double* curvature) n
   AddRows<5, 6>(forces, gradient, curvature);
 }
 
-/** Does the same as Trilinear, for four indices at a time. */
+/** Like Trilinear(), for four indices at a time. */
 template <typename T, bool IsRow>
 VOLUME_HAPTICS_INLINE Double4 ReadFourValues(const FieldView& view, const FourVectors& indices)
 {

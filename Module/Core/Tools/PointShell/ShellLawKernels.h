@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The law of contacts for four points at a time, for ShellKernels.h. The rules of FieldKernels.h
- * hold here, too.
+ * Applies the law of contacts to four points at a time, for ShellKernels.h. The rules of
+ * FieldKernels.h hold here, too.
  */
 #ifndef ShellLawKernels_h
 #define ShellLawKernels_h
@@ -30,7 +30,7 @@ VOLUME_HAPTICS_INLINE std::uint32_t CountLanes(std::uint64_t bits)
 
 /**
  * Loads four of the eight numbers of four contacts, beginning with number `first` (0 or 4). Each
- * result has one of the numbers, with one contact in each lane.
+ * result contains one of the numbers, with one contact per lane.
  */
 VOLUME_HAPTICS_INLINE void LoadContacts(const ShellContact* const* from, std::size_t first,
   Double4& a, Double4& b, Double4& c, Double4& d)
@@ -68,7 +68,7 @@ VOLUME_HAPTICS_INLINE Double4 Evaluate(const FourSegments<Segment>& segments, in
     segments.Way;
 }
 /**
- * Finds the segments of four numbers. Tries the segment of the last numbers first, because mostly
+ * Finds the segments of four numbers. Tries the segment of the last numbers first, because usually
  * it contains these, too.
  */
 template <typename Table>
@@ -94,7 +94,7 @@ VOLUME_HAPTICS_INLINE FourSegments<typename Table::Segment> FindSegments(
   return found;
 }
 
-/** Does the same as HapticModel::BorderFade, for four points. */
+/** Like HapticModel::BorderFade(), for four points. */
 VOLUME_HAPTICS_INLINE Double4 FadeAtBorder(
   const ShellReading& reading, const FourVectors& index, const Vector3& perVoxel)
 {
@@ -130,7 +130,7 @@ struct FourLaws
     const Double4 most = this->Strength / this->Stiffness;
     return ChooseAbove(pull, this->Strength, this->Strength * (u - 0.5 * most), stored);
   }
-  /** Returns the depths at which contacts have these energies (J/m^2). */
+  /** Returns the depths at which contacts have the given energies (J/m^2). */
   Double4 DepthOf(const Double4& energy) const
   {
     const Double4 most = this->Strength / this->Stiffness;
@@ -254,7 +254,7 @@ std::uint64_t HoldPoints(const ShellReading& reading, ShellLaw& law, ShellBatch&
 {
   for (std::size_t i = batch.Count; i % 4 != 0; ++i)
   {
-    // Repeat the last point, so that no other material is looked up.
+    // Fill up with the last point, so that no other material is looked up.
     const std::size_t last = batch.Count - 1;
     batch.Before[i] = batch.Before[last];
     batch.Magnitude[i] = batch.Magnitude[last];
@@ -281,7 +281,7 @@ std::uint64_t HoldPoints(const ShellReading& reading, ShellLaw& law, ShellBatch&
     const Double4 pull = laws.Stiffness * stretch;
     FourHolds holds;
     holds.Yielding = IsAbove(pull, laws.Strength);
-    // A point that is outside a wall leaves it if the force back is zero or too large.
+    // A point outside a wall leaves it if the force back is zero or too large.
     const std::uint64_t left = ~(batch.Solid >> i) & (IsEqual(stretch, zero) | holds.Yielding);
     const std::size_t rest = batch.Count - i;
     holds.Held = ~left & (rest < 4 ? AllLanes >> (4 - rest) : AllLanes);

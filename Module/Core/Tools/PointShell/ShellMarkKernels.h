@@ -27,7 +27,7 @@ VOLUME_HAPTICS_INLINE std::uint64_t MarkOf(
 {
   const bool isInside = x >= 0.0 && y >= 0.0 && z >= 0.0 && x <= reading.Border[0] &&
     y <= reading.Border[1] && z <= reading.Border[2];
-  // The condition is false for NaN.
+  // The comparison is false for NaN.
   const bool isBeyond = reading.Sign * (value - reading.Level) >= 0.0;
   return isInside && isBeyond ? 1 : 0;
 }
@@ -69,7 +69,7 @@ VOLUME_HAPTICS_INLINE std::uint64_t MarkFour(
     {
       if (!IsNumber(values[lane]))
       {
-        // Trilinear() ignores samples with the weight 0, which may be NaN.
+        // Trilinear() skips samples with the weight 0, which may be NaN.
         values[lane] = Trilinear<T>(view, x[lane], y[lane], z[lane]);
       }
     }
@@ -135,10 +135,10 @@ VOLUME_HAPTICS_INLINE std::uint64_t UpdateLate(const ShellReading& reading,
     Double4 values;
     const std::uint64_t found =
       MarkFour<T, IsRow>(reading, { load(points.X), load(points.Y), load(points.Z) }, map, values);
-    // The distances from the level, less an allowance for rounding.
+    // The distances from the level, minus a margin for rounding.
     const Double4 distance = size(values - level) - 1e-12 * (size(values) + size(level));
     // If a value is NaN, or if the slope is not known, the mark is valid only here. The limit keeps
-    // the length finite, because it is scaled.
+    // the length finite, because it will be scaled.
     constexpr double farthest = 1e300;
     const Double4 from = Spread(before.From);
     double until[4];
@@ -166,7 +166,10 @@ std::uint64_t UpdateMarks(const ShellReading& reading, const ShellNumbers& point
                                : UpdateLate<T, false>(reading, points, map, before, late);
 }
 
-/** Computes the largest magnitude of differences. The result is infinite if one is not a number. */
+/**
+ * Computes the largest magnitude of differences. The result is infinite if one of them is not a
+ * number.
+ */
 class MostDifference
 {
 public:
@@ -174,7 +177,7 @@ public:
   {
     const Double4 difference = next - at;
     this->Most = Larger(Larger(difference, -1.0 * difference), this->Most);
-    // The sum differs from 0 if a difference is not a number.
+    // This sum differs from 0 if a difference is not a number.
     this->Odd = this->Odd + (difference - difference);
   }
   double Compute() const
@@ -193,8 +196,8 @@ private:
 };
 
 /**
- * Computes the largest slopes in a box whose samples along x are adjacent in memory, and which has
- * at least five of them.
+ * Computes the largest slopes in a box whose samples along x are adjacent in memory. The box must
+ * have at least five of them along x.
  */
 template <typename T>
 VOLUME_HAPTICS_INLINE void ComputeMostSlopesOfRows(
@@ -208,7 +211,7 @@ VOLUME_HAPTICS_INLINE void ComputeMostSlopesOfRows(
     {
       const T* const row =
         static_cast<const T*>(reading.View.Volume.Data) + j * stride[1] + k * stride[2];
-      // The last samples have no neighbour in the box, so they are compared with themselves.
+      // The last samples have no neighbour in the box, so compare them with themselves.
       const std::int64_t sy = j < high[1] ? stride[1] : 0;
       const std::int64_t sz = k < high[2] ? stride[2] : 0;
       for (std::int64_t i = low[0];; i += 4)
@@ -242,7 +245,7 @@ void ComputeMostSlopes(const ShellReading& reading, const std::int64_t* low,
     ComputeMostSlopesOfRows<T>(reading, low, high, most);
     return;
   }
-  // Differences of small integers are computed as integers.
+  // Compute differences of small integers as integers.
   using Wide = std::conditional_t<std::is_integral_v<T> && sizeof(T) <= 2, std::int32_t, double>;
   const std::int64_t* const stride = reading.View.Volume.Stride;
   bool isFinite = true;
@@ -263,7 +266,7 @@ void ComputeMostSlopes(const ShellReading& reading, const std::int64_t* low,
     {
       const T* at = static_cast<const T*>(reading.View.Volume.Data) + low[0] * stride[0] +
         j * stride[1] + k * stride[2];
-      // The last samples have no neighbour in the box, so they are compared with themselves.
+      // The last samples have no neighbour in the box, so compare them with themselves.
       const std::int64_t sy = j < high[1] ? stride[1] : 0;
       const std::int64_t sz = k < high[2] ? stride[2] : 0;
       for (std::int64_t i = low[0]; i <= high[0]; ++i, at += stride[0])

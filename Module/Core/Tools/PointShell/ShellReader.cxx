@@ -31,7 +31,7 @@ ShellFunctions SelectShellFunctions(ScalarType type, InstructionSet instructions
   return SelectBaselineShellFunctions(type);
 }
 
-/** The samples of all cells that a box around an index overlaps. */
+/** The samples of all cells that a box around an index touches. */
 struct SampleBox
 {
   SampleBox(const Vector3& centre, const Vector3& half) noexcept
@@ -85,8 +85,8 @@ void ShellReader::ForEachCopy(const CarvedBox* boxes, std::size_t count, const F
 {
   double samples[MostCopied];
   ShellReading copy = this->Reading;
-  // Ends of the halves that are not done yet. Boxes are joined in halves, because consecutive
-  // points are mostly neighbours.
+  // Ends of the halves that are not processed yet. Boxes are joined in halves, because consecutive
+  // points are usually neighbours.
   std::size_t ends[16] = { count };
   int rest = count > 0 ? 1 : 0;
   for (std::size_t begin = 0; rest > 0;)
@@ -167,8 +167,8 @@ void ShellReader::ReadCarved(ShellBatch& batch) const noexcept
     const auto isShort = [&](int a) { return boxes[i].Size(a) < 4; };
     if (isFloat || isShort(0) || isShort(1) || isShort(2))
     {
-      // At the border, and near samples that are not numbers, rounding may move a position one
-      // sample away into the next cell.
+      // At the border, and near samples that are not numbers, rounding may move a position into the
+      // next cell, one sample away.
       boxes[i] = ComputeBox(this->Given, at, 1, 2);
     }
   }
@@ -217,12 +217,12 @@ bool ShellReader::MayBeSolid(const Vector3& centre, const Vector3& half) const n
   double samples = 1.0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    // The condition is false for NaN, too.
+    // The comparison is false for NaN, too.
     if (!(box.To[axis] - box.From[axis] < mostSamples))
     {
       return true;
     }
-    // Outside the resident samples, the nearest sample counts.
+    // Outside the resident samples, use the nearest sample.
     const double first = view.First[axis];
     const double last = view.Last[axis];
     low[axis] = static_cast<std::int64_t>(std::min(std::max(box.From[axis], first), last));
@@ -235,7 +235,8 @@ bool ShellReader::MayBeSolid(const Vector3& centre, const Vector3& half) const n
 bool ShellReader::ComputeSlopes(
   const Vector3& centre, const Vector3& half, double* slopes) const noexcept
 {
-  // Reading more samples would take longer than reading the points of a block, which it saves.
+  // Reading more samples would take longer than reading the points of a block, which it is meant to
+  // save.
   constexpr double mostSamples = 512.0;
   const SampleBox box(centre, half);
   const FieldView& view = this->Reading.View;
@@ -244,7 +245,7 @@ bool ShellReader::ComputeSlopes(
   double samples = 1.0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    // The condition is false for NaN, too.
+    // The comparisons are false for NaN, too.
     if (!(box.From[axis] >= view.First[axis] && box.To[axis] <= view.Last[axis]))
     {
       return false;

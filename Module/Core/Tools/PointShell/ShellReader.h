@@ -4,7 +4,7 @@
  * @file
  * Reads a volume at the points of a shell.
  *
- * The kernels are compiled once for each instruction set, and chosen at run time, as in
+ * The kernels are compiled once for each instruction set, and chosen at run time, like those of
  * FieldSampler.h. All variants have the same results, to the bit.
  */
 #ifndef ShellReader_h
@@ -21,7 +21,7 @@ namespace VolumeHaptics
 {
 
 /**
- * The volume to read, and the level beyond which it is solid. Stores only a view of the samples.
+ * The volume to read, and the level beyond which it is solid. Does not own the samples.
  */
 struct ShellReading
 {
@@ -41,52 +41,54 @@ struct ShellNumbers
 };
 
 /**
- * Marks up to 64 points: sets the bits of the points in the volume whose trilinear value is solid.
+ * Marks up to 64 points: sets the bit of each point in the volume whose trilinear value is solid.
  * NaN is not solid. `map`, from the tool to indices, is a matrix by rows, followed by an offset.
  */
 using MarkFunction = std::uint64_t (*)(
   const ShellReading&, const ShellNumbers&, const double* map) noexcept;
 /**
  * The last marks of 1 to 64 points, which were made when the tool was nearby. Only points that may
- * have reached the level since then are read again. Lengths are the largest motion of any point in
- * voxels.
+ * have reached the level since then are read again. Lengths are the largest motion (voxels) of any
+ * point.
  */
 struct ShellMarking
 {
   std::uint64_t Marks; ///< the last marks
   double* Until;       ///< for each of 64 points, the length up to which its mark is valid
   double Now;          ///< present length of the tool's motion
-  double From;         ///< length from which new marks count
+  double From;         ///< length from which on new marks are valid
   double PerValue; ///< least number of voxels over which a value changes by 1; 0 if it is not known
 };
-/** Does the same as MarkFunction, and updates ShellMarking::Until. */
+/** Like MarkFunction, and updates ShellMarking::Until. */
 using MarkingFunction = std::uint64_t (*)(
   const ShellReading&, const ShellNumbers&, const double* map, const ShellMarking&) noexcept;
 /** Returns whether any sample in a box of indices is solid. NaN is not solid. */
 using BoxFunction = bool (*)(
   const ShellReading&, const std::int64_t* low, const std::int64_t* high) noexcept;
 /**
- * Computes the largest differences between neighbours in a box of indices, along each axis. A
- * result is not finite if a sample is not.
+ * Computes the largest differences between neighbours along each axis in a box of indices. A result
+ * is not finite if a sample is not.
  */
 using SlopeFunction = void (*)(
   const ShellReading&, const std::int64_t* low, const std::int64_t* high, double* most) noexcept;
 
-/** Computes the members that depend on the tool's placement from Position and Before. */
+/**
+ * Computes those members of a batch that depend on the tool's placement, from Position and Before.
+ */
 using PlaceFunction = void (*)(const ShellFrame&, const ShellPlacement&, ShellBatch&) noexcept;
-/** Reads value, gradient and cell derivatives at a place: seven numbers. */
+/** Reads value, gradient and cell derivatives at a place (seven numbers). */
 using FootFunction = void (*)(
   const ShellReading&, double x, double y, double z, double* to) noexcept;
 /** Reads value, gradient and cell derivatives at Place, for a batch. */
 using ReadFunction = void (*)(const ShellReading&, ShellBatch&) noexcept;
 /**
  * Computes the other results from the values at Place, Index, Offset and Solid. Sets the bits of
- * points that may be in contact: those with a gradient that are deep enough. In a thin wall, a
- * point may still be in contact after it has come out on the other side.
+ * points that may be in contact, that is, of points with a gradient that are deep enough. In a thin
+ * wall, a point may still be in contact after it has come out on the other side.
  */
 using FeetFunction = std::uint64_t (*)(
   const ShellReading&, const ShellFrame&, ShellBatch&) noexcept;
-/** Reads trilinear values at indices. Where a value is not finite, it is BorderValue. */
+/** Reads trilinear values at indices. A value that is not finite is replaced by BorderValue. */
 using ValuesFunction = void (*)(
   const ShellReading&, const ShellNumbers& indices, double* to) noexcept;
 /**
@@ -97,8 +99,8 @@ using ValuesFunction = void (*)(
 using HoldFunction = std::uint64_t (*)(const ShellReading&, ShellLaw&, ShellBatch&,
   ShellContact*& next, ShellPushes&, ShellSum&) noexcept;
 /**
- * Adds to `gradient` (six numbers) the sum of force w over all wrenches w, and to `curvature` (21
- * numbers, a lower triangle by rows) the sum of stiffness w w^T.
+ * Adds the sum of force w over all wrenches w to `gradient` (six numbers), and the sum of stiffness
+ * w w^T to `curvature` (21 numbers, a lower triangle by rows).
  */
 using AddFunction = void (*)(const ShellPushes&, double* gradient, double* curvature) noexcept;
 
@@ -120,13 +122,14 @@ struct ShellFunctions
 
 ///@{
 /**
- * This function is not inline, because the kernels must not call inline functions (FieldKernels.h).
+ * These functions are not inline, because the kernels must not call inline functions
+ * (FieldKernels.h).
  */
 const MaterialTable::Segment* FindSegmentOf(const MaterialTable& table, double x) noexcept;
 const DistinctnessTable::Segment* FindSegmentOf(const DistinctnessTable& table, double x) noexcept;
 ///@}
 
-/** A volume as the kernels read it, with its removed tissue. */
+/** A volume in the form that the kernels read, with its removed tissue. */
 class ShellReader
 {
 public:
@@ -138,13 +141,13 @@ public:
   ShellReader(const VolumeView& view, double level, bool isBelow, const CarvedView& carved,
     InstructionSet instructions = DetectInstructionSet()) noexcept;
 
-  /** Does the same as MarkFunction. Removal of tissue never makes a place solid. */
+  /** Like MarkFunction. Removal of tissue never makes a place solid. */
   std::uint64_t Mark(const ShellNumbers& points, const double* toolToIndex) const noexcept
   {
     return this->Unmark(
       points, toolToIndex, this->Functions.Mark(this->Reading, points, toolToIndex));
   }
-  /** Does the same as Mark, as if nothing were removed. The points must have earlier marks. */
+  /** Like Mark(), ignoring removed tissue. The points must have earlier marks. */
   std::uint64_t MarkWhole(const ShellNumbers& points, const double* toolToIndex,
     const ShellMarking& before) const noexcept
   {
@@ -159,14 +162,14 @@ public:
   /**
    * Returns false if no position in a box around an index is solid. `half` is half of the box's
    * size along each axis, in samples. Returns true if a position may be solid, or if the box has
-   * too many samples to check. Ignores removal, so that the answer stays valid while tissue is only
-   * removed.
+   * too many samples to check. Ignores removed tissue, so that the result stays valid while tissue
+   * is only removed.
    */
   bool MayBeSolid(const Vector3& centre, const Vector3& half) const noexcept;
   /**
    * Computes the largest slopes (per sample) along each axis in such a box. Returns false if the
-   * box has too many samples to check, reaches outside the resident samples, or has a sample that
-   * is not finite. Ignores removal.
+   * box has too many samples to check, extends outside the resident samples, or has a sample that
+   * is not finite. Ignores removed tissue.
    */
   bool ComputeSlopes(const Vector3& centre, const Vector3& half, double* slopes) const noexcept;
   void Place(
@@ -205,7 +208,7 @@ private:
   /** Limit of the samples that are copied at a time (32 KiB). */
   static constexpr std::int64_t MostCopied = 4096;
   /**
-   * Number of samples for one point above which it gets a copy of its own, because that is faster.
+   * A point with more samples than this gets its own copy, because that is faster.
    */
   static constexpr std::int64_t WorthOfPoint = 40;
 
