@@ -21,7 +21,6 @@ namespace
 {
 using SampleIndex = std::tuple<std::int64_t, std::int64_t, std::int64_t>;
 
-/// Sets the fraction of one sample.
 void PutTissue(CarvedBricks& bricks, const SampleIndex& index, std::uint8_t fraction)
 {
   const auto [i, j, k] = index;
@@ -42,7 +41,7 @@ TEST(CarvedBricks, KeepShares)
   EXPECT_TRUE(bricks.IsEmpty());
   std::map<SampleIndex, std::uint8_t> expected;
   std::mt19937_64 engine(3);
-  // Indices near the beginning of a volume of 2048^3, and in its farthest bricks.
+  // Use indices near the beginning of a volume of 2048^3 samples, and in its farthest bricks.
   const auto random = [&engine]()
   {
     const auto along = [&engine]()
@@ -68,7 +67,6 @@ TEST(CarvedBricks, KeepShares)
     ASSERT_EQ(bricks.GetFraction(i, j, k), fraction);
   }
   EXPECT_EQ(bricks.GetFraction(16000000, 3, 2047), CarvedBricks::Whole);
-  // Test random boxes.
   for (int n = 0; n < 2000; ++n)
   {
     const auto [i, j, k] = random();

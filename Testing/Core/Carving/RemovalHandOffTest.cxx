@@ -32,7 +32,7 @@ Rows CopyRows(const CarvedBricks& bricks, std::uint32_t brick)
   return rows;
 }
 
-/// The rows of each brick as the reader saw them last, by the brick's key.
+/// The rows of each brick as the reader has last seen them, by the brick's key.
 using Mirror = std::map<std::uint64_t, Rows>;
 
 void Follow(CarvedBricks& bricks, int follower, Mirror& mirror)
@@ -114,8 +114,7 @@ TEST(RemovalHandOff, AReaderMissesNoChange)
   EXPECT_TRUE(!removal.IsUsedUp() || removal.Bricks.GetCount() == removal.Bricks.GetMost());
 }
 
-/// A snapshot that the servo completes belongs to one tick, although another thread copies most of
-/// it.
+/// A snapshot that the servo completes shows one tick, although another thread copies most of it.
 TEST(RemovalHandOff, ASnapshotIsOfOneTick)
 {
   TissueRemoval removal(500, 300);

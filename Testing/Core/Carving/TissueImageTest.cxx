@@ -24,7 +24,8 @@ void RemoveSome(CarvedBricks& bricks, std::uint64_t seed, int samples)
   {
     const auto along = [&engine](std::int64_t length)
     { return static_cast<std::int64_t>(engine() % static_cast<std::uint64_t>(length)); };
-    const std::int64_t i = along(30); // removes nothing beyond i = 30, so bricks there stay whole
+    const std::int64_t i = along(30); // removes nothing beyond i = 30, so the bricks there stay
+                                      // whole
     const std::int64_t j = along(Lengths[1]);
     SetFraction(bricks, i, j, along(Lengths[2]), static_cast<std::uint8_t>(engine()));
   }
@@ -45,7 +46,7 @@ TEST(TissueImage, HasTheTissueOfEachSample)
   EXPECT_EQ(Write(bricks, WholeBox), std::vector<std::uint8_t>(37 * 29 * 21, 255));
   RemoveSome(bricks, 1, 3000);
   EXPECT_EQ(Write(bricks, WholeBox), CopyTissue(bricks, Lengths));
-  // Write a box inside the volume, and a box beyond all bricks, which is whole.
+  // Write a box inside the volume, and a box beyond all bricks, where the tissue is whole.
   const TissueBox part{ { 5, 8, 3 }, { 20, 13, 16 } };
   const std::vector<std::uint8_t> image = Write(bricks, part);
   for (std::int64_t at = 0; at < 20 * 13 * 16; ++at)
@@ -65,7 +66,7 @@ TEST(TissueImage, IsReadToTheBit)
   ASSERT_TRUE(ReadTissue(copy, WholeBox, image.data()));
   EXPECT_EQ(CopyTissue(copy, Lengths), CopyTissue(bricks, Lengths));
   EXPECT_EQ(copy.GetCount(), bricks.GetCount()) << "whole bricks need no memory";
-  // Read the image into bricks that hold another removal. Nothing of that removal may be left.
+  // Read the image into bricks that contain another removal. Nothing of that removal may remain.
   CarvedBricks other(100);
   RemoveSome(other, 3, 500);
   SetFraction(other, 90, 0, 0, 3);
@@ -97,7 +98,7 @@ TEST(TissueImage, ThatHasNoRoomChangesNothing)
   }
 }
 
-/// A reader that writes only the changed bricks gets the complete image.
+/// A reader that writes only the changed bricks must get the complete image.
 TEST(TissueImage, IsFollowedBrickByBrick)
 {
   CarvedBricks bricks(100);

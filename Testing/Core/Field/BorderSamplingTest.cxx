@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Compares all results of the sampler near the border and beyond with naive code.
+ * Compares all results of the sampler near the border and beyond it with naive code.
  */
 
 #include "NaiveField.h"

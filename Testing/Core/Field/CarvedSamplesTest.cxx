@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that reading a volume with removed tissue gives the same bits as reading a volume of the
- * remaining samples. Where nothing was removed, it must give the same bits as reading without
+ * Expects that reading a volume with removed tissue returns the same bits as reading a volume of
+ * the remaining samples. Where nothing was removed, it must return the same bits as reading without
  * bricks.
  */
 
@@ -127,8 +127,8 @@ TEST_P(CarvedSamples, OfARegionAreThoseOfTheVolume)
   this->Compare(volume, bricks, 2);
 }
 
-/// Where nothing was removed, samples equal those of the plain volume, also after a removal
-/// elsewhere and with a memory of a place that is carved later.
+/// Where nothing was removed, samples equal those of the plain volume. This also holds after a
+/// removal elsewhere, and with a memory of a place that is carved later.
 TEST_P(CarvedSamples, ArePlainWhereNothingWasRemoved)
 {
   TestVolume volume(ScalarType::UInt16, { 40, 12, 12 });

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Measures the Gaussian's weights with impulses. Tabulated and interpolated, they must equal the
- * weights of the documented formula.
+ * Measures the Gaussian's weights with impulses. The interpolated weights of the table must equal
+ * those of the documented formula.
  */
 
 #include "NaiveField.h"
@@ -22,8 +22,8 @@ protected:
   const std::int64_t Size = 2 * this->Taps;
 };
 
-/// Returns fractions of a voxel: evenly spaced fractions, the ends of the intervals, and values
-/// just beside the ends.
+/// Returns fractions of a voxel: evenly spaced ones, the ends of the table's intervals, and values
+/// just beside these ends.
 std::vector<double> Fractions()
 {
   std::vector<double> fractions;
@@ -72,7 +72,7 @@ TEST_P(GradientKernelOf, WeightsAreThoseOfTheFormula)
         return at[axis] == plane;
       });
     const FieldSampler sampler(volume.View, kernel);
-    // Wide kernels read thousands of taps per sample, so fewer fractions are tested.
+    // Wide kernels read thousands of taps per sample, so test fewer fractions.
     const std::size_t stride = this->Radius > 6 ? 37 : 1;
     const std::vector<double> fractions = Fractions();
     for (std::size_t f = 0; f < fractions.size(); f += stride)

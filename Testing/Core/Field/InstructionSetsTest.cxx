@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that all instruction sets give the same bits, so that a trace does not depend on the
+ * Expects that all instruction sets compute the same bits, so that a trace does not depend on the
  * processor.
  */
 
@@ -59,7 +59,7 @@ protected:
       const Vector3 inside{ along(n[0]), along(n[1]), along(n[2]) };
       const Vector3 around = 1.5 * inside + Vector3{ -3.0, -3.0, -3.0 };
       ASSERT_TRUE(IsSame(baseline.Gradient(inside), avx2.Gradient(inside)));
-      // A memory of taps does not change the results: at two positions one after another, and at
+      // A memory of taps must not change the results. Test it at two consecutive positions, and at
       // two positions in the same voxel.
       const auto beside = [&](double x, std::int64_t samples)
       { return std::min(std::floor(x) + uniform(engine), static_cast<double>(samples - 1)); };
@@ -90,8 +90,8 @@ TEST_P(InstructionSets, AgreeForEveryTypeAndLayout)
   {
     for (const std::int64_t step : { 1, 3 })
     {
-      // Small radii have kernels that are unrolled for their number of taps; the largest radius
-      // here uses the general kernel.
+      // The kernels of small radii are unrolled for their number of taps; the largest radius here
+      // uses the general kernel.
       for (const int radius : { 1, 2, 3, 4 })
       {
         SCOPED_TRACE(testing::Message()
@@ -149,7 +149,7 @@ TEST_P(InstructionSets, StridedAndContiguousSamplesAgree)
 
 TEST_P(InstructionSets, MemoriesAreOfOneField)
 {
-  // Use one memory with other samples, as when one model follows another.
+  // Use one memory with other samples, as when one model replaces another.
   TestVolume volume(ScalarType::Int16, { 12, 11, 10 });
   const GradientKernel kernel(this->GetParam(), 2);
   TapMemory memory;
@@ -278,7 +278,7 @@ TEST_P(InstructionSets, TwoTimeStepsAtOnceAreAsEachAlone)
         ASSERT_NEAR(blend.Value, 0.5 * (gradients[0].Value + gradients[1].Value), 1e-10 * scale);
         ASSERT_LE(Norm(blend.Gradient - 0.5 * (gradients[0].Gradient + gradients[1].Gradient)),
           1e-10 * scale);
-        const Vector3 offset{ 2.0, -3.0, 0.7 }; // reaches beyond the border at many positions
+        const Vector3 offset{ 2.0, -3.0, 0.7 }; // extends beyond the border at many positions
         const ValuePair values = a.Values(With(a, b, 0.5), p, offset);
         const auto expectMean = [&](double value, const Vector3& at)
         {
@@ -306,7 +306,7 @@ TEST_P(InstructionSets, TwoTimeStepsAtOnceAreAsEachAlone)
       compare(first, second, radius);
       compare(first, strided, radius);
     }
-    // Time steps of different type or size, which can't share their weights.
+    // Time steps with different types or sizes can't share their weights.
     TestVolume shorts(ScalarType::Int16, { 12, 11, 10 });
     TestVolume floats(ScalarType::Float32, { 12, 11, 10 });
     TestVolume smaller(ScalarType::Int16, { 10, 10, 10 });
@@ -318,7 +318,7 @@ TEST_P(InstructionSets, TwoTimeStepsAtOnceAreAsEachAlone)
   }
 }
 
-/// The value changes from one time step's value to the next one's continuously, even if one time
+/// The value changes continuously from one time step's value to the next one's, even if one time
 /// step lacks a sample.
 TEST_P(InstructionSets, ASampleThatOneTimeStepLacksMakesNoStep)
 {
@@ -385,7 +385,7 @@ TEST(InstructionSetsOfLabels, AgreeForEveryTypeAndLayout)
           [&](auto t)
           {
             using T = decltype(t);
-            // A few labels form slabs; many labels are random from voxel to voxel.
+            // A few labels form slabs; many labels change randomly from voxel to voxel.
             volume.Fill<T>(
               [&](std::int64_t i, std::int64_t j, std::int64_t k) {
                 return labels < 100 ? (i + j / 2 + k) / 7 % labels : std::int64_t(engine() % 100);

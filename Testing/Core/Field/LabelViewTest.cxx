@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that labels are read as they are stored, for all types and layouts. The expected values
- * are the numbers that the test stores, and the textbook's trilinear weights.
+ * Expects that labels are read as they were stored, for all types and layouts. The expected values
+ * are the numbers that the test stores, and textbook trilinear weights.
  */
 
 #include "Core/Field/LabelView.h"

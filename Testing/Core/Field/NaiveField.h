@@ -3,7 +3,7 @@
 
 /**
  * Computes values and gradients of a TestVolume directly from the formulas. Each tap is read by its
- * index, and an index beyond the border gives the border's sample.
+ * index; beyond the border, the sample at the border is used.
  */
 #ifndef NaiveField_h
 #define NaiveField_h

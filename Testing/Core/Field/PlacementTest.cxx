@@ -3,7 +3,7 @@
 
 /**
  * Tests devices that are placed anywhere in the world, rotated and at any scale. (The offline
- * filter has only an upright device.)
+ * filter supports only an upright device.)
  */
 
 #include "Rigs/CoreScene.h"
@@ -73,8 +73,8 @@ TEST(Placement, LargerOnTheScreenIsNotStiffer)
   TickRecord b;
   for (int i = 0; i <= 10; ++i)
   {
-    // In the world of `twice`, lengths are doubled, so the hand has to move half as far for the
-    // same depth.
+    // In the world of `twice`, lengths are doubled, so the hand moves half as far for the same
+    // depth.
     const double depth = 1e-4 * i;
     Tick(life, states[0], { 0.012, 0.012, 0.012 + depth }, a);
     Tick(twice, states[1], { 0.024, 0.024, 0.024 + depth }, b);

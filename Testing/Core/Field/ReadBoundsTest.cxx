@@ -4,7 +4,7 @@
 /**
  * Expects that the sampler reads nothing before the first sample or after the last one. The volume
  * is placed once at the end of the accessible memory and once at its beginning, so that a stray
- * read ends the test.
+ * read crashes the test.
  */
 
 #include "Rigs/TestVolume.h"
@@ -129,7 +129,7 @@ TEST_P(ReadBounds, NothingButTheSamplesIsRead)
           {
             if (radius > 4 && size[0] > 3)
             {
-              continue; // large kernels read the same range as in small volumes, but take long
+              continue; // large kernels read the same range as in small volumes, but are slow
             }
             const GradientKernel kernel(estimator, radius);
             for (const InstructionSet set : { InstructionSet::Baseline, DetectInstructionSet() })

@@ -17,11 +17,11 @@ using namespace coretest;
 
 namespace
 {
-/// A volume of interleaved vector components. Its memory ends with the last component.
+/// A volume of interleaved vector components, whose memory ends with the last component.
 class VectorVolume
 {
 public:
-  /// @param step elements from one component to the next
+  /// @param step number of elements from one component to the next
   VectorVolume(ScalarType type, const TestVolume::Size& n, int components, std::int64_t step = 1)
     : Row(components * step)
     , Memory(type, { this->Row * n[0], n[1], n[2] })

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Compares the nearest point that half-spaces allow with alternating projections.
+ * Compares the nearest point in several half-spaces with the result of alternating projections.
  */
 
 #include "Core/Math/HalfSpaces.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that the baked table equals the piecewise-linear function, for any positions of its break
- * points.
+ * Expects that the baked table equals the piecewise-linear function, whatever the positions of its
+ * break points are.
  */
 
 #include "PolylineChecks.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Evaluates piecewise-linear functions in the simplest way, and compares them with their baked
+ * Evaluates piecewise-linear functions in the simplest way, and compares the results with the baked
  * table.
  */
 #ifndef PolylineChecks_h
@@ -19,7 +19,8 @@ namespace coretest
 {
 using namespace VolumeHaptics;
 
-/// Evaluates the function as documented: the left value at a step, and the end values outside.
+/// Evaluates the function as documented: at a step it has the left value, and outside the vertices
+/// it has the end values.
 inline double Evaluate(const Polyline& line, double x)
 {
   if (x <= line.front().X)
@@ -86,8 +87,8 @@ inline Polyline RandomLine(std::mt19937_64& engine, double low, double width, in
   Polyline line(vertices);
   for (Vertex& v : line)
   {
-    // Half of the break points are on a grid of 1/64, so that functions share break points and
-    // steps occur.
+    // Half of the break points are on a grid of 1/64, so that functions have common break points
+    // and steps.
     const double fraction =
       uniform(engine) < 0.5 ? std::floor(64.0 * uniform(engine)) / 64.0 : uniform(engine);
     v = { low + fraction * width, 2000.0 * uniform(engine) };

@@ -37,8 +37,8 @@ TEST(PolylineMask, IsOneWhereTheFunctionIsAboveTheFloor)
     for (const double x : Arguments(lines, engine))
     {
       const double value = Evaluate(line, x);
-      // Leave out values just above the floor: on a ramp that starts below the floor, the mask may
-      // be 1 from the ramp's first point on. Near an argument of 0, such a value is rounded to 0.
+      // Skip values just above the floor: on a ramp that starts below the floor, the mask may be 1
+      // from the ramp's first point on. Near an argument of 0, such a value is rounded to 0.
       if (value > 0.001 || (value == 0.0 && (x == 0.0 || std::isnormal(x))))
       {
         EXPECT_EQ(Evaluate(mask, 2.0 * x), value > 0.001 ? 1.0 : 0.0) << x;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that quaternions rotate as in Rodrigues' formula: v cos a + (n x v) sin a + n (n v) (1 -
- * cos a). Testing/VTK/Device/OrientationTest.cxx compares quaternions with those of VTK.
+ * Expects that quaternions rotate according to Rodrigues' formula: v cos a + (n x v) sin a + n (n
+ * v) (1 - cos a). Testing/VTK/Device/OrientationTest.cxx compares quaternions with those of VTK.
  */
 
 #include "Core/Math/Quaternion.h"

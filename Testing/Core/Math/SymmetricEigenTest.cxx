@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests eigenvalues and eigenvectors of matrices that are made from known ones, and their defining
- * properties.
+ * Tests eigenvalues and eigenvectors: of matrices that are made from known ones, and by their
+ * defining properties.
  */
 
 #include "Core/Math/SymmetricEigen.h"

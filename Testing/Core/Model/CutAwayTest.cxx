@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests where a cut keeps a volume, and how far away its faces are. The expected values follow from
- * the definitions of planes and of VTK's 27 cropping regions. The image is oblique and has three
- * different spacings.
+ * Tests which part of a volume a cut keeps, and how far away its faces are. The expected values
+ * follow from the definitions of planes and of VTK's 27 cropping regions. The image is oblique and
+ * has three different spacings.
  */
 
 #include "Core/Model/CutAway.h"
@@ -62,8 +62,8 @@ TEST_F(CutAwayPlaces, APlaneIsAsFarAsItsEquationSays)
   }
 }
 
-// The cut face lies halfway between the voxels 4 and 5 of the first axis, whose spacing is 0.5. The
-// region's first voxel is (2, 1, 0) of the whole volume.
+// The face of the cut is halfway between the voxels 4 and 5 of the first axis, whose spacing is
+// 0.5. The region's first voxel is (2, 1, 0) of the whole volume.
 TEST_F(CutAwayPlaces, AHiddenVoxelEndsHalfwayToTheNextOne)
 {
   constexpr std::int64_t size[3] = { 8, 6, 4 };
@@ -129,8 +129,8 @@ TEST_F(CutAwayPlaces, RegionsKeepWhatTheirFlagsSay)
     }
     regions.Kept = static_cast<std::uint32_t>(this->Engine()) & (CutRegions::All >> 1);
     const CutAway cut({}, regions, this->Image, false);
-    // Compute the region's number as vtkVolumeMapper::SetCroppingRegionFlags() does: the first axis
-    // varies fastest.
+    // Compute the region's number as vtkVolumeMapper::SetCroppingRegionFlags() does, with the first
+    // axis fastest.
     const auto isKept = [&](const Vector3& i)
     {
       const double c[3] = { i.X, i.Y, i.Z };
@@ -150,7 +150,7 @@ TEST_F(CutAwayPlaces, RegionsKeepWhatTheirFlagsSay)
       {
         continue;
       }
-      // Up to the reported depth, the region is that of the position. Just behind it, the region on
+      // Up to the reported depth, the region is the position's own. Just behind it, the region on
       // the other side of the face begins.
       ++faces;
       EXPECT_NEAR(Norm(place.Normal), 1.0, 1e-12);

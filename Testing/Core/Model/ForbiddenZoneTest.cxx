@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects the wall in front of forbidden labels where geometry places it: at the closed forms of
- * balls, cylinders and planes.
+ * Expects that the wall in front of forbidden labels is where geometry requires it, by the closed
+ * forms for balls, cylinders and planes.
  */
 
 #include "Core/Model/ForbiddenZone.h"
@@ -49,7 +49,7 @@ Vector3 Direction(int i, int count)
 
 TEST(ForbiddenZone, StandsOffFromABall)
 {
-  // L5: a stand-off of 2 mm holds the hand at R + 2 mm +- 0.1 voxel from the centre of a ball of
+  // L5: a stand-off of 2 mm keeps the hand at R + 2 mm +- 0.1 voxel from the centre of a ball of
   // radius R. Voxels are 1 mm.
   for (const double ball : { 8.0, 14.0 })
   {
@@ -103,8 +103,8 @@ TEST(ForbiddenZone, StandsOffFromABall)
 
 TEST(ForbiddenZone, KnowsAnisotropicVoxels)
 {
-  // The forbidden half-space begins at voxel 5.5 along z, which is z = 11 world units for a spacing
-  // of 2.
+  // The forbidden half-space begins at voxel 5.5 along z, which is z = 11 world units with a
+  // spacing of 2.
   const TestVolume labels = MakeLabels(24, [](const Vector3& x) { return x.Z >= 6.0 ? 3 : 0; });
   const LabelView view(labels.View);
   Affine3 map;
@@ -122,7 +122,7 @@ TEST(ForbiddenZone, KnowsAnisotropicVoxels)
 
 TEST(ForbiddenZone, StandsOffFromASlab)
 {
-  // A forbidden layer of four voxels, from z = 11.5 to 15.5. Its two faces are close to each other.
+  // A forbidden layer of four voxels, from z = 11.5 to 15.5. Its two faces are close together.
   const TestVolume labels =
     MakeLabels(28, [](const Vector3& x) { return x.Z > 11.5 && x.Z < 15.5 ? 1 : 0; });
   const LabelView view(labels.View);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the lengths that the model derives from the volume.
+ * Tests the lengths that a model computes from its volume.
  */
 
 #include "Rigs/CoreScene.h"
@@ -42,8 +42,9 @@ TEST(HapticModel, SurfacesFadeOverOneKernelRadius)
   EXPECT_DOUBLE_EQ(model.BorderFade({ 1.0, 14.0, 2.0 }), 1.0 / 3.0);
 }
 
-// Thick slices must not fade over more than fine ones: a radius of 3 is 3 x 0.5 mm here, which is
-// 0.3 of a slice of 5 mm. PAPER fades over 3 voxels of each axis.
+// Surfaces must not fade over a longer distance in thick slices than in thin ones: a radius of 3 is
+// 3 x 0.5 mm here, which is 0.3 of a slice of 5 mm. The solver Paper fades over 3 voxels of each
+// axis.
 TEST(HapticModel, SurfacesFadeOverTheSmallestSpacing)
 {
   const TestVolume volume = MakeRamp(16);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that the table of labels finds exactly the labels that were put into it. Compares it with
- * std::map.
+ * Expects that the table of labels finds exactly the labels that were put into it, by comparison
+ * with std::map.
  */
 
 #include "Core/Model/BakedLabels.h"
@@ -109,7 +109,7 @@ TEST(LabelTable, MixesByFractionsAndLeavesTheRestToTheFunctions)
 
 TEST(LabelTable, RemembersACellOnlyIfItIsStillTheSame)
 {
-  // Two label images with a label table each. Blocks of 3^3 voxels have one label.
+  // Two label images, each with its own label table. Blocks of 3^3 voxels have one label.
   constexpr std::int64_t side = 12;
   std::vector<TestVolume> volumes;
   std::vector<BakedLabels> labels(2);
@@ -135,7 +135,7 @@ TEST(LabelTable, RemembersACellOnlyIfItIsStillTheSame)
     double* const axes[] = { &at.X, &at.Y, &at.Z };
     for (double* const axis : axes)
     {
-      // Turn the walk back at two voxels beyond the image. Sometimes round the position to a voxel.
+      // Reverse the walk at two voxels beyond the image. Sometimes round the position to a voxel.
       *axis = *axis < -2.0 ? -1.0 : *axis > side + 1.0 ? side - 1.0 : *axis;
       *axis = dice(engine) == 0 ? std::round(*axis) : *axis;
     }

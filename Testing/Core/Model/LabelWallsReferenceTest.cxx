@@ -6,7 +6,7 @@
  *
  * The reference is written from the equations of LabelWalls.h and GradientKernel.h and shares no
  * code with the module. It computes the window at each tap with exp(), sums the fraction of each
- * label in a map, voxel by voxel, and takes the slopes of the weights from central differences.
+ * label in a map, voxel by voxel, and computes the slopes of the weights by central differences.
  */
 
 #include "Core/Law/MaterialLaw.h"
@@ -28,8 +28,8 @@ namespace
 using Index = std::array<std::int64_t, 3>;
 using Entries = std::map<std::int64_t, LabelledMaterial>;
 
-/// Sort key of labels from soft to hard: not felt, without an entry, with an entry; then by surface
-/// strength T_N, stiffness k and the label.
+/// Sort key of labels from soft to hard: first labels that are not felt, then labels without an
+/// entry, then labels with an entry; among these, by surface strength T_N, stiffness k and label.
 using Hardness = std::tuple<int, double, double, std::int64_t>;
 
 Hardness HardnessOf(const Entries& entries, std::int64_t label)
@@ -44,8 +44,8 @@ Hardness HardnessOf(const Entries& entries, std::int64_t label)
   return material.IsFelt ? Hardness{ 2, value(2), value(0), label } : Hardness{ 0, 0.0, 0.0, 0 };
 }
 
-/// Returns the smoothing weights: those of a Gaussian that is lowered to end at c, with a slope of
-/// zero there.
+/// Returns the smoothing weights of a Gaussian that is lowered so that it ends at c, with a slope
+/// of zero there.
 std::vector<double> Weights(int radius, double fraction)
 {
   const double c = radius + 1.0;
@@ -208,7 +208,7 @@ LabelledMaterial Entry(std::int64_t label, Draw& draw)
 {
   LabelledMaterial entry;
   entry.Label = label;
-  // Draw from few values, so that some labels differ in one value only, or in none.
+  // Draw from few values, so that some labels differ in only one value, or in none.
   entry.Material.Value = { 100.0 * double(draw.Below(3)), 0.0, 0.5 * double(draw.Below(3)), 0.0 };
   entry.Material.IsSet = { draw.Below(4) > 0, false, draw.Below(4) > 0, false };
   entry.Material.IsFelt = draw.Below(5) > 0;
@@ -320,8 +320,8 @@ TEST(LabelWallsReference, AgreesForOtherRadii)
 
 TEST(LabelWallsReference, AgreesInNoise)
 {
-  // Labels that change from voxel to voxel: with 2 labels, and with 30, most of which are met in
-  // one evaluation.
+  // Labels that change from voxel to voxel: 2 labels, and 30 labels, most of which one evaluation
+  // meets.
   for (const std::int64_t labels : { 2, 30 })
   {
     SCOPED_TRACE(labels);
@@ -393,7 +393,7 @@ TEST(LabelWallsReference, MemoryOfTheLastLookChangesNothing)
 
 TEST(LabelWallsReference, AgreesWithTheSurfaceOfAnAnisotropicLabelImage)
 {
-  // A solver gets the wall along the device's axes, so the gradient is divided by the spacing.
+  // A solver receives the wall along the device's axes, so the gradient is divided by the spacing.
   const Vector3 spacing{ 0.6, 1.0, 2.5 };
   const TestVolume scalars = MakeRamp(40);
   const TestVolume volume = MakeCubes(

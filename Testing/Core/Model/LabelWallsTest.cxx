@@ -3,7 +3,7 @@
 
 /**
  * Tests the positions and normals of walls between labels. The expected values are closed forms
- * (planes, balls, sheets) and, for the errors due to voxels, the figures of a prototype that
+ * (planes, balls, sheets). Errors due to voxels are compared with those of a prototype that
  * smoothed binary balls with Gaussians of s = 1, 1.5 and 2 voxels.
  */
 
@@ -104,7 +104,7 @@ BallErrors MeasureBall(double ball, int kernelRadius)
 
 TEST(LabelWalls, OfBallsAreAsGoodAsThePrototype)
 {
-  // The prototype's figures (L2), for balls with radii of 20 and 6 voxels: the mean and largest
+  // The prototype's errors (L2), for balls with radii of 20 and 6 voxels: the mean and largest
   // error of the normal (degrees), and the RMS error of the position (voxels).
   struct Row
   {
@@ -127,8 +127,8 @@ TEST(LabelWalls, OfBallsAreAsGoodAsThePrototype)
         << "s = " << row.Scale << ", ball of " << balls[b] << ": mean " << errors.Mean << ", worst "
         << errors.Worst << ", rms " << errors.Rms << ", shift " << errors.Shift);
       // The tolerance is large for two reasons: the kernel is 5 % to 11 % narrower or wider than
-      // the prototype's Gaussian, which has no end; and the largest error depends on where the ball
-      // lies between voxels.
+      // the prototype's Gaussian, which has no end; and the largest error depends on the position
+      // of the ball relative to the voxels.
       EXPECT_LT(errors.Mean, 1.3 * row.Mean[b]);
       EXPECT_LT(errors.Worst, 1.35 * row.Worst[b]);
       EXPECT_LT(errors.Rms, 1.3 * row.Rms[b] + 0.03);
@@ -142,7 +142,7 @@ TEST(LabelWalls, OfBallsAreAsGoodAsThePrototype)
 
 TEST(LabelWalls, OfPlanesAreExact)
 {
-  // Along each axis, the wall lies between the voxels 7 and 8.
+  // Along each axis, the wall is between the voxels 7 and 8.
   for (int axis = 0; axis < 3; ++axis)
   {
     const auto along = [axis](const Vector3& x) { return axis == 0 ? x.X : axis == 1 ? x.Y : x.Z; };

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the memory that a model needs besides the image: less than 1 MiB for an image of any size.
+ * Tests how much memory a model needs besides the image: less than 1 MiB, whatever the size of the
+ * image.
  */
 
 #include "Rigs/AllocationCounter.h"
@@ -47,7 +48,7 @@ TEST_P(ModelMemory, UnderOneMebibyteWhateverTheImage)
   const std::size_t small = this->Measure(description);
   EXPECT_LT(small, MiB);
 
-  // Describe 2048^3 samples without allocating them: the model only refers to samples, and nothing
+  // Describe 2048^3 samples without allocating them. The model only refers to samples, and nothing
   // reads them here.
   for (std::int64_t& n : description.View.Dimensions)
   {
@@ -72,7 +73,7 @@ TEST_P(ModelMemory, UnderOneMebibyteWithDetailedMaterials)
   {
     line->clear();
     ++shift;
-    // Give each function 256 break points of its own, far more than a person draws.
+    // Give each function 256 of its own break points, far more than a person draws.
     for (int i = 0; i < 256; ++i)
     {
       line->push_back({ 10.0 * i + shift, (i % 10) * 0.1 });

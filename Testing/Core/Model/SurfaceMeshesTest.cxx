@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests meshes as users have them (coarse, sharp, cracked, overlapping or empty) with hands at high
- * speeds.
+ * Tests meshes as they occur in practice (coarse, sharp, cracked, overlapping or empty), with fast
+ * hands.
  */
 
 #include "Rigs/SurfaceRig.h"
@@ -37,7 +37,7 @@ TEST_F(SurfaceMeshes, ShadingSmoothsTheForceOverACoarseMesh)
 
 TEST_F(SurfaceMeshes, ShadingStopsAtSharpEdges)
 {
-  // A cube with separate corners and normals for each face.
+  // A cube whose faces have separate corners and normals.
   Corners points;
   Corners normals;
   Faces faces;

@@ -74,7 +74,7 @@ TEST(SurfaceTree, ASphereThatTouchesTooManyTrianglesStaysOutside)
   hand.Lead({ 0.3, 0.2, 20.0 });
   EXPECT_TRUE(hand.Record.IsUnfinished);
   EXPECT_GE(hand.Proxy().Z, 30.0);
-  // Where fewer boxes have to be visited, the search ends within a tick.
+  // Elsewhere, fewer boxes have to be visited, so the search ends within a tick.
   hand.Lead({ 0.3, 0.2, 60.0 });
   EXPECT_FALSE(hand.Record.IsUnfinished);
   EXPECT_EQ(Norm(hand.Record.Force), 0.0);

@@ -3,7 +3,7 @@
 
 /**
  * Tests walls between labels in images with thick slices. Their positions and normals must be those
- * of the labelled shape (a ball, a plane, a shell), which are closed forms.
+ * of the labelled shapes (a ball, a plane, a shell), for which there are closed forms.
  */
 
 #include "Core/Field/FineLabels.h"
@@ -42,7 +42,7 @@ Vector3 Thick(double fine, double coarse, int axis)
 class Slices
 {
 public:
-  /// @param size of the image, mm
+  /// @param size size of the image (mm)
   Slices(const Vector3& spacing, const Vector3& size,
     const std::function<int(const Vector3&)>& label, bool isFine = true,
     ScalarType type = ScalarType::UInt8)
@@ -77,7 +77,7 @@ public:
     return wall;
   }
 
-  /// Searches along a direction. Returns the distance (mm) at which the value falls through 0.
+  /// Searches along a direction. Returns the distance (mm) at which the value falls to 0.
   double FindWall(
     const Vector3& from, const Vector3& direction, double inside, double outside) const
   {
@@ -106,10 +106,10 @@ private:
 
 struct Errors
 {
-  double Mean = 0.0;  ///< degrees: mean error of the normal
-  double Worst = 0.0; ///< degrees: largest error of the normal
-  double Shift = 0.0; ///< mm: mean error of the position
-  double Rms = 0.0;   ///< mm: RMS error of the position
+  double Mean = 0.0;  ///< mean error of the normal (degrees)
+  double Worst = 0.0; ///< largest error of the normal (degrees)
+  double Shift = 0.0; ///< mean error of the position (mm)
+  double Rms = 0.0;   ///< RMS error of the position (mm)
 };
 
 Errors MeasureBall(double fine, double coarse, int axis, double ball)
@@ -152,8 +152,8 @@ TEST(ThickLabels, WallsOfABallPointOutwards)
     EXPECT_LT(errors.Mean, 2.0);
     EXPECT_LT(errors.Worst, 15.0);
     EXPECT_LT(errors.Rms, 0.25 * 0.4);
-    // Smoothing over the voxels moves a ball's wall inwards by s^2/R (kernel's deviation s, radius
-    // R). The smoothing between slices moves the wall by about as much again.
+    // Smoothing over the voxels moves a ball's wall inward by s^2/R (s is the kernel's deviation, R
+    // the radius). The smoothing between slices moves the wall by about the same distance again.
     const double s = 0.355 * 4.0 * 0.4;
     EXPECT_NEAR(errors.Shift, -2.0 * s * s / 16.0, 0.1 * 0.4);
     axis = (axis + 1) % 3;
@@ -244,7 +244,7 @@ TEST(ThickLabels, SheetsAcrossTheSlicesStayAsTheyAre)
       const LabelWall expected = image.At(at);
       const LabelWall found = fine.At(at);
       ASSERT_EQ(found.IsThere, expected.IsThere);
-      // For slices of about four voxels and more, boundaries are smoothed, and fractions are stored
+      // For slices of about four voxels or more, boundaries are smoothed, and fractions are stored
       // in steps of 1/254.
       ASSERT_NEAR(found.Value, expected.Value, voxels < 4 ? 1e-6 : 1.0 / 254.0)
         << voxels << " voxels at " << at.X;

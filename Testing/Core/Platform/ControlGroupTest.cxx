@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests how much memory a control group leaves. The test writes folders with the layouts of both
- * kernel interfaces (Documentation/admin-guide/cgroup-v1/memory.rst and cgroup-v2.rst of Linux).
+ * Tests the computation of the memory that a control group leaves. The test writes folders with the
+ * layouts of both kernel interfaces (Documentation/admin-guide/cgroup-v1/memory.rst and
+ * cgroup-v2.rst of Linux).
  */
 
 #include "Core/Platform/ControlGroup.h"
@@ -64,7 +65,7 @@ TEST_F(ControlGroup, IsLimitedByThoseAboveIt)
   this->Write("user/memory.max", "3000");
   this->Write("user/memory.current", "2000");
   EXPECT_EQ(this->Read(), 1000.0);
-  // A container sees its own group as the root, whatever path its processes have.
+  // A container sees its own group as the root, whatever path its processes report.
   this->Write("memory.max", "900");
   this->Write("memory.current", "100");
   EXPECT_EQ(this->Read(), 800.0);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the limits of the process that reads files. Here, that process answers with the limits that
- * it has while it reads. The test writes out the bytes of requests and answers again.
+ * Tests the limits of the process that reads files. Here, this process replies with the limits that
+ * are set while it reads. The test formats the bytes of requests and answers itself.
  */
 
 #include "Core/Platform/ReaderProcess.h"
@@ -59,8 +59,8 @@ protected:
     return path;
   }
 
-  /// Returns the limits that a new process sets for a task. `own` is the limit that the process has
-  /// before (bytes); 0: none.
+  /// Returns the limits that a new process sets for a task. `own` is the limit (bytes) that the
+  /// process had before, or 0 for none.
   static Limits Ask(
     ReadTask task, const std::string& path, rlim_t own = 0, std::uint64_t unpacked = 0)
   {
@@ -105,7 +105,7 @@ TEST_F(Reader, OfASmallFileDoesNotCountWhatLiesBesideIt)
   this->Write("large.bin", 50 * gibibyte);
   const Limits limits = Ask(ReadTask::Grid, path);
   EXPECT_LE(limits.Seconds, 121);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // sanitizers map terabytes
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // sanitizers reserve terabytes
   EXPECT_LE(limits.Bytes, 5 * gibibyte);
 #endif
 }

@@ -4,7 +4,7 @@
 /**
  * Tests that a servo without privileges asks RealtimeKit, and that no answer does harm.
  *
- * played_rtkit.py simulates the service on the test's own bus, and is written from rtkit's
+ * played_rtkit.py simulates the service on the test's own bus. It was written from rtkit's
  * published interface. The test reads the results from the kernel.
  */
 
@@ -41,7 +41,7 @@ rlim_t HardTimeLimit()
   return limit.rlim_max;
 }
 
-/// Runs each test in a process of its own, whose limits and environment the test may change.
+/// Runs each test in a separate process, so that the test may change its limits and environment.
 class RealtimeKitService : public testing::Test
 {
 protected:
@@ -174,7 +174,7 @@ TEST_F(RealtimeKitService, TheBusMayEndWhileTheServiceIsAsked)
   EXPECT_EQ(answer.load(), Answer::Refused);
 }
 
-// Without the stop, the client would read the next property after the refusal.
+// If the request were not stopped, the client would read the next property after the refusal.
 TEST_F(RealtimeKitService, IsAskedNothingMoreAfterAStop)
 {
   PlayedRealtimeKit service({ "--silent", "Get" });

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A value of several cache lines, which shows if two writes are mixed, and its reader.
+ * A value of several cache lines that reveals whether two writes were mixed, and a reader that
+ * counts errors.
  */
 #ifndef SealedValue_h
 #define SealedValue_h

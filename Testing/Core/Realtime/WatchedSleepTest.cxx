@@ -3,8 +3,8 @@
 
 /**
  * Expects that a sleeper whose processor does not wake it up is woken up on another processor, and
- * that nothing else of the sleeper changes. The tests read from the kernel where a thread runs and
- * may run.
+ * that nothing else of the sleeper changes. The tests read from the kernel on which processors a
+ * thread runs and may run.
  */
 
 #include "Core/Realtime/WatchedSleep.h"
@@ -40,7 +40,7 @@ bool MayRunOn(const cpu_set_t& processors)
 }
 
 /// Runs the watching thread until the object is destroyed. The thread starts on the given
-/// processor, or on any (-1).
+/// processor, or on any processor (-1).
 class Watcher
 {
 public:
@@ -115,8 +115,8 @@ TEST_F(WatchedSleepElsewhere, EndsOnAnotherProcessor)
       changes += sched_getcpu() == processor ? 0 : 1;
     }
   }
-  // Half of the rescues suffice: on a busy machine, the kernel may move the thread, or the thread
-  // may begin to sleep late.
+  // It is enough if half of the rescues succeed: on a busy machine, the kernel may move the thread,
+  // or the thread may fall asleep late.
   EXPECT_GE(sleep.GetRescues(), static_cast<std::uint64_t>(times / 2));
   EXPECT_GE(changes, times / 2);
 }
@@ -162,7 +162,7 @@ TEST(WatchedSleep, EndsByItselfWithoutAWatcher)
   const std::int64_t planned = ServoClock::Now() + 2 * ServoClock::Millisecond;
   sleep.SleepUntil(planned);
   EXPECT_GE(ServoClock::Now(), planned);
-  sleep.SleepUntil(planned - Second); // a time that is already over
+  sleep.SleepUntil(planned - Second); // a time in the past
   EXPECT_LT(ServoClock::Now(), planned + 60 * Second);
 }
 

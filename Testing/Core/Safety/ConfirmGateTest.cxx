@@ -3,7 +3,7 @@
 
 /**
  * Tests the force gate of a device whose signs are not confirmed yet. Compares it with a gate that
- * gets the same events and has nothing to confirm: the states must be the same, except for
+ * receives the same events and has nothing to confirm. The states must be the same, except for
  * Confirming instead of Ramping and Armed, and no force of the volume may pass.
  */
 
@@ -23,8 +23,7 @@ GateState Expect(GateState confirmed)
                                                                           : confirmed;
 }
 
-/// Reports the end of a tick as SafetyStage does. Returns the factor by which the force is
-/// multiplied.
+/// Reports the end of a tick as SafetyStage does. Returns the factor for the force.
 double Tick(ForceGate& gate, bool isStale, bool flows)
 {
   double share = 0.0;

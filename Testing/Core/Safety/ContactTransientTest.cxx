@@ -3,7 +3,7 @@
 
 /**
  * Expects that the pulse at touch-down has the specified impulse and frequency, makes walls feel
- * stiffer to a tap, and gives no energy.
+ * stiffer to a tap, and adds no energy.
  */
 
 #include "Rigs/Taps.h"
@@ -17,7 +17,7 @@ using namespace VolumeHaptics;
 
 namespace
 {
-constexpr double Speed = 0.2;        // m/s: speed of the approach
+constexpr double Speed = 0.2;        // speed of the approach (m/s)
 constexpr double Period = 1e-3;      // s
 constexpr double Stiffness = 2000.0; // N/m
 
@@ -42,7 +42,7 @@ SafetyLimits MakeLimits(double gain, bool movesTip)
 }
 
 /**
- * Returns the pulse (N) in each tick since the touch. The tip approaches independently of the
+ * Returns the pulse (N) in each tick after the touch. The tip approaches independently of the
  * force, and rests as soon as it has touched. The wall pushes with 50 N, so that no pulse is cut
  * off at zero.
  */
@@ -81,7 +81,7 @@ double Sum(const std::vector<double>& values, int from, int to)
 
 TEST(ContactTransient, StopsAnArmInItsFirstHalfWaveAndDecays)
 {
-  // At 100 Hz, a half wave takes five ticks. Each half wave is smaller than the one before by the
+  // At 100 Hz, a half wave takes five ticks. Each half wave is smaller than the previous one by the
   // factor exp(-1/2).
   const std::vector<double> pulses = Play(100.0, 1.0, 40);
   const double momentum = ContactTransient::TouchMass * Speed;
@@ -153,8 +153,8 @@ TEST(ContactTransient, MakesWallsStifferAndReturnsLess)
 
 TEST(ContactTransient, GivesNoMoreThanItTakesToAHandThatLeadsTheTip)
 {
-  // Follow the same path with and without the pulse. The difference between the two works is the
-  // work of the pulse.
+  // Follow the same path with and without the pulse. The work of the pulse is the difference
+  // between the works on both paths.
   double most = 0.0;
   double least = 0.0;
   for (unsigned seed = 0; seed < 300; ++seed)

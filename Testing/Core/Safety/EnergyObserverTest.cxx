@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that the observer finds unstable loops and raises no alarm for hands: by the theory of
- * sampled springs (SampledLoop.h), and in random sessions of an arm, a device and a volume
- * (ArmSessions.h).
+ * Expects that the observer finds unstable loops and raises no false alarm for hands. The tests use
+ * the theory of sampled springs (SampledLoop.h), and random sessions of an arm, a device and a
+ * volume (ArmSessions.h).
  */
 
 #include "Core/Safety/EnergyObserver.h"
@@ -22,7 +22,7 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 
-/// An observer of a tip and a force, which the test sets in each tick.
+/// An observer with a tip and a force that the test sets in each tick.
 class Watched
 {
 public:
@@ -37,7 +37,7 @@ public:
   bool IsFound = false;
 };
 
-/// Presses a tip 10 mm into a sampled spring of k (N/m) and lets the tip swing freely; motion and
+/// Presses a tip 10 mm into a sampled spring of k (N/m) and lets the tip swing freely. Motion and
 /// force are the exact solution. Returns whether the observer finds the swing.
 bool SwingsFreely(double k, int delay, double swing)
 {
@@ -81,8 +81,8 @@ TEST(EnergyObserver, FindsWhatTheTheoryCallsUnstable)
       // Factor by which the energy grows in a cycle.
       const double cycle = std::pow(growth, 2.0 * 2.0 * Pi / (rate * servotest::Period));
       const bool isQuick = rate > 2.0 * Pi * 1.1 / EnergyObserver::LongestCycle;
-      // Skip larger growth: the tip would leave the wall before the observer finds the swing. The
-      // sessions in ArmSessions.h have such walls, with a limited force.
+      // Skip larger growth, because the tip would leave the wall before the observer finds the
+      // swing. The sessions in ArmSessions.h contain such walls, with a limited force.
       if (cycle > 1.01 && cycle < 2.0 && isQuick)
       {
         EXPECT_TRUE(SwingsFreely(k, delay, 3e-4)) << k << " N/m, delay " << delay;
@@ -101,7 +101,7 @@ TEST(EnergyObserver, FindsWhatTheTheoryCallsUnstable)
 
 TEST(EnergyObserver, TellsTheEnergyOfAStretchedSpring)
 {
-  // Pressing a spring k by x in n steps takes the work k x^2 / 2, less the work of half a step's
+  // Pressing a spring k by x in n steps takes the work k x^2 / 2, minus the work of half a step's
   // force.
   EnergyObserver observer;
   constexpr double k = 1000.0;
@@ -135,8 +135,8 @@ TEST(EnergyObserver, FindsNoHandThatKeepsASwingGoing)
 
 TEST(EnergyObserver, FindsNoRippledSurface)
 {
-  // The hand strokes ripples of 2 mm length and 0.1 mm height at 0.2 m/s and presses with 2 N, so
-  // the tip swings at 100 Hz for seconds.
+  // The hand strokes ripples with a length of 2 mm and a height of 0.1 mm at 0.2 m/s, and presses
+  // with 2 N, so the tip swings at 100 Hz for seconds.
   Watched watched;
   for (int i = 0; i < 5000; ++i)
   {
@@ -168,7 +168,7 @@ TEST(EnergyObserver, FindsNoFrictionAndNoStepsOfAnEncoder)
 
 TEST(EnergyObserver, ExcusesWhatMovesTheForce)
 {
-  // The wall moves and so makes the tip swing at 20 Hz. With `isExcused`, a program publishes the
+  // The wall moves, and makes the tip swing at 20 Hz. With `isExcused`, a program publishes the
   // wall 30 times a second.
   for (const bool isExcused : { false, true })
   {
@@ -198,7 +198,7 @@ TEST(EnergyObserver, FindsNoHonestDevice)
 
 TEST(EnergyObserver, ABuzzingWallIsDampedUntilItRests)
 {
-  // A mass of 100 g on a wall of 2000 N/m has a third of the damping that a sampled loop needs.
+  // With a mass of 100 g on a wall of 2000 N/m, the loop has a third of the damping that it needs.
   for (std::uint32_t seed = 0; seed < 10; ++seed)
   {
     rigs::ArmScene scene;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests walls that are stiffer than the loop can hold without help.
+ * Tests walls that are stiffer than the loop can render stably without help.
  *
  * Theory: a sampled spring with a viscous friction b is passive up to K = 2 b / T (Colgate and
  * Schenkel 1997), and with encoder steps q and dry friction f up to 2 f / q (Abbott and Okamura
@@ -21,8 +21,8 @@ using namespace rigs;
 namespace
 {
 /**
- * N/s: slew limit, which is the rate of a press at 0.5 m/s into 6000 N/m. It does not limit hits at
- * up to 0.1 m/s.
+ * Slew limit (N/s). It equals the rate of a press at 0.5 m/s into 6000 N/m, so it does not limit
+ * hits at up to 0.1 m/s.
  */
 constexpr double FastRate = 3000.0;
 
@@ -61,7 +61,7 @@ TEST(StiffWalls, ArePassiveUpToWhatTheorySaysOfASampledSpring)
     }
     for (const StiffPress& press : MakePresses(2.0, false))
     {
-      // Check only the weight of 1 N that presses by itself, without a hand. With 2 N, MaximumForce
+      // Check only presses by the weight of 1 N alone, without a hand. With 2 N, MaximumForce
       // limits the wall's force.
       if (!press.IsHeld && press.Force == 1.0)
       {
@@ -110,8 +110,8 @@ TEST(ForceAugmentation, GivesNoMoreThanItsTolerance)
     SCOPED_TRACE(Describe(arm, press));
     const StiffResult result = PressStiffly(arm, press);
     EXPECT_LE(result.MostGiven, tolerance);
-    // A measured bound. If the account also spent what the soft spring still returns, the loop
-    // would give 6 mJ.
+    // A measured bound. If the account also spent the energy that the soft spring still returns,
+    // the loop would give 6 mJ.
     EXPECT_LE(result.MostWithoutFriction, 2.5 * tolerance);
     press.Augments = false;
     without = std::max(without, PressStiffly(arm, press).MostGiven);
@@ -121,7 +121,8 @@ TEST(ForceAugmentation, GivesNoMoreThanItsTolerance)
 
 TEST(ForceAugmentation, KnowsASpringWithSlackByItsSlope)
 {
-  // With 3 mm of slack, force over depth is only a small part of the slope that the loop feels.
+  // With 3 mm of slack, force divided by depth is only a small part of the slope that the loop
+  // feels.
   const StiffArm arm = StiffArm::FalconLike();
   for (StiffPress press : MakePresses(6.0, true))
   {

@@ -19,7 +19,7 @@ using namespace VolumeHaptics;
 namespace
 {
 
-/// A simple model of the gate: flags with a rule each.
+/// A simple model of the gate: a set of flags, with one rule for each.
 struct Flags
 {
   bool IsArmed = false;
@@ -309,7 +309,7 @@ TEST(ForceGate, DoesInRandomSequencesWhatFlagsWouldDo)
       ++seen[static_cast<int>(expected)];
       ASSERT_EQ(gate.GetReason() == GateReason::None, gate.GetShare() == 1.0)
         << sequence << ", " << tick;
-      // In one tick, the opening rises by at most the ramp's step plus the step of a fade.
+      // In one tick, the opening rises at most by the ramp's step plus the step of a fade.
       const double opens = period / ForceGate::FadeTime;
       ASSERT_GE(gate.GetShare(), 0.0);
       ASSERT_LE(gate.GetShare(), std::min(1.0, before + step + opens + 1e-12));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Compares the force gate with a table that is written by hand, for every event in every state.
+ * Compares the force gate with a table that was written by hand, for every event in every state.
  */
 
 #include "Core/Safety/ForceGate.h"
@@ -17,7 +17,7 @@ using namespace VolumeHaptics;
 namespace
 {
 
-/// The letter that stands for a state and its reason in the table below.
+/// The letter for a state and its reason in the table below.
 struct Outcome
 {
   char Letter;
@@ -61,11 +61,11 @@ enum Event
   FadeOut,
   Hold,
   Release,       ///< while the force may still be fading
-  ReleaseAtRest, ///< once no force flows
+  ReleaseAtRest, ///< when no force flows any more
   Silence,
   NotReady,
   Lost,
-  GapOver,       ///< samples were missing and are back; no force flows
+  GapOver,       ///< samples were missing and have returned; no force flows
   GapOn,         ///< samples are missing
   Force,         ///< a tick whose command is not zero
   NoForce,       ///< a tick whose command is zero
@@ -171,8 +171,8 @@ void Tick(ForceGate& gate, bool flows, bool isStale = false)
   gate.ReportCommand(flows);
 }
 
-/// Brings a gate into the state of a row. `ramp` is the passed part of the ramp, from 0 to 1. If
-/// the gate is open, `flows` tells whether force flows.
+/// Brings a gate into the state of a row. `ramp` is the completed part of the ramp, from 0 to 1. If
+/// the gate is open, `flows` is whether force flows.
 ForceGate Make(const std::string& causes, double ramp, bool flows)
 {
   ForceGate gate;
@@ -291,7 +291,7 @@ void Apply(ForceGate& gate, Event event)
   }
 }
 
-/// Returns whether the event must make the proxy start again at the tip.
+/// Returns whether the event must make the proxy restart at the tip.
 bool ExpectsRestart(const std::string& causes, Event event)
 {
   const bool isClutched = Has(causes, 'c') || Has(causes, 'C');
@@ -428,7 +428,7 @@ TEST(ForceGate, SharesRampAndOpening)
   gate.ReportCommand(true);
   EXPECT_EQ(gate.GetState(), GateState::Armed);
   EXPECT_EQ(gate.Pass(0.1), 1.0);
-  // The opening of the data falls to 0, and returns to two thirds. The gate moves by at most a
+  // The opening of the data falls to 0, and returns to two thirds. The gate moves at most by a
   // quarter per tick.
   gate.ReportData(0.0, 0.25 * ForceGate::FadeTime);
   EXPECT_EQ(gate.Pass(0.1), 0.75);
@@ -437,7 +437,7 @@ TEST(ForceGate, SharesRampAndOpening)
   EXPECT_EQ(gate.Pass(0.1), 2.0 / 3.0);
   gate.ReportData(1.0, 0.25 * ForceGate::FadeTime);
   EXPECT_EQ(gate.GetReason(), GateReason::Rising);
-  // The opening rises by at most a quarter per tick here, so it reaches 1 only now.
+  // The opening rises at most by a quarter per tick here, so it reaches 1 only now.
   gate.ReportData(1.0, 0.25 * ForceGate::FadeTime);
   EXPECT_EQ(gate.Pass(0.1), 1.0);
   EXPECT_EQ(gate.GetReason(), GateReason::None);

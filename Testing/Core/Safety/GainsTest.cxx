@@ -3,7 +3,7 @@
 
 /**
  * Tests the safety stage with StiffnessGain and TransientGain. With both, the force must grow at
- * most by the slew limit, fade with the gate, and give no energy.
+ * most by the slew limit, fade with the gate, and add no energy.
  */
 
 #include "SafetyRig.h"
@@ -18,7 +18,7 @@ using namespace servotest;
 
 namespace
 {
-constexpr double Soft = 1000.0; // N/m: the loop is stable up to this stiffness without the gain
+constexpr double Soft = 1000.0; // stiffness (N/m) up to which the loop is stable without the gain
 
 class Gains : public SafetyTest
 {
@@ -93,7 +93,7 @@ TEST_F(Gains, ARetreatBeginsAtWhatWasSent)
 TEST_F(Gains, AnAccountThatIsPaidAgainRaisesTheForceByTheSlewLimit)
 {
   this->PressInDebt();
-  this->Input.WallWork = 0.1; // J, of the whole force; only a tenth of that force is felt
+  this->Input.WallWork = 0.1; // work (J) of the whole force, of which only a tenth is felt
   this->Rest(1);
   this->Input.WallWork = 0.0;
   EXPECT_GT(this->Rest(30), 3.9);
@@ -138,7 +138,7 @@ TEST_F(Gains, AForceThatTurnsRoundGrowsFromZero)
   this->Input.Stiffness = 5.0 * Soft;
   this->Input.Feedback = Soft;
   this->Input.Stretch = 1e-3;
-  this->Input.WallWork = 5e-3; // J, so that the account stays full
+  this->Input.WallWork = 5e-3; // work (J) that keeps the account full
   for (int i = 0; i < 30; ++i)
   {
     this->Input.Tip.Z += 5e-5;
@@ -202,8 +202,7 @@ TEST_F(Gains, APulsePaysNoDebtOfTheWall)
 
 TEST_F(Gains, WhatWasOffHasSeenNothing)
 {
-  // The gain is on above the wall, off on the way into the wall, and switched on again inside of
-  // the wall.
+  // The gain is on above the wall, off on the way into it, and on again inside it.
   for (const bool augments : { false, true })
   {
     const auto use = [&](bool isOn)
@@ -263,7 +262,7 @@ TEST_F(Gains, NoPulseBeforeTheRoundTripIsKnown)
 TEST(GainsAccount, APulseReckonsWithThePushOfTheWall)
 {
   // A stylus of 50 g rests in a wall that pushes with 5 N. In the next tick, the work of the pulse
-  // must be at most what the account has.
+  // must not exceed the account.
   constexpr double period = 1e-3;
   ContactTransient transient;
   TransientInput input;
@@ -294,14 +293,14 @@ namespace
 {
 struct Path
 {
-  int Every = 1; ///< ticks between measurements
-  int Delay = 0; ///< ticks until a force acts
+  int Every = 1; ///< number of ticks between measurements
+  int Delay = 0; ///< number of ticks until a force acts
 };
 
 /**
- * Leads a tip through a wall of a stiffness (N/m). Returns the largest energy (J) that the tip got
- * beyond what it had put in. With `isPulse`, counts only the pulses; otherwise all forces, with the
- * work of the damping, b v^2, on the tip's side.
+ * Moves a tip through a wall with a stiffness (N/m). Returns the largest energy (J) that the tip
+ * has got back in excess of what it had put in. With `isPulse`, only the pulses count; otherwise
+ * all forces do, and the work of the damping, b v^2, counts as the tip's.
  */
 double FindMostGiven(const Path& path, double stiffness, bool augments, double gain, bool isPulse)
 {
@@ -331,8 +330,8 @@ double FindMostGiven(const Path& path, double stiffness, bool augments, double g
     std::deque<double> forces(static_cast<std::size_t>(path.Delay) + 1, 0.0);
     double given = 0.0;
     double before = 0.0;
-    // Without the gain, the loop holds a stiffness of 2 b / T, for damping b and round trip T. Here
-    // b makes that stiffness Soft.
+    // Without the gain, the loop is stable up to a stiffness of 2 b / T, where b is the damping and
+    // T the round trip. Here, b makes this stiffness equal to Soft.
     const double b = 0.5 * Soft * roundTrip;
     for (int i = 0; i < 1000; ++i)
     {
@@ -367,7 +366,7 @@ double FindMostGiven(const Path& path, double stiffness, bool augments, double g
 
 TEST(GainsAccount, APulseCountsForAsManyTicksAsItMayBeLate)
 {
-  // The device measures every 4 ticks of 1 ms, and forces act 4 ms late. So any of the last 8
+  // The device measures every 4 ticks of 1 ms, and forces act 4 ms late, so any of the last 8
   // forces may have acted.
   ContactTransient transient;
   transient.Observe({}, 4e-3, 4e-3, 1e-3);

@@ -3,12 +3,12 @@
 
 /**
  * Throws an undamped mass against a spring, in closed loop through the safety stage. With the slew
- * limit, the mass must leave with at most the energy that it has without it.
+ * limit, the mass must leave with at most the energy that it would have without it.
  *
  * In each tick, the mass moves exactly as under a constant force: x += v T + a T^2 / 2, v += a T.
- * An undamped sampled spring adds energy by itself: the characteristic polynomial of x, v under f =
- * -k x held for T is z^2 - (2 - k T^2 / 2m) z + 1 + k T^2 / 2m. So in a tick the energy grows by
- * the factor 1 + k T^2 / 2m.
+ * An undamped sampled spring adds energy by itself: with f = -k x held for T, the characteristic
+ * polynomial of x, v is z^2 - (2 - k T^2 / 2m) z + 1 + k T^2 / 2m, so the energy grows by the
+ * factor 1 + k T^2 / 2m in each tick.
  */
 
 #include "Rigs/Impacts.h"
@@ -111,8 +111,8 @@ TEST(Impact, NoWallReturnsMoreToADeviceThatReportsSlowly)
 
 TEST(Impact, AWallThatTurnsReturnsNoMoreEither)
 {
-  // A mass strikes the inside of a tube obliquely, so that the force turns while the mass slides
-  // along the wall.
+  // A mass hits the inside of a tube obliquely, so that the force turns while the mass slides along
+  // the wall.
   constexpr double radius = 0.01;
   const Field tube = [](const Vector3& x)
   {
@@ -136,9 +136,9 @@ TEST(Impact, AWallThatTurnsReturnsNoMoreEither)
 
 TEST(Impact, WorkLostToFrictionDoesNotHideWhatAWallIsOwed)
 {
-  // Friction along x takes 40 J; then, in the same contact, the mass meets a wall. Friction has no
-  // end, so the stage computes from the spring's stiffness what can come back. The result includes
-  // the spring that friction has stretched: 5 % of the wall's energy.
+  // Friction along x takes 40 J; then, in the same contact, the mass hits a wall. Friction has no
+  // end, so the stage computes from the spring's stiffness how much energy can come back. The
+  // result includes the spring that friction has stretched, which is 5 % of the wall's energy.
   constexpr double k = 3000.0;
   SafetyLimits limits;
   limits.MaximumForce = 8.0;
@@ -208,9 +208,9 @@ TEST(Impact, DragDoesNotHideWhatAWallIsOwed)
 
 TEST(Impact, SlowGrowthGivesNothingBackThatWasNotPutIn)
 {
-  // The hand moves quickly compared with the growth of the force. At the turn, the stage reduces
-  // the force to Paid / Work = 1 / 64. It may notice one tick later that this force is still too
-  // large.
+  // The hand moves fast compared with the growth of the force. When it turns back, the stage
+  // reduces the force to Paid / Work = 1 / 64. It may notice one tick later that this force is
+  // still too large.
   constexpr double k = 1000.0;
   constexpr double depth = 0.02;
   constexpr double speed = 0.5;

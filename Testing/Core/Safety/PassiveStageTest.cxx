@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that no rule of the safety stage adds energy, alone or with other rules. A hand that is
- * led into a conservative force field and out again gets at most the energy that it has put in.
+ * Expects that no rule of the safety stage adds energy, alone or combined with other rules. A hand
+ * that moves into a conservative force field and out again must get back at most the energy that it
+ * has put in.
  */
 
 #include "Rigs/RandomPresses.h"
@@ -49,8 +50,8 @@ INSTANTIATE_TEST_SUITE_P(Rules, PassiveStage, testing::ValuesIn(AllStageRules),
 TEST(PassiveRetreat, GivesNoMoreThanTheHandPutIn)
 {
   // The hand presses faster than the slew limit lets the force grow, so it does less work than the
-  // full wall would take. Then positions are missing until the gate retreats, and return while the
-  // force falls.
+  // full wall would require. Then positions are missing until the gate retreats, and return while
+  // the force falls.
   constexpr double k = 3000.0;
   SafetyLimits limits;
   limits.MaximumForce = 8.0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that damping at the port only takes energy, for any motion of the hand.
+ * Expects that damping at the port only takes energy, whatever the hand's motion is.
  */
 
 #include "Core/Safety/PortDamper.h"
@@ -55,8 +55,8 @@ TEST(PortDamper, GivesNoEnergyWhateverTheHandDoes)
       const double t = 2e-3 * std::acos(-1.0) * i;
       const Vector3 next{ leapt + size * std::sin(rate * t), size * std::cos(other * t), 0.0 };
       given += Dot(added, next - tip);
-      // The damper sees the motion only at the next measurement. So its force may give energy along
-      // the way of one interval between measurements.
+      // The damper sees the motion only at the next measurement, so its force may give energy
+      // during one interval between measurements.
       most = std::max(most, Norm(added) * Norm(next - tip) * every);
       tip = next;
       if (i % every == 0)
@@ -88,9 +88,9 @@ TEST(PortDamper, TakesUpToTheLimitOfTheDevice)
     return 2.0 - sent.Z;
   };
   EXPECT_NEAR(damp(2.0), 0.2, 1e-12) << "0.1 m/s";
-  // Without a limit of the device, the damping B is limited to B tau / m = 1/2, for the light mass
-  // m and the delay tau = 3 ms: half of the measurement over 2 ms, a period of 1 ms and a tick of
-  // transport.
+  // Without a limit of the device, the damping B is limited by B tau / m = 1/2, where m is the
+  // light mass and tau = 3 ms the delay: half of the measurement over 2 ms, a period of 1 ms and a
+  // tick of transport.
   EXPECT_NEAR(damp(0.0), 0.1 * 0.5 * PortDamper::LightMass / 3e-3, 1e-9);
   EXPECT_NEAR(damp(1e3), damp(0.0), 1e-12);
 }

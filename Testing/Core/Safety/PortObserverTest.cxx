@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that the observer finds a device that runs away against its force, and raises no alarm
- * for honest devices: in closed form, and in random sessions of a hand, a device and a wall
- * (PortSessions.h).
+ * Expects that the observer finds a device that runs away against its force, and raises no false
+ * alarm for correct devices. The tests use closed forms, and random sessions of a hand, a device
+ * and a wall (PortSessions.h).
  *
  * With a wrong sign, a mass m on a spring k obeys x'' = +(k / m) x, so x = a cosh(w t) with w^2 = k
  * / m. With the right sign, x = v / w sin(w t).
@@ -88,8 +88,8 @@ TEST(PortObserver, FindsNothingInASpringWithTheRightSign)
 
 TEST(PortObserver, FindsNothingInAHandThatIsStrongerThanTheForce)
 {
-  // Motions that must raise no alarm: at constant speed, at 11.9 m/s^2 from rest, and a rebound at
-  // 1 m/s.
+  // Motions that must raise no alarm: at constant speed, with 11.9 m/s^2 from rest, and a rebound
+  // at 1 m/s.
   EXPECT_FALSE(Follow(500.0, 0.1, [](double t) { return 1.0 * t; }).IsFound);
   EXPECT_FALSE(Follow(500.0, 0.3, [](double t) { return 0.5 * 11.9 * t * t; }).IsFound);
   EXPECT_FALSE(Follow(500.0, 0.3, [](double t) { return 0.05 - std::fabs(t - 0.1); }).IsFound);

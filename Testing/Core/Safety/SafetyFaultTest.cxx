@@ -54,7 +54,7 @@ TEST_F(SafetyFaults, TipsThatAreNotFinite)
 TEST_F(SafetyFaults, OverSpeed)
 {
   this->Activate(Force);
-  // The limit lies between 2.4 m/s and 2.6 m/s.
+  // The speed limit is between 2.4 m/s and 2.6 m/s.
   for (int i = 0; i < 50; ++i)
   {
     this->Input.Tip.X += 0.0024;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Runs a safety stage and checks each tick: the force must be finite, at most the maximum, and must
- * grow at most by the slew limit.
+ * Runs a safety stage and checks each tick: the force must be finite and at most the maximum, and
+ * must grow at most by the slew limit.
  */
 #ifndef SafetyRig_h
 #define SafetyRig_h

@@ -17,8 +17,8 @@ using VolumeHaptics::Vector3;
 namespace
 {
 constexpr Triple Right = { 1.0, 1.0, 1.0 };
-/// Number of sessions. Sanitizers slow the code down, so their builds run fewer sessions; the
-/// statistics need the number of the other builds.
+/// Number of sessions. Sanitizers make the code slow, so their builds run fewer sessions, although
+/// the statistics need the full number.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr int Sessions = 20;
 #else

@@ -3,7 +3,7 @@
 
 /**
  * Expects that the outgoing torque stays within its bound, grows at most by its limit, acts only
- * while force may flow, and gives at most the energy that the hand has put in.
+ * while force may flow, and gives back at most the energy that the hand has put in.
  */
 
 #include "Core/Safety/TorqueStage.h"
@@ -133,8 +133,8 @@ TEST_F(Torques, EndAtOnceWithoutSamples)
 }
 
 /// The hand turns into a rotational spring of k_r (N m/rad) and back, while the ramp rises or the
-/// growth is limited. The hand must get no more energy than it has put in. The device holds each
-/// torque until the next tick, which leaks k_r dtheta^2/2 per tick even without the stage.
+/// growth is limited. The hand must not get more energy than it has put in. The device holds each
+/// torque until the next tick, which adds k_r dtheta^2/2 per tick even without the stage.
 TEST_F(Torques, GiveNoMoreThanTheHandPutIn)
 {
   constexpr double k = 0.5; // N m/rad

@@ -83,8 +83,8 @@ TEST_P(AllocationFree, NoTickAllocates)
     work += Norm(record.Force);
   }
   EXPECT_EQ(CountAllocations().Calls, before);
-  // Only a fit with a kernel of more than 4 voxels may give no force: the kernel covers the whole
-  // volume, meets a NaN everywhere, and finds no surface.
+  // Only a fit with a kernel of more than 4 voxels may produce no force: the kernel covers the
+  // whole volume, meets a NaN everywhere, and finds no surface.
   EXPECT_TRUE(work > 0.0 || (method == HapticMethod::LocalSurface && radius > 4));
   for (int contact = 0; contact < 4 && method == HapticMethod::Proxy && radius <= 4; ++contact)
   {
@@ -103,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(FarSide, AllocationFree,
 
 namespace
 {
-/// Returns blocks of 4^3 voxels with the labels -2 to 2. All labels but 0 have a material. With
+/// Returns blocks of 4^3 voxels with the labels -2 to 2. All labels except 0 have a material. With
 /// `isForbidden`, label -1 is forbidden.
 std::shared_ptr<const BakedLabels> MakeLabels(const TestVolume& volume, bool isForbidden)
 {

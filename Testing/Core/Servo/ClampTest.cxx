@@ -3,11 +3,11 @@
 
 /**
  * Throws an undamped mass against a spring in the whole loop, while the model limits the force.
- * With the slew limit, the mass must return with at most the energy that it has without it.
+ * With the slew limit, the mass must return with at most the energy that it would have without it.
  *
- * The limit of the force takes no energy. A mass m at a speed v that meets a spring k limited to F
- * stops at a depth x with F x - F^2 / 2k = m v^2 / 2. It gets all of this energy back, plus what
- * sampling adds (ImpactTest.cxx).
+ * Limiting the force takes no energy. A mass m with a speed v that hits a spring k limited to F
+ * stops at a depth x with F x - F^2 / 2k = m v^2 / 2. It gets all of this energy back, plus the
+ * energy that sampling adds (ImpactTest.cxx).
  */
 
 #include "Rigs/PlayedDevice.h"
@@ -17,9 +17,9 @@ using namespace servotest;
 namespace
 {
 constexpr double Mass = 0.15;
-constexpr double Step = 1e-3; // s, independent of the real clock
+constexpr double Step = 1e-3; // tick (s), independent of the real clock
 constexpr double Speed = 0.6;
-constexpr int Free = 100; // ticks at rest, in which the ramp ends
+constexpr int Free = 100; // number of ticks at rest, in which the ramp ends
 
 /// A body that rests on the proxy until it is thrown, and then records the energy (J) with which it
 /// returns.
@@ -59,7 +59,7 @@ public:
   void Quench() noexcept override {}
 
   std::atomic<bool> IsThrown{ false };
-  std::atomic<double> Energy{ -1.0 }; ///< J, set when the body has returned; -1 before
+  std::atomic<double> Energy{ -1.0 }; ///< energy (J), set when the body has returned; -1 before
 
 private:
   int Rest = 0;
@@ -73,8 +73,8 @@ double Throw(double rate, HapticSolver solver)
   const TestVolume volume = MakeRamp(48);
   HapticModelDescription description = Describe(volume);
   description.Material.Stiffness = ConstantPolyline(3000.0);
-  description.Material.SurfaceStrength = ConstantPolyline(1e12); // so strong a surface that the
-                                                                 // proxy never slips
+  description.Material.SurfaceStrength = ConstantPolyline(1e12); // a surface that is so strong that
+                                                                 // the proxy never slips
   description.Settings.Solver = solver;
   description.Settings.MaximumForce = 2.0;
   ThrownBody body;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the servo's clock of a moving volume, tick by tick. The references fold a time by repeated
- * reflection and subtraction, and use the closed form of a wall that moves as a whole.
+ * Tests the servo's clock of a moving volume, tick by tick. The references compute times by
+ * repeated reflection and subtraction, and use the closed form of a wall that moves as a whole.
  *
  * The wall is V = 100 (z - h(t)). With linear blending, its surface is at h(t), which is linear
  * between time steps.
@@ -49,8 +49,8 @@ struct HighWall
     }
   }
 
-  /// Returns `count` time steps from index `first` on. After the last time step, the first one
-  /// follows.
+  /// Returns `count` time steps, beginning with index `first`. The first time step follows the last
+  /// one.
   std::vector<VolumeTimeStep> Pick(std::size_t first, std::size_t count) const
   {
     std::vector<VolumeTimeStep> timeSteps;
@@ -145,8 +145,8 @@ public:
   TickRecord Record;
 };
 
-/// Brings a time beyond the ends back into the series: stops, wraps around or turns back at the
-/// ends, as `mode` says. (Slow reference.)
+/// Brings a time beyond the ends back into the series: stops, wraps around or reverses at the ends,
+/// according to `mode`. (Slow reference.)
 double FoldSlowly(const HighWall& wall, double time, Playback mode)
 {
   const double first = wall.Times.front();
@@ -249,7 +249,7 @@ TEST(DataClock, ATimeSpanIsTheWholeToTheBit)
   }
 }
 
-/// The test publishes time spans of two or three time steps. The next time span comes in time, or
+/// The test publishes time spans of two or three time steps. The next time span arrives in time, or
 /// late.
 TEST(DataClock, HoldsWhileTimeStepsAreLateAndNeverJumps)
 {

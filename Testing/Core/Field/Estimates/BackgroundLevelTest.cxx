@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests where the background of synthetic volumes ends. The volumes are balls of known values in a
- * background of 0, so the threshold must be between these two values. Otsu's threshold of two
- * values with equal noise is their middle (IEEE Transactions on Systems, Man, and Cybernetics 9,
- * 1979).
+ * Tests the estimate of the value at which the background of a volume ends. The synthetic volumes
+ * are balls of known values in a background of 0, so the threshold must be between these two
+ * values. Otsu's threshold of two values with equal noise is in the middle between them (IEEE
+ * Transactions on Systems, Man, and Cybernetics 9, 1979).
  */
 
 #include "Core/Field/Estimates/BackgroundLevel.h"

@@ -84,8 +84,7 @@ TEST(EdgeMotion, FindsMotionsOfMoreThanTwoWidths)
       EXPECT_EQ(found.IsFast(), c.Widths > 2.0);
       if (c.Widths > 2.0)
       {
-        // The estimate reads the steepest slope between samples, which makes the edge look slightly
-        // wider.
+        // The estimate uses the steepest slope between samples, so the edge looks slightly wider.
         EXPECT_NEAR(found.Width, c.Sigma, 0.15 * c.Sigma);
         EXPECT_NEAR(found.Motion, s, isBall ? 0.15 * s : 0.03 * s);
       }
@@ -96,7 +95,7 @@ TEST(EdgeMotion, FindsMotionsOfMoreThanTwoWidths)
 TEST(EdgeMotion, IsInWorldUnitsAcrossTheEdge)
 {
   // The grid is rotated and has spacings of 2, 0.5 and 1. Along the first axis, the wall moves by 7
-  // voxels of 2 world units.
+  // voxels of 2 world units each.
   const Matrix3 map{ { { 0.0, -0.5, 0.0 }, { 2.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } } };
   const auto at = [](double x) { return [x](double i, double, double) { return i - x; }; };
   const EdgeMotion found = MeasureEdgeMotion(MakeEdge(at(18.0), 1.5, ScalarType::Float64).View,

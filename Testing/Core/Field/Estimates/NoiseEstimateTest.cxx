@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Compares the noise estimate of volumes of any size with the known standard deviation. Each
- * sample's noise is uniform among the whole numbers -a ... a, whose variance is a (a + 1) / 3.
+ * Compares the estimated noise of volumes of various sizes with the known standard deviation. Each
+ * sample's noise is distributed uniformly over the whole numbers -a ... a, whose variance is a (a +
+ * 1) / 3.
  */
 
 #include "Core/Field/Estimates/NoiseEstimate.h"
@@ -21,7 +22,8 @@ constexpr std::int64_t Amplitude = 34;
 const double Sigma = std::sqrt(Amplitude * (Amplitude + 1) / 3.0);
 constexpr double Padding = -2000.0;
 
-/// A volume that is computed and not stored: a smooth hill, padding in a fifth of it, and noise.
+/// A volume whose samples are computed and not stored: a smooth hill, padding in a fifth of the
+/// volume, and noise.
 struct Computed
 {
   std::int64_t Size[3];
@@ -41,7 +43,7 @@ struct Computed
     {
       hill += std::sin(3.0 * static_cast<double>(at[a]) / static_cast<double>(this->Size[a]));
     }
-    // The finalizer of splitmix64 (public domain) turns a sample's number into a random number.
+    // The finalizer of splitmix64 (public domain) maps a sample's number to a random number.
     auto bits = static_cast<std::uint64_t>(number) + 0x9e3779b97f4a7c15ULL;
     bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9ULL;
     bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebULL;
@@ -116,7 +118,7 @@ TEST(NoiseEstimate, BlockByBlockIsTheSameToTheBit)
 
 TEST(NoiseEstimate, OfALargerVolumeLooksForPaddingAmongItsOwnSamples)
 {
-  // The volume's smallest value is not its padding: a single smaller sample lies outside of all
+  // The padding is not the smallest value of this volume: a single smaller sample is outside all
   // blocks.
   for (const std::int64_t n : { 203, 204 })
   {

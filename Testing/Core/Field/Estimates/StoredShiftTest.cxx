@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the estimate of how Hounsfield units are stored, on synthetic bodies. Air is at -1000 and
- * water at 0 by the definition of the unit (Hounsfield, British Journal of Radiology 46, 1973).
- * Fat, muscle, lung and bone have textbook values (Bushberg, The Essential Physics of Medical
- * Imaging, table 10-1). The test adds a known offset: 1024 is the usual Rescale Intercept of DICOM
- * (PS3.3 C.11.1); 1000 and 32768 also occur.
+ * Tests the estimate of the shift with which Hounsfield units are stored, on synthetic bodies. Air
+ * is at -1000 and water at 0 by the definition of the unit (Hounsfield, British Journal of
+ * Radiology 46, 1973). Fat, muscle, lung and bone have textbook values (Bushberg, The Essential
+ * Physics of Medical Imaging, table 10-1). The test adds a known offset: 1024 is the usual Rescale
+ * Intercept of DICOM (PS3.3 C.11.1); 1000 and 32768 also occur.
  */
 
 #include "Core/Field/Estimates/StoredShift.h"
@@ -72,7 +72,7 @@ TEST(StoredShift, IsWhatWasAddedToACT)
           [added](double value) { return std::max(0.0, value + added); });
         const StoredShift found = Find(stored);
         EXPECT_EQ(found.Shift, -added) << "noise of " << sigma << " HU";
-        // The estimated value of air is right within 12 HU, so that no other offset is nearer.
+        // The estimated value of air must be right within 12 HU, so that no other offset is nearer.
         EXPECT_NEAR(found.Air, added - 1000.0, 12.0);
         EXPECT_FALSE(found.IsStrange);
       }
@@ -98,7 +98,7 @@ TEST(StoredShift, IsNotMovedByPadding)
 
 TEST(StoredShift, IsNotSeenInOtherData)
 {
-  // A masked head: the values outside of it are 0, which is not the value of air.
+  // A masked head, outside of which the values are 0, which is not the value of air.
   std::vector<double> masked = MakeBody(10.0, false);
   std::transform(masked.begin(), masked.end(), masked.begin(),
     [](double value) { return value < -500.0 ? 0.0 : value; });
