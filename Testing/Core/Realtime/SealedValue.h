@@ -56,7 +56,7 @@ public:
 
   std::uint64_t Taken = 0;
   std::uint64_t Torn = 0;
-  std::uint64_t Backward = 0; ///< values with a number that is not larger than the one before
+  std::uint64_t Backward = 0; ///< number of values that are not above the previous one
   std::uint64_t Last = 0;     ///< number of the latest value
 };
 } // namespace servotest

@@ -368,7 +368,7 @@ TEST(DataClock, GoesToAPlaceAtOnceOrWhenItsTimeStepsCome)
   EXPECT_EQ(hand.GetTime(), 6.0);
 }
 
-/// A single time step may arrive first after a leap to another place. In each playback mode, the
+/// After a jump to another place, a single time step may arrive first. In each playback mode, the
 /// time holds at this time step, and no motion carries the proxy.
 TEST(DataClock, GoesToAPlaceByWayOfOneTimeStep)
 {
@@ -448,8 +448,8 @@ TEST(DataClock, AWallThatBeatsGivesItsWorkAndNoFault)
     rigs::GatedStage stage;
     SafetyLimits limits;
     limits.MaximumForce = 4.0;
-    // Limits that reduce or delay the force do work of their own. In these sessions, the hand's
-    // energy is compared with the positive part of the wall's work.
+    // Limits that reduce or delay the force also do work. In these sessions, the hand's energy is
+    // compared with the positive part of the wall's work.
     const bool isLimited = session % 2 != 0;
     limits.MaximumForceRate = isLimited ? 2.0 : 500.0;
     limits.RampTime = isLimited ? 0.5 : 0.0;
@@ -463,10 +463,10 @@ TEST(DataClock, AWallThatBeatsGivesItsWorkAndNoFault)
     double speed = 0.0;
     double goal = tip.Z;
     double aim = tip.Z;
-    double given = 0.0;    // J, given to the hand by the force
-    double fromWall = 0.0; // J, work of the wall
-    double pushed = 0.0;   // J, positive part of the work of the wall
-    double most = 0.0;     // J: largest energy given to the hand beyond the work of the wall
+    double given = 0.0;    // energy (J) that the force has given to the hand
+    double fromWall = 0.0; // work of the wall (J)
+    double pushed = 0.0;   // positive part of the work of the wall (J)
+    double most = 0.0;     // largest energy (J) given to the hand in excess of the work of the wall
     for (int i = 0; i < 6000; ++i)
     {
       // A hand of 80 g on a damped spring of 150 N/m, whose other end moves slowly to and fro.
@@ -492,7 +492,8 @@ TEST(DataClock, AWallThatBeatsGivesItsWorkAndNoFault)
         << "session " << session << " tick " << i << ", fault "
         << static_cast<int>(stage.Gate.GetFault());
     }
-    // A tick is a finite step. It adds up to k dx^2 / 2 to the energy, for steps dx of some 2e-5 m.
+    // A tick is a finite step, which adds up to k dx^2 / 2 to the energy. The steps dx are some
+    // 2e-5 m.
     EXPECT_LE(most, 3e-5) << "session " << session;
     reached = std::max(reached, given);
   }

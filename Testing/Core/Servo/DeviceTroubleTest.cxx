@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests back ends in trouble: frozen, lost, quenched, closed, and at the end of a recording.
+ * Tests back ends that freeze, are lost, quenched or closed, or reach the end of a recording.
  */
 
 #include "Devices/Replay/ReplayDevice.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that a force which fades out reaches zero without a step, and that a loop without
- * attention from its owner fades out by itself.
+ * Expects that a force which fades out reaches zero without a step, and that the force of a loop
+ * whose owner is silent fades out by itself.
  */
 
 #include "Rigs/FadingLoop.h"
@@ -44,7 +44,7 @@ protected:
     loop->SetRecording(true);
     this->Follow(loop, 200); // until the slew limit has let the force grow
   }
-  /// Reads `ticks` snapshots. Expects a force exactly in the ticks in which force may flow, and
+  /// Reads `ticks` snapshots. Expects a force in exactly those ticks in which force may flow, and
   /// counts the ticks of the fade.
   void Follow(RunningLoop& loop, int ticks)
   {
@@ -52,7 +52,7 @@ protected:
     {
       ASSERT_NO_FATAL_FAILURE(this->Take(loop));
       const ServoSnapshot& s = this->Last;
-      // Judge by the snapshots of the loop, so that the delay of this thread does not matter.
+      // Use the loop's own snapshots, so that the delay of this thread does not matter.
       const bool flows = s.IsArmed() && s.GetFault() == GateReason::None && s.Residency > 0.0;
       this->Falling += flows && s.Residency < 1.0;
       EXPECT_EQ(flows, Norm(s.Command) > 0.0);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that a held loop sends no force, for any other orders. After the release, the loop must
- * continue as after Arm().
+ * Expects that a held loop sends no force, whatever other orders it gets. After the release, the
+ * loop must continue as after Arm().
  */
 
 #include "Rigs/FadingLoop.h"

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Publishes a model while a hand is armed. A force that would jump must grow with the ramp instead,
- * and the proxy must not be carried far.
+ * Publishes a model while the hand feels a force. A force that would jump must grow with the ramp
+ * instead, and the proxy must not be carried far.
  *
- * The spring has 1000 N/m, is pressed 1 mm deep, and its surface stays in place on a ramp along z.
- * If the proxy is carried by c, the force is 1000 N/m (1 mm + c).
+ * The spring has 1000 N/m and is pressed 1 mm deep, and its surface stays in place on a ramp along
+ * z. If the proxy is carried by c, the force is 1000 N/m (1 mm + c).
  */
 
 #include "Rigs/PlayedDevice.h"
@@ -39,8 +39,8 @@ private:
 
 struct Change
 {
-  double Carry = 0.0; ///< mm that the change moves the volume along the press
-  double Field = 0.0; ///< N, from FORCE_FIELD, which replaces the spring
+  double Carry = 0.0; ///< distance (mm) by which the change moves the volume along the press
+  double Field = 0.0; ///< force (N) of the method ForceField, which replaces the spring
 };
 
 class Jump : public testing::Test

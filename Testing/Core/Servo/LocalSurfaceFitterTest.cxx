@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests LOCAL_SURFACE in a running loop. The slow thread must answer, also while models change.
+ * Tests the method LocalSurface in a running loop. The slow thread must reply even while models
+ * change.
  */
 
 #include "Rigs/LocalSurfaceRig.h"
@@ -25,7 +26,7 @@ std::shared_ptr<const HapticModel> MakeModel(double iso, double rate = 100.0)
   return std::make_shared<const HapticModel>(d);
 }
 
-/// Reads states until `holds` returns true for a state. Returns false if none comes in time.
+/// Reads states until `holds` returns true for one of them. Returns false if this takes too long.
 template <typename F>
 bool WaitState(RunningLoop& loop, F&& holds)
 {
@@ -56,7 +57,8 @@ TEST(LocalSurfaceFitter, IsNotNeededToStop)
     loop->Publish(MakeModel(1200.0, 1.0)); // one fit per second
     EXPECT_TRUE(Eventually([&] { return loop->GetTickCount() > 10; }));
   }
-  // Stopping must not wait for the slow loop, whose period is 1 s. 30 s allow for a busy machine.
+  // Stopping must not wait for the slow loop, whose period is 1 s. The limit of 30 s allows for a
+  // busy machine.
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests when orders take effect in the loop, and that force flows only while it may.
+ * Tests in which tick orders take effect, and that force flows only while it may.
  */
 
 #include "Rigs/PlayedDevice.h"
@@ -46,8 +46,8 @@ protected:
   PlayedDevice Device;
 };
 
-/// A device that rests in the ramp. On demand, its samples stop; they return as soon as the force
-/// falls.
+/// A device that rests in the ramp. When the test asks for it, its samples stop; they return as
+/// soon as the force falls.
 class DozingDevice : public PlayedDevice
 {
 public:
@@ -87,7 +87,7 @@ TEST_F(Servo, AModelTakesEffectWithinTwoTicks)
   for (int i = 0; i < 50; ++i)
   {
     const std::uint64_t generation = loop->Publish(i % 10 == 9 ? nullptr : this->Model);
-    // The tick under way may have begun with the old model, but the next tick must use the new one.
+    // The current tick may have begun with the old model, but the next tick must use the new one.
     const std::uint64_t underWay = loop->GetTickCount();
     const auto arrived = [&]
     {
@@ -123,7 +123,7 @@ TEST_F(Servo, WithoutAModelThereIsNoForce)
 {
   RunningLoop loop(this->Device);
   this->Activate(loop);
-  // The force must be zero because the loop has seen the change. The tip is still in contact.
+  // The force must be zero because the loop has received the change. The tip is still in contact.
   const std::uint64_t generation = loop->Publish(nullptr);
   EXPECT_TRUE(Eventually([&] { return loop->GetAcknowledged() >= generation; }));
   EXPECT_TRUE(this->IsCut(loop));
@@ -136,7 +136,7 @@ TEST_F(Servo, AFrozenDeviceGetsNoForceUntilItMovesAgain)
   RunningLoop loop(this->Device, 5000.0, limits);
   this->Activate(loop);
   this->Device.Frozen.store(true);
-  // The force must be zero because the tip has been still for too long. The tip is still in
+  // The force must be zero because the tip has not been measured for too long. The tip is still in
   // contact.
   EXPECT_TRUE(Eventually(
     [&]

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests times by the device's clock: report periods, round trips and speeds from the samples' own
- * times, on simulated devices with known times; and springs that are capped by these times.
+ * Tests times by the device's clock: report periods, round trips and speeds are computed from the
+ * samples' own times, on simulated devices with known times. Also tests springs whose stiffness is
+ * capped according to these times.
  *
  * The closed loop is a mass with friction. It is integrated exactly under a force that is constant
- * during a tick (SampledLoop.h). The theory of sampled data says where the loop is unstable,
+ * during a tick (SampledLoop.h). The theory of sampled data predicts where the loop is unstable,
  * independently of LoopTiming.
  */
 
@@ -77,7 +78,6 @@ public:
     }
     return last / first;
   }
-  /// Returns the measured round trip (s).
   double GetRoundTrip() const { return this->Timing.GetRoundTrip(); }
   double GetReportPeriod() const { return this->Timing.GetReportPeriod(); }
 
@@ -123,7 +123,7 @@ private:
   double V = 0.0;
 };
 
-/// A safety stage that gets its timing from LoopTiming, as in the loop.
+/// A safety stage that receives its timing from LoopTiming, as in the loop.
 class TimedStage
 {
 public:
@@ -248,7 +248,7 @@ TEST(LoopTiming, RestsOfASilentStickTellNoPeriodAndDoNotAge)
   std::int64_t now = Begin;
   double tip = 0.0;
   // While the device moves, it reports its position every 8 ms. While it rests, a sample without a
-  // position shows every 10 ms that it is alive.
+  // position shows every 10 ms that it is connected.
   for (int i = 0; i < 40; ++i)
   {
     for (int ms = 0; ms < 400; ++ms, now += Millisecond)
@@ -305,7 +305,7 @@ TEST(LoopTiming, AStickThatReportsEvery8MsIsAsFastAsItIs)
 
 TEST(LoopTiming, ReportsThatAreReadLateMakeItNoFaster)
 {
-  // The reading thread is delayed now and then: one report is read late, and the next one in time.
+  // The reading thread is sometimes delayed: one report is read late, and the next one on time.
   std::mt19937_64 engine(11);
   TimedStage stage(1e-6);
   std::int64_t told = 0;
@@ -358,8 +358,7 @@ TEST(LoopTiming, ASilentStickIsStaleUnlessItIsSeenAlive)
     for (int ms = 0; ms < 400; ++ms)
     {
       stage.Tick(isSeen && ms % 10 == 0 ? MakeSign() : DeviceSample{});
-      // The count `ms` begins 8 ms after the last report. The stick becomes stale 30 ms after that
-      // report.
+      // `ms` counts from 8 ms after the last report. The tip becomes stale 30 ms after that report.
       EXPECT_TRUE(stage.Stage.IsStale() == (!isSeen && ms >= 22) || ms == 22) << ms;
     }
   }

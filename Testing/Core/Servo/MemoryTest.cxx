@@ -3,7 +3,7 @@
 
 /**
  * Expects that a running loop locks the memory that it uses, but no memory of a volume that is
- * mapped from a file. The tests read the kernel's own figures: mincore(2), and VmLck in
+ * mapped from a file. The tests use numbers of the kernel: mincore(2), and VmLck in
  * /proc/self/status.
  */
 
@@ -41,7 +41,7 @@ TEST(ServoMemory, AMappedVolumeStaysInItsFile)
     ASSERT_TRUE(Eventually([&] { return loop->GetTickCount() > ticks + 50; }));
     EXPECT_LT(file.Resident(), file.Size / 10) << "no more than what the tip has read";
     const std::size_t locked = LockedBytes() - before;
-    // Most of the locked memory is the ring of 2^14 ticks of some 1.2 kB each.
+    // Most of the locked memory is the ring of 2^14 ticks with some 1.2 kB each.
     EXPECT_LT(locked, std::size_t{ 32 } << 20);
     const bool granted = loop->GetLockedMemory() == ServoLoop::Privilege::Granted;
     EXPECT_TRUE(!granted || !CanLock || locked > sizeof(ServoLoop)) << locked << " bytes";
@@ -194,7 +194,7 @@ TEST(ServoMemory, AForkedChildHasLocksOfItsOwn)
                 return isLocked && isKept && LockedBytes() == 0 ? 0 : 1;
               }),
     0);
-  // Another thread may be locking memory at the time of the fork. That thread does not exist in the
+  // Another thread may be locking memory at the time of the fork. This thread does not exist in the
   // child.
   std::atomic<bool> isOver{ false };
   std::thread other(

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the owners of a model: no owner may keep a model that was freed.
+ * Expects that no owner of a model uses it after it was freed.
  */
 
 #include "Core/Servo/ModelExchange.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that the stylus' orientation passes through the loop and that invalid orientations do
+ * Expects that the stylus's orientation passes through the loop, and that invalid orientations do
  * not. The force must not depend on the orientation.
  */
 
@@ -19,7 +19,7 @@ constexpr double Nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr std::uint64_t Ticks = 4000;
 
-/// A device that turns and sometimes reports an invalid orientation.
+/// A device that rotates, and sometimes reports an invalid orientation.
 class TurnedDevice : public PlayedDevice
 {
 public:
@@ -110,7 +110,7 @@ TEST(Orientation, PassesAsAUnitQuaternionOrNotAtAll)
     ASSERT_NEAR(SquaredNorm(tick.Orientation), 1.0, 1e-14) << tick.Tick;
     const double cosine = wanted.W * tick.Orientation.W + wanted.X * tick.Orientation.X +
       wanted.Y * tick.Orientation.Y + wanted.Z * tick.Orientation.Z;
-    // In eight ticks, the orientation turns by at most 8e-3 rad about one axis.
+    // In eight ticks, the orientation rotates by at most 8e-3 rad about one axis.
     ASSERT_GT(cosine, std::cos(9e-3)) << tick.Tick;
     if (report.IsGood && tick.Tick % 8 != 2)
     {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that ticks neither allocate nor lock, for anything that happens around them.
+ * Expects that ticks neither allocate nor lock, whatever happens around them.
  */
 
 #include "Rigs/PlayedDevice.h"
@@ -14,7 +14,8 @@ namespace
 {
 struct WatchedDevice : PlayedDevice
 {
-  // From the tenth tick on, watches all calls of the servo's thread, including those around Read().
+  // From the tenth tick on, monitors all calls of the servo's thread, including those around
+  // Read().
   void InTick() noexcept override { WatchThisThread(this->Reads.load() > 10); }
 };
 } // namespace
@@ -58,7 +59,7 @@ TEST(ServoQuiet, NoTickAllocatesOrLocks)
   EXPECT_EQ(watched.Locks, 0U);
 }
 
-// Tests the watch: if it counted nothing, the test above would pass.
+// Tests the monitor itself: if it counted nothing, the test above would pass.
 TEST(ThreadWatch, SeesAllocationsAndLocksOfItsThreadOnly)
 {
   const auto work = []

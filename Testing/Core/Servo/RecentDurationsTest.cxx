@@ -26,8 +26,8 @@ struct Figures
   std::int64_t Typical = 0;
 };
 
-/// Computes the expected statistics by sorting: of the last 256 durations, those within the last
-/// second.
+/// Computes the expected statistics by sorting: from at most the last 256 durations, and only those
+/// within the last second.
 Figures Sort(const std::vector<std::int64_t>& all)
 {
   std::vector<std::int64_t> last;

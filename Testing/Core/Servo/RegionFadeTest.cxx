@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that the force fades and the proxy moves with the tip while data are missing. When the
- * data are back, the force must return as slowly.
+ * Expects that the force fades, and the proxy moves with the tip, while data are missing. When the
+ * data have returned, the force must return as slowly.
  */
 
 #include "RegionRig.h"
@@ -32,8 +32,8 @@ protected:
     this->Walk(Outside, TipOf(0), 100);
     this->Walk(TipOf(0), TipOf(0), 100); // rests with the tip pressed into the surface
   }
-  /// Runs a tick as the loop does. Expects that the command obeys the slew limit, and the gate's
-  /// opening its largest step.
+  /// Runs a tick as the loop does. Expects that the command obeys the slew limit, and that the
+  /// gate's opening changes by at most its largest step.
   void Step(const Vector3& tip)
   {
     const double share = this->Stage.Gate.GetOpening();
@@ -90,14 +90,14 @@ TEST_P(RegionFade, ATipThatTravelsInTheDarkComesBackWithoutAStep)
   EXPECT_TRUE(this->Servo.IsAwaiting());
   EXPECT_EQ(Norm(this->Command), 0.0);
   EXPECT_TRUE(IsSame(this->Record.Proxy, there)) << "the proxy went along";
-  // Load the region around the tip, which is just outside of the ball. In the first tick with this
+  // Load the region around the tip, which is just outside the ball. In the first tick with this
   // region, the force is still zero.
   const auto next = this->MakeRegion(there, 24);
   CarryState(*this->Model, *next, this->State);
   this->Model = next;
   this->Step(there);
   EXPECT_LT(Norm(this->Command), 1e-9);
-  // Return to the place of the first region. That region has to be loaded again.
+  // Return to the first region's position. That region has to be loaded again.
   this->Walk(there, here, 200);
   EXPECT_EQ(Norm(this->Command), 0.0);
   const auto last = this->MakeRegion(here, 24);

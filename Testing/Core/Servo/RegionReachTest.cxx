@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that the residency counts all samples that a tick reads: kernels, x_s and x_v, and the
- * walk to the far side of an edge.
+ * Expects that the residency takes all samples into account that a tick reads: kernels, x_s and
+ * x_v, and the walk to the far side of an edge.
  *
  * The test compares random strokes in random boxes with the same strokes in the whole volume, so it
- * notices any read outside of the box. The length of a walk is three kernel radii, in voxels along
- * the normal (FarSide.h). Documentation/method.md describes how the residency falls.
+ * detects any read outside the box. The length of a walk is three kernel radii, in voxels along the
+ * normal (FarSide.h). Documentation/method.md describes how the residency falls.
  */
 
 #include "Core/Regions/Residency.h"
@@ -95,7 +95,7 @@ struct Box
     }
   }
 
-  /// Returns whether a position is outside of the box, but still inside the volume.
+  /// Returns whether a position is outside the box, but still inside the volume.
   bool IsLeftAt(const Vector3& index) const
   {
     const double at[3] = { index.X, index.Y, index.Z };
@@ -112,15 +112,15 @@ struct Box
   Index Last;
 };
 
-/// Numbers of ticks with force, by residency.
+/// Numbers of ticks with force, by their residency.
 struct Counts
 {
   int Whole = 0; ///< residency 1
   int Part = 0;  ///< residency between 0 and 1
 };
 
-/// Strokes in the box and in the whole volume. Expects equal ticks to the bit wherever the
-/// residency is not 0.
+/// Strokes in the box and in the whole volume. Expects that ticks are equal, to the bit, wherever
+/// the residency is not 0.
 void CompareStroke(
   const HapticModelDescription& d, const Box& box, const std::vector<Vector3>& tips, Counts& counts)
 {
@@ -309,8 +309,8 @@ TEST(RegionReach, FallsOverFourVoxelsThatEndThreeBeforeTheFarthestSample)
     last[axis] = 40;
     const HapticModel region(Crop(d, { 0, 0, 0 }, last));
     const double radius = d.KernelRadius;
-    const double aside = radius * 1.1 / spacing[axis]; // voxels to x_s, which is set by the largest
-                                                       // spacing
+    const double aside = radius * 1.1 / spacing[axis]; // voxels to x_s, whose distance depends on
+                                                       // the largest spacing
     const double walk = isFar && !isPaper ? 3.0 * radius : 0.0;
     const double reach = std::max({ radius, aside, walk }) + 3.0;
     for (int n = 0; n < 50; ++n)

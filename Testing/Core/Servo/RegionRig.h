@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Makes a ball in a volume, and models of the whole volume and of regions that contain no other
- * samples.
+ * Makes a ball in a volume, a model of the whole volume, and models of regions that contain no
+ * other samples.
  */
 #ifndef RegionRig_h
 #define RegionRig_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that a region of a volume gives the same force as the whole volume to the bit, also while
+ * Expects that a region of a volume has the same force as the whole volume, to the bit, even while
  * regions change under a hand that presses.
  */
 
@@ -35,8 +35,7 @@ protected:
       const Vector3 tip = TipOf(i);
       if (i % period == 0)
       {
-        // Vary the region's position relative to the tip. Samples outside of the region do not
-        // exist.
+        // Vary the region's position relative to the tip. Samples outside the region do not exist.
         const Vector3 off = 1e-3 * Vector3{ double(i % 3), double(i % 2), -double(i % 3) };
         HapticModelDescription d = CropAround(this->Whole, tip + off, half);
         d.Number = region ? region->Baked->Number : 0;
@@ -81,8 +80,8 @@ TEST_P(Region, EndsWhereTheVolumeEndsAsTheWholeDoes)
 {
   this->Whole.KernelRadius = 3;
   const HapticModel whole(this->Whole);
-  // The region has the lowest planes along x. So one of its ends is the volume's border, and the
-  // other end is only the region's.
+  // The region contains the lowest planes along x, so one of its ends is the volume's border, and
+  // the other end is only the region's.
   const HapticModel region(Crop(this->Whole, { 0, 0, 0 }, { 44, Samples, Samples }));
   EXPECT_TRUE(
     HapticModel(Crop(this->Whole, { 0, 0, 0 }, { Samples, Samples, Samples })).Resident.IsWhole());

@@ -3,9 +3,9 @@
 
 /**
  * Expects that a servo which moves through a volume of 2 GiB, mapped from a file, finds its samples
- * in memory. The tests read the kernel's own figures: page faults of the servo's thread
- * (getrusage(2)), pages of the file in memory (mincore(2)) and locked pages (/proc/self/smaps).
- * They compare the pages of a box with those of all its samples, one by one.
+ * in memory. The tests use numbers of the kernel: page faults of the servo's thread (getrusage(2)),
+ * pages of the file in memory (mincore(2)) and locked pages (/proc/self/smaps). They also compare
+ * the pages of a box with those of all its samples, one by one.
  */
 
 #include "Rigs/MappedFile.h"
@@ -25,8 +25,8 @@ using namespace servotest;
 namespace
 {
 using Privilege = ServoLoop::Privilege;
-/// Page faults can be counted only without sanitizers, whose shadow memory causes page faults of
-/// its own.
+/// Page faults can be counted only without sanitizers, whose shadow memory causes additional page
+/// faults.
 constexpr bool CanCount = CanLock;
 constexpr std::size_t MebiByte = std::size_t{ 1 } << 20;
 
@@ -102,8 +102,8 @@ public:
     this->Running.reset();
   }
 
-  /// Waits for 4 ticks and 2 looks of the keeper, so that all that began before this call have
-  /// ended.
+  /// Waits for 4 ticks and 2 polls of the keeper, so that all ticks and polls that began before
+  /// this call have ended.
   void Settle()
   {
     const std::uint64_t ticks = this->GetLoop().GetTickCount() + 4;
@@ -219,7 +219,8 @@ TEST(SampleKeeper, LetsTheServoFindItsSamplesInMemory)
 {
   constexpr int steps = 60;
   long expected = 0;
-  // Bytes in memory: the pages that the ticks read, and the pages that the kernel reads ahead.
+  // Bytes in memory. They include the pages that the ticks read, and the pages that the kernel
+  // reads ahead.
   std::size_t touchedAtRest = 0;
   std::size_t touched = 0;
   {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Computes by theory whether a sampled spring is unstable: stiffness k, sampled with period T, on a
- * mass m with damping b.
+ * Computes from theory whether a sampled spring is unstable. The spring has the stiffness k, is
+ * sampled with the period T, and acts on a mass m with damping b.
  *
- * Over a period with constant force f, position and velocity become A (x, v) + B f with e =
+ * Over a period with a constant force f, position and velocity become A (x, v) + B f with e =
  * exp(-bT/m), A = (1, (1 - e) m/b; 0, e), B = (T/b - (1 - e) m/b^2; (1 - e)/b). With f = -k x from
  * `delay` ticks ago, the loop is unstable if an eigenvalue of the whole system has a modulus above
  * 1.
@@ -68,8 +68,8 @@ inline double SpectralRadius(Square matrix)
   return std::exp(logarithm);
 }
 
-/// Returns the matrix of one period of a mass on a sampled spring. Its state is the position, the
-/// velocity and the forces under way, with the next force first.
+/// Returns the matrix of one period of a mass on a sampled spring. Its state consists of the
+/// position, the velocity and the pending forces, with the next force first.
 inline Square MakeLoop(double k, int delay)
 {
   const double e = std::exp(-Damping * Period / Mass);

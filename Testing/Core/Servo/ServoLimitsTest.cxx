@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that the force stays within its limit, for any motion of the tip.
+ * Expects that the force stays within its limit, whatever the tip's motion is.
  */
 
 #include "Rigs/ServoFixture.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the start of a session, and how it continues after a tip that is NaN.
+ * Tests the start of a session, and the ticks after a tip that is NaN.
  */
 
 #include "Rigs/ServoFixture.h"

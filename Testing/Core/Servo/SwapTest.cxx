@@ -16,7 +16,7 @@ using namespace servotest;
 
 namespace
 {
-/// A device that puts the number of the tick into all values of its reports.
+/// A device that stores the number of the tick in all values of its reports.
 struct CountingDevice : PlayedDevice
 {
   static Vector3 TurnOf(std::uint64_t tick)
@@ -85,11 +85,10 @@ std::uint64_t SumOf(const ServoSnapshot& s)
   return sum;
 }
 
-/// Checks a stream of snapshots: counts torn, repeated and skipped snapshots.
+/// Checks a stream of snapshots, and counts the torn, repeated and skipped ones.
 struct Watcher
 {
-  std::vector<std::pair<std::uint64_t, std::uint64_t>> Sums; ///< number of each tick, and its
-                                                             ///< checksum
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> Sums; ///< number and checksum of each tick
   std::uint64_t States = 0;
   std::uint64_t Torn = 0;
   std::uint64_t Backward = 0;
@@ -174,8 +173,8 @@ TEST(ServoSwap, AThousandModelsNeverTearJumpOrLeak)
       }
     }
     EXPECT_TRUE(Eventually([&] { return loop->GetAcknowledged() == 1000; }));
-    // Only the publisher frees models. Once the fitter has released its model, all models but the
-    // last are freed.
+    // Only the publisher frees models. When the fitter has released its model, all models except
+    // the last are freed.
     for (std::size_t i = 0; i + 1 < models.size(); ++i)
     {
       const auto isFreed = [&]
@@ -200,7 +199,7 @@ TEST(ServoSwap, AThousandModelsNeverTearJumpOrLeak)
   EXPECT_EQ(reader.Backward + recorder.Backward, 0U);
   EXPECT_EQ(lost, 0U);
   ASSERT_EQ(recorder.Skipped, 0U);
-  // ReadState() and Drain() return the same states.
+  // ReadState() and Drain() must return the same states.
   const std::uint64_t first = recorder.Sums.front().first;
   std::uint64_t compared = 0;
   for (const auto& [tick, sum] : reader.Sums)

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a tool with a shape in a running loop: force and torque stay within their limits, for any
- * published model; the tool's memory is freed with the models; a replay from a stored state and its
- * contacts is equal to the bit; and a hand whose device measures no orientation can be turned.
+ * Tests a tool with a shape in a running loop. Force and torque must stay within their limits,
+ * whatever model is published; the tool's memory must be freed with the models; a replay from a
+ * stored state and its contacts must be equal, to the bit; and the program must be able to rotate a
+ * hand whose device measures no orientation.
  */
 
 #include "Core/State/ServoStateNumbers.h"
@@ -19,7 +20,7 @@ namespace
 {
 constexpr double MostTorque = 2e-4; // N m
 
-/// A device that accepts torque. It measures no orientation, so only the loop turns the tool.
+/// A device that accepts torque. It measures no orientation, so only the loop rotates the tool.
 class TorqueDevice : public PlayedDevice
 {
 public:
@@ -55,7 +56,7 @@ std::shared_ptr<const PointShell> MakeTool(double radius)
   std::vector<ShellPoint> points = MakeSphere(radius, 300);
   for (ShellPoint& point : points)
   {
-    // Put the shell beside the hand's point, so that contact turns the tool.
+    // Place the shell beside the hand's point, so that contact rotates the tool.
     point = { 1e3 * point.Position + Vector3{ 1.0, 0.0, 0.0 }, 1e6 * point.Area };
   }
   return std::make_shared<const PointShell>(std::move(points));
@@ -185,7 +186,7 @@ TEST(ToolLoop, WhatIsKeptBeginsAReplay)
   }
 }
 
-/// The hand turns by the smaller angle, at 4 rad/s.
+/// The hand rotates through the smaller angle, at 4 rad/s.
 TEST(ToolLoop, TurnsTheHandThatNothingMeasures)
 {
   TorqueDevice device;

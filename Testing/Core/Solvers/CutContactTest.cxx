@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests contacts with the faces of a cut. Behind an open face, no force may act. A solid face at
- * depth w answers a tip at depth h with the force k (h - w), up to the surface strength T_N: the
- * closed form of a wall.
+ * Tests contacts with the faces of a cut. Behind an open face, no force may act. If the tip is at
+ * the depth h and a solid face at the depth w, the force is k (h - w), up to the surface strength
+ * T_N, as in the closed form of a wall.
  */
 
 #include "Rigs/CoreScene.h"
@@ -31,7 +31,7 @@ TestVolume MakeEven(double value)
   return volume;
 }
 
-/// Moves a tip in steps of at most 0.1 mm and sums the work. Positions are in millimetres.
+/// Moves a tip in steps of at most 0.1 mm, and sums up the work. Positions are in millimetres.
 class CutHand
 {
 public:
@@ -110,11 +110,12 @@ TEST_P(CutOfSolver, NothingIsFeltInAPartThatIsCutAway)
     for (double z = 10.0; z < 14.0; z += 0.1)
     {
       const TickRecord& record = away.Tick({ 8.0, 12.0, z });
-      // Without a surface, only the damping of a force field acts.
+      // The method ForceField damps the hand even without a surface. The other methods have no
+      // force there.
       const double damping = method == HapticMethod::ForceField ? record.DragForce : 0.0;
       EXPECT_NEAR(Norm(record.Force), damping, 1e-12);
     }
-    // At a distance of at least one voxel in front of the face, the forces are those without a cut.
+    // At least one voxel in front of the face, the forces must equal those without a cut.
     CutHand kept(cut, { 13.0, 12.0, 10.0 });
     CutHand same(whole, { 13.0, 12.0, 10.0 });
     for (double z = 10.0; z < 14.0; z += 0.1)
@@ -162,7 +163,7 @@ TEST_P(CutOfSolver, ASolidFaceIsAWallOfItsMaterial)
   // While the hand leaves, no force acts.
   hand.MoveTo(middle + 2.0 * normal);
   EXPECT_LT(Norm(hand.MoveTo(middle - 2.0 * normal).Force), 1e-9);
-  // The cut face has the strength of its material: none, where that is 0.
+  // The face of the cut has the strength of its material, which may be 0.
   description.Material.SurfaceStrength = { { 0.0, 2.0 }, { 99.0, 2.0 }, { 100.0, 0.0 } };
   const HapticModel soft(description);
   CutHand other(soft, middle - 4.0 * normal);
@@ -195,14 +196,13 @@ TEST_P(CutOfSolver, ACornerOfThreeFacesHoldsAHand)
     const TickRecord& record = hand.MoveTo(goal);
     tip = goal;
     const Vector3 in = corner - hand.GetProxy();
-    // The proxy must be at the point nearest to the tip outside of the removed octant, which is a
-    // box.
+    // The proxy must be at the point nearest to the tip outside the removed octant, which is a box.
     const Vector3 nearest = Most(goal, corner);
     const Vector3 wanted = (FaceStiffness * PerMillimetre) * (nearest - goal);
     deepest = std::max({ deepest, in.X, in.Y, in.Z });
     pushes += Norm(wanted) > 0.5 ? 1 : 0;
-    // In the tick that meets the face, the tip moves by up to 0.1 mm, so the proxy may be off by as
-    // much.
+    // In the tick that meets the face, the tip moves by up to 0.1 mm, so the proxy may be wrong by
+    // the same distance.
     EXPECT_NEAR(Norm(record.Force - wanted), 0.0, 0.1 * PerMillimetre * FaceStiffness) << i;
   }
   EXPECT_LT(deepest, 0.1);

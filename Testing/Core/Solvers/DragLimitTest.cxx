@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the lag between tip and proxy that a drag R causes with solver PRECISE in a medium without
- * a surface. The lag is R/k (T6 in Documentation/evaluation.md), but at most R over the coupling
- * stiffness, or three voxels along the normal if that is longer (Documentation/method.md). With
- * PAPER, the lag is always R/k.
+ * Tests the lag between tip and proxy that a drag R causes with the solver Precise in a medium
+ * without a surface. The lag is R/k (T6 in Documentation/evaluation.md), but at most R divided by
+ * the coupling stiffness, or three voxels along the normal if that is longer
+ * (Documentation/method.md). With the solver Paper, the lag is always R/k.
  */
 
 #include "Rigs/CoreScene.h"
@@ -24,7 +24,7 @@ struct Medium
   double Coupling = 500.0;  // N/m
   Vector3 Spacing{ 1.0, 1.0, 1.0 };
   Vector3 Slope{ 0.0, 0.0, 0.0 }; // gradient of V, per mm
-  double Cap = 0.0;               // N/m: largest stiffness of the device; 0: no limit
+  double Cap = 0.0;               // largest stiffness of the device (N/m); 0 for no limit
   HapticSolver Solver = HapticSolver::Precise;
 };
 
@@ -71,8 +71,8 @@ TEST(DragLimit, LeavesTheClosedFormsAsTheyAre)
   {
     Medium medium;
     medium.Solver = solver;
-    for (const double k : { 200.0, 400.0, 500.0, 2000.0 }) // N/m; with voxels of 1 mm, the limit on
-                                                           // the lag is at least 3 mm
+    for (const double k : { 200.0, 400.0, 500.0, 2000.0 }) // N/m; with voxels of 1 mm, the lag is
+                                                           // limited to 3 mm or more
     {
       medium.Stiffness = k;
       const auto [lag, force] = Drag(medium);
@@ -127,7 +127,7 @@ TEST(DragLimit, CountsVoxelsAlongTheNormal)
 TEST(DragLimit, HoldsInNoise)
 {
   // The values are noise, so the proxy meets any stiffness and drag on their ramps, as with the
-  // transfer functions that a user tries first.
+  // first transfer functions that a user tries.
   TestVolume volume(ScalarType::Float32, { 40, 40, 40 });
   std::mt19937_64 engine(5);
   std::normal_distribution<float> noise(0.0f, 60.0f);

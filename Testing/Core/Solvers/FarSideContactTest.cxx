@@ -3,9 +3,9 @@
 
 /**
  * Tests a hand on surfaces that take their material from the far side of the edge. The volumes
- * consist of plateaus, whose values are the expected ones. Along a surface, the value changes by
- * the solution of the equation in FarSide.h, an exponential. A distance field has no far side, so
- * the test expects the same force as with the kernel's values.
+ * consist of plateaus, whose values are the expected ones. Along a surface, the value changes
+ * exponentially, which is the solution of the equation in FarSide.h. A distance field has no far
+ * side, so the test expects the same force as with the kernel's values.
  */
 
 #include "Core/Solvers/Precise/FarSide.h"
@@ -22,7 +22,7 @@ using namespace coretest;
 namespace
 {
 constexpr double Air = -1000.0;
-constexpr double Middle = 20.4; // mm (and voxels, as the spacing is 1 mm)
+constexpr double Middle = 20.4; // position in mm and in voxels, because the spacing is 1 mm
 
 double Phi(double x)
 {
@@ -55,7 +55,7 @@ HapticModelDescription DescribeFar(const TestVolume& volume)
   return description;
 }
 
-/// Moves the tip by 0.05 mm a tick: first down to `depth` (mm) below the middle, then along x.
+/// Moves the tip by 0.05 mm per tick: first down to `depth` (mm) below the middle, then along x.
 /// Returns all ticks.
 std::vector<TickRecord> Stroke(const HapticModel& model, double depth, double from, double to)
 {
@@ -108,9 +108,9 @@ double SpreadOf(const std::vector<TickRecord>& trace)
 
 TEST(FarSideContact, BeforeAnEdgeNothingHolds)
 {
-  // The hand meets an edge without noise at places between the samples. At more than 0.7 blurs in
-  // front of its middle, the edge has risen by less than a quarter of its height. Interpolation
-  // moves that place by at most one voxel.
+  // The hand meets an edge without noise at positions between the samples. At more than 0.7 blurs
+  // in front of its middle, the edge has risen by less than a quarter of its height. Interpolation
+  // moves this position by at most one voxel.
   const std::int64_t n = 40;
   for (const double blur : { 0.05, 0.3, 0.6, 1.3 })
   {
@@ -205,7 +205,7 @@ TEST(FarSideContact, AWideEdgeIsFeltInItsMiddle)
 
 TEST(FarSideContact, NoMaterialStepsAlongASurface)
 {
-  // Two materials lie side by side, without a ramp between them.
+  // Two materials are side by side, without a ramp between them.
   const double soft = 0.0;
   const double firm = 120.0;
   const TestVolume volume = MakeVolume(
@@ -238,9 +238,9 @@ TEST(FarSideContact, NoMaterialStepsAlongASurface)
 
 TEST(FarSideContact, TheMediumFollowsOverItsOwnPath)
 {
-  // Two media lie side by side in front of one bone. At a distance s past their border, the
-  // medium's value must be M = M1 + (M0 - M1) exp(-s/L), where M0 and M1 are the values found by
-  // strokes through one medium alone.
+  // Two media are side by side in front of one bone. At a distance s past their border, the
+  // medium's value must be M = M1 + (M0 - M1) exp(-s/L), where M0 and M1 are the values that
+  // strokes through only one medium find.
   const double border = 19.5;
   const auto strokeOver = [](const std::function<double(double)>& medium)
   {
@@ -259,7 +259,7 @@ TEST(FarSideContact, TheMediumFollowsOverItsOwnPath)
     const double way = 1000.0 * across[i].Proxy.X - border;
     if (!Holds(across[i]) || std::abs(way) < 2.0 || 1000.0 * across[i].Tip.X < 13.0)
     {
-      continue; // leave out places where samples of both media are mixed
+      continue; // skip positions where samples of both media are mixed
     }
     const double left = way > 0.0 ? std::exp(-way / FarSide::MediumPathLength) : 1.0;
     const double expected =
@@ -368,7 +368,7 @@ TEST(FarSideContact, NoiseSpreadsTheValuesLessThanAtTheKernel)
 
 TEST(FarSideContact, ANewContactBeginsWithTheMaterialOfItsOwnPlace)
 {
-  // The skin holds up to 1 N. Bone lies 6 mm behind the skin.
+  // The skin holds up to 1 N. The bone is 6 mm behind the skin.
   const TestVolume volume = MakeVolume(
     [](double, double z) { return Air + 1050.0 * Phi(z / 0.8) + 1000.0 * Phi((z - 6.0) / 0.8); });
   HapticModelDescription description = DescribeFar(volume);
@@ -387,9 +387,10 @@ TEST(FarSideContact, ANewContactBeginsWithTheMaterialOfItsOwnPlace)
   EXPECT_NEAR(trace.back().NormalForce, 500.0 * 0.005, 0.15);
 }
 
-// A hand comes out of air to a wall whose edge is 5 voxels wide. One knob is ahead beside its way,
-// and one behind on the other side. So the normal turns, and along it the second knob is soon
-// behind the hand. The wall rises from -1000 to 1000, and the hand goes to where it has 1863.
+// A hand moves from air to a wall whose edge is 5 voxels wide. One knob is ahead, beside the hand's
+// path, and another one behind, on the other side. The normal therefore turns, and along it the
+// second knob is soon behind the hand. The wall rises from -1000 to 1000, and the hand moves to the
+// place where the value is 1863.
 TEST(FarSideContact, AnEdgeDoesNotMoveAheadOfTheHand)
 {
   constexpr double at = 30.0;
@@ -446,8 +447,8 @@ TEST(FarSideContact, StructuresOfLowerValuesFeelAsThoseOfHigherOnes)
   }
 }
 
-// T1 and T2 of the specification, in a volume so small that every position is less than three
-// kernel radii from the border.
+// T1 and T2 of the specification, in a volume that is so small that every position is less than
+// three kernel radii from the border.
 TEST(FarSideContact, AnEvenRampIsFeltAsWithTheKernel)
 {
   const TestVolume ramp = MakeRamp(12);
@@ -479,15 +480,15 @@ TEST(FarSideContact, AnEvenRampIsFeltAsWithTheKernel)
 
 namespace
 {
-/// A body whose distance field is the volume. Depth() is the depth (mm, and voxels) below its
-/// surface.
+/// A body whose distance field is the volume. Depth() returns the depth (in mm and in voxels) below
+/// its surface.
 struct Body
 {
   const char* Name;
   double (*Depth)(const Vector3&);
 };
 
-constexpr double Half = 28.6; // mm: centre of the bodies, along each axis
+constexpr double Half = 28.6; // centre (mm) of the bodies along each axis
 constexpr double Pi = 3.14159265358979323846;
 
 const Body Bodies[] = {
@@ -534,7 +535,7 @@ Vector3 Slope(const Body& body, const Vector3& x)
   return { along({ 1, 0, 0 }), along({ 0, 1, 0 }), along({ 0, 0, 1 }) };
 }
 
-/// Moves `x` along the gradient to a depth (mm). Returns that position.
+/// Moves `x` along the gradient to a depth (mm). Returns the new position.
 Vector3 AtDepth(const Body& body, Vector3 x, double depth)
 {
   for (int i = 0; i < 20; ++i)
@@ -576,7 +577,7 @@ TEST(FarSideContact, ADistanceFieldOfCoarseVoxelsIsFeltAsWithTheKernel)
       TickRecord records[2];
       for (int i = 0; i < 900; ++i)
       {
-        // The surface is felt one kernel radius (2 mm) outside of the body. So a tip on the body's
+        // The surface is felt one kernel radius (2 mm) outside the body, so a tip on the body's
         // surface is 2 mm deep.
         const double depth = std::min(-5.0 + 0.05 * i, 0.0);
         way += 0.02 * Vector3{ normal(engine), normal(engine), normal(engine) };
@@ -601,8 +602,8 @@ TEST(FarSideContact, ADistanceFieldOfCoarseVoxelsIsFeltAsWithTheKernel)
 TEST(FarSideContact, ARampOfRoundedSamplesHoldsAsFirmlyAsAnExactOne)
 {
   // A ball without an edge: the values rise evenly by 10 per voxel. The surface is where the hand
-  // first meets the ramp. A tip 1 mm below it feels 500 N/m times 1 mm, and a press of 5 N must not
-  // break through.
+  // first touches the ramp. At 1 mm below it, the tip feels 500 N/m times 1 mm, and a press of 5 N
+  // must not break through.
   const double radius = 100.0;
   const double expected = 500.0 * 1e-3;
   const Vector3 out = (1.0 / std::sqrt(14.0)) * Vector3{ 2.0, 1.0, 3.0 };
@@ -651,8 +652,8 @@ TEST(FarSideContact, APressIsTheSameInTicksOfAnyLength)
 {
   // A ball of 30 mm radius, whose wall has a strength of T = 2 N (eq. 12) and a stiffness of 500
   // N/m. The force must be min(k lag, T), however far the tip moves in one tick. Behind the wall of
-  // 2 mm, the values are constant and hold nothing. The hand may meet the wall up to two voxels
-  // (the kernel's reach) outside of 30 mm.
+  // 2 mm, the values are constant and hold nothing. The hand may touch the wall up to two voxels
+  // (the kernel's reach) outside 30 mm.
   constexpr double stiffness = 0.5; // N/mm
   constexpr double strength = 2.0;  // N
   constexpr double radius = 30.0;

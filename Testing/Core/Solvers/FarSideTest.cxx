@@ -19,7 +19,7 @@ using namespace coretest;
 
 namespace
 {
-constexpr double Middle = 31.3; // voxels: position of the edges
+constexpr double Middle = 31.3; // position of the edges (voxels)
 constexpr double Radius = 2.0;  // voxels
 constexpr double Tolerance = 0.01;
 
@@ -28,7 +28,7 @@ double Phi(double x)
   return 0.5 * std::erfc(-x / std::sqrt(2.0));
 }
 
-/// A volume that changes along z only: value(d) at the distance d (voxels) from the middle.
+/// A volume that changes only along z: value(d) at the distance d (voxels) from the middle.
 class Layers
 {
 public:
@@ -67,7 +67,7 @@ TEST(FarSide, IsThePlateausOfABlurredEdge)
       EXPECT_NEAR(far.Ahead, 60.0, 1060.0 * Tolerance) << blur << " from " << at;
       EXPECT_NEAR(far.Behind, -1000.0, 1060.0 * Tolerance) << blur << " from " << at;
       EXPECT_LT(far.Evenness, FarSide::EdgeEvenness) << blur << " from " << at;
-      // From the other side, the same edge has its values ahead and behind exchanged.
+      // From the other side, the same edge must have its values ahead and behind exchanged.
       const FarValues lower = edge.Find(at, true);
       EXPECT_EQ(lower.Ahead, far.Behind);
       EXPECT_EQ(lower.Behind, far.Ahead);
@@ -95,8 +95,8 @@ TEST(FarSide, IsTheFirstPlateauNotTheSkullThroughTheScalp)
 }
 
 // The skin is thinner than the kernel is wide, and the skull behind it is a steeper edge. The walk
-// must find the skin's edge, on its own side of the dip between the two edges, and must not take
-// both for one edge.
+// must find the skin's edge, on its own side of the dip between the two edges, and must not combine
+// both to one edge.
 TEST(FarSide, IsThatOfAThinLayerWhoseNextEdgeIsSteeper)
 {
   for (const double blur : { 0.5, 0.6 })
@@ -166,7 +166,7 @@ TEST(FarSide, StopsAtTheBorder)
 {
   const Layers ramp([](double z) { return 100.0 * z; });
   const double last = 63.0 - Middle;
-  // The walk goes in steps of half a voxel. Only two steps fit between the position and the border.
+  // The walk makes steps of half a voxel. Only two steps fit between the position and the border.
   const FarValues far = ramp.Find(last - 1.2);
   EXPECT_NEAR(far.Ahead, 100.0 * (last - 0.2), 1e-9);
   EXPECT_NEAR(far.Behind, 100.0 * (last - 1.2 - 3.0 * Radius), 1e-9);

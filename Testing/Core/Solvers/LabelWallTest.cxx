@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests walls between labels under a hand, in a volume with one value. A wall at depth w that holds
- * answers a tip at depth h with the force k (h - w), the closed form of these tests.
+ * Tests walls between labels under a hand, in a volume with one value. If the tip is at the depth h
+ * and a wall that holds at the depth w, the force is k (h - w), which is the closed form of these
+ * tests.
  */
 
 #include "Rigs/CoreScene.h"
@@ -21,8 +22,8 @@ using namespace coretest;
 namespace
 {
 constexpr double Millimetre = 1e-3;
-/// Number of crossings. Sanitizers and debug builds are slow, so they make fewer crossings; the
-/// statistics need a release build.
+/// Number of crossings. Sanitizers and debug builds are slow, so they make fewer crossings,
+/// although the statistics need the number of a release build.
 #if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 constexpr int Crossings = 1000000;
 #else
@@ -96,14 +97,14 @@ private:
   bool IsThere = false;
 };
 
-/// The wall of L6: it lies between the labels 0 and 1, passes through the middle and is oblique to
+/// The wall of L6. It is between the labels 0 and 1, passes through the middle, and is oblique to
 /// all axes. Positions and lengths are in millimetres. The random numbers are the same in each run.
 class ObliqueWall
 {
 public:
   static constexpr double Stiffness = 500.0;
   static constexpr double Strength = 2.0;
-  static constexpr double Bumps = 0.4; ///< mm: size of the bumps that the voxels make
+  static constexpr double Bumps = 0.4; ///< size of the bumps caused by the voxels (mm)
 
   explicit ObliqueWall(std::uint64_t seed)
     : Scene(32, [this](const Vector3& x) { return this->DepthOf(x) > 0.0 ? 1 : 0; },
@@ -147,7 +148,7 @@ class LabelWallOfSolver : public testing::TestWithParam<HapticSolver>
 
 TEST_P(LabelWallOfSolver, HoldsWhereTheLabelsMeet)
 {
-  // L1, with the geometry of labels: regions of 200 N/m and of 800 N/m lie behind one wall at z =
+  // L1, with the geometry of labels: regions of 200 N/m and of 800 N/m are behind one wall at z =
   // 11.5.
   const auto labels = [](const Vector3& x) { return x.Z < 11.5 ? 0 : (x.X < 11.5 ? 1 : 2); };
   LabelledScene scene(24, labels, { Entry(1, 200.0, 50.0), Entry(2, 800.0, 50.0) });
@@ -161,7 +162,8 @@ TEST_P(LabelWallOfSolver, HoldsWhereTheLabelsMeet)
     const TickRecord& pressed = hand.MoveTo({ x, 12, 13.5 }, 0.01);
     EXPECT_NEAR(pressed.Stiffness, stiffness, 1e-9 * stiffness);
     EXPECT_NEAR(pressed.Proxy.Z, 11.5 * Millimetre, 0.015 * Millimetre);
-    // The force is the lag times the stiffness of this region. The other region has no effect.
+    // The force is the lag times the stiffness of this region, without influence of the other
+    // region.
     EXPECT_NEAR(-pressed.Force.Z / (stiffness * (13.5 * Millimetre - pressed.Proxy.Z)), 1.0, 1e-9);
     const TickRecord& left = hand.MoveTo({ x, 12, 8 });
     EXPECT_EQ(Norm(left.Force), 0.0) << "the way out is free";
@@ -192,7 +194,7 @@ TEST_P(LabelWallOfSolver, GivesWayAtItsStrength)
 
 TEST_P(LabelWallOfSolver, IsNotThereIfNothingIsFelt)
 {
-  // The skin's label is set not to be felt; the bone behind the skin is felt.
+  // The label of the skin is not felt; the bone behind the skin is.
   const auto labels = [](const Vector3& x) { return x.Z < 8.5 ? 0 : (x.Z < 14.5 ? 1 : 2); };
   LabelledMaterial skin = Entry(1, 300.0, 5.0);
   skin.Material.IsFelt = false;
@@ -230,7 +232,7 @@ TEST(LabelWall, IsNeverFallenThrough)
     {
       const double depth = goesIn ? wall.Draw(0.5, deepest) : wall.Draw(-3.0, -0.5);
       const Vector3 to = wall.Middle + wall.DrawAlong(5.0) + depth * wall.Normal;
-      // Divide the way into equal steps of at most 3 mm, and run a tick for each.
+      // Divide the path into equal steps of at most 3 mm, with one tick each.
       const Vector3 way = to - tip;
       const int ticks = static_cast<int>(std::ceil(Norm(way) / fastest));
       for (int tick = 1; tick <= ticks; ++tick)
@@ -239,7 +241,7 @@ TEST(LabelWall, IsNeverFallenThrough)
         through += wall.IsThrough() ? 1 : 0;
       }
       tip = to;
-      // The force divided by k must be the depth, except for the size of the bumps.
+      // The force divided by k must equal the depth, except for the size of the bumps.
       const double pressed = -Dot(wall.Record.Force, wall.Normal) / ObliqueWall::Stiffness;
       unpressed += goesIn && std::abs(pressed / Millimetre - depth) > ObliqueWall::Bumps ? 1 : 0;
     }
@@ -250,7 +252,7 @@ TEST(LabelWall, IsNeverFallenThrough)
 
 TEST(LabelWall, IsNotFallenThroughInAMillionCrossings)
 {
-  // Make up to 10^6 crossings of one tick each, at places with bumps and dents of the voxels.
+  // Make up to 10^6 crossings of one tick each, at places with bumps and dents due to voxels.
   ObliqueWall wall(9);
   Vector3 foot = wall.Middle;
   wall.Move(foot - wall.Normal);

@@ -3,7 +3,7 @@
 
 /**
  * Expects that the force does not depend on the world's length unit: a ball in micrometres,
- * centimetres, metres and kilometres gives the same forces as in millimetres.
+ * centimetres, metres and kilometres must give the same forces as in millimetres.
  */
 
 #include "Rigs/CoreScene.h"
@@ -90,12 +90,13 @@ TEST(LengthUnits, ChangeNoForce)
       {
         EXPECT_EQ(LargestDifference(Touch(volume, unit, method, solver, step), expected), 0.0);
       }
-      // A world unit of a micrometre, a centimetre, a metre and a kilometre. Their numbers are
-      // rounded.
+      // World units of a micrometre, a centimetre, a metre and a kilometre, whose numbers are
+      // rounded differently.
       for (const double unit : { 1e-3, 10.0, 1e3, 1e6 })
       {
         const double found = LargestDifference(Touch(volume, unit, method, solver, step), expected);
-        // PAPER chatters on the ball, so rounding alone changes its force by up to 0.02 N.
+        // The solver Paper chatters on the ball, so rounding alone changes its force by up to 0.02
+        // N.
         EXPECT_LT(found, solver == HapticSolver::Paper ? 0.02 : 1e-9);
       }
     }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that the force of LOCAL_SURFACE never jumps under hands that move at random.
+ * Expects that the force of the method LocalSurface never jumps under hands that move at random.
  */
 
 #include "Rigs/LocalSurfaceRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests LOCAL_SURFACE on shapes that are not flat: friction stays within its cone, hollows hold the
- * tip, and thin walls do not pull.
+ * Tests the method LocalSurface on shapes that are not flat: friction must stay within its cone,
+ * hollows must hold the tip, and thin walls must not pull.
  */
 
 #include "Rigs/LocalSurfaceRig.h"
@@ -23,7 +23,7 @@ TEST(LocalSurfaceShapes, FrictionSticksAndSlides)
   d.Material.Friction = ConstantPolyline(0.4);
   Hand hand(d, { 10.0, 10.0, 9.0 });
   hand.Lead({ 10.0, 10.0, 15.0 });
-  // As long as the lateral lag is less than mu times the depth, the proxy sticks (T4 and T5 in
+  // The proxy sticks while the lateral lag is less than mu times the depth (T4 and T5 in
   // Documentation/evaluation.md).
   hand.Lead({ 11.1, 10.0, 15.0 });
   EXPECT_EQ(hand.Record.Contact, ContactState::Sticking);
@@ -70,7 +70,7 @@ TEST(LocalSurfaceShapes, FrictionIsNoMoreThanItsShareOfTheNormalForce)
 TEST(LocalSurfaceShapes, AHollowHoldsAHandThatGrazesIt)
 {
   const TestVolume volume = MakeLocalBall(-1.0);
-  for (const double slide : { 0.05, 0.1, 0.2 }) // mm per tick, or m/s
+  for (const double slide : { 0.05, 0.1, 0.2 }) // mm per tick, which is m/s
   {
     for (const double press : { 0.002, 0.02 })
     {

@@ -74,7 +74,7 @@ TEST(LocalSurface, IsFoundFromOutsideOnlyUnlessItHolds)
   EXPECT_LE(Norm(Fit(d, outside).Shape.Gradient - up), 1e-9);
   EXPECT_LE(Norm(Fit(d, inside).Shape.Gradient + up), 1e-9);
   // Rounding has put the start on the other side of the surface. The hand must still be held from
-  // the side given by `up`.
+  // the side of `up`.
   EXPECT_LE(Norm(Fit(d, { 10.0, 10.0, 12.0 + 1e-6 }, {}, up).Shape.Gradient - up), 1e-9);
 }
 

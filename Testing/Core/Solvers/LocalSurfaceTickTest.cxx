@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests forces on a surface that the slow loop has fitted. The surface is at z = 12 mm; the
+ * Tests forces on a surface that the slow loop has fitted. The surface is at z = 12 mm, the
  * stiffness is 500 N/m, and the tick rate 1 kHz.
  */
 
@@ -14,7 +14,7 @@ using namespace coretest;
 
 namespace
 {
-constexpr int Period = 17; // ticks until the slow loop (60 Hz) answers
+constexpr int Period = 17; // ticks until the slow loop (60 Hz) replies
 
 class LocalSurfaceTick : public testing::Test
 {
@@ -49,15 +49,15 @@ TEST_F(LocalSurfaceTick, AnswersComeAsLateAsTheSlowLoopIsSlow)
   {
     EXPECT_EQ(hand.Tick().IsRenewed, tick % Period == 0) << tick;
   }
-  // The hand moves from outside to 2 mm inside in two ticks, before the first answer. No surface
-  // can stop it yet.
+  // The hand moves from outside to 2 mm inside in two ticks, before the first reply. No surface can
+  // stop it yet.
   Hand fast(this->Description, { 10.0, 10.0, 11.0 });
   fast.Lead({ 10.0, 10.0, 14.0 }, 1.5);
   for (int tick = 0; tick < 10; ++tick)
   {
     EXPECT_EQ(Norm(fast.Tick().Force), 0.0);
   }
-  // The first answer is the surface behind the hand. Its force must rise gradually.
+  // The first reply is the surface behind the hand. Its force must rise gradually.
   double last = 0.0;
   for (int tick = 0; tick < 60; ++tick)
   {

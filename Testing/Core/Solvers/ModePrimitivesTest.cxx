@@ -38,7 +38,7 @@ ModeGrid MakeVortex(F&& speed)
 TEST(ModePrimitives, AVortexHoldsTheHandInAsStronglyAsItTurns)
 {
   // P5: a Lamb-Oseen vortex with the curl 2 exp(-r^2/100 mm^2). The strength is proportional to the
-  // curl: 2 N at a curl of 2.
+  // curl, 2 N at a curl of 2.
   ModeGrid vortex = MakeVortex([](double r) { return 100.0 / r * -std::expm1(-r * r / 100.0); });
   vortex.Bake(ModeKind::VortexTube, { { 0.0, 0.0 }, { 2.0, 2.0 } });
   const double radii[4] = { 0.0, 5.0, 10.0, 20.0 };
@@ -54,7 +54,7 @@ TEST(ModePrimitives, AVortexHoldsTheHandInAsStronglyAsItTurns)
         vortex.Move(AtAngle(tips[i] * tick / 400.0, angle));
       }
       // On the core line, the proxy stays within 0.01 voxel of the line. Elsewhere, the strength is
-      // that of the flow as blurred by the sampler.
+      // that of the flow, blurred by the sampler.
       EXPECT_NEAR(Norm(vortex.Motion.Proxy), 1e-3 * radii[i], i == 0 ? 5e-6 : 2e-5);
       EXPECT_NEAR(Norm(vortex.Motion.Force), forces[i], 0.005 * forces[i] + 1e-4);
       EXPECT_NEAR(
@@ -177,16 +177,16 @@ TEST(ModePrimitives, ShearHasALineAlongItsStretching)
   EXPECT_EQ(set[0].Kind, PrimitiveKind::Line);
   EXPECT_NEAR(set[0].Strength, 1.5, 1e-12);
   EXPECT_NEAR(std::abs(Dot(set[0].Direction, { std::sqrt(0.5), std::sqrt(0.5), 0.0 })), 1.0, 1e-14);
-  // The strength fades within two voxels of the border; at 1 mm (one voxel) from it, a quarter
-  // remains.
+  // The strength fades within two voxels of the border; at 1 mm (one voxel) from the border, a
+  // quarter remains.
   EXPECT_NEAR(grid.At({ 8.0, 0.0, 0.0 })[0].Strength, 0.25 * 1.5, 1e-12);
   EXPECT_EQ(grid.At({ 9.01, 0.0, 0.0 })[0].Strength, 0.0);
 }
 
 TEST(ModePrimitives, TensorsAreInterpolatedAndNotTheirFibres)
 {
-  // P9: the fibres turn linearly in z, from the angle `From` (degrees) at the bottom to `To` at the
-  // top. The eigenvalues are 1, 0.2, and 0.1 along z.
+  // P9: the fibres turn linearly along z, from the angle `From` (degrees) at the bottom to `To` at
+  // the top. The eigenvalues are 1, 0.2, and 0.1 along z.
   struct Case
   {
     double From, To, Fraction, Angle, Kept;
@@ -224,8 +224,8 @@ TEST(ModePrimitives, TensorsAreInterpolatedAndNotTheirFibres)
       double angle = std::atan2(fibre.Y, fibre.X) * 180.0 / HalfTurn;
       angle = angle < 0.0 ? angle + 180.0 : angle;
       EXPECT_NEAR(angle, of.Angle, 1e-3);
-      // `Kept` is the fraction of the anisotropy that interpolation leaves: the eigenvalues are l1
-      // and l2 = 0.6 +- 0.4 Kept, and l3 = 0.1.
+      // `Kept` is the fraction of the anisotropy that remains after interpolation: the eigenvalues
+      // are l1 and l2 = 0.6 +- 0.4 Kept, and l3 = 0.1.
       const double l1 = 0.6 + 0.4 * of.Kept;
       EXPECT_NEAR(set[0].Strength, 0.8 * of.Kept / l1, 1e-3);
       EXPECT_NEAR(set[1].Strength, (0.5 - 0.4 * of.Kept) / l1, 1e-3);
@@ -266,7 +266,7 @@ TEST(ModePrimitives, SingularTensorsAndMissingVectorsAreNotFelt)
     EXPECT_FALSE(tensors.Field->Add(*tensors.Baked)) << "eight primitives at most";
     EXPECT_EQ(tensors.Field->GetCount(), 3) << "it keeps its number";
     EXPECT_EQ(tensors.At({}).GetSize(), 6);
-    // A tensor mode refuses a vector field.
+    // A mode for tensors must refuse a vector field.
     vectors.Mode.Kind = ModeKind::TensorFollow;
     EXPECT_FALSE(BakedMode(vectors.Mode, vectors.IndexToWorld).IsValid());
   }

@@ -4,13 +4,13 @@
 /**
  * Tests bounds for the change of a mode's force when the tip moves.
  *
- * For one set of primitives with its anchors, the force is k-Lipschitz in the tip: the proxy is a
- * proximal map (PrimitiveSolver.h). A mode has other primitives at each place. Let K(x) be the set
- * of forces that the primitives at x can have, and let K change by L along the proxy's way: for
- * each force in K(x), K(x + dx) has a force that differs by at most L |dx|. For a line along q of
- * strength S, L is |S grad q| + |grad S|: how fast the flow turns, and how fast its strength
- * changes. A moving proxy has the force f in K(x) that opposes the motion most: dx.(f - g) <= 0 for
- * all g in K(x). So the forces before and after a motion have
+ * For one set of primitives with fixed anchors, the force is k-Lipschitz in the tip, because the
+ * proxy is a proximal map (PrimitiveSolver.h). A mode has different primitives at each place. Let
+ * K(x) be the set of forces that the primitives at x can have, and let K change by L along the
+ * proxy's path: for each force in K(x), K(x + dx) contains a force that differs by at most L |dx|.
+ * For a line along q of strength S, L is |S grad q| + |grad S|, that is, how fast the flow turns
+ * and how fast its strength changes. A moving proxy has the force f in K(x) that opposes the motion
+ * most: dx.(f - g) <= 0 for all g in K(x). For the forces before and after a motion, this gives
  *
  *   dx.df <= L |dx|^2,   df = k (dx - dy),   and, with q = L/k < 1,
  *   |dx| <= |dy|/(1 - q)                     since dx.df = k (|dx|^2 - dx.dy),
@@ -18,11 +18,11 @@
  *
  *   |df| <= k |dy| (1 + sqrt(1 + 4 q/(1 - q)^2))/2 = k |dy|/(1 - q).
  *
- * On a circle of radius R, with the tip at a distance d inside of it, q is d/R. If the tip comes to
- * the centre, the proxy runs around the circle. If q is 1 or more, the only bound is that of the
- * strengths: |df| <= S(x) + S(x + dx). If S(|v|)/|v| and the slope of S are at most s, q is at most
- * s |J|/k for flows and fronts, because S v/|v| is an s-Lipschitz function of v. So flows and
- * fronts are within 1/(1 - q) wherever s |J| < k.
+ * On a circle of radius R, with the tip at a distance d inside the circle, q is d/R. If the tip
+ * moves to the centre, the proxy runs around the circle. If q is 1 or more, only the strengths
+ * bound the change: |df| <= S(x) + S(x + dx). If S(|v|)/|v| and the slope of S are at most s, q is
+ * at most s |J|/k for flows and fronts, because S v/|v| is an s-Lipschitz function of v. Flows and
+ * fronts are therefore within 1/(1 - q) wherever s |J| < k.
  */
 
 #include "Rigs/ModeGrid.h"
@@ -36,13 +36,13 @@ using namespace modegrid;
 
 namespace
 {
-constexpr int Ticks = 200000;  // ticks of each mode: more than a million in all
-constexpr double Stride = 0.2; // mm: largest motion per tick along each axis
+constexpr int Ticks = 200000;  // ticks of each mode; all modes together make more than a million
+constexpr double Stride = 0.2; // largest motion (mm) per tick along each axis
 
-/// Upper bound of the flow's Jacobian (per mm). The Jacobian is [0 a 0; 0 0 b; c d 0] with |a| <=
-/// 0.4, |b| <= 0.3, |c| <= 0.25, |d| <= 0.1 per mm, and its norm is at most (0.4 * 0.5)^(1/2): the
-/// root of the largest row sum times the largest column sum. The flow has many directions,
-/// rotation, stretching and places at rest.
+/// Upper bound of the norm of the flow's Jacobian (per mm). The Jacobian is [0 a 0; 0 0 b; c d 0]
+/// with |a| <= 0.4, |b| <= 0.3, |c| <= 0.25, |d| <= 0.1 per mm, and its norm is at most (0.4 *
+/// 0.5)^(1/2), the root of the largest row sum times the largest column sum. The flow has many
+/// directions, rotation, stretching and places at rest.
 constexpr double SteepestSwirl = 0.45;
 void Swirl(const Vector3& x, double* v)
 {
@@ -51,7 +51,8 @@ void Swirl(const Vector3& x, double* v)
   v[2] = 0.5 * std::sin(0.5 * x.X + 0.2 * x.Y);
 }
 
-/// Computes the tensor v v^T + 0.1 of the flow v, changed so that it is flat or long in places.
+/// Computes the tensor v v^T + 0.1 of the flow v, changed so that it is flat or elongated in
+/// places.
 void SwirlTensor(const Vector3& x, double* t)
 {
   double v[3];
@@ -153,7 +154,8 @@ private:
     EXPECT_LE(step, this->StrengthsAt(from.Proxy) + this->StrengthsAt(to.Proxy)) << tick;
   }
 
-  /// Returns the largest q = L/k in parts of the way, for the forces before and after the motion.
+  /// Returns the largest q = L/k along parts of the path, for the forces before and after the
+  /// motion.
   double ComputeTurning(const Vector3& from, const Vector3& to, const PrimitiveForces& forces) const
   {
     constexpr int parts = 16;
@@ -187,7 +189,7 @@ struct SteppedMode
 {
   ModeKind Kind;
   int Components;
-  double Second; ///< N: strength of the other primitives where the first one has its full strength
+  double Second; ///< strength (N) of the other primitives where the first one has its full strength
 };
 
 Walked WalkThrough(const SteppedMode& mode, double strength)
@@ -208,7 +210,7 @@ TEST_P(ModesInASwirl, StepByTheSpringAsFarAsTheFieldAllows)
 {
   const Walked met = WalkThrough(this->GetParam(), 1.5);
   EXPECT_GT(met.Strongest, 0.3);
-  // The hand moves at 0.2 m/s. Few of its steps cross places where the flow turns so fast that
+  // The hand moves at 0.2 m/s. Only few of its steps cross places where the flow turns so fast that
   // there is no bound (q >= 1).
   EXPECT_LT(met.Unbound, Ticks / 100);
 }
@@ -219,7 +221,8 @@ INSTANTIATE_TEST_SUITE_P(ModeSteps, ModesInASwirl,
     SteppedMode{ ModeKind::VortexTube, 3, 0.3 }, SteppedMode{ ModeKind::Shear, 3, 0.0 },
     SteppedMode{ ModeKind::TensorFollow, 6, 0.5 }));
 
-/// The flow is weak: s |J| = 0.3 N * 0.45/mm is 0.27 k. So the bound 1/(1 - q) exists everywhere.
+/// The flow is weak: s |J| = 0.3 N * 0.45/mm is 0.27 k. The bound 1/(1 - q) therefore exists
+/// everywhere.
 TEST(ModeSteps, OfWeakFlowsAndFrontsAreWithinABoundOfTheirStrength)
 {
   constexpr double strength = 0.3;

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Computes how far from its middle a moving edge holds the proxy: errors in V1 to V3 that come from
- * the samples, not from the force law.
+ * Computes how far from its middle a moving edge holds the proxy. These errors in V1 to V3 come
+ * from the samples, and not from the force law.
  *
- * An edge is where V is the mean of two values of V: one kernel radius R in front and one behind.
- * With the Gaussian estimator, V is interpolated between samples h apart. At a fraction f of a
- * voxel, interpolation gives
+ * An edge is where V is the mean of the values one kernel radius R in front and one kernel radius
+ * behind. With the Gaussian estimator, V is interpolated between samples h apart. At a fraction f
+ * of a voxel, interpolation gives
  *
  *   V + f(1 - f)/2 h^2 V'' + f(1 - f)(1 - 2f)/6 h^3 V''' + ...
  *
- * At the middle of an edge and at R from there, the first error term is 0 or cancels. The second
+ * At the middle of an edge, and at R from there, the first error term is 0 or cancels. The second
  * term moves the middle to and fro from voxel to voxel, by at most
  *
  *   e = sqrt(3)/108 h^3 |V'''(0) - V'''(R)| / |V'(0) - V'(R)|   at f = (3 - sqrt(3))/6.
@@ -21,13 +21,13 @@
  *   e = sqrt(3)/108 h^3/w^2 (2 - 2 s^2 + 4 (1 - s) s)/(1 - s)
  *
  * The surface is never in front of the middle of its edge. A moving wall passes through all
- * positions within a voxel, so in the end it holds at e behind its middle. The force on the hand is
+ * positions within a voxel, so it finally holds at e behind its middle. The force on the hand is
  * then too small by up to k e, and never too large. A ball's level moves as well: a Gaussian of
- * variance q reads the surface q/r too far inside, so the surface moves inside by q (1/r2 - 1/r1)
+ * variance q reads the surface q/r too far inside, so the surface moves inward by q (1/r2 - 1/r1)
  * while the radius falls from r1 to r2.
  *
- * PAPER holds in front of the middle, where its surface is distinct enough for the pull. This
- * distance has no effect on how the proxy is carried.
+ * The solver Paper holds in front of the middle, where its surface is distinct enough for the pull.
+ * This distance has no effect on how the proxy is carried.
  */
 
 #include "Rigs/MovingRig.h"
@@ -51,8 +51,8 @@ struct SampledEdge
   int Radius;   ///< voxels
 };
 
-/// Returns the closed form of the ripple e (mm): the largest distance between the sampled edge's
-/// middle and the true one.
+/// Returns the ripple e (mm) in closed form: the largest distance between the sampled edge's middle
+/// and the true one.
 double ComputeRipple(const SampledEdge& edge)
 {
   const double h = edge.Voxel;
@@ -131,7 +131,7 @@ HapticModelDescription DescribeEdge(const Movie& movie, const SampledEdge& edge,
 }
 
 /// Runs V3: the wall moves from 18 mm on through three voxels. Returns the errors of the force.
-/// @param drag of the medium, N
+/// @param drag drag of the medium (N)
 Errors FeelWall(const SampledEdge& edge, double drag)
 {
   const Place at = [](double t) { return 16.0 + 10.0 * std::min(t, 0.5); };
@@ -155,7 +155,7 @@ double ForceOf(double way)
   return 0.001 * K * way;
 }
 
-/// N: error that rounding and the search for levels add.
+/// Error (N) that rounding and the search for levels add.
 constexpr double SearchError = 1e-3;
 
 } // namespace
@@ -165,7 +165,7 @@ TEST(MovingEdges, AnInterpolatedEdgeWandersByAFormula)
   for (const SampledEdge& edge : { SampledEdge{ 1.5, 1.0, 2 }, SampledEdge{ 1.5, 1.0, 3 },
          SampledEdge{ 1.5, 0.5, 2 }, SampledEdge{ 2.0, 1.0, 2 }, SampledEdge{ 2.5, 1.0, 3 } })
   {
-    // The tolerance covers the next term of the series, which has h^5.
+    // The tolerance covers the next term of the series, which contains h^5.
     EXPECT_NEAR(SearchRipple(edge) / ComputeRipple(edge), 1.0, 0.06)
       << edge.Width << " " << edge.Voxel << " " << edge.Radius;
   }
@@ -213,14 +213,14 @@ TEST(MovingEdges, ABallHoldsBehindItsMiddleByThatAndByHowItsBlurGrows)
     }
     EXPECT_NEAR(errors.Least, -ForceOf(SearchRipple(edge) + ComputeBlur(edge) * grown), SearchError)
       << strength;
-    // The first level may lie in front of the edge's middle by up to the ripple.
+    // The first level may be in front of the edge's middle by up to the ripple.
     EXPECT_LE(errors.Most, ForceOf(SearchRipple(edge)) + SearchError) << strength;
   }
 }
 
-/// V1 and V7 with solver PAPER, after the ball has pressed once: at its largest radius of 22 mm,
-/// the surface slipped at its strength of 2 N. From then on, f = 2 N - k (22 mm - r), where r is
-/// the ball's radius. No work is left over from a period, and the offset of PAPER's surface has no
+/// V1 and V7 with the solver Paper, after the ball has pressed once: at its largest radius of 22
+/// mm, the surface slipped at its strength of 2 N. From then on, f = 2 N - k (22 mm - r), where r
+/// is the ball's radius. Over a period, no work remains, and the offset of Paper's surface has no
 /// effect.
 TEST(MovingEdges, PaperGivesNoWorkOnceItHasSlipped)
 {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests volumes whose time steps have displacements, which say where the material moves. The
+ * Tests volumes whose time steps have displacements, which describe the motion of the material. The
  * expected forces are closed forms, or those of the same hand in the material's coordinates: a
  * volume that moves as a whole under a resting hand feels like a volume at rest under a hand that
- * moves the other way.
+ * moves in the opposite direction.
  */
 
 #include "Core/Model/HapticModel.h"
@@ -92,7 +92,7 @@ private:
   std::list<std::vector<double>> Doubles;
 };
 
-/// Returns the value at an index of a bumpy wall, which lies at x < `place`.
+/// Returns the value at an index of a bumpy wall, which is at x < `place`.
 double BumpyWall(const Vector3& index, double place, double width = 1.5)
 {
   const double bumps = 0.4 * std::sin(0.3 * index.Y) * std::cos(0.2 * index.Z);
@@ -126,9 +126,9 @@ Affine3 ObliqueGrid()
 }
 } // namespace
 
-/// V6 of the derivations: a volume that moves gives the force of a volume at rest under a hand that
-/// moves the other way. The motion between time steps is a whole number of voxels, so that sampling
-/// adds no error.
+/// V6 of the derivations: a moving volume gives the same force as a volume at rest under a hand
+/// that moves in the opposite direction. The motion between time steps is a whole number of voxels,
+/// so that sampling adds no error.
 TEST(MovingMaterial, AVolumeThatMovesIsAHandThatGoes)
 {
   struct Choice
@@ -141,10 +141,11 @@ TEST(MovingMaterial, AVolumeThatMovesIsAHandThatGoes)
     double Friction;
     double Drag;
   };
-  // Compare single ticks that start from the same state, as well as whole paths. In PRECISE,
-  // rounding decides what happens where friction and drag let go together, or at an edge whose
-  // width is a thousandth of its height (kernel materials with alignment Edge). Where a graded edge
-  // (far side) gives way, rounding errors grow from tick to tick, up to the tolerance of a motion.
+  // Compare single ticks that start from the same state, as well as whole paths. With the solver
+  // Precise, rounding decides what happens where friction and drag release the proxy together, or
+  // at an edge whose width is a thousandth of its height (kernel materials with alignment Edge).
+  // Where a graded edge (far side) gives way, rounding errors grow from tick to tick, up to the
+  // tolerance of a motion.
   const Choice choices[] = {
     { HapticSolver::Paper, ContactAlignment::Distinctness, MaterialPlacement::Kernel, false, 5.0,
       0.3, 0.1 },
@@ -212,8 +213,8 @@ TEST(MovingMaterial, AVolumeThatMovesIsAHandThatGoes)
   }
 }
 
-/// The tissue stretches along a flat wall: a point at y moves along y, while the values stay the
-/// same at each place.
+/// The tissue stretches along a flat wall: a point at y moves along y, while the values at each
+/// place remain the same.
 TEST(MovingMaterial, ABreathTakesAStickingHandAlong)
 {
   constexpr double stretch = 0.2; // per unit of time: rate of the stretch
@@ -243,8 +244,7 @@ TEST(MovingMaterial, ABreathTakesAStickingHandAlong)
     {
       const TickRecord& felt = hand.Touch({ 0.010, 0.001 * y0, 0.012 }, t);
       // The material of the first contact carries the proxy along. Beyond the friction cone, the
-      // proxy slides. The hand rests, so the material that is below the proxy now comes from a
-      // smaller y.
+      // proxy slides. The hand rests, so the material below the proxy now comes from a smaller y.
       const double along = 0.001 * MaterialK * stretch * t * (y0 - fixed);
       EXPECT_NEAR(felt.Force.Y, std::min(along, 0.4 * push), 2e-3) << "at " << t;
       EXPECT_NEAR(felt.Force.X, push, 1e-6) << "at " << t;
@@ -285,8 +285,8 @@ TEST(MovingMaterial, AFastWallIsAWallAllTheWay)
       const double force = hand.Touch({ 0.013, 0.012, 0.012 }, t).Force.X;
       const double bumps = 0.4 * std::sin(3.6) * std::cos(2.4);
       const double depth = std::max(0.0, place(t) + bumps - 13.0);
-      // Take the distance along x. The bumps tilt the surface, so the distance along the normal is
-      // slightly shorter.
+      // Measure the distance along x. The bumps tilt the surface, so the distance along the normal
+      // is slightly shorter.
       const double off = std::abs(force - 0.001 * MaterialK * depth) / (0.001 * MaterialK);
       worst[isKnown] = std::max(worst[isKnown], off);
     }
@@ -358,8 +358,8 @@ TEST(MovingMaterial, MaterialIsTrackedThroughTimeStepsBothWays)
   }
 }
 
-/// A displacement of 5 voxels that varies in space. Places must be exact to 1e-5 voxel, and slopes
-/// must equal difference quotients.
+/// A displacement of 5 voxels that varies in space. Places must be right within 1e-5 voxel, and
+/// slopes must equal difference quotients.
 TEST(MovingMaterial, PlacesInBetweenAreThoseOfTheMaterial)
 {
   const auto motion = [](const Vector3& x)
@@ -400,8 +400,8 @@ TEST(MovingMaterial, PlacesInBetweenAreThoseOfTheMaterial)
   }
 }
 
-/// The gradient that PRECISE uses equals the derivative of the value, with displacements that vary
-/// in space.
+/// The gradient that the solver Precise uses must equal the derivative of the value, with
+/// displacements that vary in space.
 TEST(MovingMaterial, TheGradientIsThatOfTheValue)
 {
   const MaterialMovie movie(
@@ -430,8 +430,8 @@ TEST(MovingMaterial, TheGradientIsThatOfTheValue)
   }
 }
 
-/// With friction, drag and a random hand, the hand gets at most the energy that hand and material
-/// have put in.
+/// With friction, drag and a random hand, the hand must get back at most the energy that hand and
+/// material have put in.
 TEST(MovingMaterial, GivesNoMoreThanTheMaterialsWork)
 {
   const MaterialMovie movie(
@@ -472,8 +472,8 @@ TEST(MovingMaterial, GivesNoMoreThanTheMaterialsWork)
   }
 }
 
-/// V6 for FORCE_FIELD: material that moves past a resting hand drags it like resting material drags
-/// a hand that moves the other way.
+/// V6 for the method ForceField: material that moves past a resting hand drags it like resting
+/// material drags a hand that moves in the opposite direction.
 TEST(MovingMaterial, TheDragOfAForceFieldIsAgainstTheMaterial)
 {
   const MaterialMovie movie(
@@ -504,7 +504,8 @@ TEST(MovingMaterial, TheDragOfAForceFieldIsAgainstTheMaterial)
   EXPECT_GT(farthest, 1.0);
 }
 
-/// For any displacements, the force is finite, and a surface pushes with at most its strength.
+/// For any displacements, the force must be finite, and a surface must push with at most its
+/// strength.
 TEST(MovingMaterial, AbsurdDisplacementsMakeNoAbsurdForce)
 {
   std::mt19937_64 engine(4);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that the samples which a tick on a moving volume keeps for the next tick only save time.
- * Three hands must feel the same force to the bit: without this memory, with a new memory for each
- * tick, and with a memory that is kept.
+ * Expects that the samples which a tick in a moving volume stores for the next tick only save time.
+ * Three hands must feel the same force, to the bit: without this memory, with a new memory for each
+ * tick, and with one memory for all ticks.
  */
 
 #include "Rigs/CoreScene.h"
@@ -87,8 +87,8 @@ bool IsSameTick(const TickRecord& a, const TickRecord& b)
   return std::memcmp(x.data(), y.data(), sizeof(x)) == 0 && a.Contact == b.Contact;
 }
 
-/// Moves a hand slowly, so that it stays in one voxel for many ticks, while the data time goes to
-/// and fro. Expects equal ticks with a kept memory, with a new memory and without a memory.
+/// Moves a hand slowly, so that it stays in one voxel for many ticks, while the data time moves to
+/// and fro. Expects equal ticks without a memory, with a new memory, and with one that is kept.
 void ExpectMemoriesChangeNothing(const HapticModelDescription& description, double last)
 {
   const HapticModel model(description);
@@ -102,7 +102,7 @@ void ExpectMemoriesChangeNothing(const HapticModelDescription& description, doub
   {
     const Vector3 tip = wanderer.Next();
     const double way = 0.0037 * i;
-    // In some ticks, the data time is exactly the time of a time step, or 0.
+    // In some ticks, the data time is exactly that of a time step, or 0.
     const double time =
       i % 50 < 5 ? std::floor(way) : last * (0.5 - 0.5 * std::cos(way)) * (i % 97 == 0 ? 0.0 : 1.0);
     TickMemory anew;
@@ -168,8 +168,8 @@ TEST(MovingMemory, ChangesNothingWhereSamplesAreMissing)
   }
 }
 
-/// PAPER reads the values before and after a motion together. The two instants lie between the same
-/// time steps, in different intervals, or at time steps.
+/// The solver Paper reads the values before and after a motion together. The two instants are
+/// between the same time steps, in different intervals, or at time steps.
 TEST(MovingMemory, ValuesAtTwoInstantsAreThoseOfEachToTheBit)
 {
   RandomMovie movie(ScalarType::Float32, 3, false);
@@ -207,8 +207,8 @@ TEST(MovingMemory, ValuesAtTwoInstantsAreThoseOfEachToTheBit)
   }
 }
 
-/// PAPER has a shorter code path for two instants between the same time steps. That path must give
-/// the same values as reading each instant alone.
+/// The solver Paper has a shorter code path for two instants between the same time steps. It must
+/// compute the same values as reading each instant alone.
 TEST(MovingMemory, AStepBetweenTimeStepsIsReadAsBothInstantsToTheBit)
 {
   RandomMovie movie(ScalarType::Float32, 4, false);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a sphere of 1 mm on moving meshes. The sphere rests on the mesh, so its force is known at
- * all times.
+ * Tests a sphere with a radius of 1 mm on moving meshes. The sphere rests on the mesh, so its force
+ * is known at all times.
  */
 
 #include "Rigs/SurfaceRig.h"
@@ -16,7 +16,7 @@ using namespace coretest;
 namespace
 {
 /// A mesh whose points move with the time steps, one unit of time apart. The mesh of each time step
-/// holds the motions of its points to the next time step.
+/// contains the motions of its points to the next time step.
 class MovingMesh : public testing::Test
 {
 protected:
@@ -64,8 +64,7 @@ protected:
 };
 } // namespace
 
-/// V3: a floor rises by 5 mm per time step, presses against a tip that rests at 4 mm, and goes back
-/// down.
+/// V3: a floor rises by 5 mm per time step, presses against a tip that rests at 4 mm, and returns.
 TEST_F(MovingMesh, AFloorThatComesPushesATipThatRests)
 {
   const auto height = [](double time) { return time < 2.0 ? 5.0 * time : 20.0 - 5.0 * time; };
@@ -89,7 +88,7 @@ TEST_F(MovingMesh, AFloorThatComesPushesATipThatRests)
       (height(hand.State.DataTime) - height(hand.State.DataTime - 0.001));
     if (tick == 2000)
     {
-      // The energy of the spring of 500 N/m, compressed by 7 mm.
+      // This is the energy of the spring of 500 N/m, compressed by 7 mm.
       EXPECT_NEAR(work, 0.5 * 500.0 * 0.007 * 0.007, 1e-5);
     }
   }
@@ -138,8 +137,8 @@ TEST_F(MovingMesh, ASlopeThatSlidesLiftsTheSphere)
   }
 }
 
-/// With displacements, a sliding floor carries a sphere along that sticks to it, until the sphere
-/// slips at the friction of 0.4 times 1 N. Without displacements, the sphere stays.
+/// With displacements, a sliding floor carries a sticking sphere along, until the sphere slips at
+/// the friction of 0.4 times 1 N. Without displacements, the sphere stays.
 TEST_F(MovingMesh, AFloorThatSlidesTakesAlongWhatSticks)
 {
   const auto at = [](const Vector3& point, int timeStep) {
@@ -159,7 +158,7 @@ TEST_F(MovingMesh, AFloorThatSlidesTakesAlongWhatSticks)
     {
       timeStep.Displacements = { isKnown ? motion.data() : nullptr, ScalarType::Float64 };
     }
-    // Start inside of a triangle, because at an edge both triangles hold the sphere.
+    // Start inside a triangle, because at an edge both triangles hold the sphere.
     Hand hand(description, { 8.0, 2.0, 4.0 });
     hand.Lead({ 8.0, 2.0, -1.0 });
     for (int tick = 1; tick <= 1200; ++tick)

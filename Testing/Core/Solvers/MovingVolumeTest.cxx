@@ -19,10 +19,10 @@ using namespace movingtest;
 
 namespace
 {
-/// N: 1 % of the largest force, 1.5 N.
+/// 1 % (N) of the largest force, which is 1.5 N.
 constexpr double OnePercent = 0.015;
 
-/// A way to sample and read a volume. The kernel radius is the default, 2 voxels.
+/// A way to sample and read a volume, with the default kernel radius of 2 voxels.
 struct Reading
 {
   GradientEstimator Estimator;
@@ -79,7 +79,7 @@ void ExpectTimeStepsAlike(HapticModelDescription description, int timeSteps, int
 
 } // namespace
 
-/// With a kernel radius of 2 voxels, V1 to V3 hold within 1 % of the largest force: for the cubic
+/// With a kernel radius of 2 voxels, V1 to V3 hold within 1 % of the largest force, for the cubic
 /// B-spline, and for the Gaussian (the default) on edges that are at least three voxels wide. On
 /// edges of 1.5 voxels, the Gaussian is off by up to 0.033 voxel, or 16 mN (see
 /// MovingEdgeTest.cxx).
@@ -100,7 +100,7 @@ TEST_P(RestingHands, V1ABallThatPulsatesPushes)
     EXPECT_NEAR(force.X, ForceOfBall(t), OnePercent) << "at " << t;
     EXPECT_NEAR(force.Y, 0.0, 1e-9);
     EXPECT_NEAR(force.Z, 0.0, 1e-9);
-    // Allow twice the step that the surface makes at its largest speed in this test.
+    // Allow twice the step of the surface at its largest speed in this test.
     EXPECT_LE(std::abs(force.X - before), 2.0 * 0.001 * K * 4.0 * Pi * Dt) << "at " << t;
     before = force.X;
   }
@@ -140,10 +140,10 @@ INSTANTIATE_TEST_SUITE_P(MovingVolume, RestingHands,
   testing::Values(
     Reading{ GradientEstimator::CubicBSpline, 1.0 }, Reading{ GradientEstimator::Gaussian, 0.5 }));
 
-/// V2 with PAPER, which holds a ball in front of the middle of its edge. That distance has no
-/// effect once the surface has slipped at 2 N, at a radius of 22 mm. From then on, the force in
-/// each period is 2 N - k (22 mm - r) = 1 N + sin(2 pi t) N. The test uses the spline, because V
-/// then has no ripple from voxel to voxel.
+/// V2 with the solver Paper, which holds a ball in front of the middle of its edge. This distance
+/// has no effect after the surface has slipped at 2 N, at a radius of 22 mm. From then on, the
+/// force in each period is 2 N - k (22 mm - r) = 1 N + sin(2 pi t) N. The test uses the spline,
+/// because V then has no ripple from voxel to voxel.
 TEST(MovingVolume, PaperCarriesByTheLevelAtWhichItSlipped)
 {
   const Movie ball = MakeBall(0.01);
@@ -161,7 +161,7 @@ TEST(MovingVolume, PaperCarriesByTheLevelAtWhichItSlipped)
 }
 
 /// V4 with time steps 50 ms apart: the force is that of V1 within 15 mN (0.02 k times the width of
-/// the edge). Between time steps, the blend follows the chord of the surface's way (see the next
+/// the edge). Between time steps, the blend follows the chord of the surface's path (see the next
 /// test), which is off by up to 0.025 mm or 12 mN. The rest is the error of sampling voxels of 0.5
 /// mm.
 TEST(MovingVolume, TimeStepsFiftyMillisecondsApartAreAsGoodAsTheMotion)
@@ -186,14 +186,14 @@ TEST(MovingVolume, TimeStepsFiftyMillisecondsApartAreAsGoodAsTheMotion)
   }
 }
 
-/// V4 with time steps 100 ms apart. For a motion of up to the edge's width, the time steps tell
-/// only where the blend of the two edges has its middle value. So between time steps T apart, a
-/// surface at r(t) = r0 + a sin(w t) lies on the chord from r(t) to r(t + T). The chord is off by
-/// at most r'' T^2/8:
+/// V4 with time steps 100 ms apart. If the motion is at most the edge's width, the time steps
+/// determine only where the blend of the two edges has its middle value. Between time steps T
+/// apart, a surface at r(t) = r0 + a sin(w t) is therefore on the chord from r(t) to r(t + T). The
+/// chord is off by at most r'' T^2/8:
 ///
 ///   a w^2 T^2/8 = 0.099 mm for a = 2 mm, w = 2 pi/s, T = 0.1 s, and a quarter of it at 50 ms.
 ///
-/// So this test compares the force with the blend, and the blend with V1.
+/// This test therefore compares the force with the blend, and the blend with V1.
 TEST(MovingVolume, TimeStepsFarApartAreBlendedToAMotion)
 {
   for (const double step : { 0.05, 0.1 })
@@ -204,7 +204,7 @@ TEST(MovingVolume, TimeStepsFarApartAreBlendedToAMotion)
     for (double t = Dt; t < 1.0; t += Dt)
     {
       // Search for the radius at which the blend of the two time steps' edges has its middle value.
-      // The time steps tell nothing else about the motion between them.
+      // The time steps contain no other information about the motion between them.
       const double timeStep = step * std::floor(t / step);
       const double fraction = (t - timeStep) / step;
       double low = 17.5;
@@ -218,8 +218,8 @@ TEST(MovingVolume, TimeStepsFarApartAreBlendedToAMotion)
       const double force = hand.Go(t).Force.X;
       EXPECT_LE(std::abs(radius - BallRadius(t)), 2.0 * 4.0 * Pi * Pi * step * step / 8.0 + 0.01)
         << "the chord; 0.01 mm of it since a blend of edges is no edge";
-      // The spline blurs with a variance of 1/3 voxel^2, which shrinks a ball's radius r by 1/(3
-      // r).
+      // The spline blurs with a variance of 1/3 voxel^2, which makes a ball of radius r smaller by
+      // 1/(3 r).
       const double seen = radius - 1.0 / (3.0 * radius);
       EXPECT_NEAR(force, 0.001 * K * std::max(0.0, seen - 19.0), OnePercent)
         << "at " << t << ", frames " << step << " s apart";
@@ -250,8 +250,8 @@ TEST(MovingVolume, TimeStepsThatAreAlikeAreAVolumeThatStandsStill)
   }
 }
 
-/// V1, V5 and V7 with LOCAL_SURFACE. The slow loop is up to two periods (33 ms) late. In that time,
-/// the surface moves by up to 0.4 mm, which changes the force by 0.2 N.
+/// V1, V5 and V7 with the method LocalSurface. The slow loop is up to two periods (33 ms) late. In
+/// this time, the surface moves by up to 0.4 mm, which changes the force by 0.2 N.
 TEST(MovingVolume, ALocalSurfaceIsCarriedBetweenItsFits)
 {
   const Movie ball = MakeBall(0.01);
@@ -284,7 +284,7 @@ TEST(MovingVolume, ALocalSurfaceIsCarriedBetweenItsFits)
     });
 }
 
-/// FORCE_FIELD has no proxy, so its force depends on the volume at the present time only.
+/// The method ForceField has no proxy, so its force depends only on the volume at the present time.
 TEST(MovingVolume, AForceFieldPushesAsTheVolumeIs)
 {
   const Movie wall = MakeWall([](double t) { return 14.0 + 4.0 * t; }, 0.1);
@@ -306,8 +306,8 @@ TEST(MovingVolume, AForceFieldPushesAsTheVolumeIs)
   EXPECT_GT(strongest, 0.5);
 }
 
-/// A flat wall that moves gives the same force as a wall at rest under a hand that moves the other
-/// way.
+/// A flat wall that moves gives the same force as a wall at rest under a hand that moves in the
+/// opposite direction.
 TEST(MovingVolume, AWallThatComesIsAHandThatGoes)
 {
   struct Choice
@@ -317,8 +317,8 @@ TEST(MovingVolume, AWallThatComesIsAHandThatGoes)
     MaterialPlacement Placement;
     double Tolerance; // N
   };
-  // PAPER begins to hold some voxels in front of a wall, where the wall is distinct. That place
-  // depends on the samples, so PAPER needs the larger tolerance.
+  // The solver Paper begins to hold some voxels in front of a wall, where the wall is distinct.
+  // This place depends on the samples, so Paper needs the larger tolerance.
   const Choice choices[] = {
     { HapticSolver::Paper, ContactAlignment::Distinctness, MaterialPlacement::Kernel, 0.07 },
     { HapticSolver::Precise, ContactAlignment::Edge, MaterialPlacement::Kernel, 0.015 },
@@ -374,7 +374,7 @@ TEST(MovingVolume, APeriodTakesNoWorkUnlessTheSurfaceSlips)
   }
 }
 
-/// The hand gets at most the energy that the walls and the hand have put in.
+/// The hand must get back at most the energy that the walls and the hand have put in.
 TEST(MovingVolume, GivesNoMoreThanTheWallsWork)
 {
   for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
@@ -429,8 +429,8 @@ TEST(MovingVolume, HoldsItsEndsBeyondTheTimeSteps)
   EXPECT_DOUBLE_EQ(between, 0.5 * (model.ValueAtDevice(at, 0.5) + model.ValueAtDevice(at, 1.0)));
 }
 
-/// A series may be published in parts, each of which begins with the last time step of the part
-/// before.
+/// A series may be published in parts, each of which begins with the last time step of the previous
+/// one.
 TEST(MovingVolume, GoesOnFromOnePartOfASeriesToTheNext)
 {
   const Movie ball = MakeBall(0.1);

@@ -3,7 +3,7 @@
 
 /**
  * Tests the solvers' shorter code path for plain volumes, at rest and moving. The reference is the
- * same volume with a solid cut far outside, which only selects the general path.
+ * same volume with a solid cut far outside it. The cut only selects the general code path.
  */
 
 #include "Rigs/CoreScene.h"
@@ -70,7 +70,7 @@ TestVolume MakeBallInAir(float grown = 0.0F)
   return volume;
 }
 
-/// Returns a path (mm) that begins outside of the volume, goes through it in curves and ends
+/// Returns a path (mm) that begins outside the volume, passes through it in curves, and ends
 /// outside.
 std::vector<Vector3> MakePath()
 {
@@ -119,7 +119,7 @@ HapticModelDescription DescribePlain(const TestVolume& volume, const PlainCase& 
 using Clock = double (*)(int tick);
 
 /// Runs each tick twice: with the code path of plain volumes, and with the general code path, which
-/// a cut far outside of the volume selects. Expects equal records.
+/// a cut far outside the volume selects. Expects equal records.
 void ExpectSameAsWithACutBeyond(HapticModelDescription description, Clock clock)
 {
   const HapticModel plain(description);
@@ -168,8 +168,8 @@ class PlainVolumeOfPaper : public testing::TestWithParam<SurfaceSide>
 {
 };
 
-/// The data time goes slowly, rests, runs through the whole series and back, and jumps so that the
-/// surface moves by more than a voxel.
+/// The data time advances slowly, rests, runs through the whole series and back, and jumps so that
+/// the surface moves by more than a voxel.
 TEST_P(PlainVolumeOfPaper, ThatMovesIsFeltSo)
 {
   const TestVolume volumes[3] = { MakeBallInAir(), MakeBallInAir(40.0F), MakeBallInAir(-150.0F) };

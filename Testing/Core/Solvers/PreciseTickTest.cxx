@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests of solver PRECISE: a motion that needs more than one tick, a model that changes under a
+ * Tests the solver Precise: a motion that needs more than one tick, a model that changes under a
  * resting hand, and a stored state.
  */
 
@@ -21,7 +21,7 @@ namespace
 {
 constexpr double Impenetrable = 1e9;
 
-/// Returns air up to z = 100 mm, then a wall. The volume has 120 voxels of 1 mm along z.
+/// Returns air up to z = 100 mm, followed by a wall. The volume has 120 voxels of 1 mm along z.
 TestVolume MakeWall()
 {
   TestVolume volume(ScalarType::Float64, { 24, 24, 120 });
@@ -48,8 +48,8 @@ TEST(PreciseTick, ATeleportedTipIsFollowedInTicksAndNothingIsSkipped)
   ServoState state;
   TickRecord record;
   Tick(model, state, { 0.012, 0.012, 0.001 }, record);
-  // Move the tip a metre sideways, back, and through 100 mm of air to 18 mm inside of the wall,
-  // each in one tick.
+  // Move the tip a metre sideways, back, and through 100 mm of air to 18 mm inside the wall, each
+  // in one tick.
   Tick(model, state, { 1.012, 0.012, 0.001 }, record);
   EXPECT_LT(Norm(record.Force), 1e-12);
   Tick(model, state, { 0.012, 0.012, 0.001 }, record);
@@ -71,8 +71,8 @@ TEST(PreciseTick, ATeleportedTipIsFollowedInTicksAndNothingIsSkipped)
 
 TEST(PreciseTick, AProxyOnItsWayBringsNoForceAlong)
 {
-  // The air has no stiffness. The wall is stiff and drags the proxy, but has no strength at its
-  // beginning.
+  // The air has no stiffness. The wall is stiff and drags the proxy, but has no strength where it
+  // begins.
   const TestVolume volume = MakeWall();
   HapticModelDescription description = DescribeWall(volume);
   PlaceAsThePaper(description);
@@ -81,7 +81,7 @@ TEST(PreciseTick, AProxyOnItsWayBringsNoForceAlong)
   ServoState state;
   TickRecord record;
   Tick(model, state, { 0.012, 0.012, 0.095 }, record);
-  // The stored state says that the hand was inside of the wall. The proxy cannot have been there,
+  // According to the stored state, the hand was inside the wall. The proxy cannot have been there,
   // so it starts from the air.
   state.Precise.ReachedTip = { 0.012, 0.012, 0.110 };
   Tick(model, state, { 0.012, 0.012, 0.110 }, record);
@@ -161,7 +161,8 @@ INSTANTIATE_TEST_SUITE_P(All, PreciseTickState,
 TEST(PreciseTick, BehindATipOnALineTheProxyStaysOnTheLine)
 {
   // The tip moves along z, with a lag that rounding has turned aside by 1e-17 m. A dragged proxy
-  // follows a tractrix, on which the angle to the motion shrinks. It must not grow for any drag.
+  // follows a tractrix, on which the angle to the motion decreases. It must not increase for any
+  // drag.
   constexpr double k = 400.0;
   constexpr double rounding = 1e-17;
   const Vector3 step = { 0.0, 0.0, 1e-4 };

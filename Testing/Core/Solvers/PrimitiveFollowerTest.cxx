@@ -42,7 +42,7 @@ struct AnalyticFlow
   }
 };
 
-/// A proxy that a tip leads through a flow, and the forces of its last tick.
+/// A proxy that follows a tip through a flow, and the forces of its last tick.
 class LedProxy
 {
 public:
@@ -82,8 +82,8 @@ Vector3 TurnAround(const Vector3& x)
 
 TEST(PrimitiveFollower, AStreamlineIsKeptOverAHundredTurns)
 {
-  // P4: the tip moves on a circle of 18 mm and holds the proxy with 1 N on the streamline of 20 mm.
-  // A step along the tangent would lead the proxy to 20.4 mm.
+  // P4: the tip moves on a circle of 18 mm, and pulls with 1 N on the proxy, which is on the
+  // streamline of 20 mm. A step along the tangent would move the proxy to 20.4 mm.
   const AnalyticFlow flow{ TurnAround };
   for (const int ticks : { 1000, 100 })
   {
@@ -230,7 +230,7 @@ TEST(PrimitiveFollower, GoesThroughAShearWithoutJumpsAndRestsWhereFlowsMeet)
 
 TEST(PrimitiveFollower, ATipThatTheLinesTurnAroundEndsInATick)
 {
-  // As in T13, the tip lies on the far side of the circle's centre. Whatever way the proxy takes,
+  // As in T13, the tip is on the far side of the circle's centre. Whatever path the proxy takes,
   // its steps and force must stay bounded, and it must come to rest while the tip rests.
   const AnalyticFlow flow{ TurnAround, [](const Vector3&) { return 100.0; } };
   PrimitiveMemory memory;

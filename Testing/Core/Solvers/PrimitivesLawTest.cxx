@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the paper's law in the form of primitives, for PAPER and PRECISE. Compares it with the law
- * that the solvers use, and with the solvers' ticks in random scenes.
+ * Tests the paper's law in the form of primitives, for the solvers Paper and Precise. Compares it
+ * with the law that the solvers use, and with the solvers' ticks in random scenes.
  */
 
 #include "Core/Law/MaterialLaw.h"
@@ -76,8 +76,8 @@ public:
     this->Model = std::make_unique<HapticModel>(d);
   }
 
-  /// Walks through the scene at random. Calls `compare` with each finished tick, and with the
-  /// proxy's position before it.
+  /// Walks through the scene at random. After each tick, calls `compare` with the record, and with
+  /// the proxy's position before the tick.
   template <typename Compare>
   void Walk(unsigned seed, const Compare& compare)
   {
@@ -109,10 +109,10 @@ private:
   std::unique_ptr<HapticModel> Model;
 };
 
-/// Results by ContactState.
+/// Results for each ContactState.
 struct Met
 {
-  double Worst[4] = {}; ///< N
+  double Worst[4] = {}; ///< largest error (N)
   int Count[4] = {};
 };
 
@@ -172,7 +172,7 @@ TEST(PrimitivesLaw, IsThatOfTheSolvers)
 
 TEST(PrimitivesLaw, IsThatOfTicksOfPaper)
 {
-  // PAPER reads the primitives where the proxy was before the tick.
+  // The solver Paper reads the primitives where the proxy was before the tick.
   const Met met = CompareScenes(
     HapticSolver::Paper, [](const TickRecord&, const Vector3& before) { return before; });
   for (int contact = 0; contact < 4; ++contact)
@@ -184,9 +184,9 @@ TEST(PrimitivesLaw, IsThatOfTicksOfPaper)
 
 TEST(PrimitivesLaw, HoldsTheProxyWhereTicksOfPreciseEnd)
 {
-  // PRECISE applies the law along the proxy's way until the proxy rests. At the last position, the
-  // primitives hold the proxy with the force of the tick. A sliding proxy stops slightly before its
-  // balance, so its tolerance is larger.
+  // The solver Precise applies the law along the proxy's path until the proxy rests. At the last
+  // position, the primitives hold the proxy with the force of the tick. A sliding proxy stops
+  // slightly before its balance, so its tolerance is larger.
   const Met met = CompareScenes(
     HapticSolver::Precise, [](const TickRecord& record, const Vector3&) { return record.Proxy; });
   for (int contact = 0; contact < 4; ++contact)

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Compares balances of haptic primitives with closed forms and with other algorithms: the primal
- * problem by ADMM in long double, with the prox of each potential alone and many iterations; planes
- * by trying all combinations; and large sets by the duality gap, which needs no solver.
+ * Compares balances of haptic primitives with closed forms and with other algorithms: ADMM for the
+ * primal problem, in long double, with the prox of each single potential and many iterations;
+ * planes by trying all combinations; and large sets by the duality gap, which needs no solver.
  */
 
 #include "Core/Solvers/Primitives/PrimitiveSolver.h"
@@ -63,8 +63,8 @@ Long3 ToLong(const Vector3& a)
   return { { a.X, a.Y, a.Z } };
 }
 
-/// Returns argmin |x - y|^2 / 2 + phi(x) in closed form. Positions are in newtons: they are
-/// multiplied by the stiffness.
+/// Returns argmin |x - y|^2 / 2 + phi(x) in closed form. Positions are multiplied by the stiffness,
+/// so they are in newtons.
 Long3 SingleProx(const Primitive& p, const Long3& y)
 {
   const Long3 q = ToLong(p.Direction);
@@ -154,8 +154,8 @@ bool SolveSmall(Long (&a)[3][4], int size)
  *   |sum t_i q_i|^2 / 2 + sum t_i q_i.k (y - c_i)   for t_i in [0, s_i].
  *
  * Tries each t_i at its lower end, at its upper end, and between both, where its slope is 0; if
- * more than three are between, three give the same sum. The trial that violates the Kuhn-Tucker
- * conditions least is the minimum. Sets `violation` to its violation.
+ * more than three are between, three of them give the same sum. The trial that violates the
+ * Kuhn-Tucker conditions least is the minimum. Sets `violation` to its violation.
  */
 Vector3 TryAllPlanes(const PrimitiveSet& set, const Vector3& tip, Long& violation)
 {
@@ -222,15 +222,15 @@ Vector3 TryAllPlanes(const PrimitiveSet& set, const Vector3& tip, Long& violatio
   return { double(best.X[0]), double(best.X[1]), double(best.X[2]) };
 }
 
-/// Returns the component of a vector that a line holds, across its direction. Divides by the
-/// direction's squared length, which is 1 up to rounding.
+/// Returns the component of a vector across a line's direction, which the line holds. Divides by
+/// the direction's squared length, which is 1 up to rounding.
 Long3 AcrossLine(const Primitive& p, const Long3& v)
 {
   const Long3 q = ToLong(p.Direction);
   return v - (Inner(v, q) / Inner(q, q)) * q;
 }
 
-/// Returns, of all forces that a primitive can have, the one nearest to a given force.
+/// Returns the force nearest to a given one among all forces that a primitive can have.
 Long3 NearestForce(const Primitive& p, const Long3& force)
 {
   const Long3 q = ToLong(p.Direction);
@@ -246,9 +246,9 @@ Long3 NearestForce(const Primitive& p, const Long3& force)
 
 /**
  * Returns an upper bound (N) of the error of the total force of primitives without pushes. For
- * forces l_i that the primitives can have, the primal function less the dual function is the sum of
- * phi_i(r_i) + l_i.r_i, with r_i = k (x - c_i). The primal function is |w|^2 / 2 plus a convex
- * function, so |w - w*|^2 is at most twice that difference.
+ * forces l_i that the primitives can have, the primal function minus the dual function is the sum
+ * of phi_i(r_i) + l_i.r_i, with r_i = k (x - c_i). The primal function is |w|^2 / 2 plus a convex
+ * function, so |w - w*|^2 is at most twice this difference.
  */
 double BoundError(const PrimitiveSet& set, const Vector3& tip, const PrimitiveForces& forces)
 {
@@ -301,7 +301,7 @@ public:
     }
     return (1.0 / Norm(v)) * v;
   }
-  /// Returns random primitives, each with an anchor of its own.
+  /// Returns random primitives, each with its own anchor.
   PrimitiveSet AnySet(int size)
   {
     PrimitiveSet set;
@@ -312,7 +312,7 @@ public:
     }
     return set;
   }
-  /// Returns primitives like those of a composition: with one anchor, and directions along the axes
+  /// Returns primitives like those of a composition, with one anchor, and directions along the axes
   /// of one frame.
   PrimitiveSet FrameSet(int size)
   {
@@ -330,7 +330,7 @@ public:
     }
     return set;
   }
-  /// Returns random primitives with one anchor, like those of several modes at a place. Two in
+  /// Returns random primitives with one anchor, like those of several modes at a place. Two of
   /// three are parallel or perpendicular to the first one.
   PrimitiveSet PlaceSet(int size)
   {
@@ -441,7 +441,7 @@ TEST(Primitives, BalancesAreThoseOfASlowSolver)
     ASSERT_FALSE(balance.IsUnfinished) << "set " << round << " of " << size;
     worst = std::max(worst, Stiffness * Norm(balance.Proxy - expected));
     EXPECT_NEAR(Norm(balance.Force - Stiffness * (balance.Proxy - tip)), 0.0, 1e-11);
-    // From other starting forces, the descent must find the same balance.
+    // The descent must find the same balance from other starting forces.
     PrimitiveForces other;
     other.fill({ 1.0, -2.0, NaN });
     other[0] = { 1.0, 0.3, -0.7 };
@@ -542,7 +542,7 @@ TEST(Primitives, YieldingALittleIsFoundAsWell)
     unfinished += balance.IsUnfinished;
     PrimitiveForces old;
     int sweeps = 0;
-    // Any expected direction must lead to the balance. The right direction mostly leads to it
+    // Any expected direction must lead to the balance. The right direction usually leads to it
     // without a sweep.
     for (const Vector3& towards : { -expected, dice.Direction(), expected })
     {
@@ -603,8 +603,8 @@ TEST(Primitives, TheCompositionBearsDirectionsThatAreOffByRounding)
 
 TEST(Primitives, AreNonExpansiveAndPullNoMoreThanTheirStrengths)
 {
-  // 1.4 million steps of a tip. Each kind of set gets the number of steps that its solver makes in
-  // some seconds.
+  // 1.4 million steps of a tip. Each kind of set gets as many steps as its solver makes in some
+  // seconds.
   PrimitiveDice dice(5);
   for (int round = 0; round < 70; ++round)
   {

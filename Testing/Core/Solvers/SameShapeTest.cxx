@@ -4,8 +4,8 @@
 /**
  * Strokes over a flat slab of two materials, with a hand that presses with a constant force f. If
  * each material has its own stiffness, the tip rises or sinks by f (1/k1 - 1/k2) at the border,
- * which is the closed form of two springs, k1 and k2. With one stiffness, the tip must go straight
- * on.
+ * which is the closed form for two springs, k1 and k2. With one stiffness for both, the tip must
+ * continue straight on.
  */
 
 #include "Rigs/CoreScene.h"
@@ -19,17 +19,17 @@ namespace
 constexpr double Soft = 150.0;       // N/m
 constexpr double Stiff = 350.0;      // N/m
 constexpr double Press = 1.0;        // N
-constexpr double Surface = 8.0;      // mm: where the proxy begins to be held
-constexpr double Begin = 10.0;       // mm along x
-constexpr double End = 70.0;         // mm
-constexpr double Border = 40.0;      // mm along x: border between the two materials
-constexpr int Radius = 6;            // voxels: distance from the proxy to x_s
-constexpr double SoftValue = 1400.0; // at x_s
+constexpr double Surface = 8.0;      // z (mm) where the proxy begins to be held
+constexpr double Begin = 10.0;       // x of the beginning (mm)
+constexpr double End = 70.0;         // x of the end (mm)
+constexpr double Border = 40.0;      // x of the border between the two materials (mm)
+constexpr int Radius = 6;            // distance from the proxy to x_s (voxels)
+constexpr double SoftValue = 1400.0; // value at x_s
 constexpr double StiffValue = 2000.0;
 
 /// Returns a volume with V = 100 z down to z = 11 mm. Deeper, V rises faster where the slab is
 /// stiff: for x below Border if `beginsStiff`, otherwise for x above it. A kernel of two voxels at
-/// z = 8 mm sees only the plain ramp.
+/// z = 8 mm reads only the plain ramp.
 TestVolume MakeSlab(bool beginsStiff)
 {
   TestVolume volume(ScalarType::Float64, { 81, 17, 32 });

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests where the surface method starts its proxy if another method was used at that position
- * before.
+ * Tests where the method SurfaceProxy starts its proxy if another method was used before at the
+ * same position.
  */
 
 #include "Rigs/MeshScene.h"
@@ -54,8 +54,8 @@ TEST_F(SurfaceEntry, GoesToTheNearestOutside)
   EXPECT_NEAR(this->Enter({ 12.0, 12.0, 7.0 }).Z, 11.5, 0.5);
 }
 
-/// A coarse image that stands in for the volume has a surface 2 mm deeper, so its proxy is inside
-/// of the fine surface.
+/// A coarse image that replaces the volume has a surface 2 mm deeper, so its proxy is inside the
+/// fine surface.
 TEST_F(SurfaceEntry, ComesOutOfAFineSurfaceThatReplacesACoarseOne)
 {
   HapticModelDescription coarse = this->Scene;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the rest positions of a sphere of 1 mm on known faces, edges and corners, with a stiffness
- * of 500 N/m.
+ * Tests the rest positions of a sphere with a radius of 1 mm on known faces, edges and corners,
+ * with a stiffness of 500 N/m.
  */
 
 #include "Rigs/SurfaceRig.h"
@@ -55,7 +55,7 @@ TEST_F(SurfaceProxy, StopsInAnInsideCornerOfTwoAndOfThreeFaces)
 }
 
 // Triangles have no inner side. Ruspini's sphere may begin at the tip on either side of a surface,
-// and must stay on that side.
+// and must stay on this side.
 TEST_F(SurfaceProxy, IsHeldWhereItBeganAndNotThrownOut)
 {
   for (const double side : { 1.0, -1.0 })
@@ -93,7 +93,7 @@ TEST_F(SurfaceProxy, TracksABallOutsideAndInside)
       const Vector3 out = { std::sin(angle) * 0.6, std::cos(angle), std::sin(angle) * 0.8 };
       hand.Lead((20.0 - 2.0 * side) * out, 1.0);
       // The tolerance covers the facets: their middles are up to 20 (1 - cos 0.9 degrees / 2) mm
-      // inside of the sphere.
+      // inside the sphere.
       EXPECT_NEAR(Norm(hand.Proxy()), 20.0 + side, 5e-3) << i;
       EXPECT_NEAR(Dot(hand.Proxy(), out), Norm(hand.Proxy()), 5e-3) << i;
       EXPECT_FALSE(hand.Record.IsUnfinished);

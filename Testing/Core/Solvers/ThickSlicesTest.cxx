@@ -3,10 +3,10 @@
 
 /**
  * Tests walls in volumes whose voxels are not cubes. The wall is V = low + h Phi(d / s), where d is
- * the distance from a plane. Across an axis, or in the plane of two axes with one spacing, the
- * samples equal those of cubes with that spacing, and so must contact and force. Where the samples
+ * the distance from a plane. Across an axis, or in the plane of two axes with the same spacing, the
+ * samples equal those of cubes with this spacing, and so must contact and force. Where the samples
  * resolve the wall, the contact is at d = 0. Across thick slices, and where the wall leans between
- * slices, only the linear interpolation of the samples is known, which the test computes by itself.
+ * slices, only the linear interpolation of the samples is known, which the test computes itself.
  */
 
 #include "Rigs/CoreScene.h"
@@ -26,7 +26,7 @@ constexpr double Low = -1000.0;
 constexpr double High = 60.0;
 constexpr double Blur = 0.45; // mm
 constexpr double Fine = 0.5;  // mm
-constexpr double Depth = 1.5; // mm: depth of the press behind the wall's plane
+constexpr double Depth = 1.5; // depth of the press behind the wall's plane (mm)
 constexpr std::int64_t Samples = 28;
 
 constexpr GradientEstimator Estimators[] = { GradientEstimator::CentralDifference,
@@ -47,9 +47,9 @@ Vector3 Thick(double ratio, int axis)
 struct Wall
 {
   /**
-   * @param normal along the volume's axes
-   * @param place of the wall between the slices in the middle of the volume
-   * @param thickness mm; if finite, the wall is a sheet with air on both sides
+   * @param normal normal of the wall along the volume's axes
+   * @param place position of the wall between the two middle slices of the volume
+   * @param thickness thickness (mm); if finite, the wall is a sheet with air on both sides
    */
   Wall(const Vector3& spacing, const Matrix3& turn, const Vector3& normal, double place = 0.6,
     double blur = Blur, double thickness = HUGE_VAL)
@@ -100,7 +100,8 @@ struct Wall
 
 /**
  * Returns the largest distance between the true middle u = t shift and the middle of (1 - t) Phi(u)
- * + t Phi(u - shift), which is the linear interpolation of two edges of blur 1. Uses bisection.
+ * + t Phi(u - shift), which is the linear interpolation of two edges with a blur of 1. Uses
+ * bisection.
  */
 double FarthestMiddle(double shift)
 {
@@ -144,13 +145,14 @@ double InterpolatedFraction(const Wall& wall, const Vector3& world)
 
 struct Press
 {
-  double Contact = HUGE_VAL; ///< mm behind the plane: tip at which the force reaches 20 mN
-  double Force = 0.0;        ///< N: final force along the normal
-  double Most = 0.0;         ///< N: largest force in any direction during the press
-  Vector3 Proxy;             ///< final position, world
+  double Contact = HUGE_VAL; ///< tip's position (mm behind the plane) at which the force reaches 20
+                             ///< mN
+  double Force = 0.0;        ///< final force along the normal (N)
+  double Most = 0.0;         ///< largest force in any direction during the press (N)
+  Vector3 Proxy;             ///< final position (world)
 };
 
-/// Moves the tip straight from 3 mm in front of the plane to `depth` (mm) behind it, by 0.05 mm a
+/// Moves the tip straight from 3 mm in front of the plane to `depth` (mm) behind it, by 0.05 mm per
 /// tick.
 Press PressInto(const Wall& wall, const HapticModelDescription& description, double depth = Depth)
 {
@@ -308,9 +310,9 @@ TEST(ThickSlices, ASplineHoldsAnEdgeWithAnyRadius)
 
 TEST(ThickSlices, PaperFeelsNoSheetThatItsReachPasses)
 {
-  // The gradient begins KernelRadius of the fine spacing in front of the sheet, and x_s is
-  // KernelRadius of the largest spacing farther ahead. Behind sheets thinner than 2 (2.5 - 0.5) mm,
-  // x_s is in air. The blur of both sides reaches two blurs outwards.
+  // The gradient begins at KernelRadius times the fine spacing in front of the sheet, and x_s is
+  // KernelRadius times the largest spacing farther ahead. Behind sheets thinner than 2 (2.5 - 0.5)
+  // mm, x_s is in air. The blur of both sides extends two blurs outward.
   const Vector3 normal{ 1, 0, 0 };
   for (const double thickness : { 1.0, 1.6, 4.0 - 4.0 * Blur })
   {

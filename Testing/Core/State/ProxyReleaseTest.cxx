@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that the hand feels over some milliseconds that a surface gives way. Compares ticks with
- * a release time with the same ticks without a release time: the rest of the force before a leap
- * fades as e dt/(tau + dt) or by 150 N/s (Core/State/ProxyRelease.h). No tick may change the force
- * by more than 0.25 N, and the work on the hand, by trapezoids, must be at most the |F|^2/(2 k) of
- * a spring that is released slowly.
+ * Expects that the hand feels the release over some milliseconds when a surface gives way. Compares
+ * ticks with a release time with the same ticks without one: the remainder of the force before a
+ * leap fades by e dt/(tau + dt) or by 150 N/s (Core/State/ProxyRelease.h). No tick may change the
+ * force by more than 0.25 N, and the work on the hand, computed with trapezoids, must be at most
+ * the |F|^2/(2 k) of a spring that is released slowly.
  */
 
 #include "Core/State/ServoStateNumbers.h"
@@ -22,7 +22,7 @@ namespace
 {
 constexpr double Tau = 0.005;     // s
 constexpr double Period = 0.001;  // s
-constexpr double MostStep = 0.25; // N: largest step of the force in a tick with a release
+constexpr double MostStep = 0.25; // largest step (N) of the force in a tick with a release
 
 /// Returns a volume with a bright shell, 4 mm thick, at z = 20 mm. Voxels are 1 mm.
 TestVolume MakeShell()
@@ -92,7 +92,7 @@ public:
   double StepWithout = 0.0;
   double Most = 0.0;
   double MostWithout = 0.0;
-  double Work = 0.0; // J, done on the hand
+  double Work = 0.0; // work (J) done on the hand
   double WorkWithout = 0.0;
 
 private:
@@ -121,7 +121,7 @@ TEST(ProxyRelease, GoesOverInSomeMilliseconds)
     Pair pair(DescribeShell(volume, strength));
     double highest = 0.0;
     int releases = 0;
-    // The tip goes through the shell at 40 mm/s.
+    // The tip passes through the shell at 40 mm/s.
     for (int i = 0; i < 1050; ++i)
     {
       const double remained = Norm(pair.GetRemainder());
@@ -148,8 +148,8 @@ TEST(ProxyRelease, GoesOverInSomeMilliseconds)
 TEST(ProxyRelease, GoesOverWhereTheProxyDoesNotReachTheTipInATick)
 {
   // The spring has 50 N/m and a length of 100 voxels. When the shell gives way, the proxy has a
-  // longer way than a tick's samples allow. The solver then continues from a tip nearer to the
-  // proxy, and friction would let the force change far more in so long a step.
+  // longer path than a tick's samples allow. The solver then continues from a tip nearer to the
+  // proxy, and in such a long step friction would let the force change far more.
   TestVolume volume(ScalarType::Float32, { 24, 24, 160 });
   volume.Fill<float>(
     [](std::int64_t, std::int64_t, std::int64_t k)
@@ -192,7 +192,7 @@ TEST(ProxyRelease, LeavesWhatDoesNotLeapToTheBit)
 
 TEST(ProxyRelease, GivesAHandThatTurnsBackNoMoreThanItsSpringHeld)
 {
-  // The tip breaks through the shell at 40 mm/s. After `late` ticks, it goes back along the force
+  // The tip breaks through the shell at 40 mm/s. After `late` ticks, it moves back along the force
   // at 0.04 to 0.5 m/s. At 0.5 m/s, a spring of 400 N/m changes its force by 0.2 N per tick.
   const TestVolume volume = MakeShell();
   for (const double strength : { 1.0, 3.0, 8.0 })
@@ -205,8 +205,8 @@ TEST(ProxyRelease, GivesAHandThatTurnsBackNoMoreThanItsSpringHeld)
         Pair pair(DescribeShell(volume, strength));
         double z = 0.002;
         int since = -1;
-        double held = 0.0;   // J: energy of the spring before the release
-        double before = 0.0; // J: work up to the release
+        double held = 0.0;   // energy (J) of the spring before the release
+        double before = 0.0; // work (J) up to the release
         for (int i = 0; i < 1200 && z > 0.001; ++i)
         {
           const double force = Norm(pair.A.Force);
@@ -230,8 +230,8 @@ TEST(ProxyRelease, GivesAHandThatTurnsBackNoMoreThanItsSpringHeld)
         EXPECT_GT(since, late);
         EXPECT_LT(pair.Most, MostStep);
         EXPECT_GT(pair.MostWithout, 0.5 * strength);
-        // Afterwards, the back of the shell may hold the proxy. In that case, what remains of the
-        // earlier force must reduce the force.
+        // Afterwards, the back of the shell may hold the proxy. The remainder of the earlier force
+        // must then reduce the force.
         EXPECT_TRUE(Norm(pair.GetRemainder()) == 0.0 || Norm(pair.A.Force) < Norm(pair.B.Force));
       }
     }
@@ -409,7 +409,7 @@ TEST(ProxyRelease, GoesOnToTheBitIfStored)
 
 TEST(ProxyRelease, EndsWithTheTouch)
 {
-  // After the tip was lost, or in a model without a release time, nothing of earlier forces is
+  // After the tip was lost, or in a model without a release time, no remainder of earlier forces is
   // felt.
   const TestVolume volume = MakeShell();
   HapticModelDescription d = DescribeShell(volume, 3.0);

@@ -105,8 +105,8 @@ TEST_F(BurrOfModel, TicksInTheServo)
   EXPECT_EQ(1000.0 * hand.Record.Proxy.X, 1000.0 * alone.Record.Shell.Tool.Position.X);
 }
 
-/// If the device's motions appear half as large in the world, the drilled hole still has the burr's
-/// radius in the world.
+/// If the device's motions appear half as large in the world, the drilled hole must still have the
+/// burr's radius in the world.
 TEST_F(BurrOfModel, HasItsSizeInTheWorld)
 {
   this->Burr.SpecificEnergy = ConstantPolyline(0.1);
@@ -139,7 +139,8 @@ TEST_F(BurrOfModel, HasItsSizeInTheWorld)
   }
 }
 
-/// After a change of material or placement, the burr keeps its force and goes on removing.
+/// After a change of material or placement, the burr must keep its force and continue to remove
+/// tissue.
 TEST_F(BurrOfModel, GoesAlongToAnotherModel)
 {
   ServoHand hand(this->Make());
@@ -166,12 +167,13 @@ TEST_F(BurrOfModel, GoesAlongToAnotherModel)
   hand.Publish(this->Make());
   EXPECT_NEAR(Norm(hand.Tick(world).Force), 2.0, 0.05);
   EXPECT_NEAR(drill(), 0.5 * first, 0.05 * first);
-  // After the tool was taken away, the hand starts again without force.
+  // After the tool was removed, the hand starts again without a force.
   hand.Publish(std::make_shared<const HapticModel>(this->Half.Scene));
   EXPECT_EQ(Norm(hand.Tick(world).Force), 0.0);
 }
 
-/// B4: from a stored state with its contacts and fractions, the ticks continue to the bit.
+/// B4: from a stored state with its contacts and fractions, the ticks continue identically, to the
+/// bit.
 TEST_F(BurrOfModel, GoesOnFromWhatWasKept)
 {
   HapticModelDescription copied = this->Half.Scene;
@@ -285,7 +287,8 @@ TEST_F(BurrOfModel, ALoopThatDrillsDoesNotSwing)
   EXPECT_GT(hand.Removed, 1.0);
 }
 
-/// Ticks serve no requests. Only the owner of the removal serves them, and no force acts meanwhile.
+/// Ticks must not serve requests. Only the owner of the removal serves them, and no force acts
+/// meanwhile.
 TEST_F(BurrOfModel, OnlyItsOwnerServesRequests)
 {
   ServoHand hand(this->Make());

@@ -133,7 +133,7 @@ protected:
 };
 } // namespace
 
-/// S3 of the design: from k (2 mm - delta) = pi kappa a delta^2 follows a force of 0.4211 N.
+/// S3 of the design: k (2 mm - delta) = pi kappa a delta^2 gives a force of 0.4211 N.
 TEST_F(ShellTool, HasTheForceOfASphere)
 {
   ToolHand hand = this->Press();
@@ -141,14 +141,14 @@ TEST_F(ShellTool, HasTheForceOfASphere)
   EXPECT_NEAR(hand.Record.NormalForce, 0.4211, 0.4211e-2);
   EXPECT_EQ(hand.Record.Contact, ContactState::Sticking);
   EXPECT_LE(Norm(hand.Record.Torque), 1e-5);
-  // The proxy is the origin of the tool, which is 1.1578 mm deep.
+  // The proxy is the tool's origin, which is 1.1578 mm deep.
   EXPECT_NEAR(hand.Record.Proxy.Z, 1e-3 * (RampSurface - ToolRadius + 1.1578), 1e-5);
   EXPECT_NEAR(std::abs(hand.Record.ToolOrientation.W), 1.0, 1e-9);
   EXPECT_EQ(hand.Record.SurfaceValue, hand.Model->ValueAtDevice(hand.Record.Proxy));
 }
 
-/// The tool keeps its size in the world for any scale of the device. If a device's motion appears
-/// half as large in the world, the contact area is four times as large on the device.
+/// The tool must keep its size in the world for any scale of the device. If a device's motion
+/// appears half as large in the world, the contact area is four times as large on the device.
 TEST_F(ShellTool, HasItsSizeInTheWorld)
 {
   for (const double scale : { 0.5, 2.0 })
@@ -196,8 +196,8 @@ TEST_F(ShellTool, IsHeldAsLastByADeviceWithoutOrientation)
   EXPECT_TRUE(IsIdentical(hand.State.Shell.Hand.Orientation, turn));
 }
 
-/// With another material or other settings, the tool stays in contact, and the springs have at most
-/// the energy that they had before.
+/// With another material or other settings, the tool must stay in contact, and the springs must
+/// have at most the energy that they had before.
 TEST_F(ShellTool, GoesOnWithAnotherMaterial)
 {
   const struct
@@ -241,7 +241,7 @@ TEST_F(ShellTool, GoesOnWithAnotherMaterial)
   }
 }
 
-/// Only the placement of the device in the world changes. Hand and tool keep their places in the
+/// Only the placement of the device in the world changes. Hand and tool keep their positions in the
 /// world.
 TEST_F(ShellTool, GoesAlongWithTheDevicesPlacement)
 {
@@ -268,7 +268,7 @@ TEST_F(ShellTool, GoesAlongWithTheDevicesPlacement)
   }
 }
 
-/// After a change to another tool, another shape or another volume, no force acts until the hand
+/// After a change to another tool, another shape or another volume, no force may act until the hand
 /// moves.
 TEST_F(ShellTool, IsSwitchedUnderForce)
 {
@@ -305,8 +305,8 @@ TEST_F(ShellTool, IsSwitchedUnderForce)
   }
 }
 
-/// Publish random models under a random hand. While a model stays, the hand gets at most the energy
-/// that it has put in, and publishing a model adds none.
+/// Publish random models under a random hand. While a model stays, the hand must get at most the
+/// energy that it has put in, and publishing a model must add none.
 TEST_F(ShellTool, NoModelGivesEnergy)
 {
   this->SetShell(MakeWorldSphere(4.0, 300));
@@ -318,7 +318,7 @@ TEST_F(ShellTool, NoModelGivesEnergy)
   double felt = 0.0;
   int carried = 0;
   hand.Tick(at);
-  double paid = 0.0; // J: upper bound of the energy that hand and models may get back
+  double paid = 0.0; // upper bound (J) of the energy that hand and models may get back
   for (int i = 0; i < 40000; ++i)
   {
     if (i % 100 == 99)
@@ -357,7 +357,7 @@ TEST_F(ShellTool, NoModelGivesEnergy)
   EXPECT_GT(carried, 50);
 }
 
-/// From a stored state with its contacts, all further ticks are equal to the bit.
+/// From a stored state with its contacts, all further ticks must be equal, to the bit.
 TEST_F(ShellTool, GoesOnFromWhatWasKept)
 {
   this->SetShell(MakeWorldSphere(4.0, 700));

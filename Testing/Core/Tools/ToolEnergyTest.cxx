@@ -26,16 +26,16 @@ struct HandOnDevice
 {
   double Mass = 0.1;    ///< kg
   double Damping = 5.0; ///< N s/m
-  std::size_t Late = 0; ///< ticks of delay
+  std::size_t Late = 0; ///< delay (ticks)
 };
 
 struct Observed
 {
   int Alarms = 0;
-  double Energy = 0.0;   ///< J, counted by the observer
-  double Held = 0.0;     ///< J: most that holding a force for a tick adds to the energy
-  double Farthest = 0.0; ///< mm: deepest position
-  double Most = 0.0;     ///< N: largest force
+  double Energy = 0.0;   ///< energy (J) that the observer counted
+  double Held = 0.0;     ///< largest energy (J) that is added by holding a force for a tick
+  double Farthest = 0.0; ///< deepest position (mm)
+  double Most = 0.0;     ///< largest force (N)
   int Free = 0;          ///< number of ticks without force after the first contact
 };
 
@@ -77,7 +77,7 @@ Observed Hold(
   return result;
 }
 
-/// Returns a push (N) that goes from 0 to 3 N and back in each second.
+/// Returns a push (N) that rises from 0 to 3 N and falls again in each second.
 double PushAndRest(double t)
 {
   return 1.5 - 1.5 * std::cos(2.0 * Pi * t);

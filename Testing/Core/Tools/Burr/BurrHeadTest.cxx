@@ -18,7 +18,7 @@ using namespace coretest;
 namespace
 {
 /// Reads the samples of Cranium.mhd, the head CT whose header Data/head-ct.sh writes. Returns false
-/// if there are none.
+/// if they do not exist.
 bool ReadHead(TestVolume& volume)
 {
   std::vector<std::int16_t> samples(256 * 256 * 108);
@@ -34,9 +34,9 @@ bool ReadHead(TestVolume& volume)
 }
 } // namespace
 
-/// The burr of the explorer: its radius is four voxels, and the level is that of the skin. The
-/// specific energy is least at that level and largest at the largest value. At the top of the head,
-/// the burr drills through 15 mm of bone.
+/// The explorer's burr: its radius is four voxels, and the level is that of the skin. The specific
+/// energy is least at that level and largest at the largest value. At the top of the head, the burr
+/// drills through 15 mm of bone.
 TEST(BurrOnAHead, GoesOnInBoneForAMinute)
 {
   TestVolume volume(ScalarType::Int16, { 256, 256, 108 });

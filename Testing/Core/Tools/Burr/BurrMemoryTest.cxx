@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that ticks of a burr never allocate memory, for all that they remove and restore.
+ * Expects that ticks of a burr never allocate memory, however much they remove and restore.
  */
 
 #include "Rigs/AllocationCounter.h"

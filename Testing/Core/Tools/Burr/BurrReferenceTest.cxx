@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Random drilling, compared with a slow reference that is written from the design alone: at every
+ * Compares random drilling with a slow reference that was written from the design alone. At every
  * sample of a small volume, in double precision, a burr of radius a that has moved along a line
  * from p to q leaves
  *
  *   rho <- min(rho, clamp(r + (d - a)/w)),   w = 3 voxels,
  *
- * with the distance d to the line, and r = (V_c - V_air)/(V - V_air) of the sample, so that the
- * level V_c is at d = a (method.md, "The burr"). The reference takes two decisions from the
- * removal: how far the centre follows the head, and how much larger the sphere is that gives it
- * room. It returns the cost of the removal. No step is given up on the random way of this test.
+ * where d is the distance to the line, and r = (V_c - V_air)/(V - V_air) of the sample, so that the
+ * level V_c is at d = a (method.md, "The burr"). The reference copies two decisions of the removal:
+ * how far the centre follows the head, and how much larger the sphere is that gives it room. It
+ * returns the cost of the removal. No step is abandoned on the random path of this test.
  */
 
 #include "Rigs/BurrRig.h"
@@ -103,10 +103,10 @@ class DrilledAtRandom : public testing::TestWithParam<Vector3>
 {
 };
 
-/// The tolerance has two parts. The burr moves in steps s of at most a quarter voxel, so its
-/// nearest centre may be farther from x than the line by s^2/(8 d), with d >= a - w/2; and
-/// fractions have 8 bits, which adds half a fraction. The cost of a voxel that is not wholly
-/// removed may be off by six times as much.
+/// The tolerance has two parts. The burr moves in steps s of at most a quarter of a voxel, so its
+/// nearest centre may be farther from x than the line by s^2/(8 d), with d >= a - w/2. Fractions
+/// have 8 bits, which adds half a fraction. The cost of a voxel that is not completely removed may
+/// be wrong by six times as much.
 TEST_P(DrilledAtRandom, LeavesWhatTheReferenceLeaves)
 {
   const Vector3 spacing = GetParam();

@@ -3,7 +3,7 @@
 
 /**
  * Expects that a burr which removes the tissue below it creates no energy, presses at most as hard
- * as its tissue bears, and gives no force while tissue is restored.
+ * as its tissue can bear, and exerts no force while tissue is restored.
  */
 
 #include "Rigs/BurrRig.h"
@@ -45,7 +45,7 @@ protected:
   }
 
   /// Returns the place (mm) at time t from 0 to 1 on a smooth random path that begins and ends
-  /// outside of the ball.
+  /// outside the ball.
   static Vector3 ComputePlace(double t, const Vector3* waves)
   {
     const double press = std::sin(Pi * t); // 0 at both ends
@@ -65,7 +65,7 @@ protected:
 };
 } // namespace
 
-/// S6 while tissue is removed, with and without vibration: no cycle of the hand creates energy.
+/// S6 while tissue is removed, with and without vibration: no cycle of the hand may create energy.
 TEST_F(BurrSafety, NoCycleCreatesEnergy)
 {
   std::mt19937_64 engine(22);
@@ -149,8 +149,8 @@ TEST_F(BurrSafety, NoForceIsLargerThanTheTissueBears)
   EXPECT_GE(most, 0.5) << "the bound is met";
 }
 
-/// The vibration has the set fraction of the force as amplitude, a mean of zero, and the frequency
-/// of the burr.
+/// The amplitude of the vibration is the set fraction of the force. Its mean is zero, and its
+/// frequency is the burr's.
 TEST(BurrVibration, HasItsFractionAndNoMean)
 {
   BurrInHand settings = MakeBurr(2e9, 100.0);
@@ -190,13 +190,13 @@ TEST(BurrVibration, HasItsFractionAndNoMean)
     }
     EXPECT_NEAR(sum, 0.0, 1e-6);
   }
-  // 60 000 turns a minute are 1000 Hz, which ticks of 1 ms can't show. So the vibration has a
-  // quarter of the tick rate.
+  // 60 000 turns a minute are 1000 Hz, which ticks of 1 ms can't reproduce. The vibration therefore
+  // has a quarter of the tick rate.
   settings.Speed = 1000.0;
   EXPECT_EQ(BakedBurr({ settings, ConstantPolyline(1.0) }).Frequency, 250.0);
 }
 
-/// B4: undo, redo and reset restore the fractions to the bit. While they do, no force acts.
+/// B4: undo, redo and reset must restore the fractions to the bit. Meanwhile, no force may act.
 TEST_F(BurrSafety, StrokesAreUndoneAndDoneAgainToTheBit)
 {
   BurrInVolume hand(this->Scene, this->Settings, this->Energies, 600);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Compares the removal by a burr with closed forms: B1 to B3 of the design. A sphere of radius a
+ * Compares the removal by a burr with closed forms (B1 to B3 of the design). A sphere of radius a
  * that has sunk by h into a half-space has removed V = pi h^2 (3 a - h)/3, at the rate Q = mu F
  * v/U.
  */
@@ -73,7 +73,7 @@ TEST(Burr, SinksIntoAHalfSpaceAsItsVolumeIsRemoved)
     }
     const double depth = ComputeDepth(2.0, rate * seconds);
     EXPECT_NEAR(depth, expected, 6e-4);
-    // Search below the middle for the depth at which half of the tissue is left.
+    // Search below the middle for the depth at which half of the tissue remains.
     const FieldSampler& field = hand.Model.Baked->Field;
     double low = half.Surface / size;
     double high = 40.0;
@@ -111,8 +111,8 @@ TEST(Burr, GoesOnWhereverTheLevelOfContactLies)
 }
 
 /// B3, in tissue whose value rises slowly from the level on. All samples of a layer have the same
-/// value. If a sample lost its volume with its first part, the burr would have to pay for a whole
-/// layer at once; instead, it must spend its energy steadily.
+/// value. If a sample lost its whole volume as soon as its first part was removed, the burr would
+/// have to pay for a whole layer at once; it must spend its energy steadily instead.
 TEST(Burr, GoesOnSteadilyWhereTissueBeginsAtTheLevel)
 {
   const TestVolume volume = MakeRamp(16);
@@ -134,9 +134,9 @@ TEST(Burr, GoesOnSteadilyWhereTissueBeginsAtTheLevel)
   EXPECT_LE(hand.Energy, hand.Earned);
 }
 
-/// Press on bone in a head CT with the level of skin. Grainy bone of 1500 HU is far above that
-/// level, so the burr could get stuck between the samples of the hole's walls. It must go on, and
-/// its energy must remove tissue.
+/// Press on bone in a head CT with the level of skin. Grainy bone of 1500 HU is far above this
+/// level, so the burr could get stuck between the samples of the hole's walls. It must continue,
+/// and its energy must remove tissue.
 TEST(Burr, GoesOnInBoneWithTheLevelOfSkin)
 {
   const Vector3 spacing{ 0.957, 0.957, 1.5 };
@@ -177,8 +177,8 @@ TEST(Burr, GoesOnInBoneWithTheLevelOfSkin)
   EXPECT_GE(hand.Energy, 0.95 * hand.Earned);
 }
 
-/// B3, on a random way through tissues of 2 to 20 J/mm^3: the cost of the removed tissue equals the
-/// energy that the burr has spent, which is at most what it had.
+/// B3, on a random path through tissues of 2 to 20 J/mm^3: the cost of the removed tissue must
+/// equal the energy that the burr has spent, which must not exceed its available energy.
 TEST(Burr, RemovesWhatItsEnergyPaysFor)
 {
   TestVolume volume(ScalarType::Int16, { 64, 64, 64 });
@@ -237,9 +237,9 @@ TEST(Burr, RemovesWhatItsEnergyPaysFor)
 
 /// B2: a point feels a cavity where it was carved, with the right normals, if the cavity's radius
 /// is at least ten voxels. For smaller radii, the normals and the level of half of the tissue are
-/// still right, but the rule of the edge, V(x_p) >= (V(x_s) + V(x_v))/2, is met early. The reason:
-/// x_s and x_v are one voxel to each side of x_p. While x_p is within half a voxel of the edge,
-/// both are on the ramp of three voxels, where only the curvature decides.
+/// still right, but the condition of the edge, V(x_p) >= (V(x_s) + V(x_v))/2, is fulfilled early.
+/// The reason is that x_s and x_v are one voxel to each side of x_p. While x_p is within half a
+/// voxel of the edge, both are on the ramp of three voxels, where only the curvature decides.
 TEST(Burr, ItsCavityIsFeltWithThePoint)
 {
   TestVolume volume(ScalarType::Int16, { 48, 48, 48 });
@@ -296,13 +296,13 @@ TEST(Burr, ItsCavityIsFeltWithThePoint)
 }
 
 /// A drilled hole has the radius of the burr, not of the part that presses. In the hole's straight
-/// part, one kernel away from its ends, the radius is right within 0.05 voxel RMS, and the normals
-/// within 0.5 degree on average. Burrs have 4 and 8 voxels, also with voxels twice as long along
-/// one axis.
+/// part, one kernel away from its ends, the radius must be right within 0.05 voxel RMS, and the
+/// normals within 0.5 degree on average. Burrs have radii of 4 and 8 voxels. In some volumes,
+/// voxels are twice as long along one axis.
 ///
-/// The gradients are differences over one voxel. The default kernel has a width in voxels, so on
-/// such voxels it would turn the normals of curved surfaces by up to (s_x^2 - s_y^2)/(2 a^2), where
-/// s is its standard deviation in mm.
+/// The gradients are differences over one voxel. The default kernel has a width in voxels, so in
+/// such volumes it would turn the normals of curved surfaces by up to (s_x^2 - s_y^2)/(2 a^2),
+/// where s is its standard deviation in mm.
 TEST(Burr, ItsHoleHasItsRadius)
 {
   struct Case
@@ -385,8 +385,7 @@ TEST(Burr, ThatDoesNotSpinRemovesNothing)
   hand.Lead(above + Vector3{ 0.0, 0.0, 4.0 });
   EXPECT_GT(Norm(hand.Record.Force), 1.0);
   EXPECT_TRUE(half.Removal->Bricks.IsEmpty());
-  // A burr that spins beside the tissue removes nothing. A tick without duration removes nothing
-  // either.
+  // A burr that spins beside the tissue removes nothing, nor does a tick without duration.
   hand.Lead(above);
   hand.IsSpinning = true;
   hand.Lead(above + Vector3{ 0.0, 0.0, 0.49 });
@@ -402,8 +401,8 @@ TEST(Burr, ThatDoesNotSpinRemovesNothing)
   EXPECT_GT(hand.Removed, 0.0);
 }
 
-/// The burr meets tissue that nothing can remove, next to softer tissue. The energy spent in vain
-/// on the hard tissue must not be saved for the soft tissue.
+/// The burr meets tissue that nothing can remove, next to softer tissue. The energy that did not
+/// suffice for the hard tissue must not be saved for the soft tissue.
 TEST(Burr, SavesNothingUpAtWhatItCannotRemove)
 {
   TestVolume volume(ScalarType::UInt8, { 80, 40, 40 });
@@ -437,9 +436,10 @@ TEST(Burr, SavesNothingUpAtWhatItCannotRemove)
   }
 }
 
-/// A burr of 30 voxels needs more than one tick to examine its surroundings. Each tick does at most
-/// the bounded work, and the burr removes what it can pay for (B3). In tissue that costs almost
-/// nothing, the burr falls behind, loses no energy, and catches up as soon as the hand rests.
+/// A burr of 30 voxels needs more than one tick to examine its surroundings. Each tick may do at
+/// most the bounded work, and the burr must remove the tissue that it can pay for (B3). In tissue
+/// that costs almost nothing, the burr falls behind, loses no energy, and catches up as soon as the
+/// hand rests.
 TEST(Burr, DoesNoMoreInATickThanThereIsTimeFor)
 {
   struct Case
@@ -490,8 +490,9 @@ TEST(Burr, DoesNoMoreInATickThanThereIsTimeFor)
 }
 
 /// A step of a burr of 30 voxels takes several ticks. If a later tick meets a layer that nothing
-/// can remove, the burr tries shorter steps. A sample of that layer takes energy as soon as it is a
-/// quarter voxel in front of the sphere (1/12 of the ramp), so the burr must come that near.
+/// can remove, the burr tries shorter steps. A sample of this layer takes energy as soon as it is a
+/// quarter of a voxel in front of the sphere (1/12 of the ramp), so the burr must get at least as
+/// near.
 TEST(Burr, ComesToALayerThatALaterPartOfItsStepCannotRemove)
 {
   TestVolume volume(ScalarType::UInt8, { 96, 96, 96 });
@@ -507,7 +508,7 @@ TEST(Burr, ComesToALayerThatALaterPartOfItsStepCannotRemove)
   {
     scene.Removal = std::make_shared<TissueRemoval>();
     BurrInVolume hand(scene, settings, energies, 1000);
-    // Move so fast that the burr falls behind and takes steps of the largest length.
+    // Move so fast that the burr falls behind and makes steps of the largest length.
     const Vector3 begin{ 47.6, 47.3, 9.0 - above };
     hand.Tick(begin);
     int divided = 0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Compares removed spheres with loops over all samples, and with the sphere itself.
+ * Compares removed spheres with loops over all samples, and with the exact sphere.
  */
 
 #include "Core/Tools/Burr/SphereCarver.h"
@@ -84,9 +84,8 @@ SurfaceError MeasureSurface(const TestVolume& left, const Vector3& centre, doubl
 }
 } // namespace
 
-/// Spheres that are not centred on samples, with radii of 4 voxels and more. The errors in the
-/// design are 0.044 voxel and 0.22 degrees for 4 voxels, and 0.022 voxel and 0.17 degrees for 8
-/// voxels.
+/// Spheres that are not centred on samples, with radii of 4 voxels and more. The design has errors
+/// of 0.044 voxel and 0.22 degrees for 4 voxels, and of 0.022 voxel and 0.17 degrees for 8 voxels.
 TEST_F(CarvedSphere, HasASmoothSurfaceInItsPlace)
 {
   const TestVolume tissue = MakeTissue(32);
@@ -115,7 +114,7 @@ TEST_F(CarvedSphere, HasASmoothSurfaceInItsPlace)
   }
 }
 
-/// The remaining tissue begins at the sphere, for any level. The tissue is grainy: its samples
+/// The remaining tissue must begin at the sphere, for any level. The tissue is grainy: its samples
 /// reach the level at fractions of 0.27 to 0.8.
 TEST_F(CarvedSphere, HasTheLevelOfContactInItsPlace)
 {
@@ -154,8 +153,8 @@ TEST_F(CarvedSphere, HasTheLevelOfContactInItsPlace)
   }
 }
 
-/// Compare random spheres, and a sphere that moves in steps of a quarter voxel, with loops over all
-/// samples.
+/// Compare random spheres, and a sphere that moves in steps of a quarter of a voxel, with loops
+/// over all samples.
 TEST_F(CarvedSphere, IsThatOfLoopsOverAllSamples)
 {
   const TestVolume tissue = MakeTissue(40);
@@ -238,7 +237,8 @@ TEST_F(CarvedSphere, CostsTheEnergyOfItsTissues)
   EXPECT_NEAR(one.Energy, 10.0 * volume, 0.008 * 10.0 * volume);
 }
 
-/// The carver also removes the edge of a structure, but allocates no bricks far from solid samples.
+/// The carver must also remove the edge of a structure, but must not allocate bricks far from solid
+/// samples.
 TEST_F(CarvedSphere, LeavesAirAlone)
 {
   TestVolume plate(ScalarType::Int16, { 48, 48, 48 });
@@ -270,8 +270,8 @@ TEST_F(CarvedSphere, WithoutRoomForItsBricksIsNotCarved)
   EXPECT_EQ(CopyTissue(small.Bricks, tissue.View.Dimensions), before);
 }
 
-/// Carving in parts of any size gives the same result at the same cost, and no part does more work
-/// than its limit.
+/// Carving in parts of any size must give the same result at the same cost, and no part may do more
+/// work than its limit.
 TEST_F(CarvedSphere, IsTheSameInParts)
 {
   const TestVolume tissue = MakeTissue(96);
@@ -321,7 +321,7 @@ TEST_F(CarvedSphere, IsTheSameInParts)
   EXPECT_NEAR(volumes[1], volumes[2], 1e-9 * volumes[2]);
 }
 
-/// A replay does not remember what the hand has drilled before, but its parts must end at the same
+/// A replay does not know what the hand has drilled before, but its parts must end at the same
 /// places.
 TEST_F(CarvedSphere, EndsItsPartsWhateverIsRemembered)
 {
@@ -360,6 +360,6 @@ TEST_F(CarvedSphere, ThatIsNoSphereRemovesNothing)
     EXPECT_EQ(this->Carve(model, centre, 0.003).Volume, 0.0);
   }
   EXPECT_TRUE(this->Removal.Bricks.IsEmpty());
-  // A sphere may reach beyond the volume's border.
+  // A sphere may extend beyond the volume's border.
   EXPECT_GT(this->Carve(model, { 0.0, 0.0, 0.023 }, 0.003).Volume, 0.0);
 }

@@ -27,20 +27,20 @@ inline Vector3 Along(double z)
 
 struct Layer
 {
-  double Thickness; ///< mm
-  double Shaft;     ///< tau, N/m
-  double Cutting;   ///< R, N
-  double Puncture;  ///< T, N
+  double Thickness; ///< thickness (mm)
+  double Shaft;     ///< friction tau of the shaft (N/m)
+  double Cutting;   ///< cutting force R (N)
+  double Puncture;  ///< strength T of the boundary (N)
 };
 
-/// Returns the layers of N1, from the skin on. The last layer has no end.
+/// Returns the layers of N1, starting at the skin. The last layer has no end.
 inline std::vector<Layer> LayersOfN1()
 {
   return { { 3.0, 20.0, 0.3, 0.0 }, { 12.0, 5.0, 0.1, 0.0 }, { 20.0, 25.0, 0.3, 0.0 },
     { 3.0, 60.0, 0.8, 0.0 }, { 100.0, 0.0, 0.0, 0.0 } };
 }
 
-/// Expected sums over the layers, computed independently of the code under test.
+/// Expected sums over the layers, computed independently of the tested code.
 class LayerSums
 {
 public:
@@ -119,7 +119,7 @@ public:
     this->Description = Describe(this->Volume);
     this->Description.Labels = baked;
     this->Description.Settings.Geometry = SurfaceGeometry::Labels;
-    // Air has no material of its own, so it gets the surface strength 0.
+    // Air has no own material, so it gets the surface strength 0.
     this->Description.Material.SurfaceStrength = ConstantPolyline(0.0);
     this->Description.Tool = std::make_shared<const BakedNeedle>(NeedleDescription{});
   }
@@ -144,7 +144,7 @@ public:
   HapticModelDescription Description;
 };
 
-/// A hand that moves in millimetres and sums the work that it does.
+/// A hand that moves in millimetres and sums up the work that it does.
 class NeedleHand
 {
 public:

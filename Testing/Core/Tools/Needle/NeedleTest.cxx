@@ -36,7 +36,8 @@ protected:
 };
 } // namespace
 
-// Rows of N1's table: insertion depth (mm), force while inserting (N), force while withdrawing (N).
+// Rows of N1's table: insertion depth (mm), force during insertion (N), force during withdrawal
+// (N).
 TEST_P(Needles, FeelsLayersAndTheShaft)
 {
   NeedleScene scene(LayersOfN1());
@@ -48,7 +49,7 @@ TEST_P(Needles, FeelsLayersAndTheShaft)
     NeedleHand hand(*model);
     hand.MoveTo(Along(2.0));
     // Place the tip so that the proxy is at the depth. Behind the ligament, the proxy leaps too far
-    // forwards and has to come back.
+    // forward and has to be drawn back.
     const bool isBehind = depth > 38.0;
     const double deepest = NeedleScene::Skin + depth + 1e3 * in / Spring + (isBehind ? 3.0 : 0.0);
     hand.MoveTo(Along(deepest));
@@ -60,7 +61,7 @@ TEST_P(Needles, FeelsLayersAndTheShaft)
     hand.MoveTo(Along(NeedleScene::Skin + depth - 1e3 * out / Spring - 0.01));
     EXPECT_NEAR(AlongNeedle(hand.Record), out, 5e-3 * out + 1e-4) << depth;
     EXPECT_NEAR(hand.ComputeDepth(), depth, 0.03) << depth;
-    // Between inserting and withdrawing, friction holds the needle.
+    // Between insertion and withdrawal, friction holds the needle.
     const Vector3 held = hand.Record.Proxy;
     hand.MoveTo(Along(NeedleScene::Skin + depth));
     EXPECT_EQ(hand.Record.Proxy.Z, held.Z);
@@ -88,7 +89,7 @@ TEST_P(Needles, LosesItsResistanceAtTheEndOfTheLigament)
 }
 
 // Cutting takes 12.30 mJ and friction 10.5 mJ. In addition, each drop of the force by dF loses
-// dF^2/(2 k). Here R drops from the skin to the fat, and behind the ligament.
+// dF^2/(2 k). In this scene, R drops from the skin to the fat, and behind the ligament.
 TEST_P(Needles, TakesTheWorkOfTheTissue)
 {
   NeedleScene scene(LayersOfN1());
@@ -108,9 +109,9 @@ TEST_P(Needles, TakesTheWorkOfTheTissue)
   EXPECT_GT(stored, 0.0);
 }
 
-// Each puncture takes dF^2/(2 (k + tau)) more, where dF is the drop of the force: from T plus the R
+// Each puncture takes dF^2/(2 (k + tau)) more, where dF is the drop of the force, from T plus the R
 // of the tissue in front (0 in air) to the R of the layer. The shaft's friction tau counts because
-// it rises while the tip springs forwards.
+// it rises while the tip springs forward.
 TEST_P(Needles, TakesTheWorkOfEachPuncture)
 {
   const auto workOf = [this](const std::vector<Layer>& layers)
@@ -119,12 +120,12 @@ TEST_P(Needles, TakesTheWorkOfEachPuncture)
     const auto model = this->Bake(scene);
     NeedleHand hand(*model);
     hand.MoveTo(Along(2.0));
-    // Move so far that all drops of the force have ended.
+    // Move far enough that all drops of the force are over.
     hand.MoveTo(Along(NeedleScene::Skin + 45.0), 0.002);
     return hand.Work - hand.ComputeStored();
   };
   std::vector<Layer> layers = LayersOfN1();
-  // Remove the drops of R from skin to fat and behind the ligament: punctures take their place.
+  // Remove the drops of R from skin to fat and behind the ligament, because punctures replace them.
   layers[1].Cutting = layers[0].Cutting;
   layers[4].Cutting = layers[3].Cutting;
   const double without = workOf(layers);
@@ -142,8 +143,8 @@ TEST_P(Needles, TakesTheWorkOfEachPuncture)
 }
 
 // Before a puncture, f.a = -(T + R + F_s), where R is that of the tissue at the tip. In front of
-// the skin, this tissue is air. So the needle breaks through the skin at the same force as a point,
-// whose drag is the R at x_v in front of the surface.
+// the skin, this is air. The needle therefore breaks through the skin with the same force as a
+// point, whose drag is the R at x_v in front of the surface.
 TEST_P(Needles, HoldsAtTheSkinWithAllThatIsThere)
 {
   for (const double strength : { 1.2, 0.2 })
@@ -157,8 +158,8 @@ TEST_P(Needles, HoldsAtTheSkinWithAllThatIsThere)
     double most = 0.0;
     hand.MoveTo(Along(NeedleScene::Skin + 3.3), 0.005,
       [&](const TickRecord& record) { most = std::max(most, -AlongNeedle(record)); });
-    // Behind the skin, the force is the skin's R plus the friction along the depth. This may be
-    // more than the strength T.
+    // Behind the skin, the force is the skin's R plus the friction along the depth. It may exceed
+    // the strength T.
     const double within = 0.3 + 20e-3 * hand.ComputeDepth();
     EXPECT_NEAR(-AlongNeedle(hand.Record), within, 1e-3);
     EXPECT_NEAR(most, std::max(strength, within), 0.015);
@@ -199,7 +200,7 @@ TEST_P(Needles, IsHeldAcrossItsAxis)
   EXPECT_NEAR(AlongNeedle(hand.Record), along, 1e-9);
   hand.MoveTo({ 17.5, 11.5, 25.0 });
   EXPECT_NEAR(hand.Record.Force.X, -1.0, 1e-9);
-  // The needle was moved aside by more than the tissue holds, so it stays at its new place.
+  // The needle was moved aside by more than the tissue can hold, so it stays at its new place.
   hand.MoveTo({ 15.5, 11.5, 25.0 });
   EXPECT_NEAR(hand.Record.Force.X, 0.0, 1e-9);
 }
@@ -238,7 +239,7 @@ TEST_P(Needles, FeelsTheSameInEveryDirection)
   }
 }
 
-// For any motion, the hand gets at most the energy that it has put in.
+// Whatever the motion is, the hand must get back at most the energy that it has put in.
 TEST_P(Needles, GivesNoEnergy)
 {
   std::vector<Layer> layers = LayersOfN1();
@@ -355,7 +356,7 @@ TEST_P(Needles, LetsTheHandGoWhenTheToolIsChanged)
   EXPECT_GT(hand.Record.Depth, 0.015);
 }
 
-// The needle stays inserted after a change of materials and placement.
+// The needle must stay inserted after a change of materials and placement.
 TEST_P(Needles, StaysInsertedWhenTheVolumeIsMoved)
 {
   NeedleScene scene(LayersOfN1());

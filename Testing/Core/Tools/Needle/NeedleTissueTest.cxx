@@ -44,8 +44,8 @@ TEST(NeedleTrack, KeepsTheFrictionOfMoreTissuesThanItHolds)
   EXPECT_TRUE(track.IsPossible());
 }
 
-// The value is V = 100 z (z in mm), the friction tau = V/50 N/m and the resistance R = V/10000 N.
-// So F_s is the integral of 2 z over mm, and R is z/100.
+// The value is V = 100 z (z in mm), the friction tau = V/50 N/m and the resistance R = V/10000 N,
+// so F_s is the integral of 2 z over mm, and R is z/100.
 TEST(NeedleTissue, FollowsFunctionsOfTheScalar)
 {
   for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
@@ -73,15 +73,15 @@ TEST(NeedleTissue, FollowsFunctionsOfTheScalar)
       EXPECT_NEAR(hand.Record.ShaftForce, shaft, 0.01 * shaft) << z;
       EXPECT_NEAR(hand.Record.Depth, 1e-3 * (at - 10.0), 1e-6) << z;
     }
-    // After a part of the needle was withdrawn, the friction along the remaining depth holds it.
+    // After a part of the needle was withdrawn, friction along the remaining depth holds it.
     hand.MoveTo(Along(25.0));
     const double at = hand.Model->DeviceToWorld(hand.Record.Proxy).Z;
     EXPECT_NEAR(hand.Record.Force.Z, 1e-3 * (at * at - 100.0), 0.01 * hand.Record.Force.Z);
   }
 }
 
-// Without labels, the needle punctures surfaces of the scalar values. Here the surface is a sharp
-// edge.
+// Without labels, the needle punctures surfaces of the scalar values. The surface in this test is a
+// sharp edge.
 TEST(NeedleTissue, PuncturesTheSurfacesOfTheScalars)
 {
   for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
@@ -111,8 +111,8 @@ TEST(NeedleTissue, PuncturesTheSurfacesOfTheScalars)
     hand.MoveTo(
       Along(35.0), 0.01, [&](const TickRecord& record) { most = std::max(most, -record.Force.Z); });
     EXPECT_TRUE(hand.State.Needle.IsInserted);
-    // The largest force is the strength T plus the R at the tip. The surface holds as long as the
-    // values are those of tissue.
+    // The largest force is the strength T plus the R at the tip. The surface holds while the values
+    // are those of tissue.
     EXPECT_GT(most, 1.0);
     EXPECT_LT(most, 1.0 + 0.2 + 0.1);
     const double depth = hand.ComputeDepth() + NeedleScene::Skin - 19.5;
@@ -145,7 +145,7 @@ void Forbid(NeedleScene& scene, std::int64_t label)
 }
 } // namespace
 
-// The ligament begins 35 mm below the skin. The leap behind a puncture is longer than all steps of
+// The ligament begins 35 mm below the skin. The leap after a puncture is longer than all steps of
 // one tick, and must stop in front of the ligament.
 TEST(NeedleTissue, NoLeapGoesThroughForbiddenLabels)
 {
@@ -164,7 +164,8 @@ TEST(NeedleTissue, NoLeapGoesThroughForbiddenLabels)
   EXPECT_EQ(hand.State.Needle.Touches, 1U);
 }
 
-// The needle stops 2 mm in front of a forbidden label. A stop counts once, whatever its duration.
+// The needle stops 2 mm in front of a forbidden label. A stop counts once, whatever its duration
+// is.
 TEST(NeedleTissue, StopsBeforeForbiddenLabels)
 {
   NeedleScene scene(LayersOfN1());
@@ -199,7 +200,7 @@ TEST(NeedleTissue, OffersNothingOutsideTheVolumeNorInWhatIsNoNumber)
   EXPECT_TRUE(IsFinite(hand.Record.Force));
 }
 
-// A recording that begins with an inserted needle continues to the bit.
+// A recording that begins with an inserted needle must continue identically, to the bit.
 TEST(NeedleState, GoesOnFromItsNumbersToTheBit)
 {
   std::vector<Layer> layers = LayersOfN1();
@@ -231,7 +232,7 @@ TEST(NeedleState, GoesOnFromItsNumbersToTheBit)
     bad[i] = value;
     return AreOfAState(bad);
   };
-  // The numbers of the needle begin at this index, at the end of a state.
+  // The needle's numbers begin at this index, at the end of a state.
   constexpr std::size_t needle = 101 + 5;
   EXPECT_FALSE(flawed(needle, 2.0));
   EXPECT_FALSE(flawed(needle + 2, 3.0));

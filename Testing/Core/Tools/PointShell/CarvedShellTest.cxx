@@ -90,7 +90,7 @@ TEST(CarvedShell, FeelsWhatIsLeft)
   EXPECT_GT(most, 0.5);
 }
 
-/// Where nothing was removed from the ball, the contacts equal those without bricks.
+/// Where nothing was removed from the ball, the contacts must equal those without bricks.
 TEST(CarvedShell, FeelsNoDifferenceWhereNothingWasRemoved)
 {
   const CarvedBall ball;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that what is stored about points only saves time. A tool whose memory is cleared before
- * each tick must feel the same force to the bit.
+ * Expects that stored data about points only save time. A tool whose memory is cleared before each
+ * tick must feel the same force, to the bit.
  */
 
 #include "Rigs/CarvingRig.h"
@@ -95,7 +95,7 @@ TEST_P(ClearanceOfShells, ChangesNoBit)
   constexpr int ticks = 1500;
   for (int tick = 0; tick < ticks; ++tick)
   {
-    // The tool moves around the wall: it rests, moves slowly, and moves fast.
+    // The tool moves around the wall. In turn, it rests, moves slowly, and moves fast.
     const double speed = tick % 300 < 60 ? 0.0 : (tick % 300 < 200 ? 0.03 : 0.6);
     at += RandomIn(engine, speed) + 0.002 * (middle - at);
     turn = TurnAbout(RandomIn(engine, 1.0) + Vector3{ 0.0, 0.0, 1e-3 }, 0.03 * speed) * turn;
@@ -131,7 +131,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, ClearanceOfShells,
     ClearanceScene{ ScalarType::Int16, 30.0, false, true, false },
     ClearanceScene{ ScalarType::Float32, 30.0, false, false, true }));
 
-/// The largest difference between neighbouring samples equals that of a loop over all samples.
+/// The largest difference between neighbouring samples must equal that of a loop over all samples.
 /// Infinite samples do not count.
 TEST(SlopesOfShells, AreThoseOfAllNeighbours)
 {

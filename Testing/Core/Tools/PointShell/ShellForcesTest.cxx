@@ -7,8 +7,7 @@
  *
  *   F = integral of p(h) 2 pi a dh = pi kappa a delta^2,
  *
- * and, with a largest pressure P that is reached at d_c = P/kappa, F = pi kappa a d_c (2 delta -
- * d_c).
+ * If a largest pressure P is reached at d_c = P/kappa, F = pi kappa a d_c (2 delta - d_c).
  */
 
 #include "Rigs/ShellRig.h"
@@ -20,7 +19,7 @@ using namespace coretest;
 namespace
 {
 constexpr double SphereRadius = 5.0;
-/// mm: z of the ramp's surface; values above it are solid.
+/// z (mm) of the ramp's surface. Values above it are solid.
 constexpr double Surface = 10.0;
 
 class ShellForces : public testing::Test
@@ -87,8 +86,8 @@ TEST_F(ShellForces, ASphereOnTissueThatYields)
   EXPECT_LE(this->ComputeWorstError(10000, expected), 0.001);
 }
 
-/// S3: from k (2 mm - delta) = pi kappa a delta^2 follow a depth delta of 1.1578 mm and a force of
-/// 0.4211 N.
+/// S3: k (2 mm - delta) = pi kappa a delta^2 gives a depth delta of 1.1578 mm and a force of 0.4211
+/// N.
 TEST_F(ShellForces, ASphereInTheHand)
 {
   ShellHand hand(this->Scene, MakeSphere(SphereRadius, 10000), this->Settings);
@@ -125,7 +124,7 @@ TEST_F(ShellForces, AFlatFaceAndItsTilt)
   EXPECT_NEAR(tilted.Gradient[3], torque, 0.01 * torque);
 }
 
-/// S4 with a spring: the tool turns until the spring's torque, k_r times the remaining angle,
+/// S4 with a spring: the tool rotates until the spring's torque, k_r times the remaining angle,
 /// equals the torque of the face.
 TEST_F(ShellForces, ATiltedFaceTurnsInTheHand)
 {
@@ -145,7 +144,7 @@ TEST_F(ShellForces, ATiltedFaceTurnsInTheHand)
   EXPECT_NEAR(record.Torque.Y, 0.0, 1e-8);
 }
 
-/// S5: without friction, a sphere turns freely in a hollow sphere, even under pressure.
+/// S5: without friction, a sphere rotates freely in a hollow sphere, even under pressure.
 TEST_F(ShellForces, ASphereTurnsFreelyInASphere)
 {
   const TestVolume cavity = MakeCavity(48);
@@ -165,8 +164,8 @@ TEST_F(ShellForces, ASphereTurnsFreelyInASphere)
   EXPECT_LE(most, 0.001 * scale);
 }
 
-/// If tool, hand and world are turned and moved together, force and torque turn with them. They do
-/// not depend on the grid.
+/// If tool, hand and world are rotated and moved together, force and torque rotate with them. They
+/// must not depend on the grid.
 TEST_F(ShellForces, AreTheSameWhateverTheOrientation)
 {
   // An asymmetric tool is lowered and turned, in two worlds.
@@ -206,7 +205,7 @@ TEST_F(ShellForces, AreTheSameWhateverTheOrientation)
   EXPECT_LE(Norm(again.Torque - expected.Torque), 0.002 * Norm(expected.Torque));
 }
 
-/// Here the values below the level are solid.
+/// In this test, values below the level are solid.
 TEST_F(ShellForces, TheSolidMayBeBelowTheLevel)
 {
   this->Settings.IsBelow = true;
@@ -217,7 +216,7 @@ TEST_F(ShellForces, TheSolidMayBeBelowTheLevel)
   EXPECT_NEAR(hand.Rest().Force.Z, 0.4211, 0.4211e-2);
 }
 
-/// The edge is 2 voxels wide, with a plateau behind it, and the tool is deeper than that.
+/// The edge is 2 voxels wide, with a plateau behind it, and the tool is pressed deeper.
 TEST_F(ShellForces, AToolIsHeldDeeperThanTheEdgeIsWide)
 {
   TestVolume edge(ScalarType::Int16, { 40, 40, 40 });

@@ -28,7 +28,7 @@ struct SlowPoint
   double Depth = 0.0;
   double Beyond = 0.0;
   double Stiffness = 0.0; // N/m
-  double Strength = 0.0;  // N: strength after all reductions
+  double Strength = 0.0;  // strength (N) after all reductions
 };
 
 double Pressure(double kappa, double most, double u)
@@ -127,7 +127,7 @@ protected:
       const double magnitude = between(5.0, 60.0);
       const MaterialTable::Values material = this->Materials(value);
       const DistinctnessTable::Values distinct = this->Distinctness(magnitude);
-      // The volume has 20 samples along each axis. The strength fades in within two voxels from the
+      // The volume has 20 samples along each axis. The strength rises within two voxels from the
       // border.
       const double x = between(-0.5, 10.0);
       const double fade = std::clamp(0.5 * x, 0.0, 1.0);

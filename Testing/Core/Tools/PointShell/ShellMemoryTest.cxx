@@ -39,7 +39,7 @@ TEST(ShellMemoryUse, NoTickAllocates)
   EXPECT_GT(most, 0.01);
 }
 
-/// Uses a shell as the tool of models: changes the model, and copies states for recordings.
+/// Uses a shell as the tool of models. Changes the model, and copies states for recordings.
 TEST(ShellMemoryUse, NoTickOfAToolAllocates)
 {
   const TestVolume volume = MakeRamp();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * S6: expects that the hand never gets more energy than it has put in, on a way from free space to
+ * S6: expects that the hand never gets more energy than it has put in, on a path from free space to
  * free space.
  */
 
@@ -43,7 +43,7 @@ HapticMaterial MakeUneven()
 }
 
 /// Returns the hand's pose at time t from 0 to 1 on a smooth random path that begins and ends
-/// outside of the ball.
+/// outside the ball.
 ShellPose ComputePose(double t, const Vector3* waves)
 {
   const double press = std::sin(Pi * t); // 0 at both ends
@@ -91,7 +91,7 @@ TEST_P(ShellPassivity, NoCycleCreatesEnergy)
     }
     touched += most > 1e-5 ? 1 : 0;
     hand.Rest();
-    // At the end of a cycle, no contact and no stored energy are left.
+    // At the end of a cycle, no contact and no stored energy may remain.
     EXPECT_EQ(hand.Record.Contacts, 0u);
     EXPECT_GE(hand.Work, -1e-15) << "J, cycle " << cycle;
     EXPECT_GE(least, -1e-15) << "J: the springs hold more than the hand has put in";
@@ -140,8 +140,8 @@ TEST(ShellPassivitySlow, ACycleInContactIsDriftFree)
   EXPECT_LE(lost, 0.003 * Norm(first.Force) * way) << "what a friction of 0.003 would take";
 }
 
-/// When the tool slides from soft to hard tissue at the same depth, no energy is created. Only a
-/// further press feels the stiffness of the hard tissue.
+/// When the tool slides from soft to hard tissue at the same depth, no energy may be created. The
+/// stiffness of the hard tissue is felt only if the hand presses on.
 TEST(ShellPassivitySlow, AStifferPlaceIsFeltByPressingOn)
 {
   // A ramp that is twice as steep for x > 16. At the level, its surface has no step.
@@ -167,8 +167,8 @@ TEST(ShellPassivitySlow, AStifferPlaceIsFeltByPressingOn)
   EXPECT_LE(hand.Record.Energy, 1.05 * energy);
   EXPECT_GT(slid, soft) << "the same energy in a stiffer spring";
   const double pressed = press(hand, 24.0, 10.9);
-  // N/m: the tissue's 4e6 N/m^3 times 9 mm^2 is 36, and 144 in the hard part. The hand's spring of
-  // 2000 N/m is in series.
+  // In N/m: the tissue's 4e6 N/m^3 times 9 mm^2 is 36, and 144 in the hard part. The hand's spring
+  // of 2000 N/m is in series.
   const double stiff = 144.0 * 2000.0 / 2144.0;
   EXPECT_NEAR((pressed - slid) / 1e-4, stiff, 0.05 * stiff);
 }

@@ -16,7 +16,7 @@ using namespace coretest;
 
 namespace
 {
-/// Interpolates trilinearly, as defined (slow reference). Clamps the position to the samples.
+/// Interpolates trilinearly by the definition (slow reference). Clamps the position to the samples.
 double Naive(const TestVolume& volume, const Vector3& index)
 {
   const double place[3] = { index.X, index.Y, index.Z };
@@ -189,8 +189,8 @@ TEST_P(ReadingOfShells, HasTheSameBitsOnEveryProcessor)
   EXPECT_EQ(baseline.second, avx2.second);
 }
 
-/// The reader gives the same bits for a point alone and for a point among others, also at borders
-/// and next to samples that are NaN.
+/// The reader must return the same bits for a single point and for a point among others, even at
+/// borders and next to samples that are NaN.
 TEST_P(ReadingOfShells, OfSeveralPointsIsThatOfEach)
 {
   constexpr std::size_t count = 61;
@@ -281,7 +281,7 @@ TEST_P(ReadingOfShells, FindsOutWhatCannotBeSolid)
 {
   TestVolume volume(this->GetParam(), { 12, 12, 12 });
   volume.FillRandom(8);
-  // A level that few samples exceed.
+  // Use a level that few samples exceed.
   std::vector<double> samples;
   for (std::int64_t i = 0; i < 1728; ++i)
   {

@@ -118,8 +118,8 @@ private:
 
 TEST(ShellReference, RandomToolsOnABall)
 {
-  // Between samples h apart, the level of a ball of radius r is h^2/(6 r) too deep on average. So
-  // the voxels are fine.
+  // Between samples h apart, the level of a ball of radius r is h^2/(6 r) too deep on average, so
+  // the voxels must be fine.
   constexpr double h = 0.5;
   TestVolume volume(ScalarType::Float32, { 127, 127, 127 });
   volume.Fill<float>(
@@ -137,7 +137,7 @@ TEST(ShellReference, RandomToolsOnABall)
   int compared = 0;
   for (int i = 0; i < 24; ++i)
   {
-    // In every third case, the tissue yields at 0.25 N on 25 mm^2.
+    // In every third case, the tissue yields at 0.25 N per 25 mm^2.
     const double strength = i % 3 == 0 ? 0.25 : 2.0;
     scene.Material.SurfaceStrength = ConstantPolyline(strength);
     std::vector<ShellPoint> points = MakeSphere(1.0, 120);
@@ -153,7 +153,7 @@ TEST(ShellReference, RandomToolsOnABall)
     const Vector3 away = (1.0 / Norm(direction)) * direction;
     const Quaternion turn = RandomTurn(engine);
     ShellHand hand(scene, points, settings);
-    // The tool has a size of some 10 mm. Lead it from outside until a part of it is in the ball.
+    // The tool is some 10 mm long. Lead it from outside until a part of it is in the ball.
     hand.Tick(BallMiddle + 31.0 * away, turn);
     const auto lead = [&](double to)
     {

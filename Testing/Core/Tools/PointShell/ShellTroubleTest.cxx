@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests shells in trouble: hands and data that are NaN, tools that begin inside of tissue, fast
- * hands and thin walls, and shells of no points, one point or very many points.
+ * Tests shells in trouble: hands and data that are NaN, tools that begin inside tissue, fast hands
+ * and thin walls, and shells with no points, one point or very many points.
  */
 
 #include "Rigs/ShellRig.h"
@@ -62,7 +62,7 @@ TEST_F(ShellTrouble, AHandThatIsNoPoseIsNotFelt)
     EXPECT_FALSE(hand.State.Enabled);
     press();
   }
-  // A quaternion whose norm is slightly wrong, as by a sensor's rounding.
+  // A quaternion whose norm is slightly wrong, as if a sensor had rounded it.
   hand.Tick(1000.0 * hand.Record.Hand.Position, { 1.005, 0.0, 0.0, 0.0 });
   EXPECT_LT(hand.Record.Force.Z, -0.1);
 }
@@ -73,8 +73,7 @@ TEST_F(ShellTrouble, NoPointFeelsNothingAndOnePointIsAPoint)
   none.Tick(Vector3{ 12.0, 12.0, 9.0 });
   ExpectNothing(none.Lead({ 12.0, 12.0, 13.0 }));
   EXPECT_EQ(1000.0 * none.Record.Tool.Position.Z, 1000.0 * none.Record.Hand.Position.Z);
-  // A single point of 25 mm^2 has 500 N/m, and the hand's spring has 500 N/m too. The point gives
-  // no torque.
+  // A single point of 25 mm^2 has 500 N/m, like the hand's spring. The point exerts no torque.
   ShellHand one(this->Scene, { { { 0.0, 0.0, 0.0 }, 2.5e-5 } }, this->Settings);
   one.Tick(Vector3{ 12.0, 12.0, 9.0 });
   one.Lead({ 12.0, 12.0, 12.0 });
@@ -115,7 +114,7 @@ TEST_F(ShellTrouble, AToolThatBeginsInTissueIsFree)
   EXPECT_LT(hand.Record.Force.Z, -0.1) << "and is held when it comes back";
 }
 
-/// Points near samples that are NaN have no contact, even if all samples are NaN.
+/// Points near samples that are NaN must have no contact, even if all samples are NaN.
 TEST_F(ShellTrouble, DataThatAreNoNumbersAreNotTouched)
 {
   TestVolume holes = MakeRamp();
@@ -180,7 +179,7 @@ TEST_F(ShellTrouble, AFastToolDoesNotFallThroughAThinWall)
   const double expected = 500.0 * (4.5e-3 - delta);
   EXPECT_GT(delta, 2e-3);
   std::mt19937_64 engine(17);
-  for (const double speed : { 0.1, 1.0, 3.0 }) // m/s, or mm per tick
+  for (const double speed : { 0.1, 1.0, 3.0 }) // mm per tick, which is m/s
   {
     for (int i = 0; i < 5; ++i)
     {
