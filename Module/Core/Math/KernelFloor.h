@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A floor function for the sampling kernels, by the rules of FieldKernels.h.
+ * A floor function for the sampling kernels, by the rules in FieldKernels.h.
  */
 #ifndef KernelFloor_h
 #define KernelFloor_h

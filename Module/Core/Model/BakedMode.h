@@ -160,7 +160,7 @@ struct BakedMode
   const std::shared_ptr<const void> Samples; ///< keeps the memory of Field alive
   const bool IsActive;
   const bool IsDark;
-  const double SnapDistance; ///< in voxels
+  const double SnapDistance; ///< see ModeDescription (voxels)
   const std::shared_ptr<const GuidePath> Guide;
   const std::shared_ptr<const VolumeHaptics::GuideSurface> GuideSurface;
   const GuideSide Side;

@@ -82,7 +82,7 @@ public:
   /**
    * Moves the tool's state from its model to the next model, which may have another tool or none.
    * If that is impossible, drops the states that hold the hand. `memory` belongs to the next tool.
-   * Returns whether the method must start anew. If so, Begin() of the next tool is called.
+   * Returns whether the method must restart. If so, Begin() of the next tool is called.
    */
   virtual bool Carry(const HapticModel& /*from*/, const HapticModel& /*to*/, ServoState& /*state*/,
     ToolMemory* /*memory*/) const noexcept

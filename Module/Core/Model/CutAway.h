@@ -68,8 +68,7 @@ struct CutRegions
 /** Voxels that are hidden individually, by a flag for each point of an image. */
 struct HiddenVoxels
 {
-  const std::uint8_t* Flags = nullptr; ///< one flag per voxel, x fastest; null if no voxel is
-                                       ///< hidden
+  const std::uint8_t* Flags = nullptr; ///< one flag per voxel, x fastest; may be null
   std::uint8_t Hidden = 0;             ///< bit of a flag that is set for a hidden voxel
   std::int64_t First[3] = {};          ///< index of the voxel with the first flag
   std::int64_t Dimensions[3] = {};

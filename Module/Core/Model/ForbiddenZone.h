@@ -28,8 +28,7 @@ namespace VolumeHaptics
 /** The distance of a position from the forbidden labels. */
 struct ForbiddenPlace
 {
-  bool IsNear = false;   ///< whether Distance is known; otherwise the position is outside the
-                         ///< stand-off
+  bool IsNear = false;   ///< whether Distance is known; false outside the stand-off
   double Distance = 0.0; ///< distance in world units; negative inside a label
   Vector3 Gradient;      ///< derivative of Distance per index step of the label image
 };

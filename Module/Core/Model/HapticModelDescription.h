@@ -83,7 +83,7 @@ struct HapticModelDescription
   Affine3 DeviceToWorld; ///< a similarity, with the world units per metre as its factor
   ForceCaps DeviceCaps;  ///< the device's caps; Settings has the user's caps
   GradientEstimator Estimator = GradientEstimator::Gaussian;
-  int KernelRadius = 2; ///< in voxels
+  int KernelRadius = 2; ///< radius of the gradient kernel (voxels)
   HapticMaterial Material;
   HapticSettings Settings;
   std::shared_ptr<const SurfaceMesh> Mesh;   ///< isosurface (world) of HapticMethod::SurfaceProxy

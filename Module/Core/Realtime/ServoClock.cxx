@@ -108,8 +108,7 @@ std::int64_t GetTimeAsleep() noexcept
   return static_cast<std::int64_t>(whole - awake) * 100;
 }
 
-void BlockSignals() noexcept {} // Windows handles its only signals, those of the console, in a
-                                // separate thread
+void BlockSignals() noexcept {} // no effect: Windows handles signals in another thread
 
 std::int64_t GetProcess() noexcept
 {

@@ -21,7 +21,7 @@
  * less than half of its own. A hand at rest therefore fetches nothing, and at any constant speed
  * the next region arrives while the tip still has half its room. If h is cut so far that the wanted
  * region has no room, the region is fetched when the distance from the nearest border of the
- * resident one has fallen to half of its own.
+ * resident one has fallen to half of that of the wanted one.
  */
 #ifndef RegionPlan_h
 #define RegionPlan_h

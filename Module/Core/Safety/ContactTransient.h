@@ -71,12 +71,10 @@ class ContactTransient
 {
 public:
   static constexpr double TouchMass = 0.1;  ///< m in kg: arm and fingers
-  static constexpr double LightMass = 0.05; ///< in kg
-  static constexpr double FreeTime = 0.02;  ///< time (s) without a surface after which the next
-                                            ///< pulse may start
-  static constexpr double RestTime = 0.5;   ///< time (s) without a surface after which a debt is
-                                            ///< cancelled
-  static constexpr double StepSize = 7e-5;  ///< m, more than a step of an encoder
+  static constexpr double LightMass = 0.05; ///< mass (kg) of a light tip
+  static constexpr double FreeTime = 0.02;  ///< time (s) without a surface until the next pulse
+  static constexpr double RestTime = 0.5;   ///< time (s) without a surface that cancels a debt
+  static constexpr double StepSize = 7e-5;  ///< a length (m) above a step of an encoder
 
   /** Returns f (Hz) by (2) for k (N/m) and T_N (N), or 0 for a material without strength. */
   static double ComputeFrequency(double stiffness, double strength) noexcept;

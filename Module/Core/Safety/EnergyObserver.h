@@ -66,7 +66,7 @@
  * ------
  *
  * The observer can't distinguish a loop that swings more slowly than LongestCycle from a hand, and
- * does not observe a wall that is published anew every few ticks. A device with a wrong sign does
+ * does not observe a wall that is published again every few ticks. A device with a wrong sign does
  * not oscillate; PortObserver.h detects it.
  */
 #ifndef EnergyObserver_h

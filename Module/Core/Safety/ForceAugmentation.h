@@ -79,10 +79,10 @@ struct AugmentationInput
 class ForceAugmentation
 {
 public:
-  static constexpr double LightMass = 0.05; ///< in kg
+  static constexpr double LightMass = 0.05; ///< m (kg)
   static constexpr double StepSize = 7e-5;  ///< m, more than a step of an encoder
-  static constexpr double Tolerance = 1e-3; ///< in J; below the bounds of PortObserver.h
-  static constexpr double RestTime = 0.5;   ///< in s
+  static constexpr double Tolerance = 1e-3; ///< energy (J) below the bounds of PortObserver.h
+  static constexpr double RestTime = 0.5;   ///< time (s) after which a debt is cancelled
 
   /** Clears all data. Afterwards, force and tip are unknown. */
   void Reset() noexcept { *this = ForceAugmentation{}; }

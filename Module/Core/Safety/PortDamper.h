@@ -36,7 +36,7 @@ namespace VolumeHaptics
 class PortDamper
 {
 public:
-  static constexpr double LightMass = 0.05; ///< in kg
+  static constexpr double LightMass = 0.05; ///< m (kg)
   static constexpr double MostGiven = 1e-4; ///< energy (J) that the damping may give before it ends
 
   /** Clears all data and ends the damping. */

@@ -17,7 +17,7 @@
  * tip along n, and m = LightMass, lighter than any stylus with fingers. For a hand that pushes with
  * P,
  *
- *   d(m v^2 / 2) = (P - |F|) ds,   P <= m HandAcceleration + the largest |F| of late,
+ *   d(m v^2 / 2) = (P - |F|) ds,   P <= m HandAcceleration + the largest recent |F|,
  *
  * because a hand that withstands a force can push as strongly when the force falls. In a contact,
  *

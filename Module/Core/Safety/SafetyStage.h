@@ -49,9 +49,9 @@ namespace VolumeHaptics
 
 struct SafetyLimits
 {
-  double MaximumForce = 0.0;       ///< in N; with 0, no force is sent
+  double MaximumForce = 0.0;       ///< largest force (N); with 0, no force is sent
   double MaximumForceRate = 500.0; ///< fastest growth of the force (N/s)
-  double MaximumSpeed = 0.0;       ///< in m/s; 0 for no limit
+  double MaximumSpeed = 0.0;       ///< largest speed of the tip (m/s); 0 for no limit
   double RampTime = 0.5;           ///< duration of the ramp after Arm (s)
   double WatchdogTime = 0.03;      ///< time without samples (s) after which the force retreats
   /**
@@ -61,7 +61,7 @@ struct SafetyLimits
   double AttentionTime = 0.0;
   bool MovesTip = false;       ///< whether forces move the tip (DeviceLimits)
   double MaximumDamping = 0.0; ///< largest damping that the device renders (N s/m); 0 for no limit
-  double MaximumTorque = 0.0;  ///< in N m; with 0, no torque is sent (TorqueStage.h)
+  double MaximumTorque = 0.0;  ///< largest torque (N m); with 0, none is sent (TorqueStage.h)
   double MaximumTorqueRate = 20.0; ///< fastest growth of the torque (N m/s)
   double TransientGain = 0.0;      ///< gain of ContactTransient.h; 0 for no pulses
 };
@@ -72,8 +72,7 @@ struct SafetyInput
   Vector3 Force; ///< computed force (N)
   /** Stiffness (N/m) of the spring that pulls with the force; 0 without a spring. */
   double Stiffness = 0.0;
-  double Stretch = 0.0; ///< stretch of the spring (m); if the pull is clamped, Force is smaller
-                        ///< than the spring's pull
+  double Stretch = 0.0; ///< stretch of the spring (m); its pull may exceed Force
   /**
    * Stiffness (N/m) with which the force grows if the stretch grows, if it is more than Stiffness.
    */
@@ -159,7 +158,7 @@ private:
   ForceAugmentation Augmentation;
   ContactTransient Transient;
   PortDamper Damper;
-  Vector3 LastCommand; ///< in N
+  Vector3 LastCommand; ///< last force sent (N)
   ///@{
   /**
    * Last force (N) after Augment, and after AddTransient. If both are off, it equals the force of

@@ -83,8 +83,7 @@ private:
   std::array<Measurement, Kept> Last{}; ///< a ring buffer
   std::uint64_t Count = 0;
   Vector3 Tip;              ///< position of the tip at the last measurement
-  std::int64_t AliveAt = 0; ///< last time (ns) at which the device reported that the tip had not
-                            ///< moved
+  std::int64_t AliveAt = 0; ///< last time (ns) at which the device reported no motion
   bool Continues = false;   ///< whether the next motion of the tip begins at the last measurement
   TakenForce Acting;
   RecentDurations Reports;

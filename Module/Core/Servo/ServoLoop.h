@@ -54,8 +54,7 @@ struct ServoSnapshot
   ServoState Before; ///< state before the tick; if its Enabled is false, the force is 0
   /** Whether this tick copied the tool's memory for a recording, which begins with Before. */
   bool IsKept = false;
-  ModeForces Modes{};           ///< force (N) of each mode of the method Primitives, before the
-                                ///< safety stage
+  ModeForces Modes{};           ///< force (N) of each mode, before the safety stage
   Vector3 Command;              ///< force in N that was sent to the device
   Vector3 Torque;               ///< torque in N m that was sent to the device
   double Time = 0.0;            ///< time in s since the loop started
@@ -74,8 +73,7 @@ struct ServoSnapshot
   bool Awaiting = false;    ///< whether missing data reduced the force
   double Share = 0.0;       ///< fraction of Record.Force that the gate let through
   double Residency = 1.0;   ///< opening of the gate, that is, Share without the ramp
-  std::uint32_t Orders = 0; ///< number of orders that had arrived before the tick
-                            ///< (ServoLoop::GetOrders)
+  std::uint32_t Orders = 0; ///< number of orders before the tick (ServoLoop::GetOrders)
   DeviceState Device = DeviceState::Running;
   SignVerdict Signs;     ///< verdict of the sign check since RequireConfirmation
   DataClockReport Clock; ///< the clock's report if the volume moves
@@ -399,7 +397,7 @@ private:
   void CountTime(std::int64_t planned, std::int64_t woken, std::int64_t done) noexcept;
 
   DeviceBackend& Backend;
-  const std::int64_t Period; // in ns
+  const std::int64_t Period; // time between ticks (ns)
 
   ModelExchange Models;
   LocalSurfaceFitter Fitter{ this->Models };
@@ -416,8 +414,7 @@ private:
   std::atomic<std::uint64_t> ArmCommand{ 0 }; // see ClutchBit
   std::atomic<std::int64_t> AttendedAt{ 0 };  // time (ns) of ServoClock
   LoopTiming Timing;                          // written only by the servo
-  std::atomic<unsigned> ConfirmAxes{ 0 }; // from RequireConfirmation, until the loop has processed
-                                          // it
+  std::atomic<unsigned> ConfirmAxes{ 0 };     // from RequireConfirmation, until they are processed
   std::atomic<double> ConfirmForce{ 0.0 };
   TripleBuffer<SafetyLimits> Limits;
   TripleBuffer<DataClockOrders> ClockOrders;

@@ -25,8 +25,7 @@ struct LocalSurface
 struct LocalSurfaceRequest
 {
   Vector3 Position; ///< position of the proxy
-  Vector3 Ahead;    ///< farthest position that the tip may reach before the result replaces the
-                    ///< surface
+  Vector3 Ahead;    ///< farthest tip until the result replaces the surface
   Vector3 Normal;   ///< normal of the known surface, into the structure; 0 if there is no surface
   double DataTime = 0.0; ///< data time, if the volume moves
 };

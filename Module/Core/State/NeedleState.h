@@ -75,9 +75,8 @@ struct NeedleState
   double Deepest = 0.0; ///< largest depth (m) of the insertion
   /** Stiffness (N/m) of the spring, constant from the puncture to the end of the insertion. */
   double Stiffness = 0.0;
-  double Puncture = 0.0;    ///< strength (N) of the boundary in front of the tip; 0 if there is no
-                            ///< boundary
-  double PuncturedAt = 0.0; ///< depth (m) of the last puncture
+  double Puncture = 0.0;                 ///< strength (N) of the boundary in front of the tip, or 0
+  double PuncturedAt = 0.0;              ///< depth (m) of the last puncture
   std::int64_t PuncturedLabel = NoLabel; ///< label of the tissue that was punctured last
   Vector3 Motion; ///< recent motion (m) of a free needle's tip; older steps have less weight
   /** Distance (m) by which a free needle was pushed through a surface that still holds it. */

@@ -52,8 +52,7 @@ struct TickRecord : MaterialPoint
   double LeapStiffness = 0.0;
   ///@}
   double Depth = 0.0;      ///< depth of a needle's insertion (m); 0 if it is not inserted
-  double ShaftForce = 0.0; ///< largest force (N) with which the tissue along the needle's shaft can
-                           ///< hold it
+  double ShaftForce = 0.0; ///< largest force (N) that the needle's shaft can carry
   /** Volume (mm^3 in the hand's space) that a burr removed in this tick. */
   double RemovedVolume = 0.0;
   /**

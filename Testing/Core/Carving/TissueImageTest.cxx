@@ -24,8 +24,7 @@ void RemoveSome(CarvedBricks& bricks, std::uint64_t seed, int samples)
   {
     const auto along = [&engine](std::int64_t length)
     { return static_cast<std::int64_t>(engine() % static_cast<std::uint64_t>(length)); };
-    const std::int64_t i = along(30); // removes nothing beyond i = 30, so the bricks there stay
-                                      // whole
+    const std::int64_t i = along(30); // bricks beyond i = 30 stay whole
     const std::int64_t j = along(Lengths[1]);
     SetFraction(bricks, i, j, along(Lengths[2]), static_cast<std::uint8_t>(engine()));
   }

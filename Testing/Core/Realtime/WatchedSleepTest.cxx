@@ -106,8 +106,7 @@ TEST_F(WatchedSleepElsewhere, EndsOnAnotherProcessor)
     {
       const int processor = sched_getcpu();
       const std::int64_t planned = ServoClock::Now() + 5 * ServoClock::Millisecond;
-      sleep.SleepUntil(planned, planned + 30 * Second); // wakes 30 s late, as if the timer were
-                                                        // lost
+      sleep.SleepUntil(planned, planned + 30 * Second); // 30 s late, like a lost timer
       const std::int64_t end = ServoClock::Now();
       ASSERT_TRUE(MayRunOn(this->Before));
       ASSERT_GE(end, planned);

@@ -25,8 +25,7 @@ double Press(HapticSolver solver, double before, double after)
   HapticModelDescription description = Describe(volume);
   description.Settings.Solver = solver;
   description.Material.Stiffness = ConstantPolyline(1000.0);
-  description.Material.Viscosity = ConstantPolyline(1e12); // a drag that is high enough to hold the
-                                                           // proxy in place
+  description.Material.Viscosity = ConstantPolyline(1e12); // holds the proxy in place
   const HapticModel bare(description);
   const HapticModel first(bare, description.DeviceToWorld, { before, 0.0 });
   const HapticModel second(bare, description.DeviceToWorld, { after, 0.0 });

@@ -73,8 +73,7 @@ double Throw(double rate, HapticSolver solver)
   const TestVolume volume = MakeRamp(48);
   HapticModelDescription description = Describe(volume);
   description.Material.Stiffness = ConstantPolyline(3000.0);
-  description.Material.SurfaceStrength = ConstantPolyline(1e12); // a surface that is so strong that
-                                                                 // the proxy never slips
+  description.Material.SurfaceStrength = ConstantPolyline(1e12); // the proxy never slips
   description.Settings.Solver = solver;
   description.Settings.MaximumForce = 2.0;
   ThrownBody body;

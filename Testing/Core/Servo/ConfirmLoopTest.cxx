@@ -45,8 +45,7 @@ public:
     this->MostAcross.store(std::max(this->MostAcross.load(), std::hypot(force.Y, force.Z)));
     return PlayedDevice::Write(force);
   }
-  std::atomic<double> MostAcross{ 0.0 }; ///< largest force (N) across x; the pushes of the check
-                                         ///< are along x
+  std::atomic<double> MostAcross{ 0.0 }; ///< largest force (N) across x, without the pushes
 
 private:
   signtest::HeldDevice Held;

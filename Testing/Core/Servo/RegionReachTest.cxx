@@ -309,8 +309,7 @@ TEST(RegionReach, FallsOverFourVoxelsThatEndThreeBeforeTheFarthestSample)
     last[axis] = 40;
     const HapticModel region(Crop(d, { 0, 0, 0 }, last));
     const double radius = d.KernelRadius;
-    const double aside = radius * 1.1 / spacing[axis]; // voxels to x_s, whose distance depends on
-                                                       // the largest spacing
+    const double aside = radius * 1.1 / spacing[axis]; // distance of x_s (voxels)
     const double walk = isFar && !isPaper ? 3.0 * radius : 0.0;
     const double reach = std::max({ radius, aside, walk }) + 3.0;
     for (int n = 0; n < 50; ++n)

@@ -26,8 +26,7 @@ double Simulate(double k, int delay)
   const TestVolume volume = MakeRamp();
   HapticModelDescription description = Describe(volume);
   description.Material.Stiffness = ConstantPolyline(k);
-  description.Material.Viscosity = ConstantPolyline(1e12); // a drag that is high enough to hold the
-                                                           // proxy in place
+  description.Material.Viscosity = ConstantPolyline(1e12); // holds the proxy in place
   const HapticModel model(description);
   VirtualDevice device;
   device.SetDynamics({ Mass, Damping, 0.0, 0.0, delay, 2.0 });

@@ -71,8 +71,7 @@ TEST(DragLimit, LeavesTheClosedFormsAsTheyAre)
   {
     Medium medium;
     medium.Solver = solver;
-    for (const double k : { 200.0, 400.0, 500.0, 2000.0 }) // N/m; with voxels of 1 mm, the lag is
-                                                           // limited to 3 mm or more
+    for (const double k : { 200.0, 400.0, 500.0, 2000.0 }) // N/m; the limit is at least 3 mm
     {
       medium.Stiffness = k;
       const auto [lag, force] = Drag(medium);

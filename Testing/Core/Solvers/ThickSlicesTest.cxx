@@ -145,8 +145,7 @@ double InterpolatedFraction(const Wall& wall, const Vector3& world)
 
 struct Press
 {
-  double Contact = HUGE_VAL; ///< tip's position (mm behind the plane) at which the force reaches 20
-                             ///< mN
+  double Contact = HUGE_VAL; ///< tip (mm behind the plane) at a force of 20 mN
   double Force = 0.0;        ///< final force along the normal (N)
   double Most = 0.0;         ///< largest force in any direction during the press (N)
   Vector3 Proxy;             ///< final position (world)

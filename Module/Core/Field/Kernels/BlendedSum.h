@@ -6,8 +6,8 @@
  *
  *   V_i = a_i + share (b_i - a_i)
  *
- * A sample that is equal in both time steps keeps its value to the bit. The rules of FieldKernels.h
- * hold here, too.
+ * A sample that is equal in both time steps keeps its value to the bit. The rules in FieldKernels.h
+ * also apply here.
  */
 #ifndef BlendedSum_h
 #define BlendedSum_h
@@ -50,8 +50,8 @@ VOLUME_HAPTICS_INLINE void SubtractRows(const RowPair<N>& of, RowPair<N>& rows)
 
 ///@{
 /**
- * Store two rows in the layout of TimeStepTaps, and load the rows of both time steps, blended as by
- * BlendRows.
+ * Store two rows in the layout of TimeStepTaps, and load the rows of both time steps, blended like
+ * BlendRows().
  */
 template <int N>
 VOLUME_HAPTICS_INLINE void StoreLines(const RowPair<N>& rows, double* to)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The kernels of LabelSampler, as templates. The rules of FieldKernels.h hold here too.
+ * The kernels of LabelSampler, as templates. The rules in FieldKernels.h also apply here.
  */
 #ifndef LabelKernels_h
 #define LabelKernels_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Comparisons of the labels in a plane of 8^2 voxels. The rules of FieldKernels.h hold here, too.
+ * Comparisons of the labels in a plane of 8^2 voxels. The rules in FieldKernels.h also apply here.
  *
  * Labels are compared bit by bit, as unsigned numbers U of the same size. A plane is divided into
  * vectors, each with as many labels as the instruction set compares at once.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The sum over N^3 taps of a separable kernel. The rules of FieldKernels.h hold here, too.
+ * The sum over N^3 taps of a separable kernel. The rules in FieldKernels.h also apply here.
  */
 #ifndef SeparableSum_h
 #define SeparableSum_h

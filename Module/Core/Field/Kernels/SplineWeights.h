@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The weights of the uniform cubic B-spline. The rules of FieldKernels.h hold here, too.
+ * The weights of the uniform cubic B-spline. The rules in FieldKernels.h also apply here.
  */
 #ifndef SplineWeights_h
 #define SplineWeights_h

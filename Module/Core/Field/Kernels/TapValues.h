@@ -5,7 +5,7 @@
  * Trilinear values of two time steps, blended. They are computed from the samples that the last
  * gradient has stored in a memory, because a proxy hardly needs samples beyond the gradient's taps.
  * The values equal those read from the time steps, to the bit. If the memory lacks samples, the
- * result is NaN. The rules of FieldKernels.h hold here, too.
+ * result is NaN. The rules in FieldKernels.h also apply here.
  */
 #ifndef TapValues_h
 #define TapValues_h

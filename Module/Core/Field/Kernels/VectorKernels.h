@@ -3,7 +3,7 @@
 /**
  * @file
  * The kernels of VectorSampler, as templates. Only one translation unit for each instruction set
- * may include this file. The rules of FieldKernels.h hold here, too.
+ * may include this file. The rules in FieldKernels.h also apply here.
  */
 #ifndef VectorKernels_h
 #define VectorKernels_h

@@ -327,7 +327,7 @@ void Request(const HapticModel& model, const Vector3& motion, LocalState& local)
   local.Request.Normal = {};
   const Quadric& shape = local.Surface.Shape;
   const Vector3 slope = shape.Slope(local.Request.Position);
-  // A proxy near a surface through which it has not passed is outside, even if the value there says
+  // A proxy near a surface through which it has not passed is outside, even if the value there is
   // inside: behind a plane that touches a hollow, there is a part of the structure.
   if (local.Surface.IsThere && std::abs(shape.Depth(local.Request.Position)) < near)
   {

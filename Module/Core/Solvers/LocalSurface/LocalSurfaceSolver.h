@@ -45,8 +45,7 @@ struct LocalSurfaceResult
   static LocalSurfaceResult Simulated() noexcept { return { true, nullptr }; }
 
   bool IsSimulated = false;
-  const LocalSurface* Surface = nullptr; ///< answer to state.Local.Request; null until it has
-                                         ///< arrived
+  const LocalSurface* Surface = nullptr; ///< reply to state.Local.Request, or null
 };
 
 /** Computes a tick for record.Tip, and writes the whole record. */

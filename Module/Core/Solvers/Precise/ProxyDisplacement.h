@@ -44,7 +44,7 @@ constexpr double LongestMean = 2.0;
  */
 struct UnheldSpring
 {
-  Vector3 Lag;   ///< in m
+  Vector3 Lag;   ///< lag (m)
   double Length; ///< length of Lag
   double Radius; ///< radius (m) of the circle in which friction and drag hold the tip
   bool IsCircle; ///< whether they hold equally in all directions

@@ -31,8 +31,7 @@ double ComputeEnd(double atBegin, double atMiddle, double late) noexcept
 }
 
 constexpr double LeastRate = 0.25;
-constexpr double MostRate = 1e12; // largest rate, reached a picometre away from the axis of a
-                                  // vortex
+constexpr double MostRate = 1e12; // reached a picometre away from the axis of a vortex
 /** A step is restarted if the rate at its middle exceeds the expected rate by this factor. */
 constexpr double RateExcess = 1.01;
 

@@ -265,7 +265,7 @@ private:
     this->Record.RemovedVolume += cost.Volume;
   }
 
-  const double Radius; ///< in m
+  const double Radius; ///< radius of the head (m)
   TissueRemoval& Removal;
   BurrState& State;
   SphereCarver& Carver;

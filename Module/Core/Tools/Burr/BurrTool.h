@@ -66,7 +66,7 @@ struct BurrRecord
   ShellRecord Shell;
   Vector3 Force;              ///< force on the hand, including the vibration (N)
   double Energy = 0.0;        ///< energy spent on removal (J)
-  double RemovedVolume = 0.0; ///< in mm^3
+  double RemovedVolume = 0.0; ///< volume removed in the tick (mm^3)
   std::size_t Work = 0;      ///< work of the removal; below MostBurrWork plus the work of one brick
   bool IsUnfinished = false; ///< whether tissue could not be removed as far as the head has moved
 };

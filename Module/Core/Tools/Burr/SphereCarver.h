@@ -63,8 +63,7 @@ struct CarvingCost
 {
   double Energy = 0.0;     ///< energy needed for the removal (J)
   double Volume = 0.0;     ///< volume of solid tissue (mm^3)
-  std::size_t Work = 0;    ///< measure of time, in which a row of samples that does not change
-                           ///< counts as 1
+  std::size_t Work = 0;    ///< measure of time: 1 for a row of unchanged samples
   std::size_t Changes = 0; ///< number of rows of samples that change
   /** Index of the brick with which the next part begins; 0 if the sphere is complete. */
   std::uint32_t Next = 0;

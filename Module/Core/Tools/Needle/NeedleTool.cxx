@@ -317,7 +317,7 @@ void StepNeedle(const HapticModel& model, ServoState& state, TickRecord& record)
   needle.Write(record);
   if (!state.Needle.IsInserted)
   {
-    // The method starts anew.
+    // The method restarts.
     state.Precise = PreciseState{};
     state.Precise.ReachedTip = record.Tip;
   }

@@ -37,7 +37,7 @@ public:
   static const ShapedTool* Find(const BakedVolume& baked) noexcept;
 
   bool IsSame(const BakedTool& other) const override;
-  /** Moves the state to another model. If this is impossible, the tool starts anew in the hand. */
+  /** Moves the state to another model. If this is impossible, the tool restarts in the hand. */
   bool Carry(const HapticModel& from, const HapticModel& to, ServoState& state,
     ToolMemory* memory) const noexcept override;
   void Begin(ServoState& state) const noexcept override;

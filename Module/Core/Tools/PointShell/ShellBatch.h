@@ -45,8 +45,8 @@ struct ShellFrame
   double GradientToDevice[9];
   double DeviceToIndex[9]; ///< matrix by rows, from m to index steps
   double UnitsPerMeter;
-  double Voxel;        ///< in m
-  double KernelLength; ///< in m
+  double Voxel;        ///< smallest spacing (m)
+  double KernelLength; ///< length of the kernel radius (m)
   double KernelRadius; ///< in voxels, if the kernel is that long along each direction; otherwise 0
 };
 

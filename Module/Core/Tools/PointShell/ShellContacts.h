@@ -94,8 +94,7 @@ struct ShellContacts
   }
 
   std::vector<ShellContact> List;
-  std::vector<std::uint64_t> Marks; ///< one bit for each point, which is set if the point is in
-                                    ///< List
+  std::vector<std::uint64_t> Marks; ///< one bit for each point: whether it is in List
   std::size_t Count = 0;
   double Fraction = 1.0; ///< fraction of the stored energies that counts
 };

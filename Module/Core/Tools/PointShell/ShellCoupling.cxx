@@ -239,8 +239,7 @@ private:
     const ShellPose tool = s.Tool;
     const Coupling::Pull pull = this->Springs.At(tool, s.Hand);
     s.IsCarried = false;
-    s.Budget = std::max(s.Budget, pull.Energy); // because of rounding, the energy may exceed the
-                                                // budget
+    s.Budget = std::max(s.Budget, pull.Energy); // rounding may have exceeded the budget
     this->Look(tool, false);
     this->Apply(tool, pull);
   }

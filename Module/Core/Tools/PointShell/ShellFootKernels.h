@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads values and gradients at the feet of points, for ShellKernels.h. The rules of FieldKernels.h
- * hold here, too.
+ * Reads values and gradients at the feet of points, for ShellKernels.h. The rules in FieldKernels.h
+ * also apply here.
  */
 #ifndef ShellFootKernels_h
 #define ShellFootKernels_h

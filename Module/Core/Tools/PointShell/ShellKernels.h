@@ -3,7 +3,7 @@
 /**
  * @file
  * Reads the volume at many points at once. The functions are templates, and only one translation
- * unit for each instruction set may include this file. The rules of FieldKernels.h hold here, too.
+ * unit for each instruction set may include this file. The rules in FieldKernels.h also apply here.
  */
 #ifndef ShellKernels_h
 #define ShellKernels_h
