@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The cell of a position along an axis, and the linear kernels. The rules in FieldKernels.h also apply
- * here.
+ * The cell of a position along an axis, and the linear kernels. The rules in FieldKernels.h also
+ * apply here.
  */
 #ifndef LinearKernels_h
 #define LinearKernels_h
