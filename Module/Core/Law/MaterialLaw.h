@@ -199,7 +199,7 @@ inline void LimitDrag(const HapticModel& model, double slack, MaterialPoint& poi
   {
     return;
   }
-  // Without a gradient the normal has no meaning, so the smallest spacing counts.
+  // Without a gradient the normal has no meaning, so use the smallest spacing.
   const double voxelsPerMeter = point.GradientMagnitude > 0.0
     ? Norm(model.DeviceToIndex.Linear * point.Normal)
     : model.MostVoxelsPerMeter;

@@ -70,8 +70,8 @@ private:
     double Turn = 0.0;
   };
   /**
-   * Limit of the boxes that a query visits. A place near the mesh needs far fewer. Visiting them
-   * all takes some tens of microseconds.
+   * The most boxes that a query visits. A query near the mesh visits far fewer. Visiting this many
+   * takes some tens of microseconds.
    */
   static constexpr int Budget = 2000;
 

@@ -109,7 +109,7 @@ public:
 
   LabelOrder OrderOf(std::int64_t label) const noexcept
   {
-    constexpr int strength = 2; // channels of T_N and k
+    constexpr int strength = 2; // channels of MaterialTable: T_N here, k below
     constexpr int stiffness = 0;
     constexpr double none = -1.0;
     const LabelMaterial* const material = this->Find(label);

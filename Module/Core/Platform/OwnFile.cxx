@@ -161,7 +161,7 @@ std::string FindOwnFile(const std::string& path, FileGroup, std::string& error)
 namespace
 {
 
-constexpr int MostLinks = 40; // limit of the links in a path, as in Linux
+constexpr int MostLinks = 40; // most symbolic links that a path may follow, as in Linux
 
 /**
  * Returns why a path is not safe, and the remedy. Returns an empty text if only this user, root and

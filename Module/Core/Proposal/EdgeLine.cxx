@@ -13,7 +13,7 @@ namespace VolumeHaptics
 namespace
 {
 constexpr double StepsPerVoxel = 4.0;
-constexpr int Reach = 48; // limit of the steps to either side
+constexpr int Reach = 48; // most steps to either side
 /** The value of a plateau is averaged over this number of steps. */
 constexpr int PlateauSteps = 8;
 /**

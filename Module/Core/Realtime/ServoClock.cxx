@@ -46,7 +46,7 @@ public:
       return true;
     }
     LARGE_INTEGER wait{};
-    wait.QuadPart = -std::max<std::int64_t>(1, left / 100); // relative, in 100 ns
+    wait.QuadPart = -std::max<std::int64_t>(1, left / 100); // < 0: relative; in units of 100 ns
     return this->Handle.Get() &&
       SetWaitableTimer(this->Handle.Get(), &wait, 0, nullptr, nullptr, FALSE) &&
       WaitForSingleObject(this->Handle.Get(), INFINITE) == WAIT_OBJECT_0;
@@ -98,7 +98,7 @@ std::int64_t GetTimeAsleep() noexcept
     return std::make_pair(reinterpret_cast<Reader>(find("QueryInterruptTimePrecise")),
       reinterpret_cast<Reader>(find("QueryUnbiasedInterruptTimePrecise")));
   }();
-  ULONGLONG whole = 0; // in 100 ns
+  ULONGLONG whole = 0; // in units of 100 ns
   ULONGLONG awake = 0;
   if (readers.first && readers.second)
   {

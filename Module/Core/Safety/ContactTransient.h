@@ -63,7 +63,7 @@ struct TransientInput
   double Share = 1.0;     ///< fraction of the pulse that is sent, 0 to 1
   double Most = 0.0;      ///< largest force (N)
   double Least = 0.0;     ///< least value (N) to which a pulse may reduce the force of the wall
-  double Period = 1e-3;   ///< T (s)
+  double Period = 1e-3;   ///< duration T of a tick (s)
   bool MovesTip = true;   ///< whether (3) must hold
 };
 

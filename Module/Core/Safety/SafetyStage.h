@@ -89,7 +89,8 @@ struct SafetyInput
    */
   double WallWork = 0.0;
   /**
-   * Frequency (Hz) of the surface that holds the tip, for ContactTransient.h; 0 without a surface.
+   * Frequency (Hz) of the pulse at the surface that holds the tip (ContactTransient.h); 0 without a
+   * surface.
    */
   double Frequency = 0.0;
   bool IsNew = false;   ///< whether the force has changed for a reason other than the tip's motion

@@ -77,8 +77,8 @@ protected:
     ASSERT_NEAR(this->Rest(5), 0.4, 1e-9) << "k d";
   }
 
-  double Wall = 0.0;    // N/m
-  double Pitch = 120.0; // Hz
+  double Wall = 0.0;    // stiffness of the wall (N/m)
+  double Pitch = 120.0; // frequency of its pulses (Hz)
 };
 } // namespace
 

@@ -109,7 +109,7 @@ private:
   std::unique_ptr<HapticModel> Model;
 };
 
-/// Results for each ContactState.
+/// The largest error and the number of ticks of each ContactState.
 struct Met
 {
   double Worst[4] = {}; ///< largest error (N)

@@ -72,8 +72,9 @@ struct SphereCarver::Sphere
    * change.
    */
   bool HasFrom;
-  Vector3 Way;   ///< from From to Centre (m)
-  double Middle; ///< distance from Centre to the middle between From and Centre, along Way (m^2)
+  Vector3 Way; ///< Centre - From (m)
+  /** (x - Centre) . Way for a position x in the middle between From and Centre (m^2). */
+  double Middle;
   double BrickRadius; ///< distance from a brick's middle to its farthest corner (m)
   CarvedBox Box;      ///< the resident samples in reach
   CarvedBox Bricks;   ///< all samples in reach, resident or not
