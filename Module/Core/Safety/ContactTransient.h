@@ -33,16 +33,17 @@
  *
  *   dA = -p.dx.
  *
- * Only an upper bound of the delay is known. Therefore p is the one of all pulses that may have
- * acted during dx that gives the hand the most energy. A pulse that acts until the next measurement
- * moves a light tip along p by at most s + c |p|. The pulse is limited to
+ * Only an upper bound of the delay is known, so several pulses may have acted during dx. Of these,
+ * p is the one that gives the hand the most energy. Let tau be the time until the next measurement,
+ * including the delay. In this time, a tip with the mass LightMass moves along p by at most s +
+ * c |p|, with c = tau^2 / (2 LightMass). The pulse is limited to
  *
  *   |p| (s + c |p|) <= A.                                                                      (3)
  *
- * The distance s includes the push of the wall itself. A debt of the account remains for the next
- * contact, unless nothing is touched for RestTime. A pulse therefore never gives more than it took,
- * and with an empty account it only brakes. A force that the slew limit still holds back after a
- * pulse counts as a part of p.
+ * The distance s includes the effect of the wall's own push. A debt of the account remains for the
+ * next contact, unless nothing is touched for RestTime. A pulse therefore never gives more than it
+ * took, and with an empty account it only brakes. A force that the slew limit still holds back
+ * after a pulse counts as a part of p.
  */
 #ifndef ContactTransient_h
 #define ContactTransient_h

@@ -36,7 +36,7 @@
  * pressing on restores the force that the limit has held back, and a hand at rest feels no change.
  * For a spring, with Work = k x^2 / 2, the stiffness of F is
  *
- *   k (p + 2 (p - r) dp/dr) <= k,
+ *   k (p + 2 (p - r) dp/dr) <= k.
  *
  * This is the reason for the choice of p: the sampled loop is as stable with the limit as without
  * it. Until some force is held back, Paid = Work, s = 1, and F = W to the bit. A wall that was
