@@ -56,7 +56,7 @@ bool HasFlag(vtkUnsignedCharArray* flags, int flag, vtkIdType count)
     std::any_of(first, first + count, [flag](unsigned char one) { return (one & flag) != 0; });
 }
 
-/** Hides the points that belong to no visible cell. */
+/** Marks each point as hidden unless at least one of the cells around it is visible. */
 void HideByCells(vtkImageData* image, vtkUnsignedCharArray* cells, vtkUnsignedCharArray* points)
 {
   int size[3];
@@ -85,10 +85,7 @@ void HideByCells(vtkImageData* image, vtkUnsignedCharArray* cells, vtkUnsignedCh
   }
 }
 
-/**
- * Finds the points of an image that are blanked themselves, or that have only blanked cells around
- * them.
- */
+/** Lists the points to hide: blanked points, and points whose cells are all blanked. */
 HiddenVoxels CollectBlanked(vtkImageData* image, const int extent[6])
 {
   HiddenVoxels hidden;
@@ -172,7 +169,7 @@ std::shared_ptr<const CutAway> HapticCut::Make(
     {
       const double low = this->RegionPlanes[2 * axis];
       const double high = this->RegionPlanes[2 * axis + 1];
-      // NaN must fail here, too.
+      // The negated comparison also refuses NaN.
       if (!(low <= high))
       {
         std::ostringstream message;
@@ -183,7 +180,7 @@ std::shared_ptr<const CutAway> HapticCut::Make(
         error = message.str();
         return nullptr;
       }
-      // Crop along the axes of the data, as the mappers do.
+      // Crop along the axes of the image, even if the image is rotated, as VTK's volume mappers do.
       const double first = extent[2 * axis];
       const auto toIndex = [&](double x)
       { return (x - image->GetOrigin()[axis]) / image->GetSpacing()[axis] - first; };

@@ -30,12 +30,14 @@ namespace
 {
 
 /**
- * Largest span of scalars that can be labels. The table has an entry for each whole number in the
- * span.
+ * Largest difference between the highest and the lowest scalar that can be used as labels. It
+ * limits memory: the table has an entry for each whole number in between.
  */
 constexpr int MostScalarLabels = 1 << 16;
 
-/** Returns the value of a function at a scalar, or the function's default if it has no points. */
+/**
+ * Evaluates a function of the property at a scalar. A function without points yields its default.
+ */
 double ComputeScalarMaterial(vtkHapticProperty* property, const char* name, double label)
 {
   for (const PropertyFunction& rule : PropertyFunctions)
@@ -51,11 +53,11 @@ double ComputeScalarMaterial(vtkHapticProperty* property, const char* name, doub
 }
 
 /**
- * Fills a table for a segmentation that is touched itself: the property's functions map each of its
- * numbers to a material. The table gets an entry for each whole number between the smallest and the
- * largest sample, including the background. Returns false, and leaves the table empty, if the
- * samples can't be labels: several components, values that are not finite, or a span of more than
- * MostScalarLabels.
+ * Fills the table for a segmentation whose numbers are the touched scalars. The property's
+ * functions map each number to a material. The table gets an entry for each whole number between
+ * the smallest and the largest sample, including the background. Returns false, with an empty
+ * table, if the samples can't be labels: if they have several components, or values that are not
+ * finite, or a span of more than MostScalarLabels.
  */
 bool FillScalarLabels(
   vtkDataArray* scalars, vtkHapticProperty* property, vtkHapticLabelTable* table)
@@ -64,7 +66,7 @@ bool FillScalarLabels(
   double range[2];
   scalars->GetRange(range, 0);
   constexpr double most = VTK_INT_MAX;
-  // NaN must fail here, too.
+  // Each comparison is false for NaN.
   const bool isSpanned = range[0] >= -most && range[1] <= most && range[0] <= range[1] &&
     range[1] - range[0] < MostScalarLabels;
   if (scalars->GetNumberOfComponents() != 1 || !isSpanned)
@@ -84,21 +86,23 @@ bool FillScalarLabels(
 constexpr const char* LabelImage = "label image on input port 3";
 
 /**
- * Returns whether a value is a whole number of at most 2^53, because a double is exact up to there.
- * Returns false for NaN.
+ * Returns whether a value is a whole number of at most 2^53, up to which a double holds every whole
+ * number exactly. Returns false for NaN.
  */
 template <typename T>
 bool IsWhole(T value)
 {
   constexpr T most = T(9007199254740992.0);
-  // Numbers of at least this size have no fraction. Adding it to a smaller number rounds that
+  // Numbers of at least this size have no fraction, so adding it to a smaller number rounds that
   // number.
   constexpr T unit = T(1) / std::numeric_limits<T>::epsilon();
   const T size = std::abs(value);
   return size <= most && (size >= unit || (size + unit) - unit == size);
 }
 
-/** Returns the first sample of a run that is not a whole number; -1 if there is none. */
+/**
+ * Returns the index of the first sample in a range that is not a whole number; -1 if there is none.
+ */
 template <typename T>
 std::int64_t FindFraction(const T* data, std::int64_t stride, std::int64_t first, std::int64_t end)
 {
@@ -109,7 +113,8 @@ std::int64_t FindFraction(const T* data, std::int64_t stride, std::int64_t first
     int fractions = 0;
     for (std::int64_t i = from; i < to; ++i)
     {
-      fractions += IsWhole(data[i * stride]) ? 0 : 1; // a sum needs no branch
+      fractions += IsWhole(data[i * stride]) ? 0 : 1; // adding instead of branching lets the
+                                                      // compiler vectorize the loop
     }
     for (std::int64_t i = from; i < to && fractions > 0; ++i)
     {
@@ -123,8 +128,8 @@ std::int64_t FindFraction(const T* data, std::int64_t stride, std::int64_t first
 }
 
 /**
- * Returns a sample that is not a whole number; -1 if there is none. In a large image, examines only
- * some runs of samples; fractions elsewhere are cut off.
+ * Returns the index of a sample that is not a whole number; -1 if none was found. Examines only
+ * some ranges of samples in a large image. Fractions elsewhere in that image are truncated.
  */
 std::int64_t FindFraction(const VolumeView& view)
 {
@@ -225,7 +230,9 @@ bool ReadLabels(vtkImageData* image, vtkDataArray* labels, BakedLabels& baked, s
   return true;
 }
 
-/** Bakes the table of labels, and writes the forbidden labels to `forbidden`. */
+/**
+ * Bakes the table of labels into the core's table, and appends the forbidden labels to `forbidden`.
+ */
 LabelTable BakeTable(vtkHapticLabelTable* table, std::vector<int>& forbidden)
 {
   std::vector<LabelledMaterial> entries;
@@ -238,7 +245,7 @@ LabelTable BakeTable(vtkHapticLabelTable* table, std::vector<int>& forbidden)
       table->GetSurfaceStrength(label), table->GetViscosity(label) };
     for (int c = 0; c < LabelMaterial::Channels; ++c)
     {
-      entry.Material.IsSet[c] = entry.Material.Value[c] >= 0.0; // -1: not set
+      entry.Material.IsSet[c] = entry.Material.Value[c] >= 0.0; // a negative value is not set
     }
     entry.Material.ShaftFriction = table->GetShaftFriction(label);
     entry.Material.HasShaftFriction = entry.Material.ShaftFriction >= 0.0;
@@ -246,7 +253,7 @@ LabelTable BakeTable(vtkHapticLabelTable* table, std::vector<int>& forbidden)
     entry.Material.HasSpecificEnergy = entry.Material.SpecificEnergy >= 0.0;
     entry.Material.IsFelt = table->GetFelt(label);
     entry.Material.IsForbidden = table->GetForbidden(label);
-    // An entry with only a name or a colour has no effect on what is felt.
+    // Skip an entry with only a name or a colour: it does not change the forces.
     if (table->HasMaterial(label) || !entry.Material.IsFelt || entry.Material.IsForbidden)
     {
       entries.push_back(entry);
@@ -259,16 +266,13 @@ LabelTable BakeTable(vtkHapticLabelTable* table, std::vector<int>& forbidden)
   return LabelTable(entries);
 }
 
-/**
- * Number of voxels whose distances are measured in one piece, which takes about ten milliseconds.
- */
+/** Number of voxels in one piece of the distance measurement: about 10 ms of work. */
 constexpr vtkIdType MostMeasuredAtOnce = 1 << 20;
-/** Number of fine voxels that are made in one piece, which takes about ten milliseconds. */
+/** Number of fine voxels that are made in one piece: about 10 ms of work. */
 constexpr double MostRefinedAtOnce = 1 << 20;
 
 /**
- * Makes the forbidden zone. Returns false and reports an error if the stand-off reaches too many
- * voxels.
+ * Makes the forbidden zone. Returns false and sets `error` if the stand-off spans too many voxels.
  */
 bool BakeZone(double standOff, BakedLabels& baked, std::string& error)
 {
@@ -290,7 +294,7 @@ bool BakeZone(double standOff, BakedLabels& baked, std::string& error)
   return true;
 }
 
-/** Copies the label image itself, without its finer grid. */
+/** Copies the label image at its own resolution, without the finer grid. */
 void CopyImage(const BakedLabels& from, BakedLabels& to)
 {
   to.View = from.Fine ? from.Image : from.View;
@@ -304,7 +308,10 @@ Vector3 SpacingOf(const BakedLabels& labels)
   return { Norm(columns.Row[0]), Norm(columns.Row[1]), Norm(columns.Row[2]) };
 }
 
-/** Runs a loop on all processors. The first exception ends it and is thrown again. */
+/**
+ * Runs a loop on all processors. The first exception in any thread stops the loop and is rethrown
+ * here.
+ */
 void LoopOnAll(std::int64_t count, const std::function<void(std::int64_t)>& body)
 {
   std::atomic<bool> isEnded{ false };
@@ -398,7 +405,7 @@ bool HapticLabels::PrepareFine(vtkImageData* image, vtkDataArray* labels, bool i
   std::string error;
   if (!ReadLabels(image, labels, *read, error))
   {
-    return true; // Get() reports the error
+    return true; // Get() will report the error
   }
   const Vector3 spacing = SpacingOf(*read);
   const Vector3 steps = FineLabels::ChooseSteps(read->View, spacing);
@@ -412,7 +419,7 @@ bool HapticLabels::PrepareFine(vtkImageData* image, vtkDataArray* labels, bool i
   this->Refining.Poll(key,
     [read, spacing, before](WorkMonitor& monitor) -> std::optional<Fine>
     {
-      // Stay on this thread, because other threads might not have its low priority.
+      // Run on this thread only, because other threads might not have its low priority.
       const auto loop = [&monitor](std::int64_t count, const FineLabels::Body& body)
       {
         for (std::int64_t i = 0; i < count && !monitor.IsCancelled(); ++i)
@@ -454,7 +461,7 @@ bool HapticLabels::PrepareZone(
   }
   else if (!ReadLabels(image, labels, *baked, error))
   {
-    return true; // Get() reports the error
+    return true; // Get() will report the error
   }
   const double standOff = std::get<double>(zoneKey);
   this->Measuring.Poll(key,

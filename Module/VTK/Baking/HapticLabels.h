@@ -28,72 +28,74 @@ namespace VolumeHaptics
 {
 
 /**
- * Stores the labels that were baked last, and bakes them again only after a change. If only
- * materials have changed, keeps the results that are slow to compute: the checks of the image, and
- * the distances to forbidden labels.
+ * Caches the baked labels, and bakes them again only after a change. If only materials have
+ * changed, reuses the results that are slow to compute: the checks of the image, and the distances
+ * to forbidden labels.
  */
 class HapticLabels
 {
 public:
   /**
-   * Bakes labels, which keep the array alive. If the table is null, no label has a material. If the
-   * labels can't be used, returns null, and `error` names the input and the cure.
-   * @param isFine whether labels with thick slices get a finer grid, which walls need
+   * Bakes labels. The result holds a reference to the array. Without a table, no label has a
+   * material. If the labels can't be used, returns null, with the faulty input and the cure in
+   * `error`.
+   * @param isFine whether to refine the grid of labels with thick slices, which walls need
    */
   std::shared_ptr<const BakedLabels> Get(vtkImageData* image, vtkDataArray* labels,
     vtkHapticLabelTable* table, bool isFine, std::string& error);
 
   /**
-   * Bakes scalars that are labels themselves, with the materials that the property defines for
+   * Bakes touched scalars as labels, with the materials that the property's functions assign to
    * them. Returns null, without an error, if the scalars can't be labels, for example if they are
    * fractions.
    */
   std::shared_ptr<const BakedLabels> GetOfScalars(
     vtkImageData* image, vtkDataArray* scalars, vtkHapticProperty* property, bool isFine);
 
-  /**
-   * Returns a warning about the labels that were baked last, and clears it; empty if there is none.
-   */
+  /** Returns the warning about the last baked labels and clears it; empty if there is none. */
   std::string DrainWarning() { return std::exchange(this->Warning, std::string()); }
 
   /**
-   * Prepares in the background what a quick Get() needs. Returns the name of the work that is under
-   * way: measuring the distances to forbidden labels, or making the finer grid of thick slices.
-   * Returns null if there is none.
+   * Computes the slow parts of Get() in the background. Returns the name of the work in progress:
+   * measuring the distances to forbidden labels, or making the finer grid of thick slices. Returns
+   * null when Get() would be quick.
    */
   const char* Prepare(
     vtkImageData* image, vtkDataArray* labels, vtkHapticLabelTable* table, bool isFine);
   /**
-   * Prepares a quick GetOfScalars() with a finer grid in the background. Returns the same as
-   * Prepare().
+   * Computes the slow parts of GetOfScalars() with a finer grid in the background. Returns a name
+   * or null, as Prepare() does.
    */
   const char* PrepareScalars(
     vtkImageData* image, vtkDataArray* scalars, vtkHapticProperty* property);
-  /** Ends the work that Prepare() began. */
+  /** Stops the background work of Prepare(). */
   void EndPreparing();
 
 private:
   ///@{
   /**
-   * ImageKey: the image and the array (or the property), and their modification times. TableKey:
-   * the same for a table.
+   * ImageKey identifies the image and its array (or the property), with their modification times.
+   * TableKey does so for a table.
    */
   using ImageKey = std::tuple<const void*, const void*, vtkMTimeType, vtkMTimeType>;
   using TableKey = std::tuple<const void*, vtkMTimeType>;
   ///@}
-  /** Identifies a forbidden zone: the forbidden labels, in ascending order, and the stand-off. */
+  /**
+   * Key of a cached forbidden zone: the forbidden labels, in ascending order, and the stand-off.
+   */
   using ZoneKey = std::tuple<std::vector<int>, double>;
-  /** The zone around forbidden labels; null if no voxel is forbidden. */
+  /** Zone around forbidden labels; null if no voxel is forbidden. */
   using Zone = std::shared_ptr<const ForbiddenZone>;
-  /** The finer grid; null if there are too many voxels or labels. */
+  /** Finer grid; null if it would have too many voxels or labels. */
   using Fine = std::shared_ptr<const FineLabels>;
 
   /**
-   * Makes the finer grid of labels with thick slices. Computes only what has changed since `last`.
+   * Makes the finer grid of labels with thick slices. Reuses the parts of `last` that are still
+   * valid.
    */
   void Refine(const ImageKey& key, const BakedLabels* last, BakedLabels& made);
   ///@{
-  /** Steps of Prepare(). They return false while a result is being computed. */
+  /** Steps of Prepare(). Each returns false while it computes its result in the background. */
   bool PrepareZone(vtkImageData* image, vtkDataArray* labels, vtkHapticLabelTable* table);
   bool PrepareFine(vtkImageData* image, vtkDataArray* labels, bool isFine);
   ///@}
@@ -104,9 +106,8 @@ private:
   ZoneKey BakedZone{};
   bool BakedFine = false;
   std::string Warning;
-  std::weak_ptr<const BakedLabels> Baked;           ///< last result; valid as long as a model uses
-                                                    ///< it
-  vtkSmartPointer<vtkHapticLabelTable> ScalarTable; ///< table of GetOfScalars()
+  std::weak_ptr<const BakedLabels> Baked;           ///< last result; valid while a model uses it
+  vtkSmartPointer<vtkHapticLabelTable> ScalarTable; ///< table that GetOfScalars() made
   ImageKey ScalarKey{};                             ///< array and property of ScalarTable
   KeyedWork<std::tuple<ImageKey, ZoneKey>, Zone> Measuring;
   KeyedWork<ImageKey, Fine> Refining;

@@ -25,9 +25,10 @@ bool ReadSimilarity(vtkMatrix4x4* matrix, Affine3& map, std::string& error)
     error2 += Dot(difference, difference);
   }
   constexpr double tolerance = 1e-6;
-  // Numbers above this have too little precision for the steps of the solvers.
+  // Largest accepted scale or offset: above it, doubles are too coarse for the steps of the
+  // solvers.
   constexpr double most = 1e15;
-  // NaN must fail here, too.
+  // Each comparison is false for NaN, so NaN is refused.
   if (determinant > 0.0 && std::sqrt(error2) <= tolerance * scale * scale && scale < most &&
     scale > 1.0 / most && Norm(map.Offset) < most && m[12] == 0.0 && m[13] == 0.0 && m[14] == 0.0 &&
     m[15] == 1.0)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Computes the placement of a device in the world.
+ * Computes the map from a device's space to the world.
  */
 #ifndef HapticPlacement_h
 #define HapticPlacement_h
@@ -23,7 +23,7 @@ namespace VolumeHaptics
 bool ReadSimilarity(vtkMatrix4x4* matrix, Affine3& map, std::string& error);
 
 /**
- * Returns the map from the device to the world that is used if no matrix is set. It only scales.
+ * Returns the default map from the device to the world, used if no matrix is set: a uniform scale.
  */
 inline Affine3 ScaledPlacement(double metersPerWorldUnit)
 {

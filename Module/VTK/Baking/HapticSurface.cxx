@@ -36,14 +36,17 @@ namespace
 /** Largest allowed coordinate, because bounding boxes have single precision. */
 constexpr double FarthestPoint = 1e30;
 ///@{
-/** Times on a desktop computer of 2023, including the time to build the tree. */
+/** Cost of meshing on a desktop computer of 2023, including the time to build the search tree. */
 constexpr double SecondsPerSample = 5e-9;
 constexpr double SecondsPerTriangle = 800e-9;
 ///@}
-/** A time (s) that is longer than any meshing. */
+/** Time (s) that is longer than any meshing, for waiting until it ends. */
 constexpr double Forever = 1e9;
 
-/** Computes the motions of points in the world. Returns none for a mesh that does not move. */
+/**
+ * Function that computes the motions of points in the world; returns none if the mesh does not
+ * move.
+ */
 using MotionsOf = std::function<std::vector<Vector3>(const std::vector<Vector3>&)>;
 
 /** Makes a mesh of a triangulated surface. `map` maps its points, `mapNormals` its normals. */
@@ -94,7 +97,7 @@ std::shared_ptr<const SurfaceMesh> MeshOf(vtkPolyData* surface, std::string& err
     error);
 }
 
-/** An isosurface that owns a reference to its scalars: everything that a worker needs. */
+/** An isosurface with a reference to its scalars, so that a worker can mesh it independently. */
 struct IsoInput
 {
   IsoInput(const IsoSurface& iso, const Affine3& indexToWorld)
@@ -103,7 +106,8 @@ struct IsoInput
     , Value(iso.Value)
     , IndexToWorld(indexToWorld)
   {
-    // Use the samples' indices in the whole volume, so that the mesh is the same to the bit.
+    // Use the samples' indices in the whole volume, so that the mesh of a region is bit-identical
+    // to the mesh of the whole volume.
     for (int a = 0; a < 3; ++a)
     {
       this->Extent[2 * a] = iso.First[a];
@@ -125,10 +129,9 @@ struct IsoInput
 };
 
 /**
- * Copies a surface for a worker. The copy shares the points, the normals and the memory of the
- * cells, but its cell arrays have their own cursors, so that two threads can traverse the cells.
- * The vtkPoints are shared, because wrapping their array in another vtkPoints would modify the
- * array.
+ * Copies a surface for a worker. The copy shares the points, the normals and the cells' memory. Its
+ * cell arrays have their own cursors, so that two threads can traverse the cells. The vtkPoints
+ * object is shared, because wrapping its array in a second vtkPoints would modify the array.
  */
 vtkSmartPointer<vtkPolyData> ShareSurface(vtkPolyData* surface)
 {
@@ -147,8 +150,8 @@ bool MayBeShared(vtkPolyData* surface)
 }
 
 /**
- * Computes the range of the scalars. Returns whether all scalars were read; in a large volume, only
- * the noise samples are.
+ * Computes the range of the scalars. Returns whether it is exact; in a large volume, only the
+ * samples of the noise estimate are read.
  */
 bool ComputeScalarRange(const IsoSurface& iso, double range[2])
 {
@@ -165,8 +168,8 @@ bool ComputeScalarRange(const IsoSurface& iso, double range[2])
 }
 
 /**
- * Returns the mesh of an isosurface if it can be touched, or an empty mesh if there is none and
- * there need not be one. Otherwise returns null, with an error.
+ * Returns the mesh of an isosurface if it can be touched. Returns an empty mesh if there is none
+ * and none is required. Otherwise returns null and sets `error`.
  */
 std::shared_ptr<const SurfaceMesh> CheckMesh(
   const std::shared_ptr<const SurfaceMesh>& mesh, const IsoSurface& iso, std::string& error)
@@ -191,14 +194,12 @@ std::shared_ptr<const SurfaceMesh> CheckMesh(
   return mesh;
 }
 
-/**
- * Estimates the number of triangles of an isosurface: two in each voxel through which it passes.
- */
+/** Estimates the number of triangles of an isosurface: two in each voxel that it crosses. */
 double EstimateTriangles(const IsoSurface& iso)
 {
-  constexpr int looks = 20000; // number of samples, read in some milliseconds
-  // Steps that fill space evenly, whatever the image's structure: powers of 1 / 1.2207..., where
-  // 1.2207... is the root of x^4 = x + 1.
+  constexpr int looks = 20000; // number of samples; reading them takes a few milliseconds
+  // Steps of a low-discrepancy sequence, which covers any image evenly: powers of 1 / 1.2207...,
+  // where 1.2207... is the root of x^4 = x + 1.
   constexpr double steps[3] = { 0.8191725133961645, 0.6710436067037893, 0.5497004779019703 };
   const int* const n = iso.Image->GetDimensions();
   const vtkIdType rows[3] = { 1, n[0], vtkIdType{ n[0] } * n[1] };
@@ -206,7 +207,7 @@ double EstimateTriangles(const IsoSurface& iso)
     iso.Scalars->GetNumberOfTuples() < iso.Image->GetNumberOfPoints() ||
     iso.Component >= iso.Scalars->GetNumberOfComponents())
   {
-    return 0.0; // meshing reports the error
+    return 0.0; // the meshing reports the error
   }
   int passed = 0;
   double at[3] = { 0.0, 0.0, 0.0 };
@@ -231,11 +232,12 @@ double EstimateTriangles(const IsoSurface& iso)
   return 2.0 * passed / looks * static_cast<double>(iso.Image->GetNumberOfPoints());
 }
 
-/** Meshes an isosurface, and computes its motion if `findMotions` is set. */
+/** Meshes an isosurface, and computes the motion of its points if `findMotions` is set. */
 std::shared_ptr<const SurfaceMesh> MeshMovingSurface(vtkDataArray* scalars, const int extent[6],
   int component, double value, const Affine3& indexToWorld, const MotionsOf& findMotions)
 {
-  // Mesh in index coordinates; the geometry of the whole image then maps the points to the world.
+  // Mesh in index coordinates; the geometry of the whole image maps the points to the world
+  // afterwards.
   vtkNew<vtkImageData> samples;
   samples->SetExtent(extent[0], extent[1], extent[2], extent[3], extent[4], extent[5]);
   samples->GetPointData()->SetScalars(scalars);
@@ -270,8 +272,8 @@ std::shared_ptr<const SurfaceMesh> MeshSurface(
   }
   for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
   {
-    // Compute the range here: GetRange() would store it in the array, while another thread may read
-    // it.
+    // Compute the range without GetRange(), which would cache it in the array while another thread
+    // may read it.
     vtkDataArray* const ids = cells->GetConnectivityArray();
     const vtkIdType count = cells->GetNumberOfConnectivityIds();
     double least = 0.0;
@@ -335,9 +337,9 @@ std::shared_ptr<const SurfaceMesh> MeshTimeStep(const VolumeTimeStep& timeStep,
     extent[2 * a] = static_cast<int>(timeStep.View.First[a]);
     extent[2 * a + 1] = static_cast<int>(timeStep.View.Last(a));
   }
-  // The samples' owner is their array: see ShareArray() of the model's builder.
+  // Samples owns its vtkDataArray: see ShareArray() of the model's builder.
   auto* const scalars = static_cast<vtkDataArray*>(const_cast<void*>(timeStep.Samples.get()));
-  // The motion from the last time step of a series back to the first one is unknown.
+  // A series has no displacements from its last time step back to its first.
   const DisplacementView known =
     timeStep.Time < next.Time ? timeStep.Displacements : DisplacementView{};
   auto mesh = MeshMovingSurface(scalars, extent, component, value, indexToWorld,
@@ -383,11 +385,10 @@ bool HapticSurface::Prepare(
   {
     return !this->Meshing.IsUnderWay();
   }
-  // Don't read even the few samples of the estimate if the image is large.
+  // Skip even the few samples of the estimate if the image is large.
   const double reading =
     surface ? 0.0 : SecondsPerSample * static_cast<double>(iso.Image->GetNumberOfPoints());
-  // If the layout is another one, VTK copies the values for a reader into one copy that all threads
-  // share.
+  // For other memory layouts, VTK keeps one copy of the values that all reading threads share.
   const bool isShared =
     surface ? MayBeShared(surface) : iso.Scalars->HasStandardMemoryLayout() != 0;
   if (this->IsMadeOf(key) || !isShared ||

@@ -27,7 +27,7 @@ namespace VolumeHaptics
 
 class SurfaceMesh;
 
-/** A part of an image, as vtkHapticRegionFilter makes it, and the isosurface in it. */
+/** Part of an image that vtkHapticRegionFilter made, with the isosurface in it. */
 struct SurfaceRegion
 {
   vtkSmartPointer<vtkImageData> Image;
@@ -42,23 +42,23 @@ struct IsoSurface
   int Component;
   double Value;
   /**
-   * Index of the image's first sample in the counting that indexToWorld uses. It is not 0 for a
-   * region of a larger volume.
+   * Index of the image's first sample in the index space of indexToWorld; not 0 for a region of a
+   * larger volume.
    */
   int First[3] = { 0, 0, 0 };
-  bool MayBeEmpty = false; ///< true for a region, which may contain no part of the surface
+  bool MayBeEmpty = false; ///< true for a region, which the surface may not cross
 };
 
 /**
- * Copies the polygons and strips of a surface to another surface; both share their memory. The copy
- * has its own cursors, so that a worker may traverse it.
+ * Copies the polygons and strips of a surface; the copy shares their memory. It has its own
+ * cursors, so that a worker may traverse it.
  */
 void ShareCells(vtkPolyData* from, vtkPolyData* to);
 
-/** Time (s) above which meshing runs in the background. */
+/** Estimated time (s) above which meshing runs in the background. */
 inline constexpr double ShortMeshing = 40e-3;
 
-/** Estimates how long (s) it takes to mesh an isosurface, by reading some of its samples. */
+/** Estimates the time (s) to mesh an isosurface, from a subset of its samples. */
 double EstimateMeshTime(const IsoSurface& iso);
 
 /**
@@ -79,22 +79,22 @@ std::shared_ptr<const SurfaceMesh> MeshTimeStep(const VolumeTimeStep& timeStep,
   const VolumeTimeStep& next, int component, double value, const Affine3& indexToWorld);
 
 /**
- * Makes a mesh of a surface in the world. Returns null if it has no triangles, if a point is not
- * finite, or if a cell has a point that does not exist; `error` then names the surface. Without
- * triangles, the error ends with `cure`.
+ * Makes a mesh of a surface in the world. Returns null and names the surface in `error` if it has
+ * no triangles, a point that is not finite, or a cell that refers to a missing point. `cure` ends
+ * the error for a surface without triangles.
  */
 std::shared_ptr<const SurfaceMesh> MeshSurface(
   vtkPolyData* surface, const std::string& name, const std::string& cure, std::string& error);
 
-/** Makes meshes, and keeps the last one until its input changes. */
+/** Makes meshes, and caches the last one until its input changes. */
 class HapticSurface
 {
 public:
-  /** A mesh; null if there is no such surface. */
+  /** A mesh; null if the surface does not exist. */
   using MeshPointer = std::shared_ptr<const SurfaceMesh>;
 
   /**
-   * Returns the triangles of a surface in the world or, if that is null, of the isosurface
+   * Returns the triangles of a surface in the world or, without a surface, those of the isosurface
    * (vtkFlyingEdges3D). Returns null, with the cure in `error`, if there are no triangles or if a
    * point is not finite.
    */
@@ -102,28 +102,31 @@ public:
     vtkPolyData* surface, const IsoSurface& iso, const Affine3& indexToWorld, std::string& error);
 
   /**
-   * Returns whether Get() would be quick now. If not, makes the mesh in the background. Only one
-   * mesh is made at a time: the next one begins when the last one has ended.
+   * Returns whether Get() would be quick now. If not, starts to make the mesh in the background.
+   * Only one mesh is made at a time, so the next one starts after the current one has ended.
    */
   bool Prepare(vtkPolyData* surface, const IsoSurface& iso, const Affine3& indexToWorld);
-  /** Ends the work that Prepare() began, without waiting for it. */
+  /** Abandons the background work of Prepare() without waiting for it. */
   void EndPreparing() { this->Meshing.Abandon(); }
-  /** Waits until no mesh is being made, at most this many seconds. Returns whether none is. */
+  /**
+   * Waits at most this many seconds until no mesh is being made. Returns whether the background is
+   * idle.
+   */
   bool WaitFor(double seconds) const { return this->Meshing.WaitFor(seconds); }
 
   /**
-   * Stores a mesh that was made elsewhere, so that Get() returns it for this isosurface of a
-   * region. The last mesh made here is kept as well.
+   * Stores a region's mesh that was made elsewhere, so that Get() returns it for this isosurface.
+   * The last mesh made here is kept as well.
    */
   void Give(const IsoSurface& iso, MeshPointer mesh);
 
-  /** Estimates how long (s) Get() will take; 0 if the last mesh is still valid. */
+  /** Estimates the time (s) that Get() will need; 0 if the last mesh is still valid. */
   double EstimateTime(vtkPolyData* surface, const IsoSurface& iso) const;
 
 private:
   /**
-   * Identifies a mesh: the input data, their modification time, and the value and component of an
-   * isosurface.
+   * Key of a cached mesh: the input data, their modification time, and the value and component of
+   * an isosurface.
    */
   using Key = std::tuple<const void*, const void*, vtkMTimeType, double, int>;
 
@@ -132,11 +135,11 @@ private:
 
   static constexpr Key NoKey{ nullptr, nullptr, 0, 0.0, 0 };
 
-  /** Result of a worker. */
+  /** Mesh that a worker has made, or its error. */
   struct Made
   {
     MeshPointer Mesh;
-    std::string Error; ///< why there is no mesh of a given surface
+    std::string Error; ///< why a given surface has no mesh
   };
   static Made Make(vtkPolyData* surface);
 

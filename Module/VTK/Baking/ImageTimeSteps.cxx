@@ -25,13 +25,14 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Returns the width (samples) that an estimator adds to edges by blurring. */
+/** Returns the width (samples) by which an estimator blurs edges. */
 double ComputeBlur(const GradientKernel& kernel)
 {
   switch (kernel.Estimator)
   {
     case GradientEstimator::CentralDifference:
-      return kernel.Radius / std::sqrt(3.0); // standard deviation of a box two radii wide
+      return kernel.Radius / std::sqrt(3.0); // standard deviation of a uniform distribution two
+                                             // radii wide
     case GradientEstimator::Gaussian:
       return GradientKernel::ScalePerRadius * kernel.Radius;
     case GradientEstimator::CubicBSpline:
@@ -48,7 +49,7 @@ vtkSmartPointer<vtkDataArray> CopyDisplacements(vtkDataArray* array)
   return copy;
 }
 
-/** Returns the number of the first displacement that is not finite; -1 if there is none. */
+/** Returns the index of the first number that is not finite; -1 if all are. */
 template <typename T>
 vtkIdType FindNotFiniteOf(const T* numbers, vtkIdType count)
 {
@@ -65,9 +66,9 @@ vtkIdType FindNotFinite(vtkDataArray* array)
 }
 
 /**
- * Makes a time step of an image.
- * @param isKept whether the source writes no other time step to the array's memory, so that it need
- * not be copied
+ * Makes a time step from an image, copying the touched array unless `isKept`.
+ * @param isKept whether the source leaves the array's memory unchanged when it makes other time
+ * steps
  */
 ImageTimeStep CopyTimeStep(vtkImageData* image, vtkDataArray* array, double time,
   const std::string& displacements, bool isKept)

@@ -47,15 +47,15 @@ public:
   /**
    * Add an image at a time (finite, in any unit); the order of the calls does not matter. The
    * source keeps a reference to the image. An image at the time of an earlier one replaces it.
-   * Returns false and reports an error if there is no image or the time is not finite.
+   * Returns false and reports an error without an image or a finite time.
    */
   bool AddTimeStep(vtkImageData* image, double time);
   void RemoveAllTimeSteps();
 
   ///@{
   /**
-   * Get the time steps in the order of their times. For a number without a time step, the image is
-   * nullptr and the value 0.
+   * Get the time steps in ascending order of time. For an index out of range, the image is nullptr
+   * and the value is 0.
    */
   int GetNumberOfTimeSteps();
   vtkImageData* GetTimeStepImage(int number);
@@ -78,7 +78,7 @@ public:
   vtkBooleanMacro(Streamed, bool);
   ///@}
 
-  /** Returns the latest modification time, including those of the time steps' images. */
+  /** Returns the latest modification time of the source and its images. */
   vtkMTimeType GetMTime() override;
 
 protected:

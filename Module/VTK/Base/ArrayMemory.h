@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Memory for arrays whose size comes from data. These functions throw std::bad_alloc where VTK's
- * own arrays would end the program, which they do unless VTK is built with NDEBUG. The VTK in
- * Debian's ParaView is built without it.
+ * Allocates arrays whose size comes from data. These functions throw std::bad_alloc. VTK's own
+ * arrays would end the program instead, unless VTK is built with NDEBUG; the VTK in Debian's
+ * ParaView is built without it.
  */
 #ifndef ArrayMemory_h
 #define ArrayMemory_h
@@ -23,11 +23,11 @@
 namespace VolumeHaptics
 {
 
-/** Allocates this many tuples in an array of a fixed type; their values are arbitrary. */
+/** Allocates this many tuples in an array of a fixed type. The values stay uninitialised. */
 inline void AllocateTuples(vtkDataArray* array, vtkIdType tuples)
 {
   const vtkIdType components = array->GetNumberOfComponents();
-  const vtkIdType size = array->GetDataTypeSize(); // 0 for bits
+  const vtkIdType size = array->GetDataTypeSize(); // 0 for a vtkBitArray
   if (tuples > std::numeric_limits<vtkIdType>::max() / 16 / components)
   {
     throw std::bad_alloc();
@@ -44,7 +44,7 @@ inline void AllocateTuples(vtkDataArray* array, vtkIdType tuples)
   array->SetArrayFreeFunction([](void* owned) { ::operator delete(owned); });
 }
 
-/** Creates an array of one of VTK's types. */
+/** Creates an array of a VTK type, such as VTK_FLOAT, with uninitialised values. */
 inline vtkSmartPointer<vtkDataArray> NewArray(int type, int components, vtkIdType tuples)
 {
   auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
@@ -55,9 +55,8 @@ inline vtkSmartPointer<vtkDataArray> NewArray(int type, int components, vtkIdTyp
 
 ///@{
 /**
- * Copies an array as VTK's DeepCopy() does, but with the tuples one after another in memory. The
- * copy has the class of the array if that class has this layout. Otherwise it has the default class
- * of the type.
+ * Copies an array as VTK's DeepCopy() does, but always stores tuple after tuple. The copy has the
+ * class of the array if that class has this layout. Otherwise it has the type's default class.
  */
 inline vtkSmartPointer<vtkDataArray> CopyArray(
   vtkDataArray* from, vtkSmartPointer<vtkDataArray> copy)
@@ -80,12 +79,12 @@ inline vtkSmartPointer<vtkDataArray> CopyArray(vtkDataArray* from)
 ///@}
 
 /**
- * Calls VTK's DeepCopy() on a data object, or throws std::bad_alloc unless there is memory for
- * `copies` copies at once. More than one is needed if the next step lets VTK allocate memory, too.
+ * Calls VTK's DeepCopy() on a data object. Throws std::bad_alloc unless there is memory for
+ * `copies` copies at once; use more than one if VTK allocates memory in the next step, too.
  */
 inline void CopyData(vtkDataObject* from, vtkDataObject* to, std::size_t copies = 1)
 {
-  const std::size_t bytes = copies * from->GetActualMemorySize() * 1024; // a size in KiB
+  const std::size_t bytes = copies * from->GetActualMemorySize() * 1024; // in KiB
   void* const room = ::operator new(bytes, std::nothrow);
   ::operator delete(room);
   if (!room)
@@ -95,7 +94,7 @@ inline void CopyData(vtkDataObject* from, vtkDataObject* to, std::size_t copies 
   to->DeepCopy(from);
 }
 
-/** Allocates the scalars of an image, with the name that VTK's AllocateScalars() gives them. */
+/** Allocates the scalars of an image, named like those of VTK's AllocateScalars(). */
 inline void AllocateScalars(vtkImageData* image, int type, int components)
 {
   const auto scalars = NewArray(type, components, image->GetNumberOfPoints());

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Compares byte orders of numbers.
+ * Compares the byte order of a file with that of this computer.
  */
 #ifndef ByteOrder_h
 #define ByteOrder_h
@@ -13,8 +13,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Returns whether a byte order differs from this computer's. `isBig`: the most significant byte
- * comes first.
+ * Returns whether numbers need their bytes swapped on this computer. `isBig`: the numbers are
+ * big-endian.
  */
 inline bool IsOtherByteOrder(bool isBig)
 {

@@ -15,8 +15,8 @@ namespace
 {
 
 /**
- * Times on a desktop computer of 2023. SecondsPerByte: arrays that store one tuple after another.
- * SecondsPerValue: other memory layouts, whose values are copied first.
+ * Cost of hashing on a desktop computer of 2023. SecondsPerByte holds for arrays that store tuple
+ * after tuple. SecondsPerValue holds for other memory layouts, whose values are copied first.
  */
 constexpr double SecondsPerByte = 1.6e-9;
 constexpr double SecondsPerValue = 30e-9;
@@ -60,7 +60,7 @@ std::string HashArray(vtkDataArray* array, const int dimensions[3], const HashPr
   }
   else
   {
-    // Hash the same bytes as above, one block of tuples at a time.
+    // Copy and hash one block of tuples at a time, which yields the same bytes as above.
     constexpr vtkIdType block = 4096;
     const auto tuples =
       vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(array->GetDataType()));
@@ -113,7 +113,8 @@ std::string ArrayHash::Await(const TouchedArray& array, const std::function<bool
     }
   }
   known = this->Work.Find(key);
-  // The worker lacked memory, or belongs to the process that this one was forked from.
+  // Without a result, the worker lacked memory or belongs to the parent of a forked process: hash
+  // here.
   return known ? *known : HashArray(array.Array, array.Dimensions.data());
 }
 

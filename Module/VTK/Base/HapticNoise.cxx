@@ -22,28 +22,29 @@ namespace
 {
 
 /**
- * Identifies the noise of an array: the array, the address of its values, their number along each
- * axis, the component, and the modification time. Modification times are unique among all objects,
- * so an object at the address of a deleted one still has another key.
+ * Key of a cached noise: the array, the address of its values, their number along each axis, the
+ * component, and the modification time. Modification times are unique among all objects, so an
+ * object at the address of a deleted one has another key.
  */
 using NoiseKey =
   std::tuple<const void*, const void*, std::array<std::int64_t, 3>, int, vtkMTimeType>;
 
-/** Number of arrays that are remembered. */
+/** Number of cached results; each further result replaces the oldest one. */
 constexpr std::size_t MostKnown = 16;
 
 NoiseKey MakeNoiseKey(
   vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component)
 {
   const std::int64_t* const n = view.Dimensions;
-  // Use both times: programs that write into an array often call only the image's Modified().
+  // Use the later of both times: programs that write into an array often call only the image's
+  // Modified().
   return { scalars, view.Data, { n[0], n[1], n[2] }, component,
     std::max(image->GetMTime(), scalars->GetMTime()) };
 }
 
 /**
- * Reduces the range of all samples to the range of the finite samples that do not stand for a
- * missing value. Reads the samples again only if an end of the range may stand for a missing value.
+ * Computes the range of the finite samples without values that mark missing data, from the range of
+ * all samples. Reads the samples only if an end of the range may be such a value.
  */
 void ComputeInsideRange(vtkDataArray* scalars, int component, double range[2])
 {
@@ -65,9 +66,7 @@ void ComputeInsideRange(vtkDataArray* scalars, int component, double range[2])
   }
 }
 
-/**
- * Returns the stored result for an array. If there is none, calls `find` and stores its result.
- */
+/** Returns the cached result for an array. If there is none, calls `find` and caches its result. */
 template <typename Found, typename Find>
 Found Recall(vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component,
   const Find& find)
@@ -87,8 +86,8 @@ Found Recall(vtkImageData* image, vtkDataArray* scalars, const VolumeView& view,
     return at->What;
   }
   const Found found = find();
-  // Make the key again: arrays of other layouts store their range in themselves, which may advance
-  // their modification time.
+  // Make the key again: `find` may have advanced the modification time, because arrays of other
+  // layouts store their computed range in themselves.
   known[next] = { MakeNoiseKey(image, scalars, view, component), found };
   next = (next + 1) % MostKnown;
   return found;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Estimates the noise of a vtkDataArray (NoiseEstimate.h).
+ * Estimates the noise and the value range of a vtkDataArray (NoiseEstimate.h).
  */
 #ifndef HapticNoise_h
 #define HapticNoise_h
@@ -21,38 +21,41 @@ namespace VolumeHaptics
 {
 
 /**
- * Adds the noise samples and the range of one piece of a volume. The array has a tuple for every
- * index of `extent`; these indices count as in `whole`.
+ * Adds the samples of one piece of a volume to the noise and range estimates. The array has a tuple
+ * for every index of `extent`, whose indices are those of the whole volume, as in `whole`.
  */
 void CollectNoiseSamples(vtkDataArray* scalars, int component, const int extent[6],
   const int whole[6], NoiseSamples& samples);
 
-/** Noise and range of a volume, estimated from its samples. */
+/** Noise and value range of a volume, estimated from its samples. */
 struct FoundNoise
 {
   double Noise = 0.0; ///< standard deviation of the noise (scalar units)
   /**
-   * Range of all values (if HasRangeOfAll) or of the noise samples. If there are no values, the
-   * first number is the larger one.
+   * Range of all values if HasRangeOfAll, otherwise of the noise samples. Without values, the
+   * minimum is above the maximum.
    */
   double Range[2] = { 1.0, 0.0 };
 };
 
 /**
- * Estimates the noise of a component. Results for the latest arrays are stored, for all filters of
+ * Estimates the noise of a component. Caches the results for the latest arrays, for all filters of
  * a thread, until the image or the array is modified.
  */
 FoundNoise EstimateImageNoise(
   vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component);
 
-/** Finds where the background ends. Stores the result as EstimateImageNoise() does. */
+/**
+ * Finds the value where the background ends and solid matter begins. Caches it as
+ * EstimateImageNoise() does.
+ */
 BackgroundLevel EstimateSolid(
   vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component);
 
 ///@{
 /**
- * Estimates the shift between stored values and Hounsfield units. The function with a view caches
- * the result, like EstimateImageNoise().
+ * Estimates the shift between stored values and Hounsfield units. The overload with a view caches
+ * the result as EstimateImageNoise() does.
  */
 StoredShift EstimateStoredShift(
   vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component);

@@ -4,9 +4,9 @@
  * @file
  * One row of a list of settings, such as those in HapticFilterSettings.h.
  *
- * A row holds everything about a setting: its name, range, default, unit and documentation, the
- * names of its choices, its getter and setter, and its member of a model. PrintSelf, setup files,
- * baking and the comparison of models walk the lists; a test compares the public headers and
+ * A row has everything about a setting: its name, range, default, unit and documentation, the names
+ * of its choices, its getter and setter, and the member of a model that stores it. PrintSelf, setup
+ * files, baking and the comparison of models walk the lists; a test compares the public headers and
  * ParaView's XML with them.
  */
 #ifndef HapticSetting_h
@@ -28,7 +28,7 @@
 namespace VolumeHaptics
 {
 
-/** One value of a setting that is a choice. The value is the index of the choice in the list. */
+/** One choice of a setting. Its value is its index in the list. */
 struct SettingChoice
 {
   const char* Name; ///< name in files
@@ -43,15 +43,15 @@ enum class SettingKind
   Choice
 };
 
-/** Facts that do not depend on the class that has the setting. */
+/** Facts about a setting that do not depend on its class. */
 struct SettingFacts
 {
   SettingKind Kind;
-  const char* Name; ///< name as in Get... and Set...
+  const char* Name; ///< name without Get and Set, such as "Method"
   double Minimum;
   double Maximum;
   double Default;
-  const char* Unit;             ///< empty if the setting has none
+  const char* Unit;             ///< empty for a number without a unit
   const SettingChoice* Choices; ///< Maximum + 1 choices of a SettingKind::Choice
   /**
    * The sentence that ParaView shows. The comment in the public header begins with the same words,
@@ -61,81 +61,81 @@ struct SettingFacts
 };
 
 /**
- * Returns the nearest value that a setting may have. For NaN returns the minimum, because it is the
- * safe one.
+ * Returns the allowed value that is nearest to `value`. Maps NaN to the minimum, which is the safe
+ * value.
  */
 inline double Clamp(const SettingFacts& setting, double value)
 {
   return value > setting.Minimum ? std::min(value, setting.Maximum) : setting.Minimum;
 }
 
-/** A setting of the class Owner. Every value that a setting can have can be stored as a double. */
+/** A setting of the class Owner whose values can all be stored as a double. */
 template <typename Owner>
 struct HapticSetting : SettingFacts
 {
   double (*Get)(Owner*);
   void (*Set)(Owner*, double);
   ///@{
-  /** Copies the setting to a model's description; null if a model does not store it unchanged. */
+  /**
+   * Copies the setting to the description of a model; null if a model does not store it unchanged.
+   */
   void (*Bake)(Owner*, HapticModelDescription&);
   bool (*IsSame)(const HapticModelDescription&, const HapticModelDescription&);
   ///@}
 };
 
-/** Largest number of components of a vector setting, which a direction matrix has. */
+/** Largest number of components of a vector setting: a 3 x 3 direction matrix. */
 constexpr int LongestVector = 9;
 using SettingVector = std::array<double, LongestVector>;
 
-/** A setting of the class Owner that is several numbers, such as a position. */
+/** A setting of the class Owner that consists of several numbers, such as a position. */
 template <typename Owner>
 struct HapticVectorSetting
 {
-  const char* Name; ///< name as in Get... and Set...
+  const char* Name; ///< name without Get and Set
   int Size;
   ///@{
-  /** Range of each number. */
+  /** Smallest and largest value of each component. */
   double Minimum;
   double Maximum;
   ///@}
-  SettingVector Default; ///< only the first `Size` numbers count, here and in Get and Set
-  const char* Unit;      ///< empty for a setting that has none
+  SettingVector Default; ///< only the first `Size` numbers are valid, here and in Get and Set
+  const char* Unit;      ///< empty for numbers without a unit
   const char* Documentation;
   SettingVector (*Get)(Owner*);
   void (*Set)(Owner*, const SettingVector&);
 };
 
-/** A setting of the class Owner that is a text. */
+/** A text setting of the class Owner. */
 template <typename Owner>
 struct HapticTextSetting
 {
-  const char* Name; ///< name as in Get... and Set...
+  const char* Name; ///< name without Get and Set
   const char* Default;
   const char* Documentation;
   std::string (*Get)(Owner*);
   void (*Set)(Owner*, const std::string&);
-  std::string (*Check)(const std::string&); ///< returns the fault in a text; empty if there is none
+  std::string (*Check)(const std::string&); ///< returns what is wrong with a text; empty if it is
+                                            ///< valid
 };
 
-/** A transfer function of the class Owner. Its values are 0 or more. */
+/** A transfer function of the class Owner, with values of at least 0. */
 template <typename Owner, typename Function>
 struct HapticFunctionSetting
 {
   const char* Name;
   double Maximum;
-  double Default; ///< value of a function without points
+  double Default; ///< constant value of a function without points
   const char* Unit;
   Function* (Owner::*Get)();
   Polyline HapticMaterial::*Baked;
   const char* Documentation;
 };
 
-/** Stands for the model's member of a setting that a model does not store unchanged. */
+/** Marks a setting that a model does not store unchanged. */
 constexpr std::nullptr_t NotBaked = nullptr;
 
-/**
- * Makes the access functions of a setting from its class's getter and setter and the model's
- * member.
- */
+/** Makes the accessors of a setting from its class's getter and setter and the model's member. */
 template <auto Getter, auto Setter, auto Baked>
 struct SettingAccess;
 
@@ -146,7 +146,10 @@ struct SettingAccess<Getter, Setter, Baked>
   static double Get(Owner* owner) { return static_cast<double>((owner->*Getter)()); }
   static void Set(Owner* owner, double value) { (owner->*Setter)(static_cast<Value>(value)); }
 
-  /** Returns the member of a model's description, or of the description's settings. */
+  /**
+   * Returns a reference to a member of a model's description, or of the settings in the
+   * description.
+   */
   template <typename Description>
   static auto& Get(Description& description)
   {
@@ -182,7 +185,7 @@ struct SettingAccess<Getter, Setter, Baked>
   }
 };
 
-/** Makes the access functions of a vector setting from its class's getter and setter. */
+/** Makes the accessors of a vector setting from its class's getter and setter. */
 template <typename Owner, typename Value, int Size, Value* (Owner::*Getter)(),
   void (Owner::*Setter)(const Value*)>
 struct VectorAccess
@@ -211,7 +214,7 @@ struct VectorAccess
   }
 };
 
-// Each macro makes one row for the class `Owner`. `baked` is the member of HapticSettings or of
+// Each macro makes one row for the class `Owner`. `baked` is the member of HapticSettings or
 // HapticModelDescription that stores the setting, or NotBaked.
 #define HapticRowMacro(name, baked, ...) \
   SettingAccess<&Owner::Get##name, &Owner::Set##name, baked>::Make({ __VA_ARGS__ })
@@ -223,25 +226,26 @@ struct VectorAccess
     name, baked, SettingKind::Integer, #name, minimum, maximum, standard, unit, nullptr, text)
 #define HapticFlagMacro(name, standard, baked, text) \
   HapticRowMacro(name, baked, SettingKind::Flag, #name, 0.0, 1.0, standard, "", nullptr, text)
-// Makes the row of a choice. The names of its values are in an array that is called NAMENames.
+// Makes the row of a choice. The array NAMENames has the names of its values.
 #define HapticChoiceMacro(name, standard, baked, text)         \
   HapticRowMacro(name, baked, SettingKind::Choice, #name, 0.0, \
     static_cast<double>(std::size(name##Names) - 1), standard, "", name##Names, text)
-// Makes the row of a vector. `type` is the type of its numbers; the last arguments are its default.
+// Makes the row of a vector. `type` is the type of its components; the last arguments are their
+// defaults.
 #define HapticVectorMacro(name, type, size, minimum, maximum, unit, text, ...)                   \
   VectorAccess<Owner, type, size, static_cast<type* (Owner::*)()>(&Owner::Get##name),            \
     static_cast<void (Owner::*)(const type*)>(&Owner::Set##name)>::Make(#name, minimum, maximum, \
     unit, text, { __VA_ARGS__ })
 
 /**
- * Limits of settings that have no limit of their own. Settings whose macros clamp them to 0 or more
- * have the upper limit VTK_DOUBLE_MAX (1e299) instead.
+ * Limits of settings without a limit of their own. Settings whose macros clamp to 0 or more have
+ * the upper limit VTK_DOUBLE_MAX (1e299) instead.
  */
 inline constexpr double LargestNumber = std::numeric_limits<double>::max();
 inline constexpr double LargestInteger = std::numeric_limits<int>::max();
 
 ///@{
-/** Prints settings for PrintSelf, one on each line. */
+/** Prints settings for PrintSelf, one per line. */
 template <typename Owner, std::size_t Size>
 void PrintSettings(
   std::ostream& os, vtkIndent indent, Owner* owner, const HapticSetting<Owner> (&settings)[Size])

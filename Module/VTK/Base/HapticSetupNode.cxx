@@ -36,7 +36,7 @@ std::string Describe(const NumberRange& range)
   return text.str();
 }
 
-/** Prints a value of the file as text, on one line and shortened. */
+/** Returns a value of the file as one shortened line of text, for errors. */
 std::string Quote(const Json::Value& value)
 {
   Json::StreamWriterBuilder builder;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Writes and reads the settings of a setup with the same code.
+ * Writes and reads the settings of a setup with the same code, so that both always agree.
  */
 #ifndef HapticSetupNode_h
 #define HapticSetupNode_h
@@ -21,35 +21,36 @@
 namespace VolumeHaptics
 {
 
-/** JSON files that state their format and its version. */
+/** A kind of JSON file that states its format and version. */
 struct SetupFileKind
 {
   const char* Format; ///< the value of the key "Format"
-  int Version;        ///< the version that is written; this version and earlier ones can be read
-  const char* Noun;   ///< such as "setup"
-  const char* Cure;   ///< origin of such files, for errors: "that vtkHapticSetup saved"
-  const char* Again;  ///< another cure, for errors: "save the setup again"
+  int Version;        ///< version that is written; earlier versions can be read, too
+  const char* Noun;   ///< name of the file's content, such as "setup"
+  const char* Cure;   ///< where such files come from, as in the error text "that vtkHapticSetup
+                      ///< saved"
+  const char* Again;  ///< cure for a broken file, as in the error text "save the setup again"
 };
 
-/** Begins a file of a kind. */
+/** Returns the root of a new file of a kind, with its format and version. */
 Json::Value NewSetupFile(const SetupFileKind& kind);
 
 /**
- * Parses a file. Returns false, with the fault and the cure in `error`, if the text is no file of
- * the kind.
+ * Parses a file. Returns false, with the fault and the cure in `error`, if the text is not a file
+ * of this kind.
  */
 bool ParseSetupFile(
   const std::string& text, const SetupFileKind& kind, Json::Value& root, std::string& error);
 
 /**
- * State of one pass over the settings. When reading, collects the changes, which are made unless
- * there is an error.
+ * State of one pass over the settings. A reading pass collects the changes, which are applied only
+ * if there was no error.
  */
 struct SetupPass
 {
   bool Writing = false;
   std::vector<std::function<void()>> Changes;
-  std::string Error; ///< the first error
+  std::string Error; ///< first error of the pass; empty if there was none
 };
 
 struct NumberRange
@@ -58,17 +59,17 @@ struct NumberRange
   double Maximum;
 };
 
-/** Allows every number but NaN and the infinities. */
+/** Allows all finite numbers. */
 NumberRange AnyNumber();
 NumberRange NotNegative();
 
-/** Numbers of a row of a function, or of a vector. */
+/** Row of numbers: a point of a function, or a vector. */
 using NumberRow = std::vector<double>;
 
 /**
- * A JSON object and its path in the file. Writing stores the results of the getters in it. Reading
- * checks the values and adds a change for each setter. A setting whose key is missing stays
- * unchanged.
+ * A JSON object and its path in the file. A writing pass stores the results of the getters in the
+ * object. A reading pass checks the values and queues a change for each setter. A setting whose key
+ * is missing stays unchanged.
  */
 class SetupNode
 {
@@ -86,43 +87,43 @@ public:
   void Flag(
     const char* key, const std::function<bool()>& get, const std::function<void(bool)>& set);
   /**
-   * Reads or writes a text. `check` returns the fault in a text, with the cure; empty if it is
+   * Reads or writes a text. `check` returns the fault of a text, with the cure; empty if it is
    * valid.
    */
   void Text(const char* key, const std::function<std::string()>& get,
     const std::function<void(const std::string&)>& set,
     const std::function<std::string(const std::string&)>& check = {});
   /**
-   * Reads or writes a choice by its name. Its value is the index of the name. Returns the index
+   * Reads or writes a choice by its name; the value is the index of the name. Returns the index
    * that was read, or -1 if there is none.
    */
   int Choice(const char* key, const std::vector<const char*>& names,
     const std::function<int()>& get, const std::function<void(int)>& set);
-  /** Reads or writes a fixed number of numbers. Returns the numbers that were read, or none. */
+  /**
+   * Reads or writes a fixed number of numbers. Returns the numbers that were read, or an empty row.
+   */
   NumberRow Row(const char* key, std::size_t size, const std::function<NumberRow()>& get,
     const std::function<void(const NumberRow&)>& set);
   /**
-   * Reads or writes rows of numbers. `columns` has the range of each column. The first column must
-   * ascend.
+   * Reads or writes rows of numbers. `columns` has the allowed range of each column. The numbers in
+   * the first column must ascend.
    */
   void Table(const char* key, const std::vector<NumberRange>& columns,
     const std::function<std::vector<NumberRow>()>& get,
     const std::function<void(const std::vector<NumberRow>&)>& set);
 
-  /** Reports an error about a key unless a condition on all values read holds. */
+  /** Reports an error about a key unless `holds`, a condition on all values read. */
   void Require(const char* key, bool holds, const std::string& wanted);
-  /**
-   * Adds a change that is made after those of the values read so far. Does nothing when writing.
-   */
+  /** Queues a change after those of the values read so far. Does nothing in a writing pass. */
   void Then(std::function<void()> change);
 
   /**
-   * Returns the node of an object in this one. If the object is missing, the node reads nothing.
+   * Returns the node of a nested object. If the object is missing, the returned node reads nothing.
    */
   SetupNode Child(const std::string& key);
 
 private:
-  /** Returns the value of a key; null if there is none to read. */
+  /** Returns the value of a key; null if the file lacks it. */
   const Json::Value* Find(const char* key) const;
   void Fail(const std::string& path, const Json::Value& found, const std::string& wanted);
   bool ReadNumber(
@@ -136,7 +137,7 @@ private:
   std::string Path;
 };
 
-/** Reads or writes a setting of an owner, which must live until the changes are made. */
+/** Reads or writes a setting of an owner, which must exist until the changes are applied. */
 template <typename Owner>
 void PassSetting(SetupNode& node, Owner* owner, const HapticSetting<Owner>& setting)
 {
@@ -170,7 +171,8 @@ void PassSetting(SetupNode& node, Owner* owner, const HapticSetting<Owner>& sett
 
 ///@{
 /**
- * Reads or writes one key for each setting of an owner, which must live until the changes are made.
+ * Reads or writes one key for each setting of an owner, which must exist until the changes are
+ * applied.
  */
 template <typename Owner, std::size_t Size>
 void PassSettings(SetupNode& node, Owner* owner, const HapticSetting<Owner> (&settings)[Size])

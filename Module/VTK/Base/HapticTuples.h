@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads vectors and quaternions from arrays, and writes them to arrays.
+ * Reads vectors and quaternions from data arrays and writes them to arrays.
  */
 #ifndef HapticTuples_h
 #define HapticTuples_h
@@ -20,7 +20,7 @@ inline Vector3 FromArray(const double* v)
   return { v[0], v[1], v[2] };
 }
 
-/** Reads three components of a tuple, beginning with the component `first`. */
+/** Reads three consecutive components of a tuple, starting at component `first`. */
 inline Vector3 ReadVector(vtkDataArray* array, vtkIdType tuple, int first = 0)
 {
   return { array->GetComponent(tuple, first), array->GetComponent(tuple, first + 1),

@@ -45,8 +45,8 @@ constexpr ScalarType ScalarTypeOf()
 }
 
 /**
- * Finds the address of a component and the step between its tuples. Returns false for other memory
- * layouts.
+ * Finds the address of a component's first value and the step between tuples. Returns false for
+ * unsupported memory layouts.
  */
 template <typename T>
 bool LocateComponent(
@@ -58,12 +58,12 @@ bool LocateComponent(
   auto* const separate = SeparateComponents::FastDownCast(scalars);
   if (separate && HasSeparateComponents(separate))
   {
-    // Rendering may convert the array's memory to another layout at any time. The holder is an
-    // array of its own that shares the memory and keeps it for the servo.
+    // Rendering may convert the array's memory to another layout at any time. The holder is a
+    // separate array that shares the memory and keeps it valid for the servo.
     holder = vtkSmartPointer<vtkDataArray>::Take(scalars->NewInstance());
     auto* const soa = SeparateComponents::FastDownCast(holder);
-    // VTK 9.6 copies nothing into a new array, because its components are in one block: separate
-    // them first.
+    // VTK 9.6 copies nothing into a new array, whose components share one block, so separate them
+    // first.
     soa->SetNumberOfComponents(scalars->GetNumberOfComponents());
     soa->SetArray(0, nullptr, 0, false, true);
     soa->ShallowCopy(scalars);
@@ -71,7 +71,8 @@ bool LocateComponent(
     view.Stride[0] = 1;
     return true;
   }
-  // Components that are in one block now stay there. VTK 9.3 crashes if such an array is copied.
+  // An array whose components share one block keeps that layout; do not copy it, because VTK 9.3
+  // crashes.
   if (!separate && !scalars->HasStandardMemoryLayout())
   {
     return false;
@@ -82,7 +83,7 @@ bool LocateComponent(
   return true;
 }
 
-/** Returns the first finite value among the corners of the volume; 0 if there is none. */
+/** Returns the first finite value among the eight corners of the volume; 0 if there is none. */
 double FirstFiniteCorner(vtkDataArray* scalars, int component, const VolumeView& view)
 {
   const std::int64_t* const n = view.Dimensions;
@@ -101,8 +102,8 @@ double FirstFiniteCorner(vtkDataArray* scalars, int component, const VolumeView&
 }
 
 /**
- * Views the scalars. `kernelRadius` (voxels) is stated in the cure of an error. `holder` has to
- * live as long as the view: it is the array, or an array that shares its memory.
+ * Makes a view of the scalars. `kernelRadius` (voxels) appears in the cure of an error. `holder`
+ * must outlive the view: it is the array, or an array that shares its memory.
  */
 bool MakeVolumeView(vtkImageData* image, vtkDataArray* scalars, int component, int kernelRadius,
   VolumeView& view, vtkSmartPointer<vtkDataArray>& holder, std::string& error)
@@ -170,7 +171,7 @@ bool MakeVolumeView(vtkImageData* image, vtkDataArray* scalars, int component, i
   return false;
 }
 
-/** Changes the view of a region so that its indices are indices of the whole volume. */
+/** Changes the view of a region so that it is addressed by the indices of the whole volume. */
 void PlaceInWhole(vtkImageData* image, const WholeFacts& facts, VolumeView& view)
 {
   const int* const extent = image->GetExtent();

@@ -22,45 +22,48 @@ class vtkImageData;
 namespace VolumeHaptics
 {
 
-/** One component of an image. */
+/** One component of an image, with its position in the world. */
 struct HapticVolume
 {
-  VolumeView View;                      ///< its indices are indices of the whole volume
-  vtkSmartPointer<vtkDataArray> Holder; ///< keeps the memory of View alive
-  Affine3 IndexToWorld;                 ///< maps View's indices to the world
+  VolumeView View;                      ///< addressed by the indices of the whole volume
+  vtkSmartPointer<vtkDataArray> Holder; ///< owns the memory that View points to
+  Affine3 IndexToWorld;                 ///< maps indices of View to the world
   WholeFacts Whole;
 };
 
 /**
- * Reads a component of an image without a copy. Returns false, with the reason and the cure in
- * `error`, if the array can't be viewed, or the geometry or the field arrays are invalid.
- * `kernelRadius` (voxels) is stated in the cure.
+ * Makes a view of a component of an image without a copy. Returns false, with the reason and the
+ * cure in `error`, if the array can't be viewed, or if the geometry or the field arrays are
+ * invalid. `kernelRadius` (voxels) appears in the cure.
  */
 bool ReadVolume(vtkImageData* image, vtkDataArray* scalars, int component, int kernelRadius,
   HapticVolume& volume, std::string& error);
 
 /**
- * Views the samples of a component without a copy. Returns false if the type or the memory layout
- * of the array is unsupported. `holder` has to live as long as the view: it is the array, or an
- * array that shares its memory. The view's Data is null if the component has no memory.
+ * Makes a view of a component's samples without a copy. Returns false for an unsupported type or
+ * memory layout. `holder` must outlive the view: it is the array, or an array that shares its
+ * memory. The view's Data is null if the component has no memory.
  */
 bool LocateSamples(vtkDataArray* scalars, int component, const int dimensions[3], VolumeView& view,
   vtkSmartPointer<vtkDataArray>& holder);
 
 /**
- * Computes the map to the world from indices that count from the beginning of an extent. Returns
- * false if there is no such map; `error` then names the image by `name`.
+ * Computes the map to the world for indices that start at the lower corner of an extent. Returns
+ * false, and names the image by `name` in `error`, if there is no such map.
  */
 bool MakeIndexToWorld(
   vtkImageData* image, const int extent[6], const char* name, Affine3& map, std::string& error);
 
-/** Returns the name of an array for errors, such as: array "Density". */
+/** Returns the name of an array for error texts, such as: array "Density". */
 std::string DescribeArray(vtkDataArray* scalars);
 
 /** Returns the smallest spacing of an image (world units). */
 double SmallestSpacing(vtkImageData* image);
 
-/** Returns the smallest number of points along each axis that an image must have. */
+/**
+ * Returns the smallest number of points that an image needs along each axis for a gradient kernel
+ * of this radius.
+ */
 constexpr int PointsNeeded(int kernelRadius)
 {
   return 2 * kernelRadius + 1;

@@ -12,7 +12,7 @@ namespace
 {
 
 /**
- * While this lives, numbers are read as JSON writes them. jsoncpp reads numbers in the
+ * Sets a C++ locale with a decimal point for its lifetime: jsoncpp reads numbers in the
  * application's locale, where 0.5 may be written 0,5. Changes nothing if the locale already has the
  * decimal point.
  */
@@ -25,7 +25,7 @@ public:
     this->Changed = numbers.decimal_point() != '.' || !numbers.grouping().empty();
     if (this->Changed)
     {
-      // A locale without a name leaves the locale of C unchanged.
+      // A C++ locale without a name leaves the C locale unchanged.
       std::locale::global(std::locale(this->Before, new std::numpunct<char>));
     }
   }
@@ -42,7 +42,7 @@ private:
   bool Changed = false;
 };
 
-constexpr int DeepestBrackets = 64; // the files of this library nest eight deep
+constexpr int DeepestBrackets = 64; // much more than the eight levels in this library's own files
 
 } // namespace
 
@@ -70,7 +70,7 @@ bool ParseJson(const std::string& text, Json::Value& root, std::string& error)
       std::to_string(DeepestBrackets) + " deep.";
     return false;
   }
-  catch (const std::exception& e) // jsoncpp ran out of memory
+  catch (const std::exception& e) // the only exception here: jsoncpp ran out of memory
   {
     error = std::string("it is not JSON: ") + e.what();
     return false;

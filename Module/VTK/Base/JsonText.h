@@ -15,15 +15,15 @@ namespace VolumeHaptics
 {
 
 /**
- * Parses a text. Returns false, with "it is not JSON", the line and the reason in `error`, if the
- * text is not JSON. Also refuses a text that is nested more than 64 deep, because jsoncpp reads,
- * copies and frees by recursion, on threads whose stacks may be small. NaN and Infinity are numbers
- * here, so that an error can name their key. All JSON from outside goes through this function;
- * ReadSmallFile() limits its size.
+ * Parses a text. If it is not JSON, returns false, with "it is not JSON", the line and the reason
+ * in `error`. Also refuses nesting of more than 64 levels, because jsoncpp reads, copies and frees
+ * recursively, on threads whose stacks may be small. Accepts NaN and Infinity as numbers, so that
+ * an error can name their key. All JSON from files goes through this function; ReadSmallFile()
+ * limits its size.
  */
 bool ParseJson(const std::string& text, Json::Value& root, std::string& error);
 
-/** Writes JSON with every double exact to the bit, and each short list on one line. */
+/** Writes JSON with all digits of every double, and each short list on one line. */
 std::string WriteJson(const Json::Value& root);
 
 } // namespace VolumeHaptics

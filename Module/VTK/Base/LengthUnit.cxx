@@ -18,8 +18,8 @@ constexpr double Centi = 10.0;
 constexpr double Metre = 1000.0;
 constexpr double Inch = 25.4;
 
-// The micro sign and the Greek letter, in UTF-8 and in Latin 1. ImageJ writes the micro sign as an
-// escape.
+// The micro sign and the Greek letter mu, in UTF-8 and in Latin 1. ImageJ writes the micro sign as
+// an escape sequence.
 const std::map<std::string, double> Units = { { "pm", Pico }, { "picometer", Pico },
   { "angstrom", Angstrom }, { "\xc3\x85", Angstrom }, { "nm", Nano }, { "nanometer", Nano },
   { "nanometre", Nano }, { "um", Micro }, { "\xc2\xb5m", Micro }, { "\xce\xbcm", Micro },
@@ -42,7 +42,7 @@ double MillimetresPerUnit(const std::string& unit)
   }
   if (name.size() > 2 && name.back() == 's')
   {
-    name.pop_back(); // the plural
+    name.pop_back(); // removes the plural "s"
   }
   const auto found = Units.find(name);
   return found == Units.end() ? 0.0 : found->second;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Converts units of length in files.
+ * Converts the units of length that files state.
  */
 #ifndef LengthUnit_h
 #define LengthUnit_h
@@ -13,8 +13,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Returns the length (mm) of a unit from its name or symbol, such as "um", "micron", "micrometer",
- * "\xc2\xb5m" or "inch". Returns 0 if it is not known, for example for "pixel".
+ * Returns the length (mm) of a unit, given its name or symbol, such as "um", "micron",
+ * "micrometer", "\xc2\xb5m" or "inch". Returns 0 for an unknown unit, such as "pixel".
  */
 double MillimetresPerUnit(const std::string& unit);
 

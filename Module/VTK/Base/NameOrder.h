@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Orders files by their names.
+ * Sorts file names in natural order.
  */
 #ifndef NameOrder_h
 #define NameOrder_h
@@ -19,10 +19,7 @@ inline bool IsDigit(char letter)
   return letter >= '0' && letter <= '9';
 }
 
-/**
- * Returns the digits at `at` without leading zeros, and moves `at` to the first character after
- * them.
- */
+/** Returns the digits that begin at `at`, without leading zeros, and moves `at` behind them. */
 inline std::string ReadDigits(const std::string& name, std::size_t& at)
 {
   const std::size_t first = std::min(name.find_first_not_of('0', at), name.size());
@@ -33,8 +30,8 @@ inline std::string ReadDigits(const std::string& name, std::size_t& at)
 }
 
 /**
- * Returns whether a name comes before another name if digits in names are compared as numbers: "T2"
- * comes before "T10". Digits come before all other characters.
+ * Compares names in natural order, with digits compared as numbers: "T2" comes before "T10". Digits
+ * come before all other characters.
  */
 inline bool IsNamedBefore(const std::string& a, const std::string& b)
 {

@@ -19,8 +19,7 @@ namespace
 
 constexpr std::string_view NrrdMagic = "NRRD000";
 /**
- * Largest size (bytes) of a header that is read from a file. Headers of segmentations have some
- * kilobytes.
+ * Largest header (bytes) that is read from a file. Headers of segmentations have some kilobytes.
  */
 constexpr std::size_t LongestNrrdHeader = std::size_t{ 1 } << 24;
 
@@ -68,7 +67,10 @@ std::string MakePlain(std::string_view text)
   return plain;
 }
 
-/** Resolves the backslashes of keys and values: \\ and \n. */
+/**
+ * Resolves the escape sequences \\ and
+ *  in keys and values.
+ */
 std::string Unescape(std::string_view text)
 {
   std::string result;
@@ -88,7 +90,7 @@ std::string Unescape(std::string_view text)
   return result;
 }
 
-/** Adds the field or the key of a line to the header. The line has no blanks around it. */
+/** Parses a line, without blanks around it, and adds its field or key to the header. */
 void AddLine(std::string_view line, NrrdHeader& header)
 {
   const std::size_t equals = line.find(":=");
@@ -110,8 +112,8 @@ void AddLine(std::string_view line, NrrdHeader& header)
 }
 
 /**
- * Reads numbers in parentheses, "(x,y,z)" without blanks, and multiplies each by a factor. Leaves
- * out the last of four numbers, which is a time.
+ * Reads a vector "(x,y,z)" without blanks, and multiplies each component by a factor. Drops the
+ * fourth component, which is a time.
  */
 std::optional<NrrdVector> ParseNrrdVector(
   std::string_view text, const NrrdVector& factors, std::size_t count = 3)
@@ -140,7 +142,7 @@ std::optional<NrrdVector> ParseNrrdVector(
   return vector;
 }
 
-/** Splits a list of texts that are in quotation marks or separated by blanks. */
+/** Splits a list of texts that are quoted or separated by blanks. */
 std::vector<std::string> SplitNrrdTexts(const std::string& list)
 {
   std::vector<std::string> texts;
@@ -164,20 +166,20 @@ std::vector<std::string> SplitNrrdTexts(const std::string& list)
   return texts;
 }
 
-/** Returns the units of a field, one for each axis. */
+/** Returns the units of a field, one per axis. */
 std::vector<std::string> ReadNrrdUnits(const NrrdHeader& header, const char* field)
 {
   return SplitNrrdTexts(header.GetField(field));
 }
 
-/** Returns the length (mm) of the unit of an axis. Returns 1 if it is not given or not known. */
+/** Returns the length (mm) of the unit of an axis; 1 if the unit is missing or unknown. */
 double UnitOf(const std::vector<std::string>& units, std::size_t axis)
 {
   const double unit = axis < units.size() ? MillimetresPerUnit(units[axis]) : 0.0;
   return unit > 0.0 ? unit : 1.0;
 }
 
-/** Returns the factors that convert positions in the header's space. */
+/** Returns the factors that convert positions in the header's space to millimetres in LPS. */
 NrrdVector ComputeSpaceFactors(const NrrdHeader& header)
 {
   NrrdVector factors = FindNrrdSpace(header).Signs;
@@ -196,7 +198,7 @@ std::vector<std::string> SplitNrrdWords(const std::string& text)
 }
 
 /**
- * Returns the number of an axis in a field with one number for each axis; nothing unless it is
+ * Returns the number for an axis from a field with one number per axis; nothing unless it is
  * finite.
  */
 std::optional<double> NumberOfAxis(const NrrdHeader& header, const char* field, std::size_t axis)
@@ -208,8 +210,8 @@ std::optional<double> NumberOfAxis(const NrrdHeader& header, const char* field, 
 }
 
 /**
- * Returns whether samples are centres of cells, so that "axis mins" is half a voxel before the
- * first sample.
+ * Returns whether samples lie at the centres of cells, so that "axis mins" is half a voxel before
+ * the first sample.
  */
 bool HasCells(const NrrdHeader& header, std::size_t axis)
 {
@@ -219,7 +221,9 @@ bool HasCells(const NrrdHeader& header, std::size_t axis)
   return axis < told.size() && told[axis] == "cell";
 }
 
-/** Returns the distance of samples along an axis, in its unit; nothing if it is not given. */
+/**
+ * Returns the spacing of samples along an axis, in the axis's unit; nothing if the header lacks it.
+ */
 std::optional<double> FindAxisSpacing(const NrrdHeader& header, std::size_t axis)
 {
   const std::optional<double> given = NumberOfAxis(header, "spacings", axis);
@@ -373,7 +377,7 @@ std::optional<std::array<std::size_t, 3>> ReadNrrdAxes(const NrrdHeader& header)
     const auto told = find([&](std::size_t axis)
       { return kinds[axis] == "domain" || kinds[axis] == "space" || kinds[axis] == "???"; });
     axes = told.size() >= 3 ? told : axes;
-    axes.resize(std::min<std::size_t>(axes.size(), 3)); // in ITK's files the fourth axis is time
+    axes.resize(std::min<std::size_t>(axes.size(), 3)); // the fourth axis of ITK's files is time
   }
   return axes.size() == 3 ? std::optional<std::array<std::size_t, 3>>({ axes[0], axes[1], axes[2] })
                           : std::nullopt;
@@ -389,7 +393,7 @@ std::optional<std::array<NrrdVector, 3>> FindNrrdSteps(const NrrdHeader& header)
   const bool areTurned = words.empty() && (signs[1] < 0.0 || signs[2] < 0.0);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    if (areTurned) // along the axes of the space
+    if (areTurned) // steps are along the axes of the turned space
     {
       steps[axis][axis] = signs[axis] * FindNrrdSpacings(header)[axis];
       continue;

@@ -22,12 +22,12 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Fraction of the examined samples above which holes are reported. */
+/** Fraction of holes among the examined samples above which they are reported. */
 constexpr double MostHoles = 0.01;
 
 /**
- * Returns whether a corner sample may be outside, or samples may be NaN. If not, no samples are
- * read.
+ * Returns whether a corner sample may be outside or samples may be NaN. If not, the samples need
+ * not be read.
  */
 bool MayHaveOutside(vtkImageData* image, vtkDataArray* scalars, int component)
 {
@@ -51,7 +51,7 @@ bool MayHaveOutside(vtkImageData* image, vtkDataArray* scalars, int component)
   return false;
 }
 
-/** Returns whether all values of a component can be read. */
+/** Returns whether all values of a component are in readable memory. */
 bool HasMemory(vtkDataArray* scalars, int component)
 {
   VolumeView view;
@@ -95,7 +95,7 @@ OutsideSamples DetectOutside(vtkImageData* image, vtkDataArray* scalars, int com
     return {};
   }
   WholeFacts whole;
-  std::string error; // the bake reports this error
+  std::string error; // ignored: the bake reports this error
   if (!ReadWholeFacts(image, component, whole, error) || whole.IsThere ||
     !MayHaveOutside(image, scalars, component))
   {
@@ -185,7 +185,8 @@ vtkSmartPointer<vtkDataArray> OutsideFiller::Fill(
   const Key key{ scalars, image, component, std::max(image->GetMTime(), scalars->GetMTime()) };
   if (this->Of != key)
   {
-    this->Filled = nullptr; // releases the old copy first, so that both are never in memory at once
+    this->Filled = nullptr; // release the old copy first, so that only one copy is in memory at a
+                            // time
     this->Of = {};
     this->Last = DetectOutside(image, scalars, component);
     if (this->Last.HasAny())
@@ -200,7 +201,7 @@ vtkSmartPointer<vtkDataArray> OutsideFiller::Fill(
 
 std::string OutsideFiller::DrainNotice()
 {
-  // The time steps of a moving volume often yield the same text, which is then reported only once.
+  // Report a text only once: the time steps of a moving volume often yield the same one.
   const std::string notice = std::exchange(this->Notice, {});
   const bool isNew = !notice.empty() && notice != this->Told;
   this->Told = notice.empty() ? this->Told : notice;

@@ -24,28 +24,29 @@ namespace VolumeHaptics
 {
 
 /**
- * Finds which samples are outside in a component of an image. For a region of a larger volume,
- * reads this from the image's field arrays. In data that can't be touched, no sample is outside.
+ * Finds which samples of a component are outside the measured data. For a region of a larger
+ * volume, reads this from the image's field arrays. In data that can't be touched, no sample is
+ * outside.
  */
 VTKVOLUMEHAPTICS_EXPORT OutsideSamples DetectOutside(
   vtkImageData* image, vtkDataArray* scalars, int component);
 
 ///@{
-/** Fills the samples of a component, or `count` consecutive samples of a scalar type. */
+/** Fills the outside samples of a component, or of `count` consecutive samples of a scalar type. */
 void FillOutside(const OutsideSamples& outside, vtkDataArray* scalars, int component);
 VTKVOLUMEHAPTICS_EXPORT void FillOutside(
   const OutsideSamples& outside, int scalarType, void* samples, std::int64_t count);
 ///@}
 
 /**
- * Returns a filled copy of an array, with all components. Returns the array itself if nothing is
- * outside.
+ * Returns a copy of an array with its outside samples filled, in all components. Returns the array
+ * itself if nothing is outside.
  */
 VTKVOLUMEHAPTICS_EXPORT vtkSmartPointer<vtkDataArray> CopyFilled(
   const OutsideSamples& outside, vtkDataArray* scalars, int component);
 
 /**
- * Describes which values were treated as outside or as holes, with the cure; empty if there are
+ * Describes which values are treated as outside or as holes, with the cure; empty if there are
  * none.
  */
 VTKVOLUMEHAPTICS_EXPORT std::string DescribeOutside(
@@ -57,17 +58,15 @@ VTKVOLUMEHAPTICS_EXPORT std::string DescribeOutside(
  */
 bool AreScalars(int components);
 
-/** Stores the last filled copy, which all bakes of an array share. */
+/** Caches the last filled copy, which all bakes of an array share. */
 class OutsideFiller
 {
 public:
-  /** Returns the array, or its copy with filled outside samples. */
+  /** Returns the array, or its cached copy with filled outside samples. */
   vtkSmartPointer<vtkDataArray> Fill(vtkImageData* image, vtkDataArray* scalars, int component);
-  /** Returns which samples were outside in the last array. */
+  /** Returns which samples of the last array were outside. */
   const OutsideSamples& GetLast() const { return this->Last; }
-  /**
-   * Returns DescribeOutside() of the last array at the first call, and an empty text after that.
-   */
+  /** Returns DescribeOutside() of the last array on the first call, then an empty text. */
   std::string DrainNotice();
 
 private:

@@ -14,14 +14,14 @@ namespace VolumeHaptics
 {
 
 /**
- * Computes the smallest and the largest finite value. If there are none, the first number is the
- * larger one. vtkDataArray::GetFiniteRange would store the range in the array's information. This
- * function uses a view of the same memory instead, so that another thread may read the array at the
- * same time. Arrays that do not store one tuple after another have no such view.
+ * Computes the smallest and the largest finite value. Without finite values, the minimum is above
+ * the maximum. vtkDataArray::GetFiniteRange would cache the range in the array's information. This
+ * function therefore uses a view of the same memory, so that another thread may read the array at
+ * the same time. Arrays that do not store tuple after tuple have no such view.
  */
 inline void ComputeFiniteRange(vtkDataArray* array, int component, double range[2])
 {
-  if (!array->HasStandardMemoryLayout() || array->GetDataTypeSize() == 0) // 0 for bits
+  if (!array->HasStandardMemoryLayout() || array->GetDataTypeSize() == 0) // 0 for a vtkBitArray
   {
     array->GetFiniteRange(range, component);
     return;

@@ -23,18 +23,19 @@ const char* const Cure = " Make the region with vtkHapticRegionFilter, which wri
                          "touch the image as a volume of its own.";
 
 /**
- * Size of BackgroundLevel for a component. Its first two numbers are equal if there is no level.
+ * Number of values of a BackgroundLevel per component. The first two values are equal if there is
+ * no level.
  */
 constexpr vtkIdType NumbersOfSolid = 4;
 
 /**
- * Size of StoredShift: the shift, the value of air, whether the values can't be Hounsfield units,
- * the range.
+ * Number of values of a StoredShift: the shift, the value of air, whether the values can't be
+ * Hounsfield units, and the two ends of the range.
  */
 constexpr int NumbersOfShift = 5;
 constexpr int NumbersOfOutside = 4;
 
-/** Returns a number of an array, counted through all components of one tuple after another. */
+/** Returns the i-th number of an array, counted through the components of tuple after tuple. */
 double NumberOf(vtkDataArray* array, vtkIdType i)
 {
   const int components = array->GetNumberOfComponents();
@@ -42,7 +43,7 @@ double NumberOf(vtkDataArray* array, vtkIdType i)
 }
 
 /**
- * Returns a numeric field array of at least `least` finite numbers. If it is missing or invalid,
+ * Returns a numeric field array with at least `least` finite numbers. If it is missing or invalid,
  * returns null, with the reason in `error`.
  */
 vtkDataArray* FindNumbers(

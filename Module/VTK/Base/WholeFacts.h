@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Facts about a whole volume, which an image carries if it is a region of the volume.
+ * Facts about a whole volume that are attached to an image of one of its regions.
  */
 #ifndef WholeFacts_h
 #define WholeFacts_h
@@ -32,27 +32,27 @@ struct WholeFactNames
   static constexpr const char* Outside = "HapticOutside";
 };
 
-/** The field arrays that vtkHapticRegionFilter documents, for one component. */
+/** Values of those field arrays for one component. */
 struct WholeFacts
 {
-  bool IsThere = false; ///< whether the image carries one of these arrays, and so is a region
+  bool IsThere = false; ///< whether the image has one of these arrays, and so is a region
   int Extent[6] = {};   ///< extent of the whole volume
   double Noise = 0.0;   ///< standard deviation of the component's noise (scalar units)
   double BorderValue = 0.0;
-  BackgroundLevel Solid; ///< absent if the image does not carry it
-  StoredShift Shift;     ///< 0 if the image does not carry it
-  double Time = 0.0;     ///< changes whenever the whole volume changes
+  BackgroundLevel Solid; ///< absent if the image lacks its array
+  StoredShift Shift;     ///< 0 if the image lacks its array
+  double Time = 0.0;     ///< a value that changes whenever the whole volume changes
   /**
-   * Factor on the force; below 1 if the samples only replace those of the whole volume for a time.
+   * Factor on the force; below 1 while the samples temporarily replace those of the whole volume.
    */
   double Share = 1.0;
-  OutsideSamples Outside; ///< which samples have yet to be filled, and how many are holes
+  OutsideSamples Outside; ///< which samples still have to be filled, and the number of holes
 };
 
 /** Reads the field arrays. Returns false, with the cure in `error`, if they are malformed. */
 bool ReadWholeFacts(vtkImageData* image, int component, WholeFacts& facts, std::string& error);
 
-/** The facts for all components of an image. */
+/** Facts about a whole volume, for all components of an image. */
 struct WholeFields
 {
   int Extent[6] = {};
@@ -62,10 +62,10 @@ struct WholeFields
   std::vector<StoredShift> Shifts;
   double Time = 0.0;
   double Share = 1.0;
-  std::vector<OutsideSamples> Outside; ///< empty if the samples are filled
+  std::vector<OutsideSamples> Outside; ///< empty if the outside samples are already filled
 };
 
-/** Writes the facts about the whole image into field arrays of a region. */
+/** Writes the facts about the whole volume into field arrays of a region's image. */
 void WriteWholeFacts(const WholeFields& facts, vtkImageData* region);
 
 } // namespace VolumeHaptics

@@ -35,11 +35,11 @@ bool ReadXmlFile(vtkXMLReader* reader, const std::string& file)
     hasFailed ? void() : reader->UpdateInformation();
     hasFailed ? void() : reader->Update();
   }
-  catch (const std::exception&) // the file declares more than fits into memory
+  catch (const std::exception&) // the file declares more data than fits into memory
   {
     hasFailed = true;
   }
-  // Remove the observers, because the reader may outlive hasFailed.
+  // Remove the observers, which refer to the local variable hasFailed: the reader may outlive it.
   reader->SetReaderErrorObserver(nullptr);
   reader->SetParserErrorObserver(nullptr);
   reader->RemoveObserver(ofReader);
@@ -57,7 +57,8 @@ bool WriteXmlFile(
   }
   writer->WriteToOutputStringOn();
   writer->SetInputData(data);
-  writer->SetDataModeToBinary(); // newer versions of expat can't read appended data
+  writer->SetDataModeToBinary(); // appended data, VTK's default, can't be read with newer versions
+                                 // of expat
   writer->Write();
   replacement.Write(writer->GetOutputString());
   return replacement.Commit(error);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads and writes VTK's XML files without the messages of VTK's readers and writers.
+ * Reads and writes VTK's XML files without VTK's own error messages.
  */
 #ifndef XmlFiles_h
 #define XmlFiles_h
@@ -19,16 +19,19 @@ class vtkXMLWriter;
 namespace VolumeHaptics
 {
 
-/** Reads a file. Returns false after an error; the reader's output then has the readable part. */
+/**
+ * Reads a file. Returns false after an error; the reader's output then has the part that could be
+ * read.
+ */
 bool ReadXmlFile(vtkXMLReader* reader, const std::string& file);
 /**
- * Writes the file completely, or not at all. On failure, returns false, with the reason and the
- * cure in `error`.
+ * Writes the whole file or none of it. On failure, returns false, with the reason and the cure in
+ * `error`.
  */
 bool WriteXmlFile(
   vtkXMLWriter* writer, vtkDataObject* data, const std::string& file, std::string& error);
 
-/** Reads as much of the file as it can. `failed` becomes true after an error. */
+/** Reads as much of a file as possible. Sets `failed` to true after an error. */
 vtkSmartPointer<vtkPolyData> ReadXmlPolyData(const std::string& file, bool& failed);
 
 } // namespace VolumeHaptics

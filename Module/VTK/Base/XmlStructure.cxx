@@ -32,8 +32,10 @@ namespace
 
 using Text = std::string_view;
 constexpr Text Blanks = " \t\r\n";
-constexpr std::size_t HeadWords = 3; // blocks, size of a block, size of the last one; then of each
-constexpr double LargestCompression = 10000.0; // LZMA shrinks zeros by 7000, deflate by 1032
+constexpr std::size_t HeadWords = 3; // number of blocks, size of a block, size of the last block;
+                                     // the size of each compressed block follows
+constexpr double LargestCompression = 10000.0; // LZMA compresses zeros by a factor of 7000, deflate
+                                               // by 1032
 
 [[noreturn]] void Refuse(const std::string& fault)
 {
@@ -58,12 +60,12 @@ std::int64_t ParseWhole(Text text, const char* what)
   return number;
 }
 
-/** An element, from its tag to the text after it. */
+/** An XML element, with the text that follows its tag. */
 struct Element
 {
   Text Name;
   std::map<Text, Text> Attributes;
-  std::size_t Begin = 0; ///< where the text begins
+  std::size_t Begin = 0; ///< position at which the text begins
 
   Text Get(const char* name) const
   {
@@ -71,7 +73,7 @@ struct Element
     return found == this->Attributes.end() ? Text() : found->second;
   }
   bool Has(const char* name) const { return this->Attributes.count(name) > 0; }
-  /** Returns a count, 0 if it is not given. */
+  /** Returns an attribute as a count; 0 if it is missing. */
   double Count(const char* name) const
   {
     const std::int64_t count = this->Has(name) ? ParseWhole(this->Get(name), name) : 0;
@@ -86,13 +88,13 @@ struct Element
 struct ArrayType
 {
   const char* Name;
-  int Bits; ///< 0 for texts
+  int Bits; ///< bits per value; 0 for strings
 };
 constexpr ArrayType ArrayTypes[] = { { "Bit", 1 }, { "Int8", 8 }, { "UInt8", 8 }, { "Int16", 16 },
   { "UInt16", 16 }, { "Int32", 32 }, { "UInt32", 32 }, { "Int64", 64 }, { "UInt64", 64 },
   { "Float32", 32 }, { "Float64", 64 }, { "String", 0 } };
 
-/** Stored bytes: raw, or in base64. */
+/** The stored bytes of an array, raw or in base64. */
 class Stored
 {
 public:
@@ -102,18 +104,18 @@ public:
   {
   }
 
-  /** Returns the largest possible number of decoded bytes. */
+  /** Returns the largest possible number of bytes after decoding. */
   double GetSize() const
   {
     return static_cast<double>(this->Data.size()) * (this->IsBase64 ? 0.75 : 1.0);
   }
-  /** Returns the data that follow a header. The header is encoded separately. */
+  /** Returns the data behind a header of `bytes` bytes, which is encoded separately in base64. */
   Stored Behind(std::size_t bytes) const
   {
     const std::size_t letters = this->IsBase64 ? (bytes + 2) / 3 * 4 : bytes;
     return { this->Data.substr(std::min(letters, this->Data.size())), this->IsBase64 };
   }
-  /** Reads the first bytes. */
+  /** Decodes and returns the first `count` bytes. */
   std::vector<unsigned char> Read(std::size_t count) const
   {
     if (static_cast<double>(count) > this->GetSize())
@@ -157,7 +159,7 @@ private:
   bool IsBase64;
 };
 
-/** The walk over all elements of a file. */
+/** Walks over all elements of a file and checks each. */
 class Walk
 {
 public:
@@ -201,7 +203,7 @@ public:
       }
       at = close + 1;
     }
-    // Behind the appended data, only the root may still be open.
+    // If the file has appended data, only the root element is still open behind it.
     if (open.size() != (this->Appended.data() ? 1 : 0) || !this->HasRoot)
     {
       Refuse("the file ends before its last element");
@@ -209,7 +211,7 @@ public:
   }
 
 private:
-  /** Finds the appended bytes, which may look like elements. */
+  /** Finds the appended data, whose bytes may look like XML elements. */
   void FindAppended()
   {
     const std::size_t begin = this->All.find("<AppendedData");
@@ -240,7 +242,7 @@ private:
     }
   }
 
-  /** Returns where the next element begins, or npos. */
+  /** Returns the position of the next element; npos if there is none. */
   std::size_t Next(std::size_t at) const
   {
     while ((at = this->Elements.find('<', at)) != Text::npos)
@@ -251,7 +253,7 @@ private:
                                                               : nullptr;
       if (!end)
       {
-        // Declarations of types and entities, and quoted text, are not in VTK's files.
+        // VTK never writes declarations of types or entities, or CDATA sections.
         rest.compare(0, 2, "<!") == 0 || rest.size() < 2 ? Refuse("it is no XML file of VTK")
                                                          : void();
         return at;
@@ -262,7 +264,7 @@ private:
     return at;
   }
 
-  /** Returns the position of the `>` that ends a tag; texts in quotes may contain `>`, too. */
+  /** Returns the position of the `>` that ends a tag, ignoring `>` inside quotes. */
   std::size_t FindClose(std::size_t at) const
   {
     char quote = 0;
@@ -363,7 +365,7 @@ private:
       this->Kind == "RectilinearGrid";
   }
 
-  /** Returns the number of points along the axes of an extent. */
+  /** Returns the number of points of an extent along each axis. */
   static std::array<double, 3> ParseExtent(Text text)
   {
     std::array<double, 3> sizes{};
@@ -411,7 +413,7 @@ private:
     }
   }
 
-  /** Checks at the end of an element that it had all required parts. */
+  /** Checks at the end of an element that all its required parts were present. */
   void Leave(const Element& element, const std::vector<Element>& open)
   {
     if (element.Name == "Piece" && (this->Kind == "PolyData" || this->Kind == "UnstructuredGrid"))
@@ -435,7 +437,7 @@ private:
     }
   }
 
-  /** Returns how many tuples an array must have, if that is known. */
+  /** Returns the number of tuples that an array must have; nothing if it can't be known. */
   std::optional<double> FindTuples(const Element& array, const Element& part, const Element& piece)
   {
     const Text name = part.Name;
@@ -534,7 +536,9 @@ private:
     return word;
   }
 
-  /** Checks the bytes of an array against their header, and that against the number of values. */
+  /**
+   * Checks the bytes of an array against their header, and the header against the number of values.
+   */
   void CheckStored(
     const Stored& stored, const ArrayType& type, const std::optional<double>& values) const
   {
@@ -562,7 +566,7 @@ private:
     }
   }
 
-  /** Parses the character codes of texts in ASCII. */
+  /** Parses the characters of strings, stored as decimal codes. */
   static std::vector<unsigned char> ParseLetters(Text text)
   {
     std::vector<unsigned char> letters;
@@ -575,7 +579,10 @@ private:
     return letters;
   }
 
-  /** VTK's reader puts each text, up to its zero, in the next place of the array. */
+  /**
+   * Checks the number of strings: VTK's reader stores each zero-terminated string in the next place
+   * of the array.
+   */
   static void CheckTexts(
     const std::vector<unsigned char>& letters, const std::optional<double>& values)
   {
@@ -586,7 +593,7 @@ private:
     }
   }
 
-  /** Reads all bytes of an array whose header was checked. */
+  /** Reads all bytes of an array. Its header must have been checked before. */
   std::vector<unsigned char> ReadAll(const Stored& stored, std::size_t bytes) const
   {
     std::vector<unsigned char> all;
@@ -610,7 +617,7 @@ private:
     }
     const std::vector<unsigned char> packed = stored.Behind(headSize).Read(size);
     const vtkSmartPointer<vtkDataCompressor> compressor = this->MakeCompressor();
-    compressor->AddObserver(vtkCommand::ErrorEvent, vtkNew<vtkCallbackCommand>()); // told below
+    compressor->AddObserver(vtkCommand::ErrorEvent, vtkNew<vtkCallbackCommand>()); // silent
     all.resize(bytes);
     std::size_t from = 0;
     std::size_t to = 0;
@@ -680,7 +687,7 @@ private:
   }
 
   const Text All;
-  Text Elements; ///< without what is appended
+  Text Elements; ///< the file without its appended data
   Text Appended;
   bool IsBase64 = false;
   bool HasRoot = false;
@@ -690,8 +697,8 @@ private:
   Text Compressor;
   Text Kind;
   double PieceVolume = 0.0;
-  std::optional<double> Points, Cells; ///< in the piece
-  std::map<Text, int> Seen;            ///< parts of the piece with arrays
+  std::optional<double> Points, Cells; ///< number in the current piece
+  std::map<Text, int> Seen;            ///< array sections found in the current piece
   std::map<std::pair<std::string, std::string>, const ArrayType*> Kinds;
 };
 
@@ -702,7 +709,7 @@ std::string DetectFalseXml(const std::string& file)
   Files::Status status;
   if (!Files::GetStatus(file, status))
   {
-    return {}; // the reader reports it
+    return {}; // VTK's reader reports this error
   }
   std::string text, error;
   if (!ReadSmallFile(file, static_cast<std::size_t>(status.st_size), text, error))

@@ -13,9 +13,9 @@ namespace VolumeHaptics
 {
 
 /**
- * Returns why a file contradicts itself, or an empty text if it does not. VTK's readers trust what
- * a file says: they write past the end of their memory if an array's size is not what its header
- * says, and allocate memory for all points that are promised. This checks the types, components and
+ * Returns how a file contradicts itself; empty if it is consistent. VTK's readers trust the file:
+ * they write past the end of their memory if an array's size differs from its header, and they
+ * allocate memory for any declared number of points. This function checks the types, components and
  * sizes of all arrays, the tables of their compressed blocks, and the extents of images.
  */
 std::string DetectFalseXml(const std::string& file);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Hides the differences between VTK 9.1 and 9.6, in one place.
+ * Hides the API differences between VTK 9.1 and 9.6 in one place.
  */
 #ifndef vtkVolumeHapticsCompat_h
 #define vtkVolumeHapticsCompat_h
@@ -10,8 +10,8 @@
 #include "vtkAlgorithm.h"
 #include "vtkVersionMacros.h"
 
-// For #include: since VTK 9.4, glad loads the functions of OpenGL, and vtkVector includes its
-// operators.
+// Headers that differ: since VTK 9.4, glad loads the functions of OpenGL, and vtkVector includes
+// its operators.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
 #define VOLUME_HAPTICS_OPENGL_HEADER "vtk_glad.h"
 #define VOLUME_HAPTICS_VECTOR_HEADER "vtkVector.h"
@@ -24,7 +24,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Returns whether the user asked a filter to stop; since VTK 9.3 a filter has to ask upstream, too.
+ * Returns whether the user asked a filter to stop. Since VTK 9.3, a filter also has to query the
+ * filters upstream.
  */
 inline bool MustAbort(vtkAlgorithm* algorithm)
 {
@@ -36,8 +37,7 @@ inline bool MustAbort(vtkAlgorithm* algorithm)
 }
 
 /**
- * Keeps the part of its output that a filter has made when it aborts; since VTK 9.3 the pipeline
- * empties the output.
+ * Preserves the partial output of an aborted filter, which the pipeline would empty since VTK 9.3.
  */
 inline void KeepAbortedOutput(vtkAlgorithm* algorithm)
 {
@@ -50,7 +50,9 @@ inline void KeepAbortedOutput(vtkAlgorithm* algorithm)
 
 namespace Detail
 {
-/** Reads a protected member, which VTK 9.1 does not have and VTK 9.3 has no function for. */
+/**
+ * Gives access to a protected member that VTK 9.3 has no function for. VTK 9.1 lacks the member.
+ */
 template <typename Array>
 struct Storage : Array
 {
@@ -64,9 +66,9 @@ struct Storage : Array
 } // namespace Detail
 
 /**
- * Returns whether a vtkSOADataArrayTemplate has each component in a memory block of its own now.
- * Since VTK 9.2, all components are in one block while the array is new, and again after the first
- * GetVoidPointer(), which a mapper calls; then there are no pointers to components.
+ * Returns whether each component of a vtkSOADataArrayTemplate is now in a separate memory block.
+ * Since VTK 9.2, all components share one block while the array is new, and again after the first
+ * GetVoidPointer(), which a mapper calls; the array then has no pointers to components.
  */
 template <typename Array>
 bool HasSeparateComponents(Array* array)

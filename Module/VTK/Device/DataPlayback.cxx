@@ -142,7 +142,7 @@ ImageTimeStep DataPlayback::GetShown(vtkVolumeHapticsFilter* filter) const
   }
   const std::size_t nearest = this->Span->FindNearestTimeStep(this->Time);
   const FieldTimeStep& timeStep = this->Span->TimeSteps[nearest];
-  // See ShareArray() of the model's builder.
+  // Samples owns its vtkDataArray: see ShareArray() of the model's builder.
   auto* const array = static_cast<vtkDataArray*>(const_cast<void*>(timeStep.Samples.get()));
   const int component = this->Steps.AreComponents
     ? static_cast<int>(nearest % this->Steps.Times.size())
@@ -246,7 +246,7 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
   auto model =
     filter->GetBaker().BakeTimeSteps(rate, caps, deviceToWorld, std::move(read), this->Steps.Times);
   this->Span = model ? model->Baked : nullptr;
-  // Get the time after the bake, because the first bake creates the property's missing functions.
+  // Read the time after the bake, because the first bake creates the property's missing functions.
   this->MadeBeside = ComputeChangeTimeBesideImage(filter);
   if (this->Span)
   {
@@ -256,7 +256,8 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
 }
 
 /**
- * Returns the time span if a new time span of the filter can keep its samples; null if it can't.
+ * Returns the current time span if the filter's next time span can reuse its samples; null
+ * otherwise.
  */
 const BakedVolume* DataPlayback::GetKept(vtkVolumeHapticsFilter* filter) const
 {
@@ -265,8 +266,8 @@ const BakedVolume* DataPlayback::GetKept(vtkVolumeHapticsFilter* filter) const
 }
 
 /**
- * Returns whether a new time span would need a time step that the last time span lacks: Poll() has
- * to read that step first, when the memory of another step is free.
+ * Returns whether a new time span needs a time step that the last one lacks. Poll() then has to
+ * read that step first, once the memory of another step is free.
  */
 bool DataPlayback::LacksPair(vtkVolumeHapticsFilter* filter) const
 {
@@ -282,9 +283,7 @@ bool DataPlayback::LacksPair(vtkVolumeHapticsFilter* filter) const
   return !this->Has(need.First) || !this->Has(this->Steps.After(need.First));
 }
 
-/**
- * Joins the time span to the last time steps if time steps of a stream were left out in between.
- */
+/** Connects the time span to the last time steps if a stream skipped time steps in between. */
 void DataPlayback::GoOnFrom(const BakedVolume& last, const std::vector<double>& times)
 {
   const bool isFelt = this->Session.IsRunning() && this->HasTime;
@@ -311,7 +310,7 @@ bool DataPlayback::Prepare(vtkVolumeHapticsFilter* filter, double rate, bool isC
 {
   const bool isMade = isCurrent && this->Span && rate == this->Rate;
   const bool isStreamed = !isMade && this->Span && this->IsStreamed(filter, rate);
-  // The time steps of a stream are played to their end before the next time steps replace them.
+  // Play the time steps of a stream to their end before the next time steps replace them.
   const auto isReady = [&](const std::vector<double>& times)
   {
     return !isStreamed || !this->IsOnItsWay() || times.size() < 2 ||
@@ -332,7 +331,7 @@ bool DataPlayback::Prepare(vtkVolumeHapticsFilter* filter, double rate, bool isC
   return isPrepared && isReady(this->Preparation.GetTimes());
 }
 
-/** Returns whether time is still moving towards the end of the steps. */
+/** Returns whether playback has not yet reached the end of the time steps. */
 bool DataPlayback::IsOnItsWay() const
 {
   const bool isBackward = this->Session.GetState().Clock.IsBackward;
@@ -341,7 +340,7 @@ bool DataPlayback::IsOnItsWay() const
     this->Orders.Mode == Playback::Once && this->Time != end;
 }
 
-/** Returns whether the time steps may continue the volume that was baked last. */
+/** Returns whether the filter's time steps may continue the volume that was baked last. */
 bool DataPlayback::IsStreamed(vtkVolumeHapticsFilter* filter, double rate) const
 {
   auto* const source = vtkHapticTimeStepSource::SafeDownCast(filter->GetInputAlgorithm(0, 0));
@@ -351,8 +350,8 @@ bool DataPlayback::IsStreamed(vtkVolumeHapticsFilter* filter, double rate) const
 }
 
 /**
- * Returns `count` time steps of the time span, beginning with number `first` of the series. The
- * first time step of the series follows its last time step.
+ * Returns `count` time steps of the time span, starting at index `first` of the series. The series
+ * is cyclic.
  */
 std::vector<VolumeTimeStep> DataPlayback::Keep(std::size_t first, std::size_t count)
 {
@@ -418,8 +417,8 @@ std::shared_ptr<const HapticModel> DataPlayback::Poll(vtkVolumeHapticsFilter* fi
     {
       return nullptr;
     }
-    // The pair of steps around the present time; a third time step comes only when its memory is
-    // free.
+    // Read the pair of steps around the present time. Read a third time step only when its memory
+    // is free.
     const Need now = this->Steps.ComputeNeed(this->Time, report.IsBackward, this->Orders.Mode);
     const bool isThere = this->Has(now.First) && this->Has(this->Steps.After(now.First));
     const std::size_t first = isThere ? now.First
@@ -464,8 +463,8 @@ std::shared_ptr<const HapticModel> DataPlayback::Poll(vtkVolumeHapticsFilter* fi
 }
 
 /**
- * Chooses the pair of steps around `time`. If the felt pair has no step in common with it, chooses
- * only one step, so that the felt pair can be released before the other step is read.
+ * Chooses the pair of steps around `time`. If the felt pair has no step in common with that pair,
+ * chooses only one step, so that the felt pair can be released before the second step is read.
  */
 std::vector<std::size_t> DataPlayback::ChooseSteps(const Need& need, double time) const
 {
@@ -474,15 +473,15 @@ std::vector<std::size_t> DataPlayback::ChooseSteps(const Need& need, double time
   {
     return { need.First, second };
   }
-  // If there is a mesh, choose the first step: the mesh describes the way to the next step, and is
-  // valid at the first step itself.
+  // With meshes, choose the first step: its mesh describes the motion to the next step, and is
+  // valid at the first step alone.
   const std::vector<double>& times = this->Steps.Times;
   const bool isSecondNearer =
     std::abs(times[second] - time) < std::abs(times[need.First] - time) && !this->Span->Mesh;
   return { isSecondNearer ? second : need.First };
 }
 
-/** Returns the model of the time span; null until its meshes are made. */
+/** Returns the model of the time span; null while its meshes are being made. */
 std::shared_ptr<const HapticModel> DataPlayback::ShowMeshed(
   vtkVolumeHapticsFilter* filter, std::size_t first, std::vector<VolumeTimeStep>&& timeSteps)
 {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Plays a moving volume to the servo. Its time steps come from a filter's image, or are components
- * of this image.
+ * Plays a moving volume on the servo. Its time steps are read from the source of a filter's image,
+ * or are components of this image.
  *
- * The servo has a time span of two or three time steps (TimeStepSeries.h), and its clock moves
+ * The servo gets a time span of two or three time steps (TimeStepSeries.h), and its clock moves
  * through them (DataClock.h). This class runs on the owner's thread. It reads the next step before
  * the servo's time reaches it, and publishes a new time span with the tables of the last time span.
  * At most three steps are in memory, plus the one that their source writes to: a step that is no
@@ -55,7 +55,9 @@ public:
   }
 
   ///@{
-  /** Carry out the orders of vtkHapticDevice. The first Play or SetTime begins the motion. */
+  /**
+   * Carry out the playback orders of vtkHapticDevice. The first Play or SetTime starts the motion.
+   */
   void SetPlays(bool on);
   void SetMode(Playback mode);
   void SetTime(double time);
@@ -66,47 +68,47 @@ public:
   ///@}
 
   /**
-   * Returns the data time of the latest state. After SetTime, returns the ordered time until the
+   * Returns the data time of the latest state. After SetTime, returns the requested time until the
    * servo has reached it.
    */
   double GetTime() const;
-  /** Returns whether time stands still because the next time steps have not been read yet. */
+  /** Returns whether time is paused until the next time steps are read. */
   bool IsWaiting() const;
-  /** Returns a sentence on the time steps that playback waits for; empty if it does not wait. */
+  /** Returns a sentence on the time steps that playback waits for; empty if it is not waiting. */
   std::string Describe() const;
 
   /**
-   * Returns the time step nearest to the servo's time. Its image is not set. Its Array is null if
+   * Returns the time step nearest to the servo's time, without its image. Its Array is null if
    * there is no time step.
    */
   ImageTimeStep GetShown(vtkVolumeHapticsFilter* filter) const;
 
-  /** Returns whether the time steps of a filter's image are to be felt, if it has any. */
+  /** Returns whether the filter is set up so that its image's time steps are felt. */
   bool IsFelt(vtkVolumeHapticsFilter* filter) const;
-  /** Checks IsFelt() after asking the image's source for its time steps. */
+  /** Checks IsFelt() after an update of the information from the image's source. */
   bool DetectFelt(vtkVolumeHapticsFilter* filter) const;
   ///@{
   /**
-   * Returns whether Make() would be quick now. If not, prepares the slow parts in the background;
-   * the servo stays within the time span that it has. Call this often until EndPreparing().
+   * Returns whether Make() would be quick now. If not, prepares the slow parts in the background,
+   * while the servo stays within its present time span. Call this often until EndPreparing().
    */
   bool Prepare(vtkVolumeHapticsFilter* filter, double rate, bool isCurrent);
   void EndPreparing() { this->Preparation.End(); }
-  /** Estimates the time (s) that Make() will need for the meshes that Prepare() has left to it. */
+  /** Estimates the time (s) that Make() still needs for meshes that Prepare() did not make. */
   double EstimateTime() const { return this->Preparation.GetTimeOfRest(); }
   ///@}
-  /** Returns whether the source of a stream had further time steps when Make() was called. */
+  /** Returns whether the source of a stream already had further time steps at the last Make(). */
   bool IsBehind() const { return this->Preparation.WasBehind(); }
   /**
-   * Makes a model of the time span at the present time; null after an error of the filter. If
-   * neither the filter nor the volume has changed (`isCurrent`), nothing is read or baked again.
+   * Makes a model of the time span at the present time; null after an error of the filter. Reads
+   * and bakes nothing again if neither the filter nor the volume has changed (`isCurrent`).
    */
   std::shared_ptr<const HapticModel> Make(vtkVolumeHapticsFilter* filter, double rate,
     const ForceCaps& caps, vtkMatrix4x4* deviceToWorld, bool isCurrent);
-  /** Forgets the last time span. Call this when the servo gets a model from another source. */
+  /** Discards the last time span. Call this when the servo gets a model from another source. */
   void Forget() { this->Span.reset(); }
 
-  /** Makes a servo that has just been started continue at the time of the last servo. */
+  /** Makes a newly started servo continue at the time of the last servo. */
   void Begin();
   /**
    * Sends the filter's rate to the servo and reads its time; call this often. Returns a model with
@@ -141,21 +143,21 @@ private:
   DataClockOrders Orders;
   DataClockOrders Sent;
   bool IsMoving = false; ///< whether Play or SetTime was called
-  bool HasTime = false;  ///< whether Time comes from the servo
+  bool HasTime = false;  ///< whether the servo has reported Time
   double Time = 0.0;
   double Speed = 1.0; ///< factor on the filter's rate
   TimeSteps Steps;
   std::shared_ptr<const BakedVolume> Span;
-  std::size_t First = 0; ///< number of the time span's first step
+  std::size_t First = 0; ///< index of the time span's first step
   double Rate = 0.0;     ///< rate for which the time span was baked (Hz)
   /** Modification time of the filter, without its image, taken before the time span was baked. */
   vtkMTimeType MadeBeside = 0;
-  TimeStepOrigin MadeOf; ///< origin of the time span's time steps
+  TimeStepOrigin MadeOf; ///< source of the time span's time steps
   PastTimeSpans Past;
-  std::size_t Failed = None; ///< number of a step that can't be read
-  /** Time steps of a time span that waits for its meshes. */
+  std::size_t Failed = None; ///< index of a step that can't be read
+  /** Time steps of a time span whose meshes are still being made. */
   std::vector<VolumeTimeStep> Meshless;
-  std::size_t MeshlessFirst = 0; ///< number of that time span's first step
+  std::size_t MeshlessFirst = 0; ///< index of that time span's first step
   TimeStepMesher Mesher;
   TimeSpanPreparation Preparation;
 };

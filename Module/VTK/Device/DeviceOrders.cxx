@@ -126,13 +126,13 @@ bool DeviceOrders::StartServo()
   const int opening = this->Session.GetOpening();
   const double rate = device->GetServoRate();
   std::shared_ptr<const HapticModel> model;
-  // Slow work is left to the background: Poll() publishes its result.
+  // Leave slow work to the background; Poll() publishes its result.
   const char* const awaited = this->Session.IsOpen() ? this->Models.Prepare(rate) : nullptr;
   if (this->Session.IsOpen() && !awaited && !this->Models.Make(rate, model))
   {
     return false;
   }
-  // Observers of the progress may have started or closed the device, or opened another device.
+  // Observers of the progress events may have started or closed the device, or opened another one.
   if (this->Session.IsRunning())
   {
     return true;
@@ -183,7 +183,7 @@ bool DeviceOrders::Publish()
   if (awaited)
   {
     this->PublishRegion(rate);
-    return true; // Poll() publishes it
+    return true; // Poll() will publish the model
   }
   std::shared_ptr<const HapticModel> model;
   if (!this->Models.Make(rate, model))
@@ -218,7 +218,8 @@ bool DeviceOrders::Publish()
 void DeviceOrders::PublishRegion(double rate)
 {
   TickCollector* const ticks = this->Session.GetTicks();
-  if (ticks && !ticks->IsRecording()) // recordings hold no regions
+  if (ticks && !ticks->IsRecording()) // do not replace the model during a recording: recordings
+                                      // contain no regions
   {
     if (std::shared_ptr<const HapticModel> model = this->Models.MakeRegion(rate))
     {
@@ -259,14 +260,14 @@ void DeviceOrders::PollTimeSteps()
 {
   const vtkSmartPointer<vtkHapticDevice> device(this->Device);
   TickCollector* const ticks = this->Session.GetTicks();
-  if (ticks && !this->Models.IsAwaited() && // Poll() publishes the awaited model
+  if (ticks && !this->Models.IsAwaited() && // Poll() publishes the awaited model instead
     (this->Models.LacksTimeSteps() || this->Models.IsBehind()))
   {
     this->Publish();
   }
   else if (ticks)
   {
-    // Observers of a source may have stopped the servo.
+    // Observers of the time steps' source may have stopped the servo.
     std::shared_ptr<const HapticModel> model = this->Models.PollTimeSteps();
     if (model && ticks == this->Session.GetTicks())
     {
@@ -338,8 +339,8 @@ void DeviceOrders::SetClutch(bool on)
 
 void DeviceOrders::AnnounceDisarmed()
 {
-  // Without this guard, observers that disarm the device (by Stop, Close, Open or Home) would be
-  // called for ever.
+  // Guard against endless recursion: observers may disarm the device again, by Stop, Close, Open or
+  // Home.
   if (this->IsAnnouncing || !this->Device->HasObserver(vtkCommand::DisableEvent))
   {
     return;
@@ -370,8 +371,8 @@ void DeviceOrders::Home()
 
 void DeviceOrders::BeginLongWork(const char* what, double expectedSeconds)
 {
-  // Work that takes no longer than a slow frame is not announced. The margin allows for a machine
-  // that is eight times slower than expected.
+  // Announce only work that may take longer than a slow frame. The margin allows for a machine that
+  // is eight times slower than expected.
   constexpr double shortest = 0.25;
   constexpr double margin = 8.0;
   const double attention = this->Device->GetAttentionTime();

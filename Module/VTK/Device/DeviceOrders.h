@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Carries out the orders of a vtkHapticDevice's owner.
+ * Carries out the calls of vtkHapticDevice.
  */
 #ifndef DeviceOrders_h
 #define DeviceOrders_h
@@ -19,9 +19,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Carries out the functions of vtkHapticDevice as its header documents them. Errors are reported by
- * the device, and its observers are called: they may stop it, close it, or release its last
- * reference.
+ * Implements the functions of vtkHapticDevice as its header documents them. Reports errors through
+ * the device, whose observers may stop it, close it, or release its last reference.
  */
 class DeviceOrders
 {
@@ -34,7 +33,9 @@ public:
   }
 
   ///@{
-  /** Update the device's MaximumForce after these calls: it depends on the open device. */
+  /**
+   * Open or close the device. Afterwards, update MaximumForce, which depends on the open device.
+   */
   bool Open(const std::string& id, const DeviceOptions& options);
   bool CalibrateForce(double scale);
   ///@}
@@ -43,11 +44,10 @@ public:
   bool Start();
   bool Publish();
   /**
-   * Publishes the model that Publish() has left to the background, once it is ready. Call this
-   * often.
+   * Publishes the model that Publish() left to the background, once it is ready. Call this often.
    */
   void Poll();
-  /** Ends the background work for that model. */
+  /** Stops the background work of Prepare(). */
   void EndPreparing();
   /** Publishes the next region of the volume once it has been read: see vtkHapticRegionSource. */
   void PollRegion();
@@ -65,35 +65,36 @@ public:
   void BeginLongWork(const char* what, double expectedSeconds);
   void EndLongWork();
 
-  /** Reports an error of the device, unless the text is empty. */
+  /** Reports an error through the device, unless the text is empty. */
   void ReportError(const std::string& error);
-  /** Reports an error about the user's file of devices, if there is a new one. */
+  /** Reports a new error about the user's file of devices, if there is one. */
   void ReportMemoryTrouble();
 
 private:
   bool StartServo();
   SafetyLimits MakeLimits() const;
   /**
-   * Executes an order that lets force through. Reports an error and returns false if the device is
-   * not ready or if the guard cannot be set up.
+   * Executes an order that enables force. Reports an error and returns false if the device is not
+   * ready or the guard cannot be set up.
    */
   bool LetForceThrough(const std::function<void()>& order);
   void AnnounceDisarmed();
   /**
-   * While the whole surface is being meshed, publishes the mesh around the tip, if there is one.
+   * While the whole surface is being meshed, publishes the mesh of the region around the tip, if
+   * there is one.
    */
   void PublishRegion(double rate);
   /**
-   * Stores, for the status, which work Publish() or Start() has left to the background; null means
-   * no work.
+   * Stores, for the status, what Publish() or Start() has left to the background; null means
+   * nothing.
    */
   void SetAwaited(const char* work);
 
   vtkHapticDevice* const Device;
   DeviceSession& Session;
   ModelSource& Models;
-  const char* Awaited = nullptr; ///< text of SetAwaited()
-  bool IsAnnouncing = false;     ///< true while observers of a disarming are called
+  const char* Awaited = nullptr; ///< last value of SetAwaited()
+  bool IsAnnouncing = false;     ///< true while observers of DisableEvent are called
 };
 
 } // namespace VolumeHaptics

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The parts that a vtkHapticDevice is made of.
+ * Groups the parts that implement a vtkHapticDevice.
  */
 #ifndef DeviceParts_h
 #define DeviceParts_h
@@ -23,8 +23,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Owns the parts of a device. An application may keep the public parts longer than the device; they
- * then have no device.
+ * Owns the parts of a device. An application may keep the public parts longer than the device;
+ * without their device, they report errors.
  */
 struct DeviceParts
 {

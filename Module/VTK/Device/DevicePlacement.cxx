@@ -20,7 +20,7 @@ namespace
 
 using Coordinates = double[3];
 
-/** Returns the fault in the points of one space; empty if they span a triangle. */
+/** Returns what is wrong with the points of one space; empty if they span a triangle. */
 std::string DetectFlaw(vtkPoints* points, const std::string& space)
 {
   Coordinates a, b, c;
@@ -59,8 +59,8 @@ std::string DetectFlaw(vtkPoints* points, const std::string& space)
     points->GetPoint(i, c);
     height2 = std::max(height2, vtkLine::DistanceToLine(c, ends[0], ends[1]));
   }
-  // smallest height of the points above their line, as a fraction of the line's length; below it,
-  // the rotation about the line is guessed
+  // Smallest height of the points above their longest line, as a fraction of its length; below it,
+  // the rotation about the line would be a guess.
   constexpr double thinnest = 0.01;
   if (!(height2 > thinnest * thinnest * longest2))
   {
@@ -97,7 +97,7 @@ std::string ComputePlacement(vtkPoints* touched, vtkPoints* known, double scale,
     return flaw;
   }
 
-  // With a fixed scale the device's points are first scaled to world units.
+  // With a fixed scale, first scale the device's points to world units.
   const bool fixed = scale > 0.0;
   const double factor = fixed ? scale : 1.0;
   vtkNew<vtkPoints> source;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The placement of a device in the world, from points that its stylus touched.
+ * Computes the placement of a device in the world from points that its stylus touched.
  */
 #ifndef DevicePlacement_h
 #define DevicePlacement_h
@@ -17,8 +17,8 @@ namespace VolumeHaptics
 
 /**
  * Computes the matrix that maps touched positions to known ones by least squares, and the largest
- * distance between a known position and a mapped one. Returns the fault, with its cure, if the
- * points do not determine the placement; empty on success. See vtkHapticDevice::FitDeviceToWorld.
+ * residual distance. Returns the fault, with its cure, if the points do not determine the
+ * placement; empty on success. See vtkHapticDevice::FitDeviceToWorld.
  */
 std::string ComputePlacement(vtkPoints* touched, vtkPoints* known, double scale,
   vtkMatrix4x4* deviceToWorld, double& largestDistance);

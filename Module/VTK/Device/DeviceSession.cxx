@@ -133,7 +133,7 @@ void DeviceSession::Close()
   this->RoundTrip.Reset();
   this->Gain = 1.0;
   ++this->Opening;
-  // The order to arm belongs to this device, not to the next device.
+  // The order to arm and the replay belong to this device, not to the next one.
   this->ArmsAtStart = false;
   this->IsReplay = false;
   this->Replay = {};
@@ -165,8 +165,7 @@ void DeviceSession::Start(double rate, const SafetyLimits& limits,
 {
   if (this->IsReplay)
   {
-    // A replay starts from its beginning. Tips in the world are placed with the device's present
-    // placement.
+    // Start a replay from its beginning. Map tips in the world with the device's present placement.
     std::vector<Vector3> tips = this->Replay.Tips;
     std::vector<Quaternion> orientations = this->Replay.Orientations;
     if (!this->Replay.InDeviceSpace)
@@ -207,8 +206,8 @@ void DeviceSession::Stop()
 {
   if (this->Servo)
   {
-    // The servo stays guarded until it has ended: if the process ends before that, the force ends,
-    // too.
+    // Keep the servo guarded until it has ended: if the process ends before that, the force is
+    // switched off, too.
     this->Servo->End();
     ReleaseServo(this->Servo.get());
     this->Servo.reset();
@@ -343,7 +342,8 @@ bool DeviceSession::Update(const Affine3& deviceToWorld)
   const Quaternion tool = TurnedBy(rotation, record.ToolOrientation, hasShape);
   Copy(tool, latest.ToolOrientation);
   Copy(rotation * record.Normal, latest.Normal);
-  // Fig. 4: x_s and x_v lie on both sides of the proxy at the beginning of the tick.
+  // Compute the positions of fig. 4: x_s and x_v are on both sides of the proxy as it was at the
+  // beginning of the tick.
   const Vector3 start = this->State.Before.Enabled ? this->State.Before.Proxy : record.Tip;
   const Vector3 reach = (model ? model->KernelLengthAlong(record.Normal) : 0.0) * record.Normal;
   Copy(toWorld(start + reach), latest.SurfacePosition);
@@ -372,8 +372,8 @@ void DeviceSession::ShowNumbers()
   latest.NormalForce = record.NormalForce;
   latest.FrictionForce = record.FrictionForce;
   latest.DragForce = record.DragForce;
-  // Tension of the spring at the beginning of the last tick; solvers other than PRECISE leave it at
-  // 1.
+  // Tension of the spring at the beginning of the last tick. Only the solver PRECISE changes it
+  // from 1.
   const double tension = this->State.Before.Precise.Spring.Tension;
   latest.Slack = record.Contact != ContactState::Free ? std::clamp(1.0 - tension, 0.0, 1.0) *
       std::sqrt(vtkMath::Distance2BetweenPoints(latest.TipPosition, latest.ProxyPosition))
@@ -402,7 +402,8 @@ void DeviceSession::PollRoundTrip()
   const bool isFelt = Norm(this->State.Record.Force) > 0.0;
   const double counted = measured > 0.0 ? std::max(measured, 1.0 / this->Rate) : 0.0;
   const bool isOther = this->RoundTrip.Update(counted, ServoClock::Now(), isFelt);
-  // A stiffness that rises gives energy to a hand that presses a spring.
+  // Raise the stiffness only when nothing is felt: it would add energy to a spring that the hand
+  // presses.
   const double gain = this->RoundTrip.Get() > 0.0 ? this->WantedGain : 1.0;
   const bool isGainOther = gain < this->Gain || (gain > this->Gain && !isFelt);
   this->Gain = isGainOther ? gain : this->Gain;

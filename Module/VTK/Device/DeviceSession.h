@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The parts behind vtkHapticDevice: the open back end, its running servo, and the latest state.
+ * The implementation behind vtkHapticDevice: the open back end, its running servo, and the latest
+ * state.
  */
 #ifndef DeviceSession_h
 #define DeviceSession_h
@@ -33,7 +34,7 @@ class vtkTable;
 namespace VolumeHaptics
 {
 
-/** Values of `share` in DeviceSession::SetBackgroundWork. */
+/** Special values of `share` in DeviceSession::SetBackgroundWork. */
 constexpr double WorkEnded = -1.0;
 constexpr double FractionUnknown = -2.0;
 
@@ -45,69 +46,74 @@ public:
   bool Open(const std::string& id, const DeviceOptions& options, std::string& error);
   void Close();
   bool IsOpen() const { return this->Backend != nullptr; }
-  /** Returns a number that changes with each Open or Close. */
+  /** Returns a counter that changes with each Open or Close. */
   int GetOpening() const { return this->Opening; }
   const std::string& GetId() const { return this->Id; }
   DeviceLimits GetLimits() const
   {
     return this->Backend ? this->Backend->GetLimits() : DeviceLimits{};
   }
-  /** Returns the back end if the program leads its tip; null otherwise. */
+  /** Returns the back end if the program moves its tip; null otherwise. */
   VirtualDevice* GetVirtual() const { return this->Virtual; }
   /**
-   * Returns whether the mouse may lead the tip. The tip of an XR device is led by a headset
-   * instead.
+   * Returns whether the mouse may move the tip. The tip of an XR device follows the headset's
+   * controller instead.
    */
   bool MayMouseLead() const { return this->Virtual && !this->Xr; }
-  /** Returns how strongly to vibrate: see vtkHapticVirtualHand::TakeVibration. */
+  /** Returns the strength of vibration: see vtkHapticVirtualHand::TakeVibration. */
   double TakeVibration() { return this->Xr ? this->Xr->DrainAmplitude() : 0.0; }
 
   ///@{
   /**
-   * GetFacts() returns the facts of the device: those in the user's file (DeviceMemory.h), or, if
-   * the file does not remember the device, the facts since Open. DrainMemoryTrouble() returns an
-   * error of that file that occurred since its last call; empty if there was none.
+   * GetFacts() returns the device's stored facts from the user's file (DeviceMemory.h), or, for a
+   * device that the file does not store, the facts found since Open. DrainMemoryTrouble() returns
+   * an error of that file that occurred since the last call; empty if there was none.
    */
   const DeviceFacts& GetFacts() const { return this->Facts; }
   std::string DrainMemoryTrouble() { return std::exchange(this->MemoryTrouble, {}); }
-  /** Returns whether the device has facts: it gives force and has an identity. */
+  /** Returns whether facts are kept about the device: it gives force and has an identity. */
   bool HasFacts() const { return !this->Identity.empty(); }
-  /** Returns whether the user's file remembers its facts: no other device has its identity. */
+  /**
+   * Returns whether the user's file stores the device's facts: its identity must be unique to it.
+   */
   bool IsRemembered() const { return this->HasFacts() && this->Backend->KeepsIdentity(); }
-  /** Describes the device's calibration; empty if the device has no facts. */
+  /** Describes the device's calibration; empty if no facts are kept about the device. */
   std::string DescribeCalibration() const
   {
     return this->HasFacts() ? this->Facts.DescribeScale() : std::string();
   }
-  /** Returns whether the device's signs have to be confirmed before anything is felt. */
+  /**
+   * Returns whether the user has to confirm the signs of the device's axes before anything is felt.
+   */
   bool NeedsConfirmation() const;
   /** Returns whether the device is open and needs no confirmation. */
   bool AreSignsConfirmed() const { return this->IsOpen() && !this->NeedsConfirmation(); }
   /**
-   * Makes the next Start require that the signs are confirmed again. Call it while the servo does
-   * not run.
+   * Makes the next Start require a new confirmation of the signs. Call this only while the servo is
+   * stopped.
    */
   void ForgetConfirmation();
-  /** Sets how many newtons the device gives for each newton that it is asked for. */
+  /** Sets the ratio of the force that the device gives to the force that is commanded. */
   void SetForceScale(double scale);
   ///@}
 
-  /** Starts the servo; the placement maps the world positions of a replay. */
+  /**
+   * Starts the servo. The placement of the model maps the world positions of a replay to the
+   * device.
+   */
   void Start(double rate, const SafetyLimits& limits, std::shared_ptr<const HapticModel> model,
     const Affine3& deviceToWorld);
   void Stop();
   bool IsRunning() const { return this->Servo != nullptr; }
-  /**
-   * Returns whether this process itself started the servo, or no servo runs; false in a fork of the
-   * process that started it.
-   */
+  /** Returns whether no servo runs or this process started it; false in a fork of that process. */
   bool IsOurs() const { return !this->Servo || this->Servo->IsOurs(); }
   ///@{
   /** Returns the loop of the servo; null if the servo does not run. */
   ServoLoop* GetLoop() const { return this->Servo ? &this->Servo->GetLoop() : nullptr; }
   /**
-   * Sets how the hand holds its tool, in the device's space, if the device measures no orientation:
-   * see HandTurn.h. Holds for this and later servos. An empty `orientation` removes it.
+   * Sets the orientation of the tool in the hand, in the device's space, for a device that measures
+   * no orientation: see HandTurn.h. Applies to this and later servos. An empty `orientation`
+   * removes it.
    */
   void TurnHand(const std::optional<Quaternion>& orientation);
   ///@{
@@ -119,71 +125,72 @@ public:
   ///@}
 
   /**
-   * Computes the device's caps for the measured round trip or the period of this rate (Hz),
-   * whichever is longer.
+   * Computes the force caps of the device for the measured round trip or the period of this rate
+   * (Hz), whichever is longer.
    */
   ForceCaps ComputeCaps(double rate) const;
   /**
-   * Sets vtkHapticDevice::SetStiffnessGain. A larger gain takes effect when nothing is felt and the
-   * round trip is known.
+   * Sets the gain of vtkHapticDevice::SetStiffnessGain. A larger gain takes effect once nothing is
+   * felt and the round trip is known.
    */
   void SetStiffnessGain(double gain) { this->WantedGain = gain; }
-  /**
-   * Returns the caps of the felt model, which include the user's caps. All are 0 without a model.
-   */
+  /** Returns the caps of the felt model, including the user's caps; all are 0 without a model. */
   ForceCaps GetCaps() const;
 
-  /** Returns the ticks per second of the running servo. */
+  /** Returns the rate (Hz) of the running servo. */
   double GetRate() const { return this->Rate; }
 
-  /** Reports that the owner is present: see vtkHapticDevice::SetAttentionTime. */
+  /** Restarts the attention time: see vtkHapticDevice::SetAttentionTime. */
   void Attend();
   void Arm(bool on);
   void FadeOut();
-  /** See ServoLoop::IsArmOrdered. */
+  /** Returns whether Arm was the last order: see ServoLoop::IsArmOrdered. */
   bool IsArmOrdered() const
   {
     return this->Servo ? this->Servo->GetLoop().IsArmOrdered()
                        : this->ArmsAtStart && !this->Clutched;
   }
   ///@{
-  /** See vtkHapticDevice::SetClutch. The clutch outlives the servo and the open device. */
+  /**
+   * See vtkHapticDevice::SetClutch. The clutch persists when the servo stops or the device is
+   * closed.
+   */
   void SetClutched(bool on);
   bool IsClutched() const { return this->Clutched; }
-  /** Returns whether force returns when the clutch ends, as far as the orders so far decide. */
+  /** Returns whether the orders so far make force return when the clutch ends. */
   bool ReturnsAfterClutch() const
   {
     return this->Servo ? this->Servo->GetLoop().ReturnsAfterClutch()
                        : this->Clutched && this->ArmsAtStart;
   }
   ///@}
-  /** Returns whether the last order was Arm, clutched or not. */
+  /** Returns whether the last order was Arm, even if the clutch suspends it. */
   bool HasArmOrder() const { return this->IsArmOrdered() || this->ReturnsAfterClutch(); }
   ///@{
   /**
    * Announce the beginning and the end of work of the owner: see vtkHapticDevice::BeginLongWork.
-   * BeginWork returns true if the force ends because of the work. EndWork returns true if the force
-   * may come back. Works nest and outlive the servo.
+   * BeginWork returns true if the force is switched off because of the work. EndWork returns true
+   * if the force may come back. Work may be nested and may continue after the servo has stopped.
    */
   bool BeginWork(const std::string& what, bool isLong);
   bool EndWork();
   bool HasWork() const { return !this->Works.empty(); }
   ///@}
   /**
-   * Stores for the status background work that nothing waits for, such as "the volume is hashed".
-   * `share` is the fraction that is done, or FractionUnknown, or WorkEnded.
+   * Stores, for the status, background work that blocks nothing, such as "the volume is hashed".
+   * `share` is the fraction that is done, FractionUnknown, or WorkEnded.
    */
   void SetBackgroundWork(const std::string& what, double share);
   /**
-   * Stores, for the status, the data for which a volume that is read by regions waits; empty if it
-   * does not wait.
+   * Stores, for the status, which data a volume that is read by regions waits for; empty if it is
+   * not waiting.
    */
   void SetRegionStatus(const std::string& status) { this->RegionStatus = status; }
   /**
-   * Stores for the status which time steps a moving volume waits for; empty if it does not wait.
+   * Stores, for the status, which time steps a moving volume waits for; empty if it is not waiting.
    */
   void SetTimeStepsStatus(const std::string& status) { this->TimeStepsStatus = status; }
-  /** Returns whether the device is open and its last reported condition is ready. */
+  /** Returns whether the device is open and last reported that it is ready. */
   bool IsReady() const
   {
     return this->Backend && this->Backend->GetCondition().Stage == DeviceStage::Ready;
@@ -198,12 +205,12 @@ public:
   }
 
   /**
-   * Reads the latest state from the servo. Uses `deviceToWorld` if the state has no model. Returns
-   * false if there is no new state.
+   * Reads the latest state from the servo. A state without a model is placed by `deviceToWorld`.
+   * Returns false if there is no new state.
    */
   bool Update(const Affine3& deviceToWorld);
   const ServoSnapshot& GetState() const { return this->State; }
-  /** Returns the model of the latest state; null without one. */
+  /** Returns the model of the latest state; null if it has none. */
   const HapticModel* FindModel()
   {
     return this->Servo ? this->Servo->GetTicks().FindModel(this->State.Generation) : nullptr;
@@ -212,12 +219,17 @@ public:
   /** Writes all states since a reader's last call as rows of a table: see vtkHapticState::Drain. */
   void DrainStates(const Affine3& deviceToWorld, vtkTable* table, int reader);
   ///@{
-  /** Reserve and release a reader's number for DrainStates(): see vtkHapticState::AddReader. */
+  /**
+   * Reserve and release the number of a reader for DrainStates(): see vtkHapticState::AddReader.
+   */
   int AddReader();
   void RemoveReader(int reader);
   ///@}
 
-  /** Returns the status as of the last Update. The result points into this object. */
+  /**
+   * Returns the status as of the last Update. The result points into this object, so do not keep
+   * it.
+   */
   DeviceStatus GetStatus() const;
 
   /** Returns the latest state as users of vtkHapticDevice see it. */
@@ -229,45 +241,42 @@ private:
     std::string What;
     bool IsLong;
   };
-  /** Returns the outermost work that is long; null if there is none. */
+  /** Returns the outermost work in progress that is long; null if there is none. */
   const Work* FindLongWork() const;
-  /** Copies to GetLatest() the numbers of the latest state that do not depend on the placement. */
+  /** Copies the numbers of the latest state that do not depend on the placement to GetLatest(). */
   void ShowNumbers();
-  /**
-   * If the measured round trip requires other force caps, publishes the latest model again with
-   * these caps.
-   */
+  /** Publishes the latest model with new force caps if the measured round trip requires them. */
   void PollRoundTrip();
-  /** Writes the facts to the user's file if the device is remembered. */
+  /** Writes the facts to the user's file if that file stores the device. */
   void Remember();
   void RequireConfirmation();
 
   std::string Id;
   std::unique_ptr<DeviceBackend> Backend;
-  std::string Identity; ///< identity of the device; empty if it has no facts
+  std::string Identity; ///< identity of the device; empty if no facts are kept about it
   DeviceFacts Facts;
   std::string MemoryTrouble;
   int Opening = 0;
   VirtualDevice* Virtual = nullptr;
-  XrDevice* Xr = nullptr; ///< set for an XR device; Virtual is set, too
+  XrDevice* Xr = nullptr; ///< null unless it is an XR device; Virtual is then set, too
   bool IsReplay = false;
   RecordedTips Replay;
   std::unique_ptr<ServoThreads> Servo;
   ServoSnapshot State;
   const vtkNew<vtkHapticState> Latest;
-  bool ArmsAtStart = false;           ///< whether Arm was ordered before the servo ran
-  bool Clutched = false;              ///< last order of SetClutched
+  bool ArmsAtStart = false;           ///< whether Arm was ordered before the servo started
+  bool Clutched = false;              ///< last value of SetClutched
   std::optional<Quaternion> HandTurn; ///< see TurnHand
-  bool Spinning = false;              ///< last order of Spin
+  bool Spinning = false;              ///< last value of Spin
   double Rate = 0.0;
   RoundTripInUse RoundTrip;
   double WantedGain = 1.0;
-  double Gain = 1.0;                             ///< gain of ForceAugmentation.h in use
-  std::map<std::string, double> BackgroundWorks; // fraction that is done, by the work's name
+  double Gain = 1.0;                             ///< gain in effect (ForceAugmentation.h)
+  std::map<std::string, double> BackgroundWorks; // fraction done, by the name of the work
   std::string RegionStatus;
   std::string TimeStepsStatus;
   std::vector<Work> Works;
-  std::set<int> Readers; ///< numbers that AddReader has reserved
+  std::set<int> Readers; ///< numbers in use, reserved by AddReader
 };
 
 } // namespace VolumeHaptics

@@ -19,8 +19,8 @@ std::string NameAxis(const SignVerdict& signs)
 }
 
 /**
- * Returns advice for a wheel whose second axis is a pedal without a motor, although the descriptor
- * lists two axes.
+ * Returns advice for a wheel whose second axis is a pedal without a motor, though its descriptor
+ * lists two force axes.
  */
 std::string SuggestOneMotor(const std::string& id, const SignVerdict& signs)
 {
@@ -30,7 +30,7 @@ std::string SuggestOneMotor(const std::string& id, const SignVerdict& signs)
     : "";
 }
 
-/** Describes the fault of a device and the cure. */
+/** Describes a device's fault, with the cure. */
 std::string Explain(GateReason fault, const SignVerdict& signs, const std::string& id)
 {
   switch (fault)
@@ -69,7 +69,7 @@ std::string Explain(GateReason fault, const SignVerdict& signs, const std::strin
   }
 }
 
-/** Describes why the gate lets less than the whole force through. */
+/** Describes why the gate passes less than the full force. */
 const char* DescribeReason(GateState state, GateReason reason)
 {
   switch (reason)
@@ -110,7 +110,7 @@ std::string DescribeShare(const ServoSnapshot& state)
         : "");
 }
 
-/** Describes times and caps as far as they are known. */
+/** Describes the known times and force caps. */
 std::string DescribeTiming(const DeviceStatus& status)
 {
   std::string text;

@@ -34,8 +34,8 @@ void GuardedSignal::Record(const struct sigaction& action) noexcept
   {
     ++at;
   }
-  // If the action is already in the list, the actions after it are dropped. If the list is full, it
-  // replaces the last one.
+  // If the action is already in the list, drop the actions after it. If the list is full, replace
+  // the last one.
   at = at < Most ? at : Most - 1;
   this->Before[at] = action;
   this->Count.store(at + 1);
@@ -84,7 +84,7 @@ void GuardedSignal::PutBack(int count) noexcept
 
 bool ComesAgain(int number, const siginfo_t& info) noexcept
 {
-  // A code above zero means that the kernel caused the signal; otherwise a program sent it. Damaged
+  // A code above zero means that the kernel raised the signal; otherwise a program sent it. Damaged
   // memory that was found before its use (BUS_MCEERR_AO) is not yet a crash.
   return (number == SIGSEGV || number == SIGBUS || number == SIGFPE || number == SIGILL) &&
     info.si_code > 0

@@ -5,9 +5,9 @@
  * A signal with a handler of this library, installed in front of the earlier handlers.
  *
  * Crash reporters also install handlers. A reporter that is installed later may restore this
- * library's handler and send the signal again. The earlier handlers are therefore kept as a list,
- * and each round removes one from it, so that each gets the signal, and the default action comes
- * last.
+ * library's handler and send the signal again. The earlier handlers are therefore kept in a list.
+ * Each time the signal comes back, one is removed from the list and restored, so that each handler
+ * gets the signal, and the default action comes last.
  */
 #ifndef GuardedSignal_h
 #define GuardedSignal_h
@@ -20,9 +20,9 @@ namespace VolumeHaptics
 
 enum class SignalManner
 {
-  Deliver,       ///< the watcher ends the force, then sends the signal again
-  Crash,         ///< the signal comes again when the handler returns
-  CrashIfDefault ///< the same as Crash, but installed only if the signal has its default action
+  Deliver,       ///< the watcher thread ends the force, then sends the signal again
+  Crash,         ///< the signal is raised again when the handler returns
+  CrashIfDefault ///< same as Crash, but the handler is installed only over the default action
 };
 
 class GuardedSignal
@@ -39,14 +39,16 @@ public:
 
   int GetNumber() const noexcept { return this->Number; }
 
-  /** Installs the handler for the signal's manner in front, unless it is there already. */
+  /**
+   * Installs the handler for the signal's manner in front of the others, unless it is already
+   * there.
+   */
   void Install(Deliverer deliverer, Crasher crasher) noexcept;
-  /** Returns the number of earlier handlers that are left, which changes with each PutBack. */
+  /** Returns the number of earlier handlers that are left; each PutBack() changes it. */
   int CountBefore() const noexcept { return this->Count.load(); }
   /**
-   * Restores the next earlier handler, if `count` of them are still left, and if no other handler
-   * was put in front since this one was installed. Signal handlers may call it, on several threads
-   * at once.
+   * Restores the next earlier handler, if `count` of them are still left and no other handler was
+   * installed in front since. Safe to call in signal handlers, on several threads at once.
    */
   void PutBack(int count) noexcept;
 
@@ -64,7 +66,10 @@ private:
   std::atomic<int> Count{ 0 };
 };
 
-/** Returns whether the instruction that crashed runs and crashes again when the handler returns. */
+/**
+ * Returns whether the instruction that crashed runs again, and crashes again, when the handler
+ * returns.
+ */
 bool ComesAgain(int number, const siginfo_t& info) noexcept;
 
 } // namespace VolumeHaptics

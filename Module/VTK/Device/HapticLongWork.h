@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Announces long work to a device for the time of a C++ scope, because the device may have to turn
- * its force off during that time.
+ * Announces long work to a device for the duration of a C++ scope, because the device may have to
+ * turn its force off meanwhile.
  */
 #ifndef HapticLongWork_h
 #define HapticLongWork_h
@@ -14,7 +14,7 @@
 namespace VolumeHaptics
 {
 
-/** Calls vtkHapticDevice::BeginLongWork, and EndLongWork at the end of the scope. */
+/** Calls vtkHapticDevice::BeginLongWork in its constructor and EndLongWork in its destructor. */
 class LongWork
 {
 public:

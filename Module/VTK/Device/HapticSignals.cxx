@@ -35,8 +35,8 @@ namespace
 {
 
 /**
- * Longest time (ms) that an ending process waits for its devices. Servos with a hanging loop take
- * 40 ms; the rest is for a machine so busy that the watcher does not run.
+ * Longest time (ms) that an ending process waits for its devices. A servo whose loop hangs takes 40
+ * ms; the rest allows for a machine so busy that the watcher thread does not run.
  */
 constexpr int LongestWait = 2000;
 
@@ -49,8 +49,8 @@ struct Guarded
 PerProcess<Guarded> GuardedOfProcess;
 
 /**
- * Id of the process that owns the devices and the running watcher. A forked child inherits copies
- * of everything else, but has neither devices nor a watcher. Set last.
+ * Id of the process that owns the devices and the running watcher thread. A forked child inherits
+ * copies of everything else, but has neither devices nor a watcher. Set last.
  */
 std::atomic<std::int64_t> Owner{ 0 };
 
@@ -68,9 +68,9 @@ class SignalsBlocked
 #else
 
 /**
- * Blocks signals on the calling thread while this lives: otherwise a handler on this thread would
- * wait for the watcher, which waits for this thread's mutex. Signals that a crash of the thread
- * itself causes are not blocked, so they always reach the earlier handlers.
+ * Blocks signals on the calling thread for its lifetime. Without it, a handler on this thread would
+ * wait for the watcher, which waits for this thread's mutex. Signals of a crash are not blocked, so
+ * they always reach the earlier handlers.
  */
 class SignalsBlocked
 {
@@ -99,7 +99,7 @@ void QuenchAll() noexcept
 {
   if (!IsOwner())
   {
-    return; // this is a forked child: the devices belong to the parent
+    return; // forked child: the devices belong to the parent
   }
   [[maybe_unused]] const SignalsBlocked blocked{};
   Guarded& guarded = GuardedOfProcess.Get();
@@ -111,15 +111,14 @@ void QuenchAll() noexcept
       ServoThreads::Quench(guarded.Servos);
       return;
     }
-    // The lock's owner may be the thread that ends the process, so do not wait for it without a
-    // limit.
+    // Wait only for a limited time: the lock's owner may be the thread that ends the process.
     ServoClock::SleepUntil(ServoClock::Now() + ServoClock::Millisecond);
   }
 }
 
 #if defined(_WIN32)
 
-HANDLE Asked = nullptr; ///< event that makes the watcher end the force
+HANDLE Asked = nullptr; ///< event that asks the watcher to end the force
 std::atomic<DWORD> Watcher{ 0 };
 std::atomic<unsigned> Answers{ 0 };
 LPTOP_LEVEL_EXCEPTION_FILTER BeforeCrash = nullptr;
@@ -128,8 +127,8 @@ AbortHandler BeforeAbort = SIG_DFL;
 bool IsInstalled = false;
 
 /**
- * Makes the watcher end the force, on its own stack and without this thread's locks. May be called
- * by a thread that crashes.
+ * Asks the watcher to end the force, on its own stack and without this thread's locks. Safe on a
+ * thread that crashes.
  */
 void QuenchByWatcher() noexcept
 {
@@ -145,11 +144,11 @@ void QuenchByWatcher() noexcept
   }
 }
 
-/** Handles Ctrl+C, the end of the console and the log-off, on a thread that the system makes. */
+/** Handles Ctrl+C, the closing of the console and the log-off, on a thread that Windows creates. */
 BOOL WINAPI OnConsole(DWORD)
 {
   QuenchAll();
-  return FALSE; // the earlier handlers follow
+  return FALSE; // lets the earlier handlers run next
 }
 
 LONG WINAPI OnCrash(EXCEPTION_POINTERS* what)
@@ -184,7 +183,7 @@ void Uninstall()
   }
   IsInstalled = false;
   SetConsoleCtrlHandler(OnConsole, FALSE);
-  // Handlers that were installed later stay in front: they call the handlers of this library.
+  // Leave handlers that were installed later in front: they call the handlers of this library.
   const LPTOP_LEVEL_EXCEPTION_FILTER filter = SetUnhandledExceptionFilter(BeforeCrash);
   if (filter != OnCrash)
   {
@@ -213,7 +212,7 @@ void StartWatching()
     .detach();
 }
 
-/** Keeps stack for the handler of a stack overflow. */
+/** Reserves stack space for the handler of a stack overflow. */
 void PrepareThread()
 {
   ULONG kept = 1 << 16;
@@ -223,7 +222,7 @@ void PrepareThread()
 #else
 
 GuardedSignal Signals[] = {
-  // Programs handle these signals and continue. Ctrl+Z stops all threads at once.
+  // Signals that programs handle and continue after. Ctrl+Z stops all threads at once.
   { SIGINT, SignalManner::Deliver },
   { SIGTERM, SignalManner::Deliver },
   { SIGHUP, SignalManner::Deliver },
@@ -235,7 +234,7 @@ GuardedSignal Signals[] = {
   { SIGFPE, SignalManner::Crash },
   { SIGILL, SignalManner::Crash },
   { SIGABRT, SignalManner::Crash },
-  // Other signals that end or stop a process that does not handle them.
+  // Other signals whose default action ends or stops a process.
   { SIGALRM, SignalManner::CrashIfDefault },
   { SIGIO, SignalManner::CrashIfDefault },
   { SIGPIPE, SignalManner::CrashIfDefault },
@@ -265,18 +264,18 @@ GuardedSignal& FindSignal(int number) noexcept
 int Pipe[2] = { -1, -1 };
 pthread_t Watcher;
 std::atomic<unsigned> Answers{ 0 };
-/** A byte that only requests an answer; all other bytes are signals to deliver. */
+/** Byte that only requests an answer; all other bytes are numbers of signals to deliver. */
 constexpr unsigned char NoSignal = 0;
 
 void Ask(unsigned char byte) noexcept
 {
   const ssize_t written = write(Pipe[1], &byte, 1);
-  static_cast<void>(written); // fails only if the pipe is full of requests
+  static_cast<void>(written); // a write fails only if the pipe is full of requests
 }
 
 /**
- * Makes the watcher end the force, on its own stack and without this thread's locks. May be called
- * from a signal handler.
+ * Asks the watcher to end the force, on its own stack and without this thread's locks. Safe in a
+ * signal handler.
  */
 void QuenchByWatcher() noexcept
 {
@@ -292,7 +291,10 @@ void QuenchByWatcher() noexcept
   }
 }
 
-/** Handles signals that end nothing when the handler returns: the watcher sends them again. */
+/**
+ * Handles signals whose default action is left to the watcher: it sends them again for the earlier
+ * handlers.
+ */
 extern "C" void OnDelivered(int number)
 {
   const int keep = errno;
@@ -303,7 +305,7 @@ extern "C" void OnDelivered(int number)
   else
   {
     // A forked child shares the pipe, but the devices and the thread at its other end belong to the
-    // parent. Here the signal comes again when this handler returns.
+    // parent. Raise the signal again here for the earlier handlers.
     GuardedSignal& signal = FindSignal(number);
     signal.PutBack(signal.CountBefore());
     raise(number);
@@ -311,13 +313,17 @@ extern "C" void OnDelivered(int number)
   errno = keep;
 }
 
-/** Makes the crashed thread wait for the devices, and then crash again without this handler. */
+/**
+ * Makes the crashed thread wait until the devices are safe, and then crash again without this
+ * handler.
+ */
 extern "C" void OnCrash(int number, siginfo_t* info, void*)
 {
   const int keep = errno;
   GuardedSignal& signal = FindSignal(number);
   const int count = signal.CountBefore();
-  CrashGuard::RunAct(); // first, because a device's thread does not answer the watcher any more
+  CrashGuard::RunAct(); // run this first, because a device's thread does not answer the watcher any
+                        // more
   QuenchByWatcher();
   signal.PutBack(count);
   if (!ComesAgain(number, *info))
@@ -345,7 +351,7 @@ void Uninstall()
 
 void Watch(int end)
 {
-  const SignalsBlocked blocked{}; // leaves the signals to the threads that handled them before
+  const SignalsBlocked blocked{}; // the threads that handled the signals before shall keep doing so
   unsigned char byte = NoSignal;
   for (;;)
   {
@@ -371,8 +377,8 @@ void Watch(int end)
 }
 
 /**
- * Starts the watcher. If there is no room for the pipe or the thread, throws std::system_error and
- * undoes its work.
+ * Starts the watcher. Throws std::system_error and cleans up if the process can get no pipe or no
+ * thread.
  */
 void StartWatching()
 {
@@ -382,7 +388,7 @@ void StartWatching()
   }
   fcntl(Pipe[0], F_SETFD, FD_CLOEXEC);
   fcntl(Pipe[1], F_SETFD, FD_CLOEXEC);
-  // A handler must never block: if the pipe is full, a signal is under way anyway.
+  // A handler must never block. If the pipe is full, a signal is already on its way.
   fcntl(Pipe[1], F_SETFL, O_NONBLOCK);
   try
   {
@@ -426,7 +432,7 @@ void GuardServo(ServoThreads* servo)
   static const bool hooked = []
   {
     BeforeTerminate = std::set_terminate(OnTerminate);
-#if !defined(__APPLE__) && !defined(__MINGW32__) // they lack it
+#if !defined(__APPLE__) && !defined(__MINGW32__) // macOS and MinGW lack quick_exit
     std::at_quick_exit(QuenchAll);
 #endif
     return std::atexit(QuenchAll) == 0;
@@ -439,7 +445,7 @@ void GuardServo(ServoThreads* servo)
   auto& servos = guarded.Servos;
   if (!IsOwner())
   {
-    // A forked child has neither its parent's devices nor the watching thread.
+    // A forked child has inherited neither its parent's devices nor the watcher thread.
     StartWatching();
     Owner = ServoClock::GetProcess();
   }

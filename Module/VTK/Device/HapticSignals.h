@@ -28,10 +28,10 @@ namespace VolumeHaptics
 class ServoThreads;
 
 /**
- * Guards a servo. Call it from the owner's thread when a servo starts and each time it is armed,
- * because a signal that the process survives removes the guard. A servo must be released before it
- * is destroyed. Throws std::system_error or std::bad_alloc if the process gets no more files,
- * threads or memory: a servo that was not guarded yet must then not be armed.
+ * Guards a servo. Call this from the owner's thread when a servo starts and each time it is armed,
+ * because a signal that the process survives removes the guard. Release a servo before destroying
+ * it. Throws std::system_error or std::bad_alloc if the process gets no more files, threads or
+ * memory; do not arm a servo that was not guarded before.
  */
 void GuardServo(ServoThreads* servo);
 void ReleaseServo(ServoThreads* servo);

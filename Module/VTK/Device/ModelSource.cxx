@@ -29,7 +29,10 @@ vtkSmartPointer<vtkHapticRegionSource> RegionSourceOf(vtkVolumeHapticsFilter* fi
 }
 
 ///@{
-/** Result of Prepare() while time steps wait for their meshes, or for earlier time steps. */
+/**
+ * Results of Prepare() for the status text, while time steps wait for their meshes or for earlier
+ * time steps.
+ */
 constexpr char TimeStepMeshingWork[] = "the surfaces of the frames are meshed";
 constexpr char TimeStepFeelingWork[] = "the frames before the new ones are felt to their end";
 ///@}
@@ -83,7 +86,7 @@ std::string ModelSource::GetMethodText() const
 
 bool ModelSource::Make(double rate, std::shared_ptr<const HapticModel>& model)
 {
-  // Observers of the work may give the device another filter.
+  // Keep a reference, because observers of the work may set another filter on the device.
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
   if (filter)
   {
@@ -122,7 +125,7 @@ std::shared_ptr<const HapticModel> ModelSource::FitToHand(
     this->WithTool = this->ForPoint = nullptr;
     return model;
   }
-  // Keep both, because the device is published in every frame while it follows the camera.
+  // Cache both volumes, because the device is published in every frame while it follows the camera.
   if (this->WithTool != model->Baked)
   {
     this->WithTool = model->Baked;
@@ -268,12 +271,12 @@ bool ModelSource::PollRegion(std::string& status)
   const vtkSmartPointer<vtkHapticRegionSource> source = RegionSourceOf(filter);
   if (!this->Leads(source))
   {
-    // The region is around the tip of another device. Where it does not reach, the force fades.
+    // The region follows the tip of another device. The force fades outside of it.
     status = source ? "It feels the region around the other hand." : "";
     return source && this->Awaited != MeshingWork && !this->IsUpToDate();
   }
-  // The next region waits until the surface in this one can be felt: otherwise a moving hand would
-  // end every meshing before it is done.
+  // Publish the next region only once the surface in this one can be felt: otherwise each move of
+  // the hand would cancel the meshing before it is done.
   vtkHapticState* const state = this->Session.GetLatest();
   bool hasCome = false;
   if (state->GetTime() > 0.0 && this->Awaited != MeshingWork)
@@ -301,7 +304,7 @@ std::shared_ptr<const HapticModel> ModelSource::PollTimeSteps()
     model && std::any_of(model->Baked->TimeSteps.begin(), model->Baked->TimeSteps.end(), isShown);
   if (model && !hasShown)
   {
-    this->Shown.Clear(); // releases the model's memory, which is needed now
+    this->Shown.Clear(); // frees the memory of the shown model for the next one
   }
   return model;
 }

@@ -36,7 +36,7 @@ public:
   ~ModelSource();
 
   ///@{
-  /** Sets the filter. Returns false if it is unchanged. */
+  /** Sets the filter. Returns whether it differs from the previous one. */
   bool SetFilter(vtkVolumeHapticsFilter* filter);
   bool SetDeviceToWorld(vtkMatrix4x4* matrix);
   ///@}
@@ -44,26 +44,26 @@ public:
   vtkMatrix4x4* GetDeviceToWorld() const { return this->DeviceToWorld; }
 
   /**
-   * Makes a model of the filter for a rate (Hz), or null if there is no filter, and writes it to
-   * `model`. Returns false, after an error of the filter, if the filter can't be touched. If the
-   * servo runs, meshing that Prepare() left to Make() counts as long work.
+   * Makes a model of the filter for a rate (Hz) and stores it in `model`; null without a filter.
+   * Returns false, after an error of the filter, if the filter's input can't be touched. While the
+   * servo runs, meshing that Prepare() did not finish is announced as long work.
    */
   bool Make(double rate, std::shared_ptr<const HapticModel>& model);
   /**
-   * Returns null if Make would be quick now. Otherwise prepares the slow parts in the background,
-   * and returns a text that names the work for the status. Until Make is called later, the servo
-   * keeps its model.
+   * Returns null if Make would be quick now. Otherwise computes the slow parts in the background,
+   * and returns the name of that work for the status. The servo keeps its model until Make is
+   * called.
    * @param rate rate of the model, as for Make
    */
   const char* Prepare(double rate);
   /**
-   * Makes a model of the surface around the tip, for a rate (Hz), while Prepare() leaves the whole
-   * mesh to the background. Returns null if there is no new part of the surface.
+   * Makes a model of the surface around the tip, for a rate (Hz), while Prepare() makes the whole
+   * mesh in the background. Returns null if no new part of the surface is ready.
    */
   std::shared_ptr<const HapticModel> MakeRegion(double rate);
-  /** Ends the work that Prepare() began. */
+  /** Stops the background work of Prepare(). */
   void EndPreparing();
-  /** Returns whether the last Prepare() left something to the background. */
+  /** Returns whether the last Prepare() started background work. */
   bool IsAwaited() const { return this->Awaited != nullptr; }
 
   /**
@@ -71,21 +71,24 @@ public:
    * changed.
    */
   bool IsUpToDate() const;
-  /** Makes IsUpToDate() false until the next Make. */
+  /** Makes IsUpToDate() return false until the next Make(). */
   void Outdate() { this->MadeTime = 0; }
 
   /**
-   * Sets the latest position of the tip in the source of a volume that is read region by region.
-   * Returns whether the source has a new region, which makes the model out of date. Writes to
-   * `status` what the source waits for.
+   * Reports the latest tip position to the source of a volume that is read region by region.
+   * Returns whether the source has a new region, which makes the model out of date. Sets `status`
+   * to a text about what the source waits for.
    */
   bool PollRegion(std::string& status);
-  /** Makes the regions of the filter's source follow this tip, unless they follow another one. */
+  /**
+   * Makes the source read its regions around this device's tip, unless it already follows another
+   * tip.
+   */
   void TakeLead();
 
   ///@{
   /**
-   * Play the time steps of a moving volume. PollTimeSteps returns a model with the next time span
+   * Plays the time steps of a moving volume. PollTimeSteps returns a model of the next time span,
    * if there is one. LacksTimeSteps returns whether the volume should move although the last model
    * does not.
    */
@@ -93,8 +96,8 @@ public:
   std::shared_ptr<const HapticModel> PollTimeSteps();
   bool LacksTimeSteps() const;
   /**
-   * Returns whether a stream already had newer time steps when the last model was made of its time
-   * steps.
+   * Returns whether a stream already had newer time steps when the last model was made from its
+   * time steps.
    */
   bool IsBehind() const { return this->IsMadeOfTimeSteps && this->Playback.IsBehind(); }
   /** Returns whether the servo's model has time steps of a moving volume. */
@@ -109,33 +112,34 @@ public:
 
   ///@{
   /**
-   * Release the removals that Make() held: all of them when the servo has ended, otherwise the
-   * unused removals. When the servo has ended, also release the lead of a source of regions.
+   * Release the removals that Make() reserved: all of them when the servo has ended, otherwise only
+   * the unused ones. When the servo has ended, the source of regions may also follow another tip.
    */
   void LetRemovalsGo();
   void LetUnusedRemovalsGo();
   ///@}
 
-  /** Returns the felt method's name for users: see vtkHapticDevice::GetMethodText. */
+  /** Returns the name of the felt method for users: see vtkHapticDevice::GetMethodText. */
   std::string GetMethodText() const;
 
-  /** Returns DeviceToWorld of the servo's model, or that of the settings if there is no model. */
+  /** Returns DeviceToWorld of the servo's model; without a model, DeviceToWorld of the settings. */
   Affine3 GetPlacement() const;
 
 private:
   /**
-   * Returns the model, or if the device leaves the tool to another hand, the model for a point.
+   * Returns the model itself, or a copy that touches with a point if another device's hand holds
+   * the tool.
    */
   std::shared_ptr<const HapticModel> FitToHand(
     std::shared_ptr<const HapticModel> model, const ForceCaps& caps);
   /**
-   * Reserves for this device the removal that a model changes. Returns false and reports an error
-   * if another device holds it.
+   * Reserves the removal that a model changes for this device. Returns false and reports an error
+   * if another device has reserved it.
    */
   bool HoldRemovalOf(const HapticModel& model, vtkVolumeHapticsFilter* filter);
-  /** Returns whether the regions of a source, which may be null, follow this device's tip. */
+  /** Returns whether a source of regions follows this device's tip; false for null. */
   bool Leads(vtkHapticRegionSource* source);
-  /** Reports to the source of regions how long it took to make a model of its last region. */
+  /** Reports the time that the model of the last region took to the source of regions. */
   void ReportRegionMade();
 
   vtkHapticDevice* const Device;
@@ -145,20 +149,20 @@ private:
   const char* Awaited = nullptr;
   RegionMesher Regions;
   /**
-   * Removals of all models that the servo has had. They stay reserved because an older model may
-   * still tick.
+   * Removals of all models that the servo has used. They stay reserved because a tick may still use
+   * an older model.
    */
   std::vector<vtkSmartPointer<vtkHapticRemoval>> Held;
   DataPlayback Playback;
   TimeStepImage Shown;
   ///@{
-  /** The last volume that FitToHand() has changed, and the volume that it has made. */
+  /** Input and result of the last FitToHand() call that made a copy. */
   std::shared_ptr<const BakedVolume> WithTool;
   std::shared_ptr<const BakedVolume> ForPoint;
   ///@}
-  vtkSmartPointer<vtkHapticRegionSource> Led; ///< the source whose regions follow this tip
+  vtkSmartPointer<vtkHapticRegionSource> Led; ///< source whose regions follow this device's tip
   std::int64_t RegionTime = 0;    ///< arrival time (ServoClock) of the region that has no model yet
-  bool IsMadeOfTimeSteps = false; ///< whether the last model was made of a moving volume
+  bool IsMadeOfTimeSteps = false; ///< whether the last model contains time steps of a moving volume
   vtkMTimeType MadeTime = 0;      ///< modification time of the filter and its input at the last
                                   ///< Make
 };

@@ -10,15 +10,16 @@ namespace
 {
 
 /**
- * KeeperPeriod: pause of the keeper between two polls (ns). MostSilence: longest silence of the
- * loop before the keeper quenches it (ns).
+ * KeeperPeriod: interval (ns) at which the keeper polls. MostSilence: time (ns) without a tick
+ * after which the keeper quenches the device.
  */
 constexpr std::int64_t KeeperPeriod = 5000000;
 constexpr std::int64_t MostSilence = 40000000;
-/** Pause of Quench between two polls of the loop (ns). */
+/** Interval (ns) at which Quench polls the loop. */
 constexpr std::int64_t QuenchPoll = 200000;
 /**
- * Longest wait of Hold for a fade (ns). A fade takes 50 ms and may begin late on a busy machine.
+ * Longest time (ns) that Hold waits for a fade. A fade takes 50 ms and may begin late on a busy
+ * machine.
  */
 constexpr std::int64_t LongestFade = 250000000;
 
@@ -57,9 +58,9 @@ void ServoThreads::End()
 {
   if (this->HasEnded.load() || !this->IsOurs())
   {
-    return; // the threads have ended, or belong to the parent of this forked process
+    return; // the threads have already ended, or belong to the parent of this forked process
   }
-  // RequestStop() makes the threads below return; TerminateThread only joins them.
+  // RequestStop() makes the thread functions return; TerminateThread then only joins the threads.
   this->Loop.RequestStop();
   this->Threader->TerminateThread(this->LoopThread);
   this->Threader->TerminateThread(this->FitterThread);
@@ -165,8 +166,8 @@ void ServoThreads::Quench(const std::vector<ServoThreads*>& servos) noexcept
   for (ServoThreads* servo : servos)
   {
     servo->Backend.Quench();
-    // A running tick may still write a force after that. The second tick from now has seen Disarm;
-    // a loop that never reaches it does not write a force either.
+    // The running tick may still write a force. The second tick from now is the first that surely
+    // sees Disarm; if the loop hangs before it, it does not write a force either.
     servo->QuenchedTick = servo->Loop.GetTickCount() + 2;
     servo->HasSeenQuench = false;
   }

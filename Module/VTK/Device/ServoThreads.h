@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A running servo: the loop on a thread of its own, and five threads beside it.
+ * The threads of a running servo: the loop's own thread and five helper threads.
  *
  * The fitter thread computes local surfaces. The sample thread keeps the samples around the tip in
  * memory. The keeper thread does the work that must not run in the loop and must not wait for the
- * GUI: it collects ticks for a recording or a display, and quenches the device if the loop does not
- * answer. The watch thread wakes the loop up on another processor if the loop's own processor does
- * not do so in time. The fifth thread asks RealtimeKit for a real-time class for the loop if the
- * kernel refuses one, and ends.
+ * GUI: it collects ticks for a recording or a display, and quenches the device (sends zero force)
+ * if the loop does not answer. The watch thread wakes the loop up on another processor if the
+ * loop's own processor does not do so in time. The fifth thread asks RealtimeKit for real-time
+ * scheduling of the loop if the kernel refuses it, and then ends.
  */
 #ifndef ServoThreads_h
 #define ServoThreads_h
@@ -32,10 +32,10 @@ namespace VolumeHaptics
 class ServoThreads
 {
 public:
-  /** Starts the threads. The back end must be open and outlive them. */
+  /** Starts the threads. The back end must be open and must outlive them. */
   ServoThreads(DeviceBackend& backend, double rate, const SafetyLimits& limits,
     std::shared_ptr<const HapticModel> model);
-  /** Stops the loop, with zero force sent, and joins the threads. */
+  /** Sends zero force, stops the loop and joins the threads. */
   ~ServoThreads();
   ServoThreads(const ServoThreads&) = delete;
   ServoThreads& operator=(const ServoThreads&) = delete;
@@ -46,17 +46,17 @@ public:
   bool IsOurs() const { return this->Process == ServoClock::GetProcess(); }
 
   /**
-   * Makes the force fade (ServoLoop::Hold) and waits until it is gone, at most a quarter of a
+   * Fades the force out (ServoLoop::Hold) and waits until it is gone, at most a quarter of a
    * second.
    */
   void Hold() noexcept;
   /**
    * Quenches all these servos: when this returns, their devices have no force until they are armed
-   * again. All of them get the order before the first one is waited for, so that a hanging loop
-   * does not delay the others; this takes at most 40 ms for all together. Any thread may call it.
+   * again. Orders all of them to quench before it waits for the first, so that a hanging loop does
+   * not delay the others. Takes at most 40 ms in total. Any thread may call this.
    */
   static void Quench(const std::vector<ServoThreads*>& servos) noexcept;
-  /** Stops the loop, with zero force sent, and joins the threads, as the destructor does. */
+  /** Sends zero force, stops the loop and joins the threads, as the destructor does. */
   void End();
 
 private:
@@ -68,8 +68,8 @@ private:
   static VTK_THREAD_RETURN_TYPE RunRequest(void* info);
   void Keep();
   /**
-   * Returns whether the device has received the order of Quench and no tick that still runs can
-   * write a force. Call this after Quench has begun.
+   * Returns whether the device has received the order of Quench and no running tick can write a
+   * force any more. Call this only after Quench has begun.
    */
   bool IsQuenched() noexcept;
 
@@ -77,7 +77,7 @@ private:
   ServoLoop Loop;
   TickCollector Ticks{ Loop };
   vtkNew<vtkMultiThreader> Threader;
-  const std::int64_t Process = ServoClock::GetProcess(); // process that the threads belong to
+  const std::int64_t Process = ServoClock::GetProcess(); // process that started the threads
   int LoopThread = -1;
   int FitterThread = -1;
   int SampleThread = -1;
@@ -88,8 +88,8 @@ private:
   std::atomic<bool> HasEnded{ false };
   ///@{
   /**
-   * State of Quench, which only one thread at a time may call. QuenchedTick: number of the first
-   * tick that is sure to see the order. HasSeenQuench: whether that tick has come.
+   * State of Quench, which only one thread may call at a time. QuenchedTick: number of the first
+   * tick that surely sees the order. HasSeenQuench: whether that tick has run.
    */
   std::uint64_t QuenchedTick = 0;
   bool HasSeenQuench = false;

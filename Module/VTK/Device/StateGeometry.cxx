@@ -70,7 +70,7 @@ void WriteStateGeometry(
   const vtkVector3d& computed = state.ComputedForce;
   const vtkVector3d& normal = state.Normal;
   const vtkVector3d& force = isCommanded ? state.Force : computed;
-  // Cells are numbered vertices first; the arrays have the same order.
+  // vtkPolyData numbers its cells with vertices first, so fill the arrays in this order.
   addVertex(vtkHapticState::TIP, tip.GetData());
   addVertex(vtkHapticState::PROXY, proxy.GetData());
   addVertex(vtkHapticState::SURFACE_POSITION, state.SurfacePosition.GetData());
@@ -113,12 +113,14 @@ namespace
 {
 
 constexpr double StepVoxels = 0.5;
-/** Limit on the steps of a line: nobody could see the difference that more steps make. */
+/** Largest number of steps of a line; more steps would make no visible difference. */
 constexpr int MostSteps = 2000;
-/** Smallest number of steps after which a line may return to its first position. */
+/** Smallest number of steps after which a line may close at its first position. */
 constexpr int LeastClosed = 5;
 
-/** Computes the direction of a line at a position in voxels from the first position. */
+/**
+ * Returns the direction of a line at a position, given in voxels relative to the first position.
+ */
 class LineFunction : public vtkFunctionSet
 {
 public:
@@ -133,7 +135,7 @@ public:
     return isThere;
   }
 
-  /** Moves a position onto the line. Returns false if the line ends there. */
+  /** Projects a position onto the line. Returns false if the line ends there. */
   bool Return(double* x)
   {
     Vector3 place = this->ToPlace(x);
@@ -152,8 +154,8 @@ public:
   FollowedShapes* Shapes = nullptr;
   int Mode = 0;
   Vector3 Start;      ///< first position (m)
-  double Voxel = 1.0; ///< edge of a voxel (m)
-  Vector3 Direction;  ///< last direction read; fixes the sign of an eigenvector
+  double Voxel = 1.0; ///< edge length of a voxel (m)
+  Vector3 Direction;  ///< last direction read, which fixes the sign of an eigenvector
   int Steps = 0;
   bool IsClosed = false;
   bool IsAtEnd = false;
@@ -162,7 +164,7 @@ protected:
   LineFunction()
   {
     this->NumFuncs = 3;
-    this->NumIndepVars = 4; // includes the time
+    this->NumIndepVars = 4; // x, y, z and time
   }
 
 private:
@@ -175,7 +177,7 @@ private:
 };
 vtkStandardNewMacro(LineFunction);
 
-/** Integrates LineFunction instead of the vectors that the tracer interpolates. */
+/** Integrates LineFunction instead of the vectors that the tracer would interpolate. */
 class LineIntegrator : public vtkRungeKutta4
 {
 public:
@@ -187,7 +189,7 @@ public:
   int ComputeNextStep(double* from, double* derivatives, double* to, double t, double& step,
     double& taken, double least, double most, double allowed, double& error, void* data) override
   {
-    // The step that reaches the end still belongs to the line.
+    // Keep the step that reaches the end, because it still belongs to the line.
     const int failure = this->Line->IsAtEnd
       ? static_cast<int>(OUT_OF_DOMAIN)
       : this->Superclass::ComputeNextStep(
@@ -200,7 +202,7 @@ public:
 
 protected:
   LineIntegrator() = default;
-  /** Sets the line of the instance that vtkStreamTracer makes and integrates with. */
+  /** Copies the line to the instance that vtkStreamTracer creates for the integration. */
   vtkObjectBase* NewInstanceInternal() const override
   {
     LineIntegrator* const copy = LineIntegrator::New();
@@ -213,7 +215,10 @@ private:
 };
 vtkStandardNewMacro(LineIntegrator);
 
-/** Makes a single cell around the origin, with a vector of length 1. */
+/**
+ * Makes a single cell around the origin, with a unit vector at each point, as the tracer's data
+ * set.
+ */
 void MakeCell(double half, vtkImageData* cell)
 {
   cell->SetDimensions(2, 2, 2);
@@ -229,16 +234,16 @@ void MakeCell(double half, vtkImageData* cell)
 /**
  * Computes the points (m) of a line, up to `reach` voxels of length `voxel` (m) to either side of
  * where it was found; only one point if the line is too short. A closed line ends where it begins.
- * For the GUI thread.
+ * Call this on the GUI thread.
  *
  * The tracer's integrator, vtkRungeKutta4, calls a function that returns the directions that the
  * servo reads, in steps of half a voxel. It does not interpolate an array of the volume, for two
- * reasons. First, the hand does not feel trilinear interpolation: after 24 voxels along a flow with
- * waves of 12 voxels, a line traced by it is up to 0.36 voxel off, this one 0.003. Second, tensors
- * have no vectors, and ridges and guides have no array. The tracer's data set is therefore a single
- * cell around the position, in voxels relative to it. It is as large as lines may become, whatever
- * the volume's size. vtkHyperStreamline is not used, because it accepts no function and makes
- * tubes.
+ * reasons. First, the servo does not interpolate trilinearly: after 24 voxels along a flow with
+ * waves of 12 voxels, a line traced that way is up to 0.36 voxel off, and this line 0.003 voxel.
+ * Second, tensors have no vectors, and ridges and guides have no array. The tracer's data set is
+ * therefore a single cell around the position, in voxels relative to it. It is as large as lines
+ * may become, whatever the volume's size. vtkHyperStreamline is not used, because it accepts no
+ * function and makes tubes.
  */
 std::vector<Vector3> TraceFollowedLine(
   FollowedShapes& shapes, const FollowedShape& line, double voxel, double reach)
@@ -290,9 +295,9 @@ std::vector<Vector3> TraceFollowedLine(
 }
 
 constexpr int FrontCorners = 48;
-/** Radius of a front, as a fraction of the reach along lines. */
+/** Radius of a front's patch, as a fraction of the reach along lines. */
 constexpr double FrontFraction = 0.25;
-/** Length of a tensor, as a fraction of the reach along lines. */
+/** Length of a tensor glyph, as a fraction of the reach along lines. */
 constexpr double TensorFraction = 0.125;
 
 class ShapeWriter
@@ -309,7 +314,7 @@ public:
     this->Tensors->SetNumberOfComponents(9);
   }
 
-  /** Adds a tensor, scaled so that its first eigenvalue becomes a length (m). */
+  /** Adds a tensor, scaled so that its first eigenvalue equals a length (m). */
   void AddTensor(const FollowedShape& shape, double length)
   {
     this->Places->InsertNextCell(1);
@@ -378,7 +383,7 @@ private:
   vtkNew<vtkDoubleArray> Normals;
   vtkNew<vtkIntArray> Modes;
   vtkNew<vtkDoubleArray> Tensors;
-  vtkNew<vtkCellArray> Places; ///< vertices of the tensors
+  vtkNew<vtkCellArray> Places; ///< vertices at the tensors' positions
   vtkNew<vtkCellArray> Lines;
   vtkNew<vtkCellArray> Fronts;
 };
@@ -391,7 +396,8 @@ void WriteFollowed(
   FollowedShapes modes(model);
   const std::vector<FollowedShape> found = modes.Collect(proxy);
   ShapeWriter writer(model);
-  // Cells are numbered vertices first, then lines, then polygons; the array has the same order.
+  // vtkPolyData numbers its cells with vertices first, then lines, then polygons; fill the array in
+  // this order.
   const double voxel = 1.0 / model.MostVoxelsPerMeter;
   for (const FollowedShape& shape : found)
   {

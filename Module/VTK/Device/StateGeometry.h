@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A device's state as geometry, from a device or from what a client has sent, and the shapes on
- * which modes hold the hand.
+ * Converts a device's state to geometry, and the shapes that modes hold the hand on. The state
+ * comes from a device or from a client's message.
  */
 #ifndef StateGeometry_h
 #define StateGeometry_h
@@ -16,7 +16,7 @@ class vtkPolyData;
 namespace VolumeHaptics
 {
 
-/** The shown state: positions in world units, forces in N along the world's axes. */
+/** State to show: positions in world units, forces in N along the world's axes. */
 struct ShownState
 {
   vtkVector3d Tip;
@@ -30,10 +30,10 @@ struct ShownState
   double FrictionForce = 0.0;
   double Contact = 0.0;
   double SurfaceValue = 0.0;
-  double Orientation[4] = {}; ///< w, x, y, z; all 0 if there is none
+  double Orientation[4] = {}; ///< w, x, y, z; all 0 without an orientation
 };
 
-/** Replaces the output by the geometry that vtkHapticState::CopyToPolyData describes. */
+/** Replaces the output with the geometry that vtkHapticState::CopyToPolyData describes. */
 VTKVOLUMEHAPTICS_EXPORT void WriteStateGeometry(
   const ShownState& state, double forceScale, bool isCommanded, vtkPolyData* output);
 

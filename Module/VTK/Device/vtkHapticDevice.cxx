@@ -59,7 +59,7 @@ vtkHapticDevice::vtkHapticDevice()
 //------------------------------------------------------------------------------
 vtkHapticDevice::~vtkHapticDevice()
 {
-  // Observers must not receive a device that is being deleted.
+  // Remove the observers first, so that they do not receive a device that is being deleted.
   this->RemoveAllObservers();
   this->Shut();
 }
@@ -67,7 +67,7 @@ vtkHapticDevice::~vtkHapticDevice()
 //------------------------------------------------------------------------------
 bool vtkHapticDevice::Open(const char* id)
 {
-  const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
+  const vtkSmartPointer<vtkHapticDevice> self(this); // keeps the device alive: see Close
   this->Close();
   if (!this->Parts->Orders.Open(id ? id : "", this->MakeOptions()))
   {
@@ -123,7 +123,7 @@ void vtkHapticDevice::ResetMaximumTorque()
 //------------------------------------------------------------------------------
 void vtkHapticDevice::Close()
 {
-  // An observer of the following events may hold the last reference, and release it.
+  // Keep a reference: an observer of the following events may release the last one.
   const vtkSmartPointer<vtkHapticDevice> self(this);
   this->Shut();
 }
@@ -171,7 +171,7 @@ void vtkHapticDevice::SetUseTool(bool on)
 //------------------------------------------------------------------------------
 void vtkHapticDevice::Stop()
 {
-  const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
+  const vtkSmartPointer<vtkHapticDevice> self(this); // keeps the device alive: see Close
   this->Halt();
 }
 
@@ -179,7 +179,7 @@ void vtkHapticDevice::Stop()
 void vtkHapticDevice::Halt()
 {
   auto& d = *this->Parts;
-  d.Orders.Disarm(); // disarm first, because writing a recording takes time
+  d.Orders.Disarm(); // disarm before writing a recording, which takes time
   d.Recorder->Finish();
   d.Orders.EndPreparing();
   d.Session.Stop();
@@ -521,7 +521,7 @@ void vtkHapticDevice::SetMaximumTorque(double torque)
 //------------------------------------------------------------------------------
 void vtkHapticDevice::SetMaximumForceRate(double rate)
 {
-  // A rate of 0 would never let the force grow.
+  // The minimum is above 0: with a rate of 0 the force could never grow.
   const double clamped = Clamp(DeviceSettingRows::MaximumForceRate, rate);
   if (clamped != this->MaximumForceRate)
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticDevice
- * @brief   a stylus in a hand, and the servo loop that makes it feel a volume
+ * @brief   a haptic device, and the servo loop that lets a hand feel a volume with it
  *
  * Opens a haptic device and lets a hand feel the volume of a vtkVolumeHapticsFilter with it. A
  * thread of its own computes the force 1000 times a second:
@@ -18,12 +18,12 @@
  *
  * Positions are in world units and forces in newtons along the world's axes, unless stated.
  *
- * **Devices.** "virtual" has no hardware: GetVirtualHand leads its tip. "vibration:xr" is led in
- * the same way, and returns how strongly to vibrate: see vtkHapticVirtualHand::TakeVibration.
- * "replay:FILE" plays back a recording (.vtp or .csv), tick by tick. Open lists the real devices,
- * most of which need no vendor's library. None of them was verified on physical hardware yet: the
- * drivers run against emulated devices, which answer as public descriptions of the protocols say. A
- * program adds devices of its own with AddDeviceKind.
+ * **Devices.** "virtual" has no hardware: the program moves its tip through GetVirtualHand.
+ * "vibration:xr" is moved in the same way, and returns how strongly to vibrate: see
+ * vtkHapticVirtualHand::TakeVibration. "replay:FILE" plays back a recording (.vtp or .csv), tick by
+ * tick. Open lists the real devices, most of which need no vendor's library. None of them was
+ * verified on physical hardware yet: the drivers run against emulated devices, which answer as
+ * public descriptions of the protocols say. A program adds devices of its own with AddDeviceKind.
  *
  * **Threads.** The servo ticks at ServoRate with exactly the code that vtkVolumeHapticsFilter runs
  * offline. It never waits: it neither locks, allocates nor calls a vtkObject. The thread that owns
@@ -103,16 +103,17 @@ public:
   vtkTypeMacro(vtkHapticDevice, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The status of a device. */
+  /** Status of a device, as GetStatus returns it. */
   enum StatusType
   {
     CLOSED = 0,
     OPEN = 1,
-    FIRMWARE = 2, ///< waits for its firmware
+    FIRMWARE = 2, ///< waits for its firmware to be loaded
     HOMING = 3,   ///< waits for its encoders to be homed
-    READY = 4,    ///< can be started, or runs unarmed
-    ARMED = 5,    ///< armed; no force yet, because the servo does not run or gets no samples
-    ACTIVE = 6,   ///< force flows
+    READY = 4,    ///< can be started, or runs but is not armed
+    ARMED = 5,    ///< armed, but without force yet, because the servo does not run or gets no
+                  ///< samples
+    ACTIVE = 6,   ///< armed, with force
     FAULT = 7     ///< the force is off until the device is armed again, or the device is lost
   };
 
@@ -121,32 +122,32 @@ public:
    * Get the ids that Open accepts now, "virtual" first; "replay:FILE" is not among them.
    * ListDevices overwrites a table with the columns Id, Name (maker, product, and where it is
    * plugged in), State: "available", "in use", or the obstacle and the cure; and Force: "calibrated
-   * 0.83 on 2026-11-22" or "uncalibrated", empty for devices without force. Each call searches
-   * again.
+   * 0.83 on 2026-11-22" or "uncalibrated", empty for devices without force. Each call searches for
+   * devices again.
    */
   static vtkStringArray* EnumerateDevices();
   static void ListDevices(vtkTable* devices);
   ///@}
 
   /**
-   * Overwrite a table with the kinds of devices that this computer can't use, whatever is plugged
-   * in: the columns Kind, such as "vendor", and State, with the obstacle (a service that does not
-   * run, a library that is not found) and the cure.
+   * Overwrite a table with the kinds of devices that this computer can't use, even if one is
+   * plugged in. Its columns are Kind, such as "vendor", and State: the obstacle (such as a stopped
+   * service or a missing library) and the cure.
    */
   static void ListMissingKinds(vtkTable* kinds);
 
 #ifndef __VTK_WRAP__
   /**
-   * Register a kind of devices in this process: see DeviceKind.h, and Examples/Cxx/OwnDevice.cxx.
-   * Returns false and reports an error if the name is taken.
+   * Register a new kind of device in this process: see DeviceKind.h, and
+   * Examples/Cxx/OwnDevice.cxx. Returns false and reports an error if the name is taken.
    */
   static bool AddDeviceKind(const VolumeHaptics::DeviceKind& kind);
 #endif
 
   /**
-   * Open a device by its id, and close the device that was open. Returns false and reports an error
-   * that names the cure if opening fails. The ids are "virtual", "vibration:xr", "replay:FILE",
-   * those of AddDeviceKind, and
+   * Open a device by its id, after closing the device that was open. On failure, returns false and
+   * reports an error with the cure. The ids are "virtual", "vibration:xr", "replay:FILE", those of
+   * AddDeviceKind, and
    *
    *   falcon[:N]         Novint Falcon, through libusb. 3 degrees of freedom in and out, 8 N. Needs
    *                      FirmwareFile after it was plugged in, and is homed by hand.
@@ -192,15 +193,15 @@ public:
    * then Arm().
    */
   bool Open(const char* id);
-  /** Stop, and release the device. */
+  /** Stop the servo and release the device. */
   void Close();
   bool IsOpen();
-  std::string GetDeviceId(); ///< Get the id that was opened; empty while closed.
+  std::string GetDeviceId(); ///< Get the id that was passed to Open; empty while closed.
 
   ///@{
   /**
-   * The filter whose volume is felt. Takes effect with Publish or Start. The filter is kept by
-   * reference; the servo never touches it.
+   * The filter whose volume is felt, kept by reference. The servo never accesses the filter itself.
+   * Takes effect with Publish or Start.
    */
   void SetVolumeHaptics(vtkVolumeHapticsFilter* filter);
   vtkVolumeHapticsFilter* GetVolumeHaptics();
@@ -208,16 +209,15 @@ public:
 
   /**
    * Get the name of the felt method as users see it, such as "Proxy, PRECISE": the method of the
-   * last Publish, or, if the servo does not run, the filter's method; empty without a filter.
+   * last Publish, or the filter's method while the servo is stopped; empty without a filter.
    */
   std::string GetMethodText();
 
   /**
-   * Bring the filter's image up to date and hand the servo a snapshot of everything: image,
-   * materials, settings, DeviceToWorld. The servo uses it from the next tick on; if the force
-   * becomes larger, it grows at MaximumForceRate. If the servo does not run, Publish only checks.
-   * Returns false and reports an error if the input can't be touched; the servo then keeps the last
-   * snapshot.
+   * Update the filter's image and send the servo a snapshot of the image, materials, settings and
+   * DeviceToWorld. The servo uses it from the next tick on; if the force becomes larger, it grows
+   * at MaximumForceRate. If the servo is stopped, Publish only checks the input. Returns false and
+   * reports an error if the input can't be touched; the servo then keeps the last snapshot.
    *
    * Four kinds of work are done in the background first: measuring the distances to forbidden
    * labels of a large label image, refining a label image with thick slices, meshing a large
@@ -229,8 +229,8 @@ public:
    */
   bool Publish();
   /**
-   * Returns whether Publish or Start was called, successfully or not, since the filter, image or
-   * surface last changed.
+   * Returns whether Publish or Start was called, successfully or not, since the last change of the
+   * filter, image or surface.
    */
   bool IsPublished();
 
@@ -274,10 +274,10 @@ public:
 
   ///@{
   /**
-   * Start the servo with the filter as it is now, and stop it with zero force. Without a filter,
-   * the tip just moves. Start returns false and reports an error if no device is open, if the
-   * filter can't be touched, or if the system gives the program no more memory, threads or files:
-   * without them, a crash would leave the force on.
+   * Start the servo with the filter's present state, and stop it with zero force. Without a filter,
+   * the tip moves without touching anything. Start returns false and reports an error if no device
+   * is open, if the filter can't be touched, or if the system provides no more memory, threads or
+   * files: without them, a crash would leave the force on.
    */
   bool Start();
   void Stop();
@@ -290,8 +290,8 @@ public:
    * is refused, with an error, while the device is not ready. The proxy begins at the tip: armed
    * inside, a hand feels nothing until it moves. Disarm cuts the force at once. FadeOut ends it
    * within 50 ms, for example when the connection to the server that sends the data is lost. Stop
-   * disarms. Every way to disarm invokes vtkCommand::DisableEvent at once. IsArmOrdered tells
-   * whether the last of all these orders was Arm, even if the servo has yet to see it, the clutch
+   * disarms. Every way to disarm invokes vtkCommand::DisableEvent at once. IsArmOrdered returns
+   * whether Arm was the last of these orders, even if the servo has not received it yet, the clutch
    * delays it, or a fault (GetStatus) keeps the force off.
    */
   void Arm();
@@ -324,23 +324,23 @@ public:
 
   ///@{
   /**
-   * A clutch, which lets the hand move a real device while the tip should not move with it. While
-   * it is on, no force leaves, from the next tick on; turning it on invokes
-   * vtkCommand::DisableEvent. Turning it off arms the device again, as Arm does, if it was armed
-   * before and nothing has disarmed it since: ArmsAfterClutch. An Arm while the clutch is on takes
-   * effect when it is turned off. Default off.
+   * A clutch, which lets the hand move a real device without moving the tip. While it is on, no
+   * force leaves, from the next tick on; turning it on invokes vtkCommand::DisableEvent. Turning it
+   * off arms the device again, as Arm does, if it was armed before and nothing has disarmed it
+   * since: ArmsAfterClutch. An Arm while the clutch is on takes effect when it is turned off.
+   * Default off.
    */
   void SetClutch(bool on);
   bool GetClutch();
   bool ArmsAfterClutch();
   ///@}
 
-  /** Search again for the zero of a real device's encoders, with the hand's help; disarms. */
+  /** Disarm, and search again for the zero of a real device's encoders, with the hand's help. */
   void Home();
 
   /**
-   * The lights of a real device, until Close: bits 1 green, 2 blue, 4 red of a Falcon, 1 of a
-   * SpaceMouse. Below zero (default) the lights show the status of the device.
+   * Set the lights of a real device until Close, as a sum of bits: 1 green, 2 blue and 4 red on a
+   * Falcon; 1 on a SpaceMouse. Below zero (default) the lights show the status of the device.
    */
   void SetLights(int lights);
 
@@ -361,21 +361,21 @@ public:
   ///@}
 
   /**
-   * Get whether the user's file of devices remembers the open device. Returns false for a device
-   * that reports neither a serial number nor its port, because it can't be distinguished from
-   * others: its confirmation and its calibration then hold until Close. Also false for a device
-   * that gives no force.
+   * Get whether the user's file of devices has an entry for the open device. Returns false for a
+   * device that reports neither a serial number nor its port, because it can't be distinguished
+   * from others: its confirmation and its calibration then hold until Close. Also false for a
+   * device that gives no force.
    */
   bool IsRemembered();
 
   ///@{
   /**
-   * Get the newtons that the open device really gives for each newton that it is asked for, as
-   * CalibrateForce has stored it (see IsRemembered): 1 if it was never calibrated. Forces and
-   * limits of a calibrated device are true newtons; MaximumForce never exceeds what its driver
-   * allows. CalibrateForce accepts 0.1 to 10 while the servo does not run; otherwise it returns
-   * false and reports an error. The text is "calibrated 0.83 on 2026-11-22", "uncalibrated", or
-   * empty if the device gives no force or none is open. None of this was tried on hardware.
+   * Get the ratio of the open device's real force to the commanded force, as CalibrateForce has
+   * stored it (see IsRemembered); 1 if it was never calibrated. Forces and limits of a calibrated
+   * device are true newtons; MaximumForce never exceeds what its driver allows. CalibrateForce
+   * accepts 0.1 to 10 while the servo does not run; otherwise it returns false and reports an
+   * error. The text is "calibrated 0.83 on 2026-11-22", "uncalibrated", or empty if the device
+   * gives no force or none is open. None of this was tried on hardware.
    */
   bool CalibrateForce(double scale);
   double GetForceScale();
@@ -385,24 +385,24 @@ public:
   ///@{
   /**
    * GetStatus returns the StatusType of the device as of the last UpdateState. GetStatusText
-   * describes it in words, with the fault and its cure.
+   * returns a description in words, with the cure after a fault.
    */
   int GetStatus();
   std::string GetStatusText();
   ///@}
 
   /**
-   * Copy the latest state from the servo to GetState. Returns true if it is new. Call this in each
-   * tick of the GUI: it also publishes what was prepared in the background, reads regions and time
-   * steps of the volume ahead, and reports faults.
+   * Copy the latest state from the servo to GetState. Returns true if it is new. Call this on each
+   * tick of the GUI's timer: it also publishes models that were prepared in the background, reads
+   * regions and time steps ahead, and reports faults.
    */
   bool UpdateState();
 
   ///@{
   /**
    * Get the parts of this device: its latest state, the player of a moving volume, the recorder of
-   * its ticks, and the hand that leads the virtual device. They stay the same as long as the device
-   * lives.
+   * its ticks, and the hand that moves the virtual device. They remain valid for the lifetime of
+   * the device.
    */
   vtkHapticState* GetState();
   vtkHapticPlayback* GetPlayback();
@@ -554,11 +554,11 @@ public:
 
   ///@{
   /**
-   * How long (s) an armed device keeps its force if the program stands still: a window that hangs
-   * can't stop the device. If for that long the program calls none of UpdateState,
-   * vtkHapticState::Drain, Publish and Arm, and sets no limit, the servo fades the force out, and a
-   * fault holds until Arm. 0.05 or more, default 2; 0 turns it off, for programs that call the
-   * device rarely. Work between BeginLongWork and EndLongWork does not count.
+   * How long (s) an armed device keeps its force if the program hangs: a window that hangs can't
+   * stop the device. If for that long the program calls none of UpdateState, vtkHapticState::Drain,
+   * Publish and Arm, and sets no limit, the servo fades the force out, and a fault holds until Arm.
+   * 0.05 or more, default 2; 0 turns it off, for programs that call the device rarely. Work between
+   * BeginLongWork and EndLongWork does not count.
    */
   void SetAttentionTime(double seconds);
   vtkGetMacro(AttentionTime, double);
@@ -566,7 +566,7 @@ public:
 
   ///@{
   /**
-   * Get how well the servo has kept time since Start or ResetStatistics. GetTickRate: ticks per
+   * Get the servo's timing statistics since Start or ResetStatistics. GetTickRate: ticks per
    * second. GetTickPercentile, GetWakePercentile: the time (s) that p percent (0 to 100) of the
    * ticks, or of the delays of wake-ups, do not exceed, accurate to 1/8. GetMissedTicks: ticks that
    * were left out because the loop was late. GetAbsentTicks: ticks whose force was reduced because
@@ -585,13 +585,13 @@ public:
 
   ///@{
   /**
-   * Get the timing of the device, measured over about the last second: the time (s) from one report
-   * with news to the next, and the round trip T (s), which is that time plus twice the time that a
-   * force needs to reach the device; 95 % of both are shorter. 0 as long as they are not known, or
-   * while the servo does not run. T caps the stiffness (N/m), k <= StiffnessGain 2 b / T with the
-   * device's friction b, and the damping (N s/m). UpdateState adapts the caps to T: it publishes
-   * lower caps at once if T has grown by a fifth, and higher ones 2 s later and while nothing is
-   * felt. The caps are the felt ones, which include MaximumStiffness of the filter; 0 does not cap.
+   * Get the timing of the device, measured over about the last second: the time (s) from one
+   * changed report to the next, and the round trip T (s), which is that time plus twice the time
+   * that a force needs to reach the device; 95 % of both are shorter. 0 while they are unknown or
+   * the servo is stopped. T caps the stiffness (N/m), k <= StiffnessGain 2 b / T with the device's
+   * friction b, and the damping (N s/m). UpdateState adapts the caps to T: it publishes lower caps
+   * at once if T has grown by a fifth, and higher ones 2 s later and while nothing is felt. The
+   * caps are the felt ones, which include MaximumStiffness of the filter; 0 does not cap.
    */
   double GetReportPeriod();
   double GetRoundTripTime();
@@ -616,8 +616,10 @@ protected:
   double TransientGain = 0.0;
   double MaximumTorque = 0.0;
   double AttentionTime = 2.0;
-  double WantedForce = -1.0;  // value of SetMaximumForce; negative: half of the device's maximum
-  double WantedTorque = -1.0; // value of SetMaximumTorque; negative: half of the device's maximum
+  double WantedForce = -1.0;  // value of SetMaximumForce; negative: default, half of the device's
+                              // maximum
+  double WantedTorque = -1.0; // value of SetMaximumTorque; negative: default, half of the device's
+                              // maximum
 
 private:
   vtkHapticDevice(const vtkHapticDevice&) = delete;

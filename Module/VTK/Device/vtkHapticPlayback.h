@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticPlayback
- * @brief   plays a volume that moves while a hand feels it
+ * @brief   plays the time steps of a moving volume while a hand feels it
  *
- * Plays the time steps of the volume that a vtkHapticDevice makes felt:
+ * Plays the time steps of the volume that a hand feels with a vtkHapticDevice:
  *
  *   device->SetVolumeHaptics(filter);        // its source has several time steps
  *   device->Start();
@@ -66,7 +66,7 @@ public:
    */
   void Play();
   void Hold();
-  bool IsPlaying(); ///< Get whether the last order was Play. Default false.
+  bool IsPlaying(); ///< Get whether Play was called last, not Hold. Default false.
   enum ModeType
   {
     ONCE = 0,
@@ -97,7 +97,7 @@ public:
    * Get the felt time step, the one nearest to GetDataTime: an image whose scalars are the touched
    * array of this time step (or the component that is this time step), and its time. The image
    * stays the same until the time step changes; do not change its samples. vtkInteractorStyleHaptic
-   * shows it by itself. nullptr if HasTimeSteps is false: no moving volume is felt.
+   * shows it automatically. nullptr if HasTimeSteps is false, because no moving volume is felt.
    */
   bool HasTimeSteps();
   vtkImageData* GetTimeStepImage();

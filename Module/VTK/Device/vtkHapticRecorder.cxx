@@ -37,23 +37,24 @@ using namespace VolumeHaptics;
 
 namespace
 {
-/** Measured time (s) to write one tick to a .vtp, and to a .csv. */
+/** Measured times (s) to write one tick to a .vtp and to a .csv. */
 constexpr double SecondsPerTick = 2e-6;
 constexpr double SecondsPerLine = 2e-5;
 
 /**
- * Lowest expected size of a tick in a journal while the tip moves: 80 to 180 bytes were measured.
+ * Smallest expected size (bytes) of a tick in a journal while the tip moves; 80 to 180 were
+ * measured.
  */
 constexpr double BytesPerTick = 80;
 
 /**
- * ShortHashing: longest expected time of hashing (s) for which the start of a recording waits, so
- * that the journal of a small volume has the hash from its beginning. ShortHashWait: longest
- * duration of this wait (s).
+ * ShortHashing: the start of a recording waits for the hashes if they are expected to take at most
+ * this time (s), so that the journal of a small volume has them from its beginning. ShortHashWait:
+ * longest duration of this wait (s).
  */
 constexpr double ShortHashing = 5e-3;
 constexpr double ShortHashWait = 20e-3;
-/** Longest wait for the hashes at the end of a recording without force (s). */
+/** Longest time (s) that the end of a recording without force waits for the hashes. */
 constexpr double LongestHashWait = 10.0;
 
 constexpr const char* HashingWork = "the recorded volume is hashed";
@@ -70,7 +71,7 @@ double EstimateHashing(const TouchedArrays& touched)
   return time;
 }
 
-/** Hashes all arrays on the worker's thread; nothing if the work is cancelled. */
+/** Hashes all arrays on the worker thread. Returns nothing if the work is cancelled. */
 std::optional<RecordingHashes> HashAll(const TouchedArrays& touched, WorkMonitor& monitor)
 {
   const double all = EstimateHashing(touched);
@@ -100,11 +101,11 @@ double EstimateWriting(const std::string& file, double ticks)
   return ticks * (GetTraceEnding(file) == ".csv" ? SecondsPerLine : SecondsPerTick);
 }
 
-/** Writes the table of the labels that a replay needs. */
+/** Writes the table of labels, which a replay needs, as text. */
 void DescribeLabels(vtkVolumeHapticsFilter* filter, std::ostream& os)
 {
   vtkHapticLabelTable* const table = filter->GetLabelTable();
-  constexpr vtkIdType most = 1000; // most labels that are listed one by one
+  constexpr vtkIdType most = 1000; // largest number of labels that are listed individually
   if (table && table->GetNumberOfLabels() <= most)
   {
     os << "LabelTable:\n";
@@ -119,7 +120,7 @@ void DescribeLabels(vtkVolumeHapticsFilter* filter, std::ostream& os)
 } // namespace
 
 /**
- * Begins, ends and recovers recordings. Errors and warnings are reported by the device, which also
+ * Starts, ends and recovers recordings. Reports errors and warnings through the device, which also
  * announces long work.
  */
 class vtkHapticRecorder::vtkInternals
@@ -134,26 +135,26 @@ public:
   vtkHapticDevice* GetDevice() const { return this->Device; }
 
   ///@{
-  /** See the functions of vtkHapticRecorder. */
+  /** See the public functions of vtkHapticRecorder. */
   bool Start(const std::string& file, vtkVolumeHapticsFilter* filter);
   bool Recover(const std::string& part, const std::string& file);
   ///@}
 
   /**
-   * Ends the recording: see vtkHapticRecorder::Stop. Writing is announced as long work only if
-   * isAnnounced.
+   * Ends the recording: see vtkHapticRecorder::Stop. Announces the writing as long work only if
+   * `isAnnounced`.
    */
   bool Stop(bool isAnnounced);
 
-  /** Returns whether there is a recording that this process has to end. */
+  /** Returns whether a recording of this process is in progress. */
   bool IsUnderWay() const;
 
-  /** Returns the file of the recording that is under way; empty without one. */
+  /** Returns the file of the recording in progress; empty without one. */
   const std::string& GetFile() const { return this->File; }
 
   /**
-   * Adds the volume's hashes to the recording when they are known; call this often while recording.
-   * Reports an error, once for each recording, if the recording fails, for example with a full
+   * Adds the volume's hashes to the recording once they are computed; call this often while
+   * recording. Reports an error, once per recording, if the recording fails, for example on a full
    * disk.
    */
   void Update();
@@ -162,11 +163,11 @@ private:
   using HashKey = std::array<TouchedArray::Key, 2>; ///< keys of scalars and labels
 
   bool Begin(const std::string& file, vtkVolumeHapticsFilter* filter);
-  /** Returns the hashes of the data that a filter touches now; null until they are known. */
+  /** Returns the hashes of the data that a filter touches now; null until they are computed. */
   const RecordingHashes* GetHashes(vtkVolumeHapticsFilter* filter);
   /**
-   * Adds the hashes at the end of a recording. Waits for them unless the device is armed, because
-   * the hand would have to wait then, too.
+   * Adds the hashes at the end of a recording. Waits for them only if the device is not armed,
+   * because the hand would have to wait, too.
    */
   void AwaitHashes(HapticRecording& recording);
   void ReportTrouble();
@@ -175,13 +176,16 @@ private:
   vtkHapticDevice* const Device;
   DeviceSession& Session;
   std::string File;
-  vtkSmartPointer<vtkVolumeHapticsFilter> Felt; ///< felt filter, until its hashes are in the
+  vtkSmartPointer<vtkVolumeHapticsFilter> Felt; ///< felt filter, until its hashes are added to the
                                                 ///< recording
   KeyedWork<HashKey, RecordingHashes> Hashing;
   bool IsTroubleTold = false;
 };
 
-/** Returns the collector of ticks if a recording into this file can begin; null after an error. */
+/**
+ * Returns the collector of ticks if a recording into this file can start. Otherwise reports an
+ * error and returns null.
+ */
 TickCollector* vtkHapticRecorder::vtkInternals::GetRecordable(const std::string& name) const
 {
   TickCollector* const ticks = this->Session.GetTicks();
@@ -264,7 +268,8 @@ bool vtkHapticRecorder::vtkInternals::Begin(const std::string& name, vtkVolumeHa
   {
     const TouchedArrays touched = felt->GetBaker().GetTouched();
     std::ostringstream settings;
-    settings.imbue(std::locale::classic()); // a replay parses these numbers
+    settings.imbue(std::locale::classic()); // writes numbers with a decimal point, as the replay
+                                            // expects
     felt->PrintSettings(settings, vtkIndent());
     settings << RecordingNames::DeviceRate << this->Session.GetRate() << " Hz\n";
     const BakedLabels* const labels = ticks->GetLatestModel()->Baked->Labels.get();
@@ -349,7 +354,7 @@ void vtkHapticRecorder::vtkInternals::AwaitHashes(HapticRecording& recording)
   }
   else
   {
-    this->Hashing.Abandon(); // the hashes are not needed any more
+    this->Hashing.Abandon(); // the hashes are no longer needed
     vtkWarningWithObjectMacro(this->Device,
       << "The recording " << Printable(recording.GetFile())
       << " has no hash of its volume, as it ended before that was known: nothing tells later which "
@@ -462,7 +467,8 @@ void vtkHapticRecorder::Finish()
 {
   if (this->Internals->IsUnderWay())
   {
-    this->Internals->Stop(false); // the force is off, and the owner may be gone
+    this->Internals->Stop(false); // not announced, because the force is off and the owner may
+                                  // already be gone
   }
 }
 
@@ -481,7 +487,7 @@ vtkHapticDevice* vtkHapticRecorder::FindDevice()
 //------------------------------------------------------------------------------
 bool vtkHapticRecorder::Start(const char* file)
 {
-  // An observer of errors may hold the last reference to the device, and release it.
+  // Keep a reference: an observer of errors may release the last one to the device.
   const vtkSmartPointer<vtkHapticDevice> device(this->FindDevice());
   return device && this->Internals->Start(file ? file : "", device->GetVolumeHaptics());
 }
@@ -489,7 +495,7 @@ bool vtkHapticRecorder::Start(const char* file)
 //------------------------------------------------------------------------------
 bool vtkHapticRecorder::Stop()
 {
-  const vtkSmartPointer<vtkHapticRecorder> self(this); // see Start
+  const vtkSmartPointer<vtkHapticRecorder> self(this); // keeps the recorder alive: see Start
   const vtkSmartPointer<vtkHapticDevice> device(this->FindDevice());
   return device && this->Internals->Stop(true);
 }

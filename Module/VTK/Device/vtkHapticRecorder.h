@@ -88,7 +88,7 @@ public:
    */
   bool Recover(const char* part, const char* file);
 
-  /** Get the file of the recording that is under way; empty without one. */
+  /** Get the file of the recording in progress; empty without one. */
   std::string GetFileName();
 
 protected:
@@ -100,16 +100,16 @@ private:
   friend class vtkHapticDevice;
   friend struct VolumeHaptics::DeviceParts;
 
-  /** Returns the device. Without one, reports an error and returns null. */
+  /** Returns the device. Without a device, reports an error and returns null. */
   vtkHapticDevice* FindDevice();
   void Attach(VolumeHaptics::DeviceParts& parts);
   void Detach();
   /**
-   * Adds the volume's hashes to the recording when they are known, and reports errors; call this
+   * Adds the volume's hashes to the recording once they are computed, and reports errors; call this
    * often.
    */
   void Update();
-  /** Writes the recording if there is one, without announcing long work. */
+  /** Writes the file of a recording in progress, if any, without announcing long work. */
   void Finish();
 
   class vtkInternals;

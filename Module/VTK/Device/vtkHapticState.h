@@ -4,7 +4,7 @@
  * @class   vtkHapticState
  * @brief   the latest state of a device: tip, proxy, forces and contact
  *
- * Holds what the servo of a vtkHapticDevice did in one tick, as of the last UpdateState:
+ * Has the values of the latest servo tick of a vtkHapticDevice, as of the last UpdateState:
  *
  *   vtkHapticState* state = device->GetState();
  *   ... in the GUI's timer ...
@@ -14,8 +14,9 @@
  *     label->SetInput(std::to_string(vtkMath::Norm(state->GetForce())).c_str());
  *   }
  *
- * The getters return values of the same tick. Positions are in world units and forces in newtons
- * along the world's axes, unless stated. After the device was deleted, the last values stay.
+ * All getters return values of the same tick. Positions are in world units and forces in newtons
+ * along the world's axes, unless stated. When the device is deleted, the state keeps its last
+ * values.
  *
  * @sa vtkHapticDevice, vtkHapticRepresentation
  */
@@ -45,8 +46,8 @@ public:
 
   ///@{
   /**
-   * Get the latest tip and proxy (world); the force sent to the device, and the computed force (N,
-   * world axes).
+   * Get the latest positions of tip and proxy (world), the force sent to the device, and the
+   * computed force (N, world axes).
    */
   vtkGetVector3Macro(TipPosition, double);
   vtkGetVector3Macro(ProxyPosition, double);
@@ -57,9 +58,9 @@ public:
   /**
    * Get, in the latest state, the torque of a tool that has a shape (vtkHapticPointShell) on the
    * hand about the tip (N m, world axes), as sent and as computed, and the orientation of the tool,
-   * whose origin is the proxy: a unit quaternion (w, x, y, z) that turns from the world's axes to
-   * the tool's. All are zeros without such a tool; the head of a vtkHapticBurr does not turn, and
-   * gives no torque. No torque is sent to a device that gives none.
+   * whose origin is the proxy: a unit quaternion (w, x, y, z) that rotates the world's axes to the
+   * tool's. All are zeros without such a tool; the head of a vtkHapticBurr does not rotate, and
+   * causes no torque. No torque is sent to a device that can't render it.
    */
   vtkGetVector3Macro(Torque, double);
   vtkGetVector3Macro(ComputedTorque, double);
@@ -68,32 +69,33 @@ public:
   ///@{
   /**
    * Get the orientation of the stylus in the latest state, if the device measures one. It is a unit
-   * quaternion (w, x, y, z, as in vtkQuaternion) that turns from the world's axes to the stylus's:
-   * the stylus points along its -z, its handle is on the side of +z, and its button on the side of
-   * +y. HasTipOrientation is false, and the quaternion (1, 0, 0, 0), if the device measures none or
-   * its quaternion is not finite or not of unit norm within 1 %, unless
-   * vtkHapticVirtualHand::SetToolOrientation turns it.
-   * The forces of tools depend on it.
+   * quaternion (w, x, y, z, as in vtkQuaternion) that rotates the world's axes to the stylus's: the
+   * stylus points along its -z, its handle is on the side of +z, and its button on the side of +y.
+   * HasTipOrientation is false, and the quaternion (1, 0, 0, 0), if the device measures none or its
+   * quaternion is not finite or not of unit norm within 1 %, unless
+   * vtkHapticVirtualHand::SetToolOrientation turns it. The forces of tools depend on it.
    */
   vtkGetVector4Macro(TipOrientation, double);
   bool HasTipOrientation() { return this->IsOriented; }
   ///@}
-  /** Get whether, in the latest state, the device itself measures how it is held. */
+  /** Get whether, in the latest state, the device itself measures the orientation of its stylus. */
   bool IsTipOrientationMeasured() { return this->IsMeasured; }
   /**
-   * Get whether, in the latest state, a vtkHapticBurr spins, by vtkHapticVirtualHand::SetSpinning
-   * or its button.
+   * Get whether a vtkHapticBurr spins in the latest state, because of
+   * vtkHapticVirtualHand::SetSpinning or its button.
    */
   bool IsSpinning() { return this->Spins; }
   vtkGetMacro(Buttons, int); ///< Get the buttons in the latest state: bit 0 is the main button.
-  /** Get how fast a SpaceMouse turns the volume in the latest state (rad/s, the device's axes). */
+  /**
+   * Get the rate (rad/s, device axes) at which a SpaceMouse turns the volume in the latest state.
+   */
   vtkGetVector3Macro(TurnRate, double);
   /** Get the contact in the latest state: 0 free, 1 sticking, 2 sliding, 3 penetrating. */
   vtkGetMacro(Contact, int);
   ///@{
   /**
-   * Get, in the latest state, the value V(x_s) in the surface, and the parts of the force from the
-   * surface, friction and the medium (N).
+   * Get, in the latest state, the value V(x_s) inside the surface, and the parts of the force (N)
+   * that come from the surface, friction and the medium.
    */
   vtkGetMacro(SurfaceValue, double);
   vtkGetMacro(NormalForce, double);
@@ -101,15 +103,15 @@ public:
   vtkGetMacro(DragForce, double);
   ///@}
   /**
-   * Get, in the latest state, the part of the distance between tip and proxy (world) that gives no
+   * Get, in the latest state, the part of the distance between tip and proxy (world) that causes no
    * force. With the solver PRECISE, a spring that gets stiffer under a resting hand gets slack
    * instead of more force; 0 otherwise.
    */
   vtkGetMacro(Slack, double);
   /**
    * Get, in the latest state, the force of a mode of PRIMITIVES on the hand (N, world axes), before
-   * MaximumForce; zero for other methods and numbers. Modes count from 0 as in GetMode of the
-   * filter.
+   * MaximumForce; zero for other methods and for a mode that does not exist. The index counts from
+   * 0 as in the filter's GetMode.
    */
   double* GetModeForce(int mode) VTK_SIZEHINT(3);
 
@@ -124,17 +126,17 @@ public:
   void GetFollowed(vtkPolyData* shapes, double reach = 32.0);
 
   /**
-   * Write where a vtkHapticNeedle in the hand runs through tissue (world): a line for each stretch
-   * of one label, from the entry to the tip. Point array Depth (world units), cell arrays Label and
-   * Length (world units). Field arrays, one number each: Depth and Deepest (world units), Angle to
-   * the normal of the surface at the entry (degrees; -1 without one), ShaftForce (N), and
+   * Write the track of a vtkHapticNeedle in the hand through tissue (world): a line for each
+   * stretch of one label, from the entry to the tip. Point array Depth (world units), cell arrays
+   * Label and Length (world units). Field arrays, one number each: Depth and Deepest (world units),
+   * Angle to the normal of the surface at the entry (degrees; -1 without one), ShaftForce (N), and
    * ForbiddenTouches, how often a forbidden label stopped this insertion. Without a needle in
-   * tissue there are no lines. vtkXMLPolyDataWriter exports the track. Make sure that there is
-   * room: on a full disk it leaves a part of the file, and Write() may return 1 all the same.
+   * tissue there are no lines. vtkXMLPolyDataWriter exports the track. Check for free space before:
+   * on a full disk it writes only part of the file, and Write() may still return 1.
    */
   void GetNeedleTrack(vtkPolyData* track);
 
-  /** The cells of GetGeometry. */
+  /** Parts of the geometry from GetGeometry, as in its cell array Part. */
   enum PartType
   {
     TIP = 0,
@@ -142,9 +144,9 @@ public:
     SURFACE_POSITION = 2, ///< x_s
     MEDIUM_POSITION = 3,  ///< x_v
     SPRING = 4,           ///< line from the tip to the proxy
-    FORCE = 5,            ///< line from the tip: the force on the hand
-    NORMAL_FORCE = 6,     ///< line from the proxy: the push of the surface
-    FRICTION_FORCE = 7    ///< line from the proxy: the friction of the surface
+    FORCE = 5,            ///< line from the tip along the force on the hand
+    NORMAL_FORCE = 6,     ///< line from the proxy along the force of the surface
+    FRICTION_FORCE = 7    ///< line from the proxy along the friction of the surface
   };
 
   /**
@@ -154,12 +156,13 @@ public:
    * (N). Lines begin at the point on which a force acts and are Newtons / forceScale world units
    * long. `commanded` chooses the force that went to the device instead of the computed one. The
    * field arrays Contact, SurfaceValue and Orientation (w, x, y, z; all 0 if the device has none)
-   * hold values of the state. Empty before the first state.
+   * have values of the state. Empty before the first state.
    */
   void GetGeometry(vtkPolyData* geometry, double forceScale = 0.1, bool commanded = false);
 
   /**
-   * Get how deep a vtkHapticNeedle is inserted in the latest state (world units); 0 if it is not.
+   * Get the depth (world units) to which a vtkHapticNeedle is inserted in the latest state; 0 if it
+   * is not inserted.
    */
   double GetNeedleDepth();
 
@@ -184,10 +187,10 @@ public:
   vtkGetVector3Macro(MediumPosition, double);
   ///@}
   /**
-   * Get the fraction of the force, 0 to 1, that is felt in the latest state. It falls where data
-   * around the tip are missing (vtkHapticRegionFilter), after FadeOut or AttentionTime, and during
-   * long work. It needs at least 50 ms from 1 to 0, and rises as gradually. The ramp after Arm is
-   * not part of it.
+   * Get the fraction of the force, 0 to 1, that is felt in the latest state. It decreases where
+   * data around the tip are missing (vtkHapticRegionFilter), after FadeOut or AttentionTime, and
+   * during long work. It takes at least 50 ms from 1 to 0 and back. The ramp after Arm is not
+   * included.
    */
   vtkGetMacro(Residency, double);
   /** Get the number of the latest state since Start, and its time (s). */
@@ -209,8 +212,9 @@ public:
 
   ///@{
   /**
-   * Reserve a number for Drain: 0, or if it is taken, -1, -2 and so on. RemoveReader releases
-   * the number and ends the reading. Applications may use numbers above 0 without reserving them.
+   * Reserve a number for Drain: 0, or -1, -2 and so on if it is already reserved. RemoveReader
+   * releases the number and ends the reading. Applications may use numbers above 0 without
+   * reserving them.
    */
   int AddReader();
   void RemoveReader(int reader);
@@ -232,7 +236,8 @@ protected:
   double Normal[3] = { 0.0, 0.0, 0.0 };
   double SurfacePosition[3] = { 0.0, 0.0, 0.0 };
   double MediumPosition[3] = { 0.0, 0.0, 0.0 };
-  double ModeForces[9][3] = {}; // forces of at most eight modes; the last row is zero
+  double ModeForces[9][3] = {}; // forces of at most eight modes; the ninth row stays zero for
+                                // invalid numbers
   bool IsOriented = false;
   bool IsMeasured = false;
   bool Spins = false;
@@ -251,7 +256,7 @@ protected:
 
 private:
 #ifndef __VTK_WRAP__
-  friend class VolumeHaptics::DeviceSession; // writes the state
+  friend class VolumeHaptics::DeviceSession; // sets the state
   friend struct VolumeHaptics::DeviceParts;
   VolumeHaptics::DeviceParts* Parts = nullptr; // null without a device
 #endif

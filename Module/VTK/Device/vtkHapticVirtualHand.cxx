@@ -22,12 +22,12 @@ using namespace VolumeHaptics;
 namespace
 {
 /**
- * Smallest norm: the squares of smaller numbers, and of their reciprocals, are not exact or not
- * finite.
+ * Smallest usable norm: below it, the square of the norm or of its reciprocal is not finite or not
+ * exact.
  */
 constexpr double LeastNorm = 1e-100;
 
-/** Normalises a quaternion. If it has no usable norm, leaves it unchanged and returns false.  */
+/** Normalises a quaternion. If it has no usable norm, leaves it unchanged and returns false. */
 bool Normalize(Quaternion& q)
 {
   const double norm = std::sqrt(SquaredNorm(q));
@@ -36,7 +36,7 @@ bool Normalize(Quaternion& q)
   return isGood;
 }
 
-/** Turns an orientation in the world to the device's space. */
+/** Rotates an orientation from the world to the device's space. */
 Quaternion ToDevice(const DeviceParts& parts, const Quaternion& world)
 {
   return Conjugate(ToQuaternion(RotationOf(parts.Models.GetPlacement()))) * world;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticVirtualHand
- * @brief   a hand that the program moves
+ * @brief   a virtual hand that the program moves
  *
- * Leads the tip of a device without hardware, and does what the hardware of a real device lacks:
- * turns the tool of a device without orientation, and lets a burr spin without a button.
+ * Moves the tip of a device without hardware, and makes up for what a real device lacks: turns the
+ * tool of a device that measures no orientation, and lets a burr spin without a button.
  *
  *   device->Open("virtual");
  *   vtkHapticVirtualHand* hand = device->GetVirtualHand();
@@ -41,10 +41,11 @@ public:
 
   ///@{
   /**
-   * The position to which the hand leads the tip of the virtual device (world). Without simulated
-   * dynamics the tip goes there at GetSpeed or less; the first call puts it there. Place does so at
-   * any time: the hand takes the stylus up at a new position, and feels nothing on the
-   * way. Disarm before: an armed device would see a hand that is too fast.
+   * The position to which the hand moves the tip of the virtual device (world). Without simulated
+   * dynamics, the tip moves there at no more than GetSpeed; the first call places it there at once.
+   * Place does so at any time: the hand lets the stylus go and holds it again at the new position,
+   * so it feels nothing on the way. Disarm before Place: an armed device would detect a hand that
+   * moves too fast.
    */
   void SetPosition(double x, double y, double z);
   void SetPosition(const double x[3]) VTK_SIZEHINT(3);
@@ -52,12 +53,12 @@ public:
   ///@}
 
   /**
-   * Return whether the mouse of a window may lead the tip of the open device: that of "virtual",
-   * and of devices that vibrate and have no position, such as "vibration:bhaptics".
+   * Return whether the mouse of a window may move the tip of the open device: the device "virtual",
+   * and devices that vibrate but have no position, such as "vibration:bhaptics".
    */
   bool MayMouseLead();
 
-  /** Get how fast the tip goes to its position without simulated dynamics: 2 m/s. */
+  /** Get the speed of the tip without simulated dynamics: 2 m/s. */
   static double GetSpeed();
 
   /** The buttons that the hand presses on the virtual device: bit 0 is the main button. */
@@ -66,17 +67,19 @@ public:
   ///@{
   /**
    * The orientation of the virtual device's stylus (world): a quaternion w, x, y, z of any norm,
-   * see vtkHapticState::GetTipOrientation. Until this is called, and after four zeros, it has none.
+   * see vtkHapticState::GetTipOrientation. Before the first call, and after four zeros, it has no
+   * orientation.
    */
   void SetOrientation(double w, double x, double y, double z);
   void SetOrientation(const double wxyz[4]) VTK_SIZEHINT(4);
   ///@}
 
   /**
-   * How the hand holds its tool (world) if the device measures no orientation, such as one with
-   * three degrees of freedom: a quaternion w, x, y, z of any norm. The tool turns to this
+   * The orientation of the tool in the hand (world), for a device that measures none, such as one
+   * with three degrees of freedom: a quaternion w, x, y, z of any norm. The tool turns to this
    * orientation at 4 rad/s at most, and then turns with the device's placement, as a stylus does.
-   * Until this is called, and after four zeros, there is none. It holds for later servos, too.
+   * Before the first call, and after four zeros, there is no orientation. It applies to later
+   * servos, too.
    */
   void SetToolOrientation(double w, double x, double y, double z);
 
@@ -92,18 +95,17 @@ public:
 
   /**
    * Get how strongly the device "vibration:xr" should vibrate: the largest amplitude since the last
-   * call, 0 to 1. The program leads the tip as it leads the virtual device's tip, and makes the
-   * controller in the hand vibrate; call this once for each rendered frame. vtkHapticXRController
-   * does both for the controllers of a headset. 0 for other devices, and while the servo stands
-   * still.
+   * call, 0 to 1. The program moves the tip as it moves the virtual device's tip, and makes the
+   * controller in the hand vibrate; call this once per rendered frame. vtkHapticXRController does
+   * both for the controllers of a headset. 0 for other devices, and while the servo stands still.
    */
   double TakeVibration();
 
   /**
    * Simulate the virtual device and the hand that holds it: m x'' = f + handStiffness (lead - x) -
    * damping x' with mass in kg (0, the default: no dynamics), damping in N s/m and the hand's
-   * stiffness in N/m. Positions are rounded to an encoder's quantum (m; 0: not), and forces are
-   * delayed by ticks (0 to 16). Call it before Start.
+   * stiffness in N/m. Positions are rounded to an encoder's quantum (m; 0: no rounding), and forces
+   * are delayed by ticks (0 to 16). Call this before Start.
    */
   void SetDynamics(
     double mass, double damping, double handStiffness, double encoderQuantum, int forceDelay);
@@ -113,7 +115,7 @@ public:
    * and damping (N s/m), 0: not limited; and the friction b of the device itself (N s/m), with
    * which a spring is stable up to the stiffness 2 b / period, 0: not limited. Default: 20 N, the
    * others 0. A Novint Falcon is (8, 3000, 20, 0). Sets MaximumForce to half of the force, as Open
-   * does. Call it before Start.
+   * does. Call this before Start.
    */
   void SetLimits(
     double maximumForce, double maximumStiffness, double maximumDamping, double friction);
@@ -129,7 +131,7 @@ private:
   /** Returns the parts of the device. Without a device, reports an error and returns null. */
   VolumeHaptics::DeviceParts* GetParts();
   /**
-   * Returns the open device if the program leads its tip; otherwise reports an error and returns
+   * Returns the open device if the program moves its tip; otherwise reports an error and returns
    * null.
    */
   VolumeHaptics::VirtualDevice* FindLed(double x, double y, double z);

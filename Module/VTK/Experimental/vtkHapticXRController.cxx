@@ -36,7 +36,8 @@ namespace VolumeHaptics
 namespace
 {
 
-// Controllers vibrate by VTK's module RenderingOpenXR. Without this module, nothing vibrates.
+// Controllers vibrate through VTK's module RenderingOpenXR. Without this module, none of this
+// works.
 #if defined(VOLUME_HAPTICS_HAS_OPENXR)
 
 vtkOpenXRRenderWindowInteractor* GetHeadset(vtkRenderWindowInteractor* interactor)
@@ -59,10 +60,10 @@ Headset* GetHeadset(vtkRenderWindowInteractor*)
 #endif
 
 /**
- * Makes a controller vibrate by an action of the manifest, of the type "vibration". Hand: 0 is
+ * Makes a controller vibrate through an action of type "vibration" in the manifest. Hand: 0 is
  * left, 1 right. Amplitude: 0 to 1. Duration: s; the next vibration may end this one earlier.
- * Returns false if the interactor can't make controllers vibrate, or if the runtime refuses; VTK
- * reports the latter as an error.
+ * Returns false if the interactor can't make controllers vibrate, or if the OpenXR runtime refuses;
+ * VTK reports a refusal as an error.
  */
 bool ApplyVibration(vtkRenderWindowInteractor* interactor, const std::string& action, int hand,
   double amplitude, double duration)
@@ -75,12 +76,15 @@ bool ApplyVibration(vtkRenderWindowInteractor* interactor, const std::string& ac
       static_cast<float>(nanoseconds * duration), anyFrequency);
 }
 
-// In VTK 9.2 to 9.7, the manifest of actions has an action "haptic", but no binding beside it binds
-// the action to a motor. OpenXR then accepts each vibration, and nothing vibrates.
+// The manifest of actions in VTK 9.2 to 9.7 has an action "haptic", but none of its binding files
+// connects that action to a motor. OpenXR then accepts each vibration without any effect.
 
-constexpr std::size_t LargestManifest = 1 << 20; // bytes; VTK's manifests have some thousand
+constexpr std::size_t LargestManifest = 1 << 20; // bytes; VTK's manifests have a few thousand
 
-/** The profiles of OpenXR 1.0 and its extensions that have an output/haptic for each hand. */
+/**
+ * Interaction profiles of OpenXR 1.0 and its extensions that have an output/haptic path for each
+ * hand.
+ */
 constexpr std::array<const char*, 8> ProfilesWithMotors{
   "/interaction_profiles/bytedance/pico_neo3_controller",
   "/interaction_profiles/hp/mixed_reality_controller", "/interaction_profiles/htc/vive_controller",
@@ -123,8 +127,8 @@ bool Write(const std::string& file, const Json::Value& root, std::string& error)
 }
 
 /**
- * Returns a member of an object that has to be an array or an object. If it has another type,
- * replaces it by an empty one.
+ * Returns a member of a JSON object. A member that is not of `type`, an array or an object, is
+ * replaced by an empty one.
  */
 Json::Value& Member(Json::Value& object, const char* name, Json::ValueType type)
 {
@@ -190,11 +194,11 @@ void Bind(Json::Value& binding, const std::string& action)
 }
 
 /**
- * Copies a manifest and its bindings into a folder, and binds the action to the motors of both
- * hands' controllers. A motor is bound if it exists in the controller's profile in OpenXR's
- * specification, and if nothing else is bound to it. A missing folder is made. Returns false and
- * writes the reason and the cure to `error` if a file can't be read or written; some of the files
- * may have been written then.
+ * Copies a manifest and its binding files into a folder, and binds the action to the motors of both
+ * hands' controllers. Binds a motor only if OpenXR's specification lists it in the controller's
+ * profile and nothing else is bound to it. Creates the folder if necessary. Returns false, with the
+ * reason and the cure in `error`, if a file can't be read or written; some files may have been
+ * written by then.
  */
 bool BindVibration(const std::string& manifest, const std::string& action,
   const std::string& folder, std::string& error)
@@ -248,11 +252,11 @@ namespace
 
 constexpr int AmplitudeSteps = 255;
 
-/** Reads a controller's pose from an event. Returns false if a number is not finite. */
+/** Reads a controller's pose from an event. Returns false if any number is not finite. */
 bool ReadPose(const vtkEventDataDevice3D& event, double reach, double tip[3], double wxyz[4])
 {
   double direction[3];
-  double turn[4]; // degrees, then the axis
+  double turn[4]; // angle (degrees) and axis
   event.GetWorldPosition(tip);
   event.GetWorldDirection(direction);
   event.GetWorldOrientation(turn);
@@ -278,9 +282,9 @@ struct vtkHapticXRController::vtkInternals
   vtkSmartPointer<vtkHapticDevice> Device;
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
   vtkNew<vtkCallbackCommand> Observer;
-  double Pending = 0.0; ///< largest amplitude since the last one that was sent
+  double Pending = 0.0; ///< largest amplitude since the last amplitude that was sent
   std::int64_t SentAt = 0;
-  bool WasRefused = false; ///< whether a refusal was reported
+  bool WasRefused = false; ///< whether a refusal was already reported
 };
 
 //------------------------------------------------------------------------------
@@ -395,7 +399,7 @@ void vtkHapticXRController::Handle(unsigned long event, void* data)
   auto* const room = vtkRenderWindowInteractor3D::SafeDownCast(this->Internals->Interactor);
   double tip[3];
   double wxyz[4];
-  // Check for finite numbers, because a controller that is out of sight may have any pose.
+  // ReadPose() checks that all numbers are finite: a controller out of sight may report any pose.
   if (ReadPose(*pose, this->Reach * (room ? room->GetPhysicalScale() : 1.0), tip, wxyz))
   {
     device->GetVirtualHand()->SetPosition(tip);
@@ -416,7 +420,7 @@ void vtkHapticXRController::UpdateInFrame()
   const double amplitude = static_cast<double>(steps) / AmplitudeSteps;
   const bool isSame = amplitude == this->Amplitude;
   const bool isDue = Vibration::IsDue(isSame, steps == 0, ServoClock::SecondsSince(d.SentAt));
-  // If the frame comes too early to send its amplitude, keep the amplitude for the next one.
+  // If it is too early to send this frame's amplitude, keep it for the next frame.
   d.Pending = isSame || isDue ? 0.0 : d.Pending;
   if (isDue)
   {
@@ -438,7 +442,7 @@ void vtkHapticXRController::Vibrate(double amplitude)
       << this->ActionName
       << "\". Give the interactor the manifest that WriteActions() makes, then SetInteractor().");
   }
-  d.SentAt = ServoClock::Now(); // taken after the call, which may take long
+  d.SentAt = ServoClock::Now(); // measured after the call, which may take long
   if (isNew)
   {
     this->InvokeEvent(vtkCommand::UserEvent, &this->Amplitude);

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticXRController
- * @brief   a controller of a headset leads the tip, and vibrates when the force changes
+ * @brief   lets a headset's controller move the tip and vibrate when the force changes
  *
- * Lets a controller of a headset lead the tip of a device. The controller vibrates instead of
- * exerting a force, so that contact, texture and stick-slip friction are felt, but a constant force
- * is not.
+ * Lets a controller of a headset move the tip of a device. The controller vibrates instead of
+ * exerting a force, so the hand feels contact, texture and stick-slip friction, but not a constant
+ * force.
  *
  *   device->Open("vibration:xr");
  *   device->SetVolumeHaptics(filter);
@@ -16,15 +16,15 @@
  *   device->Arm();
  *   interactor->Start();
  *
- * The interactor's Move3DEvent and Select3DEvent (or Button3DEvent) of the hand lead the tip, turn
+ * The interactor's Move3DEvent and Select3DEvent (or Button3DEvent) of the hand move the tip, turn
  * the stylus and press its button. In each frame, at its RenderEvent, the device is updated
  * (vtkHapticDevice::UpdateState), because a headset's interactor has no timers. The controller also
  * gets the amplitude of vtkHapticVirtualHand::TakeVibration, at most every 10 ms. A vibration lasts
- * 150 ms and is repeated every 50 ms, so that it ends soon if the program stands still.
+ * 150 ms and is repeated every 50 ms, so that it ends soon if the program hangs.
  *
  * The vibration needs a library that was built with VTK's module RenderingOpenXR
  * (VolumeHaptics_USE_OPENXR), and an action that is bound to the controller's motor: see
- * WriteActions. Without them, or with another interactor, the controller still leads the tip, and
+ * WriteActions. Without them, or with another interactor, the controller still moves the tip, and
  * UserEvent announces each new amplitude (GetAmplitude) to the program.
  *
  * @sa vtkHapticDevice, vtkHapticRepresentation
@@ -50,7 +50,7 @@ public:
 
   ///@{
   /**
-   * The device. It is opened as "vibration:xr", or as "virtual", which has a tip but does not
+   * The device to move. Open it as "vibration:xr", or as "virtual", which has a tip but does not
    * vibrate.
    */
   void SetDevice(vtkHapticDevice* device);
@@ -59,8 +59,8 @@ public:
 
   ///@{
   /**
-   * Set the interactor of the headset's window. It is observed, but not kept alive. nullptr ends
-   * the observation and the vibration.
+   * Set the interactor of the headset's window. It is observed without a reference, so it may be
+   * deleted. nullptr ends the observation and the vibration.
    */
   void SetInteractor(vtkRenderWindowInteractor* interactor);
   vtkRenderWindowInteractor* GetInteractor();
@@ -73,7 +73,7 @@ public:
   };
 
   ///@{
-  /** The hand whose controller leads the tip, LEFT or RIGHT (default). */
+  /** The hand whose controller moves the tip, LEFT or RIGHT (default). */
   vtkSetClampMacro(Hand, int, LEFT, RIGHT);
   vtkGetMacro(Hand, int);
   void SetHandToLeft() { this->SetHand(LEFT); }
@@ -90,22 +90,25 @@ public:
   ///@}
 
   ///@{
-  /** The action of the manifest that makes controllers vibrate. Default "haptic", VTK's name. */
+  /**
+   * The action in the manifest that makes controllers vibrate. Default "haptic", as in VTK's
+   * manifest.
+   */
   vtkSetMacro(ActionName, std::string);
   vtkGetMacro(ActionName, std::string);
   ///@}
 
   /**
    * Copy a manifest of actions, such as VTK's vtk_openxr_actions.json, and the bindings beside it
-   * into a folder, and bind ActionName to the motors of both hands' controllers. This is needed
-   * because the files of VTK 9.2 to 9.7 have the action but bind it to nothing, so that nothing
-   * vibrates. Before the interactor is initialized, pass the full name of the copy to its
+   * into a folder, and bind ActionName to the motors of both hands' controllers. Without this,
+   * controllers don't vibrate: the files of VTK 9.2 to 9.7 have the action but bind it to nothing.
+   * Before the interactor is initialized, pass the full name of the copy to its
    * SetActionManifestFileName. Returns false and reports an error if a file can't be read or
    * written.
    */
   bool WriteActions(const char* manifest, const char* folder);
 
-  /** Get whether there is an interactor that can make controllers vibrate. */
+  /** Get whether the interactor is set and can make controllers vibrate. */
   bool CanVibrate();
 
   /** Get the amplitude of the last vibration, 0 to 1. */

@@ -22,8 +22,8 @@ namespace VolumeHaptics
 namespace
 {
 /**
- * Limits on the pairs of time steps whose edges are compared. PairsAtOnce: in one call. MostPairs:
- * in a series.
+ * Limits on the number of pairs of time steps whose edges are compared. PairsAtOnce: per call.
+ * MostPairs: per series.
  */
 constexpr std::size_t PairsAtOnce = 8;
 constexpr std::size_t MostPairs = 64;
@@ -33,10 +33,7 @@ double ComputeLastDataTime(const RecordedPath& recording)
   return *std::max_element(recording.DataTimes.begin(), recording.DataTimes.end());
 }
 
-/**
- * Repeats the first time step at the end if the recording was made in a loop, from the last time
- * step to the first.
- */
+/** Repeats the first time step at the end if the recording played the time steps in a loop. */
 void AddLoop(const RecordedPath& recording, std::vector<ImageTimeStep>& timeSteps)
 {
   if (!timeSteps.empty() && ComputeLastDataTime(recording) > timeSteps.back().Time)

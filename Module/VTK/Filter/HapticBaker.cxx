@@ -44,14 +44,14 @@ namespace
 {
 
 /**
- * Returns the fault in the settings for a servo of a rate (Hz), with the cure; empty if there is
- * none.
+ * Returns the fault in the settings for a servo at this rate (Hz), with the cure; empty if the
+ * settings are valid.
  */
 std::string CheckSettings(vtkVolumeHapticsFilter* filter, double rate)
 {
   for (const FilterSetting& setting : FilterSettings)
   {
-    // The rate of the servo counts instead of the filter's.
+    // Check the rate of the servo instead of the filter's setting.
     const bool isRate = std::string("ServoRate") == setting.Name;
     if (!std::isfinite(isRate ? rate : setting.Get(filter)))
     {
@@ -143,8 +143,8 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeInput(
       << this->Resampled.DescribeFault(this->Filter->GetInputDataObject(0, 0)) << hint);
     return nullptr;
   }
-  // Reuse the baked volume if only the device's caps have changed or the device has moved, which it
-  // does in every frame while it follows the camera.
+  // Reuse the baked volume if only the device's caps or its placement have changed. The placement
+  // changes in every frame while the device follows the camera.
   vtkDataArray* const scalars = this->GetArray(0, image);
   vtkImageData* const labels = vtkImageData::SafeDownCast(this->Filter->GetInputDataObject(3, 0));
   vtkDataArray* const labelArray = labels ? this->GetArray(1, labels) : nullptr;
@@ -173,10 +173,10 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeInput(
     vtkErrorWithObjectMacro(this->Filter, << Printable(error) << hint);
     return nullptr;
   }
-  // Keep the volume, not the model, because a model that is baked only once would take the volume
-  // with it.
+  // Keep a weak reference to the volume, not to the model: a model that is baked only once would
+  // take the volume with it.
   this->LastBaked = isMoving || !model ? nullptr : model->Baked;
-  // Get the time after the bake, because the first bake creates the property's missing functions.
+  // Read the time after the bake, because the first bake creates the property's missing functions.
   this->LastBakedTime = getTime();
   return model;
 }
@@ -190,7 +190,7 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeImage(vtkImageData* image, d
   vtkDataArray* scalars = this->Filter->GetChosenArray(0, image, association);
   if (!scalars && this->Filter->GetMethod() == vtkVolumeHapticsFilter::PRIMITIVES)
   {
-    // Modes need no scalars: only the array Value reads them.
+    // Modes work without scalars; only the trace's array Value reads them.
     scalars = FindModeArray(this->Filter->GetModes(), image);
   }
   if (!scalars || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
@@ -327,7 +327,7 @@ bool HapticBaker::HasLabelWalls()
 bool HapticBaker::AreLabels(vtkImageData* image)
 {
   WholeFacts whole;
-  std::string error; // BuildHapticModel() reports the error
+  std::string error; // ignored: BuildHapticModel() reports the error
   return this->Filter->GetProperty()->GetScalarsAreLabels() &&
     this->Filter->GetMethod() == vtkVolumeHapticsFilter::PROXY &&
     this->Filter->GetGeometry() == vtkVolumeHapticsFilter::FROM_SCALARS &&
@@ -362,7 +362,7 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeRegion(
   }
   catch (const std::bad_alloc&)
   {
-    return nullptr; // baking the whole image reports the error
+    return nullptr; // baking the whole image will report the error
   }
 }
 
@@ -400,7 +400,7 @@ TouchedArray HapticBaker::GetFilled(int component, bool areTimeSteps)
   }
   catch (const std::bad_alloc&)
   {
-    filled.Array = nullptr; // Bake() reports the error
+    filled.Array = nullptr; // Bake() will report the error
   }
   return filled;
 }
@@ -483,7 +483,7 @@ const char* BakePreparation::Prepare(bool isMoving)
     }
     catch (const std::bad_alloc&)
     {
-      return nullptr; // Bake() reports the error
+      return nullptr; // Bake() will report the error
     }
   }
   const char* const labels = hasLabels ? this->PrepareLabels() : nullptr;
@@ -558,7 +558,7 @@ bool BakePreparation::PrepareSurface()
   if (!scalars ||
     !ReadVolume(image, scalars, component, this->Filter->GetKernelRadius(), volume, error))
   {
-    return true; // Bake() reports an image that can't be read
+    return true; // Bake() will report an image that can't be read
   }
   const std::int64_t* const first = volume.View.First;
   return this->Surfaces.Prepare(vtkPolyData::SafeDownCast(this->Filter->GetInputDataObject(2, 0)),
@@ -607,13 +607,13 @@ double BakePreparation::EstimateTime()
   }
   catch (const std::bad_alloc&)
   {
-    return 0.0; // Bake() reports the error
+    return 0.0; // Bake() will report the error
   }
   vtkImageData* const image = this->Filter->GetTouchedImage();
   const vtkSmartPointer<vtkDataArray> scalars = this->Filter->GetBaker().GetFilled().Array;
   if (!scalars)
   {
-    return 0.0; // Bake() reports the error
+    return 0.0; // Bake() will report the error
   }
   return this->Surfaces.EstimateTime(
     vtkPolyData::SafeDownCast(this->Filter->GetInputDataObject(2, 0)),
@@ -624,7 +624,7 @@ double BakePreparation::EstimateTime()
 bool UpdateSources(vtkAlgorithm* filter)
 {
   bool hasRun = true;
-  for (const int port : { 0, 2, 3 }) // port 1, the path, is not needed
+  for (const int port : { 0, 2, 3 }) // all ports except the path on port 1
   {
     if (vtkAlgorithm* const source = filter->GetInputAlgorithm(port, 0))
     {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Bakes models from a vtkVolumeHapticsFilter and its inputs, and prepares the slow parts in the
+ * Bakes models from a vtkVolumeHapticsFilter and its inputs, and computes the slow parts in the
  * background.
  */
 #ifndef HapticBaker_h
@@ -40,7 +40,7 @@ class vtkHapticRegionSource;
 namespace VolumeHaptics
 {
 
-/** Thrown if memory ran out in the source of an input port, whose number is Port. */
+/** Thrown if the source of the input port number Port runs out of memory. */
 struct SourceLacksMemory : std::bad_alloc
 {
   explicit SourceLacksMemory(int port)
@@ -51,28 +51,29 @@ struct SourceLacksMemory : std::bad_alloc
 };
 
 /**
- * Runs the sources of the image, the surface and the labels. Returns false if one of them failed.
- * Throws SourceLacksMemory.
+ * Updates the sources of the image, the surface and the labels. Returns false if one of them
+ * failed. Throws SourceLacksMemory.
  */
 bool UpdateSources(vtkAlgorithm* filter);
 
-/** Text that is appended to a bake's error after UpdateSources() returned false. */
+/** Text to append to a bake's error after UpdateSources() returned false. */
 inline constexpr char FailedSource[] =
-  // VTK's executive considers a source that threw to be still running, so it can't run again.
+  // VTK's executive never runs a source again that threw, because it considers it to be still
+  // running.
   " A source of this filter failed: see its errors. If memory ran out in it before, VTK can't run "
   "it again: connect a new source.";
 
 /**
- * Returns the error, with the cure, for a lack of memory while an image is baked. `image` is null
- * if it is unknown.
+ * Returns the error, with the cure, for running out of memory while an image is baked. `image` is
+ * null if it is unknown.
  */
 std::string DescribeLackOfMemory(vtkImageData* image);
 
-/** Result of Prepare() while a mesh is being made. */
+/** Result of Prepare() while a mesh is being made, for the status text. */
 inline constexpr char MeshingWork[] = "the surface is meshed";
 
 /**
- * Prepares in the background what a filter needs to bake: the mesh of SURFACE_PROXY, the distances
+ * Computes in the background what a filter needs to bake: the mesh of SURFACE_PROXY, the distances
  * to forbidden labels, the finer grid of labels with thick slices, and the points of a tool with a
  * shape.
  */
@@ -89,43 +90,40 @@ public:
   OutsideFiller& GetOutside() { return this->Outside; }
 
   /**
-   * Returns a copy of the array whose outside samples are filled. Returns the array itself if
+   * Returns a copy of the array with its outside samples filled. Returns the array itself if
    * nothing is outside, or if it contains vectors or labels.
    * @param areTimeSteps whether the components of the array are time steps
    */
   vtkSmartPointer<vtkDataArray> FillOutside(
     vtkImageData* image, vtkDataArray* scalars, int component, bool areTimeSteps);
 
-  /**
-   * Records the note on guesses about the values. Returns whether there is a note that differs from
-   * the last one.
-   */
+  /** Stores the note on guesses about the values. Returns whether the note is new and not empty. */
   bool IsNewGuess(const std::string& guess)
   {
     return std::exchange(this->Guess, guess) != guess && !guess.empty();
   }
 
   /**
-   * Returns null if HapticBaker::Bake() needs no slow work that can be done in the background: the
+   * Returns null if HapticBaker::Bake() would be quick now. Otherwise starts its slow parts in the
+   * background and returns a text for the status, such as MeshingWork. The slow parts are the
    * distances to forbidden labels, the finer grid of labels with thick slices, a large mesh, and
-   * the points of a tool with a shape. Otherwise begins this work, and returns a text for the
-   * status, such as MeshingWork.
-   * @param isMoving whether BakeTimeSteps() follows, whose time steps may have meshes of their own
+   * the points of a tool with a shape.
+   * @param isMoving whether BakeTimeSteps() follows, whose time steps may have their own meshes
    */
   const char* Prepare(bool isMoving = false);
-  /** Ends the work that Prepare() began. */
+  /** Stops the background work of Prepare(). */
   void EndPreparing();
 
   /**
-   * Returns whether baking needs no slow meshing. If it does, begins to make the mesh in the
+   * Returns whether baking needs no slow meshing. If it does, starts to make the mesh in the
    * background.
    */
   bool IsSurfaceAtHand();
-  /** Waits for the mesh of IsSurfaceAtHand(). Returns false if the user aborts the wait. */
+  /** Waits for the mesh of IsSurfaceAtHand(). Returns false if the user aborts. */
   bool AwaitSurface();
   /**
-   * Estimates how long (s) HapticBaker::Bake() would take now on a desktop computer, without the
-   * pipeline before the filter. Only the mesh of SURFACE_PROXY counts; 0 if it is up to date.
+   * Estimates the time (s) that HapticBaker::Bake() would take now on a desktop computer, without
+   * the pipeline before the filter. Includes only the mesh of SURFACE_PROXY; 0 if it is up to date.
    */
   double EstimateTime();
 
@@ -142,20 +140,20 @@ private:
   std::string Guess;
 };
 
-/** Keeps the resampled regions of a data set until the data or the arrays change. */
+/** Caches the resampled regions of a data set until the data or the arrays change. */
 class ResampledInput
 {
 public:
   /**
    * Returns the source that resamples these arrays of the data. Returns null if the data are an
-   * image or have no cells.
+   * image, which needs no resampling, or have no cells.
    */
   vtkHapticRegionSource* Find(vtkDataObject* data, std::vector<std::string>&& arrays);
-  /** Explains why the data of the last Find() can't be touched, with the cure. */
+  /** Explains, with the cure, why the data of the last Find() can't be touched. */
   std::string DescribeFault(vtkDataObject* data) const;
   /**
-   * Returns the warning that only the first of these time steps is felt, with the cure. Returns an
-   * empty text if the warning has been returned for these time steps before.
+   * Returns the warning, with the cure, that only the first of these time steps is felt. Returns an
+   * empty text if the warning was already returned for these time steps.
    */
   std::string DescribeStillSteps(vtkDataObject* data, const std::vector<double>& steps);
 
@@ -169,8 +167,8 @@ private:
 };
 
 /**
- * Makes models from a filter and its inputs for the callers that compute ticks: the device, and the
- * search for a surface under the mouse. Belongs to the filter, and keeps what later bakes need.
+ * Makes models from a filter and its inputs for code that computes ticks: the device, and the
+ * search for a surface under the mouse. Each filter owns one, which caches results for later bakes.
  */
 class VTKVOLUMEHAPTICS_EXPORT HapticBaker
 {
@@ -182,9 +180,9 @@ public:
   }
 
   /**
-   * Updates port 0 and bakes it, with the property and all settings, for a servo that ticks at a
-   * rate (Hz), with the caps of its device. The matrix maps the servo's device space (m) to the
-   * world; nullptr means the world scaled by MetersPerWorldUnit. Returns null after an error.
+   * Updates port 0 and bakes it, with the property and all settings, for a servo with a rate (Hz)
+   * and the force caps of its device. The matrix maps the servo's device space (m) to the world;
+   * nullptr stands for the world scaled by MetersPerWorldUnit. Returns null after an error.
    */
   std::shared_ptr<const HapticModel> Bake(
     double rate, const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld)
@@ -193,8 +191,8 @@ public:
   }
 
   /**
-   * Bakes like Bake(), with time steps of a moving volume whose source is at the first of these
-   * time steps.
+   * Bakes time steps of a moving volume, like Bake(). The volume's source must be at the first of
+   * these time steps.
    */
   std::shared_ptr<const HapticModel> BakeTimeSteps(double rate, const ForceCaps& deviceCaps,
     vtkMatrix4x4* deviceToWorld, std::vector<ImageTimeStep>&& timeSteps,
@@ -224,7 +222,7 @@ public:
     return times;
   }
 
-  /** Returns which arrays of a time step are read. */
+  /** Returns which arrays of a time step are to be read. */
   TimeStepReading GetReading()
   {
     const auto getArray = [filter = this->Filter](vtkImageData* step)
@@ -238,14 +236,14 @@ public:
   }
 
   /**
-   * Bakes like Bake(), but only a part of the image, with the isosurface in it. Updates nothing.
+   * Bakes only a part of the image, with the isosurface in it, like Bake(). Updates nothing.
    * Returns null, without an error, if the part can't be touched.
    */
   std::shared_ptr<const HapticModel> BakeRegion(const SurfaceRegion& part, double rate,
     const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld);
 
   /**
-   * Bakes an image without changing it, for ticks of a period (s). Returns null, with the cure in
+   * Bakes an image without changing it, for a tick period (s). Returns null, with the cure in
    * `error`, if it can't be touched.
    * @param recording the recording that is replayed, whose version decides where the material is
    * read; null if there is none
@@ -254,23 +252,23 @@ public:
     const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld, std::string& error,
     vtkPolyData* recording, ImageTimeSteps&& timeSteps);
 
-  /** Returns whether walls between the labels on port 3 are felt. False if there are no labels. */
+  /** Returns whether walls between the labels on port 3 are felt; false without labels. */
   bool HasLabelWalls();
   /**
-   * Returns whether the scalars of an image on port 0 are felt as labels. False if they can't be
+   * Returns whether the scalars of an image on port 0 are felt as labels; false if they can't be
    * labels.
    */
   bool AreLabels(vtkImageData* image);
 
   /**
-   * Returns whether the data on port 0 are a grid that is not an image, and are resampled around
+   * Returns whether the data on port 0 are a grid other than an image, which is resampled around
    * the tip.
    */
   bool IsResampled();
-  /** Warns once that only the first time step of a grid is felt. */
+  /** Warns once if a grid has several time steps, because only the first one is felt. */
   void WarnOfStillSteps();
   /**
-   * Warns once for each series of time steps if edges move too fast for blending.
+   * Warns once per series of time steps if edges move too fast for blending.
    * @param isLoop whether the first time step follows the last one
    */
   void WarnOfFastMotion(const BakedVolume& volume, bool isLoop);
@@ -278,10 +276,10 @@ public:
   BakePreparation& GetPreparation() { return this->Preparation; }
   ResampledInput& GetResampled() { return this->Resampled; }
 
-  /** Returns the arrays of HashScalars() and HashLabels(). An array that is missing is null. */
+  /** Returns the arrays of HashScalars() and HashLabels(); null for a missing array. */
   std::array<TouchedArray, 2> GetTouched();
   /**
-   * Returns the array of HashScalars() with its outside samples filled: see
+   * Returns the array of HashScalars(), with its outside samples filled: see
    * BakePreparation::FillOutside().
    */
   TouchedArray GetFilled()
@@ -289,7 +287,7 @@ public:
     return this->GetFilled(this->Filter->GetProperty()->GetComponent(), false);
   }
   TouchedArray GetFilled(int component, bool areTimeSteps);
-  /** Returns which samples were outside in the array that was filled last. */
+  /** Returns which samples of the last filled array were outside. */
   const OutsideSamples& GetOutside() { return this->Preparation.GetOutside().GetLast(); }
 
 private:
@@ -298,13 +296,13 @@ private:
     int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
     return this->Filter->GetChosenArray(index, data, association);
   }
-  /** Bakes like Bake(), and reports errors as the filter's. */
+  /** Bakes like Bake(), and reports errors through the filter. */
   std::shared_ptr<const HapticModel> BakeOrTell(double rate, const ForceCaps& deviceCaps,
     vtkMatrix4x4* deviceToWorld, ImageTimeSteps&& timeSteps);
   std::shared_ptr<const HapticModel> BakeInput(double rate, const ForceCaps& deviceCaps,
     vtkMatrix4x4* deviceToWorld, ImageTimeSteps&& timeSteps);
   /**
-   * Bakes the labels, if there are any, for `recording`, which may be null. Returns false after an
+   * Bakes the labels on port 3, if there are any. `recording` may be null. Returns false after an
    * error.
    */
   bool BakeLabels(
@@ -316,8 +314,8 @@ private:
   ResampledInput Resampled;
   FastMotionWarning MotionWarning;
   RegionSeries Regions;
-  std::weak_ptr<const BakedVolume> LastBaked; ///< last baked volume, reused as long as something
-                                              ///< else keeps it alive
+  std::weak_ptr<const BakedVolume> LastBaked; ///< last baked volume, reused while a model still
+                                              ///< owns it
   vtkMTimeType LastBakedTime = 0;
 };
 

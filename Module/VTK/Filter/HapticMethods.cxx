@@ -23,7 +23,7 @@ std::vector<MethodChoice> MakeChoices()
     const std::string text = method.Text;
     if (choices.empty())
     {
-      // PROXY comes first, and is the only method with several solvers.
+      // PROXY is first in the list, and is the only method with several solvers.
       choices.push_back({ A::PROXY, A::PRECISE, "proxy", text + ", PRECISE", false });
       choices.push_back({ A::PROXY, A::PAPER, "paper", text + ", PAPER", false });
       continue;
@@ -43,7 +43,7 @@ std::vector<MethodChoice> MakeChoices()
 
 const std::vector<MethodChoice>& MethodChoices()
 {
-  // Never destroyed, because objects that are deleted while the process exits may still read it.
+  // Never destroyed, because objects that are deleted at the exit of the process may still read it.
   static const auto* const choices = new std::vector<MethodChoice>(MakeChoices());
   return *choices;
 }

@@ -14,22 +14,22 @@
 namespace VolumeHaptics
 {
 
-/** A method and, if it has several solvers, one solver. */
+/** A method of the filter, with one solver if the method has several. */
 struct MethodChoice
 {
   static constexpr int AnySolver = -1;
 
   int Method;       ///< vtkVolumeHapticsFilter::MethodType
   int Solver;       ///< vtkVolumeHapticsFilter::SolverType, or AnySolver
-  std::string Name; ///< the name in programs
-  std::string Text; ///< the name that the user sees
-  bool IsPrepared;  ///< whether a switch to it may keep the GUI thread busy for about a second
+  std::string Name; ///< name in programs and on command lines
+  std::string Text; ///< name that the user sees
+  bool IsPrepared;  ///< whether switching to it may keep the GUI thread busy for about a second
 };
 
-/** Lists all choices, in the order in which a key switches through them. */
+/** Returns all choices, in the order in which a key switches through them. */
 const std::vector<MethodChoice>& MethodChoices();
 
-/** Finds the index of a method and a solver in MethodChoices(). */
+/** Returns the index of a method and a solver in MethodChoices(). */
 std::size_t FindMethodChoice(int method, int solver);
 
 inline const MethodChoice& GetMethodChoice(int method, int solver)

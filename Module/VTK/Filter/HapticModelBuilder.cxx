@@ -31,17 +31,14 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Describes the range of values that a function may have. */
+/** Describes the allowed range of a function's values, with the unit. */
 std::string DescribeRange(const PropertyFunction& function)
 {
   const std::string unit = *function.Unit ? std::string(" ") + function.Unit : std::string();
   return function.Maximum == 1.0 ? "between 0 and 1" + unit : "0" + unit + " or more";
 }
 
-/**
- * Converts a function of the property's gradient magnitude to a function of the scalars' gradient
- * magnitude.
- */
+/** Converts a function of the gradient magnitude from the property's values to scalar units. */
 void ScaleSlopes(vtkHapticProperty* property, Polyline& line)
 {
   for (Vertex& vertex : line)
@@ -51,8 +48,8 @@ void ScaleSlopes(vtkHapticProperty* property, Polyline& line)
 }
 
 /**
- * Estimates from the image, if possible, the number that has to be added to the scalars, stores it
- * in the property, and describes it in `notice`.
+ * Estimates from the image, if possible, the shift to add to the scalars, stores it in the
+ * property, and describes it in `notice`.
  */
 void EstimateShift(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
   const HapticVolume& volume, int component, std::string& notice)
@@ -107,7 +104,7 @@ bool BakeFunctions(vtkHapticProperty* property, HapticMaterial& material, std::s
   return true;
 }
 
-/** Bakes the opacities of the volume property as masks of the material. */
+/** Bakes the volume property's opacities as visibility masks of the material. */
 void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMaterial& material)
 {
   vtkVolumeProperty* const volume = property->GetVisibilityFrom();
@@ -115,17 +112,18 @@ void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMate
   {
     return;
   }
-  constexpr int mostComponents = 4; // limit of vtkVolumeProperty
+  constexpr int mostComponents = 4; // as many as vtkVolumeProperty supports
   const int component =
     volume->GetIndependentComponents() ? std::min(property->GetComponent(), mostComponents - 1) : 0;
   const double* const spacing = image->GetSpacing();
   const double average = (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
   material.ScalarVisibility = MaskAbove(ToPolyline(volume->GetScalarOpacity(component), 1.0));
-  // Nearest samples are VTK's default, so for scalars that are no labels they are not what the
-  // user chose.
+  // Use nearest samples only for labels: nearest is VTK's default, so for other scalars the user
+  // need not have chosen it.
   material.IsSeenByNearest =
     property->GetScalarsAreLabels() && volume->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
-  // Don't get a missing function: this would create one, and mappers would then draw with it.
+  // Check before getting a function, because getting a missing one would create it, and mappers
+  // would then draw with it.
   if (volume->HasGradientOpacity(component))
   {
     material.GradientVisibility =
@@ -134,8 +132,8 @@ void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMate
 }
 
 /**
- * Derives the distinctness from the noise if the user wants that and has set no Distinctness.
- * Otherwise converts a Distinctness that is given per millimetre to world units.
+ * Derives the distinctness from the noise if the user enables that and has set no Distinctness
+ * function. Otherwise converts a Distinctness that is given per millimetre to world units.
  */
 void BakeDistinctness(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
   int component, const WholeFacts& whole, double metersPerWorldUnit, HapticModelDescription& d)
@@ -154,7 +152,7 @@ void BakeDistinctness(vtkHapticProperty* property, vtkImageData* image, vtkDataA
   }
   else if (property->GetDistinctnessPerMillimeter())
   {
-    // the factor is exactly 1 for a world in millimetres
+    // The factor is exactly 1 for a world in millimetres.
     const double millimetersPerUnit = metersPerWorldUnit / 1e-3;
     for (Vertex& vertex : d.Material.Distinctness)
     {
@@ -164,9 +162,7 @@ void BakeDistinctness(vtkHapticProperty* property, vtkImageData* image, vtkDataA
   property->NoteNoiseRamp(ramp.empty() ? 0.0 : ramp.front().X, ramp.empty() ? 0.0 : ramp.back().X);
 }
 
-/**
- * Removes the surface strength of the background, if the image shows which values are background.
- */
+/** Removes the surface strength of the background, if the image shows where the background ends. */
 void BakeSolid(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
   int component, const WholeFacts& whole, HapticModelDescription& d)
 {
@@ -178,13 +174,13 @@ void BakeSolid(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* s
     whole.IsThere ? whole.Solid : EstimateSolid(image, scalars, d.View, component);
   if (solid.IsThere)
   {
-    // Grains of the background reach a little above the threshold.
+    // Cut up to a little above the threshold, which noise grains of the background reach.
     d.Material.SurfaceStrength =
       CutBelow(d.Material.SurfaceStrength, solid.Full, 2.0 * solid.Full - solid.Threshold);
   }
 }
 
-/** Makes the missing isosurfaces of all time steps but the last one. */
+/** Makes the missing isosurfaces of all time steps except the last one. */
 void MeshTimeSteps(const std::vector<ImageTimeStep>& read, double value,
   const Affine3& indexToWorld, std::vector<VolumeTimeStep>& timeSteps)
 {
@@ -199,8 +195,8 @@ void MeshTimeSteps(const std::vector<ImageTimeStep>& read, double value,
 }
 
 /**
- * Returns the mesh with the most triangles of all time steps. Returns null, with an error, if no
- * time step has a triangle.
+ * Returns the mesh with the most triangles among all time steps. Returns null, with an error, if
+ * none has a triangle.
  */
 std::shared_ptr<const SurfaceMesh> FindLargestMesh(
   const std::vector<VolumeTimeStep>& timeSteps, double value, std::string& error)
@@ -223,7 +219,7 @@ std::shared_ptr<const SurfaceMesh> FindLargestMesh(
   return largest;
 }
 
-/** Bakes the mesh and the proxy's radius, if the method touches a mesh. */
+/** Bakes the mesh and the proxy's radius if the method touches a mesh. */
 bool BakeSurface(vtkImageData* image, vtkDataArray* scalars, int component,
   const HapticModelOptions& options, HapticModelDescription& d, std::string& error)
 {
@@ -268,8 +264,8 @@ bool BakeSurface(vtkImageData* image, vtkDataArray* scalars, int component,
 }
 
 /**
- * Returns a pointer that holds a reference to the array. It must be created and released outside
- * the servo's thread.
+ * Returns a shared pointer that owns a reference to the array. Create and release it outside the
+ * servo's thread.
  */
 std::shared_ptr<const void> ShareArray(vtkDataArray* array)
 {
@@ -277,7 +273,7 @@ std::shared_ptr<const void> ShareArray(vtkDataArray* array)
   return { static_cast<const void*>(array), [array](const void*) { array->UnRegister(nullptr); } };
 }
 
-/** Copies the component of an array that is a time step. */
+/** Copies the component of an array that represents a time step. */
 vtkSmartPointer<vtkDataArray> CopyComponent(const ImageTimeStep& timeStep)
 {
   auto copy = NewArray(timeStep.Array->GetDataType(), 1, timeStep.Array->GetNumberOfTuples());
@@ -309,7 +305,7 @@ bool BakeTimeSteps(const HapticModelOptions& options, HapticModelDescription& d,
       "Choose another method, or stop time with SetTimeUnitsPerSecond(0).";
     return false;
   }
-  // If the time steps are a part of the series, the last one needs no displacements.
+  // If the time steps are only a part of the series, the last one needs no displacements.
   TimeStepSeries series = d.Series;
   series.Last = timeSteps.empty() ? 0.0 : timeSteps.back().Time;
   series.First = timeSteps.empty() ? 0.0 : std::min(series.First, timeSteps.front().Time);
@@ -340,7 +336,8 @@ bool MakeVolumeTimeStep(const ImageTimeStep& read, const TimeStepShape& shape,
     error = message.str();
     return false;
   }
-  // If the time steps are components, copy only one: a copy of the array would hold all of them.
+  // If the time steps are components of one array, copy only this component: filling a copy of the
+  // array would copy all of them.
   const bool isAlone = !shape.Outside.HasAny() || read.Array->GetNumberOfComponents() == 1 ||
     read.Component >= read.Array->GetNumberOfComponents();
   const vtkSmartPointer<vtkDataArray> array =
@@ -363,7 +360,7 @@ bool MakeVolumeTimeStep(const ImageTimeStep& read, const TimeStepShape& shape,
     error = message.str();
     return false;
   }
-  // In all time steps, samples that are not numbers are replaced by the same value.
+  // Replace samples that are not numbers by the same value in all time steps.
   volume.View.BorderValue = shape.View.BorderValue;
   timeStep = { read.Time, volume.View, ShareArray(volume.Holder) };
   timeStep.Mesh = read.Mesh;
@@ -400,7 +397,7 @@ std::shared_ptr<const BakedVolume> GoOnWithTimeSteps(const BakedVolume& last,
   {
     if (!isAlike || !MakeVolumeTimeStep(timeSteps[i], shape, made[i], error))
     {
-      return nullptr; // baking again reports the reason
+      return nullptr; // baking again will report the reason
     }
   }
   if (last.Mesh)
@@ -489,7 +486,8 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
   BakeSolid(property, image, scalars, component, whole, d);
   if (!d.TimeSteps.empty())
   {
-    // Use the copied first step, because the source may write the next step to the image's memory.
+    // Use the copy of the first step, because the source may write the next step to the image's
+    // memory.
     d.View = d.TimeSteps.front().View;
     d.Samples = d.TimeSteps.front().Samples;
   }

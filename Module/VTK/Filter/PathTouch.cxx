@@ -33,7 +33,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Touches the path in an image. Sets `ticks` as soon as the number of ticks is known. */
+/** Touches an image along the path. Sets `ticks` as soon as the number of ticks is known. */
 bool TouchPathIn(vtkVolumeHapticsFilter* filter, vtkImageData* image, vtkPolyData* path,
   TraceArrayChoice arrays, ArrayHash& labelHash, vtkPolyData* output, vtkIdType& ticks)
 {
@@ -69,7 +69,7 @@ bool TouchPathIn(vtkVolumeHapticsFilter* filter, vtkImageData* image, vtkPolyDat
     vtkErrorWithObjectMacro(filter, << error);
     return false;
   }
-  // Without a path, only check the input; a slow mesh is made in the background.
+  // Without a path, only check the input, and leave a slow mesh to the background.
   if (readable && !source && timeSteps.TimeSteps.empty() &&
     !(path ? baker.GetPreparation().AwaitSurface() : baker.GetPreparation().IsSurfaceAtHand()))
   {
@@ -139,7 +139,7 @@ bool TouchPathIn(vtkVolumeHapticsFilter* filter, vtkImageData* image, vtkPolyDat
   {
     AddTissueArrays(*shares, FinalTissueNames, output->GetFieldData());
   }
-  // Each tick of a recording is a point of the path, unless the user has aborted the run.
+  // In a recording, tick i is point i of the path, except after the user has aborted the run.
   vtkDataArray* const orientations =
     recording ? path->GetPointData()->GetArray(RecordingNames::Orientation) : nullptr;
   if (orientations && !output->GetPointData()->HasArray(RecordingNames::Orientation) &&

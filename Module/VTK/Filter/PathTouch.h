@@ -18,8 +18,8 @@ namespace VolumeHaptics
 
 /**
  * Touches the volume on port 0 along a path, and writes the chosen arrays of the trace. Without a
- * path, checks the input only. Returns false after an error, which the filter has reported.
- * @param labelHash hash of the labels on port 3, which is compared with that of a recording
+ * path, only checks the input. Returns false after an error, which the filter has reported.
+ * @param labelHash hash of the labels on port 3, to compare with the hash in a recording
  */
 bool TouchPath(vtkVolumeHapticsFilter* filter, vtkPolyData* path, TraceArrayChoice arrays,
   ArrayHash& labelHash, vtkPolyData* output);

@@ -27,13 +27,13 @@ namespace VolumeHaptics
 namespace
 {
 /**
- * Longest stretch (m) of the spring that a hand is expected to cause if nothing limits the force.
+ * Longest extension (m) of the spring that a hand is expected to cause if nothing limits the force.
  */
 constexpr double LongestSpring = 0.05;
 
 /**
- * Computes the largest (T_N sqrt(1 + mu^2) + R) / k (m). It occurs at one of the points of the
- * functions.
+ * Computes the largest spring extension (m), (T_N sqrt(1 + mu^2) + R) / k. The maximum occurs at
+ * one of the points of the functions.
  */
 double ComputeSpring(vtkVolumeHapticsFilter* filter)
 {
@@ -71,8 +71,8 @@ double ComputeSpring(vtkVolumeHapticsFilter* filter)
 }
 
 /**
- * Computes the longest spring (m) of PRIMITIVES, with all modes pulling in one direction at full
- * strength.
+ * Computes the longest spring extension (m) of PRIMITIVES, with all modes pulling in one direction
+ * at full strength.
  */
 double ComputeModeSpring(vtkVolumeHapticsFilter* filter)
 {
@@ -86,7 +86,7 @@ double ComputeModeSpring(vtkVolumeHapticsFilter* filter)
     }
     if (mode->GetKind() == vtkHapticMode::SURFACE)
     {
-      return LongestSpring; // its materials have their own stiffness
+      return LongestSpring; // this mode uses the stiffness of the materials
     }
     for (const ModeFunction& function : GetModeFunctions(mode))
     {
@@ -102,7 +102,8 @@ double ComputeModeSpring(vtkVolumeHapticsFilter* filter)
     }
   }
   const double spring = force / filter->GetCouplingStiffness();
-  return spring < LongestSpring ? spring : LongestSpring; // also covers a stiffness of 0 N/m
+  return spring < LongestSpring ? spring : LongestSpring; // written so that an infinite spring at 0
+                                                          // N/m yields LongestSpring
 }
 
 } // namespace
@@ -110,7 +111,7 @@ double ComputeModeSpring(vtkVolumeHapticsFilter* filter)
 //------------------------------------------------------------------------------
 void ConfigurePlanner(RegionPlanner& planner, vtkVolumeHapticsFilter* filter)
 {
-  const double voxel = LargestColumn(planner.GetWhole().IndexToWorld.Linear); // longest edge
+  const double voxel = LargestColumn(planner.GetWhole().IndexToWorld.Linear); // longest edge (m)
   const double radius = filter->GetKernelRadius();
   planner.MetersPerWorldUnit = filter->GetMetersPerWorldUnit();
   const int method = filter->GetMethod();
@@ -124,13 +125,14 @@ void ConfigurePlanner(RegionPlanner& planner, vtkVolumeHapticsFilter* filter)
   double voxels = radius + ResidencySpare;
   if (hasModes)
   {
-    // Residency.cxx reads: the step of a derivative, and the distance that a push may cover.
+    // As in Residency.cxx, include the step of a derivative, and the distance that a push may
+    // cover.
     voxels += 1.0 + ModeWay;
   }
   else if (method == vtkVolumeHapticsFilter::LOCAL_SURFACE)
   {
-    // Residency.cxx reads: the corners of the cube that is searched for a surface, and the samples
-    // that its curvature needs.
+    // As in Residency.cxx, include the corners of the cube that is searched for a surface, and the
+    // samples that its curvature needs.
     voxels += LocalCornerReach + radius;
   }
   else if (method == vtkVolumeHapticsFilter::PROXY &&
@@ -143,7 +145,7 @@ void ConfigurePlanner(RegionPlanner& planner, vtkVolumeHapticsFilter* filter)
   auto* const labels = vtkImageData::SafeDownCast(filter->GetInputDataObject(3, 0));
   if (labels && method == vtkVolumeHapticsFilter::PROXY)
   {
-    // Residency.cxx reads: x_s and x_v of walls between labels.
+    // As in Residency.cxx, include x_s and x_v of walls between labels.
     const double* const spacing = labels->GetSpacing();
     const double coarsest =
       std::max({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });

@@ -89,8 +89,8 @@ void RegionSeries::Record(const HapticModelDescription& d, const WholeFacts& fac
   }
   constexpr std::size_t most = 4;
   Entry entry{ d, facts, array, number };
-  // Release the samples: the entry is only compared, and must keep nothing alive but a surface that
-  // the user has connected.
+  // Release the samples: an entry is only compared, so it should keep nothing in memory except a
+  // surface that the user has connected.
   entry.Description.Samples.reset();
   entry.Description.View.Data = nullptr;
   for (ModeDescription& mode : entry.Description.Modes)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Recognises models of regions that belong to the same volume.
+ * Detects models of regions that belong to the same volume.
  */
 #ifndef RegionSeries_h
 #define RegionSeries_h
@@ -17,8 +17,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Numbers models. Models get the same number if they are of regions of the same volume and have the
- * same material and settings.
+ * Numbers models. Models of regions of the same volume with the same material and settings get the
+ * same number.
  */
 class RegionSeries
 {
@@ -43,7 +43,7 @@ private:
   static bool IsSame(const Entry& entry, const HapticModelDescription& description,
     const WholeFacts& facts, const std::string& array);
 
-  /** Recent models of a servo, and of other users of the same filter. The latest is at the end. */
+  /** Recent models of all users of the same filter, such as several servos; the latest is last. */
   std::vector<Entry> Last;
 };
 

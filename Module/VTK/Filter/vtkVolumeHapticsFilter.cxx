@@ -41,7 +41,7 @@
 
 namespace
 {
-/** Returns whether the requested piece is not the first one, which contains the whole trace. */
+/** Returns whether the requested piece is a later one; the first piece contains the whole trace. */
 bool IsLaterPiece(vtkInformationVector* outputs)
 {
   vtkInformation* const output = outputs->GetInformationObject(0);
@@ -603,8 +603,7 @@ int vtkVolumeHapticsFilter::FillInputPortInformation(int port, vtkInformation* i
 {
   if (port == 0)
   {
-    // Other data sets are allowed, too; composite data are accepted as one object: see
-    // GetTouchedImage().
+    // Other data sets are accepted, too, and composite data as one object: see GetTouchedImage().
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
     return 1;
   }
@@ -634,7 +633,7 @@ int vtkVolumeHapticsFilter::RequestInformation(
   if (VolumeHaptics::AreTimeStepsFelt(this) &&
     !VolumeHaptics::ReadTimeSteps(inputs[0]->GetInformationObject(0)).empty())
   {
-    // The trace passes through all time steps, so it has no time steps itself.
+    // The trace covers all time steps of the volume, so the output has no time steps itself.
     outputs->GetInformationObject(0)->Remove(Pipeline::TIME_STEPS());
     outputs->GetInformationObject(0)->Remove(Pipeline::TIME_RANGE());
   }

@@ -153,7 +153,8 @@ public:
   ///@{
   /**
    * Set the surface that SURFACE_PROXY touches instead of the isosurface at IsoValue, on port 2, in
-   * world units. Polygons and strips count; with point normals the force is shaded.
+   * world units. Polygons and strips are used; point normals make the force smooth from triangle to
+   * triangle.
    */
   void SetSurfaceConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(2, output); }
   void SetSurfaceData(vtkPolyData* surface);
@@ -175,11 +176,11 @@ public:
   /**
    * The materials of the labels. Default: none, so that no label has a material.
    *
-   * A label without an entry in the table, and all that lies outside the label image, has the
-   * material of the transfer functions. Between labels, materials change gradually within a voxel
-   * of the label image. If no label at a position has a material, forces are the same as without
-   * labels, to the bit. Labels don't change SURFACE_PROXY and LOCAL_SURFACE, which have one
-   * material, that of IsoValue, nor FORCE_FIELD, which has none.
+   * A label without an entry in the table, and everything outside the label image, has the material
+   * of the transfer functions. Between labels, materials change gradually within a voxel of the
+   * label image. If no label at a position has a material, forces are bit-identical to those
+   * without labels. Labels don't change SURFACE_PROXY and LOCAL_SURFACE, which have one material,
+   * that of IsoValue, nor FORCE_FIELD, which has none.
    */
   void SetLabelTable(vtkHapticLabelTable* table);
   vtkHapticLabelTable* GetLabelTable();
@@ -187,11 +188,11 @@ public:
 
   ///@{
   /**
-   * Planes in world units that cut parts of the volume away: what lies on the negative side of a
-   * plane is not felt, as vtkAbstractMapper::SetClippingPlanes does not show it. Pass a mapper's
-   * own planes to cut where the picture is cut; moving them moves the cut. Default: none. Points of
-   * the image that are blanked (HIDDENPOINT), or have blanked cells only, are cut away, too,
-   * halfway to the next shown point. Over the last voxel in front of a cut, surfaces and drag fade;
+   * Planes in world units that cut parts of the volume away: the negative side of a plane is not
+   * felt, as it is not shown with vtkAbstractMapper::SetClippingPlanes. Pass a mapper's own planes
+   * to cut where the picture is cut; moving them moves the cut. Default: none. Points of the image
+   * that are blanked (HIDDENPOINT), or whose cells are all blanked, are also cut away, halfway to
+   * the next visible point. Over the last voxel in front of a cut, surfaces and drag fade;
    * SURFACE_PROXY and LOCAL_SURFACE end at it. Gradients are those of the whole volume, so that a
    * cut makes no edge of its own. The wall in front of a forbidden label, guides, and data on other
    * ports are not cut.
@@ -235,9 +236,9 @@ public:
   ///@{
   /**
    * Whether the faces of a cut hold like the material behind them: with k, mu and T_N of the value
-   * one voxel behind the face, from outside, over half a voxel. So a cut bone is hard and a cut
-   * muscle is soft, and where T_N is zero nothing holds. For the method PROXY. Default: off, so
-   * that a hand goes through a face without a force.
+   * one voxel behind the face, from outside, over half a voxel. A cut bone is thus hard and a cut
+   * muscle soft, and a face where T_N is zero does not hold. For the method PROXY. Default: off: a
+   * hand passes through a face without a force.
    */
   void SetFeelCutFaces(bool feel);
   bool GetFeelCutFaces();
@@ -246,16 +247,20 @@ public:
 
   ///@{
   /**
-   * The tissue that a vtkHapticBurr has removed from the volume. Every tool feels the rest; a path
-   * feels what was left when the filter ran, so call Modified() after the hand has removed more.
-   * nullptr creates a new removal, with all tissue left. Default: a removal of this filter's own.
+   * The tissue that a vtkHapticBurr has removed from the volume. Every tool feels the remaining
+   * tissue; a path feels the tissue that remained when the filter ran, so call Modified() after the
+   * hand has removed more. nullptr creates a new removal, with all tissue present. Default: a
+   * removal of this filter's own.
    */
   void SetRemoval(vtkHapticRemoval* removal);
   vtkHapticRemoval* GetRemoval();
   ///@}
 
   ///@{
-  /** The materials. Created with its defaults on first Get; nullptr restores these. */
+  /**
+   * The materials. Created with default settings on the first Get; nullptr restores the default
+   * settings.
+   */
   void SetProperty(vtkHapticProperty* property);
   vtkHapticProperty* GetProperty();
   ///@}
@@ -304,9 +309,9 @@ public:
 
   ///@{
   /**
-   * The modes of the method PRIMITIVES, at most eight, which are felt together. A mode is not added
-   * twice. All active modes have eight primitives at most: shear, ridge and one-sided front one
-   * each; follow, two-sided front and guide two; vortex, tensor and surface three.
+   * The modes of the method PRIMITIVES, at most eight, which are felt together. Adding a mode again
+   * has no effect. All active modes have eight primitives at most: shear, ridge and one-sided front
+   * one each; follow, two-sided front and guide two; vortex, tensor and surface three.
    */
   void AddMode(vtkHapticMode* mode);
   void RemoveMode(vtkHapticMode* mode);
@@ -315,7 +320,7 @@ public:
   ///@}
 
   /**
-   * Get a mode by its number, which counts from 0 as in the array ModeForce_i; nullptr if there is
+   * Get a mode by its index, which counts from 0 as in the array ModeForce_i; nullptr if there is
    * none.
    */
   vtkHapticMode* GetMode(int mode);
@@ -345,9 +350,9 @@ public:
 
   ///@{
   /**
-   * What the hand holds, such as a vtkHapticNeedle; nullptr (default) is a point. It may change
-   * while a hand feels it: after the next vtkHapticDevice::Publish(), a force that would jump rises
-   * gradually. A tool of a class outside this module is an error, and changes nothing.
+   * The tool in the hand, such as a vtkHapticNeedle; nullptr (default) stands for a point. It may
+   * change while a hand feels it: after the next vtkHapticDevice::Publish(), a force that would
+   * jump rises gradually. A tool of a class outside this module is refused with an error.
    */
   void SetTool(vtkHapticTool* tool);
   vtkHapticTool* GetTool();
@@ -474,8 +479,8 @@ public:
   ///@{
   /**
    * Radius of the gradient kernel in voxels, 1 to 16. The distance r from the proxy at which
-   * materials are picked (fig. 4) is this number of voxels along the normal (with the solver Paper,
-   * times the largest spacing). A larger kernel is smoother and feels less detail. Default 2.
+   * materials are read (fig. 4) is this number of voxels along the normal (with the solver Paper,
+   * times the largest spacing). A larger kernel gives a smoother feel with less detail. Default 2.
    */
   vtkSetClampMacro(KernelRadius, int, 1, 16);
   vtkGetMacro(KernelRadius, int);
@@ -686,9 +691,7 @@ public:
   ///@}
 
   ///@{
-  /**
-   * The largest force (N) in the trace; larger forces are shortened. 0 (default) does not limit.
-   */
+  /** The largest force (N) in the trace; larger forces are scaled down. 0 (default): no limit. */
   vtkSetClampMacro(MaximumForce, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumForce, double);
   ///@}
@@ -696,7 +699,7 @@ public:
   ///@{
   /**
    * Cap on the stiffness (N/m), whatever the material says: what a device and its tick rate can
-   * render without becoming unstable. 0 (default) does not cap.
+   * render without becoming unstable. 0 (default): no cap.
    */
   vtkSetClampMacro(MaximumStiffness, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumStiffness, double);
@@ -718,7 +721,9 @@ public:
   ///@}
 
   ///@{
-  /** Choose the trace's arrays one by one. An array that does not exist has the status 0. */
+  /**
+   * Switch arrays of the trace on or off one by one. An array that does not exist has the status 0.
+   */
   int GetNumberOfTraceArrays();
   const char* GetTraceArrayName(int array);
   int GetTraceArrayStatus(const char* name);
@@ -726,40 +731,41 @@ public:
   ///@}
 
   /**
-   * Get the names of all choices of Method and Solver, for menus and command lines, in the order of
-   * NextMethod(): "proxy" (PROXY with PRECISE), "paper" (PROXY with PAPER), "force-field",
+   * Get the names of all combinations of Method and Solver, for menus and command lines, in the
+   * order of NextMethod(): "proxy" (PROXY with PRECISE), "paper" (PROXY with PAPER), "force-field",
    * "surface-proxy", "local-surface", "primitives".
    */
   static vtkStringArray* GetMethodNames();
 
   /**
-   * Choose one of GetMethodNames(). For any other name, reports an error that lists them and
-   * returns false.
+   * Choose a method by one of GetMethodNames(). For any other name, reports an error that lists the
+   * names and returns false.
    */
   bool SetMethodByName(const char* name);
   std::string GetMethodName();
 
-  /** Get the name of the method as users see it, such as "Proxy, PRECISE". */
+  /** Get the name of the method and solver as users see it, such as "Proxy, PRECISE". */
   std::string GetMethodText();
 
   /**
-   * Choose the next of GetMethodNames(); the first one follows the last. "primitives" is left out
+   * Switch to the next of GetMethodNames(), and from the last to the first. "primitives" is skipped
    * if there are no modes.
    */
   void NextMethod();
 
 #ifndef __VTK_WRAP__
-  /** Get the fault in names for SetTraceArrays, with the cure; empty if there is none. */
+  /** Get what is wrong with names for SetTraceArrays, with the cure; empty if they are valid. */
   static std::string CheckTraceArrays(const std::string& names);
 #endif
 
   /**
-   * Returns the latest modification time of this filter, the property, the modes, the tool, their
-   * functions, the label table, the clipping planes, and the settings of the removal.
+   * Returns the latest modification time of this filter and of everything that affects its forces:
+   * the property, the modes, the tool, their functions, the label table, the clipping planes, and
+   * the settings of the removal.
    */
   vtkMTimeType GetMTime() override;
 
-  /** Print the settings and the property, without the pipeline around them, for recordings. */
+  /** Print the settings and the property without the rest of the pipeline, for recordings. */
   void PrintSettings(ostream& os, vtkIndent indent);
 
   /**
@@ -772,8 +778,8 @@ public:
   std::string HashLabels();
 
   /**
-   * Get the image that is touched: the image on port 0, or, for other data there, the region that
-   * was resampled last, after an update of port 0; nullptr if there is none.
+   * Get the touched image: the image on port 0, or, for other data, the region that was resampled
+   * last, after an update of port 0; nullptr if there is none.
    */
   vtkImageData* GetTouchedImage();
   /**
@@ -783,14 +789,16 @@ public:
   vtkHapticRegionSource* GetRegionSource();
 
   /**
-   * Give a source of regions the settings of this filter that it needs to plan and fill regions.
+   * Pass a source of regions the settings of this filter that it needs to plan and fill regions.
    * The filter and vtkHapticDevice call this for the source on port 0.
    */
   void ConfigureSource(vtkHapticRegionSource* source);
 
 #ifndef __VTK_WRAP__
   ///@{
-  /** Returns the model builder, for other classes of the module such as vtkHapticDevice. */
+  /**
+   * Returns the object that bakes models, for other classes of the module such as vtkHapticDevice.
+   */
   VolumeHaptics::HapticBaker& GetBaker()
   {
     return *this->Baker;
@@ -799,10 +807,7 @@ public:
   {
     return this->Modes;
   }
-  /**
-   * Returns the array that SetInputArrayToProcess has chosen, and its association (points or
-   * cells).
-   */
+  /** Returns the array chosen by SetInputArrayToProcess, and its association (points or cells). */
   vtkDataArray* GetChosenArray(int index, vtkDataObject* data, int& association)
   {
     return this->GetInputArrayToProcess(index, data, association);
@@ -861,7 +866,7 @@ private:
   bool ChooseTraceArrays(const std::vector<std::string>& names);
 
   std::unique_ptr<VolumeHaptics::HapticBaker> Baker;
-  std::unique_ptr<VolumeHaptics::ArrayHash[]> Hashes; // hashes of scalars and labels
+  std::unique_ptr<VolumeHaptics::ArrayHash[]> Hashes; // cached hashes of scalars and labels
   vtkSmartPointer<vtkHapticLabelTable> LabelTable;
   vtkSmartPointer<vtkHapticRemoval> Removal;
   std::unique_ptr<VolumeHaptics::HapticCut> Cut;
@@ -873,8 +878,9 @@ private:
 
 #ifndef __VTK_WRAP__
 /**
- * Calls Update() of a vtkVolumeHapticsFilter, for Python's ctypes: while ctypes calls a function,
- * other threads of Python run. VTK's own wrappers allow this only from VTK 9.4 on, in some builds.
+ * Calls Update() of a vtkVolumeHapticsFilter through Python's ctypes, which releases Python's
+ * global lock, so that other threads of Python run meanwhile. VTK's own wrappers do this only since
+ * VTK 9.4, in some builds.
  */
 extern "C" VTKVOLUMEHAPTICS_EXPORT void vtkVolumeHapticsFilterUpdate(vtkObjectBase* filter);
 #endif

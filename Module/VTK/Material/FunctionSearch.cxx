@@ -22,15 +22,12 @@ namespace
 {
 
 constexpr std::size_t MostCounted = 200000; // voxels
-/** Number of voxels whose background work takes some milliseconds. */
+/** Number of voxels in one piece of background work: some milliseconds. */
 constexpr std::size_t CountedAtOnce = 1024;
 
-/** Largest slope of the histogram, as a multiple of the steepest boundary's slope. */
+/** Largest gradient magnitude in the histogram, as a multiple of the steepest boundary's slope. */
 constexpr double SlopeRoom = 1.25;
-/**
- * Fraction of the search's time that is spent on the functions. The rest is spent on counting
- * edges.
- */
+/** Fraction of the search's progress that the functions take. The rest is for counting edges. */
 constexpr double ProposalFraction = 0.8;
 
 EdgeHistogram MakeFrame(const SearchedData& data, double mostSlope)
@@ -100,7 +97,7 @@ void CountEdges(
       histogram.Fractions[cell] += 1.0;
     }
   }
-  // Ignore the lowest gradients, which are so frequent that edges would look too pale.
+  // Ignore the lowest gradients when scaling: they are so frequent that edges would look too pale.
   constexpr int edges = EdgeHistogram::Columns * EdgeHistogram::Rows / 8;
   const double most = std::max(
     1.0, *std::max_element(histogram.Fractions.begin() + edges, histogram.Fractions.end()));
@@ -126,7 +123,7 @@ FoundFunctions FunctionSearch::SearchNow(const SearchedData& data)
 
 bool FunctionSearch::Begin(const SearchedData& data, std::string& error)
 {
-  // The work owns the input until the work's owner ends it.
+  // The background work owns the input, until it is abandoned.
   const auto input = std::make_shared<ProposalInput>();
   this->IsWanted = ReadProposalInput(data.Image, data.Component, *input, error);
   if (this->IsWanted)
@@ -212,7 +209,7 @@ void FunctionSearch::EndUnless(vtkImageData* image)
 {
   if (image != this->SearchedImage)
   {
-    // if this search is still wanted, Poll() begins it again with the other image
+    // If this search is still wanted, Poll() starts it again with the other image.
     this->Search.Forget();
     this->IsWanted = this->IsWanted && image;
   }

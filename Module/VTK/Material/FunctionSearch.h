@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds the functions that an image suggests, and the image's edges, for vtkHapticFunctionEditor:
- * at once, or in the background while a hand continues to feel.
+ * Finds the functions that an image suggests, and the image's edges, for vtkHapticFunctionEditor.
+ * Searches at once, or in the background while a hand continues to feel.
  */
 #ifndef FunctionSearch_h
 #define FunctionSearch_h
@@ -28,31 +28,30 @@ struct HapticVolume;
 struct SearchPart;
 
 /**
- * Counts how often each pair of value and gradient magnitude occurs in a volume: edges appear as
- * arcs.
+ * Histogram of pairs of value and gradient magnitude in a volume, in which edges appear as arcs.
  */
 struct EdgeHistogram
 {
-  static constexpr int Columns = 128; ///< columns of values, from Values[0] to Values[1]
-  static constexpr int Rows = 64;     ///< rows of gradient magnitudes, from 0 to MostSlope
+  static constexpr int Columns = 128; ///< columns, for values from Values[0] to Values[1]
+  static constexpr int Rows = 64;     ///< rows, for gradient magnitudes from 0 to MostSlope
 
   double Values[2] = { 0.0, 1.0 };
-  double MostSlope = 1.0; ///< scalar units per world unit
+  double MostSlope = 1.0; ///< largest gradient magnitude (scalar units per world unit)
   /**
    * Frequencies, row by row, beginning with gradient 0: log(1 + count), divided by the largest one
-   * above the lowest gradients, and at most 1. Empty without data.
+   * above the lowest gradients, at most 1. Empty without data.
    */
   std::vector<double> Fractions;
 };
 
 /**
  * Fills Fractions from some hundred thousand voxels of a volume, with the gradients of a kernel.
- * Gradients above MostSlope do not count. Leaves Fractions empty if the work is cancelled.
+ * Ignores gradients above MostSlope. Leaves Fractions empty if the work is cancelled.
  */
 void CountEdges(
   const HapticVolume& volume, int kernelRadius, const SearchPart& part, EdgeHistogram& histogram);
 
-/** A component of an image, and the value range of its histogram of edges. */
+/** A component of an image, with the value range of its histogram of edges. */
 struct SearchedData
 {
   vtkImageData* Image = nullptr;
@@ -64,44 +63,47 @@ struct SearchedData
 
 struct FoundFunctions
 {
-  std::optional<MaterialProposal> Proposal; ///< empty if there is none; Error says why
+  std::optional<MaterialProposal> Proposal; ///< empty if nothing was found; Error then says why
   std::string Error;
-  EdgeHistogram Edges; ///< counted with the kernel radius of the proposal
+  EdgeHistogram Edges; ///< counted with the kernel radius that was proposed
 };
 
 /**
- * Searches on a worker thread. The owner's thread calls its functions. If the data change during a
- * search, they are searched again.
+ * Searches on a worker thread. Call its functions from the owner's thread. If the data change
+ * during a search, it starts again.
  */
 class FunctionSearch
 {
 public:
-  /** Searches at once, and waits for the end of the search. */
+  /** Searches in this call and returns the result. */
   static FoundFunctions SearchNow(const SearchedData& data);
 
   ///@{
   /**
    * Begin() starts a search in the background. It returns false, with the reason and the cure in
-   * `error`, if the image can't be searched. Poll() returns the result once, when the search has
-   * ended.
+   * `error`, if the image can't be searched. After the end of the search, Poll() returns the result
+   * once.
    */
   bool Begin(const SearchedData& data, std::string& error);
   std::optional<FoundFunctions> Poll(const SearchedData& data);
   bool IsUnderWay() const { return this->IsWanted; }
-  /** Ends the search without waiting for it. */
+  /** Cancels the search without waiting for it. */
   void Drop();
   ///@}
 
   /**
    * Returns the edges of the data, counted in the background with the boundaries and the kernel
-   * radius of an older proposal. Returns null until they are counted.
+   * radius of an earlier proposal. Returns null until they are counted.
    */
   const EdgeHistogram* PollEdges(const SearchedData& data, vtkTable* boundaries, int kernelRadius);
 
-  /** Ends the work on other images without waiting for it, so that the program may delete them. */
+  /**
+   * Cancels the work on all other images without waiting for it, so that the program may delete
+   * them.
+   */
   void EndUnless(vtkImageData* image);
 
-  /** Returns the progress of the search, 0 to 1; 1 if no search is under way. */
+  /** Returns the progress of the search, 0 to 1; 1 if no search is running. */
   double GetProgress() const;
 
 private:

@@ -16,7 +16,8 @@ namespace
 {
 
 /**
- * A node as vtkPiecewiseFunction stores it. Midpoint and sharpness shape the piece after it.
+ * A node as vtkPiecewiseFunction stores it. Midpoint and sharpness shape the curve from this node
+ * to the next one.
  */
 struct Node
 {
@@ -26,13 +27,13 @@ struct Node
   double Sharpness;
 };
 
-/** Adds vertices of a curve between two given vertices if the chord is too far from the curve. */
+/** Adds vertices between two vertices of a curve if the chord is too far from the curve. */
 void Subdivide(vtkPiecewiseFunction* function, const Vertex& a, const Vertex& b, double height,
   int depth, Polyline& line)
 {
-  // The tolerance is smaller than documented, because the chord is checked at only three positions.
-  // It is relative to the value where the value is tiny compared with the height of the piece, but
-  // not for the last digits near zero.
+  // Use a smaller tolerance than documented, because the chord is checked at only three positions.
+  // The tolerance is relative to the value where that is tiny compared with the height of the
+  // piece, except for the last digits near zero.
   constexpr double fraction = 0.6;
   const double value = std::min(std::abs(a.Y), std::abs(b.Y));
   const double tolerance = std::clamp(
@@ -55,7 +56,7 @@ void Subdivide(vtkPiecewiseFunction* function, const Vertex& a, const Vertex& b,
   Subdivide(function, middle, b, height, depth - 1, line);
 }
 
-/** Returns the position at which a piece changes from its first to its second half. */
+/** Returns the position where a piece changes from its first to its second half. */
 double ComputeMiddle(vtkPiecewiseFunction* function, const Node& a, const Node& b)
 {
   constexpr double margin = 1e-5; // as in vtkPiecewiseFunction
@@ -65,8 +66,8 @@ double ComputeMiddle(vtkPiecewiseFunction* function, const Node& a, const Node& 
 }
 
 /**
- * Detects a piece that steps from one value to the other at its middle. VTK 9.1 makes a step of a
- * sharpness near 1, later versions such as 9.3 and 9.6 a steep curve.
+ * Returns whether a piece is a step from one value to the other at its middle. For a sharpness near
+ * 1, VTK 9.1 makes a step, and later versions such as 9.3 and 9.6 a steep curve.
  */
 bool IsStep(vtkPiecewiseFunction* function, const Node& a, double middle, const Node& b)
 {
@@ -75,10 +76,10 @@ bool IsStep(vtkPiecewiseFunction* function, const Node& a, double middle, const 
     function->GetValue(middle + 0.25 * (b.X - middle)) == b.Y;
 }
 
-/** Adds the piece between two nodes, without its end vertices. */
+/** Adds the vertices between two nodes, without the nodes themselves. */
 void AddPiece(vtkPiecewiseFunction* function, const Node& a, const Node& b, Polyline& line)
 {
-  // The limits of vtkPiecewiseFunction: nearly 0 is linear, nearly 1 is a step.
+  // The thresholds of vtkPiecewiseFunction: a sharpness near 0 is linear, near 1 a step.
   constexpr double linear = 0.01;
   if (!(a.X < b.X) || a.Y == b.Y)
   {
@@ -87,8 +88,8 @@ void AddPiece(vtkPiecewiseFunction* function, const Node& a, const Node& b, Poly
   const double middle = ComputeMiddle(function, a, b);
   if (IsStep(function, a, middle, b))
   {
-    // Ends just before the step, because the function already has the right side's value at the
-    // step itself.
+    // End just before the step, because at the step itself the function already has the value of
+    // the right side.
     const double before = std::nextafter(middle, a.X);
     line.push_back({ before, a.Y });
     line.push_back({ before, b.Y });
@@ -102,7 +103,7 @@ void AddPiece(vtkPiecewiseFunction* function, const Node& a, const Node& b, Poly
     }
     return;
   }
-  // many levels, because a logarithmic scale has many decades at its low end
+  // Allow many levels, because a logarithmic scale has many decades at its low end.
   constexpr int depth = 24;
   const double height = std::abs(b.Y - a.Y);
   const Vertex kink{ middle, function->GetValue(middle) };
@@ -143,7 +144,7 @@ std::string DetectFunctionFault(const Polyline& line, double maximum, const std:
 {
   for (const Vertex& vertex : line)
   {
-    // NaN must fail here, too.
+    // The negated comparison also refuses NaN.
     if (!(vertex.Y >= 0.0 && vertex.Y <= maximum && std::isfinite(vertex.Y) &&
           std::isfinite(vertex.X)))
     {
@@ -205,8 +206,8 @@ Polyline ToPolyline(vtkPiecewiseFunction* function, double emptyValue)
     line.insert(line.begin(), { line.front().X, 0.0 });
     line.push_back({ line.back().X, 0.0 });
   }
-  // If vertices share a position, the line has the value of the first of them there, as
-  // vtkPiecewiseFunction in VTK 9.1. In later versions (tried: 9.3, 9.6) the last one counts.
+  // If several vertices share a position, the line has the first one's value there, as in VTK 9.1.
+  // In later versions (tested: 9.3 and 9.6), vtkPiecewiseFunction has the last one's value.
   for (auto first = line.begin(); first != line.end(); ++first)
   {
     const auto last =

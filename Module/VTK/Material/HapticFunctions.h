@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Converts functions that properties, modes and tools own to the polylines that models use.
+ * Converts the functions of properties, modes and tools to the polylines that models use.
  */
 #ifndef HapticFunctions_h
 #define HapticFunctions_h
@@ -20,7 +20,7 @@ namespace VolumeHaptics
 {
 
 /**
- * Largest error of a chord on a curved piece: as a fraction of the piece's height (CurveTolerance),
+ * Largest error of a chord on a curved piece, as a fraction of the piece's height (CurveTolerance)
  * and of the value there (CurveValueTolerance).
  */
 constexpr double CurveTolerance = 1e-4;
@@ -43,16 +43,16 @@ Polyline ToPolyline(vtkPiecewiseFunction* function, double emptyValue);
 std::string DetectFunctionFault(const Polyline& line, double maximum, const std::string& what,
   const std::string& allowed, const std::string& getter);
 
-/** Converts a function of the property's values to a function of scalars. */
+/** Converts the positions of a function from the property's values to scalars. */
 void ToScalars(vtkHapticProperty* property, Polyline& line);
 
-/** Returns the function that an object owns; creates it on the first call. */
+/** Returns the function that an object owns, and creates it on the first call. */
 vtkPiecewiseFunction* ProvideFunction(vtkSmartPointer<vtkPiecewiseFunction>& owned);
 
 /**
- * Makes `target` equal to `source`, in place, with all of its nodes. The DeepCopy() of
- * vtkPiecewiseFunction loses one of two nodes at the same position, and the logarithmic scale. If
- * the functions are equal already, `target` is not modified.
+ * Copies all nodes of `source` into `target` in place. The DeepCopy() of vtkPiecewiseFunction would
+ * lose one of two nodes at the same position, and the logarithmic scale. Does not modify `target`
+ * if the functions are already equal.
  */
 void CopyFunction(vtkPiecewiseFunction* source, vtkPiecewiseFunction* target);
 

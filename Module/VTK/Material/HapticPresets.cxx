@@ -30,7 +30,7 @@ namespace
 {
 
 /**
- * A tissue has its material from the value Low to the value High. Between tissues, the material
+ * A range of values, Low to High, with the material of a tissue. Between tissues, the material
  * changes linearly.
  */
 struct Tissue
@@ -46,8 +46,8 @@ struct Tissue
 };
 
 /**
- * The noise of fat reaches 50 HU below its values. On a ramp of the drag, it would be felt as
- * grains.
+ * Start of the drag of fat: noise reaches 50 HU below its values, and would be felt as grains on a
+ * ramp of the drag.
  */
 constexpr double FatDragLow = -200.0; // HU
 
@@ -56,52 +56,52 @@ struct Preset
   const char* Name;
   std::vector<Tissue> Tissues;
   /**
-   * Gradient magnitude (per mm) at which a surface begins to be felt. For a preset that is fitted
-   * to an image, it is per voxel instead, because the edges of such images are a number of voxels
-   * wide, whatever the spacing.
+   * Gradient magnitude (per mm) at which a surface begins to be felt. In a preset that is fitted to
+   * an image it is per voxel, because the edges of such images are a certain number of voxels wide,
+   * whatever the spacing.
    */
   double DistinctnessStart;
-  double DistinctnessFull; ///< gradient magnitude at which a surface is fully felt; 0: distinctness
-                           ///< from the noise
+  double DistinctnessFull; ///< gradient magnitude at which a surface is fully felt; 0: derive the
+                           ///< distinctness from the noise
   int Side;
   bool IsOfLabels = false;
-  bool IsOfImage = false; ///< whether the image shows what is solid
-  /** For values without a unit, the median of the values above the first tissue; otherwise 0. */
+  bool IsOfImage = false; ///< whether to derive what is solid from the image
+  /** Median of the values above the first tissue, for values without a unit; otherwise 0. */
   double Body = 0.0;
 };
 
-/** A strength (N) above the force of any device. */
+/** Strength (N) above the largest force of any device. */
 constexpr double Impenetrable = 1e6;
-/** A strength (N) above the force with which a hand pushes a desktop device. */
+/** Strength (N) above the force with which a hand pushes a desktop device. */
 constexpr double Solid = 12.0;
 
 /**
- * Stiffness (N/m) of everything; most desktop devices can render it. A change of stiffness would be
- * felt as relief, and as a step of the force where V(x_s) moves from one tissue to another. Air has
- * this stiffness, too. On a ramp that begins at 0, noise would give a stiffness near 0 together
- * with a drag, and this drag would leave the proxy far behind.
+ * Stiffness (N/m) of every tissue; most desktop devices can render it. A change of stiffness would
+ * be felt as relief, and as a step of the force where V(x_s) moves from one tissue to another. Air
+ * has this stiffness, too: on a ramp that begins at 0, noise would combine a stiffness near 0 with
+ * a drag, which would leave the proxy far behind.
  */
 constexpr double K = 400.0;
 
 /**
- * The background of magnitude images ends at this multiple of its brightness. Its noise has
- * Rayleigh's distribution (Gudbjartsson and Patz, Magnetic Resonance in Medicine 34, 1995,
- * 910-914), whose values are above 5 times the mean hardly once in 3e8. Faint ghosts of the body
- * are below this multiple, too.
+ * Multiple of the background's brightness where the background of magnitude images ends. Its noise
+ * has Rayleigh's distribution (Gudbjartsson and Patz, Magnetic Resonance in Medicine 34, 1995,
+ * 910-914), in which only one value in 3e8 exceeds 5 times the mean. Faint ghosts of the body are
+ * below this multiple, too.
  */
 constexpr double NoiseEnd = 5.0;
 
 const std::vector<Preset>& Presets()
 {
-  // Strengths rise with the value or stay equal. Their ramps are tens of HU wide, because noise and
-  // the slope of a blurred edge move V(x_s) by that much. Only friction, which changes the force by
-  // a few percent, falls, and rises again for fluid. Soft tissues share one drag, because inside a
+  // Strengths never fall as the value rises. Their ramps are tens of HU wide, because noise and the
+  // slope of a blurred edge change V(x_s) by that much. Only friction, which changes the force by a
+  // few percent, falls, and rises again for fluid. Soft tissues share one drag, because inside a
   // tissue only the drag is felt, and a few HU of noise on a ramp between two drags would feel like
   // grains. The lung has one drag, too, and no walls of its own: its noise and its emphysema reach
   // the values of air, and a drag above 0.05 N, whose loss can be felt, would come and go with
   // them. Distinctness starts at 16 HU/mm: 3.4 standard deviations of the gradient are 8 HU/mm for
   // 20 HU of white noise, 1 mm voxels and the default kernel, and twice as much where the noise of
-  // neighbours is correlated, as in CT. So noise is not felt as surfaces.
+  // neighbours is correlated, as in CT. Noise is therefore not felt as surfaces.
   static const std::vector<Preset> presets = {
     { "CT contrast",
       {
@@ -114,11 +114,11 @@ const std::vector<Preset>& Presets()
         { "bone", 350, 3071, K, 0.30, 0.00, Solid },
       },
       16, 48, vtkHapticProperty::HIGHER },
-    // A hand meets fat only from outside, where it lies under skin: so fat has the stiffness of
-    // both together. So have the half-filled voxels of the skin, and voxels of skin, fat and muscle
-    // with the values of fluid; their friction is that of skin, for a finger that leaves a slope.
-    // Just under the skin of a head CT the values reach 37 HU, so the stiffness of organs begins
-    // above that, and at 37 HU a finger that leaves a slope still feels 0.1 N.
+    // A hand meets fat only from outside, under skin, so fat has the stiffness of both together.
+    // The half-filled voxels of the skin have it, too, and so do voxels of skin, fat and muscle
+    // with the values of fluid; their friction is that of skin, for a finger that slides off a
+    // slope. Just under the skin of a head CT the values reach 37 HU. The stiffness of organs
+    // therefore begins above that, and at 37 HU a finger that slides off a slope still feels 0.1 N.
     // Air and lung, which hold nothing, have the stiffness of an organ, so that springs begin
     // without slack. Skin holds from -400 HU on, with one stiffness along its edge: a blanket, a
     // foam and the thin vessels of a lung have at most -450 HU, and hold nothing.
@@ -135,9 +135,10 @@ const std::vector<Preset>& Presets()
         { "cartilage", 100, 300, 200, 0.30, 0.03, 1.50 },
         { "bone", 310, 3071, 1000, 0.32, 0.00, Impenetrable },
       },
-      20, 52, vtkHapticProperty::HIGHER }, // its low drag hides less noise
-    // Vessels with medium have the values of spongy bone, so bone begins at the values of cortical
-    // bone.
+      20, 52, vtkHapticProperty::HIGHER }, // higher than elsewhere, because its low drag hides less
+                                           // noise
+    // Vessels with contrast medium have the values of spongy bone, so bone starts at the values of
+    // cortical bone.
     { "CT angiography",
       {
         { "air", -1024, -955, K, 0.00, 0.00, 0.0 },
@@ -148,8 +149,8 @@ const std::vector<Preset>& Presets()
         { "bone", 650, 3071, K, 0.30, 0.00, Solid },
       },
       16, 48, vtkHapticProperty::HIGHER },
-    // The lung has one drag from emphysema to vessels, and no walls; fluid can't be distinguished
-    // in the noise of a chest.
+    // The lung has one drag from emphysema to vessels, and no walls. Fluid is left out, because the
+    // noise of a chest hides its edges.
     { "CT chest",
       {
         { "air", -1024, -985, K, 0.00, 0.00, 0.0 },
@@ -161,8 +162,8 @@ const std::vector<Preset>& Presets()
       },
       16, 48, vtkHapticProperty::HIGHER },
     // Surfaces are felt from both sides here. Two surfaces of opposite sides (scalp and skull) are
-    // often only a few voxels apart. Distinctness therefore rises slowly, so that one surface does
-    // not replace the other in a step.
+    // often only a few voxels apart. Distinctness therefore rises slowly, so that the change from
+    // one surface to the other is gradual.
     { "MRI",
       {
         { "background", 0, 12, K, 0.00, 0.00, 0.0 },
@@ -172,11 +173,11 @@ const std::vector<Preset>& Presets()
         { "fat", 175, 255, K, 0.15, 0.20, 2.6 },
       },
       3, 70, vtkHapticProperty::BOTH, false, false, 90.0 },
-    // One hard material in any unit. Its surfaces are where the gradient exceeds the noise and
+    // One hard material for any unit. Its surfaces are where the gradient exceeds the noise and
     // rises towards anything but background.
     { "Micro-CT", { { "solid", 0, 0, K, 0.30, 0.00, Solid } }, 0, 0, vtkHapticProperty::HIGHER,
       false, true },
-    // All labels but 0 have one material: a label's number says nothing about its tissue.
+    // All labels except 0 have one material, because a label's number does not reveal its tissue.
     { "Labels",
       {
         { "no label", 0, 0.25, K, 0.00, 0.00, 0.0 },
@@ -187,7 +188,7 @@ const std::vector<Preset>& Presets()
   return presets;
 }
 
-/** Returns whether a preset uses Hounsfield units. */
+/** Returns whether the values of a preset are in Hounsfield units. */
 bool IsOfCT(const std::string& name)
 {
   return name.compare(0, 3, "CT ") == 0;
@@ -210,7 +211,7 @@ void Fill(
     const double low = isDrag ? std::min(tissue.Low, tissue.DragLow) : tissue.Low;
     function->AddPoint(scale * low, tissue.*quantity);
     function->AddPoint(
-      scale * tissue.High, tissue.*quantity); // twice the same point if Low equals High
+      scale * tissue.High, tissue.*quantity); // adds the same point twice if Low equals High
   }
 }
 
@@ -254,7 +255,7 @@ bool ComputePresetScale(const char* name, vtkImageData* image, vtkHapticProperty
   if (level.IsThere && brightness > 0.0)
   {
     const double noise = NoiseEnd * valueOf(level.Dark);
-    // A background that is nearly as bright as the body does not count as noise.
+    // Ignore the noise of a background that is nearly as bright as the body.
     scale.Values = noise < brightness * preset->Tissues[1].Low
       ? std::max(brightness, noise / preset->Tissues[0].High)
       : brightness;
@@ -352,10 +353,11 @@ namespace
 
 constexpr SetupFileKind PresetKind{ "VTK Volume Haptics preset", 1, "preset",
   "that vtkHapticProperty::WritePreset() wrote", "write the preset again" };
-constexpr std::size_t LargestPreset = 1 << 20; // bytes; usually thousands
+constexpr std::size_t LargestPreset = 1 << 20; // bytes; a preset usually has a few thousand
 
 /**
- * Keys that presets omit, because a preset applies to any component, and to data stored in any way.
+ * Keys that preset files omit, so that a preset applies to any component and to data stored in any
+ * way.
  */
 constexpr const char* DataKeys[] = { "Component", "ScalarShift", "ScalarScale" };
 
@@ -367,7 +369,10 @@ void RemoveDataKeys(Json::Value& root)
   }
 }
 
-/** Parses a preset. Returns false, with the fault and the cure, if the text is not a preset. */
+/**
+ * Parses a preset. Returns false, with the fault and the cure in `error`, if the text is not a
+ * preset.
+ */
 bool ParsePreset(const std::string& text, Json::Value& root, std::string& error)
 {
   if (!ParseSetupFile(text, PresetKind, root, error))
@@ -405,7 +410,7 @@ bool WritePresetFile(const std::string& file, vtkHapticProperty* property, std::
   writing.Writing = true;
   PassMaterials(SetupNode(writing, &root, {}), [property] { return property; });
   RemoveDataKeys(root);
-  // Read the preset first: a preset that could not be read again must not replace a valid one.
+  // Check that the preset can be read again, before it replaces a valid file.
   SetupPass reading;
   PassMaterials(SetupNode(reading, &root, {}), [property] { return property; });
   if (!reading.Error.empty())
@@ -454,7 +459,7 @@ bool ReadPresetFile(const std::string& file, vtkHapticProperty* property, std::s
   }
   RemoveDataKeys(root);
   SetupPass pass;
-  // A new property has the defaults for whatever the file lacks.
+  // Read into a new property, whose defaults replace whatever the file lacks.
   const vtkNew<vtkHapticProperty> read;
   PassMaterials(SetupNode(pass, &root, {}), [&read] { return read.Get(); });
   if (!pass.Error.empty())

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Named materials of vtkHapticProperty::ApplyPreset, and the user's own materials as files (see
- * vtkHapticProperty::WritePreset and ReadPreset).
+ * Reads and writes the materials of a vtkHapticProperty: the named presets of ApplyPreset, and the
+ * user's preset files (WritePreset and ReadPreset).
  */
 #ifndef HapticPresets_h
 #define HapticPresets_h
@@ -21,19 +21,20 @@ namespace VolumeHaptics
 {
 
 /**
- * Factors that convert a preset's values and gradients to those of an image, as a property scales
- * the image.
+ * Factors that convert a preset's values and gradients to those of an image that a property scales.
  */
 struct PresetScale
 {
   double Values = 1.0;
   double Gradients = 1.0;
-  bool AreGradientsPerUnit = false; ///< whether gradients are per world unit, not per millimetre
+  bool AreGradientsPerUnit = false; ///< whether gradients are per world unit instead of per
+                                    ///< millimetre
 };
 
 /**
  * Computes the factors. Both are 1 if the preset's values have a unit, or if the image has no
- * background level. Returns false, with an error, if the image is needed and can't be read.
+ * background level. Returns false, with an error, if the preset needs the image and the image can't
+ * be read.
  */
 bool ComputePresetScale(const char* name, vtkImageData* image, vtkHapticProperty* property,
   PresetScale& scale, std::string& error);
@@ -42,16 +43,16 @@ bool ComputePresetScale(const char* name, vtkImageData* image, vtkHapticProperty
 bool FillFromPreset(const char* name, vtkHapticProperty* property, const PresetScale& scale = {});
 
 /**
- * Fills the function of the force (N) with which a needle cuts, for the presets of CT. Returns
- * false and changes nothing for any other name.
+ * Fills the function of a needle's cutting force (N), for the presets of CT. Returns false and
+ * changes nothing for any other name.
  */
 bool FillCuttingForce(const char* name, vtkPiecewiseFunction* force);
 
 vtkSmartPointer<vtkStringArray> MakePresetNames();
-/** Lists the names, quoted and separated by commas. */
+/** Returns the names of all presets, quoted and separated by commas. */
 std::string ListPresets();
 
-/** Returns whether the name of a preset is the name of a file. The name may be null. */
+/** Returns whether a preset's name is a file name. The name may be null. */
 bool IsPresetFile(const char* name);
 
 ///@{

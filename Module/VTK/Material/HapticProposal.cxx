@@ -37,18 +37,18 @@ namespace
 constexpr double MostVoxels = 1e6;
 constexpr std::size_t MostLines = 50000;
 /**
- * Number of rows that are read in a large volume. Each block of voxels needs 36 rows of samples
- * around it, because its gradients are estimated from them.
+ * Largest number of rows that are read in a large volume. Each block of voxels also reads the 36
+ * rows of samples around it, which its gradients need.
  */
 constexpr std::int64_t MostRows = 512;
 constexpr std::int64_t MostVoxelsInARow = 2048;
-/** Number of voxels whose background work takes some milliseconds. */
+/** Number of voxels in one piece of background work: some milliseconds. */
 constexpr std::size_t VoxelsAtOnce = 4096;
 constexpr std::size_t LinesAtOnce = 128;
-/** Fraction of a search's time that is spent on finding steep voxels. */
+/** Fraction of a search's progress that finding steep voxels takes. */
 constexpr double SteepFraction = 0.5;
 
-/** Mixes the bits of a number, as the finalizer of MurmurHash3 (public domain) does. */
+/** Mixes the bits of a number like the finalizer of MurmurHash3 (public domain). */
 std::uint64_t Scramble(std::uint64_t number)
 {
   number = (number ^ (number >> 33)) * 0xff51afd7ed558ccdULL;
@@ -56,7 +56,7 @@ std::uint64_t Scramble(std::uint64_t number)
   return number ^ (number >> 33);
 }
 
-/** Returns a number below `room`, and removes it from `random`. */
+/** Returns a pseudo-random number below `room`, and divides it out of `random`. */
 std::int64_t Draw(std::uint64_t& random, std::int64_t room)
 {
   const auto count = static_cast<std::uint64_t>(room);
@@ -66,8 +66,8 @@ std::int64_t Draw(std::uint64_t& random, std::int64_t room)
 }
 
 /**
- * Picks the voxels of one row in each of at most MostRows columns along the first axis, which
- * divide the volume equally.
+ * Picks the voxels of one row along the first axis in each of at most MostRows equal parts of the
+ * volume.
  */
 std::vector<Vector3> ScatterRows(const VolumeView& view)
 {
@@ -84,7 +84,7 @@ std::vector<Vector3> ScatterRows(const VolumeView& view)
   {
     const std::int64_t j = column % along;
     const std::int64_t k = column / along;
-    // The first row of this column, and the first row after it.
+    // Range of rows in this part: its first row, and the first row after it.
     const std::int64_t firstRow[2] = { n[1] * j / along, n[1] * (j + 1) / along };
     const std::int64_t firstSlice[2] = { n[2] * k / across, n[2] * (k + 1) / across };
     std::uint64_t random = Scramble(static_cast<std::uint64_t>(column) + 1);
@@ -189,19 +189,18 @@ std::vector<EdgeLine> DetectEdges(const VolumeView& view, const EdgeTracer& trac
 
 namespace
 {
-constexpr int SearchRadius = 2; // radius of the kernel that searches for edges (voxels)
+constexpr int SearchRadius = 2; // radius (voxels) of the gradient kernel that finds edges
 constexpr std::int64_t LeastPoints = PointsNeeded(SearchRadius);
 /**
- * Smallest rise of an edge within a voxel, as a fraction of the range. A smaller rise is shading or
+ * Smallest rise of an edge per voxel, as a fraction of the range. A smaller rise is shading or
  * rounding.
  */
 constexpr double LeastSlopeFraction = 0.003;
-// standard deviations of the noise at which the distinctness begins to rise
+// Gradient, in standard deviations of its noise, at which the distinctness begins to rise.
 constexpr double NoiseThreshold = 3.4;
-constexpr double FlatNoise = 2.0; // largest gradient of a flat place, in standard deviations
-/**
- * Fraction of all edges above which noisy edges make the background count as noisy.
- */
+constexpr double FlatNoise = 2.0; // largest gradient of a flat place, in standard deviations of its
+                                  // noise
+/** If more than this fraction of all edges are noise of the background, those edges are removed. */
 constexpr double LeastNoise = 0.003;
 
 std::string NameOf(vtkDataArray* scalars)
@@ -210,7 +209,10 @@ std::string NameOf(vtkDataArray* scalars)
   return std::string("array \"") + (name ? name : "(unnamed)") + "\"";
 }
 
-/** Computes where a plateau ends and an edge begins, from the noise and the range of the values. */
+/**
+ * Computes the thresholds at which a plateau ends and an edge begins, from the noise and the range
+ * of the values.
+ */
 EdgeThresholds MakeThresholds(double noise, const double range[2], const GradientKernel& kernel)
 {
   const Polyline ramp = MakeNoiseRamp(noise, kernel, Affine3{});
@@ -225,8 +227,8 @@ EdgeThresholds MakeThresholds(double noise, const double range[2], const Gradien
 }
 
 /**
- * Returns where the values of a dark or bright background end, if the value `outside` belongs to
- * it.
+ * Returns the value where a dark or bright background ends, provided that the value `outside`
+ * belongs to the background.
  */
 std::optional<double> DetectBackgroundEnd(const ProposalInput& input, double outside)
 {
@@ -241,7 +243,7 @@ std::optional<double> DetectBackgroundEnd(const ProposalInput& input, double out
   }
   if (volume.Whole.IsThere)
   {
-    return {}; // a region does not contain enough to detect a bright background
+    return {}; // a region has too few samples to detect a bright background
   }
   const BackgroundLevel bright = BackgroundLevel::Estimate([&](std::int64_t i)
     { return -scalars->GetComponent(i, input.Component); },
@@ -251,7 +253,7 @@ std::optional<double> DetectBackgroundEnd(const ProposalInput& input, double out
 }
 
 /**
- * Replaces the points of a function.
+ * Replaces the points of a function with the points of a line.
  * @param toValue maps scalars, or their slopes, to the values of the property
  */
 template <typename ToValue>
@@ -266,7 +268,7 @@ void Replace(vtkPiecewiseFunction* function, const Polyline& line, const ToValue
   }
 }
 
-/** Makes the table that vtkHapticProperty::GetProposedBoundaries documents. */
+/** Makes the table of boundaries: see vtkHapticProperty::GetProposedBoundaries. */
 vtkSmartPointer<vtkTable> MakeBoundaryTable(
   const MaterialProposal& proposal, vtkHapticProperty* property)
 {
@@ -308,7 +310,7 @@ bool ReadProposalInput(vtkImageData* image, int component, ProposalInput& input,
   input.Image = vtkSmartPointer<vtkImageData>::New();
   input.Image->ShallowCopy(image);
   input.Component = component;
-  // Leave out samples that are not numbers, because they have no edges.
+  // Skip samples that are not numbers, because they have no edges.
   OutsideSamples outside = DetectOutside(image, scalars, component);
   const bool hasHoles = std::exchange(outside.AreNonFinite, false);
   const vtkSmartPointer<vtkDataArray> filled = CopyFilled(outside, scalars, component);
@@ -381,7 +383,7 @@ bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
     facts.BackgroundEnd = DetectBackgroundEnd(input, facts.Outside);
     if (facts.BackgroundEnd)
     {
-      // Look for streaks and other correlated noise, which the noise estimate does not include.
+      // Detect streaks and other correlated noise, which the noise estimate does not include.
       const auto isNoise = [&](const EdgeLine& line)
       { return facts.Covers(line.Low) && facts.Covers(line.High); };
       const auto count = std::count_if(lines.begin(), lines.end(), isNoise);
@@ -411,7 +413,7 @@ bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
     }
     message << "No edge between two materials stands out in the " << NameOf(scalars)
             << " of the input image";
-    // Smooth only against noise, because smoothing widens edges that are too wide already.
+    // Smooth only if there is noise, because smoothing widens edges that are already too wide.
     const bool isNoisy =
       !boundaries.empty() || thresholds.Least > LeastSlopeFraction * (range[1] - range[0]);
     if (isNoisy)
@@ -434,7 +436,7 @@ bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
 void FillFromProposal(const MaterialProposal& proposal, vtkHapticProperty* property)
 {
   const double k = MaterialProposal::Stiffness;
-  // Move FoundShift into ScalarShift, so that the functions' axes stay the same.
+  // Move FoundShift into ScalarShift, so that the axes of the functions stay the same.
   property->SetScalarShift(property->GetScalarShift() + property->GetFoundShift());
   property->NoteShift(0.0);
   property->ShiftFromImageOff();
@@ -458,7 +460,7 @@ void FillFromProposal(const MaterialProposal& proposal, vtkHapticProperty* prope
     const std::string name = i == proposal.Background
       ? "outside"
       : "material " + std::to_string(i < proposal.Background ? i + 1 : i);
-    // A tissue gets a name only where the functions are constant.
+    // Name a tissue only over the values where the functions are constant.
     property->AddTissue(name.c_str(), toValue(proposal.SurfaceStrength[2 * i].X),
       toValue(proposal.SurfaceStrength[2 * i + 1].X));
   }

@@ -29,14 +29,14 @@ namespace VolumeHaptics
 {
 
 /**
- * One part of a search through many voxels. Without a monitor, the caller waits for the search,
- * which uses all cores. With a monitor, the search runs in the background.
+ * One part of a search through many voxels. Without a monitor, the search runs on all cores while
+ * the caller waits. With a monitor, it runs in the background.
  */
 struct SearchPart
 {
   WorkMonitor* Monitor = nullptr;
   ///@{
-  /** Progress of the whole search at the beginning and at the end of this part. */
+  /** Progress of the whole search when this part begins and ends. */
   double Begin = 0.0;
   double End = 1.0;
   ///@}
@@ -45,8 +45,9 @@ struct SearchPart
 };
 
 /**
- * Calls look(first, end) for all numbers below `count`: on all cores, or, with a monitor, in pieces
- * on this thread alone, which has a low priority. Returns false if the search is cancelled.
+ * Calls look(first, end) for ranges that cover all numbers below `count`: on all cores, or, with a
+ * monitor, piece by piece on this low-priority thread alone. Returns false if the search is
+ * cancelled.
  */
 template <typename Look>
 bool LookAtAll(std::size_t count, std::size_t piece, const SearchPart& part, Look&& look)
@@ -69,27 +70,27 @@ bool LookAtAll(std::size_t count, std::size_t piece, const SearchPart& part, Loo
 }
 
 /**
- * Picks one voxel in each of at most about a million equal blocks, at a position in it that looks
- * random but is always the same.
+ * Picks one voxel in each of at most about a million equal blocks, at a position in the block that
+ * is pseudo-random but always the same.
  *
- * In a large volume (IsLargeVolume), which may be mapped from a file, picks the voxels of up to 512
- * rows along the first axis, with up to 2048 voxels each, at positions of this kind. All voxels are
- * still equally likely, but a row's samples lie side by side, so that only few pages of the file
- * are read, however large the volume is.
+ * A large volume (IsLargeVolume) may be mapped from a file. There, picks the voxels of up to 512
+ * rows along the first axis, with up to 2048 voxels each, at pseudo-random positions. All voxels
+ * are still equally likely, but the samples of a row are adjacent, so that only few pages of the
+ * file are read, however large the volume is.
  */
 std::vector<Vector3> ScatterVoxels(const VolumeView& view);
 
 /**
- * Finds the lines through those of the voxels that are on an edge, some ten thousand at most. The
- * result is incomplete if the search is cancelled.
+ * Traces lines through the voxels that are on an edge, some ten thousand at most. The result is
+ * incomplete if the search is cancelled.
  */
 std::vector<EdgeLine> DetectEdges(const VolumeView& view, const EdgeTracer& tracer,
   const EdgeThresholds& thresholds, const SearchPart& part);
 
-/** A component of an image, in the form that a search reads, perhaps on another thread. */
+/** A component of an image, in a form that a search on another thread may read. */
 struct ProposalInput
 {
-  vtkSmartPointer<vtkImageData> Image; ///< a new image that shares the arrays of the user's image
+  vtkSmartPointer<vtkImageData> Image; ///< new image that shares the arrays of the user's image
   int Component = 0;
   HapticVolume Volume;
 };
@@ -102,16 +103,16 @@ bool ReadProposalInput(
   vtkImageData* image, int component, ProposalInput& input, std::string& error);
 
 /**
- * Examines a limited number of an image's voxels. Returns false, with the reason and the cure in
- * `error`, if there is nothing to propose, or if the search was cancelled.
+ * Proposes functions from a limited number of an image's voxels. Returns false, with the reason and
+ * the cure in `error`, if there is nothing to propose, or if the search was cancelled.
  */
 bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
   MaterialProposal& proposal, std::string& error);
 
-/** Sets the five functions of a property in place, its side, and its table of boundaries. */
+/** Sets the five functions, the side and the table of boundaries of a property in place. */
 void FillFromProposal(const MaterialProposal& proposal, vtkHapticProperty* property);
 
-/** Copies to a property the functions that FillFromProposal() has set in `proposed`. */
+/** Copies the functions that FillFromProposal() has set in `proposed` to a property. */
 void CopyProposal(vtkHapticProperty* proposed, vtkHapticProperty* property);
 
 } // namespace VolumeHaptics

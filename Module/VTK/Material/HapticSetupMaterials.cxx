@@ -26,7 +26,7 @@ std::vector<NumberRow> GetNodes(F* function, int size, std::size_t columns)
   return rows;
 }
 
-/** Fills a function in place with all nodes, even if two of them have the same position. */
+/** Replaces all nodes of a function in place, even if two of them have the same position. */
 template <typename F, typename A>
 void SetNodes(F* function, const std::vector<NumberRow>& rows, A&& add)
 {
@@ -53,7 +53,7 @@ void PassDuplicates(SetupNode& node, const G& get)
 
 constexpr NumberRange Fraction{ 0.0, 1.0 };
 
-/** Reads or writes an object with a range for the name of each tissue. */
+/** Reads or writes an object that has a range of values under the name of each tissue. */
 void PassTissues(SetupNode& materials, const std::function<vtkHapticProperty*()>& get)
 {
   if (!materials.IsWriting() && !materials.Has("Tissues"))
@@ -85,7 +85,7 @@ void PassTissues(SetupNode& materials, const std::function<vtkHapticProperty*()>
       name.c_str(), 2, [] { return NumberRow(2); }, [](const NumberRow&) {});
     if (range.empty())
     {
-      return; // the pass reports the error
+      return; // the pass has recorded the error
     }
     std::string error;
     node.Require(name.c_str(), tissues.Add({ name, range[0], range[1] }, error) >= 0,

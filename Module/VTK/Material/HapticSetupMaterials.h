@@ -20,15 +20,15 @@ namespace VolumeHaptics
 {
 
 ///@{
-/** Reads or writes a function in its own node. The getter may create the function. */
+/** Reads or writes a function in a node of its own. The getter may create the function. */
 void PassFunction(
   SetupNode node, const NumberRange& values, const std::function<vtkPiecewiseFunction*()>& get);
 void PassColors(SetupNode node, const std::function<vtkColorTransferFunction*()>& get);
 ///@}
 
 /**
- * Reads or writes functions, settings and tissues. The getter is called again for each change of
- * functions and tissues.
+ * Reads or writes functions, settings and tissues. Each change of functions and tissues calls the
+ * getter again.
  */
 void PassMaterials(SetupNode node, const std::function<vtkHapticProperty*()>& get);
 

@@ -22,7 +22,7 @@ std::string DescribeTissue(const NamedTissue& tissue)
   return text.str();
 }
 
-/** Removes the points between two values, both included. */
+/** Removes all points from `low` to `high`, including both ends. */
 void RemovePoints(vtkPiecewiseFunction* function, double low, double high)
 {
   for (int i = function->GetSize() - 1; i >= 0; --i)
@@ -82,14 +82,14 @@ void HapticTissues::SetValue(
   const NamedTissue& here = this->Get(tissue);
   const auto valueAt = [&](double x)
   { return function->GetSize() == 0 ? empty : function->GetValue(x); };
-  // The neighbours' values stay the same at their ends, where the ramps begin.
+  // Keep the neighbours' values at their ends, where the ramps begin.
   const bool hasBefore = tissue > 0;
   const bool hasBehind = tissue + 1 < this->GetSize();
   const double before = hasBefore ? this->Get(tissue - 1).High : 0.0;
   const double behind = hasBehind ? this->Get(tissue + 1).Low : 0.0;
   const double valueBefore = hasBefore ? valueAt(before) : 0.0;
   const double valueBehind = hasBehind ? valueAt(behind) : 0.0;
-  // Remove the points between the tissues, because values there lie on a ramp.
+  // Remove the points between the tissues, because they would distort the linear ramps.
   RemovePoints(function, hasBefore ? before : here.Low, hasBehind ? behind : here.High);
   if (hasBefore)
   {
@@ -107,7 +107,7 @@ void HapticTissues::SetValue(
 HapticTissues GetTissues(vtkHapticProperty* property)
 {
   HapticTissues tissues;
-  std::string error; // stays empty: the property has accepted these tissues before
+  std::string error; // stays empty, because the property has already checked these tissues
   for (int i = 0; i < property->GetNumberOfTissues(); ++i)
   {
     double range[2];

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The tissues of vtkHapticProperty: named ranges of values, and their materials in functions.
+ * Manages the tissues of a vtkHapticProperty: named ranges of values, and their materials in
+ * functions.
  */
 #ifndef HapticTissues_h
 #define HapticTissues_h
@@ -16,7 +17,7 @@ class vtkPiecewiseFunction;
 namespace VolumeHaptics
 {
 
-/** A named range of values (scalar units). Both ends belong to it. */
+/** A named range of values (scalar units), including both ends. */
 struct NamedTissue
 {
   std::string Name;
@@ -29,13 +30,13 @@ struct NamedTissue
   }
 };
 
-/** Tissues in ascending order without overlaps. */
+/** List of tissues in ascending order of their values, without overlaps. */
 class HapticTissues
 {
 public:
   /**
-   * Adds a tissue and returns its number. Returns -1, with the reason and the cure in `error`, if
-   * it can't be added.
+   * Adds a tissue and returns its index. Returns -1, with the reason and the cure in `error`, if it
+   * can't be added.
    */
   int Add(const NamedTissue& tissue, std::string& error);
   void Clear() { this->All.clear(); }
@@ -44,12 +45,14 @@ public:
   int GetSize() const { return static_cast<int>(this->All.size()); }
   const NamedTissue& Get(int tissue) const { return this->All[static_cast<std::size_t>(tissue)]; }
 
-  /** Returns the value of a function in the middle of a tissue; `empty` if it has no points. */
+  /**
+   * Returns a function's value in the middle of a tissue; `empty` for a function without points.
+   */
   double GetValue(vtkPiecewiseFunction* function, int tissue, double empty) const;
   /**
-   * Makes a function constant in a tissue. Between this tissue and its neighbours the function
-   * changes linearly, and the neighbours keep their values. Before the first tissue and after the
-   * last one, the function continues with the value of that tissue, unless it has points there.
+   * Makes a function constant over a tissue. From there to the neighbouring tissues, which keep
+   * their values, the function changes linearly. Before the first tissue and after the last one,
+   * the function continues with the value of that tissue, unless it has points there.
    */
   void SetValue(vtkPiecewiseFunction* function, int tissue, double value, double empty) const;
 
@@ -58,7 +61,7 @@ private:
 };
 
 ///@{
-/** Get and set the tissues of a property. Setting equal tissues does not modify the property. */
+/** Get and set the tissues of a property. Setting an equal list does not modify the property. */
 HapticTissues GetTissues(vtkHapticProperty* property);
 void SetTissues(vtkHapticProperty* property, const HapticTissues& tissues);
 ///@}

@@ -23,7 +23,7 @@ vtkStandardNewMacro(vtkHapticProperty);
 namespace
 {
 
-/** Returns the constant that a function without points stands for. */
+/** Returns the value that a function without points stands for. */
 double GetDefault(vtkPiecewiseFunction* (vtkHapticProperty::*get)())
 {
   const auto* const function = std::find_if(std::begin(VolumeHaptics::PropertyFunctions),

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticProperty
- * @brief   the feel of a volume's tissues
+ * @brief   the materials that define how a volume feels
  *
  * Describes how a volume feels, as vtkVolumeProperty describes how it looks: transfer functions
  * turn the scalar value into a material, and the gradient magnitude into how distinct a surface is
@@ -124,7 +124,7 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
-  /** Sets NoiseRamp without changing MTime. The baker calls it. */
+  /** Sets NoiseRamp without changing MTime; for the baker. */
   void NoteNoiseRamp(double start, double full);
 #endif
 
@@ -159,14 +159,15 @@ public:
 
   ///@{
   /**
-   * Whether the image tells what is solid: the background, darker than Otsu's threshold between the
-   * darkest two materials that are apart, then has no surface strength, however steep its noise and
-   * its streaks are. On, as ApplyPreset("Micro-CT") sets it: from a little above the threshold on,
-   * SurfaceStrength holds. Off (default), with a SurfaceSide other than HIGHER, or if the histogram
-   * has a single peak, SurfaceStrength holds everywhere. A material that rises by less than a tenth
-   * of the brightest one is background. Padding that is darker than air makes air solid: set it to
-   * the value of air first. The threshold is computed whenever the noise of DistinctnessFromNoise
-   * is computed; a region of a larger volume has the threshold of the whole volume.
+   * Whether to derive what is solid from the image: the background, darker than Otsu's threshold
+   * between the darkest two materials that are apart, then has no surface strength, however steep
+   * its noise and its streaks are. On, as ApplyPreset("Micro-CT") sets it: from a little above the
+   * threshold on, SurfaceStrength holds. Off (default), with a SurfaceSide other than HIGHER, or if
+   * the histogram has a single peak, SurfaceStrength holds everywhere. A material that rises by
+   * less than a tenth of the brightest one is background. Padding that is darker than air makes air
+   * solid: set it to the value of air first. The threshold is computed whenever the noise of
+   * DistinctnessFromNoise is computed; a region of a larger volume has the threshold of the whole
+   * volume.
    */
   vtkSetMacro(SolidFromImage, bool);
   vtkGetMacro(SolidFromImage, bool);
@@ -206,7 +207,7 @@ public:
   ///@}
 
   ///@{
-  /** Convert a scalar of the image to the value of the functions, and back. */
+  /** Convert a scalar of the image to a value on the scale of the functions, and back. */
   double ScalarToValue(double scalar)
   {
     return (scalar + this->ScalarShift + this->FoundShift) * this->ScalarScale;
@@ -218,7 +219,7 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
-  /** Sets FoundShift without changing MTime. The baker calls it. */
+  /** Sets FoundShift without changing MTime; for the baker. */
   void NoteShift(double shift)
   {
     this->FoundShift = shift;
@@ -296,19 +297,19 @@ public:
   bool ApplyPreset(const char* name, vtkImageData* image);
   ///@}
 
-  /** Get the names that ApplyPreset accepts, besides names of files. */
+  /** Get the names of the built-in presets for ApplyPreset. */
   static vtkStringArray* GetPresetNames();
 
   ///@{
   /**
    * Write and read your own preset as a file (readable JSON), to keep and to share: the five
-   * functions to the bit, the tissues, the surface side, DistinctnessFromNoise,
+   * functions exactly, the tissues, the surface side, DistinctnessFromNoise,
    * DistinctnessPerMillimeter, ScalarsAreLabels, SolidFromImage and ShiftFromImage, but neither the
    * component, the visibility nor ScalarShift and ScalarScale, which belong to the data.
    * WritePreset replaces an existing file only after all of the new one is on the disk. ReadPreset
-   * fills the functions in place; what the file lacks gets its default. On failure, both return
-   * false, with an error that names the file and the cure, and change nothing. Give the file a name
-   * that ends in ".json", so that ApplyPreset() accepts it.
+   * fills the functions in place, and sets everything that the file lacks to its default. On
+   * failure, both return false, with an error that names the file and the cure, and change nothing.
+   * Give the file a name that ends in ".json", so that ApplyPreset() accepts it.
    */
   bool WritePreset(const char* file);
   bool ReadPreset(const char* file);
@@ -316,12 +317,12 @@ public:
 
   ///@{
   /**
-   * Name ranges of the functions' values, from low to high (both included). The names are for
-   * people: vtkHapticFunctionEditor draws them as bands and edits their materials by sliders, but
-   * forces do not depend on them. Tissues are numbered from 0, in ascending order of their values.
-   * AddTissue returns the number of the new tissue. It reports an error and returns -1 if the name
-   * is empty or occurs already, or if the values overlap another tissue. Presets and proposals set
-   * their own tissues. Default: none.
+   * Add and read tissues: named ranges of the functions' values, from low to high (both included).
+   * The names are for people: vtkHapticFunctionEditor draws them as bands and edits their materials
+   * by sliders, but forces do not depend on them. Tissues are numbered from 0, in ascending order
+   * of their values. AddTissue returns the number of the new tissue. It reports an error and
+   * returns -1 if the name is empty or occurs already, or if the values overlap another tissue.
+   * Presets and proposals set their own tissues. Default: none.
    */
   int AddTissue(const char* name, double low, double high);
   void RemoveAllTissues();
@@ -333,8 +334,8 @@ public:
   ///@{
   /**
    * Set and get the material of a tissue. Set makes the function constant from the tissue's lowest
-   * value to its highest one; from there to the neighbouring tissues, which stay unchanged, it
-   * changes linearly. Get returns the function's value in the middle of the tissue. A tissue that
+   * value to its highest one; between this and the neighbouring tissues, which stay unchanged, the
+   * function is linear. Get returns the function's value in the middle of the tissue. A tissue that
    * does not exist is an error; Get then returns 0.
    */
   void SetTissueStiffness(int tissue, double stiffness);
@@ -384,24 +385,24 @@ public:
   vtkTable* GetProposedBoundaries();
 
 #ifndef __VTK_WRAP__
-  /** Sets GetProposedBoundaries and GetProposedKernelRadius. */
+  /** Sets the results of GetProposedBoundaries and GetProposedKernelRadius. */
   void NoteProposal(vtkTable* boundaries, int kernelRadius);
 #endif
 
   ///@{
   /**
    * Voxels that the opacity functions of this volume property hide are not felt: surface strength
-   * and viscosity are zero if the scalar opacity or the gradient opacity is zero. nullptr (default)
-   * detaches. The opacity of the touched component is used (of component 0 if components are not
-   * independent). As in VTK's volume mappers, gradient opacity is a function of the gradient
-   * magnitude per average voxel spacing.
+   * and viscosity are zero if the scalar opacity or the gradient opacity is zero. nullptr
+   * (default): everything is felt. The opacity of the touched component is used (of component 0 if
+   * components are not independent). As in VTK's volume mappers, gradient opacity is a function of
+   * the gradient magnitude per average voxel spacing.
    */
   void SetVisibilityFrom(vtkVolumeProperty* property);
   vtkVolumeProperty* GetVisibilityFrom();
   ///@}
 
   /**
-   * Copy everything: functions point by point, and tissues. Only the volume property of the
+   * Copy everything: functions point by point, and tissues. Only the volume property for the
    * visibility and the boundaries of the last proposal are shared by reference.
    */
   void DeepCopy(vtkHapticProperty* source);

@@ -15,27 +15,30 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Returns whether a quantity changes its sign when axes are mirrored: forces along x and y do. */
+/**
+ * Returns whether a quantity changes its sign when the x and y axes are mirrored, as forces along x
+ * and y do.
+ */
 bool IsMirrored(int number)
 {
   return number == 1 || number == 2;
 }
 
-/** Returns a path with an index, such as "markups[2].controlPoints[0].position", for errors. */
+/** Appends an index to the path of a JSON array, such as "markups[2].controlPoints", for errors. */
 std::string At(const std::string& path, Json::ArrayIndex i)
 {
   return path + "[" + std::to_string(i) + "]";
 }
 
-/** The exception for faults of the text. It never leaves ReadMarkups(). */
+/** Exception for faults of the text, caught in ReadMarkups(). */
 struct MarkupsError
 {
   std::string Text;
 };
 
 /**
- * Returns a text, or the first text of a code such as ["mm", "UCUM", "millimeter"]; `missing` if
- * there is neither.
+ * Returns a text, or the first text of a code such as ["mm", "UCUM", "millimeter"]; `missing` for
+ * any other value.
  */
 std::string CodeOf(const Json::Value& value, const std::string& missing)
 {
@@ -72,7 +75,7 @@ public:
   }
 
   /**
-   * Reads the points that are defined, with their labels and the forces and values measured there.
+   * Reads the defined control points, with their labels and the forces and values measured there.
    */
   void ReadControlPoints()
   {
@@ -103,7 +106,7 @@ public:
     }
   }
 
-  /** Reads the triangles of an area from this library's own member. */
+  /** Reads the triangles of an area from the member volumeHaptics. */
   void ReadTriangles()
   {
     const Json::Value& own = this->Markup[OwnMember];
@@ -131,7 +134,7 @@ public:
   }
 
   Measurement Read;
-  std::vector<std::string> Labels; ///< labels of the points
+  std::vector<std::string> Labels; ///< labels of the control points
 
 private:
   Vector3 ReadPosition(const Json::Value& position, const std::string& path) const
@@ -145,9 +148,7 @@ private:
       this->Sign * this->Scale * position[1].asDouble(), this->Scale * position[2].asDouble() };
   }
 
-  /**
-   * Reads the lists that have a number for each control point; returns nothing if there are none.
-   */
+  /** Reads the lists that have one number per control point; returns nothing if there are none. */
   std::vector<MeasuredSample> ReadSamples(Json::ArrayIndex count) const
   {
     std::vector<MeasuredSample> samples;
@@ -176,11 +177,13 @@ private:
 
   const Json::Value& Markup;
   const std::string Path;
-  double Sign = 1.0;  ///< sign of x and y
+  double Sign = 1.0;  ///< sign of x and y in the world
   double Scale = 1.0; ///< world units per unit of the file
 };
 
-/** Appends the measurements of a markup; adds a note if the markup is of no known kind. */
+/**
+ * Appends the measurements of a markup. If the markup is of an unknown kind, adds a note instead.
+ */
 void ReadMarkup(const Json::Value& markup, const std::string& path, const MarkupsFrame& frame,
   std::vector<Measurement>& measurements, std::string& notes)
 {
@@ -276,7 +279,7 @@ bool ReadMarkups(const std::string& text, const MarkupsFrame& frame,
   }
   if (!notes.empty())
   {
-    notes.pop_back(); // removes the last line end
+    notes.pop_back(); // removes the last line break
   }
   measurements = std::move(found);
   return true;

@@ -19,14 +19,14 @@ namespace
 {
 
 /**
- * Returns the longest closed line along the border of an area, as points in order; the first point
- * is not repeated at the end. The border consists of the edges that belong to only one triangle.
- * For a closed surface, which has no border, returns its first triangle.
+ * Returns the points of the longest closed line along the border of an area, in order, without
+ * repeating the first point. The border consists of the edges that belong to only one triangle. For
+ * a closed surface, which has no border, returns its first triangle.
  */
 std::vector<Vector3> ExtractBorder(const Measurement& area)
 {
   using Edge = std::pair<int, int>;
-  std::set<Edge> edges; // directed as their triangles say
+  std::set<Edge> edges; // with the directions that the triangles give them
   for (const std::array<int, 3>& t : area.Triangles)
   {
     for (int i = 0; i < 3; ++i)
@@ -81,7 +81,7 @@ const char* ValueName(MeasuredKind kind)
   return kind == MeasuredKind::Angle ? "angle" : (kind == MeasuredKind::Area ? "area" : "length");
 }
 
-/** Returns which felt quantities are known at a point, as bits. */
+/** Returns a bit mask of the felt quantities that are known at a point. */
 int CollectKnown(const Measurement& point)
 {
   MeasuredSample sample = point.Samples.empty() ? MeasuredSample() : point.Samples[0];
@@ -99,7 +99,7 @@ public:
   explicit MarkupsWriter(const MarkupsFrame& frame)
     : Frame(frame)
     , IsMicro(ChooseLengthUnit(frame.MetersPerWorldUnit).Name == std::string("um"))
-    // If the world is in these units, the scale must be exactly 1.
+    // Make the scale exactly 1 if the world is in the unit of the file.
     , Scale(this->IsMicro || std::abs(frame.MetersPerWorldUnit - 1e-3) <= 1e-12
           ? 1.0
           : frame.MetersPerWorldUnit / 1e-3)
@@ -175,7 +175,7 @@ private:
     added["id"] = std::to_string(points.size() + 1);
     added["label"] = label;
     added["position"] = this->Position(point);
-    // because some versions treat a point without it as undefined
+    // Some versions treat a point without this member as undefined.
     added["positionStatus"] = "defined";
     points.append(added);
   }
@@ -201,9 +201,7 @@ private:
                                        : (kind == MeasuredKind::Area ? length + "2" : length);
   }
 
-  /**
-   * Writes lists with a number for each point. Leaves out a quantity that is unknown at any point.
-   */
+  /** Writes lists with one number per point. Skips a quantity that is unknown at any point. */
   static void AddSamples(Json::Value& markup, std::vector<MeasuredSample> samples)
   {
     for (int i = 0; i < SampleNumbers; ++i)

@@ -24,7 +24,10 @@ double LengthOf(const std::vector<Vector3>& points)
   return length;
 }
 
-/** Computes an angle (degrees) by atan2, which is as exact for flat angles as for right angles. */
+/**
+ * Computes an angle (degrees) with atan2, which is equally exact for flat angles and for right
+ * angles.
+ */
 double AngleOf(const Vector3& a, const Vector3& corner, const Vector3& b)
 {
   constexpr double degrees = 57.29577951308232;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A measurement: points of a kind, and the value that follows from them.
+ * A measurement: its kind, its points, and the value computed from them.
  */
 #ifndef Measurement_h
 #define Measurement_h
@@ -18,7 +18,7 @@
 namespace VolumeHaptics
 {
 
-/** Kinds in the order of vtkHapticMeasurements::KindType. */
+/** Kinds of measurements, in the order of vtkHapticMeasurements::KindType. */
 enum class MeasuredKind
 {
   Point,
@@ -29,7 +29,7 @@ enum class MeasuredKind
 };
 inline constexpr int MeasuredKinds = 5;
 
-/** Force, value and time at a point when it was measured; NaN stands for unknown. */
+/** Force, value and time felt at a point; NaN stands for unknown. */
 struct MeasuredSample
 {
   static constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
@@ -43,32 +43,29 @@ struct Measurement
 {
   MeasuredKind Kind = MeasuredKind::Point;
   std::string Name;
-  std::vector<Vector3> Points;               ///< points in the world
-  std::vector<MeasuredSample> Samples;       ///< one sample for every point, or no samples
-  std::vector<std::array<int, 3>> Triangles; ///< triangles of an area
+  std::vector<Vector3> Points;               ///< points in world coordinates
+  std::vector<MeasuredSample> Samples;       ///< one sample per point, or empty
+  std::vector<std::array<int, 3>> Triangles; ///< point indices of an area's triangles
 
   /**
-   * Computes the value, in world units, square world units or degrees; for a point, returns the
-   * value that was felt there. Returns NaN if there is none.
+   * Computes the value in world units, square world units or degrees. For a point, returns the felt
+   * value. Returns NaN if there is none.
    */
   double Measure() const;
 };
 
-/** Returns "Point", "Distance" and so on. */
+/** Returns the name of a kind, such as "Point" or "Distance". */
 const char* GetKindName(MeasuredKind kind);
-/**
- * Looks up a kind by its name; the case of letters does not matter. Returns false if there is no
- * such kind.
- */
+/** Finds a kind by its name, ignoring case. Returns false for an unknown name. */
 bool FindKind(std::string_view name, MeasuredKind& kind);
 
 /**
- * Returns the fault in the points of a measurement, and the cure; empty if there is none.
- * Coordinates have to be finite, and triangles must refer to existing points.
+ * Returns the fault in a measurement's points, with the cure; empty if there is none. Coordinates
+ * must be finite, and triangles must refer to existing points.
  */
 std::string DetectFault(const Measurement& measurement);
 
-/** Returns the number of points of a measurement of this kind; 0 means one or more. */
+/** Returns the number of points that a kind of measurement has; 0 stands for one or more. */
 int CountPoints(MeasuredKind kind);
 
 } // namespace VolumeHaptics

@@ -53,14 +53,14 @@ enum Column
   Columns
 };
 
-/** Titles of the columns, in the form that MakeKey() returns. */
+/** Titles of the columns, in the normalised form of MakeKey(). */
 constexpr const char* Keys[Columns] = { "measurement", "name", "kind", "point", "x", "y", "z",
   "time", "forcex", "forcey", "forcez", "surfacevalue" };
 
 constexpr const char* Titles = "measurement,name,kind,value,unit,point,x,y,z,time (s),force x (N),"
                                "force y (N),force z (N),surface value\n";
 
-/** Writes the lines of the table. Unknown quantities are empty cells. */
+/** Writes the rows of the table, with empty cells for unknown quantities. */
 class TableLines
 {
 public:
@@ -111,7 +111,7 @@ std::string MakeHead(std::size_t number, const Measurement& measurement, double 
   return head.str();
 }
 
-/** The index of each column in the rows; -1 if the column is missing. */
+/** Index of each column in the rows; -1 for a missing column. */
 struct TableColumns
 {
   explicit TableColumns(const std::vector<std::string>& titles)
@@ -139,7 +139,7 @@ private:
   int Place[Columns];
 };
 
-/** Makes a measurement of the rows that belong together. */
+/** Combines the rows of a measurement. */
 class TableReader
 {
 public:
@@ -243,9 +243,9 @@ private:
   const TableColumns Place;
   const bool AllowsCommas;
   std::string GroupOfLast;
-  /** numbers of an area's points, by the names that the file gives them */
+  /** Indices of an area's points, by the identifiers in the file. */
   std::map<std::string, std::size_t> PointOfId;
-  std::vector<int> Corners; ///< corners of a triangle that is not complete yet
+  std::vector<int> Corners; ///< corners read so far of an incomplete triangle
 };
 
 bool IsKnown(const MeasuredSample& sample)
@@ -277,7 +277,7 @@ std::string WriteMeasurementTable(
   return lines.Get();
 }
 
-/** Reads a table. Returns false and writes the reason and the cure to `error` if that fails. */
+/** Reads a table. On failure, returns false, with the reason and the cure in `error`. */
 bool ReadMeasurementTable(
   std::string_view text, std::vector<Measurement>& measurements, std::string& error)
 {

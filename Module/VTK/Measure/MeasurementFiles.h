@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Writes and reads files of measurements. The ending selects the format: .csv, .vtp, or .json for
- * markups.
+ * Writes and reads files of measurements. The extension selects the format: .csv, .vtp, or .json
+ * for markups.
  *
- * A .csv has a line of titles, then a line for each point:
+ * A .csv has a line of titles, then one line per point:
  *
  *   measurement,name,kind,value,unit,point,x,y,z,time (s),force x (N),...,surface value
  *   1,Nasion,Point,53,,0,1.5,-82,31,...
  *   2,Distance 1,Distance,42.5,mm,0,...
  *   2,Distance 1,Distance,42.5,mm,1,...
  *
- * An area has a line for each corner of its triangles, one triangle after another; corners with the
- * same `point` are one point. The columns measurement, name, kind, point and all columns after it
- * are read; only x, y and z must exist. Consecutive lines with the same `measurement` belong
- * together. Without that column, each line is a separate point.
+ * An area has one line per corner of its triangles, triangle after triangle; corners with the same
+ * `point` are the same point. The columns value and unit are ignored when a file is read; only x, y
+ * and z are required. Consecutive lines with the same `measurement` belong together. Without that
+ * column, each line is a separate point.
  */
 #ifndef MeasurementFiles_h
 #define MeasurementFiles_h
@@ -30,15 +30,15 @@ namespace VolumeHaptics
 {
 
 /**
- * Writes the file completely or not at all. Returns false and writes the reason and the cure to
- * `error` if that fails.
+ * Writes the whole file or none of it. On failure, returns false, with the reason and the cure in
+ * `error`.
  */
 bool WriteMeasurements(const std::string& file, const std::vector<Measurement>& measurements,
   const MarkupsFrame& frame, std::string& error);
 
 /**
- * Reads a file. On failure, returns false and writes the reason and the cure to `error`. `notes`
- * lists the parts that were left out.
+ * Reads a file. On failure, returns false, with the reason and the cure in `error`. `notes` lists
+ * the parts that were skipped.
  */
 bool ReadMeasurements(const std::string& file, const MarkupsFrame& frame,
   std::vector<Measurement>& measurements, std::string& notes, std::string& error);

@@ -28,7 +28,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Names of arrays. */
+/** Names of the arrays: see vtkHapticMeasurements::CopyToPolyData. */
 constexpr const char* TimeArray = "Time";
 constexpr const char* ForceArray = "Force";
 constexpr const char* ValueArray = "SurfaceValue";
@@ -37,8 +37,8 @@ constexpr const char* NameField = "MeasurementName";
 constexpr const char* KindField = "MeasurementKind";
 
 /**
- * Returns whether any number of an array is finite. VTK can't read a file with an array without
- * finite numbers.
+ * Returns whether an array has any finite number. VTK can't read a file with an array that has
+ * none.
  */
 bool HasNumber(vtkDoubleArray* array)
 {
@@ -47,7 +47,7 @@ bool HasNumber(vtkDoubleArray* array)
     begin, begin + array->GetNumberOfValues(), [](double number) { return std::isfinite(number); });
 }
 
-/** Makes points and cells, and arrays of the forces and values measured at the points. */
+/** Builds points and cells, with arrays of the forces and values measured at the points. */
 class ShapeMaker
 {
 public:
@@ -60,7 +60,7 @@ public:
     this->Values->SetName(ValueArray);
   }
 
-  /** Adds a measurement's points without cells. Returns the number of the first point. */
+  /** Adds a measurement's points without cells. Returns the index of the first point. */
   vtkIdType Add(const Measurement& measurement)
   {
     const vtkIdType first = this->Points->GetNumberOfPoints();
@@ -78,7 +78,7 @@ public:
   }
 
   ///@{
-  /** Add the cells of a measurement whose points begin at `first`. */
+  /** Add the cells of a measurement whose points start at index `first`. */
   void AddVertex(vtkIdType first) { this->Verts->InsertNextCell(1, &first); }
   void AddLine(const Measurement& measurement, vtkIdType first)
   {
@@ -130,7 +130,7 @@ bool IsVertex(const Measurement& measurement)
   return measurement.Points.size() == 1 && measurement.Triangles.empty();
 }
 
-/** Returns a point array by its name; null if it does not have a tuple for each point. */
+/** Returns a point array by its name; null unless it has one tuple per point. */
 vtkDataArray* FindArray(vtkPolyData* shape, const char* name, int components)
 {
   vtkDataArray* const array = shape->GetPointData()->GetArray(name);
@@ -140,7 +140,7 @@ vtkDataArray* FindArray(vtkPolyData* shape, const char* name, int components)
     : nullptr;
 }
 
-/** Reads the arrays of time, force and surface value at the points of a shape. */
+/** Reads time, force and surface value at the points of a shape from its arrays. */
 class ShapeSamples
 {
 public:
@@ -166,7 +166,7 @@ private:
   vtkDataArray* Values;
 };
 
-/** Removes the samples of a measurement if none of them has a finite number. */
+/** Removes the samples of a measurement if none has a finite number. */
 void DropUnknown(Measurement& measurement)
 {
   const auto isKnown = [](const MeasuredSample& s)
@@ -199,8 +199,8 @@ void ReadTriangles(vtkPolyData* shape, Measurement& area)
 }
 
 /**
- * Collects the cells of each measurement, by the array of numbers. Returns false and writes `error`
- * if the array or a number is unusable.
+ * Collects the cells of each measurement from the array of measurement numbers. Returns false and
+ * sets `error` if the array or a number is unusable.
  */
 bool CollectCells(vtkPolyData* all, std::size_t count, std::vector<std::vector<vtkIdType>>& cells,
   std::string& error)
@@ -227,13 +227,13 @@ bool CollectCells(vtkPolyData* all, std::size_t count, std::vector<std::vector<v
   return true;
 }
 
-/** Reads the points of some cells. A point that triangles share is read only once. */
+/** Reads the points of some cells, each shared point only once. */
 Measurement ReadCells(vtkPolyData* all, MeasuredKind kind, const std::vector<vtkIdType>& cells)
 {
   const ShapeSamples samples(all);
   Measurement read;
   read.Kind = kind;
-  std::vector<int> numberOf; // number of each point in the area; -1 if it has none yet
+  std::vector<int> numberOf; // index of each point in the area; -1 if it has none yet
   numberOf.resize(
     kind == MeasuredKind::Area ? static_cast<std::size_t>(all->GetNumberOfPoints()) : 0, -1);
   vtkNew<vtkIdList> points;
@@ -268,7 +268,7 @@ Measurement ReadCells(vtkPolyData* all, MeasuredKind kind, const std::vector<vtk
   return read;
 }
 
-/** Returns whether all cells refer to existing points. VTK's readers do not check this. */
+/** Returns whether all cells refer to existing points, which VTK's readers do not check. */
 bool HasPointsOfCells(vtkPolyData* all)
 {
   for (vtkCellArray* const cells :
@@ -350,7 +350,7 @@ void CopyToPolyData(
     units->InsertNextValue(GetUnit(measurement.Kind, metersPerWorldUnit));
     values->InsertNextValue(GetValue(measurement, metersPerWorldUnit));
   }
-  // Cells of a polydata are numbered by kind: vertices, then lines, then triangles.
+  // vtkPolyData numbers its cells by kind: vertices, then lines, then polygons.
   vtkNew<vtkIntArray> numbers;
   numbers->SetName(NumberArray);
   const auto count = static_cast<int>(measurements.size());

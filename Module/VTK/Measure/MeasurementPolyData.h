@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Converts measurements to polydata and back: see vtkHapticMeasurements::CopyToPolyData.
+ * Converts measurements to vtkPolyData and back: see vtkHapticMeasurements::CopyToPolyData.
  */
 #ifndef MeasurementPolyData_h
 #define MeasurementPolyData_h
@@ -18,24 +18,24 @@ namespace VolumeHaptics
 {
 
 /**
- * Makes the shape of one measurement: a vertex, a line or triangles, with point arrays of the
- * forces and values that were felt.
+ * Makes the shape of one measurement: a vertex, a line or triangles, with point arrays of the felt
+ * forces and values.
  */
 void CopyShape(const Measurement& measurement, vtkPolyData* shape);
 
 /**
- * Reads a measurement from a shape: for an area its triangles, otherwise its points in their order.
- * Also reads the arrays Time, Force and SurfaceValue of the points if the shape has them.
+ * Makes a measurement from a shape: from its triangles for an area, otherwise from its points in
+ * their order. Includes the point arrays Time, Force and SurfaceValue if the shape has them.
  */
 Measurement ReadShape(MeasuredKind kind, vtkPolyData* shape);
 
-/** Writes all measurements to a polydata, with names, values and units. */
+/** Writes all measurements to a vtkPolyData, with names, values and units. */
 void CopyToPolyData(
   const std::vector<Measurement>& measurements, double metersPerWorldUnit, vtkPolyData* all);
 
 /**
- * Reads measurements from a polydata. Returns false and writes the reason and the cure to `error`
- * if CopyToPolyData can't have made it.
+ * Reads measurements from a vtkPolyData. Returns false, with the reason and the cure in `error`, if
+ * the data do not come from CopyToPolyData.
  */
 bool ReadPolyData(vtkPolyData* all, std::vector<Measurement>& measurements, std::string& error);
 

@@ -20,7 +20,7 @@ struct NamedUnit
 constexpr NamedUnit Units[] = { { "mm", 1e-3 }, { "um", 1e-6 }, { "m", 1.0 }, { "cm", 1e-2 },
   { "nm", 1e-9 }, { "km", 1e3 } };
 
-/** Returns a unit as users see it: "mm" stays, "um" gets the micro sign. */
+/** Returns a unit as users see it: replaces "um" with the micro sign and "m". */
 std::string ForPeople(const std::string& unit)
 {
   return unit.rfind("um", 0) == 0 ? "\xC2\xB5" + unit.substr(1) : unit;
@@ -79,7 +79,7 @@ std::string DescribeValue(const Measurement& measurement, double metersPerWorldU
   {
     return {};
   }
-  // Write at least three digits, as in 0.123, 1.23, 12.3 and 1234.
+  // Write at least three significant digits: 0.123, 1.23, 12.3, 1234.
   const double size = std::max(std::abs(value), 1e-6);
   const int digits = std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 8);
   std::ostringstream text;
@@ -92,11 +92,11 @@ std::string DescribeValue(const Measurement& measurement, double metersPerWorldU
     case MeasuredKind::Point:
       return "value " + text.str();
     case MeasuredKind::Angle:
-      return text.str() + "\xC2\xB0"; // degree sign
+      return text.str() + "\xC2\xB0"; // UTF-8: degree sign
     case MeasuredKind::Area:
     {
       const std::string length = ChooseLengthUnit(metersPerWorldUnit).Name;
-      return text.str() + " " + ForPeople(length) + "\xC2\xB2"; // superscript two
+      return text.str() + " " + ForPeople(length) + "\xC2\xB2"; // UTF-8: superscript two
     }
     default:
       return text.str() + " " + ForPeople(GetUnit(measurement.Kind, metersPerWorldUnit));

@@ -29,11 +29,11 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int BlockSize = 8; ///< voxels along an axis of a block
-/** The largest distance between hand and surface, beyond the radius (voxels). */
+constexpr int BlockSize = 8; ///< voxels along each axis of a block
+/** Largest distance (voxels), in addition to the radius, between hand and surface for painting. */
 constexpr double Reach = 3.0;
 
-/** Returns the squared distance from a position to the line between two other positions. */
+/** Returns the squared distance from a position to the line segment between two other positions. */
 double SquaredDistance(const Vector3& position, const Vector3& from, const Vector3& to)
 {
   const Vector3 line = to - from;
@@ -67,7 +67,7 @@ bool PaintedPatch::IsOf(vtkImageData* image) const
 template <typename F>
 void PaintedPatch::Visit(const Vector3& from, const Vector3& to, double distance, F&& visit)
 {
-  // Compute the box around the balls at both positions, in index coordinates.
+  // Compute the bounding box of the balls around both positions, in index coordinates.
   double least[3];
   double most[3];
   std::fill_n(least, 3, std::numeric_limits<double>::max());
@@ -140,8 +140,8 @@ void PaintedPatch::Mesh(const Block& block, Part& part) const
     extent[2 * a] = whole[2 * a] + BlockSize * block[static_cast<std::size_t>(a)];
     extent[2 * a + 1] = std::min(extent[2 * a] + BlockSize, whole[2 * a + 1]);
   }
-  // Use index coordinates of the whole image, so that the points on common borders of blocks are
-  // equal to the bit.
+  // Use index coordinates of the whole image, so that neighbouring blocks have bit-identical points
+  // on their common border.
   vtkNew<vtkImageData> samples;
   samples->SetExtent(extent);
   vtkNew<vtkDoubleArray> values;
@@ -220,14 +220,14 @@ bool PaintedPatch::LeadTo(const Vector3& position)
   }
   const Vector3 to = *nearest;
   const Vector3 from = this->Last.value_or(to);
-  // Visit the line in short pieces, so that no blocks far from it are made.
+  // Visit the line in short pieces, so that blocks far from it are not meshed.
   const int pieces =
     1 + static_cast<int>(std::min(1e5, Norm(to - from) / (BlockSize * this->Voxel)));
   for (int piece = 0; piece < pieces; ++piece)
   {
     const Vector3 begin = from + (static_cast<double>(piece) / pieces) * (to - from);
     const Vector3 end = from + (static_cast<double>(piece + 1) / pieces) * (to - from);
-    // Visit a voxel more, for the triangles through which the border goes.
+    // Include one more voxel, for the triangles that the border crosses.
     this->Visit(begin, end, this->Radius + this->Voxel,
       [&](Part& part)
       {
@@ -260,7 +260,7 @@ vtkSmartPointer<vtkPolyData> PaintedPatch::Cut() const
     distances->SetName("Distance");
     for (const double squared : part.Distances)
     {
-      // The value of a point far beyond the border does not matter, so limit it.
+      // Limit the value, which does not matter far beyond the border.
       distances->InsertNextValue(std::min(std::sqrt(squared), 1e3 * this->Radius));
     }
     vtkNew<vtkPolyData> shared;
@@ -292,7 +292,7 @@ vtkSmartPointer<vtkPolyData> PaintedPatch::Cut() const
   {
     return cut;
   }
-  // Remove parts that the brush has not reached along the surface.
+  // Remove parts that are not connected to the brush's line along the surface.
   vtkNew<vtkStaticPointLocator> locator;
   locator->SetDataSet(triangles->GetOutput());
   locator->BuildLocator();
@@ -304,7 +304,7 @@ vtkSmartPointer<vtkPolyData> PaintedPatch::Cut() const
     const double at[3] = { place.X, place.Y, place.Z };
     connected->AddSeed(locator->FindClosestPoint(at));
   }
-  vtkNew<vtkCleanPolyData> used; // removes points without triangles
+  vtkNew<vtkCleanPolyData> used; // removes points that belong to no triangle
   used->SetInputConnection(connected->GetOutputPort());
   used->PointMergingOff();
   used->Update();

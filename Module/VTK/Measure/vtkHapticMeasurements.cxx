@@ -40,14 +40,16 @@ constexpr std::size_t MostUndone = 100;
 //------------------------------------------------------------------------------
 struct vtkHapticMeasurements::vtkInternals
 {
-  /** A list of measurements. Lists share the items that they have in common. */
+  /**
+   * A list of immutable measurements. Successive lists share the items that they have in common.
+   */
   using Item = std::shared_ptr<const Measurement>;
   using List = std::vector<Item>;
 
   List Items;
-  std::vector<List> Before; ///< earlier lists, for Undo; the latest is the last
+  std::vector<List> Before; ///< earlier lists for Undo, latest last
   std::vector<List> After;  ///< later lists for Redo
-  Measurement Unfinished;   ///< the measurement in progress; without points if there is none
+  Measurement Unfinished;   ///< measurement in progress; without points if there is none
 
   void Change(List items)
   {
@@ -74,7 +76,7 @@ struct vtkHapticMeasurements::vtkInternals
       [](const Item& item) { return *item; });
     return all;
   }
-  /** Appends a measurement. Returns its index; after an error, -1. */
+  /** Appends a measurement. Returns its index, or -1 after an error. */
   vtkIdType Append(vtkHapticMeasurements* self, Measurement added, const char* name)
   {
     const std::string fault = DetectFault(added);
@@ -90,7 +92,9 @@ struct vtkHapticMeasurements::vtkInternals
     self->Modified();
     return static_cast<vtkIdType>(this->Items.size()) - 1;
   }
-  /** Replaces the list by the measurements of a file or polydata. Returns false after an error. */
+  /**
+   * Replaces the list with the measurements of a file or polydata. Returns false after an error.
+   */
   bool Replace(vtkHapticMeasurements* self, std::vector<Measurement> all, const std::string& what)
   {
     List items;
@@ -130,7 +134,7 @@ struct vtkHapticMeasurements::vtkInternals
   }
 };
 
-// Reports an error and returns from the function if there is no measurement with this index.
+// Returns `result` from the function, after reporting an error, if no measurement has this index.
 #define vtkHapticMeasurementMacro(index, result)                                   \
   if (!this->Internals->Has(index))                                                \
   {                                                                                \

@@ -4,7 +4,7 @@
  * @class   vtkHapticMeasurements
  * @brief   points, distances, angles, paths and areas that were measured by touch
  *
- * Keeps a list of measurements. Each has a name, points in the world, and a value that follows from
+ * Stores a list of measurements. Each has a name, points in the world, and a value computed from
  * the points. Neither a window nor a device is needed:
  *
  *   measurements->AddDistance(a, b);
@@ -30,13 +30,13 @@
  * voxels in front of an edge, and SURFACE_PROXY holds it at its radius (SetProxyRadius) in front of
  * the isosurface. The distance between opposite sides of a body is too long by twice this gap.
  *
- * Each point may have what was felt there: the time (s), the force on the hand (N, world axes) and
- * the value at the surface.
+ * Each point may include what was felt there: the time (s), the force on the hand (N, world axes)
+ * and the value at the surface.
  *
- * The ending of a file selects its format. ReadFile reads all formats (a .mrk.json omits quantities
- * that are not known at every point):
+ * The extension of a file selects its format. ReadFile reads all formats (a .mrk.json omits
+ * quantities that are not known at every point):
  *
- * - .csv: a line for each point; the first line names the columns. Only x, y and z are needed;
+ * - .csv: one line per point; the first line names the columns. Only x, y and z are required;
  * - .vtp: see CopyToPolyData;
  * - .mrk.json: markups of 3D Slicer, by its published schema 1.0.3: Fiducial, Line, Angle and
  *   Curve, and an area as a ClosedCurve along its border, with its triangles in a member
@@ -84,7 +84,7 @@ public:
   ///@{
   /**
    * Append a measurement. Without a name, it gets the next free name, such as "Distance 2". Returns
-   * its index. If its points can't be measured, returns -1 and reports an error.
+   * its index. If the points do not make a valid measurement, returns -1 and reports an error.
    *
    * AddMeasurement reads the points of a shape in their order, or for AREA its polygons, and the
    * point arrays Time, Force (three components) and SurfaceValue, if the shape has them. A trace of
@@ -113,8 +113,8 @@ public:
 
   ///@{
   /**
-   * Read and edit the list. For an index that does not exist, an error is reported, and 0, false or
-   * an empty text is returned.
+   * Read and edit the list. For an index out of range, reports an error and returns 0, false or an
+   * empty text.
    */
   vtkIdType GetNumberOfMeasurements();
   int GetKind(vtkIdType index);
@@ -127,8 +127,8 @@ public:
 
   ///@{
   /**
-   * Get the value (NaN for a point where nothing was felt), its unit as in UCUM ("mm", "mm2", "deg"
-   * or empty), or name and value as users see them, such as "Distance 1: 42.5 mm".
+   * Get the value (NaN for a point where nothing was felt), its unit in UCUM ("mm", "mm2", "deg" or
+   * empty), or a text with name and value for users, such as "Distance 1: 42.5 mm".
    */
   double GetValue(vtkIdType index);
   std::string GetUnit(vtkIdType index);
@@ -149,8 +149,8 @@ public:
 
   ///@{
   /**
-   * Undo the last change of the list, or redo the last undone one. Return false if there is none.
-   * The last 100 changes are kept.
+   * Undo the last change of the list, or redo the last undone one. Return false if there is nothing
+   * to undo or redo. The last 100 changes are kept.
    */
   bool Undo();
   bool Redo();
@@ -158,9 +158,9 @@ public:
 
   ///@{
   /**
-   * Set the measurement in progress, for displays: the points, the path or the area so far. It is
-   * not in the list or in files, and Undo ignores it; nullptr ends it. The text shows the value so
-   * far and what is missing, such as "Distance: 1 of 2 points".
+   * Set the points, path or area of the measurement in progress, for displays. It is neither in the
+   * list nor in files, and Undo ignores it; nullptr ends it. The text shows the value so far and
+   * what is missing, such as "Distance: 1 of 2 points".
    */
   void SetUnfinished(int kind, vtkPolyData* shape);
   void GetUnfinished(vtkPolyData* shape);
@@ -171,10 +171,10 @@ public:
   ///@{
   /**
    * Copy all measurements to polydata: vertices, lines and triangles with the cell array
-   * Measurement (the index); the point arrays Time, Force and SurfaceValue, NaN where nothing is
-   * known; and the field arrays MeasurementName, MeasurementKind, MeasurementValue and
-   * MeasurementUnit. ReadPolyData replaces the list by the measurements of such polydata. For any
-   * other polydata, it returns false, reports an error and changes nothing.
+   * Measurement (the index); the point arrays Time, Force and SurfaceValue, NaN for unknown values;
+   * and the field arrays MeasurementName, MeasurementKind, MeasurementValue and MeasurementUnit.
+   * ReadPolyData replaces the list with the measurements of such polydata. For any other polydata,
+   * it returns false, reports an error and changes nothing.
    */
   void CopyToPolyData(vtkPolyData* data);
   bool ReadPolyData(vtkPolyData* data);
@@ -182,9 +182,9 @@ public:
 
   ///@{
   /**
-   * Write the list to a file, or replace the list by the list of a file. An existing file is
-   * replaced only after the whole new file is on the disk. If that fails, these return false,
-   * report an error and change nothing.
+   * Write the list to a file, or replace it with the list from a file. An existing file is replaced
+   * only after the whole new file is on the disk. On failure, these return false, report an error
+   * and change nothing.
    */
   bool WriteFile(VTK_FILEPATH const char* path);
   bool ReadFile(VTK_FILEPATH const char* path);

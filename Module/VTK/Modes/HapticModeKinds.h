@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The kinds of vtkHapticMode.
+ * Lists the kinds of vtkHapticMode with their properties.
  */
 #ifndef HapticModeKinds_h
 #define HapticModeKinds_h
@@ -19,21 +19,20 @@ namespace VolumeHaptics
 {
 
 /**
- * The properties that differ between the kinds of vtkHapticMode. The kinds' names are the choices
- * of Kind in Module/VTK/Settings.json; Core/Model/BakedMode.h describes what a tick computes for
- * each kind.
+ * Properties of a kind of vtkHapticMode. The kinds' names are the choices of Kind in
+ * Module/VTK/Settings.json; Core/Model/BakedMode.h describes what a tick computes for each kind.
  */
 struct ModeKindRow
 {
   /**
-   * Names of the functions Strength and SecondStrength in files and errors. The name of a function
-   * that the kind lacks is null.
+   * Names of the functions Strength and SecondStrength in files and errors; null for a function
+   * that the kind lacks.
    */
   const char* Functions[2];
-  /** The settings that only this kind has; null after the last one. */
+  /** Settings that only this kind has, ended by null. */
   const char* Settings[2];
   /**
-   * Returns the core's kind, and writes the settings that only this kind has to the description.
+   * Returns the core's kind, and copies the settings that only this kind has to the description.
    */
   ModeKind (*Describe)(vtkHapticMode*, ModeDescription&);
 };
@@ -45,12 +44,12 @@ ModeInput GetInput(vtkHapticMode* mode);
 /** Returns whether a mode can read an array with this many components. */
 bool HasComponents(ModeInput input, int components);
 
-/** A strength function of a mode. */
+/** A function of a mode, Strength or SecondStrength. */
 struct ModeFunction
 {
-  const char* Name; ///< name in files and errors
+  const char* Name; ///< name in files and error texts
   const char* Getter;
-  double Default; ///< N, the value of a function without points
+  double Default; ///< value (N) of a function without points
   vtkPiecewiseFunction* Function;
 };
 

@@ -34,8 +34,8 @@ namespace
 {
 
 /**
- * Makes a line of the points with these ids. Without ids, makes it of the first `count` points in
- * their order.
+ * Makes a line of the points with these ids, or, without ids, of the first `count` points in their
+ * order.
  */
 GuidePath::Line LineOf(vtkPolyData* path, vtkIdType count, const vtkIdType* ids)
 {
@@ -102,13 +102,14 @@ bool ReadPath(vtkPolyData* path, double rounding, ModeDescription& d, std::strin
   return true;
 }
 
-/** Finds the meshes that models use, so that unchanged surfaces are not prepared again. */
+/** Caches the meshes that models still use, so that an unchanged surface is not prepared again. */
 class MeshesInUse
 {
 public:
   std::shared_ptr<const GuideMesh> Get(vtkPolyData* surface, double rounding, std::string& error)
   {
-    // Modification times are unique, so that new data at an old address get another key.
+    // Include the modification time, which is unique, so that new data at an old address have
+    // another key.
     const Key key{ surface, surface->GetMTime(), rounding };
     const std::lock_guard<std::mutex> lock(this->Mutex);
     if (const auto known = this->Meshes[key].lock())
@@ -172,9 +173,9 @@ bool ReadDistanceField(vtkImageData* field, double distance, ModeDescription& d,
 }
 
 /**
- * Describes the path, the surface or the distance field of a guide. Corners are rounded by
+ * Describes the path, the surface or the distance field of a guide, with corners rounded by
  * `rounding` (world units). Returns false, with the reason and the cure in `error`, unless the
- * guide has exactly one of them, which can be felt.
+ * guide has exactly one of them and it can be felt.
  */
 bool DescribeGuide(
   vtkHapticGuideMode* mode, double rounding, ModeDescription& d, std::string& error)
@@ -206,7 +207,7 @@ bool DescribeGuide(
                             : ReadDistanceField(mode->GetDistanceField(), distance, d, error);
 }
 
-/** Returns the name of a mode for an error. */
+/** Returns the name of a mode for error texts. */
 std::string NameOf(vtkHapticMode* mode)
 {
   return mode->GetKind() == vtkHapticMode::GUIDE
@@ -230,8 +231,8 @@ vtkDataArray* FindArray(vtkHapticMode* mode, ModeInput input, vtkImageData* imag
 }
 
 /**
- * Returns a pointer that holds a reference to an object. It must be created and released outside
- * the servo's thread.
+ * Returns a shared pointer that owns a reference to an object. Create and release it outside the
+ * servo's thread.
  */
 std::shared_ptr<const void> ShareObject(vtkObjectBase* object)
 {
@@ -240,7 +241,7 @@ std::shared_ptr<const void> ShareObject(vtkObjectBase* object)
     [object](const void*) { object->UnRegister(nullptr); } };
 }
 
-/** Describes modes one after another, until the first error. */
+/** Describes modes one after another and stops at the first error. */
 class ModeDescriber
 {
 public:
@@ -340,7 +341,7 @@ private:
     bool isThere = LocateSamples(array, 0, dimensions, d.View.Volume, holder);
     if (!isThere || d.View.Volume.Stride[0] != components)
     {
-      // Copy components that are stored separately, or computed on access.
+      // Copy an array whose components are stored separately or computed on access.
       const auto copy = CopyArray(array);
       isThere = LocateSamples(copy, 0, dimensions, d.View.Volume, holder);
     }
@@ -394,7 +395,7 @@ const ModeKindRow& GetModeKind(vtkHapticMode* mode)
         d.SnapDistance = mode->GetSnapDistance();
         return ModeKind::Ridge;
       } },
-    // DescribeGuide() describes the settings of a guide, which are those of vtkHapticGuideMode.
+    // The settings of a guide belong to vtkHapticGuideMode, and are described by DescribeGuide().
     { { strength, nullptr }, {},
       [](M* mode, D&)
       {

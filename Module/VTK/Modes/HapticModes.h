@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Converts vtkHapticMode to the core's modes, with all checks of their input.
+ * Converts vtkHapticMode to the core's modes, after checking their input.
  */
 #ifndef HapticModes_h
 #define HapticModes_h
@@ -23,18 +23,18 @@ namespace VolumeHaptics
 
 using HapticModes = std::vector<vtkSmartPointer<vtkHapticMode>>;
 
-/** Returns the array of the first active mode that has one; null if there is none. */
+/** Returns the array of the first active mode that reads one; null if no mode does. */
 vtkDataArray* FindModeArray(const HapticModes& modes, vtkImageData* image);
 
 /**
- * Describes modes on the samples of an image; `view` is one of its components. Arrays are viewed
+ * Describes modes on the samples of an image; `view` is one of its components. Arrays are used
  * without a copy, unless they store their components separately. Returns false, with the reason and
  * the cure in `error`, if an active mode can't be felt.
  */
 bool DescribeModes(const HapticModes& modes, vtkImageData* image, const VolumeView& view,
   std::vector<ModeDescription>& described, std::string& error);
 
-/** Returns whether a tick has enough time for all of these modes, as if all were active. */
+/** Returns whether a tick has enough time for all of these modes, including inactive ones. */
 bool FitIntoATick(const HapticModes& modes);
 
 } // namespace VolumeHaptics

@@ -26,18 +26,18 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double WholeHold = 2.0; ///< full strength of a hold (N)
-/** Largest number of positions that are examined along an axis: some thousand in all suffice. */
+constexpr double WholeHold = 2.0; ///< strength (N) of a hold at full strength
+/** Largest number of positions examined along an axis: a few thousand in total are enough. */
 constexpr std::int64_t MostLookups = 24;
-/** Fraction of the positions whose measure is below the value that counts as large. */
+/** Fraction of the positive values that lie below the "large value" of a measure. */
 constexpr double LargeFraction = 0.95;
-/** LargeFraction for ridges, because vessels fill only a small part of a volume. */
+/** LargeFraction for ridges: vessels fill only a small part of a volume. */
 constexpr double LargeRidgeFraction = 0.995;
 
 using Measure = std::function<double(const Vector3& index)>;
 
 /**
- * Computes a measure on a regular grid of positions. Returns its positive values in ascending
+ * Computes a measure at a regular grid of positions. Returns the positive values in ascending
  * order.
  */
 std::vector<double> CollectMeasure(const VolumeView& view, const Measure& measure)
@@ -75,7 +75,7 @@ double FirstRate(const Matrix3& j)
     .Value[0];
 }
 
-/** Returns the measure that the strength of a mode about vectors depends on. */
+/** Returns the quantity that the strength of a vector mode depends on. */
 Measure MeasureVectors(ModeKind kind, const VectorField& field)
 {
   return [kind, &field](const Vector3& index)
@@ -95,8 +95,8 @@ Measure MeasureVectors(ModeKind kind, const VectorField& field)
 }
 
 /**
- * Returns the measure of how tubular the scalars are (vtkHapticMode::SetKind), computed by a kernel
- * of 2 voxels.
+ * Returns the measure of how tubular the scalars are (vtkHapticMode::SetKind), computed with a
+ * kernel of 2 voxels.
  */
 Measure MeasureRidges(const FieldSampler& scalars, const Affine3& indexToWorld, bool isDark)
 {
@@ -107,7 +107,7 @@ Measure MeasureRidges(const FieldSampler& scalars, const Affine3& indexToWorld, 
     { return scalars.Gradient(index + half).Gradient - scalars.Gradient(index - half).Gradient; };
     if (!(scalars.DistanceToBorder(index) > 1.0))
     {
-      return 0.0; // the differences need samples on both sides
+      return 0.0; // derivatives need samples on both sides
     }
     const Matrix3 ofIndex = Matrix3::FromColumns(
       slope({ 0.5, 0.0, 0.0 }), slope({ 0.0, 0.5, 0.0 }), slope({ 0.0, 0.0, 0.5 }));
@@ -129,8 +129,8 @@ void SetPoints(vtkHapticMode* mode, double none, double whole)
 }
 
 /**
- * Sets the strength: 0 up to a tenth of the measure that counts as large, and full above half of
- * this measure.
+ * Sets the strength: 0 up to a tenth of the large value of the measure, and full from half of the
+ * large value on.
  */
 bool SetPointsOf(vtkHapticMode* mode, const std::vector<double>& found, double fraction)
 {
@@ -151,7 +151,7 @@ bool ProposeStrength(vtkHapticMode* mode, vtkImageData* image, std::string& erro
   std::vector<ModeDescription> described;
   if (mode->GetKind() == vtkHapticMode::GUIDE || mode->GetKind() == vtkHapticMode::SURFACE)
   {
-    mode->SetStrength(nullptr); // the default of a guide, which is the same everywhere
+    mode->SetStrength(nullptr); // the default of a guide is the same strength everywhere
     return true;
   }
   vtkDataArray* const own = FindModeArray({ mode }, image);
@@ -174,7 +174,7 @@ bool ProposeStrength(vtkHapticMode* mode, vtkImageData* image, std::string& erro
   bool isFound = true;
   if (d.Kind == ModeKind::TensorFollow)
   {
-    SetPoints(mode, 0.15, 0.4); // the linear anisotropy has no unit
+    SetPoints(mode, 0.15, 0.4); // the linear anisotropy has no unit, so these suit any image
   }
   else if (d.Kind == ModeKind::Ridge)
   {
@@ -204,13 +204,10 @@ struct ModePreset
 {
   const char* Name;
   int Kind;
-  /**
-   * Ratio of the second strength to the strength that the image proposes. 0: no second strength.
-   */
+  /** Ratio of the second strength to the proposed strength; 0: no second strength. */
   double Fraction;
   bool TouchesSurfaces;
-  void (*Adjust)(vtkHapticMode*); ///< sets further settings of the kind; null if the defaults are
-                                  ///< used
+  void (*Adjust)(vtkHapticMode*); ///< changes further settings of the kind; null: keep the defaults
 };
 
 constexpr ModePreset ModePresetRows[] = {
@@ -252,7 +249,7 @@ bool SuitImage(
   return ProposeStrength(mode, image, error);
 }
 
-/** Fills the second function with the strength, multiplied by the preset's Fraction. */
+/** Sets the second strength to the strength times the preset's Fraction. */
 void FillSecond(const ModePreset& preset, vtkHapticMode* mode)
 {
   vtkPiecewiseFunction* const strength = mode->GetStrength();

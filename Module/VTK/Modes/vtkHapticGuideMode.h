@@ -45,8 +45,8 @@ public:
   ///@{
   /**
    * The polylines, in world units: the lines of a polydata or, if it has none, all its points in
-   * their order as one line. If there are several lines, the nearest one guides. A line that ends
-   * at its first point is closed; an open line holds the hand at its ends.
+   * their order as one line. If there are several lines, the nearest one guides the hand. A line
+   * that ends at its first point is closed; an open line holds the hand at its ends.
    */
   void SetPath(vtkPolyData* path);
   vtkPolyData* GetPath();
@@ -64,8 +64,8 @@ public:
   ///@{
   /**
    * A distance field: an image whose active scalars are distances from a surface (world units),
-   * negative inside of it. It may have any origin and spacing; outside of it nothing holds the
-   * hand. The guide needs one of path, surface and distance field.
+   * negative inside of it. It may have any origin and spacing; outside the image, nothing holds the
+   * hand. The guide needs exactly one of path, surface and distance field.
    */
   void SetDistanceField(vtkImageData* field);
   vtkImageData* GetDistanceField();
@@ -99,10 +99,7 @@ public:
   vtkGetMacro(Distance, double);
   ///@}
 
-  /**
-   * Returns the latest modification time, including those of the path, the surface and the distance
-   * field.
-   */
+  /** Returns the latest modification time of this mode, its path, surface and distance field. */
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -69,9 +69,9 @@ public:
 
   ///@{
   /**
-   * What of the volume is felt, and how. Default VECTOR_FOLLOW. GUIDE is the kind of every
-   * vtkHapticGuideMode, and of no other mode: setting another kind there, or GUIDE here, is an
-   * error without an effect.
+   * The feature of the volume that is felt, and how it is felt. Default VECTOR_FOLLOW. GUIDE is the
+   * kind of every vtkHapticGuideMode, and of no other mode: setting another kind there, or GUIDE
+   * here, is an error without an effect.
    *
    * - VECTOR_FOLLOW: the hand moves freely along the vectors, as if on a rail, and is held
    *   perpendicular to them with the Strength, a function of the magnitude of the vector. The proxy
@@ -118,7 +118,10 @@ public:
   void SetKindToSurface() { this->SetKind(SURFACE); }
   ///@}
 
-  /** Get the names of all kinds by their number, as in setups, such as "VectorFollow". */
+  /**
+   * Get the names of all kinds in the order of their numbers, as setup files use them, such as
+   * "VectorFollow".
+   */
   static vtkStringArray* GetKindNames();
 
   ///@{
@@ -135,9 +138,9 @@ public:
 
   ///@{
   /**
-   * The largest force with which the mode holds (N), as a function of a quantity of the kind of
-   * mode, such as the magnitude of the vector. A function without points is 2 N everywhere. Created
-   * on first Get; nullptr restores the default.
+   * The largest force with which the mode holds (N), as a function of a quantity that depends on
+   * the kind of mode, such as the magnitude of the vector. A function without points is 2 N
+   * everywhere. Created on first Get; nullptr restores the default.
    */
   void SetStrength(vtkPiecewiseFunction* strength);
   vtkPiecewiseFunction* GetStrength();
@@ -145,11 +148,11 @@ public:
 
   ///@{
   /**
-   * A second force (N) of three kinds of modes. VECTOR_FOLLOW: pushes the hand along the vectors,
-   * and so does work on it; a function of the quantity of Strength. VORTEX: holds the hand on lines
-   * along the axis; of the same quantity. TENSOR_FOLLOW: holds the hand within the plane of the
-   * first two eigenvectors; a function of c_p. A function without points is 0 everywhere, the
-   * default; with points it is an error for the other kinds.
+   * A second force (N), for three kinds of modes. VECTOR_FOLLOW: pushes the hand along the vectors,
+   * and so does work on it; a function of the same quantity as Strength. VORTEX: holds the hand on
+   * lines along the axis; a function of the same quantity as Strength. TENSOR_FOLLOW: holds the
+   * hand within the plane of the first two eigenvectors; a function of c_p. A function without
+   * points is 0 everywhere, the default; with points it is an error for the other kinds.
    */
   void SetSecondStrength(vtkPiecewiseFunction* strength);
   vtkPiecewiseFunction* GetSecondStrength();
@@ -231,7 +234,7 @@ public:
   void SetAxesToImage() { this->SetAxes(IMAGE); }
   ///@}
 
-  /** Get a description for the user, such as "vector follow, velocity". */
+  /** Get a description of the mode for the user, such as "vector follow, velocity". */
   std::string GetText();
 
   ///@{
@@ -244,7 +247,7 @@ public:
   std::string FindArrayName(vtkDataSet* data);
   ///@}
 
-  /** Returns the latest modification time, including those of the functions. */
+  /** Returns the latest modification time of this mode and its functions. */
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -56,7 +56,7 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& name)
                           : make(vtkSmartPointer<vtkXMLPolyDataReader>::New());
 }
 
-/// Returns the size (bytes) of a type of numbers in a .ply; 0 if the type is unknown.
+/// Returns the size (bytes) of a number type of the PLY format; 0 if the type is unknown.
 std::size_t GetPlySize(const std::string& type)
 {
   const std::map<std::string, std::size_t> sizes = { { "char", 1 }, { "int8", 1 }, { "uchar", 1 },
@@ -69,9 +69,8 @@ std::size_t GetPlySize(const std::string& type)
 
 struct PlyProperty
 {
-  std::size_t CountSize = 0; ///< size of the number of elements of a list (bytes); 0 if it is not a
-                             ///< list
-  std::size_t Size = 0;      ///< bytes of a number
+  std::size_t CountSize = 0; ///< size (bytes) of the length of a list; 0 for a single number
+  std::size_t Size = 0;      ///< bytes per number
 };
 struct PlyElements
 {
@@ -79,7 +78,7 @@ struct PlyElements
   std::vector<PlyProperty> Properties;
 };
 
-/// Returns whether a binary element is complete. Moves `at` to its end.
+/// Moves `at` behind a binary element. Returns false if the element is incomplete.
 bool SkipBinary(const PlyElements& kind, const std::string& bytes, bool isBig, std::size_t& at)
 {
   for (const PlyProperty& property : kind.Properties)
@@ -104,7 +103,7 @@ bool SkipBinary(const PlyElements& kind, const std::string& bytes, bool isBig, s
   return true;
 }
 
-/// Reads a line of text. Returns whether it has all values of an element.
+/// Reads a line of text. Returns whether it contains all values of an element.
 bool SkipLine(const PlyElements& kind, std::istream& text)
 {
   std::string line;
@@ -122,9 +121,9 @@ bool SkipLine(const PlyElements& kind, std::istream& text)
   return static_cast<bool>(words);
 }
 
-/// Returns whether a .ply has all elements that its header promises. Without them, VTK's reader
-/// continues, and frees memory that it never had. Accepts a header that this function does not
-/// support, and leaves it to the reader.
+/// Returns whether a .ply file contains all elements that its header declares. If not, VTK's reader
+/// continues and frees memory that it never allocated. A header that this function can't parse is
+/// accepted and left to the reader.
 bool HasAllElements(const std::string& name)
 {
   std::vector<PlyElements> kinds;
@@ -175,8 +174,8 @@ bool HasAllElements(const std::string& name)
   return true;
 }
 
-/// Returns whether a binary .stl has all triangles that its head promises. VTK's reader continues
-/// without them.
+/// Returns whether a binary .stl file contains all triangles that its header declares. VTK's reader
+/// would continue without the missing ones.
 bool HasAllTriangles(const std::string& name)
 {
   constexpr std::size_t head = 84, triangle = 50; // bytes
@@ -188,7 +187,7 @@ bool HasAllTriangles(const std::string& name)
     reinterpret_cast<const char*>(start), static_cast<std::size_t>(in.gcount()));
   if (text.find("solid") == 0 && text.find("facet") != std::string::npos)
   {
-    return true; // a text, which the reader checks
+    return true; // text format, which the reader checks itself
   }
   std::size_t count = 0;
   for (std::size_t i = 0; i < 4; ++i)
@@ -300,7 +299,8 @@ vtkSmartPointer<vtkDataArray> UnpackArray(ByteUnpacker& unpacker)
     ThrowFalse();
   }
   const std::size_t size = CountBytes(type, tuples * static_cast<std::uint64_t>(components));
-  const char* const bytes = unpacker.Take(size, 1); // before memory is taken
+  const char* const bytes = unpacker.Take(size, 1); // checks that the bytes exist before memory is
+                                                    // allocated
   array->SetName(isNamed ? name.c_str() : nullptr);
   array->SetNumberOfComponents(components);
   for (int c = 0; c < components; ++c)
@@ -524,7 +524,7 @@ std::string PackSurface(const std::string& name)
 vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& name, std::string& error)
 {
   using VolumeHaptics::ReadResult;
-  // Check the statements of VTK's XML formats before reading a file.
+  // Check the contents of VTK's XML formats before reading a file.
   std::string answer;
   const ReadResult result = GetEnding(name) == ".vtp"
     ? ReadResult::NoProcess
@@ -540,7 +540,7 @@ vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& name, std::string& 
     error = result == ReadResult::Answered ? unpacker.GetText() : error;
     return error.empty() ? UnpackPolyData(unpacker) : nullptr;
   }
-  catch (const std::exception& fault) // the answer makes no sense
+  catch (const std::exception& fault) // the answer is malformed
   {
     error = fault.what();
     return nullptr;

@@ -13,21 +13,22 @@
 
 namespace Explore
 {
-/// Returns the ending of a file's name in lower case, such as ".stl".
+/// Returns a file name's extension in lower case, such as ".stl".
 std::string GetEnding(const std::string& name);
 
-/// Reads points, lines and polygons of a file .stl, .ply, .obj, .vtk or .vtp. Returns null, with
-/// the reason in `error`, if the file can't be read, if it is shorter than its header promises, or
-/// if a cell has a point that does not exist.
+/// Reads points, lines and polygons from a .stl, .ply, .obj, .vtk or .vtp file. Returns null, with
+/// the reason in `error`, if the file can't be read, if it is shorter than its header declares, or
+/// if a cell refers to a point that does not exist.
 vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& name, std::string& error);
 
-/// Reads a surface in the process that its reader may end; returns what ReadPolyData() unpacks.
+/// Reads a surface inside the reader process, which a damaged file may crash. Returns the bytes
+/// that ReadPolyData() unpacks.
 std::string PackSurface(const std::string& name);
 
 ///@{
-/// Pack data with their point and cell arrays of numbers, which keep their names and what they are
-/// used for, and an image's field data, and unpack them. Unpacking checks that arrays and cells
-/// belong to the data; every fault is a std::runtime_error.
+/// Pack data with their numeric point and cell arrays, whose names and roles (such as active
+/// scalars) are preserved, and an image's field data; and unpack them. Unpacking checks that arrays
+/// and cells fit the data, and throws std::runtime_error for every fault.
 void PackImage(vtkImageData* image, VolumeHaptics::BytePacker& packer);
 void PackPolyData(vtkPolyData* shape, VolumeHaptics::BytePacker& packer);
 vtkSmartPointer<vtkImageData> UnpackImage(VolumeHaptics::ByteUnpacker& unpacker);

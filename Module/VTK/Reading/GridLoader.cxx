@@ -48,7 +48,7 @@ vtkSmartPointer<vtkPolyData> DetectEdges(vtkDataSet* part)
   constexpr double sharp = 30.0; // degrees
   vtkNew<vtkDataSetSurfaceFilter> surface;
   surface->SetInputData(part);
-  // Join the points, because the faces of a structured grid do not share them.
+  // Merge the points, because the faces of a structured grid do not share points.
   vtkNew<vtkCleanPolyData> join;
   join->SetInputConnection(surface->GetOutputPort());
   join->ToleranceIsAbsoluteOn();
@@ -67,7 +67,7 @@ namespace Explore
 {
 namespace
 {
-/// Makes lines that show where the cells of a grid are: the sharp edges and the open ends of the
+/// Makes lines that outline the cells of a grid: the sharp edges and the open borders of the
 /// surfaces of its parts. If there are no such lines, makes the box around all parts.
 
 vtkSmartPointer<vtkPolyData> MakeGridOutline(const std::vector<vtkDataSet*>& parts)
@@ -99,16 +99,16 @@ using Explore::InputError;
 using Explore::Volume;
 using Files = vtksys::SystemTools;
 
-/// Largest number of samples of the image. More samples would take minutes.
+/// Largest number of samples of the image; more would take minutes.
 constexpr double MOST_SAMPLES = 1 << 25;
 
-/// The sort of files that a format has. It decides what is checked before the reader runs.
+/// Kind of a file format, which determines the checks before VTK's reader runs.
 enum class FileKind
 {
-  XML,    ///< XML, whose end is missing if the file was cut off
-  BLOCKS, ///< the same, and it names others, wherever they are
-  LEGACY, ///< a file whose faults its reader detects
-  CASE    ///< a file that names others beside it, which the reader opens
+  XML,    ///< XML, in which a truncated file is detected by its missing end
+  BLOCKS, ///< XML that refers to other files at any place
+  LEGACY, ///< a file whose faults VTK's reader detects
+  CASE    ///< a file that refers to files beside it, which VTK's reader opens
 };
 
 struct Format
@@ -117,7 +117,8 @@ struct Format
   const char* Name;
   vtkSmartPointer<vtkAlgorithm> (*MakeReader)(const std::string& path);
   FileKind Kind;
-  double MetersPerUnit = 0.001; // OpenFOAM uses metres; other formats do not define a unit
+  double MetersPerUnit = 0.001; // 1 for OpenFOAM, which uses metres; other formats do not define a
+                                // unit
 };
 
 template <typename Reader>
@@ -128,7 +129,8 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
   return reader;
 }
 
-/// Makes a reader of EnSight files, which splits folder and name only on request.
+/// Makes a reader for EnSight files, which needs folder and name separately to find the other
+/// files.
 vtkSmartPointer<vtkAlgorithm> MakeEnSightReader(const std::string& path)
 {
   auto reader = vtkSmartPointer<vtkGenericEnSightReader>::New();
@@ -166,12 +168,12 @@ const Format* FindFormat(const std::string& path)
     "check what the file really is, export it again, and check that the copy is complete");
 }
 
-/// Reads a file; if it has several times, only the last one. Throws InputError if nothing could be
+/// Reads a file, and only its last time if it has several. Throws InputError if nothing could be
 /// read.
 vtkSmartPointer<vtkDataObject> Read(const std::string& path, const Format& format, Volume& volume)
 {
   const vtkSmartPointer<vtkAlgorithm> reader = format.MakeReader(path);
-  // Check before the reader runs, because it opens the other files that a case names.
+  // Check before the reader runs, because it opens the other files that the file refers to.
   const bool isXml = format.Kind == FileKind::XML || format.Kind == FileKind::BLOCKS;
   std::string detail = isXml ? Explore::DetectMissingEnd(path)
     : format.Kind == FileKind::CASE
@@ -212,7 +214,7 @@ double ComputeFinestSpacing(const vtkBoundingBox& box)
   return std::cbrt(edges[0] * edges[1] * edges[2] / MOST_SAMPLES);
 }
 
-/// Makes an image without arrays over the bounds of all parts.
+/// Makes an empty image that covers all parts.
 vtkSmartPointer<vtkImageData> MakeFrame(
   const std::string& path, const std::vector<vtkDataSet*>& parts, Volume& volume)
 {
@@ -254,8 +256,8 @@ vtkSmartPointer<vtkImageData> Resample(vtkDataObject* data, vtkImageData* frame)
   return image;
 }
 
-/// Outside all cells, sets arrays of one component to the least value inside; other arrays stay 0
-/// there. Then removes the mask and the ghost array.
+/// Fills the image outside all cells: scalars with the smallest value inside; other arrays stay 0.
+/// Then removes the mask and the ghost array.
 void FillOutside(vtkImageData* image)
 {
   constexpr const char* maskName = "vtkValidPointMask";
@@ -288,7 +290,7 @@ void FillOutside(vtkImageData* image)
   }
 }
 
-/// Returns the name of the active array of a kind, from the first part that has one.
+/// Returns the name of the active scalars, vectors or tensors in the first part that has them.
 std::string FindActive(const std::vector<vtkDataSet*>& parts)
 {
   for (vtkDataSet* const part : parts)
@@ -421,7 +423,7 @@ Volume ReadGrid(const std::string& path)
     {
       throw;
     }
-    catch (const std::exception& fault) // the answer makes no sense
+    catch (const std::exception& fault) // the answer is malformed
     {
       detail = fault.what();
     }

@@ -9,20 +9,21 @@
 
 namespace Explore
 {
-/// Returns the endings of grid files, for messages.
+/// Returns the file extensions of grids, for messages.
 std::string ListGridEndings();
 
-/// Returns whether a file's name is that of a data set that is not an image: a rectilinear,
-/// structured or unstructured grid, or several of them.
+/// Returns whether a file's extension is that of a data set that is not an image: a rectilinear,
+/// structured or unstructured grid, or a collection of them.
 bool IsGrid(const std::string& path);
 
-/// Reads a grid file and resamples it to an image whose voxels are cubes as large as the average
-/// cell, as the filter does with data that are not images. Averages cell arrays to the points.
-/// Outside all cells, scalars have the least value, and vectors and tensors are 0. If there are
-/// several times, reads the last one. Throws InputError.
+/// Reads a grid file and resamples it to an image with cubic voxels of the average cell's volume,
+/// as the filter does with data that are not images. Averages cell arrays to the points. Outside
+/// all cells, scalars have the smallest value, and vectors and tensors are 0. If there are several
+/// times, reads the last one. Throws InputError.
 Volume ReadGrid(const std::string& path);
 
-/// Reads a grid in the process that its reader may end; returns what ReadGrid() unpacks.
+/// Reads a grid inside the reader process, which a damaged file may crash. Returns the bytes that
+/// ReadGrid() unpacks.
 std::string PackGrid(const std::string& path);
 } // namespace Explore
 

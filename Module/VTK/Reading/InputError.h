@@ -8,7 +8,7 @@
 
 namespace Explore
 {
-/// An error that the user can correct. Its message has the fault and the cure.
+/// An error that the user can correct. Its message states the fault and the cure.
 class InputError : public std::runtime_error
 {
 public:
@@ -16,7 +16,7 @@ public:
     : std::runtime_error(subject + ": " + fault + ".\n  Cure: " + cure + ".")
   {
   }
-  /// An error that another process has found: its whole message.
+  /// Rethrows an error of another process, given its complete message.
   explicit InputError(const std::string& message)
     : std::runtime_error(message)
   {

@@ -49,9 +49,8 @@ void ReadTables(Volume& volume, const std::vector<std::string>& tables)
   }
 }
 
-/// Replaces labels that are floating-point numbers by whole numbers, if all of them are within
-/// 0.001 of whole numbers: a NIfTI header may scale labels by 1.00002, for example. Returns the
-/// first value that is not; 0 if all are.
+/// Rounds floating-point labels to integers if all of them are within 0.001 of one: a NIfTI header
+/// may scale labels by 1.00002, for example. Returns the first value that is not, or 0 if all are.
 double RoundLabels(vtkImageData* image, std::vector<std::string>& notes)
 {
   constexpr double most = 0.001;
@@ -83,14 +82,14 @@ double RoundLabels(vtkImageData* image, std::vector<std::string>& notes)
   return 0.0;
 }
 
-/// The labels of an image other than 0.
+/// Labels other than 0 that occur in an image.
 struct LabelNumbers
 {
   std::set<int> Found;
-  bool AreAll = true; ///< whether all values are whole numbers that an int can hold
+  bool AreAll = true; ///< whether all values are integers that fit into an int
 };
 
-/// Collects the label numbers of an image, until there are more than `most`.
+/// Collects the labels of an image and stops at more than `Most`.
 struct NumberCollector
 {
   std::size_t Most;
@@ -134,8 +133,8 @@ LabelNumbers CollectLabels(vtkDataArray* values, std::size_t most = SIZE_MAX)
   return collector.Numbers;
 }
 
-/// Narrows the samples [first, last] of a row to those whose coordinate begin + i step lies within
-/// half a voxel of [lowest, highest].
+/// Narrows the sample range [first, last] of a row to the samples whose coordinate begin + i * step
+/// is within half a voxel of `range`.
 void ClipRow(double begin, double step, const int range[2], double& first, double& last)
 {
   const double low = range[0] - 0.5 - begin, high = range[1] + 0.5 - begin;
@@ -148,7 +147,7 @@ void ClipRow(double begin, double step, const int range[2], double& first, doubl
   last = std::min(last, std::floor(std::max(low / step, high / step)));
 }
 
-/// Returns whether a voxel with a label other than 0 lies in a volume.
+/// Returns whether any voxel with a label other than 0 is inside a volume.
 bool IsAnyInside(vtkImageData* labels, vtkImageData* volume)
 {
   vtkDataArray* const values = labels->GetPointData()->GetScalars();
@@ -182,7 +181,7 @@ bool IsAnyInside(vtkImageData* labels, vtkImageData* volume)
   return false;
 }
 
-/// Returns a note if labels of a table are not among those of the voxels; else nothing.
+/// Returns a note if labels of a table do not occur in the voxels; empty otherwise.
 std::string DescribeUnused(const std::set<int>& used, vtkHapticLabelTable* table)
 {
   std::string first;
@@ -205,7 +204,7 @@ std::string DescribeUnused(const std::set<int>& used, vtkHapticLabelTable* table
       " labels of the table are in no voxel, such as " + first;
 }
 
-/// Sets the colour of a label. The hues of successive labels differ by the golden section.
+/// Sets the colour of a label. The hues of successive labels differ by the golden ratio.
 void SetColor(vtkHapticLabelTable* table, int label, std::size_t number)
 {
   const double hue = std::fmod(0.08 + 0.618034 * static_cast<double>(number), 1.0);
@@ -235,10 +234,12 @@ void UseAsLabels(Volume& volume, const std::string& path, const std::vector<std:
     volume.LabelTable = vtkSmartPointer<vtkHapticLabelTable>::New();
   }
   vtkHapticLabelTable* const table = volume.LabelTable;
-  volume.MayBeLabels = volume.MayBeLabels && !hasNames; // names prove that the values are labels
+  volume.MayBeLabels = volume.MayBeLabels && !hasNames; // names in the file prove that the values
+                                                        // are labels
   if (!hasNames && !vtksys::SystemTools::FileIsDirectory(path))
   {
-    const MessageCapture capture; // a file may have no names: its labels are then named by numbers
+    const MessageCapture capture; // a file need not have names: its labels are then named by their
+                                  // numbers
     table->ReadFile(path.c_str());
   }
   std::size_t number = 0;
@@ -299,7 +300,8 @@ Volume ReadLabels(const std::string& path, int series, bool canChoose)
   if (!labels.LabelTable)
   {
     labels.LabelTable = vtkSmartPointer<vtkHapticLabelTable>::New();
-    const MessageCapture capture; // a file may have no names: its labels are then named by numbers
+    const MessageCapture capture; // a file need not have names: its labels are then named by their
+                                  // numbers
     labels.LabelTable->ReadFile(path.c_str());
   }
   return labels;
@@ -312,7 +314,7 @@ std::vector<std::string> DescribeLabels(
   if (!values || values->GetNumberOfTuples() != labels->GetNumberOfPoints() ||
     values->GetNumberOfComponents() != 1)
   {
-    return {}; // the filter reports the fault
+    return {}; // the filter will report the fault
   }
   std::vector<std::string> notes;
   if (!IsAnyInside(labels, volume))
@@ -330,7 +332,7 @@ std::vector<std::string> DescribeLabels(
 void LoadLabels(
   Volume& volume, const std::string& segmentation, const std::vector<std::string>& tables)
 {
-  volume.MayBeLabels = false; // its labels are in the segmentation
+  volume.MayBeLabels = false; // the labels are in the segmentation instead
   const Volume labels = ReadLabels(segmentation, 0, false);
   volume.Labels = labels.Image;
   volume.LabelTable = labels.LabelTable;

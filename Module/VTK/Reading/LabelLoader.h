@@ -11,25 +11,25 @@
 namespace Explore
 {
 /// Reads a segmentation: a DICOM SEG, a NRRD file with segments, a folder of masks, or any image
-/// that ReadVolume() reads. The table gets the names that the file has. The voxels stay in the
-/// order of the file. Numbers within 0.001 of whole numbers are rounded. `series` chooses one of
-/// several volumes or segments; `canChoose` is whether the user can set it. Throws InputError, with
-/// the fault and the cure.
+/// that ReadVolume() reads. The table gets the names in the file. The voxels stay in the order of
+/// the file. Values within 0.001 of integers are rounded. `series` chooses one of several volumes
+/// or segments; `canChoose` is whether the user can set it. Throws InputError, with the fault and
+/// the cure.
 Volume ReadLabels(const std::string& path, int series = 0, bool canChoose = true);
 
-/// Adds to a volume the labels of a segmentation (see ReadLabels()) with the file's names, and the
-/// contents of label tables, each added to those before it: see vtkHapticLabelTable::ReadFile.
-/// Throws InputError, with the fault and the cure.
+/// Adds the labels of a segmentation (see ReadLabels()) to a volume, with the names in the file,
+/// and then the contents of each label table: see vtkHapticLabelTable::ReadFile. Throws InputError,
+/// with the fault and the cure.
 void LoadLabels(
   Volume& volume, const std::string& segmentation, const std::vector<std::string>& tables);
 
-/// Says whether no label lies in a volume, and how many labels of a table are in no voxel.
+/// Returns notes if no label is inside the volume, and on labels of the table that occur in no
+/// voxel.
 std::vector<std::string> DescribeLabels(
   vtkImageData* labels, vtkImageData* volume, vtkHapticLabelTable* table);
 
-/// Uses the volume itself as a label image. Its values are label numbers; names and colours come
-/// from the file at `path`. Other labels get generated names and colours. Throws InputError if the
-/// values can't be labels.
+/// Uses the values of the volume itself as labels, with names and colours from the file at `path`.
+/// Other labels get generated names and colours. Throws InputError if the values can't be labels.
 void UseAsLabels(Volume& volume, const std::string& path, const std::vector<std::string>& tables);
 } // namespace Explore
 

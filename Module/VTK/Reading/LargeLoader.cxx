@@ -21,7 +21,7 @@ using Files = vtksys::SystemTools;
 
 constexpr vtkIdType MOST_COARSE_VOXELS = 1 << 22;
 
-/// Removes the slash that shells append to names of folders.
+/// Removes the trailing slash that shells append to folder names.
 std::string PlainName(const std::string& path)
 {
   std::string name = path;
@@ -34,8 +34,8 @@ std::string FormatOf(const std::string& path)
   return vtkHapticRegionSource::GetFileFormat(PlainName(path).c_str());
 }
 
-/// Returns whether files of a format are always read around the hand. Files of other formats may
-/// fit into memory.
+/// Returns whether files of a format are always read region by region, even if they fit into
+/// memory.
 bool IsLargeFormat(const std::string& format)
 {
   return format == "VTKHDF" || format == "Zarr";
@@ -70,7 +70,7 @@ namespace Explore
 double ComputeRegionsSize(const std::string& path)
 {
   vtkNew<vtkHapticRegionSource> source;
-  std::string error; // not used, because the reader of the whole file reports the error
+  std::string error; // ignored: the reader of the whole file reports the error
   if (!source->OpenFile(PlainName(path).c_str(), error))
   {
     return 0.0;

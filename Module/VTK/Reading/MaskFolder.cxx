@@ -24,14 +24,14 @@ using Explore::InputError;
 using Explore::Volume;
 using Files = vtksys::SystemTools;
 
-/// Returns the name of a file without its endings, such as "liver" for liver.nii.gz.
+/// Returns a file's name without folder and extensions, such as "liver" for liver.nii.gz.
 std::string NameOrgan(const std::string& path)
 {
   const std::string name = Files::GetFilenameName(path);
   return name.substr(0, name.find('.'));
 }
 
-/// Returns whether all values are 0 or one other number.
+/// Returns whether an image contains only 0 and at most one other value.
 bool IsMask(vtkImageData* image)
 {
   vtkDataArray* const values = image->GetPointData()->GetScalars();
@@ -51,7 +51,7 @@ bool IsMask(vtkImageData* image)
   return values && values->GetNumberOfComponents() == 1;
 }
 
-/// Returns whether two images have the same voxels, within the rounding of headers.
+/// Returns whether two images have the same voxel grid, apart from rounding in their headers.
 bool HaveSameVoxels(vtkImageData* a, vtkImageData* b)
 {
   constexpr double rounding = 1e-3; // voxels
@@ -81,7 +81,7 @@ namespace Explore
 std::vector<std::string> ListMasks(const std::string& folder)
 {
   const std::vector<std::string> files = ListVolumeFiles(folder);
-  std::set<std::string> names; // without their numbers
+  std::set<std::string> names; // names with the digits removed
   for (const std::string& file : files)
   {
     std::string name = NameOrgan(file);

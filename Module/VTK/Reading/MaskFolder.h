@@ -10,13 +10,13 @@
 
 namespace Explore
 {
-/// Lists the files of a folder that has a mask for each organ, as TotalSegmentator writes them.
-/// Returns none for any other folder, such as that of the frames of a film, whose names differ in
-/// their numbers only.
+/// Lists the files of a folder with one mask per organ, as TotalSegmentator writes it. Returns none
+/// for any other folder, such as one with numbered time steps, whose names differ only in their
+/// digits.
 std::vector<std::string> ListMasks(const std::string& folder);
 
-/// Reads masks as labels, whose names are those of the files. If `series` is not 0, only the mask
-/// with this number is read, from 1 on. Throws InputError if they are not of one grid.
+/// Reads masks as labels, named after their files. If `series` is not 0, reads only the mask with
+/// this number, counted from 1. Throws InputError unless all have the same grid.
 Volume ReadMasks(const std::string& folder, const std::vector<std::string>& masks, int series);
 } // namespace Explore
 

@@ -24,7 +24,8 @@ public:
   void DisplayWarningText(const char* text) override { this->DisplayGenericWarningText(text); }
   void DisplayGenericWarningText(const char* text) override
   {
-    // If a file is too short, vtkImageReader and the readers of .vtk only warn.
+    // Detect these warnings: if a file is too short, vtkImageReader and the readers of .vtk report
+    // no error.
     const std::string warning = text;
     if (warning.find("File operation failed") != std::string::npos ||
       warning.find("Error reading binary data") != std::string::npos ||
@@ -74,7 +75,7 @@ MessageCapture::MessageCapture()
   , Cout(std::cout.rdbuf(this->Stream.rdbuf()))
 {
   vtkOutputWindow::SetInstance(this->Window);
-  // since VTK 9, stderr gets a copy of each message
+  // Since VTK 9, each message is also printed to stderr.
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
 }
 

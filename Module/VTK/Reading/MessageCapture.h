@@ -16,9 +16,9 @@ class vtkAlgorithm;
 
 namespace Explore
 {
-/// Collects the messages of VTK's readers as long as it lives, instead of showing them on the
-/// terminal. A damaged file then gives one message of this program instead of a page. MetaIO writes
-/// to std::cerr and std::cout directly, so both are captured, too.
+/// Captures the messages of VTK's readers during its lifetime, so that a damaged file gives one
+/// message of this program instead of a page of VTK's. Also captures std::cerr and std::cout,
+/// because MetaIO writes to them directly.
 class MessageCapture
 {
 public:
@@ -27,10 +27,10 @@ public:
   MessageCapture(const MessageCapture&) = delete;
   MessageCapture& operator=(const MessageCapture&) = delete;
 
-  /// Returns whether a reader reported an error, or a warning that means missing data.
+  /// Returns whether a reader reported an error, or a warning about missing data.
   bool HasErrors() const;
 
-  /// Returns the first error in one line, without VTK's addresses and source positions; empty if
+  /// Returns the first error as one line, without VTK's addresses and source positions; empty if
   /// there is none.
   std::string FirstError() const;
 
@@ -43,10 +43,10 @@ private:
   std::streambuf* Cout;
 };
 
-/// Runs a reader in two steps, and checks its errors before it reads samples, because some readers
-/// continue after an error, and read all samples into memory for one voxel. Calls `check` between
-/// header and samples: it returns why the header can't be true (empty if it can). Returns false
-/// after an error; `detail` then has the error in one line, if the reader reported one.
+/// Runs a reader in two steps, header and samples, and checks for errors in between. Some readers
+/// would continue after an error, or read all samples into memory for one voxel. `check` is called
+/// between the steps, and returns why the header can't be true (empty if it can). Returns false
+/// after an error, with the reader's message, if any, in `detail`.
 bool ReadChecked(
   vtkAlgorithm* reader, std::string& detail, const std::function<std::string()>& check = nullptr);
 

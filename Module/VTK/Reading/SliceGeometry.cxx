@@ -20,7 +20,7 @@
 
 namespace
 {
-/// Returns the normalised column c of the direction matrix.
+/// Returns column c of the direction matrix, normalised.
 void GetAxis(vtkImageData* image, int c, double axis[3])
 {
   const double* const stored = image->GetDirectionMatrix()->GetData();
@@ -42,7 +42,7 @@ void Blend(const Value* a, const Value* b, double weight, vtkIdType count, Value
   }
 }
 
-/// Sets values beyond a range to its ends.
+/// Clamps values to a range.
 template <typename Value>
 void Clamp(Value* values, vtkIdType count, const double range[2])
 {
@@ -62,8 +62,8 @@ vtkSmartPointer<vtkImageData> SpaceSlicesEvenly(
   {
     step = std::min(step, along[i] - along[i - 1]);
   }
-  // Keep the last slice at its position: the step shrinks by less than its length divided by the
-  // number of steps.
+  // Keep the last slice at its position: the step becomes smaller by less than the length divided
+  // by the number of steps.
   const double length = along.back() - along.front();
   const int count = static_cast<int>(std::ceil(length / step - 1e-3)) + 1;
   step = length / (count - 1);
@@ -161,7 +161,7 @@ vtkSmartPointer<vtkImageData> StraightenAxes(vtkImageData* image, bool areLabels
   spacing[1] *= std::abs(vtkMath::Dot(second, axes[1]));
   spacing[2] *= std::abs(vtkMath::Dot(z, axes[2]));
 
-  // Compute the box that contains all corners, along the new axes.
+  // Compute the bounding box of all corners, along the new axes.
   int extent[6];
   image->GetExtent(extent);
   double low[3] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
@@ -206,7 +206,8 @@ vtkSmartPointer<vtkImageData> StraightenAxes(vtkImageData* image, bool areLabels
   straight->SetOrigin(origin);
   straight->SetDirectionMatrix(direction);
 
-  // Map the new image's indices to the old image's, because VTK's reslicing ignores directions.
+  // Map indices of the new image to indices of the old one, because VTK's reslicing ignores
+  // directions.
   vtkNew<vtkMatrix4x4> map;
   vtkMatrix4x4::Multiply4x4(
     image->GetPhysicalToIndexMatrix(), straight->GetIndexToPhysicalMatrix(), map);
@@ -227,7 +228,7 @@ vtkSmartPointer<vtkImageData> StraightenAxes(vtkImageData* image, bool areLabels
   reslice->Update();
   vtkDataArray* const scalars = reslice->GetOutput()->GetPointData()->GetScalars();
   scalars->SetName(image->GetPointData()->GetScalars()->GetName());
-  if (scalars->GetNumberOfComponents() == 1) // cubic curves go beyond their samples
+  if (scalars->GetNumberOfComponents() == 1) // clamp, because cubic interpolation overshoots
   {
     switch (scalars->GetDataType())
     {

@@ -34,7 +34,8 @@ namespace
 using Explore::InputError;
 using Explore::Volume;
 
-// Smallest size at which a kernel of the default radius, 2 voxels, has room on both sides.
+// Smallest size along an axis: a kernel of the default radius of 2 voxels needs samples on both
+// sides.
 constexpr int MINIMUM_SIZE = 5;
 
 std::string SizeText(const int size[3])
@@ -63,7 +64,7 @@ void CheckGeometry(const std::string& path, vtkImageData* image)
   }
 }
 
-/// Makes an existing array the active point scalars.
+/// Makes a point array the active scalars if the image has none.
 void ChooseScalars(const std::string& path, Volume& volume)
 {
   vtkImageData* image = volume.Image;
@@ -96,8 +97,7 @@ void ChooseScalars(const std::string& path, Volume& volume)
   }
 }
 
-/// Replaces red, green and blue bytes, with or without opacity, by their brightness, which is then
-/// felt.
+/// Replaces RGB or RGBA bytes with their brightness, which can be felt.
 void UseBrightness(Volume& volume)
 {
   vtkDataArray* const colours = volume.Image->GetPointData()->GetScalars();
@@ -106,7 +106,7 @@ void UseBrightness(Volume& volume)
   brightness->SetNumberOfValues(colours->GetNumberOfTuples());
   for (vtkIdType i = 0; i < colours->GetNumberOfTuples(); ++i)
   {
-    // The weights are those of vtkImageLuminance.
+    // Weights of red, green and blue as in vtkImageLuminance.
     const double value = 0.30 * colours->GetComponent(i, 0) + 0.59 * colours->GetComponent(i, 1) +
       0.11 * colours->GetComponent(i, 2);
     brightness->SetValue(i, static_cast<unsigned char>(value));
@@ -118,7 +118,8 @@ void UseBrightness(Volume& volume)
   volume.Notes.emplace_back("colours: their brightness is used");
 }
 
-/// Returns how another volume of the same file is read, for a cure; empty if there is none.
+/// Returns, as a cure for errors, how to read another volume of the same file; empty if there is
+/// none.
 std::string NameAnother(const Volume& volume)
 {
   if (volume.Series.size() < 2)
@@ -144,8 +145,8 @@ void CheckRange(const std::string& path, const Volume& volume)
   }
 }
 
-/// Sets outside samples to the value that the filter feels there, so that the picture, the
-/// thresholds and the kind of the volume agree with the touch.
+/// Sets outside samples to the value that the filter feels there, so that picture and thresholds
+/// agree with the touch.
 void UseOutside(Volume& volume)
 {
   vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();
@@ -164,13 +165,13 @@ void UseOutside(Volume& volume)
   vtkNew<vtkImageData> image;
   image->ShallowCopy(volume.Image);
   image->GetPointData()->SetScalars(VolumeHaptics::CopyFilled(outside, scalars, 0));
-  volume.Image = image; // last, because the old image may own the scalars
+  volume.Image = image; // assigned last, because the old image may own the scalars
 }
 
-/// Adds a note if the values of a CT can't be Hounsfield units, for which the presets of CT are.
+/// Adds a note if the values of a CT can't be Hounsfield units, which the presets of CT assume.
 void NoteOddValues(const VolumeHaptics::StoredShift& found, Volume& volume)
 {
-  constexpr double lowest = -4096.0, highest = 40000.0; // HU, of air beside metal, and of metal
+  constexpr double lowest = -4096.0, highest = 40000.0; // HU: of air beside metal; of metal
   vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();
   double range[2];
   scalars->GetFiniteRange(range, 0);
@@ -184,8 +185,8 @@ void NoteOddValues(const VolumeHaptics::StoredShift& found, Volume& volume)
   }
 }
 
-/// Corrects Hounsfield units that a scanner has stored higher, so that the picture, the thresholds
-/// and the kind of the volume agree with the touch.
+/// Shifts the values of a scanner that stores Hounsfield units with an offset, so that picture and
+/// thresholds agree with the touch.
 void UseHounsfieldUnits(Volume& volume)
 {
   if (volume.IsField || !Explore::MayBeHounsfield(volume.Modality))
@@ -218,7 +219,7 @@ double GetFreeMemory()
   vtksys::SystemInformation system;
   system.RunMemoryCheck();
   const double free = mebibyte * static_cast<double>(system.GetAvailablePhysicalMemory());
-  // The system's memory is not that of a container.
+  // In a container, less memory may be free than the system reports.
   const double ofGroup = VolumeHaptics::ReadGroupMemory();
   return free > 0.0 ? std::min(free, ofGroup) : ofGroup;
 }
@@ -268,7 +269,7 @@ void UseComponent(const std::string& path, Volume& volume, int chosen)
   const int components = volume.Image->GetNumberOfScalarComponents();
   const bool isColour =
     (components == 3 || components == 4) && volume.Image->GetScalarType() == VTK_UNSIGNED_CHAR;
-  // A DICOM series has been chosen by now.
+  // If there were series to choose from, as for DICOM, `chosen` was the number of the series.
   const int number = volume.Series.empty() && volume.Format != "DICOM" ? chosen : 0;
   const int count = isColour ? 1 : components;
   if (number > 0 && count == 1)

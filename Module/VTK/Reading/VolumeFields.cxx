@@ -42,10 +42,11 @@ vtkSmartPointer<vtkDataArray> MakeMagnitude(vtkDataArray* field)
 }
 
 constexpr std::size_t MOST_LABELS = 512;
-constexpr double HIGHEST_LABEL = 65535.0; // FreeSurfer has labels above 10000
-// smallest fraction of the neighbours along rows that must be equal
+constexpr double HIGHEST_LABEL = 65535.0; // high enough for FreeSurfer, which has labels above
+                                          // 10000
+// Smallest fraction of equal neighbours along rows.
 constexpr double LEAST_ALIKE = 0.75;
-// largest fraction of the voxels at a step whose values may be within the step
+// Largest fraction of the voxels beside a step whose values may lie between its two sides.
 constexpr double MOST_BETWEEN = 0.05;
 constexpr vtkIdType MOST_ROWS = 20000;
 } // namespace

@@ -46,18 +46,18 @@ namespace
 using Explore::InputError;
 using Explore::Volume;
 
-/// MetaIO's types that vtkMetaImageReader supports and whose size is the same on every system.
+/// MetaIO's types that vtkMetaImageReader supports and that have the same size on every system.
 constexpr const char* META_TYPES[] = { "MET_CHAR", "MET_UCHAR", "MET_SHORT", "MET_USHORT",
   "MET_INT", "MET_UINT", "MET_FLOAT", "MET_DOUBLE" };
 
 struct UnreadableFile
 {
-  const char* Endings; ///< endings, separated by blanks
+  const char* Endings; ///< file extensions, separated by blanks
   const char* Fault;
   const char* Cure;
 };
 
-/// Formats that users have but that are not read here, and how to make a volume of them.
+/// Formats that are not supported here, each with a way to convert it.
 constexpr UnreadableFile UNREADABLE[] = {
   { " .head .brik ", "is a file of AFNI, which is not read here",
     "turn it into NIfTI with 3dAFNItoNIFTI" },
@@ -121,8 +121,8 @@ bool IsNifti(const std::string& lower)
   return false;
 }
 
-/// Returns the other file of a NIfTI volume in two files: the first one that exists with one of
-/// these endings; empty if there is none.
+/// Returns the first existing file with the same name and one of these extensions, such as the
+/// samples of a NIfTI volume in two files; empty if there is none.
 std::string FindBeside(const std::string& path, std::initializer_list<const char*> endings)
 {
   const std::string lower = vtksys::SystemTools::LowerCase(path);
@@ -137,8 +137,8 @@ std::string FindBeside(const std::string& path, std::initializer_list<const char
   return {};
 }
 
-/// Returns the reason why the header of a NIfTI file, or the one beside its samples, can't be true;
-/// empty if it can.
+/// Returns the reason why the header of a NIfTI file (or of the file beside its samples) can't be
+/// true; empty if it can.
 std::string DetectFalseNifti(const std::string& path)
 {
   const std::string lower = vtksys::SystemTools::LowerCase(path);
@@ -149,15 +149,15 @@ std::string DetectFalseNifti(const std::string& path)
   return header.empty() || !fault.empty() ? fault : Explore::DetectFalseNiftiHeader(header);
 }
 
-/// Returns whether a file begins like gzip's files, whatever its name says.
+/// Returns whether the file's contents are gzip, whatever its name.
 bool IsPacked(const std::string& path)
 {
   std::ifstream file = VolumeHaptics::OpenStream(path);
   return file.get() == 0x1f && file.get() == 0x8b;
 }
 
-/// Returns the file that has the samples: the one that the header names, or the header's own file.
-/// Returns an empty text if several files have them.
+/// Returns the file with the samples: the one that the header names, or the header's own file.
+/// Returns an empty text if the samples are in several files.
 std::string FindSamples(const std::string& path)
 {
   const std::string lower = vtksys::SystemTools::LowerCase(path);
@@ -168,7 +168,7 @@ std::string FindSamples(const std::string& path)
   }
   else if (IsNifti(lower) && !EndsWith(lower, ".nii") && !EndsWith(lower, ".nii.gz"))
   {
-    // NIfTI and Analyze in two files.
+    // Find the samples of NIfTI and Analyze volumes in two files.
     const std::string samples = FindBeside(path, { ".img", ".img.gz", ".IMG", ".IMG.GZ" });
     const std::size_t ending = EndsWith(lower, ".gz") ? 7 : 4;
     return samples.empty() ? path.substr(0, path.size() - ending) + ".img" : samples;
@@ -185,8 +185,7 @@ std::string FindSamples(const std::string& path)
     data, vtksys::SystemTools::GetFilenamePath(vtksys::SystemTools::CollapseFullPath(path)));
 }
 
-/// Returns the largest size (bytes) of the samples that a file can contain; -1 if the file is
-/// damaged.
+/// Returns an upper bound on the size (bytes) of the samples in a file; -1 if the file is damaged.
 double CountHeld(const std::string& path, const std::string& samples)
 {
   const std::string lower = vtksys::SystemTools::LowerCase(path);
@@ -195,7 +194,7 @@ double CountHeld(const std::string& path, const std::string& samples)
   const bool isPacked =
     isMeta ? meta.IsTrue({ "CompressedData" }) : IsNifti(lower) && IsPacked(samples);
   const bool isRaw = isMeta ? meta.IsTrue({ "BinaryData" }, true) : IsNifti(lower);
-  // Files with packed data after a header of a given size are not checked.
+  // Skip files with compressed data after a header of a given size.
   const bool isHere = samples == path && isMeta;
   const bool isPlain = meta.Value({ "HeaderSize" }).empty();
   const std::size_t head = isMeta ? meta.GetSize() : 0;
@@ -204,13 +203,14 @@ double CountHeld(const std::string& path, const std::string& samples)
   {
     return Explore::CountUnpacked(samples, isHere ? head : 0);
   }
-  // A factor above the largest compression: deflate shrinks zeros by at most 1032, LZMA by 7000.
+  // Upper limit of compression: deflate shrinks zeros by at most 1032, LZMA by 7000.
   constexpr double smallest = 10000.0;
   return isRaw && !isPacked ? length : smallest * length;
 }
 
-/// Returns the reason why a reader's information can't be true for its file; empty if it can be
-/// true. Readers allocate memory for all that a header promises before they read the samples.
+/// Returns the reason why a reader's information can't be true for its file; empty if it can. Call
+/// this before the samples are read, because readers allocate memory for everything that a header
+/// declares.
 std::string DetectFalsePromise(vtkAlgorithm* reader, const std::string& path)
 {
   vtkInformation* const information = reader->GetOutputInformation(0);
@@ -250,7 +250,7 @@ std::string DetectFalsePromise(vtkAlgorithm* reader, const std::string& path)
   }
   if (!vtksys::SystemTools::FileExists(samples, true))
   {
-    return {}; // the reader reports the fault
+    return {}; // the reader will report the fault
   }
   const double held = CountHeld(path, samples);
   return held < 0.0 ? "its compressed samples are damaged, or cut off"
@@ -259,7 +259,7 @@ std::string DetectFalsePromise(vtkAlgorithm* reader, const std::string& path)
     : std::string();
 }
 
-/// Runs a reader, and combines all of its errors in one message.
+/// Runs a reader and combines all of its errors into one message.
 template <typename Reader>
 vtkSmartPointer<vtkImageData> Run(Reader* reader, const std::string& path, const char* format)
 {
@@ -272,7 +272,7 @@ vtkSmartPointer<vtkImageData> Run(Reader* reader, const std::string& path, const
     throw InputError(path, std::string("is not a ") + format + " file, whatever its name says",
       "check what the file really is; " + cure);
   }
-  // Check before the reader's first look, because the reader trusts the file.
+  // Check before VTK's reader opens the file, because it trusts the contents.
   std::string detail = IsXml(path) ? Explore::DetectMissingEnd(path) : std::string();
   if (!detail.empty() ||
     !Explore::ReadChecked(reader, detail, [&] { return DetectFalsePromise(reader, path); }))
@@ -286,7 +286,8 @@ vtkSmartPointer<vtkImageData> Run(Reader* reader, const std::string& path, const
   return image;
 }
 
-/// Converts 64-bit integers to 16 or 32 bits if they fit, because mappers support no others.
+/// Converts 64-bit integers to 16 or 32 bits if they fit, because VTK's mappers do not support 64
+/// bits.
 void NarrowSamples(vtkImageData* image)
 {
   vtkDataArray* const wide = image ? image->GetPointData()->GetScalars() : nullptr;
@@ -319,8 +320,8 @@ Volume ReadVti(const std::string& path)
   return { Run(reader.Get(), path, "VTK image (.vti)"), {}, "VTK image", {}, {}, {} };
 }
 
-/// Returns whether vtkMetaImageReader supports the file's type, with the size that MetaIO gives it,
-/// and its dimensions, and reads its header without writing past the end of its memory.
+/// Returns whether vtkMetaImageReader can read the file: it supports the sample type with MetaIO's
+/// size and the number of dimensions, and parses the header without overflowing its buffers.
 bool IsKnownToVTK(const std::string& path)
 {
   const VolumeHaptics::HeaderText header(path);
@@ -332,7 +333,7 @@ bool IsKnownToVTK(const std::string& path)
     header.Value({ "NDims" }) == std::to_string(axes);
 }
 
-/// Reads a whole file by the code that reads regions, with the notes about it.
+/// Reads a whole file with the code that reads regions, and adds its notes.
 Volume ReadAsRegions(
   const std::string& path, const std::string& format, int series, const char* cure)
 {
@@ -352,8 +353,8 @@ Volume ReadAsRegions(
   return volume;
 }
 
-/// Reads a MetaImage, also one that VTK's reader can't read, with samples of 64 bits, MetaIO's
-/// long, or more than three axes.
+/// Reads a MetaImage, including files that VTK's reader does not support: with 64-bit samples,
+/// MetaIO's long, or more than three axes.
 Volume ReadMetaImage(const std::string& path, int series)
 {
   vtkNew<vtkMetaImageReader> reader;
@@ -374,8 +375,8 @@ Volume ReadMetaImage(const std::string& path, int series)
   return volume;
 }
 
-/// Reads a NRRD file without VTK's reader, which misreads samples that are written as text, and the
-/// sizes of four axes. The segments of a segmentation are labels.
+/// Reads a NRRD file without VTK's reader, which misreads samples written as text and the sizes of
+/// four axes. The segments of a segmentation become labels.
 Volume ReadNrrd(const std::string& path, int series)
 {
   const VolumeHaptics::NrrdHeader header = VolumeHaptics::ReadNrrdHeader(path);
@@ -401,8 +402,8 @@ Volume ReadNrrd(const std::string& path, int series)
   return volume;
 }
 
-/// Converts stored numbers to the values that a NIfTI header defines, which vtkNIFTIImageReader
-/// does not do. Whole numbers stay whole if the header only adds a whole number.
+/// Converts stored numbers to values with the scale in a NIfTI header, which vtkNIFTIImageReader
+/// ignores. Integers stay integers if the header only adds an integer.
 void ApplyNiftiScale(double slope, double intercept, Volume& volume)
 {
   vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();
@@ -459,7 +460,7 @@ Volume ReadNifti(const std::string& path, bool timesAreComponents)
       "check what the file really is; export it again as NIfTI, and check that the copy is "
       "complete");
   }
-  if (IsCifti(path)) // before its samples, which may be many, are read
+  if (IsCifti(path)) // refuse the file before reading its samples, which may be many
   {
     throw InputError(path, "is a CIFTI file, whose values belong to places of a brain's surface",
       "take its volume out with wb_command -cifti-separate, or name the volume it was made of");
@@ -485,8 +486,8 @@ Volume ReadNifti(const std::string& path, bool timesAreComponents)
   }
   if (reader->GetSFormMatrix())
   {
-    // The lengths of the sform's columns are the spacing (method 3), not pixdim, by which VTK
-    // divides them.
+    // The spacing is the length of the sform's columns (method 3). Undo VTK's division of these
+    // columns by pixdim.
     double spacing[3];
     for (int c = 0; c < 3; ++c)
     {
@@ -571,7 +572,7 @@ namespace Explore
 {
 vtkSmartPointer<vtkImageData> ReadWhole(vtkHapticRegionSource* source, std::string& error)
 {
-  vtkNew<vtkImageData> region; // also has the array that marks it as a region
+  vtkNew<vtkImageData> region; // temporary: it also gets the arrays that mark it as a region
   if (!source->ReadRegion(source->GetWholeExtent(), region, error))
   {
     return nullptr;
@@ -675,7 +676,7 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
     {
       throw InputError(path, "may not be read by you", "chmod u+r it, or copy it");
     }
-    // The file of an OpenFOAM case may be empty, because it only names its folder.
+    // The file of an OpenFOAM case may be empty, because only its folder matters.
     const bool mayBeEmpty = EndsWith(vtksys::SystemTools::LowerCase(path), ".foam");
     if (!mayBeEmpty && vtksys::SystemTools::FileLength(path) == 0)
     {
@@ -705,7 +706,7 @@ void AlignVolume(Volume& volume)
 NiftiTimes ReadNiftiTimes(const std::string& path, double unknown)
 {
   vtkNew<vtkNIFTIImageReader> reader;
-  const MessageCapture capture; // the volume's reader reports the fault
+  const MessageCapture capture; // the volume's reader will report the fault
   if (!IsNifti(vtksys::SystemTools::LowerCase(path)) || !DetectFalseNifti(path).empty() ||
     !reader->CanReadFile(path.c_str()))
   {
@@ -717,7 +718,7 @@ NiftiTimes ReadNiftiTimes(const std::string& path, double unknown)
   {
     return {};
   }
-  constexpr int seconds = 8, milliseconds = 16, microseconds = 24; // codes of the NIfTI header
+  constexpr int seconds = 8, milliseconds = 16, microseconds = 24; // unit codes of the NIfTI header
   const int unit = reader->GetNIFTIHeader()->GetXYZTUnits() & 56;
   const double scale = unit == milliseconds ? 1e-3 : unit == microseconds ? 1e-6 : 1.0;
   const double spacing = scale * reader->GetTimeSpacing();
@@ -732,7 +733,7 @@ Volume LoadVolume(const std::string& path, int series, const std::string& array)
   volume.Flow = volume.IsGrid ? VolumeFields::FindFlow(volume.Image, array) : std::string();
   if (!array.empty() || !volume.Flow.empty())
   {
-    // Show the array that is felt.
+    // Show the same array that is felt.
     const std::string& shown = array.empty() ? volume.Flow : array;
     volume.IsField = fields.UseWith(shown, path, volume.Image) || volume.IsField;
   }
@@ -753,7 +754,8 @@ Volume LoadVolume(const std::string& path, int series, const std::string& array)
     one.IsField = volume.IsField;
     one.Modality = volume.Modality;
     CheckVolume(path, one);
-    ShiftValues(one, volume.Shift - one.Shift); // as the first one, whatever this one looks like
+    ShiftValues(one, volume.Shift - one.Shift); // use the shift of the first phase for all, even if
+                                                // another shift fits this phase
     AlignVolume(one);
     phase.Image = one.Image;
   }

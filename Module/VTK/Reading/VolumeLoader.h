@@ -18,91 +18,92 @@
 namespace Explore
 {
 /// A volume ready to be touched: one finite scalar component, at least two voxels along every axis,
-/// lengths in millimetres if the file has a unit of length, and index axes within 45 degrees of the
-/// world's. Its vectors and tensors are further point arrays. World axes of medical formats are the
-/// DICOM ones: +x to the patient's left, +y to the back, +z to the head.
+/// lengths in millimetres if the file states a unit of length, and index axes within 45 degrees of
+/// the world's. Its vectors and tensors are further point arrays. World axes of medical formats
+/// follow DICOM: +x to the patient's left, +y to the back, +z to the head.
 struct Volume
 {
   vtkSmartPointer<vtkImageData> Image;
-  std::string Name;               // last part of the path
+  std::string Name;               // last part of the path, for the window's title and messages
   std::string Format;             // such as "NIfTI"
-  std::vector<std::string> Notes; // assumptions and changes while loading
-  // A segmentation, if there is one, with the geometry of its file.
+  std::vector<std::string> Notes; // assumptions and changes made while reading
+  // A segmentation with the geometry of its own file; null if there is none.
   vtkSmartPointer<vtkImageData> Labels;
   vtkSmartPointer<vtkHapticLabelTable> LabelTable;
-  // If the volume moves: all time steps, with times in seconds; Image is the first one.
+  // For a moving volume: all time steps, with times in seconds; Image is the first one.
   vtkSmartPointer<vtkHapticTimeStepSource> TimeSteps = nullptr;
-  // name of the array with the motion of each time step's material; empty if there is none
+  // Name of the array with the displacement to the next time step; empty if there is none.
   std::string Displacements = {};
-  // If the volume is read only around the hand: its source. Image is a coarse level of it.
+  // Source of a volume that is read region by region; Image is then a coarse level.
   vtkSmartPointer<vtkHapticRegionSource> Large = nullptr;
   WorldAxes Axes = WorldAxes::Unknown;
-  double MetersPerUnit = 0.001; // for lengths in the world of the file
-  // The later phases of a DICOM series that moves, with their times (s): see LoadVolumes.
+  double MetersPerUnit = 0.001; // for lengths in the unit of Image
+  // Later phases of a moving DICOM series, with their times (s): see LoadVolumes.
   struct Phase
   {
     double Time;
     vtkSmartPointer<vtkImageData> Image;
   };
   std::vector<Phase> Phases = {};
-  double Shift = 0.0;        // was added to the values, so that they are Hounsfield units
-  std::string Modality = {}; // DICOM's modality, such as "CT"; empty if not known
-  bool HasPlace = true;      // whether the file defines the position of the volume
-  bool IsGrid = false;       // whether the volume was resampled from cells
-  bool IsField = false; // values come from a grid or are the magnitude of a field, of no tissue
-  vtkSmartPointer<vtkPolyData> Outline = nullptr; // where the cells of a grid are
-  // The choices in the file: the series of a DICOM folder, as
-  // `1 "Thorax", CT, 133 slices of 512 x 512`, the segments of a segmentation, or the volumes of a
-  // file with more than three axes. Each begins with its number, from 1 on. SeriesNumber is the
-  // number of the choice that was read.
+  double Shift = 0.0;        // number added to the values to convert them to Hounsfield units
+  std::string Modality = {}; // DICOM modality, such as "CT"; empty if unknown
+  bool HasPlace = true;      // whether the file states the position of the volume
+  bool IsGrid = false;       // whether the volume was resampled from a grid
+  bool IsField = false; // whether values come from a grid or are the magnitude of a field, so that
+                        // they stand for no tissue
+  vtkSmartPointer<vtkPolyData> Outline = nullptr; // lines along the edges of a grid; null for other
+                                                  // volumes
+  // Choices in the file, each with its number from 1: the series of a DICOM folder, such as `1
+  // "Thorax", CT, 133 slices of 512 x 512`, the segments of a segmentation, or the volumes of a
+  // file with more than three axes. SeriesNumber is the choice that was read.
   std::vector<std::string> Series = {};
   int SeriesNumber = 0;
-  bool MayBeLabels = false; // whether the values look like label numbers
-  bool AreLabels = false;   // whether its values are used as labels
-  std::string Flow = {};    // name of the vectors of a grid, which the hand follows by default
-  std::string Padding = {}; // describes the values that count as outside; empty if none does
+  bool MayBeLabels = false; // whether the values look like labels
+  bool AreLabels = false;   // whether the values are used as labels
+  std::string Flow = {};    // vector array that the hand follows by default; empty if there is none
+  std::string Padding = {}; // describes which values count as outside; empty if none do
 };
 
-/// Reads a file or a folder like LoadVolume, but keeps the positions and values of the voxels: axes
-/// may have any direction. 64-bit integers that fit into 32 bits are stored in a smaller type. If
+/// Reads a file or folder like LoadVolume, but keeps the positions and values of the voxels, with
+/// axes in any direction. 64-bit integers that fit into 32 bits are stored in a smaller type. If
 /// timesAreComponents, the times of a NIfTI file become components; otherwise the first time is
 /// read. For `series`, see vtkHapticVolumeReader::SetSeries().
 Volume ReadVolume(const std::string& path, bool timesAreComponents = false, int series = 0);
 
-/// The volumes along the fourth axis of a NIfTI file.
+/// Number and spacing of the volumes along the fourth axis of a NIfTI file.
 struct NiftiTimes
 {
   int Count = 1;
-  double Spacing = 0.0; // s; 0 if there is one volume
+  double Spacing = 0.0; // s; 0 for a single volume
 };
 
-/// Reads the number and the spacing of the volumes from a file's header. `unknown` is the spacing
-/// if the header does not define it. A file of any other format has one volume.
+/// Reads the number and the spacing of the volumes from a file's header. `unknown` is returned as
+/// the spacing if the header does not state it. A file of any other format has one volume.
 NiftiTimes ReadNiftiTimes(const std::string& path, double unknown);
 
-/// Aligns the image with the axes of the world. Straightens it first if its axes are sheared, with
-/// a note.
+/// Aligns the image with the axes of the world, after straightening it if its axes are sheared,
+/// with a note.
 void AlignVolume(Volume& volume);
 
-/// Reads a volume from a file or a folder of any format that vtkHapticVolumeReader reads. If an
-/// array is named, its values, or the magnitude of its vectors, are shown and felt. If the volume
+/// Reads a volume from a file or folder of any format that vtkHapticVolumeReader supports. If an
+/// array is named, its values or the magnitude of its vectors are shown and felt. If the volume
 /// can't be read or touched, throws InputError, with the fault and the cure.
 Volume LoadVolume(const std::string& path, int series = 0, const std::string& array = "");
 
-/// Reads all samples of a volume that can be read in boxes. Returns null, with the reason in
-/// `error`, on failure.
+/// Reads all samples of a volume that can be read in boxes. Returns null on failure, with the
+/// reason in `error`.
 vtkSmartPointer<vtkImageData> ReadWhole(vtkHapticRegionSource* source, std::string& error);
 
-/// Adds notes on the assumptions that the source made when it opened its file, and the list of
+/// Adds the notes on assumptions that the source made when it opened its file, and the list of
 /// choices in the file.
 void AddFileNotes(vtkHapticRegionSource* source, Volume& volume);
 
-/// Reads a NRRD file of labels, which may have segments in layers. If it has segments, they can be
-/// chosen from.
+/// Reads a NRRD file of labels, which may have segments in layers. If it has segments, `series`
+/// chooses one of them.
 Volume ReadNrrdSegmentation(const std::string& path, int series = 0);
 
-/// Lists the segments of a segmentation, whose table has their names, for the user to choose from.
-/// `chosen` is the number of the segment that was read alone; 0 means all.
+/// Lists the segments in a segmentation's table for the user to choose from. `chosen` is the number
+/// of the segment that was read; 0 means all.
 void ListSegments(Volume& volume, int chosen);
 } // namespace Explore
 

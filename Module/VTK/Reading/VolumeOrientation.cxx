@@ -19,7 +19,8 @@
 
 namespace
 {
-/// Mirrors world x and y: right-anterior-superior <-> left-posterior-superior.
+/// Mirrors x and y of the world, to convert right-anterior-superior to left-posterior-superior or
+/// back.
 void TurnAboutZ(double axes[9], double origin[3])
 {
   for (int axis = 0; axis < 2; ++axis)
@@ -32,7 +33,7 @@ void TurnAboutZ(double axes[9], double origin[3])
   }
 }
 
-/// Finds the index axis that is closest to each world axis. Each index axis is used once.
+/// Finds the index axis that is closest to each world axis, using each index axis once.
 std::array<int, 3> BestPermutation(const double axes[9])
 {
   std::array<int, 3> order{ 0, 1, 2 }, best = order;
@@ -44,7 +45,7 @@ std::array<int, 3> BestPermutation(const double axes[9])
     {
       sum += std::abs(axes[3 * axis + order[axis]]);
     }
-    // On ties, this margin keeps the natural order, which comes first.
+    // With this margin, the natural order, which is tried first, wins ties.
     if (sum > bestSum + 1e-9)
     {
       bestSum = sum;
@@ -72,7 +73,7 @@ WorldAxes FindFormatAxes(const std::string& format)
 WorldAxes ReadMetaImageAxes(const std::string& path)
 {
   const std::string letters = VolumeHaptics::HeaderText(path).Value({ "AnatomicalOrientation" });
-  // Three letters, one of each of these pairs. MetaIO writes ??? for unknown axes.
+  // Valid letters are one from each of these pairs. MetaIO writes ??? for unknown axes.
   const bool isPatient = letters.size() == 3 && letters.find_first_of("RL") != std::string::npos &&
     letters.find_first_of("AP") != std::string::npos &&
     letters.find_first_of("SI") != std::string::npos;
@@ -93,7 +94,7 @@ void SetFrame(vtkImageData* image, const double axes[9], const double origin[3])
   }
   if (std::abs(vtkMatrix3x3::Determinant(unit)) < 1e-6)
   {
-    return; // the header is wrong: use plain axes
+    return; // the header is wrong, so keep the identity
   }
   image->SetDirectionMatrix(unit);
   image->SetOrigin(origin);

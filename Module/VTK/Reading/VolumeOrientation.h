@@ -13,42 +13,42 @@
 
 namespace Explore
 {
-/// Meaning of the world axes, according to a file.
+/// Meaning of the world axes according to a file.
 enum class WorldAxes
 {
-  Unknown, // the file does not define it
-  Patient, // left, posterior and superior, after conversion
+  Unknown, // the file does not define them
+  Patient, // a patient's left, posterior and superior, after conversion
   Other
 };
 
-/// Return the axes that the `space` of a NRRD header names, or the `AnatomicalOrientation` of a
-/// MetaImage.
+/// Return the axes that a NRRD header's `space` or a MetaImage's `AnatomicalOrientation` names.
 WorldAxes FindNrrdAxes(const VolumeHaptics::NrrdHeader& header);
 WorldAxes ReadMetaImageAxes(const std::string& path);
 
-/// Returns the axes that all files of a format have; Unknown if they differ from file to file.
+/// Returns the axes that all files of a format share; Unknown if they depend on the file.
 WorldAxes FindFormatAxes(const std::string& format);
 
 /// Sets the axes of an image. Column c of `axes` (row-major 3x3, columns of any length) is the
-/// direction of index axis c; `origin` is the position of voxel (0, 0, 0). The spacing is kept.
+/// direction of index axis c; `origin` is the position of voxel (0, 0, 0). Keeps the spacing.
 void SetFrame(vtkImageData* image, const double axes[9], const double origin[3]);
 
-/// Applies the header's TransformMatrix, which VTK 9.1's MetaImage reader ignores. In ITK's
+/// Applies the TransformMatrix in the header, which VTK 9.1's MetaImage reader ignores. In ITK's
 /// convention, row c of the matrix is the direction of index axis c, in left-posterior-superior.
 void ApplyMetaImageOrientation(const std::string& path, vtkImageData* image);
 
-/// Returns a note if a NRRD header's space is turned into left-posterior-superior; else empty.
+/// Returns a note if a NRRD header's space is converted to left-posterior-superior; empty
+/// otherwise.
 std::string DescribeNrrdTurn(const VolumeHaptics::NrrdHeader& header);
 
-/// Places a NIfTI image by its sform or qform matrix (millimetres to right-anterior-superior), if
+/// Places a NIfTI image with its sform or qform matrix (millimetres to right-anterior-superior), if
 /// it has one, and converts the result to left-posterior-superior.
 void ApplyNiftiOrientation(vtkMatrix4x4* form, vtkImageData* image);
 
-/// Multiplies all lengths of the image by a factor.
+/// Scales the spacing and origin of an image.
 void ScaleLengths(vtkImageData* image, double factor);
 
-/// Reorders the voxels, at the same positions, so that index axis c is as close as possible to
-/// world axis c. Nothing is interpolated. If nothing has to change, returns the input.
+/// Permutes and flips the voxels' index axes, without interpolation or moving voxels, so that index
+/// axis c is as close as possible to world axis c. Returns the input if nothing has to change.
 vtkSmartPointer<vtkImageData> AlignToAxes(vtkImageData* image);
 } // namespace Explore
 

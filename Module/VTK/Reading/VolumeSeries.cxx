@@ -35,7 +35,7 @@ using Explore::InputError;
 using Explore::Volume;
 using Files = vtksys::SystemTools;
 
-/// Number of time steps per second for files without times.
+/// Time steps per second for files that state no times.
 constexpr double FRAMES_PER_SECOND = 10.0;
 
 struct TimeStepPath
@@ -67,8 +67,8 @@ std::vector<TimeStepPath> MakeTimeSteps(const std::vector<std::string>& paths)
   return timeSteps;
 }
 
-/// Lists the volumes in a folder: its files; or, if it has no files, its folders, if they contain
-/// the slices of phases and no series is chosen. Returns none if there are fewer than two.
+/// Lists the volumes in a folder: its files, or, in a folder without files, its subfolders if they
+/// contain the slices of phases and no series is chosen. Returns none if there are fewer than two.
 std::vector<TimeStepPath> ListFolder(const std::string& folder, int series)
 {
   vtksys::Directory directory;
@@ -98,7 +98,7 @@ std::vector<TimeStepPath> ListFolder(const std::string& folder, int series)
   return areTimeSteps ? MakeTimeSteps(found) : std::vector<TimeStepPath>();
 }
 
-/// Reads the files and times of a ParaView collection (.pvd).
+/// Reads the files and their times from a ParaView collection (.pvd).
 std::vector<TimeStepPath> ReadCollection(const std::string& path)
 {
   const Explore::MessageCapture capture;
@@ -174,7 +174,7 @@ void AddTimeStep(Volume& volume, const std::string& path, vtkImageData* image, d
   volume.TimeSteps->AddTimeStep(image, time);
 }
 
-/// Removes a last time step that repeats the first one, and adds notes for the user.
+/// Removes the last time step if it repeats the first one, and adds notes for the user.
 void Finish(Volume& volume)
 {
   vtkHapticTimeStepSource* const timeSteps = volume.TimeSteps;
@@ -210,7 +210,7 @@ vtkSmartPointer<vtkImageData> ExtractTimeStep(vtkImageData* image, int component
 }
 
 /// Loads one of the volumes along the fourth axis of a NIfTI file, or all of them as time steps.
-/// `chosen` is the number of the volume, which begins at 1; 0 stands for all.
+/// `chosen` is the number of the volume, counted from 1; 0 stands for all.
 Volume LoadNiftiSeries(
   const std::string& path, const Explore::NiftiTimes& times, int chosen, const std::string& array)
 {
@@ -221,7 +221,7 @@ Volume LoadNiftiSeries(
   }
   Volume volume = Explore::ReadVolume(path, true);
   const vtkSmartPointer<vtkImageData> all = volume.Image;
-  // The values of a time may have several components, such as colours, of which the first is felt.
+  // Each time may have several components, such as colours; the first one is felt.
   const int count = times.Count;
   const int step = std::max(1, all->GetNumberOfScalarComponents() / count);
   if (chosen > count)
@@ -265,7 +265,7 @@ Volume LoadNiftiSeries(
     std::to_string(count) + " take one of them");
   return volume;
 }
-/// Loads one of several files of a moving volume.
+/// Loads one of the files of a moving volume.
 Volume LoadFrame(const std::string& path, int series, const std::string& array)
 {
   const Explore::NiftiTimes times = Explore::ReadNiftiTimes(path, 1.0);
@@ -296,14 +296,15 @@ Volume LoadTimeSteps(const std::string& path, const std::vector<TimeStepPath>& t
   for (std::size_t i = 1; i < timeSteps.size(); ++i)
   {
     Volume frame = LoadFrame(timeSteps[i].Path, series, array);
-    Explore::ShiftValues(frame, volume.Shift - frame.Shift); // as the first one
+    Explore::ShiftValues(frame, volume.Shift - frame.Shift); // use the shift of the first time step
+                                                             // for all
     AddTimeStep(volume, timeSteps[i].Path, frame.Image, timeSteps[i].Time);
   }
   Finish(volume);
   return volume;
 }
 
-/// Loads a volume whose file or folder may have several phases.
+/// Loads a volume from a file or folder that may contain several phases.
 Volume LoadPhases(const std::string& path, int series, const std::string& array)
 {
   Volume volume = Explore::LoadVolume(path, series, array);

@@ -19,8 +19,8 @@
 
 namespace
 {
-constexpr std::size_t PART_SIZE = 1 << 18; // bytes that are unpacked at once
-constexpr int ANY_HEADER = 15 + 32;        // accepts the header of zlib or of gzip
+constexpr std::size_t PART_SIZE = 1 << 18; // bytes that are decompressed at once
+constexpr int ANY_HEADER = 15 + 32;        // accepts a zlib or gzip header
 
 std::string ReadPart(std::ifstream& in, std::size_t from, std::size_t size)
 {
@@ -57,8 +57,7 @@ double CountUnpacked(const std::string& file, std::size_t offset)
     {
       if (state == Z_STREAM_END && stream.avail_in > 0)
       {
-        // Several gzip streams may follow each other. Other data after them do not belong to the
-        // contents.
+        // Several gzip streams may follow one another; anything else after them is ignored.
         const bool isGzip = *stream.next_in == 0x1f;
         if (hasAny && !isGzip)
         {
@@ -133,7 +132,7 @@ std::string DetectMissingEnd(const std::string& file)
     const std::string name = vtksys::SystemTools::CollapseFullPath(piece.match(2),
       vtksys::SystemTools::GetFilenamePath(vtksys::SystemTools::CollapseFullPath(file)));
     text.erase(0, piece.end());
-    // The reader reports a missing piece.
+    // A missing file is left to the reader to report.
     const std::string missing =
       vtksys::SystemTools::FileExists(name, true) ? DetectMissingEnd(name) : std::string();
     if (!missing.empty())
@@ -146,7 +145,7 @@ std::string DetectMissingEnd(const std::string& file)
 
 std::string DetectFalseNiftiHeader(const std::string& header)
 {
-  constexpr unsigned sizes[] = { 348, 540 }; // NIfTI 1 and Analyze, NIfTI 2
+  constexpr unsigned sizes[] = { 348, 540 }; // bytes: NIfTI 1 and Analyze; NIfTI 2
   unsigned char bytes[sizes[1]] = {};
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(header.c_str(), "rb"), gzclose);
   const int count = file ? gzread(file.get(), bytes, sizes[1]) : 0;
@@ -186,7 +185,7 @@ std::string DetectFalseNiftiHeader(const std::string& header)
         return "its header is damaged: its axes have no sizes that can be";
       }
       const std::int64_t type = read(size == sizes[0] ? 70 : 12, 2, isSwapped);
-      // From 8-bit integers to colours with opacity, as nifti1.h numbers them.
+      // Data types as numbered in nifti1.h, from 8-bit integers to colours with opacity.
       constexpr std::int64_t types[] = { 2, 4, 8, 16, 32, 64, 128, 256, 512, 768, 1024, 1280, 1792,
         2304 };
       const bool isKnown = std::find(std::begin(types), std::end(types), type) != std::end(types);

@@ -49,7 +49,7 @@ public:
     }
     try
     {
-      const Explore::MessageCapture capture; // the errors say everything
+      const Explore::MessageCapture capture; // hides VTK's messages, because Error says everything
       this->Volume = self->AsLabels
         ? Explore::ReadLabels(self->FileName, self->Series)
         : Explore::LoadIntoMemory({ self->FileName }, self->Series, self->ArrayName);
@@ -194,7 +194,7 @@ int vtkHapticVolumeReader::RequestData(
   vtkInformation* const out = outputVector->GetInformationObject(0);
   vtkImageData* const output = vtkImageData::GetData(outputVector);
   vtkImageData* image = volume.Image;
-  if (!image) // ParaView asks for data even after an error
+  if (!image) // ParaView requests data even after an error
   {
     output->Initialize();
     return 0;
@@ -208,7 +208,7 @@ int vtkHapticVolumeReader::RequestData(
       image->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()));
   }
   output->ShallowCopy(image);
-  vtkNew<vtkFieldData> fields; // copied, so that the volume's own fields stay unchanged
+  vtkNew<vtkFieldData> fields; // a copy, so that the volume's own fields stay unchanged
   fields->ShallowCopy(image->GetFieldData());
   if (volume.LabelTable)
   {

@@ -14,12 +14,12 @@
  *   std::cout << reader->GetNotes();
  *   filter->SetInputConnection(reader->GetOutputPort());
  *
- * The output has one scalar for each voxel. Its lengths are in millimetres if the file has a unit
- * of length. Its index axes are within 45 degrees of the axes of the world, which are
- * left-posterior-superior if the file is about a patient. The notes describe, one on each line,
- * what was guessed, dropped, filled, resampled or turned; the output's field data also has them, in
- * the string array "Notes". A moving volume has time steps. The labels of a segmentation have a
- * table, which is also in the output's field data.
+ * The output has one scalar per voxel. Its lengths are in millimetres if the file has a unit of
+ * length. Its index axes are within 45 degrees of the axes of the world, which are
+ * left-posterior-superior if the file is about a patient. The notes describe, one per line, what
+ * was guessed, dropped, filled, resampled or turned; the output's field data also has them, in the
+ * string array "Notes". A moving volume has time steps. The labels of a segmentation have a table,
+ * which is also in the output's field data.
  *
  * A file that can't be read gives one error that names the cause and the cure, and an empty output.
  * For volumes larger than memory, use vtkHapticRegionSource.
@@ -54,8 +54,8 @@ public:
 
   ///@{
   /**
-   * What to read if a file or folder has several: the number, from 1 on, of a series of a DICOM
-   * folder, a segment of a segmentation, a mask of a folder of masks, a channel, a time, or a
+   * What to read if a file or folder has several: the number, counted from 1, of a series of a
+   * DICOM folder, a segment of a segmentation, a mask of a folder of masks, a channel, a time, or a
    * component of the voxels. 0 (default): the series with most pixels, all segments, all times of a
    * NIfTI file as time steps, or the first one. GetSeriesName() lists what there is.
    */
@@ -86,8 +86,8 @@ public:
 
   ///@{
   /**
-   * GetNotes returns the notes, one on each line; GetFormat the format, such as "NIfTI";
-   * GetModality DICOM's modality. They are known after UpdateInformation().
+   * GetNotes returns the notes, one per line; GetFormat the format, such as "NIfTI"; GetModality
+   * the DICOM modality. Valid after UpdateInformation().
    */
   const char* GetNotes();
   const char* GetFormat();
@@ -96,8 +96,8 @@ public:
 
   ///@{
   /**
-   * From UpdateInformation() on: what SetSeries() may choose, each with its number, such as
-   * `2 "Thorax", CT, 133 slices of 512 x 512`, and the number that was read.
+   * Get the choices for SetSeries(), each with its number, such as `2 "Thorax", CT, 133 slices of
+   * 512 x 512`, and the number that was read. Valid after UpdateInformation().
    */
   int GetNumberOfSeries();
   const char* GetSeriesName(int index);
@@ -105,29 +105,26 @@ public:
   ///@}
 
   /**
-   * Get whether the file defines the position of the volume; a NIfTI file may not. Known after
+   * Get whether the file states the position of the volume; a NIfTI file may not. Valid after
    * UpdateInformation().
    */
   bool HasPlace();
 
-  /**
-   * Get the table of the labels, which is known after UpdateInformation(); nullptr if the file has
-   * none.
-   */
+  /** Get the table of the labels; nullptr if the file has none. Valid after UpdateInformation(). */
   vtkHapticLabelTable* GetLabelTable();
 
   /**
-   * Returns the faults of labels, one on each line: no label lies in the volume, or some labels of
-   * the table, which may be null, are in no voxel.
+   * Returns warnings about labels, one per line: if no label is inside the volume, or if labels of
+   * the table, which may be null, occur in no voxel.
    */
   static std::string DescribeLabels(
     vtkImageData* labels, vtkImageData* volume, vtkHapticLabelTable* table);
 
   /**
-   * Reads points, lines and polygons of a file .stl, .ply, .obj, .vtk or .vtp into `surface`.
-   * Returns an empty text, or why the file can't be read; `surface` then stays as it is. If
-   * volumehaptics-read is installed, the file is read there, because damaged files can end VTK's
-   * readers.
+   * Reads points, lines and polygons of a .stl, .ply, .obj, .vtk or .vtp file into `surface`. On
+   * failure, returns the reason and leaves `surface` unchanged; on success, returns an empty text.
+   * If the program volumehaptics-read is installed, the file is read there, because damaged files
+   * can crash VTK's readers.
    */
   static std::string ReadSurface(const char* file, vtkPolyData* surface);
 

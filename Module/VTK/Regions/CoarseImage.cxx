@@ -28,12 +28,14 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The samples before and after a position on an axis, and the weight of the latter. */
+/**
+ * Indices of the samples before and after a position along an axis, and the weight of the latter.
+ */
 struct AxisPlace
 {
   AxisPlace(double at, std::int64_t last)
   {
-    // NaN becomes 0 here.
+    // Maps NaN to 0.
     const double inside = at > 0.0 ? std::min(at, static_cast<double>(last)) : 0.0;
     this->Before = std::min(static_cast<std::int64_t>(inside), std::max<std::int64_t>(last - 1, 0));
     this->Behind = std::min(this->Before + 1, last);
@@ -49,7 +51,7 @@ void PutRow(const std::vector<double>& values, T* samples)
 {
   if constexpr (std::is_integral_v<T>)
   {
-    // The largest 64-bit integers can't be represented as doubles: use the next lower double.
+    // The largest 64-bit integers can't be represented as doubles, so use the next lower double.
     const auto least = static_cast<double>(std::numeric_limits<T>::lowest());
     const double most = std::nextafter(static_cast<double>(std::numeric_limits<T>::max()), 0.0);
     const double limit =
@@ -69,7 +71,7 @@ std::int64_t DivideUp(std::int64_t number, std::int64_t by)
   return (number + by - 1) / by;
 }
 
-/** Sums of the samples in a box of coarse voxels, and their numbers. */
+/** Sum and number of the samples in each coarse voxel of a box. */
 struct CoarseSums
 {
   explicit CoarseSums(const BoxExtent& box)
@@ -107,7 +109,7 @@ struct CoarseSums
   std::vector<float> Counts;
 };
 
-/** Plans which boxes are read at once, and which samples each coarse voxel has. */
+/** Plans which boxes are read at once, and which samples belong to each coarse voxel. */
 class CoarsePlan
 {
 public:
@@ -151,7 +153,7 @@ public:
     }
     return voxels;
   }
-  /** Returns a box in samples, counted from the volume's first sample. */
+  /** Returns a box in sample indices, relative to the volume's first sample. */
   std::array<std::int64_t, 6> GetBox(std::int64_t number) const
   {
     const std::int64_t place[3] = { number % this->Boxes[0],
@@ -214,9 +216,7 @@ public:
   std::int64_t Step = 1;
 
 private:
-  /**
-   * Finds which samples are outside, so that they are averaged with the value that is felt there.
-   */
+  /** Finds which samples are outside, so that the value felt there is averaged instead. */
   static OutsideSamples Survey(const LargeVolume& volume)
   {
     VolumeSurvey survey(volume);
@@ -290,7 +290,7 @@ std::shared_ptr<const CoarseLevel> CoarseLevel::Make(
 {
   std::shared_ptr<CoarseLevel> level(new CoarseLevel);
   vtkDataArray* const scalars = image->GetPointData()->GetScalars();
-  constexpr int kernelRadius = 0; // no kernel is placed in this image
+  constexpr int kernelRadius = 0; // no kernel is evaluated in this image
   HapticVolume volume;
   if (!scalars)
   {
@@ -371,7 +371,7 @@ vtkSmartPointer<vtkImageData> AverageVolume(
   std::copy_n(place.Origin, 3, origin);
   for (int axis = 0; axis < 3; ++axis)
   {
-    // The first coarse voxel is in the middle of its samples.
+    // The first coarse voxel is at the centre of its samples.
     const double index = volume.Extent[2 * axis] + 0.5 * (step - 1.0);
     for (int row = 0; row < 3; ++row)
     {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Makes coarse images of a whole large volume.
+ * Makes coarse images of a large volume.
  */
 #ifndef CoarseImage_h
 #define CoarseImage_h
@@ -24,26 +24,26 @@ namespace VolumeHaptics
 {
 
 /**
- * A coarse image in memory that replaces late samples of a large volume.
+ * A coarse image in memory that stands in for samples of a large volume that are not read in time.
  *
- * It never changes, so that threads can share it. The owner releases the last reference.
+ * It is immutable, so threads can share it. The owner's thread must release the last reference.
  */
 class CoarseLevel
 {
 public:
   /**
    * Makes the level from the first component of an image's scalars. `indexToWorld` is the transform
-   * of the volume that the image replaces, in the same world. Samples that DetectOutside() finds
-   * are filled, unless the scalars are labels. Returns null, with reason and cure in `error`, if
-   * there are no scalars or if the image can't be used.
+   * of the large volume, in the same world as the image. Fills samples that DetectOutside() finds,
+   * unless the scalars are labels. Returns null, with the reason and the cure in `error`, if there
+   * are no scalars or if the image can't be used.
    */
   static std::shared_ptr<const CoarseLevel> Make(
     vtkImageData* image, bool areLabels, const Affine3& indexToWorld, std::string& error);
 
   /**
-   * Fills a box of the volume, x fastest, with samples of a VTK type. Between the samples of the
-   * image, values are trilinear, and rounded for integer types. Beyond the image, they are equal
-   * to the nearest border sample.
+   * Fills a box of the volume (x fastest) with samples of a VTK type. Interpolates linearly between
+   * the samples of the image, and rounds for integer types. Beyond the image, uses the nearest
+   * border sample.
    */
   void Fill(const BoxExtent& box, int scalarType, void* samples) const;
 
@@ -54,10 +54,10 @@ private:
 
   VolumeView View;
   vtkSmartPointer<vtkDataArray> Holder;
-  Affine3 FromVolume; ///< maps an index of the volume to an index of View
+  Affine3 FromVolume; ///< maps indices of the volume to indices of View
 };
 
-/** Geometry of a volume, as in vtkImageData. */
+/** Geometry of a volume, in the terms of vtkImageData. */
 struct VolumePlace
 {
   const double* Origin;
@@ -66,16 +66,16 @@ struct VolumePlace
 };
 
 /**
- * Averages cubes of n^3 samples to a coarse image of at most mostVoxels voxels. A volume in chunks
- * is read chunk by chunk, several at once. Of any other volume, only the middle row of each n^2
- * rows is read and averaged. Throws std::runtime_error if a read fails, and std::bad_alloc.
+ * Averages cubes of n^3 samples to a coarse image of at most mostVoxels voxels. A chunked volume is
+ * read chunk by chunk, several at once. For any other volume, only one row in the middle of each
+ * n^2 rows is read and averaged. Throws std::runtime_error if a read fails, and std::bad_alloc.
  */
 vtkSmartPointer<vtkImageData> AverageVolume(
   const LargeVolume& volume, const VolumePlace& place, vtkIdType mostVoxels);
 
 /**
- * Reads the finest coarser level of a file that has at most mostVoxels voxels, with its geometry.
- * Returns null if there is none. Throws like AverageVolume().
+ * Reads the finest coarser level in a file that has at most mostVoxels voxels, with its geometry.
+ * Returns null if there is none. Throws the same exceptions as AverageVolume().
  */
 vtkSmartPointer<vtkImageData> ReadCoarserLevel(const LargeFile& file, vtkIdType mostVoxels);
 

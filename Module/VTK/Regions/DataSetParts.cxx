@@ -28,7 +28,7 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double LeastAlongEdge = 24.0; ///< samples, because kernels need some along each edge
+constexpr double LeastAlongEdge = 24.0; ///< samples, so that kernels have room along each edge
 constexpr double MostAlongEdge = 1e6;   ///< samples
 
 void GetEdges(const vtkBoundingBox& box, double edges[3])
@@ -68,7 +68,7 @@ bool HasPointsOf(vtkCellArray* cells, vtkIdType points)
   return (!cells || cells->IsValid()) && range[0] >= 0.0 && range[1] < static_cast<double>(points);
 }
 
-/** Returns whether the faces of all polyhedra exist, and have existing corners. */
+/** Returns whether all polyhedra have faces, with corners that exist. */
 bool HasWholeFaces(vtkUnstructuredGrid* grid)
 {
   const vtkIdType count = HasFaces(grid) ? grid->GetNumberOfCells() : 0;
@@ -105,7 +105,7 @@ bool HasWholeFaces(vtkUnstructuredGrid* grid)
 #endif
 }
 
-/** Returns whether all cells have the corners that their kinds need. */
+/** Returns whether all cells have the number of corners that their types require. */
 bool HasCorners(vtkUnstructuredGrid* grid)
 {
   std::map<int, vtkIdType> needed;
@@ -116,7 +116,7 @@ bool HasCorners(vtkUnstructuredGrid* grid)
     if (found == needed.end())
     {
       const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(kind));
-      needed[kind] = cell ? cell->GetNumberOfPoints() : 0; // 0 also if their number may vary
+      needed[kind] = cell ? cell->GetNumberOfPoints() : 0; // 0: the type has any number of corners
       --i;
     }
     else if (grid->GetCells()->GetCellSize(i) < found->second)

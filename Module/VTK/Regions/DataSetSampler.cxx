@@ -27,8 +27,7 @@ namespace
 {
 
 /**
- * Number of copies that are in memory at once: the copy, and the result of averaging its cell
- * arrays.
+ * Number of copies in memory at once: the copy itself, and the result of averaging its cell arrays.
  */
 constexpr std::size_t CopiesAtOnce = 2;
 
@@ -55,7 +54,7 @@ std::string ListArrays(vtkDataSet* part)
   return list;
 }
 
-/** Adds an array that all parts have. Returns false if a part lacks it. */
+/** Adds an array if all parts have it. Returns false otherwise. */
 bool AddSampled(
   const std::vector<vtkDataSet*>& parts, const std::string& name, std::vector<SampledArray>& arrays)
 {
@@ -143,7 +142,7 @@ std::shared_ptr<DataSetSampler> DataSetSampler::Make(
   sampler->Data = averaged;
   parts = CollectParts(averaged);
   vtkPointData* const arrays = parts.front()->GetPointData();
-  // The active arrays of a composite data set are those of its parts.
+  // A composite data set has no active arrays, so use those of its parts.
   std::vector<SampledArray> fields;
   vtkDataArray* const active[] = { arrays->GetScalars(), arrays->GetVectors(),
     arrays->GetTensors() };

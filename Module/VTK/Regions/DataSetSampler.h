@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Samples a data set that is not an image on a regular grid.
+ * Resamples a data set that is not an image onto a regular grid.
  */
 #ifndef DataSetSampler_h
 #define DataSetSampler_h
@@ -21,7 +21,7 @@ class vtkDataObject;
 namespace VolumeHaptics
 {
 
-/** A sampled array, with the name and the number of components of the data set's array. */
+/** A sampled array, with the data set's name and number of components. */
 struct SampledArray
 {
   std::string Name;
@@ -29,16 +29,16 @@ struct SampledArray
 };
 
 /**
- * Holds a copy of the data, with cell arrays averaged to the points, and resamples boxes of the
- * grid by VTK's probe. Any thread may read; the mutex lets in one at a time.
+ * Owns a copy of the data, with cell arrays averaged to the points, and resamples boxes of the grid
+ * with VTK's probe. Any thread may call it; a mutex serialises the reads.
  */
 class DataSetSampler
 {
 public:
   /**
-   * Copies a vtkDataSet, or the volumes of a vtkCompositeDataSet.
+   * Copies a vtkDataSet, or the volumetric data sets of a vtkCompositeDataSet.
    *
-   * @param wanted the arrays to be sampled, besides the active scalars, vectors and tensors
+   * @param wanted arrays to sample in addition to the active scalars, vectors and tensors
    * @param spacing spacing of the grid; 0 stands for ComputeSampleSpacing()
    * @return null, with the reason and the cure in `error`, on failure, such as for data without
    * volume or arrays
@@ -50,19 +50,18 @@ public:
   DataSetSampler& operator=(const DataSetSampler&) = delete;
 
   /**
-   * Returns the sampled arrays. The first one has the scalars of the data or, if there are none,
-   * the magnitude of the second array.
+   * Returns the sampled arrays. The first one has the scalars of the data, or, without scalars, the
+   * magnitude of the second array.
    */
   const std::vector<SampledArray>& GetArrays() const { return this->Arrays; }
   int CountValues() const;
   const SamplingGrid& GetGrid() const { return this->Grid; }
-  /** Returns the smallest scalar. It replaces the scalars outside all cells. */
+  /** Returns the smallest scalar, which is used outside all cells. */
   double GetLeastScalar() const { return this->LeastScalar; }
 
   /**
-   * Writes the samples of a box, one array after another, with the components of a sample side by
-   * side. Outside all cells, scalars are NaN, and vectors and tensors are 0. Throws
-   * std::runtime_error on failure.
+   * Samples a box, array after array, with the components of a sample side by side. Outside all
+   * cells, scalars are NaN, and vectors and tensors are 0. Throws std::runtime_error on failure.
    */
   void Read(const int box[6], float* samples);
 
@@ -73,9 +72,8 @@ private:
   std::vector<SampledArray> Arrays;
   SamplingGrid Grid;
   double LeastScalar = 0.0;
-  bool HasOwnScalars = true; ///< whether the data have scalars; if not, the first array is the
-                             ///< magnitude of the second
-  std::mutex Mutex;          ///< held while reading, because the probe fills caches of the data
+  bool HasOwnScalars = true; ///< false: the first array is the magnitude of the second
+  std::mutex Mutex;          ///< held while reading, because the probe caches data
 };
 
 } // namespace VolumeHaptics

@@ -11,7 +11,7 @@
 
 namespace
 {
-/** A reader that Python's ctypes calls. */
+/** Region reader of a Python program, called through ctypes. */
 struct ForeignReader
 {
   ForeignReader(vtkHapticRegionRead read, vtkHapticRegionRelease release, void* context)

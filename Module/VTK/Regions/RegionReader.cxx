@@ -33,9 +33,7 @@ struct RegionReader::Work
 
   const std::shared_ptr<const LargeVolume> Volume;
   ///@{
-  /**
-   * The members from here to Revival are guarded by the mutex, which is never held during a read.
-   */
+  /** Guarded by the mutex, down to Revival. The mutex is never held during a read. */
   mutable std::mutex Mutex;
   std::condition_variable Wake;
   bool IsEnding = false;
@@ -43,11 +41,11 @@ struct RegionReader::Work
   std::optional<VolumeFacts> Facts;
   std::optional<RegionSamples> Arrived;
   std::string Trouble;
-  bool IsLost = false;      ///< whether the thread has ended without an order to end
-  std::int64_t Revival = 0; ///< time at which another thread may begin (ServoClock)
+  bool IsLost = false;      ///< whether the thread has ended without being told to
+  std::int64_t Revival = 0; ///< earliest time (ServoClock) for the start of another thread
   ///@}
   ///@{
-  /** Used by the thread only. */
+  /** Used only by the thread. */
   Milliseconds Delay{ 0 };
   OutsideSamples Outside;
   ///@}
@@ -55,15 +53,17 @@ struct RegionReader::Work
   void RunToEnd();
   void Run();
   bool Survey();
-  /** Waits for the next order. Returns none if the thread must end. */
+  /** Waits for the next order. Returns nothing if the thread must end. */
   std::optional<BoxExtent> AwaitOrder();
   std::optional<RegionSamples> Read(const BoxExtent& region, std::string& error) const;
   /**
-   * Stores the reason why a read failed, and waits before the next one. Returns false if the thread
-   * must end.
+   * Stores the reason for a failed read, and waits before the next attempt. Returns false if the
+   * thread must end.
    */
   bool RecordFailure(const std::string& error);
-  /** Records that a reader function ends the thread. Called while the thread's stack is unwound. */
+  /**
+   * Records that a reader function ends this thread. Called while the thread's stack is unwound.
+   */
   void RecordLoss() noexcept;
 };
 
@@ -189,8 +189,8 @@ void RegionReader::Work::Run()
 
 void RegionReader::Work::RunToEnd()
 {
-  // A reader function can end its thread: pthread_exit() unwinds the stack, and Python calls it
-  // when the interpreter ends.
+  // Detects that a reader function ends its thread: pthread_exit() unwinds the stack, and Python
+  // calls it when the interpreter ends.
   struct End
   {
     Work& Of;
@@ -210,7 +210,7 @@ void RegionReader::Work::RunToEnd()
       this->Run();
       goesOn = false;
     }
-    catch (const std::bad_alloc&) // for example while making a message: there may be memory later
+    catch (const std::bad_alloc&) // memory may be available again later
     {
       goesOn = this->RecordFailure(std::string());
     }
@@ -241,7 +241,7 @@ RegionReader::~RegionReader()
 {
   if (this->Process != ServoClock::GetProcess())
   {
-    // The thread, and perhaps a lock of the mutex, belong to the parent process.
+    // In a forked child, the thread, and perhaps a lock of the mutex, belong to the parent.
     (void)this->Thread.release();
     (void)new std::shared_ptr<Work>(std::move(this->Shared));
     return;
@@ -253,7 +253,7 @@ RegionReader::~RegionReader()
   this->Shared->Wake.notify_all();
   if (!this->Thread->joinable())
   {
-    return; // the lost thread was joined, and no new thread could be started
+    return; // the lost thread was joined, but no new thread could be started
   }
   if (this->Shared->Volume->IsAwaited)
   {
@@ -284,7 +284,7 @@ void RegionReader::Revive()
 {
   if (this->Process != ServoClock::GetProcess())
   {
-    return; // the process was forked: see the destructor
+    return; // in a forked child: see the destructor
   }
   {
     const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
@@ -305,7 +305,7 @@ void RegionReader::Revive()
   catch (const std::system_error&)
   {
     const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
-    this->Shared->IsLost = true; // the system may provide a thread later
+    this->Shared->IsLost = true; // no thread was available; try again later
   }
 }
 

@@ -24,16 +24,14 @@ namespace
 {
 
 constexpr BoxExtent NoRegion = { 0, -1, 0, -1, 0, -1 };
-/** Shortest time (s) over which the tip's velocity is measured. */
+/** Shortest time (s) over which the velocity of the tip is measured. */
 constexpr double VelocityTime = 0.01;
-/**
- * Largest number of samples in a region of the coarse level, which takes about ten milliseconds.
- */
+/** Largest number of samples in a region of the coarse level: about ten milliseconds of work. */
 constexpr vtkIdType MostStandInSamples = 1 << 20;
-/** Fraction of the force that is felt on the coarse level. */
+/** Fraction of the force that is felt while the coarse level stands in. */
 constexpr double StandInFraction = 0.5;
 /**
- * Longest interval (s) between polls that is a prediction for the next one. In a longer interval,
+ * Longest interval (s) between polls that counts as typical for the next one. In a longer interval,
  * the owner was busy.
  */
 constexpr double LongestInterval = 0.5;
@@ -95,7 +93,7 @@ void RegionStore::SetFacts(const VolumeFacts& facts)
 {
   this->Facts = facts;
   vtkTimeStamp stamp;
-  stamp.Modified(); // a number that no other volume has
+  stamp.Modified(); // gets a modification time, which no other volume has
   this->WholeTime = stamp.GetMTime();
   this->Notice = DescribeOutside(facts.Outside, NewSamples(this->Volume->ScalarType));
 }
@@ -160,7 +158,8 @@ void RegionStore::WriteFacts(vtkImageData* image, bool isFilled) const
 
 bool RegionStore::Holds(const BoxExtent& region, const double tip[3]) const
 {
-  // The longest spring may need more room than a region with this many samples can have.
+  // The longest spring may need more room than a region with MaximumVoxels has, so allow for it
+  // here.
   return this->Planner.ComputeRoom(tip, region.data()) + this->Planner.SpringLength >= 0.0;
 }
 
@@ -181,7 +180,8 @@ bool RegionStore::ReceiveRegion(const double tip[3], double interval)
   if (facts)
   {
     this->SetFacts(*facts);
-    this->OrderTime = ServoClock::Now(); // the time of the survey is not latency
+    this->OrderTime = ServoClock::Now(); // starts the latency after the survey, which is not part
+                                         // of it
   }
   this->Trouble = this->Thread->GetTrouble();
   std::optional<RegionSamples> come = this->Thread->Drain();
@@ -191,13 +191,13 @@ bool RegionStore::ReceiveRegion(const double tip[3], double interval)
   }
   if (this->Ordered == come->Extent)
   {
-    // The region may have been needed since the poll before the one that ordered it.
+    // The order may have been late by one interval, because the hand was not polled in between.
     this->Planner.AddLatency(interval + ServoClock::SecondsSince(this->OrderTime) + this->UseTime);
     this->Ordered.reset();
   }
   if (this->StandsIn && this->Holds(this->Region, tip) && !this->Holds(come->Extent, tip))
   {
-    return false; // the hand has left that place
+    return false; // the hand has left the box
   }
   this->Show(std::move(*come), false);
   return true;
@@ -268,7 +268,7 @@ void RegionStore::Order(const double tip[3])
   const vtkIdType most = this->Planner.GetMaximumVoxels();
   if (most < this->OrderedMost)
   {
-    this->Ordered.reset(); // there may be too little memory for the order
+    this->Ordered.reset(); // cancelled: there may be too little memory for the order
   }
   const BoxExtent here = this->Ordered.value_or(this->StandsIn ? NoRegion : this->Region);
   BoxExtent wanted;

@@ -20,20 +20,18 @@ namespace
 {
 
 /**
- * Usual number of samples in a region: it is read in some milliseconds and used for hundreds of
- * ticks.
+ * Usual number of samples in a region, which takes some milliseconds to read and lasts for hundreds
+ * of ticks.
  */
 constexpr double UsualSamples = 1 << 20;
-/**
- * Largest number of samples in a region: 256 MiB at 16 bits. A tip that jumps may need so many.
- */
+/** Largest number of samples in a region (256 MiB at 16 bits), for a tip that jumps. */
 constexpr double MostSamplesOfRegion = 1 << 27;
-/** Smallest width of a region (samples), so that the largest kernel fits into it. */
+/** Smallest width (samples) of a region, so that the largest kernel fits into it. */
 constexpr double LeastWidth = 2.0 * 16.0 + 1.0;
 
 /**
- * Span of samples, with indices from 0, within a distance of a tick's positions along an axis of n
- * samples.
+ * Range of sample indices (from 0) within a distance of the positions of a tick, along an axis with
+ * n samples.
  */
 struct AxisSpan
 {
@@ -43,7 +41,7 @@ struct AxisSpan
     const double reach = std::max(margin, least);
     this->First = std::clamp(std::floor(low - reach), 0.0, n - 1.0);
     this->Last = std::clamp(std::ceil(high + reach), 0.0, n - 1.0);
-    // A tick beyond the volume reads the samples at its border.
+    // Outside the volume, a tick reads the samples at the border.
     this->First = std::max(std::min(this->First, this->Last - LeastWidth + 1.0), 0.0);
     this->Last = std::min(std::max(this->Last, this->First + LeastWidth - 1.0), n - 1.0);
   }
@@ -54,8 +52,8 @@ struct AxisSpan
 };
 
 /**
- * Makes a region: a box, a margin for its residency, and some spare voxels around both. Returns the
- * number of its samples.
+ * Makes a region from a box, the margin that a full residency needs, and `spare` voxels around
+ * both. Returns the number of samples.
  */
 double MakeRegion(const ReadBox& box, double spare, const int whole[6], int region[6])
 {
@@ -75,12 +73,12 @@ double MakeRegion(const ReadBox& box, double spare, const int whole[6], int regi
 }
 
 /**
- * Computes the largest region of at most UsualSamples that contains the box, or the smallest one if
- * that is larger.
+ * Computes the largest region around the box with at most UsualSamples; if even the smallest region
+ * has more, computes that one.
  */
 double ComputeRegion(const ReadBox& box, const int whole[6], int region[6])
 {
-  constexpr double most = 256.0; // spare voxels
+  constexpr double most = 256.0; // largest number of spare voxels
   double low = 1.0;
   double high = most;
   while (high - low > 1.0)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds models of the regions along a path through a large volume.
+ * Provides models of regions along a path through a large volume.
  */
 #ifndef RegionsAlongPath_h
 #define RegionsAlongPath_h
@@ -24,7 +24,7 @@ class HapticModel;
 struct ServoState;
 
 /**
- * Thrown if a region that a path needs can't be read or baked. Its text has the reason and the
+ * Thrown if a region that a path needs can't be read or baked. Its message has the reason and the
  * cure.
  */
 struct RegionLost : std::runtime_error
@@ -33,25 +33,28 @@ struct RegionLost : std::runtime_error
 };
 
 /**
- * Finds for each tick a model of a region with all samples that the tick can read, so that its
- * force equals that of the whole volume to the bit. A region is larger than its first tick needs,
+ * Provides for each tick a model of a region with all samples that the tick may read, so that its
+ * force is bit-identical to that of the whole volume. A region is larger than its first tick needs,
  * and is used until the path leaves it.
  */
 class RegionsAlongPath
 {
 public:
-  /** Bakes a region. Returns null and reports an error if it can't be touched. */
+  /**
+   * Function that bakes a region. It returns null and reports an error if the region can't be
+   * touched.
+   */
   using Baker = std::function<std::shared_ptr<const HapticModel>(vtkImageData*, std::string&)>;
 
   RegionsAlongPath(vtkHapticRegionSource* source, Baker bake);
 
   ///@{
   /** Both functions throw RegionLost. */
-  /** Returns a model of a corner of the volume. */
+  /** Returns a model of a corner of the volume, to begin with. */
   std::shared_ptr<const HapticModel> Begin() const;
   /**
-   * Returns a model for a tick that moves to a tip (device). This is the given model if it has all
-   * samples.
+   * Returns a model for a tick that moves to a tip (device space): the given model if it has all
+   * samples, otherwise a new one.
    */
   std::shared_ptr<const HapticModel> Find(
     std::shared_ptr<const HapticModel> model, const ServoState& state, const Vector3& tip) const;

@@ -17,7 +17,7 @@ namespace
 
 constexpr double MostSamplesAtOnce = 1 << 20;
 
-/** Divides an extent into boxes of at most MostSamplesAtOnce. */
+/** Splits an extent into boxes of at most MostSamplesAtOnce. */
 void DivideExtent(const BoxExtent& extent, std::vector<BoxExtent>& boxes)
 {
   if (CountSamples(extent) <= MostSamplesAtOnce)
@@ -25,7 +25,7 @@ void DivideExtent(const BoxExtent& extent, std::vector<BoxExtent>& boxes)
     boxes.push_back(extent);
     return;
   }
-  // Divide along the slowest axis that can be divided, so that rows stay whole.
+  // Split along the slowest axis possible, so that rows stay whole.
   const int a = extent[4] < extent[5] ? 4 : extent[2] < extent[3] ? 2 : 0;
   BoxExtent low = extent;
   BoxExtent high = extent;

@@ -20,31 +20,31 @@
 namespace VolumeHaptics
 {
 
-/** The facts that vtkHapticRegionFilter stores as field arrays. */
+/** Facts about a volume that vtkHapticRegionFilter stores as field arrays. */
 struct VolumeFacts
 {
   double Noise = 0.0;
   double BorderValue = 0.0;
-  OutsideSamples Outside; ///< outside samples, which each region has to fill
+  OutsideSamples Outside; ///< outside samples that each region has to fill
   BackgroundLevel Solid;
   StoredShift Shift;
 };
 
 /**
- * Reads the boxes that the noise is estimated from (NoiseEstimate.h), one after another: 512 blocks
- * of 5^3 samples and the corners. A volume that is not large is read completely, in boxes of at
- * most a million samples. The result is the same, to the bit, as for the whole volume in memory.
+ * Reads the boxes from which the noise is estimated (NoiseEstimate.h), one after another: 512
+ * blocks of 5^3 samples and the corners. Reads a volume that is not large completely, in boxes of
+ * at most a million samples. The result is bit-identical to that for the whole volume in memory.
  */
 class VolumeSurvey
 {
 public:
-  /** Prepares the survey of a volume, which must outlive it. */
+  /** Prepares the survey of a volume. The volume must outlive this object. */
   explicit VolumeSurvey(const LargeVolume& volume);
 
   bool IsDone() const { return this->Next == this->Boxes.size(); }
-  /** Reads the next box. On failure, returns false, with an error; the call may be repeated. */
+  /** Reads the next box. On failure, returns false with an error, and may be called again. */
   bool Advance(std::string& error);
-  /** Returns the facts, once all boxes are read. */
+  /** Returns the facts; valid once all boxes are read. */
   VolumeFacts GetFacts() const;
 
 private:
@@ -54,7 +54,7 @@ private:
   const LargeVolume& Volume;
   std::vector<BoxExtent> Boxes;
   std::size_t Next = 0;
-  std::vector<char> Bytes; // bytes of the last box
+  std::vector<char> Bytes; // samples of the last box
   NoiseSamples Samples;
 };
 

@@ -216,7 +216,8 @@ int vtkHapticRegionFilter::RequestData(
     this->Outside.clear();
     for (VolumeHaptics::NoiseSamples& component : samples)
     {
-      // Detect outside samples in all pieces, because this process may have no piece, and no array.
+      // Detect outside samples from all pieces, because this process may have no piece and hence no
+      // array.
       const auto outside = VolumeHaptics::AreScalars(static_cast<int>(samples.size()))
         ? VolumeHaptics::DetectOutside(component)
         : VolumeHaptics::OutsideSamples{};

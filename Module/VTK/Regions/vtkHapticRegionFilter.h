@@ -102,7 +102,7 @@ protected:
   ~vtkHapticRegionFilter() override;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  /** Requests the whole volume. A subclass may request the piece of this process. */
+  /** Requests the whole volume. A subclass may request only the piece of this process. */
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -110,39 +110,38 @@ protected:
   using SamplesOfComponents = std::vector<VolumeHaptics::NoiseSamples>;
 
   /**
-   * Returns whether the samples that were gathered last are still valid for the input, whose
-   * modification time in this process is `time`. All processes must return the same value. Default:
-   * true if `time` is the time at which the samples were gathered.
+   * Returns whether the samples gathered last are still valid for the input. `time` is the input's
+   * modification time in this process. All processes must return the same value. Default: true if
+   * the samples were gathered at `time`.
    */
   virtual bool IsCurrent(vtkMTimeType time);
 
   /**
-   * Completes the samples of this process' piece (one entry for each component; none if the piece
-   * has no array) with those of the other pieces: see NoiseSamples::Merge. Afterwards the entries
-   * cover the whole on every process, or at least on every process that uses the output. Default:
-   * does nothing, because the piece is the whole.
+   * Merges the samples of this process's piece (one entry for each component; none if the piece has
+   * no array) with those of the other pieces: see NoiseSamples::Merge. Afterwards the entries cover
+   * the whole on every process, or at least on every process that uses the output. Default: does
+   * nothing, because the piece is the whole.
    */
   virtual void GatherSamples(SamplesOfComponents& samples);
 
   /**
-   * Writes the array of a region of the whole into an output with the region's geometry. `piece` is
-   * the piece of this process; the array may be null if the piece is empty. Default: copies the
-   * region, which must be in the piece as a whole. Returns false, with the reason in `error`, if a
-   * part of the region is missing.
+   * Fills an output, which has the geometry of a region, with the region's part of the array.
+   * `piece` is the piece of this process; the array may be null if the piece is empty. Default:
+   * copies the region, which must be completely inside the piece. Returns false, with the reason in
+   * `error`, if a part of the region is missing.
    */
   virtual bool GatherRegion(vtkImageData* piece, vtkDataArray* array, const int region[6],
     vtkImageData* output, std::string& error);
 
   /**
-   * Copies the samples that both extents contain from one array to the other. Each array has a
-   * tuple for every sample of its extent.
+   * Copies the samples in both extents from one array to the other. Each array has one tuple per
+   * sample of its extent.
    */
   static void CopySamples(
     vtkDataArray* from, const int fromExtent[6], vtkDataArray* to, const int toExtent[6]);
 
   /**
-   * Collects those noise samples of the whole that a piece contains, with one entry for each
-   * component.
+   * Collects the noise samples of the whole volume that are in a piece, one entry per component.
    */
   static SamplesOfComponents CollectSamples(
     vtkDataArray* array, const int extent[6], const int whole[6]);
@@ -151,7 +150,7 @@ private:
   void WriteFacts(const int whole[6], vtkImageData* output);
   bool ClipRegion(const int whole[6], int region[6]) const;
 
-  std::vector<double> Noise; // noise of each component
+  std::vector<double> Noise; // standard deviation of each component's noise
   std::vector<double> BorderValues;
   std::vector<VolumeHaptics::OutsideSamples> Outside;
   std::vector<VolumeHaptics::BackgroundLevel> Solids;

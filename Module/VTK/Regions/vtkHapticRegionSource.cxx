@@ -47,11 +47,11 @@ void WarnOfOutside(vtkHapticRegionSource* source, RegionStore& store)
   }
 }
 
-/** Number of regions that may be in memory at once while a hand feels the volume. */
+/** Largest number of regions in memory at once while a hand feels the volume. */
 constexpr vtkTypeInt64 RegionsInMemory = 4;
-/** Largest coarser level of a file (voxels) that is kept in memory. */
+/** Largest coarser level of a file (voxels) that is loaded. */
 constexpr vtkIdType MostCoarseVoxels = 1 << 22;
-/** Largest size of all samples (bytes): larger numbers can't be file positions. */
+/** Largest total size (bytes) of the samples, so that all file offsets fit into 64 bits. */
 constexpr double MostBytes = 4e18;
 } // namespace
 
@@ -65,7 +65,7 @@ vtkHapticRegionSource::vtkHapticRegionSource()
 //------------------------------------------------------------------------------
 vtkHapticRegionSource::~vtkHapticRegionSource()
 {
-  // A user that still holds the port then finds no source behind it.
+  // Disconnect the port, because a filter may hold it longer than this source lives.
   this->GetOutputPort()->SetProducer(nullptr);
   this->SetFileName(nullptr);
 }
@@ -441,7 +441,7 @@ bool vtkHapticRegionSource::UpdateCoarse(std::string& error)
     whole->SetOrigin(this->Origin);
     whole->SetSpacing(this->Spacing);
     whole->SetDirectionMatrix(this->Direction);
-    const int fromZero[6] = { 0, 0, 0, 0, 0, 0 }; // indices of boxes begin at zero
+    const int fromZero[6] = { 0, 0, 0, 0, 0, 0 }; // box readers count from zero
     if (!MakeIndexToWorld(whole, fromZero, "volume", key.IndexToWorld, error))
     {
       return false;
@@ -523,7 +523,7 @@ bool vtkHapticRegionSource::Follow(const double tip[3], double time)
   }
   if (!this->Prepare(error))
   {
-    return false; // the pipeline reports the reason
+    return false; // the pipeline will report the reason
   }
   const std::string before = this->Store->GetTrouble();
   const bool hasCome = this->Store->Poll(tip, time);
@@ -666,7 +666,7 @@ int vtkHapticRegionSource::RequestInformation(
   }
   BoxExtent region;
   std::copy_n(this->WholeExtent, 6, region.begin());
-  // Without samples, make the region as thin as a kernel allows, so that no position in it counts
+  // Without samples, make the region only as wide as the kernel, so that no position in it counts
   // as resident.
   region = this->Store->GetSamples() ? this->Store->GetRegion()
                                      : ComputeMiddle(region, 2 * this->KernelRadius + 1);

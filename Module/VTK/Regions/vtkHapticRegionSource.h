@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticRegionSource
- * @brief   a volume that is too large for memory, read where the hand needs it
+ * @brief   reads a volume that is too large for memory, region by region around the hand
  *
  * Provides a volume from a file, or from anything that a function can read boxes of samples from.
  * Only regions of the volume are in memory, unless OpenWholeFile() opened it. Connect it directly
@@ -112,12 +112,12 @@ public:
   ///@}
 
   ///@{
-  /** The size (bytes) of the header of the file, which is left out. Default 0. */
+  /** The size (bytes) of the file's header, which is skipped. Default 0. */
   vtkSetClampMacro(HeaderSize, vtkTypeInt64, 0, 1099511627776);
   vtkGetMacro(HeaderSize, vtkTypeInt64);
   ///@}
 
-  /** Values of ByteOrder. */
+  /** Byte orders of a raw file. */
   enum ByteOrderType
   {
     LITTLE = 0,
@@ -136,10 +136,10 @@ public:
 
   ///@{
   /**
-   * The most memory (bytes) that regions take live, 4194304 (4 MiB) to 2^40. Default 67108864 (64
-   * MiB). A region takes at most a quarter of it: one region is felt, one is the output, one has
-   * just arrived and one is being read. One more region, of the CoarseImage, takes at most 2^20
-   * samples. Paths use one region, usually of a million voxels.
+   * The largest memory (bytes) that regions use during live touch, 4194304 (4 MiB) to 2^40. Default
+   * 67108864 (64 MiB). A region takes at most a quarter of it: one region is felt, one is the
+   * output, one has just arrived and one is being read. One more region, of the CoarseImage, takes
+   * at most 2^20 samples. Paths use one region, usually of a million voxels.
    */
   vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 4194304, 1099511627776);
   vtkGetMacro(MemoryLimit, vtkTypeInt64);
@@ -162,27 +162,27 @@ public:
   ///@}
 
   /**
-   * Make the CoarseImage from the samples, if there is no better one: means of cubes, at most as
-   * many as wanted. Files in chunks are read chunk by chunk; in other files, one row in each square
-   * of the cubes is read. This takes as long as the reading, so call it before the volume is felt.
-   * Returns false and reports an error if a read fails.
+   * Make the CoarseImage from the samples, if there is no better one: averages of cubes, at most
+   * mostVoxels of them. Files in chunks are read chunk by chunk; in other files, one row in each
+   * square of the cubes is read. This takes as long as the reading, so call it before the volume is
+   * felt. Returns false and reports an error if a read fails.
    */
   bool MakeCoarseImage(vtkIdType mostVoxels = 4194304);
 
 #ifndef __VTK_WRAP__
   /**
-   * Fills memory of exactly the size of a box (an extent within the whole) with its samples, x
-   * fastest and z slowest. On failure it returns false, or throws an exception whose text gives the
-   * reason; it is called again then. The thread of this source calls it, and along paths the thread
-   * that computes them, perhaps both at once.
+   * Function that fills memory of exactly the size of a box (an extent within the whole) with its
+   * samples, x fastest and z slowest. On failure, it returns false, or throws an exception whose
+   * text gives the reason; it is then called again later. It is called by the thread of this
+   * source, and along paths by the thread that computes them, perhaps by both at once.
    */
   using Reader = std::function<bool(const int extent[6], void* samples)>;
 
   /**
-   * Read the samples with a function instead of from a file; an empty function returns to the file.
-   * SetReader and the destructor wait until a call that is under way has ended. If `isAwaited` is
-   * false, they don't wait; the function then has to own all that it uses, and is destroyed after
-   * its last call.
+   * Read the samples with a function instead of from a file; an empty function restores the file.
+   * SetReader and the destructor wait for the end of a call in progress. If `isAwaited` is false,
+   * they don't wait; the function must then own everything that it uses, and is destroyed after its
+   * last call.
    */
   void SetReader(Reader reader, bool isAwaited = true);
 #endif
@@ -210,16 +210,16 @@ public:
    */
   bool OpenFile(const char* fileName, int series = 0);
 #ifndef __VTK_WRAP__
-  /** Open a file as the function above does, but return the error as a text. */
+  /** Open a file like the function above, but return the error as a text. */
   bool OpenFile(const char* fileName, std::string& error, int series = 0);
 #endif
   ///@}
 
   ///@{
   /**
-   * Open a file as OpenFile() does, also one whose samples can't be read in boxes, because they are
-   * compressed, written as text or in several files: a MetaImage or NRRD file, or a packed volume
-   * of FreeSurfer (.mgz). All samples of such a file are in memory from the first read on.
+   * Open a file like OpenFile(), but also a file whose samples can't be read in boxes, because they
+   * are compressed, written as text or in several files: a MetaImage or NRRD file, or a packed
+   * volume of FreeSurfer (.mgz). The first read loads all samples of such a file into memory.
    */
   bool OpenWholeFile(const char* fileName, int series = 0);
 #ifndef __VTK_WRAP__
@@ -229,8 +229,8 @@ public:
 
   ///@{
   /**
-   * Get what `series` may choose in the file that was opened, each with its number, such as
-   * `2 channel 2 of 3 (DAPI)`, and the number that was read. A file with one volume has none.
+   * Get the volumes in the opened file that `series` may choose, each with its number, such as `2
+   * channel 2 of 3 (DAPI)`, and the number that was read. A file with one volume has none.
    */
   int GetNumberOfSeries();
   const char* GetSeriesName(int index);
@@ -238,26 +238,26 @@ public:
   ///@}
 
   /**
-   * Get the format of a file, by its ending, or of a folder, by the kind of most of its files, such
-   * as "NRRD"; empty if OpenFile() does not know it. The file need not exist.
+   * Get the format of a file by its extension, or of a folder by the kind of most of its files,
+   * such as "NRRD"; empty if OpenFile() does not support it. The file need not exist.
    */
   static std::string GetFileFormat(const char* fileName);
 
   /**
-   * Get the endings of the files and folders that OpenFile() reads, such as ".nrrd .tif", with a
-   * blank between them.
+   * Get the extensions of the files and folders that OpenFile() reads, separated by blanks, such as
+   * ".nrrd .tif".
    */
   static std::string GetFileEndings();
 
   /**
    * Get the length (mm) of a unit from its name or symbol in files, such as "um", "micrometer" or
-   * "inch"; 0 if the unit is not known. OpenFile() converts lengths by it.
+   * "inch"; 0 for an unknown unit. OpenFile() converts lengths with it.
    */
   static double GetMillimetersPerUnit(const char* unit);
 
   /**
-   * Get notes on what OpenFile() assumed or ignored, such as a missing size of voxels, with one
-   * note on each line; empty if there are none, or if no file was opened.
+   * Get notes on what OpenFile() assumed or ignored, such as a missing voxel size, one per line;
+   * empty if there are none, or if no file was opened.
    */
   std::string GetFileNotes() const
   {
@@ -265,28 +265,28 @@ public:
   }
 
   /**
-   * Discard all samples that were read. Call this if the samples behind the reader, or in the file,
-   * have changed: the source does not check them for changes. Waits as SetReader does.
+   * Discard all samples that were read. Call this if the samples behind the reader or in the file
+   * have changed, which the source does not detect. Waits like SetReader.
    */
   void Reload();
 
   /**
    * Plan and receive regions. Call this on each tick of the GUI if no vtkHapticDevice does, with
-   * the tip (world) and the time (s) at which it was there, after
-   * vtkVolumeHapticsFilter::ConfigureSource. Returns whether the output has a new region: then
-   * Publish. Does not wait, unless a setting of the volume was changed while a read was under way.
+   * the tip (world) and its time (s), after vtkVolumeHapticsFilter::ConfigureSource. Returns
+   * whether the output has a new region, which must then be published. Does not wait, unless a
+   * setting of the volume was changed during a read.
    */
   bool Follow(const double tip[3], double time);
 
   ///@{
   /**
-   * Wait until the samples of a region (an extent of any size, clipped to the whole) are read, and
-   * put them unchanged into an image, with the field arrays of a region. On failure, reports an
+   * Read the samples of a region (an extent of any size, clipped to the whole) unchanged into an
+   * image, with the field arrays of a region, and wait until that is done. On failure, reports an
    * error and returns false.
    */
   bool ReadRegion(const int region[6], vtkImageData* image);
 #ifndef __VTK_WRAP__
-  /** Read a region as the function above does, but return the error as a text. */
+  /** Read a region like the function above, but return the error as a text. */
   bool ReadRegion(const int region[6], vtkImageData* image, std::string& error);
 #endif
   ///@}
@@ -294,15 +294,15 @@ public:
 #ifndef __VTK_WRAP__
   ///@{
   /**
-   * Reserve the source for one of several devices, whose tip its regions follow. TakeLead returns
-   * false while another device leads.
+   * Reserve the source for one device, whose tip the regions then follow. TakeLead returns false
+   * while another device has reserved it.
    */
   bool TakeLead(const void* device);
   void LeaveLead(const void* device);
   ///@}
   /**
-   * Set how long (s) it took until the last region could be felt; a device calls this. Later
-   * regions are ordered earlier by this time.
+   * Report the time (s) that it took until the last region could be felt; a device calls this.
+   * Later regions are ordered earlier by this time.
    */
   void NoteUseTime(double seconds);
 #endif
@@ -312,13 +312,13 @@ public:
    * its arrays are resampled where the hand needs them, with a spacing (world units); 0 stands for
    * the edge of a cube as large as the average cell. Cell arrays are averaged to the points. The
    * active scalars, vectors and tensors are resampled, and the named arrays (separated by
-   * semicolons). Outside of all cells, scalars have the value of the border, and other arrays are
+   * semicolons). Outside all cells, scalars have the value of the border, and other arrays are
    * 0. The data are copied. Returns false and reports an error if they have no cells, volume or
-   * arrays. A vtkVolumeHapticsFilter does this by itself with data on its port 0.
+   * arrays. A vtkVolumeHapticsFilter does this automatically for data on its port 0.
    */
   bool OpenDataSet(vtkDataObject* data, double spacing = 0.0, const char* arrayNames = nullptr);
 #ifndef __VTK_WRAP__
-  /** Open a data set as the function above does, but return the error as a text. */
+  /** Open a data set like the function above, but return the error as a text. */
   bool OpenDataSet(vtkDataObject* data, double spacing, const std::vector<std::string>& arrays,
     std::string& error);
 #endif
@@ -343,7 +343,8 @@ public:
   bool HasSamples();
 
   /**
-   * Get which work the source waits for, and why the last read failed; empty if it does not wait.
+   * Get a text on the work that the source waits for and on why the last read failed; empty if
+   * there is neither.
    */
   std::string GetStatusText();
 
@@ -358,29 +359,34 @@ private:
 #ifndef __VTK_WRAP__
   bool Open(const char* fileName, bool mayBeWhole, int series, std::string& error);
   std::string CheckSettings();
-  /** Updates the store to the settings. Returns false, with the fault, if they are not complete. */
+  /**
+   * Updates the store to the settings. Returns false, with the fault, if the settings are
+   * incomplete.
+   */
   bool Prepare(std::string& error);
   /**
-   * Sets the coarse image in the store. Returns false, with the fault, if it does not suit the
-   * volume.
+   * Sets the coarse level in the store. Returns false, with the fault, if the image does not fit
+   * the volume.
    */
   bool UpdateCoarse(std::string& error);
 
-  /** Adds values that were read to an image, as its arrays. */
+  /** Adds read values to an image, as its arrays. */
   bool PutSamples(vtkDataArray* samples, vtkImageData* image, std::string& error);
   void PutArrays(vtkDataArray* samples, vtkImageData* image);
-  /** Returns the number of values in a sample. */
+  /** Returns the number of values per sample: its components. */
   int CountValues() const;
 
   Reader Function;
-  std::shared_ptr<VolumeHaptics::DataSetSampler> Sampler; ///< sampler of OpenDataSet
-  std::string OpenedName;                                 ///< name of the file behind the reader
+  std::shared_ptr<VolumeHaptics::DataSetSampler> Sampler; ///< used after OpenDataSet()
+  std::string OpenedName;                                 ///< file that was opened last; empty
+                                                          ///< without one
   std::string FileNotes;
   std::vector<std::string> Series; ///< volumes of the file; empty if there is one
   int SeriesNumber = 0;
-  vtkTypeInt64 ChunkSize[3] = { 0, 0, 0 }; ///< chunk size of that file; zeros if it has no chunks
+  vtkTypeInt64 ChunkSize[3] = { 0, 0, 0 }; ///< samples per chunk in the opened file; zeros without
+                                           ///< chunks
   std::unique_ptr<VolumeHaptics::RegionStore> Store;
-  const void* Leader = nullptr; ///< see TakeLead
+  const void* Leader = nullptr; ///< device that TakeLead() has accepted
 #endif
 
   int WholeExtent[6] = { 0, -1, 0, -1, 0, -1 };
@@ -395,8 +401,8 @@ private:
   double MaximumSpeed = 0.5;
   bool IsAwaited = true;
   vtkSmartPointer<vtkImageData> CoarseImage;
-  int KernelRadius = 2;   // see SetFeltAs
-  bool AreLabels = false; // see SetFeltAs
+  int KernelRadius = 2;   // last value of SetFeltAs
+  bool AreLabels = false; // last value of SetFeltAs
   int Version = 0;        // incremented when the samples change
 
   vtkHapticRegionSource(const vtkHapticRegionSource&) = delete;
@@ -406,12 +412,12 @@ private:
 #ifndef __VTK_WRAP__
 ///@{
 /**
- * Calls SetReader for Python's ctypes. If it fails, `read` returns 0 and writes the reason as a
- * text of at most `room` bytes. It is not awaited, because it may need a lock that the waiting
- * thread holds. Follow therefore invokes vtkCommand::UserEvent while a region is read, so that an
- * observer can release this lock for a while, which VTK's event loop does not do. `release` is
- * called after the last call of `read`. A null `read` ends the reading. Both functions get
- * `context`.
+ * Calls SetReader for Python's ctypes. On failure, `read` returns 0 and writes the reason as a text
+ * of at most `room` bytes. Nothing waits for it to end, because it may need Python's lock, which
+ * the waiting thread holds. Follow therefore invokes vtkCommand::UserEvent while a region is read,
+ * so that an observer can release this lock for a while, which VTK's event loop does not do.
+ * `release` is called after the last call of `read`. A null `read` ends the reading. Both functions
+ * get `context`.
  */
 using vtkHapticRegionRead = int (*)(
   void* context, const int* extent, void* samples, char* why, int room);

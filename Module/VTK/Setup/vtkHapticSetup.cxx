@@ -38,12 +38,12 @@
 #include <string>
 #include <vector>
 
-// Saves or loads a setting of an object, with VTK's name of the setting as its key.
+// Saves or loads a setting of an object, with VTK's name for it as the key.
 #define PassNumberMacro(node, object, name, range)       \
   (node).Number(                                         \
     #name, range, [=] { return (object)->Get##name(); }, \
     [=](double number) { (object)->Set##name(number); })
-// Saves or loads a setting of an object's component, with VTK's name of the setting as its key.
+// Saves or loads a setting of an object's component, with VTK's name for it as the key.
 #define PassComponentMacro(node, object, component, name, range)  \
   (node).Number(                                                  \
     #name, range, [=] { return (object)->Get##name(component); }, \
@@ -58,7 +58,7 @@ struct LabelNumber
 {
   const char* Name;
   void (vtkHapticLabelTable::*Set)(int, double);
-  double (vtkHapticLabelTable::*Get)(int); ///< returns -1 if not set
+  double (vtkHapticLabelTable::*Get)(int); ///< getter; -1: not set
 };
 
 const LabelNumber LabelNumbers[] = {
@@ -73,7 +73,7 @@ const LabelNumber LabelNumbers[] = {
     &vtkHapticLabelTable::GetSpecificEnergy },
 };
 
-/** Reads a label. Returns false unless the text is written as std::to_string writes the label. */
+/** Parses a label. Returns false unless the text equals std::to_string of the label. */
 bool ReadLabel(const std::string& text, int& label)
 {
   const char* const end = text.data() + text.size();
@@ -81,7 +81,7 @@ bool ReadLabel(const std::string& text, int& label)
   return error == std::errc() && stop == end && std::to_string(label) == text;
 }
 
-/** Saves or loads the settings of a label. Settings that are not set are not saved. */
+/** Saves or loads the settings of a label. Settings without a value are not saved. */
 void PassLabel(
   SetupNode row, int label, vtkHapticLabelTable* table, bool hasFelt, bool hasForbidden)
 {
@@ -127,7 +127,7 @@ void PassLabel(
 
 void WriteTable(SetupNode node, vtkHapticLabelTable* table)
 {
-  // Look at the field data, because only there -1 shows that a flag is not set.
+  // Read the flags from the field data, because only there -1 marks a flag that is not set.
   vtkNew<vtkFieldData> data;
   table->WriteFieldData(data);
   vtkDataArray* const felt = data->GetArray("LabelFelt");
@@ -149,7 +149,8 @@ void ReadTable(SetupNode node, vtkHapticLabelTable* table)
       "called by its label, a whole number from " +
         std::to_string(std::numeric_limits<int>::min()) + " to " +
         std::to_string(std::numeric_limits<int>::max()));
-    node.Then([=] { table->SetLabelName(label, table->GetLabelName(label)); }); // creates the entry
+    // Set the name to itself, which creates the entry if the table lacks it.
+    node.Then([=] { table->SetLabelName(label, table->GetLabelName(label)); });
     PassLabel(node.Child(key), label, table, false, false);
   }
 }
@@ -157,7 +158,8 @@ void ReadTable(SetupNode node, vtkHapticLabelTable* table)
 //------------------------------------------------------------------------------
 /**
  * Saves or loads the entry Labels of the section Haptics: stand-off and labels of the filter's
- * table. A filter without a table saves no entry. It gets a table if the file has the entry.
+ * table. Without a table, saves no entry. If the file has the entry, a filter without a table gets
+ * one.
  */
 void PassLabels(SetupNode& haptics, vtkVolumeHapticsFilter* filter)
 {
@@ -197,7 +199,7 @@ void PassLabels(SetupNode& haptics, vtkVolumeHapticsFilter* filter)
 using ModeRow = std::vector<vtkSmartPointer<vtkHapticMode>>;
 
 /**
- * Saves the kind of a mode, which `get` returns, or loads it. Returns the kind; -1 if the file has
+ * Saves the kind of a mode, as returned by `get`, or loads it. Returns the kind; -1 if the file has
  * none.
  */
 int PassKind(SetupNode& node, const std::function<int()>& get)
@@ -210,7 +212,7 @@ int PassKind(SetupNode& node, const std::function<int()>& get)
   return node.Choice("Kind", names, get, [](int) {});
 }
 
-/** Returns whether a setting of vtkHapticMode is used by the mode's kind. */
+/** Returns whether a mode's kind uses a setting of vtkHapticMode. */
 bool HasSetting(vtkHapticMode* mode, const std::string& name)
 {
   const auto& own = GetModeKind(mode).Settings;
@@ -253,9 +255,9 @@ void WriteModes(SetupNode& modes, vtkVolumeHapticsFilter* filter)
 }
 
 /**
- * Saves or loads the entry Modes of the section Haptics. A filter without modes saves no entry. An
- * entry in a file replaces the filter's modes. Paths, surfaces and distance fields of guides are
- * data, which setups do not contain, so a guide keeps them if it stays at its place in the list.
+ * Saves or loads the entry Modes of the section Haptics. Without modes, saves no entry. An entry in
+ * a file replaces the filter's modes. Paths, surfaces and distance fields of guides are data, which
+ * setups do not contain; a guide keeps them if it stays at its place in the list.
  */
 void PassModes(SetupNode& haptics, vtkVolumeHapticsFilter* filter)
 {
@@ -313,8 +315,8 @@ void PassModes(SetupNode& haptics, vtkVolumeHapticsFilter* filter)
 }
 
 /**
- * Saves or loads the entry Tool of the section Haptics: its Kind, settings and functions. A filter
- * without a tool saves no entry. An entry in a file replaces the filter's tool.
+ * Saves or loads the entry Tool of the section Haptics: Kind, settings and functions. Without a
+ * tool, saves no entry. An entry in a file replaces the filter's tool.
  */
 void PassTool(SetupNode& haptics, vtkVolumeHapticsFilter* filter)
 {
@@ -360,8 +362,7 @@ void PassTool(SetupNode& haptics, vtkVolumeHapticsFilter* filter)
 void PassProperty(SetupNode& node, vtkVolumeHapticsFilter* filter, vtkVolumeProperty* visible)
 {
   PassMaterials(node, [filter] { return filter->GetProperty(); });
-  // A visibility from another volume property is not saved, because this setup could not restore
-  // it.
+  // Do not save a visibility from another volume property, which this setup could not restore.
   if (!node.IsWriting() || !filter->GetProperty()->GetVisibilityFrom() ||
     filter->GetProperty()->GetVisibilityFrom() == visible)
   {
@@ -380,9 +381,8 @@ void PassProperty(SetupNode& node, vtkVolumeHapticsFilter* filter, vtkVolumeProp
 }
 
 /**
- * Sets the view up of a camera to exactly the numbers in a file. vtkCamera normalizes the vector
- * again, which changes the last digit of most unit vectors. The file's vector is normalized
- * already, so its numbers are set directly.
+ * Sets a camera's view up vector to exactly the numbers in a file. These are already normalised,
+ * but vtkCamera would normalise them again, which changes the last digit of most unit vectors.
  */
 struct CameraAccess : vtkCamera
 {
@@ -408,14 +408,14 @@ NumberRow ToRow(const double x[3])
 
 //------------------------------------------------------------------------------
 /**
- * Saves or loads the section Haptics. `visible` is the volume property from which the visibility
- * may come, or null.
+ * Saves or loads the section Haptics. `visible` is the volume property that the visibility may come
+ * from; may be null.
  */
 void PassHaptics(SetupNode node, vtkVolumeHapticsFilter* filter, vtkVolumeProperty* visible)
 {
   if (!node.IsWriting() && node.Has("ContactAlignment") && !node.Has("MaterialPlacement"))
   {
-    // The file is a whole setup that is older than MaterialPlacement.
+    // A complete setup without the key MaterialPlacement is older than that setting.
     node.Then([=] { filter->SetMaterialPlacementToKernel(); });
   }
   PassSettings(node, filter, FilterSettings);
@@ -443,8 +443,8 @@ void PassVolume(SetupNode node, vtkVolumeProperty* property)
     part.Flag(
       "DisableGradientOpacity", [=] { return property->GetDisableGradientOpacity(c) != 0; },
       [=](bool on) { property->SetDisableGradientOpacity(c, on); });
-    // Save or load the stored function, because while gradient opacity is disabled, the getter
-    // returns another function.
+    // Use the stored function: while gradient opacity is disabled, the normal getter returns
+    // another one.
     PassFunction(part.Child("GradientOpacity"), AnyNumber(),
       [=]
       {
@@ -452,7 +452,7 @@ void PassVolume(SetupNode node, vtkVolumeProperty* property)
         {
           const int disabled = property->GetDisableGradientOpacity(c);
           property->SetDisableGradientOpacity(c, 0);
-          property->GetGradientOpacity(c); // creates the function
+          property->GetGradientOpacity(c); // creates the function if it is missing
           property->SetDisableGradientOpacity(c, disabled);
         }
         return property->GetStoredGradientOpacity(c);
@@ -505,7 +505,7 @@ void PassCamera(SetupNode node, vtkCamera* camera)
 }
 
 //------------------------------------------------------------------------------
-/** Saves or loads the entry DeviceToWorld of the root. */
+/** Saves or loads the entry DeviceToWorld in the root. */
 void PassDeviceToWorld(SetupNode& root, vtkMatrix4x4* matrix)
 {
   constexpr std::size_t size = 16;
@@ -535,9 +535,9 @@ using namespace VolumeHaptics;
 
 constexpr SetupFileKind SetupKind{ "VTK Volume Haptics setup", 1, "setup",
   "that vtkHapticSetup saved", "save the setup again" };
-constexpr std::size_t LargestSetup = 16 << 20; // bytes; without labels, a setup has some thousand
+constexpr std::size_t LargestSetup = 16 << 20; // bytes; without labels, a setup has a few thousand
 
-/** Saves or loads everything in a setup once. */
+/** Saves or loads the contents of a setup in one pass. */
 void PassSetup(vtkHapticSetup* setup, SetupPass& pass, Json::Value& root)
 {
   SetupNode node(pass, &root, {});
@@ -602,7 +602,7 @@ bool vtkHapticSetup::Save(const char* file)
   }
   vtkHapticLabelTable* const labels =
     this->VolumeHaptics ? this->VolumeHaptics->GetLabelTable() : nullptr;
-  constexpr std::size_t leastBytes = 24; // least number of bytes that a label takes in the file
+  constexpr std::size_t leastBytes = 24; // smallest number of bytes per label in the file
   if (labels && leastBytes * static_cast<std::size_t>(labels->GetNumberOfLabels()) > LargestSetup)
   {
     vtkErrorMacro(<< DescribeTooLarge(file));
@@ -612,7 +612,7 @@ bool vtkHapticSetup::Save(const char* file)
   SetupPass writing;
   writing.Writing = true;
   PassSetup(this, writing, root);
-  // Test whether the setup can be loaded again, because otherwise it must not replace a valid one.
+  // Check that the setup can be loaded again, before it replaces a valid file.
   SetupPass reading;
   PassSetup(this, reading, root);
   if (!reading.Error.empty())

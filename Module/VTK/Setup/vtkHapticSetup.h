@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticSetup
- * @brief   the feel and the look of a volume, in one file
+ * @brief   saves and loads the settings for touch and display of a volume
  *
- * Saves all settings that were tuned by hand to one readable JSON file, and restores them to the
- * bit:
+ * Saves all settings that were tuned by hand to one readable JSON file, and restores them exactly:
  *
  *   setup->SetVolumeHaptics(filter);
  *   setup->SetVolumeProperty(volume->GetProperty());
@@ -59,43 +58,40 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The filter whose settings and property are saved and loaded. Default nullptr: left out. */
+  /** The filter whose settings and property are saved and loaded. Default nullptr: none. */
   void SetVolumeHaptics(vtkVolumeHapticsFilter* filter);
   vtkVolumeHapticsFilter* GetVolumeHaptics();
   ///@}
 
   ///@{
   /**
-   * The volume property that the renderer uses. HideInvisible means that
-   * vtkHapticProperty::SetVisibilityFrom has this volume property; a visibility from another volume
-   * property is not saved. Default nullptr: left out.
+   * The volume property that the renderer uses. The key HideInvisible is true if this volume
+   * property is that of vtkHapticProperty::SetVisibilityFrom; a visibility from another volume
+   * property is not saved. Default nullptr: none.
    */
   void SetVolumeProperty(vtkVolumeProperty* property);
   vtkVolumeProperty* GetVolumeProperty();
   ///@}
 
   ///@{
-  /**
-   * The camera. Default nullptr: left out.
-   */
+  /** The camera that is saved and loaded. Default nullptr: none. */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();
   ///@}
 
   ///@{
   /**
-   * The placement of the device, as in vtkHapticDevice::SetDeviceToWorld. Default nullptr: left
-   * out.
+   * The placement of the device, as in vtkHapticDevice::SetDeviceToWorld. Default nullptr: none.
    */
   void SetDeviceToWorld(vtkMatrix4x4* matrix);
   vtkMatrix4x4* GetDeviceToWorld();
   ///@}
 
   /**
-   * Write the file. An existing file is replaced only after the whole new one is on the disk; if
-   * that fails, the old one stays. Returns false and reports an error if the folder is missing, not
-   * writable or full, if a setting could not be loaded again (such as NaN), or if the file would be
-   * larger than 16 MiB (as it may be with 100 000 labels).
+   * Write the file. An existing file is replaced only after the whole new one is on the disk.
+   * Returns false and reports an error if the folder is missing, not writable or full, if a setting
+   * could not be loaded again (such as NaN), or if the file would be larger than 16 MiB (as it may
+   * be with 100 000 labels).
    */
   bool Save(const char* file);
 

@@ -27,13 +27,13 @@ namespace
 constexpr double SecondsOfMinute = 60.0;
 
 /**
- * Returns the burr's head for a radius. Models with this radius share it, so that a servo keeps the
- * points that it has.
+ * Returns the head of a burr with this radius. All models with this radius share it, so that a
+ * servo keeps its points.
  */
 std::shared_ptr<const PointShell> GetHead(double radius)
 {
   static std::mutex mutex;
-  // Never destroyed, because a filter may live until the process exits.
+  // Never destroyed, because a filter may exist until the process exits.
   static auto* const heads = new std::map<double, std::weak_ptr<const PointShell>>;
   const std::lock_guard<std::mutex> lock(mutex);
   for (auto i = heads->begin(); i != heads->end();)
@@ -74,10 +74,12 @@ bool CheckNumbers(vtkHapticBurr* burr, const HapticModelDescription& d, std::str
   return true;
 }
 
-/** Size of the shaft of a burr, in radii of its head. The shaft points to the handle, along +z. */
+/** Size of a burr's shaft, in radii of its head. The shaft extends along +z, towards the handle. */
 constexpr double ShaftRadius = 0.35;
 constexpr double ShaftLength = 9.0;
-/** Blades: number of blades of the head. BladeDepth: depth between them, in radii. */
+/**
+ * Blades: number of blades on the head. BladeDepth: depth of the grooves between them, in radii.
+ */
 constexpr int Blades = 8;
 constexpr double BladeDepth = 0.12;
 constexpr int HeadResolution = 64;
@@ -95,7 +97,7 @@ vtkSmartPointer<vtkPolyData> MakeBladedHead(double radius)
   {
     double x[3];
     points->GetPoint(i, x);
-    // The blades twist with the height. Between them, the surface is closer to the centre.
+    // The blades twist with the height. Between them, the surface is nearer to the centre.
     const double turn = std::atan2(x[1], x[0]) + x[2] / radius;
     const double between = 0.5 - 0.5 * std::cos(Blades * turn);
     const double fraction = 1.0 - BladeDepth * between * std::hypot(x[0], x[1]) / radius;
@@ -142,7 +144,7 @@ public:
   {
     return vtkHapticBurr::SafeDownCast(tool)->GetRadius();
   }
-  /** The head is a ball, for which there is no felt orientation. */
+  /** The head is a ball, which has no felt orientation, so draw it with that of the stylus. */
   bool TurnsWithStylus() const override { return true; }
   bool IsTurnable() const override { return true; }
 };

@@ -25,12 +25,12 @@ namespace
 {
 
 constexpr double DegreesPerRadian = 57.295779513082320876798;
-/** Angle (degrees) below which a normal counts as the axis. */
+/** Largest angle (degrees) at which a normal counts as equal to the axis. */
 constexpr double LeastAngle = 1e-4;
 
 /**
- * Returns the angle (degrees) between an axis and the normal at the entry; -1 if there is no
- * normal. Both are unit vectors.
+ * Returns the angle (degrees) between an axis and the normal at the entry, both unit vectors; -1
+ * without a normal.
  */
 double ComputeAngle(const Vector3& axis, const Vector3& normal)
 {
@@ -39,7 +39,7 @@ double ComputeAngle(const Vector3& axis, const Vector3& normal)
     : -1.0;
 }
 
-/** Collects positions along a track, and the tissue between them. */
+/** Collects the positions along a track, and the tissue between them. */
 class TrackWriter
 {
 public:
@@ -51,7 +51,7 @@ public:
     this->Lengths->SetName("Length");
   }
 
-  /** Adds the position where a stretch of tissue begins, or where the track ends. */
+  /** Adds the position where a stretch of tissue begins or where the track ends. */
   void Begin(const Vector3& place, double depth, std::int64_t label)
   {
     const vtkIdType point = this->Points->InsertNextPoint(place.X, place.Y, place.Z);
@@ -93,7 +93,7 @@ private:
   std::int64_t Label = NoLabel;
 };
 
-/** Arrays of a trace that a track is made from. */
+/** Arrays of the trace from which a track is made. */
 struct NeedleTicks
 {
   vtkPolyData* Trace;
@@ -116,7 +116,7 @@ struct NeedleTicks
   }
 };
 
-/** Writes the track of an insertion between two ticks. */
+/** Writes the track of the insertion between two ticks. */
 void WriteInsertion(const NeedleTicks& ticks, vtkIdType first, vtkIdType last, vtkPolyData* track)
 {
   TrackWriter writer;
@@ -130,8 +130,8 @@ void WriteInsertion(const NeedleTicks& ticks, vtkIdType first, vtkIdType last, v
     {
       if (ticks.LabelAt(i) != label)
       {
-        // The boundary held the point until this tick. The point jumps here if the tissue behind
-        // the boundary resists less.
+        // The boundary held the point until this tick. From here, the point jumps ahead if the
+        // tissue behind the boundary resists less.
         label = ticks.LabelAt(i);
         writer.Begin(ticks.PlaceAt(deepest), ticks.DepthAt(deepest), label);
       }
@@ -140,9 +140,9 @@ void WriteInsertion(const NeedleTicks& ticks, vtkIdType first, vtkIdType last, v
   }
   writer.Begin(ticks.PlaceAt(deepest), ticks.DepthAt(deepest), label);
   writer.WriteTo(track);
-  // After the insertion, the normals are the needle's axis. Walk back through the ticks of contact
-  // before it to the last one whose normal is still the surface's. If every normal is the axis, the
-  // needle met the surface at a right angle.
+  // After the insertion, the recorded normals are the needle's axis. Search backwards through the
+  // preceding ticks of contact for the last normal that is still the surface's. If every normal is
+  // the axis, the needle met the surface at a right angle.
   const auto isHeld = [&ticks](vtkIdType tick)
   { return tick >= 0 && ticks.Strengths && ticks.Strengths->GetComponent(tick, 0) > 0.0; };
   vtkIdType before = first - 1;
@@ -218,7 +218,7 @@ void WriteNeedleTrack(
   for (int i = 0; needle.IsInserted && i < stretches.GetSize(); ++i)
   {
     const double begin = stretches[i].Begin;
-    // Adjacent stretches of one label differ only in their friction.
+    // Merge adjacent stretches of the same label, which differ only in their friction.
     if (i == 0 || stretches[i].Label != stretches[i - 1].Label)
     {
       writer.Begin(place(begin), model.WorldUnitsPerMeter * begin, stretches[i].Label);

@@ -51,7 +51,7 @@ public:
          : os << "(none)";
     os << "\n";
   }
-  /** Keeps the mesh of the earlier tool, because a setup contains only settings. */
+  /** Takes the mesh from the previous tool, because setups contain only settings. */
   void TakeOver(vtkHapticTool* tool, vtkHapticTool* before) const override
   {
     auto* const shell = vtkHapticPointShell::SafeDownCast(before);
@@ -76,7 +76,7 @@ void PointShellKind::Describe(vtkHapticTool* tool, ToolPlan& plan) const
   {
     return;
   }
-  // An unchanged mesh shares its points with the models that still use them.
+  // For an unchanged mesh, this returns the points that existing models use.
   described.Points = GetShellPoints(shell->GetMesh(), shell->GetNumberOfPoints(), plan.Error);
   if (!described.Points)
   {

@@ -31,16 +31,16 @@ namespace
 {
 
 /**
- * Number of samples examined. It is small, so that a volume mapped from a file is not read as a
- * whole.
+ * Number of samples that are examined; small, so that not all of a volume mapped from a file is
+ * read.
  */
 constexpr vtkIdType MostAirSamples = 4096;
 /** Fraction of these samples that may be outliers. */
 constexpr double AirQuantile = 0.02;
 
 /**
- * Returns the value below which (or, if isLargest, above which) only few of some evenly spread
- * samples lie; 0 if no sample is finite.
+ * Returns a minimum (or maximum, if isLargest) of some evenly spaced samples that ignores outliers:
+ * only a fraction AirQuantile is beyond it. Returns 0 if no sample is finite.
  */
 double ComputeAir(vtkDataArray* scalars, int component, bool isLargest)
 {
@@ -74,15 +74,15 @@ bool IsSameExtent(vtkImageData* image, const int extent[6])
 }
 
 /**
- * Computes the index of a volume's first sample in another volume. Returns false if the volume's
- * samples are not at positions of the other volume's samples.
+ * Computes the index of a volume's first sample in another volume. Returns false if their samples
+ * are not at the same positions.
  */
 bool DetectShift(vtkImageData* volume, vtkImageData* other, std::int64_t first[3])
 {
-  constexpr double rounding = 1e-3; // allowed rounding error over the whole volume (voxels)
+  constexpr double rounding = 1e-3; // tolerance (voxels) over the whole volume
   const int* const extent = volume->GetExtent();
   const int* const there = other->GetExtent();
-  for (int corner = 0; corner < 4; ++corner) // the first sample, then the last one on each axis
+  for (int corner = 0; corner < 4; ++corner) // the first sample, then the last one along each axis
   {
     double index[3];
     for (int a = 0; a < 3; ++a)
@@ -100,7 +100,7 @@ bool DetectShift(vtkImageData* volume, vtkImageData* other, std::int64_t first[3
       {
         first[a] = std::llround(std::clamp(at, -1e9, 1e9));
       }
-      // NaN must fail here, too.
+      // The negated comparison also refuses NaN.
       if (!(std::abs(at - static_cast<double>(first[a])) <= rounding))
       {
         return false;
@@ -155,7 +155,7 @@ bool RemovalData::IsAsRead() const
 
 bool RemovalData::IsOtherPart(vtkImageData* geometry, const int extent[6]) const
 {
-  // If the extents are the same, the volume may have been moved as a whole.
+  // If the extents are equal, the volume may have been moved as a whole.
   if (!this->IsAsRead() || IsSameExtent(this->Read->Geometry, extent))
   {
     return false;
@@ -269,8 +269,8 @@ bool DescribeRemoval(vtkHapticRemoval* removal, vtkImageData* geometry, const in
   {
     data.Tissue = std::make_shared<TissueRemoval>();
   }
-  // Do not compute the air value again while it is in use, because all regions of a volume and the
-  // tissue that was removed before must have the same air value.
+  // Keep an air value that is in use: all regions of a volume, and the tissue that was already
+  // removed, must have the same one.
   if (removal->GetAutoAirValue() && (!data.HasAir || (removes && !isRegion && !isUsed)))
   {
     const auto* const shaped = dynamic_cast<const ShapedTool*>(d.Tool.get());
@@ -292,7 +292,7 @@ constexpr const char* ExtentName = "VolumeExtent";
 constexpr const char* AirName = "AirValue";
 constexpr const char* WriteCure = " Give a file that vtkHapticRemoval::WriteFile() has written.";
 
-/** Converts an extent to a box of samples that counts from the volume's first sample. */
+/** Converts an extent to a box of sample indices relative to the volume's first sample. */
 TissueBox BoxOf(const int extent[6], const int volume[6])
 {
   TissueBox box{};
@@ -305,8 +305,8 @@ TissueBox BoxOf(const int extent[6], const int volume[6])
 }
 
 /**
- * Returns the extent, within the volume, of all bricks with missing tissue; one sample if there is
- * no such brick.
+ * Returns the extent, within the volume, of all bricks with missing tissue; one sample if there are
+ * none.
  */
 std::array<int, 6> ComputeUsedExtent(const std::vector<BrickTissue>& bricks, const int volume[6])
 {

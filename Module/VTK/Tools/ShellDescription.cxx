@@ -12,7 +12,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Evaluates a function that stays constant beyond its ends. */
+/** Evaluates a piecewise linear function, which is constant beyond its ends. */
 double ValueAt(const Polyline& line, double x)
 {
   if (line.empty() || !(x > line.front().X))
@@ -32,13 +32,13 @@ double ValueAt(const Polyline& line, double x)
 }
 
 /**
- * Computes the surface strength of visible values, and 0 for hidden values. The result has the
- * break points of both functions.
+ * Computes the surface strength of visible values; hidden values have 0. The result has the break
+ * points of both functions.
  */
 Polyline ComputeFeltStrength(const HapticMaterial& material)
 {
-  // The visibility is 0 or 1, and jumps at two vertices of the same value: evaluate on both sides
-  // of each vertex.
+  // The visibility is 0 or 1 and jumps where two vertices have the same value, so evaluate on both
+  // sides of each vertex.
   std::vector<double> values;
   for (const Polyline* const line : { &material.SurfaceStrength, &material.ScalarVisibility })
   {

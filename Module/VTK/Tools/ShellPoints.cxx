@@ -25,7 +25,7 @@ namespace
 {
 
 ///@{
-/** Times (s) measured on a desktop computer. */
+/** Time (s) of spreading points on a desktop computer. */
 constexpr double SecondsPerPoint = 1.3e-4;
 constexpr double SecondsPerPolygon = 2e-6;
 constexpr double ShortSpreading = 40e-3;
@@ -51,13 +51,13 @@ SpreadShell Spread(vtkPolyData* mesh, int count, WorkMonitor* monitor)
 }
 
 /**
- * Stores the points that models use, the last few that were made, and the last mesh that is not a
+ * Caches the points that models use, the last few that were made, and the last mesh that is not a
  * valid tool.
  */
 class ShellsInUse
 {
 public:
-  /** Finds the points of a mesh. Returns false if they have to be made. */
+  /** Finds the cached points of a mesh. Returns false if they have to be made. */
   bool Find(const ShellKey& key, SpreadShell& found)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -95,12 +95,12 @@ private:
 
 ShellsInUse& GetShellsInUse()
 {
-  // Never destroyed, because a filter may live until the process exits.
+  // Never destroyed, because a filter may exist until the process exits.
   static auto* const shells = new ShellsInUse;
   return *shells;
 }
 
-/** Copies a mesh with its own points and cursors, for a worker. */
+/** Copies a mesh for a worker. The copy has its own vtkPoints and cell cursors. */
 vtkSmartPointer<vtkPolyData> CopyMesh(vtkPolyData* mesh)
 {
   auto copy = vtkSmartPointer<vtkPolyData>::New();
@@ -152,7 +152,7 @@ bool ShellPreparation::Prepare(vtkPolyData* mesh, int count)
   }
   if (this->Spreading.IsOf(key))
   {
-    return !this->Spreading.IsUnderWay(); // GetShellPoints() reports a lack of memory
+    return !this->Spreading.IsUnderWay(); // GetShellPoints() will report a lack of memory
   }
   if (this->Spreading.IsUnderWay())
   {

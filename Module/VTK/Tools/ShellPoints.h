@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Spreads the points of tools with a shape over their meshes: on the calling thread, or earlier in
- * the background.
+ * Spreads the points of tools with a shape over their meshes, on the calling thread or ahead in the
+ * background.
  */
 #ifndef ShellPoints_h
 #define ShellPoints_h
@@ -23,18 +23,18 @@ namespace VolumeHaptics
 {
 
 /**
- * Largest number of points. More points would take too long in a tick of any servo, and their
- * memory has to stay resident.
+ * Largest number of points. More would take too long in a tick of any servo, and their memory has
+ * to stay resident.
  */
 constexpr int MostShellPoints = 100000;
 
 /**
- * Identifies points: their mesh, its modification time, and their number. Modification times are
- * unique, so new data at an old address get another key.
+ * Key of cached points: their mesh, its modification time, and their number. Modification times are
+ * unique, so new data at an old address have another key.
  */
 using ShellKey = std::tuple<const void*, vtkMTimeType, int>;
 
-/** The points of a mesh. If Points is null, Error has the reason. */
+/** Points of a mesh. If Points is null, Error has the reason. */
 struct SpreadShell
 {
   std::shared_ptr<const PointShell> Points;
@@ -42,9 +42,9 @@ struct SpreadShell
 };
 
 /**
- * Returns the points of a mesh, 1 to MostShellPoints of them. If the mesh has not changed, returns
- * the points that models still use, or the points that were made last. Returns null, with the
- * reason and the cure in `error`, if the mesh is not a closed surface.
+ * Returns the points of a mesh, 1 to MostShellPoints of them. For an unchanged mesh, returns the
+ * points that models still use, or the last ones made. Returns null, with the reason and the cure
+ * in `error`, if the mesh is not a closed surface.
  */
 std::shared_ptr<const PointShell> GetShellPoints(vtkPolyData* mesh, int count, std::string& error);
 
@@ -53,11 +53,11 @@ class ShellPreparation
 {
 public:
   /**
-   * Returns whether GetShellPoints() is quick now. If not, makes the points in the background, for
-   * one mesh at a time.
+   * Returns whether GetShellPoints() would be quick now. If not, makes the points in the
+   * background, for one mesh at a time.
    */
   bool Prepare(vtkPolyData* mesh, int count);
-  /** Ends the work that Prepare() began, without waiting for it. */
+  /** Abandons the background work of Prepare() without waiting for it. */
   void EndPreparing() { this->Spreading.Abandon(); }
 
 private:

@@ -32,7 +32,7 @@ bool Refuse(std::string& error, const std::string& text)
   return false;
 }
 
-/** Returns the triangles of a mesh with coinciding corners merged. */
+/** Returns the triangles of a mesh, with coinciding corners merged. */
 vtkSmartPointer<vtkPolyData> MergeCorners(vtkPolyData* mesh)
 {
   vtkNew<vtkTriangleFilter> triangles;
@@ -72,15 +72,15 @@ Vector3 PointAt(vtkPolyData* mesh, vtkIdType id)
 }
 
 /**
- * Checks that the surface is closed: each edge must belong to two triangles that run along it in
- * opposite directions. If an edge belongs to several such pairs, parts of the surface touch one
- * another there.
+ * Checks that the surface is closed: each edge must belong to two triangles that traverse it in
+ * opposite directions. Where an edge belongs to several such pairs, parts of the surface touch one
+ * another.
  */
 bool CheckEdges(vtkPolyData* mesh, std::string& error)
 {
   struct Run
   {
-    std::pair<vtkIdType, vtkIdType> Edge; // the lower id first
+    std::pair<vtkIdType, vtkIdType> Edge; // lower id first
     int Direction;
   };
   std::vector<Run> runs;
@@ -129,7 +129,7 @@ bool CheckEdges(vtkPolyData* mesh, std::string& error)
   return true;
 }
 
-/** Checks the ids of points, because VTK's filters would read beyond the array for a wrong id. */
+/** Checks the ids of points, because VTK's filters would read beyond the array with a wrong id. */
 bool CheckIds(vtkCellArray* cells, vtkIdType points, std::string& error)
 {
   for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
@@ -224,27 +224,26 @@ namespace
 {
 
 /**
- * Candidates for each point: CandidatesOfFew for fewer than `Many` points, otherwise
- * CandidatesOfMany.
+ * Candidates per point: CandidatesOfFew for fewer than `Many` points, otherwise CandidatesOfMany.
  */
 constexpr std::size_t CandidatesOfFew = 40;
 constexpr std::size_t CandidatesOfMany = 15;
 constexpr std::size_t Many = 20000;
-/** The first choice is made among every n-th candidate, with this n. */
+/** The first choice is made among every n-th candidate; this is n. */
 constexpr std::size_t CandidatesOfChoice = 5;
 /**
- * Smallest length of a mean of unit normals at which the positions face nearly the same way, so
- * that their middle is near them.
+ * Smallest length of a mean of unit normals at which the positions are considered to face the same
+ * way, so that their mean position is near the surface.
  */
 constexpr double LeastMeanNormal = 0.97;
-/** Number of rounds in which points move to the middle of their candidates. */
+/** Number of rounds in which points move to the centre of their candidates. */
 constexpr int LloydRounds = 5;
 
-/** A position on the surface, and the direction that it faces. */
+/** A position on the surface, with its normal. */
 struct SurfacePlace
 {
   Vector3 Position;
-  Vector3 Normal; ///< the normal multiplied by a length, so that angles and distances can be added
+  Vector3 Normal; ///< normal, scaled to a length so that angles and distances can be added
 };
 
 double SquaredDistance(const SurfacePlace& a, const SurfacePlace& b)
@@ -255,13 +254,13 @@ double SquaredDistance(const SurfacePlace& a, const SurfacePlace& b)
 }
 
 /**
- * Spreads positions that stand for equal areas. They are stratified along the list of triangles,
- * and within each triangle.
+ * Spreads positions that represent equal areas, stratified along the list of triangles and within
+ * each triangle.
  */
 std::vector<SurfacePlace> SpreadPlaces(
   const std::vector<ToolTriangle>& triangles, double area, std::size_t count, double turnLength)
 {
-  // Multiples of the plastic ratio's powers fill a square evenly.
+  // Multiples of the powers of the plastic ratio cover a square evenly.
   constexpr double first = 0.7548776662466927;
   constexpr double second = 0.5698402909980532;
   std::vector<SurfacePlace> places;
@@ -292,7 +291,7 @@ std::vector<SurfacePlace> SpreadPlaces(
   return places;
 }
 
-/** Finds neighbours among some of the positions by dividing space into cubes. */
+/** Finds neighbours among the members, some of the positions, with a grid of cubes. */
 class PlaceGrid
 {
 public:
@@ -326,7 +325,7 @@ public:
     }
   }
 
-  /** Visits all members at a distance of up to `radius` from a position, and perhaps others. */
+  /** Calls a function with all members within `radius` of a position, and perhaps with others. */
   template <typename Function>
   void ForNear(const Vector3& at, double radius, Function&& visit) const
   {
@@ -345,15 +344,14 @@ public:
   }
 
   /**
-   * Returns the member nearest to a position; of equally near ones, the first. There must be at
-   * least one member. The search begins within a distance, and continues beyond it if there is no
-   * member.
+   * Returns the member nearest to a position, or the first of several equally near ones. Requires
+   * at least one member. Searches within a distance first, and farther if there is no member.
    */
   std::size_t FindNearest(const SurfacePlace& place, double within) const
   {
     double least = std::numeric_limits<double>::max();
     std::size_t nearest = this->Members.front().second;
-    constexpr double shortest = 0.05; // fraction of a cube's edge
+    constexpr double shortest = 0.05; // as a fraction of a cube's edge
     for (double radius = std::max(within, shortest * this->Cell);; radius *= 2.0)
     {
       this->ForNear(place.Position, radius,
@@ -384,8 +382,8 @@ private:
     return { number(at.X), number(at.Y), number(at.Z) };
   }
   /**
-   * Packs a cube into 21 bits for each axis. Cubes a million apart have the same key: both are then
-   * visited, which costs only time.
+   * Packs a cube's indices into 21 bits per axis. Cubes a million apart get the same key; both are
+   * then visited, which only costs time.
    */
   static std::uint64_t KeyOf(const Cube& cube)
   {
@@ -419,13 +417,13 @@ private:
 
   const std::vector<SurfacePlace>& Places;
   const double Cell;
-  std::vector<std::pair<std::uint64_t, std::size_t>> Members; ///< sorted by cubes
+  std::vector<std::pair<std::uint64_t, std::size_t>> Members; ///< sorted by cube
   /** Index of the first member of each cube. */
   std::vector<std::size_t> Buckets;
   std::size_t Mask = 0;
 };
 
-/** Returns whether a loop should continue. Asks the monitor, if any, in every 1024th step. */
+/** Returns whether a loop should continue. Queries the monitor, if any, in every 1024th step. */
 bool GoesOn(const WorkMonitor* monitor, std::size_t step)
 {
   constexpr std::size_t between = 1024;
@@ -437,7 +435,7 @@ std::vector<std::size_t> Eliminate(const std::vector<SurfacePlace>& places,
   const std::vector<std::size_t>& members, std::size_t count, double area,
   const WorkMonitor* monitor)
 {
-  // Largest radius of discs that fit into the area, in a lattice of equilateral triangles.
+  // Largest radius of discs that fit into the area in a triangular lattice.
   const double most = std::sqrt(area / (2.0 * std::sqrt(3.0) * static_cast<double>(count)));
   const double ratio = static_cast<double>(count) / static_cast<double>(members.size());
   const double least = 0.65 * most * (1.0 - std::pow(ratio, 1.5));
@@ -490,8 +488,8 @@ std::vector<std::size_t> Eliminate(const std::vector<SurfacePlace>& places,
 }
 
 /**
- * Finds for each position the number of the nearest chosen position. If the chosen positions have
- * only moved, the search begins near the last owner. Returns nothing if the work is cancelled.
+ * Finds the index of the nearest chosen position for each position. If the chosen positions have
+ * only moved, starts the search near the last owner. Returns nothing if the work is cancelled.
  */
 std::vector<std::size_t> FindOwners(const std::vector<SurfacePlace>& places,
   const std::vector<std::size_t>& chosen, double spacing, const std::vector<std::size_t>& before,
@@ -520,7 +518,7 @@ std::vector<std::size_t> FindOwners(const std::vector<SurfacePlace>& places,
   return owners;
 }
 
-/** Mean position and mean normal of the places that belong to one point, and their number. */
+/** Mean position and mean normal of the candidates that belong to one point, and their number. */
 struct OwnPlaces
 {
   SurfacePlace Middle;
@@ -546,7 +544,7 @@ std::vector<OwnPlaces> ComputeMiddles(const std::vector<SurfacePlace>& places,
   return all;
 }
 
-/** Moves each point to that of its candidates that is nearest to their middle. */
+/** Moves each point to the one of its candidates that is nearest to their mean position. */
 void MoveToMiddles(const std::vector<SurfacePlace>& places, const std::vector<std::size_t>& owners,
   std::vector<std::size_t>& chosen)
 {
@@ -595,9 +593,10 @@ std::vector<ShellPoint> SpreadShellPoints(
   {
     return {};
   }
-  // Each point is at the middle of its candidates, but on the surface: sums of a linear function
-  // along a plane then equal integrals. On a curved surface that is pressed into a plane, the
-  // excess of the points on it balances the deficit of the points at the rim of the contact.
+  // Put each point at the mean position of its candidates, projected onto the surface: sums of a
+  // linear function along a plane then equal integrals. On a curved surface that is pressed into a
+  // plane, the excess of the points on it balances the deficit of the points at the rim of the
+  // contact.
   const std::vector<OwnPlaces> own = ComputeMiddles(places, owners, chosen.size());
   std::vector<ShellPoint> points;
   points.reserve(chosen.size());

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads the mesh of a tool, which must be a closed surface that faces outwards, and converts it
- * from triangles to points, each with the area that it stands for.
+ * Reads the mesh of a tool, which must be a closed surface that faces outwards, and converts its
+ * triangles to points, each of which represents an area.
  *
  * The surface is covered with many candidates of the same area. Some of them are chosen, and the
  * most crowded ones are removed one by one until the wanted number is left (weighted sample
  * elimination; Yuksel, Computer Graphics Forum 34, 2015). Each candidate then belongs to the
- * nearest point, whose area is the sum of its candidates' areas: so the areas sum to the area of
- * the mesh. A few rounds of Lloyd's algorithm move each point to the middle of its candidates, so
- * that the points are spread evenly, however unequal the triangles are.
+ * nearest point, whose area is the sum of its candidates' areas, so that all areas sum to the area
+ * of the mesh. A few rounds of Lloyd's algorithm move each point to the middle of its candidates,
+ * so that the points are spread evenly, however unequal the triangles are.
  *
  * The distance between points includes the angle between their normals, so that each side of a thin
  * blade has its own points. Nothing is random: a mesh always yields the same points.
@@ -36,20 +36,20 @@ struct ToolTriangle
 {
   Vector3 Corner[3];
   Vector3 Normal;    ///< unit vector, outwards
-  double Area = 0.0; ///< more than 0
+  double Area = 0.0; ///< above 0
 };
 
 /**
  * Reads the triangles of a mesh in their order, and triangulates its polygons and strips. Merges
- * coinciding corners, which STL files need, and leaves out triangles without an area. Returns
- * false, with the reason and the cure in `error`, if the mesh is null or has no polygons, points
- * that are not finite, open edges, neighbours that face opposite sides or no area, or if it is
- * inside out.
+ * coinciding corners, as STL files require, and skips triangles without an area. Returns false,
+ * with the reason and the cure in `error`, if the mesh is null or inside out, or if it has no
+ * polygons, points that are not finite, open edges, neighbours that face opposite sides, or no
+ * area.
  */
 bool ReadToolMesh(vtkPolyData* mesh, std::vector<ToolTriangle>& triangles, std::string& error);
 
 /**
- * Spreads `count` points over some triangles; both must be at least one. Returns no points if the
+ * Spreads `count` points over triangles; both must be at least one. Returns no points if the
  * monitor cancels the work.
  */
 std::vector<ShellPoint> SpreadShellPoints(const std::vector<ToolTriangle>& triangles,

@@ -5,9 +5,10 @@
  * Converts remaining tissue to field arrays of traces and recordings, or to plain numbers for
  * files, and back.
  *
- * Two arrays have a tuple for each brick of 8 x 8 x 8 samples that has lost tissue. The first one
- * has the brick's position along each axis, in bricks from the volume's first sample. The second
- * one has the fraction of tissue that remains at each sample, x first; 255 stands for all of it.
+ * Two arrays have a tuple for each brick of 8 x 8 x 8 samples from which tissue was removed. The
+ * first array has the brick's position along each axis, in bricks from the volume's first sample.
+ * The second one has the remaining fraction of tissue at each sample, x fastest; 255 stands for all
+ * of it.
  */
 #ifndef TissueArrays_h
 #define TissueArrays_h
@@ -26,31 +27,31 @@ namespace VolumeHaptics
 
 constexpr int SamplesOfBrick = CarvedBricks::Side * CarvedBricks::Rows;
 
-/** The names of the two arrays. */
+/** Names of the two arrays. */
 struct TissueArrayNames
 {
   const char* Bricks;
   const char* Fractions;
 };
 
-/** Names of the arrays for the tick at which a recording begins. */
+/** Names of the arrays for the tick at which a recording starts. */
 constexpr TissueArrayNames InitialTissueNames{ "InitialBricks", "InitialShares" };
 /** Names of the arrays for the last tick of a trace. */
 constexpr TissueArrayNames FinalTissueNames{ "FinalBricks", "FinalShares" };
 
 ///@{
-/** Return the tuples of a brick in the two arrays. */
+/** Return a brick's tuples in the two arrays. */
 std::array<std::int32_t, 3> PlaceOfBrick(const BrickTissue& brick);
 std::array<unsigned char, SamplesOfBrick> TissueAsBytes(const BrickTissue& brick);
 ///@}
 
-/** Adds the arrays. They have no tuples if there are no bricks. */
+/** Adds the arrays, which are empty if there are no bricks. */
 void AddTissueArrays(
   const std::vector<BrickTissue>& bricks, const TissueArrayNames& names, vtkFieldData* data);
 
 /**
- * Reads the arrays. If both are missing, all tissue remains. Returns false if they can't be read;
- * `flaw` then names the array and its fault, such as "its array "FinalShares" is missing".
+ * Reads the arrays. If both are missing, all tissue remains. On failure, returns false, with the
+ * array and its fault in `flaw`, such as "its array "FinalShares" is missing".
  */
 bool ReadTissueArrays(vtkFieldData* data, const TissueArrayNames& names,
   std::vector<BrickTissue>& bricks, std::string& flaw);

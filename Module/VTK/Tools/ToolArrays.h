@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Lists the arrays that only traces of some tools have.
+ * Lists the trace arrays that only some tools have.
  */
 #ifndef ToolArrays_h
 #define ToolArrays_h
@@ -17,8 +17,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Lists the arrays of all kinds of tools, in the order of GetToolKinds(). Exported to programs that
- * write traces.
+ * Lists the arrays of all kinds of tools, in the order of GetToolKinds(). Exported for programs
+ * that write traces.
  */
 VTKVOLUMEHAPTICS_EXPORT const std::vector<const ToolColumn*>& GetToolArrays();
 

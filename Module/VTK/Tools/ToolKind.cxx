@@ -14,7 +14,7 @@ namespace VolumeHaptics
 {
 
 ///@{
-/** Each kind is defined in a file of its own, such as NeedleKind.cxx. */
+/** Each kind is defined in its own file, such as NeedleKind.cxx. */
 const ToolKind& GetPointShellKind();
 const ToolKind& GetBurrKind();
 const ToolKind& GetNeedleKind();
@@ -22,8 +22,8 @@ const ToolKind& GetNeedleKind();
 
 const std::vector<const ToolKind*>& GetToolKinds()
 {
-  // Never destroyed, because a device that is deleted while the process exits may still print its
-  // tool.
+  // Never destroyed, because a device that is deleted at the exit of the process may still print
+  // its tool.
   static const auto* const kinds =
     new std::vector<const ToolKind*>{ &GetPointShellKind(), &GetBurrKind(), &GetNeedleKind() };
   return *kinds;
@@ -31,7 +31,7 @@ const std::vector<const ToolKind*>& GetToolKinds()
 
 const std::vector<const ToolColumn*>& GetToolArrays()
 {
-  // Never destroyed, like the kinds.
+  // Never destroyed, for the same reason as the kinds.
   static const auto* const arrays = []
   {
     auto* const all = new std::vector<const ToolColumn*>;

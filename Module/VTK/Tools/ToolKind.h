@@ -33,26 +33,26 @@ class vtkPiecewiseFunction;
 namespace VolumeHaptics
 {
 
-/** A function of a tool that depends on the scalar value. Its values are 0 or more. */
+/** A function of a tool that maps scalar values to numbers of at least 0. */
 struct ToolFunction
 {
-  const char* Name; ///< name as in Get... and Set...
+  const char* Name; ///< name without Get and Set
   const char* Unit;
   vtkPiecewiseFunction* (*Get)(vtkHapticTool*);
   double Default = 0.0; ///< value of a function without points
 };
 
-/** Input of Describe(), which makes a tool for a model, and its result. */
+/** Input and result of Describe(), which makes the tool for a model. */
 struct ToolPlan
 {
   vtkHapticProperty* Property;           ///< property with the material
-  const HapticModelDescription& Model;   ///< model, with settings, material, time steps and
+  const HapticModelDescription& Model;   ///< the model's settings, material, time steps and
                                          ///< geometry
-  std::shared_ptr<const BakedTool> Tool; ///< result, set by Describe(); null before
+  std::shared_ptr<const BakedTool> Tool; ///< result of Describe(); null before
   std::string Error;                     ///< reason and cure if the tool can't be felt
 };
 
-/** A kind of tool; its class is vtkHapticNAME. */
+/** Interface of a kind of tool, whose class is vtkHapticNAME. */
 class ToolKind
 {
 public:
@@ -65,19 +65,19 @@ public:
 
   virtual bool Is(vtkHapticTool* tool) const = 0;
   virtual vtkSmartPointer<vtkHapticTool> Make() const = 0;
-  /** Prints the settings that no other class has, for PrintSelf. */
+  /** Prints the settings that only this class has, for PrintSelf. */
   virtual void Print(std::ostream& os, vtkIndent indent, vtkHapticTool* tool) const = 0;
   /** Writes or reads all settings in a setup. */
   virtual void Pass(SetupNode& node, vtkHapticTool* tool) const = 0;
-  /** Sets a number by its name, as in setups. Returns false if the tool has no such number. */
+  /** Sets a number by its name in setups. Returns false if the tool has no such number. */
   virtual bool Set(vtkHapticTool* tool, const std::string& name, double value) const = 0;
-  /** Copies data that setups do not contain, such as a mesh, from the earlier tool. */
+  /** Copies data that setups do not contain, such as a mesh, from the previous tool. */
   virtual void TakeOver(vtkHapticTool* /*tool*/, vtkHapticTool* /*before*/) const {}
   virtual std::vector<ToolFunction> GetFunctions() const { return {}; }
 
   /**
-   * Makes the tool of a model. Checks all numbers of the tool; sets an error in the plan instead if
-   * the tool can't be felt.
+   * Makes the tool for a model, after checking all of its numbers. If the tool can't be felt, sets
+   * an error in the plan instead.
    */
   virtual void Describe(vtkHapticTool* tool, ToolPlan& plan) const = 0;
   /** Returns the arrays that only traces of this tool have. */
@@ -90,17 +90,17 @@ public:
   ///@{
   /**
    * Define how the scene shows a tool. MakeShape returns the mesh relative to the hand, in world
-   * units; null stands for a drawn stylus. ComputeReach returns the distance from the hand to the
-   * farthest touching point; 0 for a point.
+   * units; null: show a stylus. ComputeReach returns the distance from the hand to the farthest
+   * touching point; 0 for a point.
    */
   virtual vtkSmartPointer<vtkPolyData> MakeShape(vtkHapticTool* /*tool*/) const { return nullptr; }
   virtual double ComputeReach(vtkHapticTool* /*tool*/) const { return 0.0; }
   /**
-   * Returns whether the tool's mesh turns with the stylus and spins. Otherwise it has the felt
-   * orientation.
+   * Returns whether the tool's mesh turns with the stylus and spins. Otherwise it is shown with the
+   * felt orientation.
    */
   virtual bool TurnsWithStylus() const { return false; }
-  /** Returns whether turning the tool changes its look. */
+  /** Returns whether turning the tool changes what is drawn. */
   virtual bool IsTurnable() const { return false; }
   ///@}
 
@@ -109,13 +109,13 @@ public:
 
 protected:
   /**
-   * Converts a function to units of the scalars. If the function has a fault, returns 0 everywhere,
-   * with an error in the plan.
+   * Converts a function to the units of the scalars. If it has a fault, returns a function that is
+   * 0 everywhere, and sets an error in the plan.
    */
   Polyline ReadFunction(const ToolFunction& function, vtkHapticTool* tool, ToolPlan& plan) const;
 };
 
-/** Sets the setting of this name. Returns false if the list has no such setting. */
+/** Sets a setting by its name. Returns false if the list has no such setting. */
 template <typename Owner, std::size_t Size>
 bool SetSetting(
   Owner* owner, const HapticSetting<Owner> (&settings)[Size], const std::string& name, double value)
@@ -130,7 +130,7 @@ bool SetSetting(
   return true;
 }
 
-/** A kind for the class Tool, with its list of settings. */
+/** Implements ToolKind for the class Tool and its list of settings. */
 template <typename Tool, const auto& Settings>
 class ToolKindOf : public ToolKind
 {
@@ -169,17 +169,16 @@ public:
 
 /** Returns all kinds, in the order of their arrays in traces. */
 const std::vector<const ToolKind*>& GetToolKinds();
-/**
- * Returns the kind of a tool. Returns null for null, or for a tool of an application's own class.
- */
+/** Returns the kind of a tool; null for null, or for a tool of an application's own class. */
 const ToolKind* FindToolKind(vtkHapticTool* tool);
 
 /** Prints the settings and functions of a tool, for PrintSelf. */
 void PrintTool(std::ostream& os, vtkIndent indent, vtkHapticTool* tool);
 
 /**
- * Adds a tool to a model's description, which already has its settings and time steps. A null tool
- * stands for a point. Returns false, with the reason and the cure in `error`, if it can't be felt.
+ * Adds a tool to a model's description, which must have its settings and time steps already. A null
+ * tool stands for a point. Returns false, with the reason and the cure in `error`, if the tool
+ * can't be felt.
  */
 bool DescribeTool(vtkHapticTool* tool, vtkHapticProperty* property,
   HapticModelDescription& description, std::string& error);

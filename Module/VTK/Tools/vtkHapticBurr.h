@@ -13,16 +13,16 @@
  *
  * Solid tissue holds the head as it holds a vtkHapticPointShell. It is removed at the rate (mm^3/s)
  * that follows from the force on the hand, Friction, Speed and Radius, and from the SpecificEnergy
- * of the tissue or of its label: see Documentation/method.md, "The burr". The surface that is left
- * has the shape of the ball, to a small fraction of a voxel. Every tool feels it, and so does the
- * point without a tool, with the method PROXY, FORCE_FIELD or LOCAL_SURFACE. The samples themselves
- * do not change: vtkVolumeHapticsFilter::GetRemoval() keeps the fraction of tissue that remains at
+ * of the tissue or of its label: see Documentation/method.md, "The burr". The remaining surface has
+ * the shape of the ball, to a small fraction of a voxel. Every tool feels it, and so does the point
+ * without a tool, with the method PROXY, FORCE_FIELD or LOCAL_SURFACE. The samples themselves do
+ * not change: vtkVolumeHapticsFilter::GetRemoval() keeps the fraction of tissue that remains at
  * each sample, and undoes, saves and loads it.
  *
  * Live, it spins while the device is armed and its SpinButton is pressed, or
  * vtkHapticVirtualHand::SetSpinning() is on. Offline it always spins, unless the path has the point
- * array Spinning: then it spins where this is 1, and not where it is 0. Each path then removes
- * tissue by itself, from the tissue that the hand has left: the trace has the field arrays of
+ * array Spinning, which is 1 where it spins and 0 where it does not. Each path then removes tissue
+ * by itself, from the tissue that the hand has left: the trace has the field arrays of
  * vtkHapticRemoval::ReadTrace(), and an array that only this tool has:
  *
  *   RemovedVolume  mm^3 of the hand's space; in this tick
@@ -83,8 +83,8 @@ public:
   ///@{
   /**
    * The energy U that it takes to remove tissue (J/mm^3) against the scalar value, 0 or more. A
-   * function without points (default) is 10. Created on first Get; nullptr restores the default.
-   * Labels may have their own: vtkHapticLabelTable::SetSpecificEnergy().
+   * function without points (default) is 10. Created on the first Get; nullptr restores the
+   * default. Labels may have their own: vtkHapticLabelTable::SetSpecificEnergy().
    */
   void SetSpecificEnergy(vtkPiecewiseFunction* energy);
   vtkPiecewiseFunction* GetSpecificEnergy();
@@ -109,7 +109,7 @@ public:
   vtkGetMacro(SpinButton, int);
   ///@}
 
-  /** Returns the latest modification time, including that of the function. */
+  /** Returns the latest modification time of this tool and its function. */
   vtkMTimeType GetMTime() override;
 
 protected:

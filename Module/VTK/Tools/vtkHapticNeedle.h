@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticNeedle
- * @brief   a needle, which feels layers, its shaft, and the loss of resistance
+ * @brief   a needle that feels layers, friction along its shaft, and the loss of resistance
  *
  * Punctures tissue. Outside, the needle's point feels surfaces as the hand does without a tool; a
  * needle that is pushed through them is inserted, and feels layers:
@@ -99,16 +99,16 @@ public:
   /**
    * Make the track of the last insertion in a trace of vtkVolumeHapticsFilter that was made with a
    * needle: a polyline of the positions at which the point entered other tissue, and of the deepest
-   * position. The point array Depth (world units) has the way along the needle. The cell arrays
-   * Label and Length (world units) have a value for each stretch of the track. Field arrays, one
-   * number each: Depth, the greatest depth; Angle (degrees), between the track and the surface's
-   * normal at the entry, or -1 if there is no normal; and ForbiddenTouches, if the trace has it. If
-   * the trace has no needle, returns false; the track is empty then and reports the error. Trace
-   * and track must be different objects.
+   * position. The point array Depth (world units) has the distance along the needle. The cell
+   * arrays Label and Length (world units) have a value for each stretch of the track. Field arrays,
+   * one number each: Depth, the greatest depth; Angle (degrees), between the track and the
+   * surface's normal at the entry, or -1 if there is no normal; and ForbiddenTouches, if the trace
+   * has it. If the trace has no needle, returns false; the track is empty then and reports the
+   * error. Trace and track must be different objects.
    */
   static bool MakeTrack(vtkPolyData* trace, vtkPolyData* track);
 
-  /** Returns the latest modification time, including those of the functions. */
+  /** Returns the latest modification time of this tool and its functions. */
   vtkMTimeType GetMTime() override;
 
 protected:

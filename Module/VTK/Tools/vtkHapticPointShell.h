@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticPointShell
- * @brief   any closed surface as a tool, which feels force and torque
+ * @brief   a tool with the shape of any closed surface, which feels force and torque
  *
  * Gives the hand a tool with a shape, such as that of an STL file. The hand feels the force and the
  * torque of all contacts of its surface:
@@ -17,8 +17,8 @@
  * - **solid** is what is beyond a contact value of the scalars. By default it follows from the
  *   surface strength of vtkHapticProperty: see vtkHapticShapedTool;
  * - **the pressure** grows with the depth of a point, with the stiffness of the material per
- *   ContactArea, up to its surface strength per ContactArea. So a tool that touches with the
- *   ContactArea feels like the point without a tool. Stiffness and strength are those of the
+ *   ContactArea, up to its surface strength per ContactArea. A tool that touches with the
+ *   ContactArea thus feels like the point without a tool. Stiffness and strength are those of the
  *   material behind the surface, or of its label;
  * - **the coupling**: the tool lags behind the hand on a spring and a turning spring, and rests
  *   where these and the pressure are in balance (a quasi-static coupling; Wan and McNeely 2003).
@@ -66,8 +66,8 @@ public:
 
   ///@{
   /**
-   * The number of points on the surface. From 1 to 100000 can be felt; a few may be left out that
-   * would stand for nothing. Default 2000.
+   * The number of points on the surface. From 1 to 100000 can be felt; points that would represent
+   * no area are left out. Default 2000.
    *
    * The distance between points is about the square root of the tool's area over their number:
    * smaller details of the volume are missed. One core of a PC ticks 10 000 points at 1 kHz, and a
@@ -87,7 +87,7 @@ public:
   vtkGetMacro(TurningStiffness, double);
   ///@}
 
-  /** Returns the latest modification time, including that of the mesh. */
+  /** Returns the latest modification time of this tool and its mesh. */
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -79,7 +79,8 @@ public:
   ///@{
   /**
    * Undo reverts the last stroke, Redo repeats it, and Reset restores all tissue and can't be
-   * undone. Each returns false if there is nothing to do, or if too many requests are waiting.
+   * undone. Each returns false if there is nothing to undo, redo or reset, or if too many requests
+   * are waiting.
    */
   bool Undo();
   bool Redo();
@@ -91,15 +92,15 @@ public:
   int GetNumberOfRedos();
   ///@}
   /**
-   * Get the volume (mm^3 of the hand's space) that was removed since the beginning, ReadFile() or
-   * ReadTrace(), less what was undone.
+   * Get the volume (mm^3 of the hand's space) that was removed since the beginning or the last
+   * ReadFile() or ReadTrace(), without undone strokes.
    */
   double GetRemovedVolume();
-  /** Get whether all tissue is there. */
+  /** Get whether nothing was removed, so that all tissue remains. */
   bool IsEmpty();
-  /** Get whether tissue was not removed because all memory for removed tissue is used up. */
+  /** Get whether a burr could not remove tissue because all memory for removed tissue is in use. */
   bool IsUsedUp();
-  /** Get how many of the calls of Undo(), Redo() and Reset() are waiting or being carried out. */
+  /** Get the number of calls of Undo(), Redo() and Reset() that are waiting or in progress. */
   int GetNumberOfRequests();
 
   /**
@@ -123,8 +124,8 @@ public:
   ///@{
   /**
    * Write the shares to a .vti file, and read them. The file contains the part of the volume from
-   * which something was removed. It is replaced as a whole: if the disk is full, the old file
-   * stays. On failure, both report an error, return false and change nothing. Shares from a file
+   * which something was removed. An existing file is replaced only after the whole new one is on
+   * the disk. On failure, both report an error, return false and change nothing. Shares from a file
    * are felt on any volume whose samples lie at the positions of the samples of the file's volume:
    * a volume that was cropped or padded since has the same hole at the same position.
    */
@@ -133,9 +134,9 @@ public:
   ///@}
 
   /**
-   * Set the shares to those at the end of the only path of a trace of vtkVolumeHapticsFilter.
-   * Returns false and reports an error if the trace has no shares, or no model of the volume was
-   * made yet.
+   * Set the shares to those at the end of a trace of vtkVolumeHapticsFilter with a single path.
+   * Returns false and reports an error if the trace has no shares, or if no model of the volume has
+   * been made yet.
    */
   bool ReadTrace(vtkPolyData* trace);
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticShapedTool
- * @brief   a tool with a shape, which is pressed out of what is solid
+ * @brief   base class of tools with a shape, which solid material pushes out
  *
- * Holds the settings that vtkHapticPointShell and vtkHapticBurr share: what is solid, the area on
- * which the material functions act, and the spring between the hand and the tool.
+ * Has the settings that vtkHapticPointShell and vtkHapticBurr share: which scalars are solid, the
+ * area on which the material functions act, and the spring between the hand and the tool.
  *
  * @sa vtkHapticTool
  */

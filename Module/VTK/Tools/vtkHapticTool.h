@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticTool
- * @brief   what the hand holds: more than a point
+ * @brief   base class of the tools that the hand can hold instead of a point
  *
- * Replaces the point with which vtkVolumeHapticsFilter feels the volume by a tool:
+ * Replaces the point with which vtkVolumeHapticsFilter touches the volume:
  *
  *   vtkNew<vtkHapticNeedle> needle;
  *   filter->SetTool(needle);
@@ -37,11 +37,11 @@ public:
   vtkTypeMacro(vtkHapticTool, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Get a description for the user, such as "needle". */
+  /** Get the name of the tool for the user, such as "needle". */
   std::string GetText();
 
   /**
-   * Make a tool of a kind. The name of the kind is the name of its class without vtkHaptic, such as
+   * Make a tool of a kind. The name of a kind is that of its class without vtkHaptic, such as
    * "Burr". Returns nullptr if there is no such kind.
    */
   VTK_NEWINSTANCE static vtkHapticTool* Make(const char* kind);
@@ -49,8 +49,8 @@ public:
   ///@{
   /**
    * Set a number by its name, such as "Radius", and get a function by its name, such as
-   * "SpecificEnergy", for programs that show the settings of every kind. If the tool has none of
-   * that name, SetNumber returns false, and GetFunction nullptr.
+   * "SpecificEnergy", for programs that show the settings of every kind. If the tool has no such
+   * number or function, SetNumber returns false and GetFunction returns nullptr.
    */
   bool SetNumber(const char* name, double value);
   vtkPiecewiseFunction* GetFunction(const char* name);

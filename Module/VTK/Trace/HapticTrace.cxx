@@ -44,7 +44,7 @@ vtkSmartPointer<vtkDataArray> NewArray(const TraceColumn& column, vtkIdType tick
   return array;
 }
 
-/** Makes the polylines of paths whose points follow one another without gaps. */
+/** Makes one polyline per path for points that are stored path after path without gaps. */
 vtkSmartPointer<vtkCellArray> NewLines(const std::vector<HapticTrace::Rows>& paths, vtkIdType ticks)
 {
   vtkNew<vtkIdTypeArray> offsets;
@@ -64,7 +64,7 @@ vtkSmartPointer<vtkCellArray> NewLines(const std::vector<HapticTrace::Rows>& pat
   return lines;
 }
 
-/** Writes the records of a block to the columns of a trace that are chosen. */
+/** Writes the records of a block to the chosen columns of a trace. */
 class ColumnWriter
 {
 public:
@@ -97,7 +97,7 @@ public:
     this->Numbers(
       to, [=](std::size_t i) { return static_cast<unsigned char>(this->Records[i].*from); });
   }
-  /** Writes a number for each record, computed from the record and its index in the block. */
+  /** Writes a number per record, computed from the record and its index in the block. */
   template <typename Value, typename Function>
   void Numbers(Value TraceRow::*to, const Function& function) const
   {
@@ -127,7 +127,8 @@ private:
   }
 
   /**
-   * Returns where the block's tuples begin in a member's column; null if the column is not chosen.
+   * Returns the address of the block's tuples in a member's column; null if the column is not
+   * chosen.
    */
   template <typename Value, int Components = 1, typename Member>
   Value* Find(Member member) const
@@ -140,8 +141,8 @@ private:
   }
 
   const HapticTrace& Trace;
-  // The members are copies, because the compiler would assume that writing to the columns changes
-  // the originals.
+  // Copies, because the compiler would otherwise assume that writing to the columns changes the
+  // originals.
   const Affine3 ToWorld;
   const Matrix3 Rotation;
   const TickRecord* const Records;
@@ -152,7 +153,7 @@ private:
 /**
  * Writes at most FewRecords records of ticks on one model, column by column. Writing all columns at
  * once would be slower, because their tuples compete for the same few cache lines, and each record
- * needs all maps at once. `work` continues from the records before.
+ * needs all maps at once. `work` continues from the previous records.
  */
 void WriteRecords(const HapticTrace& trace, const HapticModel& model, const TickRecord* records,
   const double* times, std::size_t count, vtkIdType firstRow, WorkMeter& work)

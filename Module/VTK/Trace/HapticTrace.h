@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The trace: the record of every tick, as point arrays on polylines of proxy positions.
+ * Stores the trace: the records of all ticks, as point arrays on polylines of proxy positions.
  */
 #ifndef HapticTrace_h
 #define HapticTrace_h
@@ -33,8 +33,8 @@ namespace VolumeHaptics
 struct BakedVolume;
 
 /**
- * Memory for the ticks of all paths. TracePart fills it. It is allocated once; each of its pages is
- * first touched by the thread that writes it.
+ * Memory for the ticks of all paths, filled by TracePart. It is allocated once; each page is first
+ * touched by the thread that writes it.
  */
 class HapticTrace
 {
@@ -45,24 +45,20 @@ public:
   HapticTrace& operator=(const HapticTrace&) = delete;
 
   /**
-   * Returns the tuples of the column whose numbers have this offset (bytes) in a TraceRow: the
-   * proxy, or a chosen array. Null if the array is not chosen.
+   * Returns the tuples of the column for the TraceRow member at this offset (bytes): the proxy, or
+   * a chosen array. Null if the array is not chosen.
    */
   unsigned char* GetColumn(std::size_t offset) const { return this->Columns[offset]; }
   /** Returns the labels; null if they are not chosen. */
   long long* GetLabels() const { return this->LabelNumbers; }
   /**
-   * Returns the forces of the modes, three numbers for each tick; null for a mode that is not
-   * chosen.
+   * Returns the forces of the modes, three numbers per tick; null for a mode that is not chosen.
    */
   const std::vector<double*>& GetModeForces() const { return this->ModeNumbers; }
 
-  /**
-   * Returns the orientations of the stylus, four numbers for each tick; null if they are not
-   * chosen.
-   */
+  /** Returns the orientations of the stylus, four numbers per tick; null if they are not chosen. */
   double* GetOrientations() const { return this->OrientationNumbers; }
-  /** A chosen array of a tool. Only some tools have such arrays. */
+  /** A chosen array that only some tools have. */
   struct ToolArray
   {
     const ToolColumn* Column;
@@ -70,7 +66,7 @@ public:
   };
   const std::vector<ToolArray>& GetArraysOfTool() const { return this->ToolArrays; }
 
-  /** Consecutive rows of the trace: the ticks of one path. */
+  /** Range of rows of the trace with the ticks of one path. */
   struct Rows
   {
     vtkIdType First;
@@ -78,10 +74,9 @@ public:
   };
 
   /**
-   * Passes the rows of these paths to a polydata: points, arrays, and a polyline for each path. If
-   * there is a single path with fewer than two ticks, it has no polyline. The rows must be in
-   * ascending order; gaps between them are closed. `areSeveral` says that there are several
-   * paths, so that each gets a polyline.
+   * Moves the rows of these paths to a polydata: points, arrays, and a polyline per path. A single
+   * path with fewer than two ticks gets no polyline. The rows must be in ascending order; gaps
+   * between them are closed. `areSeveral`: there are several paths, so that each gets a polyline.
    */
   void WriteTo(vtkPolyData* output, const std::vector<Rows>& paths, bool areSeveral);
 
@@ -91,31 +86,31 @@ private:
 
   vtkNew<vtkPoints> Proxies;
   std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
-  std::array<unsigned char*, sizeof(TraceRow)> Columns{}; ///< indexed by the offset in a TraceRow
+  std::array<unsigned char*, sizeof(TraceRow)> Columns{}; ///< by the offset in a TraceRow
   long long* LabelNumbers = nullptr;
   std::vector<double*> ModeNumbers; ///< empty if no mode is chosen
   double* OrientationNumbers = nullptr;
   std::vector<ToolArray> ToolArrays;
 };
 
-/** Number of records that fit into the CPU cache along with the data that a tick reads. */
+/** Number of records that fit into the CPU cache together with the data that a tick reads. */
 constexpr std::size_t FewRecords = 32;
 
 /**
  * Collects a few records of consecutive ticks, and then writes them to the trace on the same
- * thread. Several threads may each write a part.
+ * thread. Several threads may write different parts.
  */
 class TracePart
 {
 public:
-  /** `work` carries its sum from one part of a path to the next. */
+  /** `work` passes its sum from one part of a path to the next. */
   TracePart(const HapticTrace& trace, vtkIdType firstRow, WorkMeter& work);
 
-  /** Returns the record that the next Append() adds. Write all of its members before. */
+  /** Returns the record that the next Append() adds. Write all of its members first. */
   TickRecord& GetNext() { return this->Records[this->Filled]; }
   /**
-   * Adds the record of GetNext(). `forces` are the modes' forces on device axes, if the trace has
-   * modes.
+   * Adds the record of GetNext(). `forces` are the forces of the modes (device axes), if the trace
+   * has modes.
    */
   void Append(const std::shared_ptr<const HapticModel>& model, double time,
     const ModeForces* forces = nullptr)
@@ -134,18 +129,18 @@ public:
       this->Flush();
     }
   }
-  /** Writes the remaining records. */
+  /** Writes the records that are still buffered. */
   void Flush();
 
 private:
-  /** Sets another model for the next record, because its tick used that model. */
+  /** Sets the model of the next records, after writing the records that used the previous one. */
   void Replace(const std::shared_ptr<const HapticModel>& model);
   void WriteModeForces(const ModeForces& forces);
 
   const HapticTrace& Trace;
   vtkIdType Next;
   std::size_t Filled = 0;
-  std::shared_ptr<const HapticModel> Model; ///< model of the records
+  std::shared_ptr<const HapticModel> Model; ///< model of the buffered records
   std::array<TickRecord, FewRecords> Records;
   std::array<double, FewRecords> Times; ///< s
   WorkMeter& Work;

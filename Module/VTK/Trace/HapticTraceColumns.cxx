@@ -29,8 +29,8 @@ std::size_t TraceColumn::GetWidth() const
   return size * static_cast<std::size_t>(this->Components);
 }
 
-// The two lists are never destroyed, because a device that is deleted while the process exits still
-// writes its recording.
+// The two lists are never destroyed, because a device that is deleted at the exit of the process
+// still writes its recording.
 
 const std::vector<TraceColumn>& GetTraceColumns()
 {

@@ -5,7 +5,7 @@
  * Lists the arrays of traces and recordings with their names, types and units.
  *
  * The filter's output, the journal of a recording and both file formats are made from these lists.
- * Files hold contacts of a tool with a shape as plain numbers (ContactRow).
+ * Files store the contacts of a tool with a shape as plain numbers (ContactRow).
  */
 #ifndef HapticTraceColumns_h
 #define HapticTraceColumns_h
@@ -29,38 +29,38 @@ enum class ColumnType : std::uint8_t
   UInt8
 };
 
-/** An array, and the offset of its numbers in a row. */
+/** An array of a trace, and where its numbers are in a row. */
 struct TraceColumn
 {
   const char* Name;
-  const char* Unit; ///< unit as in a column's title; empty if there is none
+  const char* Unit; ///< as in a column's title; empty without a unit
   ColumnType Type;
   int Components;
   std::size_t Offset; ///< offset in the row (bytes)
 
-  /** Returns the size of the array's tuple (bytes). */
+  /** Returns the size (bytes) of a tuple of the array. */
   std::size_t GetWidth() const;
 };
 
-/** Lists the columns of a TraceRow, without the proxy, which becomes the polydata's points. */
+/** Returns the columns of a TraceRow, except the proxy, which becomes the polydata's points. */
 const std::vector<TraceColumn>& GetTraceColumns();
-/** Lists the columns of a RecordingRow; the proxy comes last. */
+/** Returns the columns of a RecordingRow, with the proxy last. */
 const std::vector<TraceColumn>& GetRecordingColumns();
 
-/** Returns the unit of a trace's or a recording's array, as in a title; empty if it has none. */
+/** Returns the unit of an array in a trace or recording, as in a title; empty without a unit. */
 std::string GetTraceUnit(const std::string& array);
 
 /**
- * Ten numbers of a contact: the number of the point, the offset (3, m), depth (m), energy (J),
- * stretch (m), stiffness (N/m^3), strength (N/m^2), and the fraction of the energy that counts. All
- * contacts have the same fraction.
+ * The ten numbers of a contact: index of the point, offset (3, m), depth (m), energy (J), stretch
+ * (m), stiffness (N/m^3), strength (N/m^2), and the fraction of the energy that counts, which is
+ * the same for all contacts.
  */
 using ContactRow = std::array<double, 10>;
 
 std::vector<ContactRow> ToRows(const ShellContacts& contacts);
 /**
- * Reads a row. Returns false for numbers that no tick produces, because a file may contain any
- * numbers.
+ * Converts a row to a contact. Returns false for numbers that no tick produces, because a file may
+ * contain any numbers.
  */
 bool FromRow(const ContactRow& row, ShellContact& contact, double& fraction);
 

@@ -26,21 +26,21 @@ namespace
 {
 
 /**
- * Titles that the three columns of positions may have, in order of preference: titles of this
- * library, of ParaView, and of other tables.
+ * Titles of the three columns of positions, in order of preference: those of this library, of
+ * ParaView, and of other tables.
  */
 const char* const WorldColumns[][3] = { { "Tip x", "Tip y", "Tip z" },
   { "Points:0", "Points:1", "Points:2" }, { "x", "y", "z" } };
 const char* const OrientationAxes[4] = { " w", " x", " y", " z" };
 const char* const DeviceColumns[3] = { "DeviceTip x", "DeviceTip y", "DeviceTip z" };
 
-/** Removes the unit from a column's title: "Tip x (world)" becomes "Tip x". */
+/** Removes the unit from the title of a column: "Tip x (world)" becomes "Tip x". */
 std::string WithoutUnit(const std::string& title)
 {
   return title.substr(0, title.find(" ("));
 }
 
-/** Reads the numbers of a column that a replay needs; returns nothing if the column is missing. */
+/** Returns the numbers of a column that a replay needs; empty if the column is missing. */
 std::vector<double> ReadColumn(vtkTable* table, const std::string& wanted)
 {
   std::vector<double> values;
@@ -60,7 +60,7 @@ std::vector<double> ReadColumn(vtkTable* table, const std::string& wanted)
   return values;
 }
 
-/** Reads vectors from three columns; returns nothing if a column is missing. */
+/** Returns the vectors in three columns; empty if a column is missing. */
 std::vector<Vector3> ReadVectors(vtkTable* table, const char* const columns[3])
 {
   const std::vector<double> x = ReadColumn(table, columns[0]);
@@ -88,8 +88,7 @@ std::vector<Vector3> ReadVectors(vtkDataArray* array)
 
 ///@{
 /**
- * Read quaternions from four columns, or from an array; return nothing if a column or the array is
- * missing.
+ * Return the quaternions in four columns or in an array; empty if a column or the array is missing.
  */
 std::vector<Quaternion> ReadQuaternions(vtkTable* table, const std::string& name)
 {
@@ -132,7 +131,7 @@ std::vector<double> ReadNumbers(vtkDataArray* array)
   return numbers;
 }
 
-/** The contents of a file before they are checked. */
+/** Contents of a file before they are checked. */
 struct Contents
 {
   std::vector<Vector3> DeviceTips;
@@ -167,7 +166,7 @@ Contents ReadTable(const std::string& file)
   reader->SetHaveHeaders(true);
   reader->DetectNumericColumnsOn();
   reader->ForceDoubleOn();
-  // Read a missing cell as NaN, which will be detected, and not as 0.
+  // Read a missing cell as NaN instead of 0, so that it is detected.
   reader->SetDefaultDoubleValue(std::numeric_limits<double>::quiet_NaN());
   reader->Update();
   vtkTable* const table = reader->GetOutput();
@@ -187,8 +186,8 @@ Contents ReadTable(const std::string& file)
 }
 
 /**
- * Returns whether the last line of a table ends with a line break. The last line of a table that
- * was cut off usually does not.
+ * Returns whether the last line of a table ends with a line break, which is usually missing in a
+ * truncated table.
  */
 bool EndsWithLine(const std::string& file)
 {
@@ -197,7 +196,7 @@ bool EndsWithLine(const std::string& file)
   return stream.get() == '\n';
 }
 
-/** Returns the first fault of the contents; empty if there is none. */
+/** Returns the first fault in the contents; empty if they are valid. */
 std::string Judge(const std::vector<Vector3>& tips, const std::vector<double>& times)
 {
   if (tips.empty())
@@ -224,7 +223,7 @@ std::string Judge(const std::vector<Vector3>& tips, const std::vector<double>& t
   return {};
 }
 
-/** Reads the tips. Returns the fault of the file; empty if there is none. */
+/** Reads the tips. Returns the fault of the file; empty if it is valid. */
 std::string ReadTips(const std::string& file, bool isPath, RecordedTips& result)
 {
   const std::string ending = GetTraceEnding(file);

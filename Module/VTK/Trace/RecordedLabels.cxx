@@ -19,7 +19,7 @@ namespace VolumeHaptics
 bool ReadSettingsBeside(const std::string& csv, std::string& settings, std::string& error)
 {
   settings.clear();
-  // bytes; the file has a tuple for each placement of the device
+  // bytes; the file has one tuple per placement of the device
   constexpr std::size_t largest = 64 << 20;
   const std::string file = csv + ".json";
   if (!vtksys::SystemTools::FileExists(file))

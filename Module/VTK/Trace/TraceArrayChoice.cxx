@@ -29,7 +29,7 @@ std::size_t GetNumberOfTraceArrays()
 
 const char* GetTraceArrayName(std::size_t array)
 {
-  // The list is never destroyed, like the list of columns.
+  // Never destroyed, for the same reason as the list of columns.
   static const auto* const names = []
   {
     auto* const all = new std::vector<std::string>;

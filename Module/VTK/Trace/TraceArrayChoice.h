@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The choice of the arrays that a trace of the filter has.
+ * Chooses which arrays a trace of the filter has.
  */
 #ifndef TraceArrayChoice_h
 #define TraceArrayChoice_h
@@ -16,24 +16,22 @@ namespace VolumeHaptics
 
 ///@{
 /**
- * Names of arrays that only some traces have: of volumes with labels, of volumes that move, and of
- * the method PRIMITIVES. The name of a mode's array ends with the number of the mode.
+ * Names of arrays that only some traces have: of volumes with labels, of moving volumes, and of the
+ * method PRIMITIVES. The name of a mode's array ends with the index of the mode.
  */
 constexpr const char* LabelColumn = "Label";
 constexpr const char* DataTimeColumn = "DataTime";
 constexpr const char* ModeForceColumn = "ModeForce_";
 ///@}
-/**
- * Names of arrays that traces of every tool have. The arrays of the tool's kind (ToolKind) follow.
- */
+/** Names of arrays in traces of every tool. The arrays of the tool's kind (ToolKind) follow. */
 constexpr const char* CommonToolArrays[] = { "Orientation", "Torque", "Depth", "ShaftForce" };
 
-/** The largest number of modes whose forces a trace has. */
+/** Largest number of modes whose forces a trace has. */
 constexpr std::size_t MostModeForces = 8;
 
 /**
- * A set of arrays. Bit i stands for column i of GetTraceColumns(). The bits after the last column
- * stand for the labels, the data time, the force of each mode, and the arrays of tools.
+ * A set of arrays. Bit i stands for column i of GetTraceColumns(). The following bits stand for the
+ * labels, the data time, the force of each mode, and the arrays of tools.
  */
 using TraceArrayChoice = unsigned long long;
 constexpr TraceArrayChoice AllTraceArrays = ~TraceArrayChoice(0);
@@ -48,36 +46,36 @@ constexpr bool IsChosen(TraceArrayChoice choice, std::size_t array)
  * Return the number of all arrays, and the name of an array. Arrays are in the order of the bits.
  */
 std::size_t GetNumberOfTraceArrays();
-/** Returns the index of the array of a mode's force. */
+/** Returns the index of the array with a mode's force. */
 std::size_t GetModeForceArray(std::size_t mode);
 /**
- * Returns the index of a tool's array. `column` counts the CommonToolArrays, then the arrays of
- * each kind of tool.
+ * Returns the index of a tool's array. `column` counts the CommonToolArrays first, then the arrays
+ * of each kind of tool.
  */
 std::size_t GetToolArray(std::size_t column);
 const char* GetTraceArrayName(std::size_t array);
 ///@}
 
-/** Returns the index of an array by its name; GetNumberOfTraceArrays() if no array has the name. */
+/** Returns the index of the array with a name; GetNumberOfTraceArrays() if there is none. */
 std::size_t FindTraceArray(const std::string& name);
 
 /** Splits a text into words at commas and spaces. */
 std::vector<std::string> SplitTraceArrays(const std::string& text);
 
 /**
- * Reads "all", "none" or names of arrays. If no array has one of the names, returns the error and
- * the cure, and leaves the choice unchanged.
+ * Parses "all", "none" or names of arrays. For an unknown name, returns the error with the cure,
+ * and leaves the choice unchanged.
  */
 std::string ReadTraceArrays(const std::vector<std::string>& names, TraceArrayChoice& choice);
 
 /**
- * Lists the names of the chosen arrays, with or without another one. If no array has the name of
- * the other one, the list has it, so that ReadTraceArrays() reports it.
+ * Lists the names of the chosen arrays, with one more array added or removed. An unknown name is
+ * added to the list, so that ReadTraceArrays() reports it.
  */
 std::vector<std::string> ListTraceArrays(
   TraceArrayChoice choice, const std::string& other, bool isWanted);
 
-/** Returns the choice as a text that ReadTraceArrays can read. */
+/** Returns the choice as a text that ReadTraceArrays() can parse. */
 std::string DescribeTraceArrays(TraceArrayChoice choice);
 
 } // namespace VolumeHaptics

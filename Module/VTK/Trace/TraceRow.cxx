@@ -11,7 +11,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A visitor for VisitTraceSources() that writes a row. */
+/** Visitor for VisitTraceSources() that fills a row. */
 struct RowFiller
 {
   const HapticModel& Model;
@@ -22,8 +22,8 @@ struct RowFiller
   {
     ToArray(this->Model.DeviceToWorld(this->Record.*from), this->Row.*to);
   }
-  // Forces and directions are only rotated: device axes are the world's axes, rotated, and only
-  // lengths are scaled.
+  // Rotate forces and directions without scaling, because only lengths are scaled between device
+  // and world.
   void Direction(double (TraceRow::*to)[3], Vector3 TickRecord::*from) const
   {
     ToArray(this->Model.DeviceToWorldRotation * (this->Record.*from), this->Row.*to);

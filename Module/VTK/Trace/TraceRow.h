@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The values of a tick in a trace and in a recording. HapticTraceColumns.h lists them as arrays.
+ * The values of a tick in a trace and in a recording; HapticTraceColumns.h lists them as arrays.
  */
 #ifndef TraceRow_h
 #define TraceRow_h
@@ -20,7 +20,7 @@ namespace VolumeHaptics
 class HapticModel;
 struct ServoSnapshot;
 
-/** One tick of a trace, in the world. */
+/** A tick of a trace, in world space. */
 struct TraceRow
 {
   double Proxy[3];
@@ -41,27 +41,25 @@ struct TraceRow
   double SurfaceStrength;
   double Energy; ///< J
   double DataTime;
-  double Torque[3]; ///< torque of a tool, N m
+  double Torque[3]; ///< torque of a tool (N m)
   unsigned char Contact;
   unsigned char Unfinished;
   unsigned char Renewed;
 };
 
-/**
- * The largest number of values that the ToolColumns of all tools together may have in a recording.
- */
+/** Largest number of values of the ToolColumns of all tools together in a recording. */
 constexpr int MostToolNumbers = 7;
 
-/** One tick of a recording. */
+/** A tick of a recording. */
 struct RecordingRow
 {
   TraceRow Trace;
   double DeviceTip[3];     ///< tip in the device's space (m)
-  double Command[3];       ///< force that was sent (N)
-  double TorqueCommand[3]; ///< torque that was sent (N m)
-  /// w, x, y, z of a unit quaternion; all 0 if the device has none
+  double Command[3];       ///< force sent to the device (N)
+  double TorqueCommand[3]; ///< torque sent to the device (N m)
+  /// w, x, y, z of a unit quaternion; all 0 if the device measures none
   double DeviceOrientation[4];
-  double Orientation[4];           ///< orientation in the world
+  double Orientation[4];           ///< orientation of the stylus in the world
   double OfTools[MostToolNumbers]; ///< recorded arrays of each kind of tool, one after another
   double Share; ///< fraction of the force that the gate let through (ForceGate.h)
   std::int64_t Tick;
@@ -70,18 +68,21 @@ struct RecordingRow
   unsigned char Enabled;
   unsigned char Armed;
   unsigned char Fault;
-  unsigned char Reason; ///< a GateReason: why Share is not 1
+  unsigned char Reason; ///< a GateReason, why Share is below 1
   unsigned char Spinning;
   unsigned char RemovalRequest; ///< request about removed tissue that began in the tick
 };
 
-/** Computes the work (J) of force and torque on the hand since the first record, by trapezoids. */
+/**
+ * Integrates the work (J) of force and torque on the hand since the first record, with the
+ * trapezoidal rule.
+ */
 class WorkMeter
 {
 public:
   double Add(const TickRecord& record)
   {
-    // A tip that is not finite does no work.
+    // Skip tips that are not finite.
     if (this->HasLast && IsFinite(record.Tip) && IsFinite(this->LastTip))
     {
       this->Work += 0.5 * Dot(record.Force + this->LastForce, record.Tip - this->LastTip);
@@ -96,7 +97,7 @@ public:
   }
 
 private:
-  /** Adds the work of the torque of a tool with a shape, if the hand holds it at both records. */
+  /** Adds the work of the torque of a tool with a shape, if it is held at both records. */
   void AddTurn(const TickRecord& record)
   {
     Quaternion from = this->LastOrientation;
@@ -110,7 +111,7 @@ private:
     const double sine = Norm(axis);
     if (sine > 0.0)
     {
-      // q and -q are the same orientation, so take the shorter turn.
+      // Use the shorter rotation, since q and -q are the same orientation.
       const double angle =
         2.0 * std::atan2(turn.W < 0.0 ? -sine : sine, std::abs(turn.W)); // angle about `axis`
       this->Work += 0.5 * (angle / sine) * Dot(record.Torque + this->LastTorque, axis);
@@ -127,17 +128,16 @@ private:
 
 /**
  * Returns the label just inside the surface at a record's proxy, or at the point of an inserted
- * needle; 0 if there is no label.
+ * needle; 0 without a label.
  */
 std::int64_t GetTraceLabel(const HapticModel& model, const TickRecord& record);
 
-/** Returns whether the proxy of a record is held by the wall in front of a forbidden label. */
+/** Returns whether the wall in front of a forbidden label holds the proxy of a record. */
 bool IsHeldAtForbidden(const HapticModel& model, const TickRecord& record);
 
 /**
- * Calls a visitor with each number of a row and the member of a record from which it comes. The
- * visitor should transform points and directions from device space to the world of the model's
- * image.
+ * Calls a visitor with each number of a row and the record's member that it comes from. The visitor
+ * should transform points and directions from device space to the world of the model's image.
  */
 template <typename Visitor>
 void VisitTraceSources(Visitor&& visit)
@@ -165,10 +165,10 @@ void VisitTraceSources(Visitor&& visit)
 /** Returns the data time of a row; 0 if the volume does not move. */
 double GetTraceDataTime(const HapticModel& model, const TickRecord& record);
 
-/** Returns the value V at the proxy of a record. */
+/** Returns the volume's value V at the proxy of a record. */
 double GetTraceValue(const HapticModel& model, const TickRecord& record);
 
-/** Write a record to a row, transformed from device space to the world of the model's image. */
+/** Fill a row from a record, transformed from device space to the world of the model's image. */
 void FillTraceRow(
   const HapticModel& model, double time, const TickRecord& record, WorkMeter& work, TraceRow& row);
 RecordingRow MakeRecordingRow(

@@ -31,7 +31,7 @@ TraceTable::TraceTable()
 void TraceTable::AddTitle(const std::string& array, int components)
 {
   static const char* const axes[] = { " w", " x", " y", " z" };
-  // of four components, the first is w; a vector begins with x
+  // The first of four components is w; a vector starts with x.
   const bool hasAxes = components == 3 || components == 4;
   for (int c = 0; c < components; ++c)
   {
@@ -63,7 +63,7 @@ bool WriteTracePolyData(vtkPolyData* trace, const std::string& file, std::string
 
 bool WriteTraceTable(vtkPolyData* trace, const std::string& file, std::string& error)
 {
-  // Put time and position first, for human readers.
+  // Put time and position first, for people who read the table.
   std::vector<std::pair<std::string, vtkDataArray*>> columns;
   vtkPointData* const arrays = trace->GetPointData();
   if (vtkDataArray* const time = arrays->GetArray("Time"))

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Writes a trace that is in memory, completely or not at all. A recording may be too large for
- * memory, so it is written from its journal (HapticRecordingFile.h), to files of the same form.
+ * Writes a trace in memory to a file, all of it or nothing. A recording may be too large for
+ * memory, so it is written from its journal (HapticRecordingFile.h), to files in the same format.
  */
 #ifndef TraceWriter_h
 #define TraceWriter_h
@@ -17,9 +17,9 @@ namespace VolumeHaptics
 {
 
 /**
- * Writes the text of a trace's .csv: a line of titles, then a line for each tick. Numbers have
- * enough digits to be restored exactly, which vtkDelimitedTextWriter does not ensure. The decimal
- * separator is a point, whatever the application's locale.
+ * Makes the text of a trace's .csv: a line of titles, then one line per tick. Numbers have enough
+ * digits to be restored exactly, unlike those of vtkDelimitedTextWriter, and a decimal point in any
+ * locale.
  */
 class TraceTable
 {
@@ -27,12 +27,12 @@ public:
   TraceTable();
 
   /**
-   * Adds the titles of an array's columns with their unit: "Time (s)"; for a vector "Tip x (world)"
-   * and so on; for a quaternion "Orientation w" and so on.
+   * Adds the titles of an array's columns, with the unit: "Time (s)"; for a vector, "Tip x (world)"
+   * and so on; for a quaternion, "Orientation w" and so on.
    */
   void AddTitle(const std::string& array, int components);
   void AddNumber(double number);
-  /** Ends the current line and returns it. */
+  /** Ends the current line and returns its text. */
   std::string EndLine();
 
 private:
@@ -42,8 +42,8 @@ private:
 
 ///@{
 /**
- * Write a .vtp with everything, or a .csv with a line for each tick. Return false and write the
- * reason and the cure if that fails.
+ * Write a .vtp with everything, or a .csv with one line per tick. On failure, return false, with
+ * the reason and the cure in `error`.
  */
 bool WriteTracePolyData(vtkPolyData* trace, const std::string& file, std::string& error);
 bool WriteTraceTable(vtkPolyData* trace, const std::string& file, std::string& error);

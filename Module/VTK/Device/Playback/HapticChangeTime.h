@@ -18,7 +18,7 @@ namespace VolumeHaptics
 {
 
 /**
- * Returns the modification time of an algorithm with everything upstream of it; 0 without an
+ * Returns the latest modification time of an algorithm and everything upstream of it; 0 without an
  * algorithm.
  */
 inline vtkMTimeType ComputePipelineTime(vtkAlgorithm* source)
@@ -34,12 +34,13 @@ inline vtkMTimeType ComputePipelineTime(vtkAlgorithm* source)
 }
 
 /**
- * Returns the modification time of a filter with its surface and label image; 0 without a filter.
+ * Returns the latest modification time of a filter, its surface and its label image; 0 without a
+ * filter.
  */
 inline vtkMTimeType ComputeChangeTimeBesideImage(vtkVolumeHapticsFilter* filter)
 {
   vtkMTimeType time = filter ? filter->GetMTime() : 0;
-  for (const int port : { 2, 3 }) // the surface, the labels
+  for (const int port : { 2, 3 }) // ports of the surface and the labels
   {
     vtkAlgorithm* const source = filter ? filter->GetInputAlgorithm(port, 0) : nullptr;
     vtkDataObject* const data = filter ? filter->GetInputDataObject(port, 0) : nullptr;
@@ -49,10 +50,9 @@ inline vtkMTimeType ComputeChangeTimeBesideImage(vtkVolumeHapticsFilter* filter)
 }
 
 /**
- * Returns the modification time of a filter with its image, surface and label image; 0 without a
- * filter. If the time steps of a moving image are requested one after the other (`isMoving`), the
- * pipeline before the image counts instead of the image itself, because each request changes the
- * image.
+ * Returns the latest modification time of a filter, its image, surface and label image; 0 without a
+ * filter. For a moving image (`isMoving`), uses the pipeline that produces the image instead of the
+ * image itself, because each request of a time step changes the image.
  */
 inline vtkMTimeType ComputeChangeTime(vtkVolumeHapticsFilter* filter, bool isMoving = false)
 {

@@ -26,15 +26,15 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Number of samples that are meshed in about ten milliseconds. */
+/** Number of samples of a region: meshing takes about ten milliseconds. */
 constexpr vtkIdType MostMeshedSamples = 1 << 20;
 /**
- * Smallest image (samples) that is meshed in two steps, a part first. A smaller image is meshed
- * whole in nearly the same time as a part of it, and sooner if no part is meshed at the same time.
+ * Smallest image (samples) for which a region is meshed first. Meshing a smaller image whole takes
+ * nearly as long as a region, and is faster without a region at the same time.
  */
 constexpr vtkIdType LeastWholeSamples = 4 * MostMeshedSamples;
 
-/** Copies the tuples of a part of an extent into an array that nothing else uses. */
+/** Copies part of an extent's tuples into an array that no other thread uses. */
 vtkSmartPointer<vtkDataArray> CopyTuples(
   vtkDataArray* whole, const int extent[6], const int part[6])
 {
@@ -121,9 +121,9 @@ void RegionMesher::Order(vtkImageData* image, vtkVolumeHapticsFilter* filter, co
   image->GetExtent(whole.data());
   if (!MakeIndexToWorld(image, whole.data(), "input image", map, error))
   {
-    return; // meshing the whole image reports the error
+    return; // meshing the whole image will report the error
   }
-  // extent relative to the image's first sample, because the map counts from there
+  // Extent relative to the image's first sample, as the map to the world expects.
   Extent fromFirst;
   for (int a = 0; a < 6; ++a)
   {
@@ -132,7 +132,7 @@ void RegionMesher::Order(vtkImageData* image, vtkVolumeHapticsFilter* filter, co
   const vtkSmartPointer<vtkDataArray> scalars = filter->GetBaker().GetFilled().Array;
   if (!scalars)
   {
-    return; // meshing the whole image reports the error
+    return; // meshing the whole image will report the error
   }
   const int component = filter->GetProperty()->GetComponent();
   const double value = filter->GetIsoValue();
@@ -156,8 +156,8 @@ std::optional<SurfaceRegion> RegionMesher::Poll(vtkVolumeHapticsFilter* filter, 
   vtkImageData* const image = filter->GetTouchedImage();
   WholeFacts facts;
   std::string error;
-  // Given surfaces have no regions, because nothing says where a part of them is missing. An image
-  // that is a region itself is meshed whole.
+  // A given surface has no regions, because its gaps could not be told from missing parts. An image
+  // that is itself a region is meshed whole.
   if (!scalars.Array || filter->GetInputDataObject(2, 0) ||
     image->GetNumberOfPoints() < LeastWholeSamples ||
     !ReadWholeFacts(image, filter->GetProperty()->GetComponent(), facts, error) || facts.IsThere)

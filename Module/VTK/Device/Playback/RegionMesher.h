@@ -28,7 +28,7 @@ namespace VolumeHaptics
 {
 class SurfaceMesh;
 
-/** Meshes regions around the tip on a worker. Call it from the owner's thread. */
+/** Meshes regions around the tip on a worker thread. Call it from the owner's thread. */
 class RegionMesher
 {
 public:
@@ -36,17 +36,17 @@ public:
   ~RegionMesher();
 
   /**
-   * Returns the next region once it is meshed. Returns nothing if the last region suffices, if the
-   * next region is still being meshed, or if the image can't be touched. Call this often, with the
-   * tip in the world.
+   * Returns the next region once its mesh is ready. Returns nothing if the last region still
+   * suffices, if the next one is still being meshed, or if the image can't be touched. Call this
+   * often, with the tip in the world.
    */
   std::optional<SurfaceRegion> Poll(vtkVolumeHapticsFilter* filter, const double tip[3]);
-  /** Ends the work without waiting for it, and discards the last region. */
+  /** Stops the work without waiting for it, and discards the last region. */
   void End();
 
 private:
   using Extent = std::array<int, 6>;
-  /** Identifies an isosurface: its samples, their component, and its value. */
+  /** Key of an isosurface: its samples, their component, and its value. */
   using SurfaceKey = std::tuple<TouchedArray::Key, int, double>;
   /** Result of the worker: the samples and mesh of a region. */
   struct Made

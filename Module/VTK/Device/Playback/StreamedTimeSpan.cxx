@@ -25,7 +25,8 @@ bool IsEarlier(const VolumeTimeStep& a, const VolumeTimeStep& b)
 }
 
 /**
- * Returns the time steps of a whole series without the last one, which repeats the first one.
+ * Returns the time steps of a whole series without the last one, which is a repetition of the
+ * first.
  */
 std::vector<VolumeTimeStep> KeepSeries(const BakedVolume& whole)
 {
@@ -60,7 +61,7 @@ VolumeTimeStep KeepTimeStep(const BakedVolume& span, std::size_t number)
 {
   const FieldTimeStep& timeStep = span.TimeSteps[number];
   VolumeTimeStep kept{ timeStep.Time, timeStep.Field.GetView(), timeStep.Samples };
-  // The mesh of a single time step does not move.
+  // A single time step has a mesh without motion.
   kept.Mesh = span.TimeSteps.size() > 1 ? timeStep.Mesh : nullptr;
   if (timeStep.Motion)
   {
@@ -111,8 +112,8 @@ std::shared_ptr<const BakedVolume> JoinTimeSpans(
   std::vector<double> times;
   for (auto timeStep = timeSteps.begin(); timeStep != timeSteps.end(); ++timeStep)
   {
-    // Displacements lead to the next time step, so they are kept only if `after` has the same next
-    // time step.
+    // Displacements describe the motion to the next time step, so keep them only if `after` has the
+    // same next time step.
     const auto same = std::lower_bound(after.begin(), after.end(), *timeStep, IsEarlier);
     const bool isOwn = same != after.end() && same->Time == timeStep->Time;
     const bool isFollowed = isOwn && same + 1 != after.end() && timeStep + 1 != timeSteps.end() &&

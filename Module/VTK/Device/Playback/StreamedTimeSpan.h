@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Time spans of a volume whose time steps arrive one by one, joined so that the volume does not
+ * Joins time spans of a volume whose time steps arrive one by one, so that the volume does not
  * jump.
  */
 #ifndef StreamedTimeSpan_h
@@ -24,14 +24,14 @@ namespace VolumeHaptics
 {
 
 /**
- * Identifies the source of a filter's time steps. While it is unchanged, samples that were read
- * can be kept: only settings have changed.
+ * Identifies the source of a filter's time steps. While this is unchanged, samples that were read
+ * remain valid, because only settings can have changed.
  */
 struct TimeStepOrigin
 {
-  const void* Connection = nullptr; ///< connection to the source, only compared
+  const void* Connection = nullptr; ///< connection to the source, used only for comparison
   vtkMTimeType Time = 0;            ///< modification time of the source and its pipeline
-  std::string Displacements;        ///< name of the displacements' array
+  std::string Displacements;        ///< name of the displacement array
 
   bool operator==(const TimeStepOrigin& other) const
   {
@@ -47,40 +47,41 @@ inline TimeStepOrigin GetTimeStepOrigin(vtkVolumeHapticsFilter* filter)
 }
 
 /**
- * Earlier time spans of a moving volume. While the servo uses one of them, the time steps that were
- * replaced together with it are still in memory.
+ * Earlier time spans of a moving volume. While the servo uses one of them, the time steps of that
+ * time span stay in memory.
  */
 class PastTimeSpans
 {
 public:
   void Record(const std::shared_ptr<const BakedVolume>& span);
   /**
-   * Returns whether no earlier time span is in use any more. Also true if a reader of states has
-   * held one for too long.
+   * Returns whether no earlier time span is in use. Also returns true if a reader of states has
+   * kept one in use for too long.
    */
   bool AreGone() const;
 
 private:
   std::vector<std::weak_ptr<const BakedVolume>> Spans;
-  std::int64_t Since = 0; ///< time when the last time span was added (ns)
+  std::int64_t Since = 0; ///< time (ns) at which the last time span was added
 };
 
-/** Returns a time step of a time span for use in another time span. */
+/** Returns a time step of a time span in the form that another time span needs. */
 VolumeTimeStep KeepTimeStep(const BakedVolume& span, std::size_t number);
 
 /**
- * Returns whether time steps at the times `next` and time steps at the times `last` give the same
- * volume at `time`. A time step at a time of both lists is equal in both, so this is true at such a
- * time, and between two neighbouring times that both lists contain. Times are ascending.
+ * Returns whether the time steps at the times `next` give the same volume at `time` as those at the
+ * times `last`. Both lists are ascending. Time steps at equal times are assumed to be equal, so
+ * this holds at a time that both lists contain, and between two neighbouring times that both
+ * contain.
  */
 bool GoesOnWith(const std::vector<double>& last, const std::vector<double>& next, double time);
 
 /**
- * Returns `next` with the two time steps of `last` around a time added, unless `next` has them. So
- * the volume moves on from its present shape without a jump, even if time steps were left out. Both
- * time spans must be whole series of one volume, with the first time step repeated at the end.
- * Returns null if the time is outside `last`, if the regions differ, or if `next` has meshes,
- * because there is no mesh between the joined time steps.
+ * Returns `next` with the two time steps of `last` around a time added, unless `next` already has
+ * them. The volume then continues from its present shape without a jump, even if time steps were
+ * skipped. Both time spans must be whole series of one volume, with the first time step repeated at
+ * the end. Returns null if the time is outside `last`, if the regions differ, or if `next` has
+ * meshes, because there is no mesh between the joined time steps.
  */
 std::shared_ptr<const BakedVolume> JoinTimeSpans(
   const BakedVolume& last, const BakedVolume& next, double time);

@@ -43,12 +43,13 @@ TimeSteps::Need TimeSteps::ComputeNeed(double time, bool isBackward, Playback mo
   {
     first = count - 2;
   }
-  const bool isLoopEnd = first + 1 == count; // the interval from the last step to the first one
+  const bool isLoopEnd = first + 1 == count; // the interval that leads from the last step back to
+                                             // the first
   const std::size_t ahead = this->After(this->After(first));
   const std::size_t behind = this->Before(first);
   const bool hasAhead = isLoop || isLoopEnd || first + 2 < count;
   const bool hasBehind = isLoop || isLoopEnd || first > 0;
-  // The next step is on the other side if time can't advance: it may turn around.
+  // If time can't advance, it may turn around, so choose the step on the other side.
   const bool takesAhead = isBackward ? !hasBehind : hasAhead;
   return { first, takesAhead ? ahead : behind };
 }
@@ -56,7 +57,7 @@ TimeSteps::Need TimeSteps::ComputeNeed(double time, bool isBackward, Playback mo
 namespace
 {
 
-/** Updates the source of the image. Returns whether it succeeded. */
+/** Updates the source of the image. Returns false on failure. */
 bool IsUpdated(vtkVolumeHapticsFilter* filter)
 {
   try
@@ -79,8 +80,8 @@ void ReportUnread(vtkVolumeHapticsFilter* filter)
 }
 
 /**
- * Reads all components as time steps. Reads none if there is no image, which the baker reports as
- * an error.
+ * Reads all components as time steps. Reads none without an image; the baker then reports the
+ * error.
  */
 bool ReadComponents(vtkVolumeHapticsFilter* filter, PreparedTimeSpan& read)
 {
@@ -108,8 +109,8 @@ bool ReadComponents(vtkVolumeHapticsFilter* filter, PreparedTimeSpan& read)
 }
 
 /**
- * Returns whether all time steps are in the source's memory in the form that is felt. Meshes and
- * copies of displacements would need further memory for each time step.
+ * Returns whether the source already has all time steps in memory, in the form that is felt.
+ * Meshes, or copies of displacements, would need further memory for each time step.
  */
 bool AreInMemory(vtkVolumeHapticsFilter* filter)
 {
@@ -129,8 +130,8 @@ bool AreAlike(vtkDataArray* a, vtkDataArray* b)
 }
 
 /**
- * Reads a time step as ReadTimeStep() does, but copies it from a time span of the same source if it
- * is there.
+ * Reads a time step as ReadTimeStep() does, but reuses the copy in a time span of the same source
+ * if there is one.
  */
 bool ReadStep(vtkVolumeHapticsFilter* filter, double time, const TimeStepReading& reading,
   const BakedVolume* kept, ImageTimeStep& timeStep)
@@ -143,7 +144,7 @@ bool ReadStep(vtkVolumeHapticsFilter* filter, double time, const TimeStepReading
   {
     return ReadTimeStep(filter, time, reading, timeStep);
   }
-  // The user may have chosen another array since.
+  // Check that the user has not chosen another array since.
   vtkDataArray* wanted = nullptr;
   const auto look = [&](vtkImageData* image)
   {
@@ -154,7 +155,7 @@ bool ReadStep(vtkVolumeHapticsFilter* filter, double time, const TimeStepReading
   {
     return false;
   }
-  // The samples' owner is their array: see ShareArray() of the model's builder.
+  // Samples owns its vtkDataArray: see ShareArray() of the model's builder.
   const auto asArray = [](const std::shared_ptr<const void>& samples)
   { return static_cast<vtkDataArray*>(const_cast<void*>(samples.get())); };
   vtkDataArray* const had = asArray(known->Samples);
@@ -167,7 +168,10 @@ bool ReadStep(vtkVolumeHapticsFilter* filter, double time, const TimeStepReading
   return true;
 }
 
-/** Reads the time span at a place in the series; leaves it empty if there is only one time step. */
+/**
+ * Reads the time span at a place in the series. Leaves it empty if the series has only one time
+ * step.
+ */
 bool ReadSteps(vtkVolumeHapticsFilter* filter, const TimeStepPlace& place, const BakedVolume* kept,
   PreparedTimeSpan& read)
 {
@@ -207,10 +211,11 @@ bool ReadSteps(vtkVolumeHapticsFilter* filter, const TimeStepPlace& place, const
   {
     read.Images.back() = read.Images.front();
   }
-  // Data that are the same at all times are read from the first step, as along paths.
+  // Read data that are the same at all times from the first step, as for recorded paths.
   const TimeStepReading nothing{ [](vtkImageData*) { return nullptr; }, 0, {} };
   ImageTimeStep first;
-  return ReadTimeStep(filter, steps.front(), nothing, first); // else the source has reported why
+  return ReadTimeStep(filter, steps.front(), nothing, first); // on failure, the source has reported
+                                                              // an error
 }
 
 PreparedTimeSpan ReadTimeSpan(
@@ -223,7 +228,7 @@ PreparedTimeSpan ReadTimeSpan(
   return read;
 }
 
-/** Estimates how long (s) meshing takes. Stops adding once the sum is above ShortMeshing. */
+/** Estimates the total meshing time (s). Stops adding once the sum is above ShortMeshing. */
 double EstimateMeshTimes(const std::vector<ImageTimeStep>& timeSteps, double value)
 {
   double seconds = 0.0;
@@ -232,7 +237,7 @@ double EstimateMeshTimes(const std::vector<ImageTimeStep>& timeSteps, double val
     const ImageTimeStep& timeStep = timeSteps[i];
     seconds += timeStep.Array
       ? EstimateMeshTime({ timeStep.Image, timeStep.Array, timeStep.Component, value })
-      : 0.0; // the meshing itself reports the error
+      : 0.0; // the meshing itself will report the error
   }
   return seconds;
 }
@@ -246,8 +251,8 @@ TimeSpanPreparation::ChangeTimes TimeSpanPreparation::ComputeChangeTimes(
 }
 
 /**
- * Returns whether the time steps that were read belong to the filter's present state. Newer time
- * steps of a stream don't count: otherwise a fast stream would make the owner wait for ever.
+ * Returns whether the prepared time steps belong to the filter's present state. Ignores newer time
+ * steps of a stream: otherwise a fast stream would make the owner wait for ever.
  */
 bool TimeSpanPreparation::IsOf(vtkVolumeHapticsFilter* filter, const TimeStepPlace& place) const
 {
@@ -304,9 +309,9 @@ bool TimeSpanPreparation::Poll(vtkVolumeHapticsFilter* filter, const TimeStepPla
 }
 
 /**
- * Converts the time steps as the builder of models does. Returns false if the builder refuses a
- * time step, or if an array has a memory layout of its own: VTK then copies its values for readers
- * into one copy that all threads share.
+ * Converts the time steps as the model builder does. Returns false if the builder refuses a time
+ * step, or if an array has another memory layout: VTK then keeps one converted copy of its values
+ * that all reading threads share.
  */
 bool TimeSpanPreparation::Shape(vtkVolumeHapticsFilter* filter, const BakedVolume* last)
 {
@@ -333,7 +338,7 @@ bool TimeSpanPreparation::Shape(vtkVolumeHapticsFilter* filter, const BakedVolum
     this->IndexToWorld = volume.IndexToWorld;
     TimeStepSeries series = MakeSeries(this->Span->Steps.Times);
     series.Last =
-      // If this is a part of the series, the last time step needs no displacements.
+      // In a part of the series, the last time step needs no displacements.
       timeSteps.back().Time;
     const TimeStepShape shape{ volume.View, volume.IndexToWorld, series, filter->GetKernelRadius(),
       filter->GetDisplacementArrayName(), baker.GetOutside() };
@@ -352,7 +357,7 @@ bool TimeSpanPreparation::Shape(vtkVolumeHapticsFilter* filter, const BakedVolum
   }
   catch (const std::bad_alloc&)
   {
-    return false; // the builder reports the error
+    return false; // the model builder will report the error
   }
 }
 

@@ -29,18 +29,18 @@ struct TimeSteps
 {
   std::vector<double> Times; ///< ascending
   bool AreComponents = false;
-  bool AreInMemory = false; ///< whether all time steps are in the source's memory
+  bool AreInMemory = false; ///< whether the source has all time steps in memory
 
   /**
-   * The pair of neighbouring steps First and First + 1 that time is between, and the step that it
-   * needs next.
+   * The two neighbouring steps, First and First + 1, around the present time, and the step that is
+   * needed next.
    */
   struct Need
   {
     std::size_t First;
     std::size_t Next;
   };
-  /** Returns the steps that are needed when time advances from a data time. */
+  /** Returns the steps that are needed when playback continues from a data time. */
   Need ComputeNeed(double time, bool isBackward, Playback mode) const;
 
   std::size_t After(std::size_t step) const { return (step + 1) % this->Times.size(); }
@@ -48,7 +48,7 @@ struct TimeSteps
   {
     return (step + this->Times.size() - 1) % this->Times.size();
   }
-  /** Returns whether the servo gets all steps in one time span. */
+  /** Returns whether the servo gets the whole series as one time span. */
   bool AreAllAtOnce() const
   {
     constexpr std::size_t most = 3;
@@ -58,16 +58,16 @@ struct TimeSteps
 
 struct BakedVolume;
 
-/** Time steps as they are read. */
+/** Time steps that were read, and where they are in the series. */
 struct PreparedTimeSpan
 {
   bool AreRead = false; ///< false after an error, which the filter has reported
   TimeSteps Steps;
-  std::size_t First = 0;             ///< number of the step at which Images begin
+  std::size_t First = 0;             ///< index of the first step in Images
   std::vector<ImageTimeStep> Images; ///< empty if the volume does not move
 };
 
-/** The data time for which time steps are wanted, and how playback continues from it. */
+/** A data time at which time steps are needed, and how playback continues from it. */
 struct TimeStepPlace
 {
   std::optional<double> Time; ///< data time; empty for the first step
@@ -75,7 +75,7 @@ struct TimeStepPlace
   Playback Mode;
 };
 
-/** Prepares a time span. Call it from the owner's thread. */
+/** Reads the time steps of a time span and makes their meshes. Call it from the owner's thread. */
 class TimeSpanPreparation
 {
 public:
@@ -83,33 +83,35 @@ public:
    * Prepares the time steps; call this often. Returns whether Drain() would be quick now; if not, a
    * worker is still meshing.
    * @param last the volume that these time steps continue; null if they begin a new volume
-   * @param kept a time span that has been made of the same source; may be null. Its time steps are
-   *   not copied again.
+   * @param kept an earlier time span of the same source; may be null. Its time steps are not copied
+   *   again.
    */
   bool Poll(vtkVolumeHapticsFilter* filter, const TimeStepPlace& place, const BakedVolume* last,
     const BakedVolume* kept);
-  /** Returns whether Poll() has read time steps that Drain() has not taken yet. */
+  /** Returns whether Poll() has read time steps that Drain() has not returned yet. */
   bool IsBegun() const { return this->Span.has_value(); }
-  /** Returns whether neither this object nor its worker holds time steps. */
+  /** Returns whether neither this object nor its worker has time steps in memory. */
   bool IsIdle() { return !this->IsBegun() && this->Mesher.IsIdle(); }
-  /** Returns the data times of all steps of the series that was read; empty before that. */
+  /**
+   * Returns the data times of all steps of the prepared series; empty before Poll() has read it.
+   */
   std::vector<double> GetTimes() const
   {
     return this->IsBegun() ? this->Span->Steps.Times : std::vector<double>();
   }
-  /** Estimates how long (s) the meshes that are missing will take. */
+  /** Estimates the time (s) that the missing meshes will take. */
   double GetTimeOfRest() const { return this->IsBegun() ? this->TimeOfRest : 0.0; }
 
-  /** Returns the time steps of Poll(); if there are none, reads them now. */
+  /** Returns the time steps that Poll() has prepared. Reads them now if there are none. */
   PreparedTimeSpan Drain(
     vtkVolumeHapticsFilter* filter, const TimeStepPlace& place, const BakedVolume* kept);
-  /** Returns whether the source had further time steps at the last call of Drain(). */
+  /** Returns whether the source already had further time steps at the last Drain(). */
   bool WasBehind() const { return this->TookLate; }
-  /** Ends the preparation without waiting for the worker, and discards the time steps. */
+  /** Stops the preparation without waiting for the worker, and discards the time steps. */
   void End();
 
 private:
-  /** Modification times of the filter: of everything, and of everything but the image. */
+  /** Modification times of the filter, with and without its image. */
   struct ChangeTimes
   {
     vtkMTimeType All;
@@ -120,8 +122,8 @@ private:
   bool IsOf(vtkVolumeHapticsFilter* filter, const TimeStepPlace& place) const;
   bool Shape(vtkVolumeHapticsFilter* filter, const BakedVolume* last);
 
-  const vtkVolumeHapticsFilter* Of = nullptr; ///< filter of Span; only compared, because it may be
-                                              ///< deleted
+  const vtkVolumeHapticsFilter* Of = nullptr; ///< filter that Span was read from; only compared,
+                                              ///< because it may be deleted
   ChangeTimes Times{ 0, 0 };
   std::optional<PreparedTimeSpan> Span;
   double TimeOfRest = 0.0;

@@ -18,7 +18,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Extracts a component of tuples; `Number` is a type of the numbers' size. */
+/** Copies one component of each tuple. `Number` is any type of the same size as the values. */
 template <typename Number>
 void CopyStrided(vtkDataArray* from, int component, vtkDataArray* to)
 {
@@ -100,9 +100,9 @@ bool TimeStepMesher::Poll(std::vector<VolumeTimeStep>& timeSteps,
     const auto make = [timeStep = timeSteps[i], next = timeSteps[after], component = components[i],
                         value, indexToWorld]
     { return MeshTimeStep(timeStep, next, component, value, indexToWorld); };
-    // Reads an array with a layout of its own at once: VTK would copy its values into one copy that
-    // all threads share. The samples' owner is their array: see ShareArray() of the model's
-    // builder.
+    // Copy the values of an array with another memory layout now: later, VTK would convert them
+    // into one copy that all threads share. Samples owns its vtkDataArray: see ShareArray() of the
+    // model's builder.
     auto* const scalars = static_cast<vtkDataArray*>(const_cast<void*>(timeSteps[i].Samples.get()));
     if (!scalars->HasStandardMemoryLayout())
     {
@@ -112,7 +112,7 @@ bool TimeStepMesher::Poll(std::vector<VolumeTimeStep>& timeSteps,
     const Key key{ timeSteps[i].Samples.get(), timeSteps[after].Samples.get(), components[i] };
     if (!this->Meshing.IsOf(key) && this->Meshing.IsUnderWay())
     {
-      this->Meshing.Abandon(); // does not wait for it to end
+      this->Meshing.Abandon(); // cancels without waiting
       return false;
     }
     const auto* const made =
@@ -122,7 +122,7 @@ bool TimeStepMesher::Poll(std::vector<VolumeTimeStep>& timeSteps,
       return false;
     }
     timeSteps[i].Mesh = *made;
-    this->Meshing.Forget(); // later time steps may get the same address, which is the key
+    this->Meshing.Forget(); // later time steps may get the same address, which is part of the key
   }
   return true;
 }

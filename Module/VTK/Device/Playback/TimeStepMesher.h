@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Time steps of a moving volume as images, and as meshes for SURFACE_PROXY.
+ * Converts time steps of a moving volume to images, and to meshes for SURFACE_PROXY.
  */
 #ifndef TimeStepMesher_h
 #define TimeStepMesher_h
@@ -22,14 +22,14 @@
 namespace VolumeHaptics
 {
 
-/** The time step of a moving volume that is shown to the user, as an image. */
+/** Image of the time step that is shown to the user. */
 class TimeStepImage
 {
 public:
   /**
-   * Makes an image of a time step's array, with the geometry of `shape`. The samples are copied
-   * only if the time steps are components of one array with several components. Returns the last
-   * image again if the time step is unchanged.
+   * Makes an image of a time step's array, with the geometry of `shape`. Copies the samples only if
+   * the time steps are components of one array. Returns the previous image if the time step is
+   * unchanged.
    */
   vtkImageData* Show(const ImageTimeStep& timeStep, bool isComponent, vtkImageData* shape);
   void Clear();
@@ -38,28 +38,28 @@ public:
 
 private:
   vtkSmartPointer<vtkImageData> Image;
-  vtkSmartPointer<vtkDataArray> Array; ///< array that is shown
-  vtkMTimeType Changed = 0;            ///< modification time of Array
+  vtkSmartPointer<vtkDataArray> Array; ///< array of the shown time step
+  vtkMTimeType Changed = 0;            ///< modification time of Array when Image was made
   int Component = 0;
 };
 
-/** Meshes time steps in the background. Call it from the owner's thread. */
+/** Meshes time steps on a worker thread. Call it from the owner's thread. */
 class TimeStepMesher
 {
 public:
   /**
-   * Adds the missing meshes to all time steps but the last one. A single time step gets a mesh that
-   * does not move. Call this often: it returns false until all have their meshes.
+   * Adds the missing meshes to all time steps except the last one. A single time step gets a mesh
+   * without motion. Call this often: it returns false until all meshes are made.
    * @param components components of the time steps' arrays, one for each time step
    * @param value value of the isosurface
    */
   bool Poll(std::vector<VolumeTimeStep>& timeSteps, const std::vector<int>& components,
     double value, const Affine3& indexToWorld);
-  /** Ends the work that is under way, without waiting for it. */
+  /** Cancels the meshing in progress without waiting for it. */
   void End() { this->Meshing.Abandon(); }
   /**
-   * Returns whether no worker holds time steps any more. Call it when no time steps wait for their
-   * meshes.
+   * Returns whether the worker has no time steps in memory. Call this only when no time steps wait
+   * for their meshes.
    */
   bool IsIdle()
   {
@@ -73,7 +73,7 @@ public:
 
 private:
   /**
-   * Identifies a mesh: samples of its time step and of the next one, and the component of the
+   * Key of a mesh: the samples of its time step and of the next one, and the component of the
    * first.
    */
   using Key = std::tuple<const void*, const void*, int>;

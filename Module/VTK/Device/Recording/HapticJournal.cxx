@@ -58,7 +58,8 @@ struct BlockCompressor::Library
 BlockCompressor::BlockCompressor()
   : Used(new Library)
 {
-  // The values of ticks have few patterns, so higher levels take longer and save only 0.4 percent.
+  // Use the fastest level: the values of ticks have few patterns, so higher levels take longer and
+  // save only 0.4 percent.
   this->Used->ZLib->SetCompressionLevel(1);
 }
 

@@ -8,8 +8,8 @@
  * recording, the first state with its contacts and removed tissue, placements, and groups of ticks.
  * A group holds the columns one after the other, each compressed as a block of VTK's XML format, so
  * that a .vtp can be made by copying blocks. If a full disk or a crash ends a journal, all chunks
- * before its end can be read. A journal is only for the machine that wrote it: numbers are stored
- * as in memory.
+ * before its end can be read. A journal can only be read on the kind of machine that wrote it,
+ * because numbers are stored as they are in memory.
  */
 #ifndef HapticJournal_h
 #define HapticJournal_h
@@ -32,13 +32,13 @@ namespace VolumeHaptics
 struct RecordingAbout
 {
   std::string DeviceId;
-  std::string Settings;   ///< the filter's PrintSelf when the recording began
-  std::string VolumeHash; ///< hash of the touched scalars; empty while it is not known
+  std::string Settings;   ///< output of the filter's PrintSelf at the start of the recording
+  std::string VolumeHash; ///< hash of the touched scalars; empty until it is computed
 };
 
 /**
- * Hashes that may become known after a recording began. A text is empty if there is nothing to
- * hash.
+ * Hashes that may be computed only after a recording has started. A text is empty if there are no
+ * data to hash.
  */
 struct RecordingHashes
 {
@@ -46,32 +46,32 @@ struct RecordingHashes
   std::string Labels;
 };
 
-/** The state and the settings at the beginning of a replay. */
+/** State and settings from which a replay starts. */
 struct RecordingBegin
 {
   std::array<double, ServoStateSize> State;
   double TickPeriod; ///< s
-  double AirValue;   ///< air value of a volume whose tissue may be removed; otherwise NaN
+  double AirValue;   ///< value of air if tissue may be removed from the volume; otherwise NaN
 };
 
-/** Placement and caps of the device while a generation of ticks is made. */
+/** Placement and force caps of the device during one generation of ticks. */
 struct PlacementRow
 {
   std::array<double, 16> Matrix; ///< DeviceToWorld, row by row
   std::array<double, 2> Caps;    ///< stiffness and damping (N/m and N s/m)
 };
 
-/** Number of ticks in a group; only the last group may have fewer. */
+/** Number of ticks in a group. Only the last group may have fewer. */
 constexpr std::size_t GroupSize = 256;
 
 /** Suffix of a journal's file name. */
 constexpr const char* JournalEnding = ".part";
 
-// Format of a journal, for its writer and its reader. A chunk is a head (kind, 0, size and checksum
-// of the payload) and a payload. Payloads by kind:
+// The chunks of a journal. Each has a head (kind, 0, size and checksum of the payload) and a
+// payload. The payloads by kind:
 // - About: JournalMark, then texts, each after its length: the columns, and the texts of
 //   RecordingAbout
-// - Hashes: the texts of RecordingHashes, each after its length, once they are known
+// - Hashes: the texts of RecordingHashes, each after its length; written once they are computed
 // - Begin: a RecordingBegin
 // - Contacts: ContactRows, after Begin
 // - Tissue: BrickTissue of removed tissue, after Begin
@@ -84,7 +84,7 @@ constexpr char JournalMark[16] = { 'V', 'o', 'l', 'u', 'm', 'e', 'H', 'a', 'p', 
   'J', '\0', '\4' };
 
 constexpr std::uint32_t AboutChunk =
-  0x41744856; // no chunk begins with zeros, because files may end with zeros after a power cut
+  0x41744856; // not 0, because files may end with zeros after a power cut
 constexpr std::uint32_t HashesChunk = 0x48744856;
 constexpr std::uint32_t BeginChunk = 0x42744856;
 constexpr std::uint32_t ContactsChunk = 0x43744856;
@@ -96,12 +96,15 @@ constexpr std::size_t HeadSize = 24;
 constexpr std::size_t TicksHeadSize = 12;
 
 std::uint64_t SumOf(const std::string& payload);
-/** Lists names, types and components of the columns. A journal with other columns can't be read. */
+/**
+ * Returns the names, types and components of the columns as text. A journal with another signature
+ * can't be read.
+ */
 std::string SignatureOfColumns();
 
 /** Appends a text's length, then the text. */
 void PutText(std::string& bytes, const std::string& text);
-/** Reads a text's length, then the text. Returns false if there are not enough bytes. */
+/** Reads a text that follows its length. Returns false if there are too few bytes. */
 bool GetText(const std::string& bytes, std::size_t& position, std::string& text);
 
 template <typename T>
@@ -111,7 +114,7 @@ void Put(std::string& bytes, const T& value)
   bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
 }
 
-/** Reads a value. Returns false if there are not enough bytes. */
+/** Reads a value as it is in memory. Returns false if there are too few bytes. */
 template <typename T>
 bool Get(const std::string& bytes, std::size_t& position, T& value)
 {
@@ -125,7 +128,7 @@ bool Get(const std::string& bytes, std::size_t& position, T& value)
   return true;
 }
 
-/** Compresses bytes in the format of VTK's XML files. */
+/** Compresses blocks of bytes as in VTK's XML files. */
 class BlockCompressor
 {
 public:
@@ -136,7 +139,7 @@ public:
 
   /** Appends the compressed bytes and returns their number. */
   std::size_t Compress(const void* data, std::size_t size, std::string& to);
-  /** Expands a block to `size` bytes. Returns false if it does not have exactly this size. */
+  /** Decompresses a block. Returns false if the result does not have exactly `size` bytes. */
   bool Expand(const std::string& block, void* data, std::size_t size);
 
 private:

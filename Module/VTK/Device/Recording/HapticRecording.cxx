@@ -21,8 +21,8 @@ namespace
 {
 
 /**
- * Pause of the writer between two polls for ticks (ns). It is shorter than a group at 10 kHz, which
- * takes 25 ms.
+ * Interval (ns) at which the writer polls for ticks. It is shorter than the 25 ms that a group
+ * takes at 10 kHz.
  */
 constexpr std::int64_t WriterPeriod = 10000000;
 
@@ -54,12 +54,12 @@ HapticRecording::~HapticRecording()
 {
   if (!this->IsOurs())
   {
-    // The journal, its lock and the thread belong to the parent.
+    // In a forked child, the journal, its lock and the thread belong to the parent.
     (void)this->Writer.release();
     (void)this->WriterThread.release();
     return;
   }
-  this->StopWriter(); // first, because this closes the journal
+  this->StopWriter(); // stop the writer first, because it uses the journal that is closed here
 }
 
 bool HapticRecording::Start(
@@ -99,11 +99,11 @@ bool HapticRecording::Start(
 void HapticRecording::AddModel(std::uint64_t generation, std::shared_ptr<const HapticModel> model,
   std::shared_ptr<const ToolMemory> tool)
 {
-  // Ticks come in the order of their generations, so earlier models are not needed any more.
+  // Ticks arrive in the order of their generations, so earlier models are no longer needed.
   this->Models.erase(this->Models.begin(), this->Models.lower_bound(this->LastGeneration));
   if (this->Failure.load() != 0)
   {
-    this->Models.clear(); // no more ticks will be recorded
+    this->Models.clear(); // no more ticks will be recorded, so no model is needed
     return;
   }
   this->Models[generation] = { std::move(model), std::move(tool) };
@@ -146,8 +146,8 @@ bool HapticRecording::Append(const ServoSnapshot& snapshot)
       this->BeginTissue = removal->EndSnapshot();
     }
   }
-  // Write a placement for every generation, even an equal one, because the servo carries its state
-  // from one generation to the next.
+  // Write a placement for every generation, even if it is unchanged, because the servo transfers
+  // its state from each generation to the next.
   if (isFirst || snapshot.Generation != this->PlacedGeneration)
   {
     this->NewPlacements.push_back(ToRow(model));
@@ -195,7 +195,8 @@ void HapticRecording::WriteUntilStopped()
   }
   if (this->Failure.load() == 0 && this->GetLostTicks() > 0)
   {
-    // Ticks may have been lost after the last tick of the queue, so write their number again.
+    // Write the number of lost ticks again, because ticks may have been lost after the last tick of
+    // the queue.
     this->Failure.store(this->Writer->WriteTicks(nullptr, 0, this->GetLostTicks()));
   }
 }
@@ -265,7 +266,7 @@ bool HapticRecording::Finish(std::string& error)
     return false;
   }
   this->StopWriter();
-  // Open the journal by the writer's descriptor, because another file may have its name now.
+  // Read through the writer's descriptor, because another file may have the journal's name now.
   JournalReader reader;
   if (!reader.Open(*this->Writer, error))
   {

@@ -4,10 +4,10 @@
  * @file
  * Records the ticks of the servo loop: a trace with all data for an exact replay.
  *
- * The recording has a thread of its own that writes every tick to a journal beside the file, so
- * that a slow disk delays neither the servo nor the session's keeper. A limited number of ticks may
- * wait for the disk; further ticks are lost and counted. At the end the file is made from the
- * journal (HapticRecordingFile.h).
+ * The recording writes every tick to a journal beside the file on a separate thread, so that a slow
+ * disk delays neither the servo nor the session's keeper thread. A limited number of ticks may wait
+ * for the disk; further ticks are lost and counted. At the end, the file is made from the journal
+ * (HapticRecordingFile.h).
  */
 #ifndef HapticRecording_h
 #define HapticRecording_h
@@ -29,7 +29,7 @@ namespace VolumeHaptics
 class HapticModel;
 class ToolMemory;
 
-/** A model that the loop may use, and its tool's memory, which is null if the tool needs none. */
+/** A model that the loop may use, with the memory of its tool; null if the tool needs none. */
 struct PublishedTouch
 {
   std::shared_ptr<const HapticModel> Model;
@@ -39,38 +39,38 @@ struct PublishedTouch
 class HapticRecording
 {
 public:
-  /** Largest number of ticks that may wait for the disk: 15 s at 1 kHz, 6.8 MB. */
+  /** Largest number of ticks that may wait for the disk: 15 s at 1 kHz, or 6.8 MB. */
   static constexpr std::size_t MostWaiting = 15000;
 
   HapticRecording();
-  /** Stops writing. The journal stays, unless Finish has made the file. */
+  /** Stops writing. The journal stays on the disk unless Finish has made the file. */
   ~HapticRecording();
   HapticRecording(const HapticRecording&) = delete;
   HapticRecording& operator=(const HapticRecording&) = delete;
 
   /**
-   * Begins the journal of a file. Returns false, and the reason and the cure in `error`, if the
-   * file can't be written. A journal of the same name that an earlier program left is renamed;
-   * `warning` then contains its new name.
+   * Starts the journal of a file. Returns false, with the reason and the cure in `error`, if the
+   * file can't be written. Renames a journal of the same name that an earlier program left, and
+   * reports its new name in `warning`.
    */
   bool Start(
     const std::string& file, const RecordingAbout& about, std::string& error, std::string& warning);
 
   /**
-   * Adds the model of a generation that the loop may use from now on, with the memory of its tool.
-   * Frees older models, so call it on their owner's thread.
+   * Adds the model of a generation, which the loop may use from now on, with the memory of its
+   * tool. Also frees older models, so call this on their owner's thread.
    */
   void AddModel(std::uint64_t generation, std::shared_ptr<const HapticModel> model,
     std::shared_ptr<const ToolMemory> tool = nullptr);
   /**
-   * Records a tick. Returns false if the tick is lost. Leaves out ticks without a model, because
-   * they have no world coordinates. Until the first tick is recorded, also leaves out ticks that
-   * are older than the kept memory of the tool and the removed tissue (ServoLoop::KeepTool).
+   * Records a tick. Returns false if the tick is lost. Skips ticks without a model, because they
+   * have no world coordinates. Until the first tick is recorded, also skips ticks that are older
+   * than the stored memory of the tool and the removed tissue (ServoLoop::KeepTool).
    */
   bool Append(const ServoSnapshot& snapshot);
-  /** Returns whether no tick has been recorded yet. */
+  /** Returns whether the first tick is still to be recorded. */
   bool IsAwaited() const { return this->LastPlacement < 0; }
-  /** Sets the hashes when they are known. Call it once, on the owner's thread. */
+  /** Sets the hashes once they are computed. Call this once, on the owner's thread. */
   void SetHashes(const RecordingHashes& hashes);
 
   /** Sets the number of ticks that were lost before they reached the recording. */
@@ -83,51 +83,56 @@ public:
   std::uint64_t GetNumberOfTicks() const { return this->Written.load(); }
 
   /**
-   * Returns why the recording ended before it was stopped, and which part of it remains; empty if
-   * the recording did not end early. Any thread may call this.
+   * Returns why the recording ended by itself and which part of it remains; empty if it did not.
+   * Any thread may call this.
    */
   std::string GetTrouble() const;
 
   /**
-   * Ends the journal and makes the file. Returns false if ticks are missing in the file; `error`
-   * says where they are.
+   * Completes the journal and makes the file. Returns false if ticks are missing in the file;
+   * `error` then says where they are.
    */
   bool Finish(std::string& error);
 
 private:
   void WriteUntilStopped();
   void WriteHashes();
-  /** Writes a full group, or at the end the remaining ticks. Returns false if there are too few. */
+  /**
+   * Writes a full group, or the remaining ticks at the end. Returns false if there are too few
+   * ticks.
+   */
   bool WriteGroup(bool isEnd);
   void StopWriter();
   bool IsOurs() const { return this->Process == ServoClock::GetProcess(); }
 
   std::string File;
-  // the process that the thread and the journal belong to
+  // Process that owns the thread and the journal.
   const std::int64_t Process = ServoClock::GetProcess();
 
-  // Used by the keeper. The owner may use them only between two calls of the keeper.
+  // Used by the keeper thread. The owner may access them only while the keeper is not in a call.
   std::map<std::uint64_t, PublishedTouch> Models;
   WorkMeter Work;
-  std::uint64_t LastGeneration = 0; // generation of the last tick that arrived, recorded or not
+  std::uint64_t LastGeneration = 0; // generation of the last tick that arrived, even if it was not
+                                    // recorded
   std::uint64_t PlacedGeneration = 0;
   int LastPlacement = -1;
 
-  // Shared by the keeper and the writer, under QueueMutex.
+  // Shared by the keeper thread and the writer thread, under QueueMutex.
   std::mutex QueueMutex;
   std::deque<RecordingRow> Waiting;
   std::vector<PlacementRow> NewPlacements;
-  std::unique_ptr<RecordingHashes> Hashes; // hashes to write; null once they are written
-  std::unique_ptr<RecordingBegin> Begin;   // beginning to write; null once it is written
-  std::vector<ContactRow> BeginContacts;   // contacts of Begin
-  std::vector<BrickTissue> BeginTissue;    // removed tissue of Begin
+  std::unique_ptr<RecordingHashes> Hashes; // hashes to write; null before they are set and after
+                                           // they are written
+  std::unique_ptr<RecordingBegin> Begin;   // beginning to write; null after it is written
+  std::vector<ContactRow> BeginContacts;   // tool contacts in the state Begin
+  std::vector<BrickTissue> BeginTissue;    // removed tissue in the state Begin
   std::atomic<std::uint64_t> Missed{ 0 };
   std::atomic<std::uint64_t> Dropped{ 0 };
   std::atomic<bool> StopRequested{ false };
-  std::atomic<int> Failure{ 0 }; // errno that ended the journal
+  std::atomic<int> Failure{ 0 }; // errno of the failure that ended the journal; 0 without one
   std::atomic<std::uint64_t> Written{ 0 };
 
-  // Used by the writer. A forked child leaves them alone: see the destructor.
+  // Used by the writer thread. A forked child must leave them alone: see the destructor.
   std::unique_ptr<JournalWriter> Writer;
   std::unique_ptr<std::thread> WriterThread;
 };

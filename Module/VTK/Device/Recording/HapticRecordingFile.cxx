@@ -54,7 +54,10 @@ double NumberAt(const RecordingRow& row, const TraceColumn& column, int componen
   return NumberAt<double>(bytes, component);
 }
 
-/** Returns the recorded columns with time and position first, for human readers. */
+/**
+ * Returns the recorded columns, reordered with time and position first, for people who read the
+ * table.
+ */
 std::vector<TraceColumn> OrderColumns()
 {
   std::vector<TraceColumn> columns = GetRecordingColumns();
@@ -65,7 +68,7 @@ std::vector<TraceColumn> OrderColumns()
   return columns;
 }
 
-/** Writes tuples of numbers as lists of lists. */
+/** Writes tuples of numbers as nested JSON lists. */
 class NumberList
 {
 public:
@@ -89,7 +92,9 @@ private:
   bool IsEmpty = true;
 };
 
-/** Writes the point arrays as .csv. Returns false if the journal can't be read to its end. */
+/**
+ * Writes the point arrays as a .csv file. Returns false if the journal can't be read to its end.
+ */
 bool WriteRecordingTable(JournalReader& journal, FileReplacement& file)
 {
   const std::vector<TraceColumn> columns = OrderColumns();
@@ -192,7 +197,7 @@ bool WriteRecordingFields(JournalReader& journal, FileReplacement& file)
   return isRead && areCapsRead && areContactsRead && areSharesRead;
 }
 
-/** Encodes bytes as one piece of base64: three bytes become four characters. */
+/** Encodes bytes as one continuous piece of base64: three bytes become four characters. */
 class Base64
 {
 public:
@@ -226,8 +231,9 @@ private:
 };
 
 /**
- * Writes the numbers of an array inline: the number of blocks, their size, the size of the last
- * block if it is smaller, and the compressed sizes, all in 32 bits and base64; then the blocks.
+ * Writes the numbers of an array inline as VTK does: the number of blocks, their size, the size of
+ * the last block if it is smaller, and the compressed sizes, all as 32-bit numbers in base64; then
+ * the blocks.
  */
 class InlineArray
 {
@@ -240,7 +246,7 @@ public:
     this->Head = { static_cast<std::uint32_t>((bytes + blockSize - 1) / blockSize),
       static_cast<std::uint32_t>(blockSize), static_cast<std::uint32_t>(bytes % blockSize) };
     this->Sizes.reserve(this->Head[0]);
-    // The sizes are known only after the blocks: leave room for them.
+    // Leave room for the sizes, which are known only after the blocks.
     const std::string space(EncodeHead({}).size(), ' ');
     this->File.Write(space);
   }
@@ -249,7 +255,7 @@ public:
     this->Sizes.push_back(static_cast<std::uint32_t>(block.size()));
     this->Blocks.Write(block);
   }
-  /** Ends the array. Returns false if there were fewer blocks than the bytes need. */
+  /** Ends the array. Returns false if fewer blocks were written than the bytes need. */
   bool End()
   {
     this->Blocks.End();
@@ -342,7 +348,7 @@ private:
       (tuples >= 0 ? " NumberOfTuples=\"" + std::to_string(tuples) + "\"" : "") +
       " format=\"binary\">\n");
   }
-  /** Writes numbers that are all in memory, compressed as one block. */
+  /** Writes numbers that are all in memory as one compressed block. */
   void WriteBlock(const void* data, std::size_t size)
   {
     InlineArray array(this->File, size, std::max<std::size_t>(size, 1));
@@ -356,7 +362,7 @@ private:
   }
   void WriteNumbers(const char* name, const double* numbers, int components)
   {
-    // A recording without ticks has no first state, so its array is empty.
+    // Without ticks there is no first state, so leave the array empty.
     this->BeginArray("Float64", name, components, numbers ? 1 : 0);
     this->WriteBlock(numbers, numbers ? static_cast<std::size_t>(components) * sizeof(double) : 0);
     this->File.Write("\n</DataArray>\n");
@@ -365,7 +371,7 @@ private:
   {
     this->File.Write(std::string("<Array type=\"String\" Name=\"") + name +
       "\" NumberOfTuples=\"1\" format=\"binary\">\n");
-    this->WriteBlock(text.c_str(), text.size() + 1); // each text ends with its zero byte
+    this->WriteBlock(text.c_str(), text.size() + 1); // includes the zero byte that ends each text
     this->File.Write("\n</Array>\n");
   }
   void WriteFields()
@@ -475,12 +481,12 @@ private:
     this->Require(array.End());
     this->File.Write("\n</DataArray>\n");
   }
-  /** Writes no cell, or one cell through all points. */
+  /** Writes either no cell, or one cell through all points. */
   void WriteCells(const std::string& cells, std::uint64_t points)
   {
     this->File.Write("<" + cells + ">\n");
     this->BeginArray("Int64", "connectivity", 1, -1);
-    // Blocks have the size of a group, with 64 bits for each point.
+    // Each block has the 64-bit numbers of one group of points.
     InlineArray array(this->File, points * sizeof(std::int64_t), GroupSize * sizeof(std::int64_t));
     std::vector<std::int64_t> ids;
     std::string block;
@@ -522,7 +528,7 @@ bool IsThere(const std::string& file)
   return Files::GetStatus(file, status);
 }
 
-/** Writes the file. On failure, returns false, and the reason and the cure in `error`. */
+/** Writes the file. On failure, returns false, with the reason and the cure in `error`. */
 bool WriteFile(
   JournalReader& reader, const std::string& journal, const std::string& file, std::string& error)
 {
@@ -535,7 +541,7 @@ bool WriteFile(
   {
     isRead = isTable ? WriteRecordingTable(reader, main) && WriteRecordingFields(reader, fields)
                      : WriteRecordingPolyData(reader, main);
-    // Each file gets its name only after both are completely on the disk.
+    // Rename both temporary files only after both are completely on the disk.
     isWritten = isRead && main.Finish(error) && (!isTable || fields.Finish(error)) &&
       main.Commit(error) && (!isTable || fields.Commit(error));
   }

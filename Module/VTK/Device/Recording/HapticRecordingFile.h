@@ -29,15 +29,15 @@ namespace VolumeHaptics
 {
 class JournalReader;
 
-/** Text of the field array Units. */
+/** Text of the field array Units, which states the units of all arrays. */
 extern const char* const RecordingUnits;
 
 ///@{
 /**
- * Writes the file; its ending selects the format. Removes the journal once the whole file is on the
- * disk. On failure, returns false, and the reason and the cure in `error`, and keeps the journal.
- * If only a part of the journal can be read, the file gets this part, unless the file existed
- * before. `trouble` is the reason why the recording itself is incomplete.
+ * Writes the file in the format that its extension selects. Removes the journal once the whole file
+ * is on the disk. On failure, keeps the journal and returns false, with the reason and the cure in
+ * `error`. If only a part of the journal can be read, writes that part, unless the file already
+ * existed. `trouble` is the reason why the recording itself is incomplete.
  */
 bool WriteRecording(const std::string& journal, const std::string& file, std::string& error);
 bool WriteRecording(JournalReader& reader, const std::string& journal, const std::string& file,

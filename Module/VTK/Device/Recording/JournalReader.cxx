@@ -18,8 +18,8 @@ namespace
 {
 
 /**
- * Largest size of a payload. The largest ones are a group of random numbers and the placements of a
- * group.
+ * Largest accepted payload (bytes). The largest payloads are a group of random numbers and the
+ * placements of a group.
  */
 constexpr std::uint64_t MostPayload = 1 << 24;
 
@@ -30,12 +30,13 @@ bool IsKind(std::uint32_t kind)
 }
 
 /**
- * Returns whether a whole chunk begins somewhere after the first byte. Also true if so many bytes
- * look like heads, which compressed numbers do not, that all their checksums would take too long.
+ * Returns whether a whole chunk starts anywhere after the first byte. Also returns true if so many
+ * bytes look like heads that checking all their checksums would take too long; compressed numbers
+ * do not look like that.
  */
 bool HoldsChunk(const std::string& bytes)
 {
-  constexpr std::uint64_t mostOften = 8; // how often a byte is part of a checksum, on average
+  constexpr std::uint64_t mostOften = 8; // average number of checksums that include the same byte
   std::uint64_t summed = 0;
   for (std::size_t begin = 1; begin + HeadSize <= bytes.size(); ++begin)
   {
@@ -132,8 +133,8 @@ bool JournalReader::Open(const JournalWriter& writer, std::string& error)
     error = "can't be read (" + DescribeError(errno) + ")";
     return false;
   }
-  // The reader needs no lock, because this process's writer holds the journal, even on a file
-  // system without locks.
+  // This process's writer holds the lock, so the reader needs none, even on a file system without
+  // locks.
   this->IsLocked = true;
   return this->Scan(error);
 }
@@ -235,8 +236,8 @@ bool JournalReader::IsCutOff(std::uint64_t size)
 }
 
 /**
- * Reads a chunk's contents. Returns false if it breaks the order of chunks; the bytes after it are
- * then not read.
+ * Stores the contents of a chunk. Returns false if the chunk is out of order; the bytes after it
+ * are then ignored.
  */
 bool JournalReader::ApplyChunk(const Chunk& chunk, const std::string& payload, std::string& error)
 {
@@ -293,7 +294,7 @@ bool JournalReader::ApplyChunk(const Chunk& chunk, const std::string& payload, s
   }
   this->Ticks += ticks;
   this->Lost = lost;
-  // only the number of lost ticks may follow a group that is not full
+  // after a group that is not full, only the number of lost ticks may follow
   this->HasLastGroup = ticks < GroupSize;
   return true;
 }

@@ -29,41 +29,41 @@ public:
 
   ///@{
   /**
-   * Scans the journal. Returns false, and the reason in `error`, if the file is no journal or is
-   * still being written. With a writer, reads the file that this writer wrote, even if another file
-   * has its name now.
+   * Opens and scans a journal. Returns false, with the reason in `error`, if the file is not a
+   * journal or is still being written. The overload with a writer reads the writer's own file, even
+   * if another file has its name now.
    */
   bool Open(const std::string& journal, std::string& error);
   bool Open(const JournalWriter& writer, std::string& error);
   ///@}
-  /** Sets the number of ticks that were written, so that a missing end is detected. */
+  /** Sets how many ticks were written, so that the reader can detect a missing end. */
   void Expect(std::uint64_t ticks);
   /**
-   * Explains with numbers why a part of the journal can't be read. Empty if everything was read, or
-   * if a crash cut off only the last chunk.
+   * Explains with numbers why part of the journal can't be read. Empty if everything was read, or
+   * if a crash only cut off the last chunk.
    */
   const std::string& GetDamage() const { return this->Damage; }
   bool IsAt(const std::string& file) const;
   /**
-   * Removes the journal if the file still has that name and a lock shows that no program writes to
-   * it.
+   * Removes the journal, provided that this name still refers to it and a lock shows that no
+   * program is writing it.
    */
   void Remove(const std::string& journal) const;
 
   const RecordingAbout& GetAbout() const { return this->About; }
-  /** Returns the state at the beginning of a replay; null if there is no tick. */
+  /** Returns the state from which a replay starts; null if the journal has no ticks. */
   const RecordingBegin* GetBegin() const { return this->HasBegin ? &this->Begin : nullptr; }
   std::uint64_t GetNumberOfTicks() const { return this->Ticks; }
-  /** Returns the number of contacts of a tool with a shape in the first state. */
+  /** Returns the number of contacts of the tool's shape in the first state. */
   std::uint64_t GetNumberOfContacts() const { return this->Contacts; }
-  /** Returns the number of bricks whose tissue had been removed at the first state. */
+  /** Returns the number of bricks with removed tissue in the first state. */
   std::uint64_t GetNumberOfBricks() const { return this->Bricks; }
   std::uint64_t GetNumberOfPlacements() const { return this->Placements; }
   std::uint64_t GetLostTicks() const { return this->Lost; }
 
   /**
-   * Reads the caps of all placements one after the other, or only one pair if all are the same.
-   * Returns false if reading failed.
+   * Reads the caps of all placements one after the other; only one pair if all are equal. Returns
+   * false if reading failed.
    */
   bool ReadCaps(std::vector<double>& caps);
   ///@{
@@ -74,10 +74,10 @@ public:
   bool ReadTissue(std::vector<BrickTissue>& shares);
   ///@}
   ///@{
-  /** Visit all placements, or all rows, in turn. Returns false if reading failed. */
+  /** Call `visit` for each placement or row in turn. Return false if reading failed. */
   bool ForEachPlacement(const std::function<void(const PlacementRow&)>& visit);
   /**
-   * Visits the compressed blocks of one of GetRecordingColumns' columns in turn. Returns false if
+   * Calls `visit` for each compressed block of a column of GetRecordingColumns(). Returns false if
    * reading failed.
    */
   bool ForEachBlock(std::size_t column, const std::function<void(const std::string&)>& visit);
@@ -88,12 +88,12 @@ private:
   struct Chunk
   {
     std::uint32_t Kind = 0;
-    std::uint64_t Payload = 0; ///< position of the payload
+    std::uint64_t Payload = 0; ///< offset (bytes) of the payload in the file
     std::uint64_t Size = 0;
     std::uint64_t Sum = 0;
   };
   bool Scan(std::string& error);
-  /** Examines the bytes after the last whole chunk. */
+  /** Examines the bytes after the last whole chunk and describes damage. */
   void DetectDamage();
   bool IsCutOff(std::uint64_t size);
   bool ReadAt(std::uint64_t position, void* data, std::size_t size);
@@ -106,7 +106,7 @@ private:
   bool ForEachChunk(std::uint32_t kind, const std::function<bool(const Chunk&)>& visit);
 
   int Descriptor = -1;
-  int Failure = 0; ///< errno of the last ReadAt, 0 at the end of the file
+  int Failure = 0; ///< errno of the last ReadAt; 0 at the end of the file
   bool IsLocked = false;
   std::uint64_t End = 0; ///< end of the last whole chunk
   std::string Damage;

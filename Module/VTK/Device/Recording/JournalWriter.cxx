@@ -18,8 +18,8 @@ namespace
 
 enum class JournalPlace
 {
-  Free,    ///< there is no journal, or it is gone
-  Unknown, ///< there is a journal, and no lock shows whether it is being written
+  Free,    ///< there is no journal, or it was renamed
+  Unknown, ///< there is a journal, but no lock shows whether it is still being written
   Taken
 };
 
@@ -32,7 +32,7 @@ std::string Numbered(const std::string& journal, int number)
   return journal + "." + std::to_string(number);
 }
 
-/** Renames an open journal of an earlier recording to an unused name. */
+/** Renames the open journal of an earlier recording to an unused name. */
 bool Rename(int descriptor, const std::string& journal, std::string& error, std::string& warning)
 {
   for (int i = 1; i <= MostNames; ++i)
@@ -60,7 +60,7 @@ JournalPlace PutAside(const std::string& journal, std::string& error, std::strin
 {
   if (!Files::Exists(journal))
   {
-    return JournalPlace::Free; // after another failure, creating the file reports a better error
+    return JournalPlace::Free; // another failure: creating the file will report a better error
   }
   std::string reason;
   if (!CheckRegular(journal, reason))
@@ -105,7 +105,7 @@ bool JournalWriter::OpenNew(const std::string& file, std::string& error, std::st
   }
   Files::Status status;
   const bool isOld = Files::GetStatus(file, status);
-  constexpr Files::Mode everybody = 0666; // the user's mask removes some of these
+  constexpr Files::Mode everybody = 0666; // the process's umask removes some of these permissions
   const Files::Mode mode = isOld ? status.st_mode & 0600 : everybody;
   this->Name = journal;
   int number = 0;
@@ -123,7 +123,7 @@ bool JournalWriter::OpenNew(const std::string& file, std::string& error, std::st
                             : ExplainWriteError(errno, this->Name);
     return false;
   }
-  // Some file systems have no locks. The journal then has none.
+  // Some file systems have no locks; the journal is then not locked.
   if (!Files::LockAlone(this->Descriptor) && errno == EWOULDBLOCK)
   {
     error = "it is being recorded already. Give another name.";
@@ -184,7 +184,7 @@ void JournalWriter::Close()
 {
   if (this->Descriptor >= 0)
   {
-    // Unlock explicitly, because a forked child may also have the descriptor, and with it the lock.
+    // Unlock explicitly, because a forked child may share the descriptor and thus the lock.
     Files::Unlock(this->Descriptor);
     Files::Close(this->Descriptor);
     this->Descriptor = -1;
@@ -225,7 +225,7 @@ int JournalWriter::WriteBegin(const RecordingBegin& begin)
 template <typename Row>
 int JournalWriter::WriteRows(std::uint32_t kind, const std::vector<Row>& rows)
 {
-  constexpr std::size_t most = 8000000 / sizeof(Row); // rows of a chunk of 8 MB
+  constexpr std::size_t most = 8000000 / sizeof(Row); // rows in a chunk of 8 MB
   for (std::size_t first = 0; first < rows.size(); first += most)
   {
     std::string payload;

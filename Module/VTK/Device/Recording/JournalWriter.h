@@ -25,19 +25,19 @@ public:
   JournalWriter& operator=(const JournalWriter&) = delete;
 
   /**
-   * Creates the journal of a file, with the file's permissions if it exists. Returns false, and the
-   * reason and the cure in `error`, if it can't be created or if another program writes to it. A
-   * journal that an earlier recording left is renamed. If the file system has no locks, nothing
-   * shows whether the earlier journal is still being written; the new journal then gets another
-   * name. `warning` reports both cases.
+   * Creates the journal of a file, with the permissions of the file if that exists. Returns false,
+   * with the reason and the cure in `error`, if it can't be created or if another program is
+   * writing it. Renames a journal that an earlier recording left. On a file system without locks,
+   * nothing shows whether the earlier journal is still being written, so the new journal gets
+   * another name. `warning` reports both cases.
    */
   bool Create(
     const std::string& file, const RecordingAbout& about, std::string& error, std::string& warning);
   const std::string& GetName() const { return this->Name; }
-  /** Removes the journal that was created. */
+  /** Deletes the journal that Create() made. */
   void Remove();
   ///@{
-  /** Write chunks. Return 0, or the errno of a failure, after which nothing more is written. */
+  /** Write chunks. Return 0, or the errno of a failure, after which no more is written. */
   int WriteHashes(const RecordingHashes& hashes);
   int WriteBegin(const RecordingBegin& begin);
   int WriteContacts(const std::vector<ContactRow>& contacts);
@@ -48,7 +48,7 @@ public:
   void Close();
 
 private:
-  friend class JournalReader; // reads through the same descriptor
+  friend class JournalReader; // reads through the descriptor of this writer
   bool OpenNew(const std::string& file, std::string& error, std::string& warning);
   int WriteChunk(std::uint32_t kind, const std::string& payload);
   /** Writes rows as chunks of a kind. Writes nothing if there are no rows. */

@@ -132,7 +132,7 @@ void TickCollector::Publish(std::shared_ptr<const HapticModel> model)
   TissueRemoval* const removal = model ? model->Baked->Removal.get() : nullptr;
   if (this->AwaitsOther(removal))
   {
-    // The recording may still wait for its first tick, which has the present removal: collect it
+    // The recording may still wait for its first tick, which uses the present removal: collect it
     // now.
     this->Loop.KeepNothing();
     this->AwaitTick();
@@ -159,7 +159,7 @@ void TickCollector::Publish(std::shared_ptr<const HapticModel> model)
   {
     this->Loop.KeepTool();
   }
-  // Models must not pile up, even if no reader requests states.
+  // Drop old models here, so that they do not pile up when no reader requests states.
   for (auto& [id, reader] : this->Readers)
   {
     if (reader.Next < this->Forgotten && !this->States.empty())
@@ -200,7 +200,7 @@ std::vector<StateRow> TickCollector::DrainStates(int id)
   if (this->Readers.count(id) == 0)
   {
     const std::uint64_t generation = this->Loop.GetWrittenGeneration();
-    this->Drain(); // collects the earlier states, which only other readers get
+    this->Drain(); // also collects the earlier states, which only other readers get
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Readers[id] = { this->Forgotten + this->States.size(), generation, generation };
     this->Loop.SetRecording(true);
@@ -231,7 +231,7 @@ void TickCollector::StopTaking(int id)
 
 const HapticModel* TickCollector::FindModel(std::uint64_t generation)
 {
-  // States are requested in order, so older models are not needed any more.
+  // States are requested in order, so older models are no longer needed.
   this->Forget(generation);
   const auto found = this->Models.find(generation);
   return found == this->Models.end() ? nullptr : found->second.Model.get();
@@ -251,7 +251,8 @@ void TickCollector::StartRecording(std::unique_ptr<HapticRecording> recording)
   }
   this->Recording = std::move(recording);
   this->Loop.SetRecording(true);
-  this->Loop.KeepTool(); // last, so that the recording gets the tick that keeps the tool
+  this->Loop.KeepTool(); // call this last, so that the tick that keeps the tool reaches the
+                         // recording
 }
 
 void TickCollector::AwaitTick() const
@@ -286,7 +287,7 @@ std::unique_ptr<HapticRecording> TickCollector::StopRecording()
 {
   this->Loop.SetRecording(!this->Readers.empty());
   this->Loop.KeepNothing();
-  // The running tick belongs to the recording, too.
+  // Wait for the tick in progress, which belongs to the recording, too.
   this->AwaitTick();
   this->Drain();
   const std::lock_guard<std::mutex> lock(this->Mutex);

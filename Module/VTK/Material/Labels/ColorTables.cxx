@@ -23,7 +23,7 @@ bool MeansSomething(std::string_view line)
   return !line.empty() && line[0] != '#';
 }
 
-/** Returns the first line that is neither empty nor a comment; an empty line if there is none. */
+/** Returns the first line that is neither empty nor a comment; empty if there is none. */
 std::string_view FirstEntry(std::string_view text)
 {
   LabelLines lines(text);
@@ -46,15 +46,15 @@ bool AreNumbers(const Words& words, std::size_t first, std::size_t count)
       [](std::string_view word) { return ReadNumber(word).has_value(); });
 }
 
-/** Returns the text between two words of a line. */
+/** Returns the text between two words of the same line, without blanks around it. */
 std::string_view Between(std::string_view from, std::string_view to)
 {
   return Trim(std::string_view(from.data(), static_cast<std::size_t>(to.data() - from.data())));
 }
 
 /**
- * Returns the index of the first of the colours at the end of a FreeSurfer line; 0 if there are
- * none.
+ * Returns the index of the first colour component at the end of a FreeSurfer line; 0 if the line
+ * has no colour.
  */
 std::size_t FindFreeSurferColor(const Words& words)
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads lists of labels that other programs write, one line for each label: names, most of them
- * with colours.
+ * Reads lists of labels that other programs write, with one label per line: its name and, in most
+ * formats, its colour.
  *
  *   ITK-SNAP (label descriptions)   1   255   0   0   1  1  1   "Left ventricle"
  *   FreeSurfer (colour tables)      17  Left-Hippocampus  220 216 20 0
@@ -12,9 +12,10 @@
  * ITK-SNAP: label; red, green, blue, 0 to 255; opacity and two flags of its display, which are
  * ignored; a name in quotes. FreeSurfer: label; name; red, green, blue and transparency, which is
  * ignored. MRIcron: label; name; sometimes a number, which is ignored. Empty lines and lines that
- * begin with # are ignored. If a label has two lines, the last one counts.
+ * begin with # are ignored. If a label has several lines, the last one counts.
  *
- * MRIcron keeps colours in a file of 768 bytes: red of the labels 0 to 255, then green, then blue.
+ * MRIcron stores colours in a file of 768 bytes: red for the labels 0 to 255, then green, then
+ * blue.
  */
 #ifndef ColorTables_h
 #define ColorTables_h
@@ -28,7 +29,9 @@ namespace VolumeHaptics
 {
 
 ///@{
-/** Returns whether the first line that is not ignored has the format of such a list. */
+/**
+ * Returns whether the first line that is neither empty nor a comment has the format of such a list.
+ */
 bool IsItkSnapTable(std::string_view text);
 bool IsFreeSurferTable(std::string_view text);
 bool IsNameList(std::string_view text);
@@ -44,9 +47,9 @@ bool ReadFreeSurferTable(std::string_view text, LabelEntries& entries, std::stri
 bool ReadNameList(std::string_view text, LabelEntries& entries, std::string& error);
 ///@}
 
-/** Returns whether bytes can be a file of colours, because there are 768 of them. */
+/** Returns whether a file may be a palette of MRIcron, which is true if it has 768 bytes. */
 bool IsPalette(std::string_view bytes);
-/** Reads the colours of the labels 0 to 255. */
+/** Reads the colours of the labels 0 to 255 from a palette. */
 void ReadPalette(std::string_view bytes, LabelEntries& entries);
 
 } // namespace VolumeHaptics

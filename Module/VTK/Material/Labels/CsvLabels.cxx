@@ -87,8 +87,8 @@ std::optional<bool> ReadFlag(std::string_view text)
 }
 
 /**
- * Converts three numbers to a colour. They are from 0 to 1 if none of them is larger, otherwise
- * from 0 to 255.
+ * Converts three numbers to a colour. They range from 0 to 1 if none is above 1, otherwise from 0
+ * to 255.
  */
 std::optional<std::array<double, 3>> ReadColorNumbers(
   const std::optional<double>& r, const std::optional<double>& g, const std::optional<double>& b)
@@ -120,7 +120,7 @@ std::optional<std::array<double, 3>> ReadColor(std::string_view text)
   return MakeColor(part(1), part(3), part(5));
 }
 
-/** Reads the rows below the titles. */
+/** Reads the rows below the titles of a CSV. */
 class CsvReader
 {
 public:
@@ -132,7 +132,7 @@ public:
     for (const std::string& title : this->Titles)
     {
       Column meaning = FindColumn(title);
-      // Only the first column of labels counts.
+      // If several columns have labels, use only the first.
       meaning = meaning == Column::Label && hasLabel ? Column::Other : meaning;
       hasLabel = hasLabel || meaning == Column::Label;
       this->Columns.push_back(meaning);
@@ -187,7 +187,8 @@ public:
 
 private:
   /**
-   * Reads a cell. If it is invalid, returns a description of what is allowed; otherwise nullptr.
+   * Reads a cell into an entry. Returns nullptr, or, for an invalid cell, a description of what is
+   * allowed.
    */
   const char* ReadCell(
     Column column, const std::string& cell, LabelEntry& entry, std::optional<double> (&parts)[3])
@@ -254,7 +255,7 @@ private:
   bool AllowsCommas;
 };
 
-/** Writes a colour as #rrggbb if this is exact, and otherwise as three numbers. */
+/** Returns a colour as #rrggbb if that is exact, otherwise as three numbers. */
 std::string WriteColor(const std::array<double, 3>& color)
 {
   std::ostringstream text;
@@ -331,7 +332,7 @@ std::string WriteCsv(const LabelEntries& entries)
   };
   const auto flag = [&text](const std::optional<bool>& value)
   { text << "," << (value ? (*value ? "1" : "0") : ""); };
-  // Write these columns only if an entry uses them: they are for needles and burrs.
+  // Write the columns for needles and burrs only if an entry uses them.
   const auto isUsed = [&entries](std::optional<double> LabelEntry::*member)
   {
     return std::any_of(entries.begin(), entries.end(),

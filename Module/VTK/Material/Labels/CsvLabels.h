@@ -8,9 +8,9 @@
  *   5,liver,300,0.1,0.5,1.5,1,0,#dd8265
  *   52,aorta,,,,,1,1,
  *
- * Only the column for labels is needed; the order of the columns is free. Columns with other names
- * are ignored, and an empty cell sets nothing. Cells are separated by commas, tabs or semicolons.
- * If they are separated by semicolons, numbers may have decimal commas.
+ * Only the column label is required; the order of the columns is free. Columns with other names are
+ * ignored, and an empty cell sets nothing. Cells are separated by commas, tabs or semicolons. If
+ * they are separated by semicolons, numbers may have decimal commas.
  *
  * | column | also called | cells |
  * | --- | --- | --- |
@@ -40,8 +40,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Returns whether the first line that is not empty has at least two cells, one of which names the
- * column of labels.
+ * Returns whether the first non-empty line has at least two cells, one of which is a title of the
+ * label column.
  */
 bool IsCsv(std::string_view text);
 
@@ -51,7 +51,7 @@ bool IsCsv(std::string_view text);
  */
 bool ReadCsv(std::string_view text, LabelEntries& entries, std::string& error);
 
-/** Writes a table that ReadCsv reads back exactly to the bit. */
+/** Writes a table that ReadCsv restores bit by bit. */
 std::string WriteCsv(const LabelEntries& entries);
 
 } // namespace VolumeHaptics

@@ -23,7 +23,7 @@ bool CsvRows::Next(std::vector<std::string>& cells)
     cells.emplace_back();
     this->ReadCell(cells.back());
   } while (this->Skip(this->Separator));
-  // Skip the end of the line. A text that ends within quotes has none.
+  // Skip the line end, which is missing if the text ends within quotes.
   if (!this->SkipText("\r\n") && !this->Skip('\n'))
   {
     this->Skip('\r');
@@ -112,7 +112,7 @@ std::string WriteCell(const std::string& text)
   {
     quoted += character == '"' ? "\"\"" : std::string(1, character);
   }
-  // Quotes keep blanks at the ends from getting lost.
+  // Without quotes, blanks at the ends would get lost.
   const bool isPlain =
     text.find_first_of("\",;\t\r\n") == std::string::npos && Trim(text) == std::string_view(text);
   return isPlain ? text : quoted + "\"";

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads and writes rows and cells of CSV (RFC 4180).
+ * Parses and writes rows and cells of CSV (RFC 4180).
  */
 #ifndef CsvRows_h
 #define CsvRows_h
@@ -15,8 +15,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Rows of cells. Cells in quotes may contain separators, ends of lines, and quotes, which are
- * doubled.
+ * Splits a CSV into rows of cells. Cells in quotes may contain separators, line ends, and quotes,
+ * which are doubled.
  */
 class CsvRows
 {
@@ -29,9 +29,9 @@ public:
 
   /** Reads the next row. Returns false at the end of the text. */
   bool Next(std::vector<std::string>& cells);
-  /** Returns the number of the line, from 1, where the last row begins. */
+  /** Returns the line number (from 1) where the last row begins. */
   int GetLine() const { return this->RowLine; }
-  /** Returns whether the text ends within quotes. */
+  /** Returns whether the text ended within quotes, and so is probably truncated. */
   bool IsCutOff() const { return this->CutOff; }
 
 private:
@@ -49,19 +49,17 @@ private:
 };
 
 /**
- * Returns the comma, semicolon or tab that separates most cells of the first line that is not
- * empty.
+ * Returns the separator (comma, semicolon or tab) that splits the first non-empty line into the
+ * most cells.
  */
 char DetectSeparator(std::string_view text);
 
-/** Returns the first line that is not empty. */
+/** Returns the first non-empty line. */
 std::string_view FirstLine(std::string_view text);
 
 bool IsEmptyRow(const std::vector<std::string>& cells);
 
-/**
- * Writes a text as a cell, in quotes if separators, quotes, ends of lines or blanks require them.
- */
+/** Returns a text as a cell, in quotes if separators, quotes, line ends or blanks require them. */
 std::string WriteCell(const std::string& text);
 
 } // namespace VolumeHaptics

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * One label of a table, as the table, files of labels and field data describe it.
+ * One label of a label table, as label files and field data describe it.
  */
 #ifndef LabelEntry_h
 #define LabelEntry_h
@@ -15,7 +15,7 @@
 namespace VolumeHaptics
 {
 
-/** The data of one label. A member without a value was never set. */
+/** Data of one label. A member without a value was never set. */
 struct LabelEntry
 {
   std::optional<std::string> Name; ///< UTF-8
@@ -24,7 +24,7 @@ struct LabelEntry
   std::optional<double> Friction;        ///< dimensionless
   std::optional<double> Viscosity;       ///< N
   std::optional<double> SurfaceStrength; ///< N
-  std::optional<double> ShaftFriction;   ///< N per metre
+  std::optional<double> ShaftFriction;   ///< N per metre of a needle's shaft
   std::optional<double> SpecificEnergy;  ///< J/mm^3
   std::optional<bool> Felt;
   std::optional<bool> Forbidden;
@@ -38,7 +38,7 @@ inline bool operator==(const LabelEntry& a, const LabelEntry& b)
     a.SpecificEnergy == b.SpecificEnergy && a.Felt == b.Felt && a.Forbidden == b.Forbidden;
 }
 
-/** Entries by their label, in ascending order. */
+/** Label entries, sorted by label in ascending order. */
 using LabelEntries = std::map<int, LabelEntry>;
 
 } // namespace VolumeHaptics

@@ -27,7 +27,7 @@ constexpr const char* ColorArray = "LabelColor";
 constexpr const char* StandOffArray = "LabelStandOff";
 constexpr double Nothing = -1.0;
 
-/** An array of numbers, and the member of an entry that it stores. */
+/** Name of a numeric array, and the member of LabelEntry that it stores. */
 struct NumberArray
 {
   const char* Name;
@@ -56,7 +56,7 @@ std::string In(const char* array, vtkIdType tuple)
   return std::string("field data array \"") + array + "\", tuple " + std::to_string(tuple) + ": ";
 }
 
-/** Reads the arrays of a field data, whose sizes it checks. */
+/** Reads the arrays of a field data object and checks their sizes. */
 class FieldDataReader
 {
 public:

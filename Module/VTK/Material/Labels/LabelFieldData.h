@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads and writes a table of labels as arrays of a vtkFieldData, with a tuple for each
- * label.
+ * Reads and writes a label table as arrays of a vtkFieldData, with one tuple per label.
  *
- * | array | type | where nothing is set |
+ * | array | type | value if unset |
  * | --- | --- | --- |
  * | Label | integer | - |
  * | LabelName | string | "" |
@@ -17,7 +16,7 @@
  * | LabelFelt, LabelForbidden | 1 or 0 | -1 |
  * | LabelStandOff (world units) | number; one tuple in all | - |
  *
- * Only Label is needed. NaN means the same as -1.
+ * Only Label is required. NaN means the same as -1.
  */
 #ifndef LabelFieldData_h
 #define LabelFieldData_h
@@ -34,12 +33,12 @@ namespace VolumeHaptics
 
 /**
  * Reads the arrays. On failure, returns false, with the reason and the cure in `error`, and leaves
- * the entries unchanged. If the data have no stand-off, `standOff` has no value.
+ * the entries unchanged. `standOff` stays empty if the data have none.
  */
 bool ReadLabelFieldData(
   vtkFieldData* data, LabelEntries& entries, std::optional<double>& standOff, std::string& error);
 
-/** Adds the arrays, replacing existing arrays of the same names. */
+/** Adds the arrays to `data`, and replaces existing arrays of the same names. */
 void WriteLabelFieldData(const LabelEntries& entries, double standOff, vtkFieldData* data);
 
 } // namespace VolumeHaptics

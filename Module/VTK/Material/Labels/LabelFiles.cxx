@@ -31,7 +31,7 @@ namespace
 
 using namespace VolumeHaptics;
 
-/** Collects the elements "Label". */
+/** Collects the elements "Label" of an XML text. */
 class LabelXmlParser : public vtkXMLParser
 {
 public:
@@ -101,7 +101,7 @@ protected:
 private:
   void Fail(const std::string& reason) { this->Error = this->Error.empty() ? reason : this->Error; }
 
-  std::optional<int> Label; ///< label of the open element
+  std::optional<int> Label; ///< label of the currently open element
   std::string Name;
   std::string Ignored;
 };
@@ -133,8 +133,8 @@ namespace
 {
 
 /**
- * Reads the labels. If the text can't be read, returns false, with the reason and the cure in
- * `error`, and leaves the entries unchanged.
+ * Reads labels from XML. On failure, returns false, with the reason and the cure in `error`, and
+ * leaves the entries unchanged.
  */
 bool ReadXmlLabels(std::string_view xml, LabelEntries& entries, std::string& error)
 {
@@ -154,7 +154,7 @@ bool ReadXmlLabels(std::string_view xml, LabelEntries& entries, std::string& err
   return true;
 }
 
-constexpr std::size_t LargestTable = 256 << 20; // bytes; a million labels have some 50 MiB
+constexpr std::size_t LargestTable = 256 << 20; // bytes; a million labels take some 50 MiB
 constexpr std::size_t LargestHead = 64 << 20;
 constexpr std::size_t ChunkOfLabels = 1 << 16;
 
@@ -163,7 +163,7 @@ constexpr const char* KnownTables =
   "ITK-SNAP, a colour table of FreeSurfer, a .vti with a table, or a CSV file whose first line "
   "names the columns, such as label,name,stiffness";
 
-/** Computes from the bytes read so far how many bytes of the file are needed. */
+/** Computes how many bytes of the file are needed, from the bytes read so far. */
 std::size_t CountNeeded(std::string_view bytes)
 {
   if (IsNrrd(bytes))
@@ -206,7 +206,8 @@ bool ReadLabelBytes(const std::string& file, std::string& bytes, std::string& er
     const int got = gzread(opened.get(), chunk.get(), static_cast<unsigned>(ChunkOfLabels));
     int number = Z_OK;
     const std::string why = got <= 0 ? gzerror(opened.get(), &number) : "";
-    // To zlib, a truncated file ends like a complete one, except that it sets this error number.
+    // Detect a truncated file by this error number: otherwise zlib reports its end like that of a
+    // complete file.
     if (got < 0 || number == Z_BUF_ERROR)
     {
       error = "can't be read (" + (number == Z_ERRNO ? DescribeError(errno) : Printable(why)) +

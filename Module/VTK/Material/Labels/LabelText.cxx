@@ -140,7 +140,7 @@ std::string MakeLabelName(std::string_view text)
 std::string Quote(std::string_view text)
 {
   constexpr std::size_t most = 40;
-  // Do not cut within a character of several bytes, because that would make it unprintable.
+  // Do not cut a multi-byte character, because the text would become unprintable.
   std::size_t end = std::min(text.size(), most);
   while (end < text.size() && end > 0 && (text[end] & 0xC0) == 0x80)
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Parses lines, words, numbers and names in files of labels.
+ * Parses lines, words, numbers and names in label files.
  */
 #ifndef LabelText_h
 #define LabelText_h
@@ -16,7 +16,7 @@
 namespace VolumeHaptics
 {
 
-/** Lines of a text, with the line ends of Unix, Windows or old Macs. */
+/** Splits a text into lines, with line ends of Unix, Windows or old Macs. */
 class LabelLines
 {
 public:
@@ -25,11 +25,11 @@ public:
   {
   }
   /**
-   * Reads the next line without its end, and without blanks around it. Returns false if there is
-   * none.
+   * Reads the next line, without its end and without blanks around it. Returns false after the last
+   * line.
    */
   bool Next(std::string_view& line);
-  /** Returns the number of the last line read, counted from 1. */
+  /** Returns the number (from 1) of the last line read. */
   int GetNumber() const { return this->Number; }
 
 private:
@@ -37,41 +37,44 @@ private:
   int Number = 0;
 };
 
-/** Removes the blanks around a text. */
+/** Removes blanks at both ends of a text. */
 std::string_view Trim(std::string_view text);
 
-/** Splits a text into words at its blanks. */
+/** Splits a line into words at its blanks. */
 std::vector<std::string_view> SplitWords(std::string_view line);
 
-/** Converts a text to lower case, without blanks, underscores and parts in parentheses. */
+/**
+ * Normalises a title: converts it to lower case, and removes blanks, underscores and parts in
+ * parentheses.
+ */
 std::string MakeKey(std::string_view text);
 
 /**
- * Reads a finite number with a decimal point, in any locale. The text may have blanks around it,
- * but nothing else.
+ * Parses a finite number with a decimal point, in any locale. The text may have only blanks around
+ * the number.
  */
 std::optional<double> ReadNumber(std::string_view text);
 
-/** Reads a label. If there is none, writes the reason and the cure to `error`. */
+/** Parses a label. On failure, sets `error` to the reason and the cure. */
 std::optional<int> ReadLabel(std::string_view text, std::string& error);
 
-/** Converts red, green and blue from 0 to 255 to a colour from 0 to 1. */
+/** Converts red, green and blue from the range 0 to 255 to a colour from 0 to 1. */
 std::optional<std::array<double, 3>> ReadByteColor(
   std::string_view red, std::string_view green, std::string_view blue);
 
-/** Makes a colour of three numbers; nothing unless all of them are from 0 to 1. */
+/** Makes a colour from three numbers. Returns nothing unless each is from 0 to 1. */
 std::optional<std::array<double, 3>> MakeColor(double red, double green, double blue);
 
 /**
- * Converts a text to UTF-8 without control characters, which become blanks. A text that is not
- * UTF-8 is read as ISO 8859-1, which old programs write.
+ * Converts a text to UTF-8, with control characters replaced by blanks. A text that is not UTF-8 is
+ * read as ISO 8859-1, which old programs write.
  */
 std::string MakeLabelName(std::string_view text);
 
-/** Returns the beginning of a text, in quotes, for a message. */
+/** Returns the first part of a text in quotes, for a message. */
 std::string Quote(std::string_view text);
 
-/** Returns the beginning of a message about a line, such as "Line 3: ". */
+/** Returns the first words of a message about a line, such as "Line 3: ". */
 std::string InLine(int number);
 
 } // namespace VolumeHaptics

@@ -14,21 +14,20 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Sizes and offsets (bytes) that differ between the versions of NIfTI. */
+/** Sizes and offsets (bytes) in a header that depend on the version of NIfTI. */
 struct Version
 {
   std::size_t HeaderSize;
   std::size_t Magic;
-  const char* Single; ///< magic of a file with a header and samples
-  const char* Pair;   ///< magic of a file with only a header
+  const char* Single; ///< magic of a file with header and samples
+  const char* Pair;   ///< magic of a file with the header alone
 };
 constexpr Version Versions[] = { { 348, 344, "n+1", "ni1" }, { 540, 4, "n+2", "ni2" } };
 constexpr std::size_t ExtenderSize = 4;
 constexpr std::size_t ExtensionHeadSize = 8;
 
 /**
- * Reads a number of the file. If isSwapped, its bytes are in the order that this computer does not
- * use.
+ * Reads a number from the file. `isSwapped`: the file's byte order differs from this computer's.
  */
 template <typename Number>
 Number Load(std::string_view bytes, std::size_t offset, bool isSwapped)
@@ -47,7 +46,10 @@ Number Load(std::string_view bytes, std::size_t offset, bool isSwapped)
   return number;
 }
 
-/** Returns the version of a NIfTI file, and whether its bytes are swapped; null for other files. */
+/**
+ * Returns the version of a NIfTI file, and whether its bytes are swapped. Returns null for other
+ * files.
+ */
 const Version* ReadVersion(std::string_view bytes, bool& isSwapped)
 {
   for (const Version& version : Versions)
@@ -64,7 +66,7 @@ const Version* ReadVersion(std::string_view bytes, bool& isSwapped)
   return nullptr;
 }
 
-/** Returns the XML text with labels that is among the extensions; empty if there is none. */
+/** Returns the XML text with labels from the header extensions; empty if there is none. */
 std::string_view FindXml(std::string_view extensions, bool isSwapped)
 {
   while (extensions.size() > ExtensionHeadSize)
@@ -79,7 +81,7 @@ std::string_view FindXml(std::string_view extensions, bool isSwapped)
     data.remove_prefix(ExtensionHeadSize);
     if (data.find("<LabelTable") != std::string_view::npos)
     {
-      // Cut off the zeros that pad extensions.
+      // Cut off the zeros that pad an extension.
       return data.substr(0, data.find('\0'));
     }
   }
@@ -102,7 +104,7 @@ std::size_t GetNiftiHeadSize(std::string_view bytes, std::size_t most)
   {
     return 0;
   }
-  // Read a file completely if it has only a header.
+  // Read the whole file if it contains only a header.
   double size = static_cast<double>(most);
   if (version == &Versions[0] && bytes.substr(version->Magic, 3) == version->Single)
   {

@@ -23,7 +23,7 @@ namespace
 
 constexpr std::string_view Prefix = "Segment";
 
-/** One segment, as the header describes it. */
+/** Fields of one segment in the header. */
 struct SegmentFields
 {
   std::optional<int> Layer;
@@ -116,7 +116,7 @@ bool ReadSegments(SegmentationHeader& header, std::string& error)
   auto fields = segments.begin();
   for (NrrdSegment& segment : header.Segments)
   {
-    // The largest int has no successor.
+    // Avoid an overflow: the largest int has no successor.
     const int number = (fields++)->first;
     segment.Label = isUnique ? segment.Value : number + (number < 0x7FFFFFFF ? 1 : 0);
   }
@@ -207,7 +207,7 @@ bool ReadEncoding(const NrrdHeader& header, NrrdImage& image, std::string& error
   return true;
 }
 
-/** Returns the number of the axis of layers. If there is none, returns the number of axes. */
+/** Returns the index of the axis of layers; the number of axes if there is no such axis. */
 std::size_t FindListAxis(const NrrdHeader& header, std::size_t axes)
 {
   const std::vector<std::string> directions = SplitNrrdVectors(header.GetField("space directions"));
@@ -297,7 +297,7 @@ bool ReadFrame(const NrrdHeader& header, NrrdImage& image, std::string& error)
   return true;
 }
 
-/** Reads a sample as a number of 64 bits. */
+/** Reads a sample of any type as a 64-bit number. */
 std::int64_t LoadSample(const char* from, const NrrdImage& image)
 {
   unsigned char raw[sizeof(std::uint64_t)];
@@ -324,7 +324,7 @@ std::int64_t LoadSample(const char* from, const NrrdImage& image)
   }
 }
 
-/** Maps the values in each layer to segments. */
+/** Maps the values in each layer to segments and their labels. */
 class SegmentMap
 {
 public:
@@ -344,7 +344,10 @@ public:
     }
   }
 
-  /** Returns the rank of a value and writes its label. Returns 0 for a value without a segment. */
+  /**
+   * Returns the rank of a value's segment, and its label in `label`. Returns 0 for a value without
+   * a segment.
+   */
   int Rank(std::size_t layer, std::int64_t value, int& label)
   {
     const auto found = this->ByLayer[layer].find(value);

@@ -26,9 +26,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Largest compression ratio of deflate, reached with zeros (zlib's technical details). */
+/** Largest compression ratio of deflate, reached for zeros (zlib's technical details). */
 constexpr double LargestCompression = 1032.0;
-constexpr std::size_t MostAtOnce = 1 << 24; // bytes per call of zlib, which counts with 32 bits
+constexpr std::size_t MostAtOnce = 1 << 24; // bytes per call of zlib, whose counts have 32 bits
 
 struct NrrdFile
 {
@@ -59,7 +59,7 @@ bool OpenNrrdFile(const std::string& name, NrrdFile& file, std::string& error)
   }
   Files::Status status;
   const double size = Files::GetStatus(name, status) ? static_cast<double>(status.st_size) : 0.0;
-  // Check the size first, because the memory is allocated before the samples are read.
+  // Check the file's size first, because the memory is allocated before the samples are read.
   if (static_cast<double>(file.Image.CountBytes()) > size * LargestCompression)
   {
     error = "it has fewer samples than its header says. Check that the file is complete.";
@@ -69,12 +69,12 @@ bool OpenNrrdFile(const std::string& name, NrrdFile& file, std::string& error)
 }
 
 /**
- * Reads one label for each voxel into memory that is filled with zeros. On failure, returns false,
- * with the reason and the cure in `error`.
+ * Reads one label per voxel into memory that is filled with zeros. On failure, returns false, with
+ * the reason and the cure in `error`.
  */
 bool ReadNrrdFile(const NrrdFile& file, int* labels, std::string& error)
 {
-  // Compressed samples begin after the header; other samples are read together with it.
+  // Decompress from the end of the header; uncompressed samples are read together with it.
   const std::size_t begin = file.Image.IsCompressed ? file.Header.Size : 0;
   const GzipFile opened = OpenGzipFile(file.Name, begin, error);
   if (!opened)
@@ -106,7 +106,7 @@ bool ReadNrrdFile(const NrrdFile& file, int* labels, std::string& error)
   {
     return false;
   }
-  // Read on behind compressed samples: zlib then checks their checksum.
+  // Read past the end of compressed samples, which makes zlib verify their checksum.
   char rest = 0;
   int number = Z_OK;
   if (file.Image.IsCompressed && gzread(opened.get(), &rest, 1) <= 0)
@@ -155,8 +155,8 @@ bool ReadLabelImage(const NrrdFile& file, vtkImageData* image, std::string& erro
 }
 
 /**
- * Puts a segment behind all others, so that its voxels belong to it wherever segments overlap. On
- * failure, returns false, with the reason and the cure in `error`.
+ * Moves a segment to the end of the list, so that its voxels belong to it wherever segments
+ * overlap. On failure, returns false, with the reason and the cure in `error`.
  */
 bool PutLast(int segment, NrrdFile& file, std::string& error)
 {

@@ -39,8 +39,8 @@ public:
   bool IsListed = false;
 
   /**
-   * Finds the entry of a label. Starts at the last entry that was found, because callers mostly
-   * read one label after another.
+   * Finds the entry of a label. Tries the last found entry and the next one first, because callers
+   * mostly read one label after another.
    */
   const LabelEntry* Find(int label) const
   {
@@ -56,14 +56,14 @@ public:
     return this->Found == end ? nullptr : &this->Found->second;
   }
 
-  /** Discards the list and the last entry found. Call this when entries are removed. */
+  /** Invalidates the list and the last found entry. Call this when entries are removed. */
   void Forget()
   {
     this->Found = this->Entries.end();
     this->IsListed = false;
   }
 
-  /** Sets a member of an entry, which is created if needed. Returns whether it changed. */
+  /** Sets a member of an entry, which is created if necessary. Returns whether it changed. */
   template <typename Value>
   bool Change(int label, std::optional<Value> LabelEntry::*member, const Value& value)
   {
@@ -77,7 +77,7 @@ public:
     return true;
   }
 
-  /** Sets the members that the given entries have. Returns whether anything changed. */
+  /** Copies all members that are set in the given entries. Returns whether anything changed. */
   bool Merge(LabelEntries&& entries)
   {
     bool isChange = false;
@@ -117,7 +117,7 @@ public:
   }
 
 private:
-  /** The entry that was found last. */
+  /** Last found entry. */
   mutable LabelEntries::const_iterator Found = this->Entries.end();
 };
 
@@ -127,7 +127,7 @@ namespace
 constexpr std::array<double, 3> MiddleGrey = { 0.5, 0.5, 0.5 };
 constexpr double NotSet = -1.0;
 
-/** Reads the field data of a .vti. */
+/** Reads the field data of a .vti file. */
 bool ReadFieldDataOf(const std::string& file, vtkFieldData* data, std::string& error)
 {
   vtkNew<vtkXMLImageDataReader> reader;
@@ -253,7 +253,7 @@ std::string vtkHapticLabelTable::GetLabelName(int label)
 void vtkHapticLabelTable::SetColor(int label, double red, double green, double blue)
 {
   const std::array<double, 3> color = { red, green, blue };
-  // NaN must fail here, too.
+  // The comparison also refuses NaN.
   if (!std::all_of(color.begin(), color.end(), [](double c) { return c >= 0.0 && c <= 1.0; }))
   {
     vtkErrorMacro(<< "The colour of label " << label << " can't be " << red << ", " << green << ", "

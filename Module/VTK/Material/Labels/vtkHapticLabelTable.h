@@ -100,8 +100,8 @@ public:
   ///@}
 
   /**
-   * Remove the stiffness, friction, viscosity, surface strength, shaft friction and specific energy
-   * of a label, so that the transfer functions apply again.
+   * Remove all material numbers of a label (stiffness, friction, viscosity, surface strength, shaft
+   * friction and specific energy), so that the transfer functions apply again.
    */
   void RemoveMaterial(int label);
 
@@ -151,7 +151,8 @@ public:
 
   ///@{
   /**
-   * How far from forbidden labels the tip is kept (world units, 0 or more). Default 0.
+   * The distance from forbidden labels at which the tip is kept (world units, 0 or more). Default
+   * 0.
    */
   void SetStandOff(double distance);
   vtkGetMacro(StandOff, double);
@@ -159,15 +160,15 @@ public:
 
   ///@{
   /**
-   * Get the labels for which anything is set, in ascending order. The index counts from 0. For an
-   * index that does not exist, GetLabel reports an error and returns 0.
+   * Get the labels that have an entry, in ascending order. The index counts from 0. For an index
+   * out of range, GetLabel reports an error and returns 0.
    */
   vtkIdType GetNumberOfLabels();
   int GetLabel(vtkIdType index);
   ///@}
 
   bool HasLabel(int label);
-  /** Remove everything about a label. */
+  /** Remove a label's entry with its name, colour and material. */
   void RemoveLabel(int label);
   void RemoveAllLabels();
 
@@ -192,7 +193,7 @@ public:
    */
   bool ReadFile(VTK_FILEPATH const char* path);
 
-  /** Write a CSV that ReadFile reads. On failure, reports an error and returns false. */
+  /** Write a CSV file that ReadFile can read. On failure, reports an error and returns false. */
   bool WriteFile(VTK_FILEPATH const char* path);
 
   ///@{
@@ -200,7 +201,7 @@ public:
    * Read or write the table as arrays with a tuple for each label, so that an image can carry it in
    * its field data: Label; LabelName; LabelColor (3 components); LabelStiffness, LabelFriction,
    * LabelViscosity, LabelSurfaceStrength, LabelShaftFriction, LabelSpecificEnergy, LabelFelt,
-   * LabelForbidden, -1 where nothing is set; and LabelStandOff, one number. Reading needs only
+   * LabelForbidden, -1 for unset values; and LabelStandOff, one number. Reading requires only
    * Label, and changes the table as ReadFile does. On failure, it reports an error, returns false
    * and changes nothing.
    */
@@ -208,7 +209,7 @@ public:
   void WriteFieldData(vtkFieldData* data);
   ///@}
 
-  /** Copy everything. */
+  /** Copy all labels and settings of another table. */
   void DeepCopy(vtkHapticLabelTable* source);
 
 protected:

@@ -34,7 +34,7 @@ std::string NameOf(const DicomHeader& slice)
   return vtksys::SystemTools::GetFilenameName(slice.File);
 }
 
-/// Returns a list of the series, one on each line.
+/// Returns a list of the series for messages, one per line.
 std::string ListSeries(const std::vector<DicomSeries>& all)
 {
   std::string list;
@@ -67,7 +67,8 @@ void CheckSlices(
       throw InputError(path, "holds a dose without its scale (DoseGridScaling) in " + NameOf(slice),
         "export it again from the planning system");
     }
-    if (slice.IsPalette && !slice.IsSegmentation()) // the colours of labels do not matter
+    if (slice.IsPalette && !slice.IsSegmentation()) // a palette is an error, except for labels,
+                                                    // whose colours do not matter
     {
       throw InputError(path,
         "holds numbers of colours (PALETTE COLOR) instead of values in " + NameOf(slice),
@@ -103,7 +104,7 @@ void CheckSlices(
   }
 }
 
-/// Returns the median distance (mm) between slices.
+/// Returns the median distance (mm) between neighbouring slices.
 double ComputeStep(const std::vector<DicomHeader>& slices)
 {
   std::vector<double> steps;
@@ -116,8 +117,8 @@ double ComputeStep(const std::vector<DicomHeader>& slices)
   return *middle;
 }
 
-/// Removes slices that are far from the others, such as a topogram with the number of the series.
-/// Returns the other slices.
+/// Drops slices that are far from the others, such as a topogram that belongs to the series.
+/// Returns the remaining slices.
 std::vector<DicomHeader> LeaveOutFar(const std::vector<DicomHeader>& slices, Volume& volume)
 {
   if (slices.size() < 3)
@@ -125,7 +126,7 @@ std::vector<DicomHeader> LeaveOutFar(const std::vector<DicomHeader>& slices, Vol
     return slices;
   }
   constexpr double farSteps = 8.0;
-  // smallest number of slices of a volume
+  // Smallest number of slices that count as a volume.
   constexpr std::size_t fewest = 5;
   const double far = std::max(farSteps * ComputeStep(slices), 10.0); // mm
   std::size_t first = 0, best = 0, size = 0;
@@ -161,9 +162,9 @@ std::vector<DicomHeader> LeaveOutFar(const std::vector<DicomHeader>& slices, Vol
     "put the slices of one volume into a folder of their own; if it moves, each phase");
 }
 
-/// Returns the positions (mm) of slices along their normal, beginning with 0. If they are even
-/// within the rounding of files, makes them exactly even. Throws InputError if two slices are at
-/// the same position.
+/// Returns the positions (mm) of slices along their normal, relative to the first one. Makes the
+/// positions exactly even if they differ only by the rounding in files. Throws InputError if two
+/// slices are at the same position.
 std::vector<double> FindPlaces(
   const std::string& path, const std::vector<DicomHeader>& slices, Volume& volume)
 {
@@ -189,10 +190,10 @@ std::vector<double> FindPlaces(
   {
     off = std::max(off, std::abs(along[i] - static_cast<double>(i) * even));
   }
-  // mm, rounding of positions with one digit, at both ends of the line
+  // Rounding error (mm) of positions with one decimal, at both ends of the line.
   constexpr double rounding = 0.11;
   constexpr double smallPart = 0.05;
-  constexpr double finest = 0.25; // fraction of a step
+  constexpr double finest = 0.25; // as a fraction of a step
   if (off <= std::max(std::min(rounding, finest * even), smallPart * even))
   {
     for (std::size_t i = 0; i < count; ++i)
@@ -202,7 +203,7 @@ std::vector<double> FindPlaces(
     return along;
   }
   const double step = ComputeStep(slices);
-  constexpr double closest = 0.2; // fraction of a step
+  constexpr double closest = 0.2; // as a fraction of a step
   constexpr double mostGap = 20.0;
   if (smallest < closest * step || largest > mostGap * step)
   {
@@ -221,7 +222,7 @@ std::vector<double> FindPlaces(
   std::ostringstream note;
   if (missing > 0 && rest < 2.0 * smallPart)
   {
-    // The other slices are at whole steps, within the rounding of files.
+    // The other slices are at multiples of the step, apart from rounding in the files.
     const double length = along.back();
     const double steps = static_cast<double>(count - 1) + missing;
     for (double& place : along)
@@ -292,7 +293,7 @@ void PlaceSlices(const std::vector<DicomHeader>& slices, double length, vtkImage
 
 namespace
 {
-/// Names the DICOM files of a folder that are not slices, such as "an RT plan (plan.dcm)", with the
+/// Lists the DICOM files of a folder that are not slices, such as "an RT plan (plan.dcm)", with the
 /// cure.
 Explore::DicomObject FindObjects(const std::string& folder)
 {
@@ -314,7 +315,7 @@ Explore::DicomObject FindObjects(const std::string& folder)
   return found;
 }
 
-/// Chooses a series. Throws InputError if there is no such series.
+/// Returns the index of the wanted series. Throws InputError if there is no such series.
 std::size_t ChooseSeries(const std::string& path, const std::vector<DicomSeries>& all, int wanted,
   const Explore::DicomFolderFacts& facts)
 {
@@ -364,7 +365,7 @@ vtkSmartPointer<vtkImageData> ReadPlaced(const std::string& path,
   return image;
 }
 
-/// Adds notes on what was assumed about a series, and on the meaning of its values.
+/// Adds notes on assumptions about a series, and on the meaning of its values.
 void AddNotes(const DicomSeries& series, Volume& volume)
 {
   const DicomHeader& first = series.Slices.front();
@@ -414,7 +415,7 @@ void AddNotes(const DicomSeries& series, Volume& volume)
   }
 }
 
-/// Adds a note if stored values are beyond those for which the map to real-world values is meant.
+/// Adds a note if stored values are outside the range of the map to real-world values.
 void NoteUnmapped(const DicomHeader::RealWorldMap& map, vtkImageData* image, Volume& volume)
 {
   if (!map.IsUsed || !(map.Range[0] < map.Range[1]))
@@ -436,22 +437,22 @@ void NoteUnmapped(const DicomHeader::RealWorldMap& map, vtkImageData* image, Vol
   }
 }
 
-/// Reads the later phases of a moving volume. `along` has the positions of the slices.
+/// Reads all phases of a moving volume after the first. `along` has the positions of the slices.
 void ReadPhases(const std::string& path, const DicomSeries& series,
   const std::vector<std::vector<DicomHeader>>& phases, const std::vector<double>& along,
   Volume& volume)
 {
-  constexpr double perSecond = 10.0; // phases per second, if they have no times
+  constexpr double perSecond = 10.0; // phases per second if the files state no times
   const std::vector<std::string> notes = volume.Notes;
   for (std::size_t i = 1; i < phases.size(); ++i)
   {
     const double time = series.Times[i] / (series.HaveTimes ? 1.0 : perSecond);
     volume.Phases.push_back({ time, ReadPlaced(path, phases[i], along, volume) });
   }
-  volume.Notes = notes; // keep the notes once: each phase would add the same ones
+  volume.Notes = notes; // keeps the notes once, since each phase would add the same ones
 }
 
-/// Returns the angle (degrees) between the planes of two slices, or between their rows, if that is
+/// Returns the angle (degrees) between the planes of two slices or between their rows, whichever is
 /// larger.
 double MeasureTurn(const DicomHeader& a, const DicomHeader& b)
 {
@@ -459,12 +460,13 @@ double MeasureTurn(const DicomHeader& a, const DicomHeader& b)
     vtkMath::AngleBetweenVectors(a.Normal, b.Normal), vtkMath::AngleBetweenVectors(a.Row, b.Row)));
 }
 
-/// Throws InputError if the slices of a series are turned against each other by more than a pixel
-/// at their edge. A series of a few slices may be a part of such slices, as of a radial scan.
+/// Throws InputError if the slices of a series are rotated against each other by more than a pixel
+/// at their edge. A series of only a few slices may be part of such a set, for example of a radial
+/// scan.
 void CheckParallel(
   const std::string& path, const DicomSeries& series, const std::vector<DicomSeries>& all)
 {
-  constexpr std::size_t fewest = 5; // smallest number of slices of a volume
+  constexpr std::size_t fewest = 5; // smallest number of slices that count as a volume
   const DicomHeader& first = series.Slices.front();
   const double edge = std::max(first.Width * first.Spacing[0], first.Height * first.Spacing[1]);
   const double pixel = std::max(first.Spacing[0], first.Spacing[1]);
@@ -526,7 +528,8 @@ Volume LoadSeries(const std::string& path, const std::vector<DicomSeries>& all, 
     Explore::CheckLine(path, slices);
     AddNotes(series, volume);
     const int size[] = { one.Width, one.Height, static_cast<int>(slices.size()) };
-    Explore::CheckSize(path, size); // before pixels, which may be unreadable, are unpacked
+    Explore::CheckSize(path, size); // checked before the pixels are unpacked, because they may be
+                                    // unreadable
     Explore::CheckMemory(path, Explore::MeasureSlices(slices), slices.size() * phases.size());
     Explore::CorrectHighBit(path, phases, volume.Notes);
     volume.Image = ReadPlaced(path, slices, along, volume);
@@ -580,7 +583,7 @@ Volume ReadDicomFile(const std::string& path, int series)
   }
   if (header.Frames > 1 || header.IsSegmentation())
   {
-    // The file is a complete volume, whatever other files are in its folder.
+    // A file with a complete volume is read alone, whatever other files are in its folder.
     const std::vector<DicomSeries> own = SortDicomSlices(ReadDicomSlices(whole));
     if (header.IsSegmentation() && own.size() == 1)
     {
@@ -589,7 +592,7 @@ Volume ReadDicomFile(const std::string& path, int series)
       return segments;
     }
     Volume volume = LoadSeries(path, own, ChooseSeries(path, own, series, {}));
-    // number of entries: the file, the folder itself and its parent
+    // Number of directory entries: the file, the folder itself and its parent.
     constexpr unsigned long alone = 3;
     if (vtksys::Directory::GetNumberOfFilesInDirectory(folder) > alone && !header.IsSegmentation())
     {

@@ -25,7 +25,8 @@ using Explore::DicomSegment;
 
 constexpr std::uint32_t PIXELS = 0x7fe00010;
 constexpr std::uint32_t FLOAT_PIXELS = 0x7fe00008;
-constexpr std::uint32_t OFFSETS = 0x3004000c; // tag of the offsets of a dose's frames
+constexpr std::uint32_t OFFSETS = 0x3004000c; // tag of GridFrameOffsetVector: the offsets of a
+                                              // dose's frames
 constexpr std::uint32_t SEGMENTS = 0x00620002;
 constexpr std::uint32_t SHARED_GROUPS = 0x52009229;
 constexpr std::uint32_t FRAME_GROUPS = 0x52009230;
@@ -35,17 +36,17 @@ constexpr const char* IMPLICIT_LITTLE = "1.2.840.10008.1.2";
 constexpr const char* EXPLICIT_LITTLE = "1.2.840.10008.1.2.1";
 constexpr const char* EXPLICIT_BIG = "1.2.840.10008.1.2.2";
 
-/// Positions of the frames in a file with several.
+/// Headers and positions of the frames in a file with several.
 struct FramePlaces
 {
-  // header of each frame, with the differences from the file's header
+  // Header of each frame: the file's header with the frame's own values.
   std::vector<DicomHeader> Groups;
-  std::vector<double> Offsets; // positions along the normal, or z in the patient (mm)
+  std::vector<double> Offsets; // positions (mm) along the normal, or z in the patient
   std::vector<DicomSegment> Segments;
 };
 
-/// A kind of DICOM object that contains no pixels of a volume, recognised by the beginning of its
-/// class's UID, with the cure to suggest.
+/// A kind of DICOM object without the pixels of a volume, with the prefix of its class UID, and the
+/// cure to suggest.
 struct ObjectKind
 {
   const char* Class;
@@ -80,7 +81,7 @@ constexpr ObjectKind OBJECTS[] = {
   { "1.2.840.10008.1.3.10", "the directory of a medium (DICOMDIR)", NAME_IMAGES },
 };
 
-/// Returns the whole number in two or four bytes, from a byte on.
+/// Returns the integer in the two or four bytes that start at `first`.
 std::uint32_t ReadNumber(const std::string& bytes, std::size_t first, std::size_t count)
 {
   std::uint32_t number = 0;
@@ -91,7 +92,7 @@ std::uint32_t ReadNumber(const std::string& bytes, std::size_t first, std::size_
   return number;
 }
 
-/// Returns the floating-point number of 4 or 8 bytes; 0 for any other size.
+/// Returns the floating-point number in 4 or 8 bytes; 0 for any other size.
 double ReadReal(const std::string& bytes)
 {
   double real = 0.0;
@@ -108,7 +109,7 @@ double ReadReal(const std::string& bytes)
   return real;
 }
 
-/// Removes the blank or zero that makes lengths even.
+/// Removes the trailing blank or zero that makes lengths even.
 std::string TrimValue(std::string text)
 {
   text.erase(std::find(text.begin(), text.end(), '\0'), text.end());
@@ -117,8 +118,8 @@ std::string TrimValue(std::string text)
   return text.substr(std::min(text.find_first_not_of(' '), text.size()));
 }
 
-/// Reads decimal numbers that are separated by backslashes. Returns false, and writes none, if
-/// there are fewer, or if one is not finite.
+/// Reads decimal numbers that are separated by backslashes. Returns false, and sets none, if there
+/// are too few or if any is not finite.
 bool ReadDecimals(const std::string& text, double* numbers, int count)
 {
   std::string plain = text;
@@ -184,7 +185,7 @@ void ReadValue(
   const auto number = [&] { return static_cast<int>(ReadNumber(value, 0, 2)); };
   switch (tag)
   {
-    case 0x00020002: // before SOPClassUID
+    case 0x00020002: // MediaStorageSOPClassUID, which precedes SOPClassUID
       header.Class = TrimValue(value);
       break;
     case 0x00020010:
@@ -274,10 +275,10 @@ void ReadValue(
     case 0x00280011:
       header.Width = number();
       break;
-    case 0x00181164: // ImagerPixelSpacing, before PixelSpacing
+    case 0x00181164: // ImagerPixelSpacing, which precedes PixelSpacing
     case 0x00280030:
     {
-      double spacing[2]; // distance from row to row first
+      double spacing[2]; // first the distance between rows
       if (ReadDecimals(value, spacing, 2))
       {
         header.IsDetectorSpacing = tag == 0x00181164;
@@ -323,11 +324,11 @@ void ReadValue(
     case 0x00281054:
       header.RescaleType = TrimValue(value);
       break;
-    case 0x00080100: // CodeValue, of the unit of a map to real-world values
+    case 0x00080100: // CodeValue of the unit of a real-world value map
       header.RealWorld.Unit =
         header.RealWorld.Count == 0 ? TrimValue(value) : header.RealWorld.Unit;
       break;
-    case 0x00409210: // LUTLabel, which each map has behind its unit
+    case 0x00409210: // LUTLabel, which follows the unit in each map
       ++header.RealWorld.Count;
       break;
     case 0x00409211: // RealWorldValueLastValueMapped
@@ -355,7 +356,7 @@ void ReadValue(
   }
 }
 
-/// Reads all decimal numbers that are separated by backslashes; none if one of them can't be read.
+/// Reads all decimal numbers that are separated by backslashes; none if any of them is malformed.
 std::vector<double> ReadAllDecimals(const std::string& text)
 {
   std::vector<double> numbers(
@@ -365,7 +366,7 @@ std::vector<double> ReadAllDecimals(const std::string& text)
     : std::vector<double>();
 }
 
-/// Converts CIELab in whole numbers to red, green and blue: PS3.3, section C.10.7.1.1.
+/// Converts CIELab in 16-bit integers to red, green and blue: PS3.3, section C.10.7.1.1.
 std::vector<double> ReadColor(const std::string& value)
 {
   const auto part = [&](std::size_t i) { return ReadNumber(value, 2 * i, 2) / 65535.0; };
@@ -403,7 +404,7 @@ void OrientSlice(const double orientation[6], DicomHeader& header)
 {
   double normal[3];
   vtkMath::Cross(orientation, orientation + 3, normal);
-  // Otherwise the header has no orientation: an axial slice, which scanners make by default.
+  // Without a valid orientation, keep that of an axial slice, which scanners make by default.
   if (vtkMath::Normalize(normal) > 0.5)
   {
     std::copy_n(orientation, 3, header.Row);
@@ -413,7 +414,7 @@ void OrientSlice(const double orientation[6], DicomHeader& header)
   header.Along = vtkMath::Dot(header.Position, header.Normal);
 }
 
-/// Uses the map to real-world values, unless a rescale already gives the values a meaning.
+/// Applies the real-world value map, unless a rescale already converts the values.
 void UseRealWorld(DicomHeader& header)
 {
   DicomHeader::RealWorldMap& map = header.RealWorld;
@@ -428,7 +429,7 @@ void UseRealWorld(DicomHeader& header)
   }
 }
 
-/// The values of a file, as they are put into its headers.
+/// Stores the values of a file in the headers of its frames.
 class ValueReader
 {
 public:
@@ -448,13 +449,13 @@ public:
       case FRAME_GROUPS:
         this->ReadOfFrame(element, value);
         break;
-      case DETECTORS: // all detectors of a reconstruction tell the same place
+      case DETECTORS: // all detectors of a reconstruction state the same position
         if (element.Item > 0)
         {
           break;
         }
         [[fallthrough]];
-      default: // of the file, or of all frames
+      default: // a value that applies to the whole file, or to all frames
         ReadValue(element.Tag, value, this->Header, this->Orientation);
         if (element.Tag == OFFSETS)
         {
@@ -499,7 +500,7 @@ private:
   std::vector<std::array<double, 6>> Orientations;
 };
 
-/// Reads everything but the pixels. Returns false if the file can't be read or has no pixels.
+/// Reads the header without the pixels. Returns false if the file can't be read or has no pixels.
 bool ReadHeader(const std::string& path, DicomHeader& header, FramePlaces& places)
 {
   header = {};
@@ -538,7 +539,7 @@ bool ReadHeader(const std::string& path, DicomHeader& header, FramePlaces& place
   header.Pixels = answer.PixelPlace;
   header.Frames = std::max(header.Frames, 1);
   header.Stored = header.Stored > 0 ? std::min(header.Stored, header.Bits) : header.Bits;
-  // The parts of compressed pixels have no common length.
+  // The length of compressed pixels does not follow from the header.
   header.IsWhole = answer.AreItems != 0 ? answer.AreItemsWhole != 0
                                         : answer.PixelLength >=
       (header.IsHalved ? header.GetSizeOfAll() / 3 * 2 : header.GetSizeOfAll());
@@ -565,7 +566,7 @@ std::uint64_t DicomHeader::GetSize() const
 
 std::uint64_t DicomHeader::GetSizeOfAll() const
 {
-  // Frames of one bit follow each other without a gap.
+  // Frames of 1-bit samples follow each other without padding.
   return (static_cast<std::uint64_t>(this->Width) * this->Height * this->Samples * this->Bits *
              static_cast<std::uint64_t>(this->Frames) +
            7) /
@@ -660,7 +661,7 @@ std::vector<DicomHeader> ReadDicomSlices(const std::string& path)
   {
     return {};
   }
-  // If the file is cut off, 1000 frames are enough to report this.
+  // For a truncated file, 1000 frames are enough to report the fault.
   const int count = std::min(header.Frames, header.IsWhole ? MOST_FRAMES : 1000);
   const auto frames = static_cast<std::size_t>(count);
   std::vector<DicomHeader> slices(frames, header);
@@ -691,10 +692,10 @@ std::vector<DicomHeader> ReadDicomSlices(const std::string& path)
     }
     if (count == 1)
     {
-      continue; // the header has a position, or the frame is at a scanner's default position
+      continue; // a single frame has the header's position, or a scanner's default position
     }
-    // The offsets of a dose either begin at 0 along the normal, or are z in the patient (PS3.3,
-    // section C.8.8.3.2).
+    // The offsets of a dose either start at 0 along the normal, or are absolute z positions in the
+    // patient (PS3.3, section C.8.8.3.2).
     const bool areAbsolute = haveOffsets && places.Offsets[0] != 0.0;
     const double step = !haveOffsets ? header.Step * static_cast<double>(i)
                                      : (places.Offsets[i] - places.Offsets[0]) *

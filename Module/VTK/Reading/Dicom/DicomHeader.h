@@ -11,7 +11,7 @@
 
 namespace Explore
 {
-/// A number in which slices at the same position may differ.
+/// A numeric attribute in which slices at the same position may differ, such as a time.
 struct DicomFact
 {
   enum Encoding
@@ -24,11 +24,11 @@ struct DicomFact
   std::uint32_t Tag;
   const char* Name;
   Encoding Kind;
-  // seconds in one unit if this is a time; 0: numbers in the order of time; -1: not a time
+  // seconds per unit of a time; 0: a number that rises with time; -1: unrelated to time
   double Seconds;
 };
 
-/// The facts, in order of priority: if slices differ in two of them, the first one decides.
+/// All facts, by priority: if slices differ in several, the first one decides.
 constexpr DicomFact DICOM_FACTS[] = {
   { 0x00181060, "TriggerTime", DicomFact::Decimal, 1e-3 },
   { 0x00209153, "NominalCardiacTriggerDelayTime", DicomFact::Real, 1e-3 },
@@ -46,109 +46,112 @@ constexpr DicomFact DICOM_FACTS[] = {
   { 0x00200013, "InstanceNumber", DicomFact::Decimal, 0.0 },
 };
 
-/// Returns the fact with a tag; null if no fact has this tag.
+/// Returns the fact with a DICOM tag; null if there is none.
 const DicomFact* FindDicomFact(std::uint32_t tag);
 
-/// The header of a DICOM slice: its series, its position, and the meaning of its samples. VTK's
-/// reader is not used, because it supports neither series nor sequences: it reads the preview in
-/// front of a slice instead of the slice.
+/// Header of a DICOM slice: its series, its position, and the meaning of its samples. Not read with
+/// VTK's reader, which supports neither series nor sequences: it reads the preview in front of a
+/// slice instead of the slice.
 struct DicomHeader
 {
-  std::string File; // whole path
+  std::string File; // absolute path
   std::string TransferSyntax;
   std::string Class;    // kind of the object (SOPClassUID)
-  std::string Instance; // unique identifier of the file
+  std::string Instance; // unique identifier of the file (SOPInstanceUID)
   std::string ImageType;
-  std::string Series;  // unique identifier of the series
-  std::string Patient; // identifier of the patient
+  std::string Series;  // unique identifier of the series (SeriesInstanceUID)
+  std::string Patient; // identifier (PatientID)
   int SeriesNumber = 0;
-  std::string Description; // description of the series
+  std::string Description; // SeriesDescription, for lists of series
   std::string Modality;
   int Width = 0, Height = 0;
   int Samples = 1;        // samples per pixel: 3 in RGB
-  bool ArePlanes = false; // whether the samples of each colour are stored together
-  // whether colours are stored as luminance and two differences (YBR_FULL) instead of RGB
+  bool ArePlanes = false; // whether all samples of a colour are stored together
+  // Whether colours are luminance and two colour differences (YBR_FULL) instead of RGB.
   bool IsYbr = false;
-  bool IsHalved = false;      // whether two pixels share their differences (YBR_FULL_422)
-  bool IsPalette = false;     // whether samples are numbers of colours
-  bool HasValueTable = false; // whether a table (ModalityLUTSequence) gives samples their meaning
-  int Bits = 0, Stored = 0;   // bits of a sample in the file, and the number of those that are used
-  int HighBit = -1;           // number of the highest bit that is used; -1: not given
+  bool IsHalved = false;      // whether two pixels share their colour differences (YBR_FULL_422)
+  bool IsPalette = false;     // whether samples are indices of colours
+  bool HasValueTable = false; // whether a table (ModalityLUTSequence) defines the meaning of
+                              // samples
+  int Bits = 0, Stored = 0;   // bits per sample in the file; number of bits in use
+  int HighBit = -1;           // index of the highest bit in use; -1: not given
   bool IsSigned = false;
   bool IsFloat = false;
   bool HasPixels = false;
-  bool IsBig = false; // whether the most significant byte comes first
+  bool IsBig = false; // number of frames in this file
   int Frames = 1;     // number of frames in the file
-  int Frame = 0;      // number of this slice among the frames
+  int Frame = 0;      // index of this slice among the frames
   ///@{
-  /// The value, such as Hounsfield units, is slope times sample plus intercept.
+  /// Value = Slope * sample + Intercept, for example in Hounsfield units.
   double Slope = 1.0, Intercept = 0.0;
   ///@}
-  std::string RescaleType; // unit of these values, such as "HU"; "US" is not specified
-  // The map to real-world values (PS3.3, section C.7.6.16.2.11); of several, the first one.
+  std::string RescaleType; // unit of the values, such as "HU"; "US" stands for unspecified
+  // Real-world value map (PS3.3, section C.7.6.16.2.11); the first one if the file has several.
   struct RealWorldMap
   {
     std::optional<double> Slope; // empty if the map is a table
     double Intercept = 0.0;
-    std::string Unit; // UCUM's code, such as "um2/s"
-    int Count = 0;    // number of maps in the file
-    // first and last stored value of the map; equal if the file has no range
+    std::string Unit; // UCUM code, such as "um2/s"
+    int Count = 0;    // number of such maps in the file
+    // First and last stored value to which the map applies; equal if the file has no range.
     double Range[2] = { 0.0, 0.0 };
     bool IsUsed = false;
   };
   RealWorldMap RealWorld;
-  std::optional<double> DoseScale;       // slope of a dose
-  std::string Units;                     // units of a dose or of PET, as the file names them
-  std::optional<double> Padding;         // sample of pixels that were not measured
-  std::map<std::uint32_t, double> Facts; // facts in which slices at the same position may differ
-  // Position of the first pixel, and directions along rows and columns. If the file does not define
-  // them, the slice is axial and at 0.
+  std::optional<double> DoseScale;       // factor that converts samples to a dose (DoseGridScaling)
+  std::string Units;                     // unit of a dose or of PET, as named in the file
+  std::optional<double> Padding;         // sample value of pixels that were not measured
+  std::map<std::uint32_t, double> Facts; // values of the attributes in DICOM_FACTS, by tag
+  // Position of the first pixel, and directions of rows and columns, in the patient. Default: an
+  // axial slice at 0.
   double Position[3] = { 0.0, 0.0, 0.0 };
   double Row[3] = { 1.0, 0.0, 0.0 };
   double Column[3] = { 0.0, 1.0, 0.0 };
   double Normal[3] = { 0.0, 0.0, 1.0 };
-  double Along = 0.0;               // position along the normal, mm
-  double Spacing[2] = { 0.0, 0.0 }; // between pixels along a row and along a column, mm; 0: unknown
-  bool IsDetectorSpacing = false;   // measured at the detector, not in the patient
-  // distance of slices in the file, mm, negative if they follow each other against the normal; 0:
-  // not known
+  double Along = 0.0;               // position along the normal (mm)
+  double Spacing[2] = { 0.0, 0.0 }; // distance of pixels along a row and along a column (mm); 0:
+                                    // unknown
+  bool IsDetectorSpacing = false;   // whether Spacing is measured at the detector instead of in the
+                                    // patient
+  // Distance (mm) of slices as stated in the file, negative if they follow each other against the
+  // normal; 0: unknown.
   double Step = 0.0;
-  double Thickness = 0.0;         // mm; 0: not known
+  double Thickness = 0.0;         // mm; 0: unknown
   std::optional<double> Location; // SliceLocation, mm
-  bool HasPosition = false;       // whether the file gives the position
-  std::uint64_t Pixels = 0;       // where the pixels begin in the file
-  bool IsDeflated = false;        // whether the whole data set is packed by deflate
+  bool HasPosition = false;       // whether the file states the position
+  std::uint64_t Pixels = 0;       // offset (bytes) of the pixels in the file
+  bool IsDeflated = false;        // whether the whole data set is compressed by deflate
   bool IsWhole = false;           // whether the file is long enough for its pixels
-  bool HasPlaces = true;          // whether the file has the place of each frame
-  // For a segmentation: the frame's segment, and the sample of a voxel that is wholly inside.
+  bool HasPlaces = true;          // whether the file states the position of each frame
+  // For a segmentation: the frame's segment, and the sample of a voxel that is completely inside.
   int Segment = 1;
   double Whole = 1.0;
   std::string SegmentationType;
 
-  /// Returns whether the slice is uncompressed little endian, implicit or explicit, or explicit big
-  /// endian, with samples of 1, 8, 16 or 32 bits, or floating-point numbers.
+  /// Returns whether the slice is uncompressed, in implicit or explicit little endian or explicit
+  /// big endian, with samples of 1, 8, 16 or 32 bits or floating-point samples.
   bool IsPlain() const;
-  /// Returns the size of this slice's pixels in bytes, if they are not compressed. Samples of one
-  /// bit are rounded up to whole bytes.
+  /// Returns the size (bytes) of this slice's uncompressed pixels. 1-bit samples are rounded up to
+  /// whole bytes.
   std::uint64_t GetSize() const;
-  /// Returns the size of the pixels of all frames in bytes.
+  /// Returns the size (bytes) of the uncompressed pixels of all frames.
   std::uint64_t GetSizeOfAll() const;
   bool IsSegmentation() const;
 };
 
-/// A segment of a segmentation.
+/// A segment of a DICOM segmentation.
 struct DicomSegment
 {
   int Number = 0;
   std::string Name;
-  std::vector<double> Color; // red, green and blue, 0 to 1; empty if the segment has no colour
+  std::vector<double> Color; // red, green and blue, 0 to 1; empty without a colour
 };
 
 /// Reads the segments of a segmentation file: PS3.3, section C.8.20.2.
 std::vector<DicomSegment> ReadDicomSegments(const std::string& path);
 
-/// The kind of a DICOM object that contains no pixels of a volume, such as "an RT plan", with the
-/// cure. Both texts are empty for a slice, and for a file that is not DICOM.
+/// A kind of DICOM object without the pixels of a volume, such as "an RT plan", with the cure. Both
+/// texts are empty for a slice or for a file that is not DICOM.
 struct DicomObject
 {
   std::string Name;
@@ -156,16 +159,17 @@ struct DicomObject
 };
 DicomObject FindDicomObject(const std::string& path);
 
-/// Names a compression of pixels that is not read here, such as "JPEG XL"; empty if it is none.
+/// Returns the name of a compression that is not supported here, such as "JPEG XL"; empty if the
+/// syntax is supported.
 std::string NameUnreadSyntax(const std::string& transferSyntax);
 
-/// Reads a header. Returns false if a file is not a DICOM file with pixels. Follows PS3.5 of the
-/// standard, sections 7 and A.
+/// Reads a header. Returns false if the file is not a DICOM file with pixels. Follows PS3.5 of the
+/// standard, section 7 and annex A.
 bool ReadDicomHeader(const std::string& path, DicomHeader& header);
 
-/// Reads a header for each frame of a file, each with its own position and meaning of samples. They
-/// come from the functional groups (PS3.3, section C.7.6.16), from the offsets of a dose, or from
-/// the spacing between slices. Returns none if this is not a DICOM file with pixels.
+/// Reads one header per frame of a file, with the frame's own position and meaning of samples.
+/// These come from the functional groups (PS3.3, section C.7.6.16), from the offsets of a dose, or
+/// from the spacing between slices. Returns none if the file is not a DICOM file with pixels.
 std::vector<DicomHeader> ReadDicomSlices(const std::string& path);
 } // namespace Explore
 

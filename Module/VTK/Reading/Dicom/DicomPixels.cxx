@@ -39,7 +39,8 @@ InputError Unreadable(const std::string& path, const DicomHeader& slice, const s
       vtksys::SystemTools::GetFilenameName(slice.File) + ")",
     "make it readable, or copy or export the series again");
 }
-/// Converts luminance and differences to RGB: the inverse of PS3.3, section C.7.6.3.1.2, YBR_FULL.
+/// Converts luminance and colour differences to RGB, the inverse of YBR_FULL in PS3.3, section
+/// C.7.6.3.1.2.
 void MakeRgb(const DicomHeader& slice, std::string& bytes)
 {
   const auto frame = static_cast<std::size_t>(slice.GetSize());
@@ -69,10 +70,10 @@ struct ValueRange
   double Low = 0.0;
   double High = 0.0;
   bool AreWhole = true;
-  int Bits = 0; // bits of floating-point samples; 0: none are
+  int Bits = 0; // bits of floating-point samples; 0: samples are integers
 };
 
-/// Returns the possible values of the samples of all slices.
+/// Returns the range of values that the samples of all slices may have.
 ValueRange ComputeValues(const std::vector<DicomHeader>& slices)
 {
   ValueRange range;
@@ -93,7 +94,7 @@ ValueRange ComputeValues(const std::vector<DicomHeader>& slices)
   return range;
 }
 
-/// Returns the smallest type that holds all values of a range.
+/// Returns the smallest VTK type that can store a range of values.
 int ChooseType(const ValueRange& range)
 {
   if (range.Bits > 0)
@@ -111,7 +112,7 @@ int ChooseType(const ValueRange& range)
   return VTK_FLOAT;
 }
 
-/// Converts 32 or 64 bits to the floating-point number that they stand for.
+/// Reinterprets 32 or 64 bits as a floating-point number.
 double ToReal(std::uint64_t bits, int count)
 {
   double real;
@@ -126,7 +127,7 @@ double ToReal(std::uint64_t bits, int count)
   return real;
 }
 
-/// Returns the bits of sample number `at` of a slice.
+/// Returns the bits of the sample at index `at` of a slice.
 std::uint64_t ReadBits(const std::string& bytes, std::size_t at, const DicomHeader& slice)
 {
   const auto size = static_cast<std::size_t>(slice.Bits / 8);
@@ -139,14 +140,15 @@ std::uint64_t ReadBits(const std::string& bytes, std::size_t at, const DicomHead
   return bits;
 }
 
-/// Returns the number of bits below the stored bits, as old files have them (HighBit).
+/// Returns the number of bits below the stored bits, which old files may have (HighBit).
 int CountBitsBelow(const DicomHeader& slice)
 {
   const bool isKnown = !slice.IsFloat && slice.HighBit < slice.Bits;
   return isKnown ? std::max(0, slice.HighBit + 1 - slice.Stored) : 0;
 }
 
-/// Returns sample number `at` of a slice. Bits above the stored bits may belong to an overlay.
+/// Returns the sample at index `at` of a slice, without the bits above the stored bits, which may
+/// belong to an overlay.
 double Sample(const std::string& bytes, std::size_t at, const DicomHeader& slice, int below)
 {
   std::uint64_t bits = ReadBits(bytes, at, slice) >> below;
@@ -173,8 +175,8 @@ void Fill(const std::string& bytes, const DicomHeader& slice, Value* values)
   }
 }
 
-/// Returns the value of pixels that were not measured, if the file gives it. Its two bytes may or
-/// may not have a sign, whatever the pixels have, and may have the unused bits below.
+/// Returns the value of pixels that were not measured, if the file states it. Its two bytes may or
+/// may not be signed, independently of the pixels, and may include the unused low bits.
 std::optional<double> ReadPadding(const DicomHeader& slice)
 {
   if (!slice.Padding)
@@ -189,7 +191,7 @@ std::optional<double> ReadPadding(const DicomHeader& slice)
   return slice.Slope * std::floor(std::ldexp(sample, -below)) + slice.Intercept;
 }
 
-/// Sets pixels that were not measured to the least value of the measured pixels. Returns their
+/// Sets pixels that were not measured to the smallest value of the measured pixels. Returns their
 /// number.
 template <typename Value>
 vtkIdType ReplacePadding(const std::vector<DicomHeader>& slices, vtkIdType count, Value* values)
@@ -218,15 +220,15 @@ vtkIdType ReplacePadding(const std::vector<DicomHeader>& slices, vtkIdType count
     }
     if (least == std::numeric_limits<Value>::max())
     {
-      return 0; // nothing was measured
+      return 0; // no pixel was measured
     }
   }
   return replaced;
 }
 
-/// Sets pixels outside of the scanner's field of view to the least measured value. The file marks
-/// these pixels only by one value, which is below all that a CT measures and occurs in more than a
-/// thousandth of the voxels. Returns the number of pixels.
+/// Sets pixels outside the scanner's field of view to the smallest measured value. The file marks
+/// these pixels only by one value, which is below all values that a CT measures and occurs in more
+/// than a thousandth of the voxels. Returns the number of pixels.
 template <typename Value>
 vtkIdType ReplaceBelowAir(vtkIdType count, Value* values)
 {
@@ -270,7 +272,7 @@ void DicomPixels::Unpack(const std::string& path, const DicomHeader& slice)
     this->File = slice.File;
     return;
   }
-  constexpr std::uint64_t most = 8; // bytes of a sample; GDCM may widen samples
+  constexpr std::uint64_t most = 8; // bytes per sample, because GDCM may widen samples
   const std::uint64_t samples = static_cast<std::uint64_t>(slice.Width) * slice.Height *
     slice.Samples * static_cast<std::uint64_t>(slice.Frames);
   if (!AskDicom(DicomRequest::Unpacked, slice.File, most * samples, answer, this->Bytes))
@@ -298,7 +300,7 @@ void DicomPixels::Unpack(const std::string& path, const DicomHeader& slice)
 
 std::string DicomPixels::Read(const std::string& path, DicomHeader& slice)
 {
-  // Unpack samples of one bit to a byte each. Their frames may begin in the middle of a byte.
+  // Expand 1-bit samples to a byte each. Their frames may begin in the middle of a byte.
   const auto pixels = static_cast<std::size_t>(slice.Width) * slice.Height * slice.Samples;
   const std::size_t firstBit = slice.Bits == 1 ? pixels * slice.Frame : 0;
   const auto spread = [&](const std::string& bits, std::size_t first)

@@ -13,36 +13,35 @@
 
 namespace Explore
 {
-/// Reads the samples of slices. Stores the unpacked samples of the last compressed file, because
-/// the file's frames follow each other.
+/// Reads the samples of slices. Caches the decompressed samples of the last compressed file,
+/// because a file's frames are read one after another.
 class DicomPixels
 {
 public:
-  /// Reads the samples of a slice in a series at `path`, which is named in errors. Changes the
-  /// header to describe the unpacked samples. Throws InputError.
+  /// Reads the samples of a slice and changes the header to describe the decompressed samples.
+  /// `path` names the series in errors. Throws InputError.
   std::string Read(const std::string& path, DicomHeader& slice);
 
 private:
   void Unpack(const std::string& path, const DicomHeader& slice);
 
-  std::string File; // name of the file that was unpacked
+  std::string File; // file whose samples are cached
   std::string Bytes;
-  DicomHeader Unpacked; // describes the samples of that file
+  DicomHeader Unpacked; // layout of the cached samples
 };
 
-/// Returns the size (bytes) of one of the slices in memory, for a check before they are read,
-/// because compressed files can promise any number.
+/// Returns the size (bytes) that one of the slices needs in memory. Check it before reading,
+/// because a compressed file can declare any size.
 double MeasureSlices(const std::vector<DicomHeader>& slices);
 
-/// Corrects the HighBit of a series whose samples are all in the low bits: of all its phases, or of
-/// none. Notes what else is in the bits below the stored ones, such as an overlay. Throws
-/// InputError.
+/// Corrects a wrong HighBit in all phases of a series if all samples are in the low bits. Adds a
+/// note on anything else in the bits below the stored ones, such as an overlay. Throws InputError.
 void CorrectHighBit(const std::string& path, std::vector<std::vector<DicomHeader>>& phases,
   std::vector<std::string>& notes);
 
 /// Reads the values of slices in this order into an image without a position. Chooses the smallest
-/// type that can store all values. Pixels that were not measured get the least value, with a note.
-/// Throws InputError.
+/// type that can store all values. Pixels that were not measured get the smallest value, with a
+/// note. Throws InputError.
 vtkSmartPointer<vtkImageData> ReadSlices(
   const std::string& path, const std::vector<DicomHeader>& slices, std::vector<std::string>& notes);
 } // namespace Explore

@@ -24,7 +24,7 @@ using VolumeHaptics::SendAll;
 bool Ask(HelperProcess& process, const DicomRequest& request, const std::string& path,
   std::uint64_t mostAnswer, DicomAnswer& answer, std::string& bytes)
 {
-  // The process is as trustworthy as the file that it reads.
+  // Check all that the process sends: a malicious file may have taken it over.
   const int link = process.GetLink();
   bool isRead = SendAll(link, &request, sizeof(request)) &&
     SendAll(link, path.data(), path.size()) && ReceiveAll(link, &answer, sizeof(answer)) &&

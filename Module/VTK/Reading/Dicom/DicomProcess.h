@@ -9,13 +9,14 @@
 
 namespace Explore
 {
-/// Returns whether a file has the mark of DICOM, behind its preamble.
+/// Returns whether a file has the DICOM prefix behind its preamble.
 bool HasDicomMark(const std::string& path);
 
-/// Asks volumehaptics-dicom, which reads DICOM by GDCM in a process of its own, about a file.
-/// Starts the process if it does not run. Returns false if the file can't be read: then the process
-/// may have ended, and the next call starts a new one. `bytes` receives what follows the answer. If
-/// the program is missing, or on Windows, throws an InputError for a file with the mark of DICOM.
+/// Sends a request about a file to volumehaptics-dicom, a separate process that reads DICOM with
+/// GDCM. Starts the process if necessary. `bytes` receives the data that follow the answer. Returns
+/// false if the file can't be read; the process may then have ended, and the next call starts a new
+/// one. If the program is missing, or on Windows, throws an InputError for a file with the DICOM
+/// prefix.
 bool AskDicom(DicomRequest::Kind what, const std::string& path, std::uint64_t mostBytes,
   DicomAnswer& answer, std::string& bytes);
 } // namespace Explore

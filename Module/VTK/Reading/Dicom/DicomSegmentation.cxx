@@ -23,11 +23,11 @@ using Explore::InputError;
 using Explore::Volume;
 
 constexpr double SAME_PLANE = 1e-2; // mm
-// steps: largest distance of a position from a whole number of steps
+// Largest deviation of a position from a whole number of steps, as a fraction of a step.
 constexpr double OFF = 0.1;
 constexpr double MOST_EMPTY = 1000.0;
 
-/// Returns one frame for each position, in order. Frames of several segments may have the same
+/// Returns one frame per position, in order. Frames of different segments may have the same
 /// position.
 std::vector<DicomHeader> FindPlanes(const std::vector<DicomHeader>& frames)
 {
@@ -42,8 +42,8 @@ std::vector<DicomHeader> FindPlanes(const std::vector<DicomHeader>& frames)
   return places;
 }
 
-/// Returns whether the distances of all positions are whole numbers of steps. Files leave out
-/// frames without voxels.
+/// Returns whether the distances of all positions are multiples of a step. Gaps are allowed,
+/// because files omit frames without voxels.
 bool IsStep(const std::vector<DicomHeader>& places, double step)
 {
   return step > 0.0 &&
@@ -111,7 +111,7 @@ Volume ReadDicomSegmentation(
   volume.Format = "DICOM segmentation";
   volume.Axes = WorldAxes::Patient;
   volume.Modality = frames.front().Modality;
-  // A single slice gets empty slices on both sides, because labels are volumes.
+  // Add empty slices on both sides of a single slice, because labels must form a volume.
   const int beside = places.size() > 1 ? 0 : 2;
   const int count = static_cast<int>(std::lround((to - from) / step)) + 1 + 2 * beside;
   const DicomHeader& first = places.front();

@@ -22,7 +22,7 @@ using Explore::DicomHeader;
 using Explore::DicomSeries;
 using Files = vtksys::SystemTools;
 
-// largest depth of folders; patient, study and series need fewer
+// Largest depth of nested folders; patient, study and series need fewer.
 constexpr int DEEPEST_FOLDER = 8;
 constexpr double SAME_DIRECTION = 0.999; // cosine
 constexpr double SAME_PLACE = 1e-3;      // mm
@@ -47,8 +47,8 @@ bool IsSamePlace(const DicomHeader& a, const DicomHeader& b)
   return std::sqrt(vtkMath::Distance2BetweenPoints(a.Position, b.Position)) < SAME_PLACE;
 }
 
-/// Removes slices that an export contains twice. Such slices have the same identifier, position and
-/// facts. Returns their number. For `named`, see SortDicomSlices().
+/// Removes duplicates of slices, with the same identifier, position and facts. Returns how many it
+/// removed. For `named`, see SortDicomSlices().
 std::size_t RemoveCopies(std::vector<DicomHeader>& slices, const std::string& named)
 {
   const auto rank = [&](const DicomHeader& slice) {
@@ -58,7 +58,7 @@ std::size_t RemoveCopies(std::vector<DicomHeader>& slices, const std::string& na
     [&](const DicomHeader& a, const DicomHeader& b) { return rank(a) < rank(b); });
   std::map<std::pair<std::string, int>, const DicomHeader*> known;
   std::vector<DicomHeader> left;
-  left.reserve(slices.size()); // no reallocation, so that addresses stay valid
+  left.reserve(slices.size()); // avoids a reallocation, so that addresses stay valid
   for (const DicomHeader& slice : slices)
   {
     const auto [found, isNew] = known.insert({ { slice.Instance, slice.Frame }, nullptr });
@@ -81,8 +81,8 @@ void SortByPlace(std::vector<DicomHeader>& slices)
     [](const DicomHeader& a, const DicomHeader& b) { return a.Along < b.Along; });
 }
 
-/// Sets the position of slices without a position from SliceLocation, if this distinguishes them.
-/// Returns whether it does.
+/// Sets missing slice positions from SliceLocation, if that distinguishes the slices. Returns
+/// whether it does.
 bool PlaceByLocation(std::vector<DicomHeader>& slices)
 {
   std::set<double> places;
@@ -109,7 +109,7 @@ bool PlaceByLocation(std::vector<DicomHeader>& slices)
   return true;
 }
 
-/// Returns the number of slices at each position; 0 if the numbers differ.
+/// Returns the number of slices at each position; 0 if it differs from position to position.
 std::size_t CountAtPlace(const std::vector<DicomHeader>& slices)
 {
   std::size_t count = 0, here = 0;
@@ -129,8 +129,8 @@ std::size_t CountAtPlace(const std::vector<DicomHeader>& slices)
   return count;
 }
 
-/// Splits a series by a fact that does not follow time, such as the echo. Returns one series for
-/// each value; none if the slices do not differ in it.
+/// Splits a series by a fact that is unrelated to time, such as the echo. Returns one series per
+/// value; none if all slices have the same value.
 template <typename Fact>
 std::vector<DicomSeries> SplitBy(const DicomSeries& series, const std::string& name, Fact&& fact)
 {
@@ -155,8 +155,8 @@ std::vector<DicomSeries> SplitBy(const DicomSeries& series, const std::string& n
   return parts.size() > 1 ? all : std::vector<DicomSeries>();
 }
 
-/// Divides the slices into `count` phases: at each position, a fact such as the trigger time must
-/// rise from one slice to the next. Returns false if it does not, or if a slice lacks it.
+/// Splits the slices into `count` phases by a fact that must increase at each position, such as the
+/// trigger time. Returns false if it does not, or if a slice lacks it.
 bool PartPhases(DicomSeries& series, std::size_t count, const Explore::DicomFact& fact)
 {
   std::vector<std::vector<DicomHeader>> phases(count);
@@ -194,8 +194,8 @@ bool PartPhases(DicomSeries& series, std::size_t count, const Explore::DicomFact
   return true;
 }
 
-/// Splits a series of several volumes: images of several kinds, or the phases of a moving volume. A
-/// series that can't be split is returned unchanged.
+/// Splits a series that contains several volumes: different kinds of images, or the phases of a
+/// moving volume. Returns an unsplittable series unchanged.
 std::vector<DicomSeries> Part(const DicomSeries& series)
 {
   const std::size_t count = CountAtPlace(series.Slices);
@@ -263,7 +263,7 @@ void AddFolder(const std::string& folder, int depth, std::set<std::string>& visi
     if (Files::FileIsDirectory(path))
     {
       facts.HasFolders = true;
-      // A link may lead back to its own folder, or to another folder that was visited.
+      // Skip visited folders: a link may lead back to its own folder or to another visited one.
       if (depth < DEEPEST_FOLDER && visited.insert(Files::GetRealPath(path)).second)
       {
         AddFolder(path, depth + 1, visited, all, facts);
@@ -281,13 +281,12 @@ void AddFolder(const std::string& folder, int depth, std::set<std::string>& visi
   }
 }
 
-/// Returns the number of pixels of a series that can be a volume, and less for other series,
-/// because a localizer, a capture of the screen, or images made from a scan may have more pixels
-/// than the scan.
+/// Ranks a series by its number of pixels. A series that can't be a volume ranks lower, because a
+/// localizer, a screen capture, or images derived from a scan may have more pixels than the scan.
 double CountPixels(const DicomSeries& series)
 {
   const DicomHeader& first = series.Slices.front();
-  constexpr std::size_t fewest = 5; // smallest number of slices of a volume
+  constexpr std::size_t fewest = 5; // smallest number of slices that count as a volume
   const bool isMade = first.IsSegmentation() || first.Modality == "RTDOSE";
   const double weight = series.Slices.size() < fewest ? 1e-18 : isMade ? 1e-9 : 1.0;
   return weight * static_cast<double>(series.Slices.size()) * first.Width * first.Height;

@@ -40,12 +40,12 @@ std::uint32_t ReadWord(const unsigned char* bytes)
     std::uint32_t{ bytes[3] } << 24;
 }
 
-/** A stream that is ended when it goes out of scope, also after an exception. */
+/** zlib stream, closed when it goes out of scope, even after an exception. */
 struct Inflater
 {
   Inflater()
   {
-    constexpr int withAnyHeader = 15 + 32; // any window; heads of zlib or gzip
+    constexpr int withAnyHeader = 15 + 32; // any window size; header of zlib or gzip
     if (inflateInit2(&this->Stream, withAnyHeader) != Z_OK)
     {
       throw std::bad_alloc();
@@ -103,7 +103,7 @@ std::size_t InflateFile(const OpenedFile& file, std::size_t offset, std::size_t 
   std::size_t count = 0;
   int state = Z_STREAM_END;
   bool hasAny = false;
-  // Unpacked bytes may still wait for room after the last byte was read.
+  // After the last input byte was read, zlib may still have output.
   while (offset < length || stream.avail_in > 0 || (state == Z_OK && stream.avail_out == 0))
   {
     if (stream.avail_in == 0 && offset < length)
@@ -116,7 +116,7 @@ std::size_t InflateFile(const OpenedFile& file, std::size_t offset, std::size_t 
     }
     if (state == Z_STREAM_END)
     {
-      // Another gzip stream may follow; other bytes do not belong to the data.
+      // Another gzip stream may follow; other bytes are ignored.
       constexpr Bytef gzipMagic = 0x1f;
       if (hasAny && *stream.next_in != gzipMagic)
       {
@@ -128,7 +128,7 @@ std::size_t InflateFile(const OpenedFile& file, std::size_t offset, std::size_t 
     stream.next_out = reinterpret_cast<Bytef*>(plain.data());
     stream.avail_out = static_cast<uInt>(partSize);
     state = inflate(&stream, Z_NO_FLUSH);
-    // Bytes beyond the wanted ones are only unpacked for the checksum.
+    // Decompress the bytes beyond `size` only to verify the checksum.
     const std::size_t got = std::min(partSize - stream.avail_out, size - count);
     take(plain.data(), got);
     count += got;
@@ -178,7 +178,7 @@ void UnpackBloscChunk(std::vector<char>& bytes, std::size_t most)
   {
     blosc_cbuffer_sizes(bytes.data(), &size, &packed, &block);
   }
-  // A checksum may follow after the packed bytes.
+  // A checksum may follow after the compressed bytes.
   if (packed == 0 || packed > bytes.size() || size > most ||
     blosc_cbuffer_validate(bytes.data(), packed, &size) != 0)
   {
@@ -205,7 +205,7 @@ void UnpackBloscChunk(std::vector<char>&, std::size_t)
 #if defined(VOLUME_HAPTICS_HAS_ZSTD)
 void UnpackZstdChunk(std::vector<char>& bytes, std::size_t most)
 {
-  // The size is unknown if the bytes were written as a stream.
+  // The size is unknown if the data were written as a stream.
   const unsigned long long told = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
   if (told == ZSTD_CONTENTSIZE_ERROR || (told != ZSTD_CONTENTSIZE_UNKNOWN && told > most))
   {
@@ -254,7 +254,7 @@ void UnpackZstdChunk(std::vector<char>&, std::size_t)
 void CheckChunkSum(std::vector<char>& bytes)
 {
   constexpr std::size_t sumSize = 4;
-  constexpr std::uint32_t castagnoli = 0x82f63b78; // RFC 3720, bits reversed
+  constexpr std::uint32_t castagnoli = 0x82f63b78; // reversed polynomial of RFC 3720
   if (bytes.size() < sumSize)
   {
     ThrowDamaged("crc32c");
@@ -278,9 +278,9 @@ void CheckChunkSum(std::vector<char>& bytes)
 
 void CheckFletcher(std::vector<char>& bytes)
 {
-  // Computes the checksum of "HDF5 File Format Specification", Data Object Header Message 0x000B,
-  // filter 3, and of the library: sums of 16-bit big-endian words, folded. An odd last byte counts
-  // as a high byte.
+  // Computes Fletcher's checksum as in "HDF5 File Format Specification", Data Object Header Message
+  // 0x000B, filter 3, and in HDF5's library: sums of 16-bit big-endian words, folded. An odd last
+  // byte counts as a high byte.
   constexpr std::size_t sumSize = 4;
   const std::size_t size = bytes.size() - std::min(bytes.size(), sumSize);
   const auto* const from = reinterpret_cast<const unsigned char*>(bytes.data());
@@ -301,7 +301,7 @@ void CheckFletcher(std::vector<char>& bytes)
     fold(second);
   }
   const auto sum = static_cast<std::uint32_t>(second << 16 | first);
-  // Libraries before 1.6.3 wrote the bytes of each half in the other order.
+  // HDF5 before 1.6.3 swapped the bytes of each half.
   const std::uint32_t old = (sum & 0x00ff00ff) << 8 | (sum >> 8 & 0x00ff00ff);
   const std::uint32_t told = bytes.size() < sumSize ? ~sum : ReadWord(from + size);
   if (bytes.size() < sumSize || (told != sum && told != old))
@@ -313,7 +313,8 @@ void CheckFletcher(std::vector<char>& bytes)
 
 std::size_t GetMostPackedBytes(std::size_t plain)
 {
-  // Deflate, LZ4, Blosc and Zstandard add less than an eighth, and heads of less than a kilobyte.
+  // Upper bound: deflate, LZ4, Blosc and Zstandard add less than an eighth, and headers of less
+  // than a kilobyte.
   return plain + plain / 8 + 4096;
 }
 
@@ -324,7 +325,7 @@ void UnshuffleChunk(std::vector<char>& bytes, std::size_t sampleSize)
   {
     return;
   }
-  std::vector<char> plain = bytes; // keeps a remainder that is smaller than a sample in its place
+  std::vector<char> plain = bytes; // leaves a remainder smaller than a sample unchanged
   for (std::size_t byte = 0; byte < sampleSize; ++byte)
   {
     const char* const from = bytes.data() + byte * count;

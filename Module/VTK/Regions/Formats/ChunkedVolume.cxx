@@ -14,7 +14,7 @@ namespace VolumeHaptics
 void ChunkedVolume::CopyRows(
   const int box[6], const ChunkPlace& place, const char* chunk, char* samples) const
 {
-  // The intersection of box and chunk, in samples counted from the volume's first sample.
+  // Intersection of box and chunk, in sample indices relative to the volume's first sample.
   std::int64_t from[3];
   std::int64_t to[3];
   std::int64_t boxFirst[3];

@@ -17,25 +17,26 @@
 namespace VolumeHaptics
 {
 
-/** Place of a chunk among all chunks: its number along x, y and z. */
+/** Position of a chunk: its indices along x, y and z. */
 using ChunkPlace = std::array<std::int64_t, 3>;
 
 struct ChunkedVolume
 {
   /**
-   * Loads all bytes of a chunk, x fastest, including the bytes beyond the volume. Returns false if
-   * the chunk was never written. Throws std::runtime_error. Several threads may call it at once.
+   * Function that loads all bytes of a chunk (x fastest), including the bytes beyond the volume's
+   * border. Returns false if the chunk was never written. Throws std::runtime_error. Must be safe
+   * on several threads at once.
    */
   using Loader = std::function<bool(const ChunkPlace& place, std::vector<char>& bytes)>;
 
   BoxExtent Extent;
   std::array<std::int64_t, 3> ChunkSize{}; ///< samples, along x, y and z
-  std::size_t SampleSize = 0;              ///< size of a sample (bytes)
-  bool IsSwapped = false;                  ///< whether its byte order differs from this computer's
-  std::vector<char> FillValue;             ///< bytes of a sample whose chunk is missing
+  std::size_t SampleSize = 0;              ///< bytes per sample
+  bool IsSwapped = false;                  ///< whether the byte order differs from this computer's
+  std::vector<char> FillValue;             ///< bytes of a sample in a missing chunk
   Loader Load;
 
-  /** Reads a box, chunk by chunk. Throws the loader's exceptions. */
+  /** Reads a box, chunk by chunk. Passes on exceptions of the loader. */
   void Read(const int box[6], void* samples) const;
 
 private:

@@ -14,7 +14,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Splits the number of a volume, from 0 on, into its indices along the axes. */
+/** Splits the index of a volume, counted from 0, into indices along the axes. */
 std::vector<std::size_t> SplitNumber(const std::vector<FurtherAxis>& axes, std::size_t number)
 {
   std::vector<std::size_t> indices;
@@ -26,7 +26,7 @@ std::vector<std::size_t> SplitNumber(const std::vector<FurtherAxis>& axes, std::
   return indices;
 }
 
-/** Describes a volume, such as "channel 2 of 3 (DAPI), time 1 of 5". */
+/** Returns the name of a volume, such as "channel 2 of 3 (DAPI), time 1 of 5". */
 std::string NameVolume(
   const std::vector<FurtherAxis>& axes, const std::vector<std::size_t>& indices)
 {
@@ -45,7 +45,7 @@ std::string NameVolume(
   return name;
 }
 
-/** Returns the numbers along the axes, such as "3 channels and 5 times". */
+/** Describes the sizes of the axes, such as "3 channels and 5 times". */
 std::string CountVolumes(const std::vector<FurtherAxis>& axes)
 {
   std::string text;

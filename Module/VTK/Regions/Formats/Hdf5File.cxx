@@ -17,14 +17,14 @@ namespace
 {
 
 /**
- * Largest number of bytes that the library may read: with a damaged index, it could read the same
- * bytes without end.
+ * Largest total number of bytes that HDF5's library may read: a damaged index could make it read
+ * the same bytes for ever.
  */
 constexpr std::uint64_t MostIndexBytes = std::uint64_t{ 1 } << 30;
 constexpr double MostChunks = 1 << 24;
 constexpr std::size_t LongestText = 65536;
 
-/** Holds a reference to an object of the library. Its constructor throws if there is no object. */
+/** Owns a reference to an HDF5 object. The constructor throws if the object does not exist. */
 class Hdf5Id
 {
 public:
@@ -45,7 +45,7 @@ private:
   const hid_t Id;
 };
 
-/** While this exists, the library prints no errors. */
+/** Suppresses the error messages of HDF5's library during its lifetime. */
 class QuietHdf5
 {
 public:
@@ -63,7 +63,7 @@ private:
   void* Data = nullptr;
 };
 
-/** The bytes of the file, for the library. */
+/** The file's contents, as the file driver below serves them to HDF5's library. */
 struct Hdf5Bytes
 {
   explicit Hdf5Bytes(const std::string& name)
@@ -76,18 +76,18 @@ struct Hdf5Bytes
   const std::string Name;
   const OpenedFile File;
   const std::uint64_t Size;
-  std::uint64_t BytesInAll = 0; ///< number of bytes read so far
+  std::uint64_t BytesInAll = 0; ///< total number of bytes read so far
   /**
-   * If set, samples are not read; instead, this gets the position from which the library would
-   * read.
+   * If set, the driver reads no samples; it stores here the position that the library would read
+   * from.
    */
   Hdf5Chunk* Located = nullptr;
 };
 
-/** A file in the form that the library's file drivers require. */
+/** An open file, in the form that HDF5's library requires of a file driver. */
 struct DriverFile
 {
-  H5FD_t Public; // must be the first member
+  H5FD_t Public; // must be the first member, because the library casts to it
   Hdf5Bytes* Bytes;
   haddr_t End;
 };
@@ -100,7 +100,7 @@ DriverFile& ToDriverFile(H5FD_t* file)
 H5FD_t* OpenByDriver(const char* name, unsigned, hid_t access, haddr_t)
 {
   auto* const* const bytes = static_cast<Hdf5Bytes* const*>(H5Pget_driver_info(access));
-  // Any other name belongs to a link to another file, which is not followed.
+  // Refuse any other name: it belongs to a link to another file.
   auto* const file = bytes && (*bytes)->Name == name ? new (std::nothrow) DriverFile{} : nullptr;
   if (!file)
   {
@@ -148,7 +148,7 @@ herr_t ReadByDriver(H5FD_t* file, H5FD_mem_t type, hid_t, haddr_t from, std::siz
     return -1;
   }
   bytes.BytesInAll += size;
-  // Return zeros beyond the end of the file.
+  // Bytes beyond the end of the file are zeros.
   const std::size_t there = from < bytes.Size
     ? static_cast<std::size_t>(std::min<std::uint64_t>(size, bytes.Size - from))
     : 0;
@@ -170,8 +170,8 @@ herr_t RefuseToWrite(H5FD_t*, H5FD_mem_t, hid_t, haddr_t, std::size_t, const voi
 }
 
 /**
- * Declares support of files that a writer shares with readers: the library opens these only with
- * such drivers.
+ * Declares support of files that a writer shares with readers, because HDF5's library opens such
+ * files only with a driver that supports them.
  */
 herr_t DescribeDriver(const H5FD_t*, unsigned long* features)
 {
@@ -186,7 +186,7 @@ const H5FD_class_t& GetDriver()
     H5FD_class_t made{};
 #if H5_VERSION_GE(1, 13, 2)
     made.version = H5FD_CLASS_VERSION;
-    made.value = H5_VFD_RESERVED + 91; // a number that none of HDF5's own drivers has
+    made.value = H5_VFD_RESERVED + 91; // a number that HDF5's own drivers do not use
 #endif
     made.name = "volumehaptics";
     made.maxaddr = (std::uint64_t{ 1 } << 63) - 1;
@@ -205,7 +205,7 @@ const H5FD_class_t& GetDriver()
   return driver;
 }
 
-/** An attribute that exists, with its type and its number of values. */
+/** An existing attribute, with its type and its number of values. */
 struct Hdf5Attribute
 {
   Hdf5Attribute(hid_t owner, const std::string& name)
@@ -222,7 +222,7 @@ struct Hdf5Attribute
   const hssize_t Values;
 };
 
-/** A type of numbers in a file, and VTK's type. */
+/** A number type of HDF5, and the corresponding VTK type. */
 struct KnownType
 {
   hid_t Id;
@@ -230,7 +230,7 @@ struct KnownType
   bool IsBig;
 };
 
-/** Returns a type that VTK has. If VTK has no such type, ScalarType is 0. */
+/** Returns the VTK type that corresponds to an HDF5 type. ScalarType is 0 if there is none. */
 KnownType FindKnownType(hid_t type)
 {
   const KnownType all[] = { { H5T_STD_I8LE, VTK_SIGNED_CHAR, false },
@@ -249,7 +249,7 @@ KnownType FindKnownType(hid_t type)
   return found == std::end(all) ? KnownType{ type, 0, false } : *found;
 }
 
-/** Returns whether an HDF5 file begins at a position. Throws if the bytes can't be read. */
+/** Returns whether an HDF5 superblock is at a position. Throws if the bytes can't be read. */
 bool IsSuperblock(const Hdf5Bytes& bytes, std::uint64_t at, bool& isWritten)
 {
   constexpr std::size_t size = 12;
@@ -285,7 +285,8 @@ bool IsSuperblock(const Hdf5Bytes& bytes, std::uint64_t at, bool& isWritten)
 }
 
 /**
- * Returns whether a writer that allows readers has the file open. Throws if the file is not HDF5.
+ * Returns whether a writer that allows concurrent readers has the file open. Throws if the file is
+ * not HDF5.
  */
 bool CheckBeginning(const Hdf5Bytes& bytes)
 {
@@ -316,9 +317,9 @@ struct Hdf5File::Opened
   {
     const bool isWritten = CheckBeginning(this->Bytes);
     Hdf5Bytes* const bytes = &this->Bytes;
-    // In a file that a writer shares, metadata may be half written; the library then reads them
-    // again. Limit its 100 attempts: the pauses between them double, so a damaged file would take
-    // too long.
+    // If a writer shares the file, metadata may be half written, and the library reads them again.
+    // Limit its 100 attempts: the pauses between them double, so a damaged file would take too
+    // long.
     constexpr unsigned attempts = 10;
     if (H5Pset_driver(this->Access, this->Driver, &bytes) < 0 ||
       H5Pset_metadata_read_attempts(this->Access, attempts) < 0)
@@ -351,7 +352,8 @@ void Hdf5File::ThrowDamaged()
 
 bool Hdf5File::Has(const std::string& path) const
 {
-  // The library requires that all groups of a path exist before it searches for the last name.
+  // Check each group of the path, because the library requires that all of them exist before it
+  // searches for the last name.
   for (std::size_t end = path.find('/'); end != std::string::npos; end = path.find('/', end + 1))
   {
     if (H5Lexists(this->Open->File, path.substr(0, end).c_str(), H5P_DEFAULT) <= 0)
@@ -426,7 +428,8 @@ std::vector<double> Hdf5File::ReadNumbers(
   }
   const Hdf5Attribute found(opened, attribute);
   const hssize_t count = found.Values;
-  // Refuse other types, because a damaged type would make the library read beyond the values.
+  // Refuse types that VTK does not have: a damaged type would make the library read beyond the
+  // values.
   if (FindKnownType(found.Type).ScalarType == 0 || count < 0 || count > hssize_t{ LongestText })
   {
     return {};
@@ -534,9 +537,9 @@ std::unordered_map<std::uint64_t, Hdf5Chunk> Hdf5File::LocateChunks(
     {
       continue;
     }
-    // Listing the chunks by the library takes a time that is quadratic in their number (a minute
-    // for 2048 x 2048 x 2048 samples). Instead, let the library read each chunk; this driver then
-    // only records the position.
+    // The library's own list of chunks takes a time that is quadratic in their number (a minute for
+    // 2048 x 2048 x 2048 samples). Instead, make the library read each chunk through this driver,
+    // which only records the position.
     Hdf5Chunk chunk;
     std::uint32_t skipped = 0;
     char nothing = 0;

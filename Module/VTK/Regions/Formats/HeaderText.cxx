@@ -16,9 +16,12 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Number of lines that are searched for the fields, because samples may follow after them. */
+/** Largest number of lines that are searched for fields, because samples may follow. */
 constexpr int LongestHeader = 200; // lines
-/** Letters of a key or a value that MetaIO has room for (metaUtils.h, metaObject.h). */
+/**
+ * Largest number of characters in a key or value for which MetaIO has memory (metaUtils.h,
+ * metaObject.h).
+ */
 constexpr std::size_t LongestText = 254;
 
 std::string TrimBlanks(const std::string& text)
@@ -28,7 +31,7 @@ std::string TrimBlanks(const std::string& text)
   return begin == std::string::npos ? std::string() : text.substr(begin, end - begin + 1);
 }
 
-/** Returns whether a key has no letter that ends it, or is left out, for MetaIO alone. */
+/** Returns whether a key has no character that MetaIO would skip or treat as the key's end. */
 bool IsPlainKey(const std::string& key)
 {
   return std::all_of(

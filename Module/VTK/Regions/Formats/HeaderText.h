@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads the text at the beginning of a MetaImage file.
+ * Parses the text header of a MetaImage file.
  */
 #ifndef HeaderText_h
 #define HeaderText_h
@@ -15,7 +15,7 @@
 namespace VolumeHaptics
 {
 
-/** The lines `key = value` of the text. */
+/** The lines `key = value` of a header. */
 class HeaderText
 {
 public:
@@ -25,12 +25,12 @@ public:
   std::string Value(const std::vector<std::string>& keys) const;
 
   /**
-   * Returns whether a value is true by MetaIO's rule: it begins with T, t or 1. Without a value,
-   * returns `otherwise`.
+   * Returns whether a value is true by MetaIO's rule, that is, begins with T, t or 1. Returns
+   * `otherwise` if the value is missing.
    */
   bool IsTrue(const std::vector<std::string>& keys, bool otherwise = false) const;
 
-  /** Returns the numbers in the value; words are left out. */
+  /** Returns the numbers in a value and skips words. */
   std::vector<double> Numbers(const std::vector<std::string>& keys) const;
 
   /**
@@ -40,17 +40,17 @@ public:
   std::size_t GetSize() const { return this->Size; }
 
   /**
-   * Returns whether MetaIO finds the same keys in a MetaImage's header, and has room for them:
-   * every line is `key = value`, no key comes twice, and neither is longer than 254 letters.
-   * Otherwise MetaIO may write past the end of its memory: for a long text, or for an array that a
-   * second NDims enlarges.
+   * Returns whether MetaIO can parse the header safely, with the same keys: every line is `key =
+   * value`, each key occurs once, and keys and values have at most 254 characters. Otherwise MetaIO
+   * may write past the end of its memory, for a long text, or for an array that a second NDims
+   * enlarges.
    */
   bool IsPlain() const { return this->Size > 0 && this->HasPlainLines; }
 
-  /** Returns the length (mm) of a MetaImage's DistanceUnits; 1 if it is not given or not known. */
+  /** Returns the length (mm) of a MetaImage's DistanceUnits; 1 if it is missing or unknown. */
   double GetMetaUnit() const;
 
-  /** Returns notes on a MetaImage's facts that are assumed, converted or left out. */
+  /** Returns notes on what was assumed, converted or ignored in a MetaImage. */
   std::vector<std::string> DescribeMeta() const;
 
 private:

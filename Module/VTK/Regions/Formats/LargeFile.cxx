@@ -22,7 +22,7 @@ bool HasEnding(const std::string& name, const std::string& ending)
       [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
 }
 
-/** A format: the ending of its files or folders, and the function that opens them. */
+/** A file format: the extension of its files or folders, and the function that opens them. */
 struct KnownFormat
 {
   const char* Ending;
@@ -47,7 +47,7 @@ constexpr KnownFormat FORMATS[] = {
   ZARR_FOLDER,
 };
 
-/** Returns the format of a file by its ending, or of a folder by its files; null if unknown. */
+/** Returns the format of a file by its extension, or of a folder by its files; null if unknown. */
 const KnownFormat* FindFormat(const std::string& name)
 {
   using Files = vtksys::SystemTools;
@@ -114,7 +114,7 @@ LargeFile OpenLargeFile(const std::string& name, bool mayBeWhole, int volume)
   if (vtksys::SystemTools::FileIsDirectory(name))
   {
     return IsTiffName(name) ? OpenTiff(name, mayBeWhole, volume)
-                            : OpenZarr(name, mayBeWhole, volume); // Zarr groups have any name
+                            : OpenZarr(name, mayBeWhole, volume); // Zarr: any name
   }
   throw std::runtime_error(
     "its ending is not known. Give a file or folder with one of the endings " + ListFileEndings() +

@@ -17,8 +17,9 @@ namespace
 {
 
 /**
- * Calls the reader. Returns the reason of a failure; empty if there is none. The end of a thread is
- * not caught by reference, because it is not an object and sanitizers would report an error.
+ * Calls the reader. Returns the reason for a failure; empty if there is none. The exception that
+ * ends a thread is not caught by reference: it is not an object, so sanitizers would report an
+ * error.
  */
 #if defined(__GNUC__)
 __attribute__((no_sanitize("null")))
@@ -41,7 +42,7 @@ CallReader(const LargeVolume& volume, const BoxExtent& box, void* samples)
 #if defined(__GLIBCXX__)
   catch (const abi::__forced_unwind&)
   {
-    throw; // the end of the thread (pthread_exit) must not be swallowed
+    throw; // pthread_exit() ends the thread with this exception, which must not be swallowed
   }
 #endif
   catch (...)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A volume that is only read in boxes.
+ * A volume that is only read box by box.
  */
 #ifndef LargeVolume_h
 #define LargeVolume_h
@@ -21,51 +21,45 @@ namespace VolumeHaptics
 using BoxExtent = std::array<int, 6>;
 
 /**
- * Fills memory with the samples of a box, x fastest. On failure, returns false, or throws an
- * exception with the reason.
+ * Function that fills memory with the samples of a box, x fastest. On failure, it returns false or
+ * throws an exception with the reason.
  */
 using BoxReader = std::function<bool(const int extent[6], void* samples)>;
 
-/**
- * Describes a volume and how its samples are read. It never changes, so that threads can share it.
- */
+/** Describes a volume and how to read its samples. It is immutable, so threads can share it. */
 struct LargeVolume
 {
   BoxExtent Extent;
   int ScalarType = VTK_SHORT;
-  std::size_t SampleSize = sizeof(short); ///< size of all values of a sample (bytes)
-  int ValuesPerSample = 1;                ///< number of values in a sample
-  std::string Name;                       ///< name for messages, such as "the file Bone.raw"
+  std::size_t SampleSize = sizeof(short); ///< bytes per sample, including all of its values
+  int ValuesPerSample = 1;                ///< number of components
+  std::string Name;                       ///< name in messages, such as "the file Bone.raw"
   BoxReader Read;
-  /** Whether the user of the volume waits, before ending, for a read that is under way. */
+  /** Whether the destructor of the volume's user waits for a read in progress. */
   bool IsAwaited = true;
   /**
-   * Size of the boxes that are best read at once, in samples along x, y and z; zeros if any size
-   * will do.
+   * Box size (samples along x, y and z) that is most efficient to read; zeros if any size will do.
    */
   std::array<std::int64_t, 3> ChunkSize{};
-  /**
-   * Whether the volume has no noise and its outside value is known, so that no survey is needed.
-   */
+  /** Whether the noise is zero and the outside value is known, so that no survey is needed. */
   bool IsSmooth = false;
-  bool AreLabels = false; ///< whether samples are labels; then none counts as outside
+  bool AreLabels = false; ///< whether samples are labels, none of which is outside
   double BorderValue = 0.0;
 };
 
 /**
- * Returns the number of samples of an extent. It is a double, because the product may overflow
- * 64-bit integers.
+ * Returns the number of samples in an extent, as a double because the product may overflow 64-bit
+ * integers.
  */
 double CountSamples(const BoxExtent& extent);
 
 /**
- * Returns a box in the middle of an extent: `width` samples wide, or less where the extent is
- * narrower.
+ * Returns the central box of an extent, `width` samples wide, or less where the extent is narrower.
  */
 BoxExtent ComputeMiddle(const BoxExtent& whole, int width);
 
 /**
- * Reads a box of the volume without throwing. On failure, returns false, with the box and the
+ * Reads a box of the volume and never throws. On failure, returns false, with the box and the
  * reason in `error`.
  */
 bool ReadSamples(

@@ -26,8 +26,8 @@ namespace Mgh
 namespace
 {
 
-// FreeSurfer's format: a header of 284 bytes, and the samples, all with the most significant byte
-// first.
+// Size (bytes) of the header in FreeSurfer's format. The samples follow; all numbers are
+// big-endian.
 constexpr std::size_t HeadSize = 284;
 
 struct KnownType
@@ -52,7 +52,7 @@ T ReadBig(const std::vector<char>& head, std::size_t at)
   return number;
 }
 
-/** Returns the header; empty if the file is too short. */
+/** Returns the header, decompressed if necessary; empty if the file is too short. */
 std::vector<char> ReadHead(const OpenedFile& file, bool isPacked)
 {
   std::vector<char> head;
@@ -69,12 +69,12 @@ std::vector<char> ReadHead(const OpenedFile& file, bool isPacked)
   return head.size() == HeadSize ? head : std::vector<char>();
 }
 
-/** Sets spacing, axes and origin, which are right-anterior-superior in the file. */
+/** Sets spacing, axes and origin from the header, whose axes are right-anterior-superior. */
 void Place(const std::vector<char>& head, LargeFile& file)
 {
   if (ReadBig<std::int16_t>(head, 28) <= 0)
   {
-    // Without a position, FreeSurfer takes coronal slices of 1 mm around the origin.
+    // Without a position, FreeSurfer assumes coronal slices of 1 mm around the origin.
     file.Direction = { 1, 0, 0, 0, 0, -1, 0, -1, 0 };
     file.Notes.emplace_back("the file has no position: coronal slices of 1 mm are assumed, as by "
                             "FreeSurfer");
@@ -98,7 +98,7 @@ void Place(const std::vector<char>& head, LargeFile& file)
   {
     for (std::size_t c = 0; c < 3; ++c)
     {
-      // The header has the position of the voxel with half of the size as its index.
+      // The header has the position of the voxel at the centre, whose index is half of the size.
       file.Origin[row] -=
         file.Direction[3 * row + c] * file.Spacing[c] * 0.5 * (file.Extent[2 * c + 1] + 1);
     }
@@ -153,7 +153,7 @@ LargeFile OpenMgh(const std::string& name, bool mayBeWhole, int volume)
   samples.Extent = file.Extent;
   samples.SampleSize = static_cast<std::size_t>(vtkAbstractArray::GetDataTypeSize(file.ScalarType));
   samples.IsSwapped = IsOtherByteOrder(true);
-  const std::size_t headSamples = HeadSize / samples.SampleSize; // a whole number for all types
+  const std::size_t headSamples = HeadSize / samples.SampleSize; // an integer for all sample types
   if (!isPacked &&
     static_cast<double>(opened.GetSize()) <
       static_cast<double>(HeadSize) + count * static_cast<double>(samples.SampleSize))

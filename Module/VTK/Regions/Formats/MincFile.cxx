@@ -26,7 +26,7 @@ namespace Minc
 namespace
 {
 
-/** Types of numbers in NetCDF's classic format. */
+/** Number types of NetCDF's classic format. */
 enum NetCdfType
 {
   Byte = 1,
@@ -52,10 +52,10 @@ using Attributes = std::map<std::string, Attribute>;
 
 struct Variable
 {
-  std::vector<std::size_t> Dimensions; ///< numbers of its dimensions, the slowest first
+  std::vector<std::size_t> Dimensions; ///< indices of its dimensions, slowest first
   Attributes Facts;
   int Type = 0;
-  std::int64_t Place = 0; ///< position of its first number in the file (bytes)
+  std::int64_t Place = 0; ///< offset (bytes) of its first number in the file
 };
 
 [[noreturn]] void ThrowDamaged()
@@ -86,7 +86,7 @@ double ReadNumber(const char* at, int type)
                        : ReadBig<std::int8_t>(at);
 }
 
-/** The header of a NetCDF file in the classic format, whose numbers have the largest byte first. */
+/** Parses the header of a NetCDF file in the classic format, whose numbers are big-endian. */
 class NetCdfHead
 {
 public:
@@ -108,7 +108,7 @@ public:
       throw std::runtime_error("it is no MINC file, whatever its name says. Check what the file "
                                "really is, and that the copy is complete.");
     }
-    this->TakeCount(); // the number of records
+    this->TakeCount(); // skip the number of records
     this->TakeList(
       [&]
       {
@@ -119,7 +119,7 @@ public:
     this->TakeList([&] { this->TakeVariable(); });
   }
 
-  std::vector<std::pair<std::string, std::size_t>> Dimensions; ///< names and sizes; 0: records
+  std::vector<std::pair<std::string, std::size_t>> Dimensions; ///< names, sizes; 0: records
   std::map<std::string, Variable> Variables;
 
 private:
@@ -135,9 +135,10 @@ private:
   std::size_t TakeCount()
   {
     const double count = ReadBig<std::int32_t>(this->Take(4));
-    return static_cast<std::size_t>(std::max(count, 0.0)); // -1 for records that are not counted
+    return static_cast<std::size_t>(std::max(count, 0.0)); // -1 stands for an unknown number of
+                                                           // records
   }
-  /** Takes bytes, and the zeros behind them that make their number one of fours. */
+  /** Returns the next bytes and skips the padding to a multiple of four. */
   const char* TakePadded(std::size_t size)
   {
     const char* const begin = this->Take(size);
@@ -152,7 +153,7 @@ private:
   template <typename TakeOne>
   void TakeList(TakeOne&& take)
   {
-    this->TakeCount(); // kind of the list's elements
+    this->TakeCount(); // skip the tag of the list
     for (std::size_t left = this->TakeCount(); left > 0; --left)
     {
       take();
@@ -194,17 +195,17 @@ private:
     }
     one.Facts = this->TakeAttributes();
     one.Type = static_cast<int>(this->TakeCount());
-    this->TakeCount(); // skip its size, which also follows from the dimensions
+    this->TakeCount(); // skip its size, which follows from the dimensions
     one.Place = static_cast<std::int64_t>(
       this->IsLong ? ReadBig<std::int64_t>(this->Take(8)) : ReadBig<std::int32_t>(this->Take(4)));
   }
 
   std::vector<char> Bytes;
   std::size_t At = 0;
-  bool IsLong = false; ///< whether places in the file have eight bytes
+  bool IsLong = false; ///< whether offsets have eight bytes
 };
 
-/** Returns the first number of an attribute; `other` if it has none. */
+/** Returns the first number of an attribute; `other` if there is none. */
 double NumberOr(const Attributes& facts, const char* name, double other)
 {
   const auto found = facts.find(name);
@@ -218,13 +219,16 @@ std::string WordsOf(const Attributes& facts, const char* name)
   return found != facts.end() ? found->second.Words.c_str() : std::string();
 }
 
-/** The image of a file. Its dimensions are the axes of space and further axes, such as time. */
+/**
+ * The image variable of a file, whose dimensions are spatial axes and further axes, such as time.
+ */
 struct MincImage
 {
   const Variable* Image = nullptr;
-  std::vector<std::size_t> Sizes; ///< size of each dimension, the slowest first
-  std::vector<std::size_t> Steps; ///< distance of neighbours along each dimension (samples)
-  std::vector<int> Axes;          ///< the index axis of each dimension: 0, 1, 2; -1: none of space
+  std::vector<std::size_t> Sizes; ///< size of each dimension, slowest first
+  std::vector<std::size_t> Steps; ///< distance (samples) of neighbours along each dimension
+  std::vector<int> Axes;          ///< index axis of each dimension: 0, 1 or 2; -1 if it is not
+                                  ///< spatial
   std::vector<FurtherAxis> Further;
 };
 
@@ -280,7 +284,7 @@ MincImage FindImage(const NetCdfHead& head)
   return image;
 }
 
-/** Sets spacing, axes and origin, which are right-anterior-superior in the file. */
+/** Sets spacing, axes and origin from the header, whose axes are right-anterior-superior. */
 void Place(const NetCdfHead& head, const MincImage& image, LargeFile& file)
 {
   for (std::size_t d = 0; d < image.Sizes.size(); ++d)
@@ -332,18 +336,17 @@ void Place(const NetCdfHead& head, const MincImage& image, LargeFile& file)
   file.Notes.emplace_back("turned from right-anterior-superior to left-posterior-superior");
 }
 
-/**
- * Describes how stored integers become values: a slope and an intercept, perhaps for each slice.
- */
+/** Converts stored integers to values: by one slope and intercept, or by one pair per slice. */
 struct MincScale
 {
-  std::vector<std::pair<double, double>> Lines; ///< slopes and intercepts
-  std::array<std::size_t, 3> Steps{};           ///< from line to line along x, y and z
-  std::size_t First = 0;                        ///< the line of the first voxel
-  double Range[2] = { 0.0, 0.0 };               ///< valid stored numbers
+  std::vector<std::pair<double, double>> Lines; ///< slope and intercept
+  std::array<std::size_t, 3> Steps{};           ///< number of lines to skip per voxel along x, y
+                                                ///< and z
+  std::size_t First = 0;                        ///< line of the first voxel
+  double Range[2] = { 0.0, 0.0 };               ///< smallest and largest valid stored number
 };
 
-/** Reads image-min or image-max. */
+/** Reads the variable image-min or image-max. */
 std::vector<double> ReadLimits(
   const OpenedFile& file, const NetCdfHead& head, const MincImage& image, const char* name)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A regular file that is open for reading.
+ * A regular file, open for reading.
  */
 #ifndef OpenedFile_h
 #define OpenedFile_h
@@ -15,8 +15,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Opens and reads a file. Several threads may read at once. Failures throw std::runtime_error, with
- * the cure.
+ * Opens and reads a file, on several threads at once. Throws std::runtime_error, with the cure, on
+ * failure.
  */
 class OpenedFile
 {
@@ -26,7 +26,7 @@ public:
   OpenedFile(const OpenedFile&) = delete;
   OpenedFile& operator=(const OpenedFile&) = delete;
 
-  /** Reads `size` bytes, beginning at a position. Throws if there are fewer. */
+  /** Reads `size` bytes at an offset. Throws if the file has fewer. */
   void Read(void* to, std::size_t size, std::int64_t from) const;
   /** Returns the size of the file (bytes). */
   std::int64_t GetSize() const;

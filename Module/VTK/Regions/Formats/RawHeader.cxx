@@ -38,30 +38,31 @@ namespace
 const std::map<std::string, int> MetaTypes = { { "met_char", VTK_SIGNED_CHAR },
   { "met_uchar", VTK_UNSIGNED_CHAR }, { "met_short", VTK_SHORT },
   { "met_ushort", VTK_UNSIGNED_SHORT }, { "met_int", VTK_INT }, { "met_uint", VTK_UNSIGNED_INT },
-  // MetaIO's "long" has 4 bytes on all systems.
+  // In MetaIO, "long" has 4 bytes on all systems.
   { "met_long", VTK_INT }, { "met_ulong", VTK_UNSIGNED_INT }, { "met_long_long", VTK_LONG_LONG },
   { "met_ulong_long", VTK_UNSIGNED_LONG_LONG }, { "met_float", VTK_FLOAT },
   { "met_double", VTK_DOUBLE } };
 
-/** The contents of a header, in either format. */
+/** Contents of a MetaImage or NRRD header. */
 struct RawHeader
 {
   std::vector<double> Size;            ///< number of samples along x, y and z
   std::array<std::int64_t, 3> Steps{}; ///< see RawVolumeFile
-  std::vector<FurtherAxis> Further;    ///< the axes beside these
-  std::vector<double> FurtherSteps;    ///< distance in samples from one volume to the next
+  std::vector<FurtherAxis> Further;    ///< axes in addition to x, y and z
+  std::vector<double> FurtherSteps;    ///< distance (samples) from one volume to the next along
+                                       ///< each of them
   std::vector<double> Spacing;
   std::vector<double> Origin;
   std::vector<double> Axes; ///< nine numbers: the direction of each index axis; empty if not given
   int Type = 0;
   bool IsBig = false;
-  bool IsKnown = false; ///< whether the samples can be read
+  bool IsKnown = false; ///< whether the sample type is supported
   bool IsPlain = false; ///< whether the samples are uncompressed, in one file and of one component
   WholeSamples::EncodingType Encoding = WholeSamples::Raw;
-  std::string UnknownEncoding;   ///< name of the encoding; empty if it is known
-  std::vector<std::string> Data; ///< names of the files with the samples
-  double Skip = 0.0;             ///< number of bytes before the samples; -1: the samples are at the
-                                 ///< end of the file
+  std::string UnknownEncoding;   ///< name of an unsupported encoding; empty otherwise
+  std::vector<std::string> Data; ///< files with the samples
+  double Skip = 0.0;             ///< bytes before the samples; -1: the samples are at the end of
+                                 ///< the file
   std::vector<std::string> Notes;
 };
 
@@ -89,13 +90,13 @@ double NumberOr(const std::vector<double>& numbers, double other)
   return numbers.empty() ? other : numbers.front();
 }
 
-/** Returns the path of a file that a header names, which is relative to the header. */
+/** Returns the path of a file that a header names relative to itself. */
 std::string FindBeside(const std::string& name, const std::string& data)
 {
   return data.empty() || data.front() == '/' ? data : GetFolder(MakeAbsolute(name)) + "/" + data;
 }
 
-/** Returns the nine numbers of the first three axes, from a matrix of any number of axes. */
+/** Extracts the first three axes from a square matrix with any number of axes. */
 std::vector<double> ExtractThreeAxes(const std::vector<double>& matrix, std::size_t axes)
 {
   if (axes < 3 || matrix.size() != axes * axes)
@@ -111,7 +112,7 @@ std::vector<double> ExtractThreeAxes(const std::vector<double>& matrix, std::siz
   return three;
 }
 
-/** Returns the size (bytes) of some lines at the beginning of a file. */
+/** Returns the size (bytes) of the first `lines` lines of a file. */
 double CountLineBytes(const std::string& name, double lines)
 {
   std::ifstream file = OpenStream(name);
@@ -124,7 +125,7 @@ double CountLineBytes(const std::string& name, double lines)
   return size;
 }
 
-/** Returns the names for which a pattern such as "slice%03d.raw 1 40 1" stands. */
+/** Expands a pattern such as "slice%03d.raw 1 40 1" to file names. */
 std::vector<std::string> ListNumbered(const std::string& text)
 {
   std::istringstream words(text);
@@ -152,7 +153,7 @@ std::vector<std::string> ListNumbered(const std::string& text)
   return names;
 }
 
-/** Adds an axis beside x, y and z. */
+/** Adds an axis in addition to x, y and z. */
 void AddFurther(const char* name, double count, double step, RawHeader& header)
 {
   const bool isCount = count >= 1.0 && count <= std::numeric_limits<int>::max();
@@ -201,10 +202,7 @@ RawHeader ReadMetaHeader(const HeaderText& text, const std::string& name)
   return header;
 }
 
-/**
- * Sets the sizes of a NRRD file's volume, and the steps between those samples that belong to the
- * volume.
- */
+/** Sets the sizes of a NRRD file's volume, and the steps between its samples. */
 void SetNrrdSizes(const NrrdHeader& nrrd, RawHeader& header)
 {
   const std::vector<double> sizes = nrrd.GetNumbers("sizes");
@@ -220,7 +218,7 @@ void SetNrrdSizes(const NrrdHeader& nrrd, RawHeader& header)
     if (found != axes->end())
     {
       header.Size.push_back(sizes[axis]);
-      // Limit the step only to avoid overflow: sizes are checked later.
+      // Limit the step only to avoid an overflow, since the sizes are checked later.
       header.Steps[static_cast<std::size_t>(found - axes->begin())] =
         static_cast<std::int64_t>(std::min(step, 1e18));
     }
@@ -232,7 +230,7 @@ void SetNrrdSizes(const NrrdHeader& nrrd, RawHeader& header)
   }
 }
 
-/** Sets the files that contain the samples of a NRRD file, and the samples' encoding. */
+/** Sets the files with the samples of a NRRD file, and their encoding. */
 void SetNrrdSamples(const NrrdHeader& nrrd, const std::string& name, RawHeader& header)
 {
   const std::string data = nrrd.GetDataFile();
@@ -302,7 +300,7 @@ bool IsReadable(const RawHeader& header)
       [](double n) { return n >= 1.0 && n <= std::numeric_limits<int>::max(); });
 }
 
-/** Computes the number of samples in all files, as a double, so that it can't overflow. */
+/** Returns the number of samples in all files, as a double to avoid an overflow. */
 double CountFileSamples(const RawHeader& header)
 {
   double count = header.Size[0] * header.Size[1] * header.Size[2];
@@ -313,7 +311,7 @@ double CountFileSamples(const RawHeader& header)
   return count;
 }
 
-/** Computes the number of bytes before the samples. Throws if the file is too short. */
+/** Returns the number of bytes before the samples. Throws if the file is too short. */
 std::int64_t ComputeSkip(const RawHeader& header)
 {
   const std::string& data = header.Data.front();
@@ -336,7 +334,7 @@ std::int64_t ComputeSkip(const RawHeader& header)
   return static_cast<std::int64_t>(skip);
 }
 
-/** Makes the rows of `axes` the columns of the direction, if they are valid axes. */
+/** Sets the columns of the direction matrix to the rows of `axes`, if these are valid axes. */
 void SetAxes(const std::vector<double>& axes, std::array<double, 9>& direction)
 {
   if (axes.size() != 9)
@@ -360,7 +358,7 @@ void SetAxes(const std::vector<double>& axes, std::array<double, 9>& direction)
   }
 }
 
-/** Returns a reader of boxes. The samples must be in one file. */
+/** Returns a function that reads boxes of samples in one file. */
 BoxReader ReadInBoxes(const RawHeader& header, RawVolumeFile samples)
 {
   samples.Name = MakeAbsolute(header.Data.front());
@@ -372,7 +370,7 @@ BoxReader ReadInBoxes(const RawHeader& header, RawVolumeFile samples)
   };
 }
 
-/** Returns a reader that reads all samples at its first call. */
+/** Returns a function that reads all samples into memory when it is called first. */
 BoxReader ReadAtOnce(const RawHeader& header, RawVolumeFile samples)
 {
   const auto whole = std::make_shared<WholeSamples>();
@@ -385,7 +383,7 @@ BoxReader ReadAtOnce(const RawHeader& header, RawVolumeFile samples)
     contiguous *= whole->Size[a];
   }
   whole->First = static_cast<std::size_t>(samples.First);
-  samples.Steps = {}; // only the volume is kept
+  samples.Steps = {}; // in memory, the samples of the volume are contiguous
   samples.First = 0;
   for (const std::string& name : header.Data)
   {
@@ -409,7 +407,7 @@ BoxReader ReadAtOnce(const RawHeader& header, RawVolumeFile samples)
 
 LargeFile OpenRawHeader(const std::string& name, bool mayBeWhole, int volume)
 {
-  const OpenedFile isThere(name); // throws if the file is missing
+  const OpenedFile isThere(name); // opened only to throw if the file is missing
   const RawHeader header = IsMetaName(name) ? ReadMetaHeader(HeaderText(name), name)
                                             : ConvertNrrdHeader(ReadNrrdHeader(name), name);
   if (!IsReadable(header) || (!header.IsPlain && !mayBeWhole))
@@ -426,7 +424,7 @@ LargeFile OpenRawHeader(const std::string& name, bool mayBeWhole, int volume)
   }
   for (const std::string& samples : header.Data)
   {
-    // Holes matter only if all samples are read into memory.
+    // Check for holes only if all samples are read into memory.
     const std::string holes = mayBeWhole ? DetectHoles(samples) : std::string();
     if (!holes.empty())
     {
@@ -454,7 +452,8 @@ LargeFile OpenRawHeader(const std::string& name, bool mayBeWhole, int volume)
   {
     first += static_cast<double>(indices[axis]) * header.FurtherSteps[axis];
   }
-  samples.First = static_cast<std::int64_t>(std::min(first, 1e18)); // sizes are checked later
+  // Limit the number to avoid an overflow, since the sizes are checked later.
+  samples.First = static_cast<std::int64_t>(std::min(first, 1e18));
   samples.IsSwapped = header.Encoding != WholeSamples::Text && IsOtherByteOrder(header.IsBig);
   file.Read = header.IsPlain ? ReadInBoxes(header, std::move(samples))
                              : ReadAtOnce(header, std::move(samples));

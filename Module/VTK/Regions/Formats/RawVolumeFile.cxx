@@ -36,7 +36,7 @@ void RawVolumeFile::ReadWith(const ByteReader& read, const int box[6], void* sam
     this->Steps[0] > 0 ? this->Steps : std::array<std::int64_t, 3>{ 1, nx, nx * ny };
   const std::int64_t count = std::int64_t{ box[1] } - box[0] + 1;
   const auto row = static_cast<std::size_t>(count * sampleSize); // bytes
-  std::vector<char> apart; // a row, with the samples between those of the volume
+  std::vector<char> apart; // a row of the file, including samples of other volumes
   char* to = static_cast<char*>(samples);
   for (std::int64_t k = box[4]; k <= box[5]; ++k)
   {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * TIFF files. libtiff reads them in another process, which a damaged file may end: first which
- * pages they have, and then the samples of boxes.
+ * Reads TIFF files. libtiff runs in another process, which a damaged file may crash: it first lists
+ * the pages of the files, and then reads the samples of boxes.
  */
 #include "VTK/Regions/Formats/LargeFile.h"
 
@@ -44,14 +44,16 @@ namespace
 
 using TiffPointer = std::unique_ptr<TIFF, decltype(&TIFFClose)>;
 
-/** Position of a page: its file in the stack, and the offset of its directory in the file. */
+/**
+ * Location of a page: its file's index in the stack, and the offset of its directory in that file.
+ */
 struct TiffPage
 {
   std::size_t File = 0;
   toff_t Offset = 0;
 };
 
-/** The layout that all pages of a stack have. */
+/** Layout of a page, the same for all pages of a stack. */
 struct TiffLayout
 {
   uint32_t Width = 0;
@@ -68,16 +70,16 @@ struct TiffLayout
 struct TiffStack
 {
   std::vector<std::string> Files;
-  std::vector<TiffPage> Pages; ///< pages, one for each slice
+  std::vector<TiffPage> Pages; ///< one page per slice
   TiffLayout Layout;
 
-  /** Returns the number of bytes that a box has in each slice. */
+  /** Returns the number of bytes of a box in each slice. */
   std::size_t CountSliceBytes(const int box[6]) const
   {
     return static_cast<std::size_t>(vtkAbstractArray::GetDataTypeSize(this->Layout.ScalarType)) *
       static_cast<std::size_t>(box[1] - box[0] + 1) * static_cast<std::size_t>(box[3] - box[2] + 1);
   }
-  /** Reads a box in the other process. */
+  /** Reads a box through the reader process. */
   bool Read(const int box[6], void* samples) const;
   void ReadHere(const int box[6], void* samples) const;
 
@@ -85,36 +87,36 @@ private:
   void ReadPage(TIFF* tiff, const int box[6], char* samples) const;
 };
 
-/** Where the samples are of an image and those that follow it without directories. */
+/** Location of the samples of an image and of the images that follow without directories. */
 struct TiffSamples
 {
   std::uint8_t AreUsed = 0;
-  std::uint8_t AreSwapped = 0; ///< whether their byte order differs from this computer's
+  std::uint8_t AreSwapped = 0; ///< whether the byte order differs from this computer's
   std::uint64_t Offset = 0;
   ///@{
-  /** Pages before the first slice, and from one slice to the next. */
+  /** Number of pages before the first slice, and from one slice to the next. */
   std::uint64_t First = 0;
   std::uint64_t Step = 1;
   ///@}
 };
 
-/** Facts that OpenTiff() finds in files. */
+/** Facts about files that OpenTiff() gets from the reader process. */
 struct TiffFacts
 {
   TiffStack Stack;
   TiffSamples Headless;
   std::size_t Slices = 0;
   std::array<double, 3> Spacing{}; ///< mm
-  /** ImageJ shows the value Line[0] + Line[1] * sample. */
+  /** Slope and offset of ImageJ's calibration: value = Line[0] + Line[1] * sample. */
   std::array<double, 2> Line{ 0.0, 1.0 };
-  bool IsCurved = false; ///< whether ImageJ's values follow another function
-  LargeFile Told;        ///< its notes and volumes
+  bool IsCurved = false; ///< whether ImageJ's calibration is not linear
+  LargeFile Told;        ///< notes and list of volumes
 };
 
-/** The pages of one volume: a channel at a time. */
+/** Pages of one volume: a channel at one time. */
 struct TiffVolume
 {
-  std::size_t First = 0; ///< page of the first slice
+  std::size_t First = 0; ///< index of the first slice's page
   std::size_t Step = 1;  ///< number of pages from one slice to the next
   std::size_t Slices = 1;
 
@@ -129,10 +131,10 @@ int IgnoreMessage(TIFF*, void*, const char*, const char*, va_list)
 }
 #endif
 
-/** Opens a file without printing messages: calls return errors. */
+/** Opens a file without printing libtiff's messages. */
 TiffPointer OpenQuietly(const std::string& name)
 {
-  const OpenedFile isThere(name); // throws if the file is missing, or a pipe
+  const OpenedFile isThere(name); // opened only to throw if the file is missing or a pipe
 #if defined(TIFFLIB_VERSION) && TIFFLIB_VERSION >= 20221213
   TIFFOpenOptions* const options = TIFFOpenOptionsAlloc();
   TIFFOpenOptionsSetErrorHandlerExtR(options, IgnoreMessage, nullptr);
@@ -163,7 +165,7 @@ std::string Describe(TIFF* tiff)
   return TIFFGetField(tiff, TIFFTAG_IMAGEDESCRIPTION, &text) == 1 && text ? text : "";
 }
 
-/** Reads the layout of a page. Throws if its samples are not numbers of one channel. */
+/** Reads the layout of a page. Throws unless its samples are numbers with one channel. */
 TiffLayout ReadLayout(TIFF* tiff)
 {
   TiffLayout layout;
@@ -212,8 +214,8 @@ double CountPageBytes(const TiffLayout& layout)
 }
 
 /**
- * Checks that a page's samples are within the file. `more` is the number of further images that
- * follow without a directory.
+ * Throws unless a page's samples are within the file. `more` is the number of images that follow
+ * without a directory.
  */
 void CheckPage(TIFF* tiff, const TiffLayout& layout, double size, std::size_t more)
 {
@@ -236,8 +238,8 @@ void CheckPage(TIFF* tiff, const TiffLayout& layout, double size, std::size_t mo
     held += static_cast<double>(counts[piece]);
     isWhole = static_cast<double>(offsets[piece]) + static_cast<double>(counts[piece]) <= size;
   }
-  // A factor above the largest compression: deflate shrinks zeros at most by 1032, LZMA by 7000,
-  // Zstandard by 32000.
+  // Upper limit of compression: deflate shrinks zeros by at most 1032, LZMA by 7000, Zstandard by
+  // 32000.
   constexpr double smallest = 40000.0;
   const double piece = static_cast<double>(isTiled ? TIFFTileSize64(tiff) : TIFFStripSize64(tiff));
   const bool isPlain =
@@ -258,9 +260,7 @@ void CheckPage(TIFF* tiff, const TiffLayout& layout, double size, std::size_t mo
   }
 }
 
-/**
- * Sets the distances between pixels from the resolution of a page, where the description has none.
- */
+/** Sets the pixel distances that the description lacks from the resolution of a page. */
 void AddResolution(TIFF* tiff, TiffText& text, std::vector<std::string>& notes)
 {
   const float resolution[2] = { Tag(tiff, TIFFTAG_XRESOLUTION, 0.0F),
@@ -270,7 +270,8 @@ void AddResolution(TIFF* tiff, TiffText& text, std::vector<std::string>& notes)
     : unit == RESUNIT_CENTIMETER       ? MillimetresPerUnit("cm")
     : unit == RESUNIT_INCH             ? MillimetresPerUnit("in")
                                        : 0.0;
-  // Programs that do not know the size write the resolution of a screen or a printer.
+  // Ignore the resolution of a screen or a printer, which programs write if they do not know the
+  // size.
   const bool isOfScreen = !text.IsImageJ && unit == RESUNIT_INCH &&
     (resolution[0] <= 1.0F || resolution[0] == 72.0F || resolution[0] == 96.0F ||
       resolution[0] == 300.0F);
@@ -317,7 +318,7 @@ std::vector<std::string> ListFiles(const std::string& folder)
   return names;
 }
 
-/** Adds the page that was read if it has the layout of the first page. Returns whether it has. */
+/** Adds the current page if it has the layout of the first page. Returns whether it does. */
 bool AddPage(TIFF* tiff, std::size_t file, double size, TiffStack& stack)
 {
   constexpr uint32_t aside = FILETYPE_REDUCEDIMAGE | FILETYPE_MASK;
@@ -340,8 +341,7 @@ bool AddPage(TIFF* tiff, std::size_t file, double size, TiffStack& stack)
 }
 
 /**
- * Adds the pages of a file that have the layout of the first page. Returns the number of other
- * pages.
+ * Adds the pages of a file that have the first page's layout. Returns the number of other pages.
  */
 std::size_t AddPages(std::size_t file, TiffStack& stack)
 {
@@ -360,7 +360,7 @@ std::size_t AddPages(std::size_t file, TiffStack& stack)
   return others;
 }
 
-/** Adds the pages of a folder. Returns the number of other pages. */
+/** Adds the pages of all files in a folder. Returns the number of pages with another layout. */
 std::size_t AddFiles(TiffStack& stack)
 {
   std::size_t others = 0;
@@ -383,7 +383,7 @@ std::size_t AddFiles(TiffStack& stack)
   return others;
 }
 
-/** Returns the last number in a name of a file; -1 if there is none. */
+/** Returns the last number in a file's name; -1 if there is none. */
 double ReadLastNumber(const std::string& path)
 {
   const std::string name = vtksys::SystemTools::GetFilenameWithoutLastExtension(path);
@@ -396,7 +396,7 @@ double ReadLastNumber(const std::string& path)
   return ReadNumberOr(name.substr(first + 1, last - first).c_str(), -1.0);
 }
 
-/** Returns a note if the numbers in the names of slices have gaps; else an empty text. */
+/** Returns a note if the numbers in the slices' names have gaps; empty otherwise. */
 std::string DescribeGaps(const std::vector<std::string>& files)
 {
   std::vector<double> steps;
@@ -411,7 +411,7 @@ std::string DescribeGaps(const std::vector<std::string>& files)
                                       : std::string();
 }
 
-/** Chooses a channel and a time by the number of their volume: see ChooseVolume(). */
+/** Chooses a channel and a time by the number of the volume: see ChooseVolume(). */
 TiffVolume ChooseChannel(const TiffText& text, int number, LargeFile& file)
 {
   const std::vector<std::size_t> indices =
@@ -421,7 +421,7 @@ TiffVolume ChooseChannel(const TiffText& text, int number, LargeFile& file)
     std::max<std::size_t>(1, text.Slices) };
 }
 
-/** Removes all pages but those of a volume. */
+/** Removes all pages except those of a volume. */
 void KeepVolume(const TiffText& text, TiffVolume volume, TiffStack& stack, LargeFile& file)
 {
   const std::size_t pages = stack.Pages.size();
@@ -449,13 +449,13 @@ void KeepVolume(const TiffText& text, TiffVolume volume, TiffStack& stack, Large
   stack.Pages = std::move(kept);
 }
 
-/** Collects the pages of a stack from several files, beside the one that names them. */
+/** Collects the pages of a stack from several files in the folder of the file that names them. */
 void CollectPlanes(
   const std::string& folder, const TiffText& text, const TiffVolume& volume, TiffStack& stack)
 {
   stack.Files.clear();
   std::vector<TiffPage> kept;
-  std::vector<std::vector<TiffPage>> pages; // of each file
+  std::vector<std::vector<TiffPage>> pages; // pages of each file
   for (std::size_t slice = 0; slice < volume.Slices; ++slice)
   {
     const auto& [name, page] = text.Planes[volume.GetPage(slice)];
@@ -492,8 +492,8 @@ void CollectPlanes(
 }
 
 /**
- * Returns a reader that converts the file's samples to values by ImageJ's linear calibration,
- * line[0] + line[1] * sample.
+ * Returns a function that reads boxes and applies ImageJ's linear calibration, line[0] + line[1] *
+ * sample.
  */
 template <typename Value>
 BoxReader ApplyLine(const LargeFile& file, const std::array<double, 2>& line)
@@ -520,8 +520,8 @@ BoxReader ApplyLine(const LargeFile& file, const std::array<double, 2>& line)
 }
 
 /**
- * Converts stored samples to the values that ImageJ shows. They become floats, except signed 16-bit
- * integers, which ImageJ stores as unsigned ones 32768 higher.
+ * Converts stored samples to the values that ImageJ shows. The result is floats, or signed 16-bit
+ * integers if they were stored as unsigned ones with an offset of 32768.
  */
 void Calibrate(const TiffFacts& facts, LargeFile& file)
 {
@@ -565,8 +565,8 @@ LargeFile MakeFile(const TiffLayout& layout, std::size_t slices)
 }
 
 /**
- * Finds the samples of a stack of more than 4 GiB, which ImageJ writes as one page, followed by all
- * other images.
+ * Locates the samples of a stack of more than 4 GiB, which ImageJ writes as one page followed by
+ * all other images.
  */
 TiffSamples FindHeadless(
   const std::string& name, TIFF* tiff, const TiffLayout& layout, const TiffVolume& volume)
@@ -601,7 +601,7 @@ BoxReader ReadHeadless(const std::string& name, const TiffFacts& facts, const Bo
     "copy is complete.");
 }
 
-/** Reads the part of a page that is within a box, strip by strip or tile by tile. */
+/** Reads the part of a page inside a box, strip by strip or tile by tile. */
 void TiffStack::ReadPage(TIFF* tiff, const int box[6], char* samples) const
 {
   const bool isTiled = TIFFIsTiled(tiff) != 0;
@@ -676,7 +676,7 @@ void TiffStack::ReadHere(const int box[6], void* samples) const
   }
 }
 
-/** Returns a stack of some slices of another one, with the files that they need. */
+/** Returns a stack of some of the slices, with only the files that they need. */
 TiffStack TakeSlices(const TiffStack& stack, int first, int last)
 {
   TiffStack some;
@@ -720,7 +720,7 @@ void PackStack(const TiffStack& stack, BytePacker& packer)
   packer.Put(stack.Layout);
 }
 
-/** Unpacks a stack, and checks the facts that libtiff would otherwise trust. */
+/** Unpacks a stack, and checks the facts that libtiff would trust. */
 TiffStack UnpackStack(ByteUnpacker& unpacker)
 {
   TiffStack stack;
@@ -739,7 +739,7 @@ TiffStack UnpackStack(ByteUnpacker& unpacker)
   return stack;
 }
 
-/** Throws the fault that the other process found, which is the first text of its answer. */
+/** Throws the fault that the reader process found, which is the first text of its answer. */
 void CheckAnswer(ReadResult result, const std::string& answer, ByteUnpacker& unpacker)
 {
   if (result == ReadResult::Ended)
@@ -753,12 +753,12 @@ void CheckAnswer(ReadResult result, const std::string& answer, ByteUnpacker& unp
   }
 }
 
-/** The number of bytes that take as long to read as a file takes to be opened: about a second. */
+/** Cost of opening a file, as the number of bytes that take equally long to read. */
 constexpr double OpeningBytes = 256 << 10;
 
 bool TiffStack::Read(const int box[6], void* samples) const
 {
-  constexpr std::size_t most = 64 << 20; // bytes of an answer, if a slice has fewer
+  constexpr std::size_t most = 64 << 20; // largest answer (bytes), unless a single slice has more
   const std::size_t slice = this->CountSliceBytes(box);
   const int atOnce = std::max(1, static_cast<int>(most / slice));
   auto* to = static_cast<char*>(samples);
@@ -893,7 +893,7 @@ TiffFacts AskForFacts(const std::string& path, int number)
   BytePacker packer;
   packer.Put(number);
   std::string answer;
-  // OME-XML may name any of the files beside it.
+  // Pass all files of the folder, because OME-XML may name any of them.
   const std::size_t files = ListFiles(GetFolder(path)).size();
   const ReadResult result = AskReader(
     ReadTask::Tiff, path, answer, packer.Bytes, static_cast<std::uint64_t>(OpeningBytes) * files);
@@ -908,7 +908,7 @@ TiffFacts AskForFacts(const std::string& path, int number)
   return UnpackFacts(unpacker, path);
 }
 
-/** Returns the packed result of a function; or, if the function throws, the reason. */
+/** Returns the packed result of a function, or, if it throws, the packed reason. */
 template <typename Function>
 std::string PackAnswer(const Function& pack)
 {

@@ -26,12 +26,12 @@ std::size_t CountOr(const char* text, std::size_t other)
   return number >= 1.0 && number < 1e9 ? static_cast<std::size_t>(number) : other;
 }
 
-/** Reads the description of ImageJ, which consists of lines `key=value`. */
+/** Parses ImageJ's description, which consists of lines `key=value`. */
 TiffText ReadImageJ(const std::string& description)
 {
   TiffText text;
   text.IsImageJ = true;
-  text.Spacing[2] = 1.0; // default of the value, which ImageJ then omits
+  text.Spacing[2] = 1.0; // the default, which ImageJ omits
   std::istringstream lines(description);
   std::size_t images = 1;
   std::string order = "CZT";
@@ -67,7 +67,7 @@ TiffText ReadImageJ(const std::string& description)
     }
     else if (key == "cf")
     {
-      text.IsCurved = ReadNumberOr(value.c_str(), 0.0) != 0.0; // 0 is a straight line
+      text.IsCurved = ReadNumberOr(value.c_str(), 0.0) != 0.0; // 0: linear
     }
     else if (key == "c0" || key == "c1")
     {
@@ -90,8 +90,8 @@ TiffText ReadImageJ(const std::string& description)
 }
 
 /**
- * Reads where the pages are, if OME-XML names further files than the one that has it. Pages of one
- * entry follow each other in the order of the axes.
+ * Reads the locations of the pages if OME-XML names other files than its own. The pages of an entry
+ * are in the order of the axes.
  */
 void ReadPlanes(vtkXMLDataElement* pixels, const std::string& file, TiffText& text)
 {
@@ -121,7 +121,7 @@ void ReadPlanes(vtkXMLDataElement* pixels, const std::string& file, TiffText& te
   text.Planes = areElsewhere ? planes : text.Planes;
 }
 
-/** Reads OME-XML: the element Pixels of the first image. Its units are micrometres by default. */
+/** Parses OME-XML: the element Pixels of the first image. The default unit is the micrometre. */
 TiffText ReadOme(const std::string& description, const std::string& file)
 {
   TiffText text;
@@ -166,8 +166,8 @@ TiffText ReadOme(const std::string& description, const std::string& file)
 }
 
 /**
- * Reads the description of tifffile, with which napari and scikit-image write:
- * {"shape": [2, 40, 30, 20], "axes": "TZYX"}, in which the axes may be missing.
+ * Parses the description of tifffile, which napari and scikit-image use: {"shape": [2, 40, 30, 20],
+ * "axes": "TZYX"}. The axes may be missing.
  */
 TiffText ReadShape(const std::string& description)
 {
@@ -188,10 +188,10 @@ TiffText ReadShape(const std::string& description)
     }
     shape.push_back(count.asUInt());
   }
-  constexpr std::size_t page = 2; // axes of a page
+  constexpr std::size_t page = 2; // number of axes within a page
   if (shape.size() <= page)
   {
-    return text; // a page, which may be one of many
+    return text; // a single page, which may be one of many files
   }
   shape.resize(shape.size() - page);
   std::string axes = root["axes"].isString() ? root["axes"].asString() : std::string();
@@ -199,7 +199,7 @@ TiffText ReadShape(const std::string& description)
     axes.substr(0, shape.size()).find_first_not_of("TCZ") == std::string::npos;
   if (!areKnown)
   {
-    // The last axis before the axes of a page is the axis of the slices.
+    // Treat the last axis before the axes of a page as that of the slices.
     text.TimeName = "volume";
     axes = std::string(shape.size() - 1, 'T') + "Z";
   }

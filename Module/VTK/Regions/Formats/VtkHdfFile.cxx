@@ -47,7 +47,7 @@ bool ReadNumbers(const Hdf5File& file, const std::string& name, std::array<T, N>
   return true;
 }
 
-/** Throws if there is no member at a path. */
+/** Throws if nothing exists at a path in the file. */
 void CheckMember(const Hdf5File& file, const std::string& path)
 {
   if (!file.Has(path))
@@ -57,7 +57,7 @@ void CheckMember(const Hdf5File& file, const std::string& path)
   }
 }
 
-/** Returns the path of the active array; of the first array if none is active. */
+/** Returns the path of the active point array, or of the first one if none is active. */
 std::string FindArray(const Hdf5File& file)
 {
   const std::string group = std::string(RootGroup) + "/PointData";
@@ -90,8 +90,8 @@ std::string ShapeText(const std::vector<std::uint64_t>& shape)
 }
 
 /**
- * Checks that an array has one component, and z as its slowest axis. If there are several time
- * steps, the first one is read.
+ * Throws unless an array has one component and z as its slowest axis. Of several time steps, the
+ * first one is read.
  */
 void CheckShape(const Hdf5Array& array, const BoxExtent& extent, bool hasSteps)
 {
@@ -117,14 +117,14 @@ void CheckShape(const Hdf5Array& array, const BoxExtent& extent, bool hasSteps)
   }
 }
 
-/** Data that all threads that read chunks share. */
+/** Data shared by all threads that read chunks. */
 struct StoredChunks
 {
   std::string Name;
   Hdf5Array Array;
   std::unordered_map<std::uint64_t, Hdf5Chunk> Chunks;
   std::array<std::uint64_t, 3> Counts{}; ///< number of chunks along x, y and z
-  std::size_t Most = 0;                  ///< largest size of a chunk, packed or not (bytes)
+  std::size_t Most = 0;                  ///< largest size (bytes) of a chunk, compressed or not
 
   bool Load(const ChunkPlace& place, std::vector<char>& bytes) const
   {
@@ -160,7 +160,7 @@ struct StoredChunks
         case Hdf5Filter::Shuffle:
           UnshuffleChunk(bytes, filters[f].SampleSize);
           break;
-        default: // a checksum follows the samples
+        default: // Fletcher's checksum, which follows the samples
           CheckFletcher(bytes);
           break;
       }
@@ -169,7 +169,7 @@ struct StoredChunks
   }
 };
 
-/** Facts that HDF5's library finds in a file. */
+/** Facts about a file, found with HDF5's library. */
 struct VtkHdfFacts
 {
   BoxExtent Extent{};
@@ -181,7 +181,7 @@ struct VtkHdfFacts
   std::unordered_map<std::uint64_t, Hdf5Chunk> Chunks;
 };
 
-/** Checks that an array's samples can be read here. */
+/** Throws unless an array's samples can be read here. */
 void CheckSamples(const VtkHdfFacts& facts)
 {
   const Hdf5Array& array = facts.Array;
@@ -209,7 +209,7 @@ void CheckSamples(const VtkHdfFacts& facts)
   }
 }
 
-/** Returns the number of chunks along x, y and z. Throws if the chunks are too large. */
+/** Returns the number of chunks along x, y and z. Throws if a chunk is too large. */
 std::array<std::uint64_t, 3> CountChunks(const Hdf5Array& array)
 {
   std::array<std::uint64_t, 3> counts{};
@@ -282,7 +282,10 @@ void PackFacts(const VtkHdfFacts& facts, BytePacker& packer)
   }
 }
 
-/** Unpacks facts, and checks those that the library has not to be believed. */
+/**
+ * Unpacks the facts and checks them, because a damaged file may have corrupted the process that
+ * sent them.
+ */
 VtkHdfFacts UnpackFacts(ByteUnpacker& unpacker)
 {
   VtkHdfFacts facts;

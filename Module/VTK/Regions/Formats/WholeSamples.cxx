@@ -24,7 +24,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Largest compression ratio of deflate, reached with zeros (zlib's technical details). */
+/** Largest compression ratio of deflate, reached for zeros (zlib's technical details). */
 constexpr double LargestCompression = 1032.0;
 
 template <typename T>
@@ -46,7 +46,7 @@ std::optional<T> ParseSample(std::string_view word)
 }
 
 /**
- * Parses numbers until the memory is full. Throws if the text has too few numbers, or other words.
+ * Parses numbers until the memory is full. Throws if the text has too few numbers or anything else.
  */
 template <typename T>
 void ParseSamples(std::string_view text, const std::string& file, char* to, std::size_t size)
@@ -90,7 +90,7 @@ void WholeSamples::Check() const
     const double most = this->Encoding == Packed ? LargestCompression * size
       : this->Encoding == Raw
       ? size
-      // Each number needs at least a digit and, except for the last one, a separator.
+      // In text, each number takes at least a digit and, except for the last one, a separator.
       : 0.5 * (size + 1.0) * vtkAbstractArray::GetDataTypeSize(this->ScalarType);
     if (!(bytes <= most))
     {
@@ -99,7 +99,7 @@ void WholeSamples::Check() const
   }
 }
 
-/** Reads the samples of all files, one part after the other, and keeps the volume's samples. */
+/** Receives the samples of all files part by part, and copies those of the volume. */
 class WholeSamples::Volume
 {
 public:
@@ -132,7 +132,7 @@ public:
   std::vector<char> MoveBytes() { return std::move(this->Bytes); }
 
 private:
-  /** Returns the position (bytes) of a run of samples that follow each other in the files, too. */
+  /** Returns the offset (bytes) of a run of samples that are contiguous in the files, too. */
   std::size_t FindRun(std::size_t number) const
   {
     const std::size_t sample = number * this->RunLength;
@@ -147,8 +147,8 @@ private:
   const std::size_t SampleSize;
   const std::size_t RunLength; ///< samples
   std::vector<char> Bytes;
-  std::size_t Done = 0; ///< number of bytes that are kept
-  std::size_t At = 0;   ///< position (bytes) of the next part
+  std::size_t Done = 0; ///< bytes copied so far
+  std::size_t At = 0;   ///< offset (bytes) of the next part
 };
 
 void WholeSamples::LoadFile(const std::string& name, std::size_t size, Volume& volume) const

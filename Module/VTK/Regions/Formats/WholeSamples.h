@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Samples that can't be read in boxes, because they are compressed, text, or in several files.
+ * Reads samples that can't be read in boxes: compressed samples, text, or several files.
  */
 #ifndef WholeSamples_h
 #define WholeSamples_h
@@ -17,9 +17,9 @@ namespace VolumeHaptics
 {
 
 /**
- * Holds a volume of some files, which are read when the first sample is requested. Samples that do
- * not belong to the volume, such as other layers, are left out, because there may be thousands of
- * times more of them.
+ * Contains a volume from one or several files, which are read when the first sample is requested.
+ * Only samples of the volume are kept, not for example those of other layers, because there may be
+ * thousands of times more of them.
  */
 class WholeSamples
 {
@@ -27,29 +27,30 @@ public:
   enum EncodingType
   {
     Raw,
-    Packed, ///< packed by zlib or gzip
+    Packed, ///< compressed by zlib or gzip
     Text
   };
 
-  std::vector<std::string> Files; ///< names of the files, in the order of their samples
+  std::vector<std::string> Files; ///< files in the order of their samples
   EncodingType Encoding = Raw;
-  std::size_t Offset = 0; ///< number of bytes in each file before its samples; -1: the samples are
-                          ///< at the end of the file
+  std::size_t Offset = 0; ///< bytes in each file before its samples; -1: the samples are at the end
+                          ///< of the file
   int ScalarType = 0;
   double Count = 0.0;                 ///< number of samples in all files
-  std::size_t First = 0;              ///< number of samples before the first one of the volume
-  std::array<std::size_t, 3> Size{};  ///< number of the volume's samples along x, y and z
-  std::array<std::size_t, 3> Steps{}; ///< distances between neighbours (samples), which increase
+  std::size_t First = 0;              ///< samples before the first one of the volume
+  std::array<std::size_t, 3> Size{};  ///< samples of the volume along x, y and z
+  std::array<std::size_t, 3> Steps{}; ///< ascending distances (samples) between neighbours along x,
+                                      ///< y and z
 
   /**
-   * Checks that the files can contain this number of samples before memory is allocated for them.
-   * Throws std::runtime_error, with the cure.
+   * Checks, before memory is allocated, that the files can contain this number of samples. Throws
+   * std::runtime_error, with the cure, otherwise.
    */
   void Check() const;
 
   /**
-   * Copies `size` bytes of the volume, x fastest and z slowest, from an offset. Several threads may
-   * call it at once. Throws std::runtime_error, with the cure.
+   * Copies `size` bytes of the volume (x fastest, z slowest) from an offset. Safe on several
+   * threads at once. Throws std::runtime_error, with the cure.
    */
   void Copy(void* to, std::size_t size, std::size_t from);
 
@@ -64,7 +65,7 @@ private:
   std::vector<char> Bytes;
 };
 
-/** Returns the end of an error for a file that ends before its last voxel, with the cure. */
+/** Returns the end of an error text, with the cure, for a file that ends before its last voxel. */
 std::string DescribeMissingSamples(const std::string& file);
 
 } // namespace VolumeHaptics

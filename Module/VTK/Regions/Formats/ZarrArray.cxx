@@ -74,11 +74,11 @@ std::vector<std::uint64_t> ReadShape(const Json::Value& list, const std::string&
 
 struct NumberType
 {
-  char Kind = 0; ///< i (signed integer), u (unsigned integer) or f (float)
+  char Kind = 0; ///< type: i (signed integer), u (unsigned integer) or f (float)
   std::size_t Size = 0;
 };
 
-/** Parses a type's name, such as "<i2" in version 2, or "int16" in version 3. */
+/** Parses a number type, such as "<i2" in version 2, or "int16" in version 3. */
 NumberType ReadType(const std::string& name, bool& isBig)
 {
   if (name.size() == 3 && std::strchr("<>|", name[0]))
@@ -94,8 +94,8 @@ NumberType ReadType(const std::string& name, bool& isBig)
 }
 
 /**
- * Reads the bits of a number, such as "0x7fc00000", as version 3 writes a NaN with other bits than
- * the usual ones. Returns false for anything else.
+ * Parses a number given as bits, such as "0x7fc00000": version 3 writes unusual NaNs like this.
+ * Returns false for anything else.
  */
 template <typename T>
 bool ReadBits(const std::string& word, T& number)
@@ -119,7 +119,7 @@ bool ReadBits(const std::string& word, T& number)
   return sizeof(T) == sizeof(std::uint32_t) || sizeof(T) == sizeof(bits);
 }
 
-/** Stores a fill value. Returns false if it is no number of the type. */
+/** Stores a fill value. Returns false if it is not a number of the type. */
 template <typename T>
 bool PutFill(const Json::Value& value, bool isSwapped, std::vector<char>& bytes)
 {
@@ -212,7 +212,7 @@ void AddCodec(const std::string& name, ZarrArray& array)
   }
 }
 
-/** Reads the head of version 2: .zarray. */
+/** Parses the metadata of version 2, .zarray. */
 void ReadOldHead(const Json::Value& head, ZarrArray& array)
 {
   array.Shape = ReadShape(head["shape"], array.Folder);
@@ -235,7 +235,7 @@ void ReadOldHead(const Json::Value& head, ZarrArray& array)
   }
 }
 
-/** Reads the codecs of version 3, which are listed in the order of encoding. */
+/** Parses the codecs of version 3, which are in the order of encoding. */
 void ReadCodecs(const Json::Value& codecs, ZarrArray& array)
 {
   for (const Json::Value& codec : codecs)
@@ -251,7 +251,7 @@ void ReadCodecs(const Json::Value& codecs, ZarrArray& array)
   std::reverse(array.Codecs.begin(), array.Codecs.end());
 }
 
-/** Reads the codec of shards, which are files with several chunks and an index of them. */
+/** Parses the codec of shards: files that contain several chunks and an index. */
 void ReadShards(const Json::Value& configuration, ZarrArray& array)
 {
   array.ShardShape = array.ChunkShape;
@@ -282,7 +282,7 @@ void ReadShards(const Json::Value& configuration, ZarrArray& array)
   ReadCodecs(configuration["codecs"], array);
 }
 
-/** Reads the head of version 3: zarr.json. */
+/** Parses the metadata of version 3, zarr.json. */
 void ReadNewHead(const Json::Value& head, ZarrArray& array)
 {
   array.Shape = ReadShape(head["shape"], array.Folder);
@@ -333,7 +333,7 @@ std::string ZarrArray::GetChunkFile(const ChunkPlace& place) const
 bool ZarrArray::LocateInShard(const std::string& name, const OpenedFile& file,
   const ChunkPlace& place, std::uint64_t range[2]) const
 {
-  // The index has two little-endian 64-bit numbers for each chunk.
+  // Each chunk has two little-endian 64-bit numbers in the index: offset and size.
   constexpr std::uint64_t entry = 2 * sizeof(std::uint64_t);
   constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
   const std::size_t rank = this->ShardShape.size();
@@ -394,7 +394,7 @@ bool ZarrArray::LoadChunk(const ChunkPlace& place, std::vector<char>& bytes) con
   {
     if (errno == ENOENT)
     {
-      return false; // chunks of fill values are not written
+      return false; // a chunk that contains only the fill value is not written
     }
     throw std::runtime_error(DescribeError(errno) + " (" + name + ").");
   }
@@ -432,7 +432,7 @@ bool ZarrArray::LoadChunk(const ChunkPlace& place, std::vector<char>& bytes) con
         break;
     }
   }
-  // The volumes in a chunk follow each other.
+  // A chunk may contain several volumes, one after another.
   std::size_t first = 0;
   for (std::size_t d = 0; d < this->Shape.size(); ++d)
   {

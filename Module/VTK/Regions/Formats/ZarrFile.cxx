@@ -33,7 +33,7 @@ struct AxisScale
 };
 
 /**
- * Opens an array, at one index along each of its dimensions but the last three, and adds it to the
+ * Opens an array at fixed indices along all dimensions except the last three, and adds it to the
  * file.
  */
 void AddZarrLevel(const ZarrArray& opened, const std::vector<std::size_t>& before, LargeFile& file)
@@ -93,7 +93,7 @@ void ApplyTransformations(const Json::Value& steps, std::vector<AxisScale>& axes
   }
 }
 
-/** Checks that the axes end with z, y and x. */
+/** Throws unless the axes end with z, y and x. */
 void CheckAxes(const Json::Value& axes, std::size_t rank)
 {
   if (!axes.isArray())
@@ -120,24 +120,21 @@ const Json::Value& GetAxis(const Json::Value& axes, std::size_t axis)
   return axes.isArray() ? axes[static_cast<Json::ArrayIndex>(axis)] : Json::Value::nullSingleton();
 }
 
-/** Returns the name of the unit of an axis; empty if it has none. */
+/** Returns the unit of an axis; empty if it has none. */
 std::string NameUnit(const Json::Value& axes, std::size_t axis)
 {
   const Json::Value& entry = GetAxis(axes, axis);
   return entry.isObject() ? entry["unit"].asString() : std::string();
 }
 
-/**
- * Returns the length (mm) of the unit of an axis. Returns 1, as for mm, if the unit is missing or
- * unknown.
- */
+/** Returns the length (mm) of an axis's unit; 1 if the unit is missing or unknown. */
 double ReadUnit(const Json::Value& axes, std::size_t axis)
 {
   const double unit = MillimetresPerUnit(NameUnit(axes, axis));
   return unit > 0.0 ? unit : 1.0;
 }
 
-/** Returns the names of the channels in OME-Zarr's settings of the picture. */
+/** Returns the names of the channels from OME-Zarr's display settings. */
 std::vector<std::string> ReadChannelNames(const Json::Value& attributes)
 {
   std::vector<std::string> names;
@@ -153,7 +150,7 @@ std::vector<std::string> ReadChannelNames(const Json::Value& attributes)
 
 /**
  * Chooses a volume of an array by its number: see ChooseVolume(). Returns the index along each
- * dimension but the last three.
+ * dimension except the last three.
  */
 std::vector<std::size_t> ChooseInArray(const ZarrArray& array, const Json::Value& axes,
   const std::vector<std::string>& channels, int number, LargeFile& file)
@@ -178,7 +175,7 @@ std::vector<std::size_t> ChooseInArray(const ZarrArray& array, const Json::Value
 }
 
 /**
- * Opens a level. If it is a coarser level of `finest`, the volume is the one at the same indices.
+ * Opens one resolution level. For a coarser level of `finest`, uses the same volume as that level.
  */
 LargeFile OpenDataset(const std::string& folder, const Json::Value& attributes,
   const Json::Value& dataset, int volume, const LargeFile* finest)
@@ -223,7 +220,7 @@ LargeFile OpenDataset(const std::string& folder, const Json::Value& attributes,
   return file;
 }
 
-/** Opens the finest level, together with the coarser levels. */
+/** Opens the finest resolution level and adds the coarser levels. */
 LargeFile OpenMultiscales(const std::string& folder, const Json::Value& attributes, int volume)
 {
   LargeFile finest;
@@ -249,7 +246,7 @@ LargeFile OpenMultiscales(const std::string& folder, const Json::Value& attribut
       {
         throw;
       }
-      break; // the levels before this one are good enough
+      break; // ignore coarser levels after one that can't be read
     }
     isFirst = false;
   }
@@ -261,7 +258,7 @@ LargeFile OpenMultiscales(const std::string& folder, const Json::Value& attribut
 }
 
 /**
- * Returns the folder of the image in a collection of images, as bioformats2raw writes them: folders
+ * Returns the folder of the only image in a collection that bioformats2raw wrote, with the folders
  * 0, 1, and so on. Throws unless there is exactly one image.
  */
 std::string FindOnlyImage(const std::string& folder)
@@ -283,7 +280,7 @@ std::string FindOnlyImage(const std::string& folder)
   return folder + "/0";
 }
 
-/** Opens an array, an image, or if it may be one, a collection of a single image. */
+/** Opens an array, an image, or, if mayBeCollection, a collection with a single image. */
 LargeFile OpenFolder(const std::string& folder, int volume, bool mayBeCollection)
 {
   if (IsZarrArray(folder))

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The style of charts: their text, and the panel behind them.
+ * Sets the style of charts: text and background panel.
  */
 #ifndef HapticChartText_h
 #define HapticChartText_h
@@ -17,9 +17,7 @@
 namespace VolumeHaptics
 {
 
-/**
- * Sets the size (points) and the colour (RGB, 0 to 1) of a chart's text, without bold and italics.
- */
+/** Sets the size (points) and colour (RGB, 0 to 1) of a chart's text, neither bold nor italic. */
 inline void SetChartText(vtkTextProperty* text, int size, const double (&colour)[3])
 {
   text->SetFontSize(size);
@@ -28,7 +26,7 @@ inline void SetChartText(vtkTextProperty* text, int size, const double (&colour)
   text->ItalicOff();
 }
 
-/** Makes a panel that lets the scene behind it shine through a little. */
+/** Makes a panel slightly transparent, so that the scene behind it stays visible. */
 inline void MakePanel(vtkBlockItem* panel)
 {
   panel->GetBrush()->SetColor(250, 250, 252, 225);

@@ -14,8 +14,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Returns whether the viewport's window renders now, so that OpenGL has a context. Without a
- * context, for example if an application calls a prop's RenderOverlay itself, VTK's own props would
+ * Returns whether the viewport's window is rendering now, so that an OpenGL context exists. Without
+ * one, for example if an application calls a prop's RenderOverlay itself, VTK's own props would
  * crash.
  */
 inline bool IsDrawing(vtkViewport* viewport)
@@ -25,8 +25,8 @@ inline bool IsDrawing(vtkViewport* viewport)
 }
 
 /**
- * Returns whether the frame of the viewport's window was given up: it will not be shown, and
- * further drawing would only delay the next frame.
+ * Returns whether the current frame of the viewport's window was abandoned: it will not be shown,
+ * so further drawing would only delay the next frame.
  */
 inline bool IsGivenUp(vtkViewport* viewport)
 {
@@ -35,8 +35,8 @@ inline bool IsGivenUp(vtkViewport* viewport)
 }
 
 /**
- * Returns whether the viewport's window draws an interactive frame, because something moves: VTK
- * then wants more than one frame per second.
+ * Returns whether the viewport's window renders an interactive frame, which is one for which VTK
+ * requests more than one frame per second.
  */
 inline bool IsMoving(vtkViewport* viewport)
 {

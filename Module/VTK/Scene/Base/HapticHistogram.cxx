@@ -28,7 +28,7 @@ bool AreWholeNumbers(vtkDataArray* scalars)
   return scalars->GetDataType() != VTK_FLOAT && scalars->GetDataType() != VTK_DOUBLE;
 }
 
-/** Calls a function with each finite value of the tuples from Begin to End. */
+/** Calls a function with each finite value of a component in the tuples from Begin to End. */
 template <typename Function>
 struct ValueVisitor
 {
@@ -62,7 +62,7 @@ void VisitValues(
   }
 }
 
-/** Computes the range of finite values. The range is empty while Range[0] exceeds Range[1]. */
+/** Finds the range of finite values. While there are none, Range[0] exceeds Range[1]. */
 struct RangeFinder
 {
   double Range[2] = { std::numeric_limits<double>::infinity(),
@@ -75,7 +75,7 @@ struct RangeFinder
   }
 };
 
-/** Makes empty bins for a range; makes none if the range is empty. */
+/** Makes empty bins for a range; no bins if the range is empty. */
 ValueCounts MakeBins(const double found[2], bool areWhole)
 {
   ValueCounts bins;
@@ -86,11 +86,11 @@ ValueCounts MakeBins(const double found[2], bool areWhole)
   double* const range = bins.Range;
   range[0] = std::clamp(found[0], -FarthestShown, FarthestShown);
   range[1] = std::clamp(found[1], -FarthestShown, FarthestShown);
-  // Give each bin the same number of whole numbers.
+  // Make each bin contain the same number of integers.
   double width =
     areWhole ? std::ceil((range[1] - range[0] + 1.0) / MostBins) : (range[1] - range[0]) / MostBins;
-  // Make no narrower bins, because charts are drawn in single precision, which can't distinguish
-  // them.
+  // Limit the bins' width from below: charts are drawn in single precision, which can't resolve
+  // narrower bins.
   constexpr double precision = 1e-7;
   const double least =
     std::max(1.0 / FarthestShown, precision * std::max(std::abs(range[0]), std::abs(range[1])));
@@ -102,7 +102,7 @@ ValueCounts MakeBins(const double found[2], bool areWhole)
   return bins;
 }
 
-/** Counts a value in its bin. VTK's vtkImageHistogram would do it, but ParaView lacks it. */
+/** Adds a value to its bin. VTK's vtkImageHistogram is not used, because ParaView lacks it. */
 void CountInto(double value, ValueCounts& bins)
 {
   const double last = static_cast<double>(bins.Counts.size() - 1);
@@ -116,7 +116,7 @@ int ClampComponent(vtkDataArray* scalars, int component)
 }
 
 /**
- * A set of labels in a range: a bit for each label, or a hash table if there were too many bits.
+ * A set of labels in a range: one bit per label, or a hash table if that would need too many bits.
  */
 class LabelSet
 {
@@ -165,11 +165,11 @@ bool IsTableLabel(double value)
 {
   constexpr double least = std::numeric_limits<int>::min();
   constexpr double most = std::numeric_limits<int>::max();
-  // The condition is also false for NaN. Rounding can't move a number beyond int into its range.
+  // The condition is false for NaN, too. Rounding can't move a number outside int into the range.
   return value >= least && value <= most && value == std::floor(value);
 }
 
-/** Calls a function at least once with every label that a table can have. */
+/** Calls a function at least once with every value in the array that can be a label. */
 template <typename Function>
 struct LabelVisitor
 {
@@ -185,7 +185,7 @@ struct LabelVisitor
     for (const auto tuple : vtk::DataArrayTupleRange(scalars, this->Begin, this->End))
     {
       const vtk::GetAPIType<ArrayType> value = tuple[0];
-      // Neighbours usually have the same label: skip repetitions.
+      // Skip repetitions, because neighbours usually have the same label.
       if (isFirst || value != last)
       {
         isFirst = false;
@@ -304,8 +304,8 @@ std::vector<int> CollectPresentLabels(vtkDataArray* labels, const SweepProgress&
     return VisitPieces(labels, before, progress,
       [&](vtkIdType begin, vtkIdType end) { VisitLabels(labels, begin, end, visit); });
   };
-  // Do not use VTK's range, because VTK caches it until the array is modified, and the values may
-  // change without that.
+  // Compute the range here: VTK would cache it until the array is modified, but values may change
+  // without that.
   int from = std::numeric_limits<int>::max();
   int to = std::numeric_limits<int>::min();
   const auto widen = [&](int label)

@@ -4,8 +4,8 @@
  * @file
  * Counts the values of a volume and finds the labels in it, for an editor.
  *
- * Visiting all values of a large volume takes seconds, so a worker does it in the background. Until
- * it is done, the counts of spread samples are shown.
+ * Visiting all values of a large volume takes seconds, so a worker thread does it. Until it is
+ * done, counts of a subset of the samples are shown.
  */
 #ifndef HapticHistogram_h
 #define HapticHistogram_h
@@ -24,12 +24,12 @@ namespace VolumeHaptics
 {
 
 /**
- * A function that is called every few milliseconds with the finished fraction of the work. It
- * returns false to end the work.
+ * Callback with the finished fraction of the work, every few milliseconds. It returns false to stop
+ * the work.
  */
 using SweepProgress = std::function<bool(double)>;
 
-/** Returns whether all tuples can be visited within 25 ms, on a desktop computer of 2023. */
+/** Returns whether all tuples can be visited within 25 ms on a desktop computer of 2023. */
 inline bool IsQuicklySwept(vtkDataArray* array)
 {
   constexpr vtkIdType most = 1 << 22;
@@ -37,8 +37,8 @@ inline bool IsQuicklySwept(vtkDataArray* array)
 }
 
 /**
- * Visits the values of at most 2048 tuples, in 128 pages of memory. Few pages are read, because
- * reading them takes most of the time if a file is mapped into memory.
+ * Visits at most 2048 tuples, in 128 pages of memory. The number of pages is small, because reading
+ * them takes most of the time if a file is mapped into memory.
  */
 template <typename Function>
 void VisitSpreadValues(vtkDataArray* array, int component, Function&& visit)
@@ -59,9 +59,8 @@ void VisitSpreadValues(vtkDataArray* array, int component, Function&& visit)
     std::max<vtkIdType>(1, array->GetDataTypeSize() * array->GetNumberOfComponents());
   const vtkIdType step =
     std::clamp<vtkIdType>(pageSize / (looksInPage * size), 1, all / looksInPage);
-  // Visit one page in each stretch of the array, and one tuple in each part of the page. The
-  // positions move by the golden section, because equal steps could hit the same column of every
-  // row.
+  // Visit one page in each part of the array, and one tuple in each part of the page. The positions
+  // advance by the golden ratio, because equal steps could hit the same column of every row.
   double place = 0.0;
   const auto next = [&place](double stretch)
   {
@@ -86,13 +85,13 @@ void VisitSpreadValues(vtkDataArray* array, int component, Function&& visit)
 
 /**
  * Calls visit(begin, end) for pieces of an array until all tuples are visited; `end` is excluded.
- * This is half of the whole work: the fraction that `progress` gets grows from `from` by 0.5.
- * Returns false if `progress` ended the work.
+ * This is half of the whole work: the fraction passed to `progress` increases from `from` by 0.5.
+ * Returns false if `progress` stopped the work.
  */
 template <typename Function>
 bool VisitPieces(vtkDataArray* array, double from, const SweepProgress& progress, Function&& visit)
 {
-  constexpr vtkIdType piece = 1 << 20; // number of tuples that take 6 ms
+  constexpr vtkIdType piece = 1 << 20; // tuples; they take 6 ms
   const vtkIdType all = array->GetNumberOfTuples();
   for (vtkIdType begin = 0; begin < all; begin += piece)
   {
@@ -105,41 +104,38 @@ bool VisitPieces(vtkDataArray* array, double from, const SweepProgress& progress
   return true;
 }
 
-/** The largest magnitude that a chart shows, since charts are drawn in single precision. */
+/** Largest magnitude in a chart, since charts are drawn in single precision. */
 constexpr double FarthestShown = 1e30;
 
-/** The histogram of a component, in at most 128 bins. */
+/** Histogram of a component, with at most 128 bins. */
 struct ValueCounts
 {
-  double Range[2] = { 0.0, 1.0 }; ///< the finite values, limited to FarthestShown
-  double Origin = 0.0;            ///< the middle of the first bin
+  double Range[2] = { 0.0, 1.0 }; ///< range of the finite values, limited to FarthestShown
+  double Origin = 0.0;            ///< centre of the first bin
   double Width = 1.0;
-  std::vector<vtkIdType> Counts; ///< empty if there are no finite values
+  std::vector<vtkIdType> Counts; ///< count per bin; empty if there are no finite values
 };
 
-/** Counts some thousand values, spread over the array. */
+/** Counts a few thousand values, spread over the array. */
 ValueCounts CountSpreadValues(vtkDataArray* scalars, int component);
 
-/**
- * Counts all values; returns nothing if the count was ended. Any thread may call it, not only the
- * array owner's.
- */
+/** Counts all values; returns nothing if the count was stopped. Any thread may call it. */
 std::optional<ValueCounts> CountAllValues(
   vtkDataArray* scalars, int component, const SweepProgress& progress);
 
 /**
- * Fills two columns: "value" is the middle of the bin, "share" is log(1 + count) relative to that
- * of the largest bin.
+ * Fills two columns: "value" is the centre of a bin, "share" is log(1 + count), divided by that of
+ * the largest bin.
  */
 void FillHistogram(const ValueCounts& counts, vtkTable* table);
 
-/** Collects the labels of some thousand values, spread over the array, in ascending order. */
+/** Collects the labels among a few thousand values, spread over the array, in ascending order. */
 std::vector<int> CollectSpreadLabels(vtkDataArray* labels);
 
 /**
- * Collects the labels in an array, in ascending order. Skips fractions and numbers beyond int,
- * which no vtkHapticLabelTable can have. Returns nothing if the search was ended. Any thread may
- * call it, not only the array owner's.
+ * Collects all labels in an array, in ascending order. Skips fractions and numbers outside int,
+ * which a vtkHapticLabelTable can't contain. Returns nothing if the search was stopped. Any thread
+ * may call it.
  */
 std::vector<int> CollectPresentLabels(vtkDataArray* labels, const SweepProgress& progress);
 

@@ -25,7 +25,7 @@
 #include "vtkTextActor.h"
 #include "vtkTextMapper.h"
 #include "vtkTextProperty.h"
-// only inline functions of the header are used, since VTK's module of widgets is not linked
+// Use only inline functions of the header, since VTK's widgets module is not linked.
 #if __has_include("vtkTexturedButtonRepresentation2D.h")
 #include "vtkBalloonRepresentation.h"
 #include "vtkTexturedActor2D.h"
@@ -44,19 +44,23 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int ScaleWidth = 100;     // pixels at the lower right: "1 N = 10 mm"
+constexpr int ScaleWidth = 100;     // pixels of the scale "1 N = 10 mm" at the lower right
 constexpr double ActorMargin = 3.0; // pixels around a 2D actor
-constexpr double LabelSpill = 15.0; // pixels by which labels may exceed the box of a scalar bar
+constexpr double LabelSpill = 15.0; // pixels by which labels may extend beyond the box of a scalar
+                                    // bar
 ///@{
 /**
- * Distances by which the labels and the title of an axis may exceed its box: pixels, and a fraction
- * of the viewport.
+ * Distances by which the labels and the title of an axis may extend beyond its box: in pixels, and
+ * as a fraction of the viewport.
  */
 constexpr double AxisSpill = 10.0;
 constexpr double AxisSpillFraction = 0.05;
 ///@}
 
-/** Accesses the texts of a vtkCornerAnnotation, which are protected in VTK, to find their boxes. */
+/**
+ * Gives access to the texts of a vtkCornerAnnotation, which are protected in VTK, to compute their
+ * boxes.
+ */
 struct CornerTexts : vtkCornerAnnotation
 {
   static vtkActor2D* Get(vtkCornerAnnotation* annotation, int corner)
@@ -67,7 +71,8 @@ struct CornerTexts : vtkCornerAnnotation
 
 #ifdef VOLUMEHAPTICS_HAS_BUTTONS
 /**
- * Accesses the picture of a button, such as PyVista's, which is private in VTK, to find its box.
+ * Gives access to the picture of a button, such as PyVista's, which is private in VTK, to compute
+ * its box.
  */
 struct ButtonPicture : vtkBalloonRepresentation
 {
@@ -94,12 +99,12 @@ bool ShowsSomething(vtkRenderer* renderer)
 }
 
 /**
- * Computes the box of an actor. Returns false if VTK does not report the actor's position, or if
- * the actor draws nothing.
+ * Computes the bounding box of an actor. Returns false if VTK does not report its position or if it
+ * draws nothing.
  */
 bool ComputeBox(vtkActor2D* actor, vtkRenderer* renderer, ViewportBox& box)
 {
-  // Copy the position, because VTK returns the same array from each call.
+  // Copy the position, because VTK returns the same array for every coordinate.
   const int* const at = actor->GetActualPositionCoordinate()->GetComputedViewportValue(renderer);
   const double position[2] = { static_cast<double>(at[0]), static_cast<double>(at[1]) };
   if (auto* const text = vtkTextActor::SafeDownCast(actor))
@@ -123,7 +128,7 @@ bool ComputeBox(vtkActor2D* actor, vtkRenderer* renderer, ViewportBox& box)
       return false;
     }
     double bounds[6];
-    // use only points of cells: VTK's borders also have unused points, without a position
+    // Use only points of cells: VTK's borders also have unused points, with undefined positions.
     polygons->GetCellsBounds(bounds);
     box = { bounds[0], bounds[1], bounds[2], bounds[3] };
     if (vtkCoordinate* const system = shape->GetTransformCoordinate())
@@ -176,7 +181,7 @@ bool ComputeBox(vtkActor2D* actor, vtkRenderer* renderer, ViewportBox& box)
   return box[1] > box[0] && box[3] > box[2];
 }
 
-/** Collects the 2D actors of a prop and of its parts. */
+/** Collects the 2D actors in a prop and its parts. */
 void FindActors(vtkProp* prop, vtkPropCollection* actors)
 {
   prop->GetActors2D(actors);
@@ -210,7 +215,7 @@ void FindActors(vtkProp* prop, vtkPropCollection* actors)
   }
 }
 
-/** Collects the boxes of the charts in a prop, which is a vtkContextActor if PyVista added it. */
+/** Collects the boxes of the charts in a prop. PyVista adds charts as a vtkContextActor. */
 void FindCharts(vtkProp* prop, std::vector<ViewportBox>& boxes)
 {
   auto* const context = vtkContextActor::SafeDownCast(prop);
@@ -220,8 +225,8 @@ void FindCharts(vtkProp* prop, std::vector<ViewportBox>& boxes)
     auto* const chart = vtkChart::SafeDownCast(scene->GetItem(i));
     if (chart && chart->GetVisible())
     {
-      // VTK adds the room for the labels at the left and below to the size, so the chart may end
-      // farther to the right and farther up.
+      // VTK adds the space for the labels at the left and below to the size, so the chart may
+      // extend farther right and up.
       const vtkRectf size = chart->GetSize();
       const double right = chart->GetPoint1()[0] + chart->GetGeometry()[0];
       const double top = chart->GetPoint1()[1] + chart->GetGeometry()[1];
@@ -231,7 +236,7 @@ void FindCharts(vtkProp* prop, std::vector<ViewportBox>& boxes)
   }
 }
 
-/** Moves a box past one overlay after the other; see MoveOff. */
+/** Moves a box past one overlay after another: see MoveOff. */
 ViewportBox Avoid(const std::vector<ViewportBox>& overlays, double width, const ViewportBox& wanted,
   int across, int up, double margin)
 {
@@ -314,7 +319,7 @@ std::vector<ViewportBox> CollectOverlays(vtkViewport* viewport)
     const double left = other->GetOrigin()[0] - origin[0];
     const double bottom = other->GetOrigin()[1] - origin[1];
     const bool isSmaller = 2 * theirs[0] <= size[0] || 2 * theirs[1] <= size[1];
-    // Renderers of layer 0 cover nothing: they are scenes, or lie beside scenes.
+    // Ignore renderers of layer 0: they are scenes side by side, and cover nothing.
     if (other != own && other->GetLayer() > 0 && other->GetDraw() && isSmaller &&
       ShowsSomething(other))
     {
@@ -346,7 +351,7 @@ ViewportBox MoveOff(
   const auto way = [&wanted](const ViewportBox& box)
   { return std::abs(box[0] - wanted[0]) + std::abs(box[2] - wanted[2]); };
   const ViewportBox& nearest = way(above) < way(beside) ? above : beside;
-  // A box over an overlay is better than no box.
+  // Prefer a box over an overlay to no box.
   return nearest[2] < 0.0 || nearest[3] > view[1] ? wanted : nearest;
 }
 
@@ -381,8 +386,7 @@ bool IsOverWidget(vtkRenderer* renderer, int x, int y)
   renderer->GetViewProps()->InitTraversal(at);
   while (vtkProp* const prop = renderer->GetViewProps()->GetNextProp(at))
   {
-    // Compare by name, because the class is in a module of VTK that this library does not need
-    // otherwise.
+    // Compare by name, because the class is in a module of VTK that this library does not link.
     if (prop->IsA("vtkWidgetRepresentation") && prop->GetVisibility())
     {
       prop->GetActors(actors);
@@ -393,7 +397,7 @@ bool IsOverWidget(vtkRenderer* renderer, int x, int y)
     return false;
   }
   vtkNew<vtkCellPicker> picker;
-  picker->SetTolerance(0.005); // the tolerance of VTK's widgets
+  picker->SetTolerance(0.005); // as in VTK's widgets
   picker->PickFromListOn();
   actors->InitTraversal(at);
   while (vtkProp* const actor = actors->GetNextProp(at))

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Converts lengths in points to pixels of the screen, and chooses the size of letters.
+ * Converts points to screen pixels, and chooses font sizes.
  */
 #ifndef HapticPixels_h
 #define HapticPixels_h
@@ -16,11 +16,14 @@
 namespace VolumeHaptics
 {
 
-/** VTK's default dots per inch of a vtkWindow: an inch has 72 points, so a point is a pixel. */
+/**
+ * VTK's default for the dots per inch of a window. An inch has 72 points, so a point is then a
+ * pixel.
+ */
 constexpr int OwnDotsPerInch = 72;
 
 /**
- * Returns the pixels per point of letters. Layouts multiply their lengths by it: it is 1 at
+ * Returns the number of pixels per point of a font, the factor for all lengths of a layout: 1 at
  * OwnDotsPerInch.
  */
 inline double PixelsPerPoint(vtkViewport* viewport)
@@ -35,9 +38,9 @@ inline int ScalePixels(double scale, int pixels)
 }
 
 /**
- * Returns the size of letters (points) in a layout that grows with its room: one point for each
- * `fraction` pixels. If a point takes more than one pixel, the size may be less than `least`, down
- * to 6, but only in a room of less than nine such letters.
+ * Returns the font size (points) in a layout that grows with its space: one point per `fraction`
+ * pixels, from `least` to `most`. On a screen with more than one pixel per point, the size may be
+ * less than `least`, down to 6, if the space is less than nine such letters.
  */
 inline int FitLetters(int pixels, int fraction, double scale, int least, int most)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Text over a scene that can be read on dark and on light backgrounds.
+ * Makes text over a scene legible on dark and on light backgrounds.
  */
 #ifndef HapticTextLook_h
 #define HapticTextLook_h
@@ -28,7 +28,7 @@ inline bool IsOnLight(vtkViewport* viewport)
   vtkRenderWindow* const window = renderer ? renderer->GetRenderWindow() : nullptr;
   if (window && renderer->GetLayer() > 0)
   {
-    // If several renderers of layer 0 stand side by side, use the one behind the middle of this
+    // If several renderers of layer 0 are side by side, use the one behind the centre of this
     // viewport.
     double mine[4]; // left, bottom, right, top
     renderer->GetViewport(mine);
@@ -52,8 +52,8 @@ inline bool IsOnLight(vtkViewport* viewport)
 }
 
 /**
- * Sets a colour that fits the background. On a dark background, the text has a shadow; on a light
- * one it has no shadow and a darker colour, and greys are inverted.
+ * Sets a text colour that fits the background. On a dark background, the text has a shadow. On a
+ * light one, it has no shadow and a darker colour, with greys inverted.
  */
 inline void SetLook(
   vtkTextProperty* text, double red, double green, double blue, vtkViewport* viewport)

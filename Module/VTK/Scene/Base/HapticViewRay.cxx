@@ -28,23 +28,23 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Properties of a surface besides its position. */
+/** Properties of a surface at a contact. */
 struct Felt
 {
-  Vector3 Normal;                ///< outwards, unit; zero if not known
-  double Force = VTK_DOUBLE_MAX; ///< N; the largest number while the mesh is not made yet
+  Vector3 Normal;                ///< unit vector, outwards; zero if unknown
+  double Force = VTK_DOUBLE_MAX; ///< N; the largest number while the mesh is still being made
 };
 
 /**
- * Returns whether something is felt at a position (world) when the tip comes from the previous
- * position. Writes the properties of a felt surface to `felt`.
+ * Function that returns whether something is felt at a position (world) when the tip comes from the
+ * previous position. Sets `felt` to the properties of a felt surface.
  */
 using Probe = std::function<bool(const Vector3& position, Felt& felt)>;
 
-/** Makes a probe that runs the servo's own tick; returns null if the filter can't be touched. */
+/** Makes a probe that runs the servo's own tick. Returns null if the filter can't be touched. */
 Probe MakeFeelingProbe(vtkVolumeHapticsFilter* filter)
 {
-  // The filter's own scale is enough, because the device's placement does not matter here.
+  // Bake without a device's placement, which does not matter here.
   std::shared_ptr<const HapticModel> model =
     filter->GetBaker().Bake(filter->GetServoRate(), ForceCaps{}, nullptr);
   if (!model)
@@ -56,7 +56,7 @@ Probe MakeFeelingProbe(vtkVolumeHapticsFilter* filter)
   {
     if (ComputeResidency(*model, state, model->WorldToDevice(tip)) == 0.0)
     {
-      // A position without data is not felt.
+      // Skip positions without data, where nothing is felt.
       state.Enabled = false;
       return false;
     }
@@ -66,7 +66,10 @@ Probe MakeFeelingProbe(vtkVolumeHapticsFilter* filter)
   };
 }
 
-/** Makes a probe that reports a contact where the nearest sample passes the isosurface's value. */
+/**
+ * Makes a probe that reports a contact where the nearest sample crosses the value of the
+ * isosurface.
+ */
 Probe MakeValueProbe(vtkVolumeHapticsFilter* filter, vtkImageData* image)
 {
   const vtkSmartPointer<vtkDataArray> scalars = filter->GetBaker().GetTouched()[0].Array;
@@ -75,7 +78,8 @@ Probe MakeValueProbe(vtkVolumeHapticsFilter* filter, vtkImageData* image)
   return [=, isFirst = true, wasInside = false](const Vector3& tip, Felt&) mutable
   {
     double at[3] = { tip.X, tip.Y, tip.Z };
-    const vtkIdType point = image->FindPoint(at); // three numbers do not compile with ParaView 5.13
+    const vtkIdType point = image->FindPoint(at); // an array, because ParaView 5.13 does not
+                                                  // compile the overload with three numbers
     if (point < 0)
     {
       return false;
@@ -88,13 +92,13 @@ Probe MakeValueProbe(vtkVolumeHapticsFilter* filter, vtkImageData* image)
   };
 }
 
-/** The path through an image along a line of sight. */
+/** A straight path through an image along a line of sight. */
 struct Line
 {
   Vector3 Start;
   Vector3 Sight;
-  double Length = 0.0; ///< world units
-  double Step = 0.0;   ///< world units: length of a step of the walk
+  double Length = 0.0; ///< length of the path (world units)
+  double Step = 0.0;   ///< step length (world units)
 };
 
 Line MakeLine(vtkRenderer* renderer, const Vector3& through, vtkImageData* image)
@@ -121,7 +125,7 @@ Line MakeLine(vtkRenderer* renderer, const Vector3& through, vtkImageData* image
   return line;
 }
 
-/** Returns the probe for this filter; null if nothing can be felt. */
+/** Returns a probe for this filter; null if nothing can be felt. */
 Probe MakeProbe(vtkVolumeHapticsFilter* filter)
 {
   const char* const awaited = filter->GetBaker().GetPreparation().Prepare();
@@ -135,12 +139,12 @@ Probe MakeProbe(vtkVolumeHapticsFilter* filter)
 }
 
 /**
- * Finds the first contact of a tip that walks along a line, and the force of a press beyond the
- * contact. Returns false if there is no contact.
+ * Finds the first contact of a tip that moves along a line, and the force of a press beyond it.
+ * Returns false if there is no contact.
  */
 bool Walk(const Line& line, Probe probe, Vector3& contact, Vector3& normal, Press* press)
 {
-  // Walk in coarse steps, then in fine ones from shortly before the contact.
+  // Move in coarse steps, then in fine ones from shortly before the contact.
   constexpr int fineness = 16;
   constexpr int before = 2; // number of coarse steps from the contact back to the first fine step
   Probe again = probe;
@@ -236,7 +240,7 @@ bool FindContactAhead(vtkRenderer* renderer, const Vector3& from, vtkVolumeHapti
     return false;
   }
   Line line = MakeLine(renderer, from, filter->GetTouchedImage());
-  // If the tip is in front of the image, begin where the line enters the image.
+  // If `from` is in front of the image, start where the line enters the image.
   const double gone = std::max(0.0, Dot(from - line.Start, line.Sight));
   line.Start = line.Start + gone * line.Sight;
   line.Length -= gone;

@@ -13,7 +13,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A group of actions in the list of keys and in menus. */
+/** Groups of actions in the list of keys and in menus. */
 enum class KeyGroup
 {
   Touch,
@@ -25,17 +25,20 @@ enum class KeyGroup
   Device
 };
 
-/** The titles of the groups, in the order of KeyGroup. */
+/** Titles of the groups, in the order of KeyGroup. */
 constexpr const char* GroupTitles[] = { "Touch", "Display", "Slices", "Measure where you touch",
   "Materials", "Time", "Device" };
 
-/** An action: the list of keys, menus, and buttons of programs are made from this table. */
+/**
+ * An action of vtkInteractorStyleHaptic. The list of keys, menus, and programs' buttons are made
+ * from a table of these.
+ */
 struct Action
 {
   const char* Name;
-  const char* Keys; ///< the first key stands for the action
+  const char* Keys; ///< default keys; the first one identifies the action
   KeyGroup Group;
-  bool KeyedParts::*Part; ///< the part without which it does nothing; null: none
+  bool KeyedParts::*Part; ///< part of the scene that it needs; null: none
   const char* Text;
 };
 
@@ -87,7 +90,7 @@ constexpr Action Actions[] = {
   { "Home", "Home", KeyGroup::Device, &KeyedParts::HasDevice, "find the zero of the encoders" },
 };
 
-/** The beginning of the name of a key that is pressed with Ctrl. */
+/** Prefix of the name of a key that is pressed with Ctrl. */
 constexpr const char* ControlPrefix = "Ctrl+";
 
 bool HasControl(const std::string& key)
@@ -118,7 +121,7 @@ bool HasPart(const KeyedParts& parts, const Action& action)
   return !action.Part || parts.*action.Part;
 }
 
-/** Splits keys, and writes a letter after Ctrl as KeyMap::FindName() does. */
+/** Splits a list of keys, and normalises letters after Ctrl as KeyMap::FindName() does. */
 std::vector<std::string> Split(const std::string& keys)
 {
   std::istringstream words(keys);
@@ -136,7 +139,7 @@ bool HasKey(const std::string& keys, const std::string& key)
   return std::find(all.begin(), all.end(), key) != all.end();
 }
 
-/** Returns the text that is printed on a key. */
+/** Returns the text printed on a key. */
 std::string Label(const std::string& key)
 {
   if (HasControl(key))
@@ -153,7 +156,7 @@ std::string Label(const std::string& key)
   return label == labels.end() ? key : label->second;
 }
 
-/** X11's names (keysymdef.h) of ASCII codes that are no letters or digits. */
+/** X11's names (keysymdef.h) of ASCII codes other than letters and digits. */
 const std::map<char, const char*>& CodeNames()
 {
   static const std::map<char, const char*> names{ { '\b', "BackSpace" }, { '\t', "Tab" },
@@ -170,7 +173,7 @@ bool HasCode(const std::string& key)
     std::any_of(names.begin(), names.end(), [&](const auto& one) { return key == one.second; });
 }
 
-/** Returns the name of a key, whatever Ctrl says. See KeyMap::FindName. */
+/** Returns the name of a key without "Ctrl+". See KeyMap::FindName. */
 std::string FindPlainName(const char* symbol, char code, bool hasShift, bool hasControl)
 {
   if (symbol && *symbol)
@@ -186,7 +189,7 @@ std::string FindPlainName(const char* symbol, char code, bool hasShift, bool has
   {
     return name->second;
   }
-  constexpr char lastControl = 26; // the code of Ctrl+Z
+  constexpr char lastControl = 26; // Ctrl+Z
   if (hasControl && code > '\0' && code <= lastControl)
   {
     return std::string(1, static_cast<char>(code - 1 + 'a'));
@@ -202,9 +205,9 @@ public:
     : Keys(keys)
   {
   }
-  /** Sets a title, which is written only if a line follows. */
+  /** Sets a title, which is written only if a line follows it. */
   void Begin(KeyGroup group) { this->Title = GroupTitles[static_cast<std::size_t>(group)]; }
-  /** Adds the actions of a group for which the scene has the part. */
+  /** Adds the actions of a group that the scene has the parts for. */
   void AddActions(const KeyedParts& parts, KeyGroup group)
   {
     for (const Action& action : Actions)
@@ -218,7 +221,7 @@ public:
       }
     }
   }
-  /** Adds lines: a key or a motion, a tab, and its meaning. */
+  /** Adds lines that consist of a key or a mouse motion, a tab, and its meaning. */
   void Add(const std::string& lines)
   {
     this->Text += (this->Title.empty() ? "" : this->Title + "\n") + lines;
@@ -305,8 +308,9 @@ std::string KeyMap::Find(const std::string& pressed) const
   {
     return found;
   }
-  // A capital without an action is its letter, with Caps Lock for example. Ctrl moves the mouse in
-  // depth, so a key with a name, such as Escape, keeps its action.
+  // A capital without an action stands for its letter, for example with Caps Lock. A named key,
+  // such as Escape, keeps its action with Ctrl, because Ctrl is also held to move the mouse in
+  // depth.
   const std::string rest = RemoveControl(pressed);
   const bool isNamed = HasControl(pressed) && rest.size() > 1;
   return this->FindExactly(isNamed ? rest : ToLower(pressed));
@@ -366,7 +370,8 @@ std::string KeyMap::Describe(const std::vector<std::string>& defaultKeys) const
       }
       for (const std::string& key : Split(this->Get(action.Name)))
       {
-        // Skip keys of the keypad, which repeat other keys, unless the application has set them.
+        // Skip keys of the keypad, which only duplicate other keys, unless the application has set
+        // them.
         const bool isWanted = key.rfind("KP_", 0) != 0 || this->Changed.count(action.Name) > 0;
         if (isWanted && (this->HasNames || HasCode(key)))
         {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Presses of a held key.
+ * Detects the repeated presses of a held key.
  */
 #ifndef KeyRepeat_h
 #define KeyRepeat_h
@@ -14,10 +14,10 @@ namespace VolumeHaptics
 {
 
 /**
- * Distinguishes the presses that a window system repeats for a held key from real presses.
+ * Distinguishes presses that a window system generates for a held key from real presses.
  *
  * An X server sends the release and the next press of a held key at the same time, and VTK passes
- * both. No hand presses a key again so soon.
+ * on both. A hand can't press a key again so fast.
  */
 class KeyRepeat
 {
@@ -32,7 +32,10 @@ public:
     constexpr std::chrono::milliseconds soon(15);
     return key == this->Released && Clock::now() - this->ReleaseTime < soon;
   }
-  /** Returns whether an action repeats while its key is held. `key` is the action's default key. */
+  /**
+   * Returns whether an action repeats while its key is held. `key` is the default key of the
+   * action.
+   */
   static bool MayRepeat(const std::string& key)
   {
     return key == "plus" || key == "minus" || key == "comma" || key == "period" || key == "Left" ||

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Computes a renderer's aspect ratio also where VTK 9.1 leaves it uninitialised.
+ * Computes a renderer's aspect ratio, even where VTK 9.1 leaves it uninitialised.
  */
 #ifndef RendererAspect_h
 #define RendererAspect_h
@@ -17,10 +17,10 @@ namespace VolumeHaptics
  * vtkRenderWindow::AddRenderer().
  *
  * vtkViewport::ComputeAspect() keeps the ratio (at first 1) if the size, the viewport and the pixel
- * aspect equal those of its last call. VTK 9.1 leaves these uninitialised: a renderer in the memory
- * of a deleted renderer has the deleted one's values, and users of the ratio, such as
- * vtkFixedPointVolumeRayCastMapper, draw as if the window were a square. Setting two different
- * pixel aspects makes at least one differ from the value in memory.
+ * aspect are unchanged since its last call. VTK 9.1 leaves these members uninitialised. A renderer
+ * in the memory of a deleted one therefore inherits its values, and code that reads the ratio, such
+ * as vtkFixedPointVolumeRayCastMapper, draws as if the window were a square. This function sets two
+ * different pixel aspects in turn, so that at least one differs from the value in memory.
  */
 inline void ComputeAspect(vtkRenderer* renderer)
 {

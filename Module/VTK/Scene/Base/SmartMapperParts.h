@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The mappers within a vtkSmartVolumeMapper.
+ * Gives access to the mappers inside a vtkSmartVolumeMapper.
  */
 #ifndef SmartMapperParts_h
 #define SmartMapperParts_h
@@ -15,7 +15,7 @@ class vtkGPUVolumeRayCastMapper;
 namespace VolumeHaptics
 {
 
-/** Gives access to protected members of vtkSmartVolumeMapper. */
+/** Subclass that only gives access to protected members of vtkSmartVolumeMapper. */
 struct SmartMapperParts : vtkSmartVolumeMapper
 {
   static vtkFixedPointVolumeRayCastMapper* GetCPUMapper(vtkSmartVolumeMapper* mapper)

@@ -18,13 +18,13 @@ namespace
 {
 
 /**
- * The largest fraction of the remaining window that a dock takes, so that the scene stays visible.
+ * Largest fraction of the remaining window that a dock may occupy, so that the scene stays visible.
  */
 constexpr double MostOfRest = 0.9;
 
 } // namespace
 
-/** The viewports of a window with docks. */
+/** Arranges the viewports of a window with docks. */
 class DockLayout
 {
 public:
@@ -37,10 +37,10 @@ public:
   }
 
   vtkRenderWindow* GetWindow() const { return this->Window; }
-  /** Places the strip of a dock. Docks are distinguished by their addresses. */
+  /** Places the strip of a dock, which is identified by its address. */
   void Place(
     const WindowDock* dock, DockEdge edge, double fraction, const std::vector<vtkRenderer*>& strip);
-  /** Places the bar of a dock before all strips. */
+  /** Places the bar of a dock along the top, above all strips. */
   void PlaceBar(const WindowDock* dock, double fraction, vtkRenderer* over);
   void Remove(const WindowDock* dock);
 
@@ -53,7 +53,7 @@ private:
     DockEdge Edge;
     double Fraction;
     std::vector<vtkWeakPointer<vtkRenderer>> Renderers;
-    bool IsBar = false; ///< whether its renderer has the whole window
+    bool IsBar = false; ///< whether it is a bar, whose renderer covers the whole window
   };
   struct Narrowed
   {
@@ -63,21 +63,21 @@ private:
   };
 
   static Viewport ViewportOf(vtkRenderer* renderer);
-  /** Takes a strip off the rest of the window, `left`, and returns the strip's viewport. */
+  /** Cuts a strip off the remaining window `left`, and returns the strip's viewport. */
   static Viewport CutOff(const Strip& strip, Viewport& left);
   bool IsInStrip(vtkRenderer* renderer) const;
   void Arrange();
   void Narrow(vtkRenderer* renderer, const Viewport& left);
 
   vtkWeakPointer<vtkRenderWindow> Window;
-  std::vector<Strip> Strips; ///< in order of placement
+  std::vector<Strip> Strips; ///< strips in the order of their placement
   std::vector<Narrowed> Others;
 };
 
 //------------------------------------------------------------------------------
 std::shared_ptr<DockLayout> DockLayout::Of(vtkRenderWindow* window)
 {
-  // One list is enough, because windows belong to one thread.
+  // A static list without a lock is safe, because all windows belong to one thread.
   static std::vector<std::weak_ptr<DockLayout>> all;
   std::shared_ptr<DockLayout> found;
   for (auto it = all.begin(); it != all.end();)
@@ -149,7 +149,8 @@ DockLayout::Viewport DockLayout::ViewportOf(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 DockLayout::Viewport DockLayout::CutOff(const Strip& strip, Viewport& left)
 {
-  const int low = IsColumn(strip.Edge) ? 0 : 1; // left or bottom; the other end is 2 entries later
+  const int low = IsColumn(strip.Edge) ? 0 : 1; // index of the left or bottom coordinate; the
+                                                // opposite one is 2 entries later
   const int high = low + 2;
   const double size = std::min(strip.Fraction, MostOfRest * (left[high] - left[low]));
   Viewport taken = left;
@@ -195,7 +196,7 @@ void DockLayout::Arrange()
       Viewport wanted = strip.IsBar ? Viewport{ { 0.0, 0.0, 1.0, 1.0 } } : taken;
       if (strip.IsBar)
       {
-        // A bar takes no room, because its renderer draws over the others.
+        // A bar takes no space from the others, because its renderer draws over them.
       }
       else if (IsColumn(strip.Edge))
       {

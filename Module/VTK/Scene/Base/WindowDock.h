@@ -20,7 +20,7 @@ namespace VolumeHaptics
 
 class DockLayout;
 
-/** Same values as vtkHapticFunctionEditor::DockEdgeType. */
+/** Edges of a window, with the values of vtkHapticFunctionEditor::DockEdgeType. */
 enum class DockEdge
 {
   Left,
@@ -29,21 +29,21 @@ enum class DockEdge
   Top
 };
 
-/** Returns whether a strip at an edge is as high as the window. */
+/** Returns whether the strip at an edge is vertical, over the full height of the window. */
 constexpr bool IsColumn(DockEdge edge)
 {
   return edge == DockEdge::Left || edge == DockEdge::Right;
 }
-/** Returns whether an edge is the left or the bottom one, which have the lower coordinate. */
+/** Returns whether an edge is the left or the bottom one, with the lower coordinate. */
 constexpr bool IsLow(DockEdge edge)
 {
   return edge == DockEdge::Left || edge == DockEdge::Bottom;
 }
 
 /**
- * Places a strip along an edge of a window. The first strip gets the whole edge, each later strip
- * gets an edge of the remaining window, and all other renderers of the window share the part that
- * then remains.
+ * Places a strip along an edge of a window. The first strip gets the whole edge, and each later
+ * strip an edge of the remaining window. All other renderers of the window share what finally
+ * remains.
  */
 class VTKVOLUMEHAPTICS_EXPORT WindowDock
 {
@@ -54,16 +54,16 @@ public:
   WindowDock& operator=(const WindowDock&) = delete;
 
   /**
-   * Puts renderers into the strip: at the left and right edges one below the other, the first at
-   * the top; at the other edges side by side. `fraction` is the strip's fraction of the window's
-   * width or height. Call it before each frame, since other renderers may come and go.
+   * Puts renderers into the strip: one below the other, from the top, at the left and right edges;
+   * side by side at the other edges. `fraction` is the strip's fraction of the window's width or
+   * height. Call this before each frame, since other renderers may come and go.
    */
   void Place(vtkRenderWindow* window, DockEdge edge, double fraction,
     const std::vector<vtkRenderer*>& strip);
 
   /**
    * Puts a bar along the top of the window, above all strips. `over`, which draws the bar and its
-   * menus, gets the whole window. Call it before each frame.
+   * menus, gets the whole window. Call this before each frame.
    */
   void PlaceBar(vtkRenderWindow* window, double fraction, vtkRenderer* over);
 
@@ -73,7 +73,7 @@ public:
 private:
   void Enter(vtkRenderWindow* window);
 
-  std::shared_ptr<DockLayout> Layout; ///< shared by the window's docks
+  std::shared_ptr<DockLayout> Layout; ///< shared by all docks of the window
 };
 
 } // namespace VolumeHaptics

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The volumes that a window shows, and where.
+ * Finds the volumes that a window shows, and their renderers and transforms.
  */
 #ifndef WindowVolumes_h
 #define WindowVolumes_h
@@ -27,7 +27,7 @@
 namespace VolumeHaptics
 {
 
-/** Visits each visible volume with a mapper, and the renderer that draws it. */
+/** Calls `visit` for each visible volume with a mapper and the renderer that draws it. */
 template <typename Visit>
 void ForEachVolume(vtkRenderWindow* window, Visit&& visit)
 {
@@ -48,16 +48,17 @@ void ForEachVolume(vtkRenderWindow* window, Visit&& visit)
   }
 }
 
-/** A volume that a renderer draws: alone, or as a part of an assembly or of a vtkMultiVolume. */
+/** A volume drawn by a renderer: alone, or as a part of an assembly or of a vtkMultiVolume. */
 struct DrawnVolume
 {
   vtkVolume* Volume = nullptr;
   vtkAbstractVolumeMapper* Mapper = nullptr;
-  int Port = 0;                         ///< the mapper's input that shows the volume
-  vtkSmartPointer<vtkMatrix4x4> Matrix; ///< maps the data to the world
-  vtkVolume* Whole = nullptr;           ///< the prop: the volume, or the vtkMultiVolume around it
+  int Port = 0;                         ///< input port of the mapper
+  vtkSmartPointer<vtkMatrix4x4> Matrix; ///< transform from the data to the world
+  vtkVolume* Whole = nullptr;           ///< the prop in the renderer: the volume itself, or the
+                                        ///< vtkMultiVolume that contains it
 
-  /** Returns the mapper's input; null without a mapper or an input. */
+  /** Returns the input data of the mapper; null without a mapper or an input. */
   vtkDataObject* GetData() const
   {
     return this->Mapper && this->Mapper->GetNumberOfInputConnections(this->Port) > 0
@@ -96,7 +97,7 @@ inline void AppendDrawn(vtkVolume* volume, vtkMatrix4x4* matrix, std::vector<Dra
   }
   for (int port = 0; mapper && port < mapper->GetNumberOfInputPorts(); ++port)
   {
-    // An empty port is skipped, because GetVolume() reports an error for it.
+    // Skip an unused port, because GetVolume() would report an error for it.
     const bool isUsed = mapper->GetNumberOfInputConnections(port) > 0;
     if (vtkVolume* const part = isUsed ? multi->GetVolume(port) : nullptr)
     {
@@ -110,7 +111,7 @@ inline void AppendDrawn(vtkVolume* volume, vtkMatrix4x4* matrix, std::vector<Dra
 
 } // namespace Detail
 
-/** Collects the visible volumes of a renderer. A hidden assembly hides its parts. */
+/** Collects the visible volumes of a renderer. The parts of a hidden assembly count as hidden. */
 inline std::vector<DrawnVolume> CollectDrawnVolumes(vtkRenderer* renderer)
 {
   std::vector<DrawnVolume> all;

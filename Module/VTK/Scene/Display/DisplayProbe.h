@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the displays have drawn, for tests.
+ * Gives tests access to what the displays have drawn.
  */
 #ifndef DisplayProbe_h
 #define DisplayProbe_h
@@ -26,16 +26,16 @@ struct VTKVOLUMEHAPTICS_EXPORT DisplayProbe
   static vtkIdType CountStates(vtkHapticHeadUpDisplay* display);
   /**
    * Returns a copy of the plotted columns: Time (s, up to 0), Normal, Friction, Drag and Whole (N),
-   * and one for each mode of PRIMITIVES. They hold the smallest and the largest value in each of a
+   * and one for each mode of PRIMITIVES. Each has the smallest and the largest value in each of a
    * few hundred intervals.
    */
   static vtkSmartPointer<vtkTable> CopyPlot(vtkHapticHeadUpDisplay* display);
   /** Returns the upper end of the force axis (N). */
   static double GetForceRange(vtkHapticHeadUpDisplay* display);
-  /** Returns the plot's title: the name of the method. */
+  /** Returns the title of the plot, which is the method's name. */
   static std::string GetPlotTitle(vtkHapticHeadUpDisplay* display);
 
-  /** Returns the number of labels in the last picture. */
+  /** Returns the number of labels that were drawn in the last frame. */
   static int CountLabels(vtkHapticMeasurementRepresentation* measurements);
 };
 

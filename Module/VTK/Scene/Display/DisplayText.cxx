@@ -36,7 +36,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Least force that is felt (N). */
+/** Smallest force (N) that counts as felt. */
 constexpr double LeastForce = 0.005;
 
 bool AreModesFelt(vtkVolumeHapticsFilter* filter)
@@ -44,7 +44,7 @@ bool AreModesFelt(vtkVolumeHapticsFilter* filter)
   return filter && filter->GetMethod() == vtkVolumeHapticsFilter::PRIMITIVES;
 }
 
-/** Returns whether only modes without a surface to rest a hand on are felt. */
+/** Returns whether only modes without a surface that could support a hand are felt. */
 bool AreOnlyFieldsFelt(vtkVolumeHapticsFilter* filter)
 {
   if (!AreModesFelt(filter))
@@ -62,7 +62,9 @@ bool AreOnlyFieldsFelt(vtkVolumeHapticsFilter* filter)
   return true;
 }
 
-/** Describes an inserted needle, without depth and tissue; empty in the tick that inserts it. */
+/**
+ * Describes an inserted needle, except its depth and the tissue; empty in the tick that inserts it.
+ */
 std::string DescribeNeedle(vtkHapticDevice* device)
 {
   vtkNew<vtkPolyData> track;
@@ -93,8 +95,7 @@ std::string DescribeNeedle(vtkHapticDevice* device)
 }
 
 /**
- * Describes the torque (N mm) of a tool with a shape; empty without such a tool, or if nothing
- * turns it.
+ * Describes the torque (N mm) of a tool with a shape; empty without such a tool or without torque.
  */
 std::string DescribeTorque(vtkHapticDevice* device)
 {
@@ -109,7 +110,7 @@ std::string DescribeTorque(vtkHapticDevice* device)
   return text.str();
 }
 
-/** Describes the shift that was found between the stored values and HU; empty without a shift. */
+/** Describes the detected shift between stored values and HU; empty without one. */
 std::string DescribeShift(vtkHapticDevice* device)
 {
   vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
@@ -134,8 +135,8 @@ std::string DescribeStatus(vtkHapticDevice* device)
     return status;
   }
   const int code = device->GetStatus();
-  // For requests to the hand, keep the second sentence, too. For a user of the mouse, the hint says
-  // this instead.
+  // Include the second sentence, too, if it tells the hand what to do. For a mouse user, the hint
+  // says this instead.
   const bool asksHand = (code == vtkHapticDevice::FAULT && device->GetDeviceId() != "virtual") ||
     code == vtkHapticDevice::HOMING || code == vtkHapticDevice::FIRMWARE;
   const std::string first = status.substr(0, sentence + 1);
@@ -214,7 +215,7 @@ double ComputeTissueValue(vtkHapticDevice* device)
   vtkImageData* const image = filter ? filter->GetTouchedImage() : nullptr;
   vtkDataArray* const scalars = image ? image->GetPointData()->GetScalars() : nullptr;
   const int component = filter ? filter->GetProperty()->GetComponent() : 0;
-  // If the volume moves, the image is not the time step that was felt.
+  // The image of a moving volume is not the felt time step.
   if (!scalars || component >= scalars->GetNumberOfComponents() ||
     device->GetPlayback()->HasTimeSteps())
   {
@@ -371,7 +372,7 @@ std::string DescribeTime(vtkHapticDevice* device)
   {
     text << "paused";
   }
-  // Reading or drawing that takes long delays the time steps.
+  // Slow reading or drawing delays the time steps.
   text << (device->GetPlayback()->IsWaitingForData() ? ", waiting for data" : "");
   return text.str();
 }
@@ -380,7 +381,7 @@ std::string DescribeTime(vtkHapticDevice* device)
 namespace
 {
 
-/** Returns the point array of the labels: the chosen array, or the scalars. */
+/** Returns the chosen point array of the labels, or the scalars by default. */
 vtkDataArray* FindLabels(vtkVolumeHapticsFilter* filter, vtkImageData* image)
 {
   vtkInformation* const choice = filter->GetInputArrayInformation(1);

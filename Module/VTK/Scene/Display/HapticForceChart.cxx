@@ -33,14 +33,14 @@
 
 namespace
 {
-/** Lengths relative to the size of letters. The next two constants are line spacing and gap. */
+/** Line spacing and gap, relative to the size of letters. */
 constexpr float NameLineHeight = 1.5f;
 constexpr float NameGap = 0.9f;
 constexpr double TitleInk[3] = { 0.90, 0.92, 0.95 };
 } // namespace
 
 /**
- * Draws a title, and below it the names of curves in their colours. They stand above a small chart,
+ * Draws a title, and below it the names of curves in their colours. They are above a small chart,
  * because a legend would cover its curves.
  */
 class HapticCurveNames : public vtkContextItem
@@ -57,11 +57,11 @@ public:
   void SetTitle(const std::string& title) { this->Title = title; }
   void SetNames(const std::vector<Name>& names) { this->Names = names; }
   /**
-   * Sets where the names begin: `left` and `top` are the left end and the upper edge of the first
-   * letter (pixels), `letters` is the size of letters (points).
+   * Sets the left end and the upper edge of the first letter (pixels), and the size of letters
+   * (points).
    */
   void Place(float left, float top, int letters, float scale = 1.0f);
-  /** Returns the height of both lines (pixels). */
+  /** Returns the height (pixels) of the title and the line of names together. */
   static float GetHeight(int letters);
 
   bool Paint(vtkContext2D* painter) override;
@@ -79,7 +79,7 @@ private:
   float Left = 0.0f;
   float Top = 0.0f;
   int Letters = 10;
-  float Scale = 1.0f; ///< pixels for each point
+  float Scale = 1.0f; ///< pixels per point
 };
 
 vtkStandardNewMacro(HapticCurveNames);
@@ -126,7 +126,7 @@ bool HapticCurveNames::Paint(vtkContext2D* painter)
   {
     look->SetColor(name.Color[0] / 255.0, name.Color[1] / 255.0, name.Color[2] / 255.0);
     painter->DrawString(x, this->Top - NameLineHeight * size, name.Text);
-    float bounds[4]; // lower left corner, width and height
+    float bounds[4]; // x and y of the lower left corner, width, height
     painter->ComputeStringBounds(name.Text, bounds);
     x += bounds[2] + NameGap * size;
   }
@@ -141,26 +141,26 @@ namespace
 constexpr int ChartMargin = 10;   // pixels around a panel
 constexpr int PanelOpacity = 150; // opacity, of at most 255
 constexpr int PanelOpacityOnLight = 240;
-constexpr int LeftTop = 3; // vtkChartXY's number of a plot on the left and the top axis
+constexpr int LeftTop = 3; // vtkChartXY's index of the corner with the left and the top axis
 
 struct Colour
 {
   unsigned char Red, Green, Blue;
 };
 
-/** The look of the chart on dark or light ground. */
+/** Colours of the chart on a dark panel or on a white page. */
 struct Look
 {
   double Text[3];
   Colour Axis;
   Colour Grid;
   Colour Curves[HapticForceTable::Curves];
-  const char* WholeLabel; ///< short on a panel, since its legend has little room
+  const char* WholeLabel; ///< short on a panel, whose legend is small
   float WholeWidth;
   bool HasUprightGrid;
 };
-// The whole force is grey. Colour-blind people can distinguish the blue, orange and green of the
-// other curves.
+// The whole force is grey. People with colour blindness can distinguish the other curves: blue,
+// orange and green.
 const Look PanelLook = { { 0.90, 0.92, 0.95 }, { 170, 176, 186 }, { 70, 76, 86 },
   { { 80, 165, 255 }, { 255, 160, 60 }, { 70, 215, 150 }, { 165, 170, 178 } }, "whole", 3.5f,
   false };
@@ -175,9 +175,9 @@ const Look& GetLook(HapticForceChart::Ground ground)
 
 const char* const PartLabels[] = { "normal", "friction", "drag" };
 constexpr int Whole = 3;
-const int DrawingOrder[] = { Whole, 0, 1, 2 }; // draw the whole force behind the others
+const int DrawingOrder[] = { Whole, 0, 1, 2 }; // the whole force first, behind the other curves
 
-/** Sets the title of an axis. An axis with a unit has the unit behind each number. */
+/** Sets the title of an axis. With a unit, each number on the axis is followed by it. */
 void SetAxis(vtkAxis* axis, const char* title, const char* unit, const Look& look)
 {
   axis->SetTitle(title);
@@ -193,9 +193,9 @@ void SetAxis(vtkAxis* axis, const char* title, const char* unit, const Look& loo
 }
 
 /**
- * Keeps only the points that are needed to draw a curve to within an error, because wide lines cost
- * a software renderer microseconds for each point. From each kept point on, it narrows the range of
- * slopes that pass all later points, until the range is empty (swinging door).
+ * Copies only the points that are needed to draw a curve to within an error, because wide lines
+ * cost a software renderer microseconds per point. From each copied point on, narrows the range of
+ * slopes that pass all later points, until the range is empty (swinging door algorithm).
  */
 void Simplify(vtkFloatArray* time, vtkFloatArray* force, double error, vtkTable* line)
 {
@@ -219,7 +219,7 @@ void Simplify(vtkFloatArray* time, vtkFloatArray* force, double error, vtkTable*
     const bool isStep = run <= 0.0 && i > 0 && std::abs(rise) > error;
     if (i == 0 || isStep || (run > 0.0 && (rise < low * run || rise > high * run)))
     {
-      // A straight line ends at the previous point; a step begins at its own point.
+      // A straight line ends at the point before this one; a step begins at this point.
       from = i == 0 || isStep ? i : i - 1;
       keep(from);
       low = -VTK_DOUBLE_MAX;
@@ -255,7 +255,7 @@ void HapticForceChart::Build()
   vtkChartLegend* const legend = this->Chart->GetLegend();
   if (this->On == Ground::Panel)
   {
-    // Do not use the chart's own background, because VTK 9.1 draws it in the wrong place.
+    // Don't use the chart's own background, which VTK 9.1 draws in the wrong place.
     this->Panel->SetAutoComputeDimensions(false);
     this->Panel->GetBrush()->SetColor(15, 18, 24, PanelOpacity);
     this->Panel->GetMouseOverBrush()->SetColor(15, 18, 24, PanelOpacity);
@@ -286,7 +286,7 @@ void HapticForceChart::Build()
 
 void HapticForceChart::NameCurves()
 {
-  // The names of modes are not drawn here: they are in a list beside the panel.
+  // Skip the names of modes, which are in a list beside the panel.
   const Look& look = GetLook(this->On);
   std::vector<HapticCurveNames::Name> names;
   for (const int c : DrawingOrder)
@@ -334,7 +334,7 @@ void HapticForceChart::SetModes(const std::vector<std::string>& names)
     return;
   }
   this->Modes = names;
-  this->Shown = nullptr; // makes Show() draw all curves
+  this->Shown = nullptr; // makes Show() draw all curves again
   const auto& colors = this->On == Ground::Panel ? ModeColors : ModePageColors;
   for (std::size_t mode = 0; mode < ModeColorCount; ++mode)
   {
@@ -353,7 +353,7 @@ void HapticForceChart::SetModes(const std::vector<std::string>& names)
       this->Plots[c]->SetLegendVisibility(isNamed);
     }
   }
-  // Hide the parts of the force, but not the whole force.
+  // With modes, hide the parts of the force, but not the whole force.
   for (int c = 0; c < Whole; ++c)
   {
     this->Plots[c]->SetVisible(names.empty());
@@ -364,7 +364,7 @@ void HapticForceChart::SetModes(const std::vector<std::string>& names)
 
 void HapticForceChart::SetLetters(int size)
 {
-  // A page has room for larger titles and legends.
+  // On a page, use larger titles and legends, since there is space for them.
   const bool isPage = this->On == Ground::Page;
   const double(&colour)[3] = GetLook(this->On).Text;
   SetChartText(this->Chart->GetTitleProperties(), size + (isPage ? 3 : 1), colour);
@@ -379,7 +379,7 @@ void HapticForceChart::SetLetters(int size)
 
 std::array<int, 2> HapticForceChart::PanelSize(int width, int height, double scale)
 {
-  // The panel is this narrow and low so that it covers nothing in the middle of the viewport.
+  // Limit the size, so that the panel covers nothing in the middle of the viewport.
   const auto fit = [scale](int pixels, int least, int most)
   { return std::clamp(pixels, ScalePixels(scale, least), ScalePixels(scale, most)); };
   return { ChartMargin + std::min(width - 2 * ChartMargin, fit(width * 3 / 10, 210, 330)),
@@ -404,7 +404,7 @@ bool HapticForceChart::Fit(int width, int height, const std::array<int, 2>& from
   if (width == this->Viewport[0] && height == this->Viewport[1] && from == this->From &&
     scale == this->Scale)
   {
-    return false; // a chart lays itself out again whenever its size is set
+    return false; // unchanged: setting the size again would make the chart repeat its layout
   }
   this->Viewport[0] = width;
   this->Viewport[1] = height;
@@ -431,8 +431,8 @@ bool HapticForceChart::Fit(int width, int height, const std::array<int, 2>& from
   this->SetLetters(letters);
   this->Panel->SetDimensions(left, bottom, across, up);
   this->Names->Place(left + 2.0f * gap, bottom + up - gap, letters, pixels);
-  // VTK leaves a wide border above the chart. The names cover it, but not the half of the axis'
-  // upper number in it.
+  // VTK leaves a wide border above the chart. The names may cover it, except for the half of the
+  // axis's upper number inside it.
   const float border = 15.0f - 5.0f * pixels;
   this->Height = up - names + border;
   this->Chart->SetSize(vtkRectf(left, bottom, across, static_cast<float>(this->Height)));
@@ -459,19 +459,20 @@ bool HapticForceChart::Show(vtkTable* table, const Extent& extent, const std::st
   {
     this->SetTitle(title);
   }
-  const double pixel = extent.Force / this->Height; // N per pixel
+  const double pixel = extent.Force / this->Height; // force (N) per pixel
   const auto modes = static_cast<int>(std::min(this->Modes.size(), ModeColorCount));
   for (int c = 0; c < HapticForceTable::Curves + modes; ++c)
   {
     if (!this->Plots[c])
     {
-      continue; // the mode has no curve, because it was never active
+      continue; // a mode that was never active has no curve
     }
     Simplify(vtkFloatArray::SafeDownCast(table->GetColumn(0)),
       vtkFloatArray::SafeDownCast(table->GetColumn(1 + c)), 0.25 * pixel, this->Lines[c]);
     if (this->Lines[c]->GetNumberOfRows() < 2)
     {
-      // VTK reports errors for lines of fewer than two points, and draws no axes without lines.
+      // Draw a line at 0 over the whole time span: VTK reports errors for lines of fewer than two
+      // points, and draws no axes without lines.
       for (const double t : { extent.From, extent.To })
       {
         vtkFloatArray::SafeDownCast(this->Lines[c]->GetColumn(0))
@@ -510,7 +511,8 @@ void HapticForceChart::ShowPhases(const std::vector<Phase>& phases)
     ends->AddColumn(time);
     ends->AddColumn(force);
     vtkPlot* const line = this->Chart->AddPlot(vtkChart::LINE);
-    this->Chart->SetPlotCorner(line, LeftTop); // VTK shows an axis only if a plot uses it
+    this->Chart->SetPlotCorner(line, LeftTop); // needed because VTK shows an axis only if a plot
+                                               // uses it
     line->SetInputData(ends, 0, 1);
     line->SetLegendVisibility(false);
     line->SetSelectable(false);

@@ -155,7 +155,7 @@ vtkTable* HapticForceHistory::Plot(double span)
   const int curves = this->Table.GetCurves();
   const double end = this->States.empty() ? 0.0 : this->States.back().Time;
   const double width = span / Intervals;
-  // Count intervals from time 0, not from the present, so that a peak stays in its interval from
+  // Count intervals from time 0 instead of the present, so that a peak stays in its interval from
   // frame to frame.
   const auto intervalOf = [&](const State& s) { return std::floor(s.Time / width); };
   for (auto from = this->States.begin(); from != this->States.end();)
@@ -163,7 +163,7 @@ vtkTable* HapticForceHistory::Plot(double span)
     const double interval = intervalOf(*from);
     std::array<double, Curves> low = from->Forces;
     std::array<double, Curves> high = from->Forces;
-    std::array<bool, Curves> isFalling = {}; // whether the smallest force comes after the largest
+    std::array<bool, Curves> isFalling = {}; // whether the largest force precedes the smallest
     auto to = from;
     do
     {
@@ -199,7 +199,7 @@ double HapticForceHistory::GetRange() const
   {
     largest = std::max(largest, *std::max_element(state.Forces.begin(), state.Forces.end()));
   }
-  // Leave room above the curve. Show at least 0.5 N, so that noise does not fill the plot.
+  // Leave space above the curve. Show at least 0.5 N, so that noise does not fill the plot.
   const double wanted = std::max(0.5, 1.05 * largest);
   const double power = std::pow(10.0, std::floor(std::log10(wanted)));
   for (const double factor : { 1.0, 2.0, 5.0 })

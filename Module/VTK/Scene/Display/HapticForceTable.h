@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The table that a force chart draws: a column Time (s), and a column for each curve (N). The first
- * four curves always exist. Curves of modes exist if the modes are named.
+ * The table behind a force chart: a column Time (s), and one column per curve (N). The first four
+ * curves always exist; named modes add further curves.
  */
 #ifndef HapticForceTable_h
 #define HapticForceTable_h
@@ -27,7 +27,7 @@ namespace VolumeHaptics
 class HapticForceTable
 {
 public:
-  static constexpr int Curves = 4; ///< the curves without modes: normal, friction, drag, whole
+  static constexpr int Curves = 4; ///< curves without modes: normal, friction, drag, whole
   static constexpr int MostCurves = Curves + static_cast<int>(ModeColorCount);
 
   HapticForceTable();
@@ -39,19 +39,22 @@ public:
   /** Returns the number of curves, including those of modes. */
   int GetCurves() const { return this->Count; }
   /**
-   * Names the modes whose curves follow the first four. Returns whether the names have changed; if
-   * so, all rows are removed.
+   * Sets the names of the modes, whose curves follow the first four. Returns whether the names have
+   * changed; all rows are then removed.
    */
   bool SetModes(const std::vector<std::string>& names);
-  /** Removes all rows. After adding rows, call Get()->Modified(). */
+  /** Removes all rows. Call Get()->Modified() after adding new rows. */
   void Clear();
 
   /**
-   * Replaces the rows by the ticks of a trace with the arrays of vtkVolumeHapticsFilter's output.
+   * Replaces the rows with the ticks of a trace that has the arrays of vtkVolumeHapticsFilter's
+   * output.
    */
   void Read(vtkPolyData* trace);
 
-  /** Limits a force to numbers that a chart can draw; returns 0 if the force is not finite. */
+  /**
+   * Clamps a force to the range that a chart can draw; returns 0 for a force that is not finite.
+   */
   static double MakeDrawable(double force);
 
 private:
@@ -60,18 +63,18 @@ private:
   int Count = Curves;
 };
 
-/** The forces of the last seconds, reduced to few points for a plot. */
+/** Forces of the last seconds, reduced to few points for a plot. */
 class HapticForceHistory
 {
 public:
   static constexpr int Curves = HapticForceTable::MostCurves;
-  /** Number of intervals in the time span. Each curve has two points in each interval. */
+  /** Number of intervals in the time span; each curve has two points per interval. */
   static constexpr int Intervals = 240;
 
   struct State
   {
     double Time;                       ///< s
-    std::array<double, Curves> Forces; ///< N; 0 for modes without a name
+    std::array<double, Curves> Forces; ///< N; 0 for modes with an empty name
   };
 
   HapticForceHistory();
@@ -79,18 +82,18 @@ public:
 
   /**
    * Adds a state with a finite time, and removes states that are older than the span (s). If the
-   * state is not later than the last one, the history starts again. Forces that are not finite
-   * count as 0; finite forces are limited to the largest number that a chart can show.
+   * state is not later than the last one, starts a new history. Forces that are not finite count as
+   * 0; finite forces are limited to the largest number that a chart can show.
    */
   void Add(const State& state, double span);
   void Clear();
-  /** Names the modes of the table: see HapticForceTable::SetModes. */
+  /** Sets the names of the modes in the table: see HapticForceTable::SetModes. */
   void SetModes(const std::vector<std::string>& names);
   std::size_t GetSize() const { return this->States.size(); }
 
-  /** Updates the table and returns it. Its times are relative to the last state. */
+  /** Updates and returns the table. Its times are relative to the last state. */
   vtkTable* Plot(double span);
-  /** Returns the upper end (N) of an axis that shows all forces in the span. */
+  /** Returns an upper end (N) for the force axis that includes all forces in the span. */
   double GetRange() const;
 
 private:

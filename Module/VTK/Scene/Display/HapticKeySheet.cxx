@@ -18,13 +18,13 @@ namespace
 {
 constexpr int LargestLetters = 14; // points
 constexpr int SmallestLetters = 6;
-constexpr int PartLetters = 9; ///< points, for a list of which only a part is shown
+constexpr int PartLetters = 9; ///< points, used when only a part of the list fits
 constexpr double TextColour[3] = { 0.90, 0.92, 0.95 };
 constexpr double TitleColour[3] = { 1.0, 0.78, 0.35 };
 constexpr int MostColumns = 3;
-constexpr float KeySheetMargin = 10.0f; // pixels, around the panel
+constexpr float KeySheetMargin = 10.0f; // pixels around the panel
 
-/** Lengths relative to the size of letters. The next five constants are such lengths. */
+/** Lengths relative to the size of letters. */
 constexpr float LineHeight = 1.55f;
 constexpr float TitleGap = 0.7f; ///< above a title
 constexpr float KeyGap = 1.2f;
@@ -71,7 +71,7 @@ void HapticKeySheet::Show(const std::string& text, int width, int height, double
 //------------------------------------------------------------------------------
 std::vector<HapticKeySheet::Column> HapticKeySheet::Divide(std::size_t count) const
 {
-  // Begin each column after the first with a title, so that no group is split.
+  // Split the list into columns before titles only, so that each group stays together.
   std::vector<Column> columns{ { 0, this->Lines.size(), 0.0f, 0.0f, 0.0f } };
   for (std::size_t i = 1; i < count; ++i)
   {
@@ -112,7 +112,7 @@ void HapticKeySheet::Measure(vtkContext2D* painter, Column& column) const
 {
   const auto widthOf = [painter](const std::string& part)
   {
-    float bounds[4]; // lower left corner, width and height
+    float bounds[4]; // x and y of the lower left corner, width, height
     painter->ComputeStringBounds(part, bounds);
     return bounds[2];
   };
@@ -191,7 +191,7 @@ void HapticKeySheet::FitPart(vtkContext2D* painter)
   }
   this->Measure(painter, all);
   const float size = this->GetLetterHeight();
-  // The last line says how to go on.
+  // Reserve the last line for the hint on how to see the other parts.
   const float room = static_cast<float>(this->Viewport[1]) - (2.0f * Padding + LineHeight) * size;
   const auto fits = [&](std::size_t first, std::size_t end)
   {
@@ -199,7 +199,7 @@ void HapticKeySheet::FitPart(vtkContext2D* painter)
     this->Measure(painter, part);
     return part.Height <= room;
   };
-  std::size_t last = this->Lines.size() - 1; // the last beginning of a part
+  std::size_t last = this->Lines.size() - 1; // index of the first line of the last part
   while (last > 0 && fits(last - 1, this->Lines.size()))
   {
     --last;
@@ -212,7 +212,7 @@ void HapticKeySheet::FitPart(vtkContext2D* painter)
   }
   Column part{ this->First, end, 0.0f, 0.0f, 0.0f };
   this->Measure(painter, part);
-  // The panel stays as wide as the widest of all lines.
+  // Keep the panel as wide as for all lines, so that it stays unchanged while scrolling.
   part.Width = all.Width;
   part.KeyWidth = all.KeyWidth;
   this->Columns = { part };
@@ -227,7 +227,7 @@ bool HapticKeySheet::Scroll(int lines)
   }
   const auto first = static_cast<int>(this->First) + lines;
   this->First = static_cast<std::size_t>(std::max(0, first));
-  this->Letters = 0; // compute the part when it is painted next
+  this->Letters = 0; // makes the next painting compute the part
   return true;
 }
 

@@ -20,13 +20,13 @@ public:
 
   /**
    * Sets the text (titles, and lines that consist of a key, a tab and the key's meaning), and the
-   * size of the viewport (pixels). The letters are as large as fits, up to 14 points.
+   * size of the viewport (pixels). The letters are as large as possible, up to 14 points.
    */
   void Show(const std::string& text, int width, int height, double scale = 1.0);
 
   /**
-   * Moves a list that is too long for the viewport up by some lines, or down (negative). Returns
-   * false if all of it is shown.
+   * Scrolls a list that is too long for the viewport up by some lines, or down (negative). Returns
+   * false if all lines are shown.
    */
   bool Scroll(int lines);
 
@@ -42,11 +42,11 @@ private:
 
   struct Line
   {
-    std::string Key; ///< name of the key, or the title
+    std::string Key; ///< name of a key, or a title
     std::string Meaning;
     bool IsTitle;
   };
-  /** A column of lines: from Begin up to, but not including, End. */
+  /** A column with the lines from Begin up to End, which is excluded. */
   struct Column
   {
     std::size_t Begin;
@@ -57,13 +57,13 @@ private:
   };
   std::vector<Column> Divide(std::size_t count) const;
   /**
-   * Computes the largest letters that fit, and their columns. If not even the smallest letters fit,
-   * shows a part of the lines.
+   * Finds the largest letters that fit, and the columns for them. If not even the smallest letters
+   * fit, shows a part of the lines.
    */
   void Fit(vtkContext2D* painter);
-  /** Returns whether letters of this size fit; computes their columns. */
+  /** Computes the columns for letters of this size. Returns whether they fit. */
   bool FitAll(vtkContext2D* painter, int letters);
-  /** Makes one column of as many lines as fit. */
+  /** Makes a single column with as many lines as fit. */
   void FitPart(vtkContext2D* painter);
   void Measure(vtkContext2D* painter, Column& column) const;
   void PaintColumn(vtkContext2D* painter, const Column& column, float left, float top) const;
@@ -72,13 +72,13 @@ private:
   float GetLetterHeight() const { return this->Scale * static_cast<float>(this->Letters); }
 
   std::vector<Line> Lines;
-  std::string Text; ///< the text from which the lines were made
+  std::string Text; ///< text that Lines were made from
   int Viewport[2] = { 0, 0 };
-  float Scale = 1.0f; ///< pixels for each point
+  float Scale = 1.0f; ///< pixels per point
   int Letters = 0;    ///< size of the letters (points); 0 before Fit
   std::vector<Column> Columns;
   bool IsPart = false;   ///< whether only a part of the lines is shown
-  std::size_t First = 0; ///< number of the first line of that part
+  std::size_t First = 0; ///< index of the first line of that part
 };
 
 #endif

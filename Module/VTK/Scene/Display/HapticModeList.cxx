@@ -18,7 +18,7 @@ namespace
 {
 
 constexpr int LinePixels = 18;
-constexpr double Inactive = 0.55; ///< the grey level of inactive modes
+constexpr double Inactive = 0.55; ///< grey level of inactive modes
 
 } // namespace
 
@@ -38,7 +38,7 @@ int HapticModeList::Render(const std::vector<ModeLine>& lines, int top, vtkViewp
 {
   const int height = ScalePixels(PixelsPerPoint(viewport), LinePixels);
   this->Count = std::min(lines.size(), this->Lines.size());
-  const int left = viewport->GetSize()[0] / 50; // the margin of the head-up display's text
+  const int left = viewport->GetSize()[0] / 50; // same margin as the head-up display's text
   int drawn = 0;
   for (std::size_t i = 0; i < this->Count; ++i)
   {

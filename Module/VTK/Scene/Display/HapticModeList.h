@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Draws the modes of a filter as lines of text that can be clicked on. Each line has the colour of
- * the mode's curve.
+ * Draws the modes of a filter as clickable lines of text, each in the colour of the mode's curve.
  */
 #ifndef HapticModeList_h
 #define HapticModeList_h
@@ -26,7 +25,7 @@ namespace VolumeHaptics
 struct ModeLine
 {
   std::string Text;
-  bool IsActive = true; ///< an inactive mode is grey
+  bool IsActive = true; ///< an inactive mode is drawn in grey
 };
 
 class HapticModeList
@@ -36,16 +35,16 @@ public:
   ~HapticModeList();
 
   /**
-   * Draws the lines from a height (pixels) downwards. Call it in the overlay pass. Returns the
-   * number of texts that were drawn.
+   * Draws the lines downwards from a height (pixels). Call this in the overlay pass. Returns the
+   * number of drawn texts.
    */
   int Render(const std::vector<ModeLine>& lines, int top, vtkViewport* viewport);
-  /** Removes the lines, so that a click hits none. */
+  /** Hides the lines, so that no click can hit one. */
   void Hide() { this->Count = 0; }
-  /** Returns the number of the line at a position of the viewport (pixels); -1 if there is none. */
+  /** Returns the index of the line at a position in the viewport (pixels); -1 if there is none. */
   int Find(int x, int y) const;
   /**
-   * Returns the lower end (pixels) of the lines that reach to the right of a position; the largest
+   * Returns the lower end (pixels) of the lines that extend to the right of a position; the largest
    * number if there are none.
    */
   int FindLow(int left) const;
@@ -55,7 +54,7 @@ private:
   struct Line
   {
     vtkNew<vtkTextActor> Text;
-    int Low = 0; ///< pixels: the lower end, like the next two members
+    int Low = 0; ///< lower end (pixels), like the next two members
     int High = 0;
     int Width = 0;
   };

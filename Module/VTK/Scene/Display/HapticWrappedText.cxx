@@ -32,7 +32,7 @@ std::array<int, 2> MeasureText(const std::string& text, vtkTextProperty* letters
   return { box[1] - box[0] + 1, box[3] - box[2] + 1 };
 }
 
-/** Returns the position behind the UTF-8 letter that begins at a byte. */
+/** Returns the byte position after the UTF-8 character that begins at `at`. */
 std::size_t EndOfLetter(const std::string& text, std::size_t at)
 {
   constexpr unsigned char kind = 0xc0;

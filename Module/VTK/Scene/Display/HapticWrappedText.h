@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Fits a text into a viewport, so that all of its words are visible.
+ * Fits a text into a viewport by wrapping lines and reducing the font size.
  */
 #ifndef HapticWrappedText_h
 #define HapticWrappedText_h
@@ -19,28 +19,28 @@ namespace VolumeHaptics
 {
 
 /**
- * Breaks lines at spaces, and words that are longer than a line anywhere. If the lines still need
- * too much room, makes the letters smaller.
+ * Wraps lines at spaces, and breaks a word only if it is longer than a line. If the lines still
+ * need too much space, reduces the font size.
  */
 class HapticWrappedText
 {
 public:
   /**
-   * The room for a text (pixels). The text should stay in the upper part of the room, because
-   * something is drawn below.
+   * Space for a text (pixels). The text should stay in the upper part, because something else is
+   * drawn below.
    */
   struct Room
   {
     int Width;
     int Free;   ///< height of the upper part
-    int Height; ///< whole height
+    int Height; ///< total height
     int DPI;
   };
 
-  /** Sets the actor's text and the size of its letters. */
+  /** Sets the text and the font size of an actor. */
   void Fit(vtkTextActor* actor, const std::string& text, const Room& room);
 
-  static constexpr int Largest = 14; ///< largest size of letters (points)
+  static constexpr int Largest = 14; ///< largest font size (points)
   static constexpr int Smallest = 7;
 
 private:
@@ -49,27 +49,28 @@ private:
 };
 
 /**
- * Returns the room for a text that begins at these fractions of a viewport. The room ends before
- * the right margin and before what other renderers draw there. `below`: height (pixels) that the
- * text should not cover.
+ * Returns the space for a text that begins at these fractions of a viewport. It ends at the right
+ * margin, or before other renderers' drawings there. `below`: height (pixels) at the bottom that
+ * the text should not cover.
  */
 HapticWrappedText::Room FindRoom(vtkViewport* viewport, double left, double top, int below);
 
-/** Breaks those lines of a text that are wider than `width` (pixels). */
+/** Wraps the lines of a text that are wider than `width` (pixels). */
 std::string WrapLines(const std::string& text, vtkTextProperty* letters, int width, int dpi);
 
 /**
- * Limits how often the figures of a text are drawn.
+ * Limits how often the numbers in a text are redrawn.
  *
- * Figures, such as a force, change from frame to frame while the hand moves, faster than people can
- * read. With a software renderer, drawing them anew takes a tenth of a frame's time. So while the
- * hand moves, figures change at most ten times a second, and not in the first frame, because the
- * hand waits for that frame. Words always change at once. At rest, figures change at once, too.
+ * Numbers, such as a force, change from frame to frame while the hand moves, faster than people can
+ * read. With a software renderer, redrawing them takes a tenth of a frame's time. While the hand
+ * moves, numbers therefore change at most ten times a second, and not in the first frame of a
+ * motion, because the hand waits for that frame. Words always change at once, and at rest, numbers
+ * do, too.
  */
 class HapticTextPace
 {
 public:
-  static constexpr double Shortest = 0.1; ///< s between changes of figures
+  static constexpr double Shortest = 0.1; ///< s between changes of numbers
 
   /**
    * Returns the text to draw at the time `now` (s). `moves`: whether the frame belongs to a motion.

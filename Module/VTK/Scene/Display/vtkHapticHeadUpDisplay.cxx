@@ -53,17 +53,17 @@ namespace
 {
 
 /**
- * Draws a prop of the overlay into a texture, and shows the texture in every frame. That is faster,
- * because a chart has dozens of small pieces, and the texture is one.
+ * Caches the image of an overlay prop in a texture, and draws the texture in every frame. This is
+ * faster, because a chart has dozens of small pieces, while the texture is one.
  */
 class HapticOverlayPicture
 {
 public:
   /**
-   * Shows the prop. Draws it into the texture again if the texture is stale, if the viewport has
-   * changed, or if there is no texture yet. Shows the lower left part of the texture, which has the
-   * size `extent` (pixels). If the window does not use OpenGL, or is drawn in tiles, draws the prop
-   * itself. Returns the result of vtkProp::RenderOverlay.
+   * Draws the prop's texture, after updating it if it is stale, if the viewport has changed, or if
+   * there is none yet. Draws the lower left part of the texture, with the size `extent` (pixels).
+   * If the window does not use OpenGL or is drawn in tiles, draws the prop directly. Returns the
+   * result of vtkProp::RenderOverlay.
    */
   int Render(vtkViewport* viewport, vtkProp* prop, const int extent[2], bool isStale);
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -71,9 +71,9 @@ public:
 private:
   vtkNew<vtkOpenGLFramebufferObject> Target;
   vtkNew<vtkTextureObject> Picture;
-  vtkWindow* Window = nullptr; ///< the owner of the graphics resources
+  vtkWindow* Window = nullptr; ///< window that owns the graphics resources
   int Size[2] = { 0, 0 };      ///< pixels
-  int Origin[2] = { 0, 0 };    ///< origin of the viewport, pixels
+  int Origin[2] = { 0, 0 };    ///< origin of the viewport (pixels)
 };
 
 int HapticOverlayPicture::Render(
@@ -92,8 +92,8 @@ int HapticOverlayPicture::Render(
   {
     return 0;
   }
-  // The viewport has the same position in the texture as in the window, because charts clip their
-  // curves by that position.
+  // Keep the viewport's position in the texture the same as in the window, because charts clip
+  // their curves by it.
   const int width = origin[0] + size[0];
   const int height = origin[1] + size[1];
   if (this->Window && this->Window != window)
@@ -138,7 +138,7 @@ int HapticOverlayPicture::Render(
     drawn = prop->RenderOverlay(viewport);
     state->PopFramebufferBindings();
   }
-  // The texture's colours are already multiplied by their opacity, because they were drawn over an
+  // The colours in the texture are premultiplied by their opacity, because they were drawn over an
   // empty background.
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglEnable(GL_BLEND);
@@ -170,10 +170,10 @@ using namespace VolumeHaptics;
 
 namespace
 {
-constexpr double TextTop = 0.975; ///< top of the text, as a fraction of the viewport
+constexpr double TextTop = 0.975; ///< top of the text as a fraction of the viewport
 constexpr double TextLeft = 0.02;
-constexpr int TextGap = 8; ///< gap below the text, pixels
-/** pause between two drawings of the chart, as a multiple of the time that one takes */
+constexpr int TextGap = 8; ///< gap below the text (pixels)
+/** Pause between two updates of the chart, as a multiple of the time that an update takes. */
 constexpr int ChartPause = 25;
 
 struct TissueRange
@@ -184,17 +184,17 @@ struct TissueRange
 };
 
 /**
- * Returns the time span to show (s). For NaN, which VTK's clamp lets through, returns the default.
+ * Returns the time span to show (s). Maps NaN, which VTK's clamp does not detect, to the default.
  */
 double GetShownSpan(double span)
 {
   return std::isnan(span) ? 5.0 : span;
 }
-/** Returns the lower left corner (pixels) of a panel, including its left and lower margins. */
+/** Returns the lower left corner (pixels) of the panel with its left and lower margins. */
 std::array<int, 2> ComputePlotCorner(
   int corner, vtkViewport* viewport, const std::array<int, 2>& panel)
 {
-  constexpr int scaleHeight = 30; // pixels at the lower right: "1 N = 10 mm"
+  constexpr int scaleHeight = 30; // pixels of the scale "1 N = 10 mm" at the lower right
   switch (corner)
   {
     case vtkHapticHeadUpDisplay::LOWER_LEFT_CORNER:
@@ -207,12 +207,14 @@ std::array<int, 2> ComputePlotCorner(
   }
 }
 
-/** Names the tissue that a hand touches: by its label, or else by the value below the surface. */
+/**
+ * Returns the name of the touched tissue, from its label or else from the value below the surface.
+ */
 std::string NameTouched(vtkHapticHeadUpDisplay& display, vtkHapticDevice* device)
 {
   const std::string label =
     NameLabelAt(device->GetVolumeHaptics(), device->GetState()->GetSurfacePosition());
-  // With modes, the touched shape has no value that could name the tissue.
+  // The shape that a mode touches has no value that could identify a tissue.
   const bool isByValue = label.empty() && !GetModesFilter(device);
   return isByValue ? display.GetTissueName(ComputeTissueValue(device)) : label;
 }
@@ -226,10 +228,10 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   std::vector<TissueRange> Tissues;
   HapticForceHistory History;
   LateSlide Slide;
-  std::array<double, 3> Proxy{}; // proxy of the last row (world)
+  std::array<double, 3> Proxy{}; // proxy in the last row (world)
   HapticForceChart Chart{ HapticForceChart::Ground::Panel };
   HapticOverlayPicture Picture;
-  std::chrono::steady_clock::time_point Due; // time when the chart is drawn next
+  std::chrono::steady_clock::time_point Due; // earliest time of the next chart update
   vtkNew<vtkTextActor> Text;
   HapticWrappedText Wrapped;
   HapticTextPace TextPace;
@@ -238,16 +240,16 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   vtkNew<HapticKeySheet> Keys;
   vtkNew<vtkContextActor> Help;
   HapticModeList Modes;
-  int CanDraw = -1; // whether charts can be drawn; -1: not known yet
+  int CanDraw = -1; // 1 if charts can be drawn, 0 if not, -1 if not known yet
   vtkSmartPointer<vtkHapticMeasurements> Measurements;
-  // the boxes that were drawn in the last frame, for Covers
+  // Boxes drawn in the last frame, for Covers().
   std::vector<std::array<double, 4>> Covered;
 
   std::string GetPlotTitle() const
   {
     return this->Device ? this->Device->GetMethodText() : std::string();
   }
-  /** Returns the distance (m) of a row's proxy from the proxy of the row before. */
+  /** Returns the distance (m) between the proxies of a row and of the row before. */
   double MeasureStep(vtkDataArray* proxies, vtkIdType row);
   std::string GetStatus(vtkHapticHeadUpDisplay& self);
   std::string GetSecondStatus(vtkHapticHeadUpDisplay& self) const;
@@ -257,7 +259,7 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   int ComputeTextEnd(vtkHapticHeadUpDisplay& self, vtkViewport* viewport) const;
   int RenderPlot(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
   int RenderHelp(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
-  /** Returns whether charts can be drawn. If they cannot, reports an error once. */
+  /** Returns whether charts can be drawn. If not, reports an error once. */
   bool DetectContext(vtkHapticHeadUpDisplay& self);
 };
 
@@ -377,7 +379,7 @@ void vtkHapticHeadUpDisplay::AddStates(vtkTable* states)
     }
     double command[3];
     columns[4]->GetTuple(i, command);
-    // After the hand has let go, no force is felt, even with the tip in a surface.
+    // While the device is not armed, no force is felt, even with the tip inside a surface.
     const double share =
       armed && i < armed->GetNumberOfTuples() && armed->GetComponent(i, 0) == 0.0 ? 0.0 : 1.0;
     HapticForceHistory::State state{ columns[0]->GetComponent(i, 0),
@@ -403,7 +405,7 @@ double vtkHapticHeadUpDisplay::vtkInternals::MeasureStep(vtkDataArray* proxies, 
 {
   if (!proxies || proxies->GetNumberOfComponents() != 3 || row >= proxies->GetNumberOfTuples())
   {
-    return 1.0; // the step is unknown: the contact alone tells whether the proxy slides
+    return 1.0; // the distance is unknown, so let the contact alone decide whether the proxy slides
   }
   const std::array<double, 3> before = this->Proxy;
   proxies->GetTuple(row, this->Proxy.data());
@@ -487,7 +489,7 @@ std::string vtkHapticHeadUpDisplay::GetTouchedTissue()
 std::string vtkHapticHeadUpDisplay::GetText()
 {
   auto& d = *this->Internals;
-  // The list of keys is shown instead of the measurements.
+  // The list of keys replaces the measurements.
   const bool isListed = d.Measurements && this->MeasurementsVisibility && !this->HelpVisibility;
   std::string text;
   const std::string recorded =
@@ -572,7 +574,7 @@ int vtkHapticHeadUpDisplay::RenderOverlay(vtkViewport* viewport)
   d.Modes.Hide();
   d.Covered.clear();
   const int drawn = this->TextVisibility ? d.RenderText(*this, viewport) : 0;
-  // The list of keys is shown instead of the plot and the hint.
+  // The list of keys replaces the plot and the hint.
   if (this->HelpVisibility && !this->HelpText.empty() && d.DetectContext(*this))
   {
     return drawn + d.RenderHelp(*this, viewport);
@@ -610,7 +612,8 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderText(
     const double top = TextTop * view[1];
     const ViewportBox at = MoveOff(viewport, { left, left + size[0], top - size[1], top }, 1, -1);
     this->Text->GetPositionCoordinate()->SetValue(at[0] / view[0], at[3] / view[1]);
-    this->Text->RenderOpaqueGeometry(viewport); // draws the letters into the texture shown next
+    this->Text->RenderOpaqueGeometry(viewport); // renders the text into the texture that is drawn
+                                                // next
     drawn += this->Text->RenderOverlay(viewport);
     this->Covered.push_back(
       { at[0] - left, at[1] + TextGap, at[2] - TextGap, at[3] + view[1] - top });
@@ -637,7 +640,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderHint(
   constexpr int largest = 16; // points
   constexpr int smallest = 7;
   const int* const view = viewport->GetSize();
-  // The hint is centred, and ends before the area in which other renderers draw at the right.
+  // Centre the hint, and end it before the area where other renderers draw at the right.
   const double room = 2.0 * ComputeTextRight(viewport) - view[0];
   this->Hint->SetInput(self.Hint.c_str());
   this->Hint->GetTextProperty()->SetBackgroundOpacity(IsOnLight(viewport) ? 0.95 : 0.75);
@@ -657,7 +660,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderHint(
     TextGap;
   const ViewportBox at = MoveOff(viewport,
     { left, 0.5 * (view[0] + size[0]) + TextGap, end - size[1] - TextGap, end + TextGap }, 0, -1);
-  // The position is relative to the viewport, like all boxes here.
+  // This position, like all boxes here, is relative to the viewport.
   this->Hint->SetPosition(view[0] / 2, static_cast<int>(at[3] - TextGap));
   this->Covered.push_back(at);
   this->Hint->RenderOpaqueGeometry(viewport);
@@ -669,7 +672,7 @@ bool vtkHapticHeadUpDisplay::vtkInternals::DetectContext(vtkHapticHeadUpDisplay&
 {
   if (this->CanDraw == -1)
   {
-    // Check this first: a chart crashes if there is no class that draws it.
+    // Check first whether a class can draw charts: without one, a chart crashes.
     const auto context = vtkSmartPointer<vtkContextDevice2D>::Take(vtkContextDevice2D::New());
     this->CanDraw = context ? 1 : 0;
     if (context)
@@ -698,8 +701,8 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderPlot(
   const std::array<int, 2> from = ComputePlotCorner(self.PlotCorner, viewport, panel);
   const bool isOther = this->Chart.SetOnLight(IsOnLight(viewport));
   const bool isMoved = this->Chart.Fit(size[0], size[1], from, scale) || isOther;
-  // With a software renderer, drawing the chart takes some milliseconds, but showing its texture
-  // only a tenth of a millisecond. So draw the chart less often.
+  // Limit how often the chart is updated: with a software renderer, drawing it takes some
+  // milliseconds, but drawing its texture only a tenth of a millisecond.
   const auto now = std::chrono::steady_clock::now();
   const bool isDue = now >= this->Due;
   const double span = GetShownSpan(self.TimeSpan);
@@ -716,7 +719,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderPlot(
     this->Picture.Render(viewport, this->Chart.GetActor(), corner, isStale || isMoved);
   if (isStale)
   {
-    // Limit the pause, because the first drawing takes longer than later ones.
+    // Limit the pause, because the first update takes longer than later ones.
     const std::chrono::nanoseconds pause = ChartPause * (std::chrono::steady_clock::now() - now);
     this->Due = now +
       std::clamp<std::chrono::nanoseconds>(
@@ -729,7 +732,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderPlot(
 int vtkHapticHeadUpDisplay::vtkInternals::RenderHelp(
   vtkHapticHeadUpDisplay& self, vtkViewport* viewport)
 {
-  // Place it below the text, unless less than half of the height is left there.
+  // Place the list below the text, unless that leaves less than half of the height.
   const int* const size = viewport->GetSize();
   const int below = this->ComputeTextEnd(self, viewport) - TextGap;
   this->Keys->Show(

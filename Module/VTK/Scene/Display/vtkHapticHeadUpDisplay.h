@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticHeadUpDisplay
- * @brief   forces and contact, in figures and as a plot, over the scene
+ * @brief   shows forces and contact over the scene, as text and as a plot
  *
  * Shows the forces of the last seconds as a plot, and what is touched as a text, over the scene:
  *
@@ -61,15 +61,16 @@ public:
   ///@}
 
   ///@{
-  /** The device of the second hand, whose status and force have a line of their own. */
+  /** The device of the second hand. A separate line shows its status and force. */
   void SetSecondDevice(vtkHapticDevice* device);
   vtkHapticDevice* GetSecondDevice();
   ///@}
 
   ///@{
   /**
-   * Append states, or remove all of them. `states` is the table of vtkHapticState::Drain. If a
-   * column is missing, an error names it. If time runs backwards, the plot starts again.
+   * Append states to the plot, or remove all of them. `states` is the table of
+   * vtkHapticState::Drain. If a column is missing, an error names it. If time runs backwards, the
+   * plot starts again.
    */
   void AddStates(vtkTable* states);
   void Clear();
@@ -175,19 +176,19 @@ public:
   ///@}
 
   /**
-   * Move the shown HelpText up by some lines, or down (negative), if the viewport is too small for
-   * all of it. Returns false if no help is shown, or all of it.
+   * Scroll the shown HelpText up by some lines, or down (negative), if the viewport is too small
+   * for all of it. Returns false if no help is shown, or if all of it is.
    */
   bool ScrollHelp(int lines);
 
   ///@{
   /**
    * Name ranges of values, and get the name of a value. A range begins at `from` and ends before
-   * `to`; both are on the scale of vtkHapticProperty's functions (see ScalarShift). The text names
-   * the first range that contains the value two voxels below the touched surface, unless the
-   * filter's label table names the touched label. Without ranges, the tissues of the filter's
-   * vtkHapticProperty name all values, as in vtkHapticFunctionEditor: each value the nearest one.
-   * GetTouchedTissue() returns the name that the text has; empty without one.
+   * `to`; both are on the scale of vtkHapticProperty's functions (see ScalarShift). The text shows
+   * the name of the first range that contains the value two voxels below the touched surface,
+   * unless the filter's label table has a name for the touched label. Without ranges, it shows the
+   * name of the nearest tissue of the filter's vtkHapticProperty, as in vtkHapticFunctionEditor.
+   * GetTouchedTissue() returns the name in the text; empty without one.
    */
   void AddTissue(const char* name, double from, double to);
   void RemoveAllTissues();
@@ -220,24 +221,24 @@ public:
   vtkGetCharFromStdStringMacro(Notice);
   ///@}
 
-  /** Get the text that would be shown. */
+  /** Get the text as it would be shown now. */
   std::string GetText();
 
   /**
-   * Get the number of the mode whose line in the list is at a position (pixels of the viewport,
-   * from its lower left corner); -1 if there is none.
+   * Get the index of the mode whose line in the list is at a position (pixels, from the lower left
+   * corner of the viewport); -1 if there is none.
    */
   int FindMode(int x, int y);
 
   /**
    * Get whether the text, hint or plot of the last frame overlaps a box of the viewport (pixels
-   * from its lower left corner: left, right, bottom, top). Always true while the list of keys is
-   * shown.
+   * from its lower left corner: left, right, bottom, top). Always returns true while the list of
+   * keys is shown.
    */
   bool Covers(const double box[4]) VTK_SIZEHINT(box, 4);
 
   ///@{
-  /** Draw the display, and release its graphics resources; the renderer calls these. */
+  /** Draw the display, and release its graphics resources; called by the renderer. */
   int RenderOverlay(vtkViewport* viewport) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   ///@}

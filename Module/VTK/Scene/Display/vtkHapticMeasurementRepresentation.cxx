@@ -53,13 +53,13 @@ namespace
 {
 
 /**
- * Draws texts beside points of the scene. The texts overlap neither each other nor the head-up
+ * Draws texts beside points of the scene, so that they overlap neither each other nor the head-up
  * display.
  */
 class MeasuredLabels
 {
 public:
-  /** Pixels of the viewport: left, right, bottom, top. */
+  /** Box in pixels of the viewport. */
   struct Box
   {
     double Left;
@@ -75,8 +75,8 @@ public:
   };
 
   /**
-   * Draws labels in the overlay pass. Earlier labels get their preferred positions. A label for
-   * which there is no room is left out. Returns the number of labels drawn.
+   * Draws labels in the overlay pass. Labels at the start of the list get their preferred positions
+   * first. Omits a label if there is no space for it. Returns the number of drawn labels.
    */
   int Render(vtkRenderer* renderer, const std::vector<Label>& labels,
     const std::function<bool(const Box&)>& isTaken);
@@ -89,8 +89,8 @@ private:
 using Box = MeasuredLabels::Box;
 
 constexpr int FontSize = 13;  // points
-constexpr double Near = 12.0; ///< pixels from the point to the text
-constexpr double Step = 18.0; ///< pixels by which the next try is farther from the point
+constexpr double Near = 12.0; ///< pixels between the point and the text
+constexpr double Step = 18.0; ///< pixels by which the distance grows from try to try
 constexpr int LabelRounds = 4;
 constexpr double LabelMargin = 3.0;
 
@@ -99,10 +99,10 @@ bool Overlap(const Box& a, const Box& b)
   return a.Left < b.Right && b.Left < a.Right && a.Bottom < b.Top && b.Bottom < a.Top;
 }
 
-/** Returns a box of a size beside a point. `side` is one of eight sides. */
+/** Returns a box of the given size on one of eight sides of a point. */
 Box PutBeside(const double at[2], const double size[2], int side, double distance)
 {
-  // The right side is the best to read, then the left, above, and below.
+  // In order of preference: the right side is best to read, then left, above and below.
   static const double sides[8][2] = { { 1, 0 }, { -1, 0 }, { 0, 1 }, { 0, -1 }, { 0.7, 0.7 },
     { 0.7, -0.7 }, { -0.7, 0.7 }, { -0.7, -0.7 } };
   const double* const to = sides[side];
@@ -163,7 +163,7 @@ int MeasuredLabels::Render(vtkRenderer* renderer, const std::vector<Label>& labe
     }
     if (isPlaced)
     {
-      actor->RenderOpaqueGeometry(renderer); // draws the letters into the texture shown next
+      actor->RenderOpaqueGeometry(renderer); // renders the text into the texture that is drawn next
       actor->RenderOverlay(renderer);
       ++drawn;
     }
@@ -180,8 +180,8 @@ void MeasuredLabels::Release(vtkWindow* window)
 }
 
 /**
- * Measurements in the scene: points as spheres, lines as tubes, areas as patches. They shine
- * faintly through objects in front of them.
+ * Shapes of measurements in the scene: spheres for points, tubes for lines, patches for areas. They
+ * are faintly visible through objects in front of them.
  */
 class MeasuredShapes
 {
@@ -189,21 +189,19 @@ public:
   MeasuredShapes(double red, double green, double blue);
   ~MeasuredShapes();
 
-  /** Removes the shapes, and sets the radius of spheres (world units). */
+  /** Removes all shapes, and sets the radius of spheres (world units). */
   void Clear(double radius);
-  /** Adds a shape of one of vtkHapticMeasurements' kinds. */
+  /** Adds the shape of a measurement of a vtkHapticMeasurements::KindType. */
   void Add(int kind, vtkPolyData* shape);
 
   void RenderOpaque(vtkViewport* viewport);
-  /** Draws the faint copy over objects that hide the shapes. */
+  /** Draws a faint copy of the shapes over objects that hide them. */
   void RenderHidden(vtkViewport* viewport);
   void Release(vtkWindow* window);
   void AddTo(vtkBoundingBox& box);
 
 private:
-  /**
-   * Adds the line. Leaves out points that are too close to the previous point to be distinguished.
-   */
+  /** Adds a line, without points that are too close to the previous one to be distinguished. */
   void AddLine(vtkPolyData* shape);
   void AddArc(vtkPolyData* angle);
   void AddPatch(vtkPolyData* shape);
@@ -273,7 +271,7 @@ MeasuredShapes::MeasuredShapes(double red, double green, double blue)
     part.Ghost->GetProperty()->SetColor(red, green, blue);
     part.Ghost->GetProperty()->LightingOff();
     part.Ghost->GetProperty()->SetOpacity(HiddenOpacity);
-    part.Ghost->ForceOpaqueOn(); // the overlay pass does not sort
+    part.Ghost->ForceOpaqueOn(); // the overlay pass does not sort translucent objects
     Begin(part.Data);
   }
 }
@@ -326,8 +324,8 @@ void MeasuredShapes::AddLine(vtkPolyData* shape)
   for (vtkIdType i = 0; i <= last; ++i)
   {
     const Vector3 point = FromArray(shape->GetPoint(i));
-    // Leave out points that are close to the one before. Leave out the last point only if it equals
-    // the one before, because a tube can't continue from a point to itself.
+    // Skip a point that is close to the previous one. Skip the last point only if it equals the
+    // previous one, since a tube needs segments of non-zero length.
     const double least = i == last ? 0.0 : 0.5 * this->Radius;
     if (i == 0 || Norm(point - before) > least)
     {
@@ -347,11 +345,11 @@ void MeasuredShapes::AddArc(vtkPolyData* angle)
   const Vector3 legs[2] = { FromArray(angle->GetPoint(0)) - corner,
     FromArray(angle->GetPoint(2)) - corner };
   const double lengths[2] = { Norm(legs[0]), Norm(legs[1]) };
-  // perpendicular to the first leg, towards the second
+  // Unit vector perpendicular to the first leg, towards the second.
   const Vector3 across = Cross(Cross(legs[0], legs[1]), legs[0]);
   if (!(Norm(across) > 0.0))
   {
-    return; // no arc: the angle is 0 or 180 degrees, or a leg has no length
+    return; // no arc, because the angle is 0 or 180 degrees, or a leg has no length
   }
   const Vector3 x = (1.0 / lengths[0]) * legs[0];
   const Vector3 y = (1.0 / Norm(across)) * across;
@@ -438,8 +436,8 @@ namespace
 {
 
 /**
- * Returns the position of a label: a point, the middle of a distance, the corner of an angle, the
- * point of an area nearest to its middle, or the end of a path.
+ * Returns the position of a label: at a point, in the middle of a distance, at the corner of an
+ * angle, at the end of a path, or at the point of an area that is nearest to its centre.
  */
 Vector3 ComputePlace(int kind, vtkPolyData* shape)
 {
@@ -453,8 +451,8 @@ Vector3 ComputePlace(int kind, vtkPolyData* shape)
       return at(1);
     case vtkHapticMeasurements::AREA:
     {
-      // Take the point of the area that is nearest to the middle, because the middle itself may be
-      // inside the body.
+      // Use the point of the area nearest to the centre, because the centre itself may be inside
+      // the body.
       const double* const b = shape->GetBounds();
       const Vector3 middle{ 0.5 * (b[0] + b[1]), 0.5 * (b[2] + b[3]), 0.5 * (b[4] + b[5]) };
       Vector3 nearest = at(0);

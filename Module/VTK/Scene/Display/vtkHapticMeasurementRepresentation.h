@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticMeasurementRepresentation
- * @brief   measurements in the scene, with their names and values
+ * @brief   draws measurements in the scene, with their names and values
  *
  * A prop that draws vtkHapticMeasurements: points as spheres, distances, angles and paths as lines,
  * and areas as patches, each with a label. The measurement in progress is white. What lies behind a
  * surface or inside a volume is drawn faintly. Labels do not overlap each other or the head-up
- * display; a label for which there is no room is not shown.
+ * display; a label is omitted if there is no space for it.
  *
  *   representation->SetMeasurements(measurements);
  *   representation->SetHeadUpDisplay(display); // optional
@@ -76,8 +76,8 @@ public:
 
   ///@{
   /**
-   * Compute the bounds of the measurements, draw them, and release their graphics resources; the
-   * renderer calls these.
+   * Compute the bounds of the measurements, draw them, and release their graphics resources; called
+   * by the renderer.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
   int RenderOpaqueGeometry(vtkViewport* viewport) override;

@@ -17,8 +17,8 @@ namespace
 
 constexpr std::size_t MostEdits = 100;
 /**
- * The most labels in the tables of all steps together, so that a large segmentation does not fill
- * the memory.
+ * Largest number of labels in all steps together, so that a large segmentation does not fill the
+ * memory.
  */
 constexpr vtkIdType MostLabels = 1000000;
 
@@ -64,7 +64,7 @@ void EditHistory::Restore(const Step& step, const EditedObjects& objects)
 {
   if (step.Property && objects.Property)
   {
-    // The editor does not edit these values, so keep the current ones.
+    // Keep the current values of these two, which the editor does not edit.
     step.Property->SetComponent(objects.Property->GetComponent());
     step.Property->SetVisibilityFrom(objects.Property->GetVisibilityFrom());
     objects.Property->DeepCopy(step.Property);
@@ -151,7 +151,7 @@ bool EditHistory::Reset(const EditedObjects& objects)
 {
   if (this->Done.empty())
   {
-    return false; // nothing to reset: the editor changed nothing, or all edits were undone
+    return false; // nothing to reset: there were no edits, or all were undone
   }
   this->Undone.clear();
   Keep(this->Done, Copy(objects, &this->First));

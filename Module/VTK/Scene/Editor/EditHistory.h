@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Undo and redo for vtkHapticFunctionEditor.
+ * Implements undo and redo for vtkHapticFunctionEditor.
  */
 #ifndef EditHistory_h
 #define EditHistory_h
@@ -19,7 +19,7 @@ class vtkPiecewiseFunction;
 namespace VolumeHaptics
 {
 
-/** The objects that an editor changes; any may be null. */
+/** Objects that an editor changes; any may be null. */
 struct EditedObjects
 {
   vtkHapticProperty* Property = nullptr;
@@ -28,8 +28,8 @@ struct EditedObjects
 };
 
 /**
- * A list of steps. Each step has the state before an edit of those objects that the edit has
- * changed. Changes by the program are no steps.
+ * A list of steps. Each step stores the state before an edit, of the objects that the edit changed.
+ * Changes that the program makes are not recorded as steps.
  */
 class EditHistory
 {
@@ -41,7 +41,7 @@ public:
 
   ///@{
   /**
-   * Begin or end a step: call Begin before an edit and End after it. An edit that changed nothing
+   * Begin and end a step: call Begin before an edit and End after it. An edit without a change
    * makes no step.
    */
   void Begin(const EditedObjects& objects);
@@ -50,14 +50,14 @@ public:
 
   ///@{
   /**
-   * Restore the state before the last edit, or after an undone edit, in the objects themselves.
-   * Return false if there is none.
+   * Restore, in the objects themselves, the state before the last edit or after the last undone
+   * edit. Return false if there is none.
    */
   bool Undo(const EditedObjects& objects);
   bool Redo(const EditedObjects& objects);
   /**
-   * Restores the state before the first edit, as a step of its own. Returns false if there is
-   * nothing to undo.
+   * Restores the state before the first edit, recorded as a further step. Returns false if there is
+   * nothing to reset.
    */
   bool Reset(const EditedObjects& objects);
   ///@}
@@ -68,7 +68,7 @@ public:
 private:
   struct Step
   {
-    vtkSmartPointer<vtkHapticProperty> Property; ///< null if not changed
+    vtkSmartPointer<vtkHapticProperty> Property; ///< null if the edit did not change it
     vtkSmartPointer<vtkPiecewiseFunction> Opacity;
     vtkSmartPointer<vtkHapticLabelTable> Labels;
     bool IsEmpty() const { return !this->Property && !this->Opacity && !this->Labels; }
@@ -81,7 +81,7 @@ private:
   };
 
   static Times ReadTimes(const EditedObjects& objects);
-  /** Copies the objects. If `like` is given, copies only the objects that this step has. */
+  /** Copies the objects. With `like`, copies only the objects that this step contains. */
   static Step Copy(const EditedObjects& objects, const Step* like);
   static void Restore(const Step& step, const EditedObjects& objects);
   static void Keep(std::deque<Step>& steps, Step step);
@@ -89,7 +89,7 @@ private:
 
   std::deque<Step> Done;
   std::deque<Step> Undone;
-  Step First;  ///< the state of each object before its first edit
+  Step First;  ///< state of each object before its first edit
   Step Before; ///< state before the edit in progress
   Times Begun;
 };

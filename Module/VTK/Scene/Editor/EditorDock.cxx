@@ -17,8 +17,8 @@ namespace
 {
 
 /**
- * Draws the editor in the docked renderer. The editor itself is not added to this renderer, because
- * it owns the renderer, and so they would keep each other alive.
+ * Draws the editor in the docked renderer. The editor itself is not added to that renderer, because
+ * they would own each other and never be deleted.
  */
 class HapticDockedProp : public vtkProp
 {
@@ -39,7 +39,7 @@ private:
 
 vtkStandardNewMacro(HapticDockedProp);
 
-constexpr int BorderReach = 5; // pixels on each side of the border in which the mouse can grab it
+constexpr int BorderReach = 5; // pixels on either side of the border where the mouse can grab it
 
 } // namespace
 
@@ -54,7 +54,7 @@ EditorDock::EditorDock(vtkHapticFunctionEditor* editor, DrawFunction draw)
   prop->Draw = std::move(draw);
   prop->PickableOff();
   this->Renderer->AddViewProp(prop);
-  this->Renderer->InteractiveOff(); // keeps interactors from moving its camera
+  this->Renderer->InteractiveOff(); // prevents interactors from moving its camera
   this->Renderer->SetBackground(0.93, 0.94, 0.95);
   this->StartObserver->SetClientData(this);
   this->StartObserver->SetCallback(
@@ -155,7 +155,7 @@ DockEdge EditorDock::GetEdge() const
 //------------------------------------------------------------------------------
 void EditorDock::Update()
 {
-  // An editor is no longer shown after it was removed from its renderer.
+  // A removed editor, which no renderer uses, counts as hidden.
   const bool isShown = this->Editor->GetDocked() && this->Editor->GetVisibility() &&
     this->Editor->GetNumberOfConsumers() > 0 && this->Window;
   if (!isShown)
@@ -199,7 +199,8 @@ bool EditorDock::IsOnBorder(int x, int y)
   const int* const origin = this->Renderer->GetOrigin();
   const int* const size = this->Renderer->GetSize();
   const int at[2] = { x - origin[0], y - origin[1] };
-  const int across = IsColumn(this->GetEdge()) ? 0 : 1; // the axis perpendicular to the border
+  const int across = IsColumn(this->GetEdge()) ? 0 : 1; // index of the axis perpendicular to the
+                                                        // border
   const int along = 1 - across;
   const int border = IsLow(this->GetEdge()) ? size[across] : 0;
   return std::abs(at[across] - border) <= BorderReach && at[along] >= 0 && at[along] < size[along];

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Places the function editor over the scene, or in a viewport of its own beside the scene.
+ * Places the function editor over the scene, or beside it in a separate viewport.
  */
 #ifndef EditorDock_h
 #define EditorDock_h
@@ -27,7 +27,7 @@ namespace VolumeHaptics
 class EditorDock
 {
 public:
-  /** A function that draws the editor into a viewport. */
+  /** Function that draws the editor into a viewport and returns the number of drawn props. */
   using DrawFunction = std::function<int(vtkViewport*)>;
 
   EditorDock(vtkHapticFunctionEditor* editor, DrawFunction draw);
@@ -36,11 +36,13 @@ public:
   EditorDock& operator=(const EditorDock&) = delete;
 
   /**
-   * Sets the renderer to which the editor was added. The editor docks in that renderer's window.
-   * The renderer is not kept alive.
+   * Sets the renderer that the editor was added to, without a reference. The editor docks in this
+   * renderer's window.
    */
   void SetHost(vtkRenderer* host);
-  /** Docks or undocks the editor by its settings. Call this before each frame of the window. */
+  /**
+   * Docks or undocks the editor as its settings require. Call this before each frame of the window.
+   */
   void Update();
   bool IsTaken() const { return this->HasRoom; }
 
@@ -52,15 +54,15 @@ public:
   ///@}
 
   ///@{
-  /** Convert from the display to the viewport that draws the editor, or back. */
+  /** Convert positions from the display to the viewport that draws the editor, or back. */
   void ToViewport(int& x, int& y);
   void ToDisplay(double position[2]);
   ///@}
 
   /**
    * Drags the border between editor and scene. `event` is a vtkCommand of the left button, or
-   * MouseMoveEvent, at a position on the display. `isFree`: whether no other drag is under way.
-   * Returns false if the event is not for the border.
+   * MouseMoveEvent, at a position on the display. `isFree`: whether no other drag is in progress.
+   * Returns false if the event does not concern the border.
    */
   bool MoveBorder(int event, bool isLeft, bool isFree, int x, int y);
 
@@ -71,7 +73,7 @@ private:
   void Leave();
   bool IsOnBorder(int x, int y);
   void Drag(int x, int y);
-  /** Shows the mouse cursor of a border that can be dragged, or the usual cursor. */
+  /** Shows the mouse cursor for a draggable border, or the normal cursor. */
   void ShowCursor(bool isOnBorder);
 
   vtkHapticFunctionEditor* const Editor;
@@ -82,7 +84,7 @@ private:
   WindowDock Room;
   bool HasRoom = false;
   bool IsDragged = false;
-  bool HasCursor = false; ///< whether the cursor of the border is shown
+  bool HasCursor = false; ///< whether the cursor for the border is shown
 };
 
 } // namespace VolumeHaptics

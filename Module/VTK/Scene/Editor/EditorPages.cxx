@@ -28,7 +28,7 @@ namespace
 struct LabelAccess
 {
   void (vtkHapticLabelTable::*Set)(int, double);
-  double (vtkHapticLabelTable::*Get)(int); ///< returns -1 if the functions decide
+  double (vtkHapticLabelTable::*Get)(int); ///< getter; -1: the functions determine the value
 };
 
 constexpr LabelAccess LabelQuantities[HapticMaterialList::Quantities] = {
@@ -46,8 +46,8 @@ struct EditedPage
   vtkPiecewiseFunction* (vtkHapticProperty::*Get)();
 };
 
-// The numbers of a page: the value of an empty function (as in vtkHapticProperty), the usual top of
-// the axis, and the largest top.
+// For each page: title, value of an empty function (as in vtkHapticProperty), usual and largest top
+// of the axis.
 const EditedPage Pages[] = {
   { { "Stiffness (N/m)", 500.0, 1000.0, 1e5 }, &vtkHapticProperty::GetStiffness },
   { { "Friction coefficient", 0.0, 1.0, 10.0 }, &vtkHapticProperty::GetFriction },
@@ -58,10 +58,13 @@ const EditedPage Pages[] = {
   { { "Materials of tissues", 0.0, 1.0, 1.0 }, nullptr },
 };
 
-/** The largest lag (m) for which the drag is not too strong: twice the lag that presets allow. */
+/**
+ * Largest lag (m) of the proxy without a warning that the drag is too strong: twice the lag of the
+ * presets.
+ */
 constexpr double LongDrag = 0.01;
 
-/** Returns the value of a function at x. An empty function has the value `empty` everywhere. */
+/** Returns the value of a function at x; `empty` for a function without points. */
 double Evaluate(vtkPiecewiseFunction* function, double x, double empty)
 {
   return function->GetSize() > 0 ? function->GetValue(x) : empty;
@@ -85,7 +88,7 @@ std::vector<double> CollectNodes(vtkPiecewiseFunction* a, vtkPiecewiseFunction* 
 }
 
 constexpr int SheetWidth = 270;      // pixels: width of the tissues beside a chart
-constexpr int LeastChartWidth = 330; // pixels: least width of the chart, if tissues stand beside it
+constexpr int LeastChartWidth = 330; // pixels: smallest width of a chart beside the tissues
 constexpr int LeastSheetHeight = 150;
 
 } // namespace
@@ -244,8 +247,8 @@ std::string HapticLabelList::Describe(int label) const
 }
 
 /**
- * Returns the property whose edges are shown: the current proposal, or the property if it has an
- * accepted proposal. Returns null if it has no edges.
+ * Returns the property whose edges are shown: the pending proposal, or the edited property if it
+ * has an accepted proposal. Returns null if there are no edges.
  */
 vtkHapticProperty* HapticProposalView::GetProposed() const
 {
@@ -254,7 +257,7 @@ vtkHapticProperty* HapticProposalView::GetProposed() const
 }
 
 /**
- * Returns the data to search for edges. Shows the data's histogram first, because it yields the
+ * Returns the data to search for edges. First shows the data's histogram, because it determines the
  * range of values.
  */
 SearchedData HapticProposalView::GetSearched()
@@ -419,7 +422,7 @@ vtkPiecewiseFunction* EditorPages::GetFunction() const
 //------------------------------------------------------------------------------
 EditedObjects EditorPages::GetEdited() const
 {
-  // vtkHapticProperty::SetVisibilityFrom chooses the component in the same way.
+  // Choose the component in the same way as vtkHapticProperty::SetVisibilityFrom.
   const int component = this->VolumeProperty && this->VolumeProperty->GetIndependentComponents()
     ? std::min(this->Proposed.GetComponent(), VTK_MAX_VRCOMP - 1)
     : 0;
@@ -450,8 +453,8 @@ std::string EditorPages::GetWarning() const
   { return Evaluate(stiffness, x, Pages[Editor::STIFFNESS].Quantity.EmptyValue); };
   const auto drag = [&](double x)
   { return Evaluate(viscosity, x, Pages[Editor::VISCOSITY].Quantity.EmptyValue); };
-  // Because of noise, a voxel on a ramp of the functions may have the value of either end. So
-  // compare the larger drag with the smaller stiffness.
+  // Compare the larger drag with the smaller stiffness of both ends of a ramp, because noise can
+  // give a voxel on it the value of either end.
   const std::vector<double> places = CollectNodes(stiffness, viscosity);
   for (std::size_t i = 0; i < places.size(); ++i)
   {
@@ -469,7 +472,7 @@ std::string EditorPages::GetWarning() const
 //------------------------------------------------------------------------------
 void EditorPages::ScaleValues()
 {
-  // The axis of an opacity function shows unscaled scalars, because these are its argument.
+  // Show unscaled scalars for an opacity function, because they are its argument.
   vtkHapticProperty* const property =
     this->Page == Editor::OPACITY ? nullptr : this->Proposed.Property.Get();
   this->Chart.ScaleValues(property

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The pages of vtkHapticFunctionEditor: a chart for each function, and lists of labels and tissues.
+ * The pages of vtkHapticFunctionEditor: one chart per function, and the lists of labels and
+ * tissues.
  */
 #ifndef EditorPages_h
 #define EditorPages_h
@@ -36,7 +37,7 @@ namespace VolumeHaptics
 class HapticFunctionChart;
 
 /**
- * The labels of a label image, or if there is no image, of the table; and the material of the
+ * List of the labels in a label image, or, without an image, in the table; and the material of the
  * selected label.
  */
 class HapticLabelList : public HapticMaterialList
@@ -47,16 +48,16 @@ public:
 
   ///@{
   /**
-   * Count() searches the image for labels. Of a large image, the list shows the labels of spread
-   * samples at first, until PollCount() finds that a thread has searched all voxels. IsCounted()
-   * returns whether the list is up to date.
+   * Count() searches the image for labels. For a large image, the list first shows the labels of a
+   * subset of the samples, until PollCount() receives the result of a worker that has searched all
+   * voxels. IsCounted() returns whether the list is up to date.
    */
   void Count();
   bool IsCounted() const override;
   void PollCount();
-  /** Ends the search in an image that is no longer shown, because the program may delete it. */
+  /** Cancels the search in an image that is no longer shown, because the program may delete it. */
   void EndOtherCount();
-  /** Returns the fraction of the image that was searched, 0 to 1. */
+  /** Returns the fraction of the image in which labels were searched, 0 to 1. */
   double GetCountedFraction() const;
   ///@}
 
@@ -65,7 +66,7 @@ public:
   vtkObject* GetEdited() const override;
   std::string GetTitle() const override;
   const char* GetHint() const override { return "Click on a label to edit its material"; }
-  /** Returns a text such as "5 liver". */
+  /** Returns the text of a row, such as "5 liver". */
   std::string Describe(int label) const override;
   std::array<double, 3> GetColor(int label) const override;
   bool HasBoxes() const override { return true; }
@@ -82,17 +83,17 @@ protected:
 
 private:
   std::vector<int> Present;
-  /** the image of the list; only compared, never dereferenced */
+  /** Image of the list; only compared, never dereferenced. */
   const vtkImageData* CountedImage = nullptr;
   vtkTimeStamp CountTime;
-  // the labels that are being searched; null after the search
+  // Labels being searched; null when no search is running.
   vtkSmartPointer<vtkDataArray> Counted;
   KeyedWork<vtkMTimeType, std::vector<int>> Counting;
 };
 
 /**
- * Shows proposed functions for an image, and the edges from which they were proposed, on the chart
- * of vtkHapticFunctionEditor.
+ * Shows proposed functions for an image on the chart of vtkHapticFunctionEditor, and the edges that
+ * they were proposed from.
  */
 class HapticProposalView
 {
@@ -102,16 +103,16 @@ public:
   {
   }
 
-  /** the property that gets an accepted proposal; may be null */
+  /** Property to receive an accepted proposal; may be null. */
   vtkSmartPointer<vtkHapticProperty> Property;
-  vtkSmartPointer<vtkImageData> Image; ///< the image that is searched; may be null
+  vtkSmartPointer<vtkImageData> Image; ///< image to search; may be null
   int GetComponent() const { return this->Property ? this->Property->GetComponent() : 0; }
 
   ///@{
   /**
-   * Search for a proposal, and show it if one is found. SearchNow() waits for the end of the
-   * search. Begin() searches in the background; if the image can't be searched, it returns false
-   * and writes the reason and the cure to `error`. Poll() returns the result once.
+   * Search for a proposal, and show it if one is found. SearchNow() returns after the search.
+   * Begin() searches in the background; it returns false, with the reason and the cure in `error`,
+   * if the image can't be searched. Poll() returns the result once.
    */
   FoundFunctions SearchNow();
   bool Begin(std::string& error);
@@ -120,25 +121,25 @@ public:
   double GetProgress() const { return this->Search.GetProgress(); }
   ///@}
 
-  /** Ends the search in an image that was removed. */
+  /** Cancels the search in an image that was replaced. */
   void EndOtherSearch() { this->Search.EndUnless(this->Image); }
 
   ///@{
   /**
-   * Handle a proposal that was neither accepted nor dropped yet: IsThere() returns whether there is
-   * one, Apply() accepts it, Drop() drops it and ends the search.
+   * Handle the pending proposal: IsThere() returns whether there is one, Apply() accepts it, Drop()
+   * discards it and cancels a search.
    */
   bool IsThere() const { return this->Proposal != nullptr; }
   bool Apply();
   bool Drop();
   ///@}
 
-  /** Shows the edges of the current or the last accepted proposal once they are counted. */
+  /** Shows the edges of the pending or last accepted proposal once they are counted. */
   void PollEdges();
 
   /**
    * Draws the proposed function beside the edited one, and the limits of distinctness. `get`
-   * returns the function of a property.
+   * returns the function from a property.
    */
   void ShowFunction(vtkPiecewiseFunction* (vtkHapticProperty::*get)());
 
@@ -152,14 +153,13 @@ private:
   HapticFunctionChart& Chart;
   FunctionSearch Search;
   vtkSmartPointer<vtkHapticProperty> Proposal;
-  vtkSmartPointer<vtkTable> Boundaries; // boundaries of the edges that the chart shows
+  vtkSmartPointer<vtkTable> Boundaries; // boundaries on the chart
   vtkTimeStamp EdgeTime;
 };
 
 /**
- * The edited objects, and the charts and lists that show them. It shows one page at a time; in a
- * wide editor, the tissues stand beside the chart of a function. Positions are pixels of the
- * viewport.
+ * The edited objects, and the charts and lists that show them. Shows one page at a time; in a wide
+ * editor, the tissues are beside the chart of a function. Positions are pixels of the viewport.
  */
 class EditorPages
 {
@@ -172,49 +172,49 @@ public:
 
   /** Sets the page, a vtkHapticFunctionEditor::FunctionType. */
   void SetPage(int page) { this->Page = page; }
-  /** Returns whether a page has something to edit. */
+  /** Returns whether a page has an object to edit. */
   bool Has(int page) const;
   const char* GetTitle() const;
 
-  /** Returns the function of the page; null if it has none. */
+  /** Returns the function that the page edits; null if it has none. */
   vtkPiecewiseFunction* GetFunction() const;
   EditedObjects GetEdited() const;
-  /** Returns only those objects that the page can edit. */
+  /** Returns the objects that the current page can edit; the others are null. */
   EditedObjects GetEditable() const;
   /**
-   * Returns a warning if the page shows stiffness or viscosity, and a value is too soft for its
-   * viscosity; else an empty text.
+   * Returns a warning if the page shows stiffness or viscosity, and any value is too soft for its
+   * viscosity; empty otherwise.
    */
   std::string GetWarning() const;
-  /** Sets the scale of the axis of values to the scale of the page's functions. */
+  /** Sets the scale of the value axis to that of the page's functions. */
   void ScaleValues();
-  /** Returns the time of the last edit. */
+  /** Returns the modification time of the edited objects, which is the time of the last edit. */
   vtkMTimeType GetEditTime() const;
 
   ///@{
-  /** Returns whether the histogram or the list of the page is complete. */
+  /** Returns whether the histogram or list of the page is complete. */
   bool IsCounted() const;
   void Count();
   void PollCounts();
   double GetCountedFraction() const;
-  /** Ends the work on an image that was removed. */
+  /** Cancels the work on an image that was replaced. */
   void EndOtherCounts();
   ///@}
 
-  /** Fits the page into a rectangle: left, bottom, width and height. */
+  /** Fits the page into a rectangle: left, bottom, width, height. */
   void Show(const int rectangle[4], bool isDragged, double scale = 1.0);
-  /** Return the actors that draw the page, or the actors of all pages. */
+  /** Return the actors of the current page, or of all pages. */
   std::vector<vtkContextActor*> GetActors();
   std::vector<vtkContextActor*> GetAllActors();
 
   /**
-   * Passes a mouse event to the part under the mouse, as HapticFunctionChart::SendMouse does. Until
-   * a button is released, its events go to the part that was pressed.
+   * Passes a mouse event to the part under the mouse, like HapticFunctionChart::SendMouse. While a
+   * button is pressed, its events go to the part where it was pressed.
    */
   void SendMouse(int event, int button, int x, int y);
   void Turn(int x, int y, double steps);
 
-  /** Returns the page's list of materials; null if the page has none. */
+  /** Returns the list of materials on the page; null if it has none. */
   HapticMaterialSheet* GetSheet();
   HapticMaterialSheet& GetLabels() { return this->Labels; }
   HapticMaterialSheet& GetTissues() { return this->Tissues; }
@@ -226,9 +226,9 @@ private:
   HapticMaterialSheet Labels{ LabelList };
   HapticMaterialSheet Tissues{ TissueList };
   int Page = 0;
-  bool HasBoth = false;    ///< whether chart and tissues are shown side by side
-  int Split = 0;           ///< x coordinate of the border between chart and tissues
-  bool HoldsSheet = false; ///< whether the mouse has pressed a list and not yet been released
+  bool HasBoth = false;    ///< whether chart and tissues are side by side
+  int Split = 0;           ///< x of the border between chart and tissues
+  bool HoldsSheet = false; ///< whether the mouse was pressed in the list and not released yet
 };
 
 } // namespace VolumeHaptics

@@ -66,8 +66,8 @@ void HapticEdgePlot::ShowEdges(const EdgeHistogram& histogram, vtkHapticProperty
       *pixel++ = static_cast<unsigned char>(MostOpacity * fraction);
     }
   }
-  // The arc of a boundary by Kindlmann and Durkin: gradient magnitude g_max exp(-x^2 / 2) at value
-  // V1 + (V2 - V1) Phi(x).
+  // Compute the arc of a boundary after Kindlmann and Durkin: gradient magnitude g_max exp(-x^2 /
+  // 2) at value V1 + (V2 - V1) Phi(x).
   this->Arcs.clear();
   for (vtkIdType i = 0; boundaries && i < boundaries->GetNumberOfRows(); ++i)
   {
@@ -171,7 +171,7 @@ void HapticEdgePlot::GetBounds(double bounds[4])
 namespace
 {
 
-constexpr int BandOpacity = 110; // opacity, of at most 255, so that the histogram shows through
+constexpr int BandOpacity = 110; // of 255, so that the histogram stays visible
 constexpr double BandInk[3] = { 0.25, 0.27, 0.31 };
 constexpr float NameMargin = 3.0f; // pixels
 
@@ -219,7 +219,7 @@ void HapticTissueBands::PaintName(
 {
   vtkTextProperty* const text = painter->GetTextProp();
   VolumeHaptics::SetChartText(text, this->Letters, BandInk);
-  float bounds[4]; // lower left corner, width and height
+  float bounds[4]; // x and y of the lower left corner, width, height
   text->SetOrientation(0.0);
   painter->ComputeStringBounds(band.Name, bounds);
   const bool isUpright = bounds[2] + 2.0f * NameMargin > place.GetWidth();
@@ -233,7 +233,7 @@ void HapticTissueBands::PaintName(
   const float top = place.GetTop() - NameMargin;
   if (isUpright)
   {
-    // The name begins below the end of the function's axis, which is at the top.
+    // Start the name below the end of the function's axis, which is at the top.
     text->SetOrientation(90.0);
     text->SetJustificationToCentered();
     text->SetVerticalJustificationToCentered();
@@ -253,7 +253,7 @@ bool HapticTissueBands::Paint(vtkContext2D* painter)
   {
     return false;
   }
-  // Draw in pixels, because letters are measured in pixels.
+  // Draw in pixels, since the size of letters is in pixels.
   const vtkRectd scale = this->GetShiftScale();
   const auto scaled = [&scale](double value)
   { return static_cast<float>((value + scale[0]) * scale[2]); };

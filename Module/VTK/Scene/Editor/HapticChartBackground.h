@@ -24,8 +24,8 @@ class vtkRectf;
 /**
  * Draws the edges of a volume behind a function.
  *
- * The edges are a two-dimensional histogram of value (to the right) and gradient magnitude
- * (upwards). Over it are the arc of each boundary, and lines at the gradient magnitudes at which
+ * The edges are a two-dimensional histogram of value (horizontal) and gradient magnitude
+ * (vertical). Over it are the arc of each boundary, and lines at the gradient magnitudes where
  * distinctness begins and becomes full. The vertical axis runs from 0 to 1, as in the other plots
  * of HapticFunctionChart.
  */
@@ -38,7 +38,7 @@ public:
   /** Shows a histogram, and the boundaries that a property has proposed. `proposed` may be null. */
   void ShowEdges(const VolumeHaptics::EdgeHistogram& histogram, vtkHapticProperty* proposed);
 
-  /** Sets the scale that converts scalars to the values of the axis. */
+  /** Sets the conversion from scalars to values on the axis. */
   void ScaleValues(const VolumeHaptics::ValueScale& scale);
 
   /**
@@ -48,7 +48,7 @@ public:
   void ShowDistinctness(double start, double full);
 
   ///@{
-  /** Draw the plot, or compute its bounds; the chart calls them. */
+  /** Draw the plot or compute its bounds; called by the chart. */
   bool Paint(vtkContext2D* painter) override;
   void GetBounds(double bounds[4]) override;
   ///@}
@@ -64,9 +64,12 @@ private:
   struct ArcPoint
   {
     double Value;
-    double Fraction; // gradient magnitude as a fraction of the largest one shown
+    double Fraction; // gradient magnitude, as a fraction of the largest one shown
   };
-  /** Applies the plot's shift and scale to a scalar, so that its position fits single precision. */
+  /**
+   * Applies the plot's shift and scale to a scalar, so that single precision suffices for its
+   * position.
+   */
   float Scaled(double scalar);
   void DrawLine(vtkContext2D* painter, const std::vector<ArcPoint>& points);
 
@@ -79,11 +82,11 @@ private:
 };
 
 /**
- * The tissues of a property, as bands with names behind a function.
+ * Draws the tissues of a property as named bands behind a function.
  *
- * The first tissue reaches to the left end of the axis, and the last one to the right end, because
- * functions are constant beyond the tissues. In a narrow band the name is vertical. A band that is
- * too narrow for a vertical name has no name.
+ * The first tissue extends to the left end of the axis, and the last one to the right end, because
+ * functions are constant beyond the tissues. In a narrow band, the name is vertical, or omitted if
+ * there is no space for it.
  */
 class HapticTissueBands : public vtkPlot
 {
@@ -92,14 +95,14 @@ public:
   vtkTypeMacro(HapticTissueBands, vtkPlot);
 
   /**
-   * Shows the tissues of a property; shows none if it is null. `toValue`: the scale from scalars to
-   * the axis' values. `range`: the ends of the axis. `letters`: the size of the names.
+   * Shows the tissues of a property; none if it is null. `toValue` converts scalars to values on
+   * the axis. `range`: ends of the axis. `letters`: font size of the names.
    */
   void Show(vtkHapticProperty* property, const VolumeHaptics::ValueScale& toValue,
     const double range[2], int letters);
 
   ///@{
-  /** Draw the bands, or compute their bounds; the chart calls them. */
+  /** Draw the bands or compute their bounds; called by the chart. */
   bool Paint(vtkContext2D* painter) override;
   void GetBounds(double bounds[4]) override;
   ///@}

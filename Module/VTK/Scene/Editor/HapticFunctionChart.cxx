@@ -33,12 +33,12 @@ constexpr double Farthest = VolumeHaptics::FarthestShown;
 } // namespace
 
 /**
- * VTK's control points for functions whose values may exceed 1.
+ * VTK's control points, extended to functions whose values may exceed 1.
  *
- * vtkControlPointsItem shows and edits values from 0 to 1. This class divides values by Scale. A
- * value above Scale is shown at the top, and is kept until its point is dragged down. An empty
- * function is shown without points. When the first point is added, a point with the value of the
- * empty function is added at each end of the range.
+ * vtkControlPointsItem shows and edits values from 0 to 1, so this class divides values by Scale. A
+ * value above Scale is shown at the top, and stays unchanged until its point is dragged down. An
+ * empty function is shown without points. When the first point is added, a point with the empty
+ * function's value is added at each end of the range, too.
  */
 class HapticControlPointsItem : public vtkPiecewiseControlPointsItem
 {
@@ -48,8 +48,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Sets the range of x, and the scale (above 0): points are shown between these x, and between 0
-   * and the scale.
+   * Sets the visible range: x from `from` to `to`, and values from 0 to `scale`, which is above 0.
    */
   void SetRange(double from, double to, double scale);
 
@@ -57,12 +56,12 @@ public:
   void SetEmptyValue(double value);
 
   /**
-   * Returns the value and the position of the current point, such as "800 at 70"; empty if there is
-   * no current point.
+   * Returns a text with the value and position of the current point, such as "800 at 70"; empty if
+   * there is none.
    */
   std::string DescribeCurrentPoint();
 
-  /** Returns a function's value divided by the scale, limited to -1 to 1. */
+  /** Returns a value divided by the scale, clamped to -1 to 1. */
   static double ToFraction(double value, double scale);
 
   vtkIdType AddPoint(double* newPos) override;
@@ -202,7 +201,8 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int RightBottom = 1; // vtkChartXY's number of the right and the bottom axis, for a plot
+constexpr int RightBottom = 1; // vtkChartXY's index of the corner with the right and the bottom
+                               // axis
 
 constexpr double DarkText[3] = { 0.12, 0.13, 0.15 };
 
@@ -244,9 +244,9 @@ HapticFunctionChart::HapticFunctionChart()
   this->Chart->GetAxis(vtkAxis::RIGHT)->SetGridVisible(false);
   this->Chart->GetAxis(vtkAxis::TOP)->SetGridVisible(false);
 
-  // Put all plots on the right axis, which is invisible and runs from 0 to 1, because the control
-  // points need it, and because plots on different axes are not painted in the order of this list.
-  // The left axis, from 0 to the scale, only shows the values.
+  // Put all plots on the right axis, which is invisible and runs from 0 to 1. The control points
+  // need it, and plots on different axes would not be painted in the order of this list. The left
+  // axis, from 0 to the scale, only shows the numbers.
   for (vtkPlot* plot : std::initializer_list<vtkPlot*>{
          this->Bars, this->Edges, this->Bands, this->Proposed, this->Curve, this->Points })
   {
@@ -470,7 +470,7 @@ void HapticFunctionChart::FitAxes(vtkPiecewiseFunction* function, const EditedQu
   {
     double node[4];
     function->GetNodeValue(i, node);
-    if (std::abs(node[0]) <= FarthestShown) // this is also false for NaN
+    if (std::abs(node[0]) <= FarthestShown) // also skips NaN
     {
       ends[0] = std::min(ends[0], node[0]);
       ends[1] = std::max(ends[1], node[0]);
@@ -479,12 +479,13 @@ void HapticFunctionChart::FitAxes(vtkPiecewiseFunction* function, const EditedQu
   }
   if (ends[0] <= ends[1])
   {
-    // Show points beyond the data, too, but let the data fill at least half of the axis.
+    // Include points beyond the data, as long as the data fill at least half of the axis.
     const double margin = this->HasData ? 0.5 * (to - from) : VTK_DOUBLE_MAX;
     from = this->HasData ? std::min(from, std::max(ends[0], from - margin)) : ends[0];
     to = this->HasData ? std::max(to, std::min(ends[1], to + margin)) : ends[1];
   }
-  // On a narrower axis, single precision would give all ticks the same number.
+  // Limit how narrow the axis becomes: otherwise single precision would give all ticks the same
+  // number.
   constexpr double precision = 1e-5;
   const double least =
     std::max(1.0 / FarthestShown, precision * std::max(std::abs(from), std::abs(to)));
@@ -533,8 +534,9 @@ HapticFunctionChart::AxisKind HapticFunctionChart::FindAxis(int x, int y)
   const float* const top = this->Chart->GetAxis(vtkAxis::LEFT)->GetPoint2();
   const auto right = static_cast<float>(x);
   const auto up = static_cast<float>(y);
-  // Near its end, an axis gives way to control points, whose symbols reach beyond it.
-  constexpr float reach = 4.0f; // pixels by which a symbol reaches beyond the axis
+  // Near the end of an axis, prefer control points to the axis, because their symbols extend beyond
+  // it.
+  constexpr float reach = 4.0f; // pixels by which a symbol extends beyond the axis
   if (up < corner[1] - reach && right >= corner[0] && right <= end[0])
   {
     return AxisKind::Values;
@@ -546,7 +548,7 @@ HapticFunctionChart::AxisKind HapticFunctionChart::FindAxis(int x, int y)
 //------------------------------------------------------------------------------
 void HapticFunctionChart::ChooseValues(double from, double to)
 {
-  // Do not stretch the axis so far that single precision can't separate its ticks.
+  // Limit how far the axis is stretched: otherwise single precision could not separate its ticks.
   constexpr double precision = 1e-5;
   const double least =
     std::max(1.0 / FarthestShown, precision * std::max(std::abs(from), std::abs(to)));
@@ -561,7 +563,7 @@ void HapticFunctionChart::ChooseTop(double top)
 {
   if (this->Shown)
   {
-    constexpr double smallest = 1e-4; // smallest top, as a fraction of the usual top
+    constexpr double smallest = 1e-4; // smallest top, as a fraction of the usual one
     const double chosen = std::clamp(top, smallest * this->Shown->Usual, this->Shown->Most);
     this->ChosenTops[this->Shown] = chosen;
     this->SetAxes(this->Range[0], this->Range[1], chosen);
@@ -603,7 +605,7 @@ bool HapticFunctionChart::MoveAxes(int event, int button, int x, int y)
   }
   else
   {
-    // Keep the value under the mouse where the mouse is.
+    // Keep the value that was under the mouse at the mouse's position.
     const double foot = left->GetPoint1()[1];
     this->ChooseTop(
       this->Scale * std::max(1.0, this->LastMouse[1] - foot) / std::max(1.0, y - foot));
@@ -614,7 +616,7 @@ bool HapticFunctionChart::MoveAxes(int event, int button, int x, int y)
 //------------------------------------------------------------------------------
 void HapticFunctionChart::Turn(int x, int y, double steps)
 {
-  constexpr double stretch = 1.25; // factor for each step of the wheel
+  constexpr double stretch = 1.25; // factor per step of the wheel
   const double factor = std::pow(stretch, -steps);
   if (this->FindAxis(x, y) == AxisKind::Function)
   {

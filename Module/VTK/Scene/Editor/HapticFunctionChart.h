@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The chart of vtkHapticFunctionEditor: histogram, curve and control points.
+ * Draws the chart of vtkHapticFunctionEditor: histogram, curve and control points.
  */
 #ifndef HapticFunctionChart_h
 #define HapticFunctionChart_h
@@ -37,13 +37,13 @@ class vtkTable;
 namespace VolumeHaptics
 {
 
-/** The title and the scale of a function's chart. */
+/** Title and scale of the chart of a function. */
 struct EditedQuantity
 {
   const char* Title;
   double EmptyValue; // value of a function without points
-  double Usual;      // top of the axis if all values are zero
-  double Most;       // largest top of the axis, because larger values feel the same
+  double Usual;      // top of the axis of a function whose values are all zero
+  double Most;       // largest top of the axis; larger values feel the same
 };
 
 /** A scene that accepts mouse events from any caller, not only from vtkContextInteractorStyle. */
@@ -71,24 +71,24 @@ public:
 
   ///@{
   /**
-   * Shows the histogram of a component and the name of its array; `image` may be null. Of a large
-   * image, the histogram shows spread samples at first, until PollCount() finds that a thread has
-   * counted all values.
+   * Shows the histogram of a component and the name of its array; `image` may be null. For a large
+   * image, the histogram is first that of a subset of the samples, until PollCount() receives the
+   * result of a worker that has counted all values.
    */
   void ShowData(vtkImageData* image, int component);
   bool ShowsData(vtkImageData* image, int component) const;
   void PollCount();
-  /** Ends the count of a previous image, because the program may delete it. */
+  /** Cancels the count of a previous image, because the program may delete it. */
   void EndCountUnless(vtkImageData* image);
-  /** Returns the fraction of the values that have been counted, 0 to 1. */
+  /** Returns the fraction of values that have been counted, 0 to 1. */
   double GetCountedFraction() const;
   ///@}
 
   ///@{
   /**
-   * Shows edges behind the function instead of the histogram, with the boundaries of a proposed
-   * property. ShowDistinctness() sets the range of gradient magnitudes that are felt (scalar units
-   * per world unit).
+   * Shows edges behind the function instead of the histogram, with the boundaries from a proposed
+   * property. ShowDistinctness() marks the gradient magnitudes (scalar units per world unit) where
+   * distinctness begins and becomes full.
    */
   void ShowEdges(const EdgeHistogram& histogram, vtkHapticProperty* proposed);
   void HideEdges();
@@ -96,53 +96,50 @@ public:
   void ShowDistinctness(double start, double full);
   ///@}
 
-  /** Shows a second function, dashed; null shows none. */
+  /** Shows a second function as a dashed curve; null hides it. */
   void ShowProposed(vtkPiecewiseFunction* proposed) { this->ProposedFunction = proposed; }
 
-  /** Shows the finished fraction of a search for functions or edges. 1 stands for no search. */
+  /** Shows the progress of a search for functions or edges, 0 to 1; 1 hides it. */
   void ShowSearch(double fraction) { this->SearchedFraction = fraction; }
 
-  /** Shows a warning about the function; empty shows none. */
+  /** Shows a warning about the function; an empty text hides it. */
   void ShowWarning(const std::string& warning) { this->Warning = warning; }
 
-  /** Returns the range of the data (scalar units). */
+  /** Returns the range of the histogram's data (scalar units). */
   const double* GetDataRange() const { return this->Data.Range; }
 
-  /** Sets the scale that converts scalars to the values of the axis. */
+  /** Sets the conversion from scalars to values on the axis. */
   void ScaleValues(const ValueScale& scale);
 
-  /**
-   * Shows a function; null shows none. While a point is dragged (`dragged`), the axes stay
-   * unchanged.
-   */
+  /** Shows a function; null hides it. The axes stay unchanged while a point is `dragged`. */
   void ShowFunction(vtkPiecewiseFunction* function, const EditedQuantity& quantity, bool dragged);
 
-  /** Shows the tissues of a property as bands; call it after ShowFunction. */
+  /** Shows the tissues of a property as bands. Call this after ShowFunction. */
   void ShowTissues(vtkHapticProperty* property);
 
-  /** Shows a text in place of the title, because there is nothing to show. */
+  /** Shows the reason why nothing is shown, in place of the title. */
   void ShowNothing(const char* reason) { this->Chart->SetTitle(reason); }
 
   /**
    * Handles a vtkCommand of the left button, or MouseMoveEvent, at a position in the viewport. The
-   * left button also drags the axes: it moves the axis of values, and stretches the axis of the
-   * function. A double click on an axis fits both axes again.
+   * left button also drags the axes: it moves the value axis and stretches the function's axis. A
+   * double click on an axis fits both axes again.
    */
   void SendMouse(int event, int button, int x, int y);
   /**
    * Stretches an axis by turns of the wheel: the function's axis if the pointer is on it, otherwise
-   * the axis of values about the pointer.
+   * the value axis about the pointer.
    */
   void Turn(int x, int y, double steps);
 
-  /** Computes where a point of the curve is in the viewport. */
+  /** Computes the position of a point of the curve in the viewport. */
   void GetPosition(double x, double y, double position[2]);
 
 private:
   void ShowCounts();
   void FitAxes(vtkPiecewiseFunction* function, const EditedQuantity& quantity);
 
-  /** The axis under the mouse, next to the curves. */
+  /** Axis under the mouse. */
   enum class AxisKind
   {
     None,
@@ -150,7 +147,10 @@ private:
     Function
   };
   AxisKind FindAxis(int x, int y);
-  /** Moves or stretches an axis by a mouse event. Returns true if the event was for an axis. */
+  /**
+   * Moves or stretches an axis by a mouse event. Returns false if the event does not concern an
+   * axis.
+   */
   bool MoveAxes(int event, int button, int x, int y);
   void ChooseValues(double from, double to);
   void ChooseTop(double top);
@@ -173,10 +173,10 @@ private:
   vtkNew<vtkTable> CurveTable;
 
   const EditedQuantity* Shown = nullptr;
-  vtkImageData* ShownImage = nullptr; // the image of the chart; only compared, never dereferenced
+  vtkImageData* ShownImage = nullptr; // image on the chart; only compared, never dereferenced
   int ShownComponent = 0;
   vtkTimeStamp DataTime;
-  // the array whose values are being counted; null after the count
+  // Array whose values are being counted; null when no count is running.
   vtkSmartPointer<vtkDataArray> Counted;
   KeyedWork<vtkMTimeType, ValueCounts> Counting;
   bool HasData = false;
@@ -184,15 +184,15 @@ private:
   double SearchedFraction = 1.0;
   std::string Warning;
   vtkPiecewiseFunction* ProposedFunction = nullptr;
-  ValueCounts Data;                   // the histogram of the scalars
-  double DataRange[2] = { 0.0, 1.0 }; // range of the histogram on the axis of values
+  ValueCounts Data;                   // histogram of the scalars
+  double DataRange[2] = { 0.0, 1.0 }; // range of the histogram on the value axis
   ValueScale ToValue;
   double Range[2] = { 0.0, 1.0 };
   double Scale = 1.0;
-  int Letters = 8; ///< size of letters (points)
-  /** whether the user has moved the axis of values; then it is not fitted to the data */
+  int Letters = 8; ///< font size (points)
+  /** Whether the user has moved the value axis, which is then no longer fitted to the data. */
   bool HasChosenValues = false;
-  /** tops of the functions' axes that the user has chosen */
+  /** Tops of the functions' axes that the user has chosen. */
   std::map<const EditedQuantity*, double> ChosenTops;
   AxisKind DraggedAxis = AxisKind::None;
   vtkVector2i LastMouse{ 0, 0 };

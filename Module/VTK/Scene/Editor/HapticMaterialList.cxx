@@ -120,7 +120,7 @@ void HapticMaterialList::FitEnds()
 
 std::array<double, 3> GetTissueColor(int tissue)
 {
-  // The colours are pale, so that curves and letters stand out. Most people can distinguish them.
+  // Pale colours, so that curves and letters stand out. Most people can distinguish them.
   constexpr std::array<double, 3> colors[] = { { 0.70, 0.83, 0.95 }, { 0.98, 0.80, 0.66 },
     { 0.99, 0.93, 0.63 }, { 0.72, 0.90, 0.87 }, { 0.95, 0.72, 0.74 }, { 0.84, 0.78, 0.93 },
     { 0.80, 0.88, 0.70 }, { 0.86, 0.80, 0.72 } };

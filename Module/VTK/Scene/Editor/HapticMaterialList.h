@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The rows of a list in the function editor, labels or tissues, whose materials are edited by
- * sliders.
+ * Lists of labels or tissues in the function editor, whose materials are edited with sliders.
  */
 #ifndef HapticMaterialList_h
 #define HapticMaterialList_h
@@ -21,17 +20,17 @@ class vtkObject;
 namespace VolumeHaptics
 {
 
-/** A quantity of a material, as a slider shows it. */
+/** A quantity of a material with a slider. */
 struct MaterialQuantity
 {
   const char* Title;
-  double Usual; ///< usual end of the slider; a larger value moves the end
-  double Most;  ///< largest end of the slider
+  double Usual; ///< usual upper end of the slider; a larger value extends it
+  double Most;  ///< largest upper end of the slider
 };
 
 /**
- * Rows of materials in ascending order of their keys, some of them visible, and one selected. Only
- * visible rows are looked up, so that a million labels are as quick as ten.
+ * Rows of materials in ascending order of their keys, of which some are visible and one is
+ * selected. Only visible rows are looked up, so that a million labels are as fast as ten.
  */
 class HapticMaterialList
 {
@@ -46,17 +45,15 @@ public:
 
   virtual vtkIdType GetNumberOfRows() const = 0;
   virtual int GetKey(vtkIdType row) const = 0;
-  /** Returns whether the rows show the current data. */
+  /** Returns whether the rows are up to date with the data. */
   virtual bool IsCounted() const { return true; }
-  /** Returns the object whose MTime changes with edits; may be null. */
+  /** Returns the object whose MTime changes with each edit; may be null. */
   virtual vtkObject* GetEdited() const = 0;
 
   ///@{
-  /**
-   * Return the texts to paint. GetTitle() returns the title, or the reason why there are no rows.
-   */
+  /** Return the texts to paint. GetTitle() returns the title, or why there are no rows. */
   virtual std::string GetTitle() const = 0;
-  /** Returns a hint that tells the user how to select a row. */
+  /** Returns a hint on how to select a row. */
   virtual const char* GetHint() const = 0;
   virtual std::string Describe(int key) const = 0;
   virtual std::array<double, 3> GetColor(int key) const = 0;
@@ -64,8 +61,8 @@ public:
 
   ///@{
   /**
-   * HasBoxes() returns whether rows have boxes for "felt" and "forbidden". The other functions get
-   * and change the values of the boxes.
+   * HasBoxes() returns whether rows have check boxes for "felt" and "forbidden". The other
+   * functions read and change the boxes.
    */
   virtual bool HasBoxes() const { return false; }
   virtual bool IsFelt(int) const { return true; }
@@ -76,20 +73,20 @@ public:
 
   ///@{
   /**
-   * Return whether a row has a material of its own, or remove that material. Only lists with boxes
+   * Return whether a row has its own material, or remove that material. Only lists with check boxes
    * distinguish this.
    */
   virtual bool HasMaterial(int) const { return true; }
   virtual void RemoveMaterial(int) {}
   ///@}
 
-  /** Returns the row with a key; -1 if the list does not have the key. */
+  /** Returns the row of a key; -1 if the key is not in the list. */
   vtkIdType FindRow(int key) const;
 
   ///@{
   /**
-   * Set and get the visible rows: their number, and the first one. The first row is moved so that
-   * as many visible rows as possible exist.
+   * Set and get the visible rows: their number, and the first one. The first row is adjusted so
+   * that as many visible rows as possible exist.
    */
   void SetVisibleRows(vtkIdType rows);
   vtkIdType GetVisibleRows() const { return this->VisibleRows; }
@@ -99,23 +96,23 @@ public:
 
   ///@{
   /**
-   * Select a row, or get the key of the selected row. Select() also scrolls to the row; it returns
-   * false if the list does not have the key.
+   * Select a row, or get the key of the selected row. Select() also scrolls to the row. It returns
+   * false if the key is not in the list.
    */
   bool Select(int key);
   std::optional<int> GetSelected() const;
   ///@}
 
   ///@{
-  /** Returns a quantity of the selected row; -1 if the functions determine it. */
+  /** Returns a quantity of the selected row; -1 if the functions determine its value. */
   double GetValue(int quantity) const;
   void SetValue(int quantity, double value);
   ///@}
 
   ///@{
   /**
-   * GetEnd() returns the end of a slider. FitEnds() fits all ends to the values; do not call it
-   * during a drag, so that the slider stays.
+   * GetEnd() returns the upper end of a slider. FitEnds() fits all ends to the values; do not call
+   * it during a drag, so that the slider stays in place.
    */
   double GetEnd(int quantity) const { return this->Ends[static_cast<std::size_t>(quantity)]; }
   void FitEnds();
@@ -132,14 +129,14 @@ private:
   std::array<double, Quantities> Ends{ 1.0, 1.0, 1.0, 1.0 };
 };
 
-/** Returns the colour of a tissue by its number (RGB, 0 to 1), for lists and bands. */
+/** Returns the colour (RGB, 0 to 1) of a tissue, by its index, in lists and bands. */
 std::array<double, 3> GetTissueColor(int tissue);
 
-/** The tissues that the function editor lists, and the material of the selected tissue. */
+/** List of tissues in the function editor, and the material of the selected tissue. */
 class HapticTissueList : public HapticMaterialList
 {
 public:
-  /** `property` must outlive this list. It may hold null. */
+  /** The pointer `property` must outlive this list. It may be null. */
   explicit HapticTissueList(const vtkSmartPointer<vtkHapticProperty>& property)
     : Property(property)
   {

@@ -54,12 +54,12 @@ void PaintFrame(vtkContext2D* painter, const vtkRectf& box)
     EmptyColour);
 }
 
-/** Returns as much of the beginning of a UTF-8 text as fits into a width (pixels). */
+/** Shortens a UTF-8 text to a width (pixels). */
 std::string Shorten(vtkContext2D* painter, const std::string& text, float width)
 {
   const auto widthOf = [painter](const std::string& part)
   {
-    float bounds[4]; // lower left corner, width and height
+    float bounds[4]; // x and y of the lower left corner, width, height
     painter->ComputeStringBounds(part, bounds);
     return bounds[2];
   };
@@ -69,7 +69,7 @@ std::string Shorten(vtkContext2D* painter, const std::string& text, float width)
   }
   constexpr const char* rest = "...";
   const auto isWithin = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; };
-  std::size_t fits = 0; // number of bytes that fit
+  std::size_t fits = 0; // bytes of the text that fit
   std::size_t tooLong = text.size();
   while (fits + 1 < tooLong)
   {
@@ -80,7 +80,7 @@ std::string Shorten(vtkContext2D* painter, const std::string& text, float width)
     }
     if (middle == fits)
     {
-      break; // the first character is too long already
+      break; // not even the first character fits
     }
     (widthOf(text.substr(0, middle) + rest) <= width ? fits : tooLong) = middle;
   }
@@ -109,7 +109,7 @@ void PaintText(vtkContext2D* painter, const vtkRectf& box, const std::string& te
   }
 }
 
-/** Returns a number with three digits, in any locale. */
+/** Formats a number with three digits, in any locale. */
 std::string WriteValue(double value)
 {
   std::ostringstream text;
@@ -132,8 +132,7 @@ public:
   vtkTypeMacro(HapticMaterialItem, vtkContextItem);
 
   /**
-   * Sets the list to draw, which must outlive the item, its rectangle, and the pixels for each
-   * point of letters.
+   * Sets the list to draw, which must outlive the item, its rectangle, and the pixels per point.
    */
   void Show(
     const VolumeHaptics::HapticMaterialList& list, const int rectangle[4], double scale = 1.0);
@@ -156,7 +155,7 @@ private:
 
   const VolumeHaptics::HapticMaterialList* List = nullptr;
   int Rectangle[4] = { 0, 0, 1, 1 };
-  double Scale = 1.0; ///< pixels for each point of letters
+  double Scale = 1.0; ///< pixels per point
 };
 
 vtkStandardNewMacro(HapticMaterialItem);
@@ -324,7 +323,7 @@ bool Holds(const vtkRectf& r, float x, float y)
   return x >= r.GetLeft() && x < r.GetRight() && y >= r.GetBottom() && y < r.GetTop();
 }
 
-/** The number of steps in the range of a slider, for the wheel and for the mouse. */
+/** Steps over the whole range of a slider, for the wheel and for the mouse. */
 constexpr double SliderSteps = 200.0;
 constexpr double RowsPerTurn = 3.0;
 
@@ -624,7 +623,7 @@ void HapticMaterialSheet::Turn(int x, int y, double steps)
   {
     const double end = this->List.GetEnd(part.Quantity);
     const double before = std::max(0.0, this->List.GetValue(part.Quantity));
-    // Do not lower a value beyond the largest end, which a program may have set.
+    // Keep a value that a program has set above the slider's largest end.
     const double after = before + steps * end / SliderSteps;
     this->List.SetValue(part.Quantity, std::clamp(after, 0.0, std::max(end, before)));
   }

@@ -23,46 +23,46 @@ namespace VolumeHaptics
 
 class HapticMaterialList;
 
-/** The part of the sheet at a position. */
+/** The part of the sheet under a position. */
 struct MaterialPart
 {
   enum KindType
   {
     Nothing,
-    Name, ///< a row's name or swatch
-    Felt, ///< box of a row, as the next part; only in lists with boxes
+    Name, ///< name or swatch of a row
+    Felt, ///< check box of a row, like the next part; only in lists with boxes
     Forbidden,
     ScrollBar,
-    ByFunctions, ///< the button that removes a row's own material
+    ByFunctions, ///< button that removes a row's own material
     Slider
   };
 
   KindType Kind = Nothing;
-  vtkIdType Row = 0; ///< the row, for Name, Felt and Forbidden
-  int Quantity = 0;  ///< the quantity, for Slider
+  vtkIdType Row = 0; ///< for Name, Felt and Forbidden
+  int Quantity = 0;  ///< for Slider
 };
 
 /**
- * Computes the rectangles of the parts, from top to bottom: a title with the heads of the columns;
- * rows with swatch and name, two boxes if the list has them, and a scroll bar; name, button and
+ * Computes the rectangles of the parts, from top to bottom: a title with the column heads; rows
+ * with swatch and name, two check boxes if the list has them, and a scroll bar; name, button and
  * sliders of the selected row. All rectangles are in pixels of the viewport.
  */
 class HapticMaterialLayout
 {
 public:
-  /** `scale`: pixels for each point of letters. */
+  /** `scale`: pixels per point. */
   HapticMaterialLayout(const int rectangle[4], const HapticMaterialList& list, double scale = 1.0);
 
   int GetFontSize() const { return this->Font; }
-  /** Returns the number of rows that fit. */
+  /** Returns the number of rows that fit into the rectangle. */
   vtkIdType GetRoom() const { return this->Room; }
 
   vtkRectf GetTitle() const;
-  vtkRectf GetHead(MaterialPart::KindType column) const; ///< Felt or Forbidden
+  vtkRectf GetHead(MaterialPart::KindType column) const; ///< for Felt or Forbidden
   vtkRectf GetRow(vtkIdType row) const;
   vtkRectf GetSwatch(vtkIdType row) const;
   vtkRectf GetName(vtkIdType row) const;
-  vtkRectf GetBox(vtkIdType row, MaterialPart::KindType column) const; ///< Felt or Forbidden
+  vtkRectf GetBox(vtkIdType row, MaterialPart::KindType column) const; ///< for Felt or Forbidden
   vtkRectf GetScrollBar() const;
   vtkRectf GetThumb() const;
   vtkRectf GetSelectedName() const;
@@ -72,12 +72,13 @@ public:
 
   MaterialPart Find(float x, float y) const;
   /**
-   * Returns the row that becomes the first visible row if the scroll bar is clicked at a position.
+   * Returns the row that becomes the first visible one after a click on the scroll bar at this
+   * position.
    */
   vtkIdType GetFirstRowAt(float y) const;
 
 private:
-  float GetLineTop(int line) const; ///< the top of a line; lines count from 0 at the top
+  float GetLineTop(int line) const; ///< lines count from 0 at the top
   float GetFooterTop() const;
   float GetNamesRight() const;
 
@@ -92,7 +93,7 @@ private:
 class HapticMaterialSheet
 {
 public:
-  /** The list must outlive the sheet. */
+  /** Makes a sheet for a list, which must outlive the sheet. */
   explicit HapticMaterialSheet(HapticMaterialList& list);
   ~HapticMaterialSheet();
 
@@ -104,7 +105,7 @@ public:
 
   /**
    * Handles a vtkCommand of the left button, or MouseMoveEvent, at a position in the viewport.
-   * Other buttons do nothing.
+   * Ignores other buttons.
    */
   void SendMouse(int event, int button, int x, int y);
   /** Handles a turn of the wheel at a position in the viewport. */
@@ -112,8 +113,8 @@ public:
 
   ///@{
   /**
-   * Compute a position in the viewport: of a row's name or one of its boxes, or of a value on the
-   * slider of a quantity. Return false if the part is not shown.
+   * Compute the position in the viewport of a row's name or check box, or of a value on a
+   * quantity's slider. Return false if the part is not shown.
    */
   bool GetRowPosition(int key, MaterialPart::KindType part, double position[2]) const;
   bool GetSliderPosition(int quantity, double value, double position[2]) const;
@@ -125,7 +126,7 @@ private:
   void Press(int x, int y);
   void Move(int x, int y);
   void Release();
-  /** Sets the quantity of a slider to the value at a position on it. */
+  /** Sets a quantity to the value at a position on its slider. */
   void Slide(int quantity, float x);
 
   vtkNew<vtkContextActor> Actor;
@@ -133,7 +134,7 @@ private:
   vtkNew<HapticMaterialItem> Item;
   int Rectangle[4] = { 0, 0, 1, 1 };
   double Scale = 1.0;
-  MaterialPart Held; ///< the scroll bar or slider that the mouse drags, from press to release
+  MaterialPart Held; ///< scroll bar or slider that the mouse is dragging
 };
 
 } // namespace VolumeHaptics

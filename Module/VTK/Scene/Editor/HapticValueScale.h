@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The scale between the scalars of an image and the values that the axis of a chart shows.
+ * Converts between the scalars of an image and the values on a chart's axis.
  */
 #ifndef HapticValueScale_h
 #define HapticValueScale_h
@@ -20,7 +20,7 @@ namespace VolumeHaptics
 {
 
 /**
- * The scale of vtkHapticProperty: value = (scalar + Shift) Scale. By default, values are the
+ * The scale of a vtkHapticProperty: value = (scalar + Shift) * Scale. Default: values are the
  * scalars themselves.
  */
 struct ValueScale
@@ -37,8 +37,8 @@ struct ValueScale
 
 /**
  * Returns the title of a chart's axis: the array's name, its unit (vtkDataArray::UNITS_LABEL), or
- * both; "Value" if nothing is known. Leaves out names that VTK's readers give to all arrays,
- * because they describe the file, not the quantity.
+ * both; "Value" if neither is known. Omits names that VTK's readers give to all arrays, because
+ * they say nothing about the quantity.
  */
 inline std::string NameValues(vtkDataArray* values)
 {
@@ -59,7 +59,7 @@ inline std::string NameValues(vtkDataArray* values)
   return unit.empty() || unit == name ? name : name + " (" + unit + ")";
 }
 
-/** Returns the smallest round number that is not less than a value. */
+/** Returns the smallest round number that is at least `value`. */
 inline double RoundUp(double value)
 {
   const double decade = std::pow(10.0, std::floor(std::log10(value)));

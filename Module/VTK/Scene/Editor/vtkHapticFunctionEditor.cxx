@@ -40,13 +40,13 @@ struct vtkHapticFunctionEditor::vtkInternals
   EditorPages Pages;
   EditHistory History;
   EditorDock Dock;
-  int Held = 0;       // the pressed button; 0 if none is pressed
-  int CanDraw = -1;   // whether charts can be drawn; -1: not known yet
-  double Scale = 1.0; // pixels for each point of letters
+  int Held = 0;       // pressed button; 0 if none
+  int CanDraw = -1;   // 1 if charts can be drawn, 0 if not, -1 if not known yet
+  double Scale = 1.0; // pixels per point
   bool IsCounting = false;
   bool WaitsForProposal = false;
 
-  /** Returns the list of labels, with those of the current image. */
+  /** Returns the list of labels, after updating it to the current image. */
   HapticLabelList& CountLabels()
   {
     if (!this->Pages.LabelList.IsCounted())
@@ -57,7 +57,7 @@ struct vtkHapticFunctionEditor::vtkInternals
   }
 
   /**
-   * Does the editor's work between StartEvent and EndEvent. Observers of these events may render,
+   * Runs work of the editor between StartEvent and EndEvent. Observers of these events may render,
    * which shows the chart without the work's results, and may release the editor.
    */
   template <typename WorkType>
@@ -81,7 +81,8 @@ vtkHapticFunctionEditor::vtkHapticFunctionEditor()
 vtkHapticFunctionEditor::~vtkHapticFunctionEditor() = default;
 
 //------------------------------------------------------------------------------
-// If another object is set, the edits of the previous one are forgotten. Images have no edits.
+// Defines the setter of an object. Setting another object clears its edits by `forget`; images have
+// no edits.
 #define vtkHapticEditorObjectMacro(name, type, member, forget) \
   void vtkHapticFunctionEditor::Set##name(type* object)        \
   {                                                            \
@@ -132,7 +133,7 @@ void vtkHapticFunctionEditor::NextFunction()
 //------------------------------------------------------------------------------
 void vtkHapticFunctionEditor::SetRectangle(int x, int y, int width, int height)
 {
-  constexpr int most = 16384; // the widest texture; no display is wider
+  constexpr int most = 16384; // largest texture; no display is wider
   const int rectangle[4] = { std::clamp(x, -most, most), std::clamp(y, -most, most),
     std::clamp(width, 1, most), std::clamp(height, 1, most) };
   if (!std::equal(rectangle, rectangle + 4, this->Rectangle))
@@ -210,7 +211,7 @@ vtkPiecewiseFunction* vtkHapticFunctionEditor::GetPiecewiseFunction()
 //------------------------------------------------------------------------------
 double vtkHapticFunctionEditor::EstimateUpdateTime()
 {
-  constexpr double proposing = 1.0; // s: time of Propose(), measured on a desktop computer of 2023
+  constexpr double proposing = 1.0; // s: time of Propose() on a desktop computer of 2023
   return this->Internals->WaitsForProposal ? proposing : 0.0;
 }
 
@@ -240,7 +241,7 @@ bool vtkHapticFunctionEditor::Propose()
   {
     return false;
   }
-  // keep the editor alive, because observers may release it
+  // Keep a reference, because observers may release the editor.
   const vtkSmartPointer<vtkHapticFunctionEditor> self(this);
   FoundFunctions found;
   d.WaitsForProposal = true;
@@ -311,7 +312,7 @@ bool vtkHapticFunctionEditor::TakeProposal()
   const bool isDragging = d.Held != 0;
   if (isDragging)
   {
-    d.History.End(d.Pages.GetEdited()); // the drag up to now becomes a step of its own
+    d.History.End(d.Pages.GetEdited()); // records the drag so far as a separate step
   }
   d.History.Begin({ d.Pages.Proposed.Property, nullptr, nullptr });
   const bool isTaken = d.Pages.Proposed.Apply();
@@ -382,7 +383,7 @@ bool vtkHapticFunctionEditor::Send(int event, int button, int x, int y)
     event == vtkCommand::LeftButtonPressEvent || event == vtkCommand::LeftButtonDoubleClickEvent;
   if (d.Held == 0 ? !this->Contains(x, y) : starts && d.Held != button)
   {
-    return d.Held != 0; // during a drag, a second button has no effect, but is used
+    return d.Held != 0; // during a drag, a second button is ignored, but its event counts as used
   }
   const bool ends = event == vtkCommand::LeftButtonReleaseEvent;
   if (ends && d.Held != button)
@@ -549,7 +550,7 @@ int vtkHapticFunctionEditor::Draw(vtkViewport* viewport)
   }
   if (d.CanDraw == -1)
   {
-    // Check this first: a chart crashes if there is no class that draws it.
+    // Check first whether a class can draw charts: without one, a chart crashes.
     const auto device = vtkSmartPointer<vtkContextDevice2D>::Take(vtkContextDevice2D::New());
     d.CanDraw = device ? 1 : 0;
     if (!device)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticFunctionEditor
- * @brief   an editor in the scene for the feel of a volume
+ * @brief   edits the transfer functions for touch in a chart over the scene
  *
  * A chart over the view that shows one of the functions of a vtkHapticProperty, or the scalar
  * opacity of a vtkVolumeProperty, over the histogram of the data (on a logarithmic scale), with
@@ -31,8 +31,8 @@
  * editor, which is invoked after every mouse event that changed something.
  *
  * An empty function is shown as its constant value, without points. It stays empty until the first
- * point is added; then points with the constant value are added at both ends of the axis, too. So
- * showing a function never changes it.
+ * point is added; then points with the constant value are added at both ends of the axis, too.
+ * Showing a function thus never changes it.
  *
  * The editor can propose functions for an image:
  *
@@ -58,14 +58,14 @@
  *
  * Undo() and Reset() take edits back; Redo() repeats an edit.
  *
- * The editor lies over the scene, in its rectangle, or beside the scene, in a viewport at an edge
- * of the window. The mouse can drag the border between that viewport and the scene:
+ * The editor is drawn over the scene, in its rectangle, or beside the scene, in a viewport at an
+ * edge of the window. The mouse can drag the border between that viewport and the scene:
  *
  *   editor->DockedOn();
  *
- * If the docked editor is wide, the tissues stand beside the function.
+ * If the docked editor is wide, the tissues are beside the function.
  *
- * The editor takes no events by itself. An interactor style passes the events that it wants:
+ * The editor observes no events itself. An interactor style passes the events that it wants:
  *
  *   bool used = editor->ButtonPress(vtkHapticFunctionEditor::LEFT_BUTTON, x, y);
  *   bool used = editor->MouseMove(x, y);          // and render, if used
@@ -134,8 +134,9 @@ public:
 
   ///@{
   /**
-   * The table whose materials are edited, or the label image, whose point scalars determine which
-   * labels are listed. Without an image, the labels of the table are listed.
+   * SetLabelTable sets the table whose materials are edited; SetLabelData sets the label image,
+   * whose point scalars determine which labels are listed. Without an image, the labels of the
+   * table are listed.
    */
   void SetLabelTable(vtkHapticLabelTable* table);
   vtkHapticLabelTable* GetLabelTable();
@@ -156,9 +157,9 @@ public:
 
   ///@{
   /**
-   * The edited function; LABELS and TISSUES are lists. Default STIFFNESS. NextFunction goes through
-   * the functions whose property or table is set, in the order above, and skips TISSUES if there
-   * are no tissues.
+   * The edited function; LABELS and TISSUES are lists. Default STIFFNESS. NextFunction switches to
+   * the next function whose property or table is set, in the order above, and skips TISSUES if
+   * there are no tissues.
    */
   void SetFunction(int function);
   vtkGetMacro(Function, int);
@@ -175,9 +176,10 @@ public:
   ///@{
   /**
    * Propose searches for functions that suit the input data (vtkHapticProperty::ProposeFromImage),
-   * and shows them, dashed, beside the functions of the property, until they are taken or dropped.
-   * Returns false and reports an error if there is no property, or nothing to propose. The work
-   * takes about a second, between vtkCommand::StartEvent and vtkCommand::EndEvent.
+   * and shows them, dashed, beside the functions of the property, until they are accepted
+   * (TakeProposal) or dropped. Returns false and reports an error if there is no property, or
+   * nothing to propose. The work takes about a second, between vtkCommand::StartEvent and
+   * vtkCommand::EndEvent.
    *
    * BeginProposal does the same in the background, so that a hand can go on touching, and returns
    * at once. It returns false and reports an error if there is no property or no volume. Update()
@@ -198,35 +200,33 @@ public:
   ///@}
 
   /**
-   * Select the label for whose material sliders are shown, and scroll to it. Returns false if the
-   * list does not have it.
+   * Select the label whose material has sliders, and scroll to it. Returns false if the label is
+   * not in the list.
    */
   bool SelectLabel(int label);
 
   ///@{
   /**
-   * Undo the last edit of this editor, redo it, or undo all edits. Each returns whether there was
-   * something to do, and invokes vtkCommand::InteractionEvent. An edit is what happens from the
-   * press of a button to its release, a step of the wheel, a proposal that was taken, or another
-   * Reset(). Functions, surface side and tissues of the property, opacity and label table become
-   * what they were before the edit, even if a program has changed them since. The component and the
-   * visibility stay unchanged. The last 100 edits are kept. Setting another property, volume
-   * property or label table clears them.
+   * Undo the last edit of this editor, redo it, or undo all edits. Each returns whether anything
+   * was undone or redone, and invokes vtkCommand::InteractionEvent. An edit is what happens from
+   * the press of a button to its release, a step of the wheel, a proposal that was taken, or
+   * another Reset(). Functions, surface side and tissues of the property, opacity and label table
+   * become what they were before the edit, even if a program has changed them since. The component
+   * and the visibility stay unchanged. The last 100 edits are kept. Setting another property,
+   * volume property or label table clears them.
    */
   bool Undo();
   bool Redo();
   bool Reset();
   ///@}
 
-  /**
-   * Get the name and the unit of the edited function, as the title shows them: "Stiffness (N/m)".
-   */
+  /** Get the title of the edited function, with its unit, such as "Stiffness (N/m)". */
   std::string GetTitle();
 
   /**
    * Get the warning that the title of stiffness and viscosity shows if the drag is too strong for
    * the stiffness at some value: the proxy would lag by more than 10 mm, so the drag is limited.
-   * Empty if nothing is wrong.
+   * Empty without a warning.
    */
   std::string GetWarning();
 
@@ -235,9 +235,9 @@ public:
 
   ///@{
   /**
-   * Lower left corner, width and height in pixels of the viewport, for an editor that is not
-   * Docked. 120 x 90 or more is readable. Corner coordinates are clamped to -16384 to 16384, width
-   * and height to 1 to 16384. Default (10, 10, 300, 200).
+   * Set the lower left corner, width and height in pixels of the viewport, for an editor that is
+   * not Docked. It is legible from 120 x 90 on. Corner coordinates are clamped to -16384 to 16384,
+   * width and height to 1 to 16384. Default (10, 10, 300, 200).
    */
   void SetRectangle(int x, int y, int width, int height);
   void SetRectangle(const int rectangle[4]) VTK_SIZEHINT(4);
@@ -328,7 +328,7 @@ public:
   bool TurnWheel(double steps, int x, int y);
 
   ///@{
-  /** Draw the editor, and release its graphics resources; the renderer calls these. */
+  /** Draw the editor, and release its graphics resources; called by the renderer. */
   int RenderOverlay(vtkViewport* viewport) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   ///@}

@@ -30,21 +30,23 @@ namespace VolumeHaptics
 namespace
 {
 
-// Hz: the least rate that a window wants in motion; VTK's rate for still frames is far below
+// Hz: a window that requests at least this rate is in motion; VTK's rate for still frames is far
+// lower.
 constexpr double SlowestMotion = 1.0;
-constexpr double LeastRate = 20.0; // Hz: frames per second in motion should not be fewer
-// Hz: the aim; it exceeds LeastRate, because input waits for the end of one frame and then for a
-// whole frame
+constexpr double LeastRate = 20.0; // Hz: lowest acceptable rate in motion
+// Hz: target rate. It exceeds LeastRate, because input may wait for the end of one frame and then
+// for a whole frame.
 constexpr double AimedRate = 26.0;
-// The fraction of the time between frames that drawing may take. Events and haptics take the rest.
+// Fraction of the time between frames that drawing may take; the rest is for events and haptics.
 constexpr double DrawingFraction = 0.8;
 constexpr double LongestStillFrame = 0.1; // s: limit for a frame at rest that can't be interrupted
-// s: limit for any frame at rest while armed, because the force fades if the device is not read
+// s: limit for any frame at rest while armed, because the force fades if the device is not read.
 constexpr double LongestRest = 0.5;
-constexpr double LongestTry = 1.0; // s: a frame at rest is given up if it takes longer
-// steps assumed for a mapper on the processor before its first frame
+constexpr double LongestTry = 1.0; // s: a frame at rest is abandoned if it takes longer
+// Steps assumed for a mapper on the processor before its first frame.
 constexpr double UnknownSteps = 4.0;
-// number of slow frames in a row before rays get coarse; a busy processor may delay one or two
+// Number of consecutive slow frames after which rays become coarser; a busy processor may delay one
+// or two.
 constexpr int MostSlowFrames = 3;
 
 /** Returns the sample distance that vtkGPUVolumeRayCastMapper chooses at rest. */
@@ -122,7 +124,7 @@ void FrameQuality::SetWindow(vtkRenderWindow* window, bool offScreen)
   this->Interactor = window ? window->GetInteractor() : nullptr;
   if (this->Interactor)
   {
-    // These events come before the interactor draws.
+    // Observe these events, because they arrive before the interactor draws.
     this->Interactor->AddObserver(vtkCommand::ConfigureEvent, this->Observer);
     this->Interactor->AddObserver(vtkCommand::ExposeEvent, this->Observer);
   }
@@ -165,11 +167,11 @@ void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
   {
     caster = this->Casters.insert(caster, { mapper, now, now, nullptr, {}, 0 });
     mapper->AddObserver(vtkCommand::VolumeMapperRenderStartEvent, this->Observer);
-    // A rendering mapper reports progress more often than the window checks for an abort, so the
-    // observer also calls Interrupt() on these events.
+    // A mapper reports progress more often than the window checks for an abort, so this observer
+    // also calls Interrupt().
     mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, this->Observer);
   }
-  // If a setting differs from the value set here, the application has changed it since the last
+  // A setting that differs from the value set here was changed by the application since the last
   // frame.
   Settings& own = caster->Own;
   own.ImageDistance =
@@ -200,8 +202,8 @@ void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
     next.SampleDistance = std::max(finely, std::min(2.0 * finely, voxel));
   }
   const bool isLimited = moves || this->IsArmed;
-  // Estimate the time of a frame that was not measured from the other kind: frames in motion take
-  // half of the samples.
+  // Estimate the time for a kind of frame that was not measured yet from the other kind: frames in
+  // motion have half as many samples.
   if (!moves && !this->AtRest.IsKnown && this->InMotion.IsKnown)
   {
     this->AtRest = { 2.0 * this->InMotion.Time, this->InMotion.Steps, true };
@@ -212,11 +214,11 @@ void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
   }
   else if (moves && !this->InMotion.IsKnown && cpu)
   {
-    this->InMotion.Steps = UnknownSteps; // begin coarsely, because the first touch must not wait
+    this->InMotion.Steps = UnknownSteps; // starts coarsely, because the first touch must not wait
   }
   if (!isLimited)
   {
-    this->AtRest.Steps = 0.0; // cast all rays, so that the frame's time counts all of them
+    this->AtRest.Steps = 0.0; // casts all rays, so that the frame's time includes all of them
   }
   else
   {
@@ -263,7 +265,7 @@ void FrameQuality::AdjustProcessor(vtkSmartVolumeMapper* mapper, const Shown& sh
   {
     return;
   }
-  // VTK would draw frames at rest as coarsely as the last frame in motion.
+  // Prevent VTK from drawing frames at rest as coarsely as the last frame in motion.
   vtkFixedPointVolumeRayCastMapper* const cpu = SmartMapperParts::GetCPUMapper(mapper);
   const auto isCPU = [cpu](const Caster& caster) { return caster.Mapper == cpu; };
   if (std::none_of(this->Casters.begin(), this->Casters.end(), isCPU))
@@ -305,7 +307,7 @@ void FrameQuality::ChooseProcessor(vtkSmartVolumeMapper* mapper, bool touched)
   }
   const int mode = mapper->GetRequestedRenderMode();
   auto* const image = vtkImageData::SafeDownCast(mapper->GetDataSetInput());
-  // The ray caster on the processor is not used for cells or for several components.
+  // Do not use the ray caster on the processor for cell data or several components.
   vtkDataArray* const values = image ? image->GetPointData()->GetScalars() : nullptr;
   if (touched && known == this->SmartMappers.end() &&
     mode == vtkSmartVolumeMapper::DefaultRenderMode && values &&
@@ -397,7 +399,7 @@ void FrameQuality::End()
   }
   std::copy_n(this->Window->GetSize(), 2, this->DrawnSize.begin());
   this->Interrupted = this->IsResized ? Interruption::Resized : this->Interrupted;
-  // Only the time of a frame that casts all rays may be recorded as the time of a full frame.
+  // Record the time of a full frame only if the frame casts all rays.
   bool castsAll = false;
   bool keepsRays = false;
   bool isAdjusted = false;
@@ -420,13 +422,13 @@ void FrameQuality::End()
   }
   else if (this->IsFine && !castsAll)
   {
-    // Compare with coarse frames, because these may be as slow on a busy processor.
+    // Compare with coarse frames, too: on a busy processor, even these may be slow.
     const double coarsely = std::max(this->InMotion.Time, this->CoarseTime);
     this->SlowFrames = time > std::max(1.0 / LeastRate, 1.5 * coarsely) ? this->SlowFrames + 1 : 0;
   }
   else if (keepsRays && !castsAll)
   {
-    constexpr double fraction = 0.2; // weight of the last frame in the mean
+    constexpr double fraction = 0.2; // weight of the newest frame in the running mean
     this->CoarseTime += (this->CoarseTime == 0.0 ? 1.0 : fraction) * (time - this->CoarseTime);
   }
 }
@@ -459,7 +461,7 @@ std::optional<double> FrameQuality::EstimateTime() const
   {
     if (caster.Frame == this->Frame && std::exchange(only, &caster))
     {
-      return {}; // with several mappers, the time of the rest of the frame is unknown
+      return {}; // with several mappers, the time for the rest of the frame is unknown
     }
   }
   return only ? only->Progress.GetWhole() : std::nullopt;

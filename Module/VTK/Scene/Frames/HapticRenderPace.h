@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Decides when to draw a touched scene, and how finely.
+ * Decides when and how finely to render a touched scene.
  */
 #ifndef HapticRenderPace_h
 #define HapticRenderPace_h
@@ -14,13 +14,12 @@ namespace VolumeHaptics
 {
 
 /**
- * Draws a moving scene at once, as coarsely as the interactive frame rate needs. If a frame is slow
- * even so, a gap follows it, unless it is known that no input waits. The gap is needed because
- * timers come due with each event: without it, a frame would be drawn between any two waiting
- * motions of the mouse, and a key would wait for all of these frames.
- * A scene that has come to rest is drawn once, finely. After that only figures change. Drawing them
- * may take a tenth of the time, so that an application whose volume takes a second to draw stays
- * responsive.
+ * Renders a moving scene at once, as coarsely as the interactive frame rate requires. If even such
+ * a frame is slow, a gap follows it, unless it is known that no input waits. Without the gap,
+ * timers, which come due with each event, would render a frame between any two waiting motions of
+ * the mouse, and a key would wait for all of these frames. A scene that has come to rest is
+ * rendered once, finely. After that, only numbers change. Drawing them may take a tenth of the
+ * time, so that an application whose volume takes a second to render stays responsive.
  */
 class HapticRenderPace
 {
@@ -32,19 +31,21 @@ public:
     Still
   };
   static constexpr double Pause = 0.3;     ///< s: time without movement that counts as rest
-  static constexpr double Shortest = 0.05; ///< s: shortest time between frames at rest
-  static constexpr double Slow = 0.05; ///< s: a quick frame that takes longer is followed by a gap
+  static constexpr double Shortest = 0.05; ///< s: shortest interval between frames at rest
+  static constexpr double Slow = 0.05; ///< s: a frame in motion that takes longer is followed by a
+                                       ///< gap
   static constexpr double LongestGap = 0.1; ///< s: longest gap after a frame
-  /** s: after a slower frame, VTK's timer is late by its period */
+  /** s: after a frame slower than this, VTK's timer is late by its period. */
   static constexpr double LongestPeriod = 0.02;
-  static constexpr double LongestStep = 0.05; ///< s: longest time between two motions of one stroke
-  static constexpr double FeltTime = 0.004;   ///< s: time of a few ticks, in which a motion is felt
+  static constexpr double LongestStep = 0.05; ///< s: longest pause between two motions of one
+                                              ///< stroke
+  static constexpr double FeltTime = 0.004;   ///< s: a few ticks, within which a motion is felt
   static constexpr double LongestAwaited =
-    0.03; ///< s: time for the hand to move before the first frame of a stroke
+    0.03; ///< s: time in which the hand may move before the first frame of a stroke
 
   /**
-   * Decides how to draw at the time `now` (s). `moves`: whether something has moved since the last
-   * frame. `isNew`: whether figures have changed. `isIdle`: whether it is known that no input
+   * Decides how to render at the time `now` (s). `moves`: whether anything has moved since the last
+   * frame. `isNew`: whether numbers have changed. `isIdle`: whether it is known that no input
    * waits.
    */
   Frame Next(double now, bool moves, bool isNew, bool isIdle = false)
@@ -57,7 +58,7 @@ public:
     }
     if (!this->IsStill)
     {
-      // Wait longer after a slow frame, because a motion during a frame is noticed only after it.
+      // Wait longer after a slow frame, because motions during a frame are noticed only after it.
       const double rest = std::max(Pause, 0.5 * this->Cost);
       return now - this->LastDrawn >= rest ? Frame::Still : Frame::None;
     }
@@ -65,7 +66,7 @@ public:
     return isNew && isDue ? Frame::Still : Frame::None;
   }
 
-  /** Records a drawn frame. `now`: when the frame ended (s). `cost`: how long drawing took (s). */
+  /** Records a rendered frame, which ended at the time `now` (s) and took `cost` (s). */
   void Drawn(bool quickly, double now, double cost)
   {
     this->LastDrawn = now;
@@ -74,9 +75,9 @@ public:
   }
 
   /**
-   * Returns whether a motion of the mouse should draw the frame itself, because timers are late:
-   * VTK's timers on X11 wait their whole period after a frame. It is true only FeltTime after the
-   * last frame, so that the hand has felt the motion before.
+   * Returns whether a motion of the mouse should render the frame itself because timers are late:
+   * VTK's timers on X11 wait a whole period after a frame. Returns true only FeltTime after the
+   * last frame, so that the hand feels the motion first.
    */
   bool IsLate(double now) const
   {
@@ -86,8 +87,8 @@ public:
   }
 
   /**
-   * Returns whether a motion of the mouse is the first one after a rest while timers are late. Such
-   * a motion is drawn FeltTime later.
+   * Returns whether a motion of the mouse is the first one after a rest while timers are late.
+   * Render such a motion FeltTime later.
    */
   bool IsFirst(double now) const
   {
@@ -96,8 +97,8 @@ public:
   }
 
   /**
-   * Records that the last frame was interrupted or coarse, so that a frame is due after the next
-   * rest.
+   * Records that the last frame was interrupted or coarse, so that another frame is due after the
+   * next rest.
    */
   void Interrupted(double now)
   {
@@ -105,7 +106,9 @@ public:
     this->IsStill = false;
   }
 
-  /** Records that the last frame was given up. If nothing moves, a coarser frame is due at once. */
+  /**
+   * Records that the last frame was abandoned. If nothing moves, a coarser frame is due at once.
+   */
   void GivenUp()
   {
     this->LastDrawn = -std::numeric_limits<double>::infinity();
@@ -114,8 +117,8 @@ public:
 
 private:
   double LastDrawn = 0.0;
-  double Cost = 0.0;      ///< time that the last frame at rest took (s)
-  double QuickCost = 0.0; ///< time that the last frame in motion took (s)
+  double Cost = 0.0;      ///< time (s) of the last frame at rest
+  double QuickCost = 0.0; ///< time (s) of the last frame in motion
   bool IsStill = true;
 };
 

@@ -19,8 +19,8 @@ namespace VolumeHaptics
 
 /**
  * Detects the end of a window: before a window is finalized or destroyed, it makes each texture in
- * its context release its resources. So this is a texture, without pixels. VTK has a callback for
- * the purpose, but does not install its header.
+ * its context release its resources. This class is therefore a texture, though without pixels. VTK
+ * has a callback for this purpose, but does not install its header.
  */
 class HapticWindowWatch::Closing final : public vtkTextureObject
 {
@@ -28,14 +28,15 @@ public:
   vtkTypeMacro(Closing, vtkTextureObject);
   static Closing* New() { return new Closing; }
 
-  /** Sets the watched window; nullptr for none. */
+  /** Sets the watched window; nullptr stops watching. */
   void SetWindow(vtkOpenGLRenderWindow* window)
   {
-    // During a release, the window itself removes this from its list, after the call.
+    // During a release, do nothing: the window itself removes this object from its list after the
+    // call.
     if (window != this->Window && !this->IsInRelease)
     {
-      // leaving a window also calls ReleaseGraphicsResources(), which then is no sign of the
-      // window's end
+      // Leaving a window also calls ReleaseGraphicsResources(), which is then not a sign of the
+      // window's end.
       this->IsInRelease = true;
       this->SetContext(window);
       this->IsInRelease = false;
@@ -60,8 +61,8 @@ public:
     this->IsInRelease = false;
     if (this->GetReferenceCount() == 1)
     {
-      // An observer has deleted the style, and so the watch. Keep this object alive, because the
-      // window still uses it after the call.
+      // If an observer has deleted the style, and so the watch, keep this object alive: the window
+      // still uses it after the call.
       static vtkSmartPointer<Closing> last;
       last = this;
     }
@@ -73,7 +74,9 @@ private:
   bool IsInRelease = false;
 };
 
-/** The observer is a separate class, so that a watch recognises the observers of other watches. */
+/**
+ * The observer is a separate class, so that a watch can recognise the observers of other watches.
+ */
 class HapticWindowWatch::Observer final : public vtkCommand
 {
 public:
@@ -99,12 +102,12 @@ public:
   HapticWindowWatch* Watch = nullptr;
 
   /**
-   * Returns whether the application observes an interactor's ExitEvent: whether any observer of the
-   * event does not belong to a watch.
+   * Returns whether the application observes an interactor's ExitEvent, that is, whether the event
+   * has an observer that does not belong to a watch.
    */
   static bool IsExitTaken(vtkRenderWindowInteractor* interactor)
   {
-    // Tags ascend, so the tag of a new observer is the end of all tags in use.
+    // Tags ascend, so the tag of a new observer is above all tags in use.
     vtkNew<Observer> last;
     const unsigned long end = interactor->AddObserver(vtkCommand::NoEvent, last);
     interactor->RemoveObserver(end);
@@ -151,12 +154,12 @@ void HapticWindowWatch::SetInteractor(vtkRenderWindowInteractor* interactor)
   {
     this->IsEnabled = interactor->GetEnabled() != 0;
     this->IsDone = interactor->GetDone();
-    // Call the watch before the application's observers, which may take long, for example to ask
-    // the user whether to quit.
+    // Call the watch before the application's observers, because these may take long, for example
+    // to ask the user whether to quit.
     interactor->AddObserver(vtkCommand::ExitEvent, this->Events, VTK_FLOAT_MAX);
     interactor->AddObserver(vtkCommand::ModifiedEvent, this->Events);
-    // Call the watch after the application's observers, because they may have called
-    // TerminateApp(); the loop then ends with these events.
+    // Call the watch after the application's observers, because these may call TerminateApp(), and
+    // the loop then ends with these events.
     for (const unsigned long event :
       { vtkCommand::KeyPressEvent, vtkCommand::KeyReleaseEvent, vtkCommand::CharEvent,
         vtkCommand::LeftButtonPressEvent, vtkCommand::LeftButtonReleaseEvent,
@@ -180,7 +183,7 @@ void HapticWindowWatch::Look()
   const bool wasDone = std::exchange(this->IsDone, this->Interactor->GetDone());
   if (!this->IsReleased)
   {
-    // Do not watch a window that was never rendered, because it has nothing to release.
+    // Do not watch a window that was never rendered, since it has no resources to release.
     const bool isRendered = window && !window->GetNeverRendered();
     this->WindowClosing->SetWindow(
       isRendered ? vtkOpenGLRenderWindow::SafeDownCast(window) : nullptr);
@@ -230,8 +233,8 @@ void HapticWindowWatch::OnExit()
   const vtkSmartPointer<vtkRenderWindowInteractor> interactor(this->Interactor.GetPointer());
   KeepDisplay(interactor->GetRenderWindow());
   this->End();
-  // ExitCallback() calls TerminateApp() only if ExitEvent has no observers. The watch is an
-  // observer, so terminate here if there is no other.
+  // ExitCallback() calls TerminateApp() only if ExitEvent has no observers. Terminate here if this
+  // watch is the only one.
   if (!Observer::IsExitTaken(interactor))
   {
     interactor->TerminateApp();

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reports that a window ends during a touch.
+ * Detects that a window ends while it is touched.
  *
  * VTK has no event for the end of a loop or of a window, and each platform ends them in its own
- * order. So this watches all early signs of an end: ExitEvent (the key q, the window manager's
- * close button), the interactor's Disable(), and the release of the window's graphics resources,
- * which comes before the window is destroyed. Look(), which is called after events of keys, mouse
- * and timers, detects a call of TerminateApp(). LookAt() detects that the touched renderer was
- * taken out of the window or deleted; VTK sends no event for this.
+ * order. This class therefore watches all early signs of an end: ExitEvent (the key q, the window
+ * manager's close button), the interactor's Disable(), and the release of the window's graphics
+ * resources, which comes before the window is destroyed. Look(), which is called after key, mouse
+ * and timer events, detects a call of TerminateApp(). LookAt() detects that the touched renderer
+ * was removed from the window or deleted, for which VTK has no event.
  */
 #ifndef HapticWindowWatch_h
 #define HapticWindowWatch_h
@@ -32,33 +32,32 @@ class HapticWindowWatch
 {
 public:
   /**
-   * Watches a window for an owner. `end` is called at each sign of an end, so it may be called
-   * twice. The owner is kept alive during the call.
+   * Watches a window for an owner. Calls `end` at each sign of an end, possibly twice, and keeps
+   * the owner alive during the call.
    */
   HapticWindowWatch(vtkObject* owner, std::function<void()> end);
   ~HapticWindowWatch();
   HapticWindowWatch(const HapticWindowWatch&) = delete;
   HapticWindowWatch& operator=(const HapticWindowWatch&) = delete;
 
-  /** Watches the window of this interactor; nullptr for none. */
+  /** Watches the window of this interactor; nullptr stops watching. */
   void SetInteractor(vtkRenderWindowInteractor* interactor);
 
   /**
-   * Detects that the interactor was given a different window, or that its loop was told to end.
-   * Call this often.
+   * Detects that the interactor has a different window, or that its loop was told to end. Call this
+   * often.
    */
   void Look();
 
   /**
-   * Detects that the touched renderer was taken out of its window. Null stands for no renderer.
+   * Detects that the touched renderer was removed from its window. Null stands for no renderer.
    * Call this often.
    */
   void LookAt(vtkRenderer* renderer);
 
   /**
-   * Returns whether the window could be seen at an earlier call and can no longer be seen, if the
-   * window system reports it: see PendingInput.h. Asks the window system at most ten times a
-   * second.
+   * Returns whether the window was visible at an earlier call and no longer is, if the window
+   * system reports this: see PendingInput.h. Queries the window system at most ten times a second.
    */
   bool HasVanished();
 
@@ -83,13 +82,13 @@ private:
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
   vtkSmartPointer<Observer> Events;
   vtkSmartPointer<Closing> WindowClosing;
-  vtkWeakPointer<vtkRenderer> Seen; ///< the renderer in the window at the last look
+  vtkWeakPointer<vtkRenderer> Seen; ///< renderer that was in the window at the last LookAt()
   bool HasSeen = false;
   bool WasViewable = false;
-  std::int64_t ViewTime = 0; ///< ServoClock: when the window system was last asked
-  bool IsEnabled = false;    ///< whether the interactor was enabled at the last look
-  bool IsDone = false;       ///< whether the last look found that the loop was told to end
-  /** whether the window has released its graphics resources and was not rendered since */
+  std::int64_t ViewTime = 0; ///< ServoClock: time of the last query of the window system
+  bool IsEnabled = false;    ///< whether the interactor was enabled at the last Look()
+  bool IsDone = false;       ///< whether the loop had been told to end at the last Look()
+  /** Whether the window has released its graphics resources and was not rendered since. */
   bool IsReleased = false;
   vtkWeakPointer<vtkRenderWindow> ReleasedWindow;
 };

@@ -31,13 +31,13 @@ namespace VolumeHaptics
 namespace
 {
 
-// number of rays; casting the rays of a shorter gap costs less than another pass
+// Number of rays: casting the rays of a shorter gap costs less than another pass.
 constexpr int ShortestGap = 16;
 constexpr std::size_t MostPasses = 4;
-// number of rays; copying an image of this size takes no noticeable time
+// Number of rays: copying an image of this size takes no noticeable time.
 constexpr int MostCoarseRays = 1 << 16;
 
-/** Collects values, so that they can be compared to the bit. */
+/** Collects values as 64-bit words, for bitwise comparison. */
 struct WordWriter
 {
   std::vector<std::uint64_t> Words;
@@ -72,7 +72,7 @@ void AddCamera(WordWriter& to, vtkRenderer* renderer)
   to.Add(
     &camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), 0.0, 1.0)->Element[0][0],
     16);
-  to.Add(camera->GetPosition(), 3); // the headlight and the shades depend on the position
+  to.Add(camera->GetPosition(), 3); // the headlight and the shading depend on the position
   to.Add(camera->GetFocalPoint(), 3);
   to.Add(renderer->GetViewport(), 4);
   to.Add(renderer->GetRenderWindow()->GetSize(), 2);
@@ -119,8 +119,8 @@ void AddCuts(WordWriter& to, vtkVolumeMapper* mapper)
 
 /**
  * Replaces the mapper's encoder of directions. Before each frame, vtkFixedPointVolumeRayCastMapper
- * asks the encoder for 65536 directions and computes a shade for each. If the shades would be the
- * same as before, the replacement reports no directions, so that none are computed.
+ * asks the encoder for 65536 directions and computes a shade for each. If the shades would be
+ * unchanged, this encoder returns no directions, so that none are computed.
  */
 class ShadedDirections : public vtkSphericalDirectionEncoder
 {
@@ -131,7 +131,7 @@ public:
   {
     return this->KeepsShades ? 0 : this->Superclass::GetNumberOfEncodedDirections();
   }
-  /** The mapper calls this once before it computes the shades of each light. */
+  /** Called by the mapper once before it computes the shades of each light. */
   float* GetDecodedGradientTable() override
   {
     this->KeepsShades = this->AreKept && this->AreKept();
@@ -144,7 +144,7 @@ private:
   bool KeepsShades = false;
 };
 
-/** Gives access to protected members of vtkFixedPointVolumeRayCastMapper. */
+/** Subclass that only gives access to protected members of vtkFixedPointVolumeRayCastMapper. */
 struct RayCasterParts : vtkFixedPointVolumeRayCastMapper
 {
   static vtkDirectionEncoder*& GetDirections(vtkFixedPointVolumeRayCastMapper* mapper)
@@ -216,8 +216,7 @@ bool KeptRays::CanKeep() const
     return false;
   }
   vtkRenderWindow* const window = this->Renderer->GetRenderWindow();
-  // The final window and level change the image itself, so the image can't be used for the next
-  // frame.
+  // A final window or level changes the image itself, so that it can't be reused in the next frame.
   return window && !window->GetStereoRender() && this->Mapper->GetFinalColorWindow() == 1.0F &&
     this->Mapper->GetFinalColorLevel() == 0.5F && this->Mapper->GetInput();
 }
@@ -246,8 +245,8 @@ KeptRays::Words KeptRays::DescribeLook() const
   vtkVolumeProperty* const property = this->Volume->GetProperty();
   to.AddAddress(property);
   to.Add(property->GetMTime());
-  // Use the input of the outer mapper: vtkSmartVolumeMapper gives its ray caster a copy, which has
-  // a newer time than the image.
+  // Use the input of the outer mapper: vtkSmartVolumeMapper gives its ray caster a copy, whose
+  // modification time is later than the image's.
   auto* const outer = vtkVolumeMapper::SafeDownCast(this->Volume->GetMapper());
   vtkDataObject* const input = outer ? outer->GetDataObjectInput() : nullptr;
   to.AddAddress(input);
@@ -273,7 +272,8 @@ KeptRays::Words KeptRays::DescribeShades() const
   to.Add(&this->Volume->GetMatrix()->Element[0][0], 16);
   to.AddAddress(this->Volume->GetProperty());
   to.Add(this->Volume->GetProperty()->GetMTime());
-  to.AddAddress(this->Mapper->GetCurrentScalars()); // the mapper has one table for each component
+  to.AddAddress(this->Mapper->GetCurrentScalars()); // identifies the array, because the mapper has
+                                                    // one table per component
   return std::move(to.Words);
 }
 
@@ -355,7 +355,7 @@ void KeptRays::ReadDepths(std::vector<float>& depths) const
     std::fill(depths.begin(), depths.end(), 1.0F);
     return;
   }
-  // Computes what vtkFixedPointRayCastImage::GetZBufferValue does, without a call for each ray.
+  // Same result as vtkFixedPointRayCastImage::GetZBufferValue, but without a call per ray.
   const int* const pixels = image->GetZBufferSize();
   const float distance = image->GetImageSampleDistance();
   const auto pixelOf = [distance](int ray, int count)
@@ -479,7 +479,8 @@ void KeptRays::End()
     this->Mapper->RenderSubVolume();
   }
   this->IsCasting = false;
-  // Restore the bounds, by which the mapper clears the rest of this image in the next frame.
+  // Restore the mapper's own bounds, which it needs to clear the rest of this image in the next
+  // frame.
   std::copy(this->OwnBounds.begin(), this->OwnBounds.end(), this->Mapper->GetRowBounds());
   if (window->GetAbortRender())
   {

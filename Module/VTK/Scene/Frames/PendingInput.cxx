@@ -31,8 +31,8 @@ struct Search
 };
 
 /**
- * Checks an event in the queue. It always returns false, because true would take the event out of
- * the queue.
+ * Records whether a queued event is input. Always returns false, because true would remove the
+ * event from the queue.
  */
 Bool Record(Display*, XEvent* event, char* data)
 {
@@ -45,7 +45,7 @@ Bool Record(Display*, XEvent* event, char* data)
       case ButtonPress:
       case ButtonRelease:
       case MotionNotify:
-      case ClientMessage: // the window manager's close button
+      case ClientMessage: // close button of the window manager
         search->Found = true;
         break;
       default:
@@ -56,8 +56,8 @@ Bool Record(Display*, XEvent* event, char* data)
 }
 
 /**
- * Finds a function of libX11 if the process has loaded that library; otherwise returns nullptr.
- * Not every build of VTK is linked to X11.
+ * Returns a function of libX11 if this process has loaded that library; nullptr otherwise. Not
+ * every build of VTK links X11.
  */
 template <typename Function>
 Function* FindFunction(const char* name)
@@ -85,7 +85,7 @@ bool HasEvent(vtkRenderWindow* window)
   return search.Found;
 }
 
-/** Ignores errors, because the toolkit that owns the window may have destroyed it. */
+/** Ignores errors of X11, because the toolkit that owns the window may have destroyed it. */
 int IgnoreError(Display*, XErrorEvent*)
 {
   return 0;
@@ -127,7 +127,7 @@ void VolumeHaptics::WakeEventLoop(vtkRenderWindow* window)
   }
   auto* const display = static_cast<Display*>(window->GetGenericDisplayId());
   XEvent event = {};
-  event.type = NoExpose; // the type is an event about copied areas, which VTK does not use
+  event.type = NoExpose; // an event about copied areas, which VTK ignores
   event.xnoexpose.drawable = id;
   send(display, id, False, NoEventMask, &event);
   flush(display);
@@ -170,7 +170,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Gives access to a protected member of VTK. */
+/** Subclass that only gives access to a protected member of vtkXOpenGLRenderWindow. */
 struct OpenedWindow : vtkXOpenGLRenderWindow
 {
   static vtkTypeBool& Owns(vtkXOpenGLRenderWindow* window)
@@ -180,8 +180,8 @@ struct OpenedWindow : vtkXOpenGLRenderWindow
 };
 
 /**
- * Lets the window close the connection when it is deleted. It is deleted with its interactor, so
- * after the loop.
+ * Lets the window close the connection when it is deleted. This happens with its interactor, and
+ * therefore after the loop.
  */
 void GiveBack(vtkObject* caller, unsigned long, void* display, void*)
 {

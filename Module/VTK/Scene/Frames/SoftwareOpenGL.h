@@ -15,7 +15,7 @@ namespace VolumeHaptics
 {
 
 /**
- * Returns whether a text of vtkRenderWindow::ReportCapabilities names a renderer of Mesa or of
+ * Returns whether a text from vtkRenderWindow::ReportCapabilities names a renderer of Mesa or
  * Windows that runs on the processor.
  */
 inline bool NamesSoftwareOpenGL(const std::string& capabilities)
@@ -27,8 +27,8 @@ inline bool NamesSoftwareOpenGL(const std::string& capabilities)
 }
 
 /**
- * Returns whether a window draws with OpenGL on the processor, by the name of its renderer. Returns
- * false before the window has rendered.
+ * Returns whether a window's OpenGL runs on the processor, judged by the name of its renderer.
+ * Returns false before the first render.
  */
 inline bool IsSoftwareOpenGL(vtkRenderWindow* window)
 {

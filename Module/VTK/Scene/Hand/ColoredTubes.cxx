@@ -24,7 +24,8 @@ ColoredTubes::ColoredTubes(int sides)
   this->Ghost->SetMapper(this->Mapper);
   this->Ghost->GetProperty()->LightingOff();
   this->Ghost->GetProperty()->SetOpacity(HiddenOpacity);
-  // The ghost is drawn in the overlay pass (by vtkHapticRepresentation), which does not sort.
+  // The overlay pass, in which vtkHapticRepresentation draws the ghost, does not sort translucent
+  // objects.
   this->Ghost->ForceOpaqueOn();
 }
 

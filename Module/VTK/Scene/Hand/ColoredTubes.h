@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Draws lines of several colours in the scene as tubes, and a faint copy over objects that hide
- * them.
+ * Draws lines of several colours as tubes, and a faint copy over objects that hide them.
  */
 #ifndef ColoredTubes_h
 #define ColoredTubes_h
@@ -28,14 +27,17 @@ class ColoredTubes
 public:
   explicit ColoredTubes(int sides);
 
-  /** Returns the polylines. Their cell scalars are their colours: an array from NewColors(). */
+  /**
+   * Returns the polylines to draw. Their cell scalars, an array from NewColors(), are their
+   * colours.
+   */
   vtkPolyData* GetLines() const { return this->Lines; }
   static vtkSmartPointer<vtkUnsignedCharArray> NewColors();
   void SetRadius(double radius) { this->Tubes->SetRadius(radius); }
   bool AreShown() const { return this->Lines->GetNumberOfLines() > 0; }
 
   void RenderOpaque(vtkViewport* viewport);
-  /** Draws the faint copy over objects that hide the lines. */
+  /** Draws a faint copy of the lines over objects that hide them. */
   void RenderHidden(vtkViewport* viewport);
   void Release(vtkWindow* window);
   void AddTo(vtkBoundingBox& box);

@@ -44,15 +44,16 @@ double ComputeToolReach(vtkHapticTool* tool)
 namespace
 {
 
-/** Edges with at least this angle (degrees) between faces are drawn sharp. */
+/** Smallest angle (degrees) between faces whose common edge is drawn sharp. */
 constexpr double FeatureAngle = 40.0;
 constexpr double Pi = 3.14159265358979323846;
 
-/** Turns per second at which a spinning tool is drawn. The eye could not see faster turns. */
+/** Drawn turns per second of a spinning tool. Faster turns would not be visible. */
 constexpr double SeenTurns = 1.7;
 
 /**
- * Computes the rotation from the tool's axes to the world's; NoOrientation if the tool is not felt.
+ * Computes the rotation from the tool's axes to the world's axes; NoOrientation if the tool is not
+ * felt.
  */
 Quaternion ComputeTurn(
   vtkHapticDevice* device, const ToolKind& kind, bool hasShape, const Quaternion& leaning)
@@ -92,7 +93,8 @@ DrawnTool::DrawnTool()
   this->Solid->GetProperty()->SetSpecularPower(30.0);
   this->Ghost->GetProperty()->LightingOff();
   this->Ghost->GetProperty()->SetOpacity(HiddenOpacity);
-  // The ghost is drawn in the overlay pass (by vtkHapticRepresentation), which does not sort.
+  // The overlay pass, in which vtkHapticRepresentation draws the ghost, does not sort translucent
+  // objects.
   this->Ghost->ForceOpaqueOn();
 }
 
@@ -113,7 +115,8 @@ void DrawnTool::Update(vtkHapticDevice* device, const Quaternion& leaning)
     this->ToolTime = tool->GetMTime();
     this->Normals->SetInputData(kind->MakeShape(tool));
   }
-  // The state may still have the turn of the previous tool, when a needle without a shape is held.
+  // For a needle without a shape, the state may still have the orientation of the previous tool, so
+  // require a mesh.
   this->Shown = this->Normals->GetNumberOfInputConnections(0) > 0;
   const Matrix3 rotation = ToMatrix(q);
   const double* const at = device->GetState()->GetProxyPosition();
@@ -164,7 +167,7 @@ namespace
 /** Lengths in radii of the proxy. */
 constexpr double ShaftRadii = 0.3;
 constexpr double HubRadii = 0.9;
-/** Position of the hub's start, as a fraction of the length of the shaft outside the tissue. */
+/** Start of the hub, as a fraction of the shaft's length outside the tissue. */
 constexpr double HubFraction = 0.7;
 const double Steel[3] = { 0.8, 0.82, 0.85 };
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Draws a tool in the scene: the mesh of its kind (ToolKind::MakeShape) at the tool's pose. The
- * pose may lag behind the hand, and a burr spins. A needle is drawn with its shaft and its hub, and
- * in tissue with its track in the colours of the labels.
+ * Draws the tool in the hand: the mesh of its kind (ToolKind::MakeShape) at the tool's pose, which
+ * may lag behind the hand. A burr spins. A needle has a shaft and a hub, and in tissue also its
+ * track in the colours of the labels.
  */
 #ifndef DrawnTool_h
 #define DrawnTool_h
@@ -31,15 +31,15 @@ class vtkWindow;
 namespace VolumeHaptics
 {
 
-/** Returns the tool in the hand of a device; null if the hand touches with a point. */
+/** Returns the tool held with a device; null if the hand touches with a point. */
 vtkHapticTool* GetHeldTool(vtkHapticDevice* device);
 
-/** Returns whether a tool looks different when it is turned. */
+/** Returns whether turning a tool changes what is drawn. */
 bool IsTurnable(vtkHapticTool* tool);
 
 /**
- * Returns the distance (world units) from the hand to the farthest touching point of a tool; 0
- * without a shape.
+ * Returns the distance (world units) from the hand to the farthest touching point of a tool; 0 for
+ * a tool without a shape.
  */
 double ComputeToolReach(vtkHapticTool* tool);
 
@@ -50,15 +50,15 @@ public:
 
   /**
    * Shows the latest state, or nothing without a device.
-   * @param leaning pose of a tool that turns with the stylus, if the device measures no
-   * orientation; or NoOrientation
+   * @param leaning orientation for a tool that turns with the stylus if the device measures none;
+   * or NoOrientation
    */
   void Update(vtkHapticDevice* device, const Quaternion& leaning);
 
-  /** Returns whether the hand holds a tool that has a mesh. */
+  /** Returns whether the hand holds a tool with a mesh. */
   bool IsShown() const { return this->Shown; }
   void RenderOpaque(vtkViewport* viewport);
-  /** Draws the faint copy. */
+  /** Draws a faint copy of the tool over objects that hide it. */
   void RenderHidden(vtkViewport* viewport);
   void Release(vtkWindow* window);
   void AddTo(vtkBoundingBox& box);
@@ -69,7 +69,7 @@ private:
   vtkNew<vtkMatrix4x4> Pose;
   vtkNew<vtkActor> Solid;
   vtkNew<vtkActor> Ghost;
-  vtkWeakPointer<vtkHapticTool> Tool; ///< the tool whose shape is drawn
+  vtkWeakPointer<vtkHapticTool> Tool; ///< tool whose shape is drawn
   vtkMTimeType ToolTime = 0;
   bool Shown = false;
 };
@@ -89,7 +89,7 @@ public:
   /** Returns whether the hand holds a needle, or a needle is in tissue. */
   bool IsShown() const { return this->Lines.AreShown(); }
   void RenderOpaque(vtkViewport* viewport);
-  /** Draws the faint copy. */
+  /** Draws a faint copy of the needle over objects that hide it. */
   void RenderHidden(vtkViewport* viewport) { this->Lines.RenderHidden(viewport); }
   void Release(vtkWindow* window);
   void AddTo(vtkBoundingBox& box) { this->Lines.AddTo(box); }
@@ -98,7 +98,7 @@ private:
   void Draw(vtkHapticDevice* device, double length, const Vector3& handle);
 
   vtkNew<vtkPolyData> Track;
-  ColoredTubes Lines{ 12 }; ///< pieces of the track, then the shaft outside the tissue
+  ColoredTubes Lines{ 12 }; ///< parts of the track, then the shaft outside the tissue
   vtkNew<vtkPolyData> HubLine;
   vtkNew<vtkTubeFilter> Hub;
   vtkNew<vtkPolyDataMapper> HubMapper;

@@ -23,7 +23,7 @@ namespace
 
 constexpr double FrontOpacity = 0.4;
 constexpr double TensorOpacity = 0.75;
-/** Lengths in radii of the proxy: the radius of lines, and the least length of tensors. */
+/** Radius of lines, and smallest length of tensors, in radii of the proxy. */
 constexpr double LineRadii = 0.22;
 constexpr double TensorRadii = 10.0;
 
@@ -37,7 +37,8 @@ FollowedScene::FollowedScene(const Color* colors, std::size_t count)
   // Colour the points, because VTK 9.1 loses cell colours of polygons with many corners.
   this->DiscMapper->SetScalarModeToUsePointData();
   this->DiscMapper->SetColorModeToDirectScalars();
-  // The fronts are drawn in the overlay pass (by vtkHapticRepresentation), which does not sort.
+  // The overlay pass, in which vtkHapticRepresentation draws the fronts, does not sort translucent
+  // objects.
   this->Fronts->ForceOpaqueOn();
   this->Fronts->SetMapper(this->DiscMapper);
   this->Fronts->GetProperty()->LightingOff();
@@ -48,7 +49,7 @@ FollowedScene::FollowedScene(const Color* colors, std::size_t count)
   this->Ellipsoids->SetInputData(this->Tensors);
   this->Ellipsoids->SetSourceConnection(sphere->GetOutputPort());
   this->Ellipsoids->ColorGlyphsOff();
-  // VTK turns glyphs inside out if their eigenvectors are left-handed, so orient the normals.
+  // Orient the normals outwards: for left-handed eigenvectors, VTK turns glyphs inside out.
   this->Outward->SetInputConnection(this->Ellipsoids->GetOutputPort());
   this->Outward->AutoOrientNormalsOn();
   this->Outward->SplittingOff();
@@ -92,7 +93,7 @@ void FollowedScene::ScaleTensors(double radius)
   {
     double nine[9];
     tensors->GetTuple(i, nine);
-    // The norm lies between the largest eigenvalue and 1.7 times that value.
+    // The norm is 1 to 1.7 times the largest eigenvalue.
     longest = std::max(longest, vtkMath::Norm(nine, 9));
   }
   this->Ellipsoids->SetScaleFactor(
@@ -103,7 +104,7 @@ void FollowedScene::Draw()
 {
   vtkDataArray* const modes = this->Shapes->GetCellData()->GetArray("Mode");
   const auto lineColors = ColoredTubes::NewColors();
-  const auto discColors = ColoredTubes::NewColors(); // colours of points
+  const auto discColors = ColoredTubes::NewColors(); // colours of points, for the discs
   discColors->SetNumberOfTuples(this->Shapes->GetNumberOfPoints());
   discColors->Fill(0.0);
   vtkNew<vtkCellArray> lines;
@@ -163,7 +164,7 @@ void FollowedScene::DrawTensors()
 
 void FollowedScene::RenderFronts(vtkViewport* viewport)
 {
-  // Draw the ellipsoid first: otherwise, a front through its middle would hide half of it.
+  // Draw the ellipsoid first: a front through its centre would otherwise hide half of it.
   if (this->Tensors->GetNumberOfPoints() > 0)
   {
     this->EllipsoidActor->RenderOpaqueGeometry(viewport);

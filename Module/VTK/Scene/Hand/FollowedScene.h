@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Draws the shapes that hold the hand in modes: lines as tubes, fronts as discs, tensors as
- * ellipsoids, in the colours of their modes.
+ * Draws the shapes on which modes hold the hand, in the colours of the modes: lines as tubes,
+ * fronts as discs, tensors as ellipsoids.
  */
 #ifndef FollowedScene_h
 #define FollowedScene_h
@@ -30,14 +30,14 @@ class FollowedScene
 public:
   using Color = unsigned char[3];
   /**
-   * `colors` are the colours of modes by number, at least one; the array must outlive this object.
+   * `colors` are the colours of modes, by index; at least one. The array must outlive this object.
    */
   FollowedScene(const Color* colors, std::size_t count);
   ~FollowedScene();
 
   /**
-   * Shows the latest state, or nothing without a device. `radius` is the proxy's radius in world
-   * units.
+   * Shows the latest state, or nothing without a device. `radius` is that of the proxy (world
+   * units).
    */
   void Update(vtkHapticDevice* device, double reach, double radius);
 
@@ -46,9 +46,9 @@ public:
   {
     return this->Shapes->GetNumberOfPolys() > 0 || this->Tensors->GetNumberOfPoints() > 0;
   }
-  /** Draws translucent discs and ellipsoids where nothing is in front of them. */
+  /** Draws translucent discs and ellipsoids, except where objects are in front of them. */
   void RenderFronts(vtkViewport* viewport);
-  /** Draws the faint copy of the lines. */
+  /** Draws a faint copy of the lines over objects that hide them. */
   void RenderHidden(vtkViewport* viewport) { this->Lines.RenderHidden(viewport); }
   void Release(vtkWindow* window);
   void AddTo(vtkBoundingBox& box);
@@ -56,11 +56,11 @@ public:
 private:
   void Draw();
   void DrawTensors();
-  /** Scales the tensors' ellipsoids so that their axes stick out of the proxy's sphere. */
+  /** Scales the ellipsoids of tensors so that their axes extend beyond the proxy's sphere. */
   void ScaleTensors(double radius);
 
   vtkNew<vtkPolyData> Shapes;
-  ColoredTubes Lines{ 10 }; ///< lines, and the rims of fronts
+  ColoredTubes Lines{ 10 }; ///< lines and rims of fronts
   vtkNew<vtkPolyData> Discs;
   vtkNew<vtkPolyData> Tensors;
   vtkNew<vtkTensorGlyph> Ellipsoids;
@@ -71,7 +71,7 @@ private:
   vtkNew<vtkActor> EllipsoidActor;
   const Color* const Colors;
   const std::size_t ColorCount;
-  double Proxy[3] = { 0.0, 0.0, 0.0 }; ///< proxy, time and reach for which the shapes were drawn
+  double Proxy[3] = { 0.0, 0.0, 0.0 }; ///< proxy, time and reach of the drawn shapes
   double Time = -1.0;
   double Reach = 0.0;
 };

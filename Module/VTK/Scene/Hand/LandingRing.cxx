@@ -18,11 +18,11 @@ namespace VolumeHaptics
 namespace
 {
 
-/// Lengths in radii of the proxy: the distance at which the ring begins to close, and the height of
-/// the patch above the surface, which would otherwise hide a part of the patch.
+/// Lengths in radii of the proxy: the distance at which the ring starts to close, and the height of
+/// the patch above the surface, which prevents the surface from hiding part of the patch.
 constexpr double FarAway = 20.0;
 constexpr double Above = 0.1;
-constexpr double Gap = 8.0; ///< pixels between the ring and the text
+constexpr double Gap = 8.0; ///< pixels between ring and text
 
 std::string DescribeDistance(double distance, const std::string& unit)
 {
@@ -98,7 +98,8 @@ void LandingRing::RenderText(vtkViewport* viewport)
 {
   if (this->Distance->GetVisibility())
   {
-    this->Distance->RenderOpaqueGeometry(viewport); // draws the letters into the texture shown next
+    this->Distance->RenderOpaqueGeometry(viewport); // renders the text into the texture that is
+                                                    // drawn next
     this->Distance->RenderOverlay(viewport);
   }
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Shows how deep a hand is in the scene: where it would land, how far away that is, and what it
- * touches.
+ * Shows the depth of a hand in the scene: where it would touch first, how far away that is, and
+ * what it touches.
  */
 #ifndef LandingRing_h
 #define LandingRing_h
@@ -25,15 +25,15 @@ namespace VolumeHaptics
 {
 
 ///@{
-/** Radii of rings, in radii of the proxy: the ring when contact begins, and the widest ring. */
+/** Radii of rings, in radii of the proxy: when contact begins, and at most. */
 constexpr double ClosedRing = 1.8;
 constexpr double OpenRing = 5.0;
 ///@}
 
 /**
- * Returns the radius of the patch if the tip is pressed in by `depth` and the proxy has this
- * `radius`. The area of the patch grows by pi R d for a depth d, like the contact of a soft ball of
- * radius R on a plane (Hertz), up to the widest ring.
+ * Returns the radius of the patch for a tip pressed in by `depth`, with a proxy of this `radius`.
+ * The area of the patch grows by pi R d with the depth d, like the contact of a soft ball of radius
+ * R on a plane (Hertz), up to the widest ring.
  */
 inline double ComputePatchRadius(double depth, double radius)
 {
@@ -44,29 +44,33 @@ inline double ComputePatchRadius(double depth, double radius)
 }
 
 /**
- * In free space, shows a ring on the first surface that the tip would touch if it moved along the
- * line of sight, and the distance as a text beside the ring. The ring closes as the tip comes near.
- * In contact, shows the patch that a soft fingertip would touch, in the plane of the surface and in
- * the colour of the contact, with the ring around it.
+ * In free space, shows a ring on the first surface that the tip would touch along the line of
+ * sight, with the distance as a text beside the ring. The ring closes as the tip approaches. In
+ * contact, shows the patch that a soft fingertip would touch, in the plane of the surface and the
+ * colour of the contact, with the ring around it.
  */
 class LandingRing
 {
 public:
   LandingRing();
 
-  /** `radius` is the proxy's radius. A null device hides the ring. */
+  /** Shows the latest state of a device; null hides the ring. `radius` is that of the proxy. */
   void Update(
     vtkRenderer* renderer, vtkHapticDevice* device, double radius, const std::string& unit);
   void SetColor(const double contact[3]) { this->Patch.SetColor(contact); }
 
   void RenderOpaque(vtkViewport* viewport) { this->Ring.RenderOpaque(viewport); }
-  /** Draws a faint copy of the parts behind other objects. */
+  /** Draws a faint copy of the ring over objects that hide it. */
   void RenderHidden(vtkViewport* viewport) { this->Ring.RenderHidden(viewport); }
-  /** Draws translucent parts. Blending has to be enabled in the viewport. */
+  /** Draws translucent parts. Enable blending in the viewport before. */
   void RenderPatch(vtkViewport* viewport) { this->Patch.RenderHidden(viewport); }
   void RenderText(vtkViewport* viewport);
   void Release(vtkWindow* window);
-  void AddTo(vtkBoundingBox& box) { this->Ring.AddTo(box); } // the patch is inside the ring
+  void AddTo(vtkBoundingBox& box)
+  {
+    this->Ring.AddTo(box);
+  } // the patch is inside the ring, so the
+    // ring suffices
 
 private:
   SceneMarker Ring{ SceneMarker::Ring, 0.97, 0.97, 0.97 };

@@ -28,13 +28,10 @@ namespace
 {
 
 ///@{
-/**
- * Distances from the point along z, and radii, of a stylus of length 1. They are the next eight
- * constants.
- */
+/** Distances from the point along z, and radii, of a stylus with length 1. */
 constexpr double ConeEnd = 0.16;
 constexpr double HandleRadius = 0.032;
-constexpr double HandleEnd = 1.0 - HandleRadius; ///< a dome closes the handle
+constexpr double HandleEnd = 1.0 - HandleRadius; ///< closed by a dome
 constexpr double ButtonMiddle = 0.28;
 constexpr double ButtonLength = 0.13;
 constexpr double ButtonWidth = 0.034;
@@ -58,8 +55,8 @@ public:
   }
 
   /**
-   * Adds a grid over u and v in [0, 1]. `place` computes the position and a normal of any length
-   * for u and v. The surface looks outwards if u, v and the normal are right-handed.
+   * Adds a grid over u and v in [0, 1]. `place` computes the position for u and v, and a normal of
+   * any length. The surface faces outwards if u, v and the normal are right-handed.
    */
   template <typename Place>
   void Add(int alongU, int alongV, const unsigned char color[3], Place&& place)
@@ -107,9 +104,9 @@ private:
 };
 
 /**
- * Makes the surface of a stylus: a metal point, a handle and a button. The mesh has length 1, its
- * point at the origin, its handle along +z and its button on the side of +y (DeviceBackend.h). It
- * has normals, and colours as point scalars.
+ * Makes the surface of a stylus: a metal point, a handle and a button. The mesh has length 1, with
+ * its point at the origin, its handle along +z and its button on the side of +y (DeviceBackend.h).
+ * It has normals, and colours as point scalars.
  */
 vtkSmartPointer<vtkPolyData> MakeStylusShape()
 {
@@ -136,7 +133,7 @@ vtkSmartPointer<vtkPolyData> MakeStylusShape()
       n = std::cos(0.25 * Turn * v) * direction(u) + std::sin(0.25 * Turn * v) * axis;
       x = HandleEnd * axis + HandleRadius * n;
     });
-  // The button is half an ellipsoid that stands out of the handle.
+  // The button is half an ellipsoid that protrudes from the handle.
   surface.Add(Around, Around / 4, Button,
     [&](double u, double v, Vector3& x, Vector3& n)
     {
@@ -157,7 +154,7 @@ constexpr int Resolution = 24;
 
 SceneMarker::SceneMarker(Shape shape, double red, double green, double blue)
 {
-  // All shapes have length and radius 1. They lie along z or around the origin.
+  // All shapes have length and radius 1, along z or around the origin.
   if (shape == Sphere)
   {
     vtkNew<vtkSphereSource> sphere;
@@ -189,7 +186,7 @@ SceneMarker::SceneMarker(Shape shape, double red, double green, double blue)
   }
   else if (shape == Stylus)
   {
-    this->Mapper->SetInputData(MakeStylusShape()); // along z, with colours of its own
+    this->Mapper->SetInputData(MakeStylusShape()); // along z, with its own colours
   }
   else
   {
@@ -203,7 +200,7 @@ SceneMarker::SceneMarker(Shape shape, double red, double green, double blue)
     this->Solid->RotateY(-90.0);
     this->Ghost->RotateY(-90.0);
   }
-  // Keep the shape fixed, so that frames need not update its pipeline.
+  // Mark the shape as static, so that frames need not update its pipeline.
   this->Mapper->Update();
   this->Mapper->StaticOn();
   this->Finish(red, green, blue);
@@ -228,7 +225,8 @@ void SceneMarker::Finish(double red, double green, double blue)
   this->Solid->GetProperty()->SetSpecularPower(30.0);
   this->Ghost->GetProperty()->LightingOff();
   this->Ghost->GetProperty()->SetOpacity(HiddenOpacity);
-  // vtkHapticRepresentation draws the copy in the overlay pass, which does not sort.
+  // The overlay pass, in which vtkHapticRepresentation draws the ghost, does not sort translucent
+  // objects.
   this->Ghost->ForceOpaqueOn();
   const double color[3] = { red, green, blue };
   this->SetColor(color);

@@ -15,13 +15,13 @@ namespace
 
 constexpr double FullTurn = 6.283185307179586; ///< rad
 constexpr int Windings = 8;
-constexpr int WindingSides = 24;    ///< sides of a winding
-constexpr double WireRadius = 0.09; ///< as a fraction of the proxy's radius
-/** radius of the windings of a coil at rest, in radii of the proxy */
+constexpr int WindingSides = 24;    ///< segments per winding
+constexpr double WireRadius = 0.09; ///< radius of the wire, as a fraction of the proxy's radius
+/** Radius of the windings of a coil at rest, in radii of the proxy. */
 constexpr double RestRadius = 0.5;
-/// A spring shorter than this (in radii of the proxy) is not drawn, because the proxy hides it.
+/// Shortest drawn spring, in radii of the proxy; the proxy hides a shorter one.
 constexpr double Shortest = 0.2;
-/// The wire is drawn straight if its windings are narrower than this (in radii of the proxy).
+/// Smallest radius of windings, in radii of the proxy; below it, the wire is drawn straight.
 constexpr double LeastWinding = 0.03;
 
 } // namespace

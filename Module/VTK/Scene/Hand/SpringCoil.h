@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Draws the spring between proxy and tip as a coil that the hand stretches.
+ * Draws the spring between proxy and tip as a coil that is stretched with the spring.
  */
 #ifndef SpringCoil_h
 #define SpringCoil_h
@@ -18,15 +18,18 @@ namespace VolumeHaptics
 
 /**
  * Draws a wire from the proxy to the tip. The slack part of the distance is straight. The stretched
- * part is a coil of a wire of constant length, so that its windings open and get narrower as it is
- * stretched. If the wire is too short for that, it is straight.
+ * part is a coil of a wire of constant length, whose windings open and become narrower as it is
+ * stretched. If the wire is too short for a coil, it is straight.
  */
 class SpringCoil
 {
 public:
   SpringCoil();
 
-  /** `slack` is the part of the distance that gives no force. `radius` is the proxy's radius. */
+  /**
+   * Sets the ends of the spring. `slack` is the part of the distance that causes no force. `radius`
+   * is that of the proxy.
+   */
   void Place(const Vector3& proxy, const Vector3& tip, double slack, double radius);
   void Show(bool shown) { this->Marker.Show(shown); }
 
@@ -43,7 +46,7 @@ private:
   vtkNew<vtkTubeFilter> Tube;
   SceneMarker Marker;
   ///@{
-  /** The arguments of the last Place(). */
+  /** Arguments of the last Place(). */
   Vector3 Proxy;
   Vector3 Tip;
   double Slack = 0.0;

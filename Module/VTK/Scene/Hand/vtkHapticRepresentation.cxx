@@ -53,7 +53,7 @@ using namespace VolumeHaptics;
 
 namespace
 {
-/// Position of the scale's lower right corner, as fractions of the viewport.
+/// Position of the lower right corner of the scale text, as fractions of the viewport.
 constexpr double ScaleRight = 0.98;
 constexpr double ScaleBottom = 0.02;
 } // namespace
@@ -62,34 +62,33 @@ struct vtkHapticRepresentation::vtkInternals
 {
   vtkSmartPointer<vtkHapticDevice> Device;
   vtkNew<vtkPolyData> State; ///< geometry of the state; empty without a state
-  /// The spheres are numbered as in vtkHapticState, beginning at TIP.
+  /// Spheres, in the order of vtkHapticState's parts from TIP on.
   SceneMarker Spheres[4] = { { SceneMarker::Sphere, 0.97, 0.97, 0.97 },
     { SceneMarker::Sphere, 0.6, 0.6, 0.6 }, { SceneMarker::Sphere, 0.95, 0.85, 0.2 },
     { SceneMarker::Sphere, 0.2, 0.8, 0.8 } };
   SpringCoil Spring;
-  /// The arrows are numbered as in vtkHapticState, beginning at FORCE.
+  /// Arrows, in the order of vtkHapticState's parts from FORCE on.
   SceneMarker Arrows[3] = { { SceneMarker::Arrow, 0.97, 0.97, 0.97 },
     { SceneMarker::Arrow, 0.15, 0.5, 0.95 }, { SceneMarker::Arrow, 0.95, 0.5, 0.05 } };
-  /// Second heads mark arrows that are shorter than their forces. They are numbered like the
-  /// arrows.
+  /// Second arrow heads, which mark arrows that are shorter than their forces; in the order of
+  /// Arrows.
   SceneMarker SecondHeads[3] = { { SceneMarker::Arrow, 0.97, 0.97, 0.97 },
     { SceneMarker::Arrow, 0.15, 0.5, 0.95 }, { SceneMarker::Arrow, 0.95, 0.5, 0.05 } };
   FollowedScene Followed{ ModeColors, ModeColorCount };
   DrawnNeedle Needle;
   DrawnTool Tool;
   SceneMarker Stylus{ SceneMarker::Stylus, 1.0, 1.0, 1.0 };
-  /// The orientation of a stylus if the device measures none. It follows from the camera of the
+  /// Orientation of the stylus for a device that measures none, computed from the camera of the
   /// last frame.
   Quaternion Leaning = NoOrientation;
   double MostLength = VTK_DOUBLE_MAX;
   LandingRing Landing;
-  /// Draw markers over a volume with coarse rays, because otherwise they would cut holes into the
-  /// volume.
+  /// Draw markers over a volume with coarse rays, in which they would otherwise leave holes.
   bool IsOverVolumes = false;
   bool HasState = false;
-  bool HadState = false; ///< whether a state was known in the last frame
+  bool HadState = false; ///< whether there was a state in the last frame
   bool WasFelt = false;  ///< whether forces were shown in the last frame
-  bool HasLetGo = false; ///< whether the tip has not moved since it was last felt
+  bool HasLetGo = false; ///< whether the tip has stayed in place since it was last felt
   Vector3 LetGoAt;
   vtkSmartPointer<vtkPolyData> Trail;
   vtkNew<vtkPolyDataMapper> TrailMapper;
@@ -100,7 +99,7 @@ struct vtkHapticRepresentation::vtkInternals
   double Bounds[6];
 
   ///@{
-  /** Draw the markers on the free side of a touched surface, or the markers inside it. */
+  /** Draw the markers on the free side of a touched surface, or those inside it. */
   void RenderOutside(vtkViewport* viewport)
   {
     this->Spheres[vtkHapticState::PROXY].RenderOpaque(viewport);
@@ -130,7 +129,7 @@ struct vtkHapticRepresentation::vtkInternals
 
 namespace
 {
-/** Returns whether a volume is drawn with fewer rays than pixels. */
+/** Returns whether any volume is drawn with fewer rays than pixels. */
 bool AreRaysCoarse(vtkRenderer* renderer)
 {
   vtkVolumeCollection* const volumes = renderer->GetVolumes();
@@ -153,33 +152,30 @@ bool AreRaysCoarse(vtkRenderer* renderer)
   return false;
 }
 
-/// The length of the stylus if StylusLength is 0, in radii of the proxy.
+/// Length of the stylus if StylusLength is 0, in radii of the proxy.
 constexpr double StylusRadii = 25.0;
-/// The direction of a leaning stylus's handle, as a unit vector: to the right, up and to the
-/// viewer.
+/// Direction of a leaning stylus's handle, as a unit vector: right, up and towards the viewer.
 constexpr double LeanRight = 0.48;
 constexpr double LeanUp = 0.6;
 constexpr double LeanBack = 0.64;
-/// The longest arrow if MaximumArrowLength is 0, in radii of the proxy.
+/// Length of the longest arrow if MaximumArrowLength is 0, in radii of the proxy.
 constexpr double ArrowRadii = 30.0;
-/// The end of the second head, as a fraction of the arrow's length.
+/// Position of the second head's end, as a fraction of the arrow's length.
 constexpr double SecondHead = 0.8;
-/// Colours by contact. Colour-blind people can distinguish them, too.
+/// Colours of contacts, which people with colour blindness can distinguish, too.
 const double SecondHandColor[3] = { 0.80, 0.62, 1.0 };
 const double White[3] = { 0.97, 0.97, 0.97 };
 const double StylusColor[3] = { 1.0, 1.0, 1.0 };
 const double ContactColors[4][3] = { { 0.62, 0.64, 0.67 }, { 1.0, 0.72, 0.1 }, { 0.1, 0.75, 0.45 },
   { 0.85, 0.2, 0.65 } };
-/**
- * Returns whether the proxy is on the viewer's side of the touched surface, so that it can be seen.
- */
+/** Returns whether the proxy is on the viewer's side of the touched surface, and so is visible. */
 bool IsSeen(vtkRenderer* renderer, vtkHapticDevice* device)
 {
   const Vector3 sight = LineOfSight(renderer, FromArray(device->GetState()->GetProxyPosition()));
   return device->GetState()->GetContact() == 0 ||
     Dot(FromArray(device->GetState()->GetNormal()), sight) > 0.0;
 }
-/** Returns whether forces are shown: always, except for a virtual device that is not armed. */
+/** Returns whether to show forces: always, unless the device is virtual and not armed. */
 bool IsFelt(vtkHapticDevice* device)
 {
   const int status = device->GetStatus();
@@ -187,7 +183,7 @@ bool IsFelt(vtkHapticDevice* device)
     status == vtkHapticDevice::ACTIVE;
 }
 
-/** Returns the world position of the device's origin. */
+/** Returns the position of the device's origin in the world. */
 Vector3 GetOrigin(vtkHapticDevice* device)
 {
   vtkMatrix4x4* const placement = device->GetDeviceToWorld();
@@ -274,9 +270,9 @@ void vtkHapticRepresentation::UpdateMarkers()
   vtkPolyData* const state = d.State;
   d.HasState = state->GetNumberOfPoints() > 0;
   const auto at = [&](vtkIdType point) { return FromArray(state->GetPoint(point)); };
-  // After the hand has let go, it feels nothing, even with the tip in a surface. Then show no
-  // markers, unless the application moves the tip. Before the first touch, show none at the
-  // device's origin: the tip is there until the mouse or a program leads it.
+  // After the hand has let go, it feels nothing, even with the tip inside a surface; then show no
+  // markers until the application moves the tip. Before the first touch, show none at the device's
+  // origin, where the tip is until the mouse or a program moves it.
   const bool isFelt = d.HasState && IsFelt(this->GetDevice());
   const Vector3 tip = d.HasState ? at(State::TIP) : Vector3{};
   const bool isFirst = d.HasState && !std::exchange(d.HadState, d.HasState) &&
@@ -330,7 +326,7 @@ void vtkHapticRepresentation::UpdateMarkers()
       this->MaximumArrowLength > 0.0 ? this->MaximumArrowLength : ArrowRadii * this->Radius;
     for (int i = 0; i < 3; ++i)
     {
-      // In the state's points, the points of the spring come before the points of the arrows.
+      // The points of the spring precede the points of the arrows in the state's geometry.
       const vtkIdType point = State::SPRING + 2 + 2 * i;
       const Vector3 from = at(point);
       const Vector3 whole = at(point + 1) - from;
@@ -424,7 +420,7 @@ void vtkHapticRepresentation::UpdateTrail()
   {
     d.TrailMapper->SetScalarModeToUsePointFieldData();
     d.TrailMapper->SelectColorArray(this->TrailArrayName.c_str());
-    // Colour vectors by their length.
+    // Colour vectors by their magnitude.
     const int component = array->GetNumberOfComponents() > 1 ? -1 : 0;
     d.TrailMapper->SetColorModeToMapScalars();
     d.TrailMapper->GetLookupTable()->SetVectorModeToMagnitude();
@@ -537,7 +533,7 @@ int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
     d.Landing.RenderHidden(viewport);
     d.Needle.RenderHidden(viewport);
     d.Tool.RenderHidden(viewport);
-    d.Stylus.RenderHidden(viewport); // draw it before the others, so that it covers no marker
+    d.Stylus.RenderHidden(viewport); // first, so that it covers no marker
     for (SceneMarker& sphere : d.Spheres)
     {
       sphere.RenderHidden(viewport);
@@ -561,7 +557,8 @@ int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
     const ViewportBox at =
       MoveOff(viewport, { right - size[0], right, bottom, bottom + size[1] }, -1, 1);
     d.ScaleText->GetPositionCoordinate()->SetValue(at[1] / view[0], at[2] / view[1]);
-    d.ScaleText->RenderOpaqueGeometry(viewport); // draws the letters into the texture shown next
+    d.ScaleText->RenderOpaqueGeometry(viewport); // renders the text into the texture that is drawn
+                                                 // next
     d.ScaleText->RenderOverlay(viewport);
   }
   return 1;

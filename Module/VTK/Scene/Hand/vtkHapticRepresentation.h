@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticRepresentation
- * @brief   the hand in the scene: tip, proxy and forces
+ * @brief   draws the hand in the scene: tip, proxy and forces
  *
  * Draws the latest state of a vtkHapticDevice: the tip at the hand, the proxy that the surface
  * holds back, the spring between tip and proxy, and the forces:
@@ -10,7 +10,7 @@
  *   representation->SetDevice(device);
  *   renderer->AddViewProp(representation);
  *
- * The state is from the device's last UpdateState(), which vtkInteractorStyleHaptic calls. The
+ * The state is that of the device's last UpdateState(), which vtkInteractorStyleHaptic calls. The
  * class can also show a trace or a recording as a line, coloured by one of its arrays: see
  * SetTrail.
  *
@@ -28,7 +28,7 @@
  *   viewer, as a pen in the right hand.
  *
  * While a virtual device is not armed, the spring, the arrows and a leaning stylus are hidden.
- * After it was disarmed, nothing is shown until its tip moves. Markers behind a surface or inside
+ * After it is disarmed, nothing is shown until its tip moves. Markers behind a surface or inside
  * the volume are drawn faintly.
  *
  * @sa vtkHapticState, vtkInteractorStyleHaptic
@@ -195,9 +195,9 @@ public:
 
   ///@{
   /**
-   * A line through the points of a trace (default: no line). Its colours show one of the trace's
-   * point arrays (default "Force"; the length of vectors) by a lookup table (default: blue to red
-   * over the array's range).
+   * A line through the points of a trace (default: none). One of the trace's point arrays (default
+   * "Force"; vectors by their length) colours it through a lookup table (default: blue to red over
+   * the array's range).
    */
   void SetTrail(vtkPolyData* trace);
   vtkPolyData* GetTrail();
@@ -208,8 +208,8 @@ public:
 
   ///@{
   /**
-   * Compute the bounds of the markers, draw them, and release their graphics resources; the
-   * renderer calls these.
+   * Compute the bounds of the markers, draw them, and release their graphics resources; called by
+   * the renderer.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
   int RenderOpaqueGeometry(vtkViewport* viewport) override;

@@ -43,9 +43,9 @@ void FilterPublisher::Update(bool isPlaced)
   this->PollAwaited();
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   const vtkMTimeType time = this->GetChangeTime();
-  // If the device is published already, the application or another style has published the change.
+  // If the device is already published, the application or another style has published the change.
   const bool hasChanged = time != this->Published && !device->IsPublished();
-  // The first publication keeps a notice of the application, which concerns the application's own
+  // The first publication keeps a notice of the application, which refers to the application's own
   // setup.
   const bool isFirst = std::exchange(this->IsFirst, false);
   this->Published = time;
@@ -89,7 +89,7 @@ bool FilterPublisher::Try(const std::function<void()>& change, const std::functi
 //------------------------------------------------------------------------------
 bool FilterPublisher::NextMethod(const std::function<void(const std::string&)>& notify)
 {
-  // Keep these objects alive, because observers of the following events may remove any of them.
+  // Keep references, because observers of the following events may remove any of these objects.
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter =
@@ -135,8 +135,8 @@ void FilterPublisher::TakeBack(const std::function<void()>& undo, const std::str
 {
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
   undo();
-  // The servo still has the previous model, so there is nothing to publish, unless something was
-  // due before.
+  // The servo still has the previous model, so nothing is left to publish, unless a change was due
+  // before.
   this->Published = wasPublished ? this->GetChangeTime() : 0;
   vtkErrorWithObjectMacro(
     style, << "Settings " << name << " can't be felt here, for the reason given before.");
@@ -151,8 +151,8 @@ void FilterPublisher::GoBack(const MethodChange& change, vtkVolumeHapticsFilter*
   this->FeltInstead = change.Before;
   filter->SetMethod(change.Method);
   filter->SetSolver(change.Solver);
-  // The servo still has the previous method, so there is nothing to publish, unless something was
-  // due before.
+  // The servo still has the previous method, so nothing is left to publish, unless a change was due
+  // before.
   this->Published = wasPublished ? this->GetChangeTime() : 0;
   vtkErrorWithObjectMacro(style, << change.Wanted
                                  << " can't be felt here, for the reason given before; "
@@ -171,8 +171,8 @@ void FilterPublisher::PollAwaited()
   const MethodChange change = std::exchange(this->Awaited, {});
   const Notify notify = [this](const std::string& notice) { this->SetNotice(notice); };
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter = device->GetVolumeHaptics();
-  // The servo has the latest model that could be made. If it is not the wanted one, the change has
-  // failed.
+  // The servo now has the latest possible model. If its method is not the wanted one, the change
+  // has failed.
   const bool isWanted = filter && filter->GetMethodText() == change.Wanted;
   if (isWanted && device->GetMethodText() != change.Wanted)
   {
@@ -203,7 +203,7 @@ vtkVolumeHapticsFilter* ComparedSettings::GetFilter() const
 //------------------------------------------------------------------------------
 bool ComparedSettings::Swap(const std::function<void(const std::string&)>& notify)
 {
-  // Keep these objects alive, because observers of the following events may remove them.
+  // Keep references, because observers of the following events may remove these objects.
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->GetFilter();
   if (!filter)
@@ -224,8 +224,8 @@ bool ComparedSettings::Swap(const std::function<void(const std::string&)>& notif
   const auto before = std::make_shared<const KeptSettings>(filter);
   const std::shared_ptr<const KeptSettings> tried = this->Other;
   const bool wasB = this->IsB;
-  // This may be called later, if the other settings were prepared in the background. So check that
-  // they are still felt.
+  // Check that the new settings are still felt: this may be called later, if they were prepared in
+  // the background.
   const auto undo = [this, before, tried, wasB]
   {
     const vtkSmartPointer<vtkVolumeHapticsFilter> felt = this->GetFilter();
@@ -271,7 +271,7 @@ void ComparedSettings::End()
 void ComparedSettings::Report()
 {
   const std::string name = this->GetName();
-  // While nothing is compared, do not replace a name that the application has set.
+  // While no settings are compared, leave a name that the application has set.
   if (vtkHapticHeadUpDisplay* const display = this->Scene.Display;
       display && (!name.empty() || this->IsTold))
   {

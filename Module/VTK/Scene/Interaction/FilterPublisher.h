@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Sends changes of the filter to the servo, and switches the felt method and settings. Keeps copies
- * of settings.
+ * Publishes changes of the filter to the servo, switches the felt method, and compares settings.
  */
 #ifndef FilterPublisher_h
 #define FilterPublisher_h
@@ -34,8 +33,8 @@ public:
   explicit KeptSettings(vtkVolumeHapticsFilter* filter);
 
   /**
-   * Copies the settings to a filter. The filter keeps the objects of its property and its label
-   * table, so that an editor keeps editing the same functions.
+   * Copies the settings to a filter. The filter's property and label table remain the same objects,
+   * so that an editor continues to edit them.
    */
   void Apply(vtkVolumeHapticsFilter* filter) const;
 
@@ -57,25 +56,30 @@ public:
   {
   }
 
-  /** Forgets the published settings. Call this for a new device, whose servo has no model yet. */
+  /**
+   * Resets what is known about published settings. Call this for a new device, whose servo has no
+   * model yet.
+   */
   void Reset();
 
   /**
    * Publishes if the filter, its image or its surface has changed, or if the workspace was placed
-   * again. Each change is tried only once, because a change that has failed would fail again. If a
-   * method was prepared in the background and turns out not to work, restores the previous method.
+   * again. Tries each change only once, because a failed change would fail again. If a method was
+   * prepared in the background and turns out not to work, restores the previous method.
    */
   void Update(bool isPlaced);
 
   /**
    * Changes the filter and publishes it. If the change can't be felt, undoes it and reports an
-   * error; this may happen later, if the change is prepared in the background. `name` is the name
-   * of the new settings.
+   * error, perhaps later if the change is prepared in the background. `name` is that of the new
+   * settings.
    */
   bool Try(const std::function<void()>& change, const std::function<void()>& undo,
     const std::string& name, const std::function<void(const std::string&)>& notify);
 
-  /** See vtkInteractorStyleHaptic::NextMethod. `notify` shows a notice; "" removes it. */
+  /**
+   * See vtkInteractorStyleHaptic::NextMethod. `notify` shows a notice; an empty text removes it.
+   */
   bool NextMethod(const std::function<void(const std::string&)>& notify);
 
 private:
@@ -83,18 +87,17 @@ private:
   vtkMTimeType GetChangeTime() const;
 
   /**
-   * A change of the method that is being prepared in the background. `Wanted` is empty if there is
+   * A change of the method that is being prepared in the background. Wanted is empty if there is
    * none.
    */
   struct MethodChange
   {
-    int Method = 0; ///< the previous method; its solver and its text are the next two members
+    int Method = 0; ///< previous method; its solver and text follow
     int Solver = 0;
     std::string Before;
     std::string Wanted; ///< text of the new method
     /**
-     * Undoes the change, if it is a change to settings called Name; null if only the method
-     * changes.
+     * Undoes the change if it is one to the settings called Name; null if only the method changes.
      */
     std::function<void()> Undo = nullptr;
     std::string Name = {};
@@ -102,31 +105,31 @@ private:
   using Notify = std::function<void(const std::string&)>;
 
   /**
-   * Restores the previous settings, because the new settings can't be felt. `wasPublished`
-   * says whether the servo already had the previous settings.
+   * Restores the previous settings, because the new ones can't be felt. `wasPublished`: whether the
+   * servo already had the previous settings.
    */
   void TakeBack(const std::function<void()>& undo, const std::string& name, bool wasPublished,
     const Notify& notify);
   /**
-   * Restores the previous method, because the new method can't be felt. `wasPublished` says whether
-   * the servo already had the previous method.
+   * Restores the previous method, because the new one can't be felt. `wasPublished`: whether the
+   * servo already had the previous method.
    */
   void GoBack(const MethodChange& change, vtkVolumeHapticsFilter* filter, bool wasPublished,
     const Notify& notify);
-  /** Checks whether the awaited change is ready, and if so, finishes it. */
+  /** Completes the awaited change once it is ready. */
   void PollAwaited();
   /** Shows a notice in the head-up display, if there is one. */
   void SetNotice(const std::string& notice);
 
   TouchedScene& Scene;
   vtkMTimeType Published = 0; ///< change time at the last attempt to publish
-  bool IsFirst = true;        ///< whether none was made
-  std::string Unfelt;         ///< name of the method that the last attempt failed to make felt
-  std::string FeltInstead;    ///< text of the method that was kept instead
+  bool IsFirst = true;        ///< whether no attempt was made yet
+  std::string Unfelt;         ///< method that the last failed attempt should have made felt
+  std::string FeltInstead;    ///< text of the method that stayed instead
   MethodChange Awaited;
 };
 
-/** Two settings of a filter, A and B, which are felt in turn at the same position. */
+/** Compares two settings of a filter, A and B, felt in turn at the same position. */
 class ComparedSettings
 {
 public:
@@ -135,19 +138,21 @@ public:
   ComparedSettings(const ComparedSettings&) = delete;
   ComparedSettings& operator=(const ComparedSettings&) = delete;
 
-  /** See vtkInteractorStyleHaptic::SwapSettings. `notify` shows a notice; "" removes it. */
+  /**
+   * See vtkInteractorStyleHaptic::SwapSettings. `notify` shows a notice; an empty text removes it.
+   */
   bool Swap(const std::function<void(const std::string&)>& notify);
 
-  /** Returns "A" or "B"; empty if nothing is compared. */
+  /** Returns the felt settings, "A" or "B"; empty without a comparison. */
   std::string GetName() const;
 
   /**
-   * Ends the comparison and discards the settings that are not felt. Call this for a new device,
-   * too.
+   * Ends the comparison and discards the settings that are not felt. Call this also for a new
+   * device.
    */
   void End();
 
-  /** Sets the name of the felt settings in the head-up display. Call this in each update. */
+  /** Shows the name of the felt settings in the head-up display. Call this in each update. */
   void Report();
 
 private:
@@ -156,8 +161,8 @@ private:
 
   TouchedScene& Scene;
   FilterPublisher& Publisher;
-  vtkWeakPointer<vtkVolumeHapticsFilter> Filter; ///< the filter with the compared settings
-  std::shared_ptr<const KeptSettings> Other;     ///< the settings that are not felt
+  vtkWeakPointer<vtkVolumeHapticsFilter> Filter; ///< filter whose settings are compared
+  std::shared_ptr<const KeptSettings> Other;     ///< settings that are not felt now
   bool IsB = false;                              ///< whether B is felt
   bool IsTold = false;
 };

@@ -30,7 +30,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The factor by which a press of the keys + and - scales the workspace. */
+/** Factor by which a press of the key + or - scales the workspace. */
 constexpr double WorkspaceStep = 1.25;
 
 constexpr int LeftButton = vtkHapticFunctionEditor::LEFT_BUTTON;
@@ -61,7 +61,7 @@ std::vector<unsigned long> HapticStateWatch::Watch(vtkTable* states)
   {
     const bool hasFault = fault->GetComponent(i, 0) != 0.0;
     note(this->HasFault, hasFault, vtkInteractorStyleHaptic::FaultEvent, 0);
-    // After a fault, report no DisarmedEvent: FaultEvent is enough.
+    // A fault invokes only FaultEvent, without DisarmedEvent.
     note(this->IsArmed, armed->GetComponent(i, 0) != 0.0, vtkInteractorStyleHaptic::ArmedEvent,
       hasFault ? 0 : vtkInteractorStyleHaptic::DisarmedEvent);
     note(this->IsTouching, contact->GetComponent(i, 0) != 0.0,
@@ -144,9 +144,9 @@ bool HapticInteraction::SetDevice(vtkHapticDevice* device)
   }
   if (device && device == this->Second.Scene.Device)
   {
-    this->Second.SetDevice(nullptr); // the mode has one tip, now the first hand's
+    this->Second.SetDevice(nullptr); // the mode has one tip, which is now the first hand's
   }
-  this->LetGo(); // an observer of the events in this call may remove the device, too
+  this->LetGo(); // an observer of this call's events may also remove the device
   if (this->IsUpdating)
   {
     return true;
@@ -218,17 +218,17 @@ bool HapticInteraction::SetMeasurements(vtkHapticMeasurements* measurements)
 //------------------------------------------------------------------------------
 void HapticInteraction::LetGo()
 {
-  // s: how long to wait for the disarmed state, which takes one or two ticks of the servo
+  // s: longest wait for the disarmed state, which takes one or two ticks of the servo
   constexpr double most = 0.1;
-  this->Second.Disarm(); // first, because observers of the other hand's end may take long
+  this->Second.Disarm(); // disarm first, because observers of the other hand's events may take long
   this->Measure.End();
   this->Touch.Set(false);
   if (const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device)
   {
     device->Disarm();
   }
-  // Update the states now, because perhaps nobody updates them later, and the last states report
-  // force.
+  // Update the states now, because the last states report force, and perhaps no later update
+  // follows.
   const std::int64_t begin = ServoClock::Now();
   for (const TouchedScene* const scene : { &this->Scene, &this->Second.Scene })
   {
@@ -326,7 +326,7 @@ bool HapticInteraction::ReleaseLeftButton()
   const int* const at = this->Scene.Style->GetInteractor()->GetEventPosition();
   if (std::exchange(this->EditorHasMouse, false))
   {
-    if (this->Scene.Editor) // an observer may have removed the editor
+    if (this->Scene.Editor) // checked again, because an observer may have removed the editor
     {
       this->Scene.Editor->ButtonRelease(LeftButton, at[0], at[1]);
       this->Frames.Draw(true);
@@ -379,7 +379,7 @@ bool HapticInteraction::DrawSlices()
 bool HapticInteraction::TurnWheel(double steps)
 {
   const int* const at = this->Scene.Style->GetInteractor()->GetEventPosition();
-  constexpr double lines = 3.0; // lines of the list of keys for each step of the wheel
+  constexpr double lines = 3.0; // lines of the list of keys per step of the wheel
   if (this->Scene.Display &&
     this->Scene.Display->ScrollHelp(static_cast<int>(std::lround(-lines * steps))))
   {
@@ -420,7 +420,7 @@ void HapticInteraction::Zoom(const std::function<void()>& zoom)
     zoom();
     return;
   }
-  interactor->EnableRenderOff(); // draw once, with the camera in its last place
+  interactor->EnableRenderOff(); // render only once, with the camera in its final position
   this->Touch.KeepInWindow(zoom);
   interactor->EnableRenderOn();
   this->Frames.Draw(true);
@@ -442,7 +442,8 @@ bool HapticInteraction::PressKey(const std::string& pressed)
 //------------------------------------------------------------------------------
 std::string HapticInteraction::FindAction(const std::string& pressed) const
 {
-  // In the touch mode, Ctrl and the mouse press in depth, so the keys of the hand work with Ctrl.
+  // In the touch mode, Ctrl and the mouse move in depth, so keys for the hand must work with Ctrl,
+  // too.
   const std::string key = this->Keys.Find(pressed);
   const std::string plain = this->Keys.FindReleased(pressed);
   const bool isOfHand =
@@ -464,15 +465,16 @@ bool HapticInteraction::Perform(const std::string& key, bool isPressed)
   }
   else if (key == "Escape")
   {
-    this->Second.Disarm(); // first, because observers of the other hand's end may take long
+    this->Second.Disarm(); // disarm first, because observers of the other hand's events may take
+                           // long
     this->Displays.HideKeys();
     this->Measure.End();
     this->Touch.Set(false);
     if (scene.Device)
     {
       scene.Device->Disarm();
-      // If the window loses the focus while the key k is held, it gets no release of the key, so
-      // release the clutch here, too.
+      // Release the clutch here, too: if the window loses the focus while the key k is held, the
+      // release of the key never arrives.
       this->Workspace.SetClutch(false);
     }
     this->Second.Workspace.SetClutch(false);
@@ -515,7 +517,7 @@ bool HapticInteraction::Perform(const std::string& key, bool isPressed)
   }
   else if (key == "j" && this->Modes.Next())
   {
-    // Next() has already changed the mode.
+    // Next() has already changed the mode, so there is nothing else to do.
   }
   else if (!this->Displays.Press(key) && !this->Editor.Press(key, isPressed) &&
     !this->Playback.Press(key) && !this->Measure.Press(key))
@@ -552,7 +554,7 @@ void HapticInteraction::ArmOrDisarm()
     if (isThere && !isClutched && !IsArmed(device))
     {
       device->Arm();
-      // A refused Arm() has reported the reason. With one hand, there is nothing else to do.
+      // A refused Arm() has already reported the reason. With a single device, never disarm here.
       isArmedNow = isArmedNow || IsArmed(device) || !devices[1];
     }
   }
@@ -595,11 +597,11 @@ void HapticInteraction::HomeDevices()
 //------------------------------------------------------------------------------
 bool HapticInteraction::TypeKey(const std::string& typed) const
 {
-  // While a hand touches or is armed, do not pass on keys of the superclass that would disturb: f
-  // would fly the camera away from the hand, and the workspace of a device with it. Never pass on
-  // keys that have an action here: m starts an animation, p picks a prop, s shows surfaces, 3 shows
-  // two pictures for red and blue glasses. Nor pass on keys to which the application has moved an
-  // action.
+  // While a hand touches or is armed, do not pass on keys of the superclass that would disturb it:
+  // f would fly the camera away from the hand, and the workspace of a device with it. Never pass on
+  // keys that have an action here and another in the superclass: m starts an animation, p picks a
+  // prop, s shows surfaces, 3 shows red-blue stereo. Nor pass on keys that the application has
+  // assigned to an action.
   const std::string key = this->FindAction(typed);
   const bool isBusy = this->Touch.IsOn() || this->Second.IsArmOrdered() ||
     (this->Scene.Device && this->Scene.Device->IsArmOrdered());
@@ -615,7 +617,7 @@ void HapticInteraction::HandleWork(vtkObject* worker, bool begins)
   auto& scene = this->Scene;
   if (worker == scene.Editor)
   {
-    // Clear the member first, because EndLongWork() calls this function again.
+    // Clear the member first, because EndLongWork() calls this function recursively.
     for (const auto& device : std::exchange(this->DevicesAtRest, {}))
     {
       device->EndLongWork();
@@ -657,8 +659,8 @@ bool HapticInteraction::SwapSettings()
 //------------------------------------------------------------------------------
 bool HapticInteraction::UpdateHaptics()
 {
-  // Keep the style alive, because observers of an update may remove it. If they set another device,
-  // it takes effect at the update's end.
+  // Keep a reference to the style, because observers of an update may remove it. A device that they
+  // set takes effect at the end of the update.
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
   const bool isOuter = !std::exchange(this->IsUpdating, true);
   const bool isNew = this->Update(style);
@@ -696,7 +698,7 @@ bool HapticInteraction::Update(vtkInteractorStyleHaptic* style)
   {
     this->FadeOut();
   }
-  // The first hand comes first, because then it leads the regions of a volume beyond memory.
+  // Update the first hand first, so that it leads the regions of a volume beyond memory.
   const bool isFirstNew = this->UpdateFirst(style, renderer);
   return this->Second.Update(renderer) || isFirstNew;
 }
@@ -714,7 +716,7 @@ bool HapticInteraction::UpdateFirst(vtkInteractorStyleHaptic* style, vtkRenderer
     return false;
   }
   vtkHapticDevice* const device = scene.Device;
-  // Send changes to the servo before drawing, so that they are felt before they are seen.
+  // Publish changes before drawing, so that they are felt before they are seen.
   const bool isPlaced =
     renderer && !this->Workspace.IsClutched() && this->Workspace.Update(renderer);
   if ((this->Touch.IsOn() || device->IsArmOrdered()) && this->Window.HasVanished())
@@ -738,8 +740,8 @@ bool HapticInteraction::UpdateFirst(vtkInteractorStyleHaptic* style, vtkRenderer
   {
     this->Frames.RecordEvent();
   }
-  // Another style that uses this device may already have fetched the state, so compare with the
-  // time of this style's last update.
+  // Another style with this device may already have fetched the state, so compare its time with
+  // this style's last update.
   const double before = std::exchange(this->Updated, device->GetState()->GetTime());
   if (this->Updated > before && renderer)
   {
@@ -768,7 +770,7 @@ bool HapticInteraction::UpdateFirst(vtkInteractorStyleHaptic* style, vtkRenderer
     style->InvokeEvent(vtkInteractorStyleHaptic::StatesEvent);
   }
   this->CheckShownVolumes();
-  // An observer of the events may have ended the event loop.
+  // Detect that an observer of the events has ended the event loop.
   this->Window.Look();
   return isNew;
 }
@@ -786,7 +788,7 @@ void HapticInteraction::UpdateVolumes()
   if (this->Touch.IsOn() || isArmOrdered || this->Second.IsArmOrdered())
   {
     vtkWarningWithObjectMacro(this->Scene.Style, << this->Scene.Hidden);
-    // hiding a volume is no emergency, so let the force fade instead of cutting it off
+    // Hiding a volume is no emergency, so fade the force instead of cutting it off.
     this->FadeOut();
     return;
   }
@@ -838,7 +840,7 @@ void HapticInteraction::UpdateCarving()
     return;
   }
   const std::vector<CarvedArray> arrays = this->Touched.CollectCarved();
-  // Look at the changes, too, because slices and regions of large volumes also show removed tissue.
+  // Count the changes, too, because slices and regions of large volumes also show removed tissue.
   std::uint64_t changes = 0;
   for (const CarvedArray& array : arrays)
   {

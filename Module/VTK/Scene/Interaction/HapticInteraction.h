@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Connects keys, mouse and timer with a haptic device, its tip, and the view.
+ * Connects keys, mouse and timer with a haptic device, its tip and the view.
  */
 #ifndef HapticInteraction_h
 #define HapticInteraction_h
@@ -42,14 +42,14 @@ namespace VolumeHaptics
 {
 
 /**
- * Detects events in tables of states, in the order of the states. Keeps the last state of a table
- * for the next table.
+ * Detects events in tables of states, in the order of the states. Remembers the last state of a
+ * table to compare it with the next table.
  */
 class HapticStateWatch
 {
 public:
   /**
-   * Returns the events (vtkInteractorStyleHaptic::HapticEvents) of the table's rows, oldest first.
+   * Returns the events (vtkInteractorStyleHaptic::HapticEvents) in the table's rows, oldest first.
    */
   std::vector<unsigned long> Watch(vtkTable* states);
   void Reset() { *this = HapticStateWatch(); }
@@ -61,17 +61,17 @@ private:
 };
 
 /**
- * The implementation of vtkInteractorStyleHaptic, whose header documents the keys and buttons. It
- * connects parts, each of which has one task. It decides the order of an update, which part gets
- * keys and mouse events, and when work counts as long.
+ * Implements vtkInteractorStyleHaptic, whose header documents the keys and buttons. This class
+ * connects parts with one task each. It decides the order of an update, which part gets key and
+ * mouse events, and which work counts as long.
  *
- * Functions for keys and the mouse return true if they used the event. Otherwise, the style's
- * superclass gets the event.
+ * Functions for keys and mouse return true if they used the event. Otherwise, the style's
+ * superclass gets it.
  */
 class HapticInteraction
 {
 public:
-  /** The virtual functions of the style. */
+  /** Virtual functions of the style, for calls from here. */
   struct Calls
   {
     std::function<void(bool)> DrawScene;
@@ -84,15 +84,15 @@ public:
 
   ///@{
   /**
-   * Set the objects. Return false if nothing changed. A device that is set during an update takes
-   * effect at the update's end.
+   * Set the objects. Return whether they differ from the previous ones. A device that is set during
+   * an update takes effect at the end of the update.
    */
   bool SetDevice(vtkHapticDevice* device);
   bool SetSecondDevice(vtkHapticDevice* device);
   bool SetFunctionEditor(vtkHapticFunctionEditor* editor);
   bool SetMeasurements(vtkHapticMeasurements* measurements);
   ///@}
-  /** Sets the coarse volume that is shown finely around the hand; null for none. */
+  /** Sets the coarse volume that is shown at full resolution around the hand; null for none. */
   void SetCoarseVolume(vtkVolume* volume);
 
   vtkHapticDevice* GetDevice() const;
@@ -105,7 +105,7 @@ public:
    */
   void LetGo();
 
-  /** Leaves the touch mode and lets the force fade, because the view is no longer visible. */
+  /** Leaves the touch mode and fades the force out, because the view is no longer visible. */
   void FadeOut();
 
   bool MoveMouse();
@@ -114,45 +114,42 @@ public:
   bool DoubleClickLeftButton();
   bool PressRightButton();
   bool ReleaseRightButton();
-  /** Handles a turn of the wheel. `steps` are positive away from the viewer. */
+  /** Handles a turn of the wheel. `steps` are positive away from the user. */
   bool TurnWheel(double steps);
-  /** Zooms by a function; the hand that the mouse leads stays under the pointer. */
+  /** Zooms with a function. A hand that the mouse moves stays under the pointer. */
   void Zoom(const std::function<void()>& zoom);
-  /** Handles the press of a key. `pressed` is X11's name of the key. */
+  /** Handles a pressed key, given by X11's name. */
   bool PressKey(const std::string& pressed);
-  /** Returns the default key of a key's action now; empty if it has none. */
+  /** Returns the default key of the action that a key has now; empty if it has none. */
   std::string FindAction(const std::string& pressed) const;
   /**
-   * Performs the action with a default key. Returns false if the scene has no part for it. With
-   * `isPressed`, the pointer chooses what is undone.
+   * Performs the action with a default key. Returns false if the scene lacks the part for it. With
+   * `isPressed`, the position of the pointer decides what is undone.
    */
   bool Perform(const std::string& key, bool isPressed = false);
   bool ReleaseKey(const std::string& released);
-  /** Returns whether a key was pressed now for the action with a default key. */
+  /** Returns whether a pressed key now belongs to the action with a default key. */
   bool IsPressOf(const std::string& pressed, const std::string& key) const
   {
     return !this->Repeat.IsRepeat(pressed) && this->FindAction(pressed) == key;
   }
-  /** Returns whether a press repeats the last used press because the key is held. */
+  /** Returns whether a press is an automatic repetition of the last used key, which is held. */
   bool IsRepeat(const std::string& pressed) const
   {
     return pressed == this->UsedKey && this->Repeat.IsRepeat(pressed);
   }
-  /**
-   * Returns whether the superclass must not get a typed key, because the key has another effect
-   * there.
-   */
+  /** Returns whether to keep a typed key from the superclass, where it has another effect. */
   bool TypeKey(const std::string& typed) const;
 
   ///@{
-  /** See the style's functions of the same names. */
+  /** See the functions of the same names in the style. */
   bool UpdateHaptics();
   void CheckShownVolumes();
   bool NextMethod();
   bool SwapSettings();
   ///@}
 
-  // Later parts depend on earlier ones.
+  // The order matters: later parts depend on earlier ones.
   TouchedScene Scene;
   HapticWindowWatch Window;
   SceneFrames Frames;
@@ -164,52 +161,53 @@ public:
   DisplayKeys Displays;
   HapticShownTimeSteps ShownTimeSteps;
   CarvedPictures Carved;
-  std::uint64_t CarvedChanges = 0; ///< number of changes of the removed tissue at the last update
+  std::uint64_t CarvedChanges = 0; ///< number of changes to removed tissue at the last update
   TouchedVolumes Touched;
-  RegionPicture Refined; ///< shows a volume beyond memory finely around the hand
+  RegionPicture Refined; ///< shows a volume beyond memory at full resolution around the hand
   FilterPublisher Publisher;
   ComparedSettings Compared;
-  vtkNew<vtkTable> States; ///< states of the last update
+  vtkNew<vtkTable> States; ///< states that were read in the last update
 
 private:
   void LeaveDevice();
-  /** Arms the hands that are not armed. If that changes nothing, disarms both. */
+  /** Arms all hands that are not armed. If that changes nothing, disarms both. */
   void ArmOrDisarm();
-  /** Homes the real devices that wait for homing. If no device waits, homes all of them. */
+  /** Homes the real devices that wait for homing, or all real devices if none waits. */
   void HomeDevices();
   bool Update(vtkInteractorStyleHaptic* style);
   bool UpdateFirst(vtkInteractorStyleHaptic* style, vtkRenderer* renderer);
   /**
-   * Makes the filters feel what the touched volumes show, and lets go of volumes that are no longer
-   * shown.
+   * Updates the filters to what the touched volumes show. Ends the touch of volumes that are no
+   * longer shown.
    */
   void UpdateVolumes();
   void UpdateRefined();
-  /** Makes volumes show the tissue that a tool has left. */
+  /** Updates the volumes to the tissue that tools have left. */
   void UpdateCarving();
-  /** If the mouse has changed what the slices show, draws the scene and returns true. */
+  /** Draws the scene if the mouse has changed what the slices show. Returns whether it did. */
   bool DrawSlices();
   void HandleWork(vtkObject* worker, bool begins);
 
   PlaybackKeys Playback;
   KeyRepeat Repeat;
-  std::string UsedKey; ///< the last pressed key that was used
+  std::string UsedKey; ///< last pressed key that was used
   ModeKeys Modes;
   EditorKeys Editor;
   SliceMouse Slices;
   MeasureKeys Measure;
   HapticShownVolumes Volumes;
   HapticStateWatch Watch;
-  int Reader = 0;       ///< number by which the device's states know this reader
+  int Reader = 0;       ///< number of this reader of the device's states
   double Updated = 0.0; ///< the device's time at the last update (s)
   bool IsUpdating = false;
-  /// the device that an observer has set during the present update
+  /// Device that an observer has set during this update.
   std::optional<vtkSmartPointer<vtkHapticDevice>> NextDevice;
   bool EditorHasMouse = false;
-  bool ListHasMouse = false; ///< whether a click on the list of modes is under way
+  bool ListHasMouse = false; ///< whether a click on the list of modes is in progress
   vtkNew<vtkCallbackCommand> DisarmObserver;
-  vtkNew<vtkCallbackCommand> WorkObserver; ///< observes long work of the device and the editor
-  /// the devices whose force is off while the editor counts
+  vtkNew<vtkCallbackCommand> WorkObserver; ///< invoked at the start and end of long work of the
+                                           ///< device and the editor
+  /// Devices whose force is off while the editor is working.
   std::vector<vtkSmartPointer<vtkHapticDevice>> DevicesAtRest;
 };
 

@@ -24,12 +24,15 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The least force that counts as a touch (N). */
+/** Smallest force (N) that counts as a touch. */
 constexpr double LeastMeasuredForce = 0.005;
-/** The radius of the brush, and the least distance between two of its positions (voxels). */
+/** Radius of the brush, and smallest distance between two of its positions (voxels). */
 constexpr double BrushVoxels = 4.0;
 constexpr double BrushStepVoxels = 0.25;
-/** Largest fraction of the program's time for cutting a growing area out of the surface. */
+/**
+ * Largest fraction of the program's time that may be spent on cutting a growing area out of the
+ * surface.
+ */
 constexpr double CutFraction = 0.1;
 
 bool IsTouching(vtkHapticDevice* device)
@@ -39,7 +42,7 @@ bool IsTouching(vtkHapticDevice* device)
       Norm(FromArray(device->GetState()->GetComputedForce())) >= LeastMeasuredForce);
 }
 
-/** Returns the value at a position, interpolated between the eight samples around it. */
+/** Returns the value at a position, interpolated linearly between the eight samples around it. */
 double ValueAt(vtkImageData* image, vtkDataArray* array, int component, const Vector3& world)
 {
   const double at[3] = { world.X, world.Y, world.Z };
@@ -70,7 +73,7 @@ double ValueAt(vtkImageData* image, vtkDataArray* array, int component, const Ve
   return value;
 }
 
-/** Reads a number from a column of the device's states. */
+/** Reads a number from a column of a table of states. */
 double Read(vtkTable* states, const char* column, vtkIdType row, int component = 0)
 {
   return vtkDataArray::SafeDownCast(states->GetColumnByName(column))->GetComponent(row, component);
@@ -87,7 +90,7 @@ Vector3 ReadPosition(vtkTable* states, const char* column, vtkIdType row)
 //------------------------------------------------------------------------------
 bool MeasureKeys::Press(const std::string& key)
 {
-  // Keep the list alive, because observers of its changes may remove it.
+  // Keep a reference to the list, because observers of its changes may remove it.
   const vtkSmartPointer<vtkHapticMeasurements> list = this->Scene.Measurements;
   if (!list)
   {
@@ -352,7 +355,7 @@ void MeasureKeys::Show()
 //------------------------------------------------------------------------------
 void MeasureKeys::Report(const std::string& notice)
 {
-  // Do not remove a notice that other parts have set.
+  // Leave notices that other parts have set.
   if (!notice.empty() || !this->Told.empty())
   {
     this->Told = notice;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Handles the keys that measure where the hand touches: see vtkInteractorStyleHaptic.
+ * Handles the keys for measuring where the hand touches: see vtkInteractorStyleHaptic.
  */
 #ifndef MeasureKeys_h
 #define MeasureKeys_h
@@ -33,40 +33,40 @@ public:
   }
 
   /**
-   * Executes the action of a key. Returns false if the key measures nothing, or if there is no list
+   * Performs the action of a key. Returns false if the key is not for measuring, or without a list
    * of measurements.
    */
   bool Press(const std::string& key);
-  /** Adds the states of an update to the path or the area in progress. */
+  /** Adds the states of an update to a path or area in progress. */
   void Update(vtkTable* states);
-  /** Ends a path or an area, and discards the points of an incomplete distance or angle. */
+  /** Completes a path or an area, and discards the points of an incomplete distance or angle. */
   void End();
 
 private:
-  /** Adds a point measurement, or sets the next point of a distance or an angle. */
+  /** Measures a point, or sets the next point of a distance or an angle. */
   void SetPoint(MeasuredKind kind);
   void Undo();
   void BeginOrEnd(MeasuredKind kind);
-  /** Adds the finished measurement to the list. */
+  /** Adds the completed measurement to the list. */
   void Finish();
   /**
-   * Makes the brush on the touched surface. Returns null if there is no 3D image with point
-   * scalars.
+   * Makes a brush for the touched surface. Returns null without a 3D image that has point scalars.
    */
   std::unique_ptr<PaintedPatch> MakeBrush(const Vector3& proxy, double surfaceValue);
   void PaintTo(const Vector3& proxy, double surfaceValue);
-  /** Shows the measurement in progress in displays. */
+  /** Passes the measurement in progress to displays. */
   void Show();
   void Report(const std::string& notice);
 
   TouchedScene& Scene;
   SceneFrames& Frames;
-  Measurement Begun;        ///< the measurement in progress; the points of an area are in Brush
+  Measurement Begun;        ///< measurement in progress, without an area's points, which are in
+                            ///< Brush
   bool IsFollowing = false; ///< whether a path or an area is in progress
   std::unique_ptr<PaintedPatch> Brush;
   Vector3 Painted; ///< last position of the brush (world)
   double BrushStep = 0.0;
-  /** time when the growing area is next cut out for displays */
+  /** Next time at which to cut out the growing area for displays. */
   std::chrono::steady_clock::time_point NextCut;
   std::string Told;
 };

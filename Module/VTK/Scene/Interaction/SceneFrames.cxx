@@ -22,8 +22,8 @@ namespace VolumeHaptics
 
 namespace
 {
-// s: if a frame takes longer, wake the event loop, because VTK 9.1 delays timers by another second
-// from 1 s on
+// s: After a longer frame, wake the event loop, because VTK 9.1 delays timers that are 1 s late by
+// another second.
 constexpr double LongestTimerDelay = 0.8;
 } // namespace
 
@@ -38,7 +38,7 @@ SceneFrames::SceneFrames(
         using Touch = FrameQuality::Touch;
         vtkHapticDevice* const device = this->Scene.Device;
         const bool isArmed = device && this->Scene.IsArmed();
-        // A playing volume counts as touched, because it is drawn continuously.
+        // A playing volume counts as touched, because it is rendered continuously.
         const bool isBusy = this->Scene.Style->GetTouchMode() ||
           (device && device->GetPlayback()->HasTimeSteps() && device->GetPlayback()->IsPlaying());
         return isArmed ? Touch::Armed : isBusy ? Touch::On : Touch::Off;
@@ -55,8 +55,8 @@ void SceneFrames::Draw(bool quickly)
   vtkHapticFunctionEditor* const editor = this->Scene.Editor;
   if (editor && editor->GetVisibility())
   {
-    // Update the editor before the frame, because long work draws the head-up display, which is
-    // impossible within a frame.
+    // Update the editor before the frame, because its long work redraws the head-up display, which
+    // is impossible during a frame.
     editor->Update();
     this->CountedFraction = editor->GetCountedFraction();
   }
@@ -149,8 +149,8 @@ bool SceneFrames::AwaitLateMotion(double travel) const
   const bool isFirst = this->Pace.IsFirst(now);
   if (isFirst)
   {
-    // Wait, because drawing the hand half way in a slow frame would take longer than the rest of
-    // its way.
+    // Wait for the hand to arrive: a slow frame of it on its way would take longer than the rest of
+    // the way.
     std::this_thread::sleep_for(std::chrono::duration<double>(
       std::min(HapticRenderPace::FeltTime + travel, HapticRenderPace::LongestAwaited)));
   }
@@ -166,7 +166,7 @@ bool SceneFrames::HasMoved() const
   }
   const Vector3 tip = this->Scene.GetTip();
   const double pixel = PixelSize(renderer, tip);
-  // A hand never rests completely, so do not draw a motion of less than half a pixel.
+  // A hand never rests completely, so ignore motions of less than half a pixel.
   return Norm(tip - this->DrawnTip) > 0.5 * pixel ||
     Norm(this->Scene.GetProxy() - this->DrawnProxy) > 0.5 * pixel;
 }

@@ -26,7 +26,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Joins two lines, of which either may be empty. */
+/** Joins two lines with a line break; either may be empty. */
 std::string Join(const std::string& first, const std::string& second)
 {
   return first.empty() || second.empty() ? first + second : first + "\n" + second;
@@ -63,13 +63,10 @@ void Apply(vtkVolumeHapticsFilter* filter, const std::vector<bool>& active)
   }
 }
 
-/** The largest factor by which the keys make the playback faster or slower. */
+/** Largest factor by which the keys change the speed of playback. */
 constexpr double MostSpeed = 64.0;
 
-/**
- * Returns the time of the step after (isNext) or before a time. After the last step comes the first
- * one.
- */
+/** Returns the time step after (isNext) or before a time. The series is cyclic. */
 double FindNeighbour(const std::vector<double>& times, double time, bool isNext)
 {
   if (isNext)
@@ -182,7 +179,7 @@ std::string DisplayKeys::ChooseHint()
     const std::string begin = this->Scene.IsVirtual()
       ? this->DescribeKey("Put the pointer on the volume and press ", "t", " to touch it")
       : this->DescribeKey("Press ", this->Scene.TurnsView ? "a" : "t", " to feel the volume");
-    // If another style turns the view, the host has all other keys until the touch mode begins, so
+    // If another style turns the view, the host gets all other keys until the touch mode begins, so
     // do not mention them.
     return Join(begin,
       this->Scene.TurnsView ? this->DescribeKey("", "question", " shows all keys") : std::string());
@@ -195,7 +192,7 @@ std::string DisplayKeys::ChooseHint()
   std::string end = this->DescribeKey("", "Escape", "");
   if (!this->Scene.TurnsView)
   {
-    // Name all keys that let go, because the host may keep some of them to itself.
+    // Name all keys that end the touch mode, because the host may intercept some of them.
     end = this->Keys.Describe({ "Escape" });
     for (std::size_t at = end.find("  "); at != std::string::npos; at = end.find("  "))
     {
@@ -214,7 +211,7 @@ void DisplayKeys::UpdateHint()
   {
     return;
   }
-  // Do not replace a hint that the application has set until there is a new hint to show.
+  // Leave a hint that the application has set until there is a new one to show.
   const std::string hint = this->ChooseHint();
   if (hint != this->Shown)
   {
@@ -238,7 +235,7 @@ bool EditorKeys::Press(const std::string& key, bool isPressed)
   }
   else if (key == "u")
   {
-    // A hidden editor appears docked beside the scene.
+    // Show a hidden editor docked beside the scene.
     editor->SetDocked(!editor->GetVisibility() || !editor->GetDocked());
     editor->VisibilityOn();
   }
@@ -352,7 +349,7 @@ void EditorKeys::EndProposing(const char* notice)
 //------------------------------------------------------------------------------
 void EditorKeys::ToggleLabels()
 {
-  // Keep the editor alive, because observers of its work may remove it.
+  // Keep a reference to the editor, because observers of its work may remove it.
   const vtkSmartPointer<vtkHapticFunctionEditor> editor = this->Scene.Editor;
   vtkHapticLabelTable* const table = editor->GetLabelTable();
   if (!table)
@@ -371,7 +368,7 @@ void EditorKeys::ToggleLabels()
         device && device->GetState()->GetContact() != 0)
     {
       const vtkTypeInt64 label = device->GetState()->GetLabel();
-      if (label == static_cast<int>(label)) // tables have only labels that fit into int
+      if (label == static_cast<int>(label)) // tables contain only labels that fit into an int
       {
         editor->SelectLabel(static_cast<int>(label));
       }
@@ -390,7 +387,7 @@ vtkVolumeHapticsFilter* ModeKeys::GetFilter() const
 
 void ModeKeys::Set(vtkVolumeHapticsFilter* filter, const std::vector<bool>& active)
 {
-  // Keep these objects alive, because observers of the following events may remove them.
+  // Keep references, because observers of the following events may remove these objects.
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   const vtkSmartPointer<vtkVolumeHapticsFilter> kept = filter;
   const vtkSmartPointer<vtkHapticHeadUpDisplay> display = this->Scene.Display;
@@ -455,7 +452,7 @@ bool ModeKeys::Click(int x, int y)
 
 bool PlaybackKeys::Press(const std::string& key)
 {
-  // Keep the device alive, because observers of the changes may remove it.
+  // Keep a reference to the device, because observers of the changes may remove it.
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   const bool isSpeed = key == "comma" || key == "period";
   const bool isPlace = key == "Left" || key == "Right";

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Handles the keys of a scene's parts: display, editor, modes and moving volume.
+ * Handles the keys for the parts of a scene: display, editor, modes and moving volume.
  */
 #ifndef SceneKeys_h
 #define SceneKeys_h
@@ -39,25 +39,25 @@ public:
   }
 
   /**
-   * Executes the action of a key. Returns false if the display has no action for the key, or if
-   * there is no display.
+   * Performs the action of a key. Returns false if the key is not for the display, or without a
+   * display.
    */
   bool Press(const std::string& key);
   void HideKeys();
   /** Returns the list of keys for the current scene. */
   std::string ListKeys() const;
-  /** Returns which parts with keys the scene has. */
+  /** Returns which of the parts with keys the scene has. */
   KeyedParts FindParts() const;
-  /** Shows hints on the user's next step, until something is touched. */
+  /** Shows hints on the next step for the user, until something is touched. */
   void UpdateHint();
 
-  /** keys of the application, which are listed after the keys of the style */
+  /** List of the application's keys, shown after those of the style. */
   std::string ApplicationKeys;
 
 private:
   std::string ChooseHint();
   /**
-   * Returns a line with the name of an action's key between two texts; empty if the action has no
+   * Returns a line with the label of an action's key between two texts; empty if the action has no
    * key.
    */
   std::string DescribeKey(const char* before, const char* defaultKey, const char* after) const;
@@ -66,9 +66,9 @@ private:
   const TouchMode& Touch;
   const ToolTurn& Turn;
   const KeyMap& Keys;
-  bool WasTouching = false; ///< whether something was touched at the last call of UpdateHint
-  bool HasTouched = false;  ///< whether something was touched since touch mode or arming began
-  std::string Shown;        ///< the last hint that was shown
+  bool WasTouching = false; ///< whether something was touched at the last UpdateHint()
+  bool HasTouched = false;  ///< whether something was touched since the touch mode or arming began
+  std::string Shown;        ///< last hint shown
 };
 
 /**
@@ -85,23 +85,23 @@ public:
   }
 
   /**
-   * Executes the action of a key. Returns false if the editor has no action for the key, or if
-   * there is no editor. If a key was pressed, undo and redo are the editor's under the pointer.
+   * Performs the action of a key. Returns false if the key is not for the editor, or without an
+   * editor. With `isPressed`, undo and redo apply to the editor only if the pointer is over it.
    */
   bool Press(const std::string& key, bool isPressed);
-  /** Reports the end of the search for functions. Call this in each update. */
+  /** Reports the result of the search for functions. Call this in each update. */
   void PollProposal();
 
 private:
-  /** Shows a notice if an action did nothing. */
+  /** Shows a notice unless the action did anything. */
   void Report(bool isDone, const char* notice);
-  /** Starts the search for a proposal in the editor, or accepts the proposal that is shown. */
+  /** Starts the search for a proposal, or accepts a proposal that is shown. */
   void Propose();
-  /** Ends the search, and replaces its notice by another notice; null for none. */
+  /** Ends the search, and replaces its notice with another one; null for none. */
   void EndProposing(const char* notice);
   /**
-   * Shows the labels in the editor and selects the touched label, or hides the editor if it shows
-   * the labels.
+   * Shows the labels in the editor and selects the touched one, or hides the editor if it already
+   * shows the labels.
    */
   void ToggleLabels();
 
@@ -111,7 +111,7 @@ private:
   vtkWeakPointer<vtkHapticFunctionEditor> ProposingEditor;
 };
 
-/** Chooses which modes of PRIMITIVES are active, by a key and by clicks on their list. */
+/** Chooses which modes of PRIMITIVES are active, with a key and with clicks on their list. */
 class ModeKeys
 {
 public:
@@ -121,25 +121,28 @@ public:
   }
 
   /**
-   * Makes the next mode the only active one; after the last mode, makes all modes active, unless
-   * they are too many for a tick. Returns false if the method is not PRIMITIVES.
+   * Makes the next mode the only active one. After the last mode, activates all modes, unless they
+   * are too many for a tick. Returns false if the method is not PRIMITIVES.
    */
   bool Next();
   /**
-   * Switches the mode at a position in the head-up display's list on or off. Returns false if there
-   * is no mode.
+   * Toggles the mode at a position in the head-up display's list. Returns false if there is no
+   * mode.
    */
   bool Click(int x, int y);
 
 private:
   vtkVolumeHapticsFilter* GetFilter() const;
-  /** Sets which modes are active. If they can't be felt, undoes the changes and shows a notice. */
+  /**
+   * Sets which modes are active. If they can't be felt, restores the previous choice and shows a
+   * notice.
+   */
   void Set(vtkVolumeHapticsFilter* filter, const std::vector<bool>& active);
 
   TouchedScene& Scene;
 };
 
-/** Handles the keys of a moving volume: see vtkInteractorStyleHaptic. */
+/** Handles the keys for a moving volume: see vtkInteractorStyleHaptic. */
 class PlaybackKeys
 {
 public:
@@ -149,8 +152,8 @@ public:
   }
 
   /**
-   * Executes the action of a key. Returns false if playback has no action for the key, or if no
-   * volume moves.
+   * Performs the action of a key. Returns false if the key is not for playback, or if no volume
+   * moves.
    */
   bool Press(const std::string& key);
 

@@ -23,9 +23,9 @@ namespace
 {
 
 constexpr double RadiansPerPixel = 0.01;
-constexpr double RadiansPerStep = 0.1; ///< rad for a step of the wheel
-constexpr double FineFraction = 0.2;   ///< factor for a turn with Shift
-constexpr double SameMotion = 0.5;     ///< s: longest time between two events of one motion
+constexpr double RadiansPerStep = 0.1; ///< rad per step of the wheel
+constexpr double FineFraction = 0.2;   ///< factor on turns with Shift
+constexpr double SameMotion = 0.5;     ///< s: longest pause within one motion
 
 } // namespace
 
@@ -33,7 +33,7 @@ int SliceMouse::Find(int x, int y) const
 {
   vtkHapticSliceView* const slices = this->Scene.Slices;
   vtkRenderWindowInteractor* const interactor = this->Scene.Style->GetInteractor();
-  // During a drag that began in the scene, the mouse is in no slice.
+  // During a drag that began in the scene, the mouse counts as outside all slices.
   return slices && slices->GetRenderWindow() == interactor->GetRenderWindow() &&
       this->Scene.Style->GetState() == VTKIS_NONE
     ? slices->FindSlice(x, y)
@@ -49,7 +49,7 @@ bool SliceMouse::Press(int x, int y, bool isRight)
   }
   if (this->Dragged != Drag::None)
   {
-    return true; // during a drag, the other button does nothing
+    return true; // during a drag, the other button has no effect
   }
   const bool isLook = isRight || this->Scene.Style->GetInteractor()->GetShiftKey() != 0;
   this->Dragged = isLook ? Drag::WindowLevel : Drag::Position;
@@ -62,7 +62,7 @@ bool SliceMouse::Press(int x, int y, bool isRight)
   {
     this->GoTo(x, y);
     const int hold = this->Scene.Style->GetHoldClicks();
-    this->Scene.Style->SetHoldClicks(hold == 2 ? 1 : hold); // the hand stays at this place
+    this->Scene.Style->SetHoldClicks(hold == 2 ? 1 : hold); // keep the hand in this place
   }
   return true;
 }
@@ -108,7 +108,7 @@ bool SliceMouse::TurnWheel(double steps, int x, int y)
   this->Scene.Slices->GetPosition(position);
   if (this->Touch.LeadsTip())
   {
-    // Continue from the target of the tip, because the tip may still be moving.
+    // Continue from the target of the tip, since the tip may still be on its way.
     const Vector3& lead = this->Touch.GetLead();
     position[0] = lead.X;
     position[1] = lead.Y;
@@ -146,13 +146,13 @@ void SliceMouse::GoTo(const double position[3])
 {
   if (this->Touch.LeadsTip())
   {
-    if (this->Scene.Style->GetHoldClicks() != 1) // a held hand stays
+    if (this->Scene.Style->GetHoldClicks() != 1) // a held hand stays in place
     {
       this->Touch.LeadTo({ position[0], position[1], position[2] });
     }
     return;
   }
-  // An observer of the event that begins the touch mode may have removed the slices.
+  // Check again: an observer of the start of the touch mode may have removed the slices.
   if (this->Scene.Slices)
   {
     this->Scene.Slices->SetPosition(position);
@@ -165,7 +165,7 @@ void SliceMouse::SetWindowLevel(int x, int y)
   // A motion over the slice's whole width changes the window by four times its value, as in
   // vtkInteractorStyleImage.
   constexpr double speed = 4.0;
-  constexpr double least = 0.01; // smallest factor for the window
+  constexpr double least = 0.01; // smallest factor on the window
   vtkRenderer* const renderer = this->Scene.Slices->GetRenderer(this->Slice);
   const int* const size = renderer->GetSize();
   const double across = speed * (x - this->From[0]) / std::max(1, size[0]);
@@ -208,9 +208,9 @@ Quaternion ToolTurn::FindStart()
   {
     std::copy_n(matrix->GetData(), placement.size(), placement.begin());
   }
-  // Continue from the ordered orientation within a motion, because the tool turns more slowly than
-  // the mouse, and its state is late. But start from the state after a pause, because the program
-  // may have turned the tool.
+  // Within a motion, continue from the last ordered orientation, because the tool turns more slowly
+  // than the mouse and its state is delayed. After a pause, start from the state, because the
+  // program may have turned the tool.
   const double time = vtkTimerLog::GetUniversalTime();
   const bool isKnown = time - this->Turned < SameMotion && placement == this->Placement;
   this->Placement = placement;

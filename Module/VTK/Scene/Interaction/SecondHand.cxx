@@ -48,7 +48,7 @@ void SecondHand::FadeOut()
 
 bool SecondHand::Update(vtkRenderer* renderer)
 {
-  // Keep the device alive, because observers of the following events may remove it.
+  // Keep a reference to the device, because observers of the following events may remove it.
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   if (!device || !device->IsRunning())
   {

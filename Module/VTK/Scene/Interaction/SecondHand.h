@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file The second device of a scene, in the other hand. Its workspace, its models and its force
- * are separate; both hands share the keys, the window and the view of the scene.
+ * @file
+ * Handles the second device of a scene, for the other hand. Its workspace, models and force are
+ * separate; both hands share the keys, the window and the view of the scene.
  */
 #ifndef SecondHand_h
 #define SecondHand_h
@@ -24,23 +25,23 @@ public:
   SecondHand(const SecondHand&) = delete;
   SecondHand& operator=(const SecondHand&) = delete;
 
-  /** Sets the device, after disarming the present one. Returns false if nothing changed. */
+  /** Sets the device, after disarming the previous one. Returns whether it differs. */
   bool SetDevice(vtkHapticDevice* device);
   bool IsArmOrdered() const { return this->Scene.Device && this->Scene.Device->IsArmOrdered(); }
   void Disarm();
   void FadeOut();
 
   /**
-   * Sends changes of the filter and of the camera to the servo, and collects its state. Returns
-   * whether the state is new.
+   * Publishes changes of the filter and of the camera, and reads the servo's state. Returns whether
+   * the state is new.
    */
   bool Update(vtkRenderer* renderer);
 
-  TouchedScene Scene; ///< the scene with this hand's device
+  TouchedScene Scene; ///< scene with this hand's device
   WorkspaceControl Workspace;
 
 private:
-  TouchedScene& First; ///< the scene with the first hand's device
+  TouchedScene& First; ///< scene with the first hand's device
   FilterPublisher Publisher;
 };
 

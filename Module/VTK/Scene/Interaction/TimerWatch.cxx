@@ -18,9 +18,8 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double LongestTimerless = 1.0; // s of events without an update before the warning
-/// The longest time between two events that counts (s), because no events come while a slow frame
-/// is drawn.
+constexpr double LongestTimerless = 1.0; // s of events without an update after which to warn
+/// Longest counted pause (s) between two events, because no events arrive during a slow frame.
 constexpr double LongestGap = 0.1;
 
 constexpr unsigned long InputEvents[] = { vtkCommand::MouseMoveEvent, vtkCommand::KeyPressEvent,
@@ -33,7 +32,7 @@ constexpr unsigned long InputEvents[] = { vtkCommand::MouseMoveEvent, vtkCommand
 TimerWatch::TimerWatch(vtkInteractorStyleHaptic* style)
   : Style(style)
 {
-  // active observers get no events while another observer has grabbed the focus
+  // Passive observers get events even while another observer has grabbed the focus.
   this->Observer->PassiveObserverOn();
   this->Observer->SetClientData(this);
   this->Observer->SetCallback([](vtkObject*, unsigned long, void* self, void*)
@@ -104,7 +103,7 @@ void TimerWatch::OnEvent()
 {
   if (this->IsUpdating || !this->Interactor)
   {
-    return; // an update may draw a frame or a notice
+    return; // ignores frames and notices that the update itself draws
   }
   this->WatchWindow();
   if (!this->IsNeeded)

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Detects that a program's event loop sends no timer events, and then updates the haptics without
- * timers.
+ * Detects an event loop without timer events, and then updates the haptics on other events.
  */
 #ifndef TimerWatch_h
 #define TimerWatch_h
@@ -22,10 +21,10 @@ namespace VolumeHaptics
 {
 
 /**
- * Updates the haptics in programs whose timers do not work. A server, or a toolkit whose interactor
- * was not initialised, passes mouse and key events to VTK, but no timer events. If a second of such
- * events, or of frames that the program draws, passes without an update, this class warns once.
- * From then on it updates the haptics with each of them, until an update comes from elsewhere.
+ * Updates the haptics in programs without working timers. A server, or a toolkit whose interactor
+ * was not initialised, passes mouse and key events to VTK, but no timer events. If such events, or
+ * frames that the program renders, continue for a second without an update, this class warns once.
+ * From then on, it updates the haptics on each of them, until an update comes from elsewhere.
  */
 class TimerWatch
 {
@@ -36,8 +35,8 @@ public:
   TimerWatch& operator=(const TimerWatch&) = delete;
 
   /**
-   * Watches the events of another interactor, and starts counting from zero; nullptr for no
-   * interactor.
+   * Watches the events of another interactor, with the counter reset to zero; nullptr stops
+   * watching.
    */
   void SetInteractor(vtkRenderWindowInteractor* interactor);
 
@@ -52,10 +51,10 @@ private:
 
   vtkInteractorStyleHaptic* const Style;
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
-  vtkWeakPointer<vtkRenderWindow> Window; ///< the window whose frames are watched
+  vtkWeakPointer<vtkRenderWindow> Window; ///< window whose frames are watched
   vtkNew<vtkCallbackCommand> Observer;
   std::int64_t LastEvent = 0; ///< ServoClock: time of the last event or frame; 0 before the first
-  double Waited = 0.0;        ///< duration of events and frames without an update (s)
+  double Waited = 0.0;        ///< time (s) that events and frames have continued without an update
   bool IsNeeded = false;      ///< whether events and frames update the haptics
   bool IsUpdating = false;
 };

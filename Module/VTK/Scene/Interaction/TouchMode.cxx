@@ -29,7 +29,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Returns the place of a position in the window (pixels). */
+/** Returns a position in the window (pixels). */
 std::array<double, 2> FindInWindow(vtkRenderer* renderer, const Vector3& position)
 {
   double display[3];
@@ -38,7 +38,10 @@ std::array<double, 2> FindInWindow(vtkRenderer* renderer, const Vector3& positio
   return { display[0], display[1] };
 }
 
-/** Returns the place of a position in the camera's view, whatever part of a window shows it. */
+/**
+ * Returns a position in the camera's view, independently of the part of the window that shows the
+ * view.
+ */
 std::array<double, 2> FindInView(vtkRenderer* renderer, const Vector3& position)
 {
   double at[4] = { position.X, position.Y, position.Z, 1.0 };
@@ -70,7 +73,7 @@ void TouchMode::Set(bool on)
   this->Window.Look();
   if (this->Scene.Device && this->Scene.Device->IsArmOrdered())
   {
-    // unless it is disarmed already: then a force that fades continues to fade
+    // Disarm unless already disarmed, so that a fading force continues to fade.
     this->Scene.Device->Disarm();
   }
   this->Scene.Style->SetHoldClicks(0);
@@ -109,7 +112,8 @@ void TouchMode::Begin(const Vector3* at)
     return;
   }
   // Observers of the long work may end the loop, disarm, or remove the device or the interactor.
-  // Each of these cancels the beginning, and then nothing is armed. So keep the objects alive.
+  // Each of these cancels the start, and nothing is armed. Keep references to the objects until
+  // then.
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   const vtkSmartPointer<vtkRenderer> renderer = this->Scene.ChooseRenderer();
@@ -131,7 +135,7 @@ void TouchMode::Begin(const Vector3* at)
     }
     if (const vtkSmartPointer<vtkVolumeHapticsFilter> filter = device->GetVolumeHaptics())
     {
-      // Do not wait for a mesh that is made in the background.
+      // Announce no long work for a mesh that is made in the background.
       BakePreparation& baking = filter->GetBaker().GetPreparation();
       const LongWork work(device, MeshingWork, baking.Prepare() ? 0.0 : baking.EstimateTime());
       if (this->IsBeginning && FindFirstContact(renderer, start, filter, start))
@@ -230,8 +234,8 @@ std::array<int, 2> TouchMode::TakeMotion()
 void TouchMode::MoveInDepth(double steps)
 {
   const double length = this->GetFineness() * steps * this->GetDepthStep();
-  // Lead from the hand's position: a press does not move the hand aside, even if the picture has
-  // changed.
+  // Start from the hand's position, so that a press does not move the hand sideways, even if the
+  // picture has changed.
   this->LeadTo(this->Lead + length * LineOfSight(this->Scene.ChooseRenderer(), this->Lead));
 }
 
@@ -247,9 +251,10 @@ void TouchMode::MoveInPlane(const std::array<int, 2>& from, const std::array<int
 
 Vector3 TouchMode::FindStart(vtkRenderer* renderer) const
 {
-  constexpr double same = 1e-6; // greatest change of the place in the view (halves of its height)
+  constexpr double same = 1e-6; // largest change of the position in the view (in halves of its
+                                // height) that counts as none
   const std::array<double, 2> now = FindInView(renderer, this->Lead);
-  // After a motion of the camera, the hand starts from its present position.
+  // If the camera has moved, start from the hand's present position.
   return std::hypot(now[0] - this->InView[0], now[1] - this->InView[1]) < same
     ? UnderPointer(renderer, this->InWindow.data(), this->Lead)
     : this->Lead;
@@ -262,7 +267,7 @@ void TouchMode::KeepInWindow(const std::function<void()>& zoom)
   zoom();
   if (!this->LeadsTip())
   {
-    return; // an observer of the zoom has ended the touch
+    return; // an observer of the zoom has ended the touch mode
   }
   vtkCamera* const camera = renderer->GetActiveCamera();
   const Vector3 shift = this->Lead - UnderPointer(renderer, before.data(), this->Lead);
@@ -290,7 +295,8 @@ bool TouchMode::IsOutOfView() const
 double TouchMode::GetTravelTime() const
 {
   vtkVolumeHapticsFilter* const filter = this->Scene.Device->GetVolumeHaptics();
-  const double meters = filter ? filter->GetMetersPerWorldUnit() : 0.0; // metres per world unit
+  // Metres of hand motion per world unit.
+  const double meters = filter ? filter->GetMetersPerWorldUnit() : 0.0;
   return meters * Norm(this->Lead - this->Scene.GetTip()) / vtkHapticVirtualHand::GetSpeed();
 }
 
@@ -303,9 +309,9 @@ bool TouchMode::HasSurfaces() const
 
 Vector3 TouchMode::ProjectOnSurface(vtkRenderer* renderer, const Vector3& target) const
 {
-  /// The steepest slope over which the tip follows a touched surface. A steeper one is an edge.
+  /// Steepest slope on which the tip follows a touched surface; a steeper one counts as an edge.
   constexpr double steepest = 2.0;
-  /// The greatest height (voxels) from which the hand returns to the surface.
+  /// Largest height (voxels) from which the hand returns to the surface.
   constexpr double highest = 10.0;
   vtkVolumeHapticsFilter* const filter = this->Scene.Device->GetVolumeHaptics();
   Vector3 before;

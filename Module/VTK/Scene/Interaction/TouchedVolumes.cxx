@@ -25,17 +25,17 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double Pause = 0.1; // s between two choices, because each choice walks along a line
-constexpr double SmallForce = 0.005; // N: a force up to this counts as none
+constexpr double Pause = 0.1; // s between two choices, because each one searches along a line
+constexpr double SmallForce = 0.005; // N: a force up to this counts as zero
 
-/** The surface of a volume ahead of the tip. Volumes are compared by it. */
+/** Surface of a volume ahead of the tip, by which volumes are compared. */
 struct SurfaceAhead
 {
-  double Distance = HUGE_VAL; // world units along the line of sight
+  double Distance = HUGE_VAL; // distance (world units) along the line of sight
   double Force = 0.0;         // force of a press (N)
 };
 
-/** Returns whether the same position of the world is at the same pixel in two renderers. */
+/** Returns whether each position in the world is at the same pixel in two renderers. */
 bool IsSameView(vtkRenderer* a, vtkRenderer* b)
 {
   return a == b ||
@@ -45,8 +45,8 @@ bool IsSameView(vtkRenderer* a, vtkRenderer* b)
 }
 
 /**
- * Collects the volumes that are drawn where a style touches: in its default renderer, or if there
- * is none, in its whole window. Returns false if the style has no window.
+ * Collects the volumes that are drawn where a style touches: in its default renderer, or, without
+ * one, in its whole window. Returns false if the style has no window.
  */
 bool CollectDrawn(vtkInteractorStyleHaptic* style, std::vector<DrawnVolume>& drawn)
 {
@@ -70,7 +70,7 @@ bool CollectDrawn(vtkInteractorStyleHaptic* style, std::vector<DrawnVolume>& dra
   return renderers && renderers->GetNumberOfItems() > 0;
 }
 
-/** Returns the volumes of a vtkMultiVolume's ports, also if it is not drawn. */
+/** Returns the volumes at a vtkMultiVolume's ports, even if it is not drawn. */
 std::vector<vtkVolume*> FindPorts(vtkVolume* multi)
 {
   std::vector<DrawnVolume> parts;
@@ -88,8 +88,8 @@ std::vector<vtkVolume*> FindPorts(vtkVolume* multi)
 
 bool IsBetter(const SurfaceAhead& a, const SurfaceAhead& b, int choice)
 {
-  // If forces are about equal, for example for two volumes of one material, the nearest volume is
-  // better.
+  // If forces are about equal, for example for two volumes of the same material, prefer the nearest
+  // volume.
   constexpr double clearly = 1.05;
   const bool isStronger = a.Force > clearly * b.Force + SmallForce;
   const bool isWeaker = b.Force > clearly * a.Force + SmallForce;
@@ -110,8 +110,7 @@ bool TouchedVolumes::CanTouch(vtkVolume* volume) const
   }
   if (!this->Scene.Device->GetVolumeHaptics())
   {
-    // The device gets a filter even if the volume can't be touched, because callers set up the
-    // filter.
+    // Set a filter even if the volume can't be touched, because callers set up the device's filter.
     this->Scene.Device->SetVolumeHaptics(vtkNew<vtkVolumeHapticsFilter>());
   }
   std::vector<DrawnVolume> drawn;
@@ -138,7 +137,7 @@ bool TouchedVolumes::Set(vtkVolume* volume)
   }
   if (volume && !this->All.empty())
   {
-    // The first volume's filter will feel the new volume, so make it the device's filter again.
+    // Make the first volume's filter the device's filter again: the new volume will use it.
     this->Feel(this->All.front().Filter);
   }
   this->All.clear();
@@ -161,7 +160,8 @@ void TouchedVolumes::Append(vtkVolume* volume, vtkVolumeHapticsFilter* filter)
 void TouchedVolumes::AddAlike(vtkVolume* volume)
 {
   Entry& first = this->All.front();
-  // the first volume may have used the device's filter, which will change with the felt volume
+  // Store the first volume's filter explicitly: so far it may be the device's filter, which will
+  // change with the felt volume.
   first.Filter = this->FilterOf(first);
   this->Append(volume, vtkNew<vtkVolumeHapticsFilter>());
   this->All.back().IsAlike = true;
@@ -196,7 +196,7 @@ void TouchedVolumes::CopySettings()
   {
     if (entry.IsAlike)
     {
-      // Each filter keeps its own volume's opacity, which decides what is felt of the volume.
+      // Keep the filter's own volume opacity, which decides what is felt of its volume.
       settings.Property->SetVisibilityFrom(entry.Filter->GetProperty()->GetVisibilityFrom());
       settings.Apply(entry.Filter);
     }
@@ -226,7 +226,8 @@ bool TouchedVolumes::Add(vtkVolume* volume, vtkVolumeHapticsFilter* filter)
   }
   for (Entry& entry : this->All)
   {
-    // The first volume may have used the device's filter, which will change with the felt volume.
+    // Store the first volume's filter explicitly: so far it may be the device's filter, which will
+    // change with the felt volume.
     entry.Filter = entry.Filter ? entry.Filter.Get() : this->Scene.Device->GetVolumeHaptics();
     if (entry.Filter == filter)
     {
@@ -355,7 +356,7 @@ Press TouchedVolumes::ComputePress() const
 {
   if (this->Scene.Style->GetFeltVolume() != vtkInteractorStyleHaptic::STRONGEST)
   {
-    return {}; // to find the nearest volume, no press is needed
+    return {}; // no press is needed to find the nearest volume
   }
   constexpr double voxels = 4.0;
   double least = HUGE_VAL;
@@ -440,8 +441,8 @@ void TouchedVolumes::ChooseAhead(vtkRenderer* renderer)
       best = ahead;
     }
   }
-  // Do not change near a surface, because the hand may have touched it since the last state. Demand
-  // that the best volume is clearly better, so that the choice does not alternate.
+  // Near a surface, keep the volume, because the hand may have touched it since the last state.
+  // Require the best volume to be clearly better, so that the choice does not alternate.
   const SurfaceAhead demanded{ own.Distance - voxel, own.Force };
   if (least > voxel && IsBetter(best, demanded, choice))
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Keeps the volumes that a hand can touch, each with a filter of its own, and chooses which one is
+ * Manages the volumes that a hand can touch, each with its own filter, and chooses which one is
  * felt.
  */
 #ifndef TouchedVolumes_h
@@ -25,12 +25,12 @@ namespace VolumeHaptics
 {
 
 /**
- * Keeps the touched volumes. The servo feels one volume at a time. By the style's FeltVolume, it is
- * the volume whose surface comes first ahead of the tip along the line of sight, or whose surface
- * ahead pushes back most strongly. The felt volume changes only while there is no force and the
- * next surface ahead is more than a voxel away, so that the force never jumps. If drag begins with
- * the new volume, the device's rate limit makes it grow gradually. Invisible volumes are neither
- * chosen nor felt.
+ * Manages the touched volumes, one of which is felt at a time. Depending on the style's FeltVolume,
+ * this is the volume whose surface is nearest ahead of the tip along the line of sight, or whose
+ * surface ahead pushes back most strongly. The felt volume changes only while there is no force and
+ * the next surface ahead is more than a voxel away, so that the force never jumps. If drag begins
+ * with the new volume, the device's rate limit makes it grow gradually. Invisible volumes are
+ * neither chosen nor felt.
  */
 class TouchedVolumes
 {
@@ -44,13 +44,13 @@ public:
   }
 
   ///@{
-  /** See TouchVolume and AddTouchedVolume of the style. */
+  /** See the style's TouchVolume and AddTouchedVolume. */
   bool Set(vtkVolume* volume);
   bool Add(vtkVolume* volume, vtkVolumeHapticsFilter* filter);
   ///@}
   /**
    * Adds a volume that feels like the first one: whenever the settings of the first volume's filter
-   * change, they are copied to this volume's filter. Call Set() before, and Update() afterwards.
+   * change, they are copied to this volume's filter. Call Set() before and Update() afterwards.
    */
   void AddAlike(vtkVolume* volume);
   /** Returns the felt volume; null if there is none. */
@@ -58,44 +58,43 @@ public:
   int GetCount() const { return static_cast<int>(this->All.size()); }
 
   /**
-   * Collects the tissue that tools have removed, from the filters of the volumes and the device's
-   * filter.
+   * Collects the tissue that tools have removed from the volumes' filters and the device's filter.
    */
   std::vector<CarvedArray> CollectCarved() const;
   /**
-   * Passes what the volumes show to their filters. Sets TouchedScene::Hidden if the felt volume is
+   * Updates the filters to what their volumes show. Sets TouchedScene::Hidden if the felt volume is
    * not shown.
    */
   void Update();
-  /** Makes the first shown volume the felt one. Does nothing if no volume is shown. */
+  /** Makes the first shown volume the felt one, if any volume is shown. */
   void FeelShown();
   /** Chooses the felt volume along the line of sight through a position. */
   void ChooseAt(vtkRenderer* renderer, const Vector3& through);
-  /** Chooses the felt volume ahead of the tip. Does nothing while something is touched. */
+  /** Chooses the felt volume ahead of the tip, unless something is touched. */
   void ChooseAhead(vtkRenderer* renderer);
 
 private:
   struct Entry
   {
     std::unique_ptr<TouchedVolume> Volume;
-    /** the volume's filter; null stands for the device's filter */
+    /** Filter of the volume; null stands for the device's filter. */
     vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
     bool IsShown = true;
-    bool IsAlike = false; ///< whether its filter has the settings of the first volume's filter
+    bool IsAlike = false; ///< whether to copy the settings of the first volume's filter
   };
   /** Returns the felt volume; null if there is none. */
   const Entry* FindFelt() const;
-  /** Returns whether a volume can be touched; if not, reports why. */
+  /** Returns whether a volume can be touched. If not, reports an error with the reason. */
   bool CanTouch(vtkVolume* volume) const;
   void Append(vtkVolume* volume, vtkVolumeHapticsFilter* filter);
-  /** Adds new ports of the touched vtkMultiVolume. */
+  /** Adds volumes at new ports of the touched vtkMultiVolume. */
   void FollowPorts();
   void CopySettings();
-  /** Returns the press with which surfaces are compared: four of the smallest voxels deep. */
+  /** Returns the press for comparing surfaces: four of the smallest voxels deep. */
   Press ComputePress() const;
-  /** Makes this filter the device's filter. */
+  /** Sets the device's filter. */
   void Feel(vtkVolumeHapticsFilter* filter);
-  /** Returns the filter of the device, or if there is none, of the second hand's device. */
+  /** Returns the filter of the device, or, without a device, of the second hand's device. */
   vtkVolumeHapticsFilter* GetFeltFilter() const;
   vtkVolumeHapticsFilter* FilterOf(const Entry& entry) const
   {
@@ -106,11 +105,11 @@ private:
   const HapticShownTimeSteps& Pictures;
   const CarvedPictures& Carved;
   std::vector<Entry> All;
-  vtkSmartPointer<vtkMultiVolume> Multi; ///< the vtkMultiVolume whose ports are touched; null for
-                                         ///< other volumes
-  /** change time of the first volume's filter when its settings were copied */
+  vtkSmartPointer<vtkMultiVolume> Multi; ///< vtkMultiVolume whose ports are touched; null for other
+                                         ///< volumes
+  /** Change time of the first volume's filter when its settings were copied. */
   vtkMTimeType CopiedTime = 0;
-  Vector3 ChosenTip; ///< position of the tip at the last choice
+  Vector3 ChosenTip; ///< tip at the last choice
   double ChosenTime = 0.0;
 };
 

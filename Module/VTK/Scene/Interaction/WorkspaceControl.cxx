@@ -20,8 +20,8 @@ Matrix3 CameraAxes(vtkCamera* camera)
   const double* const n = camera->GetViewPlaneNormal();
   const double* const u = camera->GetViewUp();
   const Vector3 back{ n[0], n[1], n[2] };
-  // Compute an orthogonal view-up, because a camera accepts any vector that is not parallel to the
-  // direction of sight.
+  // Compute an orthogonal view-up vector, because a camera accepts any vector that is not parallel
+  // to its line of sight.
   const Vector3 right = Cross({ u[0], u[1], u[2] }, back);
   const Vector3 unit = (1.0 / Norm(right)) * right;
   Matrix3 axes;
@@ -131,7 +131,7 @@ void WorkspaceControl::SetClutch(bool on)
   {
     return;
   }
-  // Keep the device alive, because observers of the following events may remove it.
+  // Keep a reference to the device, because observers of the following events may remove it.
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   device->UpdateState();
   const Vector3 tip = this->Scene.GetTip();

@@ -34,13 +34,11 @@ using namespace VolumeHaptics;
 namespace
 {
 
-/// The widget's priority, higher than the priority of VTK's widgets, 0.5.
+/// Priority of the widget, above the 0.5 of VTK's widgets.
 constexpr float WidgetPriority = 0.9f;
-/// The force fades after this time (s) without a timer event. It is long, so that no frame takes as
-/// long.
+/// Time (s) without a timer event after which the force fades; longer than any frame takes.
 constexpr double Attention = 10.0;
-/// The radius of the proxy, and the length of the arrow for 1 N, as fractions of the volume's
-/// diagonal.
+/// Radius of the proxy, and length of the arrow for 1 N, as fractions of the volume's diagonal.
 constexpr double ProxyFraction = 0.007;
 constexpr double ArrowFraction = 0.05;
 
@@ -51,8 +49,8 @@ double Round(double value)
   return unit * std::round(value / unit);
 }
 
-/// Marks a program's render pass as modified, so that it looks up the props again: f3d's pass keeps
-/// them until then.
+/// Marks a program's render pass as modified, so that it collects the props again; f3d's pass
+/// caches them.
 void TellPass(vtkRenderer* renderer)
 {
   if (vtkRenderPass* const pass = renderer->GetPass())
@@ -61,7 +59,7 @@ void TellPass(vtkRenderer* renderer)
   }
 }
 
-/// An interaction that uses events of the interactor in the touch mode, and leaves all others to
+/// An interaction that uses the interactor's events in the touch mode, and leaves all others to
 /// observers with lower priority.
 class StyleBeside : public vtkInteractorStyleHaptic
 {
@@ -70,13 +68,12 @@ public:
   vtkTypeMacro(StyleBeside, vtkInteractorStyleHaptic);
   using vtkInteractorStyleHaptic::GetInteraction;
 
-  /// Prepares a touch mode. Returns false if there is nothing to touch.
+  /// Called before the touch mode begins; returns false if there is nothing to touch.
   std::function<bool()> Prepare;
   bool HasActivationKey = true;
 
-  /// Sets the interactor. Also observes releases of buttons as a passive observer: if a style or a
-  /// widget of the program has grabbed the focus at a press, active observers do not get the
-  /// release.
+  /// Sets the interactor. Also observes button releases as a passive observer: active observers do
+  /// not get the release if a style or a widget of the program has grabbed the focus at the press.
   void SetInteractor(vtkRenderWindowInteractor* interactor) override
   {
     if (interactor != this->Interactor)
@@ -105,7 +102,7 @@ public:
     this->Superclass::OnTimer();
     if (isOwn)
     {
-      this->Abort(); // the program did not start this timer, so it must not get the event
+      this->Abort(); // keep the event from the program, which did not start this timer
     }
   }
   void OnMouseMove() override
@@ -155,8 +152,8 @@ public:
     const std::string name = this->GetKeyName();
     auto& interaction = this->GetInteraction();
     const bool begins = !this->GetTouchMode();
-    // A key that ended the touch and is still held is not passed to the program. If the touch mode
-    // has changed since by other means, the release was lost, and this is a new press.
+    // Keep a held key that ended the touch from the program. If the touch mode has changed in
+    // another way since, the release was lost, and this is a new press.
     const bool isHeld = interaction.IsRepeat(name) ||
       (!this->HeldKey.empty() && this->HeldKey == name && begins != this->HeldInTouch);
     if (!isHeld && begins && (!this->HasActivationKey || interaction.Keys.Find(name) != "t"))
@@ -175,7 +172,8 @@ public:
   {
     const std::string name = this->GetKeyName();
     this->GetInteraction().ReleaseKey(name);
-    // if Shift or Ctrl was released first, the names of the release and the press differ: p and P
+    // If Shift or Ctrl was released first, the release has another name than the press: p instead
+    // of P.
     const bool isUnshifted = (this->HeldModifiers & ~this->GetModifiers()) != 0;
     if (!this->HeldKey.empty() && (this->HeldKey == name || isUnshifted))
     {
@@ -219,8 +217,8 @@ private:
   {
     return (this->Interactor->GetShiftKey() ? 1 : 0) + (this->Interactor->GetControlKey() ? 2 : 0);
   }
-  /// Returns whether the hand gets the mouse. The program keeps a drag that it has begun. Slices
-  /// beside the scene always belong to the hand.
+  /// Returns whether the hand gets the mouse. A drag that the program has begun remains with the
+  /// program. Slices beside the scene always belong to the hand.
   bool HasMouse()
   {
     const int* const at = this->Interactor->GetEventPosition();
@@ -229,8 +227,8 @@ private:
       (slices && slices->FindSlice(at[0], at[1]) >= 0);
     return isOurs && this->Buttons == 0 && this->Interactor->GetRenderWindow();
   }
-  /// Returns whether the hand gets a click. A click on a slider, a handle or a text of the program
-  /// belongs to the program.
+  /// Returns whether the hand gets a click. Clicks on a slider, handle or text of the program
+  /// belong to the program.
   bool HasClick()
   {
     const int* const at = this->Interactor->GetEventPosition();
@@ -244,7 +242,8 @@ private:
       this->Abort();
     }
   }
-  /// Returns true if the hand has used the press; then the program must not get the release.
+  /// Returns whether the hand has used the press, so that the release must be kept from the
+  /// program.
   bool Release(Button button)
   {
     const bool isUsed = (this->UsedButtons & button) != 0;
@@ -264,17 +263,17 @@ private:
   }
 
   vtkNew<vtkCallbackCommand> ReleaseObserver;
-  unsigned int Buttons = 0; ///< bits of the buttons whose press went to the program
-  /// bits of the buttons whose press, and later their release, is kept from the program
+  unsigned int Buttons = 0; ///< bit mask of the buttons whose press went to the program
+  /// Bit mask of the buttons whose press and release are kept from the program.
   unsigned int UsedButtons = 0;
-  std::string HeldKey;   ///< the last key that was used; its repeats are not passed to the program
-  int HeldModifiers = 0; ///< GetModifiers() at its press
-  bool HeldInTouch = false; ///< whether the touch mode was on after that key was used
+  std::string HeldKey;      ///< last key used, whose repetitions are kept from the program
+  int HeldModifiers = 0;    ///< GetModifiers() when that key was pressed
+  bool HeldInTouch = false; ///< whether the touch mode was on after that press
 };
 
 vtkStandardNewMacro(StyleBeside);
 
-/// Returns whether a filter can feel what is drawn: an image, or data with cells.
+/// Returns whether a filter can feel the drawn data: an image, or data with cells.
 bool IsTouchable(const DrawnVolume& drawn)
 {
   vtkDataObject* const data = drawn.GetData();
@@ -288,7 +287,7 @@ struct vtkHapticWidget::vtkInternals
 {
   vtkInternals()
   {
-    // so that resetting the camera shows the volume, wherever the hand is
+    // Leave the hand out of the bounds, so that resetting the camera shows the volume.
     this->Hand->UseBoundsOff();
     this->SecondHand->UseBoundsOff();
     this->SecondHand->SecondHandOn();
@@ -328,16 +327,13 @@ struct vtkHapticWidget::vtkInternals
     this->Display->SetSecondDevice(device);
   }
 
-  /** Returns whether the program has connected an input to its filter. */
+  /** Returns whether the program itself has connected an input to the filter. */
   bool HasOwnInput() const
   {
     return !this->Volume && !this->IsInputOurs && this->Filter->GetNumberOfInputConnections(0) > 0;
   }
 
-  /**
-   * Returns the volumes in a renderer that can be touched. If `Volume` is set, returns only its
-   * parts.
-   */
+  /** Returns the touchable volumes in a renderer, limited to parts of Volume if that is set. */
   std::vector<vtkVolume*> CollectVolumes(vtkRenderer* renderer) const
   {
     std::vector<vtkVolume*> found;
@@ -353,8 +349,8 @@ struct vtkHapticWidget::vtkInternals
   }
 
   /**
-   * Returns the uppermost renderer with volumes under the pointer; if there is none, the first
-   * renderer with volumes.
+   * Returns the topmost renderer with volumes under the pointer, or the first renderer with volumes
+   * if there is none.
    */
   vtkRenderer* ChooseRenderer(vtkRenderWindowInteractor* interactor) const
   {
@@ -384,7 +380,7 @@ struct vtkHapticWidget::vtkInternals
     return found ? found : first;
   }
 
-  /** Sets the volumes that are touched from now on, all with the settings of the filter. */
+  /** Sets the volumes to touch, all with the settings of the filter. */
   void Touch(const std::vector<vtkVolume*>& volumes)
   {
     const bool isSame =
@@ -404,8 +400,7 @@ struct vtkHapticWidget::vtkInternals
   }
 
   /**
-   * Shows the hand and the display in a renderer, with sizes for a volume of this length (world
-   * units).
+   * Shows the hand and the display in a renderer, sized for a volume of this length (world units).
    */
   void Show(vtkRenderer* renderer, double length)
   {
@@ -416,7 +411,7 @@ struct vtkHapticWidget::vtkInternals
       this->Style->SetDefaultRenderer(renderer);
       this->Style->SetCurrentRenderer(renderer);
     }
-    // Check this in each call, because the program may have cleared its scene.
+    // Check this in each call, because the program may clear its scene.
     if (!renderer->HasViewProp(this->Hand) || !renderer->HasViewProp(this->Display))
     {
       renderer->AddViewProp(this->Hand);
@@ -428,7 +423,7 @@ struct vtkHapticWidget::vtkInternals
       renderer->AddViewProp(this->SecondHand);
       TellPass(renderer);
     }
-    // Set the sizes unless the application has changed them.
+    // Fit the sizes to the volume unless the application has changed them.
     if (length > 0.0 && this->Hand->GetRadius() == this->Radius)
     {
       this->Radius = ProxyFraction * length;
@@ -458,7 +453,7 @@ struct vtkHapticWidget::vtkInternals
   }
 
   /**
-   * Opens and starts the device if necessary. If that fails, reports the device's error and returns
+   * Opens and starts the device if necessary. On failure, reports the device's error and returns
    * false.
    */
   bool Start()
@@ -492,7 +487,7 @@ struct vtkHapticWidget::vtkInternals
     }
   }
 
-  /** Ends the touch, and removes the props that were added for it. */
+  /** Ends the touch and removes the props that were added for it. */
   void Leave()
   {
     this->Style->SetInteractor(nullptr);
@@ -520,11 +515,11 @@ struct vtkHapticWidget::vtkInternals
   vtkNew<vtkHapticRepresentation> SecondHand;
   vtkNew<vtkHapticHeadUpDisplay> Display;
   vtkNew<StyleBeside> Style;
-  vtkSmartPointer<vtkRenderer> Renderer; ///< the renderer that shows the hand
+  vtkSmartPointer<vtkRenderer> Renderer; ///< renderer that shows the hand
   std::vector<vtkSmartPointer<vtkVolume>> Touched;
   double Radius = this->Hand->GetRadius();
   double ForceScale = this->Hand->GetForceScale();
-  /** whether the widget has connected the filter's input to the data of a volume */
+  /** Whether the widget has connected a volume's data to the filter. */
   bool IsInputOurs = false;
   bool HasOpened = false;
   bool HasStarted = false;
@@ -686,13 +681,13 @@ void vtkHapticWidget::SetSecondDevice(vtkHapticDevice* device)
   auto& d = *this->Internals;
   if (device && device == this->GetDevice())
   {
-    d.Style->SetSecondDevice(device); // reports the error
+    d.Style->SetSecondDevice(device); // reports an error, because it is the first hand's device
     return;
   }
   if (this->GetSecondDevice() != device)
   {
     d.SetSecondDevice(device);
-    // Leave the first hand where it is: it may touch, and the pointer may be elsewhere.
+    // Leave the first hand in place: it may be touching, and the pointer may be elsewhere.
     if (this->Enabled && d.Renderer)
     {
       d.Show(d.Renderer, 0.0);
@@ -797,7 +792,7 @@ void vtkHapticWidget::SetKeyPressActivationValue(char key)
 //------------------------------------------------------------------------------
 void vtkHapticWidget::OnChar()
 {
-  // While the widget is on, StyleBeside handles the key.
+  // While the widget is on, StyleBeside handles the key instead.
   if (!this->Enabled && this->KeyPressActivation && this->Interactor &&
     this->Interactor->GetKeyCode() == this->KeyPressActivationValue)
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticWidget
- * @brief   touch in a window of any VTK program, beside its own style
+ * @brief   adds touch to a window of any VTK program, beside its own interactor style
  *
  * A widget that follows VTK's convention: it observes the interactor of a program, and the program
  * keeps its interactor style, its widgets and its keys.
@@ -20,12 +20,12 @@
  *
  * In the touch mode the widget aborts the events of keys, wheel and buttons that it uses, so that
  * no observer of the program with a lower Priority gets them. The program gets all other events,
- * and outside the touch mode all events except the activation key. So the right button turns the
- * camera as always, and so does a drag that began before the touch mode. The widget observes the
- * interactor and not the style, so that it goes on if the program sets another style. Default
- * Priority: 0.9, above VTK's widgets (0.5).
+ * and outside the touch mode all events except the activation key. The right button therefore turns
+ * the camera as always, and so does a drag that began before the touch mode. The widget observes
+ * the interactor instead of the style, so it continues to work if the program sets another style.
+ * Default Priority: 0.9, above VTK's widgets (0.5).
  *
- * The widget makes what it needs: a vtkHapticDevice, which it opens as "virtual" (the mouse) and
+ * The widget creates what it needs: a vtkHapticDevice, which it opens as "virtual" (the mouse) and
  * starts; a vtkVolumeHapticsFilter; and, in the renderer of the volume, a vtkHapticRepresentation
  * and a vtkHapticHeadUpDisplay. Each has a getter; device and filter also have a setter. Force ends
  * with the window: see vtkInteractorStyleHaptic. Off() ends all force, stops the device if the
@@ -61,14 +61,15 @@ public:
   /**
    * Switch the widget on or off; On() and Off() call this. Without an interactor, or if the device
    * does not open, the widget stays off and reports an error. If the window shows no volume yet,
-   * hand and display are added when the touch mode begins.
+   * the hand and the display are added when the touch mode begins.
    */
   void SetEnabled(int enabling) override;
 
   ///@{
   /**
-   * The touch mode of vtkInteractorStyleHaptic. Default off. It begins with the volume under the
-   * pointer. If the widget is off or there is no volume, it stays off and an error is reported.
+   * The touch mode of vtkInteractorStyleHaptic, which begins with the volume under the pointer.
+   * Default off. If the widget is off or there is no volume, the mode stays off and an error is
+   * reported.
    */
   void SetTouchMode(bool on);
   bool GetTouchMode();
@@ -96,8 +97,8 @@ public:
 
   ///@{
   /**
-   * A device for the other hand (optional), which the application has opened, with a hand of its
-   * own in the scene. It feels the first volume with the filter below, unless it has a filter. The
+   * A device for the other hand (optional), with its own hand in the scene. The application has to
+   * open it. It feels the first volume with the filter below, unless it already has a filter. The
    * widget starts it, and stops it when the widget is switched off. See
    * vtkInteractorStyleHaptic::SetSecondDevice. Default: nullptr.
    */
@@ -109,8 +110,8 @@ public:
   /**
    * The filter that determines how volumes feel, and its property. If several volumes can be
    * touched, this filter feels the first one, and each other volume is felt by a copy with the same
-   * settings. A filter that has an input feels this input, whatever the window shows; the hand is
-   * then in the DefaultRenderer, or if there is none, in the window's first renderer. Default: a
+   * settings. A filter with an input feels this input, whatever the window shows; the hand is then
+   * in the DefaultRenderer, or, if that is not set, in the window's first renderer. Default: a
    * filter that the widget makes. nullptr is an error.
    */
   void SetVolumeHaptics(vtkVolumeHapticsFilter* filter);
@@ -119,8 +120,8 @@ public:
   ///@}
 
   /**
-   * Get the hand in the scene. Its sizes are fitted to the touched volume, unless the application
-   * has set them.
+   * Get the hand in the scene. The widget fits its sizes to the touched volume, unless the
+   * application has set them.
    */
   vtkHapticRepresentation* GetRepresentation();
   /** Get the second device's hand in the scene. */
@@ -129,14 +130,14 @@ public:
   vtkHapticHeadUpDisplay* GetHeadUpDisplay();
 
   /**
-   * Get the interaction, for its settings (keys by SetKey, measurements, slices, method,
-   * comparison) and for its events of contact and force. The widget sets its interactor, device and
-   * volume. It never becomes the interactor's style.
+   * Get the interaction, to change its settings (such as keys, measurements, slices, method and
+   * comparison), and to observe its events of contact and force. The widget sets its interactor,
+   * device and volume. It never becomes the interactor's style.
    */
   vtkInteractorStyleHaptic* GetStyle();
 
   /**
-   * Update the haptics in a program whose event loop runs no timers of VTK: see
+   * Update the haptics in a program whose event loop runs no VTK timers: see
    * vtkInteractorStyleHaptic::UpdateHaptics.
    */
   bool UpdateHaptics();
@@ -154,8 +155,8 @@ private:
   void operator=(const vtkHapticWidget&) = delete;
 
   /**
-   * Searches for volumes, shows the hand in their renderer, and starts the device. Returns false if
-   * that fails.
+   * Finds volumes, shows the hand in their renderer, and starts the device. Returns false on
+   * failure.
    */
   bool Prepare(bool isNeeded);
 

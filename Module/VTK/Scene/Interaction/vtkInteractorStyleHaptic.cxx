@@ -27,8 +27,8 @@ namespace
 {
 
 /**
- * Returns whether an interactor has a window. Without a window these events do not normally occur,
- * and VTK's own styles would crash.
+ * Returns whether an interactor has a window. Without a window, VTK's own styles would crash on
+ * these events, which do not normally occur then.
  */
 bool HasWindow(vtkRenderWindowInteractor* interactor)
 {
@@ -52,7 +52,7 @@ struct vtkInteractorStyleHaptic::vtkInternals
     this->MotionObserver->SetClientData(this);
     this->MotionObserver->SetCallback([](vtkObject*, unsigned long, void* internals, void*)
       { static_cast<vtkInternals*>(internals)->Interaction.Touch.RecordMotion(); });
-    // a passive observer also gets events that others use
+    // A passive observer gets even the events that others have used.
     this->MotionObserver->SetPassiveObserver(1);
     this->EnableObserver->SetClientData(self);
     this->EnableObserver->SetCallback(
@@ -73,8 +73,7 @@ struct vtkInteractorStyleHaptic::vtkInternals
   {
     this->Timer = interactor->CreateRepeatingTimer(static_cast<unsigned long>(1000.0 / rate));
     this->IsEnabled = interactor->GetEnabled() != 0;
-    // This class of interactor always reports the id of the timer that was made last, whichever
-    // timer has fired.
+    // This class always reports the id of the newest timer, whichever timer has fired.
     this->SharesTimers =
       std::strcmp(interactor->GetClassName(), "vtkGenericRenderWindowInteractor") == 0;
   }
@@ -89,18 +88,15 @@ struct vtkInteractorStyleHaptic::vtkInternals
 
   HapticInteraction Interaction;
   TimerWatch Loop;
-  int Timer = 0; ///< the id of the timer; 0 if there is none, because the application has its own
-  /**
-   * id of the last timer that fired; stored, because interactors pass it to observers, but not to
-   * styles
-   */
+  int Timer = 0; ///< id of this style's timer; 0 if the application has its own timer
+  /** Id of the last timer that fired, which interactors pass to observers but not to styles. */
   int FiredTimer = 0;
-  bool SharesTimers = false; ///< whether a timer event may come from any timer of the interactor
+  bool SharesTimers = false; ///< whether a timer event may come from any of the interactor's timers
   vtkNew<vtkCallbackCommand> TimerObserver;
   vtkNew<vtkCallbackCommand> MotionObserver;
   /**
-   * whether the interactor is enabled; timer events before that are ignored, because wx has only
-   * one kind
+   * Whether the interactor is enabled. Earlier timer events are ignored, because wx has only one
+   * kind of them.
    */
   bool IsEnabled = false;
   vtkNew<vtkCallbackCommand> EnableObserver;
@@ -258,7 +254,7 @@ void vtkInteractorStyleHaptic::SetHoldClicks(int clicks)
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::FadeOut()
 {
-  // keep this alive, because observers may delete it
+  // Keep this style alive, because observers may delete it.
   const vtkSmartPointer<vtkInteractorStyleHaptic> keep(this);
   this->Internals->Interaction.FadeOut();
 }
@@ -355,7 +351,7 @@ std::string vtkInteractorStyleHaptic::GetActionGroup(const char* action)
 //------------------------------------------------------------------------------
 bool vtkInteractorStyleHaptic::PerformAction(const char* action)
 {
-  // keep this alive, because observers may delete it
+  // Keep this style alive, because observers may delete it.
   const vtkSmartPointer<vtkInteractorStyleHaptic> keep(this);
   return HasWindow(this->Interactor) &&
     this->Internals->Interaction.Perform(KeyMap::FindDefaultKey(action ? action : ""));
@@ -459,7 +455,7 @@ void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interact
     d.StartTimer(this->Interactor, this->DisplayRate);
     this->Interactor->AddObserver(vtkCommand::ModifiedEvent, d.EnableObserver);
     this->Interactor->AddObserver(vtkCommand::MouseMoveEvent, d.MotionObserver);
-    // The priority is higher than the style's, so that this is called first.
+    // Observe with a higher priority than the style's, so that this is called first.
     this->Interactor->AddObserver(vtkCommand::TimerEvent, d.TimerObserver, this->Priority + 1.0f);
   }
   this->Modified();
@@ -491,7 +487,7 @@ void vtkInteractorStyleHaptic::OnTimer()
 //------------------------------------------------------------------------------
 bool vtkInteractorStyleHaptic::DrawHaptics()
 {
-  // keep this style alive, because observers may delete it
+  // Keep this style alive, because observers may delete it.
   const vtkSmartPointer<vtkInteractorStyleHaptic> keep(this);
   const bool isNew = this->UpdateHaptics();
   return this->Internals->Interaction.Frames.DrawIfDue(isNew);
@@ -516,8 +512,8 @@ void vtkInteractorStyleHaptic::DrawScene(bool quickly)
     this->Interactor->Render();
     return;
   }
-  // Mappers draw as finely as this frame rate allows. Restore the rate afterwards, so that other
-  // frames, such as those of a dragged widget, keep theirs.
+  // Mappers choose their quality by this rate. Restore the previous rate afterwards for other
+  // frames, such as those of a dragged widget.
   const double before = window->GetDesiredUpdateRate();
   window->SetDesiredUpdateRate(
     quickly ? this->Interactor->GetDesiredUpdateRate() : this->Interactor->GetStillUpdateRate());
@@ -554,9 +550,8 @@ void vtkInteractorStyleHaptic::OnMouseMove()
   {
     return;
   }
-  // Pass the event on only if the renderer has a window, because the superclass asks the window for
-  // its size. A renderer that the application has set, or that was removed from its window, may
-  // have none.
+  // Pass on the event only if the renderer has a window, whose size the superclass needs. A
+  // renderer that the application has set or removed may have none.
   const int* const now = this->Interactor->GetEventPosition();
   this->FindPokedRenderer(now[0], now[1]);
   if (this->CurrentRenderer && this->CurrentRenderer->GetRenderWindow())
@@ -599,7 +594,7 @@ void vtkInteractorStyleHaptic::OnRightButtonDown()
   {
     return;
   }
-  // In the touch mode, the right button turns the camera, while the touch continues.
+  // In the touch mode, the right button turns the camera while the touch continues.
   this->GetTouchMode() ? this->Superclass::OnLeftButtonDown()
                        : this->Superclass::OnRightButtonDown();
 }
@@ -611,7 +606,7 @@ void vtkInteractorStyleHaptic::OnRightButtonUp()
   {
     return;
   }
-  // End the action that the press began, also if the touch mode has changed since then.
+  // End the action that the press began, even if the touch mode has changed since.
   this->State == VTKIS_DOLLY ? this->Superclass::OnRightButtonUp()
                              : this->Superclass::OnLeftButtonUp();
 }

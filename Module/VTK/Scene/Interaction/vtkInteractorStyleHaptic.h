@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkInteractorStyleHaptic
- * @brief   trackball camera, and a hand in the scene
+ * @brief   adds a hand that touches the scene to a trackball camera style
  *
  * Lets the user touch the volumes of a scene with a vtkHapticDevice, or with the mouse in its
  * place, and moves the camera as vtkInteractorStyleTrackballCamera does. A timer collects the
@@ -13,7 +13,7 @@
  *   style->TouchVolume(volume);           // the hand feels what this volume shows
  *   interactor->Start();                  // then press t, and move the mouse
  *
- * In the touch mode the mouse leads the tip of the virtual device:
+ * In the touch mode the mouse moves the tip of the virtual device:
  *
  *   mouse                 moves the tip along the surface, or in the plane of the view; see
  *                         SetTipFollowsSurface()
@@ -130,13 +130,14 @@ public:
   vtkTypeMacro(vtkInteractorStyleHaptic, vtkInteractorStyleTrackballCamera);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Events, one for each change, in the order of the changes in the servo. */
+  /** Events, one per change, in the order of the changes in the servo. */
   enum HapticEvents
   {
-    ContactBeginEvent = vtkCommand::UserEvent + 100, ///< a surface holds the proxy
+    ContactBeginEvent = vtkCommand::UserEvent + 100, ///< a surface starts to hold the proxy
     ContactEndEvent,                                 ///< no surface holds the proxy any more
-    ArmedEvent,                                      ///< force may flow
-    DisarmedEvent,                                   ///< force may not flow; not sent after a fault
+    ArmedEvent,                                      ///< force may flow from now on
+    DisarmedEvent,                                   ///< force may not flow any more; not sent
+                                                     ///< after a fault
     FaultEvent,                                      ///< the safety stage has cut the force off
     StatesEvent                                      ///< sent after each update with new states
   };
@@ -150,11 +151,11 @@ public:
   ///@{
   /**
    * A device for the other hand (optional), which the application has to open and start, with the
-   * same filter or another one. Each hand has its own force, and a fault is one hand's. The key a
-   * arms the hands that are not armed, and disarms both if both are; Escape, End and the end of the
-   * window let both go; k, c, + and - move both workspaces. The mouse, measurements, slices,
-   * recordings, events and GetStates() are the first hand's. A volume that moves is felt by the
-   * first hand only. Default: nullptr.
+   * same filter or another one. Each hand has its own force, and a fault affects only one hand. The
+   * key a arms the hands that are not armed, and disarms both if both are armed; Escape, End and
+   * the end of the window release both; k, c, + and - change both workspaces. The mouse,
+   * measurements, slices, recordings, events and GetStates() belong to the first hand. Only the
+   * first hand feels a moving volume. Default: nullptr.
    */
   void SetSecondDevice(vtkHapticDevice* device);
   vtkHapticDevice* GetSecondDevice();
@@ -162,7 +163,7 @@ public:
 
   ///@{
   /**
-   * The head-up display, to which the style passes the states, or the function editor. Both are
+   * The head-up display, which gets the states from the style, and the function editor. Both are
    * optional. Keys switch them on and off. The application adds them to a renderer.
    */
   void SetHeadUpDisplay(vtkHapticHeadUpDisplay* display);
@@ -193,8 +194,8 @@ public:
    * The volume that shows the CoarseImage of the vtkHapticRegionSource that the device's filter
    * feels (optional). The style cuts the box of the samples in memory out of it, and shows these
    * samples there, so that the picture is fine around the hand. The image of the volume's mapper
-   * has no direction of its own; the volume's matrix may turn it. The style sets the mapper's
-   * cropping. nullptr (default) gives the volume back as it was.
+   * must not have a direction matrix; use the volume's matrix to rotate it. The style sets the
+   * mapper's cropping. nullptr (default) restores the volume.
    */
   void SetCoarseVolume(vtkVolume* volume);
   vtkVolume* GetCoarseVolume();
@@ -231,8 +232,8 @@ public:
 
   ///@{
   /**
-   * Keys of the application for the list of keys, in the form of vtkHapticHeadUpDisplay::HelpText.
-   * They stand below the keys of the style. Default empty.
+   * The application's keys for the list of keys, in the form of vtkHapticHeadUpDisplay::HelpText.
+   * They are shown below the keys of the style. Default empty.
    */
   void SetApplicationKeys(const char* keys);
   const char* GetApplicationKeys();
@@ -265,11 +266,12 @@ public:
 
   ///@{
   /**
-   * For buttons and menus of a program. PerformAction does what the action's key does, and returns
-   * false if the scene has no part for it; Clutch is on until SetClutch(false) or LetGo. Undo and
-   * Redo are those of the measurements, if there are any, wherever the pointer is.
-   * GetActionText returns what an action does, such as "the next method", and an empty text if the
-   * scene has no part for it. GetActionGroup returns the title above it in the list of keys.
+   * Perform and describe actions, for buttons and menus of a program. PerformAction does what the
+   * action's key does, and returns false if the scene has no part for it; Clutch is on until
+   * SetClutch(false) or LetGo. Undo and Redo are those of the measurements, if there are any,
+   * wherever the pointer is. GetActionText returns what an action does, such as "the next method",
+   * and an empty text if the scene has no part for it. GetActionGroup returns the title above it in
+   * the list of keys.
    *
    *   style->PerformAction("Touch"); // as key t: touch what is under the pointer; let go
    */
@@ -278,7 +280,7 @@ public:
   static std::string GetActionGroup(const char* action);
   ///@}
 
-  /** Get the list of keys for the present scene, with the keys of the application. */
+  /** Get the list of keys for the present scene, including the application's keys. */
   std::string GetKeys();
 
   ///@{
@@ -296,24 +298,23 @@ public:
 
   ///@{
   /**
-   * The number of clicks in the scene after which a hand that was held goes on. 1: the hand that
-   * the mouse leads stays where it is, so that the pointer can go to a button while the hand still
-   * presses; a click frees it. 2: a click holds it, and the next one frees it. Each click lowers
-   * the number by 1. A free hand goes on from where it is. The end of a touch frees it. Default: 0,
-   * free.
+   * Hold the hand in place for a number of clicks in the scene. 1: the hand stays in place, so that
+   * the pointer can move to a button while the hand still presses; a click releases it. 2: a click
+   * holds it, and the next one releases it. Each click lowers the number by 1. A released hand
+   * continues from its position. The end of a touch releases it. Default: 0, not held.
    */
   void SetHoldClicks(int clicks);
   int GetHoldClicks() { return this->HoldClicks; }
   ///@}
 
   /**
-   * Leave the touch mode and let the force fade. For a program that hides the view: a force that is
-   * cut off would jump.
+   * Leave the touch mode and fade the force out. Call this in a program that hides the view,
+   * because cutting the force off would be felt as a jump.
    *
-   * The style lets the force fade by itself when a window of X11, or a window around it, is
-   * minimised or hidden, which covers Tk and wx. Neither VTK nor X11 reports that a
-   * QVTKOpenGLNativeWidget is hidden: call VolumeHaptics::WidgetWatch::Watch() of Qt/WidgetWatch.h
-   * once. On other systems, call FadeOut() when the program hides a view.
+   * The style fades the force by itself when a window of X11, or a window around it, is minimised
+   * or hidden, which includes Tk and wx. Neither VTK nor X11 reports that a QVTKOpenGLNativeWidget
+   * is hidden: call VolumeHaptics::WidgetWatch::Watch() of Qt/WidgetWatch.h once. On other systems,
+   * call FadeOut() when the program hides a view.
    */
   void FadeOut();
 
@@ -396,7 +397,9 @@ public:
   ///@}
 
   ///@{
-  /** Bring the workspace of a real device back to the focal point, or switch its clutch. */
+  /**
+   * Bring the workspace of a real device back to the focal point, or switch its clutch on and off.
+   */
   void RecenterWorkspace();
   void SetClutch(bool on);
   virtual bool GetClutch();
@@ -404,12 +407,12 @@ public:
 
   /**
    * Feel the same position with the next method of the device's filter, in the order of
-   * vtkVolumeHapticsFilter::GetMethodNames. The servo runs on, and the force grows at most at the
+   * vtkVolumeHapticsFilter::GetMethodNames. The servo continues, and the force grows at most at the
    * device's MaximumForceRate. While the mesh of SURFACE_PROXY is made, the hand feels the previous
-   * method, and then the surface around the tip (vtkHapticDevice::Publish); the head-up display
-   * announces that. Returns false and reports an error if the method can't be felt, for example
-   * because IsoValue does not occur in the image. The previous method then stays, and the next call
-   * skips the method that failed.
+   * method, and then the surface around the tip (vtkHapticDevice::Publish), as the head-up display
+   * shows. Returns false and reports an error if the method can't be felt, for example because
+   * IsoValue does not occur in the image. The previous method then stays, and the next call skips
+   * the method that failed.
    */
   bool NextMethod();
 
@@ -434,8 +437,9 @@ public:
   ///@}
 
   /**
-   * Update once, as the timer does, without drawing: changes, states, events, head-up display. For
-   * applications without timers. Returns true if there is something new to draw.
+   * Do what the timer does at each update, except drawing: publish changes, read states, invoke
+   * events, and update the head-up display. For applications without timers. Returns whether there
+   * is anything new to draw.
    *
    * If an event loop sends mouse and key events, but no timer events for a second, the style warns
    * once, and updates with these events and with each frame of the window, until the program calls
@@ -445,14 +449,14 @@ public:
 
   /**
    * Do all that the timer does: call UpdateHaptics(), and draw a frame if one is due. For
-   * applications whose event loop runs no timers of VTK, such as a server; call it DisplayRate
-   * times a second. Returns true if it has drawn.
+   * applications whose event loop runs no VTK timers, such as a server; call it DisplayRate times
+   * per second. Returns whether it has drawn.
    */
   bool DrawHaptics();
 
   /**
-   * Draw a frame as at rest which no input interrupts, such as for a picture in a file. An
-   * interrupted frame lacks the volumes. Returns false if the window is closed.
+   * Draw a fine frame, as at rest, that input can't interrupt, for example for a picture in a
+   * file: an interrupted frame lacks the volumes. Returns false if the window is closed.
    */
   bool DrawWholeFrame();
 
@@ -520,22 +524,20 @@ public:
   /**
    * Warn if a visible volume in the renderer shows the image of the device's filter differently
    * from how it is felt: with a position, orientation, scale or user matrix, cropping, clipping
-   * planes, a mask, a 2-D transfer function, or blanked points or cells. UpdateHaptics() does so,
-   * too. Each reason is reported once for a volume, and once again if it has disappeared and come
-   * back.
+   * planes, a mask, a 2-D transfer function, or blanked points or cells. UpdateHaptics() does this,
+   * too. Each reason is reported once per volume, and again only if it has disappeared in between.
    */
   void CheckShownVolumes();
 
   /**
-   * Get the states that the last update collected from the device: see vtkHapticState::Drain. Each
-   * style gets all states, even if several styles use one device.
+   * Get the states that the last update read from the device: see vtkHapticState::Drain. Each style
+   * gets all states, even if several styles use the same device.
    */
   vtkTable* GetStates();
 
   /**
-   * Interactors call this. When a style loses its interactor, to another style or because the
-   * window closes, it leaves the touch mode and disarms. The call always marks the style as
-   * modified.
+   * Called by interactors. A style that loses its interactor, to another style or because the
+   * window closes, leaves the touch mode and disarms. Always marks the style as modified.
    */
   void SetInteractor(vtkRenderWindowInteractor* interactor) override;
   void OnTimer() override;
@@ -556,25 +558,26 @@ protected:
   ~vtkInteractorStyleHaptic() override;
 
   /**
-   * Draw the scene now: quickly while something moves, otherwise finely. Sets the window's desired
-   * update rate and calls the interactor's Render(). For subclasses in applications that render in
+   * Draw the scene now: quickly while anything moves, otherwise finely. Sets the window's desired
+   * update rate and calls the interactor's Render(). Override this in applications that render in
    * another way.
    */
   virtual void DrawScene(bool quickly);
 
   /**
-   * Get whether releasing the clutch may bring the force back: the device was armed before, and
-   * nothing has disarmed it since. For subclasses in applications that track arming themselves.
+   * Get whether the force may come back when the clutch is released: the device was armed before,
+   * and nothing has disarmed it since. Override it in applications that track arming themselves.
    */
   virtual bool ArmsAfterClutch();
 
   ///@{
   /**
-   * For subclasses beside another style, as in vtkHapticWidget. GetInteraction() returns the parts
-   * of this style. IsOwnTimer() returns whether the last timer event came from its timer.
-   * UseMouseMove() returns whether the hand has used a mouse motion. GetKeyName() returns the name
-   * of the last event's key: if a toolkit such as wx sends only a key's code, X11's name for the
-   * key. IsPressOf() returns whether the last event, a press, is that of an action's key.
+   * Functions for subclasses that work beside another style, as in vtkHapticWidget.
+   * GetInteraction() returns the parts of this style. IsOwnTimer() returns whether the last timer
+   * event came from its timer. UseMouseMove() returns whether the hand has used a mouse motion.
+   * GetKeyName() returns the name of the last event's key: if a toolkit such as wx sends only a
+   * key's code, X11's name for the key. IsPressOf() returns whether the last event, a press, is
+   * that of an action's key.
    */
   VolumeHaptics::HapticInteraction& GetInteraction();
   bool IsOwnTimer() const;

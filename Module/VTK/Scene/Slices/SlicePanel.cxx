@@ -36,10 +36,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/**
- * Assigns an index axis to each axis of the world, so that their directions are as similar as
- * possible.
- */
+/** Assigns an index axis to each world axis, with directions as similar as possible. */
 std::array<SignedAxis, 3> MatchWorldAxes(vtkMatrix3x3* direction)
 {
   std::array<int, 3> order{ 0, 1, 2 };
@@ -99,7 +96,7 @@ FeltSamples GetSliceSamples(vtkHapticDevice* device)
   return { image, array };
 }
 
-constexpr double CrossGap = 7.0;     ///< gap in the crosshair around the tip, pixels
+constexpr double CrossGap = 7.0;     ///< gap (pixels) in the crosshair around the tip
 constexpr double SliceMargin = 1.03; ///< height of the viewport as a multiple of the slice's height
 constexpr int LeastLettered = 120;   ///< pixels: a smaller viewport has no letters at its sides
 
@@ -112,7 +109,7 @@ void SetUpSliceText(vtkTextActor* actor, double grey)
   actor->GetPositionCoordinate()->SetCoordinateSystemToViewport();
 }
 
-/** Makes a line along the left and the lower edge, which separates a panel from its neighbours. */
+/** Makes a line along the left and lower edges, which separates a panel from its neighbours. */
 void SetUpSliceFrame(vtkActor2D* actor)
 {
   vtkNew<vtkPoints> points;
@@ -207,7 +204,7 @@ bool SliceImage::PollRemoval(vtkHapticDevice* device)
     ? vtkHapticRegionSource::SafeDownCast(filter->GetInputAlgorithm(0, 0))
     : nullptr;
   const bool isCoarse = large && this->Image && this->Image == large->GetCoarseImage();
-  // A moving volume is felt whole, because no tissue is removed from it.
+  // No tissue can be removed from a moving volume.
   const bool isFelt = filter && !device->GetPlayback()->HasTimeSteps() && this->Samples && !large &&
     filter->GetTouchedImage() && this->Samples == filter->GetBaker().GetTouched()[0].Array;
   RemovedTissue removed = isCoarse || isFelt ? GetRemoved(filter) : RemovedTissue();
@@ -255,8 +252,8 @@ void SliceImage::CopyLeftPart(const int part[6], vtkDataArray* left) const
   place->CopyStructure(this->Image);
   if (this->IsCarved() && this->Cover == CarvedCover::Nearest)
   {
-    // The image is the removed tissue's volume, or a region of it, and may have been moved since.
-    // So use the volume's position.
+    // Use the volume's position, because the image, which is the volume or a region of it, may have
+    // been moved since.
     place->CopyStructure(this->Removed.Volume);
     place->SetExtent(this->Image->GetExtent());
   }
@@ -350,7 +347,7 @@ std::array<double, 2> SliceImage::EstimateUsualValues() const
   constexpr double below = 0.01;
   constexpr double above = 0.995;
   const vtkIdType count = this->Samples->GetNumberOfTuples();
-  // Use an odd step, because an even step could hit the same column of each row.
+  // Use an odd step: an even one could hit the same column of each row.
   const vtkIdType step = (count / most) | 1;
   std::vector<double> values;
   for (vtkIdType i = 0; i < count; i += step)
@@ -504,7 +501,7 @@ void SlicePanel::Fit()
   double up[3] = {};
   right[axes.Right.Axis] = axes.Right.Sign;
   up[axes.Up.Axis] = axes.Up.Sign;
-  double back[3]; // towards the viewer
+  double back[3]; // vector towards the viewer
   vtkMath::Cross(right, up, back);
   const double distance = vtkMath::Norm(length);
   vtkCamera* const camera = this->Renderer->GetActiveCamera();
@@ -536,7 +533,7 @@ void SlicePanel::PlaceCrosshair()
   {
     const double shown =
       axis == this->Axes.Through.Axis ? this->Mapper->GetSliceNumber() : this->Index[axis];
-    // The crosshair lies a little in front of the slice, so that the slice does not hide it.
+    // Put the crosshair slightly in front of the slice, which would otherwise hide it.
     centre[axis] = this->Spacing[axis] * shown - 0.01 * camera->GetDistance() * back[axis];
   }
   vtkNew<vtkPoints> points;
@@ -613,7 +610,7 @@ std::array<double, 3> SlicePanel::ComputeIndex(int x, int y) const
   const int* const size = this->Renderer->GetSize();
   vtkCamera* const camera = this->Renderer->GetActiveCamera();
   const double pixel = 2.0 * camera->GetParallelScale() / size[1];
-  // Use the middle of the pixel, relative to the middle of the viewport.
+  // Use the centre of the pixel, relative to the centre of the viewport.
   const double across = pixel * (x + 0.5 - origin[0] - 0.5 * size[0]);
   const double upwards = pixel * (y + 0.5 - origin[1] - 0.5 * size[1]);
   const SliceAxes& axes = this->Axes;
@@ -626,7 +623,7 @@ std::array<double, 3> SlicePanel::ComputeIndex(int x, int y) const
   {
     index[axis] = at[axis] / this->Spacing[axis];
   }
-  // Perpendicular to the slice, use the crosshair's own position instead of the slice's middle.
+  // Perpendicular to the slice, use the crosshair's own position.
   index[axes.Through.Axis] = this->Index[axes.Through.Axis];
   return index;
 }

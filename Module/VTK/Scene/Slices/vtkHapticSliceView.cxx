@@ -33,11 +33,11 @@ namespace
 using SliceColor = std::array<unsigned char, 3>;
 using SliceIndex = std::array<double, 3>;
 
-/** Colours of the axial, the coronal and the sagittal slice, as in 3D Slicer, but lighter. */
+/** Colours of the axial, coronal and sagittal slice: those of 3D Slicer, but lighter. */
 constexpr std::array<SliceColor, 3> PanelColors = { { { 240, 110, 96 }, { 118, 196, 108 },
   { 232, 208, 96 } } };
 
-/** The distance (voxels along an axis) by which the tip has to move before the slices follow. */
+/** Distance (voxels along an axis) that the tip has to move before the slices follow. */
 constexpr double LeastTipMotion = 0.5;
 
 std::string WriteSliceValue(double number)
@@ -65,9 +65,9 @@ struct vtkHapticSliceView::vtkInternals
   vtkNew<vtkLookupTable> Grey;
   std::array<double, 2> Usual{ { 0.0, 1.0 } };
   SliceIndex Position{}; ///< position of the crosshair
-  SliceIndex Tip{};      ///< the tip when the slices last followed it
+  SliceIndex Tip{};      ///< tip position at which the slices last followed it
   bool HasTip = false;
-  bool HasUsual = false;    ///< whether Usual was computed, from this image or a previous one
+  bool HasUsual = false;    ///< whether Usual was computed from this or a previous image
   vtkMTimeType Updated = 0; ///< time when the settings were last applied
 
   std::vector<vtkRenderer*> GetColumn() const
@@ -198,7 +198,7 @@ void vtkHapticSliceView::SetRenderWindow(vtkRenderWindow* window)
     window->AddObserver(vtkCommand::StartEvent, d.StartObserver);
   }
   this->Modified();
-  this->Update(); // update now, because the mouse may be used before the first frame
+  this->Update(); // needed now, because the mouse may be used before the first frame
 }
 
 //------------------------------------------------------------------------------
@@ -356,7 +356,7 @@ bool vtkHapticSliceView::vtkInternals::PollTip()
   {
     motion = std::max(motion, std::abs(tip[axis] - this->Tip[axis]));
   }
-  // Ignore the position where the tip rests before the first touch.
+  // Before the first touch, ignore the position where the tip rests.
   const int status = device->GetStatus();
   const bool isArmed = status == vtkHapticDevice::ARMED || status == vtkHapticDevice::ACTIVE;
   const bool follows = this->HasTip ? motion >= LeastTipMotion : isArmed;
@@ -392,8 +392,8 @@ bool vtkHapticSliceView::vtkInternals::UpdateImage()
   const bool stays = hadSamples && this->HasUsual;
   this->Position = stays ? this->Shown.ComputeIndex(world) : this->Shown.GetCentre();
   const std::array<double, 2> usual = this->Shown.EstimateUsualValues();
-  // Extend the usual values, so that neither time steps of a moving volume nor regions of a large
-  // volume make the brightness jump.
+  // Only widen the usual range, so that the brightness does not jump between time steps of a moving
+  // volume or regions of a large volume.
   this->Usual[0] = this->HasUsual ? std::min(this->Usual[0], usual[0]) : usual[0];
   this->Usual[1] = this->HasUsual ? std::max(this->Usual[1], usual[1]) : usual[1];
   this->HasUsual = true;

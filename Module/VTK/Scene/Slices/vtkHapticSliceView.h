@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticSliceView
- * @brief   three slices of the touched image through the tip, beside the scene
+ * @brief   shows three slices of the touched image through the tip, beside the scene
  *
  * Shows slices along the three axes of the image in a column at the right edge of a window, each
  * with a crosshair at the tip. The first slice shows the value at the tip, the name of the label
@@ -18,7 +18,7 @@
  * a click moves the tip to its position, and a key of vtkInteractorStyleHaptic shows and hides the
  * slices.
  *
- * Slices lie along the image's own axes, so that nothing is interpolated between them, even if the
+ * Slices are along the image's own axes, so that nothing is interpolated between them, even if the
  * image is oblique. They show the felt time step of a moving volume, and the coarse level of a
  * volume larger than memory. Where a vtkHapticBurr of the filter has removed tissue, they show what
  * is left; a coarse level shows the mean in each voxel. If the image has several components, they
@@ -69,7 +69,7 @@ public:
   ///@}
 
   ///@{
-  /** The window that shows the slices; nullptr removes them. The window is not kept alive. */
+  /** The window that shows the slices, kept without a reference; nullptr removes the slices. */
   void SetRenderWindow(vtkRenderWindow* window);
   vtkRenderWindow* GetRenderWindow();
   ///@}
@@ -133,57 +133,57 @@ public:
   ///@}
 
   /**
-   * Get the range of values from black to white that is shown, and its middle, also if they were
-   * computed from the image.
+   * Get the shown range of values from black to white, and its middle, even if they were computed
+   * from the image.
    */
   void GetShownWindowLevel(double windowLevel[2]) VTK_SIZEHINT(2);
 
   ///@{
-  /** The unit that is written behind a value, such as "HU". Default empty. */
+  /** The unit that is shown after a value, such as "HU". Default empty. */
   vtkSetStdStringFromCharMacro(Unit);
   vtkGetCharFromStdStringMacro(Unit);
   ///@}
 
   /**
    * Get the renderer of a slice: 0 (axial, or along k), 1 (coronal, or along j) or 2 (sagittal, or
-   * along i); nullptr for another number. It shows the image along the image's axes, in world
+   * along i); nullptr for any other number. It shows the image along the image's axes, in world
    * units, with the index (0, 0, 0) at the origin.
    */
   vtkRenderer* GetRenderer(int slice);
 
   ///@{
   /**
-   * The position of the crosshair (world). It lies within the image; without an image, it is the
-   * origin. After it was set, the slices stay there until the tip moves by half a voxel.
+   * The position of the crosshair (world), within the image; the origin without an image. A
+   * position that was set stays until the tip moves by half a voxel.
    */
   void SetPosition(const double position[3]) VTK_SIZEHINT(3);
   void GetPosition(double position[3]) VTK_SIZEHINT(3);
   ///@}
 
   /**
-   * Get the number of the slice at a position of the window (pixels from its lower left corner); -1
+   * Get the number of the slice at a position in the window (pixels from its lower left corner); -1
    * if there is none.
    */
   int FindSlice(int x, int y);
 
   /**
    * Convert a position in the window (pixels) to the world position that the slice shows there, or
-   * to the nearest position in the image. Returns false if there is no image.
+   * to the nearest position in the image. Returns false without an image.
    */
   bool FindPosition(int slice, int x, int y, double position[3]) VTK_SIZEHINT(3);
 
   /**
    * Move a position (world) perpendicular to a slice by a number of voxels, towards a patient's
-   * head, back or left, within the image. Returns false if there is no image.
+   * head, back or left, and keep it within the image. Returns false without an image.
    */
   bool MoveAcross(int slice, double voxels, double position[3]) VTK_SIZEHINT(3);
 
-  /** Get the text of a slice. Its lines are in the order in which they are shown. */
+  /** Get the text of a slice, with its lines in the order in which they are shown. */
   std::string GetText(int slice);
 
   /**
-   * Move the slices to the tip. The window calls this before each frame. Returns whether the slices
-   * have changed.
+   * Move the slices to the tip. The window calls this before each frame. Returns whether any slice
+   * has changed.
    */
   bool Update();
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The look of a CT volume in the explorer and in ParaView's plugin: it shows the surface that a
- * hand meets first, in the colours of skin and bone.
+ * Defines how the explorer and ParaView's plugin draw a CT volume: the surface that a hand meets
+ * first, in the colours of skin and bone.
  */
 #ifndef CTLook_h
 #define CTLook_h
@@ -13,31 +13,31 @@
 namespace VolumeHaptics
 {
 
-/** A stop of the look. Between two stops, opacity and colour change linearly. */
+/** A point of the transfer functions, between which opacity and colour change linearly. */
 struct LookStop
 {
   double Value;
-  double Opacity; ///< opacity of a layer of thickness LookLayer
+  double Opacity; ///< opacity of a layer with the thickness LookLayer
   std::array<double, 3> Color;
 };
 
 /**
- * The thickness (voxels) of the layer to which opacities refer. With this thickness, half of the
- * picture comes from the first half voxel, and rays that sample once per voxel show no steps.
+ * Thickness (voxels) of the layer that opacities refer to. With it, half of the picture comes from
+ * the first half voxel, and rays that sample once per voxel show no steps.
  */
 constexpr double LookLayer = 4.0;
-/** The opacity of felt tissue. */
+/** Opacity of tissue that is felt. */
 constexpr double LookOpaque = 0.998;
 
 /**
  * Hounsfield units between which the opacity rises from zero to full: the edge from air to fat and
- * skin, where a hand meets a body. Hidden tissue is not felt, so the foam and the blankets around a
- * body, which are hardly visible, are not felt either.
+ * skin, where a hand meets a body. Invisible tissue is not felt, so neither are foam and blankets
+ * around a body, which are hardly visible.
  */
 constexpr double CTLookClear = -350.0;
 constexpr double CTLookSkin = -300.0;
 
-/** Opacities and colours by Hounsfield units. */
+/** Opacity and colour by Hounsfield units. */
 constexpr LookStop CTLook[] = {
   { -1024.0, 0.0, { 0.85, 0.60, 0.47 } },
   { CTLookClear, 0.0, { 0.85, 0.60, 0.47 } },

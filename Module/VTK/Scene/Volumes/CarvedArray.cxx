@@ -13,7 +13,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Calls f(value, component) for the remaining values of a box, tuple by tuple. */
+/** Calls f(value, component) for the values of a box with the remaining tissue, tuple by tuple. */
 template <typename T, typename F>
 void ForEachLeft(
   const CarvedArray& carved, std::uint32_t brick, BrickContent content, const ArrayBox& box, F&& f)

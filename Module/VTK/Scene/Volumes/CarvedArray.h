@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The remaining values of an array from which a tool has removed tissue, brick by brick, for
- * display. The array itself is never changed, because the servo reads it.
+ * Computes, brick by brick and for display, an array's values after a tool has removed tissue. The
+ * array itself is never changed, because the servo reads it.
  */
 #ifndef CarvedArray_h
 #define CarvedArray_h
@@ -25,7 +25,7 @@
 namespace VolumeHaptics
 {
 
-/** Returns the value of a type that is nearest to a number. */
+/** Converts a number to the nearest value of a type. */
 template <typename T>
 T NearestOf(double value)
 {
@@ -37,27 +37,27 @@ T NearestOf(double value)
   {
     using Limits = std::numeric_limits<T>;
     const double rounded = std::round(value);
-    // The limits of 64-bit integers are rounded when they become doubles, so compare before the
-    // cast. NaN becomes the lowest value.
+    // Compare before the cast, because the limits of 64-bit integers are rounded when they become
+    // doubles. NaN becomes the lowest value.
     return !(rounded > static_cast<double>(Limits::lowest())) ? Limits::lowest()
       : rounded >= static_cast<double>(Limits::max())         ? Limits::max()
                                                               : static_cast<T>(rounded);
   }
 }
 
-/** The array of an image, of which one component has lost tissue. */
+/** Point array of an image, with the removed tissue of one of its components. */
 struct CarvedArray
 {
-  vtkSmartPointer<vtkDataArray> Array; ///< the array of the image's points, along x first
+  vtkSmartPointer<vtkDataArray> Array; ///< samples, x fastest
   int Component = 0;
   std::int64_t Dimensions[3] = { 0, 0, 0 };
   /**
-   * The indices of the array's first sample in the volume whose tissue is removed. They are not 0
-   * if the array is a region of that volume.
+   * Index of the array's first sample in the volume whose tissue is removed; not 0 if the array is
+   * a region of that volume.
    */
   std::int64_t First[3] = { 0, 0, 0 };
   std::shared_ptr<TissueRemoval> Removal;
-  double Air = 0.0; ///< the value of a sample without tissue
+  double Air = 0.0; ///< value of a sample whose tissue was removed
 
   bool IsSame(const CarvedArray& other) const
   {
@@ -68,7 +68,7 @@ struct CarvedArray
   }
 };
 
-/** A box of an array. Its indices count from the array's first sample. */
+/** A box of samples, in indices that start at the array's first sample. */
 struct ArrayBox
 {
   std::int64_t Low[3];
@@ -77,30 +77,31 @@ struct ArrayBox
   std::int64_t Samples() const { return this->Size[0] * this->Size[1] * this->Size[2]; }
 };
 
-/** Content to read of a brick: the remaining tissue, or all tissue as if nothing was removed. */
+/** Content of a brick to read: with removed tissue taken out, or as if nothing had been removed. */
 enum class BrickContent : std::uint8_t
 {
   Left,
   Whole
 };
 
-/** Computes the box of a brick's samples. Returns false if none of them is in the array. */
+/** Computes the box of a brick's samples. Returns false if the array contains none of them. */
 bool ComputeBrickBox(const CarvedArray& carved, std::uint32_t brick, ArrayBox& box);
 
 /**
- * Writes the tuples of a brick, along x first, in the array's own type. Integers are rounded, and
- * values beyond the type's range become its limits.
+ * Writes the tuples of a brick, x fastest, in the array's type. Integers are rounded, and values
+ * outside the type's range are clamped.
  */
 void CopyBrick(const CarvedArray& carved, std::uint32_t brick, BrickContent content,
   const ArrayBox& box, std::vector<unsigned char>& to);
 
 /**
- * Writes the tuples of CopyBrick() as float, each component multiplied by its scale, plus its bias.
+ * Writes the tuples of CopyBrick() as floats, each component multiplied by its scale, plus its
+ * bias.
  */
 void CopyBrickAsFloat(const CarvedArray& carved, std::uint32_t brick, BrickContent content,
   const ArrayBox& box, const float* scale, const float* bias, std::vector<unsigned char>& to);
 
-/** Collects the changed bricks of a removal until they are shown. */
+/** Collects the changed bricks of a removal until they are displayed. */
 class FollowedBricks
 {
 public:
@@ -121,8 +122,8 @@ public:
   FollowedBricks& operator=(const FollowedBricks&) = delete;
 
   /**
-   * Collects the bricks that have changed; returns whether there are any. If the removal has no
-   * room for another follower, any change marks all bricks.
+   * Collects the bricks that have changed, and returns whether there are any. If the removal can't
+   * have another follower, any change marks all bricks.
    */
   bool Poll()
   {
@@ -155,7 +156,7 @@ public:
     }
     return isAny;
   }
-  /** Calls f(brick) for each collected brick, and forgets the collected bricks. */
+  /** Calls f(brick) for each collected brick, and clears the collection. */
   template <typename F>
   void Drain(F&& f)
   {
@@ -166,7 +167,7 @@ public:
     }
     this->Waiting.clear();
   }
-  /** Calls f(brick) for all existing bricks, and forgets the collected ones. */
+  /** Calls f(brick) for all existing bricks, and clears the collection. */
   template <typename F>
   void DrainAll(F&& f)
   {
@@ -179,14 +180,13 @@ public:
   }
 
 private:
-  /**
-   * Number of followers for which the removal must still have room, because a recording needs one.
-   */
+  /** Number of followers that must remain possible, because a recording needs one. */
   static constexpr int KeptFree = 1;
 
   std::shared_ptr<TissueRemoval> Removal;
   int Follower;
-  std::uint64_t Changes = 0; ///< number of changes at the last poll, if this is no follower
+  std::uint64_t Changes = 0; ///< number of changes at the last poll, used if this object is not a
+                             ///< follower
   std::vector<bool> Waits;
   std::vector<std::uint32_t> Waiting;
 };

@@ -25,7 +25,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Returns whether an image's extent lies in a volume's extent. */
+/** Returns whether an image's extent is inside a volume's extent. */
 bool IsPartOf(vtkImageData* image, vtkImageData* volume)
 {
   const int* const part = image->GetExtent();
@@ -34,19 +34,19 @@ bool IsPartOf(vtkImageData* image, vtkImageData* volume)
     part[4] >= whole[4] && part[5] <= whole[5];
 }
 
-/** A range of fractions along an axis; End is excluded. */
+/** A range of tissue fractions along an axis; End is excluded. */
 struct SampleSpan
 {
   std::int64_t Begin;
   std::int64_t End;
 };
 
-/** The fractions of tissue that belong to the samples of a part of an image, for each axis. */
+/** Assigns the removal's tissue fractions to the samples of a part of an image, axis by axis. */
 class TissueRaster
 {
 public:
   /**
-   * Computes the fractions for a part of an image. Returns false if the axes of image and volume
+   * Computes the assignment for a part of an image. Returns false if the axes of image and volume
    * are not parallel.
    */
   bool Compute(vtkImageData* place, vtkImageData* volume, const int part[6], CarvedCover cover)
@@ -66,7 +66,7 @@ public:
         step[b] -= origin[b];
       }
       const double across = std::abs(step[(a + 1) % 3]) + std::abs(step[(a + 2) % 3]);
-      // The condition also catches NaN.
+      // The negated comparison also refuses NaN.
       if (!(across <= Rounding * step[a]))
       {
         return false;
@@ -77,7 +77,7 @@ public:
     }
     return true;
   }
-  /** Returns the image's samples along an axis that have fractions in a range. */
+  /** Returns the image's samples along an axis that have any fraction in a range. */
   SampleSpan ComputeSamples(int axis, std::int64_t begin, std::int64_t end) const
   {
     const std::vector<SampleSpan>& all = this->Axes[axis];
@@ -141,8 +141,8 @@ private:
 };
 
 /**
- * Calls f for each row of a part of an image, with the row's first sample in the image, its first
- * sample in the part, and its length.
+ * Calls f for each row of a part of an image, with the index of the row's first sample in the image
+ * and in the part, and the row's length.
  */
 template <typename F>
 void ForEachRow(const int extent[6], const int part[6], F&& f)
@@ -185,7 +185,7 @@ void CopyPart(vtkDataArray* whole, const int extent[6], const int part[6], vtkDa
     });
 }
 
-/** Subtracts the removed tissue from one component of the samples that have lost tissue. */
+/** Subtracts the removed tissue from one component of the affected samples. */
 template <typename T>
 void CarvePart(
   const RemovedTissue& removed, const TissueRaster& raster, const int part[6], vtkDataArray* left)
@@ -196,7 +196,7 @@ void CarvePart(
   const std::int64_t ny = part[3] - part[2] + 1;
   const int components = left->GetNumberOfComponents();
   auto* const values = static_cast<T*>(left->GetVoidPointer(0)) + removed.Component;
-  // The fractions of a sample may lie in several bricks, so mark the samples that are done.
+  // Mark finished samples, because the fractions of one sample may be in several bricks.
   std::vector<bool> isDone(static_cast<std::size_t>(left->GetNumberOfTuples()), false);
   const std::uint32_t count = bricks.GetCount();
   for (std::uint32_t brick = 0; brick < count; ++brick)
@@ -269,11 +269,11 @@ bool CollectCarved(vtkVolumeHapticsFilter* filter, CarvedArray& carved)
   {
     return false;
   }
-  // Compare with the whole volume of the last model, because the image may be a region of it.
+  // Compare with the whole volume of the last model, of which the image may be a region.
   vtkImageData* const volume = RemovalData::Of(removal).Geometry;
   if (!IsPartOf(image, volume))
   {
-    return false; // the volume is new, and has no model yet
+    return false; // a new volume, which has no model yet
   }
   const int* const whole = volume->GetExtent();
   const int* const extent = image->GetExtent();

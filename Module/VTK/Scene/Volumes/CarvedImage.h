@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The remaining values of an image from which a tool has removed tissue. The image may have fewer
- * samples than the felt volume. This is for small images and parts of images, because each change
- * rewrites all values.
+ * Computes an image's values after a tool has removed tissue from the felt volume. The image may
+ * have fewer samples than that volume. This is for small images and parts of images, because each
+ * change rewrites all values.
  */
 #ifndef CarvedImage_h
 #define CarvedImage_h
@@ -24,15 +24,15 @@ class vtkVolumeHapticsFilter;
 namespace VolumeHaptics
 {
 
-/** The tissue that was removed from a volume up to one time, and where the volume is. */
+/** The tissue removed from a volume so far, with the volume's position. */
 struct RemovedTissue
 {
-  std::shared_ptr<TissueRemoval> Removal; ///< null: nothing was removed
-  vtkSmartPointer<vtkImageData> Volume;   ///< place and extent of the volume, without samples
+  std::shared_ptr<TissueRemoval> Removal; ///< null if no tissue was removed
+  vtkSmartPointer<vtkImageData> Volume;   ///< geometry of the volume, without samples
   vtkMTimeType VolumeTime = 0;            ///< modification time of Volume
-  int Component = 0;                      ///< the component that has lost tissue
-  double Air = 0.0;                       ///< value of a sample without tissue
-  std::uint64_t Changes = 0;              ///< number of changes of the removal's bricks
+  int Component = 0;                      ///< component whose tissue was removed
+  double Air = 0.0;                       ///< value of a sample whose tissue was removed
+  std::uint64_t Changes = 0;              ///< number of changes to the removal's bricks
 
   bool IsSame(const RemovedTissue& other) const
   {
@@ -43,56 +43,51 @@ struct RemovedTissue
 };
 
 /**
- * Returns the tissue that was removed from the whole volume. The samples in memory may be a region
- * of it, or none. The result is empty while all tissue remains, and for a new volume without a
- * model.
+ * Returns the tissue removed from the whole volume, of which the samples in memory may be a region,
+ * or none. Empty while all tissue remains, and for a new volume without a model.
  */
 RemovedTissue GetRemoved(vtkVolumeHapticsFilter* filter);
 
 /**
- * Collects in `carved` the tissue that was removed from the filter's present volume, without an
- * update. Returns false if no tissue was removed.
+ * Collects the tissue removed from the filter's present volume into `carved`, without an update.
+ * Returns false if no tissue was removed.
  */
 bool CollectCarved(vtkVolumeHapticsFilter* filter, CarvedArray& carved);
 
-/** Tells which samples of the volume a sample of an image stands for. */
+/** Which samples of the volume a sample of an image represents. */
 enum class CarvedCover : std::uint8_t
 {
   Nearest, ///< the nearest sample
-  Voxel    ///< all samples in the image's voxel: their mean is shown
+  Voxel    ///< all samples in the image's voxel, of which the mean is shown
 };
 
 /**
- * Writes the remaining values of a part of an image, along x first. If the axes of the image and
- * the volume are not parallel, writes the values of all tissue.
+ * Writes the values of a part of an image with the remaining tissue, x fastest. If the axes of the
+ * image and the volume are not parallel, writes the values of all tissue.
  * @param place  the image, placed in the world of the volume
- * @param whole  the array of the image, with all tissue
+ * @param whole  the image's array, with all tissue
  * @param part   the extent to write
  * @param left   an array of the same type
  */
 void CopyLeft(const RemovedTissue& removed, CarvedCover cover, vtkImageData* place,
   vtkDataArray* whole, const int part[6], vtkDataArray* left);
 
-/** A copy of an image with the scalars of the remaining tissue. */
+/** A copy of an image whose scalars show the remaining tissue. */
 class CarvedImage
 {
 public:
   /**
    * Updates the copy of an image, which may be null. Returns whether the result of Get() has
-   * changed. Does not check an image again if it is the same object with the same modification
-   * time.
+   * changed. Skips an image if it is the same object with the same modification time.
    */
   bool Update(
     vtkImageData* image, vtkImageData* place, const RemovedTissue& removed, CarvedCover cover);
-  /**
-   * Returns the image itself while nothing is removed; otherwise returns a copy that will not
-   * change.
-   */
+  /** Returns the image itself while nothing is removed; otherwise a copy that will not change. */
   vtkImageData* Get() const { return this->Left; }
 
 private:
   vtkSmartPointer<vtkImageData> Image;
-  vtkMTimeType Time = 0; ///< time of the image at the last Update
+  vtkMTimeType Time = 0; ///< modification time of the image at the last Update()
   RemovedTissue Removed;
   vtkSmartPointer<vtkImageData> Left;
 };

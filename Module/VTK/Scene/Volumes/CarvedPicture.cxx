@@ -44,7 +44,7 @@ vtkImageData* GetImage(vtkVolumeMapper* mapper, int port)
     : nullptr;
 }
 
-/** Returns the array that a mapper shows of the image on a port. */
+/** Returns the array that a mapper draws of the image at a port. */
 vtkDataArray* GetShown(vtkVolumeMapper* mapper, int port)
 {
   vtkImageData* const image = GetImage(mapper, port);
@@ -64,14 +64,12 @@ bool IsShownInstead(vtkDataArray* shown, vtkDataArray* touched)
 }
 
 /**
- * The most renderings in a row that may show all tissue. After more of them, VTK is assumed to
+ * Largest number of consecutive renderings that may show all tissue. After more, VTK is assumed to
  * upload the array in each rendering.
  */
 constexpr int MostMissed = 3;
 
-/**
- * Returns whether VTK fills textures from arrays of this type, or from floats computed from them.
- */
+/** Returns whether VTK fills textures from arrays of this type, directly or through floats. */
 bool HasTextureType(vtkDataArray* array)
 {
   switch (array->GetDataType())
@@ -85,7 +83,10 @@ bool HasTextureType(vtkDataArray* array)
   }
 }
 
-/** Sets how OpenGL reads the samples of a brick from memory, until the scope ends. */
+/**
+ * Sets how OpenGL reads the samples of a brick from memory, and restores the previous settings at
+ * the end of the scope.
+ */
 class PackedSamples
 {
 public:
@@ -96,7 +97,7 @@ public:
     for (std::size_t i = 0; i < std::size(Names); ++i)
     {
       state->vtkglGetIntegerv(Names[i], &this->Before[i]);
-      // VTK caches these settings, and may not know that others have changed them.
+      // Reset VTK's cache of these settings, which others may have changed without VTK.
       state->vtkglPixelStorei(Names[i], this->Before[i]);
       state->vtkglPixelStorei(Names[i], Names[i] == GL_UNPACK_ALIGNMENT ? 1 : 0);
     }
@@ -130,7 +131,7 @@ private:
   int Buffer = 0;
 };
 
-/** Returns whether a mapper currently draws in a way that uses no texture of its image. */
+/** Returns whether a mapper currently draws without a texture of its image. */
 bool DrawsOtherwise(vtkVolumeMapper* mapper)
 {
   auto* const smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
@@ -206,11 +207,11 @@ void CarvedCopy::CopyImage()
   this->Left = CopyArray(this->Carved.Array);
   if (this->Left->HasInformation())
   {
-    // The copy itself is no touched array.
+    // Remove the mark of a touched array from the copy.
     this->Left->GetInformation()->Remove(vtkHapticRemoval::TOUCHED_ARRAY());
   }
   this->Copy->ShallowCopy(this->Image);
-  // Keep the indices of arrays, because a mapper may select an array by index.
+  // Keep the arrays' indices, because a mapper may select an array by index.
   vtkPointData* const from = this->Image->GetPointData();
   vtkPointData* const to = this->Copy->GetPointData();
   to->Initialize();
@@ -271,7 +272,7 @@ void CarvedCopy::WriteBrick(std::uint32_t brick)
   }
   CopyBrick(this->Carved, brick, BrickContent::Left, box, this->Buffer);
   const auto tuple = static_cast<std::int64_t>(
-    this->Buffer.size() / static_cast<std::size_t>(box.Samples())); // bytes of a tuple
+    this->Buffer.size() / static_cast<std::size_t>(box.Samples())); // bytes per tuple
   auto* const values = static_cast<unsigned char*>(this->Left->GetVoidPointer(0));
   const unsigned char* from = this->Buffer.data();
   for (std::int64_t k = box.Low[2]; k < box.Low[2] + box.Size[2]; ++k)
@@ -352,8 +353,8 @@ bool CarvedTexture::DetectUpload()
     this->HasFailed = true;
     return false;
   }
-  // The block's pointer is valid only after an upload, because VTK does not reset it when it
-  // releases the texture.
+  // The block's pointer is valid only after an upload, because VTK does not reset it when the
+  // texture is released.
   if (this->Texture && this->UploadTime == volume->UploadTime.GetMTime())
   {
     return false;
@@ -414,8 +415,8 @@ void CarvedTexture::EndRendering()
   {
     this->Send(BrickContent::Left, [this](auto&& f) { this->Bricks.DrainAll(f); });
   }
-  // If there is no texture, this rendering built the shader without sending the event that the next
-  // one sends.
+  // Without a texture, this rendering built the shader, and so lacked the event that the next one
+  // sends.
   const bool wasMissed = isLate || !this->Texture;
   this->Missed = wasMissed ? this->Missed + 1 : 0;
   this->HasFailed = this->HasFailed || this->Missed > MostMissed;
@@ -467,7 +468,7 @@ void CarvedTexture::Restore()
   vtkOpenGLRenderWindow* const window = texture ? texture->GetContext() : nullptr;
   if (!window || texture->GetHandle() == 0)
   {
-    return; // nothing to restore: VTK uploads the array before it draws it again
+    return; // nothing to restore, because VTK uploads the array before the next drawing
   }
   window->PushContext();
   if (this->IsAtHand())
@@ -541,7 +542,7 @@ void CarvedPictures::Collect(
   {
     auto* const volume = vtkVolume::SafeDownCast(prop);
     auto* const mapper = volume ? vtkVolumeMapper::SafeDownCast(volume->GetMapper()) : nullptr;
-    // The array is null if the mapper has the copy of another picture, or shows another array.
+    // The array is null if the mapper shows the copy of another picture, or another array.
     vtkDataArray* const shown = GetShownArray(mapper, array.Array);
     const auto isKnown = [mapper, shown, &array](const std::unique_ptr<CarvedPicture>& one)
     {
@@ -583,7 +584,7 @@ bool CarvedPictures::Update(vtkRenderer* renderer, const std::vector<CarvedArray
       this->Collect(one, array, now);
     }
   }
-  // The end of a picture also changes what is shown.
+  // Removing a picture changes what is shown, too.
   bool isNew = std::any_of(this->All.begin(), this->All.end(),
     [](const std::unique_ptr<CarvedPicture>& one) { return one != nullptr; });
   this->All = std::move(now);

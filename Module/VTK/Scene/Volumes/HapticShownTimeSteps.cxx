@@ -38,8 +38,8 @@ bool HasShapeOf(vtkImageData* image, vtkImageData* other)
 }
 
 /**
- * Returns whether an array seems to be a component of another array. Only some samples are
- * compared, which excludes, for example, a mask of the same shape.
+ * Returns whether an array seems to be a component of another one. Compares only some samples,
+ * which is enough to exclude, for example, a mask of the same shape.
  */
 bool IsComponentOf(vtkDataArray* array, vtkDataArray* timeSteps)
 {
@@ -116,7 +116,7 @@ void HapticShownTimeSteps::Collect(vtkRenderer* renderer, vtkHapticDevice* devic
       now.push_back({ volume, mapper, input, nullptr, nullptr });
     }
   }
-  // Volumes that have left the scene, or that show other data, are forgotten.
+  // Drop volumes that have left the scene or that show other data.
   this->Restore();
   this->All = std::move(now);
 }

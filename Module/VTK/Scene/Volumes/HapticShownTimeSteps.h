@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Makes the volumes of a scene show a moving volume in its felt state.
+ * Makes the volumes of a scene show the felt time step of a moving volume.
  *
  * The source of the image reads time steps in advance, so its output is not the felt time step.
  * Volumes that show the felt image get another image instead: the time step nearest to the servo's
@@ -26,26 +26,26 @@ class vtkRenderer;
 namespace VolumeHaptics
 {
 
-/** Returns whether a shown image is a given image, or has its scalars. */
+/** Returns whether a shown image is a given image or has the same scalars. */
 bool HasSamplesOf(vtkImageData* shown, vtkImageData* image);
 
 class HapticShownTimeSteps
 {
 public:
   /**
-   * Collects the volumes that show the image of a device's filter; call this before time steps are
-   * read. The data of such a volume are the image, an image with the same scalars, or if the
+   * Finds the volumes that show the image of a device's filter. Call this before time steps are
+   * read. A volume counts if its data are the image, an image with the same scalars, or, if the
    * image's components are time steps, an image of the same shape with one of these components.
    */
   void Collect(vtkRenderer* renderer, vtkHapticDevice* device);
   /**
-   * Makes these volumes show the time step at the device's time. Returns whether the time step
+   * Makes these volumes show the time step at the device's time. Returns whether the time step has
    * changed.
    */
   bool Show(vtkHapticDevice* device);
   /** Makes these volumes show their own images again. */
   void Restore();
-  /** Returns whether an image is one of the time steps shown here. */
+  /** Returns whether an image is a time step shown here. */
   bool IsPicture(vtkImageData* image) const;
 
 private:
@@ -53,10 +53,10 @@ private:
   {
     vtkWeakPointer<vtkVolume> Volume;
     vtkWeakPointer<vtkVolumeMapper> Mapper;
-    vtkWeakPointer<vtkImageData> Image; ///< the application's image
-    /** the shown time step; null until one is shown */
+    vtkWeakPointer<vtkImageData> Image; ///< image of the application
+    /** Time step that is shown; null until then. */
     vtkSmartPointer<vtkImageData> Picture;
-    /** producer of the mapper's input; kept alive here, because a connection does not keep it */
+    /** Producer of the mapper's input, owned here because a connection does not own it. */
     vtkSmartPointer<vtkAlgorithm> Before;
     int Port = 0;
   };

@@ -37,7 +37,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A difference, as a bit and as a text with its cure. */
+/** A difference between picture and touch: its bit, and a text with the cure. */
 struct Difference
 {
   unsigned int Bit;
@@ -109,7 +109,8 @@ const Difference Differences[] = {
 };
 
 /**
- * Returns whether corners of an image have different positions in the scene and in the felt image.
+ * Returns whether any corner of an image has different positions in the scene and in the felt
+ * image.
  */
 bool IsPlacedElsewhere(vtkMatrix4x4* matrix, vtkImageData* shown, vtkImageData* felt)
 {
@@ -137,7 +138,7 @@ bool IsPlacedElsewhere(vtkMatrix4x4* matrix, vtkImageData* shown, vtkImageData* 
   return false;
 }
 
-/** Returns whether a mapper's cropping regions leave out a part of an image. */
+/** Returns whether a mapper's cropping regions hide a part of an image. */
 bool IsCropped(vtkVolumeMapper* mapper, vtkImageData* image)
 {
   constexpr int everything = 0x7ffffff;
@@ -145,7 +146,7 @@ bool IsCropped(vtkVolumeMapper* mapper, vtkImageData* image)
   {
     return false;
   }
-  // The planes are in the image's own coordinates. The middle region is bit 13.
+  // The planes are in the image's own coordinates; bit 13 is the middle region.
   double planes[6];
   double bounds[6];
   mapper->GetCroppingRegionPlanes(planes);
@@ -159,7 +160,7 @@ bool IsCropped(vtkVolumeMapper* mapper, vtkImageData* image)
   return !isInMiddle;
 }
 
-/** Returns whether a mapper's planes cut off a part of a volume's box. */
+/** Returns whether a mapper's clipping planes cut a part off a volume's bounds. */
 bool IsClipped(vtkAbstractVolumeMapper* mapper, vtkVolume* volume)
 {
   vtkPlaneCollection* const planes = mapper->GetClippingPlanes();
@@ -178,7 +179,7 @@ bool IsClipped(vtkAbstractVolumeMapper* mapper, vtkVolume* volume)
   return false;
 }
 
-/** Returns whether a filter leaves out the same regions as a mapper. */
+/** Returns whether a filter's cropping cuts away the same regions as a mapper's. */
 bool FeelsCropping(
   vtkVolumeHapticsFilter* filter, vtkVolumeMapper* mapper, vtkImageData* shown, vtkImageData* felt)
 {
@@ -195,7 +196,7 @@ bool FeelsCropping(
     planes, planes + 6, own, [most](double a, double b) { return std::abs(a - b) <= most; });
 }
 
-/** Returns whether a filter has all of a mapper's clipping planes. */
+/** Returns whether a filter has all clipping planes of a mapper. */
 bool FeelsClipping(vtkVolumeHapticsFilter* filter, vtkAbstractVolumeMapper* mapper)
 {
   vtkPlaneCollection* const own = filter->GetClippingPlanes();
@@ -210,7 +211,7 @@ bool FeelsClipping(vtkVolumeHapticsFilter* filter, vtkAbstractVolumeMapper* mapp
   return own != nullptr;
 }
 
-/** Returns whether a filter has a mapper's mask as a label image. */
+/** Returns whether a filter uses a mapper's mask as its label image. */
 bool FeelsMask(vtkVolumeHapticsFilter* filter, vtkAbstractVolumeMapper* mapper)
 {
   vtkImageData* const mask = GetBinaryMask(mapper);
@@ -243,7 +244,7 @@ bool AreSeveralDrawn(
     !(smart && smart->GetVectorMode() == vtkSmartVolumeMapper::COMPONENT);
 }
 
-/** Returns whether a filter touches one of the isosurfaces that a mapper draws. */
+/** Returns whether a filter touches any of the isosurfaces that a mapper draws. */
 bool FeelsIso(vtkVolumeHapticsFilter* filter, vtkVolumeProperty* property)
 {
   vtkContourValues* const values = property->GetIsoSurfaceValues();
@@ -255,11 +256,11 @@ bool FeelsIso(vtkVolumeHapticsFilter* filter, vtkVolumeProperty* property)
   return isDrawn && TouchesIsosurface(filter);
 }
 
-/** Returns whether most of a face of an image is opaque, judged from some samples. */
+/** Returns whether most samples on a face of an image are opaque, judged by a subset. */
 bool IsOpaque(vtkDataArray* array, int component, const int dimensions[3], int face,
   vtkPiecewiseFunction* opacity)
 {
-  constexpr int looks = 24; // number of samples along an axis
+  constexpr int looks = 24; // samples along an axis
   constexpr double opaque = 0.5;
   const int axis = face / 2;
   const int others[2] = { (axis + 1) % 3, (axis + 2) % 3 };

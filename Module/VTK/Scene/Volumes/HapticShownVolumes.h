@@ -27,8 +27,8 @@ class HapticShownTimeSteps;
 struct DrawnVolume;
 
 /**
- * Warns of volumes that are shown differently from how they are felt. Warns of each difference once
- * while it lasts.
+ * Warns of volumes that are shown differently from how they are felt, once per difference while it
+ * lasts.
  */
 class HapticShownVolumes
 {
@@ -36,9 +36,8 @@ public:
   /**
    * Returns a warning for each visible volume of a renderer that shows the image, or an image with
    * the same scalars, differently from how the filter feels it. A warning names the differences
-   * that are new since the last call, and their cures. Some volumes also count as showing the
-   * image: time steps of a moving volume, copies of what a tool has left of it, and the followed
-   * volume.
+   * that are new since the last call, with their cures. Time steps of a moving volume, copies with
+   * the remaining tissue, and the followed volume also count as showing the image.
    */
   std::vector<std::string> Check(vtkRenderer* renderer, vtkImageData* image,
     vtkVolumeHapticsFilter* filter, const HapticShownTimeSteps& pictures,
@@ -55,7 +54,7 @@ private:
     const CarvedPictures& carved, vtkVolume* followed);
   /**
    * Returns whether the drawn data have blanked cells, or, if points are drawn, blanked points or
-   * cells. With `byAnyFlag`, those with any other flag count, too.
+   * cells. With `byAnyFlag`, any other ghost flag counts, too.
    */
   bool HasBlanks(vtkImageData* image, bool areCells, bool byAnyFlag);
   /** Returns whether the followed volume is opaque up to all faces of its image. */
@@ -68,14 +67,14 @@ private:
     vtkMTimeType Time = 0;
     int Flags = 0;
   };
-  /** All flags of points and of cells; stored, because finding out takes a pass over the image. */
+  /** Flags of points and of cells, cached because collecting them takes a pass over the image. */
   Blanks Last[2];
   struct Filled
   {
     vtkMTimeType Time = 0;
     bool IsTrue = false;
   };
-  Filled LastFilled; ///< whether the followed volume is opaque up to all faces
+  Filled LastFilled; ///< whether the followed volume is opaque on all faces
 };
 
 } // namespace VolumeHaptics

@@ -46,8 +46,8 @@ namespace
 {
 
 /**
- * The parts behind and before the box, as flags of vtkVolumeMapper::SetCroppingRegionFlags. The
- * flag of the box itself is never set.
+ * The parts behind and in front of the box, as flags of vtkVolumeMapper::SetCroppingRegionFlags.
+ * The box itself is never included.
  */
 struct RegionParts
 {
@@ -56,8 +56,8 @@ struct RegionParts
 };
 
 /**
- * Computes which parts are behind or before a box (lower and upper bounds along x, y and z). `eye`
- * is the eye's position, or the direction to an eye that is infinitely far away.
+ * Computes which parts are behind or in front of a box (lower and upper bounds along x, y and z).
+ * `eye` is the position of the eye, or the direction to an infinitely distant eye.
  */
 RegionParts SplitAroundBox(const double box[6], const double eye[3], bool isDirection)
 {
@@ -69,7 +69,7 @@ RegionParts SplitAroundBox(const double box[6], const double eye[3], bool isDire
     bool isBox = true;
     for (int a = 0; a < 3; ++a)
     {
-      // The part is behind the box if the eye is on the box's side of the plane between them.
+      // A part is behind the box if the eye is on the box's side of the plane between them.
       const double above = side[a] > 0 ? (isDirection ? eye[a] : eye[a] - box[2 * a + 1])
                                        : (isDirection ? -eye[a] : box[2 * a] - eye[a]);
       isBehind = isBehind || (side[a] != 0 && above <= 0.0);
@@ -84,18 +84,18 @@ RegionParts SplitAroundBox(const double box[6], const double eye[3], bool isDire
 }
 
 /**
- * Copies the samples of a region for display, on a thread of its own. Only the owner's thread may
- * call its functions.
+ * Copies the samples of a region for display on a worker thread. Call its functions on the owner's
+ * thread.
  */
 class FineBox
 {
 public:
   /**
-   * Starts copying an image if it is new; null stands for no image. If the image has more than
+   * Starts to copy an image if it is new; null stands for no image. If the image has more than
    * `mostVoxels`, copies only every n-th sample along each axis.
    */
   void Update(vtkImageData* image, vtkIdType mostVoxels);
-  /** Returns the last finished copy, placed like the image; null if there is none. */
+  /** Returns the last completed copy, placed like the image; null if there is none. */
   vtkImageData* GetCopy() const { return this->Copy; }
 
 private:
@@ -112,15 +112,15 @@ private:
 
   void ApplyCopy(const std::vector<char>& bytes);
 
-  vtkSmartPointer<vtkDataArray> Source; ///< the array that is being copied, or was copied last
-  vtkSmartPointer<vtkImageData> Next;   ///< geometry of the unfinished copy
+  vtkSmartPointer<vtkDataArray> Source; ///< array being copied, or copied last
+  vtkSmartPointer<vtkImageData> Next;   ///< geometry of the copy in progress
   vtkSmartPointer<vtkImageData> Copy;
-  Key Of;    ///< key of the unfinished copy, or of the last copy
-  Key Shown; ///< key of Copy
+  Key Of;    ///< key of the copy in progress, or of the last copy
+  Key Shown; ///< key of the shown copy
   KeyedWork<Key, Bytes> Work;
 };
 
-/** A box of every n-th sample of an extent along each axis. */
+/** Every n-th sample of an extent along each axis. */
 struct SparseBox
 {
   SparseBox(const int extent[6], vtkIdType mostVoxels)
@@ -198,7 +198,7 @@ void FineBox::Update(vtkImageData* image, vtkIdType mostVoxels)
       image->GetExtent()[0], image->GetExtent()[2], image->GetExtent()[4], origin);
     this->Next->SetOrigin(origin);
     this->Next->SetDirectionMatrix(image->GetDirectionMatrix());
-    // The samples of a region never change. The array is kept until the next region comes, so that
+    // The samples of a region never change. Keep the array until the next region arrives, so that
     // no other array gets its address, which is the key.
     const char* const samples = static_cast<const char*>(scalars->GetVoidPointer(0));
     const auto size = static_cast<std::size_t>(scalars->GetDataTypeSize());
@@ -211,7 +211,7 @@ void FineBox::Update(vtkImageData* image, vtkIdType mostVoxels)
   {
     this->ApplyCopy(**made);
     this->Shown = key;
-    this->Work.Forget(); // releases the memory of the work's result
+    this->Work.Forget(); // releases the memory of the result
   }
 }
 
@@ -223,7 +223,8 @@ void FineBox::ApplyCopy(const std::vector<char>& bytes)
 }
 
 /**
- * Draws the parts of the coarse volume in front of the box, with the mapper of the parts behind it.
+ * Draws the parts of the coarse volume in front of the box, with the same mapper as the parts
+ * behind it.
  */
 class FrontParts : public vtkVolume
 {
@@ -257,8 +258,8 @@ private:
 vtkStandardNewMacro(FrontParts);
 
 /**
- * Returns in `toWorld` the matrix from an axis-aligned block of an image's voxels, which all
- * mappers draw alike, to the image's position.
+ * Computes the matrix `toWorld` that places an axis-aligned block of an image's voxels, which all
+ * mappers draw alike, at the image's position.
  */
 void PlaceBlock(vtkImageData* image, vtkMatrix4x4* toWorld)
 {
@@ -274,8 +275,8 @@ void PlaceBlock(vtkImageData* image, vtkMatrix4x4* toWorld)
 }
 
 /**
- * Computes the box of a block in other coordinates. Returns false if it would not be parallel to
- * their axes.
+ * Computes the box of a block in other coordinates. Returns false if it is not parallel to their
+ * axes.
  */
 bool TransformBox(const double size[3], vtkMatrix4x4* matrix, double box[6])
 {
@@ -308,8 +309,8 @@ bool TransformBox(const double size[3], vtkMatrix4x4* matrix, double box[6])
 }
 
 /**
- * Copies the quality of a mapper to another mapper. Sample distances are scaled to the size of the
- * other mapper's voxels.
+ * Copies the quality settings of a mapper to another one, with sample distances scaled to its
+ * voxels.
  */
 void CopyQuality(vtkVolumeMapper* from, vtkVolumeMapper* to, double scale)
 {
@@ -363,9 +364,8 @@ public:
   }
 
   /**
-   * Shows the remaining tissue in the coarse image. Does nothing after changes within the box,
-   * where only the fine image is visible, because each change copies and uploads the whole coarse
-   * image.
+   * Shows the remaining tissue in the coarse image. Ignores changes inside the box, where only the
+   * fine image is visible, because each change copies and uploads the whole coarse image.
    */
   void UpdateCoarse(vtkImageData* copy, const RemovedTissue& removed)
   {
@@ -393,7 +393,7 @@ public:
     this->CoarseBox = copy;
     const bool hasChanged = this->HasChangesOutside(copy, removed.Volume);
     RemovedTissue made = removed;
-    // leave out this number, because HasChangesOutside() has counted the changes
+    // Ignore the number of changes, which HasChangesOutside() has already checked.
     made.Changes = this->CoarseMade.Changes;
     const vtkMTimeType time = std::max(own->GetMTime(), this->Volume->GetMatrix()->GetMTime());
     const bool isElse = this->CoarseTime != time || !made.IsSame(this->CoarseMade);
@@ -403,7 +403,7 @@ public:
     }
     if (isElse)
     {
-      this->LeftCoarse = {}; // the image from which it was copied no longer exists
+      this->LeftCoarse = {}; // the image that it was copied from no longer exists
     }
     this->CoarseTime = time;
     this->CoarseMade = removed;
@@ -427,11 +427,11 @@ public:
     this->Carved = nullptr;
   }
 
-  /** Returns whether bricks have changed outside the finely shown box. */
+  /** Returns whether any brick has changed outside the finely shown box. */
   bool HasChangesOutside(vtkImageData* copy, vtkImageData* volume)
   {
-    // The box of the fine copy in indices of the volume, made smaller by a brick on each side. The
-    // box is empty if there is no copy.
+    // Box of the fine copy in indices of the volume, reduced by a brick on each side; empty without
+    // a copy.
     double inside[6] = { 0.0, -1.0, 0.0, -1.0, 0.0, -1.0 };
     if (copy)
     {
@@ -478,8 +478,8 @@ public:
   }
 
   /**
-   * Draws the box between the coarse parts behind it and before it. Returns false if that is not
-   * possible.
+   * Draws the box between the coarse parts behind it and in front of it. Returns false if that is
+   * not possible.
    */
   bool Refine(vtkImageData* copy)
   {
@@ -579,11 +579,11 @@ public:
   CarvedImage LeftCoarse;
   ReplacedInput CoarseInput;
   ///@{
-  /** The state from which LeftCoarse was made. The next five members belong to it. */
+  /** State from which LeftCoarse was made. */
   std::shared_ptr<TissueRemoval> Carved;
   std::unique_ptr<FollowedBricks> Bricks;
   vtkSmartPointer<vtkImageData> CoarseBox;
-  RemovedTissue CoarseMade; ///< the removed tissue that the coarse image shows
+  RemovedTissue CoarseMade; ///< removed tissue that the coarse image shows
   vtkMTimeType CoarseTime = 0;
   ///@}
   bool HasCropped = false;

@@ -5,10 +5,10 @@
  * Shows a large volume coarsely, and finely where its samples are in memory.
  *
  * A vtkVolume shows the coarse image of a vtkHapticRegionSource. The box of the resident region is
- * cut out of it, and the felt samples are shown there. The box follows the hand, before each
- * picture. A thread copies the samples of the box, so that neither servo nor GUI thread waits; at
- * most two copies exist, the shown and the next one. Only the coarse image is shown where it
- * replaces late samples, and if the axes of the two images are not parallel.
+ * cut out of it, and the felt samples are shown there. Before each frame, the box follows the hand.
+ * A worker copies the samples of the box, so that neither the servo nor the GUI thread waits; at
+ * most two copies exist, the shown one and the next one. The coarse image alone is shown while it
+ * stands in for late samples, and if the axes of the two images are not parallel.
  *
  * The planes of the box divide the coarse volume around it into 26 parts. The parts behind the box
  * are drawn first, then the box, then the parts in front of it, so that the picture looks like one
@@ -38,37 +38,37 @@ public:
   RegionPicture(const RegionPicture&) = delete;
   RegionPicture& operator=(const RegionPicture&) = delete;
 
-  /** Sets the source of the felt samples; null for none. */
+  /** Sets the source of the felt samples; null: none. */
   void SetSource(vtkHapticRegionSource* source);
   /**
    * Sets the filter that feels the source. Tissue that its tools have removed (vtkHapticBurr) is
-   * then shown neither finely nor coarsely: the volume's mapper gets a copy of its image in which
-   * each coarse voxel has the mean of what is left. The mapper gets its image back when the volume
-   * is released. Null: all tissue is shown.
+   * then hidden, both at full and at coarse resolution: the volume's mapper gets a copy of its
+   * image in which each coarse voxel has the mean of the remaining tissue. The mapper gets its own
+   * image back when the volume is released. Null: all tissue is shown.
    */
   void SetVolumeHaptics(vtkVolumeHapticsFilter* filter);
   ///@{
   /**
-   * The volume that shows the coarse image. The image of its mapper has no direction of its own;
-   * the volume's matrix may turn it. This class sets the mapper's cropping.
+   * Sets the volume that shows the coarse image, and its mapper's cropping. The mapper's image must
+   * not have a direction matrix; use the volume's matrix to rotate it.
    */
   void SetVolume(vtkVolume* volume);
   vtkVolume* GetVolume() const;
   ///@}
-  /** Sets the renderer that shows the box, which is not kept alive; null removes the box. */
+  /** Sets the renderer that shows the box, without a reference; null removes the box. */
   void SetRenderer(vtkRenderer* renderer);
   /**
-   * Sets the most voxels of the box, 262144 at first. A larger box shows every second voxel along
-   * each axis, or every third one, and so on, because mappers compute all gradients within one
-   * picture.
+   * Sets the largest number of voxels in the box; 262144 by default. A larger box shows every
+   * second voxel along each axis, or every third, and so on, because mappers compute all gradients
+   * within one frame.
    */
   void SetMaximumVoxels(vtkIdType voxels) { this->MaximumVoxels = voxels; }
 
-  /** Follows source and camera. The renderer calls this before each picture. */
+  /** Updates the picture to source and camera. The renderer calls this before each frame. */
   void Update();
-  /** Returns whether a box is shown finely. */
+  /** Returns whether a box is shown at full resolution. */
   bool IsRefined() const;
-  /** Returns the volume of the box, which has the property of the coarse volume. */
+  /** Returns the volume that shows the box, with the property of the coarse volume. */
   vtkVolume* GetFineVolume() const;
 
 private:

@@ -51,7 +51,7 @@ enum Kind
 
 constexpr unsigned char Hidden = vtkDataSetAttributes::HIDDENPOINT;
 
-/** Tells whether values have opacity, from a table over their range. */
+/** Looks up whether values have opacity, in a table over their range. */
 class OpacityTable
 {
 public:
@@ -86,8 +86,8 @@ void HideBinary(const T* mask, vtkUnsignedCharArray* flags)
 }
 
 /**
- * Hides the voxels without opacity. A voxel's opacity at its value is that of its label's own
- * function, or of the common function if the label has none.
+ * Hides the voxels without opacity. The opacity of a voxel's value is that of its label's function,
+ * or of the common function if its label has none.
  */
 void HideByLabels(const DrawnImage& drawn, vtkDataArray* labels, vtkUnsignedCharArray* flags)
 {
@@ -114,7 +114,7 @@ void HideByLabels(const DrawnImage& drawn, vtkDataArray* labels, vtkUnsignedChar
   }
 }
 
-/** Hides the voxels below the lowest isosurface, which are outside all of them. */
+/** Hides the voxels below the lowest isosurface, which are outside all isosurfaces. */
 void HideBelow(const DrawnImage& drawn, vtkUnsignedCharArray* flags)
 {
   vtkContourValues* const values = drawn.Property->GetIsoSurfaceValues();
@@ -160,7 +160,7 @@ void Connect(vtkVolumeHapticsFilter* filter, vtkAlgorithmOutput* input)
   }
 }
 
-/** Returns whether a filter already asks for this array of data that are no image. */
+/** Returns whether a filter already selects this array of data other than an image. */
 bool IsNamed(vtkVolumeHapticsFilter* filter, vtkDataArray* array, bool areCells)
 {
   vtkInformation* const asked = filter->GetInputArrayInformation(0);
@@ -433,7 +433,7 @@ bool PlaceImage(vtkMatrix4x4* matrix, vtkImageData* image, vtkImageData* placed)
   {
     const int next = (axis + 1) % 3;
     const double together = std::abs(Dot(columns[axis], columns[next]));
-    // The condition also catches NaN.
+    // The negated comparison also refuses NaN.
     if (!(together <= rounding * spacing[axis] * spacing[next]) || !(spacing[axis] > 0.0))
     {
       return false;
@@ -570,7 +570,7 @@ void TouchedVolume::CopyImage(
     this->Placed->Initialize();
     this->Placed->SetExtent(extent);
     points->ShallowCopy(shown->GetCellData());
-    points->RemoveArray(name); // these flags belong to points, not to cells
+    points->RemoveArray(name); // these flags belong to points instead of cells
   }
   else
   {
@@ -604,7 +604,7 @@ void TouchedVolume::Place(
   vtkUnsignedCharArray* const cells = isFirst ? this->Voxels.GetCells(drawn) : nullptr;
   vtkNew<vtkImageData> place;
   place->SetExtent(shown->GetExtent());
-  // Leave a sheared image where it is: the interactor style warns of it.
+  // Leave a sheared image in place: the interactor style warns about it.
   if (!PlaceImage(this->Drawn.Matrix, shown, place))
   {
     place->CopyStructure(shown);
@@ -616,7 +616,7 @@ void TouchedVolume::Place(
   }
   if (areCells)
   {
-    // Move the points to the centres of cells, because a mapper shows the value of a cell there.
+    // Move the points to the centres of the cells, where a mapper shows the value of a cell.
     const int* const first = shown->GetExtent();
     double centre[3];
     place->TransformContinuousIndexToPhysicalPoint(0.5, 0.5, 0.5, centre);

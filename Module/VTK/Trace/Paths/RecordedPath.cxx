@@ -25,12 +25,12 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Limits of the periods (s) that vtkHapticDevice::SetServoRate allows, with a margin. */
+/** Range of the periods (s) that vtkHapticDevice::SetServoRate allows, with a margin. */
 constexpr double ShortestPeriod = 1e-6;
 constexpr double LongestPeriod = 1.0;
 /**
- * The farthest tip (m) that a device could report. A tip farther away could be infinitely far in
- * the world.
+ * Distance (m) of the farthest accepted tip. A tip farther away could overflow to infinity in the
+ * world.
  */
 constexpr double FarthestRecordedTip = 1e15;
 
@@ -156,7 +156,7 @@ void RecordedPathReader::ReadTicks()
   vtkDataArray* const placement = this->FindOfTicks(RecordingNames::Placement, 1);
   vtkDataArray* const times = this->FindOfTicks("Time", 1);
   const auto isFlag = [](double flag) { return flag == 0.0 || flag == 1.0; };
-  // This array may be missing in older recordings, and in recordings that a user has made smaller.
+  // This array may be missing in older recordings, and in recordings that a user has reduced.
   vtkDataArray* const dataTimes = this->Path->GetPointData()->GetArray(DataTimeColumn)
     ? this->FindOfTicks(DataTimeColumn, 1)
     : nullptr;
@@ -191,15 +191,14 @@ void RecordedPathReader::ReadTicks()
   }
   if (!isMoving)
   {
-    // All data times are 0, so the volume showed its first time step or did not move at all.
+    // If all data times are 0, the volume showed its first time step or did not move.
     this->Result.DataTimes.clear();
   }
 }
 
 void RecordedPathReader::ReadOrientations()
 {
-  // These arrays may be missing in older recordings, and in recordings that a user has made
-  // smaller.
+  // These arrays may be missing in older recordings, and in recordings that a user has reduced.
   if (!this->Path->GetPointData()->GetArray(RecordingNames::DeviceOrientation))
   {
     return;
@@ -236,8 +235,7 @@ void RecordedPathReader::ReadRemoval()
     this->Result.AirValue = air ? air->GetComponent(0, 0) : this->Result.AirValue;
     this->Require(std::isfinite(this->Result.AirValue), RecordingNames::AirValue, 0, "finite");
   }
-  // These arrays may be missing in older recordings, and in recordings that a user has made
-  // smaller.
+  // These arrays may be missing in older recordings, and in recordings that a user has reduced.
   vtkPointData* const data = this->Path->GetPointData();
   const auto find = [&](const char* name)
   { return data->GetArray(name) ? this->FindOfTicks(name, 1) : nullptr; };
@@ -261,8 +259,7 @@ void RecordedPathReader::ReadRemoval()
 
 void RecordedPathReader::ReadContacts()
 {
-  // The array is missing unless a tool with a shape touched something at the beginning of the
-  // recording.
+  // Present only if a tool with a shape touched something at the beginning of the recording.
   if (!this->Path->GetFieldData()->GetArray(RecordingNames::InitialContacts))
   {
     return;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A recording in the form in which the offline filter replays it, tick by tick.
+ * Reads a recording for the offline filter, which replays it tick by tick.
  */
 #ifndef RecordedPath_h
 #define RecordedPath_h
@@ -25,40 +25,40 @@ namespace VolumeHaptics
 
 struct RecordedPath
 {
-  std::vector<Vector3> Tips; ///< tips in device space
-  std::vector<double> Times; ///< time of every tick (s)
+  std::vector<Vector3> Tips; ///< tip of each tick in device space (m)
+  std::vector<double> Times; ///< time of each tick (s)
   std::vector<Affine3> Placements;
-  std::vector<int> PlacementOf;  ///< number of the placement, for each tick
+  std::vector<int> PlacementOf;  ///< index of the placement for each tick
   std::vector<bool> Enabled;     ///< whether the tick enabled the servo
   std::vector<bool> Renewed;     ///< whether a new local surface arrived in the tick
   std::vector<double> DataTimes; ///< data time of each tick; empty if the volume did not move
-  /// orientation of the stylus in each tick, in device space; NoOrientation for a tick without one;
-  /// empty if no tick has one
+  /// Orientation of the stylus in each tick, in device space, or NoOrientation; empty if no tick
+  /// has one.
   std::vector<Quaternion> Orientations;
-  std::vector<bool> Spinning; ///< whether a burr spun, for each tick; empty if none ever spun
-  /** request of each tick about removed tissue; empty if there was none */
+  std::vector<bool> Spinning; ///< for each tick, whether a burr was spinning; empty if none was
+  /** Request about removed tissue in each tick; empty if there were none. */
   std::vector<RemovalRequest> Requests;
   ServoState InitialState;
   ///@{
   /**
-   * The tissue that was removed at the beginning, and the value of a sample without tissue; NaN if
-   * none could be removed. Both belong to InitialState.
+   * The tissue that was already removed at the beginning, and the value of a sample without tissue
+   * (NaN if none could be removed). Both complete InitialState.
    */
   std::vector<BrickTissue> InitialTissue;
   double AirValue = std::numeric_limits<double>::quiet_NaN();
   ///@}
   ///@{
-  /** Contacts of a tool with a shape at the beginning. They belong to InitialState. */
+  /** Contacts of a tool with a shape at the beginning. They complete InitialState. */
   std::vector<ShellContact> InitialContacts;
   double ContactFraction = 1.0; ///< fraction of the contacts' energies that counts
   ///@}
   double TickPeriod = 0.0;     ///< period of the recorded servo (s)
-  std::vector<ForceCaps> Caps; ///< caps of the recorded device, for each placement
+  std::vector<ForceCaps> Caps; ///< force caps of the recorded device, for each placement
 };
 
 /**
  * Reads the tip path of a recording. The recording may have been changed since it was written, so
- * every number is checked: the servo's tick gets only numbers that it could have computed itself.
+ * every number is checked: the servo's tick only gets numbers that a tick could have computed.
  */
 class RecordedPathReader
 {
@@ -66,15 +66,14 @@ public:
   RecordedPathReader(vtkPolyData* path, RecordedPath& result);
 
   /**
-   * Reads the recording. Returns the first fault as the end of a sentence, or an empty text if
-   * there is none.
+   * Reads the recording. Returns the first fault, as the end of a sentence; empty if there is none.
    */
   std::string Read();
 
 private:
   /**
-   * Return an array of this shape. If it is missing or has another shape, record that and return
-   * null.
+   * Return an array with the required shape. If it is missing or has another shape, record this as
+   * a fault and return null.
    */
   vtkDataArray* Find(
     vtkFieldData* data, const char* kind, const char* name, int components, vtkIdType tuples);

@@ -32,7 +32,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Joins the ends of cells to junctions: ends at the same position are one junction. */
+/**
+ * Groups the ends of cells into junctions: ends at the same position belong to the same junction.
+ */
 class Junctions
 {
 public:
@@ -55,7 +57,7 @@ private:
   std::vector<std::size_t> Root;
 };
 
-/** Computes the tolerance within which the coordinates of two points count as equal. */
+/** Computes the tolerance for considering the coordinates of two points equal. */
 double ComputeRounding(vtkPolyData* path)
 {
   double bounds[6];
@@ -65,7 +67,7 @@ double ComputeRounding(vtkPolyData* path)
     std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
 }
 
-/** Calls take(size, ids) with each line cell: the number of its points, and their ids. */
+/** Calls take(size, ids) for each line cell, with the number and the ids of its points. */
 template <typename F>
 void ForEachLine(vtkPolyData* path, F&& take)
 {
@@ -79,7 +81,7 @@ void ForEachLine(vtkPolyData* path, F&& take)
   }
 }
 
-/** Calls a function with both ends of each edge of the line cells. */
+/** Calls take(a, b) for each edge of the line cells, with the ids of its ends. */
 template <typename F>
 void ForEachEdge(vtkPolyData* path, F&& take)
 {
@@ -108,7 +110,8 @@ bool AreNear(vtkPolyData* path, vtkIdType a, vtkIdType b, double near)
 }
 
 /**
- * Returns whether the only line cell goes through all points in the order in which they are stored.
+ * Returns whether the only line cell passes through all points in the order in which they are
+ * stored.
  */
 bool IsInOrder(vtkPolyData* path)
 {
@@ -126,8 +129,8 @@ bool IsInOrder(vtkPolyData* path)
 }
 
 /**
- * The ticks of a day at 1 kHz. More ticks would come from a wrong unit of time, and would not fit
- * into memory.
+ * Largest number of ticks: a day at 1 kHz. More ticks would come from a wrong unit of time, and
+ * would not fit into memory.
  */
 constexpr double MostTicks = 1e8;
 
@@ -135,7 +138,7 @@ constexpr double MostTicks = 1e8;
 bool AreFinite(const double* numbers, vtkIdType count)
 {
   constexpr int lanes = 8;
-  double sums[lanes] = {}; // sums of 0 times a number: NaN if a number is not finite, otherwise 0
+  double sums[lanes] = {}; // sums of 0 * number: NaN if any number is not finite, otherwise 0
   vtkIdType i = 0;
   for (; i + lanes <= count; i += lanes)
   {
@@ -164,7 +167,8 @@ void DividedPoints::Append(const vtkIdType* ids, vtkIdType count)
     }
     if (same == count)
     {
-      this->Count += count; // most polydata number their points in order, so no list is needed
+      this->Count += count; // no list of points is needed while they are in order, as in most
+                            // polydata
       return;
     }
     this->Points.resize(static_cast<std::size_t>(this->Count));
@@ -220,7 +224,7 @@ bool TipPathLines::Divide(DividedPoints& divided, std::string& error) const
       {
         divided.Begins.push_back(divided.Count);
       }
-      // A point that two consecutive segments share is only one tick.
+      // Two consecutive segments share a point, which is only one tick.
       const vtkIdType known = goesOn && divided.GetLast() == ids[0] ? 1 : 0;
       divided.Append(ids + known, size - known);
       isAfterSegment = isSegment;
@@ -236,7 +240,8 @@ std::pair<long long, long long> TipPathLines::FindLeap() const
   {
     return { -1, -1 };
   }
-  // Number the points of cells from 1, in the order in which they are stored; 0 marks other points.
+  // Number the points of cells from 1 in the order in which they are stored; 0 marks all other
+  // points.
   std::vector<vtkIdType> number(static_cast<std::size_t>(path->GetNumberOfPoints()), 0);
   ForEachEdge(path, [&number](vtkIdType a, vtkIdType b) { number[a] = number[b] = 1; });
   vtkIdType count = 0;
@@ -244,7 +249,7 @@ std::pair<long long, long long> TipPathLines::FindLeap() const
   {
     one = one != 0 ? ++count : 0;
   }
-  // whether a cell joins the point to the next point
+  // Whether a cell joins the point to the next point.
   std::vector<bool> isJoined(static_cast<std::size_t>(count) + 1, false);
   ForEachEdge(path,
     [&](vtkIdType a, vtkIdType b)
@@ -277,7 +282,7 @@ std::pair<long long, long long> TipPathLines::FindLeap() const
 std::size_t TipPathLines::CountStrokes() const
 {
   vtkPolyData* const path = this->Path;
-  // Line i begins at ends[2 i] and ends at ends[2 i + 1].
+  // Line i starts at ends[2 i] and ends at ends[2 i + 1].
   std::vector<std::array<double, 3>> ends;
   ForEachLine(path,
     [&](vtkIdType size, const vtkIdType* points)
@@ -295,8 +300,7 @@ std::size_t TipPathLines::CountStrokes() const
     return ends.size() / 2;
   }
 
-  // Ends meet if their positions are equal. If a cell continues the one before it, rounding may
-  // separate their ends, so allow for it.
+  // Ends with equal positions meet. Between a cell and the next one, allow for rounding.
   const double near = ComputeRounding(path);
   Junctions junctions(ends.size());
   std::map<std::array<double, 3>, std::size_t> places;
@@ -312,8 +316,7 @@ std::size_t TipPathLines::CountStrokes() const
   }
 
   // By Euler's theorem, connected cells can be drawn with one stroke if at most two of their
-  // junctions have an odd number of ends. Otherwise one stroke is needed for each two of these
-  // junctions.
+  // junctions have an odd number of ends. Otherwise, every two of these junctions need one stroke.
   std::map<std::size_t, std::size_t> endsAt;
   for (std::size_t i = 0; i < ends.size(); ++i)
   {
@@ -336,7 +339,7 @@ std::size_t TipPathLines::CountStrokes() const
 
 std::string DescribeLackOfMemory(double ticks)
 {
-  // Bytes of a tick: a Vector3 of the path; and 25 numbers, 3 flags and an index of the trace
+  // Bytes per tick: a Vector3 of the path; 25 numbers, 3 flags and an index in the trace
   // (HapticTrace).
   constexpr double bytes = 24.0 + 25.0 * 8.0 + 3.0 + 8.0;
   std::ostringstream message;
@@ -588,7 +591,7 @@ bool TipPaths::CheckTimes(std::size_t path, std::string& error) const
 bool TipPaths::CountTicks(std::string& error)
 {
   const std::size_t paths = this->AreSeveral() ? this->Divided.Begins.size() - 1 : 1;
-  double longest = 0.0; // duration of the longest path (s)
+  double longest = 0.0; // duration (s) of the longest path
   double most = 0.0;
   for (std::size_t path = 0; path < paths; ++path)
   {

@@ -21,8 +21,8 @@ namespace
 {
 
 /**
- * Computes the data time. At the hand's time 0 it is the first step's time; it never leaves the
- * times from the first to the last step.
+ * Computes the data time. At the hand's time 0, it is the time of the first step. It is clamped to
+ * the range from the first to the last step.
  */
 double ComputeDataTime(const HapticModel& model, double time)
 {
@@ -34,41 +34,41 @@ double ComputeDataTime(const HapticModel& model, double time)
 }
 
 /**
- * The most ticks in a stretch. It is so large that handing a stretch to a thread takes no
- * noticeable time.
+ * Largest number of ticks in a stretch; large enough that passing a stretch to a thread takes
+ * negligible time.
  */
 constexpr vtkIdType LongestStretch = 1000;
 /**
- * The fewest ticks in a stretch. Stretches get shorter towards the end of a round, because all
- * threads wait for the last one.
+ * Smallest number of ticks in a stretch. Stretches become shorter towards the end of a round,
+ * because all threads wait for the last one.
  */
 constexpr vtkIdType ShortestStretch = 64;
 /**
- * A round on a single thread has at least 1 / WalkRounds of all ticks, unless RoundTime ends it
+ * On a single thread, a round has at least 1 / WalkRounds of all ticks, unless RoundTime ends it
  * earlier.
  */
 constexpr vtkIdType WalkRounds = 100;
 /**
- * A round on several threads has at most 1 / LeastRounds of all ticks, if the paths are long
+ * On several threads, a round has at most 1 / LeastRounds of all ticks, if the paths are long
  * enough.
  */
 constexpr vtkIdType LeastRounds = 8;
-/** The number of paths that are under way at a time, for each thread. */
+/** Number of paths that are in progress at a time, per thread. */
 constexpr std::size_t RunnersOfAThread = 16;
 /**
- * The number of ticks for each thread in a round. It is so large that beginning and ending a round
- * takes no noticeable time.
+ * Number of ticks per thread in a round; large enough that starting and ending a round takes
+ * negligible time.
  */
 constexpr vtkIdType TicksOfAThread = 65536;
 /**
- * The time (ns) after which no stretch begins in a round, so that the caller can stop slow methods,
- * too.
+ * Time (ns) in a round after which no further stretch begins, so that the caller can also stop slow
+ * methods.
  */
 constexpr std::int64_t RoundTime = 50 * ServoClock::Millisecond;
 
 /**
- * Makes a path's own copy of the removed tissue with which it begins: that of the recording, if
- * there is one, else that of the model. Returns null if there is none.
+ * Makes a path's own copy of the removed tissue at its beginning: that of the recording, if there
+ * is one, otherwise that of the model. Returns null if there is none.
  */
 std::shared_ptr<TissueRemoval> MakeOwnRemoval(
   const BakedVolume& baked, const RecordedPath* recording)
@@ -82,7 +82,7 @@ std::shared_ptr<TissueRemoval> MakeOwnRemoval(
     recording ? recording->InitialTissue : CopyBricks(baked.Removal->Bricks);
   const bool isChanged =
     (baked.Tool && baked.Tool->RemovesTissue()) || (recording && !recording->Requests.empty());
-  // If the tool removes no tissue, make no room for more removed tissue.
+  // If the tool removes no tissue, allocate no memory for more removed tissue.
   const auto bricks = static_cast<std::uint32_t>(std::max<std::size_t>(fractions.size(), 1));
   auto removal = isChanged
     ? std::make_shared<TissueRemoval>(std::max(bricks, CarvedBricks::DefaultMost))
@@ -167,7 +167,7 @@ Quaternion TipReader::ComputeOrientation() const
   {
     return NoOrientation;
   }
-  // Interpolate along the shorter arc: q and -q are the same orientation.
+  // Interpolate along the shorter arc, since q and -q are the same orientation.
   const double side = a.W * b.W + a.X * b.X + a.Y * b.Y + a.Z * b.Z < 0.0 ? -fraction : fraction;
   const double rest = 1.0 - fraction;
   const Quaternion mixed{ rest * a.W + side * b.W, rest * a.X + side * b.X, rest * a.Y + side * b.Y,
@@ -189,7 +189,7 @@ TipPathWalk::TipPathWalk(const RecordedPath& recording)
 
 void TipPathWalk::Tick(const HapticModel& model, TickRecord& record)
 {
-  // This computes what ResidentServo computes if all samples are in memory.
+  // Same computation as in ResidentServo when all samples are in memory.
   const Vector3 tip = model.WorldToDevice(this->Tips->Next());
   this->State.DataTime = ComputeDataTime(model, this->Tips->GetTime());
   this->CopyHand(model);
@@ -223,7 +223,7 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
   }
   const RecordedPath& recording = *this->Recording;
   const std::size_t i = this->Next++;
-  // Use the order of the servo: first the model, then enabling, then the tick.
+  // Keep the servo's order: first the model, then enabling, then the tick.
   const int placement = recording.PlacementOf[i];
   if (i == 0 || placement != recording.PlacementOf[i - 1])
   {
@@ -238,7 +238,8 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
       !RestoreContacts(
         *this->Tool, *moved->Baked, recording.InitialContacts, recording.ContactFraction))
     {
-      // The recorded state belongs to another tool, so begin with the tool in the hand.
+      // The recorded state belongs to another tool, so start with a new state for the tool in the
+      // hand.
       this->State.Shell = ShellState{};
     }
     model = std::move(moved);
@@ -256,7 +257,7 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
     this->SetOrientation(recording.Orientations[i]);
   }
   this->CopyRemoval(*model, i);
-  // A new surface is used from the tick in which the slow loop's result arrived.
+  // Use a new surface from the tick on in which the slow loop's result arrived.
   LocalSurface surface;
   LocalSurfaceResult result;
   if (recording.Renewed[i])
@@ -337,7 +338,7 @@ double TipPathWalk::GetTime() const
   return this->Tips ? this->Tips->GetTime() : this->Recording->Times[this->Next - 1];
 }
 
-/** A path that is being walked, and its state. */
+/** A path in progress, with its state. */
 struct TipPathsWalk::Runner
 {
   Runner(const TipPaths& paths, std::size_t path, std::shared_ptr<const HapticModel> model,
@@ -356,11 +357,11 @@ struct TipPathsWalk::Runner
   }
 
   const std::size_t Path;
-  /** the removal of this path alone; null if nothing is removed */
+  /** Removal of this path alone; null if nothing is removed. */
   const std::shared_ptr<TissueRemoval> Removal;
   const ModelFinder Finder;
   TipPathWalk Walk;
-  std::shared_ptr<const HapticModel> Model; ///< the model, placed as a recording says
+  std::shared_ptr<const HapticModel> Model; ///< the model, placed as a recording requires
   WorkMeter Work;
   bool IsTaken = false; ///< whether a thread is advancing it
 };
@@ -377,7 +378,7 @@ TipPathsWalk::TipPathsWalk(const TipPaths& paths, std::shared_ptr<const HapticMo
   this->Threads = this->Finder || count == 1
     ? 1
     : std::max<vtkIdType>(1, vtkSMPTools::GetEstimatedNumberOfThreads());
-  // A runner with a removal of its own takes several megabytes, so let only one per thread run.
+  // Let only one runner per thread run if each has its own removal, which takes several megabytes.
   const std::size_t runners = this->Model->Baked->Removal ? 1 : RunnersOfAThread;
   this->MostRunning = this->Finder ? 1 : runners * static_cast<std::size_t>(this->Threads);
   const auto running = static_cast<vtkIdType>(std::clamp<std::size_t>(count, 1, this->MostRunning));
@@ -426,8 +427,8 @@ TipPathsWalk::Runner* TipPathsWalk::Claim(vtkIdType& stretch)
     return nullptr;
   }
   this->Fill();
-  // Prefer the path with the most ticks left: otherwise it would come last, and only one thread
-  // would work.
+  // Prefer the path with the most ticks left: otherwise it would be the last one, with only one
+  // thread at work.
   Runner* longest = nullptr;
   vtkIdType left = 0;
   for (const std::unique_ptr<Runner>& runner : this->Running)
@@ -468,7 +469,7 @@ void TipPathsWalk::GiveBack(Runner* runner)
 
 void TipPathsWalk::AdvanceStretches()
 {
-  // Locking the mutex also makes the changes of a stretch visible to the next thread.
+  // Locking the mutex also makes the changes of a stretch visible to the thread that continues it.
   std::unique_lock<std::mutex> lock(this->Mutex);
   vtkIdType stretch = 0;
   while (Runner* const runner = this->Claim(stretch))
@@ -486,8 +487,8 @@ void TipPathsWalk::Advance()
   this->RoundEnd = ServoClock::Now() + RoundTime;
   if (this->Threads == 1)
   {
-    // Use this thread, because a single path needs no other, and a finder may throw exceptions that
-    // VTK's threads may not throw.
+    // Use this thread alone: a single path needs no other, and a finder may throw exceptions, which
+    // VTK's threads must not.
     this->AdvanceStretches();
     return;
   }
@@ -499,7 +500,7 @@ void TipPathsWalk::Advance()
       {
         this->AdvanceStretches();
       }
-      catch (const std::bad_alloc&) // VTK's threads may not throw, so throw it below
+      catch (const std::bad_alloc&) // VTK's threads must not throw, so it is rethrown below
       {
         const std::lock_guard<std::mutex> lock(this->Mutex);
         this->HasFailed = true;

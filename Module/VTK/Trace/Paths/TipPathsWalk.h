@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Computes the ticks along the paths of a polydata, several paths at a time.
+ * Computes the ticks along the paths of a polydata, several paths in parallel.
  */
 #ifndef TipPathsWalk_h
 #define TipPathsWalk_h
@@ -30,24 +30,19 @@
 namespace VolumeHaptics
 {
 
-/**
- * Reads one of the paths tick by tick. `paths` must outlive the reader. A path may have several
- * readers.
- */
+/** Reads a path tick by tick. `paths` must outlive the reader. A path may have several readers. */
 class TipReader
 {
 public:
   TipReader(const TipPaths& paths, std::size_t path);
 
-  /** Returns the tip at the next tick (world). Call it as often as the path has ticks. */
+  /** Returns the tip at the next tick (world). Call this at most once per tick of the path. */
   Vector3 Next()
   {
     ++this->Tick;
     return this->Paths.HaveTimes() ? this->FindPoint() : this->PointAt(this->Tick);
   }
-  /**
-   * Returns the orientation of the stylus (world) at the last tick; NoOrientation if there is none.
-   */
+  /** Returns the orientation of the stylus (world) at the last tick, or NoOrientation. */
   Quaternion GetOrientation() const
   {
     return this->Paths.HaveOrientations() ? this->ComputeOrientation() : NoOrientation;
@@ -65,11 +60,13 @@ public:
   }
 
 private:
-  /** Interpolates the position at the time of the tick. */
+  /** Interpolates the tip's position at the time of the tick. */
   Vector3 FindPoint();
-  /** Returns the tick's position between the points before and after it, from 0 to 1. */
+  /**
+   * Returns the fraction, 0 to 1, of the way from the point before the tick to the point after it.
+   */
   double ComputeFraction() const;
-  /** Interpolates the orientations before and after the tick. */
+  /** Interpolates the orientation at the time of the tick. */
   Quaternion ComputeOrientation() const;
   double TimeAt(vtkIdType i) const { return this->Paths.GetTime(this->Members.At(i)); }
   Vector3 PointAt(vtkIdType i) const { return this->Paths.GetPoint(this->Members.At(i)); }
@@ -77,13 +74,13 @@ private:
   const TipPaths& Paths;
   const TipPaths::Members Members;
   double Start = 0.0;   ///< time of the first tick (s)
-  vtkIdType Tick = -1;  ///< number of the last tick
-  vtkIdType Before = 0; ///< number of the last point that is not after the tick
+  vtkIdType Tick = -1;  ///< index of the last tick
+  vtkIdType Before = 0; ///< index of the last point that is not after the tick
 };
 
 /**
- * A function that returns the model for the next tick, given the last tick's model, the state, and
- * the tip (device).
+ * Function that returns the model for the next tick, given the model of the last tick, the state,
+ * and the tip (device).
  */
 using ModelFinder = std::function<std::shared_ptr<const HapticModel>(
   std::shared_ptr<const HapticModel>, const ServoState&, const Vector3&)>;
@@ -92,73 +89,76 @@ using ModelFinder = std::function<std::shared_ptr<const HapticModel>(
 class TipPathWalk
 {
 public:
-  /**
-   * If there is a finder, each tick uses the model that it finds. The finder must outlive the walk.
-   */
+  /** With a finder, each tick uses the model that it returns. The finder must outlive the walk. */
   explicit TipPathWalk(const TipReader& tips, const ModelFinder* finder = nullptr);
   explicit TipPathWalk(const RecordedPath& recording);
 
   /**
-   * Computes the next tick and returns the tick's model: the given model, placed as the recording
-   * says, or the model that the finder returned. Throws the finder's exceptions.
+   * Computes the next tick and returns the model that it used: the given model, placed as the
+   * recording requires, or the model from the finder. Passes on exceptions of the finder.
    */
   std::shared_ptr<const HapticModel> Tick(std::shared_ptr<const HapticModel> model);
-  /** Returns whether all ticks use one model of a whole volume, and read their tips from a path. */
+  /**
+   * Returns whether the walk is plain: all ticks use one model of a whole volume, and read their
+   * tips from a path.
+   */
   bool IsPlain(const HapticModel& model) const
   {
     return this->Tips && !this->Finder && model.Resident.IsWhole();
   }
-  /** Computes the next tick of a plain walk, directly into a record, and does nothing else. */
+  /** Computes the next tick of a plain walk directly into a record, and does nothing else. */
   void Tick(const HapticModel& model, TickRecord& record);
-  /** Returns the record of the last tick. Not for plain walks, which write into another record. */
-  const TickRecord& GetRecord() const;
-  /** Returns the forces of the modes in the last tick. `model` is the model of that tick. */
-  ModeForces ComputeModeForces(const HapticModel& model) const;
   /**
-   * Returns the orientation of the stylus (world) in the last tick; NoOrientation if there is none.
+   * Returns the record of the last tick. Not for plain walks, which write to the caller's record.
    */
+  const TickRecord& GetRecord() const;
+  /** Returns the forces of the modes in the last tick, which used `model`. */
+  ModeForces ComputeModeForces(const HapticModel& model) const;
+  /** Returns the orientation of the stylus (world) in the last tick, or NoOrientation. */
   Quaternion GetOrientation(const HapticModel& model) const;
   /** Returns the time of the last tick (s). */
   double GetTime() const;
 
 private:
-  /** Provides memory for the tool of a model. */
+  /** Allocates the memory that a model's tool needs. */
   void ProvideTool(const HapticModel& model);
-  /** Copies the orientation (turned to the device's axes) and the spin from a path to the state. */
+  /**
+   * Copies the orientation, rotated to the device's axes, and the spin from a path to the state.
+   */
   void CopyHand(const HapticModel& model);
   /**
-   * Copies the spin from tick `i` of a recording to the state, and its request to the model's
-   * removal.
+   * Copies the spin in tick `i` of a recording to the state, and passes the tick's request to the
+   * model's removal.
    */
   void CopyRemoval(const HapticModel& model, std::size_t i);
-  /** Sets the state's orientation, which is on the device's axes, or NoOrientation. */
+  /** Sets the state's orientation (device axes, or NoOrientation). */
   void SetOrientation(const Quaternion& orientation);
   void Step(const HapticModel& model, const Vector3& tip, const LocalSurfaceResult& result);
 
   std::optional<TipReader> Tips; ///< empty for a recording
   const ModelFinder* const Finder = nullptr;
   const RecordedPath* const Recording = nullptr;
-  std::size_t Next = 0; ///< number of the next tick of a recording
+  std::size_t Next = 0; ///< index of a recording's next tick
   ServoState State;
   ResidentServo Servo;
-  TickMemory Taps;                     ///< memory for the ticks of a plain walk
+  TickMemory Taps;                     ///< memory for the samples that ticks of a plain walk read
   std::shared_ptr<ToolMemory> Tool;    ///< null if the tool needs none
-  const BakedVolume* ToolOf = nullptr; ///< the volume for which the tool's memory was made
-  ForceGate Gate;                      ///< only its opening is used here
-  TickRecord Whole;  ///< record of the last tick, before the residency scales its force
-  TickRecord Scaled; ///< record with the felt force, while the gate is not open
+  const BakedVolume* ToolOf = nullptr; ///< volume that the tool's memory was made for
+  ForceGate Gate;                      ///< used only for its opening
+  TickRecord Whole;  ///< record of the last tick, before its force is scaled by the residency
+  TickRecord Scaled; ///< record with the felt force, used while the gate is not fully open
 };
 
 /**
- * Walks all paths. Each path has a state of its own, and begins as if it were the only one. So on
- * the same model it gives the same numbers, to the bit, whatever the number of threads. This holds
- * for all methods, because models are immutable, and all that a tick changes is in the state. If
+ * Walks all paths. Each path has its own state, and begins as if it were the only one. With the
+ * same model, it therefore gives bit-identical numbers on any number of threads. This holds for all
+ * methods, because models are immutable, and everything that a tick changes is in the state. If
  * tissue may be removed, each path has its own copy of the remaining tissue.
  *
  * The paths advance in rounds, between which the caller can report progress or stop. In a round,
- * threads take stretches of the paths, one by one, until the round has had its ticks. If a model
- * has to be found for each tick, the paths advance one after another on the calling thread. A
- * single path also advances on the calling thread.
+ * threads process stretches of the paths, one by one, until the round's number of ticks is reached.
+ * If a model has to be found for each tick, the paths advance one after another on the calling
+ * thread. A single path also advances on the calling thread.
  */
 class TipPathsWalk
 {
@@ -168,22 +168,22 @@ public:
   ~TipPathsWalk();
 
   bool IsDone() const { return this->TicksDone == this->Paths.GetNumberOfTicks(); }
-  /** Returns the fraction of the ticks that are done, 0 to 1. */
+  /** Returns the completed fraction of all ticks, 0 to 1. */
   double GetProgress() const;
   /**
-   * Advances the paths by a round. Throws std::bad_alloc, and the exceptions of the finder of
+   * Advances the paths by a round. Throws std::bad_alloc, and passes on exceptions of the finder of
    * models.
    */
   void Advance();
-  /** Returns the tick of a recording whose result was not finite; -1 if there is none. */
+  /** Returns the tick of a recording with a result that is not finite; -1 if there is none. */
   vtkIdType GetFlaw() const { return this->Flaw; }
 
-  /** Returns the tissue that is left at the end of the only path; null if no burr walked it. */
+  /** Returns the remaining tissue at the end of the only path; null if it had no burr. */
   const std::vector<BrickTissue>* GetFinalTissue() const
   {
     return this->FinalTissue ? &*this->FinalTissue : nullptr;
   }
-  /** Returns the rows of the trace that were written, for each path. */
+  /** Returns the rows of the trace that were written for each path. */
   const std::vector<HapticTrace::Rows>& GetRows() const { return this->Rows; }
 
 private:
@@ -191,14 +191,14 @@ private:
   vtkIdType GetTicksLeft(std::size_t path) const;
   ///@{
   /**
-   * Fill() lets further paths begin. Claim() returns a path to advance, or null at the end of the
-   * round. GiveBack() returns the path. Call them with the mutex locked.
+   * Fill() starts further paths. Claim() returns a path to advance, or null at the end of the
+   * round. GiveBack() returns a claimed path. Call them with the mutex locked.
    */
   void Fill();
   Runner* Claim(vtkIdType& stretch);
   void GiveBack(Runner* runner);
   ///@}
-  /** Advances paths until the end of the round. Each thread calls this. */
+  /** Advances paths until the end of the round, on each thread. */
   void AdvanceStretches();
   void Advance(Runner& runner, vtkIdType ticks);
 
@@ -211,12 +211,12 @@ private:
   vtkIdType RoundTicks = 0;
   std::vector<HapticTrace::Rows> Rows;
   std::atomic<vtkIdType> TicksDone{ 0 };
-  vtkIdType Flaw = -1; ///< the result of GetFlaw()
+  vtkIdType Flaw = -1; ///< result of GetFlaw()
 
-  // The mutex must be locked when these members are used.
+  // Guarded by the mutex.
   std::mutex Mutex;
   vtkIdType RoundTicksLeft = 0;
-  std::int64_t RoundEnd = 0; ///< ServoClock: time after which no stretch begins in the round
+  std::int64_t RoundEnd = 0; ///< time (ServoClock) after which no stretch of this round begins
   std::size_t NextPath = 0;
   std::vector<std::unique_ptr<Runner>> Running;
   bool HasFailed = false; ///< whether memory ran out

@@ -32,8 +32,8 @@ namespace
 {
 
 /**
- * A curve on which a hand moves at constant speed: its length, and the position at each distance
- * along it (0 to Length).
+ * A curve along which a hand moves at constant speed: its length, and the position at each distance
+ * from its start (0 to Length).
  */
 struct HapticCurve
 {
@@ -47,7 +47,7 @@ struct Plane
   explicit Plane(const Vector3& normal)
   {
     const Vector3 n = (1.0 / Norm(normal)) * normal;
-    // If the normal is along z, the vectors are along x and y, as users expect.
+    // For a normal along z, make the vectors those of x and y, as users expect.
     const Vector3 aside = std::abs(n.Z) > 0.5 ? Vector3{ 1, 0, 0 } : Vector3{ 0, 0, 1 };
     const Vector3 u = aside - Dot(aside, n) * n;
     this->U = (1.0 / Norm(u)) * u;
@@ -63,14 +63,14 @@ struct Plane
   Vector3 V;
 };
 
-/** Computes the length of the spiral r = phi from 0 to an angle. */
+/** Computes the length of the spiral r = phi from the centre to an angle. */
 double SpiralLength(double angle)
 {
   return 0.5 * (angle * std::sqrt(1.0 + angle * angle) + std::asinh(angle));
 }
 
 /**
- * Computes the angle at a length of the spiral by Newton's method. Its steps never overshoot,
+ * Computes the angle at a length of the spiral with Newton's method, which never overshoots,
  * because the length is convex.
  */
 double SpiralAngle(double length)
@@ -88,7 +88,7 @@ double SpiralAngle(double length)
   return std::max(angle, 0.0);
 }
 
-/** Makes straight lines through corners, of which there must be at least two. */
+/** Makes a polyline through at least two corners. */
 HapticCurve MakePolygonCurve(const std::vector<Vector3>& corners)
 {
   std::vector<double> ways = { 0.0 };
@@ -109,8 +109,8 @@ HapticCurve MakePolygonCurve(const std::vector<Vector3>& corners)
 }
 
 /**
- * Makes a circle around a centre, in the plane perpendicular to a normal (of any length but 0),
- * counterclockwise as seen from the normal's tip.
+ * Makes a circle around a centre, in the plane perpendicular to a non-zero normal, counterclockwise
+ * as seen from the normal's tip.
  */
 HapticCurve MakeCircleCurve(
   const Vector3& center, const Vector3& normal, double radius, double turns)
@@ -120,7 +120,7 @@ HapticCurve MakeCircleCurve(
     { return center + plane.At(radius, way / radius); } };
 }
 
-/** Makes the spiral of Archimedes, from the centre outward to the radius. */
+/** Makes the spiral of Archimedes, from the centre outwards to the radius. */
 HapticCurve MakeSpiralCurve(
   const Vector3& center, const Vector3& normal, double radius, double turns)
 {
@@ -142,7 +142,10 @@ namespace
 {
 using VolumeHaptics::Vector3;
 
-/** The most points of a path. More would come from a wrong unit, and would not fit into memory. */
+/**
+ * Largest number of points in a path. More would come from a wrong unit, and would not fit into
+ * memory.
+ */
 constexpr double MostPoints = 1e8;
 
 Vector3 ToVector(const double x[3])
@@ -151,8 +154,8 @@ Vector3 ToVector(const double x[3])
 }
 
 /**
- * Writes a point for each tip, and a polyline through them. Writes the array Time only if there are
- * times.
+ * Writes one point per tip, and a polyline through them. Writes the array Time only if `times` is
+ * not empty.
  */
 void Write(const std::vector<Vector3>& tips, const std::vector<double>& times, vtkPolyData* output)
 {
@@ -179,8 +182,8 @@ void Write(const std::vector<Vector3>& tips, const std::vector<double>& times, v
 }
 
 /**
- * Makes a curve that comes down on a face, presses in, slides over it through its middle, and lifts
- * out again.
+ * Makes a curve that comes down on a face, presses in, slides across the centre of the face, and
+ * lifts out again.
  */
 VolumeHaptics::HapticCurve MakePressAndSlide(
   const double corner[3], const double size[3], int direction, double depth, double clearance)
@@ -295,7 +298,7 @@ std::string vtkHapticPathSource::GiveOutFile(vtkPolyData* output) const
   }
   if (VolumeHaptics::GetTraceEnding(this->FileName) == ".vtp")
   {
-    // Pass on all arrays of the file, because an exact replay needs them.
+    // Keep all arrays of the file, because an exact replay needs them.
     vtkNew<vtkXMLPolyDataReader> reader;
     reader->SetFileName(this->FileName.c_str());
     reader->Update();
@@ -339,7 +342,7 @@ std::string vtkHapticPathSource::GiveOutShape(vtkPolyData* output) const
       ? "The haptic path has no length: Point1 and Point2 are the same. Move one of them."
       : "The haptic path has no length. Set Depth, Clearance or BoxSize to more than 0.";
   }
-  // Do not count a last step that comes only from rounding.
+  // Do not count a last step that results only from rounding.
   const double steps = std::ceil(curve.Length / this->Speed * this->PointsPerSecond - 1e-6);
   if (!(steps < MostPoints))
   {

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticPathSource
- * @brief   the path of a stylus' tip, to be felt by vtkVolumeHapticsFilter
+ * @brief   makes the path of a stylus's tip for vtkVolumeHapticsFilter
  *
- * Makes the path of a stylus' tip: a line, a circle, a spiral, a press followed by a slide and a
+ * Makes the path of a stylus's tip: a line, a circle, a spiral, a press followed by a slide and a
  * lift, or the contents of a file:
  *
  *   path->SetShapeToCircle();
  *   path->SetRadius(10.0); // world units
  *   filter->SetPathConnection(path->GetOutputPort());
  *
- * The output is one polyline with a point for each tick, at equal distances of at most Speed /
+ * The output is one polyline with one point per tick, at equal distances of at most Speed /
  * PointsPerSecond. The point array Time (s) advances by 1 / PointsPerSecond from point to point. If
  * the filter's ServoRate differs, it resamples the path, so that the hand's speed stays the same.
  *
