@@ -12,8 +12,8 @@ namespace benchmarks
 // volume's values.
 HapticMaterial MakeMaterial(const BallVolume& volume)
 {
-  // Stiffness k (N/m), friction mu, drag R (N), strength T_N (N). k and T_N are zero nowhere, so
-  // that every tick does its full work.
+  // Stiffness k (N/m), friction mu, drag R (N), strength T_N (N). k and T_N are positive
+  // everywhere, so that every tick does its full work.
   const double tissues[7][4] = { { 50, 0.05, 0.05, 1.0 }, { 80, 0.10, 0.05, 1.0 },
     { 150, 0.15, 0.2, 1.2 }, { 100, 0.05, 0.3, 1.2 }, { 350, 0.25, 0.4, 1.5 },
     { 600, 0.20, 0.4, 2.5 }, { 1000, 0.30, 0.1, 8.0 } };

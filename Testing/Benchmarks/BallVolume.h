@@ -19,7 +19,7 @@
 namespace benchmarks
 {
 
-/** Radius (voxels, and mm) of the level along which the tip slides. */
+/** Radius (in voxels, which are 1 mm) of the level along which the tip slides. */
 constexpr double BallRadius = 100.0;
 /** Value at the radius BallRadius. */
 constexpr double BallLevel = 2000.0 - BallRadius * BallRadius / 20.0;
@@ -44,14 +44,14 @@ struct Estimator
   std::string Name;
   VolumeHaptics::GradientEstimator Kind;
   int Radius;
-  /** Number of taps per axis, if the gradient is a sum over taps; otherwise 0. */
+  /** Number of taps per axis if the gradient is a sum over taps, otherwise 0. */
   int Taps;
 };
 
-/** Returns all estimators that are measured. */
+/** Returns the gradient estimators that all benchmarks compare. */
 const std::vector<Estimator>& GetEstimators();
 
-/** Settings with which a model is touched. */
+/** Settings of the model in a benchmark. */
 struct ModelChoice
 {
   VolumeHaptics::HapticMethod Method = VolumeHaptics::HapticMethod::Proxy;
@@ -62,19 +62,20 @@ struct ModelChoice
   std::shared_ptr<const VolumeHaptics::BakedLabels> Labels;
   VolumeHaptics::SurfaceGeometry Geometry = VolumeHaptics::SurfaceGeometry::Scalars;
   /**
-   * Whether PRECISE has the paper's surfaces: alignment Distinctness, and materials of the kernel.
+   * Whether PRECISE places surfaces as the paper does: alignment Distinctness, and materials from
+   * the kernel.
    */
   bool IsPlacedAsThePaper = false;
-  /** Time steps of a moving volume; empty for a volume at rest. */
+  /** Time steps of a moving volume; empty for a static volume. */
   std::vector<VolumeHaptics::VolumeTimeStep> TimeSteps;
 };
 
-/** Returns materials like those of a CT. */
+/** Returns a material table with seven tissues, as in a CT. */
 VolumeHaptics::HapticMaterial MakeMaterial(const BallVolume& volume);
 
 /**
- * Makes a model with a material table like that of a CT; 1 mm in the world is 1 mm of the hand. The
- * model does not own the volume.
+ * Makes a model with a material table as in a CT; 1 mm of the volume is 1 mm of the hand. The model
+ * does not own the volume.
  */
 std::unique_ptr<VolumeHaptics::HapticModel> MakeModel(
   const BallVolume& volume, const Estimator& estimator, const ModelChoice& choice = {});

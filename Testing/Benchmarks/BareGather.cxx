@@ -10,8 +10,7 @@ namespace
 template <int N>
 std::int32_t Sum(const std::int16_t* corner, std::int64_t line, std::int64_t plane)
 {
-  // Sum each column in 16 bits, so that reading takes most of the time, and arithmetic as little as
-  // possible.
+  // Sum each column in 16 bits, so that reading takes most of the time.
   std::uint16_t sums[N] = {};
   for (int k = 0; k < N; ++k)
   {

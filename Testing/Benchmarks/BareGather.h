@@ -13,9 +13,9 @@ namespace benchmarks
 {
 
 /**
- * A function that returns a number to which each sample of a cube contributes: the sum of its
- * columns' sums, modulo 2^16. Its arguments are the cube's corner, and the distances between lines
- * and between planes.
+ * Returns a number to which each sample of a cube contributes: the sum of the columns' sums modulo
+ * 2^16. The arguments are the cube's corner, and the distances between lines and between planes (in
+ * samples).
  */
 using Gather = std::int32_t (*)(const std::int16_t* corner, std::int64_t line, std::int64_t plane);
 

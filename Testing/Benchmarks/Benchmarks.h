@@ -15,7 +15,7 @@ namespace benchmarks
 /**
  * Returns the name of a benchmark. The motion is one of:
  * slide:  along a level of the ball, as a hand moves; the samples are in the cache.
- * random: to another place each time; each place waits for the result of the place before.
+ * random: to a random position each time, which depends on the previous result.
  */
 inline std::string NameOf(const std::string& subject, const std::string& variant,
   const std::string& motion, const std::string& volume)
@@ -33,8 +33,8 @@ void RegisterTickBenchmarks(const BallVolume& volume);
 void RegisterLabelBenchmarks(const BallVolume& volume);
 
 /**
- * Registers whole ticks of the methods that touch an isosurface: a mesh, and the surface that a
- * slow loop fits.
+ * Registers whole ticks of the methods that touch an isosurface: a mesh, and the local surface that
+ * a slow loop fits.
  */
 void RegisterSurfaceBenchmarks(const BallVolume& volume);
 
@@ -44,29 +44,30 @@ void RegisterSurfaceBenchmarks(const BallVolume& volume);
 void RegisterModeBenchmarks();
 
 /**
- * Registers ticks of a tool of 10^4 points, a quarter of them in contact, and the mere reading of
- * their taps.
+ * Registers ticks of a tool of 10^4 points, a quarter of them in contact. For comparison, registers
+ * only the reading of the samples that these ticks use.
  */
 void RegisterShellBenchmarks(const BallVolume& volume);
 
 /**
- * Registers ticks of a burr of four voxels that slides and removes soft or hard tissue, and, if the
- * volume has room for them, of burrs of 16 and 30 voxels. Includes their 99th percentile.
+ * Registers ticks of a burr of four voxels that slides and removes soft or hard tissue and, if the
+ * volume is large enough, of burrs of 16 and 30 voxels. The results include the 99th percentile.
  */
 void RegisterBurrBenchmarks(const BallVolume& volume);
 
-/** Registers the offline filter with its trace, and its ticks alone; times are per tick. */
+/** Registers the offline filter with its trace, and its bare ticks; times are per tick. */
 void RegisterFilterBenchmarks(const BallVolume& volume);
 
-/** Measures and prints the gain of a second thread for the filter, in real time. */
+/** Measures and prints the filter's gain from a second thread, in wall-clock time. */
 void PrintThroughput(const BallVolume& volume, bool isQuick);
 
 /**
- * Registers gradients and values alone, with each instruction set, and a bare gather of the taps.
+ * Registers gradients and values without a tick, with each instruction set, and a bare reading of
+ * the taps.
  */
 void RegisterFieldBenchmarks(const BallVolume& volume);
 
-/** Registers VTK's own functions that return a value and its surroundings. */
+/** Registers VTK's functions that return a value and its neighbourhood. */
 void RegisterPeerBenchmarks(const BallVolume& volume);
 
 } // namespace benchmarks

@@ -24,16 +24,16 @@ namespace
 struct BurrChoice
 {
   const char* Name;
-  double Radius; ///< mm, which is voxels
+  double Radius; ///< mm, which equals voxels
   double Energy; ///< J/mm^3, with the burr at 60 000/min
 };
 
 /**
- * Burrs so large that the surface they leave is right within 0.05 voxel. "soft": the burr removes a
- * layer of bone. "hard": the burr removes little.
+ * Burrs large enough that the surface they leave is correct within 0.05 voxel. "soft": the burr
+ * removes a layer of bone. "hard": the burr removes little.
  */
 constexpr BurrChoice SmallBurrs[] = { { "soft", 4.0, 1.0 }, { "hard", 4.0, 100.0 } };
-/** Burrs that need all the time that a tick has for removal. */
+/** Burrs that use up the time that a tick reserves for removal. */
 constexpr BurrChoice LargeBurrs[] = { { "radius16", 16.0, 0.05 }, { "radius30", 30.0, 0.05 } };
 
 /** A burr that slides around the ball, 2 mm deep, and removes tissue. */
@@ -103,7 +103,7 @@ void MeasureBurr(benchmark::State& bench, const BallVolume* volume, const BurrCh
     times.push_back(ReadClock() - begin);
   }
   bench.counters["p50"] = Summarize(times).Median;
-  bench.counters["p99"] = times[times.size() * 99 / 100]; // `times` is sorted by now
+  bench.counters["p99"] = times[times.size() * 99 / 100]; // `times` is already sorted
   bench.counters["mm3_removed"] = slide.Removed;
   if (!(slide.Removed > 0.0))
   {

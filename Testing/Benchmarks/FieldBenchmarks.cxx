@@ -13,7 +13,7 @@ namespace benchmarks
 namespace
 {
 
-/** The volume, the kernel and the motion of a measurement. */
+/** Volume, kernel and motion of a measurement. */
 struct Sampling
 {
   const BallVolume& Volume;

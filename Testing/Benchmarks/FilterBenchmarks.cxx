@@ -29,10 +29,10 @@ namespace
 
 /** Depth (mm) at which the tip is held below the surface. */
 constexpr double Depth = 2.0;
-/** Number of ticks. It is so large that the other costs of an Update() don't matter. */
+/** Number of ticks, large enough to make the other costs of an Update() negligible. */
 constexpr int Ticks = 100000;
 
-/** Returns a path into the ball, and then several times around along its surface. */
+/** Returns a path into the ball, followed by several rounds along its surface. */
 std::vector<Vector3> SlideFor(const BallVolume& volume, int ticks)
 {
   constexpr int approach = 100; // ticks
@@ -77,7 +77,7 @@ void SetFunction(vtkPiecewiseFunction* function, const Polyline& points)
   }
 }
 
-/** Makes a filter for the model that MakeModel() makes with the same estimator. */
+/** Makes a filter that is equivalent to MakeModel() with the same estimator. */
 vtkSmartPointer<vtkVolumeHapticsFilter> MakeFilter(
   const BallVolume& volume, HapticSolver solver, vtkPolyData* paths)
 {
@@ -99,7 +99,7 @@ vtkSmartPointer<vtkVolumeHapticsFilter> MakeFilter(
 }
 
 /**
- * Measures the ticks alone as the filter runs them, with or without reading the value at the proxy.
+ * Measures the filter's ticks without its outputs, with or without reading the value at the proxy.
  */
 void Bare(benchmark::State& bench, const BallVolume& volume, HapticSolver solver, bool withValue)
 {
@@ -127,7 +127,7 @@ void Bare(benchmark::State& bench, const BallVolume& volume, HapticSolver solver
   }
 }
 
-/** Measures an Update() of the filter, as time per tick. */
+/** Measures a whole Update() of the filter, as time per tick. */
 void Whole(
   benchmark::State& bench, const BallVolume& volume, HapticSolver solver, const char* arrays)
 {
@@ -239,7 +239,7 @@ void PrintThroughput(const BallVolume& volume, bool isQuick)
   constexpr double target = 1.9;
   std::printf("\n%-70s %7s %7s %7s\n", "Ticks a second on two threads beside one", "median", "best",
     "target");
-  // Measure the largest speed-up on this machine: its processors may share a core, or have other
+  // Measure the largest speed-up on this machine, whose processors may share a core or have other
   // work.
   const double machine = PrintSpeedup("arithmetic alone", repetitions, TimeArithmetic);
   std::printf("\n");

@@ -63,8 +63,8 @@ void MeasureSlide(benchmark::State& bench, const BallVolume& volume, const Model
   const auto model = MakeModel(volume, GetEstimators()[2], choice);
   const Slide slide(volume);
   TickRecord record = slide.Measure(bench, *model);
-  // Run one more round tick by tick, and count the ticks that slide: a proxy sometimes sticks to a
-  // wall of voxels.
+  // Run one more round tick by tick, and count the sliding ticks, because a proxy sometimes sticks
+  // to a wall of voxels.
   ServoState state = slide.Start;
   std::size_t sliding = 0;
   std::vector<double> times;
@@ -83,8 +83,8 @@ void MeasureSlide(benchmark::State& bench, const BallVolume& volume, const Model
   {
     bench.SkipWithError("the proxy does not slide");
   }
-  // Check the depth: a deeper proxy would not have the materials of a contact, because the labels'
-  // border is at x_v. PAPER drifts, so it is not checked.
+  // Check the depth: since the labels' border is at x_v, a deeper proxy would not have the
+  // materials of a contact. PAPER drifts, so it is not checked.
   const double depth = BallRadius - Norm(1000.0 * state.Proxy - volume.GetCentre());
   if (choice.Solver == HapticSolver::Precise && depth > 0.5 * Depth)
   {

@@ -14,8 +14,8 @@ namespace benchmarks
 namespace
 {
 
-// Returns the reason why a run gave no time, or an empty text. Google Benchmark has other names for
-// this reason from 1.8.0 on.
+// Returns the reason why a run has no time, or an empty text. Google Benchmark has renamed this
+// reason in 1.8.0.
 template <class RUN>
 auto GetError(const RUN& run, int) -> decltype(run.error_occurred, std::string())
 {

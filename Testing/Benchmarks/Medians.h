@@ -20,16 +20,16 @@ namespace benchmarks
 struct IterationTime
 {
   double Median; ///< median time of the repetitions
-  double Least;  ///< shortest time, in which the processor had the least other work
+  double Least; ///< shortest time, with the least interference by other work
 };
 
-/** Returns median and shortest of at least one time (ns). Sorts the times. */
+/** Returns the median and the shortest of at least one time (ns). Sorts the times. */
 IterationTime Summarize(std::vector<double>& times);
 
 /** Returns the time (ns) of the monotonic clock. */
 double ReadClock();
 
-/** Prints a line for each benchmark, and keeps its times for the ratios. */
+/** Prints a line for each benchmark, and stores its times for the ratios. */
 class Medians : public benchmark::BenchmarkReporter
 {
 public:
@@ -37,9 +37,8 @@ public:
   void ReportRuns(const std::vector<Run>& runs) override;
 
   /**
-   * Returns the time of a benchmark, or NaN if it was not measured. With "/p50" after the name,
-   * returns the benchmark's counter p50 (ns), which the benchmark has measured from single
-   * iterations.
+   * Returns the time of a benchmark, or NaN if it was not measured. For a name that ends in "/p50",
+   * returns the benchmark's counter p50 (ns), which is measured from single iterations.
    */
   IterationTime operator[](const std::string& name) const;
 

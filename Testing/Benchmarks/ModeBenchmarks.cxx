@@ -75,7 +75,7 @@ HapticModelDescription Describe(const std::vector<ModeDescription>& modes)
 
 /**
  * Measures ticks of a tip that moves at 0.1 m/s near a circle with a radius of 20 mm. The modes
- * hold only a part of the lag.
+ * resist only part of the lag.
  */
 void MeasureModes(benchmark::State& bench, const std::vector<ModeDescription>& modes)
 {
@@ -123,7 +123,10 @@ void MeasureModes(benchmark::State& bench, const std::vector<ModeDescription>& m
   }
 }
 
-/** Measures the work that servo and filter do after a tick to compute the force of each mode. */
+/**
+ * Measures the work after a tick that computes the force of each mode, as the servo and the filter
+ * do.
+ */
 void MeasureModeForces(benchmark::State& bench, const std::vector<ModeDescription>& modes)
 {
   const HapticModel model(Describe(modes));

@@ -29,7 +29,7 @@ using Positions = std::vector<VolumeHaptics::Vector3>;
  */
 Positions SlideAt(const BallVolume& volume, double radius);
 
-/** A tip that slides along the ball's surface at the depth Depth. */
+/** A tip that slides along the ball's surface at `Depth`. */
 struct Slide
 {
   explicit Slide(const BallVolume& volume);
@@ -37,19 +37,19 @@ struct Slide
   Positions Tips;                  ///< m, once around
   VolumeHaptics::ServoState Start; ///< state in contact, with the proxy on the surface
 
-  /** Measures ticks, round after round. Returns the last tick's record. */
+  /** Measures ticks for several rounds. Returns the last tick's record. */
   VolumeHaptics::TickRecord Measure(
     benchmark::State& bench, const VolumeHaptics::HapticModel& model) const;
   /**
-   * Returns whether the proxy slides in at least nine tenths of a round's ticks. It may stick for
-   * single ticks.
+   * Returns whether the proxy slides in at least nine tenths of a round's ticks. The proxy may
+   * stick in single ticks.
    */
   bool IsSliding(const VolumeHaptics::HapticModel& model) const;
 };
 
 /**
- * Returns random positions away from the border. Their samples take far more memory than a cache
- * has.
+ * Returns random positions away from the volume's border. Their samples need far more memory than a
+ * cache has.
  */
 Positions Scattered(const BallVolume& volume);
 
@@ -75,8 +75,8 @@ private:
 };
 
 /**
- * Returns a zero that depends on a result. If the zero is added to the next position, the processor
- * can't begin with that position before the result is known: a servo, too, waits for each tick.
+ * Returns a zero that depends on a result. Added to the next position, it makes the processor wait
+ * for the result before it begins with that position, as a servo waits for each tick.
  */
 inline double Wait(double result)
 {

@@ -18,8 +18,8 @@ namespace
 {
 
 /**
- * Number of positions for a value and a central-difference gradient: the position itself, and six
- * around it.
+ * Number of positions for a value and a central-difference gradient: the position itself, and its
+ * six neighbours.
  */
 constexpr int StencilSize = 7;
 constexpr double StencilReach = 2.0;

@@ -31,17 +31,18 @@ namespace
 constexpr int TimeSteps = 8;
 constexpr double FramesPerSecond = 20.0;
 /**
- * Number of turns. All rows of the table are measured in each turn, so that a temporary disturbance
- * affects all rows.
+ * Number of turns. Each turn measures all rows of the table, so that a temporary disturbance
+ * affects all rows equally.
  */
 constexpr int Turns = 8;
 constexpr double Turn = 1.0;     // s
 constexpr double Settling = 0.3; // s, after Start()
-/** Pause of a GUI that draws 60 pictures per second. */
+/** Pause of a GUI that draws 60 frames per second. */
 constexpr auto Pause = std::chrono::milliseconds(16);
 
 /**
- * Makes a time step. The body is at lower x, and its wall advances by one voxel per time step.
+ * Makes a time step. The body is on the side of lower x, and its wall advances by one voxel per
+ * time step.
  */
 vtkSmartPointer<vtkImageData> MakeFrame(int size, int number)
 {
@@ -63,7 +64,7 @@ vtkSmartPointer<vtkImageData> MakeFrame(int size, int number)
   return image;
 }
 
-/** Results of a row of the table. */
+/** Results in one row of the table. */
 struct Row
 {
   const char* Name;
@@ -141,9 +142,9 @@ std::uint64_t CountOwn(const LoopCounts& counts)
 }
 
 /**
- * Prints whether changing time steps cost a tick. A loop without changes shows how many ticks the
- * machine makes late: in a virtual machine, the clock of a thread goes on while the host runs
- * something else.
+ * Prints whether changing time steps delays ticks. A loop without changes shows how many ticks the
+ * machine delays: in a virtual machine, a thread's clock continues while the host runs something
+ * else.
  */
 void Judge(const LoopCounts& still, const LoopCounts& changing)
 {
@@ -151,7 +152,7 @@ void Judge(const LoopCounts& still, const LoopCounts& changing)
   const double share = static_cast<double>(changing.Ticks) /
     static_cast<double>(std::max<std::uint64_t>(1, still.Ticks));
   const double expected = share * static_cast<double>(CountOwn(still));
-  // Allow two standard deviations of the difference between two small counts.
+  // Allow for two standard deviations of the difference between two small counts.
   const bool isChance = own - expected <= 2.0 * std::sqrt(own + share * expected);
   const char* const verdict = own == 0.0 ? "reached"
     : expected > 0.0 && isChance         ? "not told apart from the machine"
@@ -177,7 +178,7 @@ void MeasurePlaying(int size)
   {
     source->AddTimeStep(MakeFrame(size, i), i);
   }
-  vtkNew<apitest::GivenImage> reader; // copies a time step when the time reaches it
+  vtkNew<apitest::GivenImage> reader; // copies a time step when the update time reaches it
   reader->SetInputConnection(source->GetOutputPort());
   vtkNew<vtkVolumeHapticsFilter> filter;
   filter->SetInputConnection(0, source->GetOutputPort());

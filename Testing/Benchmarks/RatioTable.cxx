@@ -16,46 +16,50 @@ namespace
 constexpr double NoTarget = 0.0;
 /**
  * Largest ratio of ticks in a volume 32 times as large to ticks in the small volume, with warm
- * caches. Both should cost the same; the rest is noise.
+ * caches. The cost should not depend on the size; the tolerance is for noise.
  */
 constexpr double SameCost = 1.15;
-/** Largest ratio of PRECISE to PAPER in contact. */
+/** Largest ratio of PRECISE to PAPER for ticks in contact. */
 constexpr double PreciseTarget = 4.0;
 /** Largest ratio of the median tick with labels to the median tick without labels. */
 constexpr double LabelTarget = 1.25;
-/** Largest ratio of PRECISE's default settings to the paper's placement and alignment. */
+/**
+ * Largest ratio of PRECISE with default settings to PRECISE with the paper's placement and
+ * alignment.
+ */
 constexpr double PlacementTarget = 1.25;
 /**
- * Largest ratio of PRECISE on a moving volume (a blend of two time steps) to PRECISE on a volume at
- * rest.
+ * Largest ratio of PRECISE on a moving volume (a blend of two time steps) to PRECISE on a static
+ * volume.
  */
 constexpr double BlendTarget = 2.2;
 /**
- * Largest ratios of a gradient to the reading of its taps: with the taps in the cache, and with the
- * taps in memory.
+ * Largest ratios of a gradient to a bare reading of its taps: with the taps in the cache, and with
+ * the taps in memory.
  */
 constexpr double WarmTarget = 2.0;
 constexpr double ColdTarget = 1.3;
-/** Largest ratio of radius 3 to radius 2, which read 512 and 216 taps. */
+/** Largest ratio of a tick with radius 3 (512 taps) to a tick with radius 2 (216 taps). */
 constexpr double RadiusTarget = 1.5;
-/** Longest tick (us) on a mesh of some 300 000 triangles. */
+/** Longest tick (us) on a mesh of about 300 000 triangles. */
 constexpr double SurfaceTarget = 10.0;
 /** Longest ticks (us) with one vector mode, and with four oblique primitives. */
 constexpr double ModeTarget = 1.5;
 constexpr double SetTarget = 4.0;
 /**
- * Largest ratios of these ticks to a tick of PRECISE, which takes 0.6 us if both targets are met.
+ * Largest ratios of the ticks with one and with four modes to a tick of PRECISE, which takes 0.6 us
+ * if both kinds of targets are met.
  */
 constexpr double ModeRatio = 2.5;
 constexpr double SetRatio = 6.7;
 /** Longest tick (us) of a tool of 10^4 points. */
 constexpr double ShellTarget = 250.0;
-/** Longest time (ns) that a step takes beyond its gradient. */
+/** Longest time (ns) of a step without its gradient. */
 constexpr double RestTarget = 60.0;
-/** Longest ticks (ns) of the offline filter with all its outputs. */
+/** Longest ticks (ns) of the offline filter with all its outputs, for PAPER and PRECISE. */
 constexpr double PaperFilterTarget = 250.0;
 constexpr double PreciseFilterTarget = 600.0;
-/** Longest time (ns) per tick for the trace. */
+/** Longest additional time (ns) per tick for the trace. */
 constexpr double TraceTarget = 150.0;
 
 void PrintTitle(const char* title)
@@ -63,7 +67,9 @@ void PrintTitle(const char* title)
   std::printf("\n%-70s %7s %7s %7s\n", title, "median", "least", "target");
 }
 
-/** Prints a line. The target is for the median. Prints nothing for what was not measured. */
+/**
+ * Prints a line whose target applies to the median. Prints nothing if the ratio was not measured.
+ */
 void PrintLine(const std::string& name, double median, double least, double target)
 {
   if (!std::isfinite(median))
@@ -202,8 +208,7 @@ void PrintRatios(const Medians& medians)
     {
       const IterationTime whole = medians[nameOf(arrays)];
       const bool isAll = arrays == std::string("_all");
-      // Apart from the ticks, the computation of all arrays reads only the value at the proxy from
-      // the volume.
+      // Apart from the ticks, the value at the proxy is all that the arrays need from the volume.
       const std::string computed = isAll ? "_bare+value" : "_bare";
       const IterationTime bare = medians[nameOf(computed.c_str())];
       const double target =
@@ -212,7 +217,7 @@ void PrintRatios(const Medians& medians)
       PrintLine(nameOf(arrays) + " less " + computed.substr(1), whole.Median - bare.Median,
         whole.Least - bare.Least, TraceTarget);
       PrintRatio(medians, nameOf(arrays), nameOf("_bare"), NoTarget);
-      // Compare with the least work of a tick: reading the samples that the gradient sums.
+      // Compare with the least possible work of a tick: reading the samples that the gradient sums.
       PrintRatio(medians, nameOf(arrays),
         NameOf("gather", GetEstimators()[2].Name, "slide", "256^3"), NoTarget);
     }

@@ -18,7 +18,7 @@ namespace benchmarks
 /** Prints every ratio whose two sides were measured, with its target if there is one. */
 void PrintRatios(const Medians& medians);
 
-/** Prints the memory of a model with each estimator, without the image. */
+/** Prints the memory that a model takes with each estimator, excluding the image. */
 void PrintMemory(const BallVolume& volume);
 
 } // namespace benchmarks

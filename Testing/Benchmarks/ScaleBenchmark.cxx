@@ -32,14 +32,14 @@ namespace benchmarks
 namespace
 {
 constexpr double LongestBlock = 50.0; // ms
-/** This call waits for the work that BeginProposal() does in the background, so it has no limit. */
+/** Not limited, because this call waits for work that BeginProposal() does in the background. */
 constexpr const char* WithoutHand = "without a hand: ProposeFromImage()";
 constexpr double MebiBytes = 1.0 / (1 << 20);
 
 struct CallCost
 {
   double Milliseconds = 0.0;
-  double Resident = 0.0; // MiB of the volume that were read into memory since the previous call
+  double Resident = 0.0; // MiB of the volume that became resident since the previous call
 };
 
 /** The calls of an application with a hand on a volume, in the order of a session. */
@@ -126,13 +126,13 @@ private:
     const auto time = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
     const double resident =
       MebiBytes * static_cast<double>(this->Volume.GetResident() + this->Labels.GetResident());
-    // If a step consists of several calls, take the longest call.
+    // If a step consists of several calls, report the longest call.
     const double longest = std::exchange(this->Longest, 0.0);
     this->Names.push_back(name);
     this->Costs[name] = { longest > 0.0 ? longest : time, resident - this->Resident };
     this->Resident = resident;
   }
-  /** Calls UpdateState() as a GUI does, for a number of milliseconds. */
+  /** Calls UpdateState() periodically for a number of milliseconds, as a GUI does. */
   void Attend(int milliseconds)
   {
     using Clock = std::chrono::steady_clock;
@@ -173,7 +173,7 @@ private:
   double Longest = 0.0;
 };
 
-/** Waits until the background work on earlier volumes, which no hand feels any more, has ended. */
+/** Waits until the background work on earlier volumes, which no hand uses any more, has ended. */
 void AwaitBackground()
 {
   constexpr auto pause = std::chrono::milliseconds(200);
@@ -181,7 +181,7 @@ void AwaitBackground()
   std::clock_t before;
   do
   {
-    before = std::clock(); // time of all threads together
+    before = std::clock(); // processor time of all threads
     std::this_thread::sleep_for(pause);
   } while (std::clock() - before > idle);
 }

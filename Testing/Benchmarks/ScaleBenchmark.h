@@ -12,7 +12,7 @@ namespace benchmarks
 
 /**
  * Prints, for cubes of 256^3 samples up to `largest`^3 in memory-mapped files, the longest time of
- * each call, its growth with the size, and how much of the volume it brings into memory. Returns
+ * each call, its growth with the size, and how much of the volume it makes resident. Returns
  * whether a call took longer than 50 ms.
  */
 bool MeasureScale(int largest);

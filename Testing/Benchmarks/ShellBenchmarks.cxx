@@ -21,11 +21,11 @@ namespace
 constexpr int ShellPoints = 10000;
 /**
  * Radius (mm) of the tool. The hand is 4 mm deep in the ball and the tool 2 mm, because both
- * springs share the lag. So a quarter of the sphere's area is inside.
+ * springs share the lag. So a quarter of the sphere's area is inside the ball.
  */
 constexpr double ToolRadius = 4.0;
 
-/** Returns points of equal areas on a sphere. */
+/** Returns points on a sphere that represent equal areas. */
 std::vector<ShellPoint> MakeTool()
 {
   const double pi = std::acos(-1.0);
@@ -42,7 +42,7 @@ std::vector<ShellPoint> MakeTool()
   return points;
 }
 
-/** A tool that slides around the ball at 0.1 m/s and turns. */
+/** A tool that rotates while it slides around the ball at 0.1 m/s. */
 struct ShellSlide
 {
   explicit ShellSlide(const BallVolume& volume)
@@ -122,7 +122,7 @@ void MeasureShell(benchmark::State& bench, const BallVolume* volume)
 }
 
 /**
- * Measures the least cost of a tick: reading the 8 taps of all points, and 32 and 8 more for each
+ * Measures the least cost of a tick: reading 8 samples for each point, and 40 more for each
  * contact.
  */
 void MeasureTaps(benchmark::State& bench, const BallVolume* volume)
@@ -168,7 +168,7 @@ void MeasureTaps(benchmark::State& bench, const BallVolume* volume)
       sum += cell(p) + line(0) + line(sy) + line(sz) + line(sy + sz);
       sum += pair(p - sy) + pair(p - sy + sz) + pair(p + 2 * sy) + pair(p + 2 * sy + sz);
       sum += pair(p - sz) + pair(p - sz + sy) + pair(p + 2 * sz) + pair(p + 2 * sz + sy);
-      sum += cell(p + 2); // reads the samples that the material reads
+      sum += cell(p + 2); // reads the samples for the material
     }
     benchmark::DoNotOptimize(sum);
   }

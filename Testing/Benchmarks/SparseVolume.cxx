@@ -25,7 +25,7 @@ struct Mapping
 };
 
 /**
- * Unmaps the file when the array is deleted. Background work may still read the array for some
+ * Unmaps the file when the array is deleted. Background work may read the array for some
  * milliseconds after its cancellation.
  */
 void UnmapWith(vtkDataArray* array, const Mapping& mapping)
@@ -69,13 +69,13 @@ SparseVolume::SparseVolume(int size, vtkShortArray* array)
     : MAP_FAILED;
   if (file)
   {
-    std::fclose(file); // the mapping stays valid without the file
+    std::fclose(file); // the mapping outlives the file handle
   }
   if (this->Begin == MAP_FAILED)
   {
     throw std::runtime_error("there is no room for a file of a volume");
   }
-  // Disable read-ahead, so that only the samples that were read are in memory.
+  // Disable read-ahead, so that only accessed samples become resident.
   (void)madvise(this->Begin, this->Bytes, MADV_RANDOM);
   const vtkNew<vtkShortArray> own;
   vtkShortArray* const samples = array ? array : own.Get();

@@ -25,17 +25,20 @@ class SparseVolume
 {
 public:
   /**
-   * Puts the samples into `array`, or into a new array if it is null. The file has no name. Throws
-   * std::runtime_error if there is no room for the file.
+   * Stores the samples in `array`, or in a new array if `array` is null. The file has no name.
+   * Throws std::runtime_error if there is no room for the file.
    */
   explicit SparseVolume(int size, vtkShortArray* array = nullptr);
   SparseVolume(const SparseVolume&) = delete;
   SparseVolume& operator=(const SparseVolume&) = delete;
 
   vtkImageData* GetImage() const { return this->Image; }
-  /** Returns the middle of the cube along each axis, in indices (which are also world units). */
+  /**
+   * Returns the coordinate of the cube's middle along each axis, in indices (which are also world
+   * units).
+   */
   double GetMiddle() const { return 0.5 * this->Size; }
-  /** Returns the number of the volume's bytes that are in memory. */
+  /** Returns how many bytes of the volume are resident in memory. */
   std::size_t GetResident() const;
 
 private:

@@ -19,7 +19,7 @@ namespace benchmarks
 namespace
 {
 
-/** Returns a mesh of the level along which the tip slides, made by vtkFlyingEdges3D. */
+/** Returns a mesh by vtkFlyingEdges3D of the level along which the tip slides. */
 std::shared_ptr<const SurfaceMesh> MakeMesh(const BallVolume& volume)
 {
   vtkNew<vtkFlyingEdges3D> contour;
@@ -50,7 +50,7 @@ std::shared_ptr<const SurfaceMesh> MakeMesh(const BallVolume& volume)
   return std::make_shared<const SurfaceMesh>(points, triangles, directions);
 }
 
-/** Measures ticks in contact, round after round. */
+/** Measures ticks in contact for several rounds. */
 void MeasureRounds(benchmark::State& bench, const BallVolume& volume, const ModelChoice& choice)
 {
   const auto model = MakeModel(volume, GetEstimators()[2], choice);
@@ -71,8 +71,8 @@ void MeasureRounds(benchmark::State& bench, const BallVolume& volume, const Mode
     Tick(*model, state, tip.Next(), record);
     benchmark::DoNotOptimize(record);
   }
-  // Run one more round, and count the ticks that slide: the proxy may stick to the edges of flat
-  // triangles for single ticks.
+  // Run one more round, and count the sliding ticks: the proxy may stick to the edges of flat
+  // triangles in single ticks.
   std::size_t sliding = 0;
   for (std::size_t i = 0; i < tips.size(); ++i)
   {

@@ -15,8 +15,8 @@ namespace
 {
 
 /**
- * The parts of a model. Each benchmark makes its model when it runs, so that only its own model
- * takes memory and cache.
+ * The parts of a model. Each benchmark makes its model when it runs, so that no other model takes
+ * memory or cache.
  */
 struct Scene
 {
@@ -42,7 +42,7 @@ void MeasureSlide(benchmark::State& bench, const Scene& scene)
   }
 }
 
-/** Whether time steps have displacements, which say where the material moves. */
+/** Whether time steps have displacements, which describe the material's motion. */
 enum class Displacements
 {
   None,
@@ -84,7 +84,7 @@ public:
 private:
   /**
    * Fills in displacements: outwards by 1 mm in the first time step, inwards in the second, and
-   * none at the very middle.
+   * zero at the centre.
    */
   void FillMotion(const BallVolume& volume)
   {
@@ -132,7 +132,7 @@ void MeasureBlended(benchmark::State& bench, const Scene& scene, Displacements d
   double step = 0.001;
   for (auto _ : bench)
   {
-    // Let the time go to and fro through the time span, so that it never jumps.
+    // Let the time oscillate through the time span, so that it never jumps.
     step = state.DataTime + step > 2.0 * Beating::FrameTime || state.DataTime + step < 0.0 ? -step
                                                                                            : step;
     state.DataTime += step;

@@ -73,7 +73,7 @@ LoopCounts LoopWatch::GetCounts() const
 
 LoopWatch::Usage LoopWatch::ReadUsage() noexcept
 {
-  // Read the clock of the thread, which stands still while the thread does not run.
+  // Read the thread's clock, which stops while the thread does not run.
   timespec work{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &work);
   Usage usage;
@@ -103,7 +103,7 @@ void LoopWatch::RecordTick() noexcept
   }
   else
   {
-    // Plan the ticks by the clock, as the loop does. No tick comes early.
+    // Schedule the ticks by the wall clock, as the loop does. No tick comes early.
     this->Planned = std::min(this->Planned + Period, now);
     const std::int64_t leftOut = (now - this->Planned) / Period;
     this->Planned += leftOut * Period;

@@ -20,11 +20,11 @@ namespace benchmarks
 /** Counts of a loop's ticks. */
 struct LoopCounts
 {
-  /** Reasons why the loop left out ticks between two of its ticks. */
+  /** Reasons why the loop skipped ticks between two of its ticks. */
   enum Cause
   {
     Computed, ///< the thread computed for longer than a period
-    Waited,   ///< the thread waited for something other than its next tick, such as a lock or the
+    Waited, ///< the thread waited for something other than its next tick, such as a lock or the
               ///< disk
     Machine,  ///< the thread was ready to run, but the machine did not run it
     Causes
@@ -40,7 +40,7 @@ struct LoopCounts
 class LoopWatch
 {
 public:
-  /** Requests that the next tick set the counts to zero. Any thread may call it. */
+  /** Makes the next tick reset the counts to zero. Any thread may call it. */
   void Reset() { this->IsResetWanted = true; }
   /** Returns the counts. Any thread may call it. */
   LoopCounts GetCounts() const;
@@ -49,11 +49,11 @@ public:
   void RecordTick() noexcept;
 
 private:
-  /** Resources that the loop's thread has used so far. */
+  /** Resources that the loop's thread has used since its start. */
   struct Usage
   {
-    std::int64_t Work = 0;  ///< ns, processor time of the thread alone
-    std::int64_t Waits = 0; ///< number of waits: one for each tick, and the others
+    std::int64_t Work = 0; ///< ns, processor time of this thread
+    std::int64_t Waits = 0; ///< number of waits: one per tick, plus those for other reasons
     std::int64_t Reads = 0; ///< number of pages read from the disk
   };
   static Usage ReadUsage() noexcept;
@@ -68,7 +68,7 @@ private:
 
 /**
  * Returns the device kind "watched": a hand that rests at a position (m). The watch must outlive
- * it.
+ * the device.
  */
 VolumeHaptics::DeviceKind MakeWatchedKind(const VolumeHaptics::Vector3& tip, LoopWatch* watch);
 

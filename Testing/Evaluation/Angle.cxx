@@ -16,7 +16,7 @@ std::vector<double> MeasureAngles(const Candidate& candidate)
     { 27.0, { 1.0, 1.0, 1.0 }, ScalarType::UInt8, 0.0, 1, false });
   const auto model =
     volume.Bake(TouchingOf(candidate, MakeMaterial(500.0, 0.0, 0.0, Impenetrable)));
-  // Go down from the pole in a narrow spiral, 0.1 mm per tick.
+  // Descend from the pole in a narrow spiral, 0.1 mm per tick.
   Path path = { OddCentre + Vector3{ 0.0, 0.0, SphereRadius } };
   constexpr double depth = 2.0;
   constexpr double pitch = 0.02; // polar angle per turn, over 2 pi

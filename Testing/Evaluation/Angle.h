@@ -14,7 +14,7 @@ namespace evaluation
 
 /**
  * Returns the angles (degrees) between the frictionless force and the normal of an 8-bit sphere, at
- * positions all over one half of the sphere.
+ * positions that cover one half of the sphere.
  */
 std::vector<double> MeasureAngles(const Candidate& candidate);
 

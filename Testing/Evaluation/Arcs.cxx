@@ -96,7 +96,7 @@ std::optional<double> FindFromInside(const ValueAt& value, double level, double 
   return {};
 }
 
-/** Smooths values with a Gaussian; repeats the end values beyond the ends. */
+/** Smooths values with a Gaussian; the end values are repeated beyond the ends. */
 std::vector<double> Smooth(const std::vector<double>& values, double scale)
 {
   const int reach = static_cast<int>(4.0 * scale);
@@ -118,8 +118,8 @@ std::vector<double> Smooth(const std::vector<double>& values, double scale)
 }
 
 /**
- * Makes an arc from a run of radii. Leaves out the ends, where the course cannot be smoothed from
- * both sides. Returns nothing if the run is too short.
+ * Makes an arc from a run of radii, without the ends, which can't be smoothed from both sides.
+ * Returns nothing if the run is too short.
  */
 std::optional<Arc> MakeArc(const std::vector<double>& radii, const std::vector<Vector3>& outs,
   const Vector3& middle, double beyond)
@@ -145,7 +145,7 @@ std::optional<Arc> MakeArc(const std::vector<double>& radii, const std::vector<V
   return arc;
 }
 
-/** Adds the arcs of one plane. */
+/** Searches one plane for arcs, and adds them. */
 void FindArcsInPlane(const SmoothedVolume& smoothed, const double* box, const Course& course,
   const Vector3& middle, std::vector<Arc>& arcs)
 {

@@ -10,13 +10,10 @@ namespace evaluation
 namespace
 {
 constexpr double Radius = 90.0; // mm
-/** The centre of the patch that is felt. */
+/** The centre of the touched patch. */
 const Vector3 Pole = Radius * OddNormal;
 
-/**
- * Returns the approximate height (mm) of the ball's surface above a position. The surface is where
- * it is zero.
- */
+/** Returns the approximate depth (mm) of a position below the ball's surface; negative outside. */
 double Height(const Vector3& x)
 {
   return Radius + 2.0 * std::sin(x.X / 5.0) * std::cos(x.Y / 6.0) - Norm(x);

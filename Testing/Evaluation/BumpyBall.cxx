@@ -43,7 +43,7 @@ Vector3 GradientOfOff(const Vector3& x)
   return g;
 }
 
-/** Returns the point of the true surface in a direction from the middle. */
+/** Returns the point where the true surface meets a direction from the middle. */
 Vector3 InDirection(const Vector3& out)
 {
   double radius = MeanRadius;
@@ -55,8 +55,8 @@ Vector3 InDirection(const Vector3& out)
 }
 
 /**
- * Makes a stroke that presses and then follows the true surface at a constant depth, along a tilted
- * circle of a length (mm).
+ * Makes a stroke that presses in, and then follows the true surface at a constant depth along a
+ * tilted circle for a length (mm).
  */
 Stroke MakeStroke(double tilt, double length)
 {
@@ -78,7 +78,7 @@ Stroke MakeStroke(double tilt, double length)
   return stroke;
 }
 
-/** Makes the image, rounded to 16-bit integers as in scans. */
+/** Makes the image, rounded to 16-bit integers as scans are. */
 vtkSmartPointer<vtkImageData> MakeImage()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();

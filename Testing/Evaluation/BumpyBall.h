@@ -28,7 +28,7 @@ struct SurfacePoint
 /** Returns the point of the true surface nearest to a position some mm away, by Newton's method. */
 SurfacePoint NearestOnBumpyBall(const Vector3& x);
 
-/** Results for a hand that strokes the ball, 2 mm deep. */
+/** Results of strokes over the ball at a depth of 2 mm. */
 struct BumpyBallFeel
 {
   double Distance = 0.0; ///< voxels: mean distance between proxy and true surface
@@ -36,10 +36,10 @@ struct BumpyBallFeel
   std::size_t Ticks = 0; ///< number of ticks with force
 };
 
-/** Measures with the settings of a filter. Sets the filter's input. */
+/** Measures a filter's settings on the ball. Sets the filter's input. */
 BumpyBallFeel FeelBumpyBall(vtkVolumeHapticsFilter* filter, const Effort& effort);
 
-/** Compares the default settings, each contact alignment, and PAPER. */
+/** Compares the default settings, the other contact alignments, and PAPER. */
 Table CompareOnBumpyBall(const Effort& effort);
 
 /** Returns the results of the default settings as figures with bounds. */

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Compares the true surface of the bumpy ball with a brute-force search. The measurement finds a
- * method whose surface is known on that surface. The default settings feel the ball where it is
- * seen.
+ * Checks the true surface of the bumpy ball by a brute-force search. The measurement must report a
+ * distance of zero for a method with a known surface, and the default settings must place the
+ * surface where it is seen.
  */
 
 #include "BumpyBall.h"
@@ -28,12 +28,13 @@ TEST(BumpyBall, SurfaceHasTheMiddleValue)
     const SurfacePoint found = NearestOnBumpyBall(at);
     EXPECT_NEAR(BumpyBallValue(found.Position), 100.0, 1e-6);
     EXPECT_NEAR(Norm(found.Outward), 1.0, 1e-12);
-    // The nearest point lies along the normal.
+    // The vector to the nearest point is parallel to the normal.
     EXPECT_LT(Norm(Cross(at - found.Position, found.Outward)), 1e-6);
-    // The value falls outwards with the slope of tanh: half the height over its scale of 2 mm.
+    // The value falls outwards with the slope of tanh: half the height divided by the scale of 2
+    // mm.
     const double h = 1e-4;
     EXPECT_LT(BumpyBallValue(found.Position + h * found.Outward), 100.0);
-    // No other point of the surface nearby is nearer.
+    // No other surface point nearby is closer.
     const double distance = Norm(at - found.Position);
     const Vector3 out = (1.0 / Norm(at)) * at;
     const Vector3 side = (1.0 / Norm(Cross(out, OddUp))) * Cross(out, OddUp);

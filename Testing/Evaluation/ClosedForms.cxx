@@ -39,8 +39,8 @@ Vector3 OnCircle(double radius, double angle)
 }
 
 /**
- * The position at which slabs are touched. It is between voxels, so that every tap of the kernel
- * counts.
+ * The position where slabs are touched. It is between voxels, so that all taps of the kernel have a
+ * weight.
  */
 constexpr Vector3 Start = { 0.3, 0.2, 0.0 };
 constexpr double Step = 0.1; // mm
@@ -64,7 +64,7 @@ Form Push()
 
 Form PushWithDrag()
 {
-  // T3: the surface holds 2 N inwards; the drag holds 0.5 N both ways.
+  // T3: the surface resists inwards with 2 N; the drag resists in both directions with 0.5 N.
   Form form{ "T3", Slab, MakeMaterial(500.0, 0.0, 0.5), { Start }, {} };
   for (const double depth : { 10.0, 0.0 })
   {
@@ -124,9 +124,10 @@ HapticMaterial Distinct()
 
 Form TwoSprings(bool jumps)
 {
-  // T8, and T9 in one tick: 500 N/m in series with 500 N/m, up to 2 N. From a depth of 4 mm on,
-  // neither the kernel nor the look-ahead of the proxy reaches the field's lowest point. A growing
-  // slope is the foot of an edge, which alignment Edge holds only from its middle on.
+  // T8, and T9 in one tick: 500 N/m in series with 500 N/m, up to 2 N. From a depth of 4 mm
+  // onwards, neither the kernel nor the proxy's look-ahead reaches the field's lowest point. A
+  // growing slope is the foot of an edge; with alignment Edge, the surface begins only in the
+  // edge's middle.
   Form form{ jumps ? "T9" : "T8", GrowingSlope, Distinct(), { { Start.X, Start.Y, 0.0 } }, {} };
   form.IsOfThePaper = true;
   if (jumps)
@@ -148,8 +149,8 @@ Form TwoSprings(bool jumps)
 Form Round(
   const char* name, const Field& field, double radius, double friction, int ticks, int turns)
 {
-  // T10 to T12: the proxy stays at 20 mm. With friction it lags by asin(20/rho sin phi) - phi from
-  // the first quarter of a turn on.
+  // T10 to T12: the proxy stays at a radius of 20 mm. With friction, it lags by asin(20/rho sin
+  // phi) - phi after the first quarter of a turn.
   Form form{ name, field, MakeMaterial(500.0, friction, 0.0, Impenetrable), { OnCircle(20.0, 0.0) },
     { Vector3{} } };
   const double phi = std::atan(friction);
@@ -167,7 +168,7 @@ Form Round(
 
 Form DeepCavity()
 {
-  // T13: the proxy rests at the nearest point of the wall. The walk to the far side is longer than
+  // T13: the proxy rests at the nearest point of the wall. The way to the far side is longer than
   // the radius.
   Form form{ "T13", Cavity, MakeMaterial(500.0, 0.0, 0.0, Impenetrable), { OnCircle(5.0, 0.0) },
     { Vector3{} } };

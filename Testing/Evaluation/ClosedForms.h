@@ -19,18 +19,18 @@ struct Form
   VolumeHaptics::HapticMaterial Material;
   Path Tips;
   std::vector<Vector3> Forces; ///< N, one per tick
-  std::size_t FirstJudged = 0; ///< first tick for which the form holds
+  std::size_t FirstJudged = 0; ///< first tick for which the closed form is valid
   /**
-   * If true, the form holds for alignment Distinctness with materials of the kernel: see
+   * If true, the form is valid for alignment Distinctness with kernel materials: see
    * PlacedAsThePaper().
    */
   bool IsOfThePaper = false;
 };
 
-/** Returns those of the forms T1 to T13 that predict a force in a sampled field. */
+/** Returns the closed forms, among T1 to T13, that predict a force in a sampled field. */
 std::vector<Form> MakeForms(const Effort& effort);
 
-/** Errors, as fractions of the form's largest force. */
+/** Errors, as fractions of the largest force of the closed form. */
 struct ForceError
 {
   double RootMeanSquare = 0.0;

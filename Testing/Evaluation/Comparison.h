@@ -15,7 +15,7 @@
 namespace evaluation
 {
 
-/** A picture of the report that is not a plot. */
+/** A picture in the report that is not a plot. */
 struct Picture
 {
   std::string File; ///< without extension
@@ -28,7 +28,7 @@ struct Comparison
   std::vector<Plot> Plots;
 };
 
-/** Value (HU) of the isosurface on which bone is touched. */
+/** Value (HU) of the isosurface that represents bone. */
 constexpr double BoneValue = 300.0;
 
 /**
@@ -38,7 +38,7 @@ constexpr double BoneValue = 300.0;
 Comparison CompareMethods(vtkImageData* volume, const Effort& effort);
 
 /**
- * Compares the stiffest wall on which a device comes to rest with each method. Adds a plot for each
+ * Compares the methods by the stiffest wall on which a device comes to rest. Adds a plot for each
  * delay.
  */
 Table CompareStability(const Effort& effort, std::vector<Plot>& plots);

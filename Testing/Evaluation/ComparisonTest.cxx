@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * The comparison of methods measures what it claims: fit, response, likeness, and errors for bad
- * input.
- */
+/** Tests the comparison of methods: fit, response, likeness, and errors for bad input. */
 
 #include "Comparison.h"
 #include "CostFit.h"
@@ -47,8 +44,8 @@ TEST(Comparison, FitFindsConstantAndSlope)
 
 TEST(Comparison, AmplitudeOfAFollowerAndOfALowPass)
 {
-  // Makes a signal that follows a relief, and the same signal through a settled first-order
-  // low-pass. Both drift.
+  // Make a signal that follows a relief, and the same signal through a settled first-order low-pass
+  // filter. Both signals drift.
   constexpr int period = 50;
   constexpr double smoothing = 0.9;
   std::vector<double> followed;
@@ -80,7 +77,7 @@ TEST(Comparison, CutOffLiesBetweenTheWavelengthsAroundIt)
 
 TEST(Comparison, LongWavesAreFeltWholeAndShortOnesAsTheKernelSmoothsThem)
 {
-  // PRECISE follows a level of the volume after smoothing by a Gaussian of 1.12 voxels.
+  // PRECISE follows an iso-level of the volume smoothed by a Gaussian of 1.12 voxels.
   const double scale = 2.0 * VolumeHaptics::GradientKernel::OwnScalePerRadius;
   const auto smoothed = [scale](double wavelength)
   { return std::exp(-0.5 * std::pow(TwoPi * scale / wavelength, 2.0)); };
@@ -108,7 +105,8 @@ TEST(Comparison, APlaneFeelsTheSameByPreciseAndBySurfaceHaptics)
     EXPECT_LT(SpreadOf(differences.Stiffness).P95, 0.5);
     EXPECT_LT(SpreadOf(differences.Degrees).P95, 0.5);
     EXPECT_EQ(FractionBelow(differences.Percent, ForceThresholds.Lower), 100.0);
-    // The figures detect differences: 10 % more stiffness gives a difference of 10 %.
+    // The comparison must detect a known difference: 10 % more stiffness gives a difference of 10
+    // %.
     scene.SetMaterial(550.0, friction);
     Differences stiffer;
     stiffer.Add(stroke, reference, scene.Feel(Precise(), stroke));

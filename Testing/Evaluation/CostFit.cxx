@@ -19,7 +19,7 @@ constexpr int LargestRadius = 6;
 constexpr double BallRadius = 20.0; // mm
 constexpr int BatchSize = 32;       // ticks: the clock is too coarse for a single tick
 
-/** Returns the median time (us) of a tick that slides round a ball, 2 mm deep at 0.1 m/s. */
+/** Returns the median time (us) of a tick that slides around a ball, 2 mm deep at 0.1 m/s. */
 double TimeTick(const HapticModel& model, int batches)
 {
   ServoState state;
@@ -42,8 +42,8 @@ double TimeTick(const HapticModel& model, int batches)
 }
 
 /**
- * Returns the times (us) for the radii 1, 2 ... Measures in rounds and keeps the fastest time,
- * because other work of the machine slows some rounds.
+ * Returns the times (us) for the radii 1, 2 ... Measures in several rounds and reports the fastest
+ * time, because other work of the machine slows some rounds.
  */
 std::vector<double> TimeRadii(Scene& scene, const Method& method, const Effort& effort)
 {
@@ -59,15 +59,15 @@ std::vector<double> TimeRadii(Scene& scene, const Method& method, const Effort& 
   return times;
 }
 
-/** Radii that are fitted together. */
+/** A range of radii to which one curve is fitted. */
 struct Range
 {
   int First;
   int Last;
 };
 /**
- * All radii; the radii whose kernels are compiled for their number of taps; the radii with the
- * general kernel.
+ * All radii; the radii with kernels compiled for their number of taps; the radii with the general
+ * kernel.
  */
 constexpr Range Ranges[] = { { 1, LargestRadius }, { 1, 3 }, { 4, LargestRadius } };
 
@@ -103,7 +103,7 @@ Curve Draw(const Method& method, const Range& range, const LineFit& fit)
 {
   const bool isWhole = range.First == 1 && range.Last == LargestRadius;
   const std::string radii = std::to_string(range.First) + " to " + std::to_string(range.Last);
-  // The fit of all radii is paler (see the plots' palette). It shows the error of a single cubic.
+  // Draw the fit of all radii paler (see the plots' palette), to show the error of a single cubic.
   Curve curve{ std::string(method.Name) + ", fit of r = " + radii, {}, {},
     isWhole ? method.Colour + 2 : method.Colour };
   for (double radius = range.First - 0.25; radius < range.Last + 0.3; radius += 0.1)
@@ -175,7 +175,7 @@ Table MeasureCost(const Effort& effort, std::vector<Plot>& plots)
   {
     if (method.Kind != vtkVolumeHapticsFilter::PROXY)
     {
-      continue; // has no gradient kernel, or only the gradient
+      continue; // has no gradient kernel, or consists only of the gradient
     }
     Curve measured{ method.Name, {}, TimeRadii(scene, method, effort), method.Colour, true };
     for (const Range& range : Ranges)

@@ -30,8 +30,8 @@ struct LineFit
 };
 
 /**
- * Fits the line with the least squares of relative errors, for times of very different size.
- * Returns zeros for fewer than two different x, or if any y is not positive.
+ * Fits the line with the least squares of relative errors, since the times differ by orders of
+ * magnitude. Returns zeros for fewer than two different x, or if any y is not positive.
  */
 LineFit FitLine(const std::vector<double>& x, const std::vector<double>& y);
 
@@ -42,8 +42,8 @@ constexpr double TapsOf(double radius)
 }
 
 /**
- * Measures PROXY with both solvers and radii 1 to 6; adds a plot. The times depend on this machine
- * and run.
+ * Measures PROXY with both solvers and radii 1 to 6; adds a plot. The times depend on the machine
+ * and vary from run to run.
  */
 Table MeasureCost(const Effort& effort, std::vector<Plot>& plots);
 

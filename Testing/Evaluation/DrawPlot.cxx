@@ -24,8 +24,8 @@ namespace evaluation
 {
 namespace
 {
-// Colours that colour-blind readers can distinguish: orange for the paper, blue for this project,
-// paler variants of both, and grey; then green and purple, which are used only on request.
+// Colours for colour-blind readers: orange for the paper, blue for this project, paler variants of
+// both, and grey; then green and purple, which are used only on request.
 constexpr unsigned char Colours[][3] = { { 222, 110, 0 }, { 0, 92, 175 }, { 245, 185, 120 },
   { 120, 175, 225 }, { 140, 145, 152 }, { 0, 140, 95 }, { 130, 70, 165 } };
 constexpr int ColoursInTurn = 5;

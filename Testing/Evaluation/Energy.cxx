@@ -40,8 +40,8 @@ Field Hills(std::mt19937& random)
 }
 
 /**
- * Returns a path that presses, moves around, comes back and leaves. At its beginning and end, the
- * spring has no energy.
+ * Returns a path that presses, moves around, comes back and leaves, so that the spring has no
+ * energy at either end.
  */
 Path ClosedWay(std::mt19937& random)
 {
@@ -71,8 +71,8 @@ HapticMaterial AnyMaterial(std::mt19937& random, int kind)
     kind & 2 ? uniform(0.0, 0.4) : 0.0, kind & 4 ? Impenetrable : uniform(0.5, 3.0));
   if (kind & 8)
   {
-    // A soft layer on a stiff wall: the wall must not return more energy than the hand has put into
-    // the layer.
+    // Model a soft layer on a stiff wall: the wall must not return more energy than the hand has
+    // put into the layer.
     const double wall = uniform(20.0, 60.0);
     material.Stiffness = { { wall - 20.0, uniform(200.0, 500.0) },
       { wall, uniform(1000.0, 2000.0) } };

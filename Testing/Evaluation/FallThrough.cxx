@@ -14,8 +14,8 @@ constexpr double Blur = 1.0;    // voxels, of 1 mm
 constexpr double Fastest = 3.0; // mm per tick, which is 3 m/s
 
 /**
- * Returns a material with its full strength from half of the steepest gradient on, 1.18 mm in front
- * of the edge's middle.
+ * Returns a material that reaches its full strength at half of the steepest gradient, 1.18 mm in
+ * front of the edge's middle.
  */
 HapticMaterial WallMaterial()
 {
@@ -26,7 +26,7 @@ HapticMaterial WallMaterial()
 }
 constexpr double WholeFrom = -1.18;
 /**
- * Returns the position where the wall has its full strength; with alignment Edge, this is the
+ * Returns the position where the wall reaches its full strength; with alignment Edge, this is the
  * edge's middle.
  */
 double ComputeWhole(const HapticModel& model)
@@ -34,16 +34,18 @@ double ComputeWhole(const HapticModel& model)
   return model.Baked->Settings.Alignment == ContactAlignment::Edge ? 0.0 : WholeFrom;
 }
 /**
- * Largest depth (mm) behind the start of the full strength: 90 % of T_N/k, which the wall must
- * hold.
+ * Largest depth (mm) behind the position of full strength: 90 % of T_N/k, where the wall must still
+ * resist.
  */
 constexpr double Deepest = 0.9 * 4.0;
-/** Distance (mm) behind its rest position at which a proxy counts as fallen through. */
+/**
+ * A proxy that is more than this distance (mm) behind its rest position counts as fallen through.
+ */
 constexpr double Through = 0.3;
 
 /**
- * Moves a random tip into the wall, lets it stay and slide. Returns whether the proxy falls
- * through.
+ * Moves a tip into the wall, lets it rest, and slides it, all at random. Returns whether the proxy
+ * falls through.
  */
 bool FallsThrough(const HapticModel& model, std::mt19937& random)
 {
@@ -75,7 +77,7 @@ bool FallsThrough(const HapticModel& model, std::mt19937& random)
 
 Figures MeasureFallThrough(const Candidate& candidate, const Effort& effort)
 {
-  // A thick wall, and a plate so thin that the blurs of its edges merge.
+  // Use a thick wall, and a plate so thin that the blurred edges of its two sides merge.
   const std::pair<const char*, double> walls[] = { { "thick wall", 1e9 }, { "plate", 2.0 } };
   Figures figures;
   const int crossings = effort.Pick(5000, 500000);

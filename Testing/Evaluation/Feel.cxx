@@ -24,7 +24,7 @@ namespace
 {
 using Filter = vtkVolumeHapticsFilter;
 
-constexpr std::size_t Window = 5; // ticks in which a force must fall to count as a drop
+constexpr std::size_t Window = 5; // ticks during which a force must fall to count as a drop
 constexpr double LongMove = 0.3;  // mm in one tick
 
 constexpr const char* ByDefault = "PRECISE";
@@ -33,11 +33,11 @@ constexpr const char* SmoothedMesh = "SURFACE_PROXY, of smoothed data";
 enum class Data
 {
   AsIs,
-  Filtered,  ///< the volume after a noise filter
+  Filtered, ///< the volume after noise filtering
   SmoothMesh ///< isosurface of the volume after the kernel's smoothing
 };
 
-/** Settings with which a surface is touched. */
+/** A method and settings to compare. */
 struct Variant
 {
   std::string Name;
@@ -70,7 +70,7 @@ std::array<vtkPiecewiseFunction*, 4> FunctionsOf(Filter* filter)
     feel->GetSurfaceStrength() };
 }
 
-/** Sets PRECISE with the settings whose roughness is analysed. */
+/** Selects PRECISE with the settings whose roughness is analysed. */
 void SetEdge(Filter* filter)
 {
   filter->SetContactAlignment(Filter::EDGE);
@@ -151,7 +151,7 @@ std::vector<Variant> MakeVariants()
   return variants;
 }
 
-/** Runs all strokes of a surface. The result has no force after an error of the filter. */
+/** Runs all strokes over a surface. After an error of the filter, the result has no force. */
 Felt FeelArcs(const FeltSurface& surface, const Variant& variant, vtkImageData* filtered,
   vtkPolyData* smoothMesh)
 {
@@ -200,7 +200,9 @@ Curve MakeCurve(const Variant& variant, const std::vector<double>& force)
   return curve;
 }
 
-/** Adds the figures that the default settings must reach; the mesh's figures are the bounds. */
+/**
+ * Adds the figures that the default settings must reach. The roughness of the mesh is the bound.
+ */
 void AddRequired(
   const std::string& name, const Roughness& felt, double smoothest, Figures& required)
 {

@@ -15,39 +15,36 @@ namespace evaluation
 struct Feel
 {
   Comparison Found;
-  Figures Required; ///< figures of surfaces that must be smooth
+  Figures Required; ///< figures of the surfaces that must be smooth
 };
 
 /**
- * Measures the roughness of the force on each surface for all methods; for PRECISE also with one
- * cause of roughness removed at a time. Then counts which changes of the material coincided with
+ * Measures the roughness of the force on each surface for all methods, and for PRECISE also with
+ * one cause of roughness removed at a time. Counts which changes of the material coincide with
  * drops of the force. Adds a plot for each surface.
  */
 Feel MeasureFeel(const std::vector<FeltSurface>& surfaces);
 
 /**
- * Compares each surface with its preset and the default settings; surfaces of a chest CT also with
- * the other presets for chests.
+ * Compares, for each surface, its preset with the default settings, and for chest CTs also the
+ * other chest presets.
  */
 Table ComparePresets(const std::vector<FeltSurface>& surfaces);
 
-/**
- * Averages the function over a width of its argument, so that no ramp is steeper than that width
- * allows.
- */
+/** Averages the function over a width of its argument, which limits the slope of ramps. */
 void Widen(vtkPiecewiseFunction* function, double width);
 
-/** Counts drops of the force along strokes, by what changed within the 5 ms of each drop. */
+/** Counts the drops of the force along strokes by what changed during the 5 ms of each drop. */
 struct DropCauses
 {
   int Drops = 0;
   int Strength = 0;    ///< surface strength changed by more than a factor of two
   int Stiffness = 0;   ///< stiffness changed by more than a fifth
   int Snap = 0;        ///< the proxy moved by more than 0.3 mm in a tick
-  int Unexplained = 0; ///< none of these
+  int Unexplained = 0; ///< none of the causes above
 };
 
-/** Adds the drops of a trace, from a tick on. */
+/** Adds the drops of a trace, beginning at tick `first`. */
 void AddDropCauses(const Trace& trace, std::size_t first, DropCauses& causes);
 
 } // namespace evaluation

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Measures strokes over a ball, whose sections are circles. */
+/** Tests the strokes on a ball, whose sections are circles. */
 
 #include "Feel.h"
 
@@ -19,7 +19,9 @@ namespace
 {
 constexpr double BallRadius = 14.0; // mm
 
-/** Returns air with a ball of a value, and beside the ball a thin plate, like a head rest. */
+/**
+ * Returns air with a ball of a value, and a thin plate beside the ball that represents a head rest.
+ */
 vtkSmartPointer<vtkImageData> MakeHead(double value)
 {
   return SampleImage(
@@ -61,7 +63,7 @@ TEST(Feel, ArcsLieUnderTheBallAndNotUnderThePlate)
 
 TEST(Feel, ArcsAreFoundFromInside)
 {
-  // Make a shell around a ball: seen from the middle, the ball's surface comes first.
+  // Make a shell around a ball: outwards from the middle, the ball's surface comes first.
   const auto ball = SampleImage(
     [](const Vector3& x)
     {
@@ -107,8 +109,8 @@ TEST(Feel, WidenedStepsAreRamps)
 
 TEST(Feel, CausesOfDropsAreWhatChanges)
 {
-  // Three drops: the first with a fall of the strength, the second with a leap of the proxy, and
-  // the third without a known cause.
+  // Make three drops: the first while the strength falls, the second while the proxy jumps, and the
+  // third without a known cause.
   Trace trace(400);
   for (std::size_t i = 0; i < trace.size(); ++i)
   {
@@ -150,7 +152,7 @@ TEST(Feel, ABallOfOneTissueIsSmooth)
 
 TEST(Feel, TicksAreComparedOnStrokesThatThereAre)
 {
-  // The test does not check the times themselves.
+  // The times themselves are not checked.
   FeltSurface surface = FindHeadSurfaces(MakeHead(1000.0), {}).front();
   const Setting none = [](vtkVolumeHapticsFilter*) {};
   EXPECT_GT(MeasureTickRatio(surface, none, none), 0.0);

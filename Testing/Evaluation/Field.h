@@ -18,10 +18,10 @@ namespace evaluation
 {
 using VolumeHaptics::Vector3;
 
-/** A scalar at a position (mm). */
+/** A scalar function of the position (mm). */
 using Field = std::function<double(const Vector3&)>;
 
-/** How a field is sampled. The samples are around the origin. */
+/** How a field is sampled. The samples form a cube around the origin. */
 struct Sampling
 {
   double HalfSize = 24.0;              ///< mm: half of the cube's edge
@@ -29,10 +29,10 @@ struct Sampling
   VolumeHaptics::ScalarType Type = VolumeHaptics::ScalarType::Float64;
   double Noise = 0.0; ///< standard deviation of the noise
   unsigned Seed = 1;
-  bool IsTurned = false; ///< rotated by an odd angle about an odd centre
+  bool IsTurned = false; ///< rotated by an arbitrary angle about a centre off the grid
 };
 
-/** Material and solver. The defaults are those of the closed forms. */
+/** Material, solver and settings. The defaults are those of the closed forms. */
 struct Touching
 {
   VolumeHaptics::HapticSolver Solver = VolumeHaptics::HapticSolver::Precise;
@@ -45,14 +45,14 @@ struct Touching
   double ReleaseTime = VolumeHaptics::HapticSettings{}.ReleaseTime; ///< s
 };
 
-/** Returns constant material functions. */
+/** Returns a material whose functions are constant. */
 VolumeHaptics::HapticMaterial MakeMaterial(double stiffness = 500.0, double friction = 0.0,
   double viscosity = 0.0, double surfaceStrength = 2.0, double distinctness = 1.0);
 
-/** Surface strength (N) that no hand overcomes. */
+/** Surface strength (N) that no hand exceeds. */
 constexpr double Impenetrable = 1e9;
 
-/** The samples of a field. Integer types round and saturate. */
+/** The samples of a field. Integer types are rounded and saturated. */
 class Volume
 {
 public:
@@ -71,10 +71,10 @@ private:
 using Path = std::vector<Vector3>;
 using Trace = std::vector<VolumeHaptics::TickRecord>;
 
-/** Appends points on the way to a goal, `step` (mm) apart; the last one is exactly the goal. */
+/** Appends points towards a goal, `step` (mm) apart; the last point is exactly the goal. */
 void MoveTo(Path& path, const Vector3& goal, double step);
 
-/** Runs ticks along a path; 1 mm of the path is 1 mm of the hand. */
+/** Runs a tick for each position of a path; 1 mm of the path is 1 mm of the hand. */
 Trace Play(const VolumeHaptics::HapticModel& model, const Path& path);
 
 /** Returns the tick's proxy (mm). */

@@ -16,14 +16,14 @@
 namespace evaluation
 {
 
-/** A number that must stay below a bound. */
+/** A measured number with an upper bound. */
 struct Figure
 {
   std::string Name;
   std::string Unit;
   double Value = 0.0;
   double Bound = 0.0;
-  bool IsTime = false; ///< depends on this machine and run, so tests leave it out
+  bool IsTime = false; ///< depends on the machine and the run, so tests ignore it
   /**
    * Returns whether the value is below the bound. A value equal to the bound fails, unless both are
    * 0.
@@ -36,7 +36,7 @@ struct Figure
 
 using Figures = std::vector<Figure>;
 
-/** Tells how much is measured: a reduced run or a full run. */
+/** Amount of measurement: a reduced run or a full run. */
 struct Effort
 {
   bool IsFull = false;
@@ -48,12 +48,12 @@ struct Curve
   std::string Name;
   std::vector<double> X;
   std::vector<double> Y;
-  int Colour = -1;       ///< index in the plots' palette; by default the next colour
+  int Colour = -1; ///< index in the plots' palette; a negative number selects the next colour
   bool IsMarked = false; ///< only points, no line
   float Width = 2.0f;
 };
 
-/** Position of a plot's legend. Choose one where the plot has no curve. */
+/** Position of a plot's legend, which should not cover a curve. */
 enum class LegendPlace
 {
   Right, ///< at half height
@@ -61,7 +61,7 @@ enum class LegendPlace
   TopRight
 };
 
-/** A plot of the report. */
+/** A plot in the report. */
 struct Plot
 {
   std::string File; ///< without extension
@@ -70,11 +70,11 @@ struct Plot
   std::string YLabel;
   std::vector<Curve> Curves;
   LegendPlace Legend = LegendPlace::Right;
-  /// labels of an axis that is not numbered evenly
+  /// labels of an axis without evenly spaced numbers
   std::vector<std::pair<double, std::string>> XTicks = {};
 };
 
-/** Solver and settings for which a figure is measured; by default the default settings. */
+/** Solver and settings whose figures are measured. */
 struct Candidate
 {
   VolumeHaptics::HapticSolver Solver;
@@ -84,7 +84,8 @@ struct Candidate
 };
 
 /**
- * Returns the candidate with the paper's surfaces: alignment Distinctness, materials of the kernel.
+ * Returns the candidate with surfaces as in the paper: alignment Distinctness, materials from the
+ * kernel.
  */
 inline Candidate PlacedAsThePaper(Candidate candidate)
 {
@@ -105,32 +106,33 @@ inline Touching TouchingOf(const Candidate& candidate, const VolumeHaptics::Hapt
 }
 
 /**
- * Measures the force against the closed forms T1 to T13, as fractions of each form's largest force.
+ * Measures the error of the force against the closed forms T1 to T13, as fractions of each form's
+ * largest force.
  */
 Figures MeasureClosedForms(const Candidate& candidate, const Effort& effort);
 /**
- * Measures how well the proxy tracks an iso-level, and its drift, on balls and in cavities of
- * 20 voxels.
+ * Measures how well the proxy tracks an iso-level, and how far it drifts, on balls and in cavities
+ * of 20 voxels.
  */
 Figures MeasureTracking(const Candidate& candidate, const Effort& effort);
-/** Counts the crossings of a blurred wall that fall through it. */
+/** Counts how often a tip falls through a blurred wall. */
 Figures MeasureFallThrough(const Candidate& candidate, const Effort& effort);
-/** Measures the force on a clean plane between 100 and 500 Hz. */
+/** Measures the ripple of the force on a clean plane, between 100 and 500 Hz. */
 Figures MeasureRipple(const Candidate& candidate, const Effort& effort);
 /** Measures the energy that the hand gains in closed cycles. */
 Figures MeasureEnergy(const Candidate& candidate, const Effort& effort);
 /** Measures the angle between the frictionless force and the normal of an 8-bit sphere. */
 Figures MeasureAngle(const Candidate& candidate, const Effort& effort);
-/** Measures the position at which alignment Edge first holds on a blurred step. */
+/** Measures the position at which alignment Edge places the surface of a blurred step. */
 Figures MeasureAlignment(const Candidate& candidate, const Effort& effort);
 /** Measures proxy and force on a bumpy ball, with alignment Edge. */
 Figures MeasureBumps(const Candidate& candidate, const Effort& effort);
-/** Measures the force of moving volumes on a resting tip, compared with closed forms. */
+/** Measures the force of a moving volume on a resting tip, compared with closed forms. */
 Figures MeasureMovingWall(const Candidate& candidate, const Effort& effort);
-/** Measures the cost of a tick. For the report only, not for tests. */
+/** Measures the cost of a tick, which only the report uses. */
 Figures MeasureSpeed(const Candidate& candidate, const Effort& effort);
 
-/** Returns the plots of the report, for both solvers. */
+/** Returns the report's plots, with curves for both solvers. */
 std::vector<Plot> MakePlots(const Effort& effort);
 /** Plots the forces that MeasureMovingWall() compares. */
 std::vector<Plot> PlotMovingWalls();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * PRECISE reaches every figure of the specification on a reduced run. The figures can fail, since
- * PAPER does not reach them.
+ * Expects PRECISE to reach every figure of the specification on a reduced run. PAPER must miss some
+ * figures, which shows that they can fail.
  */
 
 #include "Figure.h"

@@ -13,7 +13,7 @@ namespace
 {
 constexpr int Draws = 100000;
 
-/** The hand's knowledge of a tissue: mean and variance of each perceived cue. */
+/** The ideal hand's knowledge of a tissue: mean and variance of each perceived cue. */
 struct Template
 {
   std::vector<double> Mean;

@@ -36,20 +36,23 @@ struct FeltTissue
 class IdealHand
 {
 public:
-  /** Takes a Weber fraction above 0, and the floor of each cue in the cue's unit. */
+  /** `weberFraction` is above 0. `floors` has the floor of each cue, in the cue's unit. */
   IdealHand(double weberFraction, std::vector<double> floors);
 
-  /** Returns the perceived cue in units of the noise. */
+  /** Returns the perceived cue, with the noise's standard deviation as its unit. */
   double Perceive(double cue, std::size_t index) const;
 
-  /** Returns d' of two tissues. Each tissue is the mean of its places. */
+  /**
+   * Returns the discriminability d' of two tissues. Each tissue is represented by the mean of its
+   * places.
+   */
   double Distance(const FeltTissue& one, const FeltTissue& other) const;
 
   /**
-   * Returns a matrix: the probability that the tissue of a row is named as the tissue of a column.
-   * All places of a tissue are equally likely. The hand allows for the noise of its senses and for
-   * the differences between a tissue's places. Uses 100 000 draws with a fixed seed, for a standard
-   * error below 0.002.
+   * Returns a matrix: the probability that the hand identifies the tissue of a row as the tissue of
+   * a column. All places of a tissue are equally likely. The hand accounts for its sensory noise
+   * and for the differences between a tissue's places. Uses 100 000 draws with a fixed seed, for a
+   * standard error below 0.002.
    */
   std::vector<std::vector<double>> ComputeConfusion(const std::vector<FeltTissue>& tissues) const;
 
@@ -60,7 +63,7 @@ private:
   std::vector<double> Floors;
 };
 
-/** Returns the expected number of tissues that are named correctly: the sum of the diagonal. */
+/** Returns the expected number of correctly identified tissues: the sum of the diagonal. */
 double CountCorrect(const std::vector<std::vector<double>>& confusion);
 
 /** Adds a row for each tissue, in percent. */

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The ideal hand is right as often as signal detection theory predicts: Phi(d'/2) for two tissues,
- * and closed forms for three tissues on a line. It also feels slabs whose forces are known.
+ * The ideal hand is correct as often as signal detection theory predicts: Phi(d'/2) for two
+ * tissues, and closed forms for three tissues on a line. It also palpates slabs whose forces are
+ * known.
  */
 
 #include "Palpation.h"
@@ -32,7 +33,7 @@ TEST(IdealHand, ADifferenceOfOneWeberFractionIsOneUnit)
   EXPECT_NEAR(hand.Perceive(1.1, 0) - hand.Perceive(1.0, 0), 1.0, 1e-6);
   EXPECT_NEAR(hand.Perceive(220.0, 0) - hand.Perceive(200.0, 0), 1.0, 1e-6);
   EXPECT_EQ(hand.Perceive(0.0, 1), 0.0) << "nothing is felt as nothing";
-  // Far below the floor, all differences have the same size: x0 ln(1 + w).
+  // Far below the floor, the perceived difference is linear, with the unit x0 ln(1 + w).
   const double unit = 0.5 * std::log(1.1);
   EXPECT_NEAR(hand.Perceive(1e-6, 1), 1e-6 / unit, 1e-10);
 }
@@ -53,7 +54,7 @@ TEST(IdealHand, OfTwoIsRightByPhiOfHalfTheDistance)
       EXPECT_NEAR(confusion[i][i], Phi(0.5 * distance), 0.008) << distance;
       EXPECT_NEAR(confusion[i][0] + confusion[i][1], 1.0, 1e-9);
     }
-    // Two tissues feel the same, so naming one of them is a guess.
+    // Two tissues have the same cues, so identifying either of them is a guess.
     EXPECT_NEAR(CountCorrect(confusion), 2.0 * Phi(0.5 * distance), 0.01);
   }
 }
@@ -73,8 +74,8 @@ TEST(IdealHand, OfThreeOnALineTheMiddleOneIsConfusedTwice)
 
 TEST(IdealHand, PlacesThatDifferAreHarderToName)
 {
-  // The places are at -s and s around each of two means: the variance is 1 + s^2, and the border is
-  // still halfway between the means.
+  // Each of two means has places at -s and s: the variance is 1 + s^2, and the border is still
+  // halfway between the means.
   const auto cue = [](double u) { return std::exp(u * std::log(1.1)); };
   const double s = 1.5;
   const double d = 3.0;
@@ -86,7 +87,7 @@ TEST(IdealHand, PlacesThatDifferAreHarderToName)
   EXPECT_NEAR(confusion[1][1], right, 0.008);
 }
 
-/** Returns a linear ramp, whose surface is always where the hand begins. */
+/** Returns a linear ramp, in which a surface is wherever the hand begins. */
 std::shared_ptr<const HapticModel> MakeRamp(
   double stiffness, double friction, double strength, double viscosity)
 {

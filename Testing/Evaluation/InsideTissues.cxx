@@ -36,7 +36,7 @@ vtkSmartPointer<vtkImageData> Smooth(vtkImageData* image)
   return smooth->GetOutput();
 }
 
-/** Looks up the nearest voxel. */
+/** Reads the nearest voxel of an image. */
 class Look
 {
 public:
@@ -69,7 +69,7 @@ public:
           static_cast<int>(this->Labels->GetScalarComponentAsDouble(at[0], at[1], at[2], 0))) > 0);
   }
 
-  /** Returns whether the positions at the margin all around belong to the tissue. */
+  /** Returns whether all positions at the margin around `at` belong to the tissue. */
   bool IsInside(const Vector3& at) const
   {
     for (int i = -1; i <= 1; ++i)

@@ -26,10 +26,10 @@ struct TissueBand
   double High = 0.0;
   std::set<int> Labels; ///< labels in the segmentation; unused without a segmentation
   double Length = 25.0; ///< mm, of a stroke
-  double Margin = 3.0;  ///< mm around a stroke that must belong to the tissue, too
+  double Margin = 3.0; ///< mm around a stroke that must also belong to the tissue
 };
 
-/** A scan, with a segmentation on the same voxels if available. */
+/** A scan, with a segmentation of the same voxels if available. */
 struct BandedScan
 {
   std::string Name;
@@ -38,13 +38,13 @@ struct BandedScan
 };
 
 /**
- * Returns straight strokes at 45 mm/s. The surroundings of each are within the band, after
- * smoothing with a Gaussian of 1 mm, and have the labels. Returns fewer strokes if there is no
- * room.
+ * Returns straight strokes at 45 mm/s. Within the margin of each, all values smoothed with a
+ * Gaussian of 1 mm are in the tissue's range, and the labels match. Returns fewer strokes if there
+ * is no room.
  */
 std::vector<Path> FindStrokesInside(const BandedScan& scan, const TissueBand& tissue, int count);
 
-/** Returns a line for each scan, tissue and CT preset. */
+/** Returns a table with a line for each scan, tissue and CT preset. */
 Table MeasureInsideTissues(const Scans& scans, const Effort& effort);
 
 } // namespace evaluation

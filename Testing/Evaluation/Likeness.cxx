@@ -23,7 +23,7 @@ double AngleBetween(const Vector3& a, const Vector3& b)
 }
 
 /**
- * Returns the slope (N/mm) of the force while a stroke presses, which a hand perceives as
+ * Returns the slope (N/mm) of the force while a stroke presses. A hand perceives this slope as
  * stiffness.
  */
 double PressedSlope(const Stroke& stroke, const Trace& trace)
@@ -64,7 +64,7 @@ const char* Verdict(const Differences& differences)
     : "between the thresholds";
 }
 
-/** Returns a curve: the fraction of ticks against the difference. */
+/** Returns a curve: the fraction of ticks as a function of the difference. */
 Curve Draw(const Method& method, std::vector<double> percents)
 {
   Curve curve{ method.Name, {}, {}, method.Colour };

@@ -27,7 +27,7 @@ constexpr Thresholds ForceThresholds{ 7.0, 10.0 };     // %
 constexpr Thresholds StiffnessThresholds{ 8.0, 22.0 }; // %
 constexpr double DirectionThreshold = 25.0;            // degrees
 /**
- * Ticks in which the reference has less force (N) are not compared, because the hand does not
+ * Least force (N) of the reference in a tick that is compared. With less force, the hand does not
  * press.
  */
 constexpr double LeastForce = 0.1;
@@ -47,7 +47,7 @@ struct Differences
 {
   std::vector<double> Newtons;     ///< N, between the magnitudes of the forces
   std::vector<double> Percent;     ///< %, relative to the reference's force
-  std::vector<double> Sliding;     ///< %, in the ticks in which the strokes slide
+  std::vector<double> Sliding; ///< %, only in ticks in which the strokes slide
   std::vector<double> Degrees;     ///< between the forces; 180 if one is 0
   std::vector<double> Millimeters; ///< mm, between the proxies
   std::vector<double> Stiffness;   ///< %, between the forces' slopes while a stroke presses
@@ -55,13 +55,13 @@ struct Differences
   void Add(const Stroke& stroke, const Trace& reference, const Trace& other);
 };
 
-/** A surface on which methods are compared. */
+/** A surface on which the methods are compared. */
 struct Subject
 {
   std::string Name;
   std::unique_ptr<Scene> TheScene;
   std::vector<Stroke> Strokes;
-  Field Off; ///< distance (mm) between a position and the surface, in either direction
+  Field Off; ///< distance (mm) of a position from the surface, on either side
 };
 
 /**
@@ -70,12 +70,12 @@ struct Subject
  */
 double OffSurface(const Subject& subject, const std::vector<Trace>& traces);
 
-/** Returns the percentage of ticks that left a part of their motion to the next tick. */
+/** Returns the percentage of ticks that postponed part of their motion to the next tick. */
 double UnfinishedFraction(const std::vector<Trace>& traces);
 
 /**
  * Adds a row for each friction and each method that has a surface. The reference is
- * SurfaceHaptics(). Adds to the plot a curve for each of these methods without friction: the
+ * SurfaceHaptics(). Adds a curve to the plot for each of these methods without friction: the
  * fraction of ticks below a difference of force.
  */
 void CompareOn(const Subject& subject, Table& table, Plot* plot = nullptr);
@@ -88,11 +88,11 @@ Table MakeLikenessTable();
 std::vector<Subject> MakeShapes();
 
 /**
- * Returns bone, with strokes of 12 mm from all sides of the upper half, 1.5 mm deep, where the
- * surface continues and its gradient is at least 40 HU/mm, the preset "CT contrast"'s limit for
- * distinct surfaces. One subject is the isosurface of the scan as it is, the other that of the scan
- * smoothed by PRECISE's weights. Returns nothing, with the reason and the cure in `error`, if there
- * is no volume or no such surface.
+ * Returns strokes of 12 mm over bone from all sides of the upper half, 1.5 mm deep, where the
+ * surface is continuous and its gradient is at least 40 HU/mm (the limit for distinct surfaces in
+ * the preset "CT contrast"). One subject uses the isosurface of the original scan, the other that
+ * of the scan smoothed by PRECISE's weights. Without a volume or such a surface, returns nothing,
+ * and `error` describes the reason and the cure.
  */
 std::vector<Subject> MakeBone(
   vtkImageData* volume, double isoValue, const Effort& effort, std::string& error);

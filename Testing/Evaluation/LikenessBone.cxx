@@ -28,8 +28,8 @@ constexpr double LongestJump = 0.5;    // mm of depth from one tick to the next
 using Value = std::function<double(const Vector3&)>;
 
 /**
- * Returns the distance (mm) along a direction at which a value is first reached; nothing if that is
- * beyond the reach.
+ * Returns the distance (mm) along a direction at which the value first reaches a level, or nothing
+ * if it is beyond the reach.
  */
 std::optional<double> FindFirst(
   const Value& value, double level, const Vector3& from, const Vector3& way, double reach)
@@ -53,7 +53,7 @@ std::optional<double> FindFirst(
   return {};
 }
 
-/** Returns the parabola (a, b, c) that best fits heights at a spacing of one step. */
+/** Returns the parabola (a, b, c) that best fits heights that are one step apart. */
 std::array<double, 3> FitParabola(const std::vector<double>& heights)
 {
   double matrix[3][3] = {};
@@ -76,7 +76,10 @@ std::array<double, 3> FitParabola(const std::vector<double>& heights)
   return solution;
 }
 
-/** Returns a stroke that presses and then follows the bone's course, but not its grain. */
+/**
+ * Returns a stroke that presses in, and then follows the bone's overall course without its fine
+ * relief.
+ */
 std::optional<Stroke> FindStroke(const SmoothedVolume& bone, const Value& value, double level,
   const Vector3& from, const Vector3& inward, double reach)
 {

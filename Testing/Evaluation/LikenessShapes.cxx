@@ -31,7 +31,7 @@ Stroke PressAt(const Vector3& start, const Vector3& outward)
   return stroke;
 }
 
-/** Returns a stroke along the circle about OddCentre with radius `tip`, through half a turn. */
+/** Returns a stroke through half a turn of the circle about OddCentre with radius `tip`. */
 Stroke SlideRound(double surface, double tip)
 {
   const double sign = surface > tip ? 1.0 : -1.0;
@@ -55,7 +55,7 @@ Stroke SlideOnPlane()
   return stroke;
 }
 
-/** Returns the depth (mm) inside an endless bar along OddNormal. */
+/** Returns the depth (mm) inside an infinitely long bar along OddNormal. */
 double InsideBar(const Vector3& x)
 {
   const double u = std::abs(Dot(x - OddCentre, OddAside)) - (HalfWidth - Rounding);
@@ -64,7 +64,7 @@ double InsideBar(const Vector3& x)
   return Rounding - outside - std::min(std::max(u, v), 0.0);
 }
 
-/** Returns a stroke from the middle of one side round an edge to the middle of the next side. */
+/** Returns a stroke from the middle of one side around an edge to the middle of the next side. */
 Stroke SlideOverEdge()
 {
   const auto at = [](double u, double v) { return OddCentre + u * OddAside + v * OddUp; };
@@ -89,7 +89,7 @@ Subject MakeSubject(const char* name, const Field& inside, Stroke stroke)
   return subject;
 }
 
-/** Returns the smoothed volume with its isosurface through the first contact. */
+/** Returns the smoothed volume, and its isosurface through the first contact. */
 Subject MakeSmoothed(const char* name, const Field& inside, Stroke stroke)
 {
   const auto image =

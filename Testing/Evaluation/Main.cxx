@@ -65,15 +65,15 @@ Figures MeasureAll(const Candidate& candidate, const Effort& effort)
 }
 
 /**
- * Number of the head CT's four tissues that an ideal hand must tell apart, under constant force and
- * at constant depth. Before materials were looked up behind an edge, the hand told 2.94 and 2.95
- * tissues apart.
+ * Number of tissues, of the head CT's four, that an ideal hand must identify correctly under
+ * constant force and at constant depth. Before materials were read behind an edge, the numbers were
+ * 2.94 and 2.95.
  */
 constexpr double CorrectBefore[] = { 2.93, 2.94 };
 
 /**
- * Measures how much longer a tick takes with features that the paper lacks. The bound is a factor
- * of 1.25.
+ * Measures the cost of a tick with the features that the paper lacks, relative to a tick without
+ * them. The bound is a factor of 1.25.
  */
 Figures MeasureTickRatios(const std::vector<FeltSurface>& surfaces, const Scans& scans)
 {
@@ -115,7 +115,8 @@ void Tell(const Table& table, Comparison& found)
 }
 
 /**
- * Adds a section to the report, and prints it. Returns the number of figures that are not reached.
+ * Adds a section to the report, and prints it. Returns the number of figures that miss their
+ * bounds.
  */
 int Tell(const Section& section, Report& report)
 {
@@ -124,8 +125,8 @@ int Tell(const Section& section, Report& report)
 }
 
 /**
- * Measures the surfaces of all scans, the ideal hand, and the bumpy ball. Prints each table when it
- * is complete.
+ * Measures the surfaces of all scans, the ideal hand, and the bumpy ball. Prints each table as soon
+ * as it is complete.
  */
 Feel MeasureScans(const Scans& scans, const Effort& effort)
 {

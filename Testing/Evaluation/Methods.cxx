@@ -20,13 +20,12 @@ namespace
 using Filter = vtkVolumeHapticsFilter;
 
 /**
- * Distance (mm) from which the tip approaches a mesh, whose triangles can be off the level by a
- * tenth of a voxel.
+ * Distance (mm) from the level at which the tip starts outside of a mesh, whose triangles can be
+ * off the level by a tenth of a voxel.
  */
 constexpr double Approach = 0.5;
 /**
- * Number of ticks that the tip waits there, until the slow loop of a local surface has fitted a
- * surface.
+ * Number of ticks that the tip waits at the start, until the slow loop has fitted a local surface.
  */
 constexpr std::size_t Wait = 50;
 } // namespace

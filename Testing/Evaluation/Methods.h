@@ -23,7 +23,7 @@ namespace evaluation
 {
 
 /**
- * Radius (mm) of SURFACE_PROXY's sphere. The sphere is small compared with a voxel, so that it goes
+ * Radius (mm) of SURFACE_PROXY's sphere, small enough compared with a voxel that the sphere goes
  * wherever a point goes.
  */
 constexpr double ProbeRadius = 0.02;
@@ -39,24 +39,24 @@ struct Method
    * where a surface makes no difference.
    */
   bool HasSurface() const { return this->Kind != vtkVolumeHapticsFilter::FORCE_FIELD; }
-  /** Returns the distance (mm) from the surface at which the method holds the proxy. */
+  /** Returns the distance (mm) between the surface and the proxy in contact. */
   double Offset() const
   {
     return this->Kind == vtkVolumeHapticsFilter::SURFACE_PROXY ? ProbeRadius : 0.0;
   }
 };
 
-/** Returns all methods, one per line of the report. */
+/** Returns all methods in the order of the report's lines. */
 const std::vector<Method>& AllMethods();
 /**
- * Returns proxy-based surface haptics. The paper says that people cannot distinguish its method
- * from this one.
+ * Returns proxy-based surface haptics, from which people can't distinguish the paper's method,
+ * according to the paper.
  */
 const Method& SurfaceHaptics();
 
 /**
- * A stroke down to a surface and along it. The tip begins on the surface: PROXY accepts any level
- * as its surface, and then keeps the one where the tip began.
+ * A stroke down to a surface and along it. The tip begins on the surface, because PROXY selects the
+ * level where the tip begins.
  */
 struct Stroke
 {
@@ -66,14 +66,14 @@ struct Stroke
   std::size_t Pressed = 0; ///< number of tips that press before the slide begins
 };
 
-/** Sets the function to one value everywhere. */
+/** Makes the function constant. */
 void SetConstant(vtkPiecewiseFunction* function, double value);
 
-/** Samples a field in voxels of 1 mm around the origin. */
+/** Samples a field around the origin, in voxels of 1 mm. */
 vtkSmartPointer<vtkImageData> SampleImage(const Field& field, double halfSize);
 
 /**
- * An image with a surface. All tissue that holds has the same stiffness and friction, and unlimited
+ * An image with a surface. All solid tissue has the same stiffness and friction, and unlimited
  * strength.
  */
 class Scene
@@ -83,7 +83,7 @@ public:
   Scene(vtkImageData* image, double isoValue, vtkPolyData* surface = nullptr);
 
   /**
-   * Returns whether a method can touch the surface. Local surfaces are always surfaces of the
+   * Returns whether a method can touch the surface. A local surface is always a surface of the
    * image.
    */
   bool CanFeel(const Method& method) const
@@ -95,18 +95,17 @@ public:
   void SetKernelRadius(int voxels) { this->Filter->SetKernelRadius(voxels); }
   void SetForceFieldGain(double gain) { this->Filter->SetForceFieldGain(gain); }
 
-  /** Returns null after an error of the filter. */
+  /** Returns the filter's model, or null after an error. */
   std::shared_ptr<const VolumeHaptics::HapticModel> Bake(const Method& method);
 
   /**
-   * Returns a record for each of the stroke's tips; nothing after an error. 1 mm of the stroke is
-   * 1 mm of the hand.
+   * Returns a record for each of the stroke's tips, or nothing after an error. 1 mm of the stroke
+   * is 1 mm of the hand.
    *
    * The sphere of SURFACE_PROXY rolls on the surface with its centre one radius outside. For the
-   * comparison, proxy and force are corrected by this offset, so that they are those of the
-   * touching point. Only friction still contains it, as mu k ProbeRadius: 3 mN at 500 N/m and
-   * mu = 0.3. Methods other than PROXY begin outside of the surface, because they need to know
-   * their side.
+   * comparison, proxy and force are corrected by this offset to those of the touching point. Only
+   * friction still includes the offset, as mu k ProbeRadius: 3 mN at 500 N/m and mu = 0.3. Methods
+   * other than PROXY begin outside of the surface, because they must determine their side.
    */
   Trace Feel(const Method& method, const Stroke& stroke);
 

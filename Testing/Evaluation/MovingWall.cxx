@@ -46,14 +46,14 @@ constexpr double BallAmplitude = 2.0; // mm
 constexpr double LeapLength = 9.0;    // mm
 constexpr double WallSpeed = 10.0;    // mm/s, of an approaching wall
 /**
- * Kernel radius (voxels). An edge begins where V is the mean of the values at this distance in
- * front and behind. These values are interpolated. With 2 voxels, they are still on the flanks of
- * the edges below, so that the surface is off by up to 0.025 voxel; with 3 voxels by 0.01.
+ * Kernel radius (voxels). An edge begins where V is the mean of the interpolated values at this
+ * distance in front and behind. With 2 voxels, these values are still on the flanks of the edges
+ * below, which shifts the surface by up to 0.025 voxel; with 3 voxels, by 0.01.
  */
 constexpr int WallRadius = 3;
 constexpr double WallTick = 1e-3; // s
 
-/// mm: displacement of the surface out of the structure
+/// mm: displacement of the surface, outwards
 using Motion = std::function<double(double time)>;
 
 double Pulse(double time)
@@ -72,7 +72,7 @@ struct MovingCase
   double Drag;          ///< N, drag of the medium
   double End;           ///< s
   Motion Surface;
-  /** Force (N) without the field's blur and without the blend of the time steps. */
+  /** Force (N), without the field's blur and the blend of the time steps. */
   std::function<double(double time)> Force;
 };
 
@@ -96,7 +96,7 @@ std::vector<MovingCase> MakeMovingCases()
   };
   MovingCase slipping = pulse("V2, ball that pulsates, of which 1 N slips", 0.01);
   slipping.Strength = 1.0;
-  slipping.End = 0.9; // afterwards the ball returns
+  slipping.End = 0.9; // later the ball returns
   slipping.Force = Slipping;
   // The wall moves from 5 mm in front of the tip to 4 mm behind it.
   const Motion leap = [](double time) { return -6.0 + LeapLength * time; };
@@ -116,8 +116,8 @@ std::vector<MovingCase> MakeMovingCases()
  *   f~(rho) + q/rho f~'(rho),   f~: the step with a variance of w^2 + q,
  *
  * since it blurs rho f(rho) in one dimension, where z has the mean q d/dz (Stein). The surface
- * keeps the level that it had at the first contact. By the definition of an edge, it is never in
- * front of the middle, V = (V(x_s) + V(x_v))/2.
+ * keeps the level of the first contact. By the definition of an edge, it is never in front of the
+ * middle, V = (V(x_s) + V(x_v))/2.
  */
 class BlurredBall
 {
@@ -146,8 +146,7 @@ public:
       const double surface = std::min({ held, middle, most });
       if (middle <= tip || surface < held)
       {
-        // Without contact, the level becomes that of the middle. After a slip, it becomes that of
-        // the surface.
+        // Without contact, the level follows the middle. After a slip, it follows the surface.
         level = this->Read(middle <= tip ? middle : surface, time, this->OwnVariance);
       }
       forces.push_back(middle <= tip ? 0.0 : 1e-3 * WallStiffness * std::max(0.0, surface - tip));
@@ -160,8 +159,8 @@ private:
   static constexpr double LinearVariance = 1.0 / 6.0; ///< square voxels, of linear interpolation
 
   /**
-   * Returns the variance of the Gaussian's window with which its derivative is consistent
-   * (Core/Field/GradientKernel.h).
+   * Returns the variance of a window for which the derivative of the windowed Gaussian is
+   * consistent (Core/Field/GradientKernel.h).
    */
   static double ComputeGaussianVariance()
   {
@@ -185,7 +184,7 @@ private:
   double Read(double rho, double time, double variance) const
   {
     const double period = this->Case.FramePeriod;
-    // A tick at a time step uses this time step, despite rounding.
+    // A tick at a time step uses exactly this time step, despite rounding errors.
     const double before = period * std::floor(time / period + 1e-9);
     const double fraction = (time - before) / period;
     const double width = std::sqrt(WallBlur * WallBlur + variance);
@@ -208,7 +207,7 @@ private:
       });
   }
 
-  /** Returns the root, near the surface, of a function that decreases with the radius. */
+  /** Returns the root near the surface of a function that decreases with the radius. */
   template <typename Function>
   double Descend(double time, const Function& function) const
   {
@@ -224,15 +223,15 @@ private:
 
   const MovingCase& Case;
   const bool IsSpline;
-  const double OwnVariance;   ///< variance of the levels that hold the proxy
+  const double OwnVariance; ///< variance of the levels that support the proxy
   const double ValueVariance; ///< of V
 };
 
 HapticModelDescription DescribeMoving(const Candidate& candidate, const MovingCase& c)
 {
   Touching touching = TouchingOf(candidate, MakeMaterial(WallStiffness, 0.0, c.Drag, c.Strength));
-  // With far-side materials, a surface's strength begins at the middle of its edge and grows from
-  // there. Here the strength is complete, so that the force comes from the middle.
+  // With far-side materials, the surface's strength would increase from the middle of the edge
+  // onwards. With kernel materials, the strength is complete, and the force starts in the middle.
   touching.Alignment = ContactAlignment::Edge;
   touching.Placement = MaterialPlacement::Kernel;
   touching.KernelRadius = WallRadius;
@@ -278,8 +277,8 @@ FeltMotion FeelMoving(const Candidate& candidate, const MovingCase& c)
 {
   const HapticModel model(DescribeMoving(candidate, c));
   const Vector3 at = OddCentre - BallDepth * OddNormal;
-  // With drag, a hand that approaches would keep a force when it rests, so the hand starts at rest
-  // in its place.
+  // In a medium with drag, an approaching hand would retain a force when it stops, so start at rest
+  // at the final position.
   Path path = { c.Drag > 0.0 ? at : OddCentre + 6.0 * OddNormal };
   MoveTo(path, at, 0.02);
   ServoState state;
@@ -320,8 +319,8 @@ double MeasureWorkError(const Candidate& candidate, double strength, double righ
 }
 
 /**
- * V5: returns the largest difference (N) between the forces of the series and of the first time
- * step alone.
+ * V5: returns the largest difference (N) between the forces of the series and those of its first
+ * time step alone.
  */
 double MeasureStillDifference(const Candidate& candidate)
 {
@@ -354,12 +353,12 @@ double MeasureStillDifference(const Candidate& candidate)
 
 /**
  * V6: returns the largest difference of forces (N) between a hand in a volume that moves as a
- * whole, with displacements, and a hand that moves the other way in a volume at rest. The motion
- * per time step is a whole number of voxels, so that sampling adds no error.
+ * whole, with displacements, and a hand that moves in the opposite direction in a static volume.
+ * The motion per time step is a whole number of voxels, so that sampling adds no error.
  *
- * Each tick starts from the resting volume's state. Where a graded edge gives way, PRECISE may go
- * too far by 2e-4 of the lag, and rounding errors grow there from tick to tick, by the edge's rise
- * of strength over k.
+ * Each tick starts from the static volume's state. Where a graded edge yields, PRECISE may
+ * overshoot by 2e-4 of the lag, and rounding errors grow from tick to tick, by the edge's rise of
+ * strength over k.
  */
 double MeasureRigidDifference(const Candidate& candidate)
 {
@@ -414,8 +413,8 @@ double MeasureRigidDifference(const Candidate& candidate)
 }
 
 /**
- * Returns the energy (mJ) that a hand gets beyond its own work and the wall's. The hand wanders in
- * and out of a pulsating ball with friction, and presses harder than the ball holds.
+ * Returns the energy (mJ) that a hand gains beyond its own work and the wall's. The hand wanders in
+ * and out of a pulsating ball with friction, and presses harder than the ball can resist.
  */
 double MeasureEnergyGiven(const Candidate& candidate)
 {
@@ -439,7 +438,7 @@ double MeasureEnergyGiven(const Candidate& candidate)
     const Vector3 force = record.Force;
     tip =
       OddCentre + 3.0 * std::sin(7.1 * time) * OddNormal + 2.0 * std::sin(5.3 * time) * OddAside;
-    // The time moves to and fro over the period's time steps without a jump.
+    // The time oscillates over the period's time steps without a jump.
     state.DataTime = 0.5 * (1.0 - std::cos(TwoPi * 0.4 * time));
     Tick(model, state, 1e-3 * tip, record);
     given += 0.5e-3 * Dot(force + record.Force, tip - before);
@@ -447,7 +446,7 @@ double MeasureEnergyGiven(const Candidate& candidate)
     exchanged += std::abs(record.WallWork);
     most = std::max(most, given - walls);
   }
-  // If the wall did no work, the measurement is void.
+  // Without work of the wall, the measurement is void.
   return exchanged > 0.01 ? 1e3 * most : std::numeric_limits<double>::infinity();
 }
 } // namespace

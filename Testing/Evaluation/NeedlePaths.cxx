@@ -28,9 +28,9 @@ constexpr double Safety = 6.0;     // mm
 constexpr double AirValue = -300.0;
 constexpr double BoneValue = 200.0;
 constexpr double AirGap = 15.0; // mm of air that count as the end of the body
-constexpr double Same = 0.01;   // N: largest difference that counts as equal
+constexpr double Same = 0.01; // N: largest difference that counts as none
 
-/** Looks up the nearest voxel of an image. */
+/** Reads the nearest voxel of an image. */
 class Voxels
 {
 public:
@@ -62,7 +62,7 @@ private:
   int Size[3];
 };
 
-/** A scan with labels. */
+/** A scan with its segmentation. */
 struct Body
 {
   Voxels Values;
@@ -81,7 +81,9 @@ struct Body
     return this->IsOf(this->Sorted.Bone, at) || (value && *value > BoneValue);
   }
 
-  /** Returns whether the needle may pass here, with no bone around. */
+  /**
+   * Returns whether the needle can pass here: neither bone nor another organ to avoid is nearby.
+   */
   bool IsFree(const Vector3& at, const Vector3& side, const Vector3& up) const
   {
     if (this->IsOf(this->Sorted.Others, at) || this->IsBone(at))
@@ -122,7 +124,7 @@ struct Body
       }
       if (*value > AirValue)
       {
-        // Bone just behind the target also counts, because the kernel selects materials from there.
+        // Bone just behind the target also counts, because the kernel reads materials there.
         if (length > Longest || length - skin > AirGap || !this->IsFree(at, side, up) ||
           (length == 0.0 && this->IsBone(at - Safety * way)))
         {

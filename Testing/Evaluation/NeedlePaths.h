@@ -33,17 +33,17 @@ struct NeedleLabels
 {
   std::set<int> Liver;
   std::set<int> Bone;   ///< ribs, vertebrae and the rest of the skeleton
-  std::set<int> Others; ///< lungs and heart, which a path must also avoid
+  std::set<int> Others; ///< lungs and heart, which a path must avoid
 };
 
-/** Sorts labels by the names that TotalSegmentator gives them. */
+/** Sorts the labels by the names that TotalSegmentator uses. */
 NeedleLabels SortLabels(const LabelNames& names);
 
 /**
  * Returns paths from 5 mm outside of the skin to random points of the liver, at most 150 mm long,
- * with only air in front of the skin. Nothing within 6 mm of a path is bone, by its label or above
- * 200 HU, and no lung or heart lies in it. The same seed gives the same paths. Returns fewer paths
- * than wanted after 1000 attempts for each.
+ * with only air in front of the skin. Within 6 mm of a path there is no bone, by label or above 200
+ * HU, and no path crosses the lungs or the heart. The same seed gives the same paths. Returns fewer
+ * paths than wanted if 1000 attempts for a path fail.
  */
 std::vector<Path> PlanNeedlePaths(vtkImageData* image, vtkImageData* labels,
   const NeedleLabels& sorted, std::size_t count, unsigned seed = 17);
@@ -57,27 +57,24 @@ struct ForceError
   double Affected = 0.0;       ///< %, ticks in which the forces differ by more than 0.01 N
 };
 
-/** Compares traces of the same paths tick by tick. */
+/** Compares the forces of the same paths tick by tick. */
 ForceError CompareForces(const std::vector<Trace>& some, const std::vector<Trace>& others);
 
 /**
- * Returns the value (HU) at which the preset "CT contrast" has the material of a structure, by
- * TotalSegmentator's name. Returns nothing for structures with contents of their own (stomach,
+ * Returns the value (HU) at which the preset "CT contrast" has the material of a structure with
+ * this TotalSegmentator name. Returns nothing for structures with contents of their own (stomach,
  * bowel).
  */
 std::optional<double> TissueValueOf(const std::string& structure);
 
-/**
- * Returns a table with the materials that a property's functions have at the values of the
- * structures.
- */
+/** Returns a table with a property's materials at the values of the structures. */
 vtkSmartPointer<vtkHapticLabelTable> MakeLabelTable(
   const LabelNames& names, vtkHapticProperty* feel);
 
 /**
- * Runs the protocol with "CT contrast": functions of the value alone (partly segmented) against
- * materials by label (fully segmented). Adds the mean and largest errors beside those of the paper,
- * and a plot of the forces along a path.
+ * Runs the paper's needle protocol with "CT contrast": functions of the value alone (partly
+ * segmented) against materials by label (fully segmented). Adds the mean and the largest errors
+ * beside those of the paper, and a plot of the forces along one path.
  */
 ForceError RunNeedleProtocol(vtkImageData* image, vtkImageData* labels, const LabelNames& names,
   std::size_t count, Comparison& found);

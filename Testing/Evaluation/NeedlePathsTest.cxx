@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Plans paths into a ball of liver in a ball of flesh, with a plate of bone in front of one side;
- * and computes the errors of forces that differ by a known amount.
+ * Plans paths into a ball of liver in a ball of flesh, with a plate of bone in front of one side.
+ * Computes the errors of forces that differ by a known amount.
  */
 
 #include "NeedlePaths.h"
@@ -103,8 +103,8 @@ TEST(NeedlePaths, LabelsChangeTheForceOnlyWhereValuesMislead)
 {
   const auto labels =
     SampleImage([](const Vector3& x) { return Norm(x) < LiverRadius ? 5.0 : 0.0; }, 40.0);
-  // A liver as dense as the flesh around it has the material of its value. A liver as light as fat
-  // has another material.
+  // A liver as dense as the surrounding flesh has the material of its value; a liver as light as
+  // fat has not.
   for (const double liver : { 50.0, -90.0 })
   {
     const auto image = SampleImage(

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests solver PRECISE at a step of a material function, without a gradient, on flat voxels and at
- * the border.
+ * Tests solver PRECISE on unusual input: a step of a material function, a volume without a
+ * gradient, flat voxels, and the border.
  */
 
 #include "RobustnessRig.h"
@@ -24,8 +24,8 @@ TEST_P(OddInput, AStepOfAFunctionIsFoundAndHeld)
   material.SurfaceStrength = { { 500.0, 0.0 }, { 500.0, 2.0 } };
   const Path path = Press(8.0, 0.1);
   const Trace trace = this->Feel([](const Vector3& x) { return 100.0 * x.Z; }, {}, material, path);
-  // x_s is 2 mm ahead, so that the step at the value 500 lies at z = 3 mm. The step holds up to a
-  // spring length of 4 mm.
+  // x_s is 2 mm ahead, so the step at the value 500 is at z = 3 mm. It resists up to a spring
+  // length of 4 mm.
   for (std::size_t i = 0; i < trace.size(); ++i)
   {
     const double expected = std::clamp(0.5 * (path[i].Z - 3.0), 0.0, 2.0);
@@ -60,7 +60,7 @@ TEST_P(OddInput, FlatVoxelsAreNoObstacle)
 
 TEST_P(OddInput, AcrossTheBorderNothingPops)
 {
-  // The volume ends at 24 mm.
+  // The volume ends at a radius of 24 mm.
   Path path = { { 30.0, 0.2, 0.0 } };
   MoveTo(path, { 20.0, 0.2, 1.0 }, 0.1);
   MoveTo(path, { 30.0, 0.2, 1.0 }, 0.1);

@@ -24,16 +24,16 @@ constexpr double WantedDepth = 2.0; // mm, at constant depth
 constexpr double Deepest = 10.0;    // mm
 constexpr double Hardest = 4.0;     // N
 constexpr double StrokeLength = 10.0;
-/// mm per tick and N: rate at which a hand approaches the force that it aims for
+/// mm per tick and N: rate at which a hand approaches its intended force
 constexpr double Following = 0.2;
 /// Below these floors, the senses do not follow Weber's law. The values are assumptions, small
-/// compared with what is felt.
+/// compared with the cues.
 constexpr double ForceFloor = 0.05; // N
 constexpr double DepthFloor = 0.5;  // mm
 constexpr double WeberFraction = 0.1;
 constexpr double Around = 4.0; // mm around a spot that must belong to one tissue
 
-/** A hand on a model. The hand moves tick by tick. */
+/** A hand that touches a model, one tick per call. */
 class Hand
 {
 public:
@@ -133,8 +133,8 @@ std::vector<Spot> SpotsOn(const std::vector<Arc>& arcs, double above, int count)
 }
 
 /**
- * Returns random spots surrounded by one tissue: the mean of the values is in a range, and they
- * differ little.
+ * Returns random spots within one tissue: the mean of the values around each is in a range, and the
+ * values differ little.
  */
 std::vector<Spot> SpotsIn(
   const HapticModel& model, const double* box, double low, double high, int count)
@@ -247,7 +247,7 @@ Spot OnSlab()
 
 Identification IdentifyOnSlabs(const std::string& preset)
 {
-  // The middles of the ranges in SPEC's table for CT.
+  // The centres of the ranges in SPEC's table for CT.
   const std::pair<const char*, double> tissues[] = { { "lung", -725.0 }, { "fat", -90.0 },
     { "fluid", 3.0 }, { "muscle", 50.0 }, { "contrast medium", 200.0 }, { "bone", 900.0 } };
   std::vector<FeltTissue> felt[2];

@@ -13,21 +13,21 @@
 namespace evaluation
 {
 
-/** Ways in which a hand presses while it strokes. */
+/** How a hand presses while it strokes. */
 enum class HandStrategy
 {
-  ConstantForce, ///< 1 N, or a depth of 10 mm where no surface holds 1 N
+  ConstantForce, ///< 1 N, or a depth of 10 mm where no surface resists with 1 N
   ConstantDepth  ///< 2 mm deep
 };
 
 const char* NameOf(HandStrategy strategy);
 
-/** Start of a hand. */
+/** Position and direction in which a hand starts. */
 struct Spot
 {
   Vector3 Surface;    ///< mm
   Vector3 Inward;     ///< unit
-  Vector3 Along;      ///< unit, perpendicular to Inward
+  Vector3 Along; ///< unit vector, perpendicular to Inward
   double Above = 0.0; ///< mm outside of the surface: start of the hand
 };
 
@@ -39,17 +39,15 @@ struct Spot
 std::vector<double> Palpate(
   const VolumeHaptics::HapticModel& model, const Spot& spot, HandStrategy strategy);
 
-/** Returns a hand with a Weber fraction for these cues. */
+/** Returns an ideal hand for the cues of Palpate(), with a Weber fraction. */
 IdealHand MakeHand(HandStrategy strategy, double weberFraction = 0.1);
 
-/** Returns air above a tissue of one value. The edge has a scale of one voxel of 1 mm. */
+/** Returns air above a tissue of one value. The edge has a scale of 1 mm, which is one voxel. */
 vtkSmartPointer<vtkImageData> MakeSlab(double outside, double inside);
-/** Returns a spot on that slab. */
+/** Returns a spot on the surface of MakeSlab(). */
 Spot OnSlab();
 
-/**
- * A table of confusions, and the number of tissues that are named correctly under each strategy.
- */
+/** A table of confusions, and the number of correctly identified tissues for each strategy. */
 struct Identification
 {
   Table Confusions;
@@ -62,7 +60,7 @@ Identification IdentifyOnSlabs(const std::string& preset);
 
 /**
  * Identifies skin, muscle, fluid and bone in a head CT: on its scalp and skull, and at random
- * places surrounded by 4 mm of one tissue. The surfaces are those of FindHeadSurfaces().
+ * places at least 4 mm inside one tissue. The surfaces are those of FindHeadSurfaces().
  */
 Identification IdentifyOnHead(
   const std::vector<FeltSurface>& surfaces, const std::string& preset, const Effort& effort);

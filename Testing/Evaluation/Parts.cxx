@@ -25,14 +25,14 @@ constexpr double Cupping = 0.12;
 constexpr double BeamBlur = 1.2; // mm
 constexpr double NoiseOfMetal = 400.0;
 constexpr double Label = 3.0;
-constexpr double Room = 14.0; // mm around a ball; the hand starts there
+constexpr double Room = 14.0; // mm around a ball, where the hand starts
 
 double OffBall(const Vector3& x)
 {
   return Norm(x - OddCentre) - PartRadius;
 }
 
-/** Samples a field, rounded to 16-bit integers, with noise of a standard deviation. */
+/** Samples a field with noise of a given standard deviation, rounded to 16-bit integers. */
 vtkSmartPointer<vtkImageData> MakeImage(const Field& field, double noise)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -59,7 +59,7 @@ vtkSmartPointer<vtkImageData> MakeImage(const Field& field, double noise)
   return image;
 }
 
-/** Returns great circles in planes that contain no axis. */
+/** Returns strokes along great circles in planes that contain no axis. */
 std::vector<Arc> FindGreatCircles(vtkImageData* image, double level, const Effort& effort)
 {
   const std::pair<Vector3, Vector3> planes[] = { { OddAside, OddUp }, { OddUp, OddNormal },
@@ -115,7 +115,7 @@ PartFeel FeelPart(const FeltSurface& part)
   filter->SetInputDataObject(0, part.Image);
   vtkHapticProperty* const feel = filter->GetProperty();
   feel->ApplyPreset(part.Preset.c_str());
-  // The solid's value is far above the ramps of the preset.
+  // The solid's value is far above the preset's ramps, so the functions are constant there.
   const double solid = part.Image->GetScalarRange()[1];
   const double stiffness = feel->GetStiffness()->GetValue(solid);
   const double friction = feel->GetFriction()->GetValue(solid);

@@ -31,15 +31,15 @@ constexpr double PartRadius = 40.0;
 double MetalValue(const Vector3& x);
 
 /**
- * Returns the metal ball with 1.7 % of noise, and the ball of a label, both with strokes on great
- * circles.
+ * Returns the metal ball with 1.7 % of noise, and a ball in a label image, both with strokes along
+ * great circles.
  */
 std::vector<FeltSurface> MakePartSurfaces(const Effort& effort);
 
 /** Returns the force (N) of the formula above; R and d in mm, k in N/m. */
 double SlidingForce(double radius, double depth, double stiffness, double friction);
 
-/** Results of the strokes over a part with the default settings, beside the formula's. */
+/** Results of strokes over a part with the default settings, and the formula's prediction. */
 struct PartFeel
 {
   double Distance = 0.0; ///< mm: mean distance between proxy and true surface

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Synthetic scans and strokes over them, for the presets "Micro-CT" and "Labels". The expected
- * forces come from the triangle of tip, proxy and middle, which the test solves by its own
- * bisection, and from the flat case.
+ * Tests the synthetic scans and the strokes over them, for the presets "Micro-CT" and "Labels". The
+ * expected forces follow from the triangle of tip, proxy and middle, which the test solves by its
+ * own bisection, and from the flat case.
  */
 
 #include "Parts.h"
@@ -65,8 +65,8 @@ TEST(Parts, ForcesAndSurfacesAreThoseOfTheFormulas)
     const PartFeel felt = FeelPart(part);
     EXPECT_GT(felt.Ticks, 3000u) << part.Scan;
     EXPECT_LT(felt.Distance, 0.2) << part.Scan;
-    // The tolerance is that of 0.15 voxel at 400 N/m: a kernel of 1.4 voxels moves the wall of a
-    // ball inwards by 1.4^2/40 = 0.05 voxel, and the stairs of a label image add more.
+    // The tolerance is the force of 0.15 voxel at 400 N/m: a kernel of 1.4 voxels moves the wall of
+    // a ball inwards by 1.4^2/40 = 0.05 voxel, and the steps of a label image add more.
     EXPECT_NEAR(felt.Force, felt.Expected, 0.06) << part.Scan;
   }
 }

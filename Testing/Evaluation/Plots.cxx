@@ -41,7 +41,7 @@ Plot PlotSolvers(
   return plot;
 }
 
-/** Plots a function of the proxy's radius against turns. */
+/** Plots a function of the proxy's radius against the number of turns. */
 template <typename GetValue>
 void TraceTurns(
   const Candidate& candidate, const Wall& wall, int turns, Curve& curve, GetValue&& getValue)
@@ -90,8 +90,8 @@ Plot PlotRipple()
 }
 
 /**
- * Plots the cumulative distribution of the angle between force and true normal: for each angle, the
- * percentage of ticks with a smaller angle.
+ * Plots the cumulative distribution of the angle between the force and the true normal: for each
+ * angle, the percentage of ticks with a smaller angle.
  */
 Plot PlotAngle()
 {

@@ -75,10 +75,7 @@ Table CountFalseAlarms(int sessions, int& alarms)
   return table;
 }
 
-/**
- * Returns a loop that has only a part of the friction that it needs for stability (see
- * ArmSessions.h).
- */
+/** Returns a loop with only part of the friction that stability requires (see ArmSessions.h). */
 ArmScene DrawUnstable(bool isHeld, double stiffness, int delay, std::uint32_t seed)
 {
   std::mt19937 engine(seed);
@@ -104,7 +101,7 @@ ArmScene DrawUnstable(bool isHeld, double stiffness, int delay, std::uint32_t se
 
 Table CountUnstable(int trials)
 {
-  // A tip whose last swing is smaller counts as at rest.
+  // A tip with a smaller last swing counts as at rest.
   constexpr double LeastSwing = 1e-3;
   Table table;
   table.Title = "Loops that swing by themselves";

@@ -22,9 +22,9 @@ struct PortSafety
 };
 
 /**
- * Measures false alarms in random sessions of honest devices (`sessions` of ArmSessions.h and of
- * PortSessions.h each). With `trials` sessions per row, measures loops that become unstable, wrong
- * signs with the check at the first arming, and wrong signs with the observer of the port alone.
+ * Measures false alarms in random sessions of honest devices (`sessions` each of ArmSessions.h and
+ * PortSessions.h). With `trials` sessions per row, measures loops that become unstable, and wrong
+ * signs of the force with the check at the first arming, and with the observer of the port alone.
  */
 PortSafety MeasurePortSafety(int sessions, int trials);
 

@@ -17,11 +17,11 @@ namespace
 {
 constexpr double Far = 40.0;          // mm: path through air
 constexpr double Deep = 5.0;          // mm, but at least LeastVoxels
-constexpr double LeastVoxels = 3.0;   // voxels: reaches a place two voxels behind a surface
+constexpr double LeastVoxels = 3.0; // voxels: reaches two voxels behind a surface
 constexpr double PressStep = 0.1;     // mm per tick
 constexpr double LeastCosine = 0.707; // between a ray and the normal
 constexpr double RayStep = 0.25;      // voxels
-constexpr double Persistence = 0.75;  // voxels: thickness that a surface must have behind it
+constexpr double Persistence = 0.75; // voxels: least thickness of a surface
 constexpr double FarAstray = 2.0;     // voxels
 constexpr double LeastBehind = 0.25;  // mm behind an edge: FeltForce of a spring of 400 N/m
 
@@ -43,7 +43,7 @@ struct Meeting
   Vector3 Normal; ///< unit, inwards
 };
 
-/** Returns a point of a sequence that fills the unit cube evenly (Roberts' R3). */
+/** Returns point i of a sequence that fills the unit cube evenly (Roberts' R3). */
 Vector3 PointOf(int i)
 {
   const auto part = [i](double a) { return std::fmod(0.5 + a * (i + 1), 1.0); };
@@ -57,7 +57,7 @@ double ComputeUnit(const PressedVolume& volume, const Vector3& way)
 }
 
 /**
- * Returns one of `count` rays in evenly spread directions. Each ray passes the middle within a
+ * Returns ray i of `count` rays in evenly spread directions. Each ray passes the middle within a
  * third of the box.
  */
 Ray MakeRay(const PressedVolume& volume, int i, int count)
@@ -87,7 +87,7 @@ std::optional<double> ValueAt(const PressedVolume& volume, const Vector3& world)
 }
 
 /**
- * Returns whether the nearest position in the volume is solid. A body at the border is taken to
+ * Returns whether the nearest position in the volume is solid. A body at the border is assumed to
  * continue beyond it.
  */
 bool IsSolidBeyond(const PressedVolume& volume, const Vector3& world)
@@ -147,7 +147,7 @@ std::optional<Meeting> FindMeeting(const PressedVolume& volume, const Ray& ray)
 }
 
 /**
- * Returns the position along the ray at which half of its opacity is in front; nothing if the ray
+ * Returns the position along the ray at which half of the opacity is reached, or nothing if the ray
  * meets no opacity.
  */
 std::optional<double> MeasureHalfOpacity(const PressedVolume& volume, const Ray& ray)
@@ -172,7 +172,7 @@ std::optional<double> MeasureHalfOpacity(const PressedVolume& volume, const Ray&
 }
 
 /**
- * Returns whether the isosurface of a level is more than FarAstray away from a place (m in the
+ * Returns whether the isosurface of a level is more than FarAstray away from a position (m in the
  * hand's space).
  */
 bool IsAstray(const HapticModel& structures, double level, const Vector3& place)
@@ -203,9 +203,9 @@ bool IsAstray(const HapticModel& structures, double level, const Vector3& place)
 }
 
 /**
- * Returns how far (mm along the normal) a press goes behind the middle of an edge: where the second
- * derivative along the gradient of the smoothed values is negative (Marr and Hildreth, Proceedings
- * of the Royal Society B 207, 1980).
+ * Returns how far (mm along the normal) a press is behind the middle of an edge. Behind the middle,
+ * the second derivative along the gradient of the smoothed values is negative (Marr and Hildreth,
+ * Proceedings of the Royal Society B 207, 1980).
  */
 double MeasureBehindEdge(const PressedVolume& volume, const Ray& ray, double from, double deep)
 {
@@ -274,7 +274,7 @@ void Press(const PressedVolume& volume, const Ray& ray, const Meeting& met, Pres
       MeasureBehindEdge(volume, ray, at - voxel, at + deep) >= LeastBehind ? 1 : 0;
     return;
   }
-  // Outside of the volume, values are those of its border: their drag is felt, but no surface.
+  // Outside of the volume, values are those of its border: there is drag, but no surface.
   if (!volume.Shape->Baked->Field.IsInside(volume.Shape->DeviceToIndex(0.001 * *felt)))
   {
     return;
@@ -316,7 +316,7 @@ Steps WalkAtRandom(const PressedVolume& pressed, int walks, double stiffest)
   constexpr int length = 3000;     // ticks at full speed
   constexpr double usual = 400.0;  // N/m
   constexpr double release = 0.25; // N
-  constexpr double noLeap = 0.02;  // N, in addition to the hand's step (Documentation/method.md)
+  constexpr double noLeap = 0.02; // N, beyond the change by the step (Documentation/method.md)
   const double pace = std::min(1.0, usual / std::max(stiffest, 1.0));
   Steps found;
   const auto& b = pressed.Box;
@@ -329,7 +329,7 @@ Steps WalkAtRandom(const PressedVolume& pressed, int walks, double stiffest)
       double x[3];
       for (int axis = 0; axis < 3; ++axis)
       {
-        // Each of the two oscillations has a speed of at most 0.13 m/s along each axis.
+        // Limit the speed of each of the two oscillations to 0.13 m/s along each axis.
         const double swing = 0.25 * sizes[axis];
         const double fast = 130.0 / (pressed.Scale * swing);
         const double slow = fast * (0.3 + 0.08 * std::fmod(0.618 * (3 * walk + axis), 1.0));

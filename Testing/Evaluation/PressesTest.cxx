@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Tests presses onto a ball with a known surface, shown in known ways. */
+/** Tests presses onto a ball with a known surface and known opacity. */
 
 #include "Presses.h"
 
@@ -24,7 +24,7 @@ namespace
 {
 constexpr double BallRadius = 12.0;
 
-/** Makes a filter that gives all values the same material, without friction. */
+/** Makes a filter that assigns the same frictionless material to all values. */
 vtkSmartPointer<vtkVolumeHapticsFilter> MakeFilter(vtkImageData* image, double stiffness,
   double drag = 0.0, double strength = Impenetrable, double scale = 1.0)
 {
@@ -45,7 +45,7 @@ std::shared_ptr<const HapticModel> Bake(vtkVolumeHapticsFilter* filter)
   return filter->GetBaker().Bake(1000.0, {}, nullptr);
 }
 
-/** Returns a ball of a value in surroundings of 0, with a stiffness (N/m). */
+/** Returns a ball of `value` surrounded by 0, with a stiffness (N/m). */
 PressedVolume MakeBall(double stiffness, vtkSmartPointer<vtkImageData>& image,
   double radius = BallRadius, double scale = 1.0, double value = 100.0)
 {
@@ -79,7 +79,7 @@ TEST(Presses, IsAstrayIfNoStructureIsNear)
   vtkSmartPointer<vtkImageData> image;
   PressedVolume ball = MakeBall(1000.0, image);
   EXPECT_EQ(PressFromAllSides(ball, 60).Astray, 0);
-  for (const double radius : { 10.5, 9.5 }) // the core is 1.5 and 2.5 voxels deeper
+  for (const double radius : { 10.5, 9.5 }) // the core is 1.5 or 2.5 voxels deeper
   {
     vtkSmartPointer<vtkImageData> other;
     ball.Structures = MakeBall(1000.0, other, radius).Shape;
@@ -91,7 +91,7 @@ TEST(Presses, IsAstrayIfNoStructureIsNear)
 TEST(Presses, APlateauInAirIsAstrayEvenIfTheMaterialHoldsIt)
 {
   // A blanket of value 40, below the level of the surface, begins 6 voxels in front of the ball.
-  // The materials hold it, so that the hand feels it instead of the ball.
+  // The materials resist in the blanket, so the hand touches the blanket instead of the ball.
   constexpr double blanket = BallRadius + 6.0;
   vtkSmartPointer<vtkImageData> image;
   PressedVolume ball = MakeBall(1000.0, image);
@@ -110,7 +110,7 @@ TEST(Presses, APlateauInAirIsAstrayEvenIfTheMaterialHoldsIt)
   EXPECT_LT(ComputeMedian(found.OffSurface), -4.0);
   EXPECT_EQ(found.Astray, static_cast<int>(found.OffSurface.size()));
   EXPECT_EQ(found.AstrayOfHeld, 0);
-  // A plateau between both levels is on neither level's isosurface.
+  // A plateau between both levels is on the isosurface of neither level.
   const auto plateau = SampleImage([](const Vector3&) { return 40.0; }, 25.0);
   ball.Structures = ball.Held = Bake(MakeFilter(plateau, 1000.0));
   EXPECT_EQ(PressFromAllSides(ball, 60).AstrayOfHeld, found.Astray);
@@ -118,7 +118,7 @@ TEST(Presses, APlateauInAirIsAstrayEvenIfTheMaterialHoldsIt)
 
 TEST(Presses, WhatDragsBeyondTheBorderHasNoFeltPlace)
 {
-  // The box is full of a medium that drags and goes on beyond it, far from the ball.
+  // The box is full of a medium with drag that continues beyond the box, far from the ball.
   vtkSmartPointer<vtkImageData> image;
   PressedVolume ball = MakeBall(1000.0, image);
   ball.Model = Bake(MakeFilter(image, 1000.0, 0.3));
@@ -131,13 +131,13 @@ TEST(Presses, WhatDragsBeyondTheBorderHasNoFeltPlace)
 
 TEST(Presses, AGrazeIsNotBehindAnEdge)
 {
-  // A ball of 10 N/m is unfelt, but presses of 5 mm go behind its edge.
+  // A ball of 10 N/m is unfelt, although presses of 5 mm go behind its edge.
   vtkSmartPointer<vtkImageData> image;
   PressedVolume ball = MakeBall(10.0, image);
   const Presses soft = PressFromAllSides(ball, 60);
   EXPECT_EQ(soft.UnfeltBehindEdge, soft.Count);
   // An edge that is blurred by 4 mm has 2 % of its height 8.2 mm before its middle. Presses that
-  // begin there end in front of the edge.
+  // begin there stay in front of the edge's middle.
   PressedVolume wide = MakeBall(10.0, image);
   const auto foot = SampleImage(
     [](const Vector3& x) { return BlurredStep(BallRadius - Norm(x), 4.0, 100.0); }, 25.0);
@@ -151,8 +151,8 @@ TEST(Presses, AGrazeIsNotBehindAnEdge)
 
 TEST(Presses, AStepIsTheHandsOwnOrARelease)
 {
-  // A shell of 2 N that gives way. At 0.45 m/s, a spring of 1000 N/m changes by up to 0.45 N a tick
-  // without a leap. What is more than this is a release, which takes its time.
+  // A shell yields at 2 N. At 0.45 m/s, a spring of 1000 N/m changes by up to 0.45 N per tick. Any
+  // larger change is a release, which is gradual.
   vtkSmartPointer<vtkImageData> image;
   PressedVolume ball = MakeBall(1000.0, image);
   const auto filter = MakeFilter(image, 1000.0, 0.0, 2.0);
@@ -167,7 +167,8 @@ TEST(Presses, AStepIsTheHandsOwnOrARelease)
 
 TEST(Presses, WalksAreSlowWhereASpringIsStiff)
 {
-  // 0.45 mm a tick at 1000 N/m are 0.45 N, without any leap; at 0.18 mm they are 0.18 N.
+  // 0.45 mm per tick at 1000 N/m change the force by 0.45 N, and 0.18 mm by 0.18 N, both without a
+  // jump.
   vtkSmartPointer<vtkImageData> image;
   const PressedVolume ball = MakeBall(1000.0, image);
   const Steps fast = WalkAtRandom(ball, 3, 0.0);
@@ -181,7 +182,7 @@ TEST(Presses, WalksAreSlowWhereASpringIsStiff)
 TEST(Presses, WhatIsSoftIsUnfelt)
 {
   vtkSmartPointer<vtkImageData> image;
-  const Presses found = PressFromAllSides(MakeBall(10.0, image), 60); // 0.05 N in 5 mm
+  const Presses found = PressFromAllSides(MakeBall(10.0, image), 60); // 0.05 N at 5 mm
   EXPECT_GT(found.Count, 30);
   EXPECT_EQ(found.Unfelt, found.Count);
   EXPECT_EQ(found.UnfeltThoughSeen, found.Count);
@@ -203,7 +204,8 @@ TEST(Presses, WhatIsHiddenIsNotSeenThoughUnfelt)
 
 TEST(Presses, ReachTwoVoxelsBehindTheSurfaceOfCoarseVoxels)
 {
-  // Voxels of 5 mm, and a ball that holds 1.8 voxels behind the surface: 9 mm in the hand's space.
+  // Voxels are 5 mm, and the ball resists only 1.8 voxels behind the surface, which is 9 mm in the
+  // hand's space.
   constexpr double scale = 5.0;
   vtkSmartPointer<vtkImageData> image;
   PressedVolume ball = MakeBall(1000.0, image, BallRadius, scale);
@@ -217,10 +219,10 @@ TEST(Presses, ReachTwoVoxelsBehindTheSurfaceOfCoarseVoxels)
 
 TEST(Presses, GlassIsSeenThrough)
 {
-  // A core of 9 mm in clear glass. A ray at a distance b from the middle passes through
+  // An opaque core of 9 mm is in clear glass. A ray at a distance b from the middle passes through
   // sqrt(12^2 - b^2) - sqrt(9^2 - b^2) of glass: 3 mm for b = 0, and 5.5 mm at 45 degrees to the
-  // normal, where b = 12 / sqrt(2). The ray has half of its opacity within 0.1 mm of the core. The
-  // felt place is off by a fraction of a voxel.
+  // normal, where b = 12 / sqrt(2). The ray reaches half of its opacity within 0.1 mm of the core.
+  // The felt place is off by a fraction of a voxel.
   vtkSmartPointer<vtkImageData> image;
   PressedVolume ball = MakeBall(1000.0, image);
   ball.Extinction = [](const Vector3& x) { return Norm(x) < 9.0 ? 50.0 : 0.0; };
@@ -231,7 +233,7 @@ TEST(Presses, GlassIsSeenThrough)
     EXPECT_GT(behind, 2.6);
     EXPECT_LT(behind, 5.9);
   }
-  // The core is met at 45 degrees where b = 9 / sqrt(2), behind 3.81 mm of glass.
+  // A ray meets the core at 45 degrees where b = 9 / sqrt(2), behind 3.81 mm of glass.
   constexpr double edge = 3.81;
   const auto countBelow = [](const std::vector<double>& values, double most)
   { return std::count_if(values.begin(), values.end(), [=](double v) { return v < most; }); };
@@ -242,9 +244,9 @@ TEST(Presses, GlassIsSeenThrough)
 
 TEST(Presses, HalfOfTheOpacityOfALookAlongAWay)
 {
-  // An eye at (-20, 0, 0) looks along x at fog of 0.1 per mm that begins at -12. Of its 42 mm
-  // within reach, the eye sees 1 - exp(-4.2), and half of that in the first -10 ln(1 - 0.5
-  // (1 - exp(-4.2))) = 6.782 mm. These end at -5.218, which is 4.782 behind -10.
+  // An eye at (-20, 0, 0) looks along x into fog of 0.1 per mm that begins at -12. The 42 mm within
+  // reach have the opacity 1 - exp(-4.2), and half of that within the first -10 ln(1 - 0.5 (1 -
+  // exp(-4.2))) = 6.782 mm, which end at -5.218: 4.782 behind -10.
   PressedVolume fog;
   fog.Voxel = { 0.5, 1.0, 1.0 };
   fog.Scale = 2.0; // mm per unit
@@ -258,8 +260,8 @@ TEST(Presses, HalfOfTheOpacityOfALookAlongAWay)
 
 TEST(Presses, TheHandComesByAllThatTheEyeSees)
 {
-  // A skin around the ball, 60 mm in front of it, whose value is below the level of the surface. It
-  // is seen and felt first, although the rays' own surface is that of the ball.
+  // A skin around the ball, 60 mm in front of it, has a value below the level of the surface. The
+  // skin is seen and felt first, although the ball has the rays' own surface.
   constexpr double skin = 17.0;
   constexpr double unit = 12.0; // mm
   const vtkSmartPointer<vtkImageData> image = SampleImage(

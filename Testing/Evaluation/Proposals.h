@@ -16,16 +16,16 @@ namespace evaluation
 {
 
 /**
- * Adds the boundaries that a scan proposes to a table of MakeProposalTable(). Returns false, with
- * VTK's error, if the scan proposes none.
+ * Adds the boundaries of a scan's proposal to a table of MakeProposalTable(). Returns false, with
+ * VTK's error, if the proposal has none.
  */
 bool AddProposal(const char* scan, vtkImageData* image, Table& table);
 
 Table MakeProposalTable();
 
 /**
- * Counts the boundaries of a head CT that its proposal lacks: skin, from air (below -900 HU) to
- * soft tissue (-50 to 100 HU), and skull, from soft tissue to bone (above 400 HU).
+ * Counts the boundaries of a head CT that are missing from its proposal: skin, from air (below -900
+ * HU) to soft tissue (-50 to 100 HU), and skull, from soft tissue to bone (above 400 HU).
  */
 Figure CountMissingBoundaries(vtkImageData* head);
 

@@ -23,7 +23,10 @@ namespace
 {
 constexpr double Speed = 0.2; // mm per tick
 
-/** Returns a path that goes in along a line until a surface resists, then deeper, aside and out. */
+/**
+ * Returns a path that enters along a line until a surface resists, then goes deeper, sideways and
+ * out.
+ */
 Path PressSomewhere(const HapticModel& model, const double* bounds, std::mt19937& random)
 {
   Uniform uniform(random);
@@ -95,8 +98,8 @@ Figures MeasureRealVolume(vtkImageData* image, HapticSolver solver, const Effort
   const double million = 1e6 / static_cast<double>(times.size());
   return { { "energy created over closed cycles, most", "uJ", 1e6 * given, 0.1 },
     { "force beyond what the material holds, most", "N", std::max(0.0, beyond), 1e-9 },
-    // A proxy that slips many voxels at once arrives some ticks later, and the record says so. In a
-    // short run, three such ticks are allowed.
+    // A proxy that slips many voxels at once arrives some ticks later, and its records report
+    // unfinished motion. A short run may have three such ticks.
     { "ticks that spent their budget, of a million", "", million * late,
       std::max(100.0, 3.0 * million) },
     { "tick, median", "us", 1e6 * times[times.size() / 2], 1.0, true },

@@ -15,8 +15,8 @@ namespace evaluation
 
 /**
  * Makes random presses on a CT, each a closed cycle: from the air towards the middle, across, and
- * out again, with the preset "CT contrast". Returns no figures, with VTK's error, if the image
- * can't be touched.
+ * out again, with the preset "CT contrast". If the image can't be touched, returns no figures, and
+ * VTK reports the error.
  */
 Figures MeasureRealVolume(
   vtkImageData* image, VolumeHaptics::HapticSolver solver, const Effort& effort);

@@ -102,7 +102,7 @@ std::vector<KnownVolume> ListVolumes(const VolumePlaces& places)
   return all;
 }
 
-/** The outer surface of a volume: of its values, or of all labels together. */
+/** The outer surface of a volume, either of its values or of all labels together. */
 struct Outline
 {
   vtkSmartPointer<vtkImageData> Image;
@@ -117,7 +117,7 @@ Outline MakeOutline(const Explore::Volume& volume, const Explore::Analysis& valu
   }
   vtkNew<vtkImageThreshold> any;
   any->SetInputData(volume.Image);
-  any->ThresholdByUpper(1.0); // casts to the type of the labels
+  any->ThresholdByUpper(1.0); // also casts to the type of the labels
   any->SetInValue(1.0);
   any->SetOutValue(0.0);
   any->SetOutputScalarTypeToUnsignedChar();
@@ -127,7 +127,7 @@ Outline MakeOutline(const Explore::Volume& volume, const Explore::Analysis& valu
 
 /**
  * Returns Otsu's threshold of all samples (IEEE Transactions on Systems, Man, and Cybernetics 9,
- * 1979), which is between the background and what "Micro-CT" regards as solid.
+ * 1979), which is between the background and the least value that is solid in "Micro-CT".
  */
 double ComputeOtsuThreshold(vtkImageData* image)
 {
@@ -158,10 +158,10 @@ double ComputeOtsuThreshold(vtkImageData* image)
   return threshold;
 }
 
-/** Number of adjacent samples above a level that noise does not reach. */
+/** Least number of adjacent samples above a level that can't be noise. */
 constexpr vtkIdType LeastStructure = 27;
 
-/** Removes structures above a level that have fewer samples than that. */
+/** Removes structures above a level that have fewer samples than LeastStructure. */
 vtkSmartPointer<vtkImageData> RemoveSpecks(vtkImageData* image, double level)
 {
   vtkNew<vtkImageConnectivityFilter> connectivity;
@@ -195,7 +195,7 @@ std::shared_ptr<const HapticModel> BakeShape(vtkImageData* image, double metersP
   return filter->GetBaker().Bake(1000.0, {}, nullptr);
 }
 
-/** Returns the extinction of a volume's picture as a function of the position. */
+/** Returns the extinction of the rendered volume as a function of the position. */
 Field MakeExtinction(const Explore::Volume& volume, vtkVolumeProperty* look)
 {
   const Explore::ValueProbe probe(volume.Image, 0.0);
@@ -224,8 +224,8 @@ Field MakeExtinction(const Explore::Volume& volume, vtkVolumeProperty* look)
 }
 
 /**
- * Makes strokes in planes through the middle. Adds to `seen` how far half of the opacity is behind
- * them.
+ * Makes strokes in planes through the middle. Adds to `seen` how far behind the proxies half of the
+ * opacity is reached.
  */
 Roughness Stroke(const PressedVolume& pressed, const Outline& outline, const Effort& effort,
   std::vector<double>& seen)
@@ -283,8 +283,8 @@ double FindStiffest(const HapticModel& model, const double range[2])
 }
 
 /**
- * Returns the value from which on materials hold FeltForce, as a value of the outline: an edge that
- * leads there is a surface, whatever the outline's level is.
+ * Returns the least value whose material resists with FeltForce, in the outline's values. An edge
+ * up to this value is a surface, regardless of the outline's level.
  */
 double FindHoldingLevel(
   const HapticModel& model, const Outline& outline, const double range[2], bool isBelow)
@@ -303,7 +303,7 @@ double FindHoldingLevel(
 }
 
 /**
- * Returns a line of the table. The volume is touched and shown as by ExploreVolume() and
+ * Returns a line of the table. The volume is touched and rendered as by ExploreVolume() and
  * BuildScene().
  */
 std::vector<std::string> MeasureVolume(const std::string& name, const Explore::Volume& volume,

@@ -15,18 +15,19 @@
 namespace evaluation
 {
 
-/** Paths of the volumes. Volumes without a path are left out. */
+/** Paths of the volumes. A volume with an empty path is left out. */
 struct VolumePlaces
 {
   std::string Head;   ///< file
   std::string Chest;  ///< folder, as for ReadChest()
-  std::string Others; ///< folder that get_real_volumes in Data/scans.sh fills
-  std::string Only;   ///< part of the names ("volume, preset") of the wanted lines
+  std::string Others; ///< folder that get_real_volumes of Data/scans.sh fills
+  std::string Only; ///< part of the names ("volume, preset") of the lines to measure
 };
 
 /**
- * Measures a line for each volume and each preset that is meant for it: presses from all sides, and
- * strokes over the outer surface. Prints each line when it is complete. Returns the table.
+ * Measures a line for each combination of a volume and one of its presets: presses from all sides,
+ * and strokes over the outer surface. Prints each line as soon as it is complete. Returns the
+ * table.
  */
 Table MeasureRealVolumes(const VolumePlaces& places, const Effort& effort);
 

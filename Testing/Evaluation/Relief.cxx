@@ -22,12 +22,12 @@ constexpr double RunIn = 4.0;   // mm
 constexpr double Extent = 40.0; // mm, of the slide
 
 /**
- * Depth (mm) at which FORCE_FIELD's force rises most: one blur, including the kernel's, in front of
- * the middle.
+ * Depth (mm) at which FORCE_FIELD's force increases most: one blur, including the kernel's, in
+ * front of the middle.
  */
 const double Flank = std::hypot(Blur, 2.0 * GradientKernel::ScalePerRadius);
 
-/** Height (mm) of a relief above a plane, along OddAside. */
+/** Height (mm) of a relief above a plane, as a function of the position along OddAside. */
 using Wave = std::function<double(double)>;
 
 vtkSmartPointer<vtkImageData> MakeRelief(const Wave& wave)
@@ -42,8 +42,8 @@ vtkSmartPointer<vtkImageData> MakeRelief(const Wave& wave)
 }
 
 /**
- * Returns a stroke that slides over the relief and back. On the first pass, the edge gives way a
- * little where the hand presses most, so that only the way back is felt with one level.
+ * Returns a stroke that slides over the relief and back. On the first pass, the edge yields
+ * slightly where the hand presses most, so only the way back follows a single level.
  */
 Stroke SlideAcross(const Wave& wave, double depth, double extent)
 {
@@ -59,7 +59,10 @@ Stroke SlideAcross(const Wave& wave, double depth, double extent)
   return stroke;
 }
 
-/** Returns the gain with which the force on a plane has the slope k at the flank. */
+/**
+ * Returns the gain with which the force on a plane has the slope k at the flank, so that methods
+ * are comparable.
+ */
 double CalibrateGain(const Method& method)
 {
   Scene plane(MakeRelief([](double) { return 0.0; }), 0.5 * Height);
@@ -157,7 +160,7 @@ Table CompareRelief(const Effort& effort, std::vector<Plot>& plots)
     plot.XTicks.emplace_back(std::log10(wavelength), Number(wavelength));
   }
   table.Columns.push_back("-3 dB (voxels)");
-  // If methods agree, the first curves are drawn wider.
+  // Draw the first curves wider, so that they stay visible where methods agree.
   float width = 2.0f + 2.5f * static_cast<float>(AllMethods().size() - 1);
   for (const Method& method : AllMethods())
   {

@@ -25,7 +25,7 @@ std::string Bound(const Figure& figure)
     (figure.Unit.empty() ? "" : " " + figure.Unit);
 }
 
-/** Returns PAPER's value of a figure; empty if PAPER does not have this figure. */
+/** Returns PAPER's value of the same figure, or empty if PAPER has none. */
 std::string FindPaper(const Section& section, const Figure& figure)
 {
   const auto found = std::find_if(section.Paper.begin(), section.Paper.end(),

@@ -14,7 +14,7 @@
 namespace evaluation
 {
 
-/** A table of figures with a heading. */
+/** A section of the report: figures under a heading. */
 struct Section
 {
   std::string Title;
@@ -22,10 +22,10 @@ struct Section
   Figures Precise;
 };
 
-/** Draws a plot to FOLDER/NAME.png. Needs a display, which may be virtual. */
+/** Draws a plot to FOLDER/NAME.png. Needs a display, possibly a virtual one. */
 void DrawPlot(const Plot& plot, const std::string& folder);
 
-/** The contents of report.md, in its order. */
+/** The contents of report.md, in the same order. */
 struct Report
 {
   std::vector<Section> Sections;
@@ -40,14 +40,14 @@ struct Report
 bool WriteReport(const Report& report, const std::string& folder);
 
 /**
- * Print the same tables to the terminal, each when it is complete. PrintSection() returns how many
- * figures of PRECISE, without times, are not reached.
+ * Print the tables of the report to the terminal, each as soon as it is complete. PrintSection()
+ * returns how many figures of PRECISE, excluding times, miss their bounds.
  */
 int PrintSection(const Section& section);
 void PrintComparison(const Comparison& comparison);
 void PrintSafety(const PortSafety& safety);
 
-/** Prints the heading of the tables of MeasureFeel() and of those after them. */
+/** Prints the heading above the tables of MeasureFeel() and the tables that follow. */
 void PrintFeelTitle();
 
 } // namespace evaluation

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Solver PRECISE on a field, with each estimator.
- */
+/** Fixture that runs solver PRECISE on a field, with each estimator as a parameter. */
 #ifndef Evaluation_RobustnessRig_h
 #define Evaluation_RobustnessRig_h
 

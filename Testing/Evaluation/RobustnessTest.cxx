@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Solver PRECISE with realistic data and hands: thin sheets, ridges, plateaus, saturation, noise.
+ * Tests solver PRECISE on realistic data and motions: thin sheets, ridges, plateaus, saturation,
+ * noise.
  */
 
 #include "RobustnessRig.h"
@@ -29,11 +30,11 @@ TEST_P(Robustness, ASheetOfOneVoxelHoldsAndBreaksOnce)
   Candidate candidate{ HapticSolver::Precise, this->GetParam() };
   if (this->GetParam() == GradientEstimator::CentralDifference)
   {
-    // Within the sheet, the samples on both sides show no gradient, so that there is no edge.
+    // Inside the sheet, the samples on both sides have no gradient, so there is no edge.
     candidate = PlacedAsThePaper(candidate);
   }
   Touching touching = TouchingOf(candidate, OnEdges(2.0, 200.0));
-  touching.ReleaseTime = 0.0; // so that the sheet breaks in one tick
+  touching.ReleaseTime = 0.0; // the sheet breaks in one tick
   const Trace trace = Play(*Volume(sheet, {}).Bake(touching), path);
   double largest = 0.0;
   int breaks = 0;
@@ -52,7 +53,7 @@ TEST_P(Robustness, ASheetOfOneVoxelHoldsAndBreaksOnce)
 TEST_P(Robustness, ARidgeIsSlidOverWithoutChatter)
 {
   const auto ridge = [](const Vector3& x) { return 100.0 * (x.Z - 0.5 * std::abs(x.X)); };
-  // Go along the ridge, 0.6 mm deep, which gives 0.3 N at most.
+  // Move along the ridge at a depth of 0.6 mm, which gives 0.3 N at most.
   Path path = { { -8.0, 0.2, -4.0 } };
   for (double x = -8.0; x <= 8.0; x += 0.05)
   {

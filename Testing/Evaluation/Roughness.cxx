@@ -14,10 +14,10 @@ constexpr double TicksPerSecond = 1000.0;
 constexpr std::size_t LeastTicks = 100;
 constexpr std::size_t Window = 5; // ticks
 constexpr double Fall = 0.3;
-constexpr double LeastForce = 0.05; // N: smaller forces are not felt
+constexpr double LeastForce = 0.05; // N: smaller forces are imperceptible
 constexpr double ReversalFraction = 0.05;
 
-/** Returns the root mean square of a signal without its mean, in a band of frequencies (Hz). */
+/** Returns the root mean square of a signal in a frequency band (Hz), without the signal's mean. */
 double ComputeBand(const std::vector<double>& signal, double low, double high)
 {
   const std::size_t count = signal.size();
@@ -30,7 +30,7 @@ double ComputeBand(const std::vector<double>& signal, double low, double high)
     windowed[i] = w * signal[i];
     weight += w * w;
   }
-  // Goertzel's algorithm for several lines of the spectrum at once.
+  // Use Goertzel's algorithm for several spectral lines at once.
   constexpr std::size_t lanes = 8;
   double power = 0.0;
   const double step = TicksPerSecond / n;
@@ -63,7 +63,7 @@ double ComputeBand(const std::vector<double>& signal, double low, double high)
   return std::sqrt(power);
 }
 
-/** Counts how often the force rises by a threshold after it has fallen by as much. */
+/** Counts how often the force rises by a threshold after a fall by at least the same amount. */
 int CountReversals(const std::vector<double>& force, double threshold)
 {
   int reversals = 0;
@@ -91,7 +91,7 @@ std::vector<std::size_t> DetectDrops(const std::vector<double>& force)
     if (force[i - Window] > LeastForce && force[i] < (1.0 - Fall) * force[i - Window])
     {
       drops.push_back(i);
-      i += 4 * Window; // do not count the same fall again
+      i += 4 * Window; // do not count this fall twice
     }
   }
   return drops;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Roughness of forces with known roughness: sines (root mean square a/sqrt(2)), steps, sawtooths.
+ * Tests the roughness of synthetic forces: sines (root mean square a/sqrt(2)), steps, sawtooths.
  */
 
 #include "Roughness.h"
@@ -46,8 +46,8 @@ TEST(Roughness, ASineIsInTheBandOfItsFrequencyAlone)
 
 TEST(Roughness, FallsWithinFiveMillisecondsAreDrops)
 {
-  // A sawtooth that falls by a fraction within a time, then rises for a quarter of a second; four
-  // periods.
+  // Make four periods of a sawtooth that falls by a fraction within a time, then rises for a
+  // quarter of a second.
   const auto saw = [](double fall, double time)
   {
     return MeasureRoughness(MakeForce(1000,

@@ -16,12 +16,12 @@ class vtkImageData;
 namespace evaluation
 {
 
-/** Scans. Those that are not there are null or empty. */
+/** The scans to measure. Scans that are not available are null or empty. */
 struct Scans
 {
   vtkSmartPointer<vtkImageData> Head; ///< Hounsfield units
   vtkSmartPointer<vtkImageData> Chest;
-  vtkSmartPointer<vtkImageData> ChestLabels; ///< on the voxels of Chest
+  vtkSmartPointer<vtkImageData> ChestLabels; ///< labels on the voxels of Chest
   LabelNames Names;                          ///< names of these labels
   vtkSmartPointer<vtkImageData> Mri;         ///< T1, 0 to 255
 };
@@ -33,7 +33,7 @@ vtkSmartPointer<vtkImageData> ReadScan(const std::string& file);
 
 /**
  * Reads the CT (cxr.nii.gz), the labels (mask.nii.gz) and their names (structures.csv) of a folder.
- * Returns false, with a message on stderr, if one can't be read.
+ * Returns false, with a message on stderr, if any of them can't be read.
  */
 bool ReadChest(const std::string& folder, Scans& scans);
 

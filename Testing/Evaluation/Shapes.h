@@ -14,24 +14,24 @@
 namespace evaluation
 {
 
-/** Unit normal that is not along any axis of the samples. */
+/** Unit normal that is not parallel to any axis of the samples. */
 const Vector3 OddNormal = (1.0 / 3.0) * Vector3{ 1.0, -2.0, 2.0 };
 /** Unit vectors perpendicular to OddNormal and to each other. */
 const Vector3 OddAside = (1.0 / std::sqrt(5.0)) * Vector3{ 2.0, 1.0, 0.0 };
 const Vector3 OddUp = Cross(OddNormal, OddAside);
-/** Centre of the balls, not on a sample. */
+/** Centre of the balls, away from all samples. */
 constexpr Vector3 OddCentre = { 0.37, -0.21, 0.43 };
 
 /**
- * Returns a step of a height, blurred by a Gaussian of scale `blur` (mm), at a distance (mm) from
- * its middle.
+ * Returns the value of a blurred step at a distance (mm) from its middle; `blur` (mm) is the scale
+ * of the Gaussian.
  */
 inline double BlurredStep(double distance, double blur, double height)
 {
   return 0.5 * height * (1.0 + std::erf(distance / (blur * std::sqrt(2.0))));
 }
 
-/** Returns a point on a circle about OddCentre, in a plane that contains no axis. */
+/** Returns a point on a circle about OddCentre, whose plane contains no axis. */
 inline Vector3 OnOddCircle(double radius, double angle)
 {
   return OddCentre + (radius * std::cos(angle)) * OddAside + (radius * std::sin(angle)) * OddUp;
@@ -39,7 +39,7 @@ inline Vector3 OnOddCircle(double radius, double angle)
 
 constexpr double TwoPi = 6.283185307179586;
 
-/** Draws numbers between two bounds with equal probability. */
+/** Draws uniformly distributed numbers between two bounds. */
 class Uniform
 {
 public:

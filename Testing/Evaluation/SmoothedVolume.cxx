@@ -38,7 +38,7 @@ Vector3 SmoothedVolume::Gradient(const Vector3& world) const
 {
   const Vector3 index = this->Model ? this->Model->DeviceToIndex(0.001 * world) : Vector3{};
   const bool isInside = this->Model && this->Model->Baked->Field.IsInside(index);
-  // Device space is the world in metres: the axes are the same, and the gradient is per world unit.
+  // Device space is the world in metres, with the same axes. The gradient is per world unit.
   return isInside
     ? this->Model->GradientToDevice * this->Model->Baked->Field.Gradient(index).Gradient
     : Vector3{};

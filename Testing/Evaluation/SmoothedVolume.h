@@ -20,26 +20,26 @@ namespace evaluation
 class SmoothedVolume
 {
 public:
-  /** The object is not valid after an error of the filter. The image must outlive it. */
+  /** The object is invalid after an error of the filter. The image must outlive it. */
   explicit SmoothedVolume(vtkImageData* image);
 
-  /** Returns whether the volume can be read. */
+  /** Returns false after an error of the filter. */
   bool IsValid() const { return this->Model != nullptr; }
-  /** Returns the value at a position in the world (mm); 0 outside. */
+  /** Returns the smoothed value at a world position (mm); 0 outside. */
   double Value(const Vector3& world) const;
-  /** Returns the gradient per mm, along the axes of the world. */
+  /** Returns the gradient per mm, along the world's axes. */
   Vector3 Gradient(const Vector3& world) const;
   /** Returns the unsmoothed value. */
   double RawValue(const Vector3& world) const;
 
   /**
-   * Return the distance (mm) between a position and a level, by value and gradient: a level of the
-   * smoothed volume, or of the raw volume.
+   * Return the distance (mm) of a position from a level, computed as value difference divided by
+   * gradient: from a level of the smoothed volume, or of the raw volume.
    */
   Field Off(double level) const;
   Field RawOff(double level) const;
 
-  /** Returns the isosurface in the world, with normals. */
+  /** Returns the isosurface in world coordinates, with normals. */
   vtkSmartPointer<vtkPolyData> ComputeSurface(double level) const;
 
 private:

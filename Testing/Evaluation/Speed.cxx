@@ -13,7 +13,7 @@ namespace evaluation
 {
 namespace
 {
-/** Returns the times (s), in ascending order, of ticks that slide round a ball. */
+/** Returns the times (s) of ticks that slide around a ball, in ascending order. */
 std::vector<double> TimeTicks(const Candidate& candidate, double millimetersPerTick, int ticks)
 {
   const Volume volume([](const Vector3& x)

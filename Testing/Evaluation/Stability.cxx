@@ -13,8 +13,8 @@ namespace
 {
 constexpr double Slope = 100.0; // per mm
 /**
- * Distance (mm) of a surface in front of the device. The device rests some 10 um deep and swings no
- * further. If the way to the wall were longer, it would bounce on the wall at any stiffness.
+ * Distance (mm) of a surface in front of the device. The device rests at about this depth (10 um)
+ * and swings no further. From a longer distance, it would bounce on the wall at any stiffness.
  */
 constexpr double Ahead = 1e-4;
 
@@ -56,7 +56,7 @@ Table CompareStability(const Effort& effort, std::vector<Plot>& plots)
       const double damping = 1.0 * i / points;
       rows.push_back({ Number(damping), std::to_string(delay), Number(2000.0 * damping) });
     }
-    // If the methods agree, their curves coincide, so the first curves are drawn wider.
+    // Draw the first curves wider, so that they stay visible where methods agree.
     float width = 5.0f + 4.0f * static_cast<float>(methods.size() - 1);
     for (const Method& method : methods)
     {

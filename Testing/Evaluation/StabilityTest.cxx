@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * For every method that has a wall, the stiffest stable wall is what theory predicts for a sampled
- * spring.
+ * Expects, for every method that has a wall, the stiffest stable wall that theory predicts for a
+ * sampled spring.
  */
 
 #include "Comparison.h"
@@ -29,7 +29,7 @@ TEST(Stability, EveryWallIsAsStiffAsTheoryAllows)
       ++walls;
       for (std::size_t i = 0; i < curve.X.size(); ++i)
       {
-        // With one tick of delay, a third of the stiffness remains.
+        // One tick of delay reduces the stiffness to a third.
         const double theory = 2000.0 * curve.X[i] / (isLate ? 3.0 : 1.0);
         EXPECT_NEAR(curve.Y[i], theory, 0.02 * theory) << curve.Name << ", " << curve.X[i];
       }

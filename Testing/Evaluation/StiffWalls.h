@@ -12,7 +12,9 @@
 namespace evaluation
 {
 
-/** Measures arms like a Falcon and a Touch, pressed by weights and hands (Rigs/StiffWalls.h). */
+/**
+ * Measures arms similar to a Falcon and a Touch, pressed by weights and hands (Rigs/StiffWalls.h).
+ */
 Table MeasureStiffWalls();
 
 } // namespace evaluation

@@ -16,7 +16,7 @@ namespace
 {
 constexpr double HalfTurn = 0.5 * TwoPi;
 
-/** Returns the position of a sample in the world. */
+/** Returns a sample's position in world coordinates. */
 Vector3 WorldPosition(vtkImageData* image, int i, int j, int k)
 {
   double position[3];
@@ -24,7 +24,7 @@ Vector3 WorldPosition(vtkImageData* image, int i, int j, int k)
   return { position[0], position[1], position[2] };
 }
 
-/** The centre of all samples of a label, and their box, which is empty without samples. */
+/** The centre of all samples of a label, and their bounding box, which is empty without samples. */
 struct LabelPlace
 {
   Vector3 Middle;
@@ -64,7 +64,9 @@ LabelPlace FindLabel(vtkImageData* labels, int label)
   return place;
 }
 
-/** Returns planes through the dome of a liver, with a level, seen from inside. */
+/**
+ * Returns planes through the dome of a liver, whose surface has a level and is seen from inside.
+ */
 Course OverLiver(const LabelPlace& liver, double level, const Effort& effort)
 {
   Course up;
@@ -83,7 +85,7 @@ Course OverLiver(const LabelPlace& liver, double level, const Effort& effort)
   return up;
 }
 
-/** Returns an image that has only one label. */
+/** Returns a copy of an image in which all other labels are 0. */
 vtkSmartPointer<vtkImageData> KeepLabel(vtkImageData* labels, int label)
 {
   auto kept = vtkSmartPointer<vtkImageData>::New();

@@ -16,10 +16,10 @@
 namespace evaluation
 {
 
-/** The WideRamp of the preset "Labels", whose functions change within half a label. */
+/** The WideRamp for the preset "Labels", whose functions change within half a label. */
 constexpr double LabelRamp = 0.25;
 
-/** A surface of a scan and the strokes over it. */
+/** A surface of a scan, and the strokes over it. */
 struct FeltSurface
 {
   std::string Scan;
@@ -28,12 +28,12 @@ struct FeltSurface
   vtkSmartPointer<vtkImageData> Image;
   double Level = 0.0; ///< value of the surface
   std::vector<Arc> Arcs;
-  /// scalar units: width to which ramps between materials are widened, to measure the effect of
+  /// width (scalar units) to which ramps between materials are widened, to measure the effect of
   /// steep ramps
   double WideRamp = 60.0;
   bool IsRequired = false; ///< must be smooth
-  /// largest allowed roughness, % of the mean between 30 and 500 Hz; 0: that of a mesh of smoothed
-  /// data
+  /// largest allowed roughness between 30 and 500 Hz, % of the mean; 0: the roughness of a mesh of
+  /// smoothed data
   double RoughestFraction = 0.0;
 };
 
@@ -41,19 +41,19 @@ struct FeltSurface
 std::vector<FeltSurface> FindHeadSurfaces(vtkImageData* volume, const Effort& effort);
 
 /**
- * Returns surfaces of a chest CT with DICOM's axes: the skin of the front (-300 HU) and, stroked
- * from the lung, the dome of the liver (-400 HU). `liver` is the liver's value in the label image;
+ * Returns surfaces of a chest CT with DICOM's axes: the skin of the front (-300 HU), and the dome
+ * of the liver (-400 HU), stroked from the lung. `liver` is the liver's value in the label image;
  * without labels, the liver is left out.
  */
 std::vector<FeltSurface> FindChestSurfaces(
   vtkImageData* volume, vtkImageData* labels, int liver, const Effort& effort);
 
-/** Returns scalp and cortex of a T1-weighted MRI of a head with grey levels of 0 to 255. */
+/** Returns scalp and cortex of a T1-weighted MRI of a head with grey levels from 0 to 255. */
 std::vector<FeltSurface> FindMriSurfaces(vtkImageData* volume, const Effort& effort);
 
 /**
- * Returns the dome of the liver, stroked from the lung, in a label image that is touched itself:
- * once with the liver alone, and once among all labels. Returns none without the liver's label.
+ * Returns the dome of the liver, stroked from the lung, on the label image itself: once with the
+ * liver alone, and once among all labels. Returns nothing without the liver's label.
  */
 std::vector<FeltSurface> FindLabelSurfaces(vtkImageData* labels, int liver, const Effort& effort);
 

@@ -11,7 +11,7 @@ namespace evaluation
 {
 namespace
 {
-/** Prints words in lines of a terminal's width. */
+/** Prints text in lines that fit a terminal. */
 void PrintText(const std::string& text)
 {
   std::istringstream words(text);

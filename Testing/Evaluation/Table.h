@@ -23,12 +23,12 @@ struct Table
 };
 
 /**
- * Formats a number with three significant digits; from a thousand on, with all digits before the
- * point.
+ * Formats a number with three significant digits; from 1000 upwards, with all digits before the
+ * decimal point.
  */
 std::string Number(double value);
 
-/** Prints a table to the terminal at once. */
+/** Prints a table to the terminal, and flushes it. */
 void PrintTable(const Table& table);
 /** Writes a table as Markdown. */
 void WriteTable(const Table& table, std::ostream& out);

@@ -16,7 +16,7 @@ namespace evaluation
 namespace
 {
 
-/** Returns the mean level of a pad's weak motor over 50 ms after the touch. */
+/** Returns the mean level of a gamepad's weak motor during 50 ms after the touch. */
 double FindVibration(const std::vector<double>& forces)
 {
   constexpr std::size_t Ticks = 50;

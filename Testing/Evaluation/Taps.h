@@ -13,7 +13,8 @@ namespace evaluation
 {
 
 /**
- * Measures arms like a Falcon and a Touch that are thrown at walls of one stiffness (Rigs/Taps.h).
+ * Measures arms similar to a Falcon and a Touch that are thrown at walls of one stiffness
+ * (Rigs/Taps.h).
  */
 Table MeasureTaps();
 

@@ -18,7 +18,7 @@ namespace
 {
 constexpr int Rounds = 3;
 
-/** Adds the time (s) of each tick of the strokes. */
+/** Runs the strokes, and adds the time (s) of each tick to `times`. */
 void TimeTicks(const HapticModel& model, const std::vector<Arc>& arcs, std::vector<double>& times)
 {
   using Clock = std::chrono::steady_clock;

@@ -14,12 +14,12 @@
 namespace evaluation
 {
 
-/** Changes the settings of a filter that has the surface's image and preset. */
+/** A change to the settings of a filter that has the surface's image and preset. */
 using Setting = std::function<void(vtkVolumeHapticsFilter*)>;
 
 /**
- * Returns the median time of a tick with one setting divided by that with another; 0 after an
- * error. Both are measured in turns on the same strokes, so that other work of the machine affects
+ * Returns the median time of a tick with one setting divided by that with another, or 0 after an
+ * error. Measures both in turns on the same strokes, so that other work of the machine affects
  * both.
  */
 double MeasureTickRatio(

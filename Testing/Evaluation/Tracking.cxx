@@ -51,8 +51,8 @@ Figures MeasureTracking(const Candidate& candidate, const Effort& effort)
   for (const Wall& wall : GetWalls())
   {
     std::vector<double> radii = TrackSphere(candidate, wall, turns);
-    // With alignment Edge, an edge gains its strength within itself. The proxy is not held by the
-    // level at the start, but by the level on which it comes to rest in the first turn.
+    // With alignment Edge, an edge's strength increases within the edge. So the reference is not
+    // the level at the start, but the level on which the proxy comes to rest in the first turn.
     const bool comesToRest = wall.IsEdge && candidate.Solver == HapticSolver::Precise &&
       candidate.Alignment == ContactAlignment::Edge;
     double surface = SphereRadius;
@@ -72,7 +72,7 @@ Figures MeasureTracking(const Candidate& candidate, const Effort& effort)
       worst = std::max(worst, std::abs(off));
       if (i >= lastTurn)
       {
-        // Compare with the same place in the first turn.
+        // Compare with the same position in the first turn.
         drift = std::max(drift, std::abs(radii[i] - radii[i % TicksPerTurn + TicksPerTurn]));
       }
     }

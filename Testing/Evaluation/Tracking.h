@@ -19,13 +19,13 @@ constexpr int TicksPerTurn = 565;
 struct Wall
 {
   std::string Name;
-  std::function<double(double)> TheField; ///< by the radius
+  std::function<double(double)> TheField; ///< field, as a function of the radius
   VolumeHaptics::ScalarType Type;
   double TipRadius;    ///< mm
-  bool IsEdge = false; ///< with a plateau on each side; otherwise a ramp
+  bool IsEdge = false; ///< plateau on each side of an edge; otherwise a ramp
 };
 
-/** Returns balls and cavities. */
+/** Returns the balls and cavities to track. */
 std::vector<Wall> GetWalls();
 
 /** Returns the proxy's radius (mm) after each tick. */

@@ -26,7 +26,7 @@ namespace evaluation
 {
 namespace
 {
-/** The range of an axis. */
+/** Title and range of an axis. */
 struct Extent
 {
   const char* Title;
@@ -36,7 +36,7 @@ struct Extent
 
 constexpr Extent Values{ "scalar value (HU)", -1200.0, 1200.0 };
 constexpr Extent Gradients{ "gradient magnitude (HU/mm)", 0.0, 100.0 };
-/** A device's largest force. A surface that holds more is impenetrable for the device. */
+/** A device's largest force. The device can't penetrate a stronger surface. */
 constexpr double StrongestForce = 4.0; // N
 
 /** Margins (pixels) around a chart's axes. */
@@ -98,7 +98,7 @@ void AddCurve(vtkChartXY* chart, vtkPiecewiseFunction* function, const Extent& e
   line->SetWidth(2.5f);
 }
 
-/** Adds a bar for every few HU. */
+/** Adds a coloured bar for every few HU. */
 void AddColours(vtkChartXY* chart, vtkColorTransferFunction* colours)
 {
   vtkNew<vtkDoubleArray> x;
@@ -127,7 +127,7 @@ constexpr unsigned char Orange[] = { 222, 110, 0 };
 constexpr unsigned char Blue[] = { 0, 92, 175 };
 constexpr unsigned char Green[] = { 0, 140, 95 };
 
-/** Returns the largest value on the axis; 1 if there is none. */
+/** Returns the function's largest value, or 1 if the function is empty or zero. */
 double LargestOf(vtkPiecewiseFunction* function)
 {
   double largest = 0.0;
@@ -139,8 +139,8 @@ double LargestOf(vtkPiecewiseFunction* function)
 }
 
 /**
- * Adds a function as a fraction of its largest value, which the curve's name tells. So three
- * quantities fit in one chart.
+ * Adds a function as a fraction of its largest value, so that three quantities fit in one chart.
+ * The curve's name states the largest value.
  */
 void AddShare(vtkChartXY* chart, vtkPiecewiseFunction* function, const std::string& name,
   const std::string& unit, const unsigned char (&colour)[3])
@@ -164,7 +164,7 @@ void AddTransferCharts(vtkContextScene* scene, vtkVolumeProperty* look, vtkHapti
 {
   const auto place = [&](vtkChartXY* chart, int row, int column)
   {
-    // The axes align from row to row, whatever is written beside them.
+    // Align the axes from row to row, regardless of the width of their labels.
     chart->SetAutoSize(false);
     chart->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
     const double cell[] = { 0.5 * width, height / 3.0 };

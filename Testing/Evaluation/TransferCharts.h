@@ -14,7 +14,7 @@ class vtkVolumeProperty;
 namespace evaluation
 {
 
-/** Adds three rows of two charts that fill a scene of a size in pixels. */
+/** Adds three rows of two charts that fill a scene of a given size in pixels. */
 void AddTransferCharts(vtkContextScene* scene, vtkVolumeProperty* look, vtkHapticProperty* feel,
   double width, double height);
 

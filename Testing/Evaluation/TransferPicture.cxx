@@ -30,12 +30,10 @@ namespace
 {
 constexpr int Width = 1500;
 constexpr int Height = 900;
-/** Fraction of the width that the rendered CT takes. */
+/** Fraction of the width that the rendered CT occupies. */
 constexpr double Fraction = 0.36;
 
-/**
- * Adds the CT with the explorer's look. Its opacity depends on the gradient, as distinctness does.
- */
+/** Adds the CT with the explorer's opacity, which depends on the gradient, as distinctness does. */
 void AddHead(
   vtkRenderer* renderer, vtkVolume* head, const Explore::Volume& volume, const Effort& effort)
 {
@@ -54,7 +52,7 @@ void AddHead(
   renderer->AddVolume(head);
   Explore::FitCamera(renderer, Explore::MakeViewFrame(values.Centre, "-y", "+z"), values.BodyBounds,
     Fraction * Width / Height, false);
-  renderer->GetActiveCamera()->Zoom(1.2); // a head does not fill the box's corners
+  renderer->GetActiveCamera()->Zoom(1.2); // the corners of the head's box are empty
 }
 } // namespace
 
@@ -97,7 +95,7 @@ Picture DrawTransferPicture(
   vtkNew<vtkWindowToImageFilter> picture;
   picture->SetInput(window);
   picture->ReadFrontBufferOff();
-  picture->ShouldRerenderOff(); // takes seconds without a graphics card
+  picture->ShouldRerenderOff(); // rerendering takes seconds without a graphics card
   vtkNew<vtkPNGWriter> writer;
   writer->SetFileName((folder + "/transfer.png").c_str());
   writer->SetInputConnection(picture->GetOutputPort());

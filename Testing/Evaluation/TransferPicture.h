@@ -14,9 +14,9 @@ namespace evaluation
 
 /**
  * Draws FOLDER/transfer.png: the rendered CT, its visual transfer functions, and beside each of
- * them the haptic one of the preset "CT contrast". Without a file, draws the project's phantom. If
- * the file can't be read, prints a message on stderr and returns a picture without a name. Needs a
- * display, which may be virtual.
+ * them the corresponding haptic function of the preset "CT contrast". Without a file, draws the
+ * project's phantom. If the file can't be read, prints a message on stderr and returns a picture
+ * without a name. Needs a display, possibly a virtual one.
  */
 Picture DrawTransferPicture(
   const std::string& volumeFile, const Effort& effort, const std::string& folder);

@@ -17,8 +17,8 @@ constexpr int Ticks = 6000;
 
 /**
  * Returns whether the simulated device swings less at the end than in the middle of a long rest on
- * a wall, without ever leaving the wall: a device that bounces for ever may do so a little lower at
- * the end.
+ * a wall, and never leaves the wall meanwhile. A device that bounces for ever may bounce slightly
+ * lower at the end.
  */
 bool ComesToRest(const HapticModel& model, double damping, int delay)
 {

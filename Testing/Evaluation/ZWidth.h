@@ -13,13 +13,14 @@ namespace evaluation
 {
 
 /**
- * Makes a model of a wall of a stiffness (N/m) that begins at the device's z = 0 or slightly above.
+ * Makes a model of a wall with a given stiffness (N/m) that begins at or slightly above z = 0 of
+ * the device.
  */
 using WallMaker = std::function<std::shared_ptr<const VolumeHaptics::HapticModel>(double)>;
 
 /**
  * Returns the stiffest wall (N/m) on which a device of 0.1 kg with a damping (N s/m) comes to rest,
- * with the force some ticks late. Theory (Gil et al. 2004; T16): 2 b / T without delay.
+ * with a delay of the force in ticks. Theory (Gil et al. 2004; T16): 2 b / T without delay.
  */
 double FindStiffestWall(const WallMaker& makeWall, double damping, int delay);
 

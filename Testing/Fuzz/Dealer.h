@@ -13,7 +13,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-/** Deals out bytes, and zeros when the bytes have run out. */
+/** Hands out a fuzzer's bytes one after another, and zeros after the last byte. */
 class Dealer
 {
 public:
@@ -34,7 +34,7 @@ public:
     return *this->Bytes++;
   }
   int Choose(int count) { return this->Byte() % count; }
-  /** Returns a number between two numbers, in steps of 1/65535 of their distance. */
+  /** Returns a number from `low` to `high`, in steps of 1/65535 of their difference. */
   double Between(double low, double high)
   {
     const int word = this->Byte() * 256 + this->Byte();
@@ -43,7 +43,7 @@ public:
   void Fill(void* to, std::size_t size)
   {
     const std::size_t some = size < this->Left ? size : this->Left;
-    // Do not use memcpy(), which needs valid pointers even for zero bytes.
+    // Avoid memcpy(), which needs valid pointers even for zero bytes.
     char* const rest = std::copy_n(this->Bytes, some, static_cast<char*>(to));
     std::fill_n(rest, size - some, '\0');
     this->Bytes += some;

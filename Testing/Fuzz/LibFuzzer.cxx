@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Defines the function that libFuzzer calls. It calls the target that fuzz.sh names.
+// Defines libFuzzer's entry point, which calls the target that fuzz.sh selects.
 #include <cstddef>
 #include <cstdint>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Runs the fuzzer's target for descriptors on random bytes, and on a stick's bytes with some of
- * them changed.
+ * Runs the fuzzer's target for HID descriptors on random bytes, and on a stick's descriptor with
+ * some bytes changed.
  */
 
 #include "Rigs/PidRig.h"
@@ -20,7 +20,7 @@ Bytes Packet(std::mt19937& random)
   Bytes packet{ static_cast<std::uint8_t>(random() % 20) };
   for (int b = packet[0]; b > 0; --b)
   {
-    // Draw small bytes often, as the first bytes of an answer are small.
+    // Draw small bytes often, because the first bytes of an answer are small.
     packet.push_back(static_cast<std::uint8_t>(random() % 2 == 0 ? random() % 4 : random()));
   }
   return packet;

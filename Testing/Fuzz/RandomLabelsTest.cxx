@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Runs the fuzzer's target for tables of labels on random bytes, and on good files with some bytes
+ * Runs the fuzzer's target for tables of labels on random bytes, and on valid files with some bytes
  * changed.
  */
 
@@ -55,7 +55,7 @@ TEST(Fuzz, RandomLabelsAreTouched)
     std::vector<std::uint8_t> bytes(seed % 10 == 0 ? 768 : random() % 800);
     for (std::uint8_t& byte : bytes)
     {
-      // Half of the files consist of characters that occur in such texts.
+      // Half of the files consist of characters that occur in tables of labels.
       byte = static_cast<std::uint8_t>(
         seed % 2 == 0 ? random() : "0123 ,;\"#\n\r:=_aN.-"[random() % 19]);
     }

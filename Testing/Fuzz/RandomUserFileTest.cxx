@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Runs the fuzzer's target for firmware and the file of devices on random bytes, and on a good file
- * of devices with some bytes changed.
+ * Runs the fuzzer's target for firmware and the file of devices on random bytes, and on a valid
+ * file of devices with some bytes changed.
  */
 
 #include "TouchUserFile.h"
@@ -30,7 +30,7 @@ TEST(Fuzz, RandomUserFilesAreTouched)
     std::string bytes(random() % 1500, '\0');
     for (char& byte : bytes)
     {
-      // Half of the files consist of characters that occur in such texts.
+      // Half of the files consist of characters that occur in a file of devices.
       byte = static_cast<char>(
         seed % 2 == 0 ? random() : "falcon confirmed=scale20-\n\r\0.%"[random() % 32]);
     }

@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Builds the targets of TouchFiles.h, linked to the module, with VolumeHaptics_BUILD_FUZZERS (fuzz.sh sets it). Only the
-# code that reads files is instrumented. VTK and the rest of the module are not: the latter takes minutes to optimise.
+# Builds the targets of TouchFiles.h, linked to the module, with VolumeHaptics_BUILD_FUZZERS (set by fuzz.sh). Only the
+# code that reads files is instrumented. VTK and the rest of the module are not, because instrumented code takes minutes
+# to optimise.
 set(sanitizers "-fsanitize=address,undefined" -fno-sanitize=vptr -fno-sanitize-recover=all)
 set(instrumented -O1 -gline-tables-only -fsanitize=fuzzer-no-link ${sanitizers})
 get_target_property(library VTK::VolumeHaptics ALIASED_TARGET)
@@ -28,7 +29,7 @@ endforeach ()
 if (TARGET volumehaptics-read) # it loads the module, and so needs the module's sanitizers
   target_compile_options(volumehaptics-read PRIVATE ${sanitizers})
   target_link_options(volumehaptics-read PRIVATE ${sanitizers})
-  # The code that limits the memory is not instrumented, but has to know of the sanitizers, which map terabytes.
+  # The code that limits the memory is not instrumented, but must allow for the sanitizers, which map terabytes.
   target_compile_definitions(VolumeHapticsPlatform PRIVATE VOLUME_HAPTICS_SANITIZED)
 endif ()
 if (TARGET volumehaptics-dicom) # GDCM reads in this process, which is not instrumented

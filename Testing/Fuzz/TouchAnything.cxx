@@ -19,7 +19,7 @@ constexpr int MostTicks = 400;
 constexpr double Rounding = 1e-6; // of a force
 
 /**
- * Deals a function of one to four points in ascending order. Points may have the same X, which is a
+ * Draws a function of one to four points in ascending order. Points may have the same X, which is a
  * step.
  */
 Polyline Function(Dealer& dealer, double most)
@@ -85,12 +85,12 @@ void Deal(Dealer& dealer, Scene& scene)
   scene.Samples.resize(count * size);
   if (dealer.Choose(2))
   {
-    // Use the raw bytes, so that all numbers of the type occur.
+    // Use the raw bytes, so that every number of the type can occur.
     dealer.Fill(scene.Samples.data(), scene.Samples.size() / 2);
   }
   else
   {
-    // Fill the samples with a pattern of few bytes, which is similar to a volume.
+    // Fill the samples with a pattern made from a few bytes, which resembles a volume.
     const std::uint8_t seed = dealer.Byte();
     for (std::size_t i = 0; i < scene.Samples.size(); i += size)
     {
@@ -100,7 +100,7 @@ void Deal(Dealer& dealer, Scene& scene)
   d.View.Data = scene.Samples.data();
 }
 
-/** Deals two or three time steps, one of which has other samples. */
+/** Draws two or three time steps, one of which has different samples. */
 void DealTimeSteps(Dealer& dealer, Scene& scene)
 {
   HapticModelDescription& d = scene.Description;
@@ -116,7 +116,7 @@ void DealTimeSteps(Dealer& dealer, Scene& scene)
   }
   if (dealer.Choose(2) == 1)
   {
-    // Draw displacements of all sizes, and some that are not numbers.
+    // Draw displacements of all sizes, including NaN and infinities.
     const std::int64_t* const n = d.View.Dimensions;
     scene.Displacements.resize(static_cast<std::size_t>(3 * n[0] * n[1] * n[2]));
     dealer.Fill(reinterpret_cast<char*>(scene.Displacements.data()),
@@ -125,7 +125,10 @@ void DealTimeSteps(Dealer& dealer, Scene& scene)
   }
 }
 
-/** Makes label samples whole numbers, because baking refuses others: those become 0. */
+/**
+ * Rounds label samples down to whole numbers, and replaces too large numbers by 0, because baking
+ * refuses others.
+ */
 template <typename T>
 void MakeWhole(std::vector<char>& samples)
 {
@@ -137,7 +140,7 @@ void MakeWhole(std::vector<char>& samples)
   }
 }
 
-/** Deals a material with any numbers, for a label that the image may have. */
+/** Draws a material with arbitrary numbers, for a label that the image may contain. */
 LabelledMaterial DealEntry(Dealer& dealer, const LabelView& view, std::int64_t otherwise)
 {
   LabelledMaterial entry;
@@ -159,7 +162,7 @@ LabelledMaterial DealEntry(Dealer& dealer, const LabelView& view, std::int64_t o
   return entry;
 }
 
-/** Deals a label image of any type, extent, placement and direction, and a table of labels. */
+/** Draws a label image of any type, extent, placement and direction, and a table of labels. */
 void DealLabels(Dealer& dealer, Scene& scene)
 {
   VolumeView view;
@@ -199,7 +202,7 @@ void DealLabels(Dealer& dealer, Scene& scene)
   view.Data = scene.LabelSamples.data();
   const auto labels = std::make_shared<BakedLabels>();
   labels->View = LabelView(view);
-  // Let an axis point the other way sometimes.
+  // Sometimes reverse an axis.
   const double side = dealer.Choose(2) == 0 ? 1.0 : -1.0;
   labels->IndexToWorld.Linear = Matrix3::FromColumns({ side * dealer.Between(0.1, 3.0), 0.0, 0.0 },
     { dealer.Between(-1.0, 1.0), dealer.Between(0.1, 3.0), 0.0 },
@@ -226,7 +229,7 @@ void DealLabels(Dealer& dealer, Scene& scene)
 
 Vector3 DealTip(Dealer& dealer, const Vector3& before)
 {
-  // A hand 100 m away is odd enough. Larger numbers are drawn as well, and refused.
+  // A hand 100 m away is an extreme case. Draw larger numbers, too, which must be refused.
   constexpr double oddities[] = { HUGE_VAL, 1e300, 100.0, -100.0 };
   switch (dealer.Choose(16))
   {
@@ -274,13 +277,13 @@ void TouchAnything(const std::uint8_t* bytes, std::size_t size)
     Tick(model, stored, next, again);
     Check(IsFinite(record.Force) && IsFinite(record.Proxy), "force and proxy are finite");
     Check(Norm(record.Force - again.Force) == 0.0, "a stored state goes on the same");
-    // For a tip far away, allow large rounding errors.
+    // Allow larger rounding errors for a tip far away.
     constexpr double far = 1e-9;
     const bool isLocal = model.Baked->Settings.Method == HapticMethod::LocalSurface;
     const double bound = isLocal
       ? std::hypot(record.NormalForce, record.FrictionForce)
       : record.SurfaceStrength * std::hypot(1.0, record.Friction) + record.Viscosity;
-    // After a leap of the proxy, add the part of the earlier force that is still felt.
+    // After a jump of the proxy, add the part of the earlier force that is still released.
     const double whole = bound + Norm(state.Release.Force);
     Check(Norm(record.Force) <= whole * (1.0 + Rounding) + far, "the material holds the force");
     tip = IsFinite(next) && Norm(next) < 1.0 ? next : tip;

@@ -11,11 +11,11 @@
 #include <cstdint>
 
 /**
- * Chooses everything from the bytes: type, size, spacing and samples (also NaN and infinities),
- * estimator, solver, side, functions with steps, a path with jumps and with tips that are not
- * numbers. Some bytes also choose a label image of any type, size and direction with a table of
- * materials and forbidden labels. Aborts if a force or a proxy is not finite, if a force exceeds
- * what the material holds, or if a state can't be stored and used again.
+ * Chooses everything from the bytes: type, size, spacing and samples (including NaN and
+ * infinities), estimator, solver, side, functions with steps, and a path with jumps and with tips
+ * that are not finite. Some bytes also choose a label image of any type, size and direction with a
+ * table of materials and forbidden labels. Aborts if a force or a proxy is not finite, if a force
+ * exceeds what the material allows, or if a state can't be stored and restored.
  */
 void TouchAnything(const std::uint8_t* bytes, std::size_t size);
 

@@ -11,10 +11,10 @@
 #include <cstdint>
 
 /**
- * Takes the first byte as the length of a packet, which follows, and the rest as a descriptor.
- * Gives the packet to every codec. Aborts if a field lies outside its report, if a value is read
- * differently from how it was written, if an axis or a current is out of its range, or if a
- * dialogue does not end.
+ * Uses the first byte as the length of a packet, which follows, and the rest as a descriptor.
+ * Passes the packet to every codec. Aborts if a field is outside its report, if a written value is
+ * read back differently, if an axis or a current is out of its range, or if a dialogue does not
+ * end.
  */
 void TouchDescriptor(const std::uint8_t* bytes, std::size_t size);
 

@@ -23,7 +23,7 @@ FalconReport DealReport(Dealer& dealer)
   FalconReport report;
   for (std::int16_t& count : report.Encoders)
   {
-    // Draw most counts within the workspace, so that the forward kinematics has a solution.
+    // Draw most counts within the workspace, where the forward kinematics has a solution.
     count = static_cast<std::int16_t>(
       dealer.Choose(8) == 0 ? dealer.Between(-32768.0, 32767.0) : dealer.Between(-1500.0, 1500.0));
   }
@@ -33,8 +33,8 @@ FalconReport DealReport(Dealer& dealer)
 }
 
 /**
- * Deals raw bytes, a part of a packet, or a whole packet that may be damaged, in a buffer of
- * exactly their size.
+ * Draws raw bytes, a part of a packet, or a whole packet that may be damaged, in a buffer of
+ * exactly this size.
  */
 std::vector<std::uint8_t> DealBytes(Dealer& dealer)
 {
@@ -143,7 +143,7 @@ void Listen(Dealer& dealer)
   }
 }
 
-/** Answers as the device mostly does. With wrong answers only, the dialogue would end at once. */
+/** Mostly answers as the device does. With wrong answers only, the dialogue would end at once. */
 void Answer(Dealer& dealer, FalconLoader& loader, const std::vector<std::uint8_t>& written)
 {
   const std::size_t due = loader.GetStep().Size;
@@ -164,7 +164,7 @@ void Answer(Dealer& dealer, FalconLoader& loader, const std::vector<std::uint8_t
       answer = DealBytes(dealer);
       break;
   }
-  // Send a timeout for an empty answer. Otherwise, a device that never answers would keep the
+  // An empty answer stands for a timeout. Otherwise, a device that never answers would prevent the
   // dialogue from ending.
   answer.empty() ? loader.TimeOut() : loader.Receive(answer.data(), answer.size());
 }

@@ -12,9 +12,9 @@
 
 /**
  * Chooses from the bytes transfers of any length, whole reports among garbage, times, forces, and
- * the answers while firmware is loaded. Aborts if a position is not finite, if a pose counts as
- * reached that is not, if a motor gets more than its limit or a force that was not requested, if
- * homing is ready without its conditions, or if the loader sends wrong bytes.
+ * the answers while firmware is loaded. Aborts if a position is not finite, if an unreached pose
+ * counts as reached, if a motor gets more than its limit or a force that was not requested, if
+ * homing completes without its conditions, or if the loader sends wrong bytes.
  */
 void TouchFalcon(const std::uint8_t* bytes, std::size_t size);
 

@@ -25,13 +25,13 @@
 #include <unistd.h>
 
 extern "C" void vtkHapticServeReading(
-  int link); // function of the module, which no public header declares
+  int link); // a function of the module that no public header declares
 
 namespace
 {
 namespace fs = std::filesystem;
 
-/** A folder, in memory if possible, that the process removes at its end. */
+/** A folder, in memory if possible, that is removed when the process ends. */
 struct Folder
 {
   fs::path Path;
@@ -59,7 +59,7 @@ void Write(const fs::path& file, std::string_view bytes)
   std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<long>(bytes.size()));
 }
 
-/** Unpacks the files of a folder. Their names can't lead out of the folder. */
+/** Unpacks files into a folder. Their names can't lead out of the folder. */
 void Unpack(std::string_view bytes, const fs::path& folder)
 {
   while (!bytes.empty())
@@ -83,7 +83,7 @@ void Unpack(std::string_view bytes, const fs::path& folder)
       }
       begin = end + 1;
     }
-    std::error_code failed; // fails where a file has the name of a folder
+    std::error_code failed; // set if a file has the name of a folder
     fs::create_directories(inner.parent_path(), failed);
     if (inner != folder && !failed && !fs::is_directory(inner, failed))
     {
@@ -94,13 +94,13 @@ void Unpack(std::string_view bytes, const fs::path& folder)
 }
 
 /**
- * Makes this process read files that another process would read otherwise. There, no sanitizer
- * would stop the search at a fault.
+ * Makes this process read files itself instead of starting a reader process, in which a sanitizer's
+ * fault would not stop the search.
  */
 void ReadHere()
 {
   static const bool isSet =
-    (vtkHapticServeReading(-1), true); // no requests come through such a link
+    (vtkHapticServeReading(-1), true); // no requests arrive through this link
   (void)isSet;
 }
 
@@ -170,7 +170,7 @@ void Touch(const char* name, const std::uint8_t* bytes, std::size_t size, bool a
   const fs::path named = inner / name;
   if (isFolder)
   {
-    // The first file may name the other files, as the header of a pair of files does.
+    // The first file may refer to the other files, as the header of a pair of files does.
     const fs::path place = named.extension() == ".zarr" ? named : inner;
     Unpack(text.substr(pack.size()), place);
     const fs::path file = inner / ("volume" + named.extension().string());

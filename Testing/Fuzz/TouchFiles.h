@@ -17,7 +17,7 @@
 
 void TouchDicom(const std::uint8_t* bytes, std::size_t size);
 void TouchBrain(const std::uint8_t* bytes, std::size_t size);
-/** Reads grids of VTK. The first byte chooses the format. */
+/** Reads VTK's grids. The first byte selects the format. */
 void TouchGrid(const std::uint8_t* bytes, std::size_t size);
 void TouchHdf(const std::uint8_t* bytes, std::size_t size);
 void TouchMetaImage(const std::uint8_t* bytes, std::size_t size);
@@ -26,7 +26,7 @@ void TouchNrrd(const std::uint8_t* bytes, std::size_t size);
 void TouchTiff(const std::uint8_t* bytes, std::size_t size);
 void TouchVti(const std::uint8_t* bytes, std::size_t size);
 void TouchZarr(const std::uint8_t* bytes, std::size_t size);
-/** Reads files of tables by their endings, and label images with their names. */
+/** Reads tables according to their extensions, and label images with the names of their labels. */
 void TouchLabelFile(const std::uint8_t* bytes, std::size_t size);
 
 #endif

@@ -72,8 +72,8 @@ void ReceiveText(const std::string& text)
       {
         HaplyMessage ignored;
         const HaplyAddress address{ { 3, minor }, arm.Family, arm.Id };
-        // The client may ask any arm in the service's list for its state, whatever the arm's name
-        // is.
+        // The client may request the state of any arm in the service's list, whatever the arm's
+        // name is.
         Check(ReadHaplyMessage(WriteHaplyGreeting(address), ignored) == nullptr &&
             ReadHaplyMessage(WriteHaplyForce(address, { 0.5, -1.0, 2.0 }), ignored) == nullptr &&
             ignored.Arms.size() == 1,

@@ -11,8 +11,8 @@
 #include <cstdint>
 
 /**
- * Takes the bytes as a message, an event and a version: as they are, and as JSON whose names and
- * values the bytes choose from the protocol. Aborts if a reported number is not finite, if there
+ * Uses the bytes as a message, an event and a version: unchanged, and as JSON whose names and
+ * values the bytes select from the protocol. Aborts if a reported number is not finite, if there
  * are more devices than the limit, or if a greeting or a force can't be written to a reported
  * device.
  */

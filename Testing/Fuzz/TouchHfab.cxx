@@ -16,7 +16,7 @@ namespace
 {
 constexpr int MostPieces = 60;
 
-/** Deals raw bytes, characters of answers in any order, or an answer that may be damaged. */
+/** Draws raw bytes, characters of answers in any order, or an answer that may be damaged. */
 std::string DealText(Dealer& dealer)
 {
   std::string text;
@@ -54,7 +54,7 @@ std::string DealText(Dealer& dealer)
   return text;
 }
 
-/** Returns whether a word is a number of one to nine digits, with or without a minus. */
+/** Returns whether a word is a number of one to nine digits, optionally with a minus sign. */
 bool IsNumber(const std::string& word)
 {
   const std::string digits = word.substr(!word.empty() && word[0] == '-' ? 1 : 0);
@@ -62,7 +62,7 @@ bool IsNumber(const std::string& word)
     digits.find_first_not_of("0123456789") == std::string::npos;
 }
 
-/** Searches the whole text for answers (slow reference). */
+/** Searches the whole text for answers, as a slow reference implementation. */
 std::vector<std::vector<long>> Search(const std::string& text)
 {
   std::vector<std::vector<long>> answers;

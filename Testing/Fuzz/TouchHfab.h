@@ -11,9 +11,9 @@
 #include <cstdint>
 
 /**
- * Chooses lines from the bytes: garbage, answers, damaged answers. Aborts if the reader finds other
- * answers than a slow search for brackets and commas, if a tip is not finite, or if a motor gets
- * more than its limit.
+ * Chooses lines from the bytes: garbage, answers, damaged answers. Aborts if the reader's answers
+ * differ from those of a slow search for brackets and commas, if a tip is not finite, or if a motor
+ * gets more than its limit.
  */
 void TouchHfab(const std::uint8_t* bytes, std::size_t size);
 

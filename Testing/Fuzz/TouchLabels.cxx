@@ -43,7 +43,7 @@ void CheckRoundTrip(LabelEntries entries)
 {
   LabelEntries back;
   std::string error;
-  // In a table cell, a missing name and an empty name are the same.
+  // A table cell can't distinguish a missing name from an empty name.
   for (auto& [label, entry] : entries)
   {
     if (entry.Name && entry.Name->empty())

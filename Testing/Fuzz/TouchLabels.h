@@ -11,9 +11,9 @@
 #include <cstdint>
 
 /**
- * Gives the bytes to the reader of each format, and to the reader of a segmentation's samples.
- * Aborts if a refusal has no reason or changes something, if a name is not UTF-8, if a colour or a
- * material is out of its range, or if a table changes when it is written as CSV and read again.
+ * Passes the bytes to the reader of each format, and to the reader of a segmentation's samples.
+ * Aborts if a refusal has no reason or changes the table, if a name is not UTF-8, if a colour or a
+ * material is out of its range, or if writing a table as CSV and reading it back changes it.
  */
 void TouchLabels(const std::uint8_t* bytes, std::size_t size);
 

@@ -34,7 +34,7 @@ void CheckState(const PadState& state)
   Check(Norm(motion.Push) <= 1.0 + 1e-12 && Norm(motion.Turn) <= 1.0, "nothing is too fast");
 }
 
-/** Returns the same as HasEvdevBit(), by reading word by word. */
+/** Returns the result of HasEvdevBit() by reading word by word, as a reference. */
 bool SearchBit(std::string text, unsigned bit)
 {
   while (!text.empty() && text.back() == '\n')
@@ -149,7 +149,7 @@ void TouchReports(Dealer& dealer)
       const bool isRight = dealer.Choose(2) != 0;
       if (!isRight)
       {
-        // Flip one bit. The checksum always detects this.
+        // Flip one bit, which the checksum always detects.
         report[1 + static_cast<std::size_t>(dealer.Choose(77))] ^=
           static_cast<std::uint8_t>(1U << dealer.Choose(8));
       }

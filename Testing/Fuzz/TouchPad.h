@@ -12,9 +12,9 @@
 #include <cstdint>
 
 /**
- * Chooses from the bytes texts of sysfs, axes, events, reports and forces. Aborts if a bit is found
- * that a slow reading of the text does not find, if a stick leaves its range, if a damaged report
- * counts, or if a motor's level leaves the range from 0 to 1 or its limits of the rate.
+ * Chooses from the bytes texts of sysfs, axes, events, reports and forces. Aborts if a bit differs
+ * from a slow reading of the text, if a stick leaves its range, if a damaged report counts, or if a
+ * motor's level leaves the range from 0 to 1 or exceeds its rate limits.
  */
 void TouchPad(const std::uint8_t* bytes, std::size_t size);
 

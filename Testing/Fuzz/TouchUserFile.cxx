@@ -19,7 +19,7 @@ using namespace VolumeHaptics;
 
 namespace
 {
-/** A file in memory that the process removes at its end. */
+/** A file in memory that is removed when the process ends. */
 struct File
 {
   File()
@@ -60,15 +60,15 @@ DeviceFacts Read(const std::string& identity)
 
 bool AreEqual(const DeviceFacts& first, const DeviceFacts& second)
 {
-  // Compare scales with a tolerance: the file has four digits.
+  // Compare scales with a tolerance, since the file stores four digits.
   return first.Confirmed == second.Confirmed && first.Calibrated == second.Calibrated &&
     std::abs(first.Scale - second.Scale) <= 1e-3 * first.Scale;
 }
 
 void TouchMemory(const std::string& bytes)
 {
-  // Also read the facts of the device that the file's first word names. Random bytes alone would
-  // hardly ever name a device.
+  // Also read the facts of the device that the file's first word names, because random bytes rarely
+  // match a known identity.
   const std::string first = bytes.substr(0, bytes.find_first_of(" \t\n\v\f\r"));
   const std::string other = "wooden:1234:0006:A #1% B";
   for (const std::string& identity : { std::string("falcon"), first })

@@ -11,9 +11,9 @@
 #include <cstdint>
 
 /**
- * Takes the bytes as both files. Aborts if an image differs from the file or has a wrong size; if a
- * device's scale is out of its limits, or a day is not a date; if written facts are not read again,
- * or change those of another device; or if a refusal names no cure.
+ * Uses the bytes as both files. Aborts if an image differs from the file or has a wrong size; if a
+ * device's scale is out of its limits, or a day is not a date; if written facts are not read back,
+ * or change those of another device; or if a refusal does not name a remedy.
  */
 void TouchUserFile(const std::uint8_t* bytes, std::size_t size);
 

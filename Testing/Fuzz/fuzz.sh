@@ -18,13 +18,13 @@ esac
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build_dir=$2
 optimisation=${3:--O1} # of a build
-# Collect the targets: functions that the headers declare.
+# Collect the targets, which are the functions in the headers.
 mapfile -t readers < <(sed -n 's/^void \(Touch[A-Za-z]*\)(.*/\1/p' "$root/Testing/Fuzz/TouchFiles.h")
 mapfile -t plain < <(find "$root/Testing/Fuzz" -name 'Touch*.h' -not -name TouchFiles.h -printf '%f\n' |
   sed 's/\.h$//' | sort)
 targets=("${plain[@]}" "${readers[@]}")
 
-# Run all targets at once. At the end, print the result of each target, and fail if one of them failed.
+# Run all targets in parallel. At the end, print the result of each target, and fail if one of them failed.
 if [ "$step" = search ]; then
   processes=()
   for target in "${targets[@]}"; do
@@ -35,8 +35,8 @@ if [ "$step" = search ]; then
     [ -d "$seeds" ] || seeds=
     longest=60000
     [ "$target" != TouchHaply ] || longest=1048576 # length of the longest message that is accepted
-    # Limit the memory of an allocation: a reader must refuse data that announce more bytes than they have. Leaks are
-    # not reported, because VTK's readers leak after some errors.
+    # Limit the size of an allocation, because a reader must refuse data that announce more bytes than they have. Leaks
+    # are not reported, because VTK's readers leak after some errors.
     ASAN_OPTIONS=detect_leaks=0 "$program" -max_len="$longest" -timeout=10 -max_total_time="$3" -malloc_limit_mb=300 \
       -print_final_stats=1 "$build_dir/corpus-$target" ${seeds:+"$seeds"} > "$build_dir/$target.log" 2>&1 &
     processes+=($!)
@@ -56,11 +56,11 @@ require_packages "libclang-rt-$(clang -dumpversion | cut -d. -f1)-dev"
 mkdir -p "$build_dir"
 options=(-std=c++17 -g -ffp-contract=off "-fsanitize=fuzzer-no-link,address,undefined"
   -fno-sanitize-recover=all -I"$root/Module")
-# Compile the kernels without optimisation, which would take minutes, as there are many.
+# Compile the many kernels without optimisation, which would take minutes.
 clang++ "${options[@]}" -O0 -c -o "$build_dir/FieldKernels.o" \
   "$root/Module/Core/Field/Kernels/FieldKernelsBaseline.cxx" &
 objects=()
-# Compile Core, Devices and the files in labels.txt; leave out sources that need a device library or VTK.
+# Compile Core, Devices and the files in labels.txt, except for sources that need a device library or VTK.
 while read -r source; do
   file=$(basename "$source" .cxx)
   if [[ $file != FieldKernels* ]]; then

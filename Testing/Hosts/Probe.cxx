@@ -35,7 +35,7 @@ std::string Text(const double* vector)
     std::to_string(vector[2]) + "]";
 }
 
-/** Returns the window's id, and a position in the window in pixels from the top left. */
+/** Returns the window's id, and a position in the window in pixels from the top left, as JSON. */
 std::string PlaceOn(vtkRenderWindow* window, double x, double y)
 {
   return "[" + std::to_string(reinterpret_cast<std::uintptr_t>(window->GetGenericWindowId())) +
@@ -53,7 +53,7 @@ public:
 protected:
   void Attach(vtkRenderWindowInteractor* made) override
   {
-    this->Interactor = made; // it lives as long as the program
+    this->Interactor = made; // lives as long as the program
     this->Eye->SetClientData(this);
     this->Eye->SetCallback(
       [](vtkObject*, unsigned long, void* self, void*) { static_cast<HostProbe*>(self)->Look(); });
@@ -77,7 +77,7 @@ private:
     {
       this->Interactor->CreateRepeatingTimer(50); // ms
     }
-    if (!this->Interactor->HasObserver(vtkCommand::TimerEvent, this->Eye)) // f3d has removed it
+    if (!this->Interactor->HasObserver(vtkCommand::TimerEvent, this->Eye)) // f3d removed the observer
     {
       this->Interactor->AddObserver(vtkCommand::TimerEvent, this->Eye, 2.0f);
     }

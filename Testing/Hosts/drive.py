@@ -28,7 +28,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 STIFFNESS = 0.5  # N/mm
 RADIUS = 30.0  # mm, of program.py
-# With the default kernel, the hand meets a surface up to two voxels ahead.
+# With the default kernel, the hand touches a surface up to two voxels in front of it.
 AHEAD = 2.5  # mm
 STEP = 1.0  # mm: a voxel, which one step of the wheel presses
 PATIENCE = 60.0  # s, limit of waits; no result depends on it
@@ -195,7 +195,7 @@ class Program:
             return xdotool("getactivewindow").split() == [self.window]
 
         self.wait("the window's focus", is_active)
-        # While the window manager moves a restored window, the pointer is at another place of the window. So point
+        # While the window manager moves a restored window, the pointer's position in the window changes, so point
         # twice.
         window, x, y = self.place
         self.point((window, x + 20, y))
@@ -207,7 +207,7 @@ class Program:
         keys = self.state()["keys"]
         xdotool("key", "t")
         self.wait_state("the touch mode", lambda state: state["touch"])
-        # If the wheel turned before all of the force passes, the ball would feel soft.
+        # If the wheel turned before the full force is active, the ball would feel soft.
         self.wait_state("all of the force", lambda state: "100 % of the force" in state["status"])
         for _ in range(12):
             if norm(self.state()["force"]) > 0.8:
@@ -308,7 +308,7 @@ def take_picture(python, name, folder, volume, picture):
     xdotool("click", 1)
     if name != "invesalius":
         xdotool("windowsize", program.window, 640, 560)
-    # Draw frames as fine as those of a graphics card, even if software takes long.
+    # Draw frames at the quality of a graphics card, even if software rendering takes long.
     if program.runs_code:
         program.run("haptics.style.AutoAdjustVolumeQualityOff(); haptics.device.SetAttentionTime(600.0); probe.turn()")
     time.sleep(5.0)

@@ -2,15 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Checks which room (folder of sources) may include which, with one line for each room. A room may include itself and
-# the rooms that its line names; even its own subfolders have to be named. Public headers are included by their bare
-# names. They count as files of their room, and so do their classes where they are only declared ("class
-# vtkHapticDevice;").
+# the rooms in its line; even its own subfolders must be listed. Public headers are included by their bare names. They
+# count as files of their room, as do forward declarations of their classes ("class vtkHapticDevice;").
 cmake_minimum_required(VERSION 3.18)
 get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
 
 set(named_rooms)
 
-# Collects the path of each public header by its class.
+# Map each public header's class to the header's path.
 file(GLOB_RECURSE public RELATIVE "${root}/Module" "${root}/Module/VTK/vtk*.h")
 foreach (header IN LISTS public)
   get_filename_component(class "${header}" NAME_WE)
@@ -74,8 +73,8 @@ function(forbid reason pattern)
   endforeach ()
 endfunction()
 
-# Rooms of Core: Math, Carving <- Field <- Model <- Law <- State <- Solvers, Tools <- Regions <- Servo; Safety, Realtime
-# <- Servo.
+# Rooms of Core, each of which may include those to its left: Math, Carving <- Field <- Model <- Law <- State <-
+# Solvers, Tools <- Regions <- Servo; Safety, Realtime <- Servo.
 set(field Core/Math Core/Carving Core/Field)
 set(model ${field} Core/Field/Kernels Core/Model)
 set(state ${model} Core/Law Core/State)
@@ -97,20 +96,20 @@ allow(Core/Solvers ${state})
 foreach (solver IN LISTS each_solver)
   allow(${solver} ${state} Core/Solvers)
 endforeach ()
-# A tool must not include another tool, except that the burr's head is a point shell. No room of Core knows the tools.
+# A tool must not include another tool, except that the burr's head is a point shell. No other room of Core may include
+# a tool.
 file(GLOB each_tool RELATIVE "${root}/Module" "${root}/Module/Core/Tools/*")
 set(head_of_Core/Tools/Burr Core/Tools/PointShell)
 foreach (tool IN LISTS each_tool)
   allow(${tool} ${state} ${head_of_${tool}})
 endforeach ()
-# Only the list of methods names each method.
+# Only the list of methods includes every method.
 allow(Core/Solvers/Methods ${state} Core/Solvers ${each_solver})
 list(APPEND each_solver Core/Solvers Core/Solvers/Methods)
 allow(Core/Regions ${state} ${each_solver})
-# The code that decides about force, and the code that waits for time, knows neither volumes nor solvers.
+# The code that decides about force, and the code that waits for time, must not include volumes or solvers.
 allow(Core/Safety Core/Math Core/Model/ForceCaps.h)
-# Platform has all that differs between operating systems. All other code uses it, or the clock and priority of
-# Realtime.
+# Only Platform may depend on the operating system. Other code uses Platform, or the clock and priority of Realtime.
 allow(Core/Platform)
 allow(Core/Realtime Core/Platform)
 set(core ${state} Core/Field/Estimates Core/Proposal ${each_solver} Core/Regions Core/Safety Core/Realtime Core/Platform)
@@ -140,18 +139,18 @@ allow(Devices/Vendor ${device_basis} Devices/Common)
 allow(Devices/Virtual ${device_basis})
 allow(Devices/Replay ${device_basis})
 allow(Devices/Xr ${device_basis} Devices/Common Devices/Pad Devices/Virtual)
-# Only the list of kinds names each kind of device.
+# Only the list of kinds includes every kind of device.
 allow(Devices/Kinds ${device_basis} Devices/Common Devices/Falcon Devices/Haply Devices/Hfab Devices/Pad Devices/Pid
   Devices/SpaceMouse Devices/Vendor Devices/Vibration Devices/Wheel Devices/WoodenHaptics Devices/Xr)
 
-# Rooms of VTK: Base <- Material <- Baking <- Tools, Modes <- Trace <- Regions <- Filter <- Device <- Setup, Measure <-
-# Scene.
-# Reads numbers in any locale.
+# Rooms of VTK, each of which may include those to its left: Base <- Material <- Baking <- Tools, Modes <- Trace <-
+# Regions <- Filter <- Device <- Setup, Measure <- Scene.
+# NumberText.h reads numbers in any locale.
 set(numbers Core/Math/NumberText.h)
-# Runs long work beside the GUI thread.
+# Runs long work in the background of the GUI thread.
 set(work Core/Realtime/BackgroundWork.h)
 set(samples ${field} Core/Field/Estimates Core/Model)
-# Opens several files as one, and replaces files at once.
+# Opens several files as one, and replaces files atomically.
 set(files Core/Platform/HapticFiles.h Core/Platform/FileReplacement.h)
 allow(VTK/Base ${samples} Core/Realtime Core/Platform)
 allow(VTK/Material/Labels ${numbers} Core/Platform VTK/Base)
@@ -161,14 +160,14 @@ allow(VTK/Baking ${samples} ${work} ${baking})
 list(APPEND baking VTK/Baking)
 allow(VTK/Tools ${samples} ${files} ${work} Core/State ${each_tool} ${baking})
 allow(VTK/Modes ${samples} ${files} Core/Solvers/Primitives ${baking})
-# Recordings store the contacts of tools that have a shape.
+# Recordings store the contacts of shaped tools.
 set(contacts Core/Tools/PointShell)
 allow(VTK/Trace ${core} ${contacts} ${baking} VTK/Tools VTK/Modes)
 allow(VTK/Trace/Paths ${core} ${contacts} ${baking} VTK/Tools VTK/Modes VTK/Trace)
 allow(VTK/Regions/Formats ${numbers} Core/Platform VTK/Base)
 list(APPEND baking VTK/Tools VTK/Modes)
 allow(VTK/Regions ${samples} ${files} Core/State ${each_solver} Core/Regions Core/Realtime ${baking} VTK/Regions/Formats)
-# Reads files and folders into memory. DICOM is a room of its own at the same level.
+# Reads files and folders into memory. DICOM is a separate room at the same level.
 allow(VTK/Reading Core/Platform VTK/Base VTK/Material/Labels VTK/Baking VTK/Regions VTK/Regions/Formats VTK/Reading/Dicom)
 allow(VTK/Reading/Dicom ${numbers} Core/Platform VTK/Base VTK/Material/Labels VTK/Baking VTK/Regions VTK/Reading)
 set(filter ${baking} VTK/Trace VTK/Trace/Paths VTK/Regions)
@@ -192,13 +191,13 @@ allow(VTK/Scene/Editor ${work} VTK/Base VTK/Material VTK/Material/Labels ${scene
 allow(VTK/Scene/Interaction ${touched} ${scene} VTK/Scene/Frames VTK/Scene/Hand VTK/Scene/Volumes VTK/Scene/Display
   VTK/Scene/Slices VTK/Scene/Editor)
 allow(VTK/Experimental Core/Realtime ${files} Devices/Pad VTK/Base VTK/Device ${scene})
-# Programs with Qt compile this room. It may use public classes only, and no other room may include it.
+# Programs compile this room with their own Qt. It may use public classes only, and no other room may include it.
 allow(Qt PUBLIC)
 
-# Programs may use public classes only, like other projects. The explorer is the exception: it also uses private headers
-# to draw its chart, to write traces, to hand on ticks through a ring, to ask whether OpenGL runs on the processor, for
-# the aspect of its renderers and the size of letters, to dock its bar, to show a CT as the plugin does, and to read
-# files as the library does. All programs read numbers in any locale.
+# Programs may use public classes only, like other projects. The explorer also uses private headers: to draw its chart,
+# write traces, pass on ticks through a ring, detect OpenGL on the processor, read the aspect of its renderers and the
+# size of letters, dock its bar, show a CT as the plugin does, and read files as the library does. All programs read
+# numbers in any locale.
 allow(Applications/DeviceTool PUBLIC ${numbers})
 allow(Applications/Autoload PUBLIC)
 allow(Applications/Dicom Core/Platform VTK/Reading/Dicom/DicomMessage.h)
@@ -235,8 +234,8 @@ forbid("Devices must not know solver parameters." "(HapticModel|ServoTick|Piecew
 forbid("The filter must not know devices, rendering or interaction."
   "vtk(Render|Interactor|Prop|Actor|Volume\\.|VolumeMapper|Camera|Haptic(Device|Representation|State))|Devices/"
   VTK/Base VTK/Material VTK/Baking VTK/Tools VTK/Modes VTK/Trace VTK/Regions VTK/Filter VTK/Measure)
-# Tools of VTK/Tools must not be named, except those with the points of a shell, which the filter spreads in the
-# background.
+# No code outside VTK/Tools may name its classes, except those with the points of a shell, which the filter spreads in
+# the background.
 set(tools "${public}")
 list(FILTER tools INCLUDE REGEX "^VTK/Tools/")
 list(FILTER tools EXCLUDE REGEX "vtkHaptic(Tool|ShapedTool|Removal)\\.h$")
@@ -260,7 +259,7 @@ forbid("What the systems differ in goes through Core/Platform."
 forbid("Installed headers must not show a device library." "(boost/|hidapi|libusb|nlohmann)"
   ${public} Core/Safety/DeviceBackend.h Devices/Common/DeviceKind.h)
 
-# Fails for a rule that matches nothing, because it protects nothing.
+# Fail for a rule that matches nothing, because such a rule protects nothing.
 file(GLOB_RECURSE files RELATIVE "${root}/Module" "${root}/Module/*.h" "${root}/Module/*.cxx")
 foreach (file IN LISTS files)
   get_filename_component(room "${file}" DIRECTORY)
@@ -273,8 +272,8 @@ if (NOT DEFINED path_of_vtkVolumeHapticsFilter OR NOT path_of_vtkHapticBurr STRE
   message(SEND_ERROR "The public headers were not found: ${public}")
 endif ()
 
-# Compares the table of rooms in architecture.md with the rooms of public classes and their includes. `cmake -DWRITE=ON
-# -P` writes the table there.
+# Compare the table of rooms in architecture.md with the rooms of public classes and their includes. `cmake -DWRITE=ON
+# -P` updates the table.
 set(begin "| room of `Module/VTK` | public classes | uses |\n| --- | --- | --- |\n")
 set(table "${begin}")
 foreach (room IN LISTS named_rooms)
@@ -313,7 +312,7 @@ elseif (NOT shown STREQUAL table)
     "Write it: cmake -DWRITE=ON -P Testing/Package/Layering.cmake")
 endif ()
 
-# Limits the size of each room, so that it can be read in one go.
+# Limit the size of each room, so that it can be read in one go.
 file(GLOB_RECURSE folders LIST_DIRECTORIES true RELATIVE "${root}" "${root}/Module/*" "${root}/Plugin/*")
 foreach (folder IN LISTS folders)
   if (IS_DIRECTORY "${root}/${folder}")
@@ -325,7 +324,7 @@ foreach (folder IN LISTS folders)
   endif ()
 endforeach ()
 
-# Limits the code of Module/VTK to its present size. A line of code is neither blank nor a comment.
+# Limit the code of Module/VTK to its present size. Blank lines and comments do not count.
 file(GLOB_RECURSE files "${root}/Module/VTK/*")
 list(LENGTH files count)
 set(lines 0)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Checks that the examples in Documentation are literally the files that other tests build and run.
+# Checks that the examples in Documentation are identical to the files that other tests build and run.
 cmake_minimum_required(VERSION 3.18)
 get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
 foreach (example IN ITEMS
@@ -15,7 +15,7 @@ foreach (example IN ITEMS
   list(GET example 3 end)
   file(READ "${root}/${document}" text)
   file(READ "${root}/${file}" code)
-  # Compare only the code after the includes, or the part that is added to an application.
+  # Compare only the code after the includes, or only the part that a reader adds to an application.
   string(FIND "${code}" "${start}" from)
   string(SUBSTRING "${code}" ${from} -1 code)
   if (end)

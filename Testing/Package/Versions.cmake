@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Checks that all files that name the version name the version of CMakeLists.txt. The library's soname has its first two
-# numbers, and so has the Debian package of the library.
+# Checks that all files with a version number have the version of CMakeLists.txt. The library's soname and its Debian
+# package contain its first two numbers.
 cmake_minimum_required(VERSION 3.18)
 get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
 file(READ "${root}/CMakeLists.txt" text)
@@ -13,7 +13,7 @@ endif ()
 set(version "${CMAKE_MATCH_1}")
 set(series "${CMAKE_MATCH_2}")
 
-# Each line must occur at least once, and never with another number.
+# Each line must occur at least once, and never with a different number.
 foreach (line IN ITEMS
     "CITATION.cff|\nversion: |${version}"
     "CMake/packages/conda/recipe.yaml|\n  version: |${version}"

@@ -76,7 +76,7 @@ esac
 "$root/usr/bin/volumehaptics-explore" --help | grep '^Usage: volumehaptics-explore' > /dev/null ||
   fail "volumehaptics-explore has no help"
 
-# Read a file for which the explorer would end if volumehaptics-read could not load the library.
+# Read a file that makes the explorer exit if volumehaptics-read can't load the library.
 refused=$("$root/usr/bin/volumehaptics-explore" "$source_dir/Testing/Data/FarPoint.vtk" --inspect 2>&1 || true)
 grep -q 'its reader ended' <<< "$refused" || fail "volumehaptics-read reads nothing: $refused"
 

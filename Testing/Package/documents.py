@@ -12,7 +12,7 @@ import sys
 
 ROOT = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[2]).resolve()
 ROOMS = "Module|Plugin|Examples|Testing|Data|CMake|Documentation|Core|Devices|VTK|[.]ci|[.]github"
-# Folders in which the names of documents and tests are searched.
+# Folders whose files are searched for the names of documents and tests.
 SOURCES = ("Module", "Plugin", "Examples", "Testing", "Data", "CMake")
 README_LINES = 100
 

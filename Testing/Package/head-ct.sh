@@ -37,7 +37,7 @@ umask 022
 get_head_ct "$work/data" > "$work/licence.txt"
 grep -q GPL-2 "$work/licence.txt"
 check
-# A file that was unpacked earlier also gets the right permissions.
+# The script must also correct the permissions of files that were unpacked earlier.
 chmod 666 "$work/data/matrix.dat"
 get_head_ct "$work/data" > "$work/licence.txt"
 check

@@ -10,7 +10,7 @@ work=$2/Testing/Package/headless
 graphics='libvtk(Charts|RenderingContext2D|RenderingOpenGL2|RenderingUI|RenderingVolume|InteractionStyle)|lib(GL|EGL|OpenGL|GLX|X11)[.]'
 rm -rf "$work"
 mkdir -p "$work"
-# Use the build type Debug without debugging information, which builds fastest.
+# Use the build type Debug without debugging information, because it builds fastest.
 cmake -S "$1" -B "$work" -G Ninja -DVolumeHaptics_USE_RENDERING=OFF -DVolumeHaptics_WRAP_PYTHON="$3" \
   -DVolumeHaptics_BUILD_TOOLS=OFF -DVolumeHaptics_USE_LIBUSB=OFF -DVolumeHaptics_USE_HIDAPI=OFF \
   -DVolumeHaptics_USE_BEAST=OFF \

@@ -23,7 +23,7 @@ cmake -S "$source_dir/Examples/Cxx" -B "$work/examples" -G Ninja \
   -DVolumeHaptics_DIR="$(dirname "$config")" \
   ${sanitize:+-DCMAKE_CXX_FLAGS="-fsanitize=$sanitize"} >"$work/configure.log"
 cmake --build "$work/examples" >"$work/build.log"
-# Build the viewer with the CMakeLists.txt that Documentation/window.md shows.
+# Build a viewer with the CMakeLists.txt in Documentation/window.md.
 mkdir "$work/viewer"
 # shellcheck disable=SC2016 # fences of Markdown
 sed -n '/^```cmake$/,/^```$/{/^```/d;p}' "$source_dir/Documentation/window.md" > "$work/viewer/CMakeLists.txt"
@@ -45,7 +45,7 @@ case $from_own in
   *) echo "own-device did not run" >&2; exit 1 ;;
 esac
 "$prefix/bin/volumehaptics-device" list
-# Use the plug-in of the examples from a folder that no other user can write.
+# Install the example plug-in in a folder that no other user can write to.
 vendor=$work/plugins
 mkdir -p "$vendor"
 cp "$work/examples/libvolumehaptics-example.so" "$vendor"
@@ -54,12 +54,12 @@ if from_plugin=$(VOLUMEHAPTICS_VENDOR_PATH=$vendor "$prefix/bin/volumehaptics-de
   [[ $from_plugin == *vendor:example:0* ]]; then
   VOLUMEHAPTICS_VENDOR_PATH=$vendor "$prefix/bin/volumehaptics-device" monitor vendor:example --seconds 0.3
 else
-  # If the folders above the build tree belong to other users, the tool has to say so.
+  # If the folders above the build tree belong to other users, the tool must report it.
   echo "$from_plugin"
   [[ $from_plugin == *"others may write"* || $from_plugin == *"belongs to another user"* ]] ||
     { echo "the plug-in of the examples is not listed" >&2; exit 1; }
 fi
-# The guard must say its purpose, and that users must not start it.
+# The guard must print its purpose, and that users must not start it.
 if "$prefix/bin/volumehaptics-guard" 2>"$work/guard.txt" || ! grep -q 'zero force' "$work/guard.txt"; then
   echo "the guard of devices is not installed" >&2
   exit 1
@@ -67,19 +67,19 @@ fi
 rules=$(find "$prefix" -path '*/udev/rules.d/70-volume-haptics.rules')
 [ -n "$rules" ] || { echo "the udev rules are not installed" >&2; exit 1; }
 
-# Configure a program that has found VTK before this package.
+# Configure a program that finds VTK before this package.
 cmake -S "$source_dir/Testing/Package/Consumer" -B "$work/consumer" -G Ninja \
   -DVolumeHaptics_DIR="$(dirname "$config")" \
   ${sanitize:+-DCMAKE_CXX_FLAGS="-fsanitize=$sanitize"} >"$work/configure-consumer.log"
 cmake --build "$work/consumer" >"$work/build-consumer.log"
 "$work/consumer/consumer"
 
-# The build tree must hide private folders, too.
+# The build tree must also hide private folders.
 from_build=$(dirname "$(find "$build_dir/lib" -path '*/cmake/*/VolumeHapticsConfig.cmake')")
 cmake -S "$source_dir/Testing/Package/Consumer" -B "$work/build-tree" -G Ninja \
   -DVolumeHaptics_DIR="$from_build" >"$work/configure-build-tree.log"
 
-# Starts a program, and fails if its window closes by itself.
+# Starts a program, and fails if its window closes unexpectedly.
 stays_open() {
   "$@" &
   local window=$!
@@ -96,8 +96,8 @@ if [ -n "${DISPLAY:-}" ]; then
   stays_open "$work/examples/beside-style" "$head"
 fi
 
-# Installed headers are those of the public classes and of the interfaces for vendors' libraries, for volumes in pieces
-# and for Qt. No internal header is installed.
+# Only public headers may be installed: those of the public classes and of the interfaces for vendors' libraries, for
+# volumes in pieces and for Qt.
 installed=$(find "$prefix/include" -name '*.h' -not -name '*Module.h' -exec basename {} \; | sort)
 expected=$({ find "$source_dir/Module/VTK" -name 'vtk*.h' -printf '%f\n' | grep -vE 'Compat|Internals'
   printf '%s\n' DeviceBackend.h DeviceKind.h ForceCaps.h Vector3.h NoiseSamples.h Quaternion.h VendorPlugin.h \

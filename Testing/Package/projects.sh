@@ -35,7 +35,7 @@ refuse()
     echo "$2: accepted"
     exit 1
   fi
-  # Join the lines first, because CMake breaks them.
+  # Join the lines first, because CMake wraps its messages.
   tr -s ' \n' ' ' < "$work/$2.log" | grep -F "$1" > /dev/null || { cat "$work/$2.log"; echo "$2: nothing like '$1'"; exit 1; }
 }
 
@@ -49,7 +49,7 @@ refuse "VolumeHaptics has no components, but Servo was asked for" components "C 
   "find_package(VolumeHaptics REQUIRED COMPONENTS Servo)"
 refuse "enable C, by project(NAME LANGUAGES C CXX)" no_c CXX "find_package(VolumeHaptics REQUIRED)"
 
-# The folder of the sources must stay unchanged, and the other project must get no settings that are not its own.
+# The source folder must stay unchanged, and the other project must get no unexpected settings.
 written=$(find "$source_dir" -newer "$work/begin" -type f -not -path '*/.git/*' -not -path '*cache*' \
   -not -path "$source_dir/build/*" -not -path "$build_dir/*")
 if [ -n "$written" ]; then

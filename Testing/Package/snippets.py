@@ -13,7 +13,7 @@ import pathlib
 import re
 import sys
 
-# Variables that a block may use without making them.
+# Variables that a block may use without declaring them.
 GIVEN = """
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkRenderWindow> window;

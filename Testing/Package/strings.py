@@ -25,7 +25,7 @@ DOORS = {
     "python": ("Module/Python", ),
     "device": ("Module/Applications/DeviceTool", "Module/Devices", "Module/VTK/Device"),
 }
-# Phrases of word-by-word translations, and what software says instead.
+# Phrases that are literal translations, and their idiomatic replacements.
 PHRASES = {
     r"\b(is|are) looked for\b": "looking for ...",
     r"\bto and fro\b": "back and forth",

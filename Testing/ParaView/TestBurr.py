@@ -43,7 +43,7 @@ touch.InvokeCommand("CopyPreset")
 touch.SurfaceStrength.Points = [0, 0, 0.5, 0, 499, 0, 0.5, 0, 501, 1, 0.5, 0, 1500, 1, 0.5, 0]
 touch.SurfaceStrengthScale = 1000.0
 touch.Tool = "Burr"
-# The radius that nobody has set is three voxels, whatever they measure.
+# By default, the radius is three voxels, whatever the spacing.
 for factor in 1.0, 0.5:
     data = image.GetClientSideObject().GetOutputDataObject(0)
     spacing = data.GetSpacing()
@@ -65,7 +65,8 @@ removed = arrays["RemovedVolume"].sum()
 assert expected > 0.5, expected
 assert abs(removed - expected) < 0.02 * expected, (removed, expected)
 
-# Paths start with the tissue that a live hand has left. No hand has removed any here, so these commands change nothing.
+# Paths start from the tissue that a live hand has left over. No hand has removed tissue here, so these commands change
+# nothing.
 for command in ("UndoRemoval", "RedoRemoval", "RestoreTissue"):
     touch.InvokeCommand(command)
     assert rig.arrays_of(touch)["RemovedVolume"].sum() == removed, command

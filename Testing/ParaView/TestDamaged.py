@@ -145,7 +145,7 @@ for name, content in GRIDS.items():
     for proxy in (touch, reader):
         simple.Delete(proxy)
 
-# ParaView goes on: a whole file of each kind is felt.
+# ParaView must survive the damaged files: an intact file of each kind can still be touched.
 for name, content in (("whole.vti", vti(SAMPLES)), ("whole.nrrd", nrrd(SAMPLES)), ("whole.mha", mha(SAMPLES)), ("whole.nii", nifti(SAMPLES))):
     source = simple.HapticVolume(FileName=write(name, content))
     assert "ERR" not in rig.report_of(source.UpdatePipeline) and source.GetDataInformation().GetNumberOfPoints() == SIDE ** 3, name

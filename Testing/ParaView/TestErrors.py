@@ -30,7 +30,7 @@ def touch(**inputs):
 head = rig.read("Head.vti")
 line = rig.HapticPath(Point1=[0, 0, 115], Point2=[0, 0, 98])
 
-# Without a path, the applied filter has an empty output and no error; then set a path, and remove it again.
+# Without a path, the applied filter must have an empty output and no error. Then set a path, and remove it again.
 haptics = touch(Input=head)
 rig.expect(haptics)
 assert haptics.GetDataInformation().GetNumberOfPoints() == 0

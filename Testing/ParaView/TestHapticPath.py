@@ -33,7 +33,7 @@ for shape, (first, last) in ends.items():
     assert steps.max() <= 0.1 * (1 + 1e-9), f"{shape}: {steps.max()}"
     assert (numpy.diff(arrays["Time"]) > 0).all(), shape
 
-# Save the path as .csv with ParaView, and read it again.
+# Save the path as .csv with ParaView, and read it back.
 table = os.path.join(rig.OUTPUT, "path.csv")
 path.Shape = "Line"
 path.Point1, path.Point2 = [0, 0, 115], [0, 0, 98]
@@ -47,7 +47,7 @@ haptics.Path = path
 felt = rig.arrays_of(haptics)
 assert numpy.linalg.norm(felt["Force"], axis=1).max() > 0.1
 
-# The plot has one row for each tick, with all arrays, against the time.
+# The plot must have one row per tick, with all arrays, over the time.
 plot = simple.PlotData(Input=haptics)
 plot.UpdatePipeline()
 assert plot.GetDataInformation().GetNumberOfPoints() == len(felt["Time"])

@@ -22,8 +22,8 @@ FORMATS = Path(rig.SOURCE, "Testing", "Data", "Formats")
 sys.path.insert(0, str(FORMATS))
 from phantom import CENTRE, TISSUE, Grid, distance, values  # noqa: E402
 
-# Test the first case of each row of rows.md, and more for files with several volumes. VOLUMEHAPTICS_ALL_FORMATS=1 tests
-# all cases.
+# Test the first case in each row of rows.md, and additional files with several volumes. VOLUMEHAPTICS_ALL_FORMATS=1
+# tests all cases.
 NAMES = ["dicom-phases", "nifti-4d-times", "nifti-4d-second-channel", "tiff-folder", "tiff-single-page",
          "zarr-0.5-the-second-channel", "tiff-ome-channels-TCZ", "meta-4d-the-second", "meta-vector-of-which-none-is-chosen"]
 for row in (FORMATS / "rows.md").read_text(encoding="utf-8").splitlines():
@@ -91,7 +91,7 @@ for case in cases.values():
     for told in case["told"]:
         assert re.search(told, notes + "%d frames" % len(source.TimestepValues), re.IGNORECASE), (case["name"], notes)
 
-# A volume that is opened as larger than memory has the same values, or is refused with a cure.
+# Opened as larger than memory, a volume must have the same values, or be refused with a remedy.
 for case in cases.values():
     if case["name"].startswith(("dicom", "nifti", "analyze", "refused")) or case["labels"]:
         continue
@@ -115,7 +115,8 @@ for name, count, softer in (("dicom-phases", 2, 0.0), ("nifti-4d-times", 3, 100.
     for number in (*range(count), 0):  # and back again
         compare(cases[name], source, times[number], TISSUE - softer * number)
 
-# A Series that is set before the name applies to the first read. Without it, this file's first volume is refused.
+# A Series that is set before the file name applies to the first read. Otherwise, this file's first volume would be
+# refused.
 log, console = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
 vtkOutputWindow.SetInstance(log)
 open_volume(cases["meta-4d-the-second"]).UpdatePipeline()
@@ -124,11 +125,11 @@ rig.HapticVolume(FileName=cases["meta-4d-the-second"]["path"])
 assert "nothing to feel" in log.GetOutput()
 vtkOutputWindow.SetInstance(console)
 
-# A number without a volume is refused, with a cure in ParaView's terms.
+# A number without a volume must be refused, with a remedy in ParaView's terms.
 none = open_volume(cases["tiff-folder"])
 rig.expect(none, "none with the number 3", "take Series = 1 to Series = 2",
            FileName=cases["meta-vector-of-which-none-is-chosen"]["path"], Series=3)
 
-# ParaView survives a file that can't be read, and reports why.
+# ParaView must survive a file that can't be read, and report why.
 page = open_volume(cases["tiff-folder"])
 rig.expect(page, "page.tif", "Cure", FileName=cases["tiff-single-page"]["path"])

@@ -20,7 +20,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData  # noqa: E40
 
 LAYERS = ((3, 20, 0.3), (12, 5, 0.1), (20, 25, 0.3), (3, 60, 0.8), (100, 0, 0))
 SKIN = 4.5  # mm
-# Columns: depth (mm), force (N) while the needle is pushed in, force (N) while it is drawn out.
+# Columns: depth (mm), force (N) during insertion, force (N) during extraction.
 EXPECTED = ((2.5, 0.35, 0.05), (14.5, 0.1 + 0.06 + 0.0575, 0.06 + 0.0575), (25, 0.67, 0.37), (34.5, 0.9075, 0.6075),
             (37.5, 1.57, 0.77), (40, 0.8, 0.8))
 
@@ -87,8 +87,8 @@ for depth, going_in, out in EXPECTED:
     assert abs(at(felt["in"], depth) - going_in) < 0.01 * going_in, (depth, at(felt["in"], depth), going_in)
     assert abs(at(felt["out"], depth) - out) < 0.01 * out, (depth, at(felt["out"], depth), out)
 
-# Without labels, the scalars decide: friction of 10 N per metre of the shaft, and 0.25 N to cut, where the value is
-# 100.
+# Without labels, the scalars select the material: friction of 10 N per metre of the shaft, and 0.25 N to cut, where the
+# value is 100.
 plain = stack(lambda k: 100 if k > SKIN else 0)
 simple.SetActiveSource(plain)
 touch = rig.VolumeHaptics(Input=plain, Path=path(2, 30, 1), Tool="Needle",

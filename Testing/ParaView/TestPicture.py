@@ -16,7 +16,7 @@ from paraview import simple  # noqa: E402
 from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
 from vtkmodules.vtkIOImage import vtkPNGReader  # noqa: E402
 
-# Colours and opacities by Hounsfield units: the skull shines through the skin.
+# Colours and opacities by Hounsfield units: the skull is visible through the skin.
 COLOURS = [-1000, 0.55, 0.3, 0.2, -300, 0.78, 0.52, 0.4, 60, 0.9, 0.66, 0.52, 400, 0.97, 0.93, 0.85, 2000, 1, 1, 0.96]
 OPACITY = [-1000, 0, 0.5, 0, -500, 0, 0.5, 0, -300, 0.35, 0.5, 0, 150, 0.2, 0.5, 0, 300, 0.2, 0.5, 0, 900, 0.9, 0.5, 0]
 LARGEST_ERROR = 0.4  # mean over all pixels, of 255; the trail covers a hundredth of the pixels
@@ -57,7 +57,7 @@ view.Background = [0.09, 0.11, 0.14]
 view.OrientationAxesVisibility = 0
 head = rig.read("Head.vti")
 simple.SetActiveSource(head)
-# The path comes from outside over the left temple, runs through the forehead, and leaves over the right temple.
+# The path starts outside over the left temple, runs through the forehead, and leaves over the right temple.
 path = rig.HapticPath(Shape="Circle", Center=[0, 9, 52], Radius=81.0, Turns=0.5, Normal=[0.05, -0.1, -1])
 touch = rig.VolumeHaptics(Input=head, Path=path, Preset="CT contrast", Scalars=["POINTS", "HU"])
 arrays = rig.arrays_of(touch)

@@ -12,7 +12,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import rig  # noqa: E402
 from paraview import simple  # noqa: E402
 
-# Setters that a property of the filter replaces, or that are for C++ only.
+# Setters that ParaView replaces by a property of the filter, or that exist for C++ only.
 ELSEWHERE = {
     "Property", "MethodByName", "VisibilityFrom", "GeometryFromScalars", "GeometryFromLabels", "GeometryFromBoth",
     "PathConnection", "PathData", "SurfaceConnection", "SurfaceData", "LabelConnection", "LabelData", "LabelTable",
@@ -58,13 +58,13 @@ for name, preset in classes["Presets"].items():
     copied = rig.arrays_of(touch)
     for array, wanted in expected.items():
         numpy.testing.assert_allclose(copied[array], wanted, rtol=1e-9, atol=1e-9, err_msg=f"{name}, {array}")
-    # Edited values change the force.
+    # Edited values must change the force.
     touch.StiffnessScale = 800.0
     touch.Stiffness.Points = [0, 0.25, 0.5, 0, 100, 0.25, 0.5, 0]
-    # Labels are mixed by rounded weights, hence the tolerance.
+    # The weights of mixed labels are rounded, hence the tolerance.
     numpy.testing.assert_allclose(rig.arrays_of(touch)["Stiffness"], 200.0, rtol=1e-12, err_msg=name)
 
-# Grey levels have no unit: an image of another brightness feels the same, even if it is set after the preset.
+# Grey levels have no unit: an image with another brightness must feel the same, even if it is set after the preset.
 touch = rig.head(Preset="MRI")
 head = touch.Input
 expected = rig.arrays_of(touch)

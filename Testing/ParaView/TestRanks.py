@@ -38,7 +38,7 @@ for name, settings in (("Wavelet", {"Scalars": ["POINTS", "RTData"], "IsoValue":
     haptics.ProxyRadius, haptics.ForceShading = 1.0, 0
     compare(haptics, name, "SurfaceProxy")
 
-# Create a source that makes a piece of the image on each rank, and a source of a path.
+# Create a source that makes one piece of the image per rank, and a source of a path.
 wavelet = simple.Wavelet()
 simple.SetActiveSource(wavelet)
 path = rig.HapticPath(Shape="Circle", Radius=8.0)
@@ -48,8 +48,7 @@ if rig.is_first_rank():
     assert len(ticks["Force"]) == 1509, len(ticks["Force"])
     assert numpy.linalg.norm(ticks["Force"], axis=1).max() > 0.1
 
-# Only the first rank shows a view that can hold a device. The other ranks get an error, whose cure (feel a path) was
-# tried above.
+# Only the first rank has a view for a device. The other ranks get an error; its remedy (a path) was tested above.
 device, view = rig.HapticDevice(Touch=haptics), simple.CreateRenderView()
 log, console = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
 vtkOutputWindow.SetInstance(log)

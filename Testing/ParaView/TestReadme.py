@@ -33,7 +33,7 @@ assert 0.3 < held <= 0.8 + 1e-9, held
 assert link.Attached == 1
 link.Attached = 0
 
-# Write an array in Zarr's version 2 in place of the user's file.
+# Write an array in Zarr version 2 in place of the user's file.
 with tempfile.TemporaryDirectory(suffix=".zarr") as folder:
     with open(os.path.join(folder, ".zarray"), "w", encoding="utf-8") as file:
         file.write('{"zarr_format": 2, "shape": [16, 16, 16], "chunks": [16, 16, 16], "dtype": "<i2", "compressor": null, '

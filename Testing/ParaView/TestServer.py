@@ -19,7 +19,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 PLUGIN, REFERENCE, SOURCE = sys.argv[1:4]
 mpiexec, pvserver = shutil.which("mpiexec"), shutil.which("pvserver")
-# The client is an MPI program, too. A server that inherits its variables would wait forever to join its job.
+# The client is an MPI program. A server that inherits its MPI variables would wait forever to join its job.
 environment = {name: value for name, value in os.environ.items()
                if name.startswith("OMPI_ALLOW") or not name.startswith(("OMPI_", "PMIX_"))}
 
@@ -31,7 +31,7 @@ def start(ranks):
         port = free.getsockname()[1]
     command = [mpiexec, "--oversubscribe", "-np", str(ranks)]
     command += [pvserver, f"--server-port={port}", "--disable-xdisplay-test"]
-    # The page names files relative to the sources' folder.
+    # File names in the documentation page are relative to the source folder.
     return subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, env=environment,
                             cwd=SOURCE), port
 

@@ -60,7 +60,7 @@ assert abs(arrays["Force"][-1, 2] + force) < 0.01 * force, (arrays["Force"][-1],
 assert abs(arrays["Proxy"][-1, 2] - (SURFACE - RADIUS + 1e3 * delta)) < 0.02, arrays["Proxy"][-1]
 assert {"Torque", "ToolOrientation"} <= set(arrays)
 
-# A larger ball is another tool, even if the polygons change in place.
+# A larger ball is a different tool, even if the polygons are changed in place.
 ball.Radius = 3.5
 touch.UpdatePipeline()
 assert abs(rig.arrays_of(touch)["Force"][-1, 2]) > 1.1 * force

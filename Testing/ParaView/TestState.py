@@ -16,7 +16,7 @@ def build():
     volume = rig.read("Head.vti")
     simple.SetActiveSource(volume)
     touch = rig.VolumeHaptics(registrationName="touch", Input=volume, Path=path, KernelRadius=3)
-    # Record in the trace what the panel's button Apply does.
+    # Record the effect of the panel's button Apply in the trace.
     applied = [smtrace.PropertiesModified(proxy.SMProxy) for proxy in (path, touch)]
     path.BoxCorner, path.BoxSize = [-30, -5, 0], [30, 10, 105]
     touch.Scalars = ["POINTS", "HU"]

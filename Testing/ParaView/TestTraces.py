@@ -79,7 +79,7 @@ def feel_across(data, y, time=None):
     assert numpy.allclose(force, [(0, -0.5 * y, 0) for y in numpy.linspace(0, y, 301)], atol=0.005), data
 
 
-# A flow along x, as image data and as data of other kinds.
+# Make a flow along x, as image data and as data of other kinds.
 wavelet = simple.Wavelet(WholeExtent=[-10, 10, -10, 10, -10, 10])
 flow = simple.Calculator(Input=wavelet, ResultArrayName="U", Function="3*iHat")
 cells = simple.AppendDatasets(Input=flow)
@@ -88,8 +88,8 @@ for data in (flow, cells, grouped, block(vtkRectilinearGrid), block(vtkStructure
     data.UpdatePipeline()
     feel_across(data, 3.0)
 
-# Write a case of OpenFOAM whose flow exists at its second time step: a row of cells. The cells are so thin that the
-# samples, whose spacing is the mean width of a cell, are 1.5 apart.
+# Write a case of OpenFOAM whose flow, in a row of cells, exists only at its second time step. The cells are so thin
+# that the samples, whose spacing is the mean width of a cell, are 1.5 apart.
 case = write_foam(pathlib.Path(rig.OUTPUT) / "case", (20.0, 6.0, 12.0), numpy.tile([3.0, 0.0, 0.0], (850, 1)))
 reader = simple.OpenFOAMReader(FileName=str(case))
 reader.UpdatePipeline(10.0)

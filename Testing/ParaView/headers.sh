@@ -62,7 +62,7 @@ check()
     echo "$2 is no build of the plugin. Cure: cmake --preset paraview -DParaView_DIR=..., and cmake --build" >&2
     exit 2
   fi
-  # Search the headers that are made for the plugin first, then the headers of others, whose own faults are not counted.
+  # Search the plugin's generated headers first, then third-party headers, whose warnings do not count.
   local options=(-std=c++17 -fPIC -fsyntax-only -Werror=deprecated -Werror=deprecated-declarations -DVTK_LEGACY_REMOVE
     "-I$build/settings" "-I$build/Module/VTK" "-I$root/Module")
   for folder in "$root"/Plugin/*/ "$root"/Plugin/Live/Regions/; do

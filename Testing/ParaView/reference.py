@@ -97,7 +97,7 @@ def describe_classes(head):
             presets[name][function] = nodes
     fresh = {"Algorithm": vtkVolumeHapticsFilter(), "Property": vtkHapticProperty()}
     algorithm = setters(vtkVolumeHapticsFilter, vtkVolumeHapticsFilter.__bases__[0])
-    # Skip the setters of a tissue, whose names begin with Tissue: tissues come with presets and their files.
+    # Skip the setters that begin with Tissue, because tissues come from presets and their files.
     material = [
         name for name in setters(vtkHapticProperty, vtkHapticProperty.__bases__[0]) if not name.startswith("Tissue")]
     defaults = {}

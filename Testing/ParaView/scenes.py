@@ -42,8 +42,8 @@ class Scene:
 
 SCENES = {
     "Wavelet": Scene("Custom", 200.0, [(-9, 0, 0), (-2, 1, 0), (2, 3, -4), (9, 0, 0)]),
-    # From above the crown into the head, across it, and out again.
+    # Enter the head from above the crown, cross it, and leave it.
     "Head": Scene("CT contrast", -300.0, [(0, 0, 115), (0, 0, 98), (-30, 6, 98), (-30, 6, 115)]),
-    # Into the head from one side, across it, and out again.
+    # Enter the head from one side, cross it, and leave it.
     "CT": Scene("CT physical", -300.0, [(122, 257, 120), (122, 274, 120), (100, 274, 120), (100, 257, 120)]),
 }

@@ -14,10 +14,10 @@ pytest.importorskip("matplotlib", reason="the figures need Matplotlib: pip insta
 from matplotlib import image  # noqa: E402
 
 NUMBER = r"(-?[0-9.]+)"
-# The closed forms are exact on values that rise linearly. On curved values, the figures that
-# Documentation/evaluation.md requires hold. The proxy on the edge of a ball is pressed by up to 2 N, so that it rests
-# 1.5 mm atanh(2/22) = 0.14 mm inside (Documentation/method.md: T'), and the kernel blurs the ball. At 1 N the proxy is
-# beyond the middle of the edge by 1/21 of half its height; with the other alignment it is before the edge.
+# The closed forms are exact for values that rise linearly. For curved values, the bounds of Documentation/evaluation.md
+# apply. The proxy on the edge of a ball is pressed with up to 2 N, so it rests 1.5 mm atanh(2/22) = 0.14 mm inside
+# (Documentation/method.md: T'), and the kernel blurs the ball. At 1 N, the proxy is beyond the middle of the edge by
+# 1/21 of half its height; with the other alignment, it is in front of the edge.
 EXPECTED = {
     "surfaces": (f"the proxy is within {NUMBER} mm", lambda mm: mm < 0.2),
     "press, PAPER": (f"within {NUMBER} N", lambda newtons: newtons < 1e-5),

@@ -13,13 +13,13 @@ from matplotlib import image
 
 # The expected numbers are not copied from earlier output. They follow from the definitions of friction and drag, the
 # materials' limits, and the lengths of the springs. A path 3 mm inside stretches a spring of 0.5 N/mm by 3 mm (local
-# surface), by half a voxel of 3.75 mm more (the sphere of the surface proxy), or by the 2 voxels more that the paper's
-# proxy looks ahead. The proxy of PRECISE rests in the middle of the edge, which is at most half a voxel from the
-# isosurface. The gyroid lies between an edge and a linear ramp, on which the proxy rests 2 voxels of 2/3 mm ahead.
+# surface), by half a voxel of 3.75 mm more (the sphere of the surface proxy), or by 2 voxels more (the look-ahead of
+# the paper's proxy). The proxy of PRECISE rests in the middle of the edge, which is at most half a voxel from the
+# isosurface. The gyroid is between an edge and a linear ramp, on which the proxy rests 2 voxels of 2/3 mm ahead.
 SPRING = r"strongest (\S+) N"
 EXPECTED = {
-    # A surface at 22 mm pushes a hand at 19 mm with 0.5 N/mm. The tolerance is 0.2 mm (voxels: 1.5 mm), since the
-    # program samples the moving surface only now and then.
+    # A surface at 22 mm pushes a hand at 19 mm with 0.5 N/mm. The tolerance is 0.2 mm (voxels: 1.5 mm), because the
+    # program samples the moving surface only occasionally.
     "beating": ([SPRING + r" of (\S+) N"], lambda n: n[1] == 1.5 and abs(n[0] - n[1]) < 0.1),
     # The phantom's edges are less even than a wall, so the tolerance is wider.
     "breathing": (
@@ -48,7 +48,7 @@ EXPECTED = {
         lambda n: 0.5 * n[1] < n[0] < n[1] and n[2] < 25),
     "visibility": (
         [rf"{what} is seen, and felt: from (\S+) s on, values from (\S+) HU" for what in ("Skin", "Bone alone")],
-        # Opacity begins at 4/7 of the way from -600 to 1000 HU.
+        # The opacity begins at 4/7 of the range from -600 to 1000 HU.
         lambda n: n[0] < n[2] and n[1] < 0 and 314 <= n[3] < 330),
 }
 
@@ -107,12 +107,12 @@ def test_movie(window, root, tmp_path, name):
     header, _, _, first, *others = packets_of(movie)  # bytes as in the specification of Theora I
     assert header[:7] == b"\x80theora"
     assert (int.from_bytes(header[14:17], "big"), int.from_bytes(header[17:20], "big")) == (640, 480)
-    # A packet that repeats the last picture would take about ten bytes.
+    # A packet that repeats the last frame would have about ten bytes.
     assert len(others) == 2 and len(first) > 10000 and min(map(len, others)) > 1000, list(map(len, others))
 
 
 def test_own_volume_is_touched(window, root, tmp_path, head):
-    # Take a smaller head: the script's path lies above the skin of any head.
+    # Use a smaller head, because the script's path is above the skin of any head.
     smaller = head.copy()
     smaller.spacing = [0.8 * size for size in head.spacing]
     smaller.origin = [0.8 * start for start in head.origin]

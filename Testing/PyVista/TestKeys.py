@@ -69,7 +69,7 @@ def test_no_key_does_two_things(hand):
         assert begin(hand), key
         called.clear()
         hand.press(key)
-        # Key Delete has no measurement to remove here, so it passes to PyVista.
+        # The key Delete finds no measurement to remove here, so it is passed to PyVista.
         assert called == ([] if is_listed(haptics, key) and key != "Delete" else [key]), f"{key}, in the touch"
         hand.press("Escape")
     assert is_alive(hand)  # after each of our keys

@@ -26,7 +26,7 @@ def test_nothing_is_felt_before_the_user_touches(window, hands):
 def test_mouse_touches(window, hands, columns):
     hand = hands(columns=columns)
     hand.push(steps=2)  # the strength of 2 N holds 500 N/m up to 4 mm; a deeper push goes through
-    # The force points back at the viewer, against the line of sight.
+    # The force points towards the viewer, opposite to the line of sight.
     sight = np.array(hand.plotter.camera.direction)
     assert np.dot(hand.device.GetState().GetForce(), sight) < -0.1
     tick = hand.device.GetState().GetTick()
@@ -239,7 +239,7 @@ def test_the_volume_under_the_pointer_is_touched(window):
         interactor.KeyPressEvent()
         interactor.KeyReleaseEvent()
         assert haptics.widget.GetTouchMode()
-        # Go out and in again: a wall that is pressed before the full force may act feels soft.
+        # Move out and in again, because a wall that is pressed before the full force is active feels soft.
         for turn in [interactor.MouseWheelBackwardEvent] * 3 + [interactor.MouseWheelForwardEvent] * 5:
             wait(haptics, lambda: "100 % of the force" in device.GetStatusText())
             tick = device.GetState().GetTick()
@@ -370,7 +370,8 @@ def test_frames_push_a_hand_that_rests(beating):
     device.GetPlayback().SetModeToOnce()
     device.GetPlayback().SetDataTime(0.0)
     wait(haptics, lambda: device.GetPlayback().GetDataTime() == 3.0)
-    # Values rise linearly, so the level at the tip moves outward by 3 mm wherever the tip is, and 500 N/m push the tip.
+    # Values rise linearly, so the level at the tip moves outwards by 3 mm wherever the tip is, and the spring of 500
+    # N/m pushes the tip.
     assert device.GetState().GetComputedForce()[2] == pytest.approx(0.5 * 3.0, abs=0.05)
 
 

@@ -65,7 +65,7 @@ def test_a_shape_is_felt_with_its_size(hands, window, tmp_path, kind):
     shell.SetSolidToAbove()
     shell.SetContactValue(0.0)
     hand.push()
-    # The ball of 20 mm holds the tool's ball: the distance of their centres is the sum of both radii, less the depth of
+    # The ball of 20 mm stops the tool's ball: the distance of their centres is the sum of both radii, less the depth of
     # the press.
     apart = math.dist(hand.device.GetState().GetProxyPosition(), (0.0, 0.0, 0.0))
     assert 20.0 + radius - 3.0 < apart < 20.0 + radius + 2.0

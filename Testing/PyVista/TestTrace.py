@@ -38,7 +38,7 @@ def test_trace_is_that_of_the_package(head, tip):
 
 
 def test_force_is_that_of_the_spring():
-    # With the defaults, 500 N/m limited to 2 N, a stretch of 3 mm gives 1.5 N against the hand.
+    # With the defaults (500 N/m, at most 2 N), a stretch of 3 mm results in 1.5 N against the hand.
     trace = touch(ramp(), PRESS)
     assert abs(trace["Force"][-1] - (0, 0, -1.5)).max() < 1e-3
 

@@ -171,7 +171,7 @@ def test_the_mouse_touches(window, hands, browser):
         await page.wait(lambda: haptics.filter.GetMethodName() == "force-field", "the method is another one")
         await page.choose("preset", "CT contrast")
         await page.wait(lambda: haptics.filter.GetProperty().GetStiffness().GetValue(900.0) != 500.0, "the preset is another one")
-        # A page that is closed must release the mouse button.
+        # Closing a page must release the mouse button.
         await page.do(browser.get, "about:blank")
         await page.wait(lambda: not style.GetTouchMode() and page.force() == 0.0, "a closed page goes on pressing")
 

@@ -254,7 +254,7 @@ def test_frames_that_lie(window, hands, known):
         await wait(lambda: client.closed_with is not None, "the connection stays open")
         assert memory() - before < 100
 
-        # Send messages whose frame is valid and whose values are not.
+        # Send valid messages with invalid values.
         client = await (await connect()).show(view)
         await press(client, haptics)
         size, place = view.window.GetSize(), view.interactor.GetEventPosition()
@@ -286,7 +286,7 @@ def test_one_page_leads(window, hands):
         first, second = await (await connect()).show(view), await (await connect()).show(view)
         await press(first, haptics)
         before, size = haptics.device.GetState().GetTipPosition(), view.window.GetSize()
-        # The second page tries in vain to move, press, arm, choose a method and resize.
+        # While the first page leads, the second page must not be able to move, press, arm, choose a method or resize.
         await second.size(500, 300)
         await second.act("MouseMove", x=450, y=20, w=500, h=300)
         for event in (dict(kind="MouseWheel", spinY=-1), dict(kind="KeyDown", key="t"), dict(kind="KeyDown", key="m"),
@@ -298,16 +298,16 @@ def test_one_page_leads(window, hands):
         assert haptics.device.GetState().GetTipPosition() == pytest.approx(before, abs=1e-6)
         assert view.server.state[f"{view.name}_method"] == "proxy"  # the second page shows the actual method
         assert haptics.style.GetTouchMode() and force(haptics) > 0.01
-        # When the second page closes, the first page keeps the touch.
+        # When the second page closes, the first page must keep the touch.
         await second.socket.close()
         await asyncio.sleep(0.1)
         assert haptics.style.GetTouchMode()
-        # Any page may end the touch.
+        # Any page must be able to end the touch.
         third = await (await connect()).show(view)
         await third.act("KeyDown", key="Escape")
         assert not haptics.style.GetTouchMode()
         await wait(lambda: force(haptics) == 0.0, "Escape of another page does not let go")
-        # Then the third page can take the touch, and the first page's keys do nothing.
+        # Then the third page can start the touch, and the first page's keys have no effect.
         await press(third, haptics)
         await first.act("KeyDown", key="m")
         assert haptics.filter.GetMethodName() == "proxy"
@@ -333,7 +333,7 @@ def test_the_hand_lets_go_of_a_page_that_is_gone(window, hands, monkeypatch, way
         await wait(lambda: not haptics.style.GetTouchMode(), "it goes on pressing")
         await wait(lambda: force(haptics) == 0.0, "it goes on pressing")
         assert second.closed_with is None
-        # Events that the silent page sends when it wakes up move nothing.
+        # Events that the silent page sends when it wakes up must not move the hand.
         if way == "stands still":
             await first.act("MouseWheel", spinY=-1)
             await asyncio.sleep(0.1)
@@ -396,7 +396,7 @@ def test_each_page_has_a_mouse_of_its_size(window, hands):
             wide, high = view.window.GetSize()
             await wait(lambda wide=wide, high=high: view.interactor.GetEventPosition() == pytest.approx(
                 (0.25 * wide, 0.75 * high), abs=1), "the pointer is elsewhere")
-        # While a page leads, the window has that page's size.
+        # While a page leads, the window must have this page's size.
         await press(large, haptics, size=(800, 600))
         assert view.window.GetSize() == (800, 600)
 
@@ -442,7 +442,7 @@ def test_a_server_that_is_open_already_is_refused(window, hands):
     asyncio.run(steps())
 
 
-# -- a real browser --
+# -- tests in a real browser --
 
 ATTACK = """<!doctype html><title>waiting</title><iframe id="frame" src="http://localhost:{port}/index.html"></iframe><script>
 const told = [];
@@ -491,7 +491,7 @@ def test_another_origin_has_no_access(window, hands, chromium, tmp_path):
                 await asyncio.to_thread(chromium.get, f"http://{name}:{other.server_port}/attack.html")
                 await wait(lambda: chromium.title.startswith("told"), "the page tells nothing")
                 assert chromium.title in ("told a:refused b:refused c:refused d:sent", "told a:refused b:refused c:refused d:refused")
-            # Open the page by another name that resolves to this server.
+            # Open the page under another host name that resolves to this server.
             await asyncio.to_thread(chromium.get, f"http://attack.example:{view.server.port}/index.html")
             assert "is not called" in chromium.page_source
             # Open the server's own page without the secret, then with the secret, then reload it as F5 does.

@@ -19,7 +19,7 @@ SIZE = (6, 7, 8)
 BRIGHT = (1, 5, 2)  # index of the one voxel that is not 0
 SPACING = (1.0, 1.5, 2.0)
 ORIGIN = (10.0, -20.0, 30.0)
-# The columns are the directions of the index axes in the world: mirrored; turned by a quarter; turned by 30 degrees
+# The columns are the directions of the index axes in the world: mirrored; rotated by 90 degrees; rotated by 30 degrees
 # about z and mirrored.
 FRAMES = {
     "plain": np.eye(3),

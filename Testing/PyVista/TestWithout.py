@@ -7,7 +7,7 @@ import sys
 
 
 def run(code):
-    # Makes Python behave as if PyVista were not installed.
+    # Run code as if PyVista were not installed.
     hidden = "import sys\nsys.modules['pyvista'] = None\n"
     return subprocess.run(
         [sys.executable, "-c", hidden + code], capture_output=True, text=True, timeout=120, check=False)

@@ -34,7 +34,7 @@ def test_image_shares_memory(dtype):
     assert np.shares_memory(scalars(volume), array) and scalars(volume).dtype == array.dtype
     array[3, 4, 5] = 99
     assert volume.GetScalarComponentAsDouble(5, 4, 3, 0) == 99.0
-    # The ramp exerts a force: a spring of 500 N/m, pressed in by 1 mm, gives 0.5 N.
+    # A spring of 500 N/m that the ramp compresses by 1 mm exerts 0.5 N.
     trace = touch(image(ramp(dtype)), [(5.0, 6.0, 6.0), (5.0, 6.0, 7.0)])
     assert abs(arrays(trace)["Force"][1, 2] + 0.5) < 1e-6
 
@@ -67,7 +67,7 @@ def test_components_in_memory_of_their_own_are_felt(is_rendered):
         haptics.Update()
         assert abs(arrays(haptics.GetOutput())["Force"][1, 2] + 0.5) < 1e-6
         if is_rendered:
-            # Ask for a pointer, as a mapper does; from here on, VTK 9.6 keeps the components in another memory.
+            # Request a pointer, as a mapper does. Afterwards, VTK 9.6 stores the components in a different buffer.
             scalars.GetVoidPointer(0)
 
 

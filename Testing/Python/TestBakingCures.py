@@ -31,7 +31,7 @@ from volumehaptics.arrays import arrays
 case, result = Cases(), Calls()
 
 
-# Volumes that move: two equal time steps.
+# -- moving volumes: two equal time steps --
 
 def frames(b, *images, name=None):
     source = vtkHapticTimeStepSource()
@@ -177,7 +177,7 @@ def fast_motion(_):
     assert not warnings and smoothed == pytest.approx(0.5 * 3.0, abs=0.3)
 
 
-# Labels, surfaces and guides.
+# -- labels, surfaces and guides --
 
 @case("Lower vtkHapticLabelTable::SetStandOff", 0.4)
 def _(b):
@@ -201,7 +201,7 @@ def floor(b, divisions=1):
     plane.Update()
     b.haptics.SetMethodToSurfaceProxy()
     b.haptics.SetProxyRadius(0.1)
-    # The tip comes from below, where the space is free.
+    # The tip starts below, in free space.
     for i in range(21):
         b.path.GetPoints().SetPoint(i, 5.0, 8.0, 9.0 + 0.15 * i)
     made = vtkPolyData()
@@ -370,7 +370,7 @@ def test_cures_of_the_filter(words):
     try_case(words, *case[words])
 
 
-# Calls that bake.
+# -- calls that bake --
 
 @result("Give it a vtkPolyData, or nothing: then the isosurface at the IsoValue is touched",
         "There is no image to touch. Connect a vtkImageData to input port 0")
@@ -396,7 +396,7 @@ def surfaces_of_a_device(_):
         assert b.force() == pytest.approx(floor_force(), abs=1e-3)
 
 
-# Modes that are proposed for an image.
+# -- modes that are proposed for an image --
 
 @result("Give it such an array, or take another preset: see GetModePresetNames()", "Use one of: ",
         "Name one with SetArrayName(), or give the image active vectors", "Name another one with SetArrayName()",

@@ -20,10 +20,10 @@ from volumehaptics import vtkVolumeHapticsFilter
 
 SKIN = -300.0  # isovalue (HU) of the phantom's skin
 ARRAYS = ("Force", "Contact")
-# Baselines are stored in single precision, as are the points of vtkFlyingEdges3D.
+# Baselines, and the points of vtkFlyingEdges3D, have single precision.
 TOLERANCE = 1e-5
 
-# Nodes of each function: HU, or HU/mm, and its value.
+# Nodes of each function: HU or HU/mm, and the function's value.
 MATERIALS = {
     "Stiffness": ((0, 400.0),),
     "Friction": ((0, 0.2),),

@@ -9,7 +9,7 @@ import chaos
 import pytest
 import volumehaptics.vtkVolumeHaptics as module
 
-# Number of seeds, and of calls for each seed: `VOLUMEHAPTICS_CHAOS=1000x2000` makes a long search.
+# Number of seeds, and of calls per seed: `VOLUMEHAPTICS_CHAOS=1000x2000` makes a long search.
 SEEDS, CALLS = map(int, os.environ.get("VOLUMEHAPTICS_CHAOS", "10x600").split("x"))
 
 
@@ -50,8 +50,8 @@ def test_what_goes_wrong_is_found(tmp_path, fault, words):
 
 
 def test_any_calls_in_any_order(tmp_path):
-    # Leave these methods out under the address sanitizer: it ends a process that asks for more memory than exists, for
-    # example for a path of 1e8 points.
+    # Leave out these methods under the address sanitizer, which ends a process that requests more memory than exists,
+    # for example for a path of 1e8 points.
     left_out = "PathSource.Set(Speed|PointsPerSecond)" if "VOLUMEHAPTICS_SANITIZED" in os.environ else chaos.NONE
     troubles = list(chaos.run_seeds(range(SEEDS), CALLS, os.cpu_count() or 1, tmp_path, "--left-out", left_out))
     assert not troubles, "\n\n".join(troubles)

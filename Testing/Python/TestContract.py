@@ -15,8 +15,7 @@ from volumehaptics import (
     vtkVolumeHapticsFilter,
 )
 
-# Public names, and words that the documentation of each must contain. For each Set... method, the getter must exist,
-# too.
+# Public names, and words that each name's documentation must contain. Each Set... method must have a getter.
 PROPERTY = {
     "SetStiffness": ("N/m", "500"),
     "SetFriction": ("friction", "0"),
@@ -125,7 +124,7 @@ ARRAYS = {
     "Depth": "world units",
     "ShaftForce": "N",
 }
-# Arrays that only one tool produces; the documentation of that tool's class describes them.
+# Arrays that only one tool produces, and words that the documentation of the tool's class must contain.
 TOOL_ARRAYS = {
     vtkHapticPointShell: {"ToolOrientation": "w, x, y, z"},
     vtkHapticBurr: {"RemovedVolume": "mm^3"},
@@ -137,7 +136,7 @@ GUIDE_PLAIN = ("SetPath", "GetPath", "SetSurface", "SetDistanceField", "SetSide"
 
 
 def check(cls, documented, plain):
-    # help() prints what pydoc renders, with line breaks anywhere.
+    # help() prints pydoc's rendering, with line breaks at any place.
     text = " ".join(pydoc.render_doc(cls, renderer=pydoc.plaintext).replace("|", " ").split())
     for name, words in documented.items():
         assert name in text, f"help({cls.__name__}) lacks {name}"

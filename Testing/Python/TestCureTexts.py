@@ -24,7 +24,8 @@ from vtkmodules import all as vtk
 
 ROOT = Path(__file__).resolve().parents[2]
 
-# Tests that provoke an error and then apply its cure: words of the cure, and the words for which the test looks.
+# Tests that provoke an error and then apply the remedy in its text: words of the remedy, and words that the test must
+# contain.
 TRIED = {
     "Python/TestInspect.py": {"is how --inspect tells what it found": "add --inspect"},
     "VTK/Baking/BadScalarsTest.cxx": {
@@ -280,7 +281,7 @@ TRIED = {
     },
 }
 
-# Cures that no program can apply: actions of a hand on a device, and actions outside the program. Only the names in
+# Remedies that no program can apply: actions of a hand on a device, and actions outside the program. Only the names in
 # these texts are checked, by test_names_in_cures_exist.
 OUTSIDE = {
     "what ParaView's view, dock and panel show is looked at instead (View.two_hands, Gui)": (
@@ -350,21 +351,21 @@ OUTSIDE = {
     ),
 }
 
-# Texts that the scan takes for cures.
+# Texts that the scan mistakes for remedies.
 NONE = (
     "HapticTouch…Touch with the mouse", "Functions from a file, for Custom", "What is felt now to a file", "HapticShowAsCT…Show as CT volume",
     "Load a preset…Presets", "Save the preset…Presets", "Record to…Traces", "no active scalars: point array",
     ": ….\\n  Cure: ….", "A is kept. Change something", "Arm with an hfab controller, if it is one", "Put the pointer on the volume and press", "The hand is outside the view",
     "propose functions; take them",
-    # Commands of the explorer's bar and menu, and the dialog that asks for a file.
+    # Commands of the explorer's bar and menu, and the file dialog.
     "Touch…t…touch what is under the pointer", "RemoveLast…Delete…", "Record…Record a movie", "kdialog…--title",
     "Touch…hold the hand where it is", "…hold: click where the hand", "Tool…save the track", "File…save measurements",
     "Preset…save the materials", "File…open a file", "File…show as labels",
 )
 
-# Splits a source into texts: the string literals between semicolons and braces are joined into one text.
+# Splits a source into texts: the string literals between semicolons and braces form one text.
 TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|"((?:\\.|[^"\\\n])*)"|\'(?:\\.|[^\'\\])+\'|[;{}]|\S', re.S)
-# Verbs with which cures begin, after a sentence that describes the fault.
+# Verbs that begin a remedy, after a sentence that describes the fault.
 CURE = re.compile(
     r"Cure: |([.;:)] |\u2026 ?)(update|make|give|set|call|use|take|name|write|choose|convert|check|pass|close|replace|remove|add"
     r"|correct|run|save|open|copy|connect|put|end|read|start|stop|smooth|turn|raise|lower|plug|change|leave|resample"
@@ -433,8 +434,8 @@ def test_tests_look_for_what_is_tried():
             assert any(words in text and looked_for in text for _, text in TEXTS), (words, looked_for)
 
 
-# Names that exist elsewhere: an array, a header and a module of VTK, and a function of ParaView's Python; options of
-# other programs; files.
+# Names that are defined elsewhere: an array, a header and a module of VTK, and a function of ParaView's Python; options
+# of other programs; files.
 ELSEWHERE = "vtkGhostType", "vtkRenderingContext2DModule", "vtkRenderingContextOpenGL2", "GetActiveView"
 OTHERS = {"--high": "h5repack", "--reload": "udevadm", "LD_LIBRARY_PATH": "ld.so"}
 FILES = ("Data/udev/70-volume-haptics.rules", "Module/Devices/Vendor/VendorPlugin.h", "Examples/Vendor", "Examples/explore.sh",
@@ -462,13 +463,13 @@ def test_names_in_cures_exist():
         assert (ROOT / file).exists() and file.rpartition("/")[2] in texts, file
 
 
-# Packages of Debian 12 that texts name, with the programs of them that texts name (checked with `dpkg --contents`), and
+# Packages of Debian 12 in the texts, with the programs that the texts name (checked with `dpkg --contents`), and
 # projects of PyPI (checked with `pip index versions`).
 DEBIAN = {"libpulse-dev": (), "libblosc-dev": (), "libzstd-dev": (), "libgdcm-dev": (), "dcm2niix": ("dcm2niix", ),
           "python3-numpy": (), "rtkit": (), "hdf5-tools": ("h5repack", "h5clear"), "xvfb": ("xvfb-run", ), "passwd": ("usermod", ),
           "udev": ("udevadm", )}
 PYPI = {"numpy", "pyvista", "zarr", "h5py", "vtk", "trame", "trame-vuetify", "trame-rca", "nest_asyncio2"}
-# Packages that a text names by a program, or without the word "package".
+# Packages that the texts mention by a program, or without the word "package".
 UNTOLD = {"rtkit", "hdf5-tools", "xvfb", "passwd", "udev"}, {"h5py"}
 
 

@@ -74,7 +74,7 @@ MASKED = np.ma.masked_greater(RAMP, 2900.0)
 SHIFTED = np.ndarray(SIZE, np.float64, bytearray(RAMP.nbytes + 1), 1)
 SHIFTED[:] = RAMP
 
-# For each case: a function that makes a refused volume, words of the cure, and a function that applies the cure.
+# For each case: a function that makes a refused volume, words of the remedy, and a function that applies the remedy.
 VOLUMES = {
     "of nibabel": (of_nibabel, "array.T if its axes are [x, y, z]", lambda array: array.T),
     "a part of nibabel's": (lambda: np.asfortranarray(np.pad(of_nibabel(), 1, "edge"))[1:-1, 1:-1, 1:-1],
@@ -174,7 +174,8 @@ def test_paths_with_masked_points():
     assert -arrays(touch(RAMP, left))["Force"][-1][2] == pytest.approx(0.95, abs=1e-6)
 
 
-# Cures that install something, or that another test tries: words of the text, and where the cure is tried.
+# Remedies that install something, or that another test applies: words of the text, and the place where the remedy is
+# tested.
 ELSEWHERE = {
     "pip install": "installation", "built with VolumeHaptics": "installation", "install the package again": "installation",
     "check that the copy is complete": "TestLabels.py has the whole files", "place the volume": "TestLabels.py",
@@ -189,8 +190,8 @@ ELSEWHERE = {
     "give it to touch(), which reads it": "Testing/Data/Formats/TestFormats.py",
     "check that its copy is complete": "TestLargeCures.py, by the reader",
 }
-# Cures for plotters and pages: words of the text, and the test of Testing/PyVista that tries the cure, or the package
-# to install.
+# Remedies for plotters and pages: words of the text, and the test of Testing/PyVista that applies the remedy, or the
+# package to install.
 WINDOWS = {
     "plotter.add_actor(volume) before it": "TestPlotterShown.py", "VisibilityOn() of the actor": "TestPlotterShown.py",
     "open the address that the program printed": "TestWebDoor.py", 'host="localhost"': "TestWebDoor.py",

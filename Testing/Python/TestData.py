@@ -144,8 +144,8 @@ def test_series_that_move(data, tmp_path):
     command = [sys.executable, str(data / "generate.py"), str(tmp_path)]
     subprocess.run([*command, "--beating", "6"], check=True)
     beating = series(tmp_path, "Beating", 6)
-    # Interpolation errs by h^2/8 of the second derivatives along the axes, each of which is at most 195 * 0.242 /
-    # 1.5^2.
+    # The interpolation error is h^2/8 times the second derivatives along the axes, each of which is at most 195 * 0.242
+    # / 1.5^2.
     check_motion(beating, 20.0, 60.0)
     full, small = (array_of(beating[i]).reshape(56, 56, 56) for i in (0, 3))
     inner = lambda v: (v > 0.5 * (250 + 55)).sum() * 1.5**3  # contrast medium: a ball
@@ -167,7 +167,7 @@ def test_series_that_move(data, tmp_path):
 def test_fields(committed):
     random.seed(1)
     check_field(committed["Slab"], "f8", lambda x, y, z: 100.0 * z, 0.0, 1e-9)
-    # Interpolation errs by at most an eighth of the second derivatives' sum, here 200 / |p|.
+    # The interpolation error is at most an eighth of the second derivatives' sum, here 200 / |p|.
     inside = lambda *p: 14 < math.hypot(*p) < 26
     check_field(committed["Ball"], "f4", lambda *p: -cavity(*p), 1e-4, 1.8, inside)
     check_field(committed["Cavity"], "f4", cavity, 1e-4, 1.8, inside)

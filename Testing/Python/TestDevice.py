@@ -82,7 +82,7 @@ def test_push_is_recorded_and_replayed(tmp_path):
     assert math.dist(device.GetState().GetProxyPosition(), (7.0, 7.0, 5.0)) < 1e-6
     assert device.GetState().GetContact() == 1 and device.GetState().GetButtons() == 0 and device.GetState().GetTick() > 0
 
-    # Turn the device by a quarter and publish that during the recording.
+    # Rotate the device by 90 degrees, and publish the change during the recording.
     matrix = vtkMatrix4x4()
     matrix.DeepCopy((0, -1000, 0, 0, 1000, 0, 0, 0, 0, 0, 1000, 0, 0, 0, 0, 1))
     device.SetDeviceToWorld(matrix)
@@ -98,14 +98,14 @@ def test_push_is_recorded_and_replayed(tmp_path):
     device.Stop()
     assert device.GetState().GetForce() == (0.0, 0.0, 0.0) and not device.IsRunning()
 
-    # Computed offline from the recording, the trace is the same.
+    # Computed offline from the recording, the trace must be the same.
     haptics.SetInputData(1, compare_traces.read_trace(recording))
     haptics.Update()
     recorded = compare_traces.read_trace(recording)
     differences = compare_traces.compare(recorded, haptics.GetOutput())
     assert not differences, [str(d) for d in differences]
 
-    # When the servo plays the recording, the tip ends at the recorded end.
+    # When the servo replays the recording, the tip must end at the recorded end.
     assert device.Open("replay:" + recording)
     assert device.Start()
     wait(device, lambda: math.dist(device.GetState().GetTipPosition(), (7.0, 7.0, 8.0)) < 1e-6)
@@ -147,7 +147,7 @@ def test_stylus_turns_is_recorded_and_replayed(tmp_path):
     last = trace.GetArray("Tick").GetNumberOfTuples() - 1
     assert trace.GetArray("Orientation").GetTuple4(0) == (0.0, 0.0, 0.0, 0.0)
     assert math.dist(trace.GetArray("Orientation").GetTuple4(last), (0.0, 0.0, -1.0, 0.0)) < 1e-14
-    # Turn back by a quarter: (cos 45, 0, 0, -sin 45) times (0, 0, -1, 0) is (0, -sin 45, -cos 45, 0).
+    # Rotate back by 90 degrees: (cos 45, 0, 0, -sin 45) times (0, 0, -1, 0) is (0, -sin 45, -cos 45, 0).
     half = math.sqrt(0.5)
     assert math.dist(trace.GetArray("DeviceOrientation").GetTuple4(last), (0.0, -half, -half, 0.0)) < 1e-14
 

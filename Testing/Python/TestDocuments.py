@@ -20,7 +20,7 @@ from volumehaptics import arrays, examples
 
 DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "Documentation").rglob("*.md"))]
 PAGES = [*DOCUMENTS, ROOT / "CONTRIBUTING.md", ROOT / "Data" / "README.md", ROOT / "Examples" / "PyVista" / "README.md"]
-# Files whose Python blocks a test runs, and the number of these blocks.
+# Files whose Python blocks a test runs, and their number of blocks.
 RUN = {
     "README.md": 1, "first-touch.md": 1, "devices.md": 1, "hosts.md": 11, "materials.md": 8, "measuring.md": 1, "notebook.md": 1,
     "paraview.md": 6, "python.md": 9, "window.md": 1,

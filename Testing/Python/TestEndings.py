@@ -32,7 +32,7 @@ def run(script):
     no_core = lambda: resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     ended = subprocess.run(
         [sys.executable, "-c", script], capture_output=True, text=True, timeout=60, preexec_fn=no_core,
-        # UCX: of the MPI that VTK on Debian 13 uses
+        # for UCX, in the MPI of Debian 13's VTK
         env={**os.environ, "PYTHONFAULTHANDLER": "", "UCX_ERROR_SIGNALS": ""})
     return ended.stderr, ended.returncode
 

@@ -114,7 +114,8 @@ def test_image_is_laid_out_in_three_dimensions(settings):
 
 
 def test_names_that_are_not_utf8(tmp_path):
-    # Python has no text for bytes that are not UTF-8, so messages about such files used to arrive empty.
+    # Messages about file names that are not UTF-8 used to arrive empty, because Python can't represent these names as
+    # text.
     folder = bytes(tmp_path)
     device, setup, source = vtkHapticDevice(), vtkHapticSetup(), vtkHapticPathSource()
     haptics = vtkVolumeHapticsFilter()

@@ -26,7 +26,7 @@ def test_first_touch_is_the_force_of_the_stroke(capsys):
     newtons = float(re.fullmatch(r"(\d\.\d+) N\n", capsys.readouterr().out)[1])
     trace = volumehaptics.touch(examples.phantom(), examples.stroke(), "CT contrast")
     assert abs(newtons - max(math.hypot(*force) for force in arrays.arrays(trace)["Force"])) < 1e-3
-    # The stroke begins and ends in air.
+    # The stroke must begin and end in air.
     contact = arrays.arrays(trace)["Contact"]
     assert contact[0] == contact[-1] == 0 and contact.any()
 
@@ -66,7 +66,7 @@ def test_document_measuring(document, tmp_path, capsys):
     exec(compile(code.replace("/tmp/", f"{tmp_path}/"), "measuring.md", "exec"), names)
     assert "width: 120 mm" in capsys.readouterr().out
     assert (tmp_path / "head.mrk.json").exists()
-    # The felt area is a strip of 40 mm and two half discs; the curved forehead makes it a little larger.
+    # The touched area consists of a strip of 40 mm and two half discs; the curved forehead makes it slightly larger.
     flat = 2 * 10.0 * 40.0 + math.pi * 10.0**2
     assert 0.97 * flat < names["measured"].GetValue(2) < 1.15 * flat
 

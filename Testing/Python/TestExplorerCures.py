@@ -30,9 +30,9 @@ from vtkmodules.vtkIOXML import (
 from volumehaptics import image, vtkHapticMeasurements
 from volumehaptics.__main__ import find_explorer
 
-# The explorer's options: wrong options, words of the cure, and right options, with which it writes its summary. {} is a
-# folder with the ramp as ramp.vti, a label map as labels.vti, a surface as ball.stl and the files that the functions
-# below write there. Right options are combined, since each run takes time.
+# Wrong options of the explorer, words of the remedy, and right options, with which the explorer writes its summary. {}
+# is a folder with the ramp as ramp.vti, a label map as labels.vti, a surface as ball.stl and the files that the
+# functions below write. The right options are combined into few runs, because each run takes time.
 ALL = "--newtons 2.5 --size 200 --tool needle --preset MRI --front -y --stereo anaglyph --measurements {}/list.csv"
 TWO = "--device virtual --device falcon"
 LABELLED = "--labels {}/labels.vti --materials {}/table.csv"
@@ -146,15 +146,15 @@ def expect_forces(shelf, explore, options):
     return cured
 
 
-# Volumes, and options that need a window: wrong arguments, words of the cure, and right arguments. A script closes the
-# window.
+# Volumes, and options that need a window: wrong arguments, words of the remedy, and right arguments. A script closes
+# the window.
 WINDOW = "{}/ramp.vti --size 150 --script {}/close.txt"
-# Right options of windows, combined into one run.
+# Right options that need a window, combined into one run.
 OPEN = f"{WINDOW} --device virtual --setup {{}}/own.json --measurements {{}}/paths.csv --movie {{}}/movie.ogv --cut box"
 REPLAY = f"{WINDOW} --replay {{}}/touch.vtp"
 HEARD = "{}/ramp.vti --sound {}/touch.wav --method proxy"
 RAMP_MHD = "{}/ramp.mhd --large"
-# VTK before 9.4 cannot read the faces that later versions write.
+# VTK before 9.4 can't read polyhedra that later versions write.
 POLYHEDRA = (("{}/polyhedra.vtu", "write it as tetrahedra", ("{}/grid.vtu", )),)
 OLD = (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion()) < (9, 4)
 COMMANDS = (

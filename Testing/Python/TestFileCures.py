@@ -38,8 +38,7 @@ from volumehaptics.arrays import arrays
 
 result = Calls()
 
-# Label tables that are refused, words of the cure, and the function that turns each into a table of material 1, "bone",
-# of 800 N/m.
+# Refused label tables, words of the remedy, and a function that corrects each table: material 1, "bone", of 800 N/m.
 
 NRRD = ("NRRD0004\ntype: unsigned char\ndimension: 3\nspace: left-posterior-superior\nsizes: 2 2 2\n"
         "space directions: (1,0,0) (0,1,0) (0,0,1)\nencoding: raw\nspace origin: (0,0,0)\n")
@@ -189,7 +188,7 @@ def segmentations(folder):
         reads()
 
 
-# Setups and presets.
+# -- setups and presets --
 
 @result("that vtkHapticProperty::WritePreset() wrote", '". Choose a file ', "Correct this function first",
         "Correct it, or write the preset again", "the system says: ", "that vtkHapticSetup saved", "Correct this setting first",
@@ -270,7 +269,7 @@ def recordings(folder):
     left = part.read_bytes()
     assert device.GetRecorder().Stop() and file.stat().st_size > 0
     assert len(left) > 0
-    # Start() warns of a part file that a program left behind when it ended.
+    # Start() must warn about a partial file that a program left behind.
     part.write_bytes(left)
     with Errors(device, event="WarningEvent") as warnings:
         assert device.GetRecorder().Start(str(file))
@@ -315,7 +314,7 @@ def recordings(folder):
     assert source.GetOutput().GetNumberOfPoints() > 0
 
 
-# Traces, tools and regions.
+# -- traces, tools and regions --
 
 @result("Give it another one for the track", "keep both arrays in SetTraceArrays()", "Give it a 1 or a 0 a point, or remove it",
         'Take "all", "none", or some of ')

@@ -23,7 +23,7 @@ from volumehaptics import image, vtkHapticGuideMode, vtkHapticMode, vtkHapticNee
 case = Cases()
 
 
-# The volume.
+# -- the volume --
 
 @case("Update its source, or give it dimensions of at least ")
 def _(b):
@@ -133,7 +133,7 @@ def _(b):
     return lambda: b.haptics.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "V")
 
 
-# Settings and functions.
+# -- settings and functions --
 
 @case("is not a finite number. Set")
 def _(b):
@@ -159,7 +159,7 @@ def plane(b, normal):
 def _(b):
     one = plane(b, None)
     one.SetOrigin(math.nan, 0.0, 0.0)
-    # Tissue above z = 25 is not felt.
+    # Tissue above z = 25 must not be felt.
     return lambda: (one.SetNormal(0.0, 0.0, -1.0), one.SetOrigin(0.0, 0.0, 25.0))
 
 
@@ -187,7 +187,7 @@ def _(b):
     return b.haptics.CroppingOff
 
 
-# The path.
+# -- the path --
 
 @case("is NaN or infinite at point …. Replace or remove that point")
 def _(b):
@@ -237,7 +237,7 @@ def _(b):
     return lambda: b.path.GetPointData().RemoveArray("DeviceTip")
 
 
-# Labels: material 1 has 200 N/m, which gives 0.4 N.
+# Labels: material 1 has 200 N/m, which results in 0.4 N.
 
 def labels_of(values, kind=np.uint8):
     return image(np.full(RAMP.shape, values, kind))
@@ -256,7 +256,7 @@ def _(b):
     return lambda: (b.haptics.SetGeometryFromScalars())
 
 
-# Tools and modes.
+# -- tools and modes --
 
 @case("Choose it with SetMethodToProxy(), or take the needle away")
 def _(b):
@@ -387,7 +387,7 @@ def _(b):
     return lambda: (needle.SetLateralStrength(0.0), b.haptics.SetTool(None))
 
 
-# More labels.
+# -- more labels --
 
 def with_labels(b, labels):
     b.haptics.SetLabelTable(table())
@@ -435,7 +435,7 @@ def _(b):
     return lambda: b.haptics.SetLabelData(None)
 
 
-# Tools with a shape. Testing/Core/Tools compares the forces of good tools with closed forms.
+# -- shaped tools; Testing/Core/Tools compares the forces of valid tools with closed forms --
 
 @case("with vtkCleanPolyData and SetTolerance()", "ball")
 def _(b):

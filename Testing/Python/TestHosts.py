@@ -94,7 +94,7 @@ TARGETS = {
     "renderer": lambda p: p.renderer,
     "vedo.Plotter": lambda p: types.SimpleNamespace(interactor=p.interactor, window=p.window, renderer=p.renderer),
     "fury.window.ShowManager": lambda p: types.SimpleNamespace(iren=p.interactor, scene=p.renderer),
-    # Objects of Traits return None for each name that begins with an underscore.
+    # Traits objects return None for each name that begins with an underscore.
     "mayavi figure": lambda p: types.SimpleNamespace(scene=types.SimpleNamespace(
         _vtk_obj=None, interactor=types.SimpleNamespace(_vtk_obj=p.interactor))),
     "widget of Qt, Tk or wx": lambda p: types.SimpleNamespace(GetRenderWindow=lambda: p.window),
@@ -105,7 +105,7 @@ TARGETS = {
 def test_one_line_makes_a_window_touchable(program, target):
     haptics = volumehaptics.add_haptics(TARGETS[target](program))
     assert program.press(haptics) > 0.3
-    # The ball's surface (500 N/m) is seen at 30 mm and felt half a voxel inside.
+    # The ball's surface (500 N/m) is visible at 30 mm and felt half a voxel inside.
     assert abs(numpy.linalg.norm(haptics.device.GetState().GetProxyPosition()) - RADIUS) < 0.51
     assert program.interactor.GetInteractorStyle() is program.style
     haptics.close()

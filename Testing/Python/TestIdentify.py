@@ -24,7 +24,7 @@ def test_two_are_told_apart_by_phi_of_half_their_distance(distance):
     """At a depth of 2 mm, 500 N/m gives 1 N; a surface strength above 4 N makes no difference."""
     near = {"stiffness": 500.0, "surface_strength": 100.0}
     far = {"stiffness": 500.0 * at(distance), "surface_strength": 100.0}
-    # Both materials yield at 4 N, which is less than the force at 10 mm.
+    # Both materials yield at 4 N, which the force would exceed at 10 mm.
     found = identify({"near": near, "far": far}, strategy="depth")
     assert abs(found.distance[0, 1] - distance) < 0.02
     assert np.allclose(np.diag(found.confusion), phi(distance / 2), atol=0.008)

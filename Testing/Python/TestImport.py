@@ -47,7 +47,7 @@ def run(code):
     return result.stdout
 
 
-# Without an image, VTK's executive reports an error; the filter must survive that.
+# Without an image, VTK's executive reports an error, which the filter must survive.
 @pytest.mark.parametrize("first", BEFORE, ids=lambda code: code.split("\n")[0])
 @pytest.mark.parametrize("last", (NOTHING, AFTER), ids=("", "then vtk"))
 def test_order_does_not_matter(first, last, build, version):
@@ -68,7 +68,7 @@ for name in set(globals()) - before - {"before", "volumehaptics"}:
 assert touch is volumehaptics.touch
 assert {"arrays", "examples", "image", "path", "touch", "vtkHapticDevice"} <= set(dir(volumehaptics))
 """
-# Simulates a Python without NumPy: importing a module that is None in sys.modules fails.
+# Simulate a Python without NumPy: importing a module that is None in sys.modules fails.
 NO_NUMPY = """
 import sys
 sys.modules["numpy"] = None
@@ -83,7 +83,7 @@ except ImportError as error:
 """
 
 
-# Simulates another VTK, installed over the version that the package was compiled with.
+# Simulate another VTK version than the package was compiled with.
 OTHER_VTK = """
 from vtkmodules import vtkCommonCore
 class Other(vtkCommonCore.vtkVersion):

@@ -164,7 +164,7 @@ def test_a_file_has_labels_and_names(tmp_path):
     assert round(press(6, volume=placed, labels=file, materials={"liver": dict(stiffness=200)}), 9) == 0.4
 
 
-# The files are written byte by byte as NIfTI-1 (nifti1.h) and MetaImage (itk.org, ITK/MetaIO) define them. The expected
+# The files are written byte by byte according to NIfTI-1 (nifti1.h) and MetaImage (itk.org, ITK/MetaIO). The expected
 # positions follow from these definitions: NIfTI's world is right-anterior-superior, MetaImage's
 # left-posterior-superior.
 
@@ -239,11 +239,11 @@ def test_labels_that_lie_elsewhere_are_refused_with_the_cure(tmp_path, ending):
     WRITERS[ending](file, LABELS[:, :, ::-1].copy(), (-1, 1, 1), ORIGIN + (23, 0, 0))
     with pytest.raises(ValueError, match="do not lie on the volume.*Cure: place the volume.*direction"):
         felt_of(file, VOLUME, bare)
-    # Apply the three cures of the text.
+    # Apply the three remedies in the error's text.
     placed = image(VOLUME, (1, 1, 1), tuple(ORIGIN), direction=np.eye(3))
     assert felt_of(file, placed, (ORIGIN[0] + np.array((5, 18)), ORIGIN[1] + 8)) == [0.4, 1.6]
     assert felt_of(image(LABELS), VOLUME, bare) == felt_of(LABELS, VOLUME, bare) == [0.4, 1.6]
-    # Take a part of the labels, finer voxels, or another origin.
+    # Use a part of the labels, smaller voxels, or another origin.
     for labels, step, origin in ((LABELS[:, :, 3:].copy(), (1, 1, 1), ORIGIN + (3, 0, 0)),
                                  (LABELS, (0.5, 1, 1), ORIGIN), (LABELS, (1, 1, 1), ORIGIN + (0.5, 0, 0)),
                                  (LABELS, (1, 1, 1), ORIGIN + (500, 0, 0))):

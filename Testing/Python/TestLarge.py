@@ -200,7 +200,7 @@ def test_ome_zarr_of_other_shapes(zarr):
     zarr.opened = make_ome("zyx", coordinateTransformations=every)
     coarse = open_large("bed.zarr", level=1)
     assert (coarse.GetSpacing(), coarse.GetOrigin()) == ((10.0, 40.0, 60.0), (5.5, 12.0, 16.0))
-    # 1000 micrometres are a millimetre
+    # 1000 micrometres are one millimetre
     named = [{"name": name, "type": "space", "unit": "micrometer"} for name in "zyx"]
     plain = dict(zarr.opened.attrs)
     zarr.opened.attrs = {"multiscales": [{**plain["multiscales"][0], "axes": named}]}

@@ -78,7 +78,7 @@ def repacked(told_words, path):
     return out
 
 
-# For each cure: the command as the error text writes it, and the settings of a file that needs this command.
+# For each remedy: the command in the error's text, and the settings of a file that needs this command.
 CONVERTED = {
     "h5repack -f GZIP=1 IN OUT": dict(chunk=(5, 4, 7), filters=[("scaleoffset", 2, 0)]),
     "h5repack -l CHUNK=64x64x64 IN OUT": dict(chunk=(1024, 1024, 1024), most=(ENDLESS,) * 3, empty=7),
@@ -249,7 +249,7 @@ def _(folder):
     yield vtkhdf(folder)
 
 
-# Raw samples.
+# -- raw samples --
 
 def meta_header(data, size=SHAPE[::-1], more=""):
     return (f"NDims = {len(size)}\nDimSize = {' '.join(map(str, size))}\nElementType = MET_SHORT\n{more}"
@@ -527,7 +527,7 @@ def _(folder):
     yield zarr(folder)
 
 
-# TIFF: pages as in TIFF 6.0, section 2, each with one strip.
+# -- TIFF: pages as in TIFF 6.0, section 2, each with one strip --
 
 def tiff_case(words, **wrong):
     @case(words)

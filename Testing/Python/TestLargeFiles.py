@@ -656,7 +656,8 @@ def test_a_wrong_checksum_is_told(hdf5, tmp_path):
     for place in at, at + array.nbytes // 2 + 1, at + array.nbytes - 1, at + array.nbytes + 2:
         path.write_bytes(good[:place] + bytes([good[place] ^ 4]) + good[place + 1:])
         assert "damaged (fletcher32)" in region_error(path)
-    # Write a shard by hand after Zarr's specification: two uncompressed chunks, and an index with exchanged entries.
+    # Write a shard by hand according to Zarr's specification: two uncompressed chunks, and an index with swapped
+    # entries.
     path = tmp_path / "a.zarr"
     chunks = [array[:, :2], array[:, 2:]]
     plain = [{"name": "bytes", "configuration": {"endian": "little"}}]
@@ -925,8 +926,8 @@ def test_a_coarse_image_is_made_of_means(hdf5, tmp_path):
     expected = [[[np.nanmean(array[4 * k:4 * k + 4, 4 * j:4 * j + 4, 4 * i:4 * i + 4]) for i in range(15)]
                  for j in range(10)] for k in range(13)]
     assert np.allclose(values, expected, rtol=1e-6)
-    # The expected origin is the middle of the first cube, which begins at the index (2, -3, 5); x runs along the
-    # world's y, y along its -x.
+    # The expected origin is the middle of the first cube, which begins at the index (2, -3, 5). The x axis points along
+    # the world's y, the y axis along the world's -x.
     assert np.allclose(coarse.GetOrigin(), (-3 - 1.0 * (-3 + 1.5), 4 + 0.5 * (2 + 1.5), 5 + 1.5 * (5 + 1.5)))
     assert np.allclose(coarse.GetSpacing(), (2, 4, 6))
     array.tofile(tmp_path / "a.raw")

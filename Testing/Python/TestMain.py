@@ -11,7 +11,7 @@ import pytest
 from volumehaptics import __main__ as program
 from volumehaptics.examples import phantom_file
 
-# Runs the module's own main() with another explorer than the one that may be installed.
+# Run the module's own main() with a fake explorer instead of an installed one.
 WITH_FAKE = """
 import sys
 from volumehaptics import __main__ as program
@@ -76,7 +76,7 @@ def test_without_display_it_makes_pictures(fake, tmp_path):
     assert result.stdout.splitlines() == ["[head.vti]", "[--pictures]", "[explore-pictures]"]
     result = run(*arguments, "--pictures=there", DISPLAY="", PATH=str(tmp_path))
     assert result.stdout.splitlines() == ["[head.vti]", "[--pictures=there]"]
-    # Runs the explorer on a screen of its own if xvfb-run exists.
+    # Without a display, the explorer must run on a virtual screen if xvfb-run exists.
     make_program(tmp_path / "xvfb-run", "echo screen; shift 3; exec \"$@\"")
     result = run(*arguments, "--pictures", "there", DISPLAY="", PATH=str(tmp_path))
     assert result.stdout.splitlines() == ["screen", "[head.vti]", "[--pictures]", "[there]"]
@@ -87,7 +87,7 @@ def test_where_the_explorer_is_found(tmp_path, monkeypatch):
     monkeypatch.setattr(program, "__file__", str(package / "__main__.py"))
     monkeypatch.setenv("PATH", str(tmp_path / "path"))
     assert program.find_explorer() is None
-    # Each of these places is searched before the earlier ones.
+    # Each of these places takes precedence over the earlier ones.
     for place in (tmp_path / "path", tmp_path / "prefix/bin", package / "bin"):
         explorer = make_program(place / program.PROGRAM, "")
         assert program.find_explorer() == explorer

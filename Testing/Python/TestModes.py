@@ -140,7 +140,7 @@ def test_a_hand_travels_along_the_line_that_is_drawn(tensors):
 
 
 def test_a_stream_line_is_that_of_the_stream_tracer():
-    # The field is linear, so that VTK's trilinear values and the servo's splines are equal.
+    # The field is linear, so VTK's trilinear values equal the servo's splines.
     image = make_image("flow", 3, lambda x, y, z: (-y + 0.1 * z, x, 2.0 + 0.05 * x))
     mode = vtkHapticMode()
     mode.SetArrayName("flow")
@@ -173,7 +173,7 @@ def test_a_stream_line_is_that_of_the_stream_tracer():
 
 
 def test_a_tensor_is_an_ellipsoid_at_the_proxy():
-    # Eigenvalues 2, 1 and 0.5, the first one along (1, 1, 0).
+    # The eigenvalues are 2, 1 and 0.5, the first one along (1, 1, 0).
     image = make_image("tensor", 6, lambda x, y, z: (1.5, 1.5, 0.5, 0.5, 0.0, 0.0))
     mode = vtkHapticMode()
     mode.SetKindToTensorFollow()
@@ -195,7 +195,8 @@ def test_a_tensor_is_an_ellipsoid_at_the_proxy():
     glyph.SetSourceConnection(sphere.GetOutputPort())
     glyph.Update()
     points = vtk_to_numpy(glyph.GetOutput().GetPoints().GetData()) - proxy
-    # The half axes are an eighth of the reach of 24 voxels along the fibre, and half and a quarter of that across it.
+    # The half axis along the fibre is an eighth of the reach of 24 voxels; those across it are half and a quarter of
+    # that.
     half = np.sqrt(0.5)
     for axis, length in (((half, half, 0), 3.0), ((half, -half, 0), 1.5), ((0, 0, 1), 0.75)):
         assert abs(np.ptp(points @ axis) - length) < 0.03 * length

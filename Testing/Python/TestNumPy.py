@@ -68,7 +68,7 @@ def test_press_to_10_mm():
         contact = array(haptics, "Contact")
         assert contact.dtype == np.uint8
         assert contact[0] == 0 and contact[20] in (1, 2) and contact[60] == 3
-        # The time between points is 1 ms: without an array Time, every point is a tick at 1 kHz.
+        # Without an array Time, every point is a tick at 1 kHz, so the interval is 1 ms.
         assert np.abs(array(haptics, "Time") - 1e-3 * np.arange(101)).max() < 1e-12
 
 

@@ -51,7 +51,7 @@ def test_names():
 
 
 def test_presets_are_felt():
-    # Below the ramp, everything is one tissue: muscle, then bone.
+    # Below the ramp, there is one tissue: muscle, then bone.
     for hounsfield, stiffness, friction in ((60, 400.0, 0.30), (900, 400.0, 0.30)):
         haptics = make_filter(hounsfield)
         haptics.GetProperty().ApplyPreset("CT contrast")

@@ -41,7 +41,7 @@ def test_boundaries_are_a_table(ball):
     assert row["High"] == pytest.approx(0.75, abs=0.01)
     assert row["Width"] == pytest.approx(2.0, rel=0.05)
     assert row["Share"] == pytest.approx(1.0)
-    # The kernel of that radius blurs as an uncut Gaussian of half the radius.
+    # A kernel of this radius blurs like a complete Gaussian of half the radius.
     width = math.hypot(2.0, 0.5 * feel.GetProposedKernelRadius())
     assert row["Slope"] == pytest.approx(0.5 / (math.sqrt(2.0 * math.pi) * width), rel=0.05)
 
@@ -50,7 +50,7 @@ def test_touch_feels_the_ball(ball, stroke):
     trace = arrays(touch(ball, stroke, preset="propose", contact_alignment=vtkVolumeHapticsFilter.EDGE))
     outside = stroke[:, 2] < MIDDLE - 26.0
     assert not trace["Force"][outside].any()
-    # At the end, the tip is 6 mm deep: 500 N/m.
+    # At the end, the tip is 6 mm deep, which gives 3 N at 500 N/m.
     assert -trace["Force"][-1, 2] == pytest.approx(3.0, abs=0.6)
     assert not arrays(touch(ball * 0.0 + 1.0, stroke))["Force"].any()
 

@@ -139,8 +139,8 @@ def test_cures_of_calls(words, tmp_path):
     try_calls(words, result[words], tmp_path)
 
 
-# A process with little memory reads a file of 64 GiB, of which only one layer is felt. A region of 267^3 numbers takes
-# 145 MiB.
+# A process with little memory reads a file of 64 GiB, but touches only one layer. A region of 267^3 numbers takes 145
+# MiB.
 SCARCE = """
 import resource, sys, time
 import numpy as np
@@ -207,8 +207,8 @@ device.Stop()
 
 
 def test_less_memory(tmp_path):
-    # glibc reserves 64 MiB of addresses for each thread that allocates, and the limit then left no room for another
-    # thread.
+    # glibc reserves 64 MiB of addresses for each thread that allocates, which would leave no room for another thread
+    # within the limit.
     env = {**os.environ, "MALLOC_ARENA_MAX": "1"}
     done = subprocess.run([sys.executable, "-c", SCARCE, str(tmp_path / "a.raw")], capture_output=True, text=True, timeout=300,
                           env=env)

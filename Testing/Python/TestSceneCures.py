@@ -336,7 +336,7 @@ def sources(folder):
     smooth.Update()
     assert feel.ProposeFromImage(smooth.GetOutput())
 
-    # Record a volume that moves.
+    # -- recording a moving volume --
     b, source, device = Bench(), vtkHapticTimeStepSource(), vtkHapticDevice()
     for time in (0.0, 100.0):
         source.AddTimeStep(b.image, time)
@@ -366,7 +366,7 @@ def sources(folder):
     still.haptics.SetTimeUnitsPerSecond(1.0)
     assert -still.force() == recorded == pytest.approx(-1.0, abs=0.05)
 
-    # Whole volumes can replay what volumes read by regions cannot.
+    # A recording that can't be replayed with volumes read by regions can be replayed with whole volumes.
     large, whole = open_large(RAMP, spacing=(1, 1, 1)), Bench()
     device, path = recorder(), folder / "still.vtp"
     assert device.GetRecorder().Start(str(path))

@@ -277,7 +277,7 @@ def gradient_opacity():
     return s
 
 
-# Tests of the array that the mapper chooses.
+# -- the array that the mapper chooses --
 
 def two_arrays(mapper):
     s = Scene(image(wall(8.0)), mapper)
@@ -409,7 +409,7 @@ def last_vector_component():
     return vectors(2)
 
 
-# Tests of other data than images, and of several volumes in one mapper.
+# -- data other than images, and several volumes in one mapper --
 
 def rectilinear(mapper):
     grid = vtkRectilinearGrid()
@@ -487,7 +487,7 @@ def multi_volume():
     return s
 
 
-# Tests of voxels that are hidden one by one.
+# -- voxels that are hidden individually --
 
 def mask(first, shown=255, hidden=0):
     """Returns a mask that shows the voxels from the index `first` on."""
@@ -639,7 +639,7 @@ def test_is_felt_where_it_is_seen(row):
     make, x0, drawn, most = FELT[row]
     s = set_up(make)
     assert s.check(most) == pytest.approx(x0, abs=drawn)
-    # Half voxels differ: VTK draws none of the cells around a blanked point.
+    # Allow for half a voxel: VTK draws none of the cells around a blanked point.
     assert s.felt() == pytest.approx(x0, abs=0.55)
     s.end()
 

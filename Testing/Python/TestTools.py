@@ -150,7 +150,7 @@ def test_a_burr_removes_by_its_energy():
     expected_volume = 0.3 * rim * 1e-3 * felt["NormalForce"].sum() / 5.0
     assert expected_volume > 0.5
     assert felt["RemovedVolume"].sum() == pytest.approx(expected_volume, rel=0.02)
-    # Give a label its own specific energy U.
+    # Assign a separate specific energy U to a label.
     labels = np.full((32, 32, 32), 3, np.uint8)
     felt = arrays(volumehaptics.touch(image, tip, tool=burr, property=above(), labels=labels,
                                       materials={3: dict(specific_energy=2.5)}))

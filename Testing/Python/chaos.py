@@ -34,19 +34,19 @@ MEMORY = 4 << 30  # bytes of address space beyond those at the start; allocation
 SHOWN = 25  # number of journal lines to print
 NONE = "^$"
 
-# Wording by which a method's documentation says that the method reports an error whenever it returns false.
+# Matches documentation that promises an error whenever a method returns false.
 ERROR_WITH_FALSE = re.compile(
     r"false, (with|after) an error|reports? an error[^.]*returns? false|returns? false[^.]*reports? an error", re.IGNORECASE)
 
-# Functions that are not called, and why.
+# Functions that must not be called, and why.
 EXCLUDED = {
-    # Methods of vtkTypeMacro: VTK compares with a null name, and NewInstance leaves an object without its owner.
+    # Methods of vtkTypeMacro: VTK does not check for a null name, and NewInstance() returns an object without an owner.
     "GetNumberOfGenerationsFromBase", "GetNumberOfGenerationsFromBaseType", "IsA", "IsTypeOf", "NewInstance",
     "SafeDownCast",
 }
 
-# Methods of superclasses that are called: only those that every application calls; VTK's other methods are not our
-# subject.
+# Methods of superclasses to call: only those that every application calls, because VTK's other methods are out of
+# scope.
 INHERITED = {
     "vtkAlgorithm": ("Update", "Modified", "UpdateInformation", "GetOutputDataObject", "RemoveAllInputs"),
     "vtkProp": ("SetVisibility", "GetBounds", "GetRedrawMTime", "Modified"),

@@ -33,7 +33,7 @@ WILD = (0.0, -0.0, 1.0, -1.0, 5e-324, 1e-300, 1e-9, 1e9, 1e30, -1e30, 1e38, 4e38
         math.inf, -math.inf, math.nan)
 SENSIBLE = (0.0, 0.001, 0.05, 0.3, 0.5, 1.0, 2.0, 5.0, 8.0, 10.0, 16.0, 50.0, 100.0, 500.0, 1000.0, 3000.0)
 WHOLE = (0, 1, 2, 3, 4, 5, 7, 8, 15, 16, 100, 1000, -1, -2, -100, 2**31 - 1, -(2**31))
-# Names no hardware device, since the machine may have one.
+# No hardware device, since the machine may have one.
 STRINGS = ("virtual", "virtual", "virtual", "", "chaos.vtp", "chaos.csv", "chaos.json", "replay:chaos.vtp", "replay:chaos.csv",
            "replay:missing.vtp", "falcon:999", "pid:0000:0000", "nonsense", "no/such/folder/chaos.vtp", "/", "CT contrast",
            "CT physical", "MRI", "proxy", "local-surface", "surface-proxy", "Scalars", "Force", "mm", "%s%n", "\u00fc\u6587", "x" * 5000)

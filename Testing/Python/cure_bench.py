@@ -109,7 +109,7 @@ def line_to(x):
     return line
 
 
-# Makes a tool with a shape: a ball of 2 mm, whose centre goes from z = 7 to 9; the surface is at z = 10.
+# Makes a shaped tool: a ball of 2 mm, whose centre moves from z = 7 to 9; the surface is at z = 10.
 
 def ball():
     sphere = vtkSphereSource()
@@ -160,7 +160,7 @@ def try_case(words, spoil, force):
     assert len(errors) == 1 and words in re.sub(r"(?<=number |.point )\d+(?=\.)", "…", errors[0]), (words, errors)
     cure()
     with Errors(bench.haptics) as errors:
-        # The tolerance is wider here, since a tool whose hole was closed has other triangles.
+        # Allow a wider tolerance, because closing a tool's hole changes its triangles.
         right = pytest.approx(FORCES[force](), rel=1e-3) if force in FORCES else pytest.approx(force, abs=1e-6)
         assert bench.force() == right
     assert not errors

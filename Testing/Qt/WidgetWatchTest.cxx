@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Presses in a Qt widget, and hides the widget in every way that Qt knows: no force may be left. Qt
- * and VTK draw off the screen here, since only the events matter.
+ * Presses in a Qt widget, and hides the widget in every way that Qt supports: no force may remain.
+ * Qt and VTK render off screen here, because only the events matter.
  */
 
 #include "VTK/Scene/Interaction/StyleRig.h"
@@ -52,7 +52,7 @@ protected:
       }));
   }
 
-  /// Qt allows one application object in a process, so all tests share this object.
+  /// Qt allows one application object per process, so all tests share this object.
   int Count = 1;
   char Name[16] = "WidgetWatch";
   char* Names[2] = { Name, nullptr };
@@ -108,7 +108,7 @@ TEST_F(WidgetWatch, FollowsTheWidgetToAnotherWindow)
   dock->setFloating(true);
   QApplication::processEvents();
   this->PushIn();
-  this->Main->showMinimized(); // the main window is no longer the widget's window
+  this->Main->showMinimized(); // the main window no longer contains the widget
   QApplication::processEvents();
   EXPECT_TRUE(this->Style->GetTouchMode());
   this->ExpectLetsGo([dock] { dock->showMinimized(); });

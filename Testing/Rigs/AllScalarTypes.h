@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Lists the scalar types and the estimators, for loops over them. */
+/** Lists the scalar types and the gradient estimators for parameterized tests. */
 #ifndef AllScalarTypes_h
 #define AllScalarTypes_h
 

@@ -11,7 +11,7 @@
 namespace
 {
 #if defined(_WIN32)
-/** Header before an aligned block: stores its size, because Windows does not report it. */
+/** Header before an aligned block. Stores the block's size, because Windows does not report it. */
 struct Head
 {
   std::size_t Size = 0;
@@ -82,7 +82,7 @@ Allocations CountAllocations()
 }
 } // namespace coretest
 
-// operator new[] and the non-throwing operators call the following operators.
+// By default, operator new[] and the non-throwing operators call these operators.
 void* operator new(std::size_t bytes)
 {
   return Allocate(bytes);

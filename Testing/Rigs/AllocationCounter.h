@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Counts the allocations of the whole process. Linking AllocationCounter.cxx replaces the
- * allocator's entry points: operator new always, malloc and its siblings if no sanitizer has taken
- * them.
+ * Counts the allocations of the whole process. Linking AllocationCounter.cxx replaces operator new,
+ * and also malloc and its siblings unless a sanitizer has replaced them.
  */
 #ifndef AllocationCounter_h
 #define AllocationCounter_h
@@ -22,7 +21,7 @@ struct Allocations
 };
 
 Allocations CountAllocations();
-/// Returns whether calls of malloc are counted, too.
+/// Returns whether calls of malloc() are counted, which a sanitizer prevents.
 bool CountsMalloc();
 } // namespace coretest
 

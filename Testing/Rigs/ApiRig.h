@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Runs a filter on a small volume with a path through it, and records all its messages. */
+/** Runs a filter on a small volume with a path through it, and records the filter's messages. */
 #ifndef ApiRig_h
 #define ApiRig_h
 
@@ -26,7 +26,7 @@ namespace apitest
 {
 using Point = std::array<double, 3>;
 
-/// Collects the errors and warnings of an object, which are then not printed.
+/// Records an object's errors and warnings, and suppresses their output.
 class MessageLog
 {
 public:
@@ -43,8 +43,8 @@ private:
   vtkNew<vtkCallbackCommand> Command;
 };
 
-/// Returns an image of n^3 voxels of 1 world unit, from the origin on. Its scalars are named
-/// "Density".
+/// Returns an image of n^3 voxels of 1 world unit, with its first sample at the origin. Its scalars
+/// are named "Density".
 vtkSmartPointer<vtkImageData> MakeImage(
   int n, int scalarType, const std::function<double(const Point&)>& value);
 
@@ -55,23 +55,24 @@ vtkSmartPointer<vtkImageData> MakeRamp(int n = 16, int scalarType = VTK_DOUBLE);
 vtkSmartPointer<vtkPolyData> MakePath(
   const std::vector<Point>& points, const std::vector<double>& times = {});
 
-/// Returns the points of a straight path from a to b, including both, in `steps` steps.
+/// Returns the points of a straight path from a to b, including both ends, in `steps` steps.
 std::vector<Point> Line(const Point& a, const Point& b, int steps);
 
-/// Replaces the function's points by one point, which makes it constant.
+/// Replaces all points of the function by a single one, which makes it constant.
 void SetConstant(vtkPiecewiseFunction* function, double value);
 
-/// Returns an entry of a point array of the output. Fails the test if the array does not exist.
+/// Returns an entry of a point array of the output. The test fails if the array does not exist.
 double Get(vtkPolyData* output, const char* array, vtkIdType tick, int component = 0);
 
-/// Returns whether the points, lines and all point arrays of the first `ticks` ticks are equal to
-/// the bit. -1 compares all ticks.
+/// Returns whether the points, lines and point arrays of the first `ticks` ticks are bitwise equal.
+/// -1 compares all ticks.
 bool IsSame(vtkPolyData* a, vtkPolyData* b, vtkIdType ticks = -1);
 
-/// Returns a copy of a filter's output, which the next update does not change.
+/// Returns a copy of a filter's output that later updates do not change.
 vtkSmartPointer<vtkPolyData> Keep(vtkVolumeHapticsFilter* filter);
 
-/// T1 of the specification: a path that pushes into the ramp from z = 5 mm to 10 mm, in 50 ticks.
+/// Fixture with T1 of the specification: a path that pushes into the ramp from z = 5 mm to 10 mm in
+/// 50 ticks.
 class ApiTest : public testing::Test
 {
 protected:
@@ -87,7 +88,7 @@ protected:
   vtkNew<vtkVolumeHapticsFilter> Filter;
   vtkHapticProperty* const Property = this->Filter->GetProperty();
   MessageLog Log{ this->Filter };
-  /// Ignores the error that VTK's executive adds when a filter fails.
+  /// Suppresses the error that VTK's executive adds when a filter fails.
   MessageLog ExecutiveLog;
 };
 } // namespace apitest

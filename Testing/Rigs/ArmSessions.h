@@ -65,7 +65,7 @@ enum class Gesture : std::uint8_t
   Scrub
 };
 
-/** Random properties of a session. */
+/** Random parameters of a session. */
 struct ArmScene
 {
   double Rate = 1000.0;  ///< Hz
@@ -121,7 +121,8 @@ public:
         this->Pick(-1.0, 1.0), this->Pick(-1.0, 1.0) };
     }
     this->WaveLength = this->Pick(0.5e-3, 4e-3);
-    // Along the surface, the slope of the force is k depth height (2 pi / length)^2. Limit it to k.
+    // Along the surface, the slope of the force is k depth height (2 pi / length)^2. Limit this
+    // slope to k.
     const double turn = 2.0 * Pi / this->WaveLength;
     const double deepest = scene.MaximumForce / (RippleFraction * scene.Stiffness);
     this->WaveHeight =
@@ -171,7 +172,7 @@ public:
     limits.MaximumForce = this->S.MaximumForce;
     limits.MaximumDamping = this->S.MaximumDamping;
     limits.MovesTip = true;
-    // Only a hand waits for the force. A weight does not, so its session has no ramp.
+    // Only a hand waits for the force. A weight does not wait, so its session has no ramp.
     limits.RampTime = this->S.IsHeld ? limits.RampTime : 0.0;
     ForceGate gate;
     SafetyStage stage;
@@ -255,8 +256,8 @@ private:
 
   static constexpr double Pi = 3.14159265358979323846;
   /**
-   * Fraction of the stiffness from which the ripples are made, so that the surface is not stiffer
-   * in any direction.
+   * Fraction of the stiffness from which ripples are made, which limits the surface's stiffness in
+   * every direction.
    */
   static constexpr double RippleFraction = 0.4;
   double Pick(double from, double to) { return from + (to - from) * (this->Engine() * 0x1p-32); }
@@ -269,14 +270,14 @@ private:
     return { count(this->Body[0].X), count(this->Body[0].Y), count(this->Body[0].Z) };
   }
 
-  /// Returns the position (m) to which the muscles lead the arm. The wall is below z = 0.
+  /// Returns the position (m) to which the muscles move the arm. The wall is below z = 0.
   Vector3 ComputePath(double time) const
   {
     Vector3 path;
     const double beat = 2.0 * Pi * this->S.Beat;
-    // Limit the acceleration to 10 m/s^2, which is the most of a hand.
+    // Limit the acceleration to 10 m/s^2, the maximum of a hand.
     const double most = 10.0 / (beat * beat);
-    // Begin the motion from rest.
+    // Start the motion from rest.
     const double begun = std::clamp((time - 0.1) / 0.5, 0.0, 1.0);
     const double share = begun * begun * (3.0 - 2.0 * begun);
     const double down = share * this->S.Depth;
@@ -353,7 +354,7 @@ private:
         return {};
       case Matter::Layers:
       {
-        // The material has layers of 4 mm. Its slope is at most k.
+        // The material has layers of 4 mm. The slope of its force is at most k.
         const double turn = 2.0 * Pi / 4e-3;
         return { 0.0, 0.0, k / turn * (1.0 + std::sin(turn * tip.Z)) };
       }
@@ -374,9 +375,9 @@ private:
   }
 
   /**
-   * Computes the force of a wall with a proxy. The proxy's goal is the surface point next to the
-   * tip. Friction holds the proxy until it slides along the surface, down to the friction cone.
-   * `place` projects a point onto the surface.
+   * Computes the force of a wall with a proxy, whose goal is the surface point next to the tip.
+   * Friction holds the proxy until it slides along the surface up to the friction cone. `place`
+   * projects a point onto the surface.
    */
   template <class Place>
   Vector3 Push(const Vector3& tip, const Vector3& goal, bool isInside, const Place& place)
@@ -396,8 +397,8 @@ private:
     }
     return VolumeHaptics::ClampNorm(this->S.Stiffness * (this->Proxy - tip), this->S.MaximumForce);
   }
-  /// Computes the force of a floor that sinks where it yields, and that stays there while the tip
-  /// is in it.
+  /// Computes the force of a floor that sinks where it yields, and remains sunk while the tip is in
+  /// it.
   Vector3 PushFloor(const Vector3& tip, double floor, double yield)
   {
     this->Sunk = tip.Z < floor ? std::max(this->Sunk, floor - tip.Z - yield) : 0.0;
@@ -440,7 +441,7 @@ private:
     return { a[0] + h * b[0], a[1] + h * b[1], a[2] + h * b[2], a[3] + h * b[3] };
   }
 
-  /// Moves device and arm for one tick. Returns the energy (J) that the device gives.
+  /// Moves device and arm for one tick. Returns the energy (J) that the device delivers.
   double Move(double time, const Vector3& force)
   {
     const double period = 1.0 / this->S.Rate;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that an image that can't be touched gives one error, which names the input, the array and
- * the cure, and an empty output, even if there was an output before. With a good image, everything
- * works again.
+ * Tests that an image that can't be touched causes one error, which names the input, the array and
+ * the remedy, and an empty output, even after a valid output. With a valid image, the filter works
+ * again.
  */
 #ifndef BadImage_h
 #define BadImage_h
@@ -35,7 +35,7 @@ class BadImageTest
   , public testing::WithParamInterface<BadImage>
 {
 protected:
-  /// Breaks the image, and expects one error with the parameter's words. Repairs the image, and
+  /// Damages the image, and expects one error with the parameter's words. Repairs the image, and
   /// expects no error.
   void ExpectErrorAndRecovery()
   {

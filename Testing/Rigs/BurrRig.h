@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Leads a burr with a hand. Lengths are in millimetres unless stated otherwise. */
+/** Moves a burr by a hand. Lengths are in millimetres unless stated otherwise. */
 #ifndef BurrRig_h
 #define BurrRig_h
 
@@ -13,7 +13,8 @@
 
 namespace coretest
 {
-/// A volume of voxels of `size` (mm) that is solid above z = Surface (mm), and its removal.
+/// A volume with voxels of `size` (mm) that is solid above z = Surface (mm), and its removed
+/// tissue.
 struct HalfSpace
 {
   HalfSpace(const TestVolume::Size& n, double size, std::int64_t surface)
@@ -34,7 +35,7 @@ struct HalfSpace
   HapticModelDescription Scene;
 };
 
-/// A burr, and the settings of the contact of its head. Lengths are in world units.
+/// A burr, and the contact settings of its head. Lengths are in world units.
 struct BurrInHand : BurrSettings
 {
   ShellSettings Shell;
@@ -52,7 +53,7 @@ inline BurrDescription DescribeBurr(
   return tool;
 }
 
-/// A burr that a hand leads through a volume, with 1 ms per tick.
+/// A burr that a hand moves through a volume, with 1 ms per tick.
 class BurrInVolume
 {
 public:
@@ -72,7 +73,7 @@ public:
     TissueRemoval* const removal = this->Model.Baked->Removal.get();
     if (removal && removal->Serve())
     {
-      // Prepare the state as the servo does (ServoTick.h).
+      // Initialize the state as the servo does (ServoTick.h).
       this->Shell.Enabled = false;
       this->State = BurrState{};
       this->Record = BurrRecord{};
@@ -107,7 +108,7 @@ public:
     return this->Record;
   }
   /// Presses with a force (N) along z. The hand stays at the distance from the tool at which the
-  /// spring has this force.
+  /// spring exerts this force.
   const BurrRecord& Press(double force)
   {
     Vector3 hand = this->Record.Shell.Hand.Position;
@@ -143,7 +144,7 @@ private:
   }
 };
 
-/// Returns a burr of 2 mm radius that turns at 60 000/min with a friction of 0.3, on bone of
+/// Returns a burr of 2 mm radius that rotates at 60 000/min with a friction of 0.3, on bone of
 /// stiffness `kappa` (N/m^3).
 inline BurrInHand MakeBurr(double kappa, double level)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Runs threads that compute without a pause, like those of a software renderer. */
+/** Runs threads that compute without pause, as a software renderer does. */
 #ifndef BusyThreads_h
 #define BusyThreads_h
 

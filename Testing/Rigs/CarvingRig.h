@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Removes tissue from small volumes, and has a reference with loops over all samples. */
+/**
+ * Removes tissue from small volumes, and provides a reference implementation with loops over all
+ * samples.
+ */
 #ifndef CarvingRig_h
 #define CarvingRig_h
 
@@ -25,7 +28,7 @@ inline void SetFraction(
   bricks.MarkChanged(brick);
 }
 
-/// Returns a volume with the remaining values, V - (1 - rho) (V - V_air), as doubles.
+/// Returns a volume with the values after removal, V - (1 - rho) (V - V_air), as doubles.
 inline TestVolume MakeLeft(const TestVolume& volume, const CarvedBricks& bricks, double air)
 {
   const std::int64_t* const n = volume.View.Dimensions;
@@ -68,8 +71,8 @@ inline double EdgeOf(double value, double level, double air)
   return std::clamp((level - air) / (value - air), 0.5 / 255.0, 1.0 - 0.5 / 255.0);
 }
 
-/// Returns the fraction of a voxel's volume that remains at the fraction rho. It falls linearly
-/// from 1 at r + 1/12 to 0 at r - 1/12. Both ends are limited to the range from 0 to 1.
+/// Returns the remaining fraction of a voxel's volume at the sample fraction rho. It decreases
+/// linearly from 1 at r + 1/12 to 0 at r - 1/12; both ends are clamped to the range from 0 to 1.
 inline double LeftOf(double rho, double edge)
 {
   const double low = std::max(edge - 1.0 / 12.0, 0.0);

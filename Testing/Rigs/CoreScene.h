@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Makes models on small volumes, in a world of millimetres, and a tip that wanders through them.
+ * Makes models of small volumes in a world of millimetres, and a tip that moves randomly through
+ * them.
  */
 #ifndef CoreScene_h
 #define CoreScene_h
@@ -21,15 +22,15 @@ inline HapticModelDescription Describe(const TestVolume& volume)
   return description;
 }
 
-/// Sets the paper's placement: surfaces begin to hold at the first distinct gradient, and materials
-/// are read one kernel radius ahead.
+/// Selects the paper's placement: surfaces begin at the first distinct gradient, and materials are
+/// read one kernel radius ahead.
 inline void PlaceAsThePaper(HapticModelDescription& description)
 {
   description.Settings.Alignment = ContactAlignment::Distinctness;
   description.Settings.Placement = MaterialPlacement::Kernel;
 }
 
-/// Returns a volume with V = 100 z. It has a surface everywhere, with the normal z.
+/// Returns a volume with V = 100 z, where every point is on a surface with the normal z.
 inline TestVolume MakeRamp(std::int64_t samples = 24)
 {
   TestVolume volume(ScalarType::Float64, { samples, samples, samples });
@@ -37,7 +38,7 @@ inline TestVolume MakeRamp(std::int64_t samples = 24)
   return volume;
 }
 
-/// A random walk (m) through a volume of `size` voxels of 1 mm. The walk also leaves the volume.
+/// A random walk (m) inside and outside of a volume of `size` voxels of 1 mm.
 class Wanderer
 {
 public:

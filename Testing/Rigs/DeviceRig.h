@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Runs a virtual device on a ramp. The test moves the device's tip. */
+/** Runs a virtual device, whose tip the test moves, on a ramp. */
 #ifndef DeviceRig_h
 #define DeviceRig_h
 
@@ -24,7 +24,7 @@ inline double Length(const double v[3])
   return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-/// Returns whether the whole force passes: no ramp, hold or gap is in progress.
+/// Returns whether the full force is active: no ramp, hold or gap is in progress.
 inline bool IsFullyArmed(vtkHapticDevice* device)
 {
   return device->GetStatus() == vtkHapticDevice::ACTIVE &&
@@ -56,8 +56,7 @@ protected:
     ASSERT_TRUE(this->Device->Start());
     ASSERT_TRUE(this->WaitTicks(2));
   }
-  /// Starts and arms the servo. A distant goal accelerates the light tip to a speed above the
-  /// limit.
+  /// Starts and arms the servo. A distant target accelerates the light tip beyond the speed limit.
   void BeginFast()
   {
     ASSERT_TRUE(this->Device->Open("virtual"));
@@ -73,7 +72,8 @@ protected:
     const vtkIdType end = this->Device->GetState()->GetTick() + ticks;
     return this->Wait([&] { return this->Device->GetState()->GetTick() >= end; });
   }
-  /// Polls the device until `holds` returns true for a state that no pause of the loop precedes.
+  /// Polls the device until `holds` returns true for a state, and no pause of the loop has preceded
+  /// this state.
   template <typename F>
   bool Wait(F&& holds)
   {
@@ -92,7 +92,8 @@ protected:
   {
     return this->Wait([this] { return Length(this->Device->GetState()->GetForce()) > 0.2; });
   }
-  /// Leads the tip to a position, and waits for its arrival. Returns false if it does not arrive.
+  /// Moves the tip to a position, and waits for its arrival. Returns false if the tip does not
+  /// arrive.
   bool Lead(double x, double y, double z)
   {
     if (this->Way.empty())
@@ -104,7 +105,7 @@ protected:
     this->Device->GetVirtualHand()->SetPosition(x, y, z);
     return this->Wait([this] { return this->IsAt(this->Way.back()); });
   }
-  /// Forgets the path. After a pause of the loop, Lead() then begins at the present position.
+  /// Discards the recorded path, so that a repetition by Lead() begins at the present position.
   void BeginWayHere() { this->Way.clear(); }
   /// Waits until the force gate's ramp has ended. A wall pressed during the ramp would stay soft
   /// until the tip leaves it.
@@ -117,7 +118,7 @@ protected:
     this->Device->Arm();
     return this->WaitFullyArmed();
   }
-  /// Leads the tip into the ramp, so slowly that the slew limit does not act.
+  /// Moves the tip into the ramp slowly enough that the slew limit does not act.
   bool LeadInto(double z)
   {
     bool isThere = true;
@@ -172,7 +173,8 @@ private:
     const double way[3] = { tip[0] - place[0], tip[1] - place[1], tip[2] - place[2] };
     return Length(way) < 1e-6;
   }
-  /// Repeats the path of Lead() from its start, each time after the ramp has ended.
+  /// Repeats the path of Lead() from its start. Begins each time after the ramp of the force has
+  /// ended.
   void GoAgain()
   {
     this->Pauses.Forget();

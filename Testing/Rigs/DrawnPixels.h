@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Returns the pixels of a window as numbers. */
+/** Reads back the pixels of a window as numbers. */
 #ifndef DrawnPixels_h
 #define DrawnPixels_h
 
@@ -14,7 +14,8 @@
 
 namespace apitest
 {
-/// Returns the three levels (0 to 255) of each pixel of a rectangle. Its corners are included.
+/// Returns the red, green and blue levels (0 to 255) of each pixel of a rectangle, including its
+/// corners.
 inline std::vector<double> ReadPixels(
   vtkRenderWindow* window, int left, int bottom, int right, int top)
 {

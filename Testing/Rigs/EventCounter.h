@@ -15,9 +15,7 @@
 namespace apitest
 {
 
-/**
- * Counts how often an object invokes an event, as long as the counter exists.
- */
+/** Counts an object's events of one kind during the counter's lifetime. */
 class EventCounter
 {
 public:

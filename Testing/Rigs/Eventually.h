@@ -10,12 +10,12 @@
 
 namespace devicetest
 {
-/// Polls until `holds` returns true. Returns false if that takes too long (30 s or more).
+/// Polls until `holds` returns true. Returns false after a timeout of at least 30 s.
 template <typename F>
 bool Eventually(F&& holds)
 {
 #if defined(__SANITIZE_THREAD__)
-  constexpr std::chrono::seconds longest(120); // sanitizers make programs many times slower
+  constexpr std::chrono::seconds longest(120); // sanitizers slow programs down several times
 #else
   constexpr std::chrono::seconds longest(30);
 #endif

@@ -19,8 +19,8 @@ protected:
     : TickRate(rate)
   {
   }
-  /// Reads the next tick. Expects that the force has changed at most as fast as the limits and the
-  /// fade allow.
+  /// Reads the next tick. Expects the force to change at most as fast as the limits and the fade
+  /// allow.
   void Take(RunningLoop& loop)
   {
     const double most =

@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Provides an emulated Novint Falcon in a hand, plugged in, and opened as by an application. */
+/**
+ * Provides an emulated Novint Falcon that a hand holds, plugged in, and opened as an application
+ * does.
+ */
 #ifndef FalconRig_h
 #define FalconRig_h
 
@@ -68,14 +71,14 @@ protected:
     this->LeadTo(Rest);
     ASSERT_TRUE(this->IsAt(DeviceStage::Ready)) << this->GetText();
   }
-  /** Homes the device, and leads its grip to the middle of the workspace. */
+  /** Homes the device, and moves its grip to the middle of the workspace. */
   void MakeReady()
   {
     ASSERT_TRUE(this->Open()) << this->Error;
     this->Home();
     this->LeadTo(Middle);
   }
-  /** Writes a force at intervals, as a servo does, until `holds` returns true. */
+  /** Writes a force repeatedly, as a servo does, until `holds` returns true. */
   template <typename F>
   bool Push(const Vector3& force, F&& holds)
   {
@@ -96,8 +99,8 @@ protected:
       });
   }
   /**
-   * Returns whether the commands stay zero during a number of packets, for any force that the servo
-   * writes. Ignores the packet that may already be under way.
+   * Returns whether the commands stay zero during a number of packets, whatever force the servo
+   * writes. Ignores the packet that may already be in transit.
    */
   bool StaysAtZero(long packets)
   {
@@ -110,7 +113,7 @@ protected:
     this->Falcon.DrainLargestCommand();
     return arrived && pass(packets) && this->Falcon.DrainLargestCommand() == 0.0;
   }
-  /** Expects that the device is lost, says why, and got zero as its last commands. */
+  /** Expects that the device is lost, reports `why`, and received zero as its last commands. */
   void ExpectLost(const std::string& why)
   {
     EXPECT_TRUE(this->Push(
@@ -128,7 +131,7 @@ protected:
   std::string Error;
 };
 
-/** A file that this object removes at its end. */
+/** A file that the destructor deletes. */
 class TemporaryFile
 {
 public:
@@ -144,7 +147,7 @@ public:
   const std::filesystem::path Path;
 };
 
-/** Returns a firmware image for tests. It has every byte value, in no simple order. */
+/** Returns a firmware image for tests, which contains every byte value in an irregular order. */
 inline std::vector<std::uint8_t> MakeImage(std::size_t size)
 {
   std::vector<std::uint8_t> image(size);

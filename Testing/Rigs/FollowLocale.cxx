@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * A library that is loaded before a program (LD_PRELOAD), and sets the program's locale to the
- * user's, as QApplication does.
- */
+/** A library for LD_PRELOAD that sets a program's locale to the user's, as QApplication does. */
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
@@ -15,7 +12,7 @@ struct FollowedLocale
 {
   FollowedLocale()
   {
-    // The tests prove something only in a locale with a decimal comma.
+    // The tests are meaningless in a locale without a decimal comma.
     if (!std::setlocale(LC_ALL, "") || std::localeconv()->decimal_point[0] != ',')
     {
       std::fputs("The locale of the user has no decimal comma.\n", stderr);

@@ -14,7 +14,7 @@
 namespace devicetest
 {
 
-/// Limits the size (bytes) to which this process can write a file, as long as the object exists.
+/// Limits the size (bytes) of files that this process writes, during the object's lifetime.
 class FullDisk
 {
 public:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Computes the allowed distance between a baked value and a vtkPiecewiseFunction. */
+/** Computes the tolerance between a baked value and a vtkPiecewiseFunction. */
 #ifndef FunctionChecks_h
 #define FunctionChecks_h
 
@@ -16,8 +16,8 @@
 
 namespace apitest
 {
-/// Bounds from vtkHapticProperty.h: a curved piece is off by at most 0.01 % of its height, and by
-/// at most 0.1 % of its value (except for rounding beside a much larger height).
+/// Bounds from vtkHapticProperty.h: the error of a curved piece is at most 0.01 % of its height,
+/// and at most 0.1 % of its value (except for rounding beside a much larger height).
 inline constexpr double CurveBound = 1e-4;
 inline constexpr double ValueBound = 1e-3;
 inline constexpr double LastDigits = 1e-8;
@@ -41,8 +41,8 @@ inline std::vector<Node> NodesOf(vtkPiecewiseFunction* function)
 /// step.
 inline constexpr bool SharpestIsCurve = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0);
 
-/// Returns the largest error that baking may cause at x. On linear pieces and plateaus, only
-/// rounding may cause one.
+/// Returns the largest error that baking may cause at x. Linear pieces and plateaus only allow for
+/// rounding.
 inline double AllowedError(vtkPiecewiseFunction* function, double x)
 {
   const std::vector<Node> nodes = NodesOf(function);
@@ -68,8 +68,8 @@ inline double AllowedError(vtkPiecewiseFunction* function, double x)
   return rounding;
 }
 
-/// Returns the smallest and largest value of the function at x and within a few roundings of x (or
-/// of its logarithm). If there is a step, both of its ends are included.
+/// Returns the smallest and the largest value of the function within a few roundings of x (or of
+/// its logarithm), including both ends of a step.
 inline std::pair<double, double> ValuesAround(vtkPiecewiseFunction* function, double x)
 {
   const double value = function->GetValue(x);
@@ -78,7 +78,7 @@ inline std::pair<double, double> ValuesAround(vtkPiecewiseFunction* function, do
   {
     if (node.X == x)
     {
-      return range; // the node itself needs no rounding
+      return range; // no rounding at the node itself
     }
   }
   const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * std::abs(x);

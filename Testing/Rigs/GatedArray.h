@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** An array that a worker can read only when a test allows it. */
+/** An array that blocks worker threads until a test allows them to read it. */
 #ifndef GatedArray_h
 #define GatedArray_h
 
@@ -13,7 +13,8 @@
 
 namespace devicetest
 {
-/// An array whose values only the thread that made it can read, until the array is opened.
+/// An array that only the thread that created it can read, until the array is opened. Other threads
+/// wait.
 class GatedArray : public vtkShortArray
 {
 public:

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * A safety stage with a gate of its own.
- */
+/** A safety stage with its own force gate. */
 #ifndef GatedStage_h
 #define GatedStage_h
 
@@ -14,7 +12,7 @@ namespace rigs
 class GatedStage
 {
 public:
-  /// Arms the gate again, even while force flows.
+  /// Arms the gate again, even while a force is active.
   void Arm()
   {
     this->Gate.Arm(false);

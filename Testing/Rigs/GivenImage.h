@@ -16,8 +16,8 @@ namespace apitest
 {
 
 /**
- * Passes its input on with its time steps, like a file reader. Behind a source whose time steps are
- * felt without a copy, each time step is copied when the time reaches it.
+ * Passes on its input with its time steps, like a file reader. Behind a source that uses time steps
+ * without a copy, this filter makes the pipeline copy each time step when the time reaches it.
  */
 class GivenImage : public vtkImageAlgorithm
 {

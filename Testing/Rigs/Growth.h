@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Computes the growth of a force, which the slew limit bounds: the force's length minus the
- * component of the previous force along it.
+ * Computes the growth of a force, which the slew limit bounds: the force's magnitude minus the
+ * component of the previous force along its direction.
  */
 #ifndef Growth_h
 #define Growth_h

@@ -67,8 +67,8 @@ public:
     this->Place[1] -= hand.Stiffness > 0.0 ? hand.Weight / hand.Stiffness : 0.0;
   }
 
-  /// Moves hand and device for a time (s) under a command (N). The device's signs turn the motors'
-  /// force.
+  /// Moves hand and device for a time (s) under a command (N). The device's signs are applied to
+  /// the motors' force.
   void Move(const Triple& command, double seconds)
   {
     const int steps = static_cast<int>(std::lround(seconds / Step));

@@ -25,7 +25,7 @@ using namespace VolumeHaptics;
 
 inline constexpr double Period = 1e-3;
 
-/// A function that returns the wanted force (N) at a position (m).
+/// A function that returns the requested force (N) at a position (m).
 using Field = std::function<Vector3(const Vector3&)>;
 
 struct Body
@@ -50,10 +50,10 @@ struct Loop
   double Tick = Period;      ///< s
   std::size_t Delay = 0;     ///< ticks until a force of the stage acts
   int Every = 1;             ///< ticks between measured tips
-  double Stiffness = 0.0;    ///< N/m, stiffness that the stage is told
+  double Stiffness = 0.0; ///< N/m, stiffness that is reported to the stage
   double LargestGrowth = 0.0;
 
-  /// Lets the body fly until it has touched the wall and is free again. Returns the energy (J) with
+  /// Moves the body until it has touched the wall and is free again. Returns the energy (J) with
   /// which the body leaves.
   double Fly(Body body, const Field& field)
   {
@@ -90,10 +90,10 @@ struct Loop
       body.Move(onTheWay.front(), this->Tick);
       onTheWay.pop_front();
     }
-    return std::numeric_limits<double>::infinity(); // the body stays in the wall
+    return std::numeric_limits<double>::infinity(); // the body never leaves the wall
   }
-  /// Lets the body fly without a slew limit. If `most` (N) is larger than all forces, the force is
-  /// not limited either.
+  /// Like Fly(), without a slew limit. If `most` (N) is larger than all forces, the force is not
+  /// limited either.
   double FlyFreely(const Body& body, const Field& field, double most = 0.0) const
   {
     Loop loop = *this;
@@ -111,7 +111,7 @@ inline Field MakeWall(double stiffness)
   };
 }
 
-/// Returns a body that flies towards the wall and reaches it after the fraction `phase` of a tick.
+/// Returns a body that flies towards the wall and reaches it after a fraction `phase` of a tick.
 inline Body Throw(double mass, double speed, double phase)
 {
   return { mass, { 0.0, 0.0, phase * speed * Period }, { 0.0, 0.0, -speed } };
@@ -130,7 +130,7 @@ struct Rebound
   double Free = 0.0;         ///< J, without a stage
 };
 
-/// Computes the energies of a case, as means over a hundred phases of the ticks, because the phase
+/// Computes the energies of a case, averaged over a hundred phases of the ticks, because the phase
 /// changes the energy that sampling adds.
 inline Rebound Fly(Rebound r)
 {

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Describes LOCAL_SURFACE on volumes whose surface is known.
- */
+/** Describes the method LOCAL_SURFACE on volumes with a known surface. */
 #ifndef LocalSurfaceRig_h
 #define LocalSurfaceRig_h
 
@@ -24,7 +22,7 @@ inline HapticModelDescription DescribeLocal(
 }
 
 /// Returns a volume with the value 100 on a sphere around (20, 20, 20). Towards the middle, the
-/// values rise by 10 per voxel for a ball (sign 1), and fall for a cavity (-1).
+/// values increase by 10 per voxel for a ball (sign 1), and decrease for a cavity (-1).
 inline TestVolume MakeLocalBall(double sign)
 {
   TestVolume volume(ScalarType::Float64, { 41, 41, 41 });

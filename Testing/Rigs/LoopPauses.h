@@ -3,8 +3,8 @@
 
 /**
  * Detects pauses of the servo loop. If a busy machine stops the loop for longer than the watchdog
- * allows (30 ms), the proxy starts again at the tip, which may be inside by then, and the force
- * rises from zero. Then the test has to prepare its situation again.
+ * allows (30 ms), the proxy starts again at the tip, which may already be inside, and the force
+ * rises from zero. The test must then repeat its preparation.
  */
 #ifndef LoopPauses_h
 #define LoopPauses_h
@@ -14,8 +14,8 @@
 class LoopPauses
 {
 public:
-  /// Checks for a pause; call this after every UpdateState(). Each pause of the loop increases the
-  /// lag of the states behind the clock.
+  /// Checks for a pause after every UpdateState(). Each pause of the loop increases the delay of
+  /// the states relative to the clock.
   void Look(vtkHapticDevice* device)
   {
     const double lag = device->GetState()->GetTime() -
@@ -23,8 +23,7 @@ public:
     this->HeldUp = this->HeldUp || lag > this->Lag + 0.02;
     this->Lag = lag;
   }
-  /// Returns whether the states show a pause since Forget(). The result may be true without a
-  /// pause.
+  /// Returns whether the states show a pause since Forget(). May return true without a pause.
   bool WasHeldUp() const { return this->HeldUp; }
   void Forget() { this->HeldUp = false; }
 

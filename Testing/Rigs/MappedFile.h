@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A file mapped into memory, and what the kernel says about it: mincore(2), VmLck of
+ * Maps a file into memory, and reads the kernel's information about it: mincore(2), VmLck of
  * /proc/self/status, and Locked of /proc/self/smaps.
  */
 #ifndef MappedFile_h
@@ -48,7 +48,7 @@ inline std::size_t LockedBytes()
   return 0;
 }
 
-/// A mapped file whose data are one hole: it takes no space on the disk.
+/// A mapped sparse file, which takes no space on the disk.
 class MappedFile
 {
 public:
@@ -78,7 +78,8 @@ public:
     return resident * PageSize;
   }
 
-  /// Returns how many bytes of the file are locked, by the file's rows in /proc/self/smaps.
+  /// Returns how many bytes of the file are locked, according to the file's rows in
+  /// /proc/self/smaps.
   std::size_t Locked() const
   {
     const auto begin = reinterpret_cast<std::uintptr_t>(this->Begin);

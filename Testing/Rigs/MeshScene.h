@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Makes meshes whose contacts are known, and random shapes.
- */
+/** Makes meshes with known contacts, and random shapes. */
 #ifndef MeshScene_h
 #define MeshScene_h
 
@@ -52,8 +50,7 @@ inline std::shared_ptr<SurfaceMesh> MakeCube(double half)
   return std::make_shared<SurfaceMesh>(points, faces, Corners{});
 }
 
-/// Returns a ball around the origin with n x 2n facets, with the normals of the sphere or without
-/// normals.
+/// Returns a ball around the origin with n x 2n facets, with or without the normals of the sphere.
 inline std::shared_ptr<SurfaceMesh> MakeBall(double radius, int n, bool hasNormals)
 {
   Corners points;

@@ -23,7 +23,7 @@ using namespace VolumeHaptics;
 inline constexpr double CouplingOf = 500.0; // N/m
 inline const double HalfTurn = std::acos(-1.0);
 
-/// A field on a grid with the spacing h (mm), centred at the origin of the world.
+/// A field on a grid with the spacing h (mm), centred at the world's origin.
 class ModeGrid
 {
 public:
@@ -57,7 +57,7 @@ public:
     }
   }
 
-  /// Makes one mode the only mode, in a world of millimetres.
+  /// Bakes a model with one mode, in a world of millimetres.
   void Bake(ModeKind kind, const Polyline& first, const Polyline& second = ConstantPolyline(0.0))
   {
     this->Mode.Kind = kind;
@@ -92,9 +92,9 @@ public:
   }
   void StartAt(const Vector3& place) { this->Motion.Proxy = 1e-3 * place; }
 
-  /// Returns the largest total strength (N) of the primitives near the proxy. Computes it at the
-  /// corners of a cube around the proxy, whose size is the last part of a step: so far, the proxy
-  /// may be ahead of its force.
+  /// Returns the largest total strength (N) of the primitives near the proxy, computed at the
+  /// corners of a cube around it. The cube's size is the unfinished part of a step, by which the
+  /// proxy may be ahead of its force.
   double ComputeStrengths() const
   {
     const double part = PrimitiveFollower::FinishedFraction * this->QuarterVoxel;

@@ -99,8 +99,8 @@ inline Movie MakeWall(const Place& at, double step, double voxel = 1.0)
     6.0, 2.0, step, voxel };
 }
 
-/// A hand that moves straight to a position on the x axis while the data time is held, and then
-/// rests there.
+/// A hand that moves straight to a position on the x axis at a constant data time, and then rests
+/// there.
 class RestingHand
 {
 public:
@@ -140,8 +140,8 @@ inline HapticModelDescription WithStrength(HapticModelDescription description, d
   return description;
 }
 
-/// Selects the spline as estimator. Its blur moves a ball's surface by 0.016 mm, while the
-/// Gaussian's blur moves it by 0.03 mm (see the evaluation).
+/// Selects the spline as gradient estimator. Its blur moves a ball's surface by 0.016 mm, compared
+/// with 0.03 mm for the Gaussian (see the evaluation).
 inline HapticModelDescription WithSpline(HapticModelDescription description)
 {
   description.Estimator = GradientEstimator::CubicBSpline;

@@ -14,7 +14,7 @@
 namespace hardwaretest
 {
 
-/** Differences between sticks. */
+/** Properties in which sticks differ. */
 struct Stick
 {
   std::uint8_t FirstId = 0x11;
@@ -27,20 +27,21 @@ struct Stick
 };
 
 /**
- * Descriptor items of a field of one byte: values from 0 to 255 (OneByte), and block indices from 1
+ * Descriptor items of a field of one byte: values from 0 to 255 (OneByte), or block indices from 1
  * to 40 (OneOfForty).
  */
 inline const Bytes OneByte{ 0x15, 0x00, 0x26, 0xFF, 0x00, 0x75, 0x08, 0x95, 0x01 };
 inline const Bytes OneOfForty{ 0x09, 0x22, 0x15, 0x01, 0x25, 0x28, 0x75, 0x08, 0x95, 0x01 };
 inline const Bytes Output{ 0x91, 0x02 };
 
-/** Items of the effect type: constant, ramp or spring, as 1 to 3. */
+/** Items of the effect type: 1 to 3 for constant, ramp or spring. */
 inline const Bytes EffectTypes{ 0x09, 0x25, 0xA1, 0x02, 0x09, 0x26, 0x09, 0x27, 0x09, 0x40, 0x15,
   0x01, 0x25, 0x03, 0x75, 0x08, 0x95, 0x01 };
 
 /**
  * Returns the fields of Set Effect (8 bytes): block, type, duration (ms, 16 bits), gain, one bit
- * for each axis, one bit for the direction, and two angles of 0 to 255 for 0 to 359.99 degrees.
+ * for each axis, one bit for the direction, and two angles (bytes; 0 to 255 stand for 0 to 359.99
+ * degrees).
  */
 inline Bytes SetEffectFields(const Stick& stick)
 {
@@ -59,8 +60,8 @@ inline Bytes SetEffectFields(const Stick& stick)
 }
 
 /**
- * Returns the fields of Device Control: enable, disable, stop all, reset, pause, continue, as 1 to
- * 6 or as bits 0 to 5.
+ * Returns the fields of Device Control: enable, disable, stop all, reset, pause, continue, either
+ * as values from 1 to 6 or as bits 0 to 5.
  */
 inline Bytes ControlFields(const Stick& stick)
 {
@@ -71,7 +72,7 @@ inline Bytes ControlFields(const Stick& stick)
                          : Bytes{ 0x15, 0x01, 0x25, 0x06, 0x75, 0x08, 0x95, 0x01, 0x91, 0x00 });
 }
 
-/** Returns the whole descriptor. The ids of the reports count up in this order. */
+/** Returns the whole descriptor. The report ids are consecutive in the order below. */
 inline Bytes Describe(const Stick& stick)
 {
   const auto low = static_cast<std::uint16_t>(stick.HasSign ? -stick.Magnitude : 0);
@@ -127,7 +128,7 @@ inline PidDevice Mapped(const Stick& stick)
   return device;
 }
 
-/** Returns a report's bytes as hidapi gets them: the id, and then the data. */
+/** Returns a report's bytes as hidapi receives them: the id, then the data. */
 inline Bytes Wire(const HidReport& report)
 {
   return { report.Bytes.begin(), report.Bytes.begin() + 1 + static_cast<long>(report.Size) };

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** A back end that plays a tip path and records the loop's forces, and a loop that runs on it. */
+/**
+ * A back end that plays back a tip path and records the loop's forces, and a loop that runs on it.
+ */
 #ifndef PlayedDevice_h
 #define PlayedDevice_h
 
@@ -55,7 +57,7 @@ public:
   DeviceState Write(const Vector3& force) noexcept override
   {
     const double norm = Norm(force);
-    const std::uint64_t number = this->Writes.load() + 1; // only this thread counts writes
+    const std::uint64_t number = this->Writes.load() + 1; // only this thread writes the count
     this->LargestGrowth = std::max(this->LargestGrowth, GrowthOf(this->Last, force));
     this->Last = force;
     this->LargestForce.store(std::max(this->LargestForce.load(), norm));
@@ -88,7 +90,7 @@ public:
                               ///< has ended
 
 protected:
-  /// Runs once per tick on the servo's thread.
+  /// Called once per tick on the servo's thread.
   virtual void InTick() noexcept {}
 
 private:
@@ -96,8 +98,8 @@ private:
 };
 
 /**
- * Makes the loop wait for its reader, as long as this object exists. The ring holds 0.4 s of ticks,
- * and a reader under a sanitizer on a busy machine takes longer.
+ * Makes the loop wait for its reader during the object's lifetime. The ring has room for 0.4 s of
+ * ticks, which is not enough for a reader under a sanitizer on a busy machine.
  */
 class ReaderPace
 {
@@ -128,13 +130,13 @@ inline SafetyLimits QuickLimits()
   SafetyLimits limits;
   limits.MaximumForce = 4.0;
   limits.RampTime = 0.01;
-  // Disable the watchdog, so that a busy machine does not look like a frozen device.
+  // Disable the watchdog, which would mistake a busy machine for a frozen device.
   limits.WatchdogTime = 60.0;
   return limits;
 }
 
-/// Returns how many loops a test runs one after another. Sanitizers are slow, but detect a race
-/// within a few loops.
+/// Returns how many loops a test runs in sequence. Sanitizers are slow, but detect a race within a
+/// few loops.
 constexpr int Lives(int count)
 {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -144,7 +146,7 @@ constexpr int Lives(int count)
 #endif
 }
 
-/// A loop that runs as long as the object exists.
+/// A loop that runs during the object's lifetime.
 class RunningLoop
 {
 public:

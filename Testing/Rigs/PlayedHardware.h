@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A kind of device that a test controls: the test sets its stage, and a simulated hand turns it.
+ * A kind of device under the test's control: the test sets its stage, and a simulated hand rotates
+ * it.
  */
 #ifndef PlayedHardware_h
 #define PlayedHardware_h
@@ -17,7 +18,7 @@
 namespace devicetest
 {
 
-/** Input of the test to all devices of the kind, and their output. */
+/** The test's input to all devices of the kind, and the devices' output. */
 struct PlayedHardware
 {
   std::atomic<VolumeHaptics::DeviceStage> Stage{ VolumeHaptics::DeviceStage::Ready };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Runs a D-Bus for the test, with a simulated RealtimeKit service (played_rtkit.py). */
+/** Runs a private D-Bus for the test, with a simulated RealtimeKit service (played_rtkit.py). */
 #ifndef PlayedRealtimeKit_h
 #define PlayedRealtimeKit_h
 
@@ -70,7 +70,7 @@ public:
       this->Process = -1;
     }
   }
-  /// Waits for a line of output. Returns an empty text if the output has ended.
+  /// Waits for a line of output. Returns an empty text at the end of the output.
   std::string ReadLine()
   {
     std::string line;
@@ -80,7 +80,7 @@ public:
     }
     return line;
   }
-  /// Ends the program. Returns the lines that were not read yet.
+  /// Ends the program. Returns the lines that ReadLine() has not returned yet.
   std::vector<std::string> ReadAll()
   {
     this->Kill();
@@ -97,8 +97,8 @@ private:
   std::FILE* Output = nullptr;
 };
 
-/// Starts a bus. It becomes the system bus of this process, and the session bus of the processes
-/// that this process starts.
+/// Starts a bus, which becomes the system bus of this process and the session bus of its child
+/// processes.
 class PlayedBus
 {
 public:
@@ -108,7 +108,7 @@ public:
     setenv("DBUS_SESSION_BUS_ADDRESS", this->Address.c_str(), 1);
   }
   void Kill() { this->Daemon.Kill(); }
-  /// Returns what the system lacks for the test, or null if nothing is missing.
+  /// Returns what the test needs but the system lacks, or null if nothing is missing.
   const char* DetectMissing() const
   {
     return this->Address.empty() ? "dbus-daemon is missing (on Debian: dbus)"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A folder of plug-ins for vendors' libraries that no other user can write. It becomes the search
+ * A plug-in folder for vendors' libraries that no other user can write to. It becomes the search
  * path.
  */
 #ifndef PluginFolder_h
@@ -18,8 +18,8 @@ namespace devicetest
 {
 
 /**
- * A temporary folder. The system's folder for temporary files is sticky, while other users may be
- * able to write the folders above the build tree.
+ * A temporary folder. The system's temporary folder is sticky, whereas other users may be able to
+ * write to the folders above the build tree.
  */
 class PluginFolder
 {
@@ -37,7 +37,7 @@ public:
     std::filesystem::permissions(this->Path, std::filesystem::perms::owner_all, ignored);
     std::filesystem::remove_all(this->Path, ignored);
   }
-  /** Copies a plug-in from the build tree. Only the copy's owner can write it. */
+  /** Copies a plug-in from the build tree. Only the owner can write to the copy. */
   std::filesystem::path Add(const std::string& plugin, const std::string& name = "") const
   {
     const std::filesystem::path file = this->Path /

@@ -70,7 +70,7 @@ public:
     limits.RampTime = 0.0;
     ForceGate gate;
     SafetyStage stage;
-    // Run a second observer beside the stage's own, to read its figures.
+    // Run a second observer beside the stage's own observer, to read its figures.
     PortObserver watch;
     gate.Arm();
     stage.Reset();
@@ -169,7 +169,7 @@ private:
     this->Normal = this->PickDirection();
     while (this->Kind == PortKind::WrongSign && Dot(this->Normal, this->Turn(this->Normal)) > -0.5)
     {
-      // Press along the axes with a wrong sign. Other walls do not reveal a wrong sign.
+      // Press along the axes with a wrong sign, because other walls do not reveal it.
       const std::uint32_t wrong = 1 + this->Engine() % 7;
       for (int i = 0; i < 3; ++i)
       {
@@ -198,7 +198,7 @@ private:
     this->Depth = Dot(this->Start, this->Normal) + this->Pick(0.002, 0.05);
     const double speed = this->PickScale(0.03, 1.0);
     const double acceleration = this->Pick(3.0, 10.0);
-    // The motion has minimum jerk. Its largest speed is 1.875 D / T, and its largest acceleration
+    // The motion has minimum jerk: its largest speed is 1.875 D / T, and its largest acceleration
     // 5.77 D / T^2.
     this->Time =
       std::max(1.875 * this->Depth / speed, std::sqrt(5.7735 * this->Depth / acceleration));
@@ -241,8 +241,8 @@ private:
   }
 
   /**
-   * Returns the force of a half-space with a proxy. Friction holds the proxy, and the proxy sinks
-   * if the tissue yields.
+   * Returns the force of a half-space with a proxy. Friction holds the proxy, which sinks where the
+   * tissue yields.
    */
   Vector3 ComputeWallForce(const Vector3& tip)
   {
@@ -269,8 +269,8 @@ private:
   }
 
   /**
-   * Moves for one tick under a force, in fine semi-implicit steps. Returns the energy (J) that the
-   * force gives.
+   * Moves the hand for one tick under a force, in small semi-implicit steps. Returns the energy (J)
+   * that the force delivers.
    */
   double Move(double time, const Vector3& force)
   {

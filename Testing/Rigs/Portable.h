@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** POSIX functions that tests use and that Windows has under other names. */
+/** POSIX functions that tests use, implemented for Windows. */
 #ifndef Portable_h
 #define Portable_h
 
@@ -20,7 +20,7 @@
 #endif
 
 #if defined(_WIN32)
-/// Sets a variable of the environment. Name and value are in UTF-8.
+/// Sets an environment variable. Name and value are in UTF-8.
 inline int setenv(const char* name, const char* value, int)
 {
   const std::string text = std::string(name) + "=" + value;
@@ -41,7 +41,7 @@ inline long GetProcessNumber()
 #endif
 }
 
-/// Makes a folder with a new name that starts with `begin`.
+/// Creates a folder with a new name that starts with `begin`.
 inline std::filesystem::path MakeNewFolder(const std::filesystem::path& begin)
 {
 #if defined(_WIN32)

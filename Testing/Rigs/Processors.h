@@ -11,8 +11,8 @@
 
 namespace devicetest
 {
-/// Reads the thread's processors. Returns whether there are at least two, and whether the kernel
-/// lets the thread choose among them.
+/// Reads the thread's processors. Returns true if there are at least two, and the kernel lets the
+/// thread choose among them.
 inline bool MayChooseProcessor(cpu_set_t& processors)
 {
   return sched_getaffinity(0, sizeof(processors), &processors) == 0 && CPU_COUNT(&processors) > 1 &&

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Makes vtkPiecewiseFunctions of all kinds, and critical arguments for them. */
+/** Makes random vtkPiecewiseFunctions of all kinds, and critical arguments for them. */
 #ifndef RandomFunctions_h
 #define RandomFunctions_h
 
@@ -35,8 +35,8 @@ inline vtkSmartPointer<vtkPiecewiseFunction> RandomFunction(
   const int nodes = 1 + static_cast<int>(engine() % 8);
   for (int i = 0; i < nodes; ++i)
   {
-    // Put nodes on a grid, so that duplicate nodes and steep edges occur. With a log scale, edges
-    // are less steep, because VTK's difference of two logarithms would lose all digits there.
+    // Put nodes on a grid, so that duplicate nodes and steep edges occur. With a log scale, make
+    // edges less steep, because VTK's difference of two logarithms would lose all digits there.
     double share = std::floor(8.0 * uniform(engine)) / 8.0;
     share += uniform(engine) < 0.3 ? (shape.LogScale ? 1e-3 : 1e-6) * uniform(engine) : 0.0;
     const double sharpness = shape.Sharpness < 0.0 ? corner(uniform(engine)) : shape.Sharpness;
@@ -46,8 +46,8 @@ inline vtkSmartPointer<vtkPiecewiseFunction> RandomFunction(
   return function;
 }
 
-/// Returns the arguments to test: nodes, their neighbours, positions in all pieces, and positions
-/// outside.
+/// Returns the arguments to test: nodes and their neighbours, and positions inside and outside of
+/// all pieces.
 inline std::vector<double> ArgumentsOf(vtkPiecewiseFunction* function, std::mt19937_64& engine)
 {
   const std::vector<Node> nodes = NodesOf(function);

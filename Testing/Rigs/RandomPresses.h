@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Leads a hand at random into a conservative force field and out again, through the safety stage.
- * Measures how much more energy the hand gets than it has put in.
+ * Moves a hand at random into a conservative force field and out again, through the safety stage.
+ * Measures how much more energy the hand receives than it has put in.
  *
  * The field is a spring wall: a plane, or the inside of a sphere. Half of the walls have a proxy.
- * Where the gate makes the proxy begin at the tip, the wall also begins there until the tip has
- * gone back. Walls without a proxy are armed only while the hand is outside, because inside the
- * hand would get the energy of its position.
+ * Where the gate makes the proxy start at the tip, the wall also starts there until the tip has
+ * gone back. Walls without a proxy are armed only while the hand is outside, because an inside hand
+ * would receive the energy of its position.
  *
- * The device holds the force of a tick until the next tick, so a tick gives the hand the energy F .
- * dx. Around a closed path, a spring k gives k |dx|^2 / 2 per tick even without the stage: W held
- * over dx is W . dx, and the integral of W along dx is W . dx - k |dx|^2 / 2. This leak of sampling
- * is allowed for all motions with force. While a device does not report its motion, or the loop
- * stands still, the energy of the last force is allowed.
+ * The device exerts the force of a tick until the next tick, so a tick gives the hand the energy F
+ * . dx. Around a closed path, a spring k gives k |dx|^2 / 2 per tick even without the stage,
+ * because a constant W over dx gives W . dx, and the integral of W along dx is W . dx - k |dx|^2 /
+ * 2. This leak of sampling is allowed for all motions with force. While a device does not report
+ * its motion, or the loop stalls, the energy of the last force is allowed.
  */
 #ifndef RandomPresses_h
 #define RandomPresses_h
@@ -28,7 +28,7 @@
 namespace rigs
 {
 
-/// The rules that act in the stage. Without any, the stage only limits the force, at a value that
+/// Which rules act in the stage. Without any rule, the stage only limits the force, at a value that
 /// is never reached.
 struct StageRules
 {
@@ -36,9 +36,9 @@ struct StageRules
   bool Clamp = false;
   bool Slew = false;
   bool Ramp = false;  ///< arms the gate again at random moments during a press
-  bool Fade = false;  ///< moves the data's opening up and down, as for data that come and go
-  bool Hold = false;  ///< holds and releases the force, as the owner may
-  bool Gap = false;   ///< leaves samples out, and lets the loop stand still
+  bool Fade = false; ///< varies the opening for missing data, as if data came and went
+  bool Hold = false; ///< holds and releases the force at random, as an application may
+  bool Gap = false; ///< leaves out samples, and stalls the loop
   bool Trip = false;  ///< causes faults, disarming, fades and clutching, and arms again later
   bool Speed = false; ///< limits the speed of the tip, and arms again after each fault
 };
@@ -60,8 +60,8 @@ inline constexpr StageRules AllStageRules[] = {
 class RandomPresses
 {
 public:
-  /// J: rounding of a press' sums, which have thousands of products of some newtons and
-  /// millimetres.
+  /// J: rounding error of the sums over a press, which have thousands of products of some newtons
+  /// and millimetres.
   static constexpr double Tolerance = 1e-9;
 
   RandomPresses(const StageRules& rules, unsigned seed)
@@ -82,10 +82,10 @@ public:
     this->Stage.Arm();
   }
 
-  /// Returns how often the stage has found the tip too fast.
+  /// Returns how often the stage has reported that the tip is too fast.
   int GetSpeedTrips() const { return this->SpeedTrips; }
 
-  /// Presses once. Returns the energy (J) that the hand has got beyond the leak of sampling.
+  /// Presses once. Returns the energy (J) that the hand has received beyond the leak of sampling.
   double Press()
   {
     this->Given = this->Leak = 0.0;
@@ -148,8 +148,8 @@ private:
     }
   }
 
-  /// Runs a tick, and then moves the hand by a way (m). The force acts at the last known tip, and
-  /// is held while the hand moves.
+  /// Runs a tick, and then moves the hand by a distance (m). The force for the last known tip is
+  /// constant while the hand moves.
   void Step(const VolumeHaptics::Vector3& way)
   {
     this->Input.Elapsed += Period;
@@ -268,8 +268,8 @@ private:
   double Start = 0.0; ///< m, where the wall begins
   double Residency = 1.0;
   bool IsHeld = false;
-  int Silence = 0;  ///< number of coming ticks without samples
-  int Standing = 0; ///< number of coming ticks in which the loop stands still
+  int Silence = 0; ///< number of coming ticks without samples
+  int Standing = 0; ///< number of coming ticks in which the loop stalls
   double Given = 0.0;
   double Leak = 0.0;
   int SpeedTrips = 0;

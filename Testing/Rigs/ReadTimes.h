@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Reads a back end every millisecond, as a servo does, and checks the times of its samples. */
+/**
+ * Reads a back end every millisecond, as a servo does, and checks the timestamps of its samples.
+ */
 #ifndef ReadTimes_h
 #define ReadTimes_h
 
@@ -22,7 +24,7 @@ struct ReadTimes
   {
   }
 
-  /// Reads the device for some seconds. Calls `each` with the time (s) in every tick.
+  /// Reads the device for some seconds. Calls `each` with the elapsed time (s) in every tick.
   void Run(
     double seconds, const std::function<void(double)>& each = [](double) {})
   {
@@ -38,7 +40,7 @@ struct ReadTimes
     }
     this->Elapsed = 1e-9 * static_cast<double>(now - begin);
   }
-  /// Returns whether the device falls silent or reports a loss within some seconds.
+  /// Returns whether the device stops sending samples, or reports a loss, within some seconds.
   bool FallsSilent(double seconds, double silence)
   {
     this->SilentSince = VolumeHaptics::ServoClock::Now();

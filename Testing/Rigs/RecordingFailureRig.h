@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Records into a folder of its own until a failure. */
+/** Records into a separate folder until a failure occurs. */
 #ifndef RecordingFailureRig_h
 #define RecordingFailureRig_h
 
@@ -55,8 +55,8 @@ protected:
   {
     return static_cast<rlim_t>(vtksys::SystemTools::FileLength(file));
   }
-  /// Moves the tip at random until two groups of 256 ticks are on the disk. A group takes 20 kB to
-  /// 45 kB.
+  /// Moves the tip at random until two groups of 256 ticks are on the disk. A group has 20 kB to 45
+  /// kB.
   void WanderForTwoGroups(const std::string& file)
   {
     const rlim_t enough = SizeOf(file + ".part") + 50000;
@@ -88,7 +88,7 @@ protected:
     this->ExpectError(".part");
     EXPECT_EQ(this->Device->GetStatusText().find("Make room"), std::string::npos);
   }
-  /// Expects that the filter's replay of the file has the same forces.
+  /// Expects the same forces from the filter's replay of the file.
   void ExpectReplays(const std::string& file, vtkIdType leastTicks)
   {
     vtkNew<vtkXMLPolyDataReader> reader;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Records, and compares the recording with the filter's replay. */
+/** Records a session, and compares the recording with the filter's replay. */
 #ifndef RecordingRig_h
 #define RecordingRig_h
 
@@ -45,7 +45,7 @@ protected:
     this->Device->SetDeviceToWorld(m);
     ASSERT_TRUE(this->Device->Publish());
   }
-  /// Stops the recording. Expects that the filter's replay of the recording is equal to it.
+  /// Stops the recording. Expects the filter's replay of the recording to be identical.
   void ExpectSame(double leastForce = 0.5)
   {
     ASSERT_TRUE(this->Device->GetRecorder()->Stop());
@@ -68,7 +68,7 @@ protected:
       if (name == "Label" || name == "Depth" || name == "ShaftForce" ||
         name == "ForbiddenTouches" || name.compare(0, 10, "ModeForce_") == 0)
       {
-        continue; // skips this array, which each replay computes again
+        continue; // skips this array, which each replay recomputes
       }
       ASSERT_TRUE(there) << here->GetName();
       vtkIdType different = 0;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Removes tissue from images by loops over their samples, and writes it in the file format that
- * vtkHapticRemoval::WriteFile() documents.
+ * Removes tissue from images with loops over their samples, and writes the removed tissue in the
+ * file format that vtkHapticRemoval::WriteFile() documents.
  */
 #ifndef RemovalRig_h
 #define RemovalRig_h
@@ -30,7 +30,7 @@
 
 namespace removaltest
 {
-/// A ball from which the tissue was removed, with an edge of three samples (FRONTIER 3.3).
+/// A ball of removed tissue, whose edge is three samples wide (FRONTIER 3.3).
 struct Hole
 {
   double Middle[3]; ///< index of the centre
@@ -46,16 +46,17 @@ struct Hole
   }
 };
 
-/// Returns the remaining value V' = V - (1 - rho) (V - V_air) at the fraction rho.
+/// Returns the remaining value V' = V - (1 - rho) (V - V_air) for a fraction of rho = `fraction` /
+/// 255.
 inline double LeftOf(double value, double fraction, double air)
 {
   return value - (1.0 - fraction / 255.0) * (value - air);
 }
 
-/// Loads the fractions of a hole into a removal, by way of a file. Returns false on failure.
+/// Loads the fractions of a hole into a removal through a file. Returns false on failure.
 inline bool LoadHole(vtkHapticRemoval* removal, vtkImageData* volume, const Hole& hole, double air)
 {
-  // Use a unique file name, because tests may run at the same time in one folder.
+  // Use a unique file name, because tests may run in parallel in one folder.
   const std::string file = "LoadedHole" + std::to_string(getpid()) + ".vti";
   const int* const extent = volume->GetExtent();
   vtkNew<vtkImageData> image;
@@ -90,9 +91,8 @@ inline bool LoadHole(vtkHapticRemoval* removal, vtkImageData* volume, const Hole
   return isRead;
 }
 
-/// Returns a copy of an image, in which the hole is removed from a component. Each sample has the
-/// mean fraction of a cube of samples, from a volume that begins at `first` and is `step` times as
-/// fine.
+/// Returns a copy of an image, with the hole removed from one component. Each sample has the mean
+/// fraction of a cube of samples in a volume that begins at `first` and is `step` times as fine.
 inline vtkSmartPointer<vtkImageData> MakeLeft(
   vtkImageData* image, int component, const Hole& hole, double air, int step = 1)
 {

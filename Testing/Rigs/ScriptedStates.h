@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Makes states of a device from a formula. */
+/** Makes device states from a formula. */
 #ifndef ScriptedStates_h
 #define ScriptedStates_h
 
@@ -15,8 +15,8 @@
 namespace scenetest
 {
 
-/// Returns a table of states at 1 kHz between two times (s), with the normal force `normal` and the
-/// values that belong to it.
+/// Returns a table of states at 1 kHz between two times (s), with the normal force `normal` and
+/// matching values.
 template <typename F>
 vtkSmartPointer<vtkTable> MakeStates(double from, double to, F&& normal)
 {

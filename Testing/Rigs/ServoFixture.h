@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Runs a session on a ramp, for each method.
- */
+/** Runs a servo session on a ramp, for each method. */
 #ifndef ServoFixture_h
 #define ServoFixture_h
 

@@ -25,7 +25,7 @@ using namespace VolumeHaptics;
 
 inline const std::string Root = VolumeHaptics_SOURCE_DIR;
 
-/// Returns the letters of a text in one form, so that "Local surface", LOCAL_SURFACE and
+/// Returns the letters of a text in a common form, so that "Local surface", LOCAL_SURFACE and
 /// LocalSurface are equal.
 inline std::string Letters(const std::string& text)
 {
@@ -121,7 +121,7 @@ void ExpectHeaderBehaves(Owner* object, const HapticVectorSetting<Owner>& settin
   }
 }
 
-/// Checks all settings of a list, each on a new object.
+/// Tests all settings of a list, each on a new object.
 template <typename Class, template <typename> class Setting, typename Owner, std::size_t Size>
 void ExpectHeadersBehave(const Setting<Owner> (&settings)[Size])
 {
@@ -167,7 +167,7 @@ inline void ExpectRows(const std::string& header, std::vector<std::string> rows)
   EXPECT_EQ(found, rows) << header;
 }
 
-/// Expects that the comments of a header begin with the documentation in the rows.
+/// Expects the comments of a header to begin with the documentation in the rows.
 template <typename List>
 void ExpectComments(const std::string& header, const List& settings)
 {

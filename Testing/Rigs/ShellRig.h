@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Leads tools with a shape through small volumes. Lengths are in millimetres unless stated
- * otherwise.
- */
+/** Moves shaped tools through small volumes. Lengths are in millimetres unless stated otherwise. */
 #ifndef ShellRig_h
 #define ShellRig_h
 
@@ -17,11 +14,12 @@
 namespace coretest
 {
 constexpr double Pi = 3.14159265358979323846;
-/// N/m^3: pressure per depth. The default stiffness of 500 N/m over the default area of 25 mm^2.
+/// N/m^3, pressure per depth: the default stiffness of 500 N/m divided by the default area of 25
+/// mm^2.
 constexpr double Kappa = 2e7;
 
-/// Returns points of equal areas on a sphere around the origin. They lie on a spiral with the
-/// golden angle.
+/// Returns points on a sphere around the origin that represent equal areas. They are on a spiral
+/// with the golden angle.
 inline std::vector<ShellPoint> MakeSphere(double radius, int count)
 {
   std::vector<ShellPoint> points;
@@ -88,7 +86,7 @@ inline TestVolume MakeCavity(std::int64_t samples)
   return volume;
 }
 
-/// A tool that a hand leads through a volume.
+/// A tool that a hand moves through a volume.
 class ShellHand
 {
 public:
@@ -110,7 +108,7 @@ public:
     const ShellRecord last = this->Record;
     if (this->State.Enabled)
     {
-      // Add the work of the hand on the springs while the tool rests.
+      // Add the hand's work on the springs while the tool rests.
       this->Work += this->EnergyOfSprings(this->Record.Tool, pose) -
         this->EnergyOfSprings(this->Record.Tool, last.Hand);
     }
@@ -120,7 +118,7 @@ public:
     this->ForceWork -= Dot(mean, this->Record.Hand.Position - last.Hand.Position);
     return this->Record;
   }
-  /// Leads the tool along a straight path, in steps of at most `step` (mm).
+  /// Moves the tool along a straight path, in steps of at most `step` (mm).
   const ShellRecord& Lead(const Vector3& goal, double step = 0.05, const Quaternion& turn = {})
   {
     const Vector3 from = 1000.0 * this->Record.Hand.Position;
@@ -139,8 +137,8 @@ public:
     }
     return this->Record;
   }
-  /// Returns the energy (J) of the springs, computed from the angle between tool and hand, which is
-  /// not the tick's formula.
+  /// Returns the energy (J) of the springs, computed independently from the angle between tool and
+  /// hand.
   double EnergyOfSprings(const ShellPose& tool, const ShellPose& hand) const
   {
     const Vector3 lag = tool.Position - hand.Position;
@@ -156,8 +154,8 @@ public:
   ShellMemory Memory;
   ShellState State;
   ShellRecord Record;
-  double Work = 0.0;      ///< J, work of the hand if the tool rests while the hand moves
-  double ForceWork = 0.0; ///< J, work of the hand by the mean force of two ticks, without turns
+  double Work = 0.0; ///< J, work of the hand, computed as if the tool rested while the hand moves
+  double ForceWork = 0.0; ///< J, work of the hand by the mean force of two ticks, without rotation
 };
 } // namespace coretest
 

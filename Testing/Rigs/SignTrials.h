@@ -14,7 +14,7 @@
 
 namespace signtest
 {
-/** Properties of a device that matter to the servo. */
+/** Properties of a device that affect the servo. */
 struct Port
 {
   double Rate = 1000.0;     ///< Hz, rate of the servo
@@ -33,15 +33,14 @@ struct Outcome
   double Seconds = 0.0; ///< s until the verdict
 };
 
-/// Checks the signs of a device that a hand holds, until there is a verdict or two minutes have
-/// passed.
+/// Checks the signs of a device in a hand, until there is a verdict or two minutes have passed.
 inline Outcome CheckSigns(const Hand& hand, const Port& port, const Triple& signs, unsigned seed)
 {
   using namespace VolumeHaptics;
   HeldDevice held(hand, signs, seed);
   HeldDevice free(hand, signs, seed);
-  // With friction, the tip may rest against the hand's own spring, and a push releases that
-  // spring's force. Then only the motion since the beginning of a push belongs to the push.
+  // With friction, the tip may rest against the hand's own spring, and a push releases the spring's
+  // force. Then only the motion since the beginning of a push is due to the push.
   const bool isComparable = hand.StaticFriction == 0.0;
   SignCheck check;
   check.Begin(7, port.Force);
@@ -107,8 +106,8 @@ public:
     hand.Damping = this->Pick({ 0.0, 0.5, 2.0, 5.0, 20.0 });
     // Give the hand at least a tenth of critical damping.
     hand.Damping = std::max(hand.Damping, 0.2 * std::sqrt(hand.Stiffness * hand.Mass));
-    // Exclude a hand that friction holds more than a millimetre from its place, because such a hand
-    // leaps by itself once it slips.
+    // Exclude hands that friction holds more than a millimetre from their equilibrium, because they
+    // jump without a push once they slip.
     const double friction = this->Pick({ 0.0, 0.0, 0.05, 0.15 });
     hand.StaticFriction =
       hand.Stiffness > 0.0 ? std::min(friction, 1e-3 * hand.Stiffness) : friction;
@@ -124,7 +123,7 @@ public:
     port.IsLate = this->Pick({ 0.0, 1.0 }) > 0.0;
     port.Force = this->Pick({ 5.0, 8.0, 14.0, 40.0, 100.0 });
   }
-  /// Returns signs of which at least one is wrong.
+  /// Returns signs with at least one wrong sign.
   Triple DrawWrongSigns()
   {
     const unsigned wrong = 1 + this->Random() % 7;

@@ -41,14 +41,14 @@ struct StiffArm
 
   static constexpr double Period = 1e-3; ///< s
   double RoundTrip() const { return Period * (1 + 2 * this->Delay); }
-  /** Returns 2 b / T (N/m): the stiffness up to which a sampled wall is passive. */
+  /** Returns 2 b / T (N/m): the largest stiffness of a passive sampled wall. */
   double Sampled() const { return 2.0 * this->Damping / this->RoundTrip(); }
 
   static StiffArm FalconLike() { return { "Falcon-like", 0.1, 0.5, 0.2, 6e-5, 1, 8.0 }; }
   static StiffArm TouchLike() { return { "Touch-like", 0.045, 0.5, 0.2, 5.5e-5, 0, 3.3 }; }
 };
 
-/** A way to press the arm. */
+/** How the arm is pressed. */
 struct StiffPress
 {
   bool IsHeld = false;
@@ -66,14 +66,14 @@ struct StiffResult
   double Shown = 0.0; ///< N/m, mean force divided by mean depth during the hold
   double Swing = 0.0; ///< m, swing of the tip during the hold
   /**
-   * Energy that the port gave to the hand, divided by the energy that the port took and that
-   * damping and friction lost while the wall was felt.
+   * Energy that the port delivered to the hand, divided by the energy that the port absorbed plus
+   * the losses by damping and friction in contact.
    */
   double Ratio = 0.0;
-  double MostGiven = 0.0; ///< J: largest energy that the hand has got beyond what it had put in
+  double MostGiven = 0.0; ///< J: largest energy that the hand has received beyond its input
   /**
-   * J: as MostGiven, but without the energy that the dry friction takes, which the account does not
-   * know.
+   * J: MostGiven without the energy lost to dry friction, which the energy account does not
+   * include.
    */
   double MostWithoutFriction = 0.0;
   double Deepest = 0.0;  ///< m
@@ -157,7 +157,7 @@ inline StiffResult PressStiffly(const StiffArm& arm, const StiffPress& press)
       const bool isFelt = x < 0.0 || force > 0.0;
       v += h / mass * (force - lost + push);
       x += h * v;
-      // Friction acts between the port and the hand, on the hand's side.
+      // The friction is on the hand's side, between the port and the hand.
       const double friction = isFelt ? h * v * lost : 0.0;
       taken += friction;
       net -= friction;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** A hand that touches a mesh. */
+/** Moves a hand on a mesh. */
 #ifndef SurfaceRig_h
 #define SurfaceRig_h
 
@@ -12,7 +12,7 @@
 
 namespace coretest
 {
-/// Describes a mesh in millimetres, for a proxy of 1 mm radius and 500 N/m.
+/// Describes a mesh in millimetres, for a proxy of 1 mm radius and a stiffness of 500 N/m.
 inline HapticModelDescription DescribeMesh(
   const TestVolume& volume, std::shared_ptr<const SurfaceMesh> mesh, double friction = 0.0)
 {
@@ -24,7 +24,7 @@ inline HapticModelDescription DescribeMesh(
   return description;
 }
 
-/// Leads a tip along straight paths in small steps. Lengths are in mm.
+/// Moves a tip along straight paths in small steps. Lengths are in mm.
 class Hand
 {
 public:
@@ -58,7 +58,7 @@ public:
   ServoState State;
   TickRecord Record;
 };
-/// Expects that a proxy of 1 mm radius rests at a position (mm).
+/// Fixture for a proxy of 1 mm radius, whose position (mm) the tests compare.
 class SurfaceTest : public testing::Test
 {
 protected:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Gives a test program a folder for its files, which is removed at the program's end. */
+/** Provides a folder for a test program's files, which is removed when the program ends. */
 #ifndef TemporaryFolder_h
 #define TemporaryFolder_h
 
@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <string>
 
-/// Returns the path of a file in a temporary folder, whose path contains "VolumeHaptics".
+/// Returns the path of a file in a temporary folder whose name contains "VolumeHaptics".
 inline std::string TemporaryPath(const std::string& name)
 {
   struct Folder
@@ -25,7 +25,7 @@ inline std::string TemporaryPath(const std::string& name)
     }
     ~Folder()
     {
-      // Only the process that made the folder removes it, not a forked child.
+      // Only the process that created the folder removes it, not a forked child.
       if (GetProcessNumber() == this->Owner)
       {
         std::error_code ignored;

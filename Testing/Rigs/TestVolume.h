@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** A volume of any scalar type and memory layout, in a block of exactly the needed size. */
+/** A volume of any scalar type and memory layout, in a memory block of exactly the needed size. */
 #ifndef TestVolume_h
 #define TestVolume_h
 
@@ -22,7 +22,7 @@ public:
   using Size = std::array<std::int64_t, 3>;
 
   /// Makes a volume whose samples are `step` elements apart, in the memory at `place`, or on the
-  /// heap if that is null.
+  /// heap if `place` is null.
   TestVolume(ScalarType type, const Size& n, std::int64_t step = 1, std::byte* place = nullptr)
   {
     this->View.Type = type;
@@ -32,8 +32,8 @@ public:
     this->View.Stride[2] = step * n[0] * n[1];
     if (!place)
     {
-      // Allocate with new std::byte[] instead of a vector, so that the block ends with the last
-      // sample.
+      // Allocate with new std::byte[] instead of a vector, so that the block ends exactly at the
+      // last sample.
       this->Memory.reset(new std::byte[Bytes(type, n, step)]());
       place = this->Memory.get();
     }
@@ -41,8 +41,8 @@ public:
     this->View.Data = place;
   }
 
-  /// Returns the number of bytes from the first sample to the end of the last one. Bytes behind
-  /// them must not be read.
+  /// Returns the number of bytes from the first sample to the end of the last sample. Later bytes
+  /// must not be read.
   static std::size_t Bytes(ScalarType type, const Size& n, std::int64_t step)
   {
     const std::size_t elements = static_cast<std::size_t>((n[0] * n[1] * n[2] - 1) * step + 1);
@@ -85,8 +85,7 @@ public:
     }
   }
 
-  /// Returns the sample at an index. Outside of the volume, returns the nearest sample of the
-  /// border.
+  /// Returns the sample at an index, or the nearest sample of the border if the index is outside.
   double operator()(std::int64_t i, std::int64_t j, std::int64_t k) const
   {
     const std::int64_t at[3] = { i, j, k };

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Counts the allocations and locks of one thread. Linking ThreadWatch.cxx replaces operator new
- * always, and malloc and pthread_mutex_lock if no sanitizer has taken them.
+ * Counts the allocations and locks of one thread. Linking ThreadWatch.cxx replaces operator new,
+ * and also malloc and pthread_mutex_lock unless a sanitizer has replaced them.
  */
 #ifndef ThreadWatch_h
 #define ThreadWatch_h

@@ -25,8 +25,8 @@
 namespace apitest
 {
 
-/// A source that makes the time steps of an image. Like a reader, it writes each time step to the
-/// same memory.
+/// A source that produces the time steps of an image. Like a reader, it writes each time step to
+/// the same memory.
 class TimeSource : public vtkImageAlgorithm
 {
 public:

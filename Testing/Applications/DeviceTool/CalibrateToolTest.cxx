@@ -25,13 +25,13 @@ using namespace VolumeHaptics;
 namespace
 {
 
-/// The state that all devices of the kind "hung" share with the test.
+/// State that the devices of the kind "hung" share with the test.
 struct Bench
 {
   std::mutex Lock;
   HungHandle Handle;
   double LastAsked = 0.0;
-  double FirstAsked = -1.0; ///< N; negative before the first push
+  double FirstAsked = -1.0; ///< N; first requested force; negative before the first push
   double LargestAsked = 0.0;
   std::chrono::steady_clock::time_point LastWrite;
   bool HasPaused = false; ///< the servo paused during a push
@@ -122,7 +122,7 @@ bool AddKind()
   return added;
 }
 
-/// The tool's output. Each line is shown to the user at once.
+/// The tool's output. Passes each line to the simulated user as soon as it is flushed.
 class Screen : public std::streambuf
 {
 public:
@@ -155,7 +155,8 @@ private:
   std::string Text;
 };
 
-/// A simulated user: follows the requests on the screen with hand and weight, and types.
+/// A simulated user, who reads the requests, moves and loads the handle accordingly, and types the
+/// answers.
 class User : public std::streambuf
 {
 public:
@@ -165,11 +166,11 @@ public:
   {
     screen.Shows = [this](const std::string& line) { this->Follow(line); };
   }
-  std::vector<std::string> Answers; ///< typed first, instead of grams
+  std::vector<std::string> Answers; ///< answers to the first questions for grams
   std::string Breaks;               ///< the device is lost when this request appears
 
 protected:
-  /// Returns a line whenever the tool reads one.
+  /// Returns a line of input whenever the tool reads one.
   int underflow() override
   {
     const bool wantsGrams = this->Seen.GetLastLine().find("How many grams") != std::string::npos;
@@ -219,7 +220,7 @@ protected:
     setenv("VOLUMEHAPTICS_DEVICES", this->File.c_str(), 1);
     std::ofstream(this->File) << "hung:1 confirmed=2026-11-20\n";
   }
-  /// Runs the tool, and repeats the run if the machine stood still during the measurement.
+  /// Runs the tool. Repeats the run if the machine paused the process during the measurement.
   int Run(std::vector<std::string> arguments)
   {
     arguments.insert(arguments.begin(), { "calibrate", "hung" });
@@ -260,7 +261,7 @@ protected:
     all << in.rdbuf();
     return all.str();
   }
-  /// Returns the factor in the file of devices, or 0 if the file has none.
+  /// Returns the calibration factor in the file of devices, or 0 if there is none.
   double GetStored() const
   {
     const std::string all = this->ReadFile();

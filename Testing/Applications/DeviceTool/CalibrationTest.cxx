@@ -23,7 +23,7 @@ constexpr double Tick = 1e-3;       // s
 constexpr int TicksPerLook = 10;
 constexpr double LongestTime = 300.0; // s
 
-/// A spring like the servo's, with the ramp and the force limit of the force path.
+/// A spring with the ramp and the force limit of the servo's force path.
 class Loop
 {
 public:
@@ -32,8 +32,8 @@ public:
     , Start(handle.GetTip())
   {
   }
-  /// Advances the device by some ticks with the spring's end shifted along an axis, and returns its
-  /// state.
+  /// Advances the device by some ticks with the spring's end shifted along an axis, and returns the
+  /// resulting state.
   HeldSample Look(int axis, double shift, int ticks = TicksPerLook)
   {
     Triple force{};
@@ -69,7 +69,7 @@ private:
   double Time = 0.0;
 };
 
-/// Simulates a user, who follows each request after a second.
+/// A simulated user, who follows each request after one second.
 struct User
 {
   double Weight = 0.1; ///< kg
@@ -136,7 +136,7 @@ TEST(Calibration, FindsTheStrengthByAWeight)
         HungHandle handle;
         handle.Strength = strength;
         handle.Friction = friction;
-        // The spring's force is constant during a tick, so that the handle would swing without
+        // The spring's force is constant during a tick, so the handle would oscillate without
         // damping.
         handle.Viscosity = friction > 0.0 ? viscosity : std::max(viscosity, strength);
         User user;
@@ -173,8 +173,8 @@ TEST(Calibration, FindsItOfHandlesThatAreHeavyLightBalancedOrPulledUp)
 
 TEST(Calibration, OfAProgramThatIsHeldUpTakesLonger)
 {
-  // The program samples the handle only every 0.6 s, so that a sweep in one direction takes longer
-  // than HandleSweep::MostTime. The handle must not count as stuck.
+  // Sampling the handle only every 0.6 s makes a sweep in one direction take longer than
+  // HandleSweep::MostTime. The handle must not count as stuck.
   HungHandle handle;
   handle.Strength = 0.7;
   const HungWeight weight = Weigh(handle, {}, 1, 20.0, 600);

@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Runs volumehaptics-device with an emulated Falcon, as a person does who tries a Falcon for the
- * first time.
- */
+/** Runs volumehaptics-device with an emulated Falcon, following the steps of a first-time user. */
 
 #include "Emulators/EmulatedUsb.h"
 #include "Emulators/FalconModel.h"
@@ -21,17 +18,18 @@ namespace
 class DeviceToolTest : public PageTest
 {
 protected:
-  /// Moves the hand by one step in each call: homes the device whenever the device asks for homing,
-  /// then goes to 0.172 m or presses in and out.
+  /// Moves the hand by one step in each call: homes the device when it requests homing, otherwise
+  /// goes to 0.172 m or presses in and out.
   void MoveHand()
   {
     const int lights = this->Falcon.GetLights();
-    const bool homes = (lights & 8) != 0; // red light: the device asks to be homed
+    const bool homes = (lights & 8) != 0; // red light: the device requests homing
     this->IsHomed = this->IsHomed || (this->WasHoming && !homes);
     this->WasHoming = this->WasHoming || homes;
     const double t = 0.001 * this->Steps++;
     const double z = this->IsHomed ? 0.172 : 0.127 + 0.0465 * std::cos(4.0 * t);
-    // Move in and out of the wall: after a pause of a busy machine, a new contact begins.
+    // Keep moving in and out of the wall, so that a new contact begins even if a busy machine
+    // missed one.
     const double pressed = 0.12 + 0.02 * std::cos(4.0 * t);
     this->Falcon.SetAim({ 0.0, 0.0, this->IsPressing && this->IsHomed ? pressed : z });
   }

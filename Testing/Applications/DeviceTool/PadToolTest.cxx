@@ -3,7 +3,7 @@
 
 /**
  * Runs volumehaptics-device with an emulated gamepad: the listing says that the pad only vibrates,
- * its wall is felt as vibration, and the tool asks for no confirmation or calibration.
+ * the wall is rendered as vibration, and the tool requests neither confirmation nor calibration.
  */
 
 #include "Applications/DeviceTool/DeviceTool.h"

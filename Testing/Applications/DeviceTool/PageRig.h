@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Types the commands on a device's page, line by line, as the device's owner would.
+ * Types the commands that a device's documentation page lists, line by line, as the device's owner
+ * would.
  */
 #ifndef PageRig_h
 #define PageRig_h
@@ -19,7 +20,7 @@ namespace emulated
 class PageTest : public ToolTest
 {
 protected:
-  /// Starts with an empty file of devices: nobody has confirmed the device before.
+  /// Starts with an empty file of devices, so that no device counts as confirmed.
   PageTest()
   {
     const std::string file = TemporaryPath("devices.txt");
@@ -28,9 +29,9 @@ protected:
   }
 
   /**
-   * Types the volumehaptics-device commands of Documentation/devices/PAGE, except those that name
-   * another id, and Enter at each question. `instead` is the emulated device's id if it differs
-   * from the page's. Returns the number of commands.
+   * Types the volumehaptics-device commands of Documentation/devices/PAGE, except commands for
+   * other ids, and presses Enter at each question. `instead` is the emulated device's id if it
+   * differs from the page's. Returns the number of commands.
    */
   int Type(const std::string& page, const std::string& id, const std::string& instead = "",
     const std::string& firmware = "")

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Types the command lines on the pages of wheels, gamepads and SpaceMice, with emulated devices.
- * DeviceToolTest.cxx and WoodenToolTest.cxx type those for Falcons and WoodenHaptics.
+ * Runs the command lines of the documentation pages of wheels, gamepads and SpaceMice with emulated
+ * devices. DeviceToolTest.cxx and WoodenToolTest.cxx cover Falcons and WoodenHaptics.
  */
 
 #include "Emulators/EmulatedEvdev.h"

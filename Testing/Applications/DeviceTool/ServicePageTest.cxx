@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Types the command lines on the pages of Haply's arms, hfab's controllers, vendors' libraries and
- * devices that vibrate through a service, with emulated devices and services.
+ * Runs the command lines of the documentation pages of Haply's arms, hfab's controllers, vendors'
+ * libraries and devices that vibrate through a service, with emulated devices and services.
  */
 
 #include "Emulators/ForceDimension/FakeForceDimension.h"
@@ -46,8 +46,7 @@ TEST_F(ServicePages, OfHfabLeadToTheFirstForce)
 {
   HfabEmulator arm(3);
   arm.PlaceAtHome();
-  // Name the port, because boards are found by name and the emulator's pseudo-terminal is not
-  // listed.
+  // Boards are found by name, and the emulator's pseudo-terminal is not listed, so name the port.
   EXPECT_EQ(this->Type("woodenhaptics.md", "hfab", "hfab:" + arm.GetPort()), 5);
   EXPECT_GT(arm.GetMessages(), 0);
 }

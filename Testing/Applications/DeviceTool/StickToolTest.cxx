@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Runs volumehaptics-device with an emulated stick of 4 N at full scale: a gentle wall stays gentle
- * if the stick's strength was not set.
+ * Runs volumehaptics-device with an emulated stick of 4 N at full scale. A gentle wall must stay
+ * gentle if the stick's strength was not set.
  */
 
 #include "Applications/DeviceTool/DeviceTool.h"
@@ -21,8 +21,8 @@ using namespace emulated;
 
 namespace
 {
-/// Presses into the wall and comes back. Returns the largest force (N) on the hand, and the tool's
-/// output in `said`.
+/// Presses into the wall and retracts. Returns the largest force (N) on the hand; `said` receives
+/// the tool's output.
 double PressedWith(std::vector<std::string> options, std::string& said)
 {
   OpenFfboardModel model;

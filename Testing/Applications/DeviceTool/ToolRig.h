@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Runs volumehaptics-device with input that a user types, and keeps its output.
- */
+/** Runs volumehaptics-device with typed input, and captures its output. */
 #ifndef ToolRig_h
 #define ToolRig_h
 

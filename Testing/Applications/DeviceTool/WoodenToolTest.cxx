@@ -30,7 +30,7 @@ TEST_F(WoodenToolTest, IsCalibratedAfterEnterWheneverItIsOpened)
   EXPECT_EQ(this->Run(monitor, "\n"), 0) << this->Errors;
   EXPECT_TRUE(this->Asks()) << this->Out;
   EXPECT_EQ(this->Model.GetPresets(), 1);
-  // The device can't say whether it has kept its zero, so the tool asks again.
+  // The device can't report whether it has kept its zero, so the tool asks again.
   EXPECT_EQ(this->Run(monitor, "\n"), 0) << this->Errors;
   EXPECT_TRUE(this->Asks()) << this->Out;
   EXPECT_EQ(this->Model.GetPresets(), 2);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Counts the failures of a test of the explorer, which VTK's test driver has no other way to
- * report, and keeps the folder for the test's files.
+ * Counts the failures of an explorer test, since VTK's test driver has no means for this, and
+ * stores the folder for the test's files.
  */
 #ifndef Expectations_h
 #define Expectations_h
@@ -25,7 +25,7 @@ inline void Expect(bool condition, const std::string& what)
   }
 }
 
-/// Writes a text file in the test's folder and returns its path.
+/// Writes a text file into the test's folder and returns its path.
 inline std::string WriteText(const std::string& name, const std::string& content)
 {
   const std::string path = folder + "/" + name;

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <string>
 
-/// Returns the argument after an option, such as `--volume`.
+/// Returns the command-line argument after an option, such as `--volume`.
 inline std::string Argument(int argc, char* argv[], const char* option)
 {
   for (int i = 1; i + 1 < argc; ++i)
@@ -29,7 +29,7 @@ inline vtkSmartPointer<vtkImageData> LoadHead(int argc, char* argv[])
   return Explore::LoadVolume(Argument(argc, argv, "--volume")).Image;
 }
 
-/// Makes the test's own folder for files and returns its path.
+/// Creates the folder for this test's files and returns its path.
 inline std::string MakeTestFolder(int argc, char* argv[], const char* name)
 {
   const std::string folder = Argument(argc, argv, "-T") + "/" + name;

@@ -14,7 +14,7 @@
 namespace
 {
 /// Sets the photometric interpretation to YBR_FULL_422 (luminance, and colour differences at half
-/// the resolution along rows), as most writers do. GDCM's writer says RGB.
+/// the resolution along rows), as most writers do. GDCM's writer sets RGB.
 bool TellYbr(const std::string& packed)
 {
   gdcm::Reader reader;
@@ -38,8 +38,8 @@ bool TellYbr(const std::string& packed)
 bool PackDicom(
   const std::string& plain, const std::string& packed, const std::string& how, double step)
 {
-  // Remove the icon first: GDCM's writer can't write an icon without all its elements, and the icon
-  // of these tests lacks some.
+  // Remove the icon first: GDCM's writer can't write an incomplete icon, and the icon of these
+  // tests lacks elements.
   gdcm::Reader elements;
   elements.SetFileName(plain.c_str());
   if (!elements.Read())

@@ -8,13 +8,13 @@
 
 #include <string>
 
-/// Returns the same head at the same place with another order of its voxels: index (k, -j, -i), a
+/// Returns the same head at the same place with its voxels in another order: index (k, -j, -i), a
 /// left-handed frame.
 vtkSmartPointer<vtkImageData> ShuffleHead(vtkImageData* head);
 
-/// Write the shuffled head with its frame in the file's header, and return the file's name. The
-/// NRRD `space` is left-posterior-superior, right-anterior-superior or left-anterior-superior. The
-/// NIfTI file stores numbers that slope and intercept turn into the values.
+/// Write the shuffled head with its orientation in the file's header, and return the file's name.
+/// The NRRD `space` is left-posterior-superior, right-anterior-superior or left-anterior-superior.
+/// The NIfTI file stores numbers that slope and intercept convert into the values.
 std::string WriteMetaImage(const std::string& folder, vtkImageData* shuffled);
 std::string WriteNrrd(const std::string& folder, vtkImageData* shuffled, const std::string& space);
 std::string WriteNifti(

@@ -36,7 +36,8 @@ const char* const IMPLICIT = "1.2.840.10008.1.2";
 const char* const EXPLICIT = "1.2.840.10008.1.2.1";
 const char* const RUN_LENGTH = "1.2.840.10008.1.2.5";
 
-/// A file of a series: slice number `Slice` along the normal, or `Frames` slices from there on.
+/// Contents of one file of a series: slice number `Slice` along the normal, or `Frames` slices
+/// starting there.
 struct SliceFile
 {
   std::string Series = "1.2.3";
@@ -119,7 +120,7 @@ std::string Encode(const SliceFile& slice)
       }
     }
   }
-  // Alternate between sequences and items of known and of unknown length.
+  // Alternate between sequences and items of known length and of unknown length.
   const std::string itemEnd = Bytes(0xfffe, 2) + Bytes(0xe00d, 2) + Bytes(0, 4);
   const std::string sequenceEnd = Bytes(0xfffe, 2) + Bytes(0xe0dd, 2) + Bytes(0, 4);
   const auto itemOf = [&](const std::string& content, bool isKnown)
@@ -155,8 +156,7 @@ std::string Encode(const SliceFile& slice)
     itemOf(sequenceOf(0x00209116, itemOf(part(0x00200037, "DS", "1\\0\\0\\0\\1\\0"), false), true) +
         sequenceOf(0x00289110, itemOf(part(0x00280030, "DS", "0.5\\0.75"), true), false),
       true);
-  // A preview image comes before the pixels: an item of unknown length in a sequence of unknown
-  // length.
+  // A preview image precedes the pixels: an item of unknown length in a sequence of unknown length.
   const std::string unknown(4, '\xff');
   const std::string item = Bytes(0xfffe, 2) + Bytes(0xe000, 2) + unknown + number(0x00280010, 64) +
     part(0x7fe00010, "OW", "abcdefgh") + Bytes(0xfffe, 2) + Bytes(0xe00d, 2) + Bytes(0, 4) +
@@ -201,7 +201,7 @@ std::string WriteDicom(const std::string& name, const std::string& bytes)
   return path;
 }
 
-/// Writes the slices of a series. File names run in the opposite order of the slices.
+/// Writes the slices of a series. The order of the file names is the reverse of the slices' order.
 void WriteSlices(const std::string& where, SliceFile slice, int count)
 {
   for (slice.Slice = 0; slice.Slice < count; ++slice.Slice)
@@ -210,7 +210,7 @@ void WriteSlices(const std::string& where, SliceFile slice, int count)
   }
 }
 
-/// Expects every sample at its position in the patient, with its value.
+/// Expects each sample's value at the sample's position in the patient.
 void ExpectSlices(const std::string& what, const Explore::Volume& volume, int count,
   bool isSagittal, const SliceFile& like = SliceFile())
 {
@@ -286,8 +286,8 @@ void ExpectSeriesOption()
   }
 }
 
-/// Returns a run-length encoded slice by annex G of part 5 of the standard: the high bytes of all
-/// samples, then the low bytes, each as one literal run.
+/// Returns a slice with run-length encoding by annex G of part 5 of the standard: the high bytes of
+/// all samples, then the low bytes, each as one literal run.
 std::string EncodeRuns(const std::string& plain, const std::string& pixels)
 {
   std::string high, low;
@@ -312,7 +312,7 @@ std::string EncodeRuns(const std::string& plain, const std::string& pixels)
     Bytes(0xfffe, 2) + Bytes(0xe0dd, 2) + Bytes(0, 4);
 }
 
-/// Expects that compressed slices are read with the values of the uncompressed ones.
+/// Expects compressed slices to have the values of the uncompressed slices.
 void ExpectUnpacked(SliceFile slice)
 {
   slice.Syntax = RUN_LENGTH;
@@ -346,7 +346,7 @@ std::string ReadBytes(const std::string& path)
 }
 
 /// Tests JPEG 2000, whose images must be larger than a few pixels: slices, a file with several
-/// frames, slices that end too early, and a damaged slice.
+/// frames, truncated slices, and a damaged slice.
 void ExpectWavelets(SliceFile slice)
 {
   slice.Columns = slice.Rows = 64;
@@ -377,7 +377,7 @@ void ExpectWavelets(SliceFile slice)
   WriteDicom("wavelets/I898", damaged);
   try
   {
-    Explore::LoadVolumes({ where }); // may succeed: some samples are then wrong
+    Explore::LoadVolumes({ where }); // may succeed with some wrong samples
   }
   catch (const Explore::InputError& error)
   {
@@ -425,8 +425,8 @@ void ExpectFrames(SliceFile slice)
   }
 }
 
-/// Cuts a file at any length, and expects that its header is refused or that the slice counts as
-/// incomplete.
+/// Truncates a file at every length, and expects that its header is refused or that the slice
+/// counts as incomplete.
 void ExpectCutFiles()
 {
   for (const char* const syntax : { EXPLICIT, IMPLICIT })
@@ -451,8 +451,8 @@ void ExpectCutFiles()
 /// standard.
 std::string Deflate(const std::string& plain)
 {
-  // Write a new meta group: the original group names the uncompressed transfer syntax, whose UID
-  // has another length.
+  // Write a new meta group, because the original group contains the UID of the uncompressed
+  // transfer syntax, which has another length.
   const std::size_t begin = plain.find(Part(0x00080016, "UI", "", true).substr(0, 6));
   const std::string kind = "1.2.840.10008.5.1.4.1.1.2";
   const std::string meta =
@@ -472,8 +472,8 @@ std::string Deflate(const std::string& plain)
     Part(0x00020000, "UL", Bytes(static_cast<std::uint32_t>(meta.size()), 4), true) + meta + packed;
 }
 
-/// Changes bytes of files at random. Expects that each file is read or refused with a message: no
-/// other exception is thrown, and no slice claims more pixels than the file has.
+/// Changes bytes of files at random. Expects that each file is read, or refused with a message: no
+/// other exception is thrown, and no slice declares more pixels than the file has.
 void ExpectSpoiltFiles()
 {
   SliceFile one, frames, segmentation;
@@ -516,7 +516,7 @@ void ExpectSpoiltFiles()
   Expect(whole > 100, "only " + std::to_string(whole) + " are read");
 }
 
-/// Changes bytes of compressed pixels at random. Expects that each file is read or refused with a
+/// Changes bytes of compressed pixels at random. Expects that each file is read, or refused with a
 /// message.
 void ExpectSpoiltPixels()
 {
@@ -548,8 +548,8 @@ void ExpectSpoiltPixels()
   }
 }
 
-/// Expects that a forked process and its parent, which read at the same time, each get their own
-/// slices, and the parent still after the child's end.
+/// Lets a forked process and its parent read at the same time. Expects that each gets its own
+/// slices, and that the parent can still read after the child's end.
 void ExpectForkedReads(SliceFile slice)
 {
   WriteSlices("of-parent", slice, 7);
@@ -575,7 +575,7 @@ void ExpectForkedReads(SliceFile slice)
   }
   if (child == 0)
   {
-    std::exit(isRead ? EXIT_SUCCESS : EXIT_FAILURE); // exit(), so that handlers run
+    std::exit(isRead ? EXIT_SUCCESS : EXIT_FAILURE); // exit() runs the handlers
   }
   int status = -1;
   Expect(isRead, "slices of a parent");

@@ -39,7 +39,7 @@ std::string Whole(int number)
   return { char(number & 0xff), char(number >> 8 & 0xff) };
 }
 
-/// Computes the colour (0 to 255) of a sample. The value of a grey sample is its red component.
+/// Computes the colour (0 to 255) of a sample. A grey sample has the value of the red component.
 void ColourAt(int i, int j, int k, double rgb[3])
 {
   rgb[0] = 3.0 * i + 5.0 * k;
@@ -87,8 +87,8 @@ std::string EncodeSlice(int k, const std::string& meaning)
     Element(0x28, 0x0103, "US", Whole(0)) + Element(0x7fe0, 0x0010, "OB", pixels);
 }
 
-/// Expects the ramps in a folder's volume, or the ramps' brightness for colours. JPEG may be off by
-/// a few grey levels (`allowed`).
+/// Expects the brightness of the colour ramps in a folder's volume, or the grey ramp if `isGrey`.
+/// JPEG may deviate by a few grey levels (`allowed`).
 void ExpectRamps(const std::string& name, bool isGrey, double allowed)
 {
   const Explore::Volume volume = Explore::LoadVolumes({ folder + "/" + name });
@@ -115,8 +115,8 @@ void ExpectRamps(const std::string& name, bool isGrey, double allowed)
   Expect(worst <= allowed, name + " is off by " + std::to_string(worst));
 }
 
-/// Writes and reads slices. `how` is empty for uncompressed slices; for the other values see
-/// PackDicom().
+/// Writes slices and reads them back. `how` is empty for uncompressed slices; PackDicom() lists the
+/// other values.
 void ExpectColourSlices(
   const std::string& name, const std::string& meaning, const std::string& how, double allowed)
 {
@@ -138,8 +138,8 @@ int TestExploreDicomColours(int argc, char* argv[])
   vtksys::SystemTools::RemoveADirectory(folder);
   vtksys::SystemTools::MakeDirectory(folder);
   ExpectColourSlices("grey", "MONOCHROME2", "", 0.0);
-  // Tolerances: the brightness is truncated, and luminance and colour differences have been rounded
-  // before.
+  // The tolerances allow for the brightness, which is truncated, and for luminance and colour
+  // differences, which were rounded before.
   ExpectColourSlices("rgb", "RGB", "", 1.0);
   ExpectColourSlices("ybr", "YBR_FULL", "", 2.5);
   ExpectColourSlices("grey-jpeg", "MONOCHROME2", "baseline", 2.0);

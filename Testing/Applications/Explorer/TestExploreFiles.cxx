@@ -74,7 +74,7 @@ std::string Nrrd(const std::string& type, const std::string& sizes = "12 8 7")
     "little\nencoding: raw\nspace origin: (5,6,7)\n\n";
 }
 
-/// A NIfTI file with the same axes as the other formats, in right-anterior-superior.
+/// Returns a NIfTI file with the axes of the other formats, in right-anterior-superior.
 std::string Nifti(int datatype, int bits, const short size[3])
 {
   std::string header(352, '\0');
@@ -160,9 +160,10 @@ void ExpectRefusal(const std::string& path, const std::string& fault)
   }
 }
 
-/// Writes the head phantom (air: -1000 HU) with some samples set to `bad`, all around the head or a
-/// single one in the middle, and with `added` added to the rest. Expects that the volume still
-/// counts as a CT, that samples around the head read as air, and that a note contains `told`.
+/// Writes the head phantom (air: -1000 HU) with some samples set to `bad`, either all around the
+/// head or a single one in the middle, and with `added` added to the other samples. Expects that
+/// the volume still counts as a CT, that the samples around the head are read as air, and that a
+/// note contains `told`.
 void ExpectCT(vtkImageData* head, const std::string& name, double bad, bool isAround,
   const std::string& told, double added = 0.0)
 {
@@ -273,7 +274,7 @@ int TestExploreFiles(int argc, char* argv[])
       "Hounsfield units + " + std::to_string(static_cast<int>(added)), added);
   }
 
-  // Expects that tissue which the picture leaves out is felt, and that a message says so.
+  // Expects that hidden tissue can still be touched, and that a message says so.
   Explore::Volume onTable = Explore::LoadVolume(Argument(argc, argv, "--volume"));
   Expect(Explore::ExploreVolume(onTable, Explore::Settings()).Hidden.empty(),
     "something of the head is hidden");
@@ -285,7 +286,7 @@ int TestExploreFiles(int argc, char* argv[])
       onTable.Image->SetScalarComponentFromDouble(0, j, k, 0, 100.0);
     }
   }
-  // more notes than the window shows
+  // more notes than fit into the window
   onTable.Notes.insert(onTable.Notes.end(), 5, "a note of the file");
   const Explore::Exploration felt = Explore::ExploreVolume(onTable, Explore::Settings());
   Expect(
@@ -293,7 +294,7 @@ int TestExploreFiles(int argc, char* argv[])
   const Explore::Inspection facts(felt.Input, felt.Values, felt.Materials, felt.Filter);
   Expect(facts.ListTold().find(felt.Hidden) != std::string::npos,
     "the window tells: " + facts.ListTold());
-  // The list of keys contains all facts that --inspect prints.
+  // The list of keys includes all facts that --inspect prints.
   for (const char* const fact : { "format\t", "voxels\t", "size\t", "from\t", "axes\t", "values\t",
          "nearly", "kind\tCT; ", "padding\tnone", "noise\t", "least\tsheets of ",
          "preset\tCT contrast, because ", "\tFelt but not shown" })

@@ -34,7 +34,7 @@ namespace
 {
 constexpr int EDGE = 21; // points along an edge of a block of 20 mm
 
-/// Returns a block of hexahedra whose x begins at `left`, with or without the flow.
+/// Returns a block of hexahedra whose x begins at `left`, with or without an array of velocities.
 vtkSmartPointer<vtkStructuredGrid> MakeBlock(double left, bool flows)
 {
   auto block = vtkSmartPointer<vtkStructuredGrid>::New();
@@ -76,7 +76,7 @@ std::string WriteGrid(const std::string& name, vtkDataObject* data)
   return path;
 }
 
-/// Expects the formulas' values in the arrays at all samples.
+/// Expects the arrays to have the formulas' values at all samples.
 void ExpectFormulas(const std::string& path)
 {
   const Explore::Volume volume = Explore::LoadVolumes({ path });
@@ -102,8 +102,7 @@ void ExpectFormulas(const std::string& path)
   Expect(chosen.Flow.empty(), "whoever wants pressures does not follow the flow");
 }
 
-/// Expects the outline of a block: its 12 edges, each with as many lines as cells, and nothing
-/// else.
+/// Expects the outline of a block: exactly its 12 edges, with one line per cell.
 void ExpectOutline(const std::string& path)
 {
   const vtkSmartPointer<vtkPolyData> outline = Explore::LoadVolumes({ path }).Outline;
@@ -128,7 +127,7 @@ void ExpectOutline(const std::string& path)
     path + " has its edges as outline");
 }
 
-/// Expects a box as the outline of a block that is inflated to a ball, which has no edges.
+/// Expects a box as the outline of a block that is inflated into a ball, since a ball has no edges.
 void ExpectBox()
 {
   const vtkSmartPointer<vtkStructuredGrid> ball = MakeBlock(-10.0, false);
@@ -217,7 +216,7 @@ int TestExploreGrids(int argc, char* argv[])
       told.find("Contact state") != std::string::npos,
     "and the summary names none: " + told);
 
-  // A grid without a flow is felt like an image.
+  // A grid without velocities is explored like an image.
   const std::string still = WriteGrid("still.vts", MakeBlock(-10.0, false));
   const Explore::Exploration plain =
     Explore::ExploreVolume(Explore::LoadVolumes({ still }), Explore::Settings());

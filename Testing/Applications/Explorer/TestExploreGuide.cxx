@@ -64,7 +64,7 @@ vtkSmartPointer<vtkPolyData> MakeLine(vtkImageData* head)
   return line->GetOutput();
 }
 
-/// Expects that a line pulls straight towards itself with at most 2 N, never along itself.
+/// Expects that a line pulls perpendicularly towards itself with at most 2 N.
 void ExpectLed(const Explore::Exploration& e, vtkPolyData* line)
 {
   vtkPointData* const trace = e.Trace->GetPointData();
@@ -155,7 +155,7 @@ int TestExploreGuide(int argc, char* argv[])
   Expect(both.Filter->GetNumberOfModes() == 2 && both.Filter->GetMode(1)->GetActive(),
     "a mode that is named is felt, too");
 
-  // Read other files: the same line in the legacy format, as a measured path, and a surface.
+  // Read a legacy file with the same line, a recorded path with this line, and a surface.
   const auto read = [head](const std::string& file)
   {
     vtkNew<vtkVolumeHapticsFilter> filter;

@@ -64,7 +64,7 @@ std::string Image(const std::string& name, vtkImageData* image)
   return path;
 }
 
-/// Returns the message of a refusal, or "nothing" if the action succeeds.
+/// Returns the message of the exception, or "nothing" if the action succeeds.
 template <typename Action>
 std::string TellRefusal(const Action& action)
 {
@@ -91,8 +91,8 @@ void ExpectRefusal(const std::string& path, const std::string& fault)
   }
 }
 
-/// Expects that a file is read when it is complete, and refused when its end is missing or, if it
-/// is compressed (`isPacked`), when one byte is changed. `lost` are the numbers of bytes to cut
+/// Expects that a complete file is read, and that a file is refused if its end is missing or, for
+/// compressed files (`isPacked`), if one byte differs. `lost` contains the numbers of bytes to cut
 /// off.
 void ExpectWhole(const std::string& path, const std::string& part,
   const std::vector<std::size_t>& lost, bool isPacked)
@@ -117,8 +117,8 @@ void ExpectWhole(const std::string& path, const std::string& part,
   Explore::LoadVolume(path);
 }
 
-/// Cuts off files of VTK's writers and of gzip. VTK's readers fill missing samples with arbitrary
-/// memory.
+/// Truncates files of VTK's writers and of gzip. For a truncated file, VTK's readers return
+/// uninitialized samples.
 void ExpectCutOff()
 {
   vtkNew<vtkRTAnalyticSource> wavelet;
@@ -148,7 +148,7 @@ void ExpectCutOff()
   const auto oldWriter = vtkSmartPointer<vtkStructuredPointsWriter>::New();
   oldWriter->SetFileTypeToBinary();
   const std::string old = write(oldWriter, "cut.vtk");
-  ExpectWhole(old, old, { 40, 100 }, false); // bytes after the samples are not read
+  ExpectWhole(old, old, { 40, 100 }, false); // the bytes after the samples are not read
   // Write a NRRD file with the same samples.
   const vtkSmartPointer<vtkImageData> samples = wavelet->GetOutput();
   const std::string packed = folder + "/cut.nrrd";
@@ -197,7 +197,7 @@ double ComputeVolume(vtkPolyData* surface)
   return volume;
 }
 
-/// Tests which files --write-volume accepts.
+/// Tests which file names --write-volume accepts.
 void ExpectWrittenVolumes()
 {
   const auto answer = [](const std::string& file)
@@ -217,7 +217,7 @@ void ExpectWrittenVolumes()
   Expect(answer(folder + "/written.VTI") == "nothing", "a volume is written");
 }
 
-/// Tests which files --tool accepts, and files of surfaces.
+/// Tests which surface files --tool accepts.
 void ExpectTools()
 {
   const auto expectError = [](const std::string& tool, bool isRead, const std::string& fault)
@@ -243,7 +243,8 @@ void ExpectTools()
   expectError("tool.step", false, "is not known");
   expectError(folder + "/missing.stl", true, "there is no such file");
   expectError(WriteText("none.stl", "solid none\nendsolid none\n"), true, "Cure: take the closed");
-  // Write a tetrahedron beside the origin. After reading, the middle of its box is at the origin.
+  // Write a tetrahedron beside the origin. After reading, its bounding box is centred at the
+  // origin.
   const auto write = [](const char* name, int count, const std::string& faces)
   {
     return WriteText(name,
@@ -288,7 +289,7 @@ void ExpectTools()
     WriteBytes(path, whole);
     Expect(Explore::ReadToolFile(path)->GetNumberOfPolys() == faces, path + " is read again");
   }
-  // The volume is 3 * 4 * 5/6, whichever way the triangles face in the file.
+  // The volume is 3 * 4 * 5/6, regardless of the orientation of the file's triangles.
   const std::string inward = write("inward.ply", 4, "3 0 1 2\n3 0 3 1\n3 1 3 2\n3 0 2 3\n");
   for (const std::string& name : { file, inward })
   {
@@ -297,7 +298,7 @@ void ExpectTools()
   }
 }
 
-/// Tests --newtons, a stick's force along its two axes, and texts that are not such forces.
+/// Tests --newtons, a stick's force along its two axes, with valid and invalid texts.
 void ExpectNewtons()
 {
   const auto isRead = [](const char* text, double x, double y)
@@ -322,7 +323,7 @@ void ExpectNewtons()
     }
   }
 }
-/// Tests the options for files that the window writes and for demonstrations: option, value,
+/// Tests the options for demonstrations and for files that the window writes: option, value,
 /// expected error.
 void ExpectWindowFiles()
 {
@@ -365,7 +366,7 @@ void ExpectWindowFiles()
     ++failures;
   }
 }
-/// Tests a preset file of the user's own, and files that are not presets.
+/// Tests a user's preset file, and files that are not presets.
 void ExpectPresetFiles(vtkImageData* head)
 {
   const std::string volume = Image("preset.vti", head);
@@ -402,8 +403,8 @@ void ExpectPresetFiles(vtkImageData* head)
   }
 }
 
-/// Expects a note that tells which part of several components is used: the brightness of colours,
-/// otherwise the first component.
+/// Expects a note about the component that is used: the brightness of colours, otherwise the first
+/// component.
 void ExpectComponents(int type, int components, const std::string& told, double first)
 {
   vtkNew<vtkImageData> image;
@@ -429,9 +430,8 @@ void ExpectComponents(int type, int components, const std::string& told, double 
     told + ", but the first value is " + std::to_string(used->GetComponent(0, 0)));
 }
 
-/// Names a pipe, on which a reader would wait for ever, and a device, which never ends, wherever a
-/// file can be named, also inside another file. ctest's time limit fails this test if either is
-/// opened.
+/// Passes a pipe, which would block a reader for ever, and an endless device wherever a file can be
+/// named, also inside another file. ctest's time limit fails this test if either is opened.
 void ExpectPipesAreRefused()
 {
   const std::string pipes = folder + "/pipes";
@@ -480,7 +480,7 @@ void ExpectPipesAreRefused()
     write("meta/one.nhdr",
       "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 8 8 8\nencoding: raw\ndata file: pipe.raw\n"),
     "regular file");
-  // Each of the two files may be the pipe.
+  // Replace each of the two files by the pipe.
   vtkNew<vtkRTAnalyticSource> wavelet;
   vtkNew<vtkNIFTIImageWriter> nifti;
   nifti->SetInputConnection(wavelet->GetOutputPort());
@@ -534,7 +534,7 @@ int TestExploreInputErrors(int argc, char* argv[])
   ExpectTools();
   ExpectCutOff();
   ExpectPresetFiles(head);
-  // 0.30 red + 0.59 green + 0.11 blue = 15 + 59 + 16.5 = 90.5, of which a byte holds 90.
+  // 0.30 red + 0.59 green + 0.11 blue = 15 + 59 + 16.5 = 90.5, which a byte stores as 90.
   ExpectComponents(VTK_UNSIGNED_CHAR, 3, "colours: their brightness is used", 90.0);
   ExpectComponents(VTK_UNSIGNED_CHAR, 4, "colours: their brightness is used", 90.0);
   ExpectComponents(VTK_SHORT, 2, "2 components a voxel: component 0 used", 50.0);

@@ -30,8 +30,8 @@ std::string File(const std::string& name, const std::string& content)
   return path;
 }
 
-/// Writes a segmentation with one label everywhere in the volume, in left-posterior-superior axes
-/// like the volume.
+/// Writes a segmentation with one label for all voxels of the volume, in left-posterior-superior
+/// axes like the volume.
 std::string Segmentation(vtkImageData* volume)
 {
   const int* const size = volume->GetDimensions();
@@ -86,7 +86,7 @@ void Refuse(const Explore::Volume& head, const std::string& segmentation,
   }
 }
 /// Writes two half balls (radius 40 mm, centre 0) with the labels 2 and 7. With noise, the file
-/// looks like a scan, not like a label map.
+/// resembles a scan rather than a label map.
 std::string LabelMap(const std::string& name, bool isNoisy)
 {
   constexpr int size = 48;
@@ -112,7 +112,7 @@ std::string LabelMap(const std::string& name, bool isNoisy)
   return path;
 }
 
-/// Expects that a label map is recognised, and that its outer surface is felt.
+/// Expects that a label map is recognised, and that its outer surface can be touched.
 void ExpectLabelMap(const Explore::Volume& head)
 {
   Expect(!head.MayBeLabels, "a head is no label map");

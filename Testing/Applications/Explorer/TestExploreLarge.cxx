@@ -107,7 +107,7 @@ void ExpectLargeError(const std::string& path, const std::string& fault)
     "should say '" + fault + "', but said: " + message);
 }
 
-/// Expects that the samples around a hand on the surface are loaded from the file.
+/// Expects that samples near a hand on the surface are loaded from the file.
 void ExpectFelt(const Explore::Exploration& exploration)
 {
   Explore::TouchScene touch;
@@ -158,7 +158,7 @@ int TestExploreLarge(int argc, char* argv[])
   ExpectSame(large, small, "a MetaImage");
   ExpectFelt(large);
   Expect(!Explore::LoadVolumes({ mhd }).Large, "a small MetaImage is large");
-  // The NRRD header gives no origin, and Zarr no spacing either: compare with the head at the
+  // The NRRD header has no origin, and Zarr has no spacing either: compare with the head at the
   // origin, and then also with a spacing of 1.
   vtkNew<vtkImageData> moved;
   moved->ShallowCopy(head);

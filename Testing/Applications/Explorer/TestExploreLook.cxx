@@ -33,8 +33,8 @@ namespace
 constexpr int ROW = 60;          // voxels of 1 mm
 constexpr double SKIN_AT = 30.0; // mm
 
-/// Returns HU along x: air, 10 mm of surrounding material (`around`), and tissue with a bone in it.
-/// Edges are 2 mm wide.
+/// Returns the HU value along x: air, 10 mm of surrounding material (`around`), and tissue with a
+/// bone inside. Edges are 2 mm wide.
 double HounsfieldAt(double x, double around)
 {
   const auto step = [x](double at) { return 0.5 + 0.5 * std::tanh(x - at); };
@@ -42,7 +42,7 @@ double HounsfieldAt(double x, double around)
     950.0 * step(SKIN_AT + 20.0);
 }
 
-/// Returns grey values along x: 20, a sheet of 2 mm with the value `peak`, and a body of 180.
+/// Returns the grey value along x: 20, a sheet of 2 mm with the value `peak`, and a body of 180.
 double GreyAt(double x, double peak)
 {
   const double off = (x - SKIN_AT + 12.0) / 0.85;
@@ -64,7 +64,8 @@ vtkSmartPointer<vtkImageData> MakeImage(const Row& valueAt)
   return image;
 }
 
-/// Gives every edge a surface strength, so that the look alone decides which edges are felt.
+/// Assigns a surface strength to every edge, so that the edge's position depends on the opacity
+/// alone.
 void HoldEverywhere(vtkHapticProperty* property)
 {
   property->GetStiffness()->AddPoint(0.0, 400.0);
@@ -72,8 +73,8 @@ void HoldEverywhere(vtkHapticProperty* property)
   property->GetDistinctness()->AddPoint(0.0, 1.0);
 }
 
-/// Computes where the proxy is when the hand first feels 0.1 N, and where half of the opacity is
-/// reached. Without a preset, all edges hold.
+/// Computes the proxy's position when the hand first feels 0.1 N, and the position where the ray
+/// reaches half of the opacity. Without a preset, all edges have a surface strength.
 void FeelAndLook(
   const Row& valueAt, const char* preset, double& felt, double& seen, bool isDark = false)
 {

@@ -34,7 +34,7 @@ Explore::Options Parse(std::vector<std::string> words)
   return Explore::ParseOptions(static_cast<int>(arguments.size()), arguments.data());
 }
 
-/// Returns the largest norm of an array of the trace during a phase.
+/// Returns the largest magnitude of an array of the trace during a phase.
 double Largest(const Explore::Exploration& e, const char* array, const std::string& phase)
 {
   vtkDataArray* const values = e.Trace->GetPointData()->GetArray(array);
@@ -53,7 +53,7 @@ double Largest(const Explore::Exploration& e, const char* array, const std::stri
   }
   return largest;
 }
-/// Explores a flow around z, the only array of its file, and expects errors for modes that need
+/// Explores a file whose only array is a flow around z, and expects errors for modes that need
 /// other arrays.
 void ExpectModesOfAFlow(const std::string& head)
 {

@@ -16,7 +16,7 @@ namespace
 {
 void ExpectSamePlace(const std::string& what, vtkImageData* head, vtkImageData* image)
 {
-  // Text headers and NIfTI's single precision keep fewer digits than a double.
+  // Text headers and NIfTI's single precision store fewer digits than a double.
   constexpr double tolerance = 1e-4;
   bool same = head->GetNumberOfPoints() == image->GetNumberOfPoints();
   for (int i = 0; same && i < head->GetDimensions()[0]; i += 3)
@@ -67,7 +67,7 @@ int TestExploreOrientation(int argc, char* argv[])
         " times the stored ones plus " + std::to_string(intercept),
       head, Explore::LoadVolume(WriteNifti(folder, shuffled, slope, intercept)).Image);
   }
-  // NRRD and MetaIO define the axes of their headers; NIfTI's forms refer to a patient.
+  // NRRD and MetaIO headers state their axes; NIfTI's transforms refer to a patient.
   const auto axesOf = [](const std::string& path) { return Explore::LoadVolume(path).Axes; };
   Expect(axesOf(WriteNifti(folder, shuffled, 1.0, 0.0)) == Explore::WorldAxes::Patient,
     "a NIfTI form is of a patient");

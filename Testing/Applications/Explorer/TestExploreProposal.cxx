@@ -26,7 +26,7 @@
 
 namespace
 {
-/// Returns the head with -1000 to 1500 HU scaled to 0 to `most`.
+/// Returns the head with its range of -1000 to 1500 HU scaled to 0 to `most`.
 Explore::Volume Scaled(const Explore::Volume& head, double most, int type)
 {
   vtkNew<vtkImageShiftScale> scale;
@@ -126,8 +126,9 @@ Explore::Volume MakeNoisyBall(double radius, double deviation)
     });
 }
 
-/// Expects that noise is not taken for a body, as in a CT with contrast medium, whose histogram
-/// begins in the noise. The threshold lies between air and ball, and no surface holds in the noise.
+/// Expects that noise is not mistaken for a body, as in a CT with contrast medium, whose histogram
+/// begins in the noise. The threshold lies between air and ball, and the noise has no surface
+/// strength.
 void ExpectNoiseIsNoBody()
 {
   const Explore::Volume ball = MakeNoisyBall(40.0, 1.0);
@@ -147,7 +148,7 @@ void ExpectNoiseIsNoBody()
   Expect(LargestOutside(felt) > 0.5, "the ball is felt");
 }
 
-/// Expects that noise without a wall in "Micro-CT" is not seen, although the histogram begins in
+/// Expects that noise without a wall is transparent in "Micro-CT", although the histogram begins in
 /// the noise.
 void ExpectNoiseIsHidden()
 {
@@ -164,8 +165,9 @@ void ExpectNoiseIsHidden()
 }
 
 /// Expects the force that the pressed depth implies, also if edges are several voxels wide, merge,
-/// or are missing. The hand presses 2.5 mm deep: 500 N/m give at most 1.25 N, and less because a
-/// kernel of scale s sees the edge of a ball of radius R about s^2/R (1.4 mm) further inside.
+/// or are missing. The hand presses 2.5 mm deep. 500 N/m allow at most 1.25 N. The force is
+/// smaller, because a kernel of scale s locates the edge of a ball of radius R about s^2/R (1.4 mm)
+/// further inside.
 void ExpectSoftSurfaces()
 {
   const auto edge = [](double r, double radius, double width)
@@ -200,7 +202,7 @@ int TestExploreProposal(int argc, char* argv[])
   ExpectNoiseIsNoBody();
   ExpectNoiseIsHidden();
 
-  // A ramp has no edges.
+  // A ramp has no edges, so there is no surface to find.
   vtkNew<vtkImageData> ramp;
   ramp->SetDimensions(24, 24, 24);
   ramp->AllocateScalars(VTK_FLOAT, 1);

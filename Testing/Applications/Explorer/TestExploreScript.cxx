@@ -33,7 +33,7 @@ int TestExploreScript(int argc, char* argv[])
       auto* const at = static_cast<vtkRenderWindowInteractor*>(caller);
       const int* const place = at->GetEventPosition();
       static_cast<std::vector<Place>*>(to)->push_back({ place[0], place[1] });
-      // Sets another position, as X11 does when the real pointer enters the window.
+      // Change the position, as X11 does when the real pointer enters the window.
       at->SetEventInformation(3, 5);
     });
   for (const unsigned long event : { vtkCommand::MouseMoveEvent, vtkCommand::KeyPressEvent,

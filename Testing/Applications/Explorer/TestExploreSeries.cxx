@@ -113,7 +113,7 @@ void ExpectError(const std::vector<std::string>& paths, const std::string& fault
     "should say '" + fault + "', but said: " + message);
 }
 
-/// Counts a filter's messages of one kind, and keeps them off the terminal.
+/// Counts a filter's messages of one kind, and suppresses their output on the terminal.
 struct MessageCount
 {
   MessageCount(vtkVolumeHapticsFilter* filter, unsigned long kind)
@@ -124,8 +124,8 @@ struct MessageCount
   int Count = 0;
 };
 
-/// Expects that every time step is felt and seen. `displacements` names their array, if there is
-/// one.
+/// Expects that every time step is both touched and displayed. `displacements` is the name of the
+/// displacement array, or empty.
 void ExpectPlaying(const std::vector<std::string>& paths, const std::string& displacements = "")
 {
   Explore::Volume volume = Explore::LoadVolumes(paths);
@@ -170,7 +170,7 @@ int TestExploreSeries(int argc, char* argv[])
   const vtkSmartPointer<vtkImageData> head = LoadHead(argc, argv);
   std::vector<std::string> files;
   vtkNew<vtkImageAppendComponents> times;
-  // The names sort wrongly without regard to numbers: 10 would come first.
+  // Sorted as plain text, these names would be in the wrong order: 10 would come first.
   const char* const names[COUNT] = { "phases/at2.vti", "phases/at9.vti", "phases/at10.vti" };
   for (int i = 0; i < COUNT; ++i)
   {

@@ -43,7 +43,7 @@ std::string Vtp(
     "</Polys></Piece></PolyData></VTKFile>\n";
 }
 
-/// Reads a file, and expects success (an empty `fault`) or a message that contains `fault`.
+/// Reads a file. Expects success if `fault` is empty, otherwise a message that contains `fault`.
 void ExpectShape(const std::string& name, const std::string& content, const std::string& fault)
 {
   const std::string path = WriteText(name, content);

@@ -46,7 +46,7 @@ void Feel(Exploration& exploration, vtkPoints* points)
 }
 
 /// Presses from outside towards the head's axis at a height (mm) and an angle, to `depth` (mm)
-/// below the first contact, and slides upwards by 15 mm. Returns the tick in which the slide
+/// below the first contact, and slides upwards by 15 mm. Returns the tick at which the slide
 /// begins.
 vtkIdType Stroke(Exploration& exploration, double height, double degrees, double depth)
 {
@@ -86,8 +86,8 @@ std::vector<float> Cut(const std::vector<float>& sound, vtkIdType from, vtkIdTyp
   return { sound.begin() + from * samples, sound.begin() + to * samples };
 }
 
-/// Returns the mean frequency (Hz) of the sound of a range of ticks. Most of these ticks must slide
-/// on values from `low` to `high` (HU).
+/// Returns the mean frequency (Hz) of the sound of a range of ticks. Expects that most of these
+/// ticks slide on values from `low` to `high` (HU).
 double Hear(const Exploration& exploration, vtkIdType from, vtkIdType to, double low, double high,
   const std::string& tissue)
 {
@@ -108,15 +108,16 @@ void CheckTissues(int argc, char* argv[])
   Explore::Settings settings;
   settings.Preset = "CT contrast";
   Exploration exploration = ExploreHead(argc, argv, settings);
-  // Skin and fat are thinner than a voxel: only values from the kernel placement belong to them.
+  // Skin and fat are thinner than a voxel, so only the kernel placement assigns their values to
+  // them.
   exploration.Filter->SetMaterialPlacementToKernel();
   exploration.Filter->SetContactAlignmentToDistinctness();
   constexpr vtkIdType start = 100; // ticks
   vtkIdType begin = Stroke(exploration, -110.0, 30.0, 6.0);
   const double skin =
     Hear(exploration, begin + start, begin + SLIDE, -150.0, -80.0, "skin over fat (neck)");
-  // Press 10 mm deep, where the muscle under the fat holds. A hand pressed deeper breaks through
-  // it.
+  // Press 10 mm deep, where the muscle under the fat resists. A deeper hand breaks through the
+  // muscle.
   begin = Stroke(exploration, 40.0, 0.0, 10.0);
   const double muscle =
     Hear(exploration, begin + start, begin + SLIDE, 35.0, 80.0, "muscle (temple)");
@@ -153,7 +154,7 @@ void CheckPath(int argc, char* argv[])
   Explore::WriteSound(exploration, file);
   Expect(vtksys::SystemTools::FileLength(file) == 44 + 2 * sound.size(), "a head and samples");
 
-  // A device plays only a share of the force: half of it while it ramps, none if it is disarmed.
+  // A device renders only part of the force: half during the ramp, and none when disarmed.
   vtkDataArray* const force = trace->GetPointData()->GetArray("Force");
   vtkNew<vtkDoubleArray> command;
   command->SetName("Command");

@@ -15,7 +15,7 @@
 
 namespace
 {
-/// Computes the highest speed (m/s) and acceleration (m/s^2) along the path.
+/// Computes the highest speed (m/s) and the highest acceleration (m/s^2) along the path.
 void Motion(const Explore::Exploration& e, double& speed, double& acceleration)
 {
   double last[3] = { 0, 0, 0 };

@@ -24,7 +24,7 @@
 
 namespace
 {
-/// A renderer that is created in the memory of the last deleted one, with its old content.
+/// A renderer that is created in the memory of the last deleted renderer, whose content it finds.
 class ReusedRenderer : public vtkOpenGLRenderer
 {
 public:
@@ -76,7 +76,7 @@ protected:
 };
 vtkStandardNewMacro(ReusedRendererFactory);
 
-/// Counts renderers of the window whose aspect ratio differs from that of their size.
+/// Counts the window's renderers whose aspect ratio differs from that of their size in pixels.
 int CountWrong(vtkRenderWindow* window)
 {
   int wrong = 0;
@@ -99,7 +99,8 @@ int CountWrong(vtkRenderWindow* window)
   return wrong;
 }
 
-/// Builds the scene as Explore::RunTouchWindow does, off the screen, and counts wrong renderers.
+/// Builds the scene off screen as Explore::RunTouchWindow() does, and counts the renderers with a
+/// wrong aspect ratio.
 int CountWrongInScene(vtkRenderWindow* window, const Explore::Exploration& exploration)
 {
   window->SetOffScreenRendering(1);

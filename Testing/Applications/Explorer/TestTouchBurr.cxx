@@ -29,12 +29,12 @@ constexpr int X = 165; // pixels, the forehead
 constexpr int Y = 160;
 constexpr int Around = 12;
 
-/// Returns the picture around the pointer without the hand, and writes the whole picture to `file`.
+/// Returns the pixels around the pointer without the hand, and writes the whole picture to `file`.
 std::vector<double> Draw(TouchedHead& head, const std::string& file)
 {
   head.Touch.Style->TouchModeOff();
   Explore::ExplorerScene& scene = head.Touch.Scene;
-  for (int i = 0; i < 4; ++i) // the texture may be missing in the first frame
+  for (int i = 0; i < 4; ++i) // the first frame may lack the texture
   {
     head.Touch.Style->UpdateHaptics();
     vtkPropCollection* const props = scene.Renderer->GetViewProps();
@@ -57,7 +57,7 @@ std::vector<double> Draw(TouchedHead& head, const std::string& file)
   return apitest::ReadPixels(scene.Window, X - Around, Y - Around, X + Around, Y + Around);
 }
 
-/// Counts pixels that differ clearly.
+/// Counts the pixels that differ by more than noise.
 int CountChanges(const std::vector<double>& a, const std::vector<double>& b)
 {
   int count = 0;

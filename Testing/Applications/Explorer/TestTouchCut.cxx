@@ -37,7 +37,7 @@ struct CutHead : TouchedHead
 
   void Press(char key, const char* symbol)
   {
-    // a faster repeat would count as a held key
+    // A faster repetition would count as a held key.
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     this->Interactor->SetKeyEventInformation(0, 0, key, 0, symbol);
     this->Interactor->InvokeEvent(vtkCommand::KeyPressEvent);
@@ -74,8 +74,8 @@ struct CutHead : TouchedHead
     }
     this->Event(from[0] + dx, from[1] + dy, vtkCommand::LeftButtonReleaseEvent);
   }
-  /// Returns whether the filter crops the mapper's regions. The filter's planes are in the image's
-  /// coordinates: the mapper's planes plus the image's origin.
+  /// Returns whether the filter crops the same regions as the mapper. The filter's planes are in
+  /// the image's coordinates: the mapper's planes plus the image's origin.
   bool FeelsRegions()
   {
     vtkVolumeHapticsFilter* const filter = this->Exploration.Filter;
@@ -89,7 +89,7 @@ struct CutHead : TouchedHead
     }
     return isSame;
   }
-  /// Returns whether a position (world) is in the box that is cut away, by more than a voxel.
+  /// Returns whether a position (world coordinates) is inside the cropped box by more than a voxel.
   bool IsCutAway(const double world[3])
   {
     vtkNew<vtkMatrix4x4> toVolume;
@@ -105,7 +105,7 @@ struct CutHead : TouchedHead
     }
     return isInside;
   }
-  /// Presses at (x, y) and returns the proxy.
+  /// Presses at pixel (x, y) and returns the proxy.
   std::array<double, 3> Touches(int x, int y)
   {
     this->TouchAt(x, y, [&] { this->TouchedHead::Press(x, y, 4); });
@@ -126,7 +126,8 @@ struct CutHead : TouchedHead
   }
 };
 
-/// Checks that eye and hand use the same plane object, which the key x makes and the key e flips.
+/// Expects that rendering and haptics share one plane object, which the key x creates and the key e
+/// flips.
 void CutByPlane(CutHead& head)
 {
   head.Press('x', "x");
@@ -149,7 +150,7 @@ void CutByPlane(CutHead& head)
   head.Expect(IsSame(vtkMath::Dot(before, plane->GetNormal()), -1.0), "e keeps the other part");
 }
 
-/// Expects that dragging the handle of a face moves that face, and nothing else.
+/// Expects that dragging a face's handle moves only this face.
 void DragFace(CutHead& head)
 {
   vtkCamera* const camera = head.Touch.Scene.Renderer->GetActiveCamera();
@@ -168,7 +169,7 @@ void DragFace(CutHead& head)
     std::equal(before.begin(), before.begin() + 5, after.begin(), IsSame), "the other faces stay");
   head.Expect(eye == eyeAfter, "the camera stays");
   head.Expect(head.FeelsRegions(), "the filter follows the handle");
-  head.Drag(at, 0, 40); // the handle has moved away from here
+  head.Drag(at, 0, 40); // drag at the handle's old position
   head.Expect(!(eye == (camera->GetPosition(eyeAfter.data()), eyeAfter)),
     "beside the handles the mouse turns the camera");
   head.Drag(at, 0, -40);

@@ -11,7 +11,7 @@
 
 namespace
 {
-/// The last state with a force; zero if something is wrong.
+/// The most recent state with a force; zero if something is wrong.
 struct Felt
 {
   double OnSkin = 0.0;

@@ -17,9 +17,8 @@
 
 namespace
 {
-/// Computes how many voxels behind the proxy, along the ray from the camera, half of the opacity is
-/// reached. By the definition of vtkVolumeProperty, a layer of the unit distance has the function's
-/// opacity.
+/// Computes how many voxels behind the proxy a ray from the camera reaches half of the opacity. By
+/// the definition of vtkVolumeProperty, a layer of the unit distance has the function's opacity.
 double MeasureHalfOpacity(TouchedHead& head)
 {
   vtkVolumeProperty* const look = head.Touch.Scene.Look;

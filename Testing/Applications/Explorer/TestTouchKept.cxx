@@ -16,7 +16,7 @@
 
 namespace
 {
-/// A window with the parts that keep unsaved work.
+/// A window with the parts that contain unsaved work.
 struct KeptHead : TouchedHead
 {
   KeptHead(int argc, char* argv[], const std::string& file = "")
@@ -54,7 +54,7 @@ struct KeptHead : TouchedHead
   Explore::KeptWork Kept;
 };
 
-/// Returns whether the list has only this point.
+/// Returns whether this point is the only one in the list.
 bool HasOnly(vtkHapticMeasurements* list, const double point[3])
 {
   if (list->GetNumberOfMeasurements() != 1)
@@ -117,7 +117,7 @@ int TestTouchKept(int argc, char* argv[])
       isRight;
     const bool isUnasked = head.GetOpacity()->GetValue(77.0) == 0.77;
     isRight = Expect(!isUnasked, "they came back unasked") && isRight;
-    // Kept functions are those of the outside, also while the inside is shown.
+    // Saved functions are those for the outside, even while the inside is shown.
     head.Press('o', "o");
     isRight = Expect(head.GetOpacity()->GetValue(40.0) == 0.0, "o shows no inside") && isRight;
     vtkHapticMeasurements* const list = head.Touch.Measurements;

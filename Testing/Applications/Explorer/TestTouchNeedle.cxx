@@ -21,7 +21,7 @@
 
 namespace
 {
-/// Returns the text that the program prints for Ctrl with a letter.
+/// Returns the text that the program prints when Ctrl and a letter are pressed.
 std::string PressWithCtrl(TouchedHead& head, const char* letter)
 {
   std::ostringstream text;
@@ -57,7 +57,7 @@ bool Contains(const std::string& text, const std::string& part)
 int TestTouchNeedle(int argc, char* argv[])
 {
   TouchedHead head(argc, argv, Explore::MapperChoice::CPU);
-  // Run in the test's folder, as the program writes to the current folder.
+  // Change to the test's folder, because the program writes to the current folder.
   const std::filesystem::path file =
     std::filesystem::path(MakeTestFolder(argc, argv, "TouchNeedle")) / "track-001.vtp";
   std::filesystem::remove(file);

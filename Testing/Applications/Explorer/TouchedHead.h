@@ -13,7 +13,7 @@
 #include <chrono>
 #include <thread>
 
-/// The explorer's window on the head phantom, off screen; the mouse moves the hand.
+/// The explorer's window on the head phantom, rendered off screen; the mouse moves the hand.
 struct TouchedHead
 {
   TouchedHead(
@@ -30,7 +30,7 @@ struct TouchedHead
     this->Interactor->SetRenderWindow(this->Touch.Scene.Window);
     this->Interactor->SetInteractorStyle(this->Touch.Style);
     this->Touch.Commands.SetInteractor(this->Interactor);
-    // Hide the text of the live servo, which changes in every frame.
+    // Hide the servo's live text, which changes in every frame.
     this->Touch.Display->SetTextVisibility(0);
     this->Touch.Display->SetPlotVisibility(0);
   }
@@ -56,7 +56,7 @@ struct TouchedHead
       this->Pauses.Look(this->Touch.Device);
     }
   }
-  /// Calls `act` in touch mode with the pointer at (x, y). Repeats the call if a pause held up the
+  /// Calls `act` in touch mode with the pointer at (x, y). Repeats the call if a pause delayed the
   /// servo's loop meanwhile.
   template <typename F>
   void TouchAt(int x, int y, F&& act)
@@ -71,7 +71,7 @@ struct TouchedHead
       act();
     }
   }
-  /// Moves the hand into the tissue at (x, y) by some steps of the wheel.
+  /// Moves the hand into the tissue at (x, y) by some steps of the mouse wheel.
   void Press(int x, int y, int steps)
   {
     for (int i = 0; i < steps; ++i)

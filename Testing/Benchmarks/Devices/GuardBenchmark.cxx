@@ -53,7 +53,7 @@ public:
 struct Figures
 {
   double Median = 0.0;  ///< us, from a force to its sample
-  double Late = 0.0;    ///< us, 99th percentile
+  double Late = 0.0; ///< us, 99th percentile of the time from a force to its sample
   double Call = 0.0;    ///< us, median duration of the servo's call of Write()
   std::size_t Lost = 0; ///< number of forces without an answer within a period
 };
@@ -66,8 +66,8 @@ double At(std::vector<double>& times, double part)
 }
 
 /**
- * Polls for the answer to one force. Returns its time, or a negative number if none comes within a
- * period.
+ * Polls for the answer to one force. Returns its arrival time, or a negative number if none arrives
+ * within a period.
  */
 double WaitFor(DeviceBackend& device, double force, std::int64_t since)
 {
@@ -126,7 +126,7 @@ void Print(const char* name, const Figures& figures)
 
 int RunBenchmark(double seconds)
 {
-  // Makes this program its own guard.
+  // Make this program its own guard process.
   setenv("VOLUMEHAPTICS_GUARD", std::filesystem::canonical("/proc/self/exe").c_str(), 1);
   std::string error;
   HardwareDevice thread(std::make_unique<EchoDriver>());

@@ -38,8 +38,8 @@ namespace
 {
 
 /**
- * Slides over the ramp at 0.1 m/s and 1 kHz. A plain slide gives back all privileges that the loop
- * got.
+ * A device that slides over the ramp at 0.1 m/s and 1 kHz. In a plain slide, the loop gives up its
+ * scheduling privileges.
  */
 class Slide : public DeviceBackend
 {
@@ -57,9 +57,9 @@ public:
     if (this->Tick == 0 && this->Plain)
     {
       const sched_param none{};
-      pthread_setschedparam(pthread_self(), SCHED_OTHER, &none); // this also sets the usual time
+      pthread_setschedparam(pthread_self(), SCHED_OTHER, &none); // also resets the slack
                                                                  // slice
-      prctl(PR_SET_TIMERSLACK, 0UL);                             // restores the slack
+      prctl(PR_SET_TIMERSLACK, 0UL); // restores the default timer slack
     }
     const double phase = 0.02 * static_cast<double>(this->Tick++);
     sample.Tip = { 0.012 + 0.005 * std::sin(phase), 0.012, 0.012 + 0.002 * std::sin(0.1 * phase) };
@@ -230,7 +230,7 @@ const char* NameScheduling(bool plain, RealTimeGrant grant)
                                           : "short slices";
 }
 
-/** Results of short runs of one kind. */
+/** Accumulated results of several short runs of one kind. */
 struct Punctuality
 {
   double Ticks = 0.0;
@@ -240,7 +240,10 @@ struct Punctuality
 };
 constexpr double WakeFractions[4] = { 0.5, 0.9, 0.99, 0.999 };
 
-/** Measures in turns, so that other work of the machine affects each kind of scheduling equally. */
+/**
+ * Measures the kinds of scheduling in turns, so that other work of the machine affects all of them
+ * equally.
+ */
 void PrintTimeKeeping(
   const std::shared_ptr<const HapticModel>& model, double seconds, unsigned busy)
 {
@@ -284,7 +287,7 @@ void PrintTimeKeeping(
   }
 }
 
-/** A cube whose upper half is bone, with voxels of 1 mm. */
+/** A cube with voxels of 1 mm, whose upper half is bone. */
 class HalfCube
 {
 public:
@@ -314,7 +317,7 @@ public:
     d.Tool = std::make_shared<const BakedBurr>(tool);
     return std::make_shared<const HapticModel>(d);
   }
-  /** Returns the start (m), 1 mm above the surface. */
+  /** Returns the starting position (m), 1 mm above the surface. */
   Vector3 GetStart(double radius) const
   {
     const double half = 0.5 * static_cast<double>(this->Size);
@@ -408,7 +411,8 @@ int main(int argc, char** argv)
   const auto model = std::make_shared<const HapticModel>(description);
   PrintCost(model, seconds);
   PrintHandOff(model);
-  // Print pairs of rows. In the second row of a pair, the loop runs without its privileges.
+  // Print pairs of rows. In the second row of each pair, the loop runs without scheduling
+  // privileges.
   PrintTimeKeeping(model, seconds, 0);
   PrintTimeKeeping(model, seconds, std::thread::hardware_concurrency());
   return 0;

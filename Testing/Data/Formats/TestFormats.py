@@ -33,7 +33,7 @@ except ImportError:  # without Python wrapping, only the explorer is tested
 FILES = Path(os.environ["VOLUMEHAPTICS_FORMATS"])
 EXPLORE = os.environ["VOLUMEHAPTICS_EXPLORE"]
 CASES = json.loads((FILES / "cases.json").read_text())
-# Cases that still fail. When a case is mended, the test fails until the case is removed from this list.
+# Known failures. When a fault is fixed, the test fails until the case is removed from this list.
 WRONG = set((Path(__file__).parent / "wrong.txt").read_text().split())
 BALLS = 4.0 / 3.0 * np.pi * (20.0**3 + 5.0**3 + 7.0**3)  # mm^3, a little more than the phantom's volume
 
@@ -105,7 +105,7 @@ def test_is_right_or_refused(case, tmp_path):
     said = run.stdout + run.stderr
     if case["refused"]:
         assert run.returncode == 2, said
-        # Remove the file's own name, which does not tell the cause.
+        # Remove the file's own name, since it is no cause.
         cause = said.replace(case["path"], "").replace(Path(case["path"]).name, "").replace(case["name"], "")
         assert re.search(case["refused"], cause), said
         assert "Cure:" in said
@@ -118,7 +118,7 @@ def test_is_right_or_refused(case, tmp_path):
     for told in case["told"]:
         assert re.search(told, said, re.IGNORECASE), said
     if case["labels"]:
-        # A label begins in the middle of the phantom's edge; the values were rounded to 1.
+        # The label begins in the middle of the phantom's edge, and the values were rounded to 1.
         body, left = values(points), points[..., 0] > CENTRE[0] + 20.5
         one = case["first_label"]
         expected = {"": one + left, "body": one, "knob": (one + 1) * left}[case["alone"]] * (body > -470.0)
@@ -138,7 +138,7 @@ def test_is_right_or_refused(case, tmp_path):
     assert wrong.max() <= case["tolerance"], (wrong.max(), said)
     if re.search("tilted|sheared", case["name"]):  # resampling adds no samples beyond the data
         assert AIR <= found.min() and found.max() <= TISSUE, (found.min(), found.max())
-    # The whole phantom is in the volume.
+    # The volume must contain the whole phantom.
     body = voxel * np.count_nonzero(in_phantom > -470.0)
     assert 0.9 * BALLS < body < BALLS, (body, said)
 
@@ -180,7 +180,7 @@ def test_there_is_one_truth_in_every_front_end(tmp_path):
         subprocess.run([EXPLORE, case["path"], "--write-volume", str(written)], capture_output=True, check=True)
         image, found, affine = read(written)
         facts = volumehaptics.inspect(case["path"])
-        # the volumes of --web and of open_large()
+        # volumes that --web and open_large() read
         for other in (_files.read(case["path"])[0], large_image(case["path"])):
             assert other is None or np.allclose(corners(other), corners(image), rtol=1e-9, atol=1e-6), case["name"]
         np.testing.assert_allclose(np.reshape(facts["direction"], (3, 3)) * facts["spacing"], affine[:3, :3], rtol=1e-9)
@@ -237,8 +237,8 @@ def test_lengths_and_sides_are_the_patients_in_the_scene(touch, case):
     slices.SetRenderWindow(window)
     slices.SetPosition(CENTRE)
     window.Render()
-    # The slices have radiologists' axes: the patient's right at the left, the front or the head at the top; and a view
-    # from the left side.
+    # The slices must have radiologists' axes (the patient's right on the left; the front or the head at the top). The
+    # third slice is a view from the left.
     for number, (right, up, letters) in enumerate((("L", "A", "RLPA"), ("L", "S", "RLIS"), ("P", "S", "APIS"))):
         renderer = slices.GetRenderer(number)
         (x, y), (width, height) = renderer.GetOrigin(), renderer.GetSize()
@@ -527,7 +527,7 @@ TRUE_NAMES = {"RT Ion Plan Storage": "RT ion plan", "RT Plan Storage": "RT plan"
               ".*SR Storage|Comprehensive SR.*": "structured report", ".*ECG.*": "waveform", "Media Storage Directory.*":
               "directory of a medium|no single DICOM slice|damaged or cut-off", "RT Beams Treatment Record.*": "RT record",
               "AFNIImage": "AFNI|packed file", "PARRECImage": "PAR/REC", "EcatImage": "ECAT", "Minc2Image": "MINC 2"}
-# Faults of a slice from which no volume can be made.
+# Faults of a slice that prevent a volume.
 NO_VOLUME = ("is a single slice|too thin|no distance of its pixels|no position of its slices|is it a film|several volumes|mosaic|"
              "without its pixels|damaged or cut-off|without an image|numbers of colours|turned against each other")
 
@@ -562,7 +562,7 @@ def test_a_file_of_another_library_is_right_or_refused_by_its_true_name(file):
     inside = np.all((whole >= 0) & (whole < voxels.shape), axis=-1)
     expected = np.zeros(found.shape)
     expected[inside] = voxels[tuple(whole[inside].T)]
-    # Empty slices are added to a segmentation of one slice.
+    # The reader adds empty slices to a segmentation of one slice.
     assert np.count_nonzero(inside) == voxels.size and (inside.all() or is_labels)
     np.testing.assert_allclose(found, expected, rtol=2e-6, atol=1e-6 * np.ptp(voxels))
 

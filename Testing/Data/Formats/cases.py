@@ -21,7 +21,7 @@ class Case:
     tolerance: float = 1.0  #: of values; more where something is resampled
     scale: float = 1.0  #: the values are the phantom's times this ...
     offset: float = 0.0  #: ... and this is added
-    # : Used if the file has no patient coordinates: steps (mm) of the result's world along the index axes, and its
+    # : Only for files without patient coordinates: spacing (mm) along the index axes in the resulting world, and the
     # first voxel.
     steps: tuple[float, float, float] | None = None
     first: tuple[float, float, float] = (0.0, 0.0, 0.0)

@@ -36,7 +36,7 @@ if [ "${2:-}" = only ]; then
   PYTHONDONTWRITEBYTECODE=1 exec "$libraries/bin/python" "$here/write.py" "${@:3}"
 fi
 flock -u $lock
-# The files are kept until their writers change.
+# The files are reused until their writers change.
 writers=$(cat "$here"/write*.py "$here/cases.py" "$here/phantom.py" "$here/libraries_files.py" "$here/requirements.txt" |
   sha256sum)
 if [ "$(cat "$build_dir/files/writers" 2> /dev/null)" != "$writers" ]; then

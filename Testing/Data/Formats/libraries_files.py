@@ -27,7 +27,7 @@ def say_nibabel(path):
     except Exception as error:  # noqa: BLE001 each loader has its own
         return {"kind": "", "why": str(error)[:200]}, None
     while voxels.ndim > 3:
-        # The slowest dimension of MINC comes first.
+        # MINC stores the slowest dimension first.
         voxels = voxels[0] if isinstance(image, nibabel.Minc1Image) else voxels[..., 0]
     if voxels.ndim < 3 or affine.shape != (4, 4):
         return {"kind": type(image).__name__, "why": "no volume"}, None

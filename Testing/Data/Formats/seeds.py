@@ -67,7 +67,7 @@ for case in CASES:
             into.mkdir(parents=True, exist_ok=True)
             (into / case.name).write_bytes(seed)
             written += 1
-# Grids, images and tables, written after VTK's file formats. The first byte chooses the file's ending.
+# Grids, images and tables in VTK's file formats. The first byte selects the file's extension.
 FRAME = '<?xml version="1.0"?><VTKFile type="{0}" version="0.1" byte_order="LittleEndian"><{0}{1}</{0}></VTKFile>'
 NUMBERS = '<DataArray type="Float32" Name="v" format="ascii"{}>{}</DataArray>'
 PLACES = " ".join(f"{i & 1} {i >> 1 & 1} {i >> 2}" for i in range(8))

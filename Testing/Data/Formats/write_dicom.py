@@ -187,7 +187,7 @@ def tilt(name, degrees):
     @case(f"dicom-tilted-{name}", source="Slicer#4409, dcm2niix#253, cornerstone3D#227", told=("tilt|shear|slant",),
           tolerance=120.0, outside=True)
     def write(folder):
-        # The slices stay parallel to x and rotate about it; the table moves along z.
+        # The slices stay parallel to x and rotate about it, while the table moves along z.
         angle = np.radians(degrees)
         row, column = np.array([1.0, 0.0, 0.0]), np.array([0.0, np.cos(angle), np.sin(angle)])
         grid = Grid(size=(44, 44, 50))

@@ -257,7 +257,8 @@ meta_case("4d-of-which-none-is-chosen", lambda: SimpleITK.JoinSeries([itk_image(
 meta_case("no-other-to-choose", itk_image, refused="has one volume, of which none can be chosen", options=("--series", "2"))
 meta_case("met-long", lambda: itk_image(dtype=np.int32), change=replace((b"MET_INT", b"MET_LONG")),
           source="MetaIO: MET_LONG has 4 bytes")
-# MetaIO has room for 254 letters (char m_Comment[255] of metaObject.h, name[255] of metaUtils.h), and arrays for NDims.
+# MetaIO has buffers for 254 letters (char m_Comment[255] of metaObject.h, name[255] of metaUtils.h), and arrays of
+# fixed size for NDims.
 for name, line in (("comment-of-300-letters", b"Comment = " + 300 * b"c"), ("key-of-300-letters", 300 * b"k" + b" = 1"),
                    ("dimensions-told-again", b"NDims : 100")):
     meta_case(name, itk_image, change=replace((b"NDims = 3\n", b"NDims = 3\n" + line + b"\n")),
@@ -581,7 +582,7 @@ def zarr3(folder):
     return folder / "head.zarr"
 
 
-# Files that are refused by their names.
+# Files that the reader refuses because of their names.
 
 
 def refused_case(name, file, content, refused):

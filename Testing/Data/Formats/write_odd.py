@@ -60,7 +60,7 @@ def high_bits(name, change, told=(), **pixels):
         return save_all(folder, sets)
 
 
-# The outer slices are only air, which is stored as 16: its four lowest bits are 0, as if the value were shifted.
+# The outer slices contain only air, which is stored as 16: its four lowest bits are 0, as if the values were shifted.
 high_bits("and-samples-below", lambda stored: stored, ("not where HighBit says",), intercept=-1016.0)
 high_bits("and-signed-samples-below", lambda stored: stored, ("not where HighBit says",), intercept=0.0, signed=True)
 high_bits("and-an-overlay", lambda stored: stored << 4 | np.arange(stored.size) % 3, ("may be an overlay",))
@@ -70,7 +70,7 @@ high_bits("and-an-overlay", lambda stored: stored << 4 | np.arange(stored.size) 
       told=("not where HighBit says", "2 phases"))
 def high_bit_phases(folder):
     for phase in range(2):
-        # All samples of the first phase are whole multiples of 16, as if 12 bits of 16 were shifted.
+        # All samples of the first phase are multiples of 16, as if 12 bits of 16 were shifted.
         voxels = GRID.sample(float) if phase else np.round((GRID.sample(float) + 1024.0) / 16.0) * 16.0 - 1024.0
         sets = slices(GRID, sampled=voxels)
         for k, data in enumerate(sets):
@@ -721,7 +721,7 @@ def zarr_plate(folder):
     return folder / "head.zarr"
 
 
-# Files that are refused by their names.
+# Files that the reader refuses because of their names.
 
 for name, file, content, refused in (
         ("numpy", "head.npy", b"\x93NUMPY\1\0" + bytes(100), "array of NumPy"),

@@ -12,4 +12,4 @@ bar.on_change = lambda slider: said.append(slider.value)
 scene.add(bar)
 manager.iren.AddObserver("KeyPressEvent", lambda *_: hear(manager.iren.GetKeySym()), -1.0)
 drag = ((0.5, 0.12), (0.6, 0.12))
-# the lines of the page
+# code of Documentation/hosts.md

@@ -51,7 +51,7 @@ def begin():
     probe.watch_widget(widget)
 
 
-# Change to InVesalius's own tool, which sets a style of its own.
+# Switch to one of InVesalius's own tools, which replaces the interactor style.
 change_style = """from invesalius import constants
 from invesalius.pubsub import pub
 pub.sendMessage("Enable style", style=constants.STATE_ZOOM)"""

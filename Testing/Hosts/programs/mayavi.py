@@ -20,4 +20,4 @@ volume._volume_property.set_color(color)
 volume._ctf = color
 figure.scene.interactor.add_observer("KeyPressEvent", lambda caller, _: hear(caller.GetKeySym()), -1.0)
 lets_go = "End"
-# the lines of the page
+# code of Documentation/hosts.md

@@ -7,4 +7,4 @@ figure.plotter.add_actor(make_volume(image))
 mne.viz.set_3d_view(figure, azimuth=60, elevation=70, distance=300.0, focalpoint=(0.0, 0.0, 0.0))
 figure.plotter.add_key_event("u", lambda: hear("u"))
 figure.plotter.app_window.setWindowTitle("host")
-# the lines of the page
+# code of Documentation/hosts.md

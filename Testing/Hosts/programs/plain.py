@@ -26,4 +26,4 @@ slider.On()
 said = []
 slider.AddObserver("InteractionEvent", lambda *_: said.append(bar.GetValue()))
 drag = ((0.32, 0.1), (0.5, 0.1))
-# the lines of the page
+# code of Documentation/hosts.md

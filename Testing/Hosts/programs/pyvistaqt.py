@@ -21,4 +21,4 @@ drag = ((0.32, 0.1), (0.5, 0.1))
 plotter = open_window()
 plotter.app.setQuitOnLastWindowClosed(False)
 again = f"plotter = open_window(); {page.rstrip()}".replace("app.exec()", "app.setQuitOnLastWindowClosed(True)")
-# the lines of the page
+# code of Documentation/hosts.md

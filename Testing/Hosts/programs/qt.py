@@ -26,4 +26,4 @@ def open_window():
 frame, widget = open_window()
 app.setQuitOnLastWindowClosed(False)
 again = "frame, widget = open_window()\n" + page.replace("app.exec()", "app.setQuitOnLastWindowClosed(True)")
-# the lines of the page
+# code of Documentation/hosts.md

@@ -16,4 +16,4 @@ widget.GetRenderWindow().AddRenderer(renderer)
 widget.GetRenderWindow().GetInteractor().SetInteractorStyle(vtkInteractorStyleTrackballCamera())
 widget.GetRenderWindow().GetInteractor().AddObserver(
     "KeyPressEvent", lambda caller, _: hear(caller.GetKeySym()), -1.0)
-# the lines of the page
+# code of Documentation/hosts.md

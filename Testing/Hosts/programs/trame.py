@@ -28,4 +28,4 @@ def open_page(address):
 
 webbrowser.open = open_page
 again = "open_page(opened)"
-# the lines of the page
+# code of Documentation/hosts.md

@@ -6,4 +6,4 @@ volume = vedo.Volume(image)
 volume.alpha(opacity).color([(value, color) for value, color in colors])
 plotter = vedo.Plotter(size=(500, 500), title="host", bg="black")
 plotter.add_callback("key press", lambda event: hear(event.keypress))
-# the lines of the page
+# code of Documentation/hosts.md

@@ -13,4 +13,4 @@ renderer.AddVolume(make_volume(image))
 widget.GetRenderWindow().AddRenderer(renderer)
 widget.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
 widget._Iren.AddObserver("CharEvent", lambda caller, _: hear(caller.GetKeyCode()), -1.0)
-# the lines of the page
+# code of Documentation/hosts.md

@@ -117,7 +117,8 @@ def removal(view, device, link):
     """The panel's buttons undo and redo strokes of a burr, exactly to the last bit of the remaining tissue."""
     touch = device.Touch
     touch.Tool, touch.BurrRadius, touch.BurrSpecificEnergy = "Burr", 8.0, "0.02"
-    # The line lies in the air before the face. Its trace contains the tissue's state after the live hand.
+    # The line is in the air in front of the face. Its trace contains the tissue's state after the live hand has touched
+    # it.
     line = simple.Line(Point1=[-25, -140, 45], Point2=[-25, -139, 45], Resolution=1)
     touch.Path = line
     interactor = view.GetInteractor()

@@ -170,7 +170,7 @@ def volume(view, device, link):
 
     def look():
         pixels = vtkUnsignedCharArray()
-        # the temple, where neither the hand nor the texts are drawn
+        # region at the temple, without the hand and the texts
         window.GetPixelData(110, 150, 169, 199, 0, pixels, 0)
         return vtk_to_numpy(pixels).reshape(50, 60, 3)[:, :, 0].astype(float)
 

@@ -44,7 +44,7 @@ def main():
         skip("there is no display for paraview to open a window on. Run ctest under xvfb-run.")
     shutil.rmtree(OUTPUT, ignore_errors=True)
     os.makedirs(OUTPUT)
-    # The settings of this computer's user must be neither read nor written.
+    # Neither read nor write the settings of this computer's user.
     with tempfile.TemporaryDirectory() as home:
         environment = dict(os.environ, HOME=home, XDG_CONFIG_HOME=home, XDG_RUNTIME_DIR=home, QT_QPA_PLATFORM="xcb",
                            GUI_SESSION=os.path.join(HERE, "session.py"), GUI_VOLUME=VOLUME,

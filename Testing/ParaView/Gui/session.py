@@ -136,8 +136,8 @@ class Session:
         opacity = simple.GetOpacityTransferFunction("HU").Points
         assert opacity[0] == -1024 and opacity[1] == 0, "air is clear"
         assert opacity[-4] == 3000 and opacity[-3] == 0.998, "bone is not"
-        # As in the explorer, four voxels of the first tissue that the hand meets let the fraction 1 - 0.998 of the
-        # light through.
+        # As in the explorer, four voxels of the first tissue that the hand meets transmit the fraction 1 - 0.998 of the
+        # light.
         skin = [opacity[i + 1] for i in range(0, len(opacity), 4) if opacity[i] == -300]
         bounds, extent = head.GetDataInformation().GetBounds(), head.GetDataInformation().GetExtent()
         voxel = min((bounds[2 * a + 1] - bounds[2 * a]) / (extent[2 * a + 1] - extent[2 * a]) for a in range(3))
@@ -182,7 +182,7 @@ class Session:
         tip = self.tip()
         way = sum((a - b) ** 2 for a, b in zip(tip, self.start)) ** 0.5
         assert way > 5, f"the mouse led the tip by {way} mm only"
-        # If the machine stalled, the force was cut off, as it must be. Then approach again from outside.
+        # After a stall of the machine, the force is cut off, as required. Then approach again from outside.
         for _ in range(5):
             if self.force(device) > 0.5:
                 return
@@ -252,8 +252,8 @@ class Session:
         theirs |= {shortcut.key().toString() for shortcut in window.findChildren(shortcuts)}
         # Keys that ParaView 5.11 to 6.1 uses: pqStandardViewFrameActionsImplementation.cxx.
         assert {"S", "D", "F", "G", "B", "+", "-", "Esc", "F1"} <= theirs, theirs
-        # Qt writes letters as capitals, even without Shift; X11 has names for other keys. Escape always ends the touch,
-        # even if ParaView uses it.
+        # Qt writes letters in upper case, even without Shift; X11 has other names for some keys. Escape always ends the
+        # touch, even if ParaView uses this key.
         names = {"plus": "+", "minus": "-", "KP_Add": "+", "KP_Subtract": "-", "question": "?", "space": "Space",
                  "comma": ",", "period": ".", "Delete": "Del", "BackSpace": "Backspace", "greater": ">", "less": "<"}
         theirs = {key.lower() if len(key) == 1 else key for key in theirs}

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A head of 101 x 51 x 31 samples of 0.5 mm, whose first sample is at (-20, 5, 100) mm. The planes
- * are computed by hand after UpdateMapperParameters() of vtkImageVolumeRepresentation.cxx, in
- * ParaView v5.11.0 and v5.12.1 (DataBounds) and in v5.13.0, v5.13.3 and v6.0.0 (WholeExtent).
+ * Uses a head of 101 x 51 x 31 samples of 0.5 mm, whose first sample is at (-20, 5, 100) mm. The
+ * expected planes are computed by hand from UpdateMapperParameters() of
+ * vtkImageVolumeRepresentation.cxx, in ParaView v5.11.0 and v5.12.1 (DataBounds) and in v5.13.0,
+ * v5.13.3 and v6.0.0 (WholeExtent).
  */
 
 #include "HapticCropPlanes.h"

@@ -55,7 +55,7 @@ path = simple.Line(Point1=[0.0, 0.0, 9.0], Point2=[0.0, 0.0, 0.0], Resolution=30
 touch = simple.VolumeHaptics(Input=wavelet, Path=path, Scalars=["POINTS", "RTData"], Preset="Custom")
 live.check(felt() > HELD, "felt at first", felt())
 
-# Rows of modes and tools.
+# Test the tables of modes and tools.
 touch.Method = "Primitives"
 told("has no kind of mode. Give one of", Modes=["", "", "1", ""])
 told("Give one of", Modes=["Followw", "", "1", ""])
@@ -74,7 +74,7 @@ for friction in ("30", "-100 0, 300 50"):
                "a friction")
 cured("a point again", Tool="None")
 
-# Files of samples.
+# Test files with samples.
 samples = os.path.join(live.FOLDER, "ramp.raw")
 with open(samples, "wb") as file:
     file.write(b"".join(bytes([4 * z]) * 400 for z in range(20)))

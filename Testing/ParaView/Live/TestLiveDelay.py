@@ -61,7 +61,7 @@ try:
         touch = simple.VolumeHaptics(Input=wavelet)
         device = simple.HapticDevice(Touch=touch, MaximumRegionVoxels=44**3)
         live.press(device, [-52, 3, 2], [-50, 3, 2])
-        # Limit the length of a step, so that a stall of the computer does not make the slow hand leap.
+        # Limit the length of a step, so that a stall of the computer does not make the slow hand jump.
         absent = lead("slow", 20.0, 1.0 if ROUND_TRIP == 0 else 100.0)
         live.check(ROUND_TRIP > 0 or absent == 0.0, "a slow hand always has its data", absent)
         lead("fast", 200.0, 100.0)

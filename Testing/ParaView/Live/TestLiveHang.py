@@ -31,7 +31,7 @@ with server:
     began = time.monotonic()
     later("CONT")
     os.killpg(server.process.pid, signal.SIGSTOP)
-    # The client asks the server, and waits for the answer until the stopped server continues.
+    # The client sends a request, and waits for the reply until the stopped server continues.
     simple.Wavelet(WholeExtent=[-3, 3, -3, 3, -3, 3]).UpdatePipeline()
     waited = time.monotonic() - began
     device.UpdatePipeline()

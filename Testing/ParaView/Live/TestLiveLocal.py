@@ -67,13 +67,13 @@ touch.LabelMaterials = []
 touch.Labels = None
 live.check(touch.Preset == "Custom", "the filter is as it was")
 
-# Disarming and stopping need no timer.
+# Disarming and stopping work without the timer.
 device.Armed = 0
 live.check(live.norm(device.Force) == 0.0 or live.poll(device, lambda: live.norm(device.Force) == 0.0), "disarmed")
 device.Running = 0
 live.check("Running" not in device.StatusText or live.poll(device, lambda: device.TickRate == 0), "stopped")
 
-# A state that was saved while the device was armed and recording restores neither; it restores harmless settings only.
+# A state that is saved while the device is armed and recording must restore neither, but only harmless settings.
 live.press(device, OUTSIDE, INSIDE)
 device.RecordingFile = os.path.join(live.FOLDER, "state.vtp")
 device.Recording = 1
@@ -85,7 +85,7 @@ live.check(not any(" = 1" in line and "." + order + " " in line for line in scri
            "no order in a script")
 values = {p.get("name"): p.findall("Element") for p in ElementTree.parse(state).iter("Property")}
 live.check(values["VirtualTip"] and not any(values.get(order) for order in orders), "no order in a state")
-# A state does not arm the device even if its file sets Armed to 1.
+# A state must not arm the device even if its file sets Armed to 1.
 text = open(state).read()
 tip = text.index('<Property name="VirtualTip"')
 forged = "".join('<Property name="%s" number_of_elements="1"><Element index="0" value="1"/></Property>' % order
@@ -102,7 +102,7 @@ device = again
 live.press(device, OUTSIDE, INSIDE)
 live.check(live.poll(device, lambda: felt() > 0.5), "and is felt as before")
 
-# Errors are reported once, with their cure, and do not stop the hand.
+# Errors must be reported once, with a remedy, and must not stop the hand.
 simple.SetActiveSource(None)
 device.RecordingFile = "nowhere.xyz"
 device.Recording = 1

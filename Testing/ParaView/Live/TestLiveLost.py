@@ -18,7 +18,7 @@ with server:
     device.Recording = 1
     live.check(live.poll(device, lambda: live.norm(device.Force) > 0.5), "a hand is held", device.StatusText)
     server.kill()
-    # Polling runs only the timer's ticks, so no error reaches the script.
+    # Polling only runs the timer, so no error reaches the script.
     live.check(live.poll(device, lambda: device.Running == 0), "the device stops", device.StatusText)
     live.check(device.Armed == 0 and live.norm(device.Force) == 0.0, "without force")
     live.check("server" in device.StatusText and "Connect" in device.StatusText, "what happened, and the cure", device.StatusText)
@@ -46,7 +46,7 @@ with live.Server():
     device = simple.HapticDevice(Touch=touch)
     live.press(device, [-9, 0, 0], [-4, 0, 0])
     live.check(live.poll(device, lambda: live.norm(device.Force) > 0.5), "a new server is touched", device.StatusText)
-    # A missing folder is reported, and so is a full disk.
+    # A missing folder and a full disk must be reported.
     full, errors = os.path.join(live.FOLDER, "full.csv"), []
     if not os.path.islink(full):
         os.symlink("/dev/full", full)
@@ -75,7 +75,7 @@ with live.Server():
     live.check(errors, "and an error says that it is not complete")
     device.Running = 0
     simple.Disconnect()
-# A recording is written by the client, so it is opened on the client's computer.
+# The client writes the recording, so open it on the client's computer.
 simple.Connect()
 table = simple.CSVReader(FileName=[os.path.join(live.FOLDER, "felt.csv")])
 table.UpdatePipeline()

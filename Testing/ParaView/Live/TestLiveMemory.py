@@ -55,8 +55,8 @@ def check(processes, free, *words):
 
 with live.Server() as server:
     live.load_plugin(remote=True)
-    # With memory for 1.5 images, the server cuts the whole image out, but has no room for its message. With memory for
-    # half an image, it has no room for the image.
+    # With memory for 1.5 images, the server can cut out the whole image, but can't store its message. With memory for
+    # half an image, it can't cut out the image.
     check(servers(server), 1.5 * WHOLE, "The server could not cut out what is around the tip (", "). Lower MaximumRegionVoxels.")
     check(servers(server), 0.5 * WHOLE, NONE)
     check([os.getpid()], 0.5 * WHOLE, "This computer has no memory for the region around the tip. Lower MaximumRegionVoxels")

@@ -216,7 +216,7 @@ else:
     make("RTData")
     here = flow_at(START)
     check_trace("VectorFollow", ["VectorFollow", "flow", str(STRENGTH), "0"], START + 4.0 * across(here), False)
-    # The front is a front of the vector's magnitude, which is above 1 there.
+    # The surface is where the vector's magnitude crosses 1, with larger magnitudes behind it.
     check_trace("VectorFrontTwoSided", ["VectorFrontTwoSided", "flow", f"0 0, 1 {STRENGTH}, 1e9 {STRENGTH}", ""],
                 START + 2.0 * here / numpy.linalg.norm(here), True)
     check_error(["Followw", "flow", "1", ""], "Followw", "VectorFollow", "Surface")

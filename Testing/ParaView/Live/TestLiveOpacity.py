@@ -30,7 +30,7 @@ live.check(seen > 0.5, "what is seen is felt", seen)
 opacity.Points = HIDDEN
 live.check(felt() == 0.0, "what is hidden is not", list(device.ComputedForce))
 
-# Cropped voxels are not shown, and so not felt. The cropping box is the bounds, -10 to 10, scaled and moved.
+# Cropped voxels are invisible, so they must not be felt. The cropping box has the bounds -10 to 10, scaled and moved.
 opacity.Points = SEEN
 shown.CroppingScale = [0.1, 1, 1]
 live.check(abs(felt() - seen) < 0.01, "as long as it is not used", list(device.ComputedForce), seen)
@@ -53,7 +53,8 @@ live.check(abs(felt() - seen) < 0.01, "nor is what has no opacity hidden", list(
 shown.SetRepresentationType("Volume")
 live.check(felt() == 0.0, "it is looked for at every poll", list(device.ComputedForce))
 
-# If the array has several components, opacity applies to the touched component only if the view shows that one.
+# For an array with several components, the opacity applies to the touched component only if the view shows this
+# component.
 vectors = simple.Calculator(Input=wavelet, Function="RTData*iHat + RTData*jHat + 1000*kHat", ResultArrayName="Vectors")
 touch = simple.VolumeHaptics(Input=vectors, Scalars=["POINTS", "Vectors"], Component=1)
 simple.Hide(wavelet, view)

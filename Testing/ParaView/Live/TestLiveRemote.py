@@ -16,7 +16,7 @@ HEAD = sys.argv[4]
 
 def touch_head():
     head = simple.XMLImageDataReader(FileName=[HEAD])
-    # With a power of two as the scale, a tip converted from the device's space to the world and back is the same to the
+    # With a power of two as the scale, converting a tip from the device's space to the world and back preserves every
     # bit.
     return simple.VolumeHaptics(Input=head, Preset="CT contrast", MetersPerWorldUnit=2.0**-10)
 
@@ -79,7 +79,7 @@ resident = numpy.array(log["Residency"])
 whole = offline(touch_head(), tips)
 live.check(len(whole) == len(felt), "ticks are complete", len(whole), len(felt))
 first_absent = int(numpy.argmax(resident < 1.0)) if (resident < 1.0).any() else len(resident)
-# After a pause of the loop, as a busy machine causes, a new contact begins.
+# After a pause of the loop on a busy machine, a new contact begins.
 pauses = numpy.nonzero(numpy.diff(log["Time (s)"]) > 0.02)[0]
 first_end = min(first_absent, pauses[0] + 1) if len(pauses) else first_absent
 difference = numpy.abs(whole - felt).max(axis=1)

@@ -26,7 +26,7 @@ for i in range(5):
     information.Append(executive.TIME_STEPS(), float(i))
 information.Set(executive.TIME_RANGE(), [0.0, 4.0], 2)
 """
-# All of the data is on the last rank.
+# The last rank has all of the data.
 DATA = """
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk
@@ -80,7 +80,7 @@ def touch():
     keeper = simple.GetTimeKeeper()
     scene.AnimationTime = 0.0
     filter = simple.VolumeHaptics(Input=volume, Scalars=["POINTS", "Wall"], MaterialPlacement=0)
-    # The strength is above the 1 N that the wall needs at its end; otherwise the wall would begin to slip.
+    # At its end, the wall needs 1 N. A smaller strength would let it slip.
     filter.SurfaceStrength.Points = [0.0, 1.5, 0.5, 0.0, 1000.0, 1.5, 0.5, 0.0]
     if MESH:
         filter.Method, filter.IsoValue, filter.ProxyRadius = "Surface proxy", 500.0, RADIUS
@@ -92,8 +92,8 @@ def touch():
         go(scene.GoToNext, time)
     for time in (3.0, 2.0):
         go(scene.GoToPrevious, time)
-    # Play the animation while the hand slides. On a server, the hand slides into other regions, with both time steps of
-    # each.
+    # Play the animation while the hand slides. With a server, the hand slides into other regions, each of which needs
+    # both time steps.
     for i, time in enumerate((3.0, 4.0, 3.0, 4.0, 3.0, 4.0)):
         scene.AnimationTime = time
         for j in range(8):
@@ -102,7 +102,7 @@ def touch():
     live.check(live.poll(device, lambda: is_force(4.0) and device.Residency == 1.0), "the force after sliding",
                list(device.ComputedForce), device.StatusText)
     device.Recording = 0
-    # Press a button that skips time steps, and change other settings of the pipeline at the same time.
+    # Press a button that skips time steps, while other settings of the pipeline change.
     scene.GoToFirst()
     live.check(live.poll(device, lambda: is_force(0.0)), "the wall is gone", list(device.ComputedForce))
     volume.Script = DATA.replace("10.0 - time", "14.0")
@@ -164,7 +164,7 @@ def come_back():
 
 def check_steps(forces, resident):
     steps = [abs(b - a) for a, b, r in zip(forces, forces[1:], resident[1:]) if r == 1.0]
-    # The wall moves by a millimetre in at least 18 ticks.
+    # The wall takes at least 18 ticks for each millimetre.
     strongest, largest = builtins.max(forces), builtins.max(steps)
     live.check(strongest > 0.9 and largest < 0.1, "no step of the force", strongest, largest)
 
@@ -189,7 +189,7 @@ else:
     ticks = servermanager.Fetch(reader).GetPointData()
     forces, times = (vtk_to_numpy(ticks.GetArray(name)) for name in ("Force", "DataTime"))
     wrong = builtins.max(abs(f[2] - expected(t)) for f, t in zip(forces, times))
-    # Blending two edges that are a voxel apart has an error of 0.02 of their width.
+    # Blending two edges that are one voxel apart has an error of 0.02 of their width.
     live.check(wrong < 0.02, "the force is that of where the wall is, in every tick", wrong)
     check_steps(list(forces[:, 2]), [1.0] * len(forces))
     come_back()

@@ -20,11 +20,11 @@ live.check(first.Running == 0 and first.Armed == 0, "the other one waits for its
 live.press(first, [9.0, 0.0, 0.0], [4.0, 0.0, 0.0])
 live.check(live.poll(first, lambda: live.norm(first.Force) > 0.5), "both hands", first.StatusText)
 live.poll(second, lambda: live.norm(second.Force) > 0.5)
-# The proxy comes to rest during the first ticks of a press.
+# Allow the proxy to come to rest during the first ticks of a press.
 live.check(live.distance(second.ComputedForce, alone) < 1e-3, "the same force beside another hand", alone, list(second.ComputedForce))
 live.check(live.distance(first.ProxyPosition, second.ProxyPosition) > 5.0, "two proxies")
 
-# Each device writes its own recording.
+# Each device must write its own recording.
 for device, name in ((first, "first.vtp"), (second, "second.vtp")):
     device.RecordingFile = os.path.join(live.FOLDER, name)
     device.Recording = 1

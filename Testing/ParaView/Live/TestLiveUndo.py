@@ -8,7 +8,7 @@ from paraview.modules.vtkRemotingServerManager import vtkSMProxyManager, vtkSMUn
 import live
 
 live.load_plugin()
-# As in paraview, each change of a property makes an undo entry, unless it is excluded.
+# As in the paraview program, each change of a property adds an undo entry unless it is excluded.
 stack, builder = vtkSMUndoStack(), vtkSMUndoStackBuilder()
 builder.SetUndoStack(stack)
 vtkSMProxyManager.GetProxyManager().SetUndoStackBuilder(builder)

@@ -96,7 +96,7 @@ class Server:
         command = [shutil.which("pvserver"), "--disable-xdisplay-test", "--server-port=0"]
         if ranks > 1:
             command = [shutil.which("mpiexec"), "--oversubscribe", "-np", str(ranks)] + command
-        # Remove this process's MPI variables, so that the server does not join this process's MPI job.
+        # Remove this process's MPI variables, so that the server does not try to join its MPI job.
         environment = {name: value for name, value in os.environ.items()
                        if not name.startswith(("OMPI_", "OPAL_", "PMIX_")) or name.startswith("OMPI_ALLOW")}
         self.process = subprocess.Popen(command, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True, start_new_session=True)

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests images without extent, and images with an impossible place in the world.
- */
+/** Tests images without extent, and images with an impossible position in the world. */
 
 #include "Rigs/BadImage.h"
 
@@ -63,7 +61,7 @@ const BadImage BadGeometries[] = {
 };
 } // namespace
 
-/// Follows the error's advice: images with this many points are felt.
+/// Follows the error's advice: images with the stated number of points can be touched.
 TEST(ThinImages, AreFeltWithAsManyPointsAsTheErrorNames)
 {
   for (const auto& [radius, points] : { std::pair(1, 3), std::pair(2, 5), std::pair(4, 9) })

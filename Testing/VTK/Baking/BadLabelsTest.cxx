@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests that a label image that can't be used gives one error, which names the input and the cure.
- */
+/** Tests that an unusable label image causes one error, which names the input and the remedy. */
 
 #include "Rigs/ApiRig.h"
 
@@ -97,7 +95,7 @@ TEST_F(BadLabelsTest, GeometryNeedsLabels)
 
 TEST_F(BadLabelsTest, AThinImageIsFelt)
 {
-  // The image is one voxel thin, which labels allow, since they need no gradient. It is far away
+  // The image is one voxel thin, which is valid for labels because they need no gradient. It is far
   // from the path.
   vtkNew<vtkImageData> thin;
   thin->SetDimensions(1, 4, 4);

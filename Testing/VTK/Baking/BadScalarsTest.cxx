@@ -73,7 +73,7 @@ const BadImage BadScalars[] = {
   { "ComponentWithoutMemory",
     [](auto* image, auto* filter)
     {
-      // Only the first of the two components has memory, which an application gave.
+      // Only the first of the two components has memory, which the application provided.
       vtkNew<vtkSOADataArrayTemplate<float>> separate;
       separate->SetName("Density");
       separate->SetNumberOfComponents(2);
@@ -99,7 +99,8 @@ TEST_P(BadScalarsTest, GivesOneErrorAndRecovers)
 
 using ComponentMemory = ApiTest;
 
-/// Uses component 1 of two: first the component has no memory, then it gets the values of the ramp.
+/// Touches component 1 of two: first the component has no memory, then it gets the values of the
+/// ramp.
 TEST_F(ComponentMemory, IsGivenAsTheErrorSays)
 {
   const vtkSmartPointer<vtkDataArray> density = this->Image->GetPointData()->GetScalars();

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests settings that are not numbers. They are refused or reported, and never felt.
- */
+/** Tests settings that are NaN or infinite. They must be refused or reported, and never used. */
 
 #include "Rigs/ApiRig.h"
 
@@ -51,7 +49,7 @@ TEST_P(BadSettingTest, NeverReachesTheOutput)
     this->Filter->SetMethod(method);
     this->Log.Errors.clear();
     this->Filter->Update();
-    // Expects one error that names the setting and an empty output, or no error if the setting was
+    // Expect one error that names the setting and an empty output, or no error if the setting was
     // clamped to its range.
     EXPECT_LE(this->Log.Errors.size(), 1U);
     vtkPolyData* const output = this->Filter->GetOutput();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests surfaces that SURFACE_PROXY can't touch. Each gives one error, which names the input and
- * the cure.
+ * Tests surfaces that SURFACE_PROXY can't touch. Each must cause one error, which names the input
+ * and the remedy.
  */
 
 #include "Rigs/ApiRig.h"
@@ -34,12 +34,12 @@ TEST_F(BadSurface, WithoutAnIsosurfaceThereIsAnErrorThatSaysTheRange)
 
 TEST_F(BadSurface, TheRangeOfALargeVolumeIsThatOfSomeSamples)
 {
-  // Above 2^26 samples, the range of the values is computed from some of the samples only.
+  // Above 2^26 samples, the range of the values is computed from a subset of the samples.
   constexpr int n = 408;
   vtkNew<vtkSignedCharArray> samples;
   samples->SetNumberOfValues(vtkIdType{ n } * n * n);
   samples->FillValue(7);
-  samples->SetValue(1000, 9); // this sample lies between the samples that are read
+  samples->SetValue(1000, 9); // this sample is not in the subset
   vtkNew<vtkImageData> image;
   image->SetDimensions(n, n, n);
   image->GetPointData()->SetScalars(samples);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the error bound of baking that vtkHapticProperty documents. For every vtkPiecewiseFunction,
+ * Tests the error bound of baking that vtkHapticProperty documents: for every vtkPiecewiseFunction,
  * linear pieces and steps are exact, and curved pieces are exact within 0.01 % of the piece's
  * height.
  */
@@ -86,8 +86,8 @@ TEST(BakingOf, DuplicateScalarsIsAStepAtTheNode)
   const VolumeHaptics::PiecewiseTable<2> table(
     { VolumeHaptics::ToPolyline(function, 0.0), VolumeHaptics::ConstantPolyline(1.0) });
   EXPECT_NEAR(table(std::nextafter(5.0, 0.0))[0], 2.0, 1e-15);
-  // VTK 9.1 returns 2 at a doubled node, and VTK 9.3 returns 8. The table must return what VTK
-  // returns.
+  // VTK 9.1 returns 2 at a duplicate node, and VTK 9.3 returns 8. The table must return the value
+  // of the installed VTK.
   EXPECT_EQ(table(5.0)[0], function->GetValue(5.0));
   EXPECT_EQ(table(std::nextafter(5.0, 9.0))[0], 8.0);
   EXPECT_NEAR(table(2.5)[0], 1.5, 1e-15);
@@ -106,9 +106,9 @@ TEST(BakingOf, NoPointsMeansTheDefault)
 
 TEST(BakingOf, SmoothMaterialsStaySmall)
 {
-  // Each of the four material functions has three smooth bumps, and no two functions have a break
-  // point in common. The table must take less than 900 kB, so that the model stays below 1 MiB with
-  // the kernel's table (by default a tenth as large).
+  // Each of the four material functions has three smooth bumps, and no two functions share a break
+  // point. The table must take less than 900 kB, so that the model stays below 1 MiB with the
+  // kernel's table (by default a tenth as large).
   std::array<VolumeHaptics::Polyline, 5> lines;
   lines.fill(VolumeHaptics::ConstantPolyline(1.0));
   for (int f = 0; f < 4; ++f)

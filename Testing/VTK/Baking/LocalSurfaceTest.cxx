@@ -32,7 +32,7 @@ protected:
     this->Filter->SetPathData(MakePath(points));
   }
 
-  /// Ball whose value is 100 on the surface, and rises by 10 per voxel towards the middle.
+  /// A ball with the value 100 on the surface, which increases by 10 per voxel towards the middle.
   const vtkSmartPointer<vtkImageData> Ball = MakeImage(41, VTK_FLOAT,
     [](const Point& x)
     {

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests that SameShape sets one stiffness everywhere, with every method that has a spring.
- */
+/** Tests that SameShape applies one stiffness everywhere, with every method that has a spring. */
 
 #include "Rigs/ApiRig.h"
 #include "VTK/Filter/PlannerSettings.h"
@@ -18,8 +16,8 @@ class SameShape : public ApiTest
 protected:
   SameShape()
   {
-    // Stiffness rises from 80 N/m at the value 700 to 400 N/m at the value 1300. The image V = 100
-    // z has all these values.
+    // The stiffness increases from 80 N/m at the value 700 to 400 N/m at the value 1300. The image
+    // V = 100 z contains all these values.
     this->Property->GetStiffness()->AddPoint(700.0, 80.0);
     this->Property->GetStiffness()->AddPoint(1300.0, 400.0);
     this->Filter->SetIsoValue(800.0);
@@ -66,7 +64,7 @@ TEST_F(SameShape, IsWhatASpringOfThatStiffnessGives)
   this->Filter->SameShapeOff();
   const auto own = (this->Run(51), Keep(this->Filter));
   EXPECT_FALSE(IsSame(one, own));
-  // A stiffness without points is 500 N/m, the default of the coupling stiffness, too.
+  // Without points, the stiffness is 500 N/m, like the default of the coupling stiffness.
   this->Property->GetStiffness()->RemoveAllPoints();
   this->Run(51);
   EXPECT_TRUE(IsSame(this->Filter->GetOutput(), one));

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that a hand feels nothing in the air beside a body, where nothing is visible. The places of
- * the surfaces follow from the formulas of the volumes.
+ * Tests that there is no force in the air beside a body, where nothing is visible. The volumes'
+ * formulas determine the positions of the surfaces.
  */
 
 #include "Rigs/ApiRig.h"
@@ -17,7 +17,7 @@ using namespace apitest;
 
 namespace
 {
-/// Makes a volume of 1 mm voxels; `formula` gives the value from the indices.
+/// Makes a volume of 1 mm voxels; `formula` computes the value from the indices.
 template <typename Formula>
 vtkSmartPointer<vtkImageData> MakeVolume(int x, int y, int z, int type, const Formula& formula)
 {
@@ -37,8 +37,8 @@ vtkSmartPointer<vtkImageData> MakeVolume(int x, int y, int z, int type, const Fo
   return image;
 }
 
-/// Returns the value (0 to 1) at a `distance` behind the middle of an edge that a Gaussian of this
-/// `width` has blurred.
+/// Returns the value (0 to 1) at a `distance` behind the middle of an edge that is blurred by a
+/// Gaussian of this `width`.
 double Blurred(double distance, double width)
 {
   return 0.5 * (1.0 + std::erf(distance / (width * std::sqrt(2.0))));
@@ -63,8 +63,8 @@ double LargestForce(vtkPolyData* trace)
 /// Smallest force (N) that counts as felt, as in the presses of the evaluation.
 constexpr double Felt = 0.1;
 
-/// Returns the largest force (N) on a straight path that passes, at this `distance`, a ball with a
-/// radius of 8 mm around (20, 20, 20).
+/// Returns the largest force (N) on a straight path that passes a ball with a radius of 8 mm around
+/// (20, 20, 20) at this `distance`.
 double PassBy(const char* preset, vtkImageData* ball, double distance)
 {
   vtkNew<vtkVolumeHapticsFilter> filter;
@@ -134,8 +134,8 @@ TEST(SeenFirst, AirBesideATwoSidedSurfaceDoesNotDrag)
 
 TEST(SeenFirst, AGradualEdgeIsFeltWhereItIsShown)
 {
-  // Values rise by 2.5 per voxel, too slowly for a distinct edge. The picture begins at the value
-  // 50, at y = 20 mm.
+  // Values increase by 2.5 per voxel, too slowly for a distinct edge. The opacity begins at the
+  // value 50, at y = 20 mm.
   const vtkSmartPointer<vtkImageData> ramp =
     MakeVolume(41, 41, 41, VTK_FLOAT, [](int, int j, int) { return 2.5 * j; });
   vtkNew<vtkVolumeProperty> look;

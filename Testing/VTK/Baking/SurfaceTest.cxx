@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests the method SURFACE_PROXY on isosurfaces and on given surfaces.
- */
+/** Tests the method SURFACE_PROXY on isosurfaces and on application-defined surfaces. */
 
 #include "Rigs/ApiRig.h"
 
@@ -43,8 +41,8 @@ protected:
     this->Filter->SetPathData(this->Turn);
     this->Filter->SetIsoValue(100.0);
   }
-  /// Returns the RMS distance (mm) of the proxy from the ideal centre of a sphere that touches the
-  /// ball, after the approach.
+  /// Returns the RMS distance (mm), after the approach, of the proxy from the ideal centre of a
+  /// sphere that touches the ball.
   double Deviation(vtkPolyData* output, double proxyRadius)
   {
     double sum = 0.0;
@@ -59,7 +57,7 @@ protected:
     return std::sqrt(sum / double(output->GetNumberOfPoints() - first));
   }
 
-  /// Ball whose value is 100 on the surface, and rises by 10 per voxel towards the middle.
+  /// A ball with the value 100 on the surface, which increases by 10 per voxel towards the middle.
   const vtkSmartPointer<vtkImageData> Ball = MakeImage(41, VTK_FLOAT,
     [](const Point& x)
     {

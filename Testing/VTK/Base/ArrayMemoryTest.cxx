@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests arrays whose size comes from data. They equal VTK's own arrays, but throw an exception if
- * there is no memory. In a build of VTK without NDEBUG, VTK's own arrays then end the process.
+ * Tests arrays whose size depends on data. They equal VTK's own arrays, but throw an exception if
+ * memory is short, whereas VTK's own arrays end the process in a build without NDEBUG.
  */
 
 #include "VTK/Base/ArrayMemory.h"
@@ -19,8 +19,7 @@
 #include <limits>
 #include <new>
 
-// Makes the sanitizers' allocators return null when memory is short. By default they end the
-// process.
+// Makes the sanitizers' allocators return null when memory is short, instead of ending the process.
 extern "C" const char* __asan_default_options()
 {
   return "allocator_may_return_null=1";
@@ -76,7 +75,7 @@ TEST(ArrayMemory, ThrowsIfThereIsNone)
     EXPECT_THROW(NewArray(type, 3, std::numeric_limits<vtkIdType>::max()), std::bad_alloc);
     EXPECT_THROW(NewArray(type, 9, std::numeric_limits<vtkIdType>::max() / 9), std::bad_alloc);
   }
-  // A failed allocation keeps the existing values.
+  // A failed allocation must preserve the existing values.
   vtkNew<vtkFloatArray> array;
   array->InsertNextValue(3.0F);
   EXPECT_THROW(AllocateTuples(array, OfNoMachine), std::bad_alloc);

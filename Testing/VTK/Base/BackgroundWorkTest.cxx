@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests work in the background. Its owner waits for it only on request, and never gets a result for
- * data that have changed.
+ * Tests work in the background. Its owner waits for it only on request, and never receives a result
+ * for outdated data.
  */
 
 #include "Core/Realtime/BackgroundWork.h"
@@ -31,7 +31,7 @@ namespace
 using Work = KeyedWork<int, std::string>;
 
 /// Makes tasks that run until the gate is opened or the work is cancelled. Copies share their
-/// state, since a task may outlive the gate of a test.
+/// state, because a task may outlive a test's gate.
 class Gate
 {
   struct Passage
@@ -103,7 +103,7 @@ TEST(BackgroundWork, OfDataThatChangeBeginsAgain)
   ASSERT_TRUE(Eventually([&] { return (result = work.Poll(2, gate.Make("new"))) != nullptr; }));
   EXPECT_EQ(*result, "new");
   // The key changes after the work has returned, and before its owner polls. The result of the old
-  // key must not appear.
+  // key must be discarded.
   Work other;
   other.Poll(1, gate.Make("old"));
   ASSERT_TRUE(other.WaitFor(60.0));
@@ -128,7 +128,7 @@ TEST(BackgroundWork, IsCancelledByItsOwner)
     ASSERT_TRUE(Eventually([&] { return gate.Entered == 2; }));
   }
   EXPECT_TRUE(Eventually([&] { return gate.Left == 2; }));
-  // After a cancellation, the work can begin again.
+  // After a cancellation, new work must be able to start.
   gate.IsOpen = true;
   ASSERT_TRUE(Eventually([&] { return work.Poll(1, gate.Make("one")) != nullptr; }));
 }
@@ -244,7 +244,7 @@ TEST(BackgroundWork, ThatEndsIsNotWaitedFor)
     << released << ": each by the owner";
 }
 
-/// The end of a thread waits for the work that the thread owns, so that nothing outlives it.
+/// A thread's end waits for the work that the thread owns, so that no work outlives it.
 TEST(BackgroundWork, EndsWithTheThreadThatBeganIt)
 {
   Gate gate;
@@ -262,7 +262,7 @@ TEST(BackgroundWork, EndsWithTheThreadThatBeganIt)
 
 namespace
 {
-/// Owner of work that is destroyed after everything else of its thread, like a static object.
+/// Owns work and is destroyed after everything else of its thread, like a static object.
 struct LateOwner
 {
   ~LateOwner()
@@ -335,7 +335,7 @@ TEST(BackgroundWork, WithoutMemoryHasNoResult)
   EXPECT_FALSE(work.IsUnderWay());
 }
 
-// The thread sanitizer can't follow a fork of a program with threads.
+// The thread sanitizer can't trace a fork of a multithreaded program.
 #if defined(__unix__) && !defined(__SANITIZE_THREAD__)
 TEST(BackgroundWork, OfAParentIsNotWaitedForInAForkedChild)
 {
@@ -367,7 +367,7 @@ TEST(BackgroundWork, OfAParentThatHasEndedItDoesNotHoldBackThatOfAChild)
 {
   Gate gate;
   Work work;
-  // The task shares these flags, since it may outlive the test.
+  // The task shares these flags, because it may outlive the test.
   const auto mayLeave = std::make_shared<std::atomic<bool>>(false);
   const auto isEntered = std::make_shared<std::atomic<bool>>(false);
   work.Poll(1,

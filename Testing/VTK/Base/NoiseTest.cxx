@@ -26,7 +26,8 @@ constexpr double Sigma = 20.0;
 class Noise : public testing::Test
 {
 protected:
-  /// Makes an image of the values `clean`(z) with normal noise of the standard deviation `sigma`.
+  /// Makes an image with the values `clean`(z) plus normal noise with the standard deviation
+  /// `sigma`.
   vtkSmartPointer<vtkImageData> MakeNoisy(const std::function<double(double)>& clean, double sigma)
   {
     std::mt19937 random(5);
@@ -52,8 +53,8 @@ double Edge(double z)
   return 500.0 * (1.0 + std::erf((z - 24.0) / 1.5));
 }
 
-/// Counts values that are read one by one. The noise estimate reads many, a bake at most the eight
-/// corners.
+/// Counts values that are read individually. The noise estimate reads many, a bake at most the
+/// eight corners.
 class CountingArray : public vtkFloatArray
 {
 public:
@@ -64,7 +65,7 @@ public:
     ++this->Reads;
     return this->Superclass::GetComponent(tuple, component);
   }
-  /// Returns whether the estimate has read the array since the last call.
+  /// Returns whether the noise estimate has read the array since the last call.
   bool WasRead()
   {
     const bool was = this->Reads > 8;
@@ -77,8 +78,8 @@ private:
 };
 vtkStandardNewMacro(CountingArray);
 
-/// Image whose scalars count reads. The noise of its two components has the standard deviations 20
-/// and 40.
+/// An image whose scalars count reads. The noise of its two components has the standard deviations
+/// 20 and 40.
 class NoiseOnce : public Noise
 {
 protected:
@@ -126,7 +127,7 @@ protected:
 
 TEST_F(Noise, IsEstimatedWhereverTheImageIsFlattest)
 {
-  // The default Gaussian turns noise into gradients of 0.106 sigma per voxel
+  // The default Gaussian converts noise into gradients of 0.106 sigma per voxel
   // (Documentation/method.md). Gradients up to 3.4 times this value count as noise.
   const double expected = 3.4 * 0.106 * Sigma;
   EXPECT_NEAR(this->ComputeStart(this->MakeNoisy(Edge, Sigma)), expected, 0.1 * expected);
@@ -196,7 +197,7 @@ TEST_F(Noise, InSlicesIsFeltNoMoreThanInCubes)
   const vtkSmartPointer<vtkImageData> noisy = this->MakeNoisy([](double) { return 0.0; }, Sigma);
   this->Filter->SetMaterialPlacementToKernel();
   this->Filter->SetContactAlignmentToDistinctness();
-  // A strength of 1e-6 N can't hold the proxy anywhere.
+  // A strength of 1e-6 N can't resist the tip anywhere.
   SetConstant(this->Filter->GetProperty()->GetSurfaceStrength(), 1e-6);
   SetConstant(this->Filter->GetProperty()->GetViscosity(), 0.0);
   const auto findStrengths = [&](const Point& spacing)
@@ -254,8 +255,8 @@ TEST_F(Noise, InSlicesIsFeltNoMoreThanInCubes)
 
 TEST_F(Noise, HidesNoWallAcrossSlices)
 {
-  // The noise changes only from slice to slice. Slices of a thickness have the same samples along z
-  // as cubic voxels of this size, so the force must be the same. The wall is 10 sigma high.
+  // The noise changes only between slices. Slices with a thickness have the same samples along z as
+  // cubic voxels of this size, so the force must be the same. The wall is 10 sigma high.
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
   std::vector<double> noise(48);
@@ -306,7 +307,7 @@ TEST_F(NoiseOnce, IsEstimatedAgainWhenTheScalarsHaveChanged)
   this->Counting->Modified();
   EXPECT_NEAR(this->ComputeStart(this->Image), 3.0 * before, 0.3 * before);
   this->Fill(this->Counting, { 100.0, 40.0 }, 7);
-  this->Image->Modified(); // some programs modify the image only, although the scalars have changed
+  this->Image->Modified(); // some programs call Modified() of the image only
   EXPECT_NEAR(this->ComputeStart(this->Image), 5.0 * before, 0.5 * before);
   EXPECT_TRUE(this->Counting->WasRead());
   this->Image->SetDimensions(Size, Size / 2, 2 * Size);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests headers of NRRD files. Expectations come from teem's "Definition of NRRD File Format":
+ * Tests headers of NRRD files. The expectations come from teem's "Definition of NRRD File Format":
  * section 3 for lines, fields and key/value pairs, section 4 for types, and section 5 for spaces.
  */
 
@@ -72,9 +72,8 @@ TEST(NrrdHeader, PlacesSamplesInLeftPosteriorSuperior)
   }
 }
 
-// From teem's "Definition of NRRD File Format": "space units" belong to the axes of the space,
-// "units" to the axes of the samples. If samples are cells, "axis mins" is the border of the first
-// sample.
+// teem's "Definition of NRRD File Format": "space units" refer to the axes of the space, "units" to
+// the axes of the samples. If samples are cells, "axis mins" is the border of the first sample.
 TEST(NrrdHeader, TurnsUnitsIntoMillimetres)
 {
   const NrrdHeader space = ParseNrrdHeader("NRRD0005\nspace: right-anterior-superior\n"
@@ -97,8 +96,8 @@ TEST(NrrdHeader, TurnsUnitsIntoMillimetres)
   EXPECT_EQ(*ReadNrrdAxes(plain), (std::array<std::size_t, 3>{ 1, 2, 3 }));
   EXPECT_EQ(FindNrrdSpacings(plain), (NrrdVector{ 20, 3, 4 }));
   EXPECT_EQ(*FindNrrdOrigin(plain), (NrrdVector{ 20, 2, 3 }));
-  // The first axis of space has two cells of 3 cm. The second one has four nodes, and so three
-  // steps of 2.
+  // The first spatial axis has two cells of 3 cm. The second has four nodes, and thus three steps
+  // of 2.
   const NrrdHeader ends = ParseNrrdHeader(axes +
     "axis mins: nan 0 0 1\naxis maxs: nan 6 6 9\n"
     "centerings: none cell node node\n\n");

@@ -49,7 +49,8 @@ std::string Words(const std::string& text)
   return words;
 }
 
-/// First proxy of an XML file that CMake has made: the filter, the device or the path in ParaView.
+/// The first proxy in an XML file that CMake has generated: the filter, the device or the path in
+/// ParaView.
 class ParaViewProxy
 {
 public:
@@ -306,8 +307,8 @@ TEST(SettingLists, TheCoreHasTheSameDefaults)
   for (const FilterSetting& setting : FilterSettings)
   {
     const std::string name = setting.Name;
-    // Two defaults of the core differ: its gain is 0, which gives no force, and its proxy radius is
-    // above 0. In the filter, a radius of 0 stands for half a voxel.
+    // Two defaults of the core differ: its gain is 0, which results in no force, and its proxy
+    // radius is positive. In the filter, a radius of 0 stands for half a voxel.
     if (setting.Bake && name != "ForceFieldGain" && name != "ProxyRadius")
     {
       HapticModelDescription baked;

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a ball in air with streaks, as in micro-CT: the noise is neither white nor the same
- * everywhere, and air is clipped at 0. A wall must be felt where the ball was made, and nowhere
- * else.
+ * Tests a ball in air with streaks, as in micro-CT: the noise is neither white nor uniform, and the
+ * air is clipped at 0. The ball's wall must be felt at its true position, and nowhere else.
  */
 
 #include "Rigs/ApiRig.h"
@@ -33,7 +32,7 @@ constexpr double Start = 44.0; // distance of a ray's start from the middle (mm)
 constexpr double RayStep = 0.1;
 constexpr double Deep = 4.0; // mm
 
-/// Makes white noise that is smoothed over some voxels along x, and between neighbours along y and
+/// Makes white noise, and smooths it over some voxels along x, and between neighbours along y and
 /// z.
 std::vector<double> MakeStreaks()
 {
@@ -70,8 +69,8 @@ std::vector<double> MakeStreaks()
   return noise;
 }
 
-/// Makes the ball in `levels` grey levels, with streaks scaled by `streak`. If `core` is not 0, the
-/// middle of the ball is brighter by this value.
+/// Makes the ball with `levels` grey levels, and streaks scaled by `streak`. If `core` is not 0,
+/// the middle of the ball is brighter by this value.
 vtkSmartPointer<vtkImageData> MakeBall(
   double levels = 256.0, double core = 0.0, double streak = 1.0)
 {
@@ -84,7 +83,7 @@ vtkSmartPointer<vtkImageData> MakeBall(
     {
       const double r = std::hypot(x[0] - Middle, x[1] - Middle, x[2] - Middle);
       const double inside = 0.5 * std::erfc((r - Ball) / (0.8 * std::sqrt(2.0)));
-      // The amplitude of the streaks rises from 1 at z = 30 mm to 9 at z = 60 mm.
+      // The amplitude of the streaks increases from 1 at z = 30 mm to 9 at z = 60 mm.
       const double fraction = std::clamp((x[2] - 30.0) / 30.0, 0.0, 1.0);
       const double noise =
         streak * (1.0 + 8.0 * fraction) * streaks[number++] + 0.4 * random(engine);
@@ -95,7 +94,7 @@ vtkSmartPointer<vtkImageData> MakeBall(
     });
 }
 
-/// Makes rays from all sides to the middle, as separate lines.
+/// Makes rays from all directions to the middle, as separate lines.
 vtkSmartPointer<vtkPolyData> MakeRays()
 {
   constexpr double from = Start;
@@ -106,7 +105,7 @@ vtkSmartPointer<vtkPolyData> MakeRays()
   const int ticks = static_cast<int>((from - to) / RayStep);
   for (int ray = 0; ray < Rays; ++ray)
   {
-    // Spreads the directions evenly over the sphere (a Fibonacci lattice).
+    // Distribute the directions evenly over the sphere (a Fibonacci lattice).
     const double z = 1.0 - (2.0 * ray + 1.0) / Rays;
     const double around = ray * 2.399963229728653;
     const double across = std::sqrt(1.0 - z * z);
@@ -185,7 +184,7 @@ TEST(UnevenNoise, MicroCTHasNoWallInStreaks)
       {
         filter->SetSolver(
           isPrecise ? vtkVolumeHapticsFilter::PRECISE : vtkVolumeHapticsFilter::PAPER);
-        // Method PAPER meets a wall earlier than PRECISE, by up to a kernel radius and half a
+        // The method PAPER meets a wall earlier than PRECISE, by up to a kernel radius plus half a
         // voxel.
         const FeltRays felt = Feel(filter, isPrecise ? 2.0 : 3.0);
         SCOPED_TRACE(levels * 100 + estimator * 10 + isPrecise);
@@ -198,7 +197,7 @@ TEST(UnevenNoise, MicroCTHasNoWallInStreaks)
 }
 
 // A clump whose values are a tenth of the way from Otsu's threshold to the solid is a grain of the
-// background; one halfway is solid. The two heaps, 0 and 100, have the threshold 50.
+// background; a clump halfway is solid. The threshold between the two peaks, 0 and 100, is 50.
 TEST(UnevenNoise, MicroCTHasNoWallInGrains)
 {
   for (const double clump : { 55.0, 75.0 })
@@ -276,8 +275,8 @@ TEST(UnevenNoise, ARegionHasTheLevelOfTheWhole)
   filter->SetInputData(0, MakeBall());
   filter->Update();
   EXPECT_TRUE(IsSame(felt, filter->GetOutput()));
-  // The filter computes the level from the region alone if the array of the whole volume's level is
-  // missing. Then over a quarter of the rays meet the ball at a wrong place.
+  // Without the array with the whole volume's level, the filter computes the level from the region
+  // alone. Then over a quarter of the rays touch the ball at a wrong position.
   part->GetFieldData()->RemoveArray("HapticSolid");
   part->Modified();
   filter->SetInputData(0, part);
@@ -291,7 +290,7 @@ TEST(UnevenNoise, FunctionsAreProposedInStreaks)
     for (const bool isDark : { false, true })
     {
       SCOPED_TRACE(levels + isDark);
-      // Inverts the image if `isDark`. The noise of a dark ball in bright air is the same, but
+      // Invert the image if `isDark`. The noise of a dark ball in bright air is the same, but
       // clipped at the brightest value.
       const auto image = MakeBall(levels, 0.0, 0.3);
       vtkDataArray* const scalars = image->GetPointData()->GetScalars();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests files in VTK's XML formats that VTK has written and the test has changed. If such files
- * were not refused first, VTK's own reader would end the program, or write outside its memory.
+ * Tests modified files in VTK's XML formats. Unless such files are refused first, VTK's own reader
+ * would end the program, or write outside its memory.
  */
 
 #include "Rigs/TemporaryFolder.h"
@@ -116,7 +116,7 @@ protected:
     VolumeHaptics::ReadXmlPolyData(file, hasFailed);
     return !hasFailed;
   }
-  /// Changes the file, and expects that it is refused before VTK's reader opens it.
+  /// Changes the file, and expects its refusal before VTK's reader opens it.
   void Refuse(const std::string& file, const std::string& from, const std::string& to)
   {
     SCOPED_TRACE(from + " -> " + to);
@@ -182,8 +182,8 @@ TEST_F(XmlStructure, ThatLiesIsRefused)
     plain, "header_type=\"UInt32\"", "header_type=\"UInt32\" compressor=\"vtkZLibDataCompressor\"");
 }
 
-/// The environment variable VOLUME_HAPTICS_XML_FILES sets the number of damaged files; 1000000 take
-/// minutes.
+/// The environment variable VOLUME_HAPTICS_XML_FILES sets the number of damaged files; 1000000
+/// files take minutes.
 TEST_F(XmlStructure, ThatIsDamagedEndsNothing)
 {
   std::vector<std::string> good;

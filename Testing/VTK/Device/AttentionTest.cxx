@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that the servo fades the force out and reports a fault if the program does not update the
+ * Tests that the servo fades out the force and reports a fault if the program stops updating the
  * device while a hand is held.
  */
 
@@ -22,8 +22,8 @@ namespace
 class Attention : public DeviceTest
 {
 protected:
-  /// Lets the program call nothing for a while, and returns whether the servo has let go. Tries
-  /// longer times, since the servo's loop may have had no processor.
+  /// Makes no calls for a while, and returns whether the servo has released the hand. Retries with
+  /// longer times, because the servo's loop may have had no processor.
   bool IsLetGo(std::chrono::milliseconds silence = std::chrono::milliseconds(400))
   {
     for (int i = 0; i < 5; ++i, silence *= 2)
@@ -66,7 +66,7 @@ TEST_F(Attention, AnUnattendedForceFadesAndIsArmedAgain)
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::FAULT) << "it does not resume by itself";
   this->Device->SetAttentionTime(60.0);
   this->Device->Arm();
-  // The force begins anew, with the proxy on the tip.
+  // The force starts again, with the proxy at the tip.
   EXPECT_TRUE(this->PressAgain());
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
 }

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests points that determine no placement, or a placement that no device can have.
- */
+/** Tests points that do not determine a placement, or only one that is impossible for a device. */
 
 #include "CalibrationRig.h"
 
@@ -13,7 +11,7 @@ using namespace calibrationtest;
 
 TEST_F(Calibration, NeverMirrors)
 {
-  // A mirror image fits these points exactly, and the best motion does not.
+  // A mirror image fits these points exactly, whereas the best rigid motion does not.
   const Point device[] = { { 0.0, 0.0, 0.0 }, { 0.1, 0.0, 0.0 }, { 0.0, 0.08, 0.0 },
     { 0.0, 0.0, 0.06 } };
   for (const Point& x : device)

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Rig of a device at a known place, with the points that it touches.
- */
+/** Fixture for a device with a known placement, and the points that it touches. */
 #ifndef CalibrationRig_h
 #define CalibrationRig_h
 
@@ -43,8 +41,8 @@ protected:
     this->Truth->Scale(scale, scale, scale);
   }
 
-  /// Touches random points in the reach of a device (m), with random errors of up to `error` in the
-  /// world (world units).
+  /// Touches random points within the reach of a device (m), with random errors of up to `error`
+  /// (world units).
   void Touch(int points, double error = 0.0)
   {
     this->RemovePoints();
@@ -72,7 +70,7 @@ protected:
     this->Pairs.emplace_back(device, world);
   }
 
-  /// Fits the placement. Returns false if the points don't determine a placement.
+  /// Fits the placement. Returns false if the points do not determine it.
   bool Compute()
   {
     this->Largest = this->Device->FitDeviceToWorld(this->Touched, this->Known, this->FixedScale);

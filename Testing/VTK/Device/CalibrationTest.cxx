@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests that the fit finds a known placement of the device from touched points.
- */
+/** Tests that the fit reproduces a known placement of the device from touched points. */
 
 #include "CalibrationRig.h"
 
@@ -23,7 +21,7 @@ TEST_F(Calibration, FindsAPlacementExactly)
     {
       this->Touch(points[trial % 3]);
       this->FixedScale = trial % 4 ? 0.0 : scale;
-    } while (!this->Compute()); // repeats if the triangle of points was too thin
+    } while (!this->Compute()); // repeats if the triangle of points is too thin
     for (int i = 0; i < 16; ++i)
     {
       EXPECT_NEAR(this->GetDeviceToWorld()->GetData()[i], this->Truth->GetMatrix()->GetData()[i],

@@ -16,8 +16,8 @@ namespace
 class Caps : public Recording
 {
 protected:
-  /// Starts the servo on a device with limits of stiffness (N/m) and damping (N s/m) and its own
-  /// friction (N s/m). The tip is in front of the ramp.
+  /// Starts the servo on a device with limits of stiffness (N/m) and damping (N s/m), and with
+  /// viscous friction (N s/m). The tip is in front of the ramp.
   void BeginWith(double stiffness, double damping, double friction)
   {
     ASSERT_TRUE(this->Device->Open("virtual"));
@@ -57,20 +57,20 @@ TEST(CapsOf, TakesTheTighterOfTheDevicesLimitAndTheSampledOne)
 TEST_F(Caps, AreRaisedByTheGainOnceTheRoundTripIsKnownAndNothingIsFelt)
 {
   // With a friction b of 0.15 N s/m and a period T of 1 ms, 2 b / T is 300 N/m. The gain of 5
-  // raises the cap to 1500 N/m.
+  // increases the cap to 1500 N/m.
   this->Device->SetStiffnessGain(5.0);
   EXPECT_EQ(this->Device->GetStiffnessGain(), 5.0);
   this->BeginWith(0.0, 0.0, 0.15);
   ASSERT_TRUE(this->Wait([&] { return this->Device->GetStiffnessCap() == 1500.0; }));
   this->ExpectComputed(-1.0);
   EXPECT_NE(std::string(this->Device->GetStatusText()).find("at most 1500 N/m"), std::string::npos);
-  // A smaller gain takes effect at once, even under force.
+  // A smaller gain must take effect at once, even in contact.
   this->Device->SetStiffnessGain(1.0);
   const auto isComputed = [this](double force)
   { return std::abs(this->Device->GetState()->GetComputedForce()[2] - force) < 1e-6; };
   ASSERT_TRUE(this->Wait([&] { return isComputed(-0.6); }));
   EXPECT_EQ(this->Device->GetStiffnessCap(), 300.0);
-  // A larger gain takes effect only after the tip has left the wall.
+  // A larger gain must take effect only after the tip has left the wall.
   this->Device->SetStiffnessGain(2.0);
   ASSERT_TRUE(this->WaitTicks(50));
   EXPECT_EQ(this->Device->GetStiffnessCap(), 300.0);

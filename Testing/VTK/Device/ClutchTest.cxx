@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that no force acts while the clutch is on. Afterwards the force rises from zero, with the
- * proxy on the tip, if the device was armed before and was not disarmed since.
+ * Tests that no force acts while the clutch is on. When the clutch is released, the force rises
+ * from zero, with the proxy at the tip, unless the device was disarmed before or meanwhile.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -23,7 +23,7 @@ namespace
 class Clutch : public DeviceTest
 {
 protected:
-  /// Presses the ramp with 1.5 N, turns the clutch on, and waits until the force is off.
+  /// Presses into the ramp with 1.5 N, turns on the clutch, and waits until the force is off.
   void Press()
   {
     ASSERT_NO_FATAL_FAILURE(this->BeginPressed());

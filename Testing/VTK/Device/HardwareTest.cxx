@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests an application's view of a device that must be made ready and can be lost: listing,
- * options, arming, loss and homing.
+ * Tests an application's view of a device that needs preparation and can be lost: listing, options,
+ * arming, loss and homing.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -122,7 +122,7 @@ TEST_F(DeviceHardware, ComesBackFromALossByTheUserOnly)
   this->Device->Home();
   EXPECT_EQ(this->Played.Homings, 1);
   EXPECT_TRUE(this->ExpectStage(DeviceStage::Homing, vtkHapticDevice::HOMING, "Homing of"));
-  // The device is back, but its fault stays until the device is armed again.
+  // The device is back, but the fault persists until the device is armed again.
   EXPECT_TRUE(this->ExpectStage(DeviceStage::Ready, vtkHapticDevice::FAULT, "Arm() again"));
   EXPECT_TRUE(this->WaitTicks(100));
   EXPECT_EQ(this->Played.Force, 0.0);
@@ -139,7 +139,7 @@ TEST_F(DeviceHardware, PromisesNoForceOnceAHomingHasEndedIt)
   this->Device->BeginLongWork("the test homes it");
   EXPECT_TRUE(this->Wait([this] { return this->Says("comes back by itself"); }));
   EXPECT_TRUE(this->ExpectStage(DeviceStage::Homing, vtkHapticDevice::HOMING, "Homing of"));
-  EXPECT_TRUE(this->WaitTicks(10)); // gives the loop time to see the homing
+  EXPECT_TRUE(this->WaitTicks(10)); // lets the loop notice the homing
   this->Played.Stage = DeviceStage::Ready;
   EXPECT_TRUE(this->Wait([this] { return this->Device->GetStatus() != vtkHapticDevice::HOMING; }));
   EXPECT_TRUE(this->WaitTicks(10));

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests that devices, filters and images can be created and deleted in any order.
- */
+/** Tests that devices, filters and images may be created and deleted in any order. */
 
 #include "Rigs/DeviceRig.h"
 
@@ -63,7 +61,7 @@ TEST_F(DeviceLife, TheFilterAndTheImageMayGoWhileTheServoRuns)
     ASSERT_TRUE(this->Device->Publish());
   }
   this->Device->SetVolumeHaptics(nullptr);
-  // Only the servo holds the image now, and still feels it.
+  // Only the servo still has a reference to the image, and can use it.
   ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
   ASSERT_TRUE(this->WaitTicks(20));
   EXPECT_LT(this->Device->GetState()->GetComputedForce()[2], -0.5);

@@ -130,8 +130,8 @@ TEST_F(DeviceLimits, APulseAtTouchDownIsSentOnlyIfItIsWanted)
   {
     this->Device->SetTransientGain(gain);
     double most = 0.0;
-    // The pulse needs the speed of the approach. A loop that pauses between approach and touch does
-    // not see this speed, so the test tries again.
+    // The pulse depends on the approach speed. A loop that pauses between approach and touch can't
+    // measure this speed, so retry.
     for (int i = 0; i < 20 && !(gain > 0.0 && most > 0.1); ++i)
     {
       ASSERT_TRUE(this->Lead(7.0, 7.0, 5.0));

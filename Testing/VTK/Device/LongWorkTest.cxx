@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that the force is off while work keeps the owner from updating the device, and returns
+ * Tests that the force is off while work prevents the owner from updating the device, and returns
  * afterwards.
  */
 
@@ -32,7 +32,7 @@ using namespace devicetest;
 
 namespace
 {
-/// Opens the array when the test ends, even after a failure, so that the worker can end.
+/// Opens the array at the end of the test, even after a failure, so that the worker can finish.
 class OpenAtTheEnd
 {
 public:
@@ -57,7 +57,7 @@ class LongWork : public DeviceTest
 {
 protected:
   LongWork() { this->Device->SetAttentionTime(2.0); }
-  /// Presses the ramp with 1.5 N, and drops the states recorded up to then.
+  /// Presses into the ramp with 1.5 N, and discards the states recorded until then.
   void Press()
   {
     ASSERT_NO_FATAL_FAILURE(this->BeginPressed());
@@ -67,11 +67,11 @@ protected:
   {
     return this->Wait([this] { return Length(this->Device->GetState()->GetForce()) == 0.0; });
   }
-  /// Expects that the force was never off, unless the loop has paused. After a pause, the force may
+  /// Expects that the force was never off, unless the loop has paused: after a pause, the force may
   /// stay off until the next contact.
   void ExpectForce() { EXPECT_TRUE(this->CountForceless() == 0 || this->HasPaused); }
   /// Returns how many of the states since the last call have no force. Expects no fault, and that
-  /// the force fades between consecutive ticks and does not leap.
+  /// the force fades gradually from tick to tick.
   int CountForceless(bool isArmed = true)
   {
     this->Device->GetState()->Drain(this->States);
@@ -99,8 +99,8 @@ protected:
     }
     return forceless;
   }
-  /// Makes V = 100 z with more than 8 million samples. At this size, a worker makes even the
-  /// estimate of the triangles.
+  /// Makes V = 100 z with more than 8 million samples. At this size, even the estimate of the
+  /// triangles runs on a worker.
   static vtkSmartPointer<vtkImageData> MakeLarge(GatedArray* values)
   {
     constexpr int n = 204;
@@ -114,8 +114,8 @@ protected:
     image->GetPointData()->SetScalars(values);
     return image;
   }
-  /// Expects that the filter, which uses a worker, bakes the same triangles to the bit as `other`
-  /// does without a worker.
+  /// Expects that the filter, which uses a worker, bakes triangles that are bitwise identical to
+  /// those that `other` bakes without a worker.
   void ExpectSameMesh(vtkVolumeHapticsFilter* other, std::int64_t triangles)
   {
     using VolumeHaptics::HapticBaker;
@@ -175,8 +175,8 @@ TEST_F(LongWork, IsWithoutForceThatComesBackWithARamp)
   EXPECT_FALSE(this->Says("Force is off"));
   ASSERT_TRUE(this->PressAgain());
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
-  // The proxy begins anew at the tip inside the ramp, so no spring has pushed the tip out, and some
-  // states have no force.
+  // The proxy starts again at the tip inside the ramp, so no spring has pushed the tip out, and
+  // some states have no force.
   EXPECT_GT(this->CountForceless(), 0);
   EXPECT_TRUE(this->Log.Errors.empty());
 }
@@ -261,7 +261,7 @@ TEST_F(LongWork, ThatIsShortIsNotFelt)
   this->ExpectForce();
   EXPECT_EQ(this->Starts.Count, 0);
   EXPECT_EQ(this->Ends.Count, 0);
-  // A shorter AttentionTime also shortens the time after which work counts as long.
+  // A shorter AttentionTime also shortens the time from which work counts as long.
   this->Device->SetAttentionTime(0.8);
   this->Device->BeginLongWork("the test waits", 0.2);
   EXPECT_EQ(this->Starts.Count, 1);
@@ -291,8 +291,8 @@ TEST_F(LongWork, OutlivesAServoAndHoldsTheNextOne)
 
 TEST_F(LongWork, IsNotMeshingWhatHasManyTriangles)
 {
-  // V = 100 z below z = 12 mm. The values above are random, so the isosurface passes everywhere
-  // through them, with some hundred thousand triangles.
+  // V = 100 z below z = 12 mm. The values above are random, so the isosurface passes through all of
+  // them, with several hundred thousand triangles.
   constexpr int n = 40;
   std::mt19937 random(1);
   const auto image = MakeImage(n, VTK_FLOAT,
@@ -334,7 +334,7 @@ TEST_F(LongWork, IsNotMeshingALargeVolume)
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->Wait([&] { return values->Asked > 0; }));
   EXPECT_TRUE(isMeshing());
-  // Further changes of settings must not wait for the worker, which still reads the array.
+  // Further changes of settings must not wait for the worker, which is still reading the array.
   this->Filter->SetIsoValue(750.0);
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_TRUE(isMeshing());
@@ -344,9 +344,9 @@ TEST_F(LongWork, IsNotMeshingALargeVolume)
   EXPECT_FALSE(isMeshing());
   this->Filter->SetMethodToSurfaceProxy();
   ASSERT_TRUE(this->Device->Publish());
-  this->Filter->Update(); // without a path, the filter only checks its input, and does not wait
+  this->Filter->Update(); // without a path, only checks the input, and does not wait
   EXPECT_EQ(this->FilterLog.Errors.size(), 0U);
-  // The worker meshes the surface around the tip first, and the mesh then follows the tip.
+  // The worker first meshes the surface around the tip. The mesh must then follow the tip.
   ASSERT_TRUE(this->IsFeltAs("Surface proxy"));
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->GetResidency() == 1.0; }));
   ASSERT_TRUE(this->Lead(7.0, 7.0, 5.0) && this->WaitFullyArmed() && this->LeadInto(10.0));
@@ -431,7 +431,7 @@ TEST_F(LongWork, IsNotPreparingAGivenSurfaceOfManyTriangles)
   other->SetProxyRadius(0.05);
   this->ExpectSameMesh(other, sphere->GetOutput()->GetNumberOfPolys());
 
-  // An error in the surface is reported when the worker has found it.
+  // An error in the surface must be reported as soon as the worker has found it.
   sphere->GetOutput()->GetPoints()->SetPoint(5, NAN, 0.0, 0.0);
   sphere->GetOutput()->Modified();
   ASSERT_TRUE(this->Device->Publish());
@@ -476,7 +476,7 @@ TEST_F(LongWork, IsNotMeshingASmallVolume)
 
 TEST_F(LongWork, IsNotHashingALargeVolume)
 {
-  // Image of V = 100 z with 162 MB of samples.
+  // An image of V = 100 z with 162 MB of samples.
   vtkNew<vtkImageData> image;
   image->SetDimensions(256, 256, 310);
   vtkNew<vtkDoubleArray> values;

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests observers of vtkCommand::DisableEvent that call methods of the device which sends the
- * event.
+ * Tests observers of vtkCommand::DisableEvent that call methods of the device that sends the event.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -22,7 +21,7 @@ using namespace devicetest;
 
 namespace
 {
-/// Source of a volume whose events tests can observe.
+/// A source of a volume whose events the tests can observe.
 class VolumeSource : public vtkImageAlgorithm
 {
 public:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the orientation of a stylus on a device that is placed in the world, by comparison with
- * VTK's quaternions and transforms.
+ * Tests the orientation of a stylus on a device with a placement in the world, compared with VTK's
+ * quaternions and transforms.
  */
 
 #include "Rigs/RecordingRig.h"
@@ -33,7 +33,7 @@ vtkQuaterniond TurnAbout(double degrees, double x, double y, double z)
 class Orientation : public Recording
 {
 protected:
-  /// Places the device in the world: turned by `degrees` about this axis, with 900 world units per
+  /// Sets the device's placement: rotated by `degrees` about this axis, with 900 world units per
   /// metre.
   void PlaceDevice(double degrees, double x, double y, double z)
   {
@@ -106,14 +106,14 @@ TEST_F(Orientation, TurnsWithTheDevice)
   this->SetOrientation(turn);
   ASSERT_TRUE(this->WaitOrientation(turn)) << "as it was set, in the world";
 
-  // The device gets another place while the hand holds still.
+  // Change the device's placement while the hand rests.
   this->PlaceDevice(-155.0, 1.0, 0.2, 0.7);
   ASSERT_TRUE(this->Device->Publish());
   const vtkQuaterniond before = TurnAbout(70.0, 0.3, -1.0, 0.4);
   const vtkQuaterniond after = TurnAbout(-155.0, 1.0, 0.2, 0.7);
   EXPECT_TRUE(this->WaitOrientation(after * (before.Conjugated() * turn)));
 
-  // vtkTransform must give the same axis of the handle.
+  // vtkTransform must result in the same axis of the handle.
   vtkNew<vtkTransform> handle;
   handle->RotateWXYZ(-155.0, 1.0, 0.2, 0.7);
   handle->RotateWXYZ(-70.0, 0.3, -1.0, 0.4);
@@ -225,8 +225,8 @@ TEST_F(Orientation, IsRecordedAndReplayed)
   EXPECT_LT(turned, ticks - 5);
   EXPECT_EQ(At(this->Recorded, "Orientation", ticks - 1).SquaredNorm(), 0.0);
 
-  // A replay of the .vtp must repeat the orientations to the bit. A .csv has other ticks, so its
-  // orientations are only counted.
+  // A replay of the .vtp must repeat the orientations bitwise. A .csv has other ticks, so only
+  // count its orientations.
   const std::string again = this->File("Again.vtp");
   for (const std::string& file : { this->Name, table })
   {
@@ -260,7 +260,7 @@ TEST_F(Orientation, IsRecordedAndReplayed)
 
 TEST_F(Orientation, OfATraceInTheWorldIsReplayed)
 {
-  // The trace has tips and orientations in the world only, not in the device's space.
+  // The trace has tips and orientations only in world coordinates, not in the device's space.
   const vtkQuaterniond turn = TurnAbout(110.0, -1.0, 0.5, 2.0);
   const std::string file = this->File("World.csv");
   {

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests that the proxy begins at the place where the user takes up the stylus.
- */
+/** Tests that the proxy starts at the place where the user picks up the stylus. */
 
 #include "Rigs/DeviceRig.h"
 
@@ -11,8 +9,8 @@ using namespace devicetest;
 
 TEST_F(DeviceTest, APlacedTipFeelsNothingOfTheWay)
 {
-  // The origin of the device is a corner of the ramp, and the first tip is deep inside the ramp.
-  // The hand must not be felt as if it had come from the origin.
+  // The device's origin is at a corner of the ramp, and the first tip is deep inside the ramp. The
+  // force must not be as if the hand had come from the origin.
   this->Device->GetVirtualHand()->SetPosition(7.0, 7.0, 12.0);
   ASSERT_TRUE(this->Device->Open("virtual") && this->Device->Start());
   this->Log.Errors.clear();

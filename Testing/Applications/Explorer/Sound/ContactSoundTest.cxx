@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// Compares the sound of contact with the closed forms of its class comment: a damped oscillation
-/// (A. P. French, Vibrations and Waves, 1971, chapter 4: its spectrum is largest at sqrt(w^2 -
-/// a^2)), and white noise behind band-passes, integrated numerically. Spectra are sums by the
-/// definition of the Fourier transform.
+/// Compares the contact sound with the closed forms in the class comment of ContactSound: a damped
+/// oscillation (A. P. French, Vibrations and Waves, 1971, chapter 4: its spectrum is largest at
+/// sqrt(w^2 - a^2)), and white noise behind band-passes, integrated numerically. Spectra are sums
+/// by the definition of the Fourier transform.
 
 #include "Applications/Explorer/Sound/ContactSound.h"
 #include "Spectrum.h"
@@ -28,7 +28,7 @@ constexpr double MUSCLE_STRENGTH = 2.2;
 constexpr double BONE_STRENGTH = 12.0;
 constexpr double STIFFNESS = 400.0;
 
-/** Plays ticks of 1 ms of a hand's contact, and keeps the sound that they make. */
+/** Plays a hand's contact in ticks of 1 ms, and records the resulting sound. */
 struct Hand
 {
   SoundTick Tick;
@@ -70,7 +70,7 @@ struct Hand
     this->Tick.Speed = watts / 0.4;
     this->Do(seconds);
   }
-  /** Returns the samples from a time (s) on. */
+  /** Returns the recorded samples from a time (s) onwards. */
   std::vector<float> Since(double seconds) const
   {
     return { this->Heard.begin() + static_cast<std::ptrdiff_t>(seconds * RATE), this->Heard.end() };
@@ -101,7 +101,7 @@ struct Hand
   }
 };
 
-/** Returns the sound of a single first touch, from the impact on (5 ms after the touch). */
+/** Returns the sound of a single first touch, starting at the impact (5 ms after the touch). */
 std::vector<float> Click(double strength, double stiffness, double newtons)
 {
   Hand hand(strength, stiffness);
@@ -142,7 +142,7 @@ TEST(ContactSound, RingsAtThePitch)
 TEST(ContactSound, DecaysAsItSays)
 {
   const std::vector<float> y = Click(FAT_STRENGTH, STIFFNESS, 0.02);
-  // A period is 96 samples. Compare the effective values of two periods that are 14 periods apart.
+  // A period is 96 samples. Compare the RMS values of two periods that are 14 periods apart.
   const auto effective = [&y](std::size_t first)
   {
     double sum = 0.0;
@@ -184,7 +184,7 @@ TEST(ContactSound, HasTheLoudnessOfTheFrictionPower)
     }
     const double power = watts - 1e-6;
     const double expected = 0.15 * std::sqrt(power / (power + 0.02));
-    // 5 s of noise in a band of about 400 Hz have about 4000 independent values.
+    // 5 s of noise in a band of about 400 Hz contain about 4000 independent values.
     EXPECT_NEAR(std::sqrt(sum / static_cast<double>(y.size())), expected, 0.05 * expected);
   }
 }
@@ -347,7 +347,7 @@ TEST(ContactSound, BeginsAndEndsWithoutACrack)
   const double steady = noise.LargestJump(0.5);
   noise.Leave(0.5);
   EXPECT_GT(steady, 0.0);
-  // The noise stays below six effective values. The effective value changes by at most 1 in 240
+  // The noise stays below six times its RMS value, and the RMS value changes by at most 1 in 240
   // samples.
   EXPECT_LE(noise.LargestJump(0.0), steady + 6.0 / 240.0);
 }

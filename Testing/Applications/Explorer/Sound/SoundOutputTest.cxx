@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// Tests what a real sound server plays, and a server that is missing, dies or hangs. The expected
-/// pitch is that of the class comment of ContactSound, 500 Hz sqrt(12) for bone.
+/// Tests the output on a real sound server, and a server that is missing, dies or hangs. The class
+/// comment of ContactSound gives the expected pitch, 500 Hz sqrt(12) for bone.
 
 #include "Applications/Explorer/Sound/SoundOutput.h"
 #include "Applications/Explorer/Sound/SoundStream.h"
@@ -104,7 +104,7 @@ TEST_F(Output, IsWhatWasRendered)
   std::memcpy(heard.data(), bytes.data(), heard.size() * sizeof(float));
   EXPECT_GT(*std::max_element(heard.begin(), heard.end()), 0.2f);
   EXPECT_LE(*std::max_element(heard.begin(), heard.end()), 0.3f) << "0.6 J / (J + 0.1 N)";
-  // Analyse one click, since several clicks interfere.
+  // Analyse a single click, since several clicks interfere.
   const auto click = std::find_if(heard.begin(), heard.end(), [](float x) { return x > 0.15f; });
   std::vector<float> one(click, std::min(click + 4000, heard.end()));
   const double pitch = 500.0 * std::sqrt(12.0);
@@ -142,7 +142,7 @@ TEST_F(Output, DoesNotWaitForAServerThatHangs)
     TapFor(this->Stream, 20);
   }
   {
-    const auto output = SoundOutput::Open(this->Stream); // the server does not answer
+    const auto output = SoundOutput::Open(this->Stream); // the server does not respond
     TapFor(this->Stream, 20);
     EXPECT_EQ(output->DrainTrouble(), "");
   }

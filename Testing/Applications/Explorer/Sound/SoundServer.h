@@ -3,7 +3,7 @@
 
 /**
  * Runs a PulseAudio server without a loudspeaker, which records the sound. The server uses neither
- * the computer's nor the user's configuration, and ends with the test.
+ * the system's nor the user's configuration, and ends with the test.
  */
 #ifndef SoundServer_h
 #define SoundServer_h
@@ -24,7 +24,7 @@
 namespace soundtest
 {
 
-/** A program that runs beside the test, with its output in a file. */
+/** A program that runs in parallel with the test and writes its output to a file. */
 class Program
 {
 public:
@@ -118,7 +118,7 @@ public:
 
 private:
   /**
-   * The server's folder is outside the build folder, since a socket's path may have at most 107
+   * The server's folder. It is outside the build folder, since a socket's path may have at most 107
    * characters.
    */
   const std::string Folder;

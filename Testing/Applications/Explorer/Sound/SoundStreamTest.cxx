@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// Expects the same sound whether ticks come in bursts, late, too many at once, or not at all.
+/// Expects the same sound whether ticks arrive in bursts, late, too many at once, or not at all.
 
 #include "Applications/Explorer/Sound/SoundStream.h"
 #include "Spectrum.h"
@@ -20,7 +20,7 @@ using Explore::SurfaceContact;
 namespace
 {
 
-/** Returns a tick of a hand that touches a surface for 20 ms every 200 ms, from 0.1 s on. */
+/** Returns a tick of a hand that touches a surface for 20 ms every 200 ms, starting at 0.1 s. */
 SoundTick TapAt(int tick)
 {
   SoundTick tap;
@@ -110,7 +110,7 @@ TEST(SoundStream, PlaysBurstsAtThePaceOfTheirTicks)
     {
       EXPECT_NEAR(onsets[i] - onsets[i - 1], 0.2, 0.0025) << burst;
     }
-    // Allow one frame until the ticks come, another frame until they are played, and 5 ms for the
+    // Allow one frame until the ticks arrive, one more until they are played, and 5 ms for the
     // impact.
     EXPECT_LE(onsets.back() - (0.001 * 2900 + 0.005), 0.001 * (2 * burst + 4)) << burst;
   }
@@ -154,7 +154,7 @@ TEST(SoundStream, CatchesUpWithoutSkipping)
     player.Play(1);
   }
   const std::vector<double> onsets = player.Onsets();
-  // At first, 350 ticks are waiting: a tap at tick n is heard at n - 350 ms or later.
+  // At first, 350 ticks are waiting, so a tap at tick n is heard at n - 350 ms or later.
   const double last = 0.001 * (15300 - 350) + 0.005;
   EXPECT_NEAR(onsets.back(), last, 0.03);
   for (std::size_t i = 1; i < onsets.size(); ++i)
@@ -220,7 +220,8 @@ TEST(SoundStream, IsMutedAndComesBackWithoutACrack)
   play(2000, 3000);
   for (std::size_t i = 1; i < sound.Heard.size(); ++i)
   {
-    // Both sounds are the same noise. The muted one has a gain that changes by 1 in 480 samples.
+    // Both sounds consist of the same noise. The gain of the muted sound changes by 1 in 480
+    // samples.
     const double jump = std::abs(static_cast<double>(sound.Heard[i]) - sound.Heard[i - 1]);
     ASSERT_LE(std::abs(static_cast<double>(muted.Heard[i]) - muted.Heard[i - 1]),
       jump + 0.9 / 480.0 + 1e-6);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the large meshes of the first time steps of a moving volume, which a worker makes. The test
- * holds the worker up, so a device that waited for it would wait forever.
+ * Tests the large meshes of a moving volume's first time steps, which a worker makes. The test
+ * blocks the worker, so a device that waited for it would wait forever.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -24,8 +24,8 @@ constexpr double MeshedStiffness = 500.0;
 constexpr double MeshedRadius = 0.5;
 constexpr double MeshedTip = 6.5;
 
-/// Time steps of V = 100 (z + t): the surface at 750 moves by 1 mm per unit of data time. At time
-/// 0, the proxy's sphere is 0.5 mm in front of the surface.
+/// Time steps of V = 100 (z + t): the surface at the value 750 moves by 1 mm per unit of data time.
+/// At time 0, the proxy's sphere is 0.5 mm in front of the surface.
 class MeshedTimeSteps : public DeviceTest
 {
 protected:
@@ -55,7 +55,7 @@ protected:
     }
   }
   bool IsWorkerHeldUp() { return this->TimeSteps[0]->Asked > 0 && !this->TimeSteps[0]->IsOpen; }
-  /// Gives the source the time step `first` and the next one.
+  /// Passes the time step `first` and the next one to the source.
   void Give(int first)
   {
     // Each time step has a mesh of 33 000 triangles.
@@ -129,8 +129,8 @@ TEST_F(MeshedTimeSteps, AreNotWaitedFor)
   ASSERT_TRUE(this->WaitTicks(5));
   this->ExpectForce();
 
-  // The filter makes the meshes itself and computes the same forces along the recorded path, to the
-  // bit.
+  // The filter makes the meshes itself, and must compute bitwise identical forces along the
+  // recorded path.
   const std::string file = this->File("MeshedFrames.vtp");
   ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
   this->Device->GetPlayback()->Play();
@@ -164,8 +164,8 @@ TEST_F(MeshedTimeSteps, AreNotWaitedFor)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// Time steps of a stream must be felt before the next ones come, even if their meshes take longer
-/// to make than the time between them.
+/// Time steps of a stream must be felt before the next ones arrive, even if making their meshes
+/// takes longer than the interval between them.
 TEST_F(MeshedTimeSteps, OfAStreamAreFeltBeforeTheNextOnes)
 {
   this->BeginToPlay();
@@ -189,7 +189,7 @@ TEST_F(MeshedTimeSteps, OfAStreamAreFeltBeforeTheNextOnes)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// While the meshes for another method are made, the servo keeps its present method.
+/// While the meshes for another method are made, the servo continues with the present method.
 TEST_F(MeshedTimeSteps, GoOnWhileOthersAreMade)
 {
   this->Filter->SetTimeUnitsPerSecond(0.0);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a device in a moving volume. A wall moves towards a tip that rests. The force is that of
- * the spring to the wall, whose place is known at all times. Recordings replay to the bit.
+ * Tests a device in a moving volume: a wall moves towards a resting tip. The force is that of the
+ * spring to the wall, whose position is known at all times. Recordings must replay bitwise.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -32,7 +32,7 @@ namespace
 constexpr double WallStiffness = 500.0;
 constexpr double TipRests = 12.0;
 
-/// Returns the x coordinate (mm) of the wall: 9 at time 10, and 1 more per unit of time.
+/// Returns the x coordinate (mm) of the wall: 9 at time 10, increasing by 1 per unit of time.
 double ComputeWall(double time)
 {
   return 9.0 + time - 10.0;
@@ -91,14 +91,14 @@ protected:
   void ExpectForceOfTheWall()
   {
     const double time = this->Device->GetPlayback()->GetDataTime();
-    // A blend of two edges that are one voxel apart is off by at most 0.02 of their width.
+    // A blend of two edges that are one voxel apart has an error of at most 0.02 of their width.
     EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[0],
       0.001 * WallStiffness * std::max(0.0, ComputeWall(time) - TipRests), 0.02)
       << "at " << time;
   }
 
-  /// Records a loop in which the wall leaps back, and expects that the recording replays to the
-  /// bit. The time steps are at `first` to `first` + 4.
+  /// Records a loop in which the wall jumps back, and expects a bitwise identical replay. The time
+  /// steps are at `first` to `first` + 4.
   void ExpectThatARecordingReplaysToTheBit(double first)
   {
     this->Filter->SetTimeUnitsPerSecond(9.0);
@@ -157,7 +157,7 @@ protected:
   vtkNew<apitest::TimeSource> Source;
 };
 
-/// Source with the same time steps as components of one array, at times from 0 on.
+/// A source with the same time steps as components of one array, at times from 0 onwards.
 class PlaybackOfComponents : public PlaybackOfSteps
 {
 protected:
@@ -183,14 +183,14 @@ protected:
 };
 } // namespace
 
-/// A grid is resampled around the tip, so it can't be played: it stands still and gives one
-/// warning. The advice in the warning makes it move.
+/// A grid is resampled around the tip, so it can't be played: it stands still and causes one
+/// warning, whose advice must make it move.
 TEST_F(PlaybackOfSteps, OfAGridIsTold)
 {
   vtkNew<vtkAppendFilter> grid;
   grid->SetInputConnection(this->Source->GetOutputPort());
   this->Filter->SetInputConnection(grid->GetOutputPort());
-  this->Device->GetPlayback()->Play(); // plays before the grid is there
+  this->Device->GetPlayback()->Play(); // plays before the grid exists
   this->Rest();
   ASSERT_TRUE(this->Wait([&] { return this->FilterLog.Warnings.size() == 1; }));
   for (const char* const part : { "vtkUnstructuredGrid", "5 time steps", "vtkResampleToImage" })
@@ -231,7 +231,7 @@ TEST_F(PlaybackOfSteps, AWallThatBeatsPushesAHandThatRests)
       const double time = this->Device->GetPlayback()->GetDataTime();
       if (time == 0.0)
       {
-        return; // no time step is felt yet
+        return; // no time step is in use yet
       }
       EXPECT_LE(10.0, time);
       EXPECT_LE(time, 14.0);
@@ -353,8 +353,8 @@ TEST_F(PlaybackOfComponents, PushAHandThatRestsWithoutACopy)
       most = std::max(most, this->Device->GetState()->GetComputedForce()[0]);
     });
   EXPECT_GT(most, 0.4);
-  // The playback copies no samples: its five time steps, and the first one again behind the last
-  // one, refer to the array.
+  // The playback must not copy samples: its five time steps, and the first one again behind the
+  // last one, all refer to the array.
   EXPECT_GE(array->GetReferenceCount(), users + 5);
   EXPECT_FALSE(this->Device->GetPlayback()->IsWaitingForData());
 }
@@ -383,7 +383,7 @@ TEST_F(PlaybackOfComponents, OneAloneIsAnError)
 
 /// Cases V2 and V7 of Documentation/evaluation.md, with time that runs forwards and backwards. The
 /// wall has a strength of 0.3 N and slips past the proxy; on its way back, the force falls to 0
-/// over 0.6 mm. The whole motion takes the work of 0.3 N over the 0.4 mm that slipped.
+/// over 0.6 mm. The whole motion absorbs the work of 0.3 N over the 0.4 mm that slipped.
 TEST_F(PlaybackOfSteps, AWallThatSlipsTakesWorkToAndFro)
 {
   constexpr double strength = 0.3;
@@ -422,7 +422,8 @@ TEST_F(PlaybackOfSteps, AWallThatSlipsTakesWorkToAndFro)
   EXPECT_NEAR(work, 0.3 * 0.4, 0.02); // mJ
 }
 
-/// Case V5 of Documentation/evaluation.md: equal time steps feel like a volume that stands still.
+/// Case V5 of Documentation/evaluation.md: identical time steps must have the force of a static
+/// volume.
 TEST_F(PlaybackOfSteps, StepsThatAreAlikeAreAVolumeThatStandsStill)
 {
   this->Source->Make = [](double) { return MakeWallStep(13.5); };
@@ -448,7 +449,7 @@ TEST_F(PlaybackOfSteps, StepsThatAreAlikeAreAVolumeThatStandsStill)
   EXPECT_GT(latest, 13.0);
 }
 
-/// The wall moves by 1 mm per time step, which a blend can show, except for one step of 6 mm.
+/// The wall moves by 1 mm per time step, which a blend can represent, except for one step of 6 mm.
 TEST_F(PlaybackOfSteps, AStepThatIsTooFastForABlendIsToldOnceAsItComes)
 {
   this->Source->Steps = { 10.0, 11.0, 12.0, 13.0, 14.0, 15.0 };
@@ -473,7 +474,7 @@ TEST_F(PlaybackOfSteps, AStepThatIsTooFastForABlendIsToldOnceAsItComes)
   }
 }
 
-/// A loop also runs from the last time step to the first one, where the wall leaps back by 6 mm.
+/// A loop also runs from the last time step to the first one, where the wall jumps back by 6 mm.
 /// Other modes have no such step.
 TEST_F(PlaybackOfSteps, TheWayBackToTheFirstStepIsTooFastInALoopAlone)
 {
@@ -492,8 +493,8 @@ TEST_F(PlaybackOfSteps, TheWayBackToTheFirstStepIsTooFastInALoopAlone)
     << this->FilterLog.Warnings[0];
 }
 
-/// The wall moves by 3.5 mm per time step, over twice its width, so only displacements can show its
-/// motion.
+/// The wall moves by 3.5 mm per time step, more than twice its width, so only displacements can
+/// represent its motion.
 TEST_F(PlaybackOfSteps, StepsAreBlendedAlongTheirDisplacements)
 {
   const auto findWall = [](double time) { return 5.0 + 3.5 * (time - 10.0); };

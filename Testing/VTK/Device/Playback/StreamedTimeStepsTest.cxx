@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests time steps that come one by one. A wall at x = 9 + t moves towards a tip that rests at 12,
- * by 1 mm per time step. The force is that of the spring to the wall.
+ * Tests time steps that arrive one by one. A wall at x = 9 + t moves towards a tip that rests at
+ * 12, by 1 mm per time step. The force is that of the spring to the wall.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -23,7 +23,7 @@ namespace
 constexpr double StreamedStiffness = 500.0;
 constexpr double StreamedTip = 12.0;
 
-/// Returns the force (N) of the wall at a data time on a proxy with this radius (mm).
+/// Returns the force (N) of the wall at a data time on a proxy of this radius (mm).
 double ForceOfTheStreamedWall(double time, double radius)
 {
   return 0.001 * StreamedStiffness * std::max(0.0, 9.0 + time + radius - StreamedTip);
@@ -70,8 +70,8 @@ protected:
     ASSERT_TRUE(this->Device->Start());
     this->GoTo(end);
   }
-  /// Expects that the force is that of the wall at the newest state's data time, and that data time
-  /// has not leapt.
+  /// Expects the force of the wall at the newest state's data time, and that the data time has not
+  /// jumped.
   void Feel()
   {
     const double now = this->Device->GetPlayback()->GetDataTime();
@@ -80,7 +80,7 @@ protected:
       EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[0],
         ForceOfTheStreamedWall(now, this->Radius), this->Tolerance)
         << "at " << now;
-      // Compares with the servo's time, since this thread may pause.
+      // Compare with the servo's time, because this thread may pause.
       const double elapsed = this->Device->GetState()->GetTime() - this->FeltAt;
       if (this->FeltAt > 0.0)
       {
@@ -102,7 +102,7 @@ protected:
   }
   void SetSpeed(double speed)
   {
-    // Keeps the largest speed, since the newest state may still have the earlier one.
+    // Keep the largest speed, because the newest state may still have the earlier one.
     this->Speed = std::max(this->Speed, std::abs(speed));
     this->Device->GetPlayback()->SetSpeed(speed);
   }
@@ -115,7 +115,7 @@ protected:
 };
 } // namespace
 
-/// The wall moves by 6 mm from time step to time step, which a blend can't show.
+/// The wall moves by 6 mm per time step, which a blend can't represent.
 TEST_F(StreamedTimeSteps, ThatAreTooFastForABlendAreToldOnce)
 {
   ASSERT_TRUE(this->Device->Open("virtual"));
@@ -155,8 +155,8 @@ TEST_F(StreamedTimeSteps, PushAHandThatRestsAndComeBack)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// Gives time steps at random moments, while the servo keeps its own pace. An early time step
-/// waits; data time waits for a late one. The contact is never lost.
+/// Sends time steps at random moments, while the servo runs at its own pace. An early time step
+/// waits; for a late one, the data time waits. The contact must never be lost.
 TEST_F(StreamedTimeSteps, ThatAreEarlyOrLateAreFeltOneAfterTheOther)
 {
   const int region[] = { 0, 35, 3, 37, 4, 39 };
@@ -201,7 +201,7 @@ TEST_F(StreamedTimeSteps, ThatAreEarlyOrLateAreFeltOneAfterTheOther)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// The last felt time step is joined to the next ones if the stream has left out time steps, so
+/// If the stream has left out time steps, the last used time step is joined to the next ones, so
 /// that the wall moves through the missing part.
 TEST_F(StreamedTimeSteps, ThatWereLeftOutAreGoneOver)
 {
@@ -212,8 +212,8 @@ TEST_F(StreamedTimeSteps, ThatWereLeftOutAreGoneOver)
   this->Give(3.0, 3.8);
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() > 3.1; }));
-  // The time steps 3.8 and 4.2 are replaced by the next ones before data time reaches them. Later,
-  // the stream leaves out the part from 5.0 to 5.6.
+  // The next time steps replace the time steps 3.8 and 4.2 before the data time reaches them.
+  // Later, the stream leaves out the part from 5.0 to 5.6.
   this->Give(3.8, 4.2);
   ASSERT_TRUE(this->Device->Publish());
   this->Give(4.2, 5.0);
@@ -224,8 +224,8 @@ TEST_F(StreamedTimeSteps, ThatWereLeftOutAreGoneOver)
   ASSERT_TRUE(this->Device->Publish());
   this->GoTo(6.4);
   EXPECT_GT(this->Device->GetState()->GetComputedForce()[0], 1.65);
-  // The wall also moves through missing parts when data time runs backwards, and after data time
-  // was held.
+  // The wall must also move through missing parts when the data time runs backwards, and after the
+  // data time was held.
   this->Give(4.6, 5.4);
   ASSERT_TRUE(this->Device->Publish());
   this->SetSpeed(-2.0);
@@ -245,8 +245,8 @@ TEST_F(StreamedTimeSteps, ThatWereLeftOutAreGoneOver)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// Data time waits if the hand has left the region in memory, until a region around the hand is
-/// there.
+/// If the hand has left the region in memory, the data time waits until a region around the hand is
+/// available.
 TEST_F(StreamedTimeSteps, HoldTimeWhileARegionIsLate)
 {
   const int region[] = { 0, 35, 3, 37, 4, 39 };
@@ -272,12 +272,13 @@ TEST_F(StreamedTimeSteps, HoldTimeWhileARegionIsLate)
   const double before = this->Device->GetPlayback()->GetDataTime();
   EXPECT_LT(before, 4.0);
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() == 4.0; }));
-  // After the gap, the proxy begins at the tip, and from then on the wall pushes the proxy.
+  // After the gap, the proxy starts at the tip, and then the wall pushes the proxy.
   EXPECT_GT(this->Device->GetState()->GetComputedForce()[0],
     0.001 * StreamedStiffness * 0.5 * (4.0 - before));
 }
 
-/// When another region of the volume comes, the servo continues as if it had the whole volume.
+/// When another region of the volume arrives, the servo must continue as if it had the whole
+/// volume.
 TEST_F(StreamedTimeSteps, MayBeRegionsOfAVolume)
 {
   const int region[] = { 0, 35, 3, 37, 4, 39 };
@@ -296,13 +297,14 @@ TEST_F(StreamedTimeSteps, MayBeRegionsOfAVolume)
   this->Give(4.0, 5.0, region);
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->WaitTicks(20));
-  // Newton's method starts from the result of the last tick, so the forces may differ by rounding.
+  // Newton's method starts from the last tick's result, so the forces may differ by rounding
+  // errors.
   EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[0], force, 1e-5);
   EXPECT_EQ(this->Device->GetState()->GetResidency(), 1.0);
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// Each time step has its mesh while data time runs to the next one, also if the regions change.
+/// Each time step has a mesh while the data time runs to the next one, even if the regions change.
 TEST_F(StreamedTimeSteps, MayBeMeshes)
 {
   const int region[] = { 0, 35, 3, 37, 4, 39 };
@@ -322,8 +324,8 @@ TEST_F(StreamedTimeSteps, MayBeMeshes)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// A time step of another shape begins another volume or gives an error; it is never dropped in
-/// silence.
+/// A time step of another shape must start another volume or cause an error; it is never ignored
+/// silently.
 TEST_F(StreamedTimeSteps, OfAnotherShapeAreAnotherVolume)
 {
   this->Give(0.0, 1.0);

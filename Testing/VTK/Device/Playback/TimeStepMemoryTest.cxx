@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests how many time steps of a moving volume are in memory at once, besides the one to which the
- * source writes. The time steps are arrays that count themselves, while the test plays and jumps.
+ * Tests how many time steps of a moving volume are in memory at the same time, besides the one that
+ * the source writes. The time steps are arrays that count themselves while the test plays and
+ * jumps.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -24,7 +25,7 @@ using namespace devicetest;
 
 namespace
 {
-/// Samples of a time step. Counts the arrays of this class, and so the copies, too.
+/// Samples of a time step. Counts the arrays of this class, including copies.
 class CountedArray : public vtkDoubleArray
 {
 public:
@@ -69,7 +70,7 @@ protected:
     this->Filter->SetInputArrayToProcess(
       0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "counted");
     this->Filter->SetTimeUnitsPerSecond(20.0);
-    // Clears the counts, since one time step was felt while the volume stood still.
+    // Reset the counts, because one time step was in use before the playback.
     CountedArray::Most = CountedArray::Live = 0;
   }
 
@@ -102,7 +103,7 @@ protected:
       this->Wait([this] { return !this->Device->GetPlayback()->IsWaitingForData(); });
   }
 
-  /// Returns the value of the shown time step at (12, 12, 12), or -1 without a time step.
+  /// Returns the value of the current time step at (12, 12, 12), or -1 without a time step.
   double GetFelt() const
   {
     vtkImageData* const image = this->Device->GetPlayback()->GetTimeStepImage();
@@ -111,7 +112,7 @@ protected:
   /// Returns the value at (12, 12, 12) of a wall at this x (mm).
   static double GetValue(double wall) { return 500.0 * (1.0 - std::tanh((12.0 - wall) / 1.5)); }
 
-  /// Returns the largest number of time steps in memory since the last call.
+  /// Returns the largest number of time steps that were in memory since the last call.
   static int DrainMost() { return std::exchange(CountedArray::Most, CountedArray::Live); }
 
   vtkNew<apitest::TimeSource> Source;
@@ -144,8 +145,8 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWhileTimeRuns)
   EXPECT_LE(CountedArray::Live, 3);
 }
 
-/// After a jump to another data time, the servo keeps the two felt time steps until one of the new
-/// time steps is read. Then it keeps only this new time step until the second one is read.
+/// After a jump to another data time, the servo keeps the two previous time steps until one of the
+/// new time steps is read. Then it keeps only this new time step until the second one is read.
 TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereAPersonGoesToAnotherTime)
 {
   this->Begin();
@@ -161,7 +162,7 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereAPersonGoesToAnotherTime)
         plays ? this->Device->GetPlayback()->Play() : this->Device->GetPlayback()->Hold();
         for (int i = 1; i < Steps; ++i)
         {
-          // Each time is far from the last one, and lies between time steps or on a time step.
+          // Each time is far from the last one, and either between time steps or at a time step.
           const double time = (i % 3) * 0.4 + static_cast<double>(i * 5 % (Steps - 1));
           ASSERT_TRUE(this->GoTo(time)) << time;
           if (!plays)
@@ -176,7 +177,7 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereAPersonGoesToAnotherTime)
   EXPECT_LE(CountedArray::Live, 3);
 }
 
-/// Sets new data times before the servo has reached the last one, as a dragged slider does.
+/// Sets new data times before the servo has reached the last one, as dragging a slider does.
 TEST_F(TimeStepMemory, HasThreeStepsAtMostWhileASliderIsDrawn)
 {
   this->Begin();
