@@ -64,7 +64,7 @@ struct Presses
   /// voxels along the ray from the felt place to half of the opacity
   std::vector<double> OffSeen;
   std::vector<double> OffSeenStraight; ///< OffSeen where the seen surface is also within 45 degrees
-  std::vector<double> OffSeenTouched; ///< voxels from the first 0.01 N to half of the opacity, all rays
+  std::vector<double> OffSeenTouched; ///< voxels from the first 0.01 N to half of the opacity
   double LargestStep = 0.0;            ///< N: largest change of the force between two ticks
 };
 

@@ -77,7 +77,7 @@ private:
     {
       this->Interactor->CreateRepeatingTimer(50); // ms
     }
-    if (!this->Interactor->HasObserver(vtkCommand::TimerEvent, this->Eye)) // f3d removed the observer
+    if (!this->Interactor->HasObserver(vtkCommand::TimerEvent, this->Eye)) // f3d removed it
     {
       this->Interactor->AddObserver(vtkCommand::TimerEvent, this->Eye, 2.0f);
     }

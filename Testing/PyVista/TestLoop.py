@@ -82,7 +82,7 @@ device.Arm()
 os.write(1, b"begins\\n")
 start()
 expected = arrays(touch(image(whole), np.tile(tip, (3000, 1)), method_by_name="force-field"))["Force"][-1]
-# The end of the loop has disarmed the device, so use the states that the last frame recorded.
+# The end of the loop has disarmed: those of the last frame.
 forces = vtk_to_numpy(style.GetStates().GetColumnByName("Force")).reshape(-1, 3)
 strongest = forces[np.linalg.norm(forces, axis=1).argmax()]
 print("felt", *strongest, *expected, device.GetStatusText().replace(" ", "_"), flush=True)

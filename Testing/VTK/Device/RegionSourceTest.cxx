@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a device on a volume that is read region by region. The force begins when the samples are
- * there, fades if a reader is late or fails, and returns. It never steps by more than the slew
+ * Tests a device on a volume that is read in regions. The force starts when the samples are
+ * available, fades if a reader is late or fails, and returns. It never changes faster than the slew
  * limit allows.
  */
 
@@ -44,7 +44,7 @@ struct Led
   std::atomic<int> Waiting{ 0 };
 };
 
-/// Fills the samples with random bits: numbers of all sizes, infinities and NaN.
+/// Fills the samples with random bits: numbers of all magnitudes, infinities and NaN.
 void FillJunk(const int box[6], void* samples)
 {
   const std::int64_t place = box[0] + 2000 * (box[2] + std::int64_t{ 2000 } * box[4]);
@@ -60,8 +60,8 @@ void FillJunk(const int box[6], void* samples)
   }
 }
 
-/// Grid whose cells make all threads except the test's wait until the grid is open. Copies of the
-/// grid do the same.
+/// A grid whose cells block all threads except the test's until the grid is open. This also applies
+/// to copies of the grid.
 class LedGrid : public vtkRectilinearGrid
 {
 public:
@@ -80,7 +80,7 @@ public:
   static inline const std::thread::id Owner = std::this_thread::get_id();
 };
 
-/// Volume V = 100 z of 2000^3 samples, which would take 32 GB as float.
+/// A volume V = 100 z of 2000^3 samples, which would take 32 GB as float.
 class RegionSource : public DeviceTest
 {
 protected:
@@ -146,8 +146,8 @@ protected:
   {
     return this->Device->GetStatusText().find(words) != std::string::npos;
   }
-  /// Expects that no command since the last call exceeds the maximum force, or grows by more than
-  /// the slew limit.
+  /// Expects that no force command since the last call exceeds the maximum force, or grows by more
+  /// than the slew limit.
   void ExpectNoStep()
   {
     this->Device->GetState()->Drain(this->States);
@@ -197,7 +197,7 @@ TEST_F(RegionSource, IsFeltAndFollowsTheHand)
   EXPECT_GT(pressed, 0.5);
   EXPECT_LT(
     4.0 * this->Filter->GetInputDataObject(0, 0)->GetActualMemorySize() * 1024.0, 1.1 * 4194304.0);
-  // The tip moves out of the region, and must feel the volume there, too.
+  // Move the tip out of the region, where the volume must be felt, too.
   ASSERT_TRUE(this->Lead(1000.0, 1000.0, 998.0));
   ASSERT_TRUE(this->Lead(1400.0, 1000.0, 998.0));
   ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 1.0; }));
@@ -209,8 +209,8 @@ TEST_F(RegionSource, IsFeltAndFollowsTheHand)
   EXPECT_EQ(this->SourceLog.Errors.size(), 0U);
 }
 
-/// The isosurface is the plane z = 1000 mm. It holds the proxy, a sphere of 0.5 mm, at z = 999.5
-/// mm. The force is the stiffness times the distance from there to the tip. The region has 8
+/// The isosurface is the plane z = 1000 mm. It stops the proxy, a sphere of 0.5 mm, at z = 999.5
+/// mm, so the force is the stiffness times the distance from there to the tip. The region has 8
 /// million samples, whose surface takes more than 40 ms to mesh.
 TEST_F(RegionSource, HasASurfaceThatIsMeshedInTheBackground)
 {
@@ -283,8 +283,8 @@ TEST_F(RegionSource, ThatIsLateFadesAndComesBack)
   this->ExpectNoStep();
 }
 
-/// A worker resamples a grid around the tip and is held up. The force fades, and comes back with
-/// the samples.
+/// A blocked worker resamples a grid around the tip. The force must fade, and return with the
+/// samples.
 TEST_F(RegionSource, OfADataSetThatIsLateFadesAndComesBack)
 {
   vtkNew<LedGrid> grid;
@@ -324,7 +324,7 @@ TEST_F(RegionSource, OfADataSetThatIsLateFadesAndComesBack)
 
 TEST_F(RegionSource, ThatIsLateHasACoarseImageThatIsFeltByHalf)
 {
-  // The coarse image has the same values V = 100 z.
+  // The coarse image also has the values V = 100 z.
   vtkNew<vtkImageData> coarse;
   coarse->SetDimensions(21, 21, 21);
   coarse->SetSpacing(100.0, 100.0, 100.0);
@@ -349,7 +349,7 @@ TEST_F(RegionSource, ThatIsLateHasACoarseImageThatIsFeltByHalf)
     << Length(this->Device->GetState()->GetForce()) << " N, of " << whole;
   this->Reader->IsOpen = true;
   ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 1.0; }));
-  // The test presses again, since the contact may have faded on a busy machine.
+  // Press again, because the contact may have faded on a busy machine.
   ASSERT_TRUE(this->Lead(1300.0, 1000.0, 998.0));
   this->Press(1300.0);
   this->ExpectNoStep();
@@ -402,7 +402,7 @@ TEST_F(RegionSource, OfJunkStaysWithinTheLimitsAndIsFeltAgainWhenItIsMended)
   {
     if (this->Device->GetStatus() == vtkHapticDevice::FAULT)
     {
-      this->Device->Arm(); // arms again, as a persistent person does
+      this->Device->Arm(); // arms again, as an insistent user does
     }
     ASSERT_TRUE(
       this->Lead(1200.0 + 0.7 * (i % 7), 1000.0 + 0.9 * (i % 5), 1006.0 + 0.3 * (i % 11)));
@@ -416,7 +416,7 @@ TEST_F(RegionSource, OfJunkStaysWithinTheLimitsAndIsFeltAgainWhenItIsMended)
   this->BeginWayHere();
   ASSERT_TRUE(this->Wait(
     [&] { return !this->Source->IsWaiting() && this->Device->GetState()->GetResidency() == 1.0; }));
-  // The hand leaves the surface, and presses again once the device is fully armed.
+  // Leave the surface, and press again once the device is fully armed.
   this->Device->Arm();
   ASSERT_TRUE(this->Lead(1000.0, 1000.0, 990.0));
   ASSERT_TRUE(this->WaitFullyArmed());
@@ -504,8 +504,8 @@ TEST_F(RegionSource, FollowsNothingWithoutATip)
   EXPECT_EQ(this->SourceLog.Errors.size(), 1U);
 }
 
-// The corners of the segmentation have the value -32768. FilterOutsideTest.cxx has tests with
-// images in memory.
+// The corners of the segmentation have the value -32768. FilterOutsideTest.cxx tests images in
+// memory.
 TEST_F(RegionSource, LabelsAreReadAsTheyAre)
 {
   vtkNew<vtkHapticRegionSource> source;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a device on a region of a volume: its report of missing data, and the fade of its force.
+ * Tests a device on a region of a volume: its report of missing data, and the fading of its force.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -26,7 +26,7 @@ protected:
     this->Crop->SetRegion(0, 47, 0, 47, 0, 30);
     this->Filter->SetInputConnection(0, this->Crop->GetOutputPort());
   }
-  /// Arms the device, and presses the ramp well inside the region.
+  /// Arms the device, and presses into the ramp well inside the region.
   void Press()
   {
     this->Begin();
@@ -65,7 +65,7 @@ TEST_F(Region, SaysThatDataAreAwaitedAndGoesOnWhenTheyCome)
   this->Device->ResetStatistics();
   ASSERT_TRUE(this->WaitTicks(3));
   EXPECT_EQ(this->Device->GetAbsentTicks(), 0);
-  // The column shows that the residency falls and rises in small steps.
+  // The residency must fall and rise in small steps.
   this->Device->GetState()->Drain(table);
   auto* const residency = vtkDataArray::SafeDownCast(table->GetColumnByName("Residency"));
   ASSERT_TRUE(residency && residency->GetNumberOfTuples() > 50);
@@ -97,7 +97,7 @@ TEST_F(Region, IsNotRecorded)
 TEST_F(Region, FadesOutAndDisarms)
 {
   vtkNew<vtkTable> table;
-  this->Device->FadeOut(); // nothing runs yet
+  this->Device->FadeOut(); // the servo does not run yet
   this->Press();
   this->Device->GetState()->Drain(table);
   this->Device->FadeOut();
@@ -113,7 +113,7 @@ TEST_F(Region, FadesOutAndDisarms)
   }
   EXPECT_EQ(falling, 49) << "of 50 ticks, the last of which disarms";
   EXPECT_EQ(this->Device->GetAbsentTicks(), 0) << "the data were there";
-  this->Device->FadeOut(); // nothing is armed
+  this->Device->FadeOut(); // the device is disarmed
   ASSERT_TRUE(this->ArmFully());
   EXPECT_EQ(this->Device->GetState()->GetResidency(), 1.0);
   ASSERT_TRUE(this->Lead(20.0, 20.0, 16.0));

@@ -4,7 +4,7 @@
 /**
  * Tests that no call on the owner's thread reads more of a large volume than of a small one. The
  * test counts the pages of a sparse file that the kernel has in memory (mincore(2)), while work in
- * the background is delayed.
+ * the background is blocked.
  */
 
 #include "Benchmarks/SparseVolume.h"
@@ -31,14 +31,14 @@ protected:
   }
 };
 
-/// Largest number of pages with samples around the tip that stay in memory while the servo runs.
+/// Largest number of pages with samples around the tip that the servo keeps in memory.
 constexpr std::size_t MostKept = VolumeHaptics::SampleKeeper::MostBytes / 4096;
 /// Largest number of pages that an update reads. The noise estimate reads 512 blocks of 5 x 5 rows,
-/// each row in one or two pages. Some hundred rows around the tip are read, too. The smallest
-/// volume, with two bytes per sample, has 65536 pages.
+/// each row in one or two pages. The update also reads several hundred rows around the tip. The
+/// smallest volume, with two bytes per sample, has 65536 pages.
 constexpr std::size_t MostPages = 512 * 25 + 2000 + MostKept;
 /// Largest number of pages that ProposeFromImage() reads. It reads 512 rows, with 5 rows beside
-/// each of them in 6 slices, and follows the edges that it finds.
+/// each of them in 6 slices, and follows the edges in them.
 constexpr std::size_t MostPagesOfAProposal = 512 * 36 + 6000;
 } // namespace
 
@@ -72,7 +72,7 @@ TEST_F(Scale, CallsReadNoMoreOfALargerVolume)
     EXPECT_LT(this->CountPages(volume), MostPages) << size << "^3";
     EXPECT_LT(this->CountPages(volume), once + 500 + MostKept)
       << "after the first touch, " << size << "^3";
-    // Stop() tells the worker to end, which it can do only once the array is open.
+    // Stop() cancels the worker, which can end only once the array is open.
     std::thread opener(
       [&samples]
       {
@@ -86,11 +86,11 @@ TEST_F(Scale, CallsReadNoMoreOfALargerVolume)
     this->Device->Close();
     const std::size_t felt = this->CountPages(volume);
     vtkNew<vtkHapticProperty> proposed;
-    const MessageLog refusal(proposed); // the proposal fails if no row meets the cube
+    const MessageLog refusal(proposed); // the proposal fails if no row crosses the cube
     proposed->ProposeFromImage(volume.GetImage());
     EXPECT_GT(this->CountPages(volume), felt + 3000) << "rows were looked at, " << size;
     EXPECT_LT(this->CountPages(volume), felt + MostPagesOfAProposal) << "a proposal, " << size;
-    // Releases the image before its memory.
+    // Release the image before its memory.
     this->Filter->SetInputData(0, this->Image);
     this->Filter->Update();
   }
@@ -98,7 +98,7 @@ TEST_F(Scale, CallsReadNoMoreOfALargerVolume)
 
 TEST_F(Scale, TheFirstUpdateReadsThePlacesOfTheNoiseOnly)
 {
-  // 400^3 is almost the largest volume for which the noise estimate reads 16 x 16 x 16 blocks.
+  // 400^3 is close to the largest volume for which the noise estimate reads 16 x 16 x 16 blocks.
   for (const int size : { 256, 400 })
   {
     const benchmarks::SparseVolume volume(size);
@@ -107,7 +107,7 @@ TEST_F(Scale, TheFirstUpdateReadsThePlacesOfTheNoiseOnly)
     this->Filter->SetPathData(
       MakePath({ { middle, middle, middle }, { middle, middle, middle + 1.0 } }));
     this->Filter->Update();
-    // The blocks lie in 16 layers of 5 slices, and the rows around the tip in a few slices more.
+    // The blocks are in 16 layers of 5 slices, and the rows around the tip in a few more slices.
     const std::size_t slice = sizeof(short) * size * size / 4096 + 1;
     EXPECT_LT(this->CountPages(volume), (16 * 5 + 10) * slice) << size << "^3";
     EXPECT_GT(this->CountPages(volume), 1000U) << "the noise was estimated";
@@ -122,7 +122,7 @@ TEST_F(Scale, LabelsOfFloatingPointAreCheckedInPlaces)
   {
     const auto count = vtkIdType{ size } * size * size;
     servotest::MappedFile file(sizeof(float) * static_cast<std::size_t>(count));
-    (void)madvise(file.Begin, file.Size, MADV_RANDOM); // disables reading ahead
+    (void)madvise(file.Begin, file.Size, MADV_RANDOM); // disables read-ahead
     vtkNew<vtkFloatArray> labels;
     labels->SetArray(static_cast<float*>(file.Begin), count, 1);
     vtkNew<vtkImageData> image;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that another thread quenches the device of a loop that hangs, and that a loop whose
+ * Tests that another thread sends zero force to the device of a hanging loop, and that a loop whose
  * processor is busy is woken on another processor.
  */
 
@@ -31,10 +31,10 @@ namespace
 {
 class HangingDevice;
 /// Devices that this thread has quenched, in order. Keepers quench in their own threads, so their
-/// devices don't appear here.
+/// devices are not in this list.
 thread_local std::vector<const HangingDevice*> Quenched;
 
-/// Device whose Read() hangs while `Hangs` is true.
+/// A device whose Read() hangs while `Hangs` is true.
 class HangingDevice : public DeviceBackend
 {
 public:
@@ -65,14 +65,14 @@ public:
 };
 
 #if defined(__linux__)
-/// Device whose thread has the lowest priority, so that it waits for all other threads on its
+/// A device whose thread has the lowest priority, so that it waits for all other threads on its
 /// processor.
 class LowlyDevice : public HangingDevice
 {
 public:
   DeviceState Read(double time, DeviceSample& sample) noexcept override
   {
-    // Sets the priority in each tick, since RealtimeKit may have raised it after the last tick.
+    // Set the priority in each tick, because RealtimeKit may have raised it after the last tick.
     const sched_param none{};
     EXPECT_EQ(pthread_setschedparam(pthread_self(), SCHED_IDLE, &none), 0);
     return HangingDevice::Read(time, sample);

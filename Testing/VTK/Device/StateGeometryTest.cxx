@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests shapes that show the latest state.
- */
+/** Tests the geometry that represents the latest state. */
 
 #include "Rigs/DeviceRig.h"
 
@@ -126,7 +124,7 @@ TEST_F(StateGeometry, TheStylusIsShownIfItIsTurned)
   hand->SetDevice(this->Device);
   hand->SetRadius(0.2);
   EXPECT_NEAR(hand->GetBounds()[1], 7.2, 0.01) << "the proxy";
-  // A quarter turn about y turns the handle from z to x.
+  // A rotation by 90 degrees about y moves the handle from z to x.
   this->Device->GetVirtualHand()->SetOrientation(1.0, 0.0, 1.0, 0.0);
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->HasTipOrientation(); }));
   EXPECT_NEAR(hand->GetBounds()[1], 7.0 + 25.0 * 0.2, 0.01) << "25 radii";
@@ -137,7 +135,7 @@ TEST_F(StateGeometry, TheStylusIsShownIfItIsTurned)
   EXPECT_NEAR(hand->GetBounds()[1], 7.2, 0.01);
 }
 
-/// A tool with a shape is drawn instead of the stylus, at its place and orientation.
+/// A shaped tool must be drawn instead of the stylus, with its position and orientation.
 TEST_F(StateGeometry, AToolWithAShapeIsShown)
 {
   vtkNew<vtkCubeSource> box;
@@ -159,7 +157,7 @@ TEST_F(StateGeometry, AToolWithAShapeIsShown)
   EXPECT_NEAR(hand->GetBounds()[0], 6.5, 0.01);
   EXPECT_NEAR(hand->GetBounds()[3], 8.0, 0.01);
   EXPECT_NEAR(hand->GetBounds()[5], 6.0, 0.01);
-  // A quarter turn about y turns the box from z to x.
+  // A rotation by 90 degrees about y moves the box from z to x.
   this->Device->GetVirtualHand()->SetOrientation(1.0, 0.0, 1.0, 0.0);
   ASSERT_TRUE(
     this->Wait([this] { return this->Device->GetState()->GetToolOrientation()[2] > 0.7; }));
@@ -182,7 +180,7 @@ TEST_F(StateGeometry, ArrowsAreNoLongerThanTheirMaximum)
   vtkNew<vtkHapticRepresentation> hand;
   hand->SetDevice(this->Device);
   hand->SetRadius(0.2);
-  hand->SetForceVisibility(false); // hides the force, since the normal force is the whole force
+  hand->SetForceVisibility(false); // hides the force, which equals the normal force here
   EXPECT_NEAR(hand->GetBounds()[4], proxy - 6.0, 0.01) << "30 radii";
   hand->SetMaximumArrowLength(2.5);
   EXPECT_NEAR(hand->GetBounds()[4], proxy - 2.5, 0.01);

@@ -18,7 +18,7 @@ protected:
     return vtkDataArray::SafeDownCast(this->Table->GetColumnByName(column))
       ->GetComponent(row, component);
   }
-  /// Drains at least `least` states, and expects that none is missing.
+  /// Drains at least `least` states, and expects them to be consecutive.
   void Take(int least)
   {
     for (vtkIdType taken = 0; taken < least;)
@@ -85,7 +85,7 @@ TEST_F(States, ComeToEveryReader)
     EXPECT_GE(last, this->Last);
     this->Take(10);
   }
-  this->Device->GetState()->Drain(nullptr, 1); // from now on, no states are kept for this reader
+  this->Device->GetState()->Drain(nullptr, 1); // from now on, states for this reader are discarded
   this->Take(10);
   this->Device->GetState()->Drain(others, 1);
   const double first = others->GetNumberOfRows() ? others->GetValue(0, 1).ToDouble() : VTK_INT_MAX;

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests the status of a device, its text, and when force acts.
- */
+/** Tests a device's status, its status text, and the conditions for force. */
 
 #include "Rigs/DeviceRig.h"
 
@@ -78,7 +76,7 @@ TEST_F(DeviceStatus, ForceFlowsOnlyWhileArmed)
   EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[2], -1.5, 1e-6) << "500 N/m, 3 mm deep";
   EXPECT_NEAR(this->Device->GetState()->GetProxyPosition()[2], 5.0, 1e-6);
   EXPECT_EQ(this->Device->GetState()->GetContact(), 1);
-  // The proxy begins at the tip, so a hand that is armed inside the ramp feels nothing until it
+  // The proxy starts at the tip, so a hand that is armed inside the ramp feels no force until it
   // moves.
   this->BeginWayHere();
   ASSERT_TRUE(this->ArmFully());
@@ -97,8 +95,8 @@ TEST_F(DeviceStatus, ASurfaceThatWasPressedDuringTheRampIsCalledSoft)
 {
   this->Begin();
   bool isSoft = false;
-  // On a busy machine the press may miss the ramp of half a second, or begin a new contact after a
-  // pause, so the test tries again.
+  // On a busy machine, the press may miss the ramp of half a second, or start a new contact after a
+  // pause, so retry.
   for (int attempt = 0; attempt < 10 && !isSoft; ++attempt)
   {
     this->Device->Disarm();

@@ -87,7 +87,7 @@ TEST_F(Stress, AThousandChangesLeaveWholeStates)
     {
       ASSERT_EQ(tick->GetComponent(i, 0), tick->GetComponent(i - 1, 0) + 1.0);
     }
-    // The force of a state that mixed two ticks or two models would not be that of its own spring.
+    // A mixture of two ticks or two models would have a force that does not match its own spring.
     const double k = data->GetArray("Stiffness")->GetComponent(i, 0);
     double stretch[3];
     double force[3];

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that the status text tells how well the servo keeps time, and how a user can improve this.
+ * Tests that the status text reports how well the servo keeps time, and how a user can improve
+ * this.
  */
 
 #include "VTK/Device/DeviceStatus.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests two devices with one filter. Each has the force that it would have alone, to the bit. A
- * fault, disarming or closing concerns one hand only. One hand holds the tool, and the other hand
+ * Tests two devices with one filter. Each must have exactly the force that it would have alone. A
+ * fault, disarming or closing must affect only one hand. One hand has the tool, and the other hand
  * feels the removal.
  */
 
@@ -45,9 +45,9 @@ protected:
         return this->Other->GetState()->GetTick() >= end && holds();
       });
   }
-  /// Arms the other hand with its tip at z = `from` in the ramp, where the proxy begins, and moves
-  /// the tip to z = `to` until `holds` is true. Tries again, since a pause of the loop puts the
-  /// proxy on the tip.
+  /// Arms the other hand with its tip at z = `from` in the ramp, where the proxy starts, and moves
+  /// the tip to z = `to` until `holds` is true. Retries, because a pause of the loop moves the
+  /// proxy to the tip.
   template <typename F>
   bool PressOther(double from, double to, F&& holds)
   {
@@ -100,7 +100,7 @@ TEST_F(TwoHands, EachHasTheForceThatItHasAlone)
   ASSERT_TRUE(this->Other->GetRecorder()->Stop());
   this->Other->Stop();
   this->ExpectSame();
-  // The filter computes the other hand's path alone, without a device.
+  // Let the filter compute the other hand's path without a device.
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(second.c_str());
   reader->Update();
@@ -127,7 +127,7 @@ TEST_F(TwoHands, AFaultOrAnEndIsOneHands)
 {
   this->BeginPressed();
   ASSERT_TRUE(this->Other->Open("virtual"));
-  // A light tip that is pulled far becomes faster than a hand can be. This is a fault.
+  // A light tip with a distant target becomes faster than a hand can be, which is a fault.
   this->Other->GetVirtualHand()->SetDynamics(0.01, 4.0, 2000.0, 0.0, 0);
   this->Other->GetVirtualHand()->SetPosition(4.0, 4.0, 5.0);
   ASSERT_TRUE(this->Other->Start());
@@ -152,7 +152,7 @@ TEST_F(TwoHands, OneHoldsANeedleAndTheOtherAPoint)
   EXPECT_FALSE(this->Other->GetUseTool());
   this->Begin();
   this->BeginOther();
-  // The expected force is that at the end of a path without a tool, which ends at the hand.
+  // The expected force is that of the point at the end of a path to the hand.
   vtkNew<vtkVolumeHapticsFilter> plain;
   plain->SetInputData(0, this->Image);
   plain->GetProperty()->DeepCopy(this->Filter->GetProperty());
@@ -174,7 +174,7 @@ TEST_F(TwoHands, OneHoldsANeedleAndTheOtherAPoint)
   ASSERT_EQ(this->OtherLog.Errors.size(), 1U);
   EXPECT_NE(this->OtherLog.Errors[0].find("SetTool(nullptr)"), std::string::npos);
   this->OtherLog.Errors.clear();
-  this->Filter->SetTool(nullptr); // the cure
+  this->Filter->SetTool(nullptr); // the remedy
   ASSERT_TRUE(this->Other->Publish());
   ASSERT_TRUE(this->Other->GetRecorder()->Start(this->File("Point.vtp").c_str()));
   this->Filter->SetTool(needle);
@@ -215,7 +215,7 @@ TEST_F(TwoHands, WhatOneRemovesTheOtherNoLongerFeels)
   this->Device->GetVirtualHand()->SpinningOff();
   this->Device->GetVirtualHand()->SetPosition(4.0, 4.0, 4.0);
   ASSERT_TRUE(this->WaitOther([this] { return !this->Device->GetState()->IsSpinning(); }));
-  // Undo returns tissue around the other hand. The proxy begins at the tip then, so the tissue does
+  // Undo returns tissue around the other hand. The proxy then starts at the tip, so the tissue does
   // not push this hand.
   const std::string before = this->Other->GetStatusText();
   while (this->Filter->GetRemoval()->GetNumberOfUndos() > 0 && this->Filter->GetRemoval()->Undo())

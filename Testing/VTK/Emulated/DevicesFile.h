@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * File of devices for one test. Make it before an emulator, and let it outlive the emulator: the
+ * A file of devices for one test. Create it before an emulator and destroy it afterwards: the
  * emulator's threads read the environment in each call that umockdev intercepts, which must not
  * happen while a variable is set.
  */
@@ -36,7 +36,7 @@ public:
   DevicesFile(const DevicesFile&) = delete;
   DevicesFile& operator=(const DevicesFile&) = delete;
 
-  /** Removes the devices that other emulators have confirmed since the last call. */
+  /** Forgets the devices that other emulators have confirmed since the last call. */
   void Clear() const noexcept
   {
     std::error_code ignored;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Child process in which a device's thread overflows its stack while force acts. The parent
+ * Runs a child process in which a device's thread overflows its stack while force acts. The parent
  * emulates the device, so the device outlives the child.
  */
 #ifndef OverflowRig_h
@@ -60,10 +60,10 @@ inline int FindNewThread(const std::set<int>& before)
 }
 
 /**
- * Opens the device `id` in a child process, and overflows its thread's stack as soon as force is
- * felt. Calls `lead`, which moves the hand into the face (true) or out of it, until the child has
- * ended. Returns the number of the signal that ended the child, or a negative number that tells
- * what failed in it.
+ * Opens the device `id` in a child process, and overflows its thread's stack as soon as a force
+ * acts. Calls `lead`, which moves the hand into the face (true) or out of it, until the child has
+ * ended. Returns the number of the signal that ended the child, or a negative number that
+ * identifies the failed step.
  */
 template <typename Lead>
 int OverflowDeviceThread(PhantomHand& hand, const std::string& id, Lead&& lead)
@@ -76,7 +76,7 @@ int OverflowDeviceThread(PhantomHand& hand, const std::string& id, Lead&& lead)
   {
     const rlimit none{ 0, 0 };
     setrlimit(RLIMIT_CORE, &none);
-    // Lets the device's thread overflow its stack. SIGTRAP is a crash signal: the thread blocks all
+    // Overflow the stack of the device's thread. SIGTRAP is a crash signal: the thread blocks all
     // other signals.
     std::signal(SIGTRAP, [](int) { std::_Exit(Overflow(0)); });
     const std::set<int> before = ListThreads();
@@ -89,8 +89,8 @@ int OverflowDeviceThread(PhantomHand& hand, const std::string& id, Lead&& lead)
     {
       std::_Exit(2);
     }
-    // On a busy machine the servo may pause, after which the force begins anew, so the test tries
-    // again.
+    // On a busy machine, the servo may pause, after which the force starts again from zero, so
+    // retry.
     bool isFelt = false;
     for (int attempt = 0; attempt < 5 && !isFelt; ++attempt)
     {
@@ -127,8 +127,8 @@ int OverflowDeviceThread(PhantomHand& hand, const std::string& id, Lead&& lead)
     hasEnded = Eventually(
       [&]
       {
-        // A hand that is armed inside the face feels nothing, so the hand moves out of the face and
-        // in.
+        // A hand that is armed inside the face feels no force, so move it out of the face and in
+        // again.
         lead(*isArmed && ++looks % 1000 > 300);
         return waitpid(child, &status, WNOHANG) == child;
       });

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests applications in which a hand presses a device onto the face of the phantom. The devices are
- * an arm with an hfab controller behind a pseudo-terminal, and devices of stand-ins for vendors'
- * libraries, loaded as plug-ins (Emulators/HfabEmulator.h, ForceDimension/FakeForceDimension.h,
+ * Tests applications in which a hand presses a device onto the phantom's face. The devices are an
+ * arm with an hfab controller behind a pseudo-terminal, and devices of fake vendors' libraries,
+ * loaded as plug-ins (Emulators/HfabEmulator.h, ForceDimension/FakeForceDimension.h,
  * OpenHaptics/FakeOpenHaptics.h).
  */
 
@@ -21,15 +21,15 @@ using namespace emulated;
 
 namespace
 {
-/** An arm, one axis of which points outwards from the face of the phantom that it presses. */
+/** An arm with one axis that points outwards from the phantom's face. */
 class PressedDevice
 {
 public:
   virtual ~PressedDevice() = default;
   virtual std::string GetId() const = 0;
-  /** Returns the name of the device in the user's file of devices. */
+  /** Returns the device's name in the user's file of devices. */
   virtual std::string GetIdentity() const = 0;
-  /** Puts the device into its pose for calibration. Returns false if it needs none. */
+  /** Moves the device to its pose for calibration. Returns false if it needs none. */
   virtual bool PutIntoPose() { return false; }
   ///@{
   /**
@@ -155,8 +155,8 @@ protected:
     return this->Device->GetStatus() == status;
   }
   /**
-   * Calibrates the device if needed. If a busy machine has lost the device, calibrates it again, as
-   * a user does. The device then shows its fault until it is armed.
+   * Calibrates the device if needed, and again if a busy machine has lost the device. The device
+   * then reports its fault until it is armed.
    */
   void MakeReady()
   {
@@ -180,14 +180,14 @@ protected:
     ASSERT_TRUE(Eventually([this] { return !this->IsAt(vtkHapticDevice::HOMING); }))
       << this->Device->GetStatusText();
   }
-  /// Moves the hand along the axis out of the face. Returns false if the tip does not follow, since
-  /// the device was lost.
+  /// Moves the hand along the axis out of the face. Returns false if the tip does not follow
+  /// because the device was lost.
   bool LeadTo(double out)
   {
     this->Arm.Lead(out);
     return Eventually([&] { return std::abs(this->Arm.GetTip() - out) < 0.002; });
   }
-  /// Presses until force is felt, and expects that the force stays for 1000 ticks.
+  /// Presses until a force acts, and expects the force to persist for 1000 ticks.
   bool IsFeltForLong()
   {
     this->Arm.Lead(-Depth);
@@ -199,7 +199,10 @@ protected:
     return felt && this->Device->GetState()->GetContact() != 0 && this->Hand.WaitTicks(1000) &&
       !this->IsAt(vtkHapticDevice::FAULT);
   }
-  /** Returns whether the skin's force, the hand's spring and the reported force agree. */
+  /**
+   * Returns whether the computed force of the skin, the force of the hand's spring and the reported
+   * force agree.
+   */
   bool IsFelt()
   {
     this->Device->UpdateState();
@@ -230,8 +233,7 @@ TYPED_TEST(PhantomArms, PressThePhantomAndLetGoAtAFault)
   ASSERT_TRUE(device->Start());
   EXPECT_TRUE(device->GetSignsConfirmed());
   bool felt = false;
-  // On a busy machine the servo may pause, after which the force begins anew, so the test tries
-  // again.
+  // On a busy machine, the servo may pause, after which the force starts again from zero, so retry.
   for (int attempt = 0; attempt < this->MostAttempts && !felt; ++attempt)
   {
     device->Disarm();

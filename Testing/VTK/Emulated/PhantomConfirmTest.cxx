@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests the first arming of an emulated Falcon whose motors are wired correctly, or the wrong way
- * round.
- */
+/** Tests the first arming of an emulated Falcon whose motors are wired correctly or reversed. */
 
 #include "DevicesFile.h"
 #include "PhantomFalconRig.h"
@@ -31,7 +28,7 @@ protected:
   {
     this->Memory.Clear();
   }
-  /// Homes the device, holds it in front of the face, and arms it.
+  /// Homes the device, moves it in front of the face, and arms it.
   void ArmInTheHand()
   {
     ASSERT_TRUE(this->Device->Open("falcon"));
@@ -86,7 +83,7 @@ TEST_F(PhantomConfirm, ACalibratedDeviceIsAskedForWhatItReallyGives)
   ASSERT_EQ(this->Log.Errors.size(), 2u);
   EXPECT_NE(this->Log.Errors[0].find("0.1 to 10"), std::string::npos) << this->Log.Errors[0];
   this->Log.Errors.clear();
-  // A factor of 2 says that the device is stronger than its nominal force. The limit stays at 4 N.
+  // A factor of 2 means that the device is twice as strong as nominal. The limit remains 4 N.
   ASSERT_TRUE(this->Device->CalibrateForce(2.0));
   EXPECT_DOUBLE_EQ(this->Device->GetMaximumForce(), 4.0);
   ASSERT_TRUE(this->Device->CalibrateForce(0.5));
@@ -103,7 +100,7 @@ TEST_F(PhantomConfirm, ACalibratedDeviceIsAskedForWhatItReallyGives)
   this->Device->Arm();
   ASSERT_TRUE(this->LeadTo(0.0, 0.0, SkinHeight + 0.01));
   ASSERT_TRUE(this->LeadTo(0.0, 0.0, SkinHeight - 0.006));
-  // The model gets twice the reported force, since the force scale is 0.5, and gives what it gets.
+  // The force scale is 0.5, so the model receives twice the reported force, which it exerts.
   EXPECT_TRUE(this->Hand.Wait(
     [&]
     {

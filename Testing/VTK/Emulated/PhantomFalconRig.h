@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Rig of an emulated Falcon in front of the phantom's face, and of the hand that holds it.
- */
+/** Fixture with an emulated Falcon in front of the phantom's face, and the hand that holds it. */
 #ifndef PhantomFalconRig_h
 #define PhantomFalconRig_h
 
@@ -13,7 +11,7 @@
 
 namespace emulated
 {
-inline constexpr double SkinHeight = 0.125; ///< height of the skin (m) in the Falcon's own frame
+inline constexpr double SkinHeight = 0.125; ///< height of the skin (m) in the Falcon's coordinates
 
 class PhantomFalcon : public testing::Test
 {
@@ -43,14 +41,14 @@ protected:
     ASSERT_TRUE(this->LeadTo(0.0, 0.0, 0.172));
     ASSERT_TRUE(this->Hand.WaitFor(vtkHapticDevice::READY)) << this->Device->GetStatusText();
   }
-  /** Returns the height of the skin beside the line, where the face recedes. */
+  /** Returns the height of the skin at a distance from the line, where the face recedes. */
   double HeightOfSkin(double x, double y) const
   {
     return SkinHeight - 1e-3 * this->Phantom.SkinBehind(-1e3 * y, 1e3 * x);
   }
   /**
-   * Presses from in front of the skin to `beyond` (m) behind it. Expects that the force balances
-   * the hand's own spring. Tries again, since the force begins anew after a pause of a busy
+   * Presses from in front of the skin to `beyond` (m) behind it. Expects the force to balance the
+   * hand's spring. Retries, because the force starts again from zero after a pause of a busy
    * machine.
    */
   void Press(double x, double y, double beyond)

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests an application in which a hand presses an emulated Falcon onto the face of the phantom.
- */
+/** Tests an application in which a hand presses an emulated Falcon onto the phantom's face. */
 
 #include "PhantomFalconRig.h"
 
@@ -22,7 +20,7 @@ TEST_F(PhantomFalcon, IsFeltLostAndFeltAgain)
   this->Device->SetFirmwareFile(firmware);
 
   // The boot loader does not answer until the test has read the status. Otherwise the firmware
-  // might be loaded before.
+  // might already be loaded by then.
   this->Falcon.Break(FalconFault::NoGreeting);
   ASSERT_TRUE(this->Device->Open("falcon"));
   ASSERT_TRUE(this->Device->Start());
@@ -48,7 +46,7 @@ TEST_F(PhantomFalcon, IsFeltLostAndFeltAgain)
   this->ExpectNoForce(20);
   this->Falcon.SwitchOff();
   this->Usb.PlugIn();
-  // The device is opened again without a user, and gets its firmware. Then the hand homes it.
+  // The device is opened again automatically, and receives its firmware. Then the hand homes it.
   ASSERT_TRUE(this->Hand.WaitFor(vtkHapticDevice::HOMING)) << this->Device->GetStatusText();
   ASSERT_TRUE(this->LeadTo(0.0, 0.0, 0.1735));
   ASSERT_TRUE(this->LeadTo(0.0, 0.0, 0.08));

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests an application in which a hand presses an arm of an emulated Inverse service onto the face
- * of the phantom. Haply's y axis points forward, into the face.
+ * Tests an application in which a hand presses an arm of an emulated Inverse service onto the
+ * phantom's face. Haply's y axis points forward, into the face.
  */
 
 #include "Emulators/HaplyService.h"
@@ -60,8 +60,8 @@ protected:
       return force > 0.1 && std::abs(shown - force) < 0.05 && std::abs(spring - force) < 0.1;
     };
     bool felt = false;
-    // On a busy machine the servo may pause, after which the force begins anew, so the test tries
-    // again.
+    // On a busy machine, the servo may pause, after which the force starts again from zero, so
+    // retry.
     for (int attempt = 0; attempt < 5 && !felt; ++attempt)
     {
       ASSERT_TRUE(this->LeadTo(-0.01));
@@ -98,7 +98,7 @@ TEST_F(PhantomHaply, IsFeltLostAndFeltAgain)
   EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
   this->Service.reset();
   this->Service.emplace();
-  // The device must be opened again without a user.
+  // The device must be opened again automatically.
   ASSERT_TRUE(this->Hand.Wait([&] { return this->Hand.Says("is back. Arm() again"); }))
     << this->Device->GetStatusText();
   EXPECT_TRUE(this->Hand.WaitTicks(100));
@@ -115,8 +115,8 @@ TEST_F(PhantomHaply, IsFeltLostAndFeltAgain)
   EXPECT_TRUE(this->Hand.Wait(
     [&]
     {
-      // The arm has turned by 90 degrees about the vertical, and so has the handle in the world.
-      // The product of the two quaternions is the cosine of half of the angle.
+      // The arm is rotated by 90 degrees about the vertical, and so is the handle in world
+      // coordinates. The product of the two quaternions is the cosine of half of the angle.
       const double* const turn = this->Device->GetState()->GetTipOrientation();
       const double same = std::inner_product(start.begin(), start.end(), turn, 0.0);
       return std::abs(std::abs(same) - half) < 1e-6;

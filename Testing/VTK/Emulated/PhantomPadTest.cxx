@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests an application on the phantom with a gamepad. Contact vibrates, rest is silent, and the
- * texts say vibration instead of force.
+ * Tests an application on the phantom with a gamepad. Contact must cause vibration, rest must not,
+ * and the texts must mention vibration instead of force.
  */
 
 #include "Emulators/EmulatedEvdev.h"
@@ -31,7 +31,7 @@ TEST(PhantomPad, TheFaceIsFeltAsVibrationAndRestIsSilent)
   ASSERT_TRUE(hand.WaitFor(vtkHapticDevice::READY)) << device->GetStatusText();
   EXPECT_TRUE(hand.Says("vibration:pad (vibration, not force)")) << device->GetStatusText();
   device->Arm();
-  // Moves the tip towards the hand, and then back into the face.
+  // Move the tip towards the hand, and then back into the face.
   pad.Move(ABS_RY, 1.0);
   EXPECT_TRUE(
     hand.Wait([&] { return phantom.DepthOf(device->GetState()->GetTipPosition()) < -20.0; }));

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Rig of a head phantom with a device in front of its face, as in an application.
- */
+/** Fixture with a head phantom and a device in front of its face, as in an application. */
 #ifndef PhantomRig_h
 #define PhantomRig_h
 
@@ -18,7 +16,7 @@ using devicetest::Length;
 
 inline constexpr double SkinValue = -300.0; ///< value (HU) half-way between air and skin
 
-/** Filter on the phantom, and the position of the skin on a line into the face. */
+/** A filter on the phantom, and the position of the skin on a line into the face. */
 class Phantom
 {
 public:
@@ -34,14 +32,14 @@ public:
   }
 
   /**
-   * Returns a placement whose origin is on the skin, and in which one axis of the device (0 to 2),
-   * or its opposite (a sign of -1), points out of the face.
+   * Returns a placement with its origin on the skin. One axis of the device (0 to 2), or its
+   * opposite (a sign of -1), points out of the face.
    */
   vtkSmartPointer<vtkMatrix4x4> Place(int outward, double sign) const
   {
     auto place = vtkSmartPointer<vtkMatrix4x4>::New();
     // The chosen axis points out of the face, which is -y in the world. The other axes follow in
-    // cyclic order; their signs keep the placement free of mirroring.
+    // cyclic order; their signs prevent mirroring.
     const double axes[3][3] = { { 0.0, -sign, 0.0 }, { 0.0, 0.0, sign }, { -1.0, 0.0, 0.0 } };
     for (int i = 0; i < 3; ++i)
     {
@@ -54,11 +52,9 @@ public:
     place->SetElement(2, 3, Height);
     return place;
   }
-  /** Returns how far (mm) a point of the world is inside the skin, near the line. */
+  /** Returns how far (mm) a point in world coordinates is inside the skin, near the line. */
   double DepthOf(const double point[3]) const { return point[1] - this->Skin; }
-  /**
-   * Returns how much deeper (mm) the skin is at a place with these distances (mm) from the line.
-   */
+  /** Returns how much deeper (mm) the skin is at these distances (mm) from the line. */
   double SkinBehind(double x, double z) const
   {
     return this->ComputeSkin(x, Height + z) - this->Skin;
@@ -78,7 +74,7 @@ private:
     }
     return point[1];
   }
-  /** Returns the value at a point, interpolated between the eight voxels around it. */
+  /** Returns the value at a point, interpolated between the eight surrounding voxels. */
   double ValueAt(const double point[3]) const
   {
     int index[3];
@@ -104,14 +100,14 @@ private:
   double Skin = 0.0;
 };
 
-/** Device of an application, with its status as a user sees it. */
+/** An application's device, with the status that the user sees. */
 class PhantomHand
 {
 public:
   PhantomHand(const Phantom& phantom, int outward, double sign)
   {
-    // The program may be silent: a test calls one device at a time, and the other one must keep its
-    // force.
+    // Disable the attention time: a test calls one device at a time, and the other one must keep
+    // its force.
     this->Device->SetAttentionTime(0.0);
     this->Device->SetVolumeHaptics(phantom.Filter);
     this->Device->SetDeviceToWorld(phantom.Place(outward, sign));

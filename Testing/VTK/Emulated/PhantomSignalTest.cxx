@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a signal that ends the application while a hand feels the face. The device gets zero force
- * before the signal is passed on.
+ * Tests a signal that ends the application while a hand feels the face. The device must receive
+ * zero force before the signal is passed on.
  */
 
 #include "PhantomFalconRig.h"
@@ -30,7 +30,7 @@ protected:
 
 TEST_P(PhantomSignal, GoesOnOnceTheDeviceHasGotZero)
 {
-  // The application installs its own handler before the device is opened.
+  // The application installs its own handler before it opens the device.
   HasSignal = 0;
   std::signal(this->GetParam(), [](int) { HasSignal = 1; });
   ASSERT_TRUE(this->Device->Open("falcon"));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests applications on the phantom with devices of fewer directions: a force-feedback stick, and a
+ * Tests applications on the phantom with devices of fewer axes: a force-feedback stick, and a
  * SpaceMouse, which has no force. Also tests the first arming of a stick with two motors.
  */
 
@@ -22,7 +22,7 @@ using namespace emulated;
 
 namespace
 {
-/// Stick with two motors, at rest in front of the face, which is armed for the first time.
+/// A stick with two motors, at rest in front of the face, before its first arming.
 class PhantomJoystick : public testing::Test
 {
 protected:
@@ -111,8 +111,7 @@ TEST(PhantomStick, IsFelt)
   ASSERT_TRUE(hand.WaitFor(vtkHapticDevice::READY)) << device->GetStatusText();
   device->Arm();
   bool felt = false;
-  // On a busy machine the servo may pause, after which the force begins anew, so the test tries
-  // again.
+  // On a busy machine, the servo may pause, after which the force starts again from zero, so retry.
   for (int attempt = 0; attempt < 5 && !felt; ++attempt)
   {
     stick.SetGoal(-0.01, 0.0);
@@ -165,7 +164,8 @@ TEST(PhantomSpaceMouse, PushesTheTipAgainstTheFaceAndTurnsTheVolume)
   ASSERT_TRUE(device->Start());
   ASSERT_TRUE(hand.WaitFor(vtkHapticDevice::READY)) << device->GetStatusText();
   device->Arm();
-  // The device's y axis points to the hand. The tip moves out of the face, and then back into it.
+  // The device's y axis points towards the hand. Move the tip out of the face, and then back into
+  // it.
   mouse.Push({ 0, 350, 0, 0, 0, 0 });
   EXPECT_TRUE(
     hand.Wait([&] { return phantom.DepthOf(device->GetState()->GetTipPosition()) < -20.0; }));
@@ -178,8 +178,8 @@ TEST(PhantomSpaceMouse, PushesTheTipAgainstTheFaceAndTurnsTheVolume)
   EXPECT_LT(phantom.DepthOf(device->GetState()->GetProxyPosition()),
     phantom.DepthOf(device->GetState()->GetTipPosition()));
   EXPECT_EQ(Length(device->GetState()->GetForce()), 0.0);
-  // The device's z axis points down, so a turn about z is a turn in the other sense about the
-  // world's vertical axis.
+  // The device's z axis points down, so a rotation about z has the opposite sense about the world's
+  // vertical axis.
   EXPECT_TRUE(hand.Wait([&] { return device->GetState()->GetTurnRate()[1] < -0.4; }));
   mouse.Push({});
   EXPECT_TRUE(hand.Wait([&] { return Length(device->GetState()->GetTurnRate()) == 0.0; }));

@@ -3,7 +3,7 @@
 
 /**
  * Tests two devices in one scene. Each has its own proxy on the same phantom, and a fault of one
- * device does not disturb the other.
+ * device must not disturb the other.
  */
 
 #include "Emulators/EmulatedHid.h"

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests an application in which a hand presses an emulated WoodenHaptics onto the face of the
- * phantom.
+ * Tests an application in which a hand presses an emulated WoodenHaptics onto the phantom's face.
  */
 
 #include "Emulators/EmulatedHid.h"
@@ -20,8 +19,8 @@ class PhantomWooden : public testing::Test
 {
 protected:
   /**
-   * Moves the hand to a place (m) beyond the skin, which is at x = 0 of the arm; negative places
-   * are in front of the face.
+   * Moves the hand to a position (m) beyond the skin, which is at x = 0 of the arm; negative
+   * positions are in front of the face.
    */
   bool LeadTo(double beyond)
   {
@@ -33,7 +32,7 @@ protected:
     ASSERT_TRUE(this->Hand.WaitFor(vtkHapticDevice::HOMING)) << this->Device->GetStatusText();
     ASSERT_TRUE(this->Hand.Wait([&] { return this->Hand.Says("rest pose"); }));
     this->Device->Home();
-    // A device that is back after a loss keeps its fault until it is armed.
+    // A device that returns after a loss keeps its fault until it is armed.
     ASSERT_TRUE(this->Hand.Wait(
       [&]
       {
@@ -52,8 +51,8 @@ protected:
       return force > 0.1 && std::abs(shown[0] - force) < 0.05 && std::abs(spring - force) < 0.1;
     };
     bool felt = false;
-    // On a busy machine the servo may pause, after which the force begins anew, so the test tries
-    // again.
+    // On a busy machine, the servo may pause, after which the force starts again from zero, so
+    // retry.
     for (int attempt = 0; attempt < 5 && !felt; ++attempt)
     {
       ASSERT_TRUE(this->LeadTo(-0.01));
@@ -94,7 +93,7 @@ TEST_F(PhantomWooden, IsFeltLostAndFeltAgain)
     EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
     this->Arm.PowerUp();
     this->Hid.PlugIn();
-    // The device is opened again without a user, and then waits for its rest pose.
+    // The device is opened again automatically, and then waits for its rest pose.
     EXPECT_TRUE(this->Hand.WaitFor(vtkHapticDevice::HOMING)) << this->Device->GetStatusText();
     EXPECT_TRUE(this->Hand.WaitTicks(100));
     EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
@@ -103,8 +102,8 @@ TEST_F(PhantomWooden, IsFeltLostAndFeltAgain)
 
 TEST_F(PhantomWooden, AStackThatOverflowsLeavesNoForce)
 {
-  // The handler that is installed before the device's ends only its thread, so that the test goes
-  // on.
+  // The handler that was installed before the device's handler ends only its own thread, so that
+  // the test continues.
   struct sigaction end = {};
   end.sa_handler = [](int)
   {
@@ -122,8 +121,7 @@ TEST_F(PhantomWooden, AStackThatOverflowsLeavesNoForce)
   ASSERT_GT(Length(this->Arm.GetForce().data()), 0.0);
   syscall(SYS_tgkill, getpid(), thread, SIGTRAP);
   ASSERT_TRUE(Eventually([] { return HasOverflowed != 0; }));
-  // The device counts time by packets, so no watchdog of the device ends the force when the packets
-  // end.
+  // The device measures time in packets, so its watchdog can't end the force when the packets stop.
   EXPECT_TRUE(Eventually([this] { return Length(this->Arm.GetForce().data()) == 0.0; }))
     << Length(this->Arm.GetForce().data());
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the program's memory of a vendor's device, with and without a serial number. The test plays
- * the device; the hand that holds it is a mass on a spring (Emulators/EmulatedHand.h).
+ * Tests what the program stores about a vendor's device, with and without a serial number. The test
+ * emulates the device; the hand that holds it is a mass on a spring (Emulators/EmulatedHand.h).
  */
 
 #include "Devices/Vendor/PlayedVendor.h"
@@ -52,7 +52,7 @@ protected:
     const std::lock_guard<std::mutex> lock(this->Played.Mutex);
     this->Played.Serial = serial;
   }
-  /// Arms until the device's signs are confirmed. Tries again, since the machine may be busy.
+  /// Arms until the device's signs are confirmed. Retries, because the machine may be busy.
   void ArmForTheFirstTime()
   {
     ASSERT_FALSE(this->Device->GetSignsConfirmed());
@@ -128,7 +128,7 @@ TEST_F(VendorIdentity, WithASerialNumberItIsRemembered)
 
 TEST_F(VendorIdentity, WithoutASerialNumberItIsConfirmedAnewEachTime)
 {
-  // Several devices can have the number 0, so the line may belong to another device.
+  // Several devices can have the number 0, so the line may refer to another device.
   const std::string line =
     "vendor:played:number:0 confirmed=2026-11-01 scale=0.25 calibrated=2026-11-01\n";
   std::ofstream(this->Memory) << line;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Rig of child processes that hold an armed device without a watchdog. The device keeps its last
- * force in memory that outlives the child, as the motors of such a device keep it.
+ * Fixture for child processes with an armed device without a watchdog. The device stores its last
+ * force in memory that outlives the child, as such a device's motors would hold it.
  */
 #ifndef EndingsRig_h
 #define EndingsRig_h
@@ -20,7 +20,7 @@
 namespace devicetest
 {
 
-/// State that a device in a child process shares with the parent, which checks it.
+/// State that a device in a child process shares with the parent, which evaluates it.
 struct LastingDevice
 {
   std::atomic<double> Sent{ 0.0 }; ///< norm of the last force (N)
@@ -77,7 +77,7 @@ public:
       WriteToNowhere();
     }
     this->Time += period;
-    // The tip is in front of the wall, or in the wall if it is pressed.
+    // The tip is in front of the wall, or inside it while `IsPressed` is true.
     const double depth = Lasting->IsPressed ? 0.009 + 0.001 * std::sin(10.0 * this->Time) : 0.005;
     sample.Tip = { 0.007, 0.007, depth };
     sample.Fresh = true;
@@ -122,8 +122,8 @@ protected:
   }
   ~Endings() override { munmap(Lasting, sizeof(LastingDevice)); }
 
-  /// Arms the device, and waits until force acts. At the default rate (Hz), a tick takes 10 ms, so
-  /// a test notices an ending that does not wait for the next tick.
+  /// Arms the device, and waits until a force acts. At the default rate (Hz), a tick takes 10 ms,
+  /// so a test detects whether an ending waits for the next tick.
   void Feel(double rate = 100.0)
   {
     const rlimit none{ 0, 0 };
@@ -140,7 +140,7 @@ protected:
           return this->Device->GetState()->GetTipPosition()[2] == 5.0;
         });
     this->Device->Arm();
-    // A wall that is pressed during the ramp stays soft, so the press begins after the ramp.
+    // Start the press after the ramp, because a wall that is pressed during the ramp stays soft.
     const bool isArmed = Eventually(
       [this]
       {
@@ -155,8 +155,8 @@ protected:
     Lasting->Handled = 0;
     Lasting->ForceWhenHandled = 0.0;
   }
-  /// Lets a child process feel force, and ends it with `how`. Returns the exit code, or minus the
-  /// signal. Expects that no force is left.
+  /// Waits until a force acts in a child process, and ends the process with `how`. Returns the exit
+  /// code, or minus the signal. Expects that no force remains.
   template <typename F>
   int End(F&& how)
   {
@@ -165,7 +165,7 @@ protected:
       {
         this->Feel();
         how();
-        return 77; // not reached if the child ends in the expected way
+        return 77; // not reached if the child ends as expected
       });
     EXPECT_TRUE(Lasting->HadForce);
     EXPECT_EQ(Lasting->GetForce(), 0.0);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that every end of a process that can still act leaves the device without force. The process
- * must end as it would without a device.
+ * Tests that every end of a process that can still run code leaves the device without force. The
+ * process must end as it would without a device.
  */
 
 #include "EndingsRig.h"
@@ -112,7 +112,7 @@ TEST_F(Endings, ByACrash)
                 [[maybe_unused]] int done = pipe(ends);
                 close(ends[0]);
                 [[maybe_unused]] const ssize_t size = write(ends[1], "", 1);
-                std::_Exit(5); // not reached by a process that writes to a closed pipe
+                std::_Exit(5); // not reached after a write to a closed pipe
               }),
     -SIGPIPE);
 }
@@ -137,14 +137,14 @@ TEST_F(Endings, ByACrashWhileItIsStopped)
                 Lasting->TimeToCrash = 20;
                 Lasting->CrashesInRead = true;
                 Eventually([] { return Lasting->IsCrashing.load(); });
-                this->Device->Stop(); // returns only after the servo has ended
+                this->Device->Stop(); // returns only after the servo's end
               }),
     -SIGSEGV);
 }
 
 TEST_F(Endings, ByASignalWhileItIsArmed)
 {
-  // Interrupts Arm(), which may hold a lock. The handler must not wait for this lock.
+  // Interrupt Arm(), which may hold a lock. The handler must not wait for this lock.
   for (const int signal : { SIGUSR1, SIGABRT })
   {
     const auto kills = [&]
@@ -206,8 +206,8 @@ TEST_F(Endings, AreGuardedOrTheServoDoesNotStart)
 
 TEST_F(Endings, ByACrashInWhatEndsTheForce)
 {
-  // The device itself crashes when its force is to end. The force can't be ended then, but the
-  // process must end.
+  // The device itself crashes when its force should end. This force can't be ended, but the process
+  // must end.
   const auto endBy = [this](void (*how)())
   {
     return InChild(
@@ -358,7 +358,7 @@ TEST_F(Endings, OfAChildProcessAreItsOwn)
                 return Wait(child) == -SIGSEGV && Lasting->GetForce() > 0.0 ? 0 : 1;
               }),
     0);
-  // A process whose parent has closed its device can have its own device.
+  // A process whose parent has closed its device must be able to open its own device.
   EXPECT_EQ(InChild(
               [this]
               {
@@ -376,7 +376,8 @@ TEST_F(Endings, AreStopsToo)
     const pid_t child = fork();
     if (child == 0)
     {
-      // Makes an own process group, since the kernel stops no process of an orphaned group.
+      // Make a separate process group, because the kernel does not stop processes of an orphaned
+      // group.
       setpgid(0, 0);
       this->Feel();
       std::raise(signal);

@@ -22,7 +22,7 @@ struct EventCount
   int Count = 0;
 };
 
-/// Closes a device when the process exits, after the destructors of all objects in main().
+/// Closes a device at process exit, after the destructors of all objects in main().
 struct LastOwner
 {
   ~LastOwner()
@@ -64,7 +64,7 @@ TEST_F(RecordingFailure, OfTheProgramKeepsWhatThereIs)
   this->ExpectError("under way");
   ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   this->Device->Close();
-  // Writing two groups takes 512 lines of 20 us each. This is long work for the shortest attention
+  // Writing two groups takes 512 lines of 20 us each, which is long work for the shortest attention
   // time of 0.05 s.
   EventCount begins;
   this->Device->AddObserver(vtkCommand::StartEvent, &begins, &EventCount::Add);

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Rig of child processes that hold an armed device and get a signal.
- */
+/** Fixture for child processes with an armed device that receive a signal. */
 #ifndef SignalsRig_h
 #define SignalsRig_h
 
@@ -21,8 +19,8 @@ inline vtkHapticDevice* Watched = nullptr;
 inline std::atomic<int> Handled{ 0 };
 inline std::atomic<int> ForceWhenHandled{ 0 };
 
-/// Signal handler of the application, installed before the device. It counts calls, and calls
-/// during which the device still has force.
+/// Signal handler of the application, installed before the device's handler. Counts its calls, and
+/// the calls during which the device still exerts force.
 inline void OnSignal(int)
 {
   Watched->UpdateState();
@@ -56,9 +54,9 @@ protected:
     }
     return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
   }
-  /// Arms the device at a servo rate of 100 Hz and waits until force acts. With ticks of 10 ms, a
-  /// test fails if the application's signal handler is called before the tick that cuts the force.
-  /// Returns false if no force came.
+  /// Arms the device at a servo rate of 100 Hz, and waits until a force acts. With ticks of 10 ms,
+  /// a test fails if the application's signal handler is called before the tick that cuts the
+  /// force. Returns false if no force occurs.
   bool Activate()
   {
     Watched = this->Device;

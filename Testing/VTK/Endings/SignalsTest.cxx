@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that the device has no force when the handler of a process runs that was told to end. Each
- * test is a child process, since it ends with a signal.
+ * Tests that the device has no force when a terminating signal reaches the application's handler.
+ * Each test runs a child process, because the process ends with a signal.
  */
 
 #include "SignalsRig.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests manifests of actions in the form that VTK's vtkOpenXRRenderWindowInteractor reads:
- * "actions", "default_bindings" and "localization" in one file, "bindings" with "sources" and
- * "haptics" in the others (see its LoadActions and LoadDefaultBinding, 9.2 to 9.6).
+ * Tests action manifests in the format that VTK's vtkOpenXRRenderWindowInteractor reads: "actions",
+ * "default_bindings" and "localization" in one file, "bindings" with "sources" and "haptics" in the
+ * others (see its LoadActions and LoadDefaultBinding, 9.2 to 9.6).
  */
 
 #include "Rigs/ApiRig.h"
@@ -143,7 +143,7 @@ TEST_F(XRActions, FilesThatAreNoneAreOneErrorWithTheCure)
   this->Save("actions.json", nested);
   this->ExpectError("is no manifest");
   this->Save("actions.json",
-    // The text is valid JSON, but nested 70 deep.
+    // The text is valid JSON, but has 70 nested levels.
     "{ \"actions\": " + std::string(70, '[') + std::string(70, ']') + " }");
   this->ExpectError("nested more than 64 deep");
   this->Log.Errors.clear();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a controller of a headset on a ramp. VTK's events of controllers lead the tip, and frames
- * make the controller vibrate, through a stand-in for VTK's interactor that records the calls
+ * Tests a headset's controller on a ramp. VTK's controller events move the tip, and frames make the
+ * controller vibrate, through a stand-in for VTK's interactor that records the calls
  * (Testing/Emulators/OpenXR).
  */
 
@@ -49,8 +49,8 @@ protected:
     this->Interactor->InvokeEvent(type, event.GetPointer());
   }
   void Move(const Point& position) { this->Send(vtkCommand::Move3DEvent, position); }
-  /// Presses 3 mm into the ramp within six frames: fast enough for the contact to be felt, and slow
-  /// enough for the slew limit.
+  /// Presses 3 mm into the ramp within six frames: fast enough to feel the contact, and slow enough
+  /// for the slew limit.
   bool Press()
   {
     int frame = 0;
@@ -62,7 +62,7 @@ protected:
         return Length(this->Device->GetState()->GetForce()) > 1.0;
       });
   }
-  /// Sends frames of a headset until `holds` is true. Returns false if it never is.
+  /// Sends frames of a headset until `holds` is true. Returns false if it never becomes true.
   template <typename F>
   bool Frames(F&& holds)
   {
@@ -99,12 +99,12 @@ TEST_F(XRController, LeadsTheTipByThePoseOfItsHand)
     vtkEventDataDevice::LeftController);
   this->Send(vtkCommand::Move3DEvent, { 1.0, 1.0, 1.0 }, vtkEventDataAction::Unknown,
     vtkEventDataDevice::HeadMountedDisplay);
-  // A controller that is out of sight has no position, so the tip stays.
+  // A controller that is out of view has no position, so the tip must stay.
   this->Move({ std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0 });
   this->Interactor->InvokeEvent(vtkCommand::Move3DEvent, nullptr);
   EXPECT_TRUE(this->WaitTicks(5));
   EXPECT_TRUE(this->IsTipAt({ 7.0, 7.0, 5.0 }));
-  // The tip is 10 mm in front of the hand in the room. A metre of the room is 200 world units, so
+  // The tip is 10 mm in front of the hand in the room. One metre of the room is 200 world units, so
   // this is 2 world units.
   this->Controller->SetReach(0.01);
   this->Interactor->PhysicalScale = 200.0;
@@ -173,8 +173,8 @@ TEST_F(XRController, ContactVibratesAndRestIsSilent)
       EXPECT_GE(gap.count(), 0.0099) << "its rate is limited";
     }
   }
-  // A force that rises by more than 1 N at once moves the strong motor alone, with an amplitude of
-  // 0.64.
+  // A force that rises by more than 1 N at once must drive only the strong motor, with an amplitude
+  // of 0.64.
   EXPECT_GT(largest, 0.5F);
   const std::size_t before = calls.size();
   for (int i = 0; i < 30; ++i)
@@ -183,7 +183,7 @@ TEST_F(XRController, ContactVibratesAndRestIsSilent)
     this->Interactor->InvokeEvent(vtkCommand::RenderEvent);
   }
   EXPECT_EQ(calls.size(), before) << "silence is not renewed";
-  // A controller that loses its interactor must fall silent.
+  // A controller that loses its interactor must stop vibrating.
   this->Move({ 7.0, 7.0, 5.0 });
   EXPECT_TRUE(this->Frames([&] { return calls.back().Amplitude > 0.2F; }));
   this->Controller->SetInteractor(nullptr);

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that a path that can't be felt gives one error, and that the filter works again with the
- * next path.
+ * Tests that an invalid path causes one error, and that the filter works again with the next path.
  */
 
 #include "Rigs/ApiRig.h"
@@ -42,7 +41,7 @@ vtkSmartPointer<vtkPolyData> WithTimeArray(int components, int tuples)
   return path;
 }
 
-/// Makes eight points, and polylines that connect some of them by their indices.
+/// Makes eight points, and polylines that connect some of them by index.
 vtkSmartPointer<vtkPolyData> WithLines(const std::vector<std::vector<vtkIdType>>& lines)
 {
   auto path = MakePath({ { 7, 7, 5 }, { 7, 7, 6 }, { 7, 7, 7 }, { 7, 7, 8 }, { 4, 4, 5 },
@@ -144,7 +143,7 @@ const BadPath BadPaths[] = {
       return path;
     },
     { "recording", "DeviceTip", "2 lines", "one recording at a time" } },
-  // Cutters give such chains of segments, in which the points follow in the order 0, 2, 1, 3.
+  // Cutters produce such chains of segments, in which the points are in the order 0, 2, 1, 3.
   { "OutOfOrder",
     [] {
       return WithLines({ { 0, 2 }, { 2, 1 }, { 1, 3 } });

@@ -3,7 +3,8 @@
 
 /**
  * Tests 8-bit ramps with so few grey levels per voxel that rounding dominates their gradients. The
- * force may feel rough, but no tick may change it by 0.25 N, which a hand takes for a knock.
+ * force may feel rough, but no tick may change it by 0.25 N, which a hand would perceive as a
+ * knock.
  */
 
 #include "Rigs/ApiRig.h"
@@ -22,8 +23,8 @@ class CoarseLevels : public ApiTest
 
 constexpr double Slope[3] = { 0.3, 0.2, 0.933 }; // unit vector
 
-/// Makes a path that presses 3 voxels along the slope, and then slides about 8 voxels across the
-/// slope.
+/// Makes a path that presses in by 3 voxels along the slope, and then slides about 8 voxels across
+/// it.
 std::vector<Point> PressAndSlide()
 {
   const double middle = 24.0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the energy that the hand gets in a closed cycle. A proxy gives none, while a force field
+ * Tests the energy that the hand gains in a closed cycle. A proxy gives none, while a force field
  * can give energy (the paper's objection).
  */
 
@@ -17,7 +17,7 @@ namespace
 class EnergyTest : public ApiTest
 {
 protected:
-  /// Returns the energy (J) at the end of a path.
+  /// Returns the accumulated energy (J) at the end of a path.
   double Spent(const std::vector<Point>& points)
   {
     const vtkSmartPointer<vtkPolyData> path = MakePath(points);
@@ -42,7 +42,8 @@ std::vector<Point> Turns(double direction)
 
 TEST_F(EnergyTest, ASpringStoresWhatTheHandPutsIn)
 {
-  // A press of 3 mm at 500 N/m takes 1.5 N. The surface holds this, since its strength T_N is 2 N.
+  // A press of 3 mm at 500 N/m requires 1.5 N, which the surface can resist because its strength
+  // T_N is 2 N.
   EXPECT_NEAR(this->Spent(Line({ 7, 7, 5 }, { 7, 7, 8 }, 30)), -0.5 * 500.0 * 0.003 * 0.003, 1e-9);
   std::vector<Point> cycle = Line({ 7, 7, 5 }, { 7, 7, 8 }, 30);
   const std::vector<Point> back = Line({ 7, 7, 8 }, { 7, 7, 5 }, 30);
@@ -64,8 +65,8 @@ TEST_F(EnergyTest, FrictionSpends)
 
 TEST_F(EnergyTest, AForceFieldWhoseGradientIsNoneOfAFunctionCreatesAsMuchAsItSpends)
 {
-  // With coarse central differences, the forces along this ridge have a curl: turns in one sense
-  // gain the energy that turns in the other sense lose.
+  // With coarse central differences, the forces along this ridge have a curl: turns in one
+  // direction gain the energy that turns in the other direction lose.
   this->Filter->SetInputData(0,
     MakeImage(16, VTK_DOUBLE,
       [](const Point& x) { return 1000.0 * std::sin(1.9 * x[0]) * std::cos(1.3 * x[1] + x[0]); }));

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a burr without a device: B1 to B3 of the design from the trace alone, cavities felt by the
- * point, several paths, and settings that are errors.
+ * Tests a burr without a device: B1 to B3 of the design from the trace alone, cavities touched with
+ * the point, several paths, and invalid settings.
  */
 
 #include "Rigs/ApiRig.h"
@@ -54,7 +54,7 @@ protected:
     this->Filter->SetPathData(this->Path);
     return this->Run(static_cast<vtkIdType>(points.size()));
   }
-  /// Makes a path that plunges into the tissue to this depth (mm), and stays there for half of the
+  /// Makes a path that plunges into the tissue to this depth (mm), and rests there for half of the
   /// ticks.
   static std::vector<Point> Plunge(double depth, int ticks, double x = 8.0, double y = 7.9)
   {
@@ -77,8 +77,8 @@ protected:
 };
 } // namespace
 
-/// The removal rate is Q = mu F v/U, with the force F of the trace. At the end, less energy than a
-/// step needs may be left over.
+/// The removal rate is Q = mu F v/U, with the force F of the trace. At the end, an amount of energy
+/// smaller than a step's cost may be left over.
 TEST_F(FilterBurr, RemovesByItsEnergy)
 {
   SetConstant(this->Burr->GetSpecificEnergy(), 4.0);
@@ -91,8 +91,8 @@ TEST_F(FilterBurr, RemovesByItsEnergy)
   EXPECT_NEAR(Sum(trace, "RemovedVolume"), expected, 0.01 * expected);
 }
 
-/// A label with its own energy U2 has the rate Q = mu F v/U2, whatever U(V) is. U(V) counts in a
-/// label without an energy.
+/// A label with its own energy U2 has the rate Q = mu F v/U2, regardless of U(V). U(V) applies in
+/// labels without an energy.
 TEST_F(FilterBurr, LabelsHaveAnEnergyOfTheirOwn)
 {
   SetConstant(this->Burr->GetSpecificEnergy(), 4.0);
@@ -116,8 +116,8 @@ TEST_F(FilterBurr, LabelsHaveAnEnergyOfTheirOwn)
   }
 }
 
-/// A hole through several labels costs the sum of U over the removed samples. The test computes
-/// this sum from the remaining fractions. The label image has its own spacing and origin.
+/// A hole through several labels costs the sum of U over the removed samples, which the test
+/// computes from the remaining fractions. The label image has a different spacing and origin.
 TEST_F(FilterBurr, AHoleThroughSeveralLabelsCostsTheSumOfTheirEnergies)
 {
   constexpr double spacing = 0.7; // mm
@@ -171,8 +171,8 @@ TEST_F(FilterBurr, AHoleThroughSeveralLabelsCostsTheSumOfTheirEnergies)
 }
 
 /// Q is inversely proportional to the energy: three times the energy removes a third of the volume
-/// at the same force. A burr that does not spin removes nothing. Energy may be left at the end, but
-/// little compared with that of the long stroke.
+/// at the same force. A burr that does not spin removes nothing. The energy left over at the end is
+/// small compared with that of the long stroke.
 TEST_F(FilterBurr, DenseTissueIsRemovedMoreSlowly)
 {
   double rates[2] = {};
@@ -187,8 +187,8 @@ TEST_F(FilterBurr, DenseTissueIsRemovedMoreSlowly)
   EXPECT_EQ(Sum(this->Follow(Plunge(2.0, 1000)), "RemovedVolume"), 0.0);
 }
 
-/// Case B2: without the tool, the point feels the sides of the hole, which has the burr's radius of
-/// 3 mm.
+/// Case B2: without the tool, the point touches the sides of the hole, which has the burr's radius
+/// of 3 mm.
 TEST_F(FilterBurr, ItsHoleIsFeltWithThePoint)
 {
   SetConstant(this->Burr->GetSpecificEnergy(), 0.05);

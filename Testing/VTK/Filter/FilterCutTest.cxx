@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests clipping planes and cropping regions of the filter, which have the meaning that
+ * Tests the filter's clipping planes and cropping regions, which have the meaning that
  * vtkVolumeMapper documents.
  */
 
@@ -59,7 +59,7 @@ TEST_F(FilterCut, APlaneThatMovesMovesTheCut)
   EXPECT_NEAR(this->Strongest(), whole, 1e-12);
 }
 
-// VTK's GPU mappers don't draw blanked points and cells, so these must not be felt. Blanks the
+// VTK's GPU mappers don't draw blanked points and cells, so these must not be felt. Blank the
 // points and cells with small x; the path is at x = 7.
 TEST_F(FilterCut, BlankedPointsAndCellsAreNotFelt)
 {
@@ -146,7 +146,7 @@ TEST_F(FilterCut, WhatIsWrongIsNamed)
 
 namespace
 {
-/// Tests of methods other than PROXY, on the path of ApiTest through a surface at z = 7.
+/// Tests methods other than PROXY, on the path of ApiTest through a surface at z = 7.
 class FilterCutMethods : public FilterCut
 {
 protected:

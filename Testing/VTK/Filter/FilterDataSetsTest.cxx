@@ -3,7 +3,7 @@
 
 /**
  * Tests data sets other than images, which are resampled around the path or the hand. Their fields
- * are linear, so that cells and splines reproduce them, and forces have closed forms.
+ * are linear, so cells and splines reproduce them exactly, and forces have closed forms.
  */
 
 #include "Rigs/ApiRig.h"
@@ -55,7 +55,7 @@ void AddFields(vtkDataSet* data)
   data->GetPointData()->SetScalars(height);
 }
 
-/// Makes a grid whose points are closer together in the middle.
+/// Makes a grid whose points are denser in the middle.
 vtkSmartPointer<vtkRectilinearGrid> MakeRectilinear()
 {
   vtkNew<vtkDoubleArray> places;
@@ -73,7 +73,7 @@ vtkSmartPointer<vtkRectilinearGrid> MakeRectilinear()
   return grid;
 }
 
-/// Makes a grid of leaning slabs between two heights.
+/// Makes a grid of sheared slabs between two heights.
 vtkSmartPointer<vtkStructuredGrid> MakeStructured(double low, double high)
 {
   vtkNew<vtkPoints> points;
@@ -107,7 +107,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeUnstructured(vtkDataSet* data)
   return grid;
 }
 
-/// Makes two blocks of different types: one for the lower half, the other for the upper half.
+/// Makes two blocks of different types, one for the lower half and one for the upper half.
 vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks()
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
@@ -130,7 +130,7 @@ protected:
   {
     this->Filter->SetInputData(0, data);
     vtkPolyData* const trace = this->Run(101);
-    // The proxy can move only along the flow, so the spring pulls outwards and along z.
+    // The proxy can only move along the flow, so the spring pulls outwards and along z.
     const double wanted[3] = { -1.4 * PerMm, 0.0, -2.0 * PerMm };
     for (int c = 0; c < 3; ++c)
     {
@@ -142,7 +142,7 @@ protected:
   vtkNew<vtkHapticMode> Follow;
 };
 
-/// Gives a grid the eight corners of a unit cube, with the values 0 to 7.
+/// Sets the points of a grid to the eight corners of a unit cube, with the values 0 to 7.
 void SetCorners(vtkPointSet* grid)
 {
   vtkNew<vtkPoints> points;
@@ -164,8 +164,7 @@ TEST_F(FilterDataSets, AreFeltAsTheFieldThatTheyHold)
   this->ExpectFlow(MakeStructured(-HalfEdge, HalfEdge));
   this->ExpectFlow(MakeUnstructured(MakeStructured(-HalfEdge, HalfEdge)));
   this->ExpectFlow(MakeBlocks());
-  // The method Force Field uses the scalars alone: the force is the gain times the gradient (eq.
-  // 1).
+  // The method Force Field uses only the scalars: the force is the gain times the gradient (eq. 1).
   this->Filter->SetMethodToForceField();
   this->Filter->SetForceFieldGain(0.01);
   vtkPolyData* const trace = this->Run(101);
@@ -189,7 +188,7 @@ TEST_F(FilterDataSets, MayHaveTheirFieldsInTheCells)
   this->Follow->SetArrayName("spin");
   this->Filter->SetInputData(0, grid);
   vtkPolyData* const trace = this->Run(101);
-  // The averages of uneven cells differ a little from the linear field.
+  // The averages of unequal cells differ slightly from the linear field.
   EXPECT_NEAR(Get(trace, "Force", 100, 0), -1.4 * PerMm, 0.02);
   EXPECT_NEAR(Get(trace, "Force", 100, 2), -2.0 * PerMm, 0.02);
 }
@@ -221,7 +220,7 @@ TEST_F(FilterDataSets, AreFeltLiveAroundTheHand)
     << device->GetState()->GetComputedForce()[0];
   EXPECT_NEAR(device->GetState()->GetComputedForce()[2], -1.0, 1e-3);
   EXPECT_NEAR(device->GetState()->GetModeForce(0)[2], -1.0, 1e-3);
-  // A tip outside the data feels nothing.
+  // A tip outside the data must have no force.
   device->GetVirtualHand()->SetPosition(40.0, 0.0, 1.0);
   EXPECT_TRUE(await([&] { return std::abs(device->GetState()->GetComputedForce()[0]) < 1e-9; }));
 }

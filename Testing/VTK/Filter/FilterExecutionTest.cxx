@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests that the filter runs only if something has changed on which its output depends.
- */
+/** Tests that the filter executes only if something changed that affects its output. */
 
 #include "Rigs/ApiRig.h"
 #include "Rigs/EventCounter.h"
@@ -22,7 +20,7 @@ class FilterExecution : public ApiTest
 protected:
   FilterExecution() { this->Run(51); }
 
-  /// Returns how often the filter runs in two updates after a change.
+  /// Returns how often the filter executes in two updates after a change.
   int RunsAfter(const std::function<void()>& change)
   {
     change();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests guides of the filter: polylines, meshes and distance fields. Forces have closed forms: a
- * tip at the distance d from the guide is pulled to it with k d.
+ * Tests the filter's guides: polylines, meshes and distance fields. Forces have closed forms: a tip
+ * at a distance d from the guide is pulled towards it with k d.
  */
 
 #include "FilterModesRig.h"
@@ -51,7 +51,7 @@ TEST_F(FilterGuides, AGuideLeadsAroundItsCornerAndEnds)
   trace = this->Run(51);
   ExpectNear(LastProxy(trace), { 15.0, 15.0, 12.0 }, 1e-9);
   ExpectNear(Last(trace, "Force"), { 0.0, -2.0 * SpringPerMm, 0.0 }, 1e-9);
-  // The strength limits the pull: a hand that is more than 1 mm away is pulled back with 1 N.
+  // The strength limits the pull to 1 N for a hand that is more than 1 mm away.
   mode->GetStrength()->AddPoint(0.0, 1.0);
   this->Follow({ { 8, 8, 12 }, { 8, 8, 12 } });
   ExpectNear(Last(this->Run(2), "Force"), { 0.0, -1.0, 0.0 }, 1e-9);
@@ -59,7 +59,7 @@ TEST_F(FilterGuides, AGuideLeadsAroundItsCornerAndEnds)
 
 TEST_F(FilterGuides, ASurfaceHoldsTheHandOnIt)
 {
-  // The plane consists of two triangles. Their outer edges are far from the hand, so forces are
+  // The plane consists of two triangles whose outer edges are far from the hand, so the forces are
   // exact.
   const vtkNew<vtkPoints> corners;
   corners->InsertNextPoint(0, 0, 12);
@@ -82,7 +82,7 @@ TEST_F(FilterGuides, ASurfaceHoldsTheHandOnIt)
     ExpectNear(LastProxy(trace), { 15, 13, 12 }, 1e-9);
     ExpectNear(Last(trace, "Force"), { 0, 0, (12 - tip) * SpringPerMm }, 1e-9);
   }
-  // The mode holds the hand above the plane (outside), below the plane (inside), or on a surface 2
+  // The mode keeps the hand above the plane (outside), below the plane (inside), or on a surface 2
   // mm above the plane.
   mode->SetSideToOutside();
   ExpectNear(Last(this->Run(201), "Force"), { 0, 0, 1.5 }, 1e-9);
@@ -92,7 +92,7 @@ TEST_F(FilterGuides, ASurfaceHoldsTheHandOnIt)
   mode->SetDistance(2.0);
   this->Follow(Line({ 8, 9, 12 }, { 15, 13, 15 }, 200));
   ExpectNear(LastProxy(this->Run(201)), { 15, 13, 14 }, 1e-9);
-  // The strength is 0.5 N at any distance. Then it falls to 0 at a distance of 1 mm.
+  // First the strength is 0.5 N at any distance, then it falls to 0 at a distance of 1 mm.
   mode->SetDistance(0.0);
   SetConstant(mode->GetStrength(), 0.5);
   this->Follow({ { 8, 9, 17 }, { 8, 9, 17 } });
@@ -104,7 +104,7 @@ TEST_F(FilterGuides, ASurfaceHoldsTheHandOnIt)
 TEST_F(FilterGuides, AMeshOfABallAndItsDistanceFieldHoldTheHandAlike)
 {
   // The ball has a radius of 8 mm around the middle. The tip circles it twice, 2 mm outside or
-  // inside the surface, so the force is 1 N.
+  // inside of the surface, so the force is 1 N.
   const vtkNew<vtkSphereSource> ball;
   ball->SetCenter(Middle, Middle, Middle);
   ball->SetRadius(8.0);
@@ -121,8 +121,8 @@ TEST_F(FilterGuides, AMeshOfABallAndItsDistanceFieldHoldTheHandAlike)
     mode->SetSurface(isField ? nullptr : ball->GetOutput());
     mode->SetDistanceField(isField ? field.Get() : nullptr);
     this->Filter->AddMode(mode);
-    // The spline raises the field by 1/6 of its Laplacian 2/r. The mesh's chords of 4.5 degrees lie
-    // up to 8/1300 mm inside the ball.
+    // The spline increases the field by 1/6 of its Laplacian 2/r. The mesh's chords of 4.5 degrees
+    // are up to 8/1300 mm inside the ball.
     const double radius = isField ? 4.0 + std::sqrt(16.0 - 1.0 / 3.0) : 8.0;
     const double s = std::sqrt(0.5);
     for (const double tip : { 6.0, 10.0 })
@@ -143,7 +143,7 @@ TEST_F(FilterGuides, AMeshOfABallAndItsDistanceFieldHoldTheHandAlike)
         const double r = std::hypot(on[0] - Middle, on[1] - Middle, on[2] - Middle);
         ASSERT_NEAR(r, radius, 0.01) << tick;
         ASSERT_NEAR(Get(trace, "NormalForce", tick), std::abs(tip - r) * SpringPerMm, 0.005);
-        // Nothing holds the hand along the ball's surface, so the proxy follows the hand there.
+        // The hand can move freely along the ball's surface, so the proxy follows it there.
         double at[3];
         trace->GetPointData()->GetArray("Tip")->GetTuple(tick, at);
         for (int a = 0; a < 3; ++a)
@@ -163,9 +163,9 @@ TEST_F(FilterGuides, AMeshOfABallAndItsDistanceFieldHoldTheHandAlike)
 
 TEST_F(FilterGuides, TheEdgeOfAGuidingCubeIsGoneAround)
 {
-  // The tip goes around an edge of the cube at a distance of 1 mm. The proxy stays on the faces;
-  // while the tip is outside the edge, it stays on the edge. The force changes no faster than the
-  // tip moves.
+  // The tip moves around an edge of the cube at a distance of 1 mm. The proxy stays on the faces,
+  // and on the edge while the tip is outside the edge. The force must change no faster than the tip
+  // moves.
   const vtkNew<vtkCubeSource> cube;
   cube->SetBounds(6, 16, 6, 16, 6, 16);
   cube->Update();
@@ -209,7 +209,7 @@ TEST_F(FilterGuides, BadGuidesGiveOneErrorWithItsCure)
   this->ExpectError({ "vtkHapticGuideMode", "no path", "SetPath()" });
   guide->SetPath(MakePath({ { 0, 0, 0 }, { NAN, 0, 0 } }));
   this->ExpectError({ "vtkHapticGuideMode", "not finite", "SetPath()" });
-  const vtkNew<vtkPolyData> cut; // polydata whose line refers to points that it does not have
+  const vtkNew<vtkPolyData> cut; // polydata with a line that refers to missing points
   const vtkNew<vtkCellArray> line;
   line->InsertNextCell({ 0, 1 });
   cut->SetLines(line);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that the samples are touched in place: the filter does not copy or change them, and keeps
- * them while it runs.
+ * Tests that the samples are used in place: the filter neither copies nor changes them, and keeps a
+ * reference while it executes.
  */
 
 #include "Rigs/ApiRig.h"
@@ -25,7 +25,7 @@ class FilterInput : public ApiTest
 protected:
   vtkDataArray* Scalars() { return this->Image->GetPointData()->GetScalars(); }
 
-  /// Calls `f` in the middle of the next update, after some ticks.
+  /// Calls `f` during the next update, after some ticks.
   void UnderWay(const std::function<void()>& f)
   {
     this->Callback = [this, f]
@@ -61,7 +61,7 @@ TEST_F(FilterInput, InPlaceEditsAreFelt)
 TEST_F(FilterInput, SamplesAreNotCopied)
 {
   this->Rest();
-  // The filter reads the samples in place: samples that are written while the filter runs are in
+  // The filter reads the samples in place, so samples that are written during its execution affect
   // the output.
   this->UnderWay([&] { this->Scalars()->Fill(42.0); });
   vtkPolyData* const output = this->Run(5000);
@@ -104,8 +104,8 @@ TEST_F(FilterInput, InputsAreLeftAlone)
     0);
 }
 
-// Bakes twice, as a hand on a surface does: each motion looks for the surface ahead with a model of
-// its own. Both models must share one bake.
+// Bakes twice, as for a hand on a surface: each motion looks ahead for the surface with a separate
+// model. Both models must share one bake.
 TEST_F(FilterInput, IsBakedOnceForModelsThatComeAndGo)
 {
   const auto bake = [this] { return this->Filter->GetBaker().Bake(1000.0, {}, nullptr); };

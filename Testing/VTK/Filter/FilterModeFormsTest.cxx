@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests modes with any field: closed forms on long paths and in turned volumes, and bounds of the
- * forces. FilterModesTest.cxx tests single modes.
+ * Tests modes with arbitrary fields: closed forms on long paths and in rotated volumes, and bounds
+ * of the forces. FilterModesTest.cxx tests simple cases.
  */
 
 #include "FilterModesRig.h"
@@ -22,7 +22,7 @@ namespace
 {
 const double Turn = 2.0 * std::acos(-1.0);
 
-/// Makes an image with these numbers of voxels around the origin, whose scalars are 0.
+/// Makes an image with these numbers of voxels around the origin and zero scalars.
 vtkSmartPointer<vtkImageData> MakeGrid(const std::array<int, 3>& size, double spacing)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -35,7 +35,7 @@ vtkSmartPointer<vtkImageData> MakeGrid(const std::array<int, 3>& size, double sp
   return image;
 }
 
-/// Makes a random walk that begins at the origin and is pulled back to the origin a little.
+/// Makes a random walk that starts at the origin, with a weak pull back to the origin.
 std::vector<Point> RandomWalk(int ticks, double stride)
 {
   std::mt19937_64 engine(11);
@@ -88,7 +88,7 @@ protected:
     this->Filter->SetInputData(this->Image);
   }
 
-  /// A mode for the swirling fields, with the largest sum of its strengths (N).
+  /// A mode for the swirling fields, and the largest sum of its strengths (N).
   struct FeltMode
   {
     vtkSmartPointer<vtkHapticMode> Mode;
@@ -96,7 +96,7 @@ protected:
   };
 
   /// Sets the swirling fields, and makes one mode of each kind. The first, third and fifth mode can
-  /// be felt together.
+  /// be combined.
   std::vector<FeltMode> UseSwirl()
   {
     this->UseGrid({ 24, 24, 24 }, 1.0);
@@ -105,7 +105,7 @@ protected:
     vtkDataArray* const scalars = this->Image->GetPointData()->GetScalars();
     for (vtkIdType i = 0; i < this->Image->GetNumberOfPoints(); ++i)
     {
-      // Makes a bright vessel that passes near the origin.
+      // Make a bright vessel that passes near the origin.
       Point p;
       this->Image->GetPoint(i, p.data());
       const double up = 0.6 * p[0] - 0.8 * p[1] + 0.2;
@@ -122,9 +122,9 @@ protected:
     SetConstant(vortex->GetSecondStrength(), 0.3);
     const auto fibres = NewMode(vtkHapticMode::TENSOR_FOLLOW, "tensor");
     SetConstant(fibres->GetSecondStrength(), 0.5);
-    // The strength functions hold their last value, 1.5 N, and a tensor's measure is at most 1. A
-    // two-sided front holds with one side at a time. A guide holds with its line, and at its ends
-    // with a front, too.
+    // The strength functions end with their last value, 1.5 N, and a tensor's measure is at most 1.
+    // A two-sided front resists on one side at a time. A guide resists with its line, and at its
+    // ends also with a front.
     const std::vector<FeltMode> modes = { { NewMode(vtkHapticMode::VECTOR_FOLLOW, "flow"), 1.5 },
       { front, 1.5 }, { vortex, 1.8 }, { NewMode(vtkHapticMode::SHEAR, "flow"), 1.5 },
       { fibres, 2.0 }, { NewMode(vtkHapticMode::VECTOR_FRONT, "flow"), 1.5 },
@@ -135,13 +135,13 @@ protected:
       felt.Mode->GetStrength()->AddPoint(0.0, 0.0);
       felt.Mode->GetStrength()->AddPoint(1.0, 1.5);
     }
-    SetConstant(modes[7].Mode->GetStrength(), 1.5); // does not depend on the distance from the line
+    SetConstant(modes[7].Mode->GetStrength(), 1.5); // independent of the distance from the line
     return modes;
   }
 
-  /// Gives a guide a straight path that turns with the volume, and leaves other modes as they are.
-  /// A path with a kink would not turn exactly: rounding decides where a motion ends at a kink, by
-  /// up to FinishedFraction of a step (Core/Solvers/Primitives/PrimitiveFollower.h).
+  /// Sets a guide's path to a straight line that rotates with the volume, and does not change other
+  /// modes. A path with a kink would not rotate exactly: rounding decides where a motion ends at a
+  /// kink, by up to FinishedFraction of a step (Core/Solvers/Primitives/PrimitiveFollower.h).
   template <typename Turn>
   static void SetGuide(vtkHapticMode* mode, const Turn& turn)
   {
@@ -182,9 +182,9 @@ TEST_F(FilterModeForms, ALineIsKeptOverAHundredTurns)
 TEST_F(FilterModeForms, AStrengthThatFallsOutwardLetsTheHandGoAsItSays)
 {
   // Case P3: Poiseuille's profile with R = 20 mm has the strength S = 2 (1 - r^2/R^2) N. If the tip
-  // is at r + S(r)/k, the proxy is at r: at 10 mm with 1.5 N for 13 mm, at 15 mm with 0.875 N for
-  // 16.75 mm, and at the wall without force for 20 mm. The cubic B-spline adds a third of 0.5^2 to
-  // the square of each coordinate, which changes S by 8e-4 N.
+  // is at r + S(r)/k, the proxy is at r: at 10 mm with 1.5 N for a tip at 13 mm, at 15 mm with
+  // 0.875 N for 16.75 mm, and at the wall without force for 20 mm. The cubic B-spline adds a third
+  // of 0.5^2 to the square of each coordinate, which changes S by 8e-4 N.
   this->UseGrid({ 96, 96, 8 }, 0.5);
   this->AddArray("flow", 3,
     [](const Point& p, double* v)
@@ -214,9 +214,9 @@ TEST_F(FilterModeForms, AStrengthThatFallsOutwardLetsTheHandGoAsItSays)
 
 TEST_F(FilterModeForms, AVortexHoldsTheHandInAsItsVorticityFalls)
 {
-  // Case P5 (Lamb-Oseen): curl v = 2 exp(-r^2/100 mm^2), and S in N has this value. If the tip is
-  // at r + S(r)/k, the proxy is at r: at 5 mm for 8.115 mm, at 10 mm for 11.472 mm, at 20 mm for
-  // 20.073 mm.
+  // Case P5 (Lamb-Oseen): curl v = 2 exp(-r^2/100 mm^2), which is also the value of S in N. If the
+  // tip is at r + S(r)/k, the proxy is at r: at 5 mm for a tip at 8.115 mm, at 10 mm for 11.472 mm,
+  // at 20 mm for 20.073 mm.
   this->UseGrid({ 96, 96, 8 }, 0.5);
   this->AddArray("flow", 3,
     [](const Point& p, double* v)
@@ -238,22 +238,22 @@ TEST_F(FilterModeForms, AVortexHoldsTheHandInAsItsVorticityFalls)
   for (const Place& at : { Place{ 0.0, 3.9, 1.95 }, Place{ 5.0, 8.1152, 1.5576 },
          Place{ 10.0, 11.4715, 0.7358 }, Place{ 20.0, 20.0733, 0.0366 } })
   {
-    // The tip moves slowly outwards from the core, along another line in each case.
+    // The tip moves slowly outwards from the core, in a different direction in each case.
     const double angle = 0.3 + at.Proxy;
     const Point out{ std::cos(angle), std::sin(angle), 0.0 };
     this->Follow(Line({ 0, 0, 0 }, { at.Tip * out[0], at.Tip * out[1], 0.0 }, 1000));
     vtkPolyData* const trace = this->Run(1001);
-    // The cubic B-spline blurs f with a variance of q = h^2/3 along each axis: f becomes f + q/2
-    // Laplace(f).
+    // The cubic B-spline blurs f with a variance of q = h^2/3 along each axis, which changes f to f
+    // + q/2 Laplace(f).
     const double blur =
       0.25 / 6.0 * (4.0 * at.Proxy * at.Proxy / 1e4 - 4.0 / 100.0) * (at.Proxy > 0.0 ? 1.0 : 0.0);
     const double force = (1.0 + blur) * at.Force;
     EXPECT_NEAR(Get(trace, "NormalForce", 1000), force, 0.005 * force) << at.Proxy;
-    // The core line is found within 0.01 voxel. Elsewhere, the place depends on the strength.
+    // The core line is located within 0.01 voxel. Elsewhere, the position depends on the strength.
     const double tolerance = at.Proxy == 0.0 ? 0.005 : 0.02;
     ExpectNear(LastProxy(trace), { at.Proxy * out[0], at.Proxy * out[1], 0.0 }, tolerance);
   }
-  // A motion inwards meets no force.
+  // A motion inwards must have no force.
   this->Follow(Line({ 15, 0, 0 }, { 2, 0, 0 }, 1000));
   EXPECT_LT(Get(this->Run(1001), "NormalForce", 1000), 1e-3);
 }
@@ -261,7 +261,7 @@ TEST_F(FilterModeForms, AVortexHoldsTheHandInAsItsVorticityFalls)
 TEST_F(FilterModeForms, FibresTurnAsInterpolatedTensorsDo)
 {
   // Case P9: the fibres have the angle a in the lowest slice and b in the highest slice. At the
-  // fraction t between these slices, their angle is atan2((1-t) sin 2a + t sin 2b, (1-t) cos 2a + t
+  // fraction t between the slices, their angle is atan2((1-t) sin 2a + t sin 2b, (1-t) cos 2a + t
   // cos 2b)/2. The hand pulls along x.
   struct Turned
   {
@@ -299,7 +299,7 @@ TEST_F(FilterModeForms, FibresTurnAsInterpolatedTensorsDo)
 
 TEST_F(FilterModeForms, TurnWithVolumeAndPath)
 {
-  // Case P11: an image with turned axes and the same samples gives turned forces.
+  // Case P11: an image with rotated axes and the same samples must have rotated forces.
   const double rows[3][3] = { { 0.36, -0.8, 0.48 }, { 0.48, 0.6, 0.64 }, { -0.8, 0.0, 0.6 } };
   const auto turned = [&](const Point& p)
   {
@@ -346,14 +346,14 @@ TEST_F(FilterModeForms, TurnWithVolumeAndPath)
 
 TEST_F(FilterModeForms, PullNoMoreThanTheirStrengths)
 {
-  // Case P11: each mode alone, and the largest set of modes that can be felt together, must pull
-  // with their strengths at most.
+  // Case P11: each mode alone, and the largest set of modes that can be combined, must pull at most
+  // with their strengths.
   const auto modes = this->UseSwirl();
   for (const FeltMode& felt : modes)
   {
     SetGuide(felt.Mode, [](const Point& p) { return p; });
   }
-  for (const double stride : { 0.2, 3.0 }) // steps (mm per tick) of a hand's motion, and of leaps
+  for (const double stride : { 0.2, 3.0 }) // mm per tick: of a hand, or jumps
   {
     this->Follow(RandomWalk(20000, stride));
     for (std::size_t i = 0; i <= modes.size(); ++i)
@@ -362,8 +362,8 @@ TEST_F(FilterModeForms, PullNoMoreThanTheirStrengths)
       double sum = 0.0;
       for (std::size_t j = 0; j < modes.size(); ++j)
       {
-        // Adds one mode, or in the last round the flow's line, the vortex and the fibres, which
-        // have eight primitives together.
+        // Add one mode, or in the last round the flow's line, the vortex and the fibres, which have
+        // eight primitives together.
         if (j == i || (i == modes.size() && j < 5 && j % 2 == 0))
         {
           this->Filter->AddMode(modes[j].Mode);

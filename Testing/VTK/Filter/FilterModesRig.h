@@ -49,7 +49,7 @@ protected:
     this->Image->GetPointData()->AddArray(array);
     return array;
   }
-  /// Adds the flow v = (x - 11.5), turned by 90 degrees about z, whose lines are circles.
+  /// Adds the flow v = (x - 11.5), rotated by 90 degrees about z, whose lines are circles.
   void AddCircles()
   {
     this->AddArray("flow", 3,

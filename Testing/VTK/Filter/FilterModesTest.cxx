@@ -3,7 +3,7 @@
 
 /**
  * Tests modes of the method PRIMITIVES through the filter. Forces have closed forms: a line with
- * the strength S pulls a tip at the distance d with min(k d, S), where k is the spring's stiffness.
+ * the strength S pulls a tip at a distance d with min(k d, S), where k is the spring's stiffness.
  */
 
 #include "FilterModesRig.h"
@@ -46,7 +46,7 @@ TEST_F(FilterModes, AFlowLetsGoAlongItHoldsAcrossItAndPushes)
   mode->GetSecondStrength()->AddPoint(6.0, 1.0);
   this->Follow({ { 8, 8, 12 }, { 8, 8, 12 } });
   ExpectNear(Last(this->Run(2), "Force"), { 0.5, 0.0, 0.0 }, 1e-12);
-  // The coupling stiffness sets the force, and MaximumStiffness limits it.
+  // The force is proportional to the coupling stiffness, which MaximumStiffness limits.
   mode->GetSecondStrength()->RemoveAllPoints();
   this->Filter->SetCouplingStiffness(300.0);
   this->Follow(Line({ 8, 8, 12 }, { 9, 9, 12 }, 10));
@@ -136,8 +136,8 @@ TEST_F(FilterModes, LayoutsOfAnArrayAreAlikeToTheBit)
 
 TEST_F(FilterModes, ModesAreFeltTogetherAndEachHasItsForce)
 {
-  // The flow gives a line along x, and wave fronts across z. The surfaces of the scalars, which
-  // rise with z, are across z, too.
+  // The flow defines a line along x, and wave fronts across z. The surfaces of the scalars, which
+  // increase with z, are also across z.
   this->AddArray("flow", 3,
     [](const Point&, double* v)
     {
@@ -158,7 +158,7 @@ TEST_F(FilterModes, ModesAreFeltTogetherAndEachHasItsForce)
   SetConstant(this->Property->GetSurfaceStrength(), 0.3);
   SetConstant(this->Property->GetDistinctness(), 1.0);
   this->Filter->AddMode(follow);
-  this->Filter->AddMode(follow); // must not add the mode again
+  this->Filter->AddMode(follow); // must not add the same mode again
   this->Filter->AddMode(front);
   this->Filter->AddMode(surface);
   this->Filter->AddMode(nullptr);
@@ -170,13 +170,13 @@ TEST_F(FilterModes, ModesAreFeltTogetherAndEachHasItsForce)
   ExpectNear(Last(trace, "ModeForce_0"), { 0.0, -0.7, 0.0 }, 1e-12);
   this->Follow(Line({ 10, 10, 10 }, { 10, 10, 16 }, 50));
   trace = this->Run(51);
-  // All three modes hold along z, each with its strength.
+  // All three modes resist along z, each with its strength.
   ExpectNear(Last(trace, "Force"), { 0.0, 0.0, -1.4 }, 1e-9);
   ExpectNear(Last(trace, "ModeForce_0"), { 0.0, 0.0, -0.7 }, 1e-9);
   ExpectNear(Last(trace, "ModeForce_1"), { 0.0, 0.0, -0.4 }, 1e-9);
   ExpectNear(Last(trace, "ModeForce_2"), { 0.0, 0.0, -0.3 }, 1e-9);
-  // A backward motion without the line is free, since one-sided fronts and surfaces hold only
-  // forward motions.
+  // A backward motion without the line must be free, because one-sided fronts and surfaces resist
+  // only forward motions.
   follow->ActiveOff();
   trace = this->Run(51);
   ExpectNear(Last(trace, "Force"), { 0.0, 0.0, -0.7 }, 1e-9);
@@ -213,7 +213,7 @@ TEST_F(FilterModes, AVesselIsSnappedOnAndFollowed)
     const auto mode = NewMode(vtkHapticMode::RIDGE);
     mode->SetPolarity(isDark);
     this->Filter->AddMode(mode);
-    // The tip begins 1 mm off the axis. It moves along the axis, and ends 1 mm beside it.
+    // The tip starts 1 mm off the axis, moves along the axis, and ends 1 mm off it.
     this->Follow(Line({ 8, 8, 12.8 }, { 15 + s, 15 - s, 11.8 }, 300));
     vtkPolyData* const trace = this->Run(301);
     const Point on = LastProxy(trace);
@@ -221,7 +221,7 @@ TEST_F(FilterModes, AVesselIsSnappedOnAndFollowed)
     EXPECT_NEAR(on[2], 11.8, 0.01);
     EXPECT_NEAR(on[0] + on[1], 30.0, 0.02) << "free along it";
     ExpectNear(Last(trace, "Force"), { -s * SpringPerMm, s * SpringPerMm, 0.0 }, 0.01);
-    // The vessel is no ridge of the other polarity, so it must not hold the tip.
+    // For the other polarity, the vessel is no ridge, so it must not attract the tip.
     mode->SetPolarity(!isDark);
     this->Follow(Line({ 8, 8, 11.8 }, { 12, 12, 11.8 }, 50));
     ExpectNear(Last(this->Run(51), "Force"), { 0.0, 0.0, 0.0 }, 1e-9);
@@ -253,7 +253,8 @@ TEST_F(FilterModes, WhereAFlowTurnsOverTheForceGoesThroughZero)
     const double now = Get(trace, "Force", tick, 1);
     ASSERT_TRUE(std::isfinite(now));
     ASSERT_EQ(Get(trace, "Force", tick, 2), 0.0);
-    // The strength rises by 0.25 N per millimetre from the middle, half of the spring's stiffness.
+    // The strength increases by 0.25 N per millimetre from the middle, at half of the spring's
+    // stiffness.
     ASSERT_LT(std::abs(now - before), 0.5 * 0.01 * 2.0 + 1e-9) << tick;
     before = now;
     if (std::abs(proxy[1] - Middle) < nearest)
@@ -388,7 +389,7 @@ TEST_F(FilterModes, ARankineVortexLetsGoAtItsRadius)
 TEST_F(FilterModes, ALineOfADipoleIsKept)
 {
   // Case P7: a field line of a dipole is r = C sin^2 of the angle to the axis. The field is
-  // harmonic, so splines don't lower it. The tip moves 5 % inside the line, from the equator to 50
+  // harmonic, so splines don't blur it. The tip moves 5 % inside the line, from the equator to 50
   // degrees.
   this->Image = MakeImage(48, VTK_FLOAT, [](const Point&) { return 0.0; });
   this->Image->SetOrigin(10.0, -23.5, -10.0);
@@ -426,8 +427,8 @@ TEST_F(FilterModes, ALineOfADipoleIsKept)
 TEST_F(FilterModes, AnObliqueFrontAndALineShareTheSpring)
 {
   // Case P10: a line along x and a front across (1, 0, 1), with 1 N each. While the lag is within
-  // both strengths, the forces have one solution. If the tip is pulled further along -z, both give
-  // way with their full strengths.
+  // both strengths, the forces have a unique solution. If the tip is pulled further along -z, both
+  // yield with their full strengths.
   this->AddArray("flow", 3,
     [](const Point&, double* v)
     {
@@ -467,7 +468,7 @@ TEST_F(FilterModes, PresetsMakeTheirModes)
       std::fill_n(t, 6, 0.1);
       t[0] = 1.0;
     });
-  // The scalars have a bright and a dark tube, so that both vessel presets find one.
+  // The scalars have a bright and a dark tube, so that both vessel presets can be proposed.
   for (vtkIdType i = 0; i < this->Image->GetNumberOfPoints(); ++i)
   {
     Point p;
@@ -484,8 +485,8 @@ TEST_F(FilterModes, PresetsMakeTheirModes)
     { "Follow the flow and touch surfaces", "VectorFollow" } };
   vtkStringArray* const names = vtkVolumeHapticsFilter::GetModePresetNames();
   ASSERT_EQ(names->GetNumberOfValues(), static_cast<vtkIdType>(kinds.size()));
-  // The preset for shear gets no image, since the flow is a rotation, whose shear is 0: the preset
-  // would propose no strength.
+  // Apply the preset for shear without an image, because the flow is a rotation, whose shear is 0,
+  // and the preset would propose no strength.
   for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
   {
     const std::string name = names->GetValue(i);
@@ -502,11 +503,11 @@ TEST_F(FilterModes, PresetsMakeTheirModes)
     EXPECT_EQ(vtkHapticMode::GetKindNames()->GetValue(mode->GetKind()), kinds.at(name));
     EXPECT_EQ(mode->GetStrength()->GetSize(), isStrange ? 0 : 2);
   }
-  // The proposed strength pulls a tip that is 0.5 mm beside the vessel to the vessel's middle.
+  // The proposed strength must pull a tip that is 0.5 mm off the vessel to the vessel's middle.
   ASSERT_TRUE(this->Filter->ApplyModePreset("Follow a dark vessel", this->Image));
   this->Follow(Line({ 8, 15.5, 16 }, { 14, 15.5, 16 }, 100));
   EXPECT_NEAR(LastProxy(this->Run(101))[1], 16.0, 0.02);
-  // An unknown name and an image without vectors are refused, and must change nothing.
+  // An unknown name and an image without vectors must be refused, and change nothing.
   this->Log.Errors.clear();
   EXPECT_FALSE(this->Filter->ApplyModePreset("Waltz", this->Image));
   this->Image->GetPointData()->RemoveArray("flow");
@@ -526,7 +527,7 @@ TEST_F(FilterModes, AnImageOfVectorsAloneNeedsNoScalars)
   this->Filter->AddMode(NewMode(vtkHapticMode::VECTOR_FOLLOW));
   this->Follow(Line({ 16, Middle, 12 }, { 17, Middle, 12 }, 20));
   ExpectNear(Last(this->Run(21), "Force"), { -SpringPerMm, 0.0, 0.0 }, 1e-3);
-  // Without modes the method feels nothing, so NextMethod() skips it.
+  // Without modes, the method has no force, so NextMethod() skips it.
   this->Filter->RemoveAllModes();
   this->ExpectError({ "no point scalars" });
   this->Filter->SetMethodToLocalSurface();
@@ -550,10 +551,10 @@ TEST_F(FilterModes, AFlowEndsAtACut)
   plane->SetNormal(0.0, 0.0, 1.0);
   this->Filter->AddClippingPlane(plane);
   ExpectNear(Last(this->Run(101), "Force"), { 0.0, 0.0, 0.0 }, 0.0);
-  // the cut is half a voxel in front of the face, so half of the flow is left
+  // The cut is half a voxel in front of the face, so half of the flow remains.
   plane->SetNormal(0.0, 0.0, -1.0);
   plane->SetOrigin(0.0, 0.0, 12.5);
-  // so stiff that the mode's strength of 2 N limits the force
+  // stiff enough that the mode's strength of 2 N limits the force
   this->Filter->SetCouplingStiffness(2000.0);
   ExpectNear(Last(this->Run(101), "Force"), { 0.0, -1.0, 0.0 }, 1e-9);
 }

@@ -3,7 +3,7 @@
 
 /**
  * Tests SURFACE_PROXY on the time steps of a source. The mesh moves with the volume, and pushes a
- * tip that rests.
+ * resting tip.
  */
 
 #include "Rigs/ApiRig.h"
@@ -21,7 +21,7 @@ namespace
 constexpr double MeshStiffness = 500.0;
 constexpr double MeshRest = 12.0;
 
-/// Returns the x coordinate (mm) of the wall: 9 at time 10, and 1 more per unit of time.
+/// Returns the x coordinate (mm) of the wall: 9 at time 10, increasing by 1 per unit of time.
 double MeshWallAt(double time)
 {
   return 9.0 + time - 10.0;
@@ -66,8 +66,8 @@ TEST_F(FilterMovingMesh, AMeshMovesWithItsVolume)
   this->ExpectError({ "surface on input port 2", "SetTimeUnitsPerSecond(0)" });
 }
 
-/// Case V1: the radius of a ball goes from 18 mm to 22 mm and back. The ball pushes a tip that
-/// rests at 19 mm with up to 1.5 N, and the proxy's radius of 0.1 mm adds to the depth.
+/// Case V1: the radius of a ball varies from 18 mm to 22 mm and back. The ball pushes a tip that
+/// rests at 19 mm with up to 1.5 N; the proxy's radius of 0.1 mm adds to the depth.
 TEST_F(FilterMovingMesh, AMeshThatBeatsPushesATipThatRests)
 {
   const auto radius = [](int frame) { return 20.0 - 2.0 * std::cos(0.7853981633974483 * frame); };

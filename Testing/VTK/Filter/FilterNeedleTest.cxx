@@ -3,8 +3,8 @@
 
 /**
  * Tests a needle without a device: the layers of case N1 with a spring of 500 N/m, the loss of
- * resistance, the hold across the axis, turned data, orientations of paths, tracks, and settings
- * that are errors.
+ * resistance, the lateral resistance, rotated data, orientations of paths, tracks, and invalid
+ * settings.
  */
 
 #include "Rigs/ApiRig.h"
@@ -27,7 +27,8 @@ namespace
 {
 constexpr double Skin = 4.5; // mm
 
-/// Layers of case N1 from the skin on: thickness (mm), shaft friction (N/m), cutting force (N).
+/// Layers of case N1, starting at the skin: thickness (mm), shaft friction (N/m), cutting force
+/// (N).
 constexpr double Layers[][3] = { { 3, 20, 0.3 }, { 12, 5, 0.1 }, { 20, 25, 0.3 }, { 3, 60, 0.8 },
   { 100, 0, 0 } };
 
@@ -41,7 +42,7 @@ int LabelAt(double depth)
   return label;
 }
 
-/// Returns the friction (N) of the shaft from the skin down to this depth (mm).
+/// Returns the friction (N) of the shaft between the skin and this depth (mm).
 double ShaftAt(double depth)
 {
   double sum = 0.0;
@@ -88,7 +89,8 @@ protected:
     return image;
   }
 
-  /// Moves the needle from place to place in steps of 1 / `steps` mm, and returns the trace.
+  /// Moves the needle between the given positions in steps of 1 / `steps` mm, and returns the
+  /// trace.
   vtkPolyData* Follow(const std::vector<Point>& places, int steps = 100)
   {
     std::vector<Point> points;
@@ -137,7 +139,7 @@ TEST_F(FilterNeedle, FeelsLayersInAndOut)
         ASSERT_NEAR(Get(trace, "ShaftForce", i), ShaftAt(depth), 1e-5);
       }
       const double cutting = depth > 0.0 ? Layers[LabelAt(depth) - 1][2] : 0.0;
-      // The force has not risen yet in the tick in which the tip reaches harder tissue.
+      // In the tick in which the tip reaches harder tissue, the force has not increased yet.
       const bool isSame = LabelAt(depth) == LabelAt(lastDepth);
       if (depth > lastDepth && isSame)
       {
@@ -157,7 +159,7 @@ TEST_F(FilterNeedle, FeelsLayersInAndOut)
     EXPECT_GT(out, 3000);
     EXPECT_NEAR(loss, 0.80, 0.02);
     EXPECT_EQ(Get(trace, "Depth", trace->GetNumberOfPoints() - 1), 0.0);
-    // The expected work (J) is the work of the shaft and of the cutting, plus the losses where the
+    // The expected work (J) consists of the shaft's friction, the cutting, and the losses where the
     // resistance R falls by 0.2 N and by 0.8 N.
     const double work = -Get(trace, "Energy", trace->GetNumberOfPoints() - 1);
     EXPECT_NEAR(work,
@@ -180,7 +182,7 @@ TEST_F(FilterNeedle, TurnsWithTheDataAndThePath)
 {
   const std::vector<Point> way = { { 7, 7, 2 }, { 7, 7, 30 }, { 7.5, 7.2, 30 }, { 7, 7, 20 } };
   const auto upright = (this->Follow(way), Keep(this->Filter));
-  // Exchanges the axes: z becomes x, x becomes y, and y becomes z.
+  // Permute the axes: z becomes x, x becomes y, and y becomes z.
   const double turn[9] = { 0, 0, 1, 1, 0, 0, 0, 1, 0 };
   for (const int port : { 0, 3 })
   {
@@ -218,7 +220,7 @@ TEST_F(FilterNeedle, FollowsTheOrientationOfThePath)
   orientations->SetNumberOfComponents(4);
   for (vtkIdType i = 0; i < n; ++i)
   {
-    // The stylus is turned by 180 degrees about x, so that it points along +z, and leans by 0.2
+    // The stylus is rotated by 180 degrees about x, so that it points along +z, and tilted by 0.2
     // rad.
     orientations->InsertNextTuple4(std::sin(-0.1), std::cos(-0.1), 0.0, 0.0);
   }
@@ -234,7 +236,7 @@ TEST_F(FilterNeedle, FollowsTheOrientationOfThePath)
   vtkNew<vtkPolyData> track;
   ASSERT_TRUE(vtkHapticNeedle::MakeTrack(trace, track));
   EXPECT_NEAR(this->Number(track, "Angle"), 0.2 * 57.29577951, 0.2);
-  // With the opposite orientation, the needle presses with its blunt end and must not puncture.
+  // With the opposite orientation, the needle presses with its blunt end, which must not puncture.
   for (vtkIdType i = 0; i < n; ++i)
   {
     orientations->SetTuple4(i, 1.0, 0.0, 0.0, 0.0);
@@ -264,8 +266,8 @@ TEST_F(FilterNeedle, TellsWhatItHasPassed)
   EXPECT_NEAR(this->Number(track, "Angle"), 0.0, 0.1);
 }
 
-/// The ligament is forbidden. It stops two of the three thrusts of the first insertion, and the
-/// only thrust of the second insertion.
+/// Make the ligament forbidden. It must stop two of the three thrusts of the first insertion, and
+/// the only thrust of the second insertion.
 TEST_F(FilterNeedle, CountsWhatForbiddenTissueStops)
 {
   this->Table->SetForbidden(4, true);
@@ -273,7 +275,7 @@ TEST_F(FilterNeedle, CountsWhatForbiddenTissueStops)
     { 7, 7, 30 }, { 7, 7, 46 }, { 7, 7, 1 }, { 7, 7, 46 } });
   vtkDataArray* const touches = trace->GetPointData()->GetArray("ForbiddenTouches");
   ASSERT_TRUE(touches);
-  // Reads the counts at the ends of the moves; the needle moves 0.01 mm per tick.
+  // Read the counts at the end of each move; the needle moves 0.01 mm per tick.
   const auto after = [touches](double way)
   { return touches->GetComponent(static_cast<vtkIdType>(100.0 * way) - 1, 0); };
   EXPECT_EQ(after(20.0), 0.0);
@@ -357,7 +359,7 @@ TEST_F(FilterNeedle, TellsWhatCannotBeFelt)
   this->Path->GetPointData()->AddArray(orientations);
   this->Path->Modified();
   refuse({ "\"Orientation\"", "point 0", "unit quaternion" });
-  // The filter must ignore the array "Orientation" without a tool.
+  // Without a tool, the filter must ignore the array "Orientation".
   this->Filter->SetTool(nullptr);
   this->Filter->Update();
   EXPECT_GT(this->Filter->GetOutput()->GetNumberOfPoints(), 0);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that a ball whose surroundings were not measured is felt like the same ball in air, to the
- * bit: as an image, as regions that a filter cuts out or a source reads, and as time steps. The
+ * Tests that a ball with unmeasured surroundings has bitwise the same forces as the same ball in
+ * air: as an image, as regions that a filter cuts out or a source reads, and as time steps. The
  * force on a local surface of this ball is its stiffness times the depth.
  */
 
@@ -32,7 +32,7 @@ constexpr int Size = 40;
 constexpr double Air = -1000.0;
 constexpr double Tissue = 60.0;
 constexpr double Radius = 10.0;
-// samples are good up to this distance (mm), less than a kernel's reach beyond the surface
+// samples are valid up to this distance (mm), less than a kernel's reach beyond the surface
 constexpr double Measured = 12.5;
 const Point Centre{ 19.5, 19.5, 19.5 };
 const double NaN = std::nan("");
@@ -43,7 +43,7 @@ double DistanceOf(const Point& p)
   return std::hypot(p[0] - Centre[0], p[1] - Centre[1], p[2] - Centre[2]);
 }
 
-/// Returns the value of the ball at `p`, raised by `shift`. The edge is two voxels wide.
+/// Returns the value of the ball at `p`, increased by `shift`. The edge is two voxels wide.
 double BallAt(const Point& p, double shift = 0.0)
 {
   const double share = std::clamp(0.5 * (Radius + 1.0 - DistanceOf(p)), 0.0, 1.0);
@@ -63,7 +63,7 @@ void PrintTo(const Case& c, std::ostream* out)
   *out << c.Name;
 }
 
-/// Makes the ball. Beyond the distance `measured` (mm), samples are bad if `isMasked`, and air
+/// Makes the ball. Beyond the distance `measured` (mm), samples are invalid if `isMasked`, and air
 /// otherwise.
 vtkSmartPointer<vtkImageData> MakeBall(const Case& c, bool isMasked, double measured = Measured)
 {
@@ -142,8 +142,7 @@ TEST_P(FilterOutside, IsTheForceOfTheBall)
     Point tip;
     press->GetPoint(tick, tip.data());
     const double depth = std::max(0.0, Radius - DistanceOf(tip));
-    // The samples of a ball with a radius of 10 voxels give a trilinear surface that is off by
-    // about 0.1 voxel.
+    // With a radius of 10 voxels, the ball's trilinear surface is off by about 0.1 voxel.
     EXPECT_NEAR(Get(felt, "NormalForce", tick), 0.5 * depth, 0.06) << tick;
   }
 }
@@ -191,8 +190,8 @@ TEST_P(FilterOutside, OfARegionIsThatOfTheWhole)
   EXPECT_TRUE(IsSame(Keep(this->Filter), expected));
   EXPECT_EQ(this->Log.Warnings.size(), 1U) << "of a path, the filter";
   EXPECT_TRUE(sourceLog.Warnings.empty());
-  // A region that an application reads has the samples of the file, and must feel like a region of
-  // the pipeline.
+  // A region that an application reads has the file's samples, and must have the same forces as a
+  // region in the pipeline.
   vtkNew<vtkImageData> read;
   const int part[6] = { 3, 36, 3, 36, 5, 39 };
   ASSERT_TRUE(source->ReadRegion(part, read));
@@ -202,7 +201,7 @@ TEST_P(FilterOutside, OfARegionIsThatOfTheWhole)
     std::isnan(bad) ? std::isnan(corner) : corner == bad || corner == static_cast<float>(bad))
     << corner;
   EXPECT_TRUE(IsSame(this->Feel(read), regions[0]));
-  // The coarse image, which stands in for late samples, must have no bad values.
+  // The coarse image, which replaces late samples, must not contain invalid values.
   ASSERT_TRUE(source->MakeCoarseImage(1000));
   double range[2];
   source->GetCoarseImage()->GetPointData()->GetScalars()->GetRange(range);
@@ -215,7 +214,7 @@ TEST_P(FilterOutside, ProposesFunctionsOfTheBall)
   vtkNew<vtkHapticProperty> ofAir;
   vtkNew<vtkHapticProperty> ofMasked;
   ASSERT_TRUE(ofAir->ProposeFromImage(MakeBall(this->GetParam(), false)));
-  // Bad samples are left out, so good samples must cover the whole edge of the ball.
+  // Invalid samples are left out, so valid samples must cover the whole edge of the ball.
   const double measured = Measured + 4.0;
   ASSERT_TRUE(ofMasked->ProposeFromImage(MakeBall(this->GetParam(), true, measured)));
   ASSERT_EQ(ofMasked->GetSurfaceStrength()->GetSize(), ofAir->GetSurfaceStrength()->GetSize());
@@ -249,13 +248,13 @@ class FilterMeasured : public FilterOutside
 };
 } // namespace
 
-// Values that scanners write, or that may have been measured, must be felt unchanged.
+// Values that scanners write, or that may have been measured, must be used unchanged.
 TEST_P(FilterMeasured, IsFeltAsItIs)
 {
   const auto image = MakeBall(this->GetParam(), true);
   const auto felt = this->Feel(image);
   EXPECT_TRUE(this->Log.Warnings.empty());
-  // The tip begins outside the measured part.
+  // The tip starts outside the measured part.
   EXPECT_EQ(Get(felt, "Value", 0), image->GetScalarComponentAsDouble(0, 0, 0, 0));
 }
 INSTANTIATE_TEST_SUITE_P(Values, FilterMeasured,
@@ -265,7 +264,7 @@ INSTANTIATE_TEST_SUITE_P(Values, FilterMeasured,
     Case{ "LargestShort", VTK_UNSIGNED_SHORT, 65535.0, 1024.0 }),
   [](const auto& info) { return info.param.Name; });
 
-// The values of this potential go down to -9999 without a gap of a tenth of the range, so -9999
+// The values of this potential extend down to -9999 without a gap of a tenth of the range, so -9999
 // must count as measured.
 TEST_F(FilterMeasured, ANumberThatOthersComeCloseToIsOne)
 {
@@ -276,8 +275,8 @@ TEST_F(FilterMeasured, ANumberThatOthersComeCloseToIsOne)
   EXPECT_NEAR(Get(felt, "Value", 0), -9999.0 + 10.0 * 75.0, 1e-3);
 }
 
-// A masked map that was resampled onto a larger grid has zeros around its NaN, so its corners don't
-// show that samples are missing.
+// A masked map that was resampled onto a larger grid has zeros around its NaN, so its corners do
+// not indicate missing samples.
 TEST_F(FilterMeasured, ManyHolesAreTold)
 {
   const auto image = MakeBall({ "", VTK_FLOAT, NaN }, true);
@@ -295,20 +294,20 @@ TEST_F(FilterMeasured, ManyHolesAreTold)
   this->Filter->SetInputConnection(crop->GetOutputPort());
   this->Filter->Update();
   ASSERT_EQ(this->Log.Warnings.size(), 1U);
-  // 87.2 % of the 64000 samples lie beyond a radius of 12.5: 1 - 4/3 pi 12.5^3 / 40^3.
+  // 87.2 % of the 64000 samples are beyond a radius of 12.5: 1 - 4/3 pi 12.5^3 / 40^3.
   EXPECT_NE(
     this->Log.Warnings[0].find("no numbers (87 %), and none in a corner"), std::string::npos)
     << this->Log.Warnings[0];
 }
 
-// A single bad voxel in the middle is a hole in the data, and no outside.
+// A single invalid voxel in the middle is a hole in the data rather than the outside.
 TEST_F(FilterMeasured, OneBadVoxelIsNoOutside)
 {
   for (const double bad : { NaN, Infinity })
   {
     const auto image = MakeBall({ "", VTK_FLOAT, Air }, false);
     const auto expected = this->Feel(image);
-    // The voxel at (6, 6, 6) is out of reach of every kernel on the path.
+    // No kernel on the path reaches the voxel at (6, 6, 6).
     image->SetScalarComponentFromDouble(6, 6, 6, 0, bad);
     image->Modified();
     EXPECT_TRUE(IsSame(this->Feel(image), expected)) << bad;
@@ -401,8 +400,8 @@ TEST_F(FilterMeasured, VectorsAndLabelsAreReadAsTheyAre)
   EXPECT_TRUE(cropLog.Warnings.empty());
 }
 
-// Bad samples are filled in the same way in time steps of a source and in components of an array.
-// Samples outside keep one value.
+// Invalid samples must be filled in the same way in time steps of a source and in components of an
+// array. Samples outside have a constant value.
 TEST_F(FilterMeasured, TimeStepsAreFilledAlike)
 {
   const auto wallAt = [](const Point& p, double wall, bool isMasked)
@@ -415,7 +414,7 @@ TEST_F(FilterMeasured, TimeStepsAreFilledAlike)
   SetConstant(this->Property->GetFriction(), 0.0);
   this->Property->GetSurfaceStrength()->RemoveAllPoints();
   this->Property->GetSurfaceStrength()->AddPoint(0.0, 3.0);
-  // so near the border that kernels reach samples that were not measured
+  // close enough to the border that kernels reach unmeasured samples
   const Point rest{ 15.0, 19.5, 13.0 };
   this->Filter->SetPathData(MakePath({ rest, rest }, { 0.0, 1.0 }));
   this->Filter->SetTimeUnitsPerSecond(4.0);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the ticks of a path: one tick per point, or times that are resampled to the servo's rate.
+ * Tests the ticks of a path: one tick per point, or points with times that are resampled to the
+ * servo's rate.
  */
 
 #include "Rigs/ApiRig.h"
@@ -85,7 +86,7 @@ TEST_F(FilterPath, SegmentsThatContinueOneAnotherAreOnePath)
   this->Path->SetLines(segments);
   EXPECT_TRUE(IsSame(this->RunOn(this->Path, 51), kept));
 
-  // The segments may have any order and direction, and may be next to a line with a single point.
+  // The segments may have any order and direction, and a line with a single point may be present.
   vtkNew<vtkCellArray> shuffled;
   for (vtkIdType i = 0; i < 50; ++i)
   {
@@ -109,8 +110,8 @@ TEST_F(FilterPath, SegmentsThatContinueOneAnotherAreOnePath)
 
 TEST_F(FilterPath, SegmentsThatMeetInSpaceAreOnePath)
 {
-  // The path goes down, up again, and aside. Each of its three lines has its own points, as in
-  // appended data. The second line begins off by a rounding error of float.
+  // The path goes down, up again, and sideways. Each of its three lines has separate points, as in
+  // appended data. The second line starts off by a rounding error of float.
   const auto path = MakePath(
     { { 7, 7, 5 }, { 7, 7, 9 }, { 7, 7, 9.0000005 }, { 7, 7, 5 }, { 7, 7, 5 }, { 9, 7, 5 } });
   vtkNew<vtkCellArray> lines;
@@ -131,7 +132,7 @@ TEST_F(FilterPath, PointsAtTicksAreTakenAsTheyAre)
   for (int i = 0; i <= 50; ++i)
   {
     products.push_back(0.001 * i);
-    sums.push_back(sum); // times with the rounding errors of a clock that adds up
+    sums.push_back(sum); // times with the rounding errors of a clock that accumulates
     sum += 0.001;
   }
   EXPECT_TRUE(IsSame(this->RunOn(MakePath(points, products), 51), plain));
@@ -148,7 +149,7 @@ TEST_F(FilterPath, BetweenPointsTheTipMovesEvenly)
     const double z = t <= 0.005 ? 5.0 + 200.0 * t : 6.0 + 4.0 * (t - 0.005) / 0.0205;
     EXPECT_NEAR(this->TipZ(tick), z, 1e-9) << "tick " << tick;
   }
-  // If points come faster than ticks, the tip passes some of the points between two ticks.
+  // If points are denser than ticks, the tip passes some of the points between two ticks.
   this->Filter->SetServoRate(100.0);
   this->RunOn(
     this->Path = MakePath(Line({ 7, 7, 5 }, { 7, 7, 10 }, 3), { 0.0, 0.004, 0.016, 0.02 }), 3);

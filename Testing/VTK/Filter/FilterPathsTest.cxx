@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that several lines are several paths: each gives the same trace as alone, to the bit.
- * "Alone" is a polydata with the points of one line only, in their order.
+ * Tests that several lines are several paths, each with bitwise the same trace as alone. "Alone" is
+ * a polydata with only the points of one line, in the line's order.
  */
 
 #include "Rigs/ApiRig.h"
@@ -31,8 +31,7 @@ class FilterPaths : public ApiTest
 protected:
   FilterPaths()
   {
-    // The surfaces are curved everywhere, so that every number of a trace depends on the earlier
-    // ticks.
+    // The surfaces are curved everywhere, so every number of a trace depends on the earlier ticks.
     this->Image = MakeImage(24, VTK_SHORT,
       [](const Point& x)
       { return std::round(900.0 * std::sin(0.5 * x[0]) * std::cos(0.4 * x[1]) + 60.0 * x[2]); });
@@ -51,7 +50,7 @@ protected:
     path->SetLines(cells);
   }
 
-  /// Returns the trace of a path that has only the points in `line`.
+  /// Returns the trace of a path with only the points in `line`.
   vtkSmartPointer<vtkPolyData> FeelAlone(vtkPolyData* path, const std::vector<vtkIdType>& line)
   {
     std::vector<Point> points;
@@ -71,7 +70,7 @@ protected:
     return Keep(this->Filter);
   }
 
-  /// Expects that a line of a trace equals another trace, with all arrays.
+  /// Expects that a line of a trace equals another trace, including all arrays.
   static testing::AssertionResult IsLine(vtkPolyData* trace, vtkIdType line, vtkPolyData* alone)
   {
     vtkNew<vtkIdList> ids;
@@ -112,7 +111,7 @@ protected:
     return testing::AssertionSuccess();
   }
 
-  /// Expects that the lines of a path, felt together, give the same traces as each line alone.
+  /// Expects that the lines of one path result in the same traces as each line alone.
   void ExpectAsAlone(vtkPolyData* path, const Lines& lines)
   {
     SetLines(path, lines);
@@ -131,8 +130,8 @@ protected:
     EXPECT_EQ(together->GetNumberOfPoints(), ticks);
   }
 
-  /// Makes random walks with steps of up to 0.5 mm along each axis. `lines` gets the points of each
-  /// walk, `most` at most.
+  /// Makes random walks with steps of up to 0.5 mm along each axis. `lines` receives the point ids
+  /// of each walk, at most `most` per walk.
   vtkSmartPointer<vtkPolyData> Wander(int paths, int most, bool isTimed, Lines& lines)
   {
     std::mt19937 random(4711);
@@ -222,7 +221,7 @@ TEST_F(FilterPaths, MaySharePointsAndHaveThemInAnyOrder)
   const std::vector<vtkIdType> back(all.rbegin(), all.rend());
   const std::vector<vtkIdType> half(all.begin(), all.begin() + 26);
   const std::vector<vtkIdType> rest(all.begin() + 25, all.end());
-  // The third line starts at the end of the second line, but its proxy begins anew.
+  // The third line starts at the end of the second line, but with a new proxy.
   this->ExpectAsAlone(path, { all, half, rest, back, { 3, 17, 3, 17 } });
 }
 
@@ -246,7 +245,7 @@ TEST_F(FilterPaths, SegmentsThatContinueOneAnotherAreOne)
   EXPECT_TRUE(IsLine(trace, 0, this->FeelAlone(path, { 0, 1, 2 })));
   EXPECT_TRUE(IsLine(trace, 1, this->FeelAlone(path, { 10, 12, 11 })));
   EXPECT_TRUE(IsLine(trace, 2, this->FeelAlone(path, { 30, 31 })));
-  // Three rays share a point, and the proxy begins anew with each ray.
+  // Three rays share a point, and each ray starts with a new proxy.
   this->ExpectAsAlone(path, { { 0, 1 }, { 0, 5 }, { 0, 9 } });
 }
 
@@ -264,7 +263,7 @@ TEST_F(FilterPaths, PointsOfNoLineAndOtherCellsAreNotFelt)
 
 TEST_F(FilterPaths, EachBeginsWithTheProxyOnTheTip)
 {
-  // One path begins in free space, the other one deep inside the ramp. In both, the force starts at
+  // One path starts in free space, the other deep inside the ramp. In both, the force must start at
   // 0.
   const auto path = MakePath(
     { { 7, 7, 2 }, { 7, 7, 2.1 }, { 7, 7, 2.2 }, { 7, 7, 20 }, { 7, 7, 20.1 }, { 7, 7, 20.2 } });

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests output in pieces, as several ranks ask for it. The first piece has everything.
- */
+/** Tests output in pieces, which several ranks request. The first piece contains everything. */
 
 #include "Rigs/ApiRig.h"
 
@@ -18,7 +16,7 @@ using namespace apitest;
 
 namespace
 {
-/// Source that gives the requested part of an image, and records the requests.
+/// A source that provides the requested part of an image, and records the requests.
 class Cropper : public vtkImageAlgorithm
 {
 public:

@@ -42,7 +42,7 @@ protected:
     this->Filter->AddObserver(vtkCommand::ProgressEvent, this->Command);
   }
 
-  /** Lets the next run go to its end. Since VTK 9.3, the pipeline does not reset the abort flag. */
+  /** Lets the next update finish. Since VTK 9.3, the pipeline does not reset the abort flag. */
   void EndAborting()
   {
     this->AbortAt = 2.0;
@@ -87,8 +87,8 @@ TEST_F(FilterProgress, AbortKeepsTheTicksSoFar)
 
 TEST_F(FilterProgress, AMeshThatTakesLongCanBeAborted)
 {
-  // The values are random, so the isosurface passes everywhere through them: its mesh has some
-  // hundred thousand triangles.
+  // The values are random, so the isosurface passes through all of them, with several hundred
+  // thousand triangles.
   std::mt19937 random(1);
   this->Filter->SetInputData(0,
     MakeImage(40, VTK_FLOAT, [&](const Point&) { return static_cast<double>(random() % 2001); }));
@@ -123,7 +123,7 @@ TEST_F(FilterProgress, ThreadsDoNotDisturbEachOther)
   for (int i = 0; i < threads; ++i)
   {
     filters.push_back(vtkSmartPointer<vtkVolumeHapticsFilter>::New());
-    // Gives each filter its own pipeline with the same samples.
+    // Give each filter a separate pipeline with the same samples.
     vtkNew<vtkImageData> image;
     image->ShallowCopy(this->Image);
     vtkNew<vtkPolyData> path;

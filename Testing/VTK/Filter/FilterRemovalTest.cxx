@@ -3,7 +3,7 @@
 
 /**
  * Tests the removal object: the value of air, the image of its fractions, its files, and errors for
- * other files.
+ * unrelated files.
  */
 
 #include "Rigs/ApiRig.h"
@@ -28,8 +28,8 @@ using namespace apitest;
 
 namespace
 {
-/// Tests with a CT of bone (1000 HU) below air (-1000 HU), in which a burr drills a hole. The
-/// extent does not begin at 0.
+/// Drills a hole with a burr into a CT of bone (1000 HU) below air (-1000 HU). The extent does not
+/// begin at 0.
 class FilterRemoval : public ApiTest
 {
 protected:
@@ -70,7 +70,8 @@ protected:
     text << stream.rdbuf();
     return text.str();
   }
-  /// Expects that reading the file fails with these words, and changes nothing.
+  /// Expects that reading the file fails with an error that contains these words, and changes
+  /// nothing.
   static void ExpectRefused(
     vtkHapticRemoval* removal, const std::string& file, const std::vector<std::string>& words)
   {
@@ -106,8 +107,8 @@ TEST_F(FilterRemoval, HasTheAirOfTheVolume)
   EXPECT_EQ(this->Filter->GetRemoval()->GetAirValue(), 1000.0);
 }
 
-/// Reads a removal in a filter that never had a burr, and feels the hole with the point. The file
-/// has the value of air.
+/// Reads a removal into a filter that never had a burr, and touches the hole with the point. The
+/// file contains the value of air.
 TEST_F(FilterRemoval, AFileIsFeltWithoutABurr)
 {
   this->Filter->GetRemoval()->SetAirValue(-800.0);
@@ -159,12 +160,12 @@ TEST_F(FilterRemoval, IsWrittenAndReadToTheByte)
   ASSERT_TRUE(other->ReadFile(this->File));
   EXPECT_EQ(GetShares(other), shares);
   EXPECT_EQ(other->GetNumberOfUndos(), 0);
-  // The removal that was read must feel like the written one.
+  // The removal that was read must have the same forces as the written one.
   const vtkSmartPointer<vtkPolyData> felt = (this->Run(801), Keep(this->Filter));
   this->Filter->SetRemoval(other);
   this->Filter->Update();
   EXPECT_TRUE(IsSame(felt, this->Filter->GetOutput()));
-  // A volume with another extent is refused, and the removal must keep its contents.
+  // A volume with another extent must be refused, and the removal must keep its contents.
   this->Image->SetExtent(0, 31, 0, 31, 0, 31);
   this->Image->SetOrigin(0.5, 0.0, 0.0);
   this->Image->Modified();
@@ -175,8 +176,8 @@ TEST_F(FilterRemoval, IsWrittenAndReadToTheByte)
   std::remove(this->File.c_str());
 }
 
-/// The removal is felt at the same place in volumes that are cropped or padded, even if their
-/// indices begin elsewhere. The whole volume then has the whole removal again.
+/// The removal must be at the same place in volumes that are cropped or padded, even if their
+/// indices begin elsewhere. Afterwards, the whole volume must have the whole removal again.
 TEST_F(FilterRemoval, AFileIsFeltOnPartsOfItsVolume)
 {
   ASSERT_TRUE(this->Drill()->WriteFile(this->File));
@@ -195,7 +196,7 @@ TEST_F(FilterRemoval, AFileIsFeltOnPartsOfItsVolume)
     { { 7, 26, 10, 30, 103, 120 }, { 5.0, -3.0, -100.0 } }, // a part, cropped through the hole
     // the same part with indices that begin at 0
     { { 0, 19, 0, 20, 0, 17 }, { 12.0, 7.0, 3.0 } },
-    // another part with the extent of the last one
+    // another part with the same extent as the last one
     { { 0, 19, 0, 20, 0, 17 }, { 9.0, 6.0, 1.0 } },
     { { -14, 40, 0, 50, 90, 140 }, { 5.0, -3.0, -100.0 } }, // padded
     { { -5, 3, 3, 11, 100, 104 }, { 5.0, -3.0, -100.0 } },  // beside the hole
@@ -225,7 +226,7 @@ TEST_F(FilterRemoval, AFileIsFeltOnPartsOfItsVolume)
     vtkIdType carved = 0;
     for (vtkIdType i = 0; i < shares->GetNumberOfPoints(); ++i)
     {
-      // Compares samples at the same place in the world, although their indices differ.
+      // Compare samples at the same position in the world, although their indices differ.
       double place[3];
       before->TransformPhysicalPointToContinuousIndex(image->GetPoint(i), place);
       int index[3];
@@ -261,13 +262,13 @@ TEST_F(FilterRemoval, ADamagedFileChangesNothing)
   }
   ExpectRefused(removal, "/no/such/file.vti", { "/no/such/file.vti" });
   ExpectRefused(removal, "/dev", { "/dev" });
-  // The file holds another image, which has no shares.
+  // The file contains another image, which has no fractions.
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetFileName(this->File.c_str());
   writer->SetInputData(this->Image);
   writer->Write();
   ExpectRefused(removal, this->File, { "no shares" });
-  // The extent of the volume in this file is too small for the shares.
+  // The extent of the volume in this file is too small for the fractions.
   std::ofstream(this->File, std::ios::binary) << whole;
   vtkNew<vtkXMLImageDataReader> reader;
   reader->SetFileName(this->File.c_str());
@@ -289,7 +290,7 @@ TEST_F(FilterRemoval, AFullDiskIsToldAndKeepsTheOldFile)
   ASSERT_TRUE(removal->WriteFile(this->File));
   const std::string before = ReadAll(this->File);
   ASSERT_GT(before.size(), 1000u);
-  // Drills at another place, so that the next file differs from the old one.
+  // Drill elsewhere, so that the next file differs from the old one.
   this->Path = MakePath(Line({ 9.2, 20.4, 7.0 }, { 9.2, 20.4, 12.0 }, 800));
   this->Filter->SetPathData(this->Path);
   this->Drill();

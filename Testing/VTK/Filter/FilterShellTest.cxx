@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a tool with a shape without a device: S2 and S3 of the design with the mesh of a ball, a
- * tilted box, the choice of solid values, paths with orientations, and settings that are errors.
+ * Tests a shaped tool without a device: S2 and S3 of the design with the mesh of a ball, a tilted
+ * box, the choice of solid values, paths with orientations, and invalid settings.
  */
 
 #include "Rigs/ApiRig.h"
@@ -61,7 +61,7 @@ protected:
     return cube->GetOutput();
   }
 
-  /// Presses along z, and holds still for 50 ticks. Returns the trace, whose last tick is `Last`.
+  /// Presses along z, and rests for 50 ticks. Returns the trace, whose last tick is `Last`.
   vtkPolyData* Press(
     double from, double to, const vtkQuaterniond& turn = vtkQuaterniond(1.0, 0.0, 0.0, 0.0))
   {
@@ -86,8 +86,8 @@ protected:
 };
 } // namespace
 
-/// Case S3, a ball with the radius a: the spring of the hand holds the ball at the depth delta,
-/// where k (2 mm - delta) = pi kappa a delta^2.
+/// Case S3, a ball with the radius a: the hand's spring holds the ball at the depth delta, where k
+/// (2 mm - delta) = pi kappa a delta^2.
 TEST_F(FilterShell, ABallHasItsForce)
 {
   vtkPolyData* const trace = this->Press(4.0, 7.0);
@@ -106,14 +106,15 @@ TEST_F(FilterShell, ABallHasItsForce)
   EXPECT_NEAR(std::abs(Get(trace, "ToolOrientation", this->Last)), 1.0, 1e-6);
 }
 
-/// Case S2 with the spring of the hand: at the depth d_c, the pressure reaches its bound P. Deeper
-/// down, the force is pi kappa a d_c (2 delta - d_c).
+/// Case S2 with the hand's spring: at the depth d_c, the pressure reaches its bound P. Deeper down,
+/// the force is pi kappa a d_c (2 delta - d_c).
 TEST_F(FilterShell, TissueYieldsAtItsStrength)
 {
   SetConstant(this->Property->GetSurfaceStrength(), 0.1);
   vtkPolyData* const trace = this->Press(4.0, 7.0);
   const double most = 0.1 / 25e-6 / Kappa;
-  // The spring and the tissue are balanced: k (2 mm - delta) = pi kappa a d_c (2 delta - d_c).
+  // The forces of spring and tissue are in balance: k (2 mm - delta) = pi kappa a d_c (2 delta -
+  // d_c).
   const double slope = Pi * Kappa * 3e-3 * most;
   const double delta = (500.0 * 2e-3 + slope * most) / (500.0 + 2.0 * slope);
   ASSERT_GT(delta, most);
@@ -121,8 +122,9 @@ TEST_F(FilterShell, TissueYieldsAtItsStrength)
   EXPECT_NEAR(Get(trace, "Force", this->Last, 2), -force, 0.01 * force);
 }
 
-/// Case S4 with the springs of the hand: the face (kappa b h^3/12) and the turning spring k_r share
-/// the angle in series. The press is only 0.01 mm deep, so that the sides of the box hardly count.
+/// Case S4 with the hand's springs: the face (kappa b h^3/12) and the torsion spring k_r share the
+/// angle in series. The press is only 0.01 mm deep, so that the sides of the box have little
+/// effect.
 TEST_F(FilterShell, ATiltedBoxGivesATorque)
 {
   this->Tool->SetMesh(MakeBox(10.0, 10.0, 4.0));
@@ -136,14 +138,14 @@ TEST_F(FilterShell, ATiltedBoxGivesATorque)
   const double torque = angle * face * 0.02 / (face + 0.02);
   EXPECT_NEAR(Get(trace, "Torque", this->Last, 0), -torque, 0.02 * torque);
   EXPECT_NEAR(Get(trace, "Force", this->Last, 2), -500.0 * 2000.0 / 2500.0 * 0.05e-3, 5e-4);
-  // The tool has turned towards the face.
+  // The tool rotates towards the face.
   const double left = 2.0 * Get(trace, "ToolOrientation", this->Last, 1);
   EXPECT_NEAR(left, angle * 0.02 / (face + 0.02), 0.03 * angle);
 }
 
-/// The hand turns a box that rests on its face, and turns it back. For small angles, the work is K
-/// theta^2/2 with K = face k_r/(face + k_r), for the face and the turning spring in series. If the
-/// spring is much softer than the face, the work is its energy 2 k_r sin^2(theta/2).
+/// The hand rotates a box that rests on its face, and rotates it back. For small angles, the work
+/// is K theta^2/2 with K = face k_r/(face + k_r), for the face and the torsion spring in series. If
+/// the spring is much softer than the face, the work is its energy 2 k_r sin^2(theta/2).
 TEST_F(FilterShell, EnergyHasTheWorkOfTheTorque)
 {
   constexpr int steps = 200;
@@ -213,7 +215,7 @@ TEST_F(FilterShell, WhatIsSolidFollowsFromTheStrength)
   strength->AddPoint(900.0, 2.0);
   vtkPolyData* trace = this->Press(4.0, 7.0);
   EXPECT_NEAR(Get(trace, "Force", this->Last, 2), Get(wanted, "Force", this->Last, 2), 1e-3);
-  // Now values below the surface value are solid, so the ball is pressed from the other side.
+  // Make values below the surface value solid, so that the ball presses from the other side.
   strength->RemoveAllPoints();
   strength->AddPoint(700.0, 2.0);
   strength->AddPoint(900.0, 0.0);
@@ -263,21 +265,21 @@ TEST_F(FilterShell, WhatCanNotBeFeltIsNamed)
   this->ExpectError({ "vtkHapticPointShell", "PROXY", "SetTool(nullptr)" });
 }
 
-/// A single point with an area of 25 mm^2 acts like the point without a tool: half of the depth is
-/// in the material.
+/// A single point with an area of 25 mm^2 must act like the point without a tool, so half of the
+/// depth is in the material.
 TEST_F(FilterShell, OnePointIsAPoint)
 {
   this->Tool->SetMesh(MakeBox(std::sqrt(25.0 / 6.0), std::sqrt(25.0 / 6.0), std::sqrt(25.0 / 6.0)));
   this->Tool->SetNumberOfPoints(1);
   vtkPolyData* const trace = this->Press(5.0, 12.0);
-  // The point lies anywhere on the box, up to 1.02 mm above or below the middle.
+  // The point may be anywhere on the box, up to 1.02 mm above or below the middle.
   const double force = -Get(trace, "Force", this->Last, 2);
   const double depth = 2e3 * force / 500.0; // depth of the hand (mm)
   EXPECT_NEAR(depth, 4.0, 1.03);
 }
 
-/// A change of another setting keeps the points of the tool, since the mesh is the same. So the
-/// trace stays the same, too.
+/// A change of an unrelated setting must preserve the points of the tool, because the mesh is the
+/// same. So the trace must not change either.
 TEST_F(FilterShell, IsTheSameEveryTime)
 {
   const vtkQuaterniond turn(0.9, 0.1, 0.3, 0.2);
@@ -288,7 +290,7 @@ TEST_F(FilterShell, IsTheSameEveryTime)
   EXPECT_TRUE(IsSame(first, this->Filter->GetOutput()));
 }
 
-/// The forces must turn with the data and the tool.
+/// The forces must rotate with the data and the tool.
 TEST_F(FilterShell, TurnsWithTheData)
 {
   this->Tool->SetMesh(MakeBox(6.0, 4.0, 5.0));

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that a CT that is not stored in Hounsfield units is felt like the original CT. The
- * reference is the same body in Hounsfield units: air at -1000, and a ball of fat, muscle and bone.
- * Programs store the units 1024 or 1000 higher (InVesalius gives its mapper uint16 with 1024), or
- * 32768 higher.
+ * Tests that a CT in other units has the same forces as the CT in Hounsfield units. The reference
+ * is the same body in Hounsfield units: air at -1000, and a ball of fat, muscle and bone. Programs
+ * store the units 1024 or 1000 higher (InVesalius passes uint16 with 1024 to its mapper), or 32768
+ * higher.
  */
 
 #include "Rigs/ApiRig.h"
@@ -28,8 +28,8 @@ namespace
 constexpr vtkIdType Ticks = 301;
 constexpr int Width = 48;
 /// Tolerance (N) for rounding. The force does not depend on the shift, but sums of shifted values
-/// round differently. A solver that accepts an end within 2e-4 of its lag may then accept another
-/// end.
+/// are rounded differently. A solver that accepts a result within 2e-4 of its lag may then accept a
+/// different result.
 constexpr double Rounded = 1e-4;
 constexpr double Middle = 0.5 * (Width - 1);
 
@@ -42,7 +42,7 @@ double Unit(const Point& p)
   const double noise = 16.0 * (static_cast<double>(random >> 8) * 0x1p-24 - 0.5);
   const double r = std::hypot(p[0] - Middle, p[1] - Middle, p[2] - Middle);
   const auto inside = [r](double radius) { return 0.5 * std::erfc((r - radius) / 1.0); };
-  // Scanners store no values below -1000 HU.
+  // Scanners store no values below -1000 HU, so clip the noise.
   return std::max(-1000.0,
     std::round(
       -1000.0 + 900.0 * inside(20.0) + 150.0 * inside(16.0) + 950.0 * inside(8.0) + noise));
@@ -75,7 +75,7 @@ protected:
     return Keep(this->Filter);
   }
 
-  /// Returns the trace in the body with values in HU, which is the reference.
+  /// Returns the trace for values in HU, which is the reference.
   vtkSmartPointer<vtkPolyData> FeelUnits(const char* preset)
   {
     this->SetBody(0.0, 1.0, VTK_SHORT);
@@ -177,7 +177,7 @@ TEST_F(FilterShift, IsThatOfNeedlesToo)
   this->Filter->SetTool(needle);
   const auto units = this->FeelUnits("CT contrast");
   this->SetBody(1024.0, 1.0, VTK_UNSIGNED_SHORT);
-  // A needle that sticks and slips amplifies rounding errors. Wrong cutting forces would differ by
+  // A needle's stick-slip motion amplifies rounding errors. Wrong cutting forces would differ by
   // 0.3 N in air.
   EXPECT_LT(Apart(this->Feel(), units), 0.02);
   EXPECT_GT(Most(units), 0.05);
@@ -202,7 +202,8 @@ TEST_F(FilterShift, OfARegionIsThatOfTheWhole)
   EXPECT_EQ(this->Property->GetFoundShift(), -1024.0);
   EXPECT_GT(Most(units), 0.2);
 
-  // The values of a region can't tell the shift, since a part of a lung is not a whole chest.
+  // The values of a region do not determine the shift, because a part of a lung is not a whole
+  // chest.
   crop->GetOutput()->GetFieldData()->RemoveArray("HapticShift");
   this->Filter->SetInputDataObject(0, crop->GetOutput());
   this->Feel();
@@ -218,7 +219,7 @@ TEST_F(FilterShift, IsKeptByProposals)
   ASSERT_TRUE(this->Property->ProposeFromImage(this->Image));
   EXPECT_EQ(this->Property->GetScalarShift(), -1024.0);
   EXPECT_FALSE(this->Property->GetShiftFromImage());
-  // The lowest tissue range is the range of the air outside, at -1000 HU.
+  // The lowest tissue range is that of the air outside, at -1000 HU.
   double range[2];
   this->Property->GetTissueRange(0, range);
   EXPECT_LE(range[0], -1000.0 + 20.0);
@@ -253,7 +254,7 @@ TEST_F(FilterShift, WarnsOfDataThatCannotBeHounsfieldUnits)
     this->Filter->Update();
     ASSERT_EQ(this->Log.Warnings.size(), 1U);
     EXPECT_NE(this->Log.Warnings[0].find("can't be a CT"), std::string::npos);
-    // These settings are the ones that the warning names.
+    // Apply the settings that the warning suggests.
     this->Property->SetScalarShift(-data.Offset * data.Factor);
     this->Property->SetScalarScale(1.0 / data.Factor);
     this->Filter->Update();

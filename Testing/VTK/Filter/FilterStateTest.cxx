@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests settings of the filter: defaults, limits, printed text, and the changes that count as a
- * modification.
+ * Tests settings of the filter: defaults, limits, printed text, and which changes update the
+ * modification time.
  */
 
 #include "Rigs/ApiRig.h"

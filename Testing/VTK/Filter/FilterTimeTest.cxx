@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a path through the time steps of a source. A wall moves towards a tip that rests. The force
- * is that of the spring to the wall, whose place is known at all times.
+ * Tests a path through the time steps of a source. A wall moves towards a resting tip. The force is
+ * that of the spring to the wall, whose position is known at all times.
  */
 
 #include "Rigs/ApiRig.h"
@@ -29,7 +29,7 @@ using namespace apitest;
 
 namespace
 {
-/// Makes V = 500 (1 - tanh((x - wall)/1.5)), a wall that fills the part below x = `wall`.
+/// Makes V = 500 (1 - tanh((x - wall)/1.5)), a wall that fills the space below x = `wall`.
 vtkSmartPointer<vtkImageData> MakeWall(double wall, int n = 24, int type = VTK_DOUBLE)
 {
   return MakeImage(
@@ -39,7 +39,7 @@ vtkSmartPointer<vtkImageData> MakeWall(double wall, int n = 24, int type = VTK_D
 constexpr double K = 500.0;
 constexpr double Rest = 12.0;
 
-/// Returns the x coordinate (mm) of the wall: 9 at time 10, and 1 more per unit of time.
+/// Returns the x coordinate (mm) of the wall: 9 at time 10, increasing by 1 per unit of time.
 double WallAt(double time)
 {
   return 9.0 + time - 10.0;
@@ -77,19 +77,19 @@ TEST_F(FilterTime, AWallThatComesPushesATipThatRests)
   {
     const double time = 10.0 + 4.0 * 0.001 * static_cast<double>(tick);
     EXPECT_NEAR(Get(trace, "DataTime", tick), time, 1e-9);
-    // A blend of two edges that are one voxel apart is off by at most 0.02 of their width.
+    // A blend of two edges that are one voxel apart has an error of at most 0.02 of their width.
     EXPECT_NEAR(Get(trace, "Force", tick), 0.001 * K * std::max(0.0, WallAt(time) - Rest), 0.015)
       << "tick " << tick;
   }
-  // The time step 10 comes with the image. Then the filter reads each time step once, from 14 back
-  // to 10.
+  // The image provides the time step 10. Then the filter must read each time step once, from 14
+  // back to 10.
   EXPECT_EQ(this->Source->Asked, (std::vector<double>{ 10.0, 14.0, 13.0, 12.0, 11.0, 10.0 }));
   EXPECT_FALSE(
     this->Filter->GetOutputInformation(0)->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS()));
 }
 
-/// A grid is resampled around the tip, so it stays at its first time step and gives one warning.
-/// vtkResampleToImage, which the warning names, makes it move.
+/// A grid is resampled around the tip, so it stays at its first time step and causes one warning.
+/// vtkResampleToImage, which the warning suggests, must make it move.
 TEST_F(FilterTime, AGridThatMovesIsFeltAsTheImagesOfItsSteps)
 {
   vtkNew<vtkAppendFilter> grid;
@@ -140,7 +140,7 @@ TEST_F(FilterTime, TimeStopsAtTheLastStepAndTheForceStays)
   EXPECT_EQ(Get(trace, "Force", 600), Get(trace, "Force", 1000));
 }
 
-/// A path begins at the first time step, so data time can't run backwards from there.
+/// A path begins at the first time step, so the data time can't run backwards from there.
 TEST_F(FilterTime, BackwardsThereIsNothingButTheFirstStep)
 {
   this->Filter->SetTimeUnitsPerSecond(-4.0);
@@ -199,7 +199,7 @@ TEST_F(FilterTime, StepsOfOtherGeometryAreAnError)
   this->Source->Make = [](double time) { return MakeWall(WallAt(time), time == 12.0 ? 20 : 24); };
   this->Filter->SetTimeUnitsPerSecond(4.0);
   this->ExpectError({ "time 12", "20 x 20 x 20", "vtkImageReslice", "SetTimeUnitsPerSecond(0)" });
-  // The filter works again when all images have one size.
+  // The filter must work again when all images have the same size.
   this->Source->Make = [](double time) { return MakeWall(WallAt(time)); };
   this->Source->Modified();
   this->Log.Errors.clear();
@@ -220,7 +220,7 @@ TEST_F(FilterTime, StepsOfOtherTypesAreTaken)
   }
 }
 
-/// Only the touched array has time steps. The arrays of modes would stand still while the volume
+/// Only the touched array has time steps, so modes' arrays would stand still while the volume
 /// moves.
 TEST_F(FilterTime, ModesOfAVolumeThatMovesAreRefusedUnlessTimeStandsStill)
 {
@@ -283,9 +283,9 @@ TEST_F(FilterTime, ASourceThatFailedHalfWayIsReadAnew)
 
 namespace
 {
-/// Makes the time steps of FilterTime as components of one array, at times from 0 on, or five
-/// copies of the time step at `always`. Both arrays have the same stride, so that sums add up in
-/// the same order.
+/// Makes the time steps of FilterTime as components of one array, at times from 0 onwards, or five
+/// copies of the time step at `always`. Both arrays have the same stride, so that sums have the
+/// same order of additions.
 vtkSmartPointer<vtkImageData> MakeComponents(int type, double always = -1.0)
 {
   const auto image = MakeWall(WallAt(10.0), 24, type);
@@ -335,7 +335,8 @@ TEST_F(FilterComponents, AreTimeStepsToTheBit)
     this->Run(1001);
     EXPECT_TRUE(IsSame(Keep(this->Filter), steps)) << "type " << type;
     EXPECT_EQ(static_cast<long>(image->GetActualMemorySize()), memory);
-    // Time steps twice as far apart, with data time at twice the speed, come at the same ticks.
+    // With time steps twice as far apart, and the data time at twice the speed, each time step must
+    // occur at the same tick.
     this->Filter->SetFrameSpacing(2.0);
     this->Filter->SetTimeUnitsPerSecond(8.0);
     vtkPolyData* const slow = this->Run(1001);
@@ -352,7 +353,7 @@ TEST_F(FilterComponents, OneComponentStandsStillOnRequest)
   this->Filter->SetInputData(MakeComponents(VTK_DOUBLE));
   this->Filter->SetFramesToComponents();
   this->Filter->SetTimeUnitsPerSecond(0.0);
-  this->Property->SetComponent(4); // this component has a wall that is 1 mm beyond the tip
+  this->Property->SetComponent(4); // the wall of this component is 1 mm beyond the tip
   vtkPolyData* const trace = this->Run(1001);
   EXPECT_EQ(trace->GetPointData()->GetArray("DataTime"), nullptr);
   this->Filter->SetInputData(MakeWall(WallAt(14.0)));
@@ -394,7 +395,7 @@ TEST_F(FilterComponents, OfANiftiFileAreItsTimes)
   this->Filter->SetInputConnection(reader->GetOutputPort());
   this->Filter->SetFramesToComponents();
   this->Filter->SetFrameSpacing(reader->GetTimeSpacing());
-  this->Filter->SetTimeUnitsPerSecond(1.0); // in a NIfTI file, times are in seconds
+  this->Filter->SetTimeUnitsPerSecond(1.0); // times in NIfTI files are in seconds
   vtkPolyData* const trace = this->Run(1001);
   EXPECT_DOUBLE_EQ(Get(trace, "DataTime", 600), 0.6);
   for (vtkIdType tick = 0; tick <= 1000; tick += 20)
@@ -406,8 +407,8 @@ TEST_F(FilterComponents, OfANiftiFileAreItsTimes)
 
 namespace
 {
-/// Tests with a wall that leaps by four of its widths from time step to time step. The array
-/// "motion" has the displacements.
+/// Tests a wall that jumps by four times its width per time step. The array "motion" contains the
+/// displacements.
 class FilterMotion : public FilterTime
 {
 protected:
@@ -464,7 +465,7 @@ protected:
 TEST_F(FilterMotion, AWallThatLeapsIsFeltOnItsWay)
 {
   this->ExpectLeap();
-  // The wall stays at its place without displacements, and then appears at the next place.
+  // Without displacements, the wall stays at its place, and then appears at the next place.
   this->Filter->SetDisplacementArrayName("");
   this->Filter->Update(); // warns
   vtkPolyData* const trace = this->Filter->GetOutput();

@@ -28,8 +28,8 @@ protected:
 
   /**
    * Sets a ball with a radius of 7 mm around (12, 12, 12) mm, with the value `high` in surroundings
-   * of the value `low`. Also sets a path that presses 2 mm into the ball and slides. A millimetre
-   * has `units` world units, and the ball is felt at life size.
+   * of the value `low`. Also sets a path that presses 2 mm into the ball and slides. One millimetre
+   * has `units` world units, and the ball is touched at life size.
    */
   void SetBall(double units, double low, double high)
   {
@@ -66,9 +66,8 @@ protected:
   bool IsFitted = false; ///< applies the preset "MRI" to each ball
 
   /**
-   * Expects that presses into the ball give the same forces in worlds with other units as in mm.
-   * The forces depend on no unit: powers of two don't round, and decimal units round by at most
-   * `rounded` (N).
+   * Expects that presses into the ball have the same forces in worlds with other units as in mm.
+   * Powers of two as units cause no rounding errors, and decimal units at most `rounded` (N).
    */
   void ExpectSameForces(double low, double high, double leastForce, double rounded = 1e-9)
   {
@@ -105,7 +104,7 @@ protected:
 
 TEST_F(FilterUnits, LifeSizeMillimetres)
 {
-  // Case T1: the force is 1 N at 2 mm, and 2 N from 4 mm on.
+  // Case T1: the force is 1 N at 2 mm, and 2 N at 4 mm or more.
   vtkPolyData* const output = this->Run(51);
   EXPECT_NEAR(this->Force(20), -1.0, 1e-9);
   EXPECT_NEAR(this->Force(40), -2.0, 1e-9);
@@ -210,7 +209,7 @@ TEST_F(FilterUnits, PresetsFeelTheSameInAWorldOfAnyUnit)
     const vtkStdString name = names->GetValue(i);
     if (name == "Labels")
     {
-      continue; // its walls lie between whole numbers, and have no gradient of values
+      continue; // its walls are between integer values, where values have no gradient
     }
     this->Property->ApplyPreset(name.c_str());
     for (const int solver : { vtkVolumeHapticsFilter::PAPER, vtkVolumeHapticsFilter::PRECISE })
@@ -219,7 +218,7 @@ TEST_F(FilterUnits, PresetsFeelTheSameInAWorldOfAnyUnit)
       this->Filter->SetSolver(solver);
       const bool isGrey = name == "MRI" || name == "Micro-CT";
       // PAPER reads the material before it moves the proxy, so rounding errors grow where a
-      // two-sided surface changes its side.
+      // two-sided surface switches its side.
       const bool isPaper = solver == vtkVolumeHapticsFilter::PAPER;
       this->ExpectSameForces(isGrey ? 0.0 : -1000.0, isGrey ? 200.0 : 60.0, 0.02,
         isPaper && name == "MRI" ? 2e-7 : 1e-9);

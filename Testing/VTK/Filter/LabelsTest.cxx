@@ -3,8 +3,8 @@
 
 /**
  * Tests materials by label, with surfaces of the scalars. On the ramp V = 100 z, a press of depth h
- * into a surface that holds gives the force k h of a spring with stiffness k. All expectations
- * follow from this closed form (T1 in Documentation/evaluation.md).
+ * into a surface results in the force k h of a spring with stiffness k. All expectations follow
+ * from this closed form (T1 in Documentation/evaluation.md).
  */
 
 #include "Rigs/ApiRig.h"
@@ -29,7 +29,7 @@ class LabelsTest : public ApiTest
 protected:
   LabelsTest() { SetConstant(this->Property->GetSurfaceStrength(), Strong); }
 
-  /// Sets labels on the grid of the image: 1 up to x = 7, and 2 from x = 8 on.
+  /// Sets labels on the grid of the image: 1 up to x = 7, and 2 for x >= 8.
   void SetHalves(int scalarType = VTK_SHORT)
   {
     this->Filter->SetLabelData(
@@ -71,7 +71,7 @@ protected:
 
 TEST_P(LabelsOfSolver, TellTissuesOfOneValueApart)
 {
-  // Case L1: two labels in tissue of one value have their own stiffnesses.
+  // Case L1: two labels in tissue of one value have different stiffnesses.
   this->SetHalves();
   this->Table->SetStiffness(1, 200.0);
   this->Table->SetStiffness(2, 800.0);
@@ -131,7 +131,7 @@ TEST_P(LabelsOfSolver, WithoutEntryMakeNoDifference)
 
 TEST_P(LabelsOfSolver, OfAnyTypeFeelTheSame)
 {
-  // Case L7: label images of all types must give the same forces.
+  // Case L7: label images of all types must result in the same forces.
   this->Table->SetStiffness(1, 200.0);
   this->Table->SetStiffness(2, 800.0);
   this->Filter->SetPathData(MakePath(Line({ 3, 7, 6 }, { 12, 7, 8 }, 300)));
@@ -180,8 +180,8 @@ TEST_P(LabelsOfSolver, BeyondTheLabelImageTheFunctionsHold)
 
 TEST_P(LabelsOfSolver, AreTheScalarsThemselvesOfThePresetLabels)
 {
-  // The label fills a half-space whose wall is halfway between the voxels, at z = 7.5. With any
-  // label number, the preset's stiffness of 400 N/m gives 0.4 N per millimetre of depth.
+  // The label fills a half-space whose wall is halfway between the voxels, at z = 7.5. For every
+  // label number, the preset's stiffness of 400 N/m results in 0.4 N per millimetre of depth.
   this->Property->ApplyPreset("Labels");
   vtkSmartPointer<vtkPolyData> first;
   for (const double label : { 1.0, 7.0, 250.0 })
@@ -204,8 +204,8 @@ TEST_P(LabelsOfSolver, AreTheScalarsThemselvesOfThePresetLabels)
 
 TEST_F(LabelsTest, OfTheScalarsThemselvesHaveTheMaterialsOfTheirNumbers)
 {
-  // Labels 1 and 2 lie side by side along x. Label 2 has the function's stiffness at 2, also near
-  // label 1: no value between the labels is read.
+  // Labels 1 and 2 are adjacent along x. Label 2 must have the function's stiffness at 2 even near
+  // label 1, because values between labels are never used.
   this->Property->ApplyPreset("Labels");
   vtkPiecewiseFunction* const stiffness = this->Property->GetStiffness();
   stiffness->RemoveAllPoints();
@@ -236,7 +236,7 @@ TEST_F(LabelsTest, OfTheScalarsThemselvesAreWholeNumbersOfAnyType)
     return Keep(this->Filter);
   };
   EXPECT_TRUE(IsSame(feel(VTK_FLOAT, 3.0), feel(VTK_SHORT, 3.0)));
-  // A fraction, or a number that is too large for a table, counts as a value, as if
+  // A fraction, or a number that is too large for a table, must count as a value, as if
   // ScalarsAreLabels were off.
   for (const double value : { 0.9, 70000.0 })
   {
@@ -246,7 +246,7 @@ TEST_F(LabelsTest, OfTheScalarsThemselvesAreWholeNumbersOfAnyType)
     EXPECT_TRUE(IsSame(felt, feel(VTK_FLOAT, value))) << value;
     this->Property->ScalarsAreLabelsOn();
   }
-  // A label image on port 3 sets its own materials, with or without ScalarsAreLabels.
+  // A label image on port 3 must determine the materials, with or without ScalarsAreLabels.
   this->SetHalves();
   const auto beside = feel(VTK_SHORT, 3.0);
   this->Property->ScalarsAreLabelsOff();
@@ -258,7 +258,7 @@ INSTANTIATE_TEST_SUITE_P(Both, LabelsOfSolver,
 
 TEST_P(LabelsOfSolver, MakeWallsInAVolumeOfOneValue)
 {
-  // Case L1 with walls between labels: the wall is at z = 7.5, and the press goes to z = 9.5.
+  // Case L1 with walls between labels: the wall is at z = 7.5, and the press ends at z = 9.5.
   this->Filter->SetInputData(MakeImage(16, VTK_SHORT, [](const Point&) { return 40.0; }));
   this->Filter->SetLabelData(MakeImage(16, VTK_UNSIGNED_SHORT,
     [](const Point& p) { return p[2] < 7.5 ? 0.0 : (p[0] < 7.5 ? 1000.0 : 2000.0); }));
@@ -277,7 +277,7 @@ TEST_P(LabelsOfSolver, MakeWallsInAVolumeOfOneValue)
     EXPECT_NEAR(-Get(output, "Force", 450, 2) / (stiffness * depth), 1.0, 1e-9);
     EXPECT_NEAR(Get(output, "Normal", 450, 2), 1.0, 1e-6);
   }
-  // The volume itself has no surface, so without the labels' walls nothing is felt.
+  // The volume itself has no surface, so without the labels' walls there is no force.
   this->Filter->SetGeometryFromScalars();
   EXPECT_EQ(Get(this->Run(451), "Force", 450, 2), 0.0);
   this->Filter->SetGeometryFromBoth();
@@ -286,7 +286,7 @@ TEST_P(LabelsOfSolver, MakeWallsInAVolumeOfOneValue)
 
 TEST_P(LabelsOfSolver, OfThickSlicesHaveWallsWithoutStairs)
 {
-  // The plane leans by 45 degrees against slices of 3 mm. The press goes 2 mm deep along its
+  // The plane is tilted by 45 degrees relative to slices of 3 mm. The press is 2 mm deep along its
   // normal.
   const double n[3] = { 0.8 * std::sqrt(0.5), 0.6 * std::sqrt(0.5), std::sqrt(0.5) };
   const auto depth = [&n](double x, double y, double z)
@@ -316,7 +316,7 @@ TEST_P(LabelsOfSolver, OfThickSlicesHaveWallsWithoutStairs)
     EXPECT_NEAR(force, 1.0, 0.075) << "N";
   };
   press(0.05);
-  // A brush stroke elsewhere must not change the force here, and must give the trace of a fresh
+  // A brush stroke elsewhere must not change the force here, and the trace must be that of a new
   // filter.
   vtkDataArray* const array = labels->GetPointData()->GetScalars();
   for (int i = 0; i < 200; ++i)
@@ -341,7 +341,7 @@ TEST_P(LabelsOfSolver, OfThickSlicesHaveWallsWithoutStairs)
 
 TEST_P(LabelsOfSolver, LeaveSurfacesOfTheVolumeAlone)
 {
-  // The ramp is a surface everywhere, so with both geometries only the ramp is felt.
+  // The ramp has a surface everywhere, so with both geometries only the ramp is felt.
   this->SetHalves();
   this->PressAt(4.0);
   this->Run(51);
@@ -384,8 +384,8 @@ TEST_F(LabelsTest, OtherMethodsDoNotFeelThem)
 
 TEST_F(LabelsTest, GoOverWithinAVoxel)
 {
-  // PAPER applies the material without a blend of its own: between the voxels at x = 7 and x = 8, k
-  // = 200 + 600 (x - 7).
+  // PAPER uses the material without an additional blend: between the voxels at x = 7 and x = 8, k =
+  // 200 + 600 (x - 7).
   this->Filter->SetSolverToPaper();
   this->SetHalves();
   this->Table->SetStiffness(1, 200.0);
@@ -394,7 +394,7 @@ TEST_F(LabelsTest, GoOverWithinAVoxel)
   vtkPolyData* const output = this->Run(301);
   for (vtkIdType tick = 1; tick <= 300; ++tick)
   {
-    // A tick reads the material at the proxy of the last tick, which was at the tip then.
+    // A tick reads the material at the last tick's proxy, which was at the tip.
     const double x = 6.0 + 0.01 * static_cast<double>(tick - 1);
     const double share = std::min(std::max(x - 7.0, 0.0), 1.0);
     ASSERT_NEAR(Get(output, "Stiffness", tick), 200.0 + 600.0 * share, 1e-9) << tick;
@@ -403,7 +403,7 @@ TEST_F(LabelsTest, GoOverWithinAVoxel)
 
 TEST_F(LabelsTest, HaveAGeometryOfTheirOwn)
 {
-  // Case L3: samples three labels on the grid of the image, and on a finer, turned grid.
+  // Case L3: sample three labels on the grid of the image, and on a finer, rotated grid.
   this->Table->SetStiffness(1, 200.0);
   this->Table->SetStiffness(2, 800.0);
   this->Table->SetSurfaceStrength(3, 0.5);
@@ -415,7 +415,7 @@ TEST_F(LabelsTest, HaveAGeometryOfTheirOwn)
   this->Run(501);
   const auto onGrid = Keep(this->Filter);
 
-  // Stores the same voxels in another order: the axes of the image are y, -x and z.
+  // Store the same voxels in another order: the axes of the image are y, -x and z.
   vtkNew<vtkImageData> turned;
   turned->SetDimensions(16, 16, 16);
   turned->SetOrigin(15.0, 0.0, 0.0);
@@ -441,8 +441,8 @@ TEST_F(LabelsTest, HaveAGeometryOfTheirOwn)
     }
   }
 
-  // The voxels have 0.4 x 0.3 x 0.5 mm, are turned by 30 degrees about z, and the extent does not
-  // begin at 0. Both images have the same labels, except within a voxel of the faces between
+  // The voxels have 0.4 x 0.3 x 0.5 mm and are rotated by 30 degrees about z, and the extent does
+  // not begin at 0. Both images have the same labels, except within a voxel of the faces between
   // labels.
   const double c = std::cos(vtkMath::Pi() / 6.0);
   const double s = std::sin(vtkMath::Pi() / 6.0);
@@ -457,7 +457,7 @@ TEST_F(LabelsTest, HaveAGeometryOfTheirOwn)
     const double* const at = fine->GetPoint(point);
     fine->GetPointData()->GetScalars()->SetComponent(point, 0, labelAt(at[0], at[1]));
   }
-  // PAPER keeps only the proxy from tick to tick, so single ticks can be compared.
+  // PAPER passes only the proxy from tick to tick, so single ticks can be compared.
   this->Filter->SetSolverToPaper();
   SetConstant(this->Property->GetSurfaceStrength(), 0.0);
   this->Table->SetSurfaceStrength(3, 0.0);
@@ -518,7 +518,7 @@ TEST_F(LabelsTest, AreReadAgainAfterAChange)
 
 TEST_F(LabelsTest, ThatAreForbiddenAreReadAgainAfterAChange)
 {
-  // The surface strength is 0, so only the wall in front of label 2, which begins at x = 7.5, holds
+  // The surface strength is 0, so only the wall in front of label 2, which begins at x = 7.5, stops
   // the proxy.
   SetConstant(this->Property->GetSurfaceStrength(), 0.0);
   this->SetHalves();
@@ -529,7 +529,7 @@ TEST_F(LabelsTest, ThatAreForbiddenAreReadAgainAfterAChange)
   EXPECT_NEAR(reached(), 7.5, 0.1);
   this->Table->SetStandOff(2.0);
   EXPECT_NEAR(reached(), 5.5, 0.1);
-  this->Table->SetStiffness(1, 900.0); // a change of materials only, which keeps the wall
+  this->Table->SetStiffness(1, 900.0); // changes only materials, so the wall remains
   this->Table->SetStiffness(2, 900.0);
   EXPECT_NEAR(reached(), 5.5, 0.1);
   EXPECT_EQ(Get(this->Run(201), "Stiffness", 200), 900.0);
@@ -553,7 +553,7 @@ TEST_F(LabelsTest, AMillionOfThemCanBeTold)
   labels->AllocateScalars(VTK_INT, 1);
   for (vtkIdType point = 0; point < labels->GetNumberOfPoints(); ++point)
   {
-    // Gives each voxel its own label, negative or positive.
+    // Assign a separate label to each voxel, negative or positive.
     const auto label = static_cast<int>(point) - 500000;
     labels->GetPointData()->GetScalars()->SetComponent(point, 0, label);
     this->Table->SetStiffness(label, 100.0 + 1e-3 * static_cast<double>(point));
@@ -562,7 +562,7 @@ TEST_F(LabelsTest, AMillionOfThemCanBeTold)
   this->Filter->SetLabelTable(this->Table);
   this->Filter->SetSolverToPaper();
   this->Filter->SetPathData(MakePath(Line({ 4.05, 6.0, 4.5 }, { 4.05, 6.0, 4.55 }, 1)));
-  // The material is read at x_s, two voxels of the image (2 mm) ahead of the proxy. This is the
+  // The material is read at x_s, two voxels of the image (2 mm) ahead of the proxy, which is the
   // voxel (27, 40, 130 / 3) of the labels.
   const double above = 6.5 / 0.15;
   const double k = std::floor(above);
@@ -591,7 +591,7 @@ TEST_F(LabelsTest, TooManyOfThemInThickSlicesAreTold)
   this->Filter->Update();
   ASSERT_EQ(this->Log.Warnings.size(), 1U);
   EXPECT_NE(this->Log.Warnings[0].find("walls between labels are stairs"), std::string::npos);
-  // The finer grid is used for fewer labels.
+  // Use the finer grid for fewer labels.
   for (vtkIdType point = 0; point < array->GetNumberOfTuples(); ++point)
   {
     array->SetComponent(point, 0, array->GetComponent(point, 0) < 3200.0 ? 1.0 : 0.0);

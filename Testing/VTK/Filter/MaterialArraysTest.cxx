@@ -20,8 +20,8 @@ protected:
     // V = 4 z^2 has values from 0 to 900, and gradient magnitudes from 0 to 120.
     this->Image = MakeImage(16, VTK_DOUBLE, [](const Point& x) { return 4.0 * x[2] * x[2]; });
     this->Filter->SetInputDataObject(0, this->Image);
-    // The stiffness of PAPER depends on the present tick only. The spring of PRECISE may have
-    // slack, so that its stiffness depends on earlier ticks, too.
+    // PAPER's stiffness depends only on the present tick. PRECISE's spring may have slack, so its
+    // stiffness also depends on earlier ticks.
     this->Filter->SetSolverToPaper();
     std::vector<Point> zigzag;
     std::mt19937_64 engine(1);
@@ -33,7 +33,7 @@ protected:
     this->Filter->SetPathData(MakePath(zigzag));
   }
 
-  /// Expects that an array of the trace is the function of the array `argument`.
+  /// Expects that an array of the trace is the function of another array, `argument`.
   void Compare(const char* array, const char* argument, vtkPiecewiseFunction* function)
   {
     int outside = 0;
@@ -78,7 +78,7 @@ TEST_F(MaterialArrays, SurfaceStrengthIsStrengthTimesDistinctness)
     SCOPED_TRACE(seed);
     std::mt19937_64 engine(100 + seed);
     const Shape shape{ -1.0, true, seed % 2 == 0, false };
-    // Tests each function alone, while the other function is constant.
+    // Test each function alone, while the other function is constant.
     const auto strength = RandomFunction(engine, shape, 0.0, 900.0, 3.0);
     this->Property->SetSurfaceStrength(strength);
     SetConstant(this->Property->GetDistinctness(), 1.0);

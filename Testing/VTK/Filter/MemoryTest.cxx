@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests that running out of memory gives one error, and that the process goes on.
- */
+/** Tests that running out of memory causes one error, and that the process continues. */
 
 #include "Rigs/ApiRig.h"
 #include "Rigs/TemporaryFolder.h"
@@ -27,7 +25,7 @@
 
 namespace
 {
-/// Size (bytes) from which on allocations fail.
+/// Least size (bytes) of allocations that fail.
 std::atomic<std::size_t> Scarce{ std::numeric_limits<std::size_t>::max() };
 } // namespace
 
@@ -53,7 +51,7 @@ using namespace apitest;
 
 namespace
 {
-/// Source whose file is larger than the memory.
+/// A source whose file is larger than the memory.
 class GreedySource : public vtkImageAlgorithm
 {
 public:
@@ -76,7 +74,7 @@ protected:
   static void IsScarceFrom(std::size_t bytes) { Scarce = bytes; }
   static void IsPlenty() { Scarce = std::numeric_limits<std::size_t>::max(); }
 
-  /// Expects one error that has these words.
+  /// Expects one error that contains these words.
   static void Expect(MessageLog& log, const std::vector<std::string>& words)
   {
     ASSERT_EQ(log.Errors.size(), 1U);
@@ -170,8 +168,8 @@ TEST_F(Memory, RunsOutInPublish)
   EXPECT_FALSE(device->Start());
   Expect(this->Log, { "not enough memory", "port 0", "connect a new source" });
   EXPECT_FALSE(device->IsRunning());
-  // VTK's executive believes that the source still runs, so the filter refuses this source from now
-  // on.
+  // VTK's executive assumes that the source is still executing, so the filter must refuse this
+  // source from now on.
   EXPECT_FALSE(device->Start());
   EXPECT_FALSE(device->Publish());
   ASSERT_EQ(this->Log.Errors.size(), 2U);
@@ -196,7 +194,7 @@ TEST_F(Memory, RunsOutInPublish)
   EXPECT_TRUE(device->Publish());
 
   const std::string file = TemporaryPath("memory.vtp");
-  IsScarceFrom(1 << 10); // the journal begins with the settings, which need more memory
+  IsScarceFrom(1 << 10); // the journal starts with the settings, which need more memory
   EXPECT_FALSE(device->GetRecorder()->Start(file.c_str()));
   IsPlenty();
   Expect(log, { "not enough memory", "memory.vtp" });

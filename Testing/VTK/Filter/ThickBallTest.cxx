@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that a ball in thick slices is felt as in cubes of their finest spacing, wherever the
- * samples resolve its surface: with all presets, methods, estimators and radii. The ball's centre
- * is a sample; its edge is V = low + h Phi(-d / s), where d is the distance from the surface.
+ * Tests that a ball in thick slices has the same forces as in cubes of the slices' finest spacing,
+ * wherever the samples resolve its surface: with all presets, methods, estimators and radii. The
+ * ball's centre is a sample; its edge is V = low + h Phi(-d / s), where d is the distance from the
+ * surface.
  */
 
 #include "Rigs/ApiRig.h"
@@ -36,7 +37,7 @@ enum class Method
 };
 
 /// Slices whose thickness along `Axis` is `Ratio` times the fine spacing. The axes of the image may
-/// be turned.
+/// be rotated.
 struct Slices
 {
   double Ratio;
@@ -96,7 +97,7 @@ protected:
     this->Expected.clear();
   }
 
-  /// Presses into the ball from 3 mm outside, along a direction in the axes of the image.
+  /// Presses into the ball from 3 mm outside, along a direction in the image's axes.
   Press PressInto(const Slices& slices, const Point& direction)
   {
     vtkImageData* const image = this->GetBall(slices);
@@ -112,7 +113,8 @@ protected:
     {
       press.Force += out[axis] * Get(felt, "Force", PressTicks, axis);
     }
-    // The contact is the first place where the normal force exceeds a twentieth of the final force.
+    // The contact is the first place where the normal force exceeds one twentieth of the final
+    // force.
     for (vtkIdType tick = 0; tick <= PressTicks && std::isnan(press.Contact); ++tick)
     {
       if (Get(felt, "NormalForce", tick) > 0.05 * press.Force)
@@ -124,8 +126,8 @@ protected:
     return press;
   }
 
-  /// Expects the same contact as in cubes, within a quarter of the fine spacing, and the same
-  /// force, within the fraction `tolerance`.
+  /// Expects the same contact as in cubes within a quarter of the fine spacing, and the same force
+  /// within the fraction `tolerance`.
   void ExpectAsInCubes(const Slices& slices, const Point& direction, double tolerance)
   {
     SCOPED_TRACE(testing::Message()
@@ -161,10 +163,10 @@ protected:
   }
 
   /**
-   * Returns the fraction of a press on a plane wall that remains along the wall's normal n, if the
-   * wall is felt with the normal of central differences of radius 3. At the edge of the wall, the
-   * components of that normal are erf(3 S n / (sqrt(2) Blur)) / S. The fraction is the squared
-   * cosine of the angle between both normals.
+   * Returns the fraction of a press on a flat wall that remains along the wall's normal n if the
+   * normal is that of central differences of radius 3. At the edge of the wall, the components of
+   * that normal are erf(3 S n / (sqrt(2) Blur)) / S. The fraction is the squared cosine of the
+   * angle between both normals.
    */
   static double PressOnDifferences(const Slices& slices, const Point& direction)
   {
@@ -289,7 +291,7 @@ TEST_F(ThickBall, IsFeltWithEachKernelAsInCubes)
 TEST_P(ThickBallOfKernel, IsFeltWithEachPresetAsInCubes)
 {
   const auto& [method, estimator, radius] = this->GetParam();
-  // Meshes take long to make, and don't depend on the preset.
+  // Meshes are slow to make, and don't depend on the preset.
   const bool isMesh = method == Method::SurfaceProxy;
   for (const std::string& preset :
     isMesh ? std::vector<std::string>{ "CT contrast", "MRI" } : this->GetPresets())
@@ -310,8 +312,8 @@ TEST_P(ThickBallOfKernel, IsFeltWithEachPresetAsInCubes)
     }
     // In oblique directions, slices of 0.8 mm resolve the edge, except for the shift B of 0.005,
     // 0.025 and 0.038 mm by linear interpolation (Documentation/method.md, Thick slices). Kernels
-    // with a radius of 1 even out this shift. The normal of central differences leans; with a
-    // radius of 3 this counts for LOCAL_SURFACE, which presses along the normal.
+    // with a radius of 1 compensate this shift. The normal of central differences is tilted; with a
+    // radius of 3 this affects LOCAL_SURFACE, which presses along the normal.
     const bool isLocal = method == Method::LocalSurface;
     const bool leans = isLocal && estimator == 0 && radius == 3;
     const double tolerance = !isLocal ? 0.02 : estimator == 0 ? 0.07 : 0.025;

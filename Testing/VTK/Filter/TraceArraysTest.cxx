@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests the choice of a trace's arrays.
- */
+/** Tests the selection of a trace's arrays. */
 
 #include "Rigs/ApiRig.h"
 
@@ -38,13 +36,13 @@ protected:
 
 using Texts = std::vector<std::string>;
 
-/// Arrays that the class documentation of vtkVolumeHapticsFilter lists, except Label, DataTime, the
-/// eight ModeForce_i and the four arrays of every tool.
+/// Arrays in the class documentation of vtkVolumeHapticsFilter, except Label, DataTime, the eight
+/// ModeForce_i and the four arrays of every tool.
 const Texts All = { "Time", "Tip", "Force", "NormalForce", "FrictionForce", "DragForce", "Normal",
   "Value", "GradientMagnitude", "SurfaceValue", "MediumValue", "Stiffness", "Friction", "Viscosity",
   "SurfaceStrength", "Contact", "Unfinished", "Renewed", "Energy" };
 
-/// Reads the names of the arrays that the class documentation of each tool lists.
+/// Reads the names of the arrays in the class documentation of each tool.
 std::set<std::string> ReadArraysOfTools()
 {
   std::set<std::string> names;
@@ -204,8 +202,8 @@ TEST_F(TraceArrays, LabelsAreOneOfThem)
 
 TEST_F(TraceArrays, KeepTheirMemoryAsLongAsAnythingUsesIt)
 {
-  // Later traces reuse the memory of a deleted trace. They must not reuse memory that is in use: of
-  // an output, of an array, and of two arrays that share it.
+  // Later traces reuse the memory of a deleted trace. They must not reuse memory that is in use by
+  // an output, by an array, or by two arrays that share it.
   std::vector<vtkSmartPointer<vtkPolyData>> outputs;
   std::vector<vtkSmartPointer<vtkDataArray>> shared;
   const auto zOf = [](int run) { return 5.0 + 0.25 * run; };
@@ -234,7 +232,7 @@ TEST_F(TraceArrays, KeepTheirMemoryAsLongAsAnythingUsesIt)
     }
     else
     {
-      // Arrays that grow or are emptied release their memory themselves.
+      // Arrays that grow or are emptied release their memory.
       tips->Resize(2 * ticks);
       tips->InsertNextTuple3(1.0, 2.0, 3.0);
       EXPECT_NEAR(tips->GetComponent(ticks - 1, 2), 5 + zOf(run), 1e-9);

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests material functions with values that no material can have.
- */
+/** Tests material functions with values that are impossible for a material. */
 
 #include "Rigs/ApiRig.h"
 
@@ -62,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(All, BadValueTest, testing::ValuesIn(BadValues));
 
 TEST_F(ApiTest, LogarithmicScaleNeedsPositiveNodes)
 {
-  // On a logarithmic scale, vtkPiecewiseFunction has no finite value between nodes like these.
+  // On a logarithmic scale, vtkPiecewiseFunction has no finite value between such nodes.
   vtkPiecewiseFunction* const function = this->Property->GetStiffness();
   function->UseLogScaleOn();
   function->AddPoint(-100.0, 100.0);

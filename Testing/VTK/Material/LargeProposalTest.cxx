@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that ProposeFromImage, which reads only rows of a large volume, finds the same there as in
- * a small one: balls whose edges are known in closed form (ProposalRig.h), and the tissues of the
- * head phantom, in mirror images beside each other (the numbers of Data/phantom.py).
+ * Tests that ProposeFromImage(), which reads only some rows of a large volume, has the same results
+ * as for a small volume: for balls whose edges are known in closed form (ProposalRig.h), and for
+ * the tissues of the head phantom, in adjacent mirror images (the numbers of Data/phantom.py).
  */
 
 #include "ProposalRig.h"
@@ -22,7 +22,7 @@ constexpr int LargeSize = 408; // 68 million voxels; a volume counts as large ab
 constexpr double LargeMiddle = 0.5 * (LargeSize - 1);
 constexpr double OuterRadius = 173.0;
 constexpr double InnerRadius = 92.0;
-// Ratio of the balls' areas. Of 512 rows, some 290 meet the larger ball, and some 80 the smaller
+// Ratio of the balls' areas. Of 512 rows, about 290 cross the larger ball, and about 80 the smaller
 // ball.
 constexpr double Areas = OuterRadius * OuterRadius / (InnerRadius * InnerRadius);
 
@@ -30,10 +30,10 @@ class LargeProposal : public Proposal
 {
 protected:
   /// Makes two balls in air: three materials with the values 0, 100 and 250, and noise of 2 %.
-  /// Along the first axis, values change from a fraction `bias` below to a fraction `bias` above.
+  /// Along the first axis, a bias of the values increases from -`bias` to `bias` (as fractions).
   vtkSmartPointer<vtkImageData> MakeBalls(double outer, double inner, double bias)
   {
-    // The values by radius and the noise come from tables, which saves time with so many voxels.
+    // Look up the values by radius and the noise in tables, which saves time with so many voxels.
     constexpr int perVoxel = 64;
     std::vector<float> values;
     for (int i = 0; i <= 2 * LargeSize * perVoxel; ++i)
@@ -42,7 +42,7 @@ protected:
       values.push_back(static_cast<float>(
         100.0 * Phi((OuterRadius - r) / outer) + 150.0 * Phi((InnerRadius - r) / inner)));
     }
-    constexpr std::size_t noises = 1000003; // prime, so that the noise differs between rows
+    constexpr std::size_t noises = 1000003; // prime, so that rows have different noise
     Noise noise(Sigma);
     std::vector<float> noiseTable;
     for (std::size_t i = 0; i < noises; ++i)
@@ -101,7 +101,7 @@ TEST_F(LargeProposal, TheHeadPhantomsTissuesAreFound)
     vtkShortArray::SafeDownCast(head->GetOutput()->GetPointData()->GetScalars());
   ASSERT_NE(samples, nullptr);
   constexpr int n = 64;
-  constexpr int times = 7; // gives 90 million voxels
+  constexpr int times = 7; // results in 90 million voxels
   constexpr int size = times * n;
   ASSERT_EQ(samples->GetNumberOfTuples(), n * n * n);
   const auto mirror = [](int i) { return i / n % 2 == 0 ? i % n : n - 1 - i % n; };

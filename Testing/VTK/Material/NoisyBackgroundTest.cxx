@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests proposals for a background with noise, dark or bright, whose end is near the next material.
- * The background must not resist, and the functions of the other materials must be the same as
- * without noise.
+ * Tests proposals for a background with noise, dark or bright, that extends close to the next
+ * material. The background must not resist, and the functions of the other materials must be the
+ * same as without noise.
  */
 
 #include "Core/Proposal/MaterialProposal.h"
@@ -23,7 +23,7 @@ namespace
 {
 constexpr double Grey = 111.5; // grey level between 0 outside and 215 inside
 
-/// Makes a proposal from two boundaries. A `sign` of -1 exchanges bright and dark.
+/// Makes a proposal from two boundaries. A `sign` of -1 swaps bright and dark.
 MaterialProposal Propose(double sign, std::optional<double> end)
 {
   Boundary outer;
@@ -109,7 +109,7 @@ TEST(NoisyBackground, ResistsNothingHoweverNearTheNextMaterialIs)
         {
           EXPECT_EQ(ValueAt(line, sign * value), 0.0) << i << " at " << value;
         }
-        // Grains that reach a fourteenth of the way to the next material hold nothing.
+        // Grains that reach a fourteenth of the way to the next material must have no strength.
         const double grain = end + (Grey - end) / 14.0;
         EXPECT_EQ(ValueAt(noisy.SurfaceStrength, sign * grain), 0.0) << grain;
         for (const double value : { Grey, 160.0, 215.0, 300.0 })

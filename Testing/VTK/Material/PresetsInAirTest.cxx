@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that with every preset, a hand that presses through 60 mm of noisy air into a wall feels at
- * least 0.1 N at a depth of 5 mm. The hand must also feel the slopes of knobs of skin, on which it
- * slides off.
+ * Tests every preset with a hand that presses through 60 mm of noisy air into a wall: the force
+ * must reach 0.1 N at a depth of 5 mm. It must also do so on the slopes of knobs of skin, where the
+ * hand slides off.
  */
 
 #include "Rigs/ApiRig.h"
@@ -54,7 +54,7 @@ vtkSmartPointer<vtkImageData> MakeScan(const Scan& scan, double noise, unsigned 
   std::normal_distribution<double> random;
   for (int k = 0; k < depth; ++k)
   {
-    // The wall is a step between two samples, blurred as by a scanner.
+    // The wall is a step between two samples, blurred like a scanner's image.
     const double fraction = 0.5 * (1.0 + std::erf((k - Air) / (0.8 * std::sqrt(2.0))));
     const double value = isLabels ? (k >= Air ? scan.Inside : scan.Outside)
                                   : scan.Outside + fraction * (scan.Inside - scan.Outside);
@@ -151,7 +151,7 @@ TEST_P(PresetsInAir, LeaveNoWallUnfelt)
       const bool isOfValues = std::string(method.Name).find("_") == std::string::npos;
       if (scan.MostNoise == 0.0 && !isOfValues)
       {
-        continue; // skips the labels, which only PROXY feels
+        continue; // skips the labels, which only PROXY can touch
       }
       vtkNew<vtkVolumeHapticsFilter> filter;
       filter->GetProperty()->ApplyPreset(this->GetParam().c_str());
@@ -208,9 +208,9 @@ TEST_P(PresetsInAir, LeaveNoSlopeUnfelt)
   }
 }
 
-/// In front of a wall of 60 HU lies a plateau. A plateau of at most -420 HU counts as a blanket:
-/// the hand passes it and feels the wall. From -400 HU on, the plateau counts as skin, and is felt
-/// instead of the wall.
+/// A plateau precedes a wall of 60 HU. A plateau of at most -420 HU is a blanket, which the hand
+/// penetrates until it touches the wall. A plateau of at least -400 HU is skin, which the hand
+/// touches instead of the wall.
 TEST(PresetsAtTheEdgeOfSkin, PhysicalPassesABlanketAndHoldsSkin)
 {
   constexpr double plateau = 12.0; // mm
@@ -230,7 +230,7 @@ TEST(PresetsAtTheEdgeOfSkin, PhysicalPassesABlanketAndHoldsSkin)
       MakePath(Line({ 18.0, 18.0, 1.0 }, { 18.0, 18.0, wall + 2.0 * Deep }, 640)));
     filter->Update();
     vtkPolyData* const felt = filter->GetOutput();
-    double place = 0.0; // position (mm) of the surface that holds the first 0.1 N
+    double place = 0.0; // position (mm) of the first 0.1 N
     for (vtkIdType i = 0; i < felt->GetNumberOfPoints() && place == 0.0; ++i)
     {
       const double force =

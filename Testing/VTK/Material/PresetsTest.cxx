@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that the presets have the values of the tables in Documentation/materials.md, and the
+ * Tests that the presets have the values in the tables of Documentation/materials.md, and the
  * properties that the document states for all presets.
  */
 
@@ -33,7 +33,7 @@ struct Tissue
   double Low = -Endless;
   double High = Endless;
   double Values[4] = {};
-  double Lows[4] = {}; ///< beginnings of the values: Low, or the number after "from"
+  double Lows[4] = {}; ///< start of the values: Low, or the number after "from"
 };
 
 /// Returns the cells of a row of a Markdown table.
@@ -137,7 +137,7 @@ TEST_F(Presets, AreThoseOfTheTables)
           EXPECT_NEAR(this->Functions()[f]->GetValue(value), tissue.Values[f], 1e-12)
             << tissue.Name << " at " << value << ", function " << f;
         }
-        if (t > 0) // a value in the middle between two rows
+        if (t > 0) // a value halfway between two rows
         {
           const double middle = 0.5 * (table[t - 1].High + tissue.Lows[f]);
           EXPECT_NEAR(this->Functions()[f]->GetValue(middle),
@@ -191,8 +191,8 @@ TEST_F(Presets, MriTakesUpItsSurfacesSlowly)
 
 TEST_F(Presets, MriIsFittedToTheGreyLevelsOfAnImage)
 {
-  // The head has grey matter, mostly, and white matter. Its grey levels are multiplied by 2^n, so
-  // that functions scale exactly. Forces must not depend on the factor.
+  // The head has mostly grey matter, and white matter. Its grey levels are multiplied by 2^n, so
+  // that functions scale exactly. The forces must not depend on the factor.
   vtkNew<vtkVolumeHapticsFilter> filter;
   filter->SetPathData(MakePath(Line({ 15.5, 15.5, 0.5 }, { 15.5, 15.5, 14.5 }, 200)));
   std::vector<double> expected;
@@ -208,7 +208,7 @@ TEST_F(Presets, MriIsFittedToTheGreyLevelsOfAnImage)
         return times * (brain + 3.0 * noise);
       });
     ASSERT_TRUE(this->Property->ApplyPreset("MRI", head));
-    // The table has these values in its rows "background" and "grey matter, muscle".
+    // The table has these values in the rows "background" and "grey matter, muscle".
     EXPECT_EQ(this->Property->GetSurfaceStrength()->GetValue(times * 8.0), 0.0);
     EXPECT_NEAR(this->Property->GetSurfaceStrength()->GetValue(times * 83.0), 1.4, 0.1);
     EXPECT_GT(this->Property->GetSurfaceStrength()->GetValue(times * 120.0), 1.8);
@@ -252,8 +252,8 @@ TEST_F(Presets, MriIsFittedToTheValuesThatFunctionsTake)
 
 TEST_F(Presets, MriFeelsEdgesOfCoarseVoxels)
 {
-  // The samples are the same for any voxel width, so an edge has the same values on both sides, one
-  // voxel apart. The edge must hold the same force.
+  // The samples are the same for every voxel width, so an edge has the same values on both sides,
+  // one voxel apart. The edge must resist with the same force.
   vtkNew<vtkVolumeHapticsFilter> filter;
   double expected = 0.0;
   for (const double width : { 1.0, 0.5, 2.0, 4.0 })
@@ -283,7 +283,7 @@ TEST_F(Presets, MriFeelsEdgesOfCoarseVoxels)
     EXPECT_GT(largest, 0.5);
     EXPECT_NEAR(largest, expected, 0.1 * expected);
   }
-  // The mean of the voxel widths counts in thick slices.
+  // In thick slices, use the mean of the voxel widths.
   const auto thick = MakeImage(32, VTK_DOUBLE,
     [](const Point& x)
     { return 45.0 * std::erfc(std::hypot(x[0] - 15.5, x[1] - 15.5, x[2] - 15.5) - 11.0); });
@@ -300,8 +300,8 @@ TEST_F(Presets, MriFeelsEdgesOfCoarseVoxels)
 
 TEST_F(Presets, MriHasNoStrengthInTheNoiseOfAnImage)
 {
-  // MRI gives the magnitude of a complex signal with normal noise. Without a signal, the magnitude
-  // has Rayleigh's distribution, whose mean is sqrt(pi/2) standard deviations.
+  // MRI measures the magnitude of a complex signal with normal noise. Without a signal, the
+  // magnitude has Rayleigh's distribution, whose mean is sqrt(pi/2) standard deviations.
   constexpr double sigma = 2.3;
   constexpr double body = 60.0;
   std::mt19937_64 engine(5);
@@ -320,13 +320,13 @@ TEST_F(Presets, MriHasNoStrengthInTheNoiseOfAnImage)
   vtkPiecewiseFunction* const strength = this->Property->GetSurfaceStrength();
   EXPECT_EQ(strength->GetValue(brightest), 0.0);
   EXPECT_EQ(this->Property->GetViscosity()->GetValue(brightest), 0.0);
-  // The background ends at 14.4, five times the mean of the noise. Without noise it would end at 8,
-  // which is 12 times 60/90.
+  // The background ends at 14.4, five times the mean of the noise. Without noise, it would end at
+  // 8, which is 12 times 60/90.
   const double end = 5.0 * std::sqrt(std::acos(0.0)) * sigma;
   EXPECT_EQ(strength->GetValue(0.97 * end), 0.0);
   EXPECT_GT(strength->GetValue(1.03 * end), 0.0);
   EXPECT_GE(strength->GetValue(body), 0.8) << "as fluid";
-  // The height of distinct edges scales with the brightness of the body: 70 for a body of 90.
+  // The height of distinct edges must scale with the brightness of the body: 70 for a body of 90.
   vtkPiecewiseFunction* const distinct = this->Property->GetDistinctness();
   EXPECT_EQ(distinct->GetValue(70.0 * body / 90.0 * 1.03), 1.0);
   EXPECT_LT(distinct->GetValue(70.0 * body / 90.0 * 0.97), 1.0);
@@ -346,8 +346,8 @@ TEST_F(Presets, MriHasNoStrengthInTheNoiseOfAnImage)
 
 TEST_F(Presets, MriTakesNoTissueForNoise)
 {
-  // Grey matter is the darker cluster in a brain without surroundings. It must not count as a
-  // background of noise.
+  // In a brain without surroundings, grey matter is the darker cluster. It must not count as a
+  // noisy background.
   const auto brain = MakeImage(32, VTK_DOUBLE,
     [](const Point& x)
     { return 75.0 + 20.0 * std::erfc(std::hypot(x[0] - 15.5, x[1] - 15.5, x[2] - 15.5) - 11.0); });
@@ -374,10 +374,10 @@ TEST_F(Presets, AnImageIsLookedAtOnlyIfThereIsNoUnit)
 TEST_F(Presets, PhysicalHasThePublishedLiver)
 {
   ASSERT_TRUE(this->Property->ApplyPreset("CT physical"));
-  // The expected stiffness is 2 E a / (1 - nu^2), for a shear modulus of 1.8 kPa and a = 2 mm.
+  // The expected stiffness is 2 E a / (1 - nu^2), with a shear modulus of 1.8 kPa and a = 2 mm.
   EXPECT_NEAR(this->Property->GetStiffness()->GetValue(55.0), 28.0, 1.0);
-  // The expected stiffness follows from the same formula for a Young's modulus of 10 kPa, the
-  // softest published value of skin in place.
+  // The expected stiffness follows from the same formula with a Young's modulus of 10 kPa, the
+  // softest published value of skin in vivo.
   EXPECT_NEAR(this->Property->GetStiffness()->GetValue(-100.0), 2.0 * 10e3 * 2e-3 / 0.75, 1.0);
   const double friction = this->Property->GetFriction()->GetValue(1000.0);
   EXPECT_TRUE(friction >= 0.29 && friction <= 0.36) << "bone on muscle";
@@ -444,7 +444,7 @@ TEST_F(Presets, EveryPresetMakesSense)
       EXPECT_EQ(used->GetStiffness()->GetValue(value), k) << "whatever was there before";
     }
     vtkPiecewiseFunction* const distinct = used->GetDistinctness();
-    if (name == "Micro-CT" || name == "Labels") // presets for values of any unit
+    if (name == "Micro-CT" || name == "Labels") // presets for values without a fixed unit
     {
       EXPECT_EQ(distinct->GetSize(), 0);
       EXPECT_TRUE(used->GetDistinctnessFromNoise());

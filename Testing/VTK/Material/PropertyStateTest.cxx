@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests other state of vtkHapticProperty: component, side and visibility.
- */
+/** Tests the remaining state of vtkHapticProperty: component, side and visibility. */
 
 #include "Rigs/ApiRig.h"
 

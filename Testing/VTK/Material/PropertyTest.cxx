@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests vtkHapticProperty alone: the objects that it owns, the changes that count as a
- * modification, and what it prints and copies.
+ * Tests vtkHapticProperty alone: the objects that it owns, which changes update the modification
+ * time, and what it prints and copies.
  */
 
 #include "Rigs/ApiRig.h"

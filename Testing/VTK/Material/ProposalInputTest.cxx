@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests images for ProposeFromImage: every scalar type, any unit, components, NaN, and images from
- * which nothing can be proposed.
+ * Tests images for ProposeFromImage(): every scalar type, any unit, components, NaN, and images
+ * without a proposal.
  */
 
 #include "ProposalRig.h"
@@ -105,7 +105,7 @@ const Useless UselessImages[] = {
     },
     { "\"Density\"", "noise", "vtkImageGaussianSmooth" } },
   { "NoEdge", [] { return apitest::MakeRamp(48); }, { "\"Density\"", "edge", "by hand" } },
-  // The edge is too wide. Rounding to float adds a little noise to the image.
+  // The edge is too wide for a proposal. Rounding to float adds a little noise to the image.
   { "WideEdge",
     []
     {
@@ -162,7 +162,7 @@ TEST_P(ProposalRefusal, NamesTheInputAndChangesNothing)
 INSTANTIATE_TEST_SUITE_P(ProposalInput, ProposalRefusal, testing::ValuesIn(UselessImages),
   [](const auto& test) { return test.param.Name; });
 
-// Results that have the unit of the values must scale with this unit.
+// Results in the unit of the values must scale with this unit.
 TEST_F(ProposalInput, UnitsDoNotMatter)
 {
   vtkNew<vtkHapticProperty> other;
@@ -254,7 +254,7 @@ TEST_F(ProposalInput, StepsAreEdges)
   EXPECT_EQ(this->Property->GetSurfaceStrength()->GetValue(1.0), 12.0);
 }
 
-// The same voxels must be read in the same order with any number of threads.
+// Any number of threads must read the same voxels in the same order.
 TEST_F(ProposalInput, RepetitionsAgreeToTheBit)
 {
   Noise noise(1.0);

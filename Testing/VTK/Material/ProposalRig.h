@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Rig of nested balls with blurred edges, and of the results of proposals. An edge blurred by a
+ * Fixture with nested balls with blurred edges, and the results of proposals. An edge blurred by a
  * Gaussian of scale s is V1 + (V2 - V1) Phi(x/s), where Phi is the normal distribution: the closed
  * form of Kindlmann and Durkin, "Semi-automatic generation of transfer functions for direct volume
- * rendering", 1998. Nothing here uses the project's own kernels.
+ * rendering", 1998. This file uses none of the project's kernels.
  */
 #ifndef ProposalRig_h
 #define ProposalRig_h
@@ -55,8 +55,7 @@ inline double Value(const std::vector<Ball>& balls, const Point& x, int size = S
 constexpr double Range = 250.0;        // range of the values of the three materials
 constexpr double Sigma = 0.02 * Range; // standard deviation of their noise
 
-/// Returns the balls for three materials with the values 0, 100 and 250, whose edges have these
-/// widths s.
+/// Returns the balls for three materials with the values 0, 100 and 250 and these edge widths s.
 inline std::vector<Ball> ThreeMaterials(double outer, double inner)
 {
   return { { 34.0, 100.0, outer }, { 18.0, 150.0, inner } };
@@ -111,7 +110,7 @@ inline std::array<double, 2> NodeOf(vtkPiecewiseFunction* function, int n)
   return { node[0], node[1] };
 }
 
-/// Tests of proposals for three materials with noise, and for the head phantom.
+/// Tests proposals for three materials with noise, and for the head phantom.
 class Proposal : public testing::Test
 {
 protected:
@@ -133,8 +132,8 @@ protected:
   /// Expects that the distinctness starts above the noise, and ends below the slope of every edge.
   void ExpectDistinctness(double leastStep, double width)
   {
-    // The integrals of G^2 and G'^2 give the noise that is left of white noise after the derivative
-    // of a Gaussian of scale t. An edge of width s then has the width sqrt(s^2 + t^2).
+    // The integrals of G^2 and G'^2 determine how much white noise remains after the derivative of
+    // a Gaussian of scale t, which widens an edge of width s to sqrt(s^2 + t^2).
     const double t = 0.5 * this->Property->GetProposedKernelRadius();
     const double noise = Sigma / (4.0 * std::pow(vtkMath::Pi(), 0.75) * std::pow(t, 2.5));
     const double arc = leastStep / (std::sqrt(2.0 * vtkMath::Pi()) * std::hypot(width, t));

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the functions that ProposeFromImage finds. The volumes have edges that are known in closed
- * form, and the tissues of the head phantom are known from Data/phantom.py.
+ * Tests the functions that ProposeFromImage() proposes. The volumes have edges that are known in
+ * closed form; Data/phantom.py defines the tissues of the head phantom.
  */
 
 #include "ProposalRig.h"
@@ -90,8 +90,8 @@ TEST_F(Proposal, StrengthsAreInProportionAndTheInnermostIsTheStrongest)
   }
 }
 
-// Steep functions make the force rough. So a step between two materials must take at least half of
-// the way from value to value, and the function must be constant around each value.
+// Steep functions make the force rough. So a step between two materials must extend over at least
+// half of the interval between their values, and the function must be constant around each value.
 TEST_F(Proposal, MaterialsAreConstantAndBlendsAreWide)
 {
   const auto image = apitest::MakeImage(
@@ -108,8 +108,8 @@ TEST_F(Proposal, MaterialsAreConstantAndBlendsAreWide)
   }
 }
 
-// The hand must feel the balls from outside, where their surfaces are, with the strengths of the
-// functions.
+// Touched from outside, the balls must have their surfaces at the true positions, with the
+// strengths of the functions.
 TEST_F(Proposal, SurfacesAreFelt)
 {
   Noise noise(Sigma);
@@ -124,7 +124,7 @@ TEST_F(Proposal, SurfacesAreFelt)
   filter->Update();
   vtkPolyData* const trace = filter->GetOutput();
   double before = 0.0; // force at the outer ball
-  double after = 0.0;  // force at the inner ball: the tip ends 10 mm inside, and 500 N/m give 5 N
+  double after = 0.0; // force at the inner ball: the tip ends 10 mm inside, where 500 N/m give 5 N
   for (vtkIdType i = 0; i < trace->GetNumberOfPoints(); ++i)
   {
     const double force = -apitest::Get(trace, "Force", i, 2);
@@ -164,7 +164,7 @@ TEST_F(Proposal, DarkInsideBrightIsFeltFromBothSides)
   EXPECT_NEAR(strength->GetValue(120.0), 3.0 * 130.0 / 250.0, 0.02);
 }
 
-// Widths and slopes must be in world units, also in a volume that is turned and stretched.
+// Widths and slopes must be in world units, even in a volume that is rotated and stretched.
 TEST_F(Proposal, WidthsAreInWorldUnits)
 {
   const double spacing[3] = { 0.6, 0.8, 1.1 };
@@ -184,7 +184,7 @@ TEST_F(Proposal, WidthsAreInWorldUnits)
   const std::vector<Found> found = Boundaries(this->Property);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NEAR(found[0].Width, width, 0.05 * width);
-  // The kernel radius must be about twice the width of the edge, since V(x_s) is read at this
+  // The kernel radius must be about twice the width of the edge, because V(x_s) is read at this
   // distance.
   EXPECT_GE(1.1 * this->Property->GetProposedKernelRadius(), 2.0 * 0.95 * width);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests tissues of a property: their names and ranges, and their materials in the functions. Ramps
+ * Tests a property's tissues: their names and ranges, and their materials in the functions. Ramps
  * are straight lines, whose values are computed by hand.
  */
 
@@ -88,7 +88,7 @@ TEST_F(Tissues, OfAPresetHaveItsMaterials)
   ASSERT_TRUE(this->Property->ApplyPreset("CT contrast"));
   ASSERT_EQ(this->Property->GetNumberOfTissues(), 7);
   EXPECT_STREQ(this->Property->GetTissueName(2), "fat");
-  // Documentation/materials.md has these values in a table.
+  // The expected values are in a table of Documentation/materials.md.
   EXPECT_DOUBLE_EQ(this->Property->GetTissueStiffness(2), 400.0);
   EXPECT_DOUBLE_EQ(this->Property->GetTissueFriction(2), 0.18);
   EXPECT_DOUBLE_EQ(this->Property->GetTissueViscosity(2), 0.30);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that voxels hidden by a volume property's opacities are not felt: surface strength and
- * viscosity are zero exactly there, also for a proxy at a hidden value.
+ * Tests that voxels that a volume property's opacities hide are not felt: surface strength and
+ * viscosity must be zero exactly there, even for a proxy at a hidden value.
  */
 
 #include "Rigs/ApiRig.h"
@@ -39,8 +39,8 @@ protected:
     this->Property->SetVisibilityFrom(this->Volume);
   }
 
-  /// Returns 1 if a value is visible and 0 if it is hidden. Returns -1 if rounding decides, or the
-  /// table's error beside a steep curve. An empty function hides nothing.
+  /// Returns 1 if a value is visible, 0 if it is hidden, and -1 if the result depends on rounding,
+  /// or on the table's error near a steep curve. An empty function hides nothing.
   static int Look(vtkPiecewiseFunction* opacity, double x)
   {
     if (opacity->GetSize() == 0)
@@ -74,7 +74,8 @@ protected:
 
   void ExpectHiddenExactly(vtkPiecewiseFunction* scalar, vtkPiecewiseFunction* gradient)
   {
-    // A visible surface has no strength in front of the middle of its edge with the alignment EDGE.
+    // With the alignment EDGE, a visible surface has no strength in front of the middle of its
+    // edge.
     for (const int alignment :
       { vtkVolumeHapticsFilter::EDGE, vtkVolumeHapticsFilter::DISTINCTNESS })
     {
@@ -103,8 +104,8 @@ protected:
     }
   }
 
-  /// Makes a function with about half of its nodes at zero. It has plateaus, spikes, and points
-  /// that touch zero.
+  /// Makes a function in which about half of the nodes are zero. It has plateaus, spikes, and
+  /// points that touch zero.
   static vtkSmartPointer<vtkPiecewiseFunction> RandomOpacity(int seed, double width)
   {
     std::mt19937_64 engine(seed);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests attaching, editing and detaching the volume property that decides which voxels are felt.
+ * Tests attaching, editing and detaching the volume property that determines which voxels are felt.
  */
 
 #include "Rigs/ApiRig.h"
@@ -28,7 +28,7 @@ protected:
     this->Opacity->AddPoint(700.0, 0.0);
     this->Opacity->AddPoint(701.0, 1.0);
     this->Volume->SetScalarOpacity(this->Opacity);
-    // PAPER reports the material at the beginning of a tick, which is easy to predict.
+    // PAPER reports the material at the beginning of a tick, which is easily predicted.
     this->Filter->SetSolverToPaper();
   }
 
@@ -45,7 +45,7 @@ TEST_F(VisibilityUse, AttachEditDetach)
   this->Property->SetVisibilityFrom(this->Volume);
   EXPECT_EQ(Get(this->Run(51), "SurfaceValue", 1), 700.0);
   EXPECT_EQ(this->StrengthAt(1), 0.0);
-  // A hidden surface must not hold the proxy, which stays at the tip without a force.
+  // A hidden surface must not stop the proxy, which stays at the tip without a force.
   EXPECT_EQ(Get(this->Run(51), "Force", 1, 2), 0.0);
 
   this->Opacity->AddPoint(650.0, 0.25);
@@ -68,8 +68,7 @@ TEST_F(VisibilityUse, NothingElseIsScaled)
     EXPECT_EQ(Get(output, "Stiffness", tick), 500.0);
     EXPECT_EQ(Get(output, "Friction", tick), 0.3);
   }
-  // A voxel is either hidden or visible, so a nearly transparent voxel is felt with its whole
-  // strength.
+  // A voxel is either hidden or visible, so a nearly transparent voxel must have its full strength.
   SetConstant(this->Opacity, 0.01);
   EXPECT_EQ(this->StrengthAt(1), 2.0);
 }
@@ -111,8 +110,8 @@ TEST_F(VisibilityUse, ForceFieldIsNotConcerned)
 
 TEST_F(VisibilityUse, AWideEdgeIsFeltWhereItIsSeen)
 {
-  // A step to 50, blurred by 2 mm, is visible from the value 47 on. This is 2 mm x 1.5548 behind
-  // the middle of the step, where 1.5548 is the 0.94 quantile of the normal distribution.
+  // A step to 50, blurred by 2 mm, is visible for values of at least 47. This is 2 mm x 1.5548
+  // behind the middle of the step, where 1.5548 is the 0.94 quantile of the normal distribution.
   this->Image = MakeImage(34, VTK_DOUBLE,
     [](const Point& p) { return 25.0 * std::erfc((14.0 - p[2]) / std::sqrt(8.0)); });
   this->Filter->SetInputDataObject(0, this->Image);
@@ -123,7 +122,8 @@ TEST_F(VisibilityUse, AWideEdgeIsFeltWhereItIsSeen)
   this->Filter->SetSolverToPrecise();
   this->Filter->SetPathData(MakePath(Line({ 16, 16, 6 }, { 16, 16, 20 }, 140)));
   vtkPolyData* const output = this->Run(141);
-  // The picture is linear between the samples at 17 and 18, whose values are 46.66 and 48.86.
+  // The rendered values are linear between the samples at 17 and 18, whose values are 46.66 and
+  // 48.86.
   const double below = 25.0 * std::erfc(-3.0 / std::sqrt(8.0));
   const double above = 25.0 * std::erfc(-4.0 / std::sqrt(8.0));
   const double seen = 17.0 + (47.0 - below) / (above - below);
@@ -181,8 +181,8 @@ TEST_F(VisibilityUse, NothingIsFeltBesideTheVolume)
 
 TEST_F(VisibilityUse, LabelsThatAreShownByNearestSamplesAreFeltByThem)
 {
-  // Values step from 0 to 90 between z = 14 and z = 15, and are visible from 1 on. At z = 14.1 the
-  // blend of both samples is visible, but the nearest sample is not.
+  // Values step from 0 to 90 between z = 14 and z = 15, and are visible from 1 upwards. At z =
+  // 14.1, the interpolated value is visible, but the nearest sample is not.
   this->Image = MakeImage(30, VTK_DOUBLE, [](const Point& p) { return p[2] < 14.5 ? 0.0 : 90.0; });
   this->Filter->SetInputDataObject(0, this->Image);
   SetConstant(this->Property->GetViscosity(), 0.2);
@@ -198,7 +198,7 @@ TEST_F(VisibilityUse, LabelsThatAreShownByNearestSamplesAreFeltByThem)
     this->Filter->SetPathData(MakePath(Line({ 6, 16, z }, { 26, 16, z }, 200)));
     return Get(this->Run(201), "Viscosity", 150);
   };
-  // The drag R belongs to the value behind the proxy, which is the hidden side here.
+  // The drag R is that of the value behind the proxy, which is on the hidden side here.
   this->Property->SetSurfaceSideToLower();
   this->Volume->SetInterpolationTypeToLinear();
   EXPECT_GT(drag(14.1), 0.1);
@@ -209,7 +209,7 @@ TEST_F(VisibilityUse, LabelsThatAreShownByNearestSamplesAreFeltByThem)
 
 TEST_F(VisibilityUse, AThinSheetThatIsSeenHolds)
 {
-  // The sheet has a largest value of 60, and is visible from 50 on.
+  // The sheet has a largest value of 60, and is visible for values of at least 50.
   this->Image = MakeImage(34, VTK_DOUBLE,
     [](const Point& p) { return 60.0 * std::exp(-0.5 * std::pow((p[2] - 16.0) / 0.8, 2.0)); });
   this->Filter->SetInputDataObject(0, this->Image);
@@ -220,7 +220,7 @@ TEST_F(VisibilityUse, AThinSheetThatIsSeenHolds)
   this->Filter->SetPathData(MakePath(Line({ 16, 16, 6 }, { 16, 16, 18 }, 120)));
   EXPECT_LT(Get(this->Run(121), "Force", 115, 2), -0.5);
   this->Property->SetVisibilityFrom(this->Volume);
-  // The picture is linear between the samples at z = 15 and z = 16.
+  // The rendered values are linear between the samples at z = 15 and z = 16.
   const double below = 60.0 * std::exp(-0.5 / (0.8 * 0.8));
   const double seen = 15.0 + (50.0 - below) / (60.0 - below);
   EXPECT_NEAR(Get(this->Run(121), "Force", 115, 2), -500.0 * 1e-3 * (17.5 - seen), 1e-3);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests markups of 3D Slicer. The files were written by hand from the published schema
+ * Tests 3D Slicer's markups. The files were written by hand from the published schema
  * (Modules/Loadable/Markups/Resources/Schema/markups-schema-v1.0.3.json of 3D Slicer) and from the
  * example in its developer's guide, "Markups json file format", not by the code under test.
  */
@@ -63,7 +63,7 @@ protected:
 
 TEST_F(Markups, ReadsTheExampleOfTheDevelopersGuide)
 {
-  // This example has version 1.0.0. It has no units, and no status of positions.
+  // This example has version 1.0.0, without units and status of positions.
   ASSERT_TRUE(this->Read(
     R"({"@schema": "https://raw.githubusercontent.com/Slicer/Slicer/main/Modules/Loadable/Markups/Resources/Schema/markups-schema-v1.0.0.json#",
 "markups": [{"type": "Fiducial", "coordinateSystem": "LPS", "controlPoints": [
@@ -200,7 +200,7 @@ TEST_F(Markups, WritesWhatTheSchemaAllows)
   const Json::Value& markups = root["markups"];
   ASSERT_EQ(markups.size(), 5u) << "the two points are one list";
   const char* const types[] = { "Fiducial", "Line", "Angle", "Curve", "ClosedCurve" };
-  // The schema allows these members of a control point and of a measurement.
+  // Members of a control point and of a measurement that the schema allows.
   const std::set<std::string> ofPoint = { "id", "label", "description", "associatedNodeID",
     "position", "orientation", "selected", "locked", "visibility", "positionStatus" };
   const std::set<std::string> ofMeasurement = { "name", "enabled", "value", "units", "description",

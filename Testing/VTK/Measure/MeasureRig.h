@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Rig of a list of measurements whose messages are recorded, with comparisons of lists.
- */
+/** Fixture for a list of measurements whose messages are recorded, with comparisons of lists. */
 #ifndef MeasureRig_h
 #define MeasureRig_h
 
@@ -38,7 +36,7 @@ inline std::string WriteTextFile(const std::string& name, const std::string& tex
   return File(name);
 }
 
-/// Makes felt points 1 ms apart, each with a force along z and a value.
+/// Makes touched points 1 ms apart, each with a force along z and a value.
 inline vtkSmartPointer<vtkPolyData> MakeFelt(const std::vector<Point>& positions)
 {
   vtkNew<vtkPoints> points;
@@ -82,7 +80,8 @@ inline void ExpectSameArray(vtkPolyData* a, vtkPolyData* b, const char* name)
   }
 }
 
-/// Expects two lists with the same names, kinds, values, points, cells and felt arrays, to the bit.
+/// Expects two lists with bitwise identical names, kinds, values, points, cells and arrays of
+/// touched points.
 inline void ExpectSame(vtkHapticMeasurements* a, vtkHapticMeasurements* b)
 {
   ASSERT_EQ(a->GetNumberOfMeasurements(), b->GetNumberOfMeasurements());
@@ -99,7 +98,7 @@ inline void ExpectSame(vtkHapticMeasurements* a, vtkHapticMeasurements* b)
     ASSERT_EQ(first->GetNumberOfCells(), second->GetNumberOfCells());
     if (a->GetKind(i) == vtkHapticMeasurements::AREA)
     {
-      // The corners are compared by position, since a format may number them in another order.
+      // Compare the corners by position, because a format may number them in another order.
       for (vtkIdType cell = 0; cell < first->GetNumberOfCells(); ++cell)
       {
         for (int corner = 0; corner < 3; ++corner)
@@ -125,7 +124,7 @@ inline void ExpectSame(vtkHapticMeasurements* a, vtkHapticMeasurements* b)
 class MeasureTest : public testing::Test
 {
 protected:
-  /// Expects one error that has all these words.
+  /// Expects one error that contains all these words.
   void ExpectError(const std::vector<std::string>& words)
   {
     ASSERT_EQ(this->Log.Errors.size(), 1u);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that files of measurements give the same list when they are read, and that errors tell why
- * a file can't be read.
+ * Tests that reading a file of measurements reproduces the list, and that errors state why a file
+ * can't be read.
  */
 
 #include "MeasureRig.h"
@@ -25,7 +25,7 @@ struct GermanNumbers : std::numpunct<char>
   std::string do_grouping() const override { return "\3"; }
 };
 
-/// Adds a measurement of each kind. Its numbers need all digits, and its name needs quotes.
+/// Adds a measurement of each kind, with numbers that need all digits and names that need quotes.
 void Fill(vtkHapticMeasurements* list)
 {
   using M = vtkHapticMeasurements;
@@ -91,7 +91,7 @@ TEST_F(MeasurementFiles, ComeBackToTheBit)
   }
 }
 
-/// Planned measurements, which were not touched, have positions only: no force, value or time.
+/// Planned measurements, which no hand has touched, have only positions: no force, value or time.
 TEST_F(MeasurementFiles, OfPositionsAloneComeBack)
 {
   for (const char* const name : { "Plan.csv", "Plan.vtp", "Plan.mrk.json" })

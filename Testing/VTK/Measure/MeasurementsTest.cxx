@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests values of measurements on a sphere against closed forms of elementary geometry, and the
+ * Tests the values of measurements on a sphere against closed forms of elementary geometry, and the
  * list of measurements.
  */
 
@@ -20,7 +20,7 @@ namespace
 {
 constexpr double Radius = 40.0; // mm
 
-/// Returns a point on a sphere around (10, -20, 30) by its angles in degrees.
+/// Returns the point on a sphere around (10, -20, 30) at these angles in degrees.
 Point OnSphere(double longitude, double latitude)
 {
   const double u = longitude * vtkMath::Pi() / 180.0;
@@ -44,7 +44,7 @@ TEST_F(MeasureTest, ADistanceOnASphereIsItsChord)
 
 TEST_F(MeasureTest, AnAngleOnACircleIsHalfOfThatAtItsCentre)
 {
-  // Euclid III.20: an inscribed angle is half of the central angle. Over a diameter it is a right
+  // Euclid III.20: an inscribed angle is half of the central angle. Over a diameter, it is a right
   // angle.
   for (const double arc : { 20.0, 90.0, 180.0, 300.0 })
   {
@@ -125,7 +125,7 @@ TEST_F(MeasureTest, LengthsHaveTheUnitOfTheWorld)
   this->List->SetMetersPerWorldUnit(1e-6);
   EXPECT_EQ(this->List->GetUnit(0), "um");
   EXPECT_EQ(this->List->GetText(0), "d: 2.50 \xC2\xB5m");
-  this->List->SetMetersPerWorldUnit(0.0254); // an inch has no name in the list of units
+  this->List->SetMetersPerWorldUnit(0.0254); // inches are not in the list of units
   EXPECT_NEAR(this->List->GetValue(0), 63.5, 1e-12);
   EXPECT_EQ(this->List->GetText(0), "d: 63.5 mm");
 }

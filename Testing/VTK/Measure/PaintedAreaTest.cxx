@@ -4,9 +4,9 @@
 /**
  * Tests areas that a brush paints against closed forms. A dab on a plane or a sphere covers pi r^2
  * (on a sphere, the cap within a chord of r). A straight stroke on a plane covers 2 r L + pi r^2.
- * The border is a polygon with a corner on each edge of the surface's triangles. Edges are up to
- * the diagonal of a voxel h long, so the relative error of an area is at most (h / r)^2 / 4: 1.6 %
- * for a radius of four voxels, 0.4 % for a radius of eight.
+ * The border is a polygon with a corner on each edge of the surface's triangles. Edges are at most
+ * as long as the diagonal of a voxel h, so the relative error of an area is at most (h / r)^2 / 4:
+ * 1.6 % for a radius of four voxels, 0.4 % for a radius of eight.
  */
 
 #include "MeasureRig.h"
@@ -70,7 +70,7 @@ protected:
 
 TEST_F(PaintedArea, ADabOnAPlaneIsADisc)
 {
-  // The plane is oblique, so that it cuts voxels in every way.
+  // The plane is oblique, so that it cuts voxels in all ways.
   const auto plane =
     Sample([](const Point& x) { return (x[0] + 2.0 * x[1] + 3.0 * x[2] - 0.3) / std::sqrt(14.0); });
   for (const double radius : { 4.0, 8.0 })
@@ -105,8 +105,8 @@ TEST_F(PaintedArea, ADabOnASphereIsTheCapWithinAChord)
 
 TEST_F(PaintedArea, ABrushThatCoversASphereHasAllOfIt)
 {
-  // The triangles lie inside the sphere, and both of their directions together lack up to (h / R)^2
-  // / 2 of the area.
+  // The triangles are inside the sphere, and in total lack up to (h / R)^2 / 2 of the area for both
+  // of their directions.
   EXPECT_NEAR(
     this->Paint(MakeSphere(8.0), { { 0.0, 0.0, 9.0 } }, 20.0) / (4.0 * vtkMath::Pi() * 64.0), 1.0,
     0.5 / 64.0);
@@ -128,7 +128,7 @@ TEST_F(PaintedArea, TheOtherSideOfAThinWallIsNotPainted)
 TEST_F(PaintedArea, PartsWithoutSurfaceBetweenThemAreNotJoined)
 {
   const auto plane = Sample([](const Point& x) { return 0.25 - x[2]; });
-  // The brush is lifted by 20 mm between the two dabs.
+  // The brush is raised by 20 mm between the two dabs.
   const double area = this->Paint(plane,
     { { -15.0, 0.0, 1.0 }, { -5.0, 0.0, 20.0 }, { 5.0, 0.0, 20.0 }, { 15.0, 0.0, 1.0 } }, 4.0);
   EXPECT_NEAR(area / (2.0 * vtkMath::Pi() * 16.0), 1.0, Bound(4.0));

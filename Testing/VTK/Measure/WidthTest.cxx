@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the width of a ball, between proxies that touch it from two sides, against its diameter.
- * The ball looks like water in a CT scan: a step of Hounsfield units, blurred by a point spread. An
- * evenly blurred step is halfway up where the step was.
+ * Tests the measured width of a ball, between proxies that touch it from two sides, against its
+ * diameter. The ball resembles water in a CT scan: a step of Hounsfield units, blurred by a point
+ * spread function. An evenly blurred step has half of its height where the step was.
  */
 
 #include "MeasureRig.h"
@@ -83,7 +83,7 @@ TEST_F(Width, SurfaceProxyRestsItsRadiusInFrontOfTheIsosurface)
   for (const double radius : { 0.0, 2.0 })
   {
     this->Filter->SetProxyRadius(radius);
-    const double gap = radius > 0.0 ? radius : 0.5; // the default is half a voxel
+    const double gap = radius > 0.0 ? radius : 0.5; // half a voxel by default
     for (const Point& direction : { Point{ 0.0, 1.0, 0.0 }, Point{ 0.48, 0.6, 0.64 } })
     {
       EXPECT_NEAR(this->MeasureAcross(direction), 2.0 * (BallRadius + gap), 0.1) << "of triangles";

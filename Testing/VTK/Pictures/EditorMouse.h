@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Rig of a function editor in the right part of a window, with a mouse.
- */
+/** Fixture with a function editor in the right part of a window, and a mouse. */
 #ifndef EditorMouse_h
 #define EditorMouse_h
 
@@ -23,7 +21,8 @@ namespace editortest
 using Editor = vtkHapticFunctionEditor;
 using Place = std::array<int, 2>;
 
-/// A window with two viewports, since the editor must work in a viewport that does not begin at 0.
+/// A window with two viewports, because the editor must work in a viewport that does not begin at
+/// 0.
 class View
 {
 public:
@@ -48,7 +47,7 @@ public:
     }
   }
 
-  /// Returns the position on the display of a value and a function's value.
+  /// Returns the display position of a scalar value and a function's value.
   Place At(double value, double functionValue)
   {
     double x[2];
@@ -56,7 +55,7 @@ public:
     return { static_cast<int>(std::lround(x[0])), static_cast<int>(std::lround(x[1])) };
   }
 
-  /// Drags with this button from one position to another one. Returns whether the editor used all
+  /// Drags with this button from one position to another. Returns whether the editor consumed all
   /// events.
   bool Drag(int button, const Place& from, const Place& to)
   {

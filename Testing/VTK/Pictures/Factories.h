@@ -3,7 +3,7 @@
 
 /**
  * Initializes VTK's modules for charts and their text. VTK's test driver initializes only the
- * modules that draw volumes.
+ * modules that render volumes.
  */
 #ifndef Factories_h
 #define Factories_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Rig of a virtual hand that feels modes, and of the picture of the lines and fronts that hold it.
+ * Fixture with a virtual hand that touches modes, and the rendered lines and fronts that guide it.
  */
 #ifndef FollowedHand_h
 #define FollowedHand_h
@@ -32,7 +32,7 @@ inline bool Fail(const char* what, double is, double should)
   return false;
 }
 
-/// Puts a hand at a position, and waits for a few ticks. Returns false if the device does not run.
+/// Moves a hand to a position, and waits for a few ticks. Returns false if the device does not run.
 inline bool FeelAt(
   vtkVolumeHapticsFilter* filter, double x, double y, double z, vtkHapticDevice* device)
 {
@@ -51,8 +51,8 @@ inline bool FeelAt(
   return true;
 }
 
-/// Compares a picture with its baseline: the hand and the shapes that hold it, within 20 mm around
-/// the origin, seen from (x, y, z).
+/// Compares a rendered image with its baseline: the hand and the shapes that guide it, within 20 mm
+/// around the origin, seen from (x, y, z).
 inline int CompareFollowed(
   vtkHapticDevice* device, double x, double y, double z, int argc, char* argv[])
 {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Rig of the representation over a plane that a replayed device presses, in each state of contact.
+ * Fixture with the representation over a plane that a replayed device presses, in each state of
+ * contact.
  */
 #ifndef ShownContact_h
 #define ShownContact_h
@@ -44,7 +45,7 @@ struct ContactScript
 {
   int Contact;   ///< contact of the last tick
   double Depth;  ///< depth of the tip below the plane (mm)
-  double Across; ///< distance of the drag along x (mm)
+  double Across; ///< length of the drag along x (mm)
   double Friction;
   double Strength; ///< N
   bool Markers = false;
@@ -52,7 +53,7 @@ struct ContactScript
   const double* Orientation = nullptr; ///< orientation of the stylus: w, x, y, z
 };
 
-/// Makes an image whose value rises downwards. Its surface is at z = 0.
+/// Makes an image whose value increases downwards, with a surface at z = 0.
 inline vtkSmartPointer<vtkImageData> MakeDepths()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -66,9 +67,9 @@ inline vtkSmartPointer<vtkImageData> MakeDepths()
   return image;
 }
 
-/// Makes a path down from 6 mm above the surface and then across, with 0.1 mm per tick. After this
-/// the tip creeps on for twenty seconds, so slowly that the contact lasts while the picture does
-/// not change.
+/// Makes a path down from 6 mm above the surface and then sideways, with 0.1 mm per tick. Finally
+/// the tip creeps for twenty seconds, slowly enough that the contact persists while the rendered
+/// image does not change.
 inline vtkSmartPointer<vtkPolyData> MakePath(const ContactScript& script, vtkIdType& ticks)
 {
   vtkNew<vtkPoints> points;

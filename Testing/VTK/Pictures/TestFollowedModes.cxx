@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Shows what holds the hand in modes: the stream line through the proxy, the core of the vortex, a
-// guide and a front. The flow is a helix around the z axis, which is its core. Its lines keep their
-// distance from the axis, and climb in proportion to the angle.
+// Renders what guides the hand in modes: the stream line through the proxy, the core of the vortex,
+// a guide and a front. The flow is a helix around the z axis, which is its core. Its lines have a
+// constant distance from the axis, and rise in proportion to the angle.
 #include "FollowedHand.h"
 
 #include <vtkCellArray.h>

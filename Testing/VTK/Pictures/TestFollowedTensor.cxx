@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Shows what holds the hand in a tensor mode: the fibre through the proxy, the sheet across the
+// Renders what guides the hand in a tensor mode: the fibre through the proxy, the sheet across the
 // smallest eigenvector, and the tensor as an ellipsoid. Fibres are circles around the z axis, and
 // sheets are planes across z. The eigenvalues are 1 along the circle, 0.5 along the radius and 0.2
 // along z.
@@ -51,7 +51,7 @@ vtkSmartPointer<vtkImageData> MakeFibres()
   return image;
 }
 
-/// Expects that the tensor times a direction is the eigenvalue times the direction.
+/// Expects that the tensor maps a direction to its eigenvalue times this direction.
 bool CheckTensor(const double* tensor, const double (&direction)[3], double eigenvalue)
 {
   for (int row = 0; row < 3; ++row)
@@ -61,7 +61,7 @@ bool CheckTensor(const double* tensor, const double (&direction)[3], double eige
     {
       product += tensor[3 * row + column] * direction[column];
     }
-    // The tolerance allows for interpolation at a hand between samples.
+    // The tolerance allows for interpolation if the hand is between samples.
     if (std::abs(product - eigenvalue * direction[row]) > 0.02 * Reach / 8.0)
     {
       return Fail("the tensor", product, eigenvalue * direction[row]);

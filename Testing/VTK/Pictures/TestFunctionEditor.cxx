@@ -26,7 +26,7 @@ int TestFunctionEditor(int argc, char* argv[])
   property->ApplyPreset("CT contrast");
   property->GetStiffness()->AddPoint(-1024.0, 0.0);
   property->GetStiffness()->AddPoint(-955.0, 0.0);
-  property->GetViscosity()->RemoveAllPoints(); // a drag on the ramp would give a warning
+  property->GetViscosity()->RemoveAllPoints(); // a drag on the ramp would cause a warning
   vtkNew<vtkHapticFunctionEditor> editor;
   editor->SetProperty(property);
   editor->SetInputData(head->GetOutput());

@@ -41,7 +41,7 @@ int TestFunctionEditorDocked(int argc, char* argv[])
   window->SetMultiSamples(0);
   window->SetSize(760, 400);
   window->AddRenderer(renderer);
-  window->Render(); // tells the editor the size of its window
+  window->Render(); // lets the editor read the window's size
   window->Render();
   return vtkRegressionTestImage(window) == vtkTesting::PASSED ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -30,21 +30,21 @@ void TestAxes(View& view, vtkHapticProperty* property)
   const Place low = view.At(0, 0);
   const Place high = view.At(100, 1000);
   const int width = high[0] - low[0];
-  // Drags the axis of values by a quarter of its width; the points must move along.
+  // Drag the axis of values by a quarter of its width; the points must move with it.
   view.Drag(
     Editor::LEFT_BUTTON, { low[0] + 40, low[1] - 12 }, { low[0] + 40 + width / 4, low[1] - 12 });
   view.Window->Render();
   view.Check(IsNear(view.At(0, 0)[0], low[0] + width / 4, 2), "the axis of values is dragged");
   view.Check(IsNear(view.At(50, 400)[0], low[0] + width / 4 + width / 2, 2), "with the points");
-  // The wheel stretches the axis around the value under the mouse, which must stay in place.
+  // The wheel scales the axis around the value under the mouse, which must stay in place.
   const Place middle = view.At(40, 300);
   view.Check(editor->TurnWheel(2.0, middle[0], middle[1]), "the wheel");
   view.Window->Render();
   view.Check(IsNear(view.At(40, 300)[0], middle[0], 2), "what is under the mouse stays");
   view.Check(IsNear(view.At(50, 0)[0] - view.At(40, 0)[0], 0.1 * width * 1.25 * 1.25, 2),
     "a step stretches by a quarter");
-  // A drag of the function's axis moves the value under the mouse: the function becomes twice as
-  // high.
+  // A drag of the function's axis moves the value under the mouse, so the function must become
+  // twice as high.
   const int up = view.At(40, 200)[1] - low[1];
   view.Drag(
     Editor::LEFT_BUTTON, { low[0] - 15, (low[1] + high[1]) / 2 }, { low[0] - 15, high[1] - 1 });
@@ -52,7 +52,7 @@ void TestAxes(View& view, vtkHapticProperty* property)
   view.Check(IsNear(view.At(40, 200)[1] - low[1], 2.0 * up, 3), "the axis of the function");
   view.Check(property->GetMTime() == before, "all of that edits nothing");
   view.Check(!editor->Undo(), "and is no step to undo");
-  // Drags a point from the position at which it is drawn now.
+  // Drag a point from its present display position.
   view.Drag(Editor::LEFT_BUTTON, view.At(50, 400), view.At(55, 300));
   view.Check(IsNode(stiffness, 1, 55, 300, 1.0, 20.0), "a drag in a part of the axes");
   view.Check(editor->Undo() && IsNode(stiffness, 1, 50, 400, 0.0, 0.0), "is undone to the bit");
@@ -171,8 +171,8 @@ void TestDock(vtkHapticProperty* property)
   double at[2];
   checks.Check(VolumeHaptics::EditorProbe::GetTissuePosition(editor, 2, at) && at[0] > 500,
     "the tissues beside the function");
-  // The column of slices takes the whole edge of the window, so the editor keeps the corner below
-  // the scene.
+  // The column of slices occupies the whole edge of the window, so the editor stays in the corner
+  // below the scene.
   vtkNew<vtkHapticSliceView> slices;
   slices->SetRenderWindow(window);
   for (int i = 0; i < 3; ++i)
@@ -201,7 +201,7 @@ void TestDock(vtkHapticProperty* property)
   window->Render();
   window->Render();
   checks.Check(isAt(scene, 0.5, 0, 1, 1), "and put back");
-  // Drags the border of the editor far beyond the window.
+  // Drag the border of the editor far beyond the window.
   checks.Check(editor->ButtonPress(Editor::LEFT_BUTTON, 400, 250), "the border is taken");
   editor->MouseMove(5000, 250);
   editor->ButtonRelease(Editor::LEFT_BUTTON, 5000, 250);
@@ -221,7 +221,7 @@ int TestFunctionEditorEdits(int, char*[])
   stiffness->AddPoint(0.0, 0.0);
   stiffness->AddPoint(50.0, 400.0);
   stiffness->AddPoint(100.0, 1000.0);
-  property->GetFriction(); // asking for a function creates it
+  property->GetFriction(); // the getter creates the function
   property->GetViscosity();
   property->GetSurfaceStrength();
   property->GetDistinctness();

@@ -28,7 +28,7 @@ int TestFunctionEditorFar(int, char*[])
   vtkPiecewiseFunction* const stiffness = property->GetStiffness();
   view.Shown->SetProperty(property);
 
-  // The numbers are used as positions and as values of points, with and without data on the axis of
+  // Use the numbers as positions and as values of points, with and without data on the axis of
   // values, first in pairs and then all together.
   vtkNew<vtkImageData> image;
   image->SetDimensions(2, 2, 2);
@@ -56,7 +56,7 @@ int TestFunctionEditorFar(int, char*[])
       }
     }
   }
-  // After these numbers, the editor must work as before.
+  // After these numbers, the editor must still work.
   view.Shown->SetInputData(nullptr);
   stiffness->RemoveAllPoints();
   stiffness->AddPoint(0.0, 0.0);
@@ -66,7 +66,7 @@ int TestFunctionEditorFar(int, char*[])
   view.Drag(Editor::LEFT_BUTTON, view.At(50, 400), view.At(70, 800));
   view.Check(IsNode(stiffness, 1, 70, 800, 1.0, 20.0), "a point moves again");
 
-  // A point far outside must not compress the axis: it stays out of sight, and unchanged.
+  // A point far outside must not compress the axis: it stays outside of the view, and unchanged.
   stiffness->AddPoint(1e308, 5.0);
   view.Window->Render();
   stiffness->AddPoint(inf, 7.0);

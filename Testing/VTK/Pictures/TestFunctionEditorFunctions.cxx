@@ -22,17 +22,17 @@ int TestFunctionEditorFunctions(int, char*[])
   visible->GetScalarOpacity()->AddPoint(100.0, 1.0);
   View view;
   Editor* const editor = view.Shown;
-  view.Window->Render(); // draws while there is nothing to edit
+  view.Window->Render(); // draws without a function to edit
   editor->SetProperty(property);
 
-  // An impenetrable surface keeps its value unless its point is dragged down.
+  // An impenetrable surface must keep its value unless the user drags its point down.
   editor->SetFunctionToSurfaceStrength();
   view.Window->Render();
   const Place top = view.At(60, 1e6);
   view.Drag(Editor::LEFT_BUTTON, view.At(50, 12), { top[0], 229 });
   view.Check(IsNode(strength, 1, 60, 1e6, 1.0, 0.0), "a value beyond the axis stays");
 
-  // Showing an empty function must not add a point; the first click adds one.
+  // Displaying an empty function must not add a point; only the first click does.
   vtkPiecewiseFunction* const friction = property->GetFriction();
   editor->SetFunctionToFriction();
   view.Window->Render();
@@ -42,7 +42,8 @@ int TestFunctionEditorFunctions(int, char*[])
       IsNode(friction, 1, 0.5, 0.5, 0.02, 0.02),
     "the first point brings the default along");
 
-  // A stiffness that rises from 0 beside a drag must give a warning, since noise mixes both values.
+  // A stiffness that increases from 0 near a drag must cause a warning, because noise mixes both
+  // values.
   editor->SetFunctionToStiffness();
   view.Check(editor->GetWarning().empty(), "500 N/m and no drag");
   property->GetViscosity()->AddPoint(0.0, 0.0);
@@ -68,7 +69,7 @@ int TestFunctionEditorFunctions(int, char*[])
   property->RemoveAllTissues();
   friction->RemoveAllPoints();
 
-  // The opacity has no function at first, so there is nothing to edit.
+  // At first, the opacity has no function to edit.
   editor->SetFunctionToOpacity();
   view.Window->Render();
   view.Check(editor->ButtonPress(Editor::LEFT_BUTTON, 200, 100) &&

@@ -63,7 +63,7 @@ int TestFunctionEditorProposal(int argc, char* argv[])
 
   bool passed = Check(!editor->HasProposal() && !editor->TakeProposal() && !editor->DropProposal(),
     "no proposal at first");
-  // Dropping a proposal must change nothing.
+  // Discarding a proposal must change nothing.
   passed &= Check(editor->Propose() && editor->HasProposal(), "the phantom proposes functions");
   window->Render();
   passed &= Check(editor->DropProposal() && !editor->HasProposal(), "a proposal is dropped");
@@ -81,7 +81,7 @@ int TestFunctionEditorProposal(int argc, char* argv[])
       property->GetProposedBoundaries() && property->GetProposedKernelRadius() >= 2,
     "the property has the proposal");
   window->Render();
-  // After a proposal is taken, its points can be dragged like other points.
+  // After a proposal is accepted, its points can be dragged like other points.
   double place[2];
   const double height = strength->GetValue(1500.0);
   VolumeHaptics::EditorProbe::GetPosition(
@@ -92,7 +92,7 @@ int TestFunctionEditorProposal(int argc, char* argv[])
   editor->MouseMove(x, y - 30);
   editor->ButtonRelease(vtkHapticFunctionEditor::LEFT_BUTTON, x, y - 30);
   passed &= Check(strength->GetValue(3000.0) < height - 0.5, "a point of it is dragged");
-  // Taking a proposal during a drag ends the drag's undo step, and is an undo step of its own.
+  // Accepting a proposal during a drag ends the drag's undo step, and is a separate undo step.
   const double before = strength->GetValue(3000.0);
   passed &= Check(editor->Propose(), "a proposal during a drag");
   window->Render();
@@ -106,8 +106,8 @@ int TestFunctionEditorProposal(int argc, char* argv[])
     Check(editor->Undo() && strength->GetValue(3000.0) == dragged, "the proposal is undone");
   passed &= Check(editor->Undo() && strength->GetValue(3000.0) == before, "then the drag");
 
-  // A head whose values are stored 1024 higher must give the same picture, since the axis is in
-  // Hounsfield units.
+  // A head whose stored values are higher by 1024 must result in the same image, because the axis
+  // is in Hounsfield units.
   vtkNew<vtkImageShiftScale> stored;
   stored->SetInputConnection(head->GetOutputPort());
   stored->SetShift(1024.0);
@@ -122,7 +122,7 @@ int TestFunctionEditorProposal(int argc, char* argv[])
   editor->SetInputData(stored->GetOutput());
   passed &= Check(editor->Propose(), "one of a head that is stored higher");
   window->Render();
-  // The tolerance allows for another phase of the dashed lines.
+  // The tolerance allows for a different phase of the dashed lines.
   const int same = vtkRegressionTestImageThreshold(window, 25.0);
   passed &= Check(editor->TakeProposal() && shifted->GetScalarShift() == -1024.0 &&
       shifted->GetSurfaceStrength()->GetValue(-1000.0) == 0.0 &&

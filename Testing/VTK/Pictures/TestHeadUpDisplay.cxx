@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Shows the head-up display: a plot of a press, a slide and a release, the status of a device that
-// waits, and a hint.
+// Renders the head-up display: a plot of a press, a slide and a release, the status of a waiting
+// device, and a hint.
 #include "Factories.h"
 #include "Rigs/ScriptedStates.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Shows a status and modes, one of which is off, in a layer above a white background, as in
+// Renders a status and modes, one of which is off, in a layer above a white background, as in
 // PyVista. The letters must be readable.
 #include "Factories.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Shows the head-up display with modes. Each mode has a curve and a line of text in its colour; one
-// mode is off. The test finds the text lines.
+// Renders the head-up display with modes. Each mode has a curve and a line of text in its colour;
+// one mode is off. The test locates the text lines.
 #include "Factories.h"
 #include "Rigs/ScriptedStates.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Shows the list of keys over the head-up display, in two columns, with keys of the application.
+// Renders the list of keys over the head-up display, in two columns, with keys of the application.
 #include "Factories.h"
 
 #include "vtkHapticDevice.h"

@@ -28,7 +28,7 @@ int TestLabelEditor(int argc, char* argv[])
     "cord \xC3\xA0 droite, derri\xC3\xA8re le foie"); // is shortened
   table->SetLabelName(41, "Kr\xC3\xB6pfchen");
   table->SetStiffness(42, 300.0);
-  // an unusually high value, for which the slider's end is larger
+  // an unusually high value, which extends the slider's range
   table->SetSurfaceStrength(42, 7.5);
   table->SetFelt(41, false);
   table->SetForbidden(43, true);

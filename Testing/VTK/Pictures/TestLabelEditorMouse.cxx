@@ -158,8 +158,8 @@ void TestMaterials(LabelView& view)
   view.Check(near(table->GetFriction(5), 0.8, 1.0) && near(table->GetViscosity(5), 0.3, 1.0),
     "drags to both sides");
 
-  // Drags beyond the end of the slider three times. Each time, the end must grow when the slider is
-  // released.
+  // Drag beyond the end of the slider three times. Each time, its range must grow when the slider
+  // is released.
   for (const double end : { 5.0, 6.0, 8.0 })
   {
     const Place last = view.AtSlider(Editor::SURFACE_STRENGTH, end);
@@ -171,7 +171,7 @@ void TestMaterials(LabelView& view)
   const Place strength = view.AtSlider(Editor::SURFACE_STRENGTH, 1.0);
   view.Check(editor->TurnWheel(-2.0, strength[0], strength[1]), "the wheel on a slider");
   view.Check(table->GetSurfaceStrength(5) == 8.0 - 2.0 * 10.0 / 200.0, "moves it by two steps");
-  // Sets a value beyond the largest end of a slider, which is 100.
+  // Set a value beyond the largest end of a slider, which is 100.
   table->SetSurfaceStrength(5, 500.0);
   editor->TurnWheel(-2.0, strength[0], strength[1]);
   view.Check(table->GetSurfaceStrength(5) == 500.0 - 2.0 * 100.0 / 200.0,
@@ -201,8 +201,8 @@ void TestMany(LabelView& view)
   image->AllocateScalars(VTK_INT, 1);
   for (int i = 0; i < labels; ++i)
   {
-    // The labels come in no order, and none comes twice, since the factor is odd and no multiple of
-    // 5.
+    // The labels are in no order, and without duplicates, because the factor is odd and no multiple
+    // of 5.
     image->GetPointData()->GetScalars()->SetComponent(
       i, 0, (i * std::int64_t{ 777777 }) % labels - labels / 2);
   }
@@ -250,7 +250,7 @@ int TestLabelEditorMouse(int, char*[])
   TestMaterials(view);
   TestMany(view);
 
-  // The page of labels follows the last function if there is a table.
+  // If there is a table, the page of labels follows the last function.
   vtkNew<vtkHapticProperty> property;
   view.Shown->SetProperty(property);
   view.Shown->SetFunctionToSurfaceStrength();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Shows a point, a distance, an angle, a path and an area on a ball with their values, and the
+// Renders a point, a distance, an angle, a path and an area on a ball with their values, and the
 // first end of an unfinished distance. The head-up display lists them, and no label covers the
 // list.
 #include "Factories.h"

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Shows a large volume from which tissue was removed, like a volume whose samples a loop has
-// carved: fine in the box around the hand, coarse elsewhere, and on both sides of the box's faces.
+// Renders a large volume with removed tissue, and compares it with a volume whose samples a loop
+// has carved: fine in the box around the hand, coarse elsewhere, and on both sides of the box's
+// faces.
 #include "Rigs/DrawnPixels.h"
 #include "Rigs/Eventually.h"
 #include "Rigs/RemovalRig.h"
@@ -34,7 +35,7 @@ constexpr double SolidValue = 1000.0;
 /// The hole at the hand's first position.
 const Hole NearHole{ { 52.0, 14.0, 50.0 }, 12.0 };
 
-/// Fills a block of tissue with air on all sides, and carves the hole if there is one.
+/// Fills a block with tissue surrounded by air, and carves the hole if there is one.
 bool FillBlock(const int extent[6], void* samples, const Hole* hole)
 {
   auto* sample = static_cast<float*>(samples);
@@ -71,8 +72,8 @@ struct BurrScene
   {
     this->Source->SetWholeExtent(0, LastSample, 0, LastSample, 0, LastSample);
     this->Source->SetScalarType(VTK_FLOAT);
-    this->Source->SetMemoryLimit(2097152); // gives regions of some 50^3 samples
-    this->Source->SetMaximumSpeed(0.0);    // so that regions don't depend on the time of reading
+    this->Source->SetMemoryLimit(2097152); // results in regions of about 50^3 samples
+    this->Source->SetMaximumSpeed(0.0); // makes regions independent of the reading time
     this->Source->SetReader(
       [hole](const int extent[6], void* samples) { return FillBlock(extent, samples, hole); });
     this->Source->SetOrigin(5.0, -3.0, 2.0);
@@ -116,8 +117,8 @@ struct BurrScene
     camera->SetPosition(105.0, -117.0, 120.0);
     camera->SetViewUp(0.0, 0.0, 1.0);
   }
-  /// Moves the tip to a position until the fine box is around it. Returns false if the box never
-  /// comes.
+  /// Moves the tip to a position, and waits until the fine box surrounds it. Returns false if this
+  /// never happens.
   bool Refine(double x, double y, double z)
   {
     const double tip[3] = { x, y, z };

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Shows a coarse image that has all samples of a volume, with a fine box in it. From all sides, in
-// perspective and in parallel projection, the picture must equal that of the image without the box.
-// The volume is a translucent shell around a core, so that a wrong drawing order is visible.
+// Renders a coarse image that contains all samples of a volume, with a fine box inside. From all
+// sides, in perspective and in parallel projection, the result must equal that of the image without
+// the box. The volume is a translucent shell around a core, so that a wrong drawing order is
+// visible.
 #include "Rigs/DrawnPixels.h"
 #include "Rigs/Eventually.h"
 #include "VTK/Scene/Volumes/RegionPicture.h"
@@ -71,7 +72,7 @@ struct Scene
   {
     this->Source->SetWholeExtent(0, Last, 0, Last, 0, Last);
     this->Source->SetScalarType(VTK_DOUBLE);
-    this->Source->SetMemoryLimit(4194304); // gives a region of 50^3 samples
+    this->Source->SetMemoryLimit(4194304); // results in a region of 50^3 samples
     this->Source->SetReader(FillShell);
     this->Source->SetOrigin(5.0, -3.0, 2.0);
     this->Source->MakeCoarseImage(100000000);
@@ -150,7 +151,7 @@ int TestRegionPicture(int, char*[])
   {
     const double angle = 0.55 * view;
     const double tilt = 1.3 * std::sin(1.7 * view);
-    // The last views are so near that the eye is between the planes of the box.
+    // The last views are so close that the eye is between the planes of the box.
     const double r = view < 9 ? distance : 45.0;
     camera->SetParallelProjection(view % 3 == 2);
     camera->SetPosition(focus[0] + r * std::cos(angle) * std::cos(tilt),

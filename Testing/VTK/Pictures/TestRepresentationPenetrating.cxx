@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Shows a press beyond the strength of the surface, which the proxy penetrates.
+// Renders a press beyond the strength of the surface, which the proxy penetrates.
 #include "ShownContact.h"
 
 int TestRepresentationPenetrating(int argc, char* argv[])

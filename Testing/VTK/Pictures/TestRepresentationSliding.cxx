@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Shows a drag along the surface with friction. The colours of the trail tell the force.
+// Renders a drag along the surface with friction. The colours of the trail represent the force.
 #include "ShownContact.h"
 
 int TestRepresentationSliding(int argc, char* argv[])

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Shows a press straight into the surface. The proxy stays on the surface, and the force is normal
-// to it.
+// Renders a press straight into the surface. The proxy stays on the surface, and the force is
+// normal to it.
 #include "ShownContact.h"
 
 int TestRepresentationSticking(int argc, char* argv[])

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Shows a stylus that rests on the plane. A hand holds it from the right, and turns its button up.
+// Renders a stylus that rests on the plane. A hand holds it from the right, with its button on top.
 #include "ShownContact.h"
 
 int TestRepresentationStylus(int argc, char* argv[])

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Shows slices beside a scene. The image is oblique with voxels of 1 x 1 x 2 mm. It has a ball of
+// Renders slices beside a scene. The image is oblique with voxels of 1 x 1 x 2 mm. It has a ball of
 // 12 mm, and a box towards the patient's left, back and head, so that wrong sides and proportions
 // of a slice are visible.
 #include "Factories.h"
@@ -21,7 +21,7 @@
 
 int TestSliceView(int argc, char* argv[])
 {
-  // The index axes lie along x, -y and -z of the world, turned by 15 degrees about z.
+  // The index axes are parallel to x, -y and -z of the world, rotated by 15 degrees about z.
   const double angle = std::acos(-1.0) / 12.0;
   const double c = std::cos(angle);
   const double s = std::sin(angle);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the border of a volume: values clamp, the gradient ends, and the strength fades over one
- * kernel radius.
+ * Tests the border of a volume: values are clamped, the gradient is zero outside, and the strength
+ * fades over one kernel radius.
  */
 
 #include "Random.h"
@@ -65,15 +65,15 @@ TEST_P(Border, StrengthFadesOverOneKernelRadius)
   }
 }
 
-// Nothing may pop at the box: across the border, the force must change no faster than the springs
+// The force must not jump at the box: across the border, it must change no faster than the springs
 // of the probe and the fade together allow.
 TEST_P(Border, NothingPops)
 {
   Scene scene;
   this->Begin(scene);
-  // Over 2 mm, the fade is a spring of c = 400 N/m in series with k = 500 N/m. The series becomes
-  // stiffer inwards and softer outwards (k c / (k - c)), but stays a spring. Without the fade, the
-  // force would jump by 0.8 N.
+  // Over 2 mm, the fade acts as a spring of c = 400 N/m in series with k = 500 N/m, which is
+  // stiffer inwards and softer outwards (k c / (k - c)). Without the fade, the force would jump by
+  // 0.8 N.
   const double strength = 0.8;
   SetMaterial(scene, 500.0, 0.0, 0.0, strength);
   const double step = 0.01;
@@ -94,7 +94,7 @@ TEST_P(Border, NothingPops)
   EXPECT_NEAR(largest, strength, 0.01 * strength);
 }
 
-// Values outside the volume equal those of the nearest border point, also at x_s and x_v.
+// Values outside the volume must equal those of the nearest border point, even at x_s and x_v.
 TEST_P(Border, ValuesClamp)
 {
   Scene scene;
@@ -103,7 +103,7 @@ TEST_P(Border, ValuesClamp)
   Random random(11);
   for (int n = 0; n < 300; ++n)
   {
-    Vec3 inner; // point away from the spline's taps, which repeat the border's voxels
+    Vec3 inner; // point away from the spline's taps that repeat the border's voxels
     for (int axis = 0; axis < 3; ++axis)
     {
       inner[axis] = random.Uniform(-Half + 2.0, Half - 2.0);

@@ -5,8 +5,8 @@
  * Tests the closed forms of Documentation/evaluation.md: T1 to T5 (a flat surface, penetration,
  * friction and drag), T6 to T9 (drag without a surface, and distinctness), and T10 to T13 (curved
  * walls). T10 to T13 document the faults of the paper's solver, which moves along a tangent and so
- * drifts outwards, with the figures of its recursion. The module plays each case, and so does the
- * reference, which must be tested, too.
+ * drifts outwards, with the figures of its recursion. Both the module and the reference play each
+ * case, so the reference is tested, too.
  */
 
 #include "SampledImage.h"
@@ -37,7 +37,7 @@ double Slab(const Vec3& x)
   return 100.0 * x[2];
 }
 
-// The gradient of a square is exact, and so exactly radial, with central differences and splines.
+// The gradient of a square is exact, and thus exactly radial, with central differences and splines.
 double Ball(const Vec3& x)
 {
   return -0.5 * Dot(x, x);
@@ -58,7 +58,7 @@ double Angle(const Vec3& x)
   return std::atan2(x[1], x[0]);
 }
 
-// Returns the tick at which the tip has moved by `mm`.
+// Returns the record of the tick at which the tip has moved by `mm`.
 const TickRecord& AtTick(const Trace& trace, double mm)
 {
   return trace[std::size_t(std::lround(mm / Step))];
@@ -81,7 +81,7 @@ std::string PlayerName(const testing::TestParamInfo<std::tuple<Player, Estimator
 class ClosedForms : public testing::TestWithParam<std::tuple<Player, Estimator>>
 {
 protected:
-  /// Begins with k = 500 N/m, T_N = 2 N, W_d = 1 and R = mu = 0, in a field around the origin, and
+  /// Starts with k = 500 N/m, T_N = 2 N, W_d = 1 and R = mu = 0, in a field around the origin, and
   /// with a path of one point.
   void Begin(double halfSize, const Field& field, const Vec3& start, double spacing = 1.0)
   {
@@ -97,12 +97,11 @@ protected:
                                                            : RunReference(this->TheScene);
   }
 
-  // Touches the wall at the radius 20, and goes round at `radius`. Turn i ends with the tick i x
-  // ticks + 1.
+  // Touches the wall at the radius 20, and circles at `radius`. Turn i ends at tick i x ticks + 1.
   Trace Circle(const Field& field, double friction, double radius, int ticks, int turns)
   {
-    // Samples are half a millimetre apart, so that a sampled Gaussian is exact on linear fields,
-    // and nearly exact on squares.
+    // With samples half a millimetre apart, a sampled Gaussian is exact on linear fields, and
+    // nearly exact on squares.
     this->Begin(24.0, field, OnCircle(20.0, 0.0), 0.5);
     SetMaterial(this->TheScene, 500.0, friction, 0.0, Impenetrable);
     for (int tick = 0; tick <= ticks * turns; ++tick)
@@ -190,7 +189,7 @@ TEST_P(ClosedForms, T6AndT7DragInAUniformRegion)
     SetMaterial(this->TheScene, 500.0, 0.3, 0.5, 2.0);
     this->TheScene.MoveTo({}, step);
     const std::size_t turn = this->TheScene.path.size() - 1;
-    // steps that are small enough for T7's limit
+    // small enough steps for T7's limit
     this->TheScene.MoveTo({ { 0.0, 1.0, 0.0 } }, 0.001);
     const Trace trace = this->Play();
     ExpectNear(trace[turn].force[0], -0.5, 0.5);
@@ -204,8 +203,8 @@ TEST_P(ClosedForms, T6AndT7DragInAUniformRegion)
 
 TEST_P(ClosedForms, T8AndT9DistinctnessMakesTwoSprings)
 {
-  // Samples are half a millimetre apart, so that a sampled Gaussian is exact on linear fields, and
-  // nearly exact on squares.
+  // With samples half a millimetre apart, a sampled Gaussian is exact on linear fields, and nearly
+  // exact on squares.
   this->Begin(
     16.0, [](const Vec3& x) { return 50.0 * x[2] * x[2]; }, {}, 0.5);
   vtkPiecewiseFunction* distinctness = this->TheScene.property->GetDistinctness();
@@ -217,7 +216,7 @@ TEST_P(ClosedForms, T8AndT9DistinctnessMakesTwoSprings)
   ExpectNear(trace[40].force[2], -1.0, 1.0);
   ExpectNear(trace[100].force[2], -2.0, 2.0);
 
-  // Case T9, a fault of the paper's solver: W_d is read before the proxy moves, so a jump meets no
+  // Case T9, a fault of the paper's solver: W_d is read before the proxy moves, so a jump causes no
   // force.
   this->TheScene.path = { {}, { { 0.0, 0.0, 4.0 } } };
   EXPECT_NEAR(Norm(this->Play().back().force), 0.0, 1e-9);
@@ -225,7 +224,7 @@ TEST_P(ClosedForms, T8AndT9DistinctnessMakesTwoSprings)
 
 TEST_P(ClosedForms, T10DriftsOutwardOnABall)
 {
-  // The expected values are those of the documentation, to the last printed digit.
+  // The documentation has the expected values, which are correct to the last printed digit.
   const Trace coarse = this->Circle(Ball, 0.0, 18.0, 1000, 1);
   EXPECT_NEAR(Norm(coarse[1].proxy), 20.0, 1e-9);
   EXPECT_NEAR(Norm(coarse.back().proxy), 20.399, 0.002 * 0.399);
@@ -251,8 +250,8 @@ TEST_P(ClosedForms, T12LagsByTheFrictionAngle)
   EXPECT_NEAR(Norm(printed.proxy), 20.04, 0.001);
   EXPECT_NEAR(lag(printed), 0.0342, 0.002 * 0.0342);
 
-  // The formula is evaluated with the radius of this trace. The paper's normal is one tick old:
-  // with 10000 ticks per turn, this alone would make 0.23 % of the lag.
+  // Evaluate the formula with the radius of this trace. The paper's normal is one tick old: with
+  // 10000 ticks per turn, this alone would cause 0.23 % of the lag.
   const TickRecord fine = this->Circle(Ball, 0.3, 18.0, 40000, 1).back();
   const double phi = std::atan(0.3);
   const double expected = std::asin(Norm(fine.proxy) / 18.0 * std::sin(phi)) - phi;

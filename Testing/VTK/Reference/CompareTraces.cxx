@@ -13,7 +13,7 @@ static void Take(Difference& result, double difference, double scale, const char
   std::size_t tick, double expected, double actual)
 {
   const double ratio = difference / scale;
-  if (!(ratio <= result.worst)) // also true for a NaN, which is the worst of all
+  if (!(ratio <= result.worst)) // also true for a NaN, which is the worst case
   {
     std::ostringstream text;
     text.precision(17);

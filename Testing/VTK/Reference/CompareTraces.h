@@ -15,7 +15,7 @@ namespace reference
 {
 struct Difference
 {
-  double worst = 0.0; // largest difference of all arrays, each relative to its scale
+  double worst = 0.0; // largest difference in any array, relative to the array's scale
   std::string text;   // text with the array, the tick, and the expected and actual values
 };
 
@@ -23,14 +23,14 @@ struct Difference
 double ForceScale(const Trace& trace);
 
 /// Compares all arrays. Forces are compared relative to the trace's largest force, and other arrays
-/// relative to their own largest value. Positions differ by world units (mm), and contacts by 0 or
-/// 1. If less than 1e-9 N decides a contact, both contacts are right.
+/// relative to their own largest value. Differences of positions are in world units (mm), and those
+/// of contacts are 0 or 1. If a contact depends on less than 1e-9 N, both results are correct.
 Difference CompareTraces(const Trace& expected, const Trace& actual);
 
 /// Compares only the force on the hand.
 Difference CompareForces(const Trace& expected, const Trace& actual);
 
-/// Compares as CompareTraces() does, but only the arrays that FORCE_FIELD defines.
+/// Compares like CompareTraces(), but only the arrays that FORCE_FIELD defines.
 Difference CompareForceFields(const Trace& expected, const Trace& actual);
 } // namespace reference
 

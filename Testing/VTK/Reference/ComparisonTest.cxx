@@ -3,7 +3,7 @@
 
 /**
  * Compares the module with the reference on random volumes, materials, settings and walks. This
- * test knows nothing of the module's implementation.
+ * test is independent of the module's implementation.
  */
 
 #include "CompareTraces.h"
@@ -57,7 +57,7 @@ TEST(ReferenceComparison, EveryTickAgrees)
 }
 
 // Traces must also agree over whole walks, in which differences could accumulate. The material is
-// gentle, since the paper's tick can amplify a difference by its drag, where the stiffness falls
+// gentle, because the paper's tick can amplify a difference by its drag where the stiffness falls
 // steeply.
 TEST(ReferenceComparison, EveryWalkAgrees)
 {

@@ -20,8 +20,8 @@ namespace
 {
 constexpr int Size = 72;
 
-// Returns the RMS of a gradient component (1/voxel) of noise with a standard deviation of 1, at a
-// `fraction` above the voxels. `tail` gets the fraction of magnitudes above 3.4 times the RMS.
+// Returns the RMS of a gradient component (1/voxel) for noise with a standard deviation of 1, at a
+// `fraction` above the voxels. `tail` receives the fraction of magnitudes above 3.4 times the RMS.
 double MeasuredNoise(Estimator estimator, int radius, double fraction, double* tail = nullptr)
 {
   Random random(42);
@@ -93,8 +93,8 @@ TEST(GradientNoise, GaussianIsAsQuietAsItsWeights)
       ReferenceField::GaussianWeights(radius, fraction, smoothing, derivative);
       const double expected = std::sqrt(SumOfSquares(derivative)) * SumOfSquares(smoothing);
       const double measured = MeasuredNoise(Estimator::Gaussian, radius, fraction);
-      // The 180000 components are correlated within a kernel's reach, which makes an error of about
-      // 1 %.
+      // The 180000 components are correlated within a kernel's reach, which causes an error of
+      // about 1 %.
       EXPECT_NEAR(measured, expected, 0.02 * expected);
       std::cout << "GAUSSIAN r = " << radius << ", " << fraction << " off the voxels: sigma_g "
                 << measured << ", its weights say " << expected

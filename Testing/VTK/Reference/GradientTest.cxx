@@ -49,7 +49,7 @@ void ExpectLinear(Scene& scene, const Linear& field)
   {
     valueScale = std::max(valueScale, std::abs(field(point)));
   }
-  // Nothing resists, so the proxy is at the tip, and the next tick reads its gradient there.
+  // Without resistance, the proxy is at the tip, where the next tick reads its gradient.
   SetMaterial(scene, 500.0, 0.0, 0.0, 0.0);
   const Trace trace = RunFilter(scene);
   for (std::size_t tick = 1; tick < trace.size(); ++tick)
@@ -95,7 +95,7 @@ TEST_P(Gradient, LinearFieldsAreExactOnAnyGrid)
   }
 }
 
-// The direction matrix need not be orthonormal, only invertible, as with a tilted gantry.
+// The direction matrix must be invertible, but need not be orthonormal, as with a tilted gantry.
 TEST_P(Gradient, LinearFieldsAreExactOnShearedGrids)
 {
   for (int seed = 0; seed < 8; ++seed)

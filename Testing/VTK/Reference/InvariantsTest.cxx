@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests invariants of any scene by the module's own trace arrays. Every tick keeps the limits of
- * the material and the spring. The hand feels neither the placement of the volume, nor the grid on
- * which a linear field was sampled. If the material is the same everywhere, a small motion of the
- * tip changes the force of PRECISE by no more than the spring would.
+ * Tests invariants of any scene with the module's own trace arrays. Every tick must respect the
+ * limits of the material and the spring. The force must depend neither on the placement of the
+ * volume, nor on the grid on which a linear field was sampled. In a uniform material, a small
+ * motion of the tip must change the force of PRECISE by no more than the spring would.
  */
 
 #include "CompareTraces.h"
@@ -25,7 +25,7 @@ namespace
 constexpr int Scenes = 80;
 constexpr int Ticks = 150;
 
-// Rounding error of a force (N): positions of some hundred mm times some thousand N/m.
+// Rounding error of a force (N): positions of several hundred mm times several thousand N/m.
 constexpr double Rounding = 1e-10;
 
 template <typename Check>
@@ -54,11 +54,11 @@ Trace MovedBack(const Trace& trace, const Mat3& rotation, const Vec3& translatio
   return back;
 }
 
-/// Tolerance of positions: the solver ends its search within some thousandths of a voxel in each
-/// tick.
+/// Tolerance of positions: in each tick, the solver ends its search within some thousandths of a
+/// voxel.
 constexpr double ToleranceInVoxels = 2e-2;
 
-/// Returns the walk with each jump divided into steps, since friction depends on the steps of a
+/// Returns the walk with each jump divided into steps, because friction depends on the steps of a
 /// jump.
 std::vector<Vec3> WithoutJumps(const std::vector<Vec3>& path)
 {
@@ -75,7 +75,7 @@ std::vector<Vec3> WithoutJumps(const std::vector<Vec3>& path)
   return walked;
 }
 
-/// Returns the force (N) of a spring whose length is off by the solver's tolerance.
+/// Returns the force (N) of a spring whose length has the error of the solver's tolerance.
 double Tolerance(const Scene& scene, double stiffness)
 {
   double spacing[3];
@@ -151,8 +151,8 @@ TEST(Invariants, NothingIsFeltWithoutStrengthAndViscosity)
       {
         if (tick.surfaceStrength == 0.0 && tick.viscosity == 0.0)
         {
-          // The proxy equals the tip within rounding only, since the documented proxy reaches the
-          // tip by two moves that round.
+          // The proxy equals the tip only within rounding errors, because the documented proxy
+          // reaches the tip in two moves that are rounded.
           EXPECT_LE(Norm(tick.force), Rounding);
           EXPECT_LE(Norm(tick.proxy - tick.tip), 1e-10);
           EXPECT_EQ(tick.contact, 0);
@@ -178,7 +178,7 @@ class InvariantsOfSolver : public testing::TestWithParam<Solver>
 };
 
 // The waves are long compared with the depth. If the tip is deeper than the surface's radius of
-// curvature, the paper's solver chatters (T13), and chatter doubles rounding errors in each tick.
+// curvature, the paper's solver chatters (T13), which doubles rounding errors in each tick.
 TEST_P(InvariantsOfSolver, RigidMotionOfVolumeAndPathIsNotFelt)
 {
   const bool isPaper = this->GetParam() == Solver::Paper;
@@ -217,9 +217,9 @@ INSTANTIATE_TEST_SUITE_P(Solvers, InvariantsOfSolver,
   [](const testing::TestParamInfo<Solver>& info)
   { return info.param == Solver::Paper ? "Paper" : "Precise"; });
 
-// Another spacing changes r = KernelRadius x the largest spacing. This changes the reach of x_s and
-// x_v, and the material that is read there. So if the material varies, the largest spacing must
-// stay.
+// Another spacing changes r = KernelRadius x the largest spacing, and thus the reach of x_s and
+// x_v, where the material is read. So if the material varies, the largest spacing must remain the
+// same.
 TEST(Invariants, PaperDoesNotFeelTheGridOfALinearField)
 {
   double worst = 0.0;
@@ -300,7 +300,7 @@ TEST(Invariants, TheForceFollowsTheTipNoStifferThanTheSpring)
     // projection onto a convex set shortens distances.
     const Vec3 slope = random.UnitVector();
     const bool isPlane = seed % 2;
-    // With an edge, the strength in the cavity would grow with the depth, and limit even 1e9 N.
+    // With an edge, the strength in the cavity would increase with the depth, but limit even 1e9 N.
     scene.placesAsThePaper = !isPlane;
     const auto field = [&](const Vec3& x)
     {
@@ -313,7 +313,7 @@ TEST(Invariants, TheForceFollowsTheTipNoStifferThanTheSpring)
     SetMaterial(scene, stiffness, friction, seed % 3 ? 0.3 : 0.0, isPlane ? 1.5 : 1e9);
     RandomWalk(scene, random, Cube(8.0, 1.0), 300);
     const Trace trace = RunFilter(scene);
-    // Friction grows with the normal force, so the whole force is stiffer than the spring.
+    // Friction increases with the normal force, so the whole force is stiffer than the spring.
     const double k = 0.001 * stiffness * std::hypot(1.0, friction);
     for (std::size_t tick = 1; tick < trace.size(); ++tick)
     {

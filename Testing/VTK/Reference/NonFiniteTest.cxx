@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests that samples that are not numbers are felt as nothing, and never reach a force.
- */
+/** Tests that samples that are NaN or infinite have no effect, and never reach a force. */
 
 #include "CompareTraces.h"
 #include "RandomScene.h"
@@ -34,8 +32,8 @@ bool IsFinite(const TickRecord& tick)
   return finite;
 }
 
-// Returns a random voxel that is neither at the border nor next to it. Border voxels also give the
-// samples outside: see NonFiniteValues.AZeroWeightIsNoSample.
+// Returns a random voxel that is at least one voxel away from the border. Border voxels also
+// determine the samples outside: see NonFiniteValues.AZeroWeightIsNoSample.
 vtkIdType InnerVoxel(Random& random, const Geometry& geometry)
 {
   vtkIdType id = 0;
@@ -52,8 +50,9 @@ class NonFinite : public testing::TestWithParam<Estimator>
 {
 };
 
-// The reference's sums become NaN where a bad voxel takes part. There the gradient must count as 0,
-// also in the reference, and values need only be finite. Elsewhere nothing may change.
+// The reference's sums become NaN where an invalid voxel contributes. There, the gradient must
+// count as 0, also in the reference, and values only have to be finite. Elsewhere, the voxel must
+// have no effect.
 TEST_P(NonFinite, BadVoxelsAreFeltAsNothing)
 {
   int touched = 0;

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests the replacement for a sample that is not a number.
- */
+/** Tests the replacement for a sample that is NaN or infinite. */
 
 #include "RandomScene.h"
 
@@ -49,9 +47,9 @@ TEST_P(NonFiniteValues, TheBorderValueStandsIn)
   }
 }
 
-// A value outside the volume equals that of the nearest border point. A bad voxel whose weight is
-// zero must not change this value. This voxel is the next one inwards for trilinear values, and the
-// second one inwards for splines.
+// A value outside the volume equals that of the nearest border point. An invalid voxel with zero
+// weight must not change this value. This voxel is the next one inwards for trilinear values, and
+// the second one inwards for splines.
 TEST_P(NonFiniteValues, AZeroWeightIsNoSample)
 {
   const double layer = this->GetParam() == Estimator::CubicBSpline ? 6.0 : 7.0;

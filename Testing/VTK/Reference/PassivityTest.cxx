@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests that a hand at rest gets no energy from the volume: 1/2 k |d|^2 never rises.
- */
+/** Tests that a resting hand gains no energy from the volume: 1/2 k |d|^2 must never increase. */
 
 #include "RandomScene.h"
 
@@ -32,7 +30,7 @@ TEST(Passivity, AStaticTipNeverGainsEnergy)
     {
       if (Norm(trace[tick].tip - trace[tick - 1].tip) == 0.0)
       {
-        // The stiffness is constant, so the energy is |f|^2 / 2k, and the force must not grow.
+        // The stiffness is constant, so the energy is |f|^2 / 2k, and the force must not increase.
         const double before = Norm(trace[tick - 1].force);
         EXPECT_LE(Norm(trace[tick].force), before + Rounding)
           << "seed " << seed << " tick " << tick;

@@ -18,7 +18,7 @@ namespace
 {
 constexpr int Scenes = 300;
 constexpr int Ticks = 400;
-// Rounding error of a force (N): positions of some hundred mm times some thousand N/m.
+// Rounding error of a force (N): positions of several hundred mm times several thousand N/m.
 constexpr double Rounding = 1e-9;
 
 /// Runs `check` on random scenes, half of which have a constant stiffness.
@@ -41,8 +41,8 @@ void OnRandomScenes(Check&& check)
   }
 }
 
-/// Returns whether the solver has reached the force of its spring. After a jump, this may take some
-/// ticks.
+/// Returns whether the solver has reached the force of its spring. After a jump, this may take
+/// several ticks.
 bool IsThere(const Scene& scene, const TickRecord& tick)
 {
   const Vec3 spring = tick.stiffness * scene.metersPerWorldUnit * (tick.proxy - tick.tip);
@@ -88,11 +88,11 @@ TEST(PreciseProperties, ARestingTipGainsNoEnergy)
     {
       if (scene.estimator == Estimator::CentralDifference)
       {
-        return; // its normals are not the normals of level sets
+        return; // its normals are not those of level sets
       }
       scene.path = WithStops(scene.path);
       const Trace trace = RunFilter(scene);
-      // Tolerance of the solver: 2e-3 of a voxel, as a length of the spring (m).
+      // Tolerance of the solver: 2e-3 of a voxel, expressed as a length of the spring (m).
       double spacing[3];
       scene.image->GetSpacing(spacing);
       const double longest =

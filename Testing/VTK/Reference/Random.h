@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Makes random numbers that are the same with every standard library, unlike those of the std
- * distributions, and rotations from these numbers.
+ * Makes random numbers and rotations that are the same with every standard library, unlike those of
+ * the std distributions.
  */
 #ifndef Random_h
 #define Random_h
@@ -28,7 +28,7 @@ public:
     return low + (high - low) * double(this->Engine() >> 11) * 0x1p-53;
   }
 
-  /// Returns a random number from `low` to `high`, both included.
+  /// Returns a random number from `low` to `high`, including both.
   int Integer(int low, int high)
   {
     return low + int(this->Engine() % std::uint64_t(high - low + 1));
@@ -48,7 +48,7 @@ public:
     return (1.0 / Norm(v)) * v;
   }
 
-  /// Returns a matrix that is orthonormal within rounding.
+  /// Returns a matrix that is orthonormal within rounding errors.
   Mat3 Rotation(bool leftHanded = false)
   {
     const Vec3 a = this->UnitVector();

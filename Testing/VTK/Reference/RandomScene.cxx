@@ -72,7 +72,7 @@ void RandomVolume(
   const bool isUnsigned = scalarType == VTK_UNSIGNED_CHAR || scalarType == VTK_UNSIGNED_SHORT;
   const double amplitude = scalarType == VTK_UNSIGNED_CHAR ? 160.0 : 1000.0;
   const double offset = isUnsigned ? 0.6 * amplitude : random.Uniform(-300.0, 300.0);
-  // Clamping the field makes a uniform region now and then, in which the gradient vanishes.
+  // Clamping the field occasionally makes a uniform region, in which the gradient vanishes.
   const Field field = [&](const Vec3& world)
   {
     return std::max(offset - 0.6 * amplitude, offset + amplitude * smooth(world)) +
@@ -82,7 +82,7 @@ void RandomVolume(
   const int components = random.Chance(0.4) ? random.Integer(2, 4) : 1;
   scene.component = random.Integer(0, components - 1);
   scene.image->AllocateScalars(scalarType, components);
-  // Keeps a reference, since SetScalars() below drops the array that was active.
+  // Keep a reference, because SetScalars() below releases the array that was active.
   const vtkSmartPointer<vtkDataArray> scalars = scene.image->GetPointData()->GetScalars();
   for (int component = 0; component < components; ++component)
   {
@@ -130,9 +130,9 @@ void RandomMaterial(Scene& scene, Random& random, Curves curves)
   const double* s = scene.image->GetSpacing();
   const double steepest = 0.2 * (range[1] - range[0]) / std::min({ s[0], s[1], s[2] });
   vtkHapticProperty* p = scene.property;
-  // The error of a table is relative to the height of a function's piece. So curves don't rise from
-  // zero, where this error would be a large part of the stiffness. They don't rise to a million
-  // newtons, either.
+  // The error of a table is relative to the height of a function's piece. So curves don't start at
+  // zero, where this error would be a large part of the stiffness, and don't reach a million
+  // newtons either.
   const double floor = curves == Curves::Linear && random.Chance(0.2) ? 0.0 : 50.0;
   const bool huge = curves == Curves::Linear && random.Chance(0.1);
   RandomFunction(p->GetStiffness(), random, curves, range[0], range[1], floor, 1500.0);

@@ -19,8 +19,8 @@ enum class Curves
   Curved  // curves with midpoints, sharpness and steep edges
 };
 
-/// Returns a smooth random function of the position with values in [-1, 1]. Its waves have lengths
-/// of 1 to 5 times `shortest` voxels.
+/// Returns a smooth random function of the position with values in [-1, 1]. Its wavelengths are 1
+/// to 5 times `shortest` voxels.
 Field RandomField(Random& random, const Geometry& geometry, double shortest = 5.0);
 
 /// Returns a random size, spacing, origin, direction (also left-handed) and first index.
@@ -29,8 +29,8 @@ Geometry RandomGeometry(Random& random, int kernelRadius);
 /// Returns the scalars of the scene that the hand feels.
 vtkDataArray* FeltScalars(const Scene& scene);
 
-/// Makes a volume of `scalarType`. Its scalars may be one component of several, in an array that is
-/// not active.
+/// Makes a volume of `scalarType`. Its scalars may be one component of several, in an inactive
+/// array.
 void RandomVolume(
   Scene& scene, Random& random, const Geometry& geometry, int scalarType, double shortest = 5.0);
 
@@ -38,11 +38,11 @@ void RandomVolume(
 void RandomMaterial(Scene& scene, Random& random, Curves curves);
 
 /// Sets functions with mild slopes between the ends of the scalar range, and a small depth, so that
-/// rounding does not grow. The paper's solver chatters if the tip is deeper than the surface's
-/// radius of curvature (T13). Its drag amplifies an error if the stiffness falls steeply.
+/// rounding errors do not grow. The paper's solver chatters if the tip is deeper than the surface's
+/// radius of curvature (T13), and its drag amplifies an error if the stiffness falls steeply.
 void GentleMaterial(Scene& scene, double low, double high);
 
-/// Makes a smooth walk that presses, slides, sometimes jumps, and leaves the volume now and then.
+/// Makes a smooth walk that presses, slides, sometimes jumps, and occasionally leaves the volume.
 void RandomWalk(Scene& scene, Random& random, const Geometry& geometry, int ticks);
 
 /// Returns the walk with a stop of 20 ticks at every 30th point.
@@ -58,7 +58,7 @@ void RandomScene(Scene& scene, Random& random, Curves curves, int ticks);
 /// field.
 Geometry GentleScene(Scene& scene, Random& random, int ticks);
 
-/// Moves the volume and the path: each x becomes rotation x + translation.
+/// Transforms the volume and the path: each x becomes rotation x + translation.
 void MoveScene(
   Scene& scene, const Geometry& geometry, const Mat3& rotation, const Vec3& translation);
 } // namespace reference

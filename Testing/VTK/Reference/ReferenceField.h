@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Computes V and grad V directly by their formulas: double loops, exp(), and taps clamped to the
+ * Computes V and grad V directly from their formulas: double loops, exp(), and taps clamped to the
  * border.
  */
 #ifndef ReferenceField_h
@@ -24,10 +24,11 @@ public:
   /// point.
   double Value(const Vec3& world) const;
 
-  /// Returns grad V per world unit. Outside the volume, and if a tap is not finite, this is 0.
+  /// Returns grad V per world unit; 0 outside of the volume, and if a tap is not finite.
   Vec3 Gradient(const Vec3& world) const;
 
-  /// Returns the magnitude up to which a gradient is only rounding of the taps, and counts as 0.
+  /// Returns the largest magnitude of a gradient that may result from rounding of the taps, and
+  /// counts as 0.
   double GradientFloor(const Vec3& world) const;
 
   /// Returns 1 inside the volume and 0 outside. Within one kernel radius of the border, it falls
@@ -38,7 +39,7 @@ public:
   double KernelLength() const;
 
   /// Computes the Gaussian's weights along one axis, for a position at the fraction `f` above a
-  /// voxel. smoothing[i] and derivative[i] belong to the tap at the offset i - radius.
+  /// voxel. smoothing[i] and derivative[i] are for the tap at the offset i - radius.
   static void GaussianWeights(
     int radius, double f, std::vector<double>& smoothing, std::vector<double>& derivative);
 

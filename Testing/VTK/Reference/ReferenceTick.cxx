@@ -46,7 +46,7 @@ TickRecord ProxyTick(const ReferenceField& field, Scene& scene, const Vec3& prox
   }
   out.normal = N;
 
-  // Material: inside the structure, and outside it for the drag.
+  // Material: read inside the structure, and outside of it for the drag.
   const double r = field.KernelLength();
   out.surfaceValue = field.Value(proxy + r * N);
   out.mediumValue = field.Value(proxy - r * N);

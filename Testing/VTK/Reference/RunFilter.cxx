@@ -64,7 +64,7 @@ static void Configure(vtkVolumeHapticsFilter* filter, Scene& scene)
   filter->SetForceFieldGain(scene.forceFieldGain);
   filter->SetForceFieldDamping(scene.forceFieldDamping);
   filter->SetMaximumForce(0.0);
-  filter->SetReleaseTime(0.0); // switches the release off, to test the law alone
+  filter->SetReleaseTime(0.0); // disables the release, to test only the law
 }
 
 static vtkSmartPointer<vtkPolyData> MakePath(const std::vector<Vec3>& path)

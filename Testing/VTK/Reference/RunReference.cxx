@@ -14,7 +14,8 @@ static Vec3 FreeNormal(vtkImageData* image, const Trace* played, std::size_t tic
 {
   if (!played)
   {
-    // This normal turns with the volume, since forces must not depend on the volume's placement.
+    // This normal rotates with the volume, because forces must not depend on the volume's
+    // placement.
     Vec3 axis;
     for (int row = 0; row < 3; ++row)
     {
@@ -40,7 +41,7 @@ Trace RunReference(Scene& scene, const Trace* played, bool resume)
   Trace trace;
   for (std::size_t tick = 0; tick < scene.path.size(); ++tick)
   {
-    // The proxy and the previous position are at the tip in the first tick, so nothing moves.
+    // In the first tick, the proxy and the previous position are at the tip, so there is no motion.
     const Vec3 tip = scene.path[tick];
     const Vec3 previousTip = tick == 0 ? tip : scene.path[tick - 1];
     const Vec3 proxy = tick == 0 ? tip : (resume ? (*played)[tick - 1].proxy : trace.back().proxy);

@@ -33,15 +33,15 @@ using Field = std::function<double(const Vec3& world)>;
 /// Returns the geometry of a cube with a side of 2 x `half` around the origin.
 Geometry Cube(double half, double spacing);
 
-/// Returns the geometry of the same volume at another place: world becomes rotation * world +
-/// translation.
+/// Returns the geometry of the same volume at another place: world coordinates become rotation *
+/// world + translation.
 Geometry Moved(const Geometry& geometry, const Mat3& rotation, const Vec3& translation);
 
 /// Makes an image of this geometry, without scalars.
 vtkSmartPointer<vtkImageData> MakeImage(const Geometry& geometry);
 
-/// Samples the field into component 0 of the active scalars. Integer types get the nearest value
-/// within their range.
+/// Samples the field into component 0 of the active scalars. Integer types receive the nearest
+/// value within their range.
 vtkSmartPointer<vtkImageData> Sample(
   const Geometry& geometry, const Field& field, int scalarType = VTK_DOUBLE);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that the same numbers give the same forces in every scalar type, component and memory
+ * Tests that the same numbers result in the same forces in every scalar type, component and memory
  * layout.
  */
 
@@ -39,7 +39,7 @@ vtkSmartPointer<vtkDataArray> MakeArray(int scalarType, Layout layout)
   return vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(scalarType));
 }
 
-// Sets whole numbers around `middle` in the last component, and a walk through them.
+// Sets integers around `middle` in the last component, and a walk through them.
 void Begin(Scene& scene, Estimator estimator, vtkDataArray* array, int components, double middle)
 {
   Random random(77);
@@ -100,12 +100,13 @@ TEST_P(ScalarTypes, FeelTheSame)
   }
 }
 
-// The filter must report values at the ends of a type's range, as far as a double can hold them.
+// The filter must report values at the ends of a type's range, as far as a double can represent
+// them.
 TEST_P(ScalarTypes, ReachTheirLimits)
 {
   const auto array = MakeArray(this->GetParam(), Layout::OfStructures);
   const bool real = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
-  // A double can't hold the largest 64-bit number, so the limits are below that number.
+  // A double can't represent the largest 64-bit number, so the limits are smaller.
   const double low = std::max(array->GetDataTypeMin(), real ? -1e30 : -0x1p62);
   const double high = std::min(array->GetDataTypeMax(), real ? 1e30 : 0x1p62);
   Scene scene;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Everything that determines a trace: a volume, a property, the settings and a path of the tip. The
- * module can play a scene (through its public VTK classes only), and so can the reference.
+ * Everything that determines a trace: a volume, a property, the settings and a path of the tip.
+ * Both the module (through its public VTK classes) and the reference can play a scene.
  */
 #ifndef Scene_h
 #define Scene_h
@@ -54,12 +54,12 @@ struct Scene
 {
   vtkSmartPointer<vtkImageData> image;
   vtkNew<vtkHapticProperty> property;
-  std::string arrayName; // name of the touched array; if empty, the active scalars
+  std::string arrayName; // name of the touched array; empty for the active scalars
   int component = 0;
   Side side = Side::Higher;
   Method method = Method::Proxy;
   Solver solver = Solver::Paper;
-  bool placesAsThePaper = false; ///< alignment Distinctness, materials of the kernel
+  bool placesAsThePaper = false; ///< alignment Distinctness, kernel materials
   Estimator estimator = Estimator::Gaussian;
   int kernelRadius = 2;
   double servoRate = 1000.0;
@@ -68,7 +68,7 @@ struct Scene
   double forceFieldDamping = 0.0;
   std::vector<Vec3> path;
 
-  /// Appends points on the way to `goal`, a `step` apart. The last point is exactly `goal`.
+  /// Appends points towards `goal`, a `step` apart. The last point is exactly `goal`.
   void MoveTo(const Vec3& goal, double step);
 };
 
@@ -80,9 +80,10 @@ void SetMaterial(Scene& scene, double stiffness, double friction, double viscosi
 /// documented.
 Trace RunFilter(Scene& scene);
 
-/// Plays the scene with the reference. If the gradient vanishes, the normal is free: the reference
-/// takes it from `played`, if given, and only checks that it is a unit vector. With `resume`, every
-/// tick starts at the last proxy in `played`, so that each tick is compared alone.
+/// Plays the scene with the reference. If the gradient vanishes, the normal is arbitrary: the
+/// reference uses the normal of `played`, if given, and only checks that it is a unit vector. With
+/// `resume`, every tick starts at the last proxy in `played`, so that each tick is compared
+/// independently.
 Trace RunReference(Scene& scene, const Trace* played = nullptr, bool resume = false);
 } // namespace reference
 

@@ -32,8 +32,8 @@ struct TickRecord
   double viscosity = 0.0;       // N
   double surfaceStrength = 0.0; // N
   int contact = 0;
-  // Set by the reference only: force (N) by which the tick's closest decision was made. If rounding
-  // exceeds this force, the tick may decide either way.
+  // Set only by the reference: force (N) by which the tick's closest decision was made. If the
+  // rounding error exceeds this force, the tick may decide either way.
   double margin = 0.0;
 };
 

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Three-vectors of the reference. They are deliberately simple: nothing here is shared with the
- * module.
+ * Three-vectors of the reference. They are deliberately simple, and share no code with the module.
  */
 #ifndef Vec3_h
 #define Vec3_h
@@ -66,7 +65,7 @@ inline Vec3 operator*(const Mat3& m, const Vec3& a)
   return a[0] * m.column[0] + a[1] * m.column[1] + a[2] * m.column[2];
 }
 
-/// Returns the transpose of the inverse, by Cramer's rule. Its columns are the rows of the inverse.
+/// Returns the transpose of the inverse, by Cramer's rule: its columns are the rows of the inverse.
 inline Mat3 InverseTransposed(const Mat3& m)
 {
   const double det = Dot(m.column[0], Cross(m.column[1], m.column[2]));

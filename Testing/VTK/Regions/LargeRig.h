@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Rig of volumes for vtkHapticRegionSource: computed volumes, and the same volumes in memory.
+ * Fixture with volumes for vtkHapticRegionSource: computed volumes, and the same volumes in memory.
  */
 #ifndef LargeRig_h
 #define LargeRig_h
@@ -25,8 +25,8 @@ namespace largetest
 {
 using namespace apitest;
 
-// Turns off the thread sanitizer's checks of memory. Tests compute millions of values from constant
-// tables, which takes minutes with these checks, and seconds without them.
+// Disables the thread sanitizer's checks of memory. Tests compute millions of values from constant
+// tables, which takes minutes with these checks, and seconds without.
 #if defined(__SANITIZE_THREAD__)
 #define LARGE_RIG_UNWATCHED __attribute__((no_sanitize("thread")))
 #else
@@ -36,7 +36,7 @@ using namespace apitest;
 using Extent = std::array<int, 6>;
 using ValueAt = std::function<double(int, int, int)>;
 
-/// Returns a number from -1 to 1 without a pattern: a hash of the indices.
+/// Returns a number from -1 to 1 without a pattern, as a hash of the indices.
 LARGE_RIG_UNWATCHED inline double Noise(int i, int j, int k)
 {
   std::uint64_t x = static_cast<std::uint64_t>(i) * 0x9E3779B97F4A7C15U +
@@ -47,7 +47,7 @@ LARGE_RIG_UNWATCHED inline double Noise(int i, int j, int k)
   return static_cast<double>(x >> 11) / 4503599627370496.0 - 1.0;
 }
 
-/// A wave along an axis, in a table, since tests compute it for millions of samples.
+/// A wave along an axis. Stored in a table, because tests evaluate it for millions of samples.
 class Wave
 {
 public:
@@ -66,7 +66,7 @@ private:
   std::array<double, Count> Values;
 };
 
-/// Returns the height of the bed's surface.
+/// Returns the height (index k) of the bed's surface.
 LARGE_RIG_UNWATCHED inline double TopAt(int i, int j)
 {
   static const Wave alongX(4.0, 0.05);
@@ -106,7 +106,7 @@ inline void FillBox(int type, const int extent[6], void* samples, const ValueAt&
   }
 }
 
-/// Number of calls of a reader, and the largest number of samples that a call read.
+/// Number of calls of a reader, and the largest number of samples per call.
 struct Reads
 {
   std::atomic<int> Calls{ 0 };

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests regions that follow a tip, without a device: the replacement for late samples, the memory
- * used, and a day of use. Values are closed forms of the indices.
+ * Tests regions that follow a tip, without a device: the replacement for late samples, memory
+ * consumption, and a day of use. Values are closed forms of the indices.
  */
 
 #include "LargeRig.h"
@@ -32,7 +32,7 @@ using devicetest::Eventually;
 
 namespace
 {
-/// Extent of 125 million samples, of which 512 blocks give the noise.
+/// 125 million samples; the noise is estimated from 512 blocks.
 constexpr Extent Cube = { 0, 499, 0, 499, 0, 499 };
 
 /// Returns a value that is linear in the indices, so that interpolation is exact.
@@ -66,7 +66,7 @@ protected:
         ++gate->Calls;
         if (gate->IsBroken)
         {
-          throw 7; // an exception that is no std::exception
+          throw 7; // an exception that is not a std::exception
         }
         gate->IsFlat ? FillFlat(box, samples) : FillBox<short>(box, samples, PlainAt);
         return true;
@@ -112,8 +112,8 @@ protected:
     vtkDataArray* const share = this->Source->GetOutput()->GetFieldData()->GetArray("HapticShare");
     return share ? share->GetComponent(0, 0) : 1.0;
   }
-  /// Follows a tip until the output has the samples of the volume (`share` is 1) or of the coarse
-  /// image.
+  /// Follows a tip, and waits until the output has the samples of the volume (`share` is 1) or of
+  /// the coarse image.
   bool Await(const Point& tip, double share = 1.0)
   {
     return Eventually(
@@ -151,7 +151,7 @@ protected:
   double Time = 0.0;
 };
 
-/// Makes a coarse image of every fourth sample along each axis.
+/// Makes a coarse image with every fourth sample along each axis.
 vtkSmartPointer<vtkImageData> MakeCoarse()
 {
   constexpr int n = 125;
@@ -178,7 +178,7 @@ TEST_F(LiveRegions, AreOfTheCoarseImageWhereTheFineOneIsLate)
   EXPECT_FALSE(this->Follow(At(300, 200, 250))) << "the stand-in is there";
   ASSERT_TRUE(this->Await(At(100, 400, 50), 0.5)) << "it follows the tip";
   this->ExpectPlain(100, 400, 50);
-  // Samples for a place that the tip has left must not replace the coarse samples at the tip.
+  // Samples for a position that the tip has left must not replace the coarse samples at the tip.
   ASSERT_TRUE(Eventually([&] { return this->Gate->Waiting == 1; }));
   this->Gate->IsOpen = true;
   ASSERT_TRUE(this->Await(At(100, 400, 50)));
@@ -243,7 +243,7 @@ TEST_F(LiveRegions, BeyondACoarseImageAreAsAtItsBorderAndRoundedToTheType)
 
 TEST_F(LiveRegions, GoThroughADayInTheirMemory)
 {
-  // The hand wanders for 24 hours, with a step every half second.
+  // The hand wanders for 24 hours, with one step every half second.
   this->Gate->IsFlat = true;
   ASSERT_TRUE(this->Await(At(250, 250, 250)));
   std::mt19937 random(5);
@@ -271,7 +271,7 @@ TEST_F(LiveRegions, GoThroughADayInTheirMemory)
   EXPECT_LE(4 * this->Gate->Most * 2, 4194304) << "a region takes a quarter of the memory";
   EXPECT_EQ(this->Source->GetStatusText().find("can't"), std::string::npos);
   EXPECT_EQ(this->Log.Errors.size(), 0U);
-  // The samples at the last position must come at the end.
+  // At the end, the samples at the last position must arrive.
   EXPECT_TRUE(Eventually(
     [&]
     {

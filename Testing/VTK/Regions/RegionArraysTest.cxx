@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the arrays of a region that describe the whole volume, and the errors for wrong arrays.
+ * Tests the arrays of a region that describe the whole volume, and the errors for invalid arrays.
  */
 
 #include "Rigs/BadImage.h"
@@ -27,7 +27,7 @@ void SetField(vtkImageData* image, const char* name, const std::vector<double>& 
   image->GetFieldData()->AddArray(array);
 }
 
-/// Makes the ramp a valid region of a volume. Each test then breaks one array.
+/// Makes the ramp a valid region of a volume. Each test then invalidates one array.
 void MakeRegion(vtkImageData* image)
 {
   SetField(image, "HapticWholeExtent", { 0, 15, 0, 15, -10, 15 });

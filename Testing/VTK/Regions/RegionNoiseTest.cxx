@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that the noise of a volume in pieces equals the noise of the whole, to the bit, and is
- * estimated once. Samples that were not measured are found in all pieces.
+ * Tests that the noise of a volume in pieces is bitwise equal to the noise of the whole, and is
+ * estimated once. Unmeasured samples must be detected in all pieces.
  */
 
 #include "RegionRig.h"
@@ -18,8 +18,8 @@ using namespace apitest;
 
 namespace
 {
-/// Filter that collects samples from several slabs across an axis, as if each slab were in a
-/// process.
+/// A filter that collects samples from several slabs across an axis, as if each slab were in a
+/// separate process.
 class SlabFilter : public vtkHapticRegionFilter
 {
 public:
@@ -38,7 +38,7 @@ protected:
     int whole[6];
     image->GetExtent(whole);
     samples.clear();
-    // The last slab comes first, since the order of the pieces must not matter.
+    // Start with the last slab, because the order of the pieces must not matter.
     for (int i = this->Slabs - 1; i >= 0; --i)
     {
       int part[6];
@@ -63,8 +63,8 @@ protected:
 };
 vtkStandardNewMacro(SlabFilter);
 
-/// Filter that gathers the samples of all pieces without a piece of its own, like a process of a
-/// server.
+/// A filter without a piece that gathers the samples of all pieces, as one of a server's processes
+/// does.
 class FilterWithoutPiece : public vtkHapticRegionFilter
 {
 public:

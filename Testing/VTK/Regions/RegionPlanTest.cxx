@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests plans of RegionPlanner, also for absurd numbers.
- */
+/** Tests plans of RegionPlanner, including extreme numbers. */
 
 #include "Rigs/ApiRig.h"
 #include "VTK/Filter/PlannerSettings.h"
@@ -109,8 +107,8 @@ TEST_F(Plan, LeavesAHandThatStopsItsData)
   }
 }
 
-/// A region of 20^3 reaches 10 world units to each side, but a tick needs 60. The next region must
-/// be ordered when half of the 10 units is left.
+/// A region of 20^3 extends 10 world units to each side, but a tick needs 60. The next region must
+/// be requested when half of the 10 units is left.
 TEST_F(Plan, OrdersTheNextCutRegionBeforeTheTipLeavesThisOne)
 {
   const int whole[6] = { 0, 999, 0, 999, 0, 999 };

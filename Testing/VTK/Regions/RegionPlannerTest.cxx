@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests the choice of the region to fetch, and the time of this choice, for hands that rest,
- * tremble and move.
- */
+/** Tests which region is fetched, and when, for hands that rest, tremble and move. */
 
 #include "VTK/Regions/RegionPlanner.h"
 #include "Rigs/ApiRig.h"
@@ -50,7 +47,7 @@ protected:
 
 TEST_F(Planner, TellsTheRoomThatARegionGivesATip)
 {
-  // The room is the distance to the border, less T_N/k, reach and band: 4 + 8 + 4 world units.
+  // The room is the distance to the border, less T_N/k, reach and band (4 + 8 + 4 world units).
   const double tip[3] = { 520.0, 300.0, 5.0 };
   const int around[6] = { 480, 600, 200, 400, 0, 70 };
   EXPECT_DOUBLE_EQ(this->Plan.ComputeRoom(tip, around), 40.0 - 16.0) << "the volume's end is none";
@@ -115,7 +112,7 @@ TEST_F(Planner, IsInTimeAtEverySteadySpeed)
         comes = -1.0;
       }
       // The resident region must include the spring, the reach and the band around the tip: 16
-      // world units in all.
+      // world units in total.
       ASSERT_GE(x - 16.0, here[0]) << speed << " at " << time;
       ASSERT_LE(x + 16.0, here[1]) << speed << " at " << time;
       if (comes < 0.0 && this->Wants(x, speed))

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the thread that reads regions. Its owner never waits for it, except for a read that is
- * running when the reader ends. The thread survives readers that fail, throw or are slow.
+ * Tests the thread that reads regions. Its owner waits for it only if a read is in progress when
+ * the reader ends. The thread must survive readers that fail, throw or are slow.
  */
 
 #include "VTK/Regions/RegionReader.h"
@@ -30,8 +30,8 @@ constexpr BoxExtent Here = { 10, 13, 20, 22, 30, 31 };
 constexpr BoxExtent There = { 500, 503, 20, 22, 30, 31 };
 constexpr BoxExtent Elsewhere = { 700, 703, 20, 22, 30, 31 };
 
-/// Volume whose samples are their index along x. Tests open and close the gate through which it is
-/// read.
+/// A volume whose samples equal their index along x. Tests open and close the gate through which it
+/// is read.
 struct GatedVolume
 {
   GatedVolume()
@@ -85,7 +85,7 @@ std::optional<RegionSamples> Await(RegionReader& reader)
   return region;
 }
 
-/// Ends a reader while it waits at a closed gate, and opens the gate a little later.
+/// Ends a reader that is waiting at a closed gate, and opens the gate slightly later.
 void EndMeanwhile(std::unique_ptr<RegionReader>& reader, GatedVolume& gate)
 {
   std::atomic<bool> begins{ false };
@@ -137,7 +137,7 @@ TEST(RegionReader, LeavesOutOrdersThatALaterOneReplaces)
   reader.Order(Elsewhere);
   gate.IsOpen = true;
   ASSERT_TRUE(Eventually([&] { return gate.Left == 2; }));
-  // The last region may have replaced the first one before the test could take the first one.
+  // The last region may have replaced the first one before the test could fetch the first one.
   std::optional<RegionSamples> region;
   ASSERT_TRUE(Eventually(
     [&]

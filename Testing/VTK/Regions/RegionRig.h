@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Rig of a noisy ball in an image that is turned in the world, and of regions of this image.
- */
+/** Fixture with a noisy ball in an image with a rotated placement, and regions of this image. */
 #ifndef RegionRig_h
 #define RegionRig_h
 
@@ -44,7 +42,7 @@ inline vtkSmartPointer<vtkImageData> MakeBall(int scalarType = VTK_SHORT, double
   return image;
 }
 
-/// Makes a path that presses the ball at its top, slides over the ball, and moves in and out of its
+/// Makes a path that presses the top of the ball, slides over the ball, and moves in and out of its
 /// surface.
 inline std::vector<Point> SlideOver(vtkImageData* image, int ticks)
 {

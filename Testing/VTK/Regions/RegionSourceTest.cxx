@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that paths through a volume that is read region by region give the same trace as through
- * the whole volume in memory, to the bit, in any order of the regions. The reference is the filter
- * on a vtkImageData.
+ * Tests that paths through a volume that is read in regions have bitwise the same trace as through
+ * the whole volume in memory, in any order of the regions. The reference is the filter on a
+ * vtkImageData.
  */
 
 #include "LargeRig.h"
@@ -119,7 +119,7 @@ TEST_P(RegionSource, IsFeltAsTheWhole)
   EXPECT_EQ(felt->GetNumberOfPoints(), 3000);
   if (isMeshed)
   {
-    // The mesh differs, so the proxy's sphere meets the triangles in another order.
+    // The mesh differs, so the proxy's sphere touches the triangles in another order.
     vtkDataArray* const a = this->Felt()->GetPointData()->GetArray("Force");
     vtkDataArray* const b = felt->GetPointData()->GetArray("Force");
     for (vtkIdType t = 0; t < 3 * 3000; ++t)
@@ -131,8 +131,8 @@ TEST_P(RegionSource, IsFeltAsTheWhole)
   {
     EXPECT_TRUE(IsSame(this->Felt(), felt));
   }
-  // The whole volume has 6.6 million samples. It must be read in several regions along the path,
-  // none of them large.
+  // The whole volume has 6.6 million samples. It must be read in several small regions along the
+  // path.
   EXPECT_GT(this->Counted->Calls, 12);
   EXPECT_LE(this->Counted->Most, 1 << 20);
 }
@@ -153,7 +153,7 @@ TEST_F(LargePaths, AreFeltAsIfEachWereAlone)
   vtkNew<vtkCellArray> lines;
   for (vtkIdType line = 0; line < 9; ++line)
   {
-    // The order of the lines makes each line begin in another region than that in which the last
+    // Order the lines so that each line starts in a different region than the one where the last
     // line ended.
     lines->InsertNextCell(100);
     for (vtkIdType t = 0; t < 100; ++t)

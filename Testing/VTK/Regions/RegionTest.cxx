@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests that a region that vtkHapticRegionFilter has made is felt like the whole image.
- */
+/** Tests that a region from vtkHapticRegionFilter has the same forces as the whole image. */
 
 #include "RegionRig.h"
 
@@ -44,8 +42,8 @@ protected:
     EXPECT_EQ(this->Log.Errors.size(), 0U);
   }
 
-  /// Tolerance (N). In another mesh, the sphere meets the triangles in another order. If two
-  /// triangles are parallel within 1e-6 rad, the normal of the first one counts.
+  /// Tolerance (N). In a different mesh, the sphere touches the triangles in another order. For two
+  /// triangles that are parallel within 1e-6 rad, the normal of the first one is used.
   const double Tolerance = std::string(this->GetParam()) == "surface-proxy" ? 1e-7 : 1e-9;
   vtkSmartPointer<vtkImageData> Whole = MakeBall();
   vtkNew<vtkHapticRegionFilter> Crop;
@@ -84,7 +82,7 @@ TEST_P(Region, WithSamplesThatAreNotNumbersIsFeltAsTheWhole)
     scalars->SetComponent(
       holes->FindPoint(centre[0] + dx, centre[1] - 4.0, centre[2] + 17.0), 0, NAN);
   }
-  scalars->SetComponent(0, 0, 345.0); // changes the first corner, whose value replaces bad samples
+  scalars->SetComponent(0, 0, 345.0); // changes the first corner, whose value replaces invalid samples
   this->Crop->SetInputData(holes);
   this->Crop->SetRegion(-4, 53, 4, 57, 22, 61);
   this->Touch->SetInputData(0, holes);

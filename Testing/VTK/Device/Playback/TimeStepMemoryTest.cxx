@@ -211,7 +211,7 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereItWasStoppedMeanwhile)
   EXPECT_EQ(DrainMost(), 3);
 }
 
-/// An image that the application has asked for is released together with its time step.
+/// An image that the application has requested must be released together with its time step.
 TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereOneWasShown)
 {
   this->Begin();
@@ -224,7 +224,7 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereOneWasShown)
   }
 }
 
-/// Jumps to other data times with Surface Proxy, whose meshes take time to make.
+/// Jumps to other data times with the method Surface Proxy, whose meshes take time to make.
 TEST_F(TimeStepMemory, HasThreeStepsAtMostWithTheirMeshes)
 {
   this->Filter->SetMethodToSurfaceProxy();
@@ -235,7 +235,7 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWithTheirMeshes)
   {
     const double time = (i % 3) * 0.4 + static_cast<double>(i * 5 % (Steps - 1));
     ASSERT_TRUE(this->GoTo(time)) << time;
-    // The proxy's sphere begins at the tip, in front of the wall, so no contact delays the data
+    // The proxy's sphere starts at the tip, in front of the wall, so no contact delays the data
     // time.
     EXPECT_EQ(this->Device->GetPlayback()->GetDataTime(), time);
     EXPECT_LE(DrainMost(), 3) << time;
@@ -243,7 +243,7 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWithTheirMeshes)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// A new model takes over the time steps of the last model without a copy.
+/// A new model must reuse the time steps of the last model without a copy.
 TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereSettingsChangeMeanwhile)
 {
   this->Filter->SetIsoValue(500.0);
@@ -279,7 +279,7 @@ TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereSettingsChangeMeanwhile)
   EXPECT_LE(CountedArray::Live, 3);
 }
 
-/// The device reads its time steps again after a change of the source, and after a change to
+/// The device must read its time steps again after a change of the source, and after a switch to
 /// another array.
 TEST_F(TimeStepMemory, KeepsNoTimeStepOfAnotherVolume)
 {
@@ -312,7 +312,7 @@ TEST_F(TimeStepMemory, KeepsNoTimeStepOfAnotherVolume)
   EXPECT_DOUBLE_EQ(this->GetFelt(), 7.0);
 }
 
-/// The device also reads its time steps again after a change of an algorithm further up the
+/// The device must also read its time steps again after a change of an algorithm further up the
 /// pipeline.
 TEST_F(TimeStepMemory, KeepsNoTimeStepOfAnEarlierStage)
 {
@@ -330,7 +330,7 @@ TEST_F(TimeStepMemory, KeepsNoTimeStepOfAnEarlierStage)
   EXPECT_DOUBLE_EQ(this->GetFelt(), GetValue(11.0));
 }
 
-/// Gives two images at a time, as ParaView's animation does: the last one and the new one.
+/// Passes two images at a time, as ParaView's animation does: the last one and the new one.
 TEST_F(TimeStepMemory, HasThreeStepsOfAStreamAtMost)
 {
   vtkNew<vtkHapticTimeStepSource> stream;
@@ -339,7 +339,7 @@ TEST_F(TimeStepMemory, HasThreeStepsOfAStreamAtMost)
   double time = -1.0;
   const auto give = [&](double next)
   {
-    // The servo no longer needs the time step before `last`, so there is room for the new one.
+    // The servo no longer needs the time step before `last`, so the new one may be created.
     const vtkSmartPointer<vtkImageData> image = next == time ? last : this->MakeCounted(next);
     stream->RemoveAllTimeSteps();
     stream->AddTimeStep(last, time);

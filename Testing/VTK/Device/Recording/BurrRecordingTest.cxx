@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a burr in the hand: the tissue that it removes, undo under force, recordings that replay to
- * the bit with their removal, and other tools and devices on the same volume.
+ * Tests a burr in the hand: the tissue that it removes, undo under force, bitwise replays of
+ * recordings with their removal, and other tools and devices on the same volume.
  */
 
 #include "Rigs/RecordingRig.h"
@@ -32,7 +32,7 @@ protected:
   }
   ~BurrRecording() override { this->Device->GetVirtualHand()->SpinningOff(); }
 
-  /// Starts the servo, and arms the device, since a burr spins only if armed.
+  /// Starts the servo, and arms the device, because only an armed burr spins.
   void Begin()
   {
     Recording::Begin();
@@ -53,21 +53,22 @@ protected:
     return this->Wait([this] { return this->GetRemoval()->GetNumberOfRequests() == 0; }) &&
       this->WaitTicks(2);
   }
-  /// Presses at `x` (mm) until a further `volume` (mm^3) is removed.
+  /// Presses at `x` (mm) until another `volume` (mm^3) is removed.
   bool Drill(double x, double volume)
   {
     const double goal = this->GetRemoval()->GetRemovedVolume() + volume;
     return this->Lead(x, 7.0, 4.0) && this->Lead(x, 7.0, 9.0) &&
       this->Wait([&] { return this->GetRemoval()->GetRemovedVolume() > goal; });
   }
-  /// Stops the burr, which ends the stroke, so that nothing more is removed.
+  /// Stops the burr, which ends the stroke, so that no more tissue is removed.
   bool EndStroke()
   {
     this->Device->GetVirtualHand()->SpinningOff();
     return this->Wait([this] { return !this->Device->GetState()->IsSpinning(); }) &&
       this->WaitTicks(2);
   }
-  /// Expects that the recording replays with the same forces, and leaves the same remaining tissue.
+  /// Expects that the recording replays with the same forces, and results in the same remaining
+  /// tissue.
   void ExpectSameRemoval()
   {
     ASSERT_TRUE(this->EndStroke());
@@ -114,7 +115,7 @@ TEST_F(BurrRecording, UndoAndRedoUnderTheHand)
   const auto second = this->GetShares();
   ASSERT_NE(first, second);
   EXPECT_EQ(this->GetRemoval()->GetNumberOfUndos(), 2);
-  // Undo closes the hole around the hand without a force on the hand. The tip may be elsewhere
+  // Undo must close the hole around the hand without a force on the hand. The tip may be elsewhere
   // after a pause of the loop.
   this->BeginWayHere();
   EXPECT_TRUE(this->GetRemoval()->Undo());
@@ -126,8 +127,8 @@ TEST_F(BurrRecording, UndoAndRedoUnderTheHand)
   ASSERT_TRUE(this->IsRequestDone());
   EXPECT_EQ(this->GetShares(), second);
   EXPECT_FALSE(this->GetRemoval()->Redo()) << "there is no more";
-  // Undo also works while the hand has the point and not the burr, and redo after the servo has
-  // stopped.
+  // Undo must also work while the hand has the point instead of the burr, and redo after the servo
+  // has stopped.
   this->Filter->SetTool(nullptr);
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->WaitTicks(5));
@@ -157,8 +158,7 @@ TEST_F(BurrRecording, ReplaysItsRemovalToTheBit)
   EXPECT_FALSE(this->Recorded->GetFieldData()->HasArray("InitialBricks"));
 }
 
-/// The specific energies of the labels count; the burr's own function would allow almost no
-/// removal.
+/// The labels' specific energies must apply; the burr's own function would allow almost no removal.
 TEST_F(BurrRecording, ReplaysWithTheEnergyOfLabels)
 {
   const auto labels = MakeImage(16, VTK_SHORT, [](const Point& p) { return p[0] < 7.5 ? 2 : 3; });
@@ -185,7 +185,7 @@ TEST_F(BurrRecording, ReplaysFromWhatWasRemovedBefore)
   this->Device->GetVirtualHand()->SpinningOn();
   ASSERT_TRUE(this->Drill(8.0, 0.5));
   EXPECT_GT(this->GetRemoval()->GetNumberOfUndos(), 0);
-  this->StartRecording(); // begins while the burr drills
+  this->StartRecording(); // starts while the burr drills
   this->Wander(20);
   this->Turn(20.0, 1.0); // changes the placement of the device
   this->Wander(10);
@@ -197,7 +197,7 @@ TEST_F(BurrRecording, ReplaysFromWhatWasRemovedBefore)
   EXPECT_GT(this->Recorded->GetFieldData()->GetArray("InitialShares")->GetNumberOfTuples(), 1);
 }
 
-/// Stops a recording at once, and starts a second one, which must replay by itself.
+/// Stops a recording at once, and starts a second one, which must replay independently.
 TEST_F(BurrRecording, ASecondRecordingBeginsAnew)
 {
   this->Begin();
@@ -212,7 +212,7 @@ TEST_F(BurrRecording, ASecondRecordingBeginsAnew)
   this->ExpectSameRemoval();
 }
 
-/// Records the touch of a drilled hole with the point, and replays the touch with a filter that has
+/// Records the touch of a drilled hole with the point, and replays it with a filter that has
 /// drilled no hole.
 TEST_F(BurrRecording, AHoleReplaysWithoutTheBurr)
 {
@@ -264,14 +264,15 @@ TEST_F(BurrRecording, WithoutAServoRequestsAreCarriedOutAtOnce)
   this->Device->Stop();
   EXPECT_EQ(this->GetRemoval()->GetNumberOfRequests(), 0);
   EXPECT_TRUE(this->GetRemoval()->IsEmpty());
-  // Publishing without a servo does not delay requests.
+  // Publishing without a servo must not delay requests.
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_TRUE(this->GetRemoval()->Redo());
   EXPECT_EQ(this->GetRemoval()->GetNumberOfRequests(), 0);
   EXPECT_EQ(this->GetShares(), shares);
 }
 
-/// The device no longer uses the burr's filter, so requests to the removal are carried out at once.
+/// The device no longer uses the burr's filter, so requests to the removal must be executed at
+/// once.
 TEST_F(BurrRecording, ARemovalThatIsNoLongerFeltIsFree)
 {
   this->Begin();
@@ -340,7 +341,7 @@ TEST_F(BurrRecording, SpinsWhileItsButtonIsPressed)
   EXPECT_FALSE(this->Device->GetState()->IsSpinning()) << "that is another one";
   this->Device->GetVirtualHand()->SetButtons(3);
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->IsSpinning(); }));
-  // While long work holds the force back, the burr does not spin, even if its button is pressed.
+  // While long work suppresses the force, the burr must not spin, even if its button is pressed.
   this->Device->BeginLongWork("the test thinks", 10.0);
   ASSERT_TRUE(this->Wait([this] { return !this->Device->GetState()->IsSpinning(); }));
   this->Device->EndLongWork();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that a recording begins at once, and that its hashes follow when they are known. An array
+ * Tests that a recording starts at once, and adds its hashes when they are available. An array
  * delays the hash for as long as a test wants. The expected hash comes from HashScalars(), which
  * another test compares with Python's MD5.
  */
@@ -25,7 +25,7 @@ protected:
   HashTime() { this->Filter->SetInputData(0, this->Give(this->Gated)); }
   ~HashTime() override { this->Gated->IsOpen = true; }
 
-  /// Makes V = 100 z, like the image of the rig.
+  /// Makes V = 100 z, like the fixture's image.
   vtkSmartPointer<vtkImageData> Give(vtkShortArray* values)
   {
     constexpr int n = 16;
@@ -57,7 +57,7 @@ protected:
   {
     return this->Wait([this, times] { return this->Gated->Asked >= times; });
   }
-  /// Opens the array from another thread after this time (ms), while the owner waits.
+  /// Opens the array from another thread after this time (ms), while the owner waits for the hash.
   std::thread OpenSoon(int milliseconds = 50)
   {
     return std::thread(
@@ -84,7 +84,7 @@ TEST_F(HashTime, IsNotThatOfTheStart)
   ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   EXPECT_EQ(this->ReadHash(), this->Filter->HashScalars());
   EXPECT_TRUE(this->Log.Warnings.empty());
-  // Values that have not changed are not hashed again.
+  // Unchanged values must not be hashed again.
   const int asked = this->Gated->Asked;
   this->StartRecording();
   EXPECT_FALSE(this->IsHashing());
@@ -99,7 +99,7 @@ TEST_F(HashTime, IsNotWaitedForWhileArmed)
   ASSERT_NO_FATAL_FAILURE(this->BeginPressed());
   this->StartRecording();
   ASSERT_TRUE(this->WaitTicks(20));
-  // Stop() tells the worker to end, which it can do only once the array is open.
+  // Stop() cancels the worker, which can end only once the array is open.
   std::thread opener = this->OpenSoon(3000);
   ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   opener.join();
@@ -138,8 +138,8 @@ TEST_F(HashTime, BeginsAgainIfTheValuesChange)
   this->StartRecording();
   ASSERT_TRUE(this->WaitUntilAsked());
   const std::string before = this->Filter->HashScalars();
-  // The worker has read no value yet, since the array is closed. It ends this hash before it begins
-  // anew.
+  // The worker has not read any value yet, because the array is closed. It must end this hash
+  // before it starts again.
   this->Gated->SetValue(7, 5);
   this->Gated->Modified();
   std::thread opener = this->OpenSoon();
@@ -162,7 +162,7 @@ TEST_F(HashTime, BeginsAgainIfTheImageIsReplaced)
   const auto image = this->Give(values);
   values->SetValue(9, 3);
   this->Filter->SetInputData(0, image);
-  this->Device->UpdateState(); // drops the image; the worker may hold the last reference to it
+  this->Device->UpdateState(); // releases the image, to which the worker may have a reference
   opener.join();
   ASSERT_TRUE(this->Wait([this] { return !this->IsHashing(); }));
   ASSERT_TRUE(this->Device->GetRecorder()->Stop());

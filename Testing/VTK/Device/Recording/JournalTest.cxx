@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests journals under faults: disks that can't be read, file systems without locks, interrupting
- * signals, other programs that rename and remove files, and machines without a free thread or disk
- * space. The test replaces flock(2), fsync(2) and pread(2) by versions that fail as their manual
- * pages describe.
+ * Tests journals under faults: unreadable disks, file systems without locks, interrupting signals,
+ * other programs that rename and remove files, and machines without a free thread or disk space.
+ * The test replaces flock(2), fsync(2) and pread(2) by versions that fail as their manual pages
+ * describe.
  */
 
 #include "RecorderRig.h"
@@ -23,7 +23,7 @@
 namespace
 {
 bool HasLocks = true;
-long BadFrom = -1; // first byte that pread() can't read; if negative, it can read all bytes
+long BadFrom = -1; // first byte that pread() fails to read; none if negative
 int Interruptions = 0;
 std::string Watched; // name of a journal, which must exist when its folder is synced
 bool WasThere = false;
@@ -88,7 +88,7 @@ protected:
       this->Recorder::Push(recording, this->Source.Next());
     }
   }
-  /// Leaves a journal of this many ticks, like a program that ended without finishing the
+  /// Leaves behind a journal with this many ticks, like a program that ended before it finished the
   /// recording.
   void Leave(int ticks)
   {
@@ -119,8 +119,8 @@ protected:
 TEST_F(Journal, IsNotWrittenOverItself)
 {
   this->Leave(600);
-  // Each target is the journal itself: a hard link, a symbolic link, and a hard link with the name
-  // of a table's fields.
+  // Each target is the journal itself: a hard link, a symbolic link, and a hard link whose name is
+  // that of a table's fields.
   for (const char* const name : { "/b.vtp", "/c.vtp", "/d.csv.json" })
   {
     const std::string file = this->Folder + name;
@@ -140,8 +140,8 @@ TEST_F(Journal, IsNotWrittenOverItself)
   EXPECT_EQ(Read(this->File)->GetNumberOfPoints(), 600);
 }
 
-/// Appends a megabyte in which the head of a chunk begins every 24 bytes. Computing 44,000
-/// checksums of up to a megabyte each took five minutes. The error says that bytes have changed.
+/// Appends a megabyte in which a chunk's head starts every 24 bytes. Computing 44,000 checksums of
+/// up to a megabyte each once took five minutes. The error reports that bytes have changed.
 TEST_F(Journal, OfManyFalseHeadsIsReadSoon)
 {
   this->Leave(600);
@@ -150,7 +150,7 @@ TEST_F(Journal, OfManyFalseHeadsIsReadSoon)
   std::string heads;
   Put(heads, TicksChunk);
   Put(heads, std::uint32_t{ 0 });
-  Put(heads, std::uint64_t{ 4 * size }); // length of the chunk, which the end of the file cuts off
+  Put(heads, std::uint64_t{ 4 * size }); // length of the chunk, beyond the end of the file
   Put(heads, std::uint64_t{ 0 });
   for (std::uint64_t left = size - HeadSize; left > HeadSize; left -= HeadSize)
   {
@@ -236,7 +236,7 @@ TEST_F(Journal, KeepsNoModelsThatNoTickNeeds)
     return watch.expired();
   };
   {
-    HapticRecording recording; // has no writer, so that ticks are not drained
+    HapticRecording recording; // without a writer, ticks are not drained
     recording.AddModel(1, this->Model);
     while (recording.Append(this->Source.Next()))
     {
@@ -255,7 +255,7 @@ TEST_F(Journal, KeepsNoModelsThatNoTickNeeds)
 
 TEST_F(Journal, NeedsAThread)
 {
-  // No address space has room for a stack of this size (pthread_create(3): EAGAIN).
+  // A stack of this size does not fit into any address space (pthread_create(3): EAGAIN).
   pthread_attr_t before;
   pthread_attr_t huge;
   ASSERT_EQ(pthread_getattr_default_np(&before), 0);
@@ -361,7 +361,7 @@ TEST_F(Journal, NeedsItsNameAndThatOfTheFields)
   vtksys::SystemTools::MakeDirectory(this->Folder + "/b.csv.json");
   refuses(this->Folder + "/b.csv", "is a folder");
   EXPECT_FALSE(Exists(this->Folder + "/b.csv.part"));
-  // This name is the longest one to which ".part" can be added (NAME_MAX is 255 bytes).
+  // The longest name to which ".part" can be added (NAME_MAX is 255 bytes).
   const std::string longest = this->Folder + "/" + std::string(246, 'x') + ".vtp";
   HapticRecording recording;
   this->Start(recording, longest);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a device on a volume with labels, whose state tells the label. Recordings replay to the bit
- * with the same labels, and are refused without labels or with other labels.
+ * Tests a device on a volume with labels, whose state reports the touched label. Recordings must
+ * replay bitwise with the same labels, and be refused without labels or with other labels.
  */
 
 #include "Rigs/EventCounter.h"
@@ -40,7 +40,7 @@ protected:
     this->Filter->SetLabelTable(this->Table);
   }
 
-  /// Expects that the replay gives one error with these words, and no output.
+  /// Expects that the replay causes one error with these words, and no output.
   void ExpectRefused(const std::vector<std::string>& words)
   {
     this->FilterLog.Errors.clear();
@@ -94,7 +94,7 @@ TEST_F(LabelRecording, ReplaysToTheBitWithItsLabels)
   this->ExpectRefused({ "made with labels", hash, this->Filter->HashLabels(), "they are others" });
   this->Filter->SetLabelData(MakeHalves(-7.0, 9.0)); // a copy
   this->ExpectTaken();
-  // Another thread computes the hash of a large image, while the filter reports progress.
+  // A worker thread hashes a large image, while the filter reports progress.
   vtkNew<GatedArray> gated;
   gated->DeepCopy(this->Labels->GetPointData()->GetScalars());
   vtkNew<vtkImageData> large;
@@ -133,7 +133,7 @@ TEST_F(LabelRecording, AsATableIsAPathForItsLabels)
   this->ExpectRefused({ "made with labels", "no label image", ".csv.json" });
   this->Filter->SetLabelData(MakeHalves(5.0, 9.0));
   this->ExpectRefused({ "made with labels", hash, this->Filter->HashLabels(), ".csv.json" });
-  // Fields that can't be read may name other labels, so they are an error.
+  // Unreadable fields may refer to other labels, so they must cause an error.
   for (const std::string fields : { "", "{" })
   {
     std::ofstream(file + ".json") << fields;
@@ -145,7 +145,7 @@ TEST_F(LabelRecording, AsATableIsAPathForItsLabels)
     EXPECT_NE(log.Errors[0].find("Labels.csv.json, can't be read"), std::string::npos)
       << log.Errors[0];
   }
-  // Fields that name no labels leave an ordinary path, which must be accepted.
+  // A file whose fields contain no labels is an ordinary path, which must be accepted.
   for (const std::string fields : { "[1]", "{\"Settings\":5}", "{\"Settings\":\"none\"}" })
   {
     std::ofstream(file + ".json") << fields;
@@ -192,7 +192,7 @@ TEST_F(LabelRecording, ReplaysToTheBitWithWallsOfThickSlices)
   std::string text = settings->GetValue(0);
   const std::string line = "\nLabelGrid: 1 x 1 x 3\n";
   ASSERT_NE(text.find(line), std::string::npos) << text;
-  // A recording of an earlier version, which had no finer grids, replays without a finer grid.
+  // A recording of an earlier version, which had no finer grids, must replay without a finer grid.
   this->Filter->Update();
   const auto fine = apitest::Keep(this->Filter);
   settings->SetValue(0, text.replace(text.find(line), line.size(), "\n"));
@@ -218,8 +218,8 @@ TEST_F(LabelRecording, TheStateTellsTheLabel)
 
 TEST_F(LabelRecording, AForbiddenLabelIsToldOnce)
 {
-  // The label begins at z = 11.5 mm, and the wall stands 1.5 mm in front of it. The wall alone can
-  // hold the proxy, since the surface strength is 0.
+  // The label begins at z = 11.5 mm, and the wall is 1.5 mm in front of it. The wall alone can stop
+  // the proxy, because the surface strength is 0.
   this->Filter->SetLabelData(
     MakeImage(16, VTK_SHORT, [](const Point& p) { return p[2] < 11.5 ? 0.0 : 9.0; }));
   this->Table->SetForbidden(9, true);
@@ -235,7 +235,7 @@ TEST_F(LabelRecording, AForbiddenLabelIsToldOnce)
   ASSERT_TRUE(this->LeadInto(12.0));
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->IsAtForbiddenLabel(); }));
   EXPECT_NEAR(this->Device->GetState()->GetProxyPosition()[2], 10.0, 0.1);
-  // The tip is 2 mm behind the wall. The point x_s, which decides the material, lies in the label
+  // The tip is 2 mm behind the wall. The point x_s, where the material is read, is inside the label
   // with 700 N/m.
   EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[2], -700.0 * 0.002, 0.1);
   EXPECT_EQ(events.Count, 1);
@@ -246,7 +246,7 @@ TEST_F(LabelRecording, AForbiddenLabelIsToldOnce)
 
 TEST_F(LabelRecording, AForbiddenLabelOfALargeImageDoesNotHoldTheProgramUp)
 {
-  // Repeats the test above with voxels of 0.15 mm: the label begins halfway between the slices 76
+  // Repeat the test above with voxels of 0.15 mm: the label begins halfway between the slices 76
   // and 77.
   constexpr int n = 104;
   const auto labels =
@@ -273,7 +273,8 @@ TEST_F(LabelRecording, AForbiddenLabelOfALargeImageDoesNotHoldTheProgramUp)
   ASSERT_TRUE(this->LeadInto(12.0));
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->IsAtForbiddenLabel(); }));
   EXPECT_NEAR(this->Device->GetState()->GetProxyPosition()[2], 76.5 * 0.15 - 1.5, 0.1);
-  // A further change of the table, which allows the label again, ends the measurement of distances.
+  // A further change of the table, which allows the label again, must cancel the measurement of
+  // distances.
   this->Table->SetStandOff(2.0);
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_TRUE(isMeasuring());
@@ -313,12 +314,12 @@ TEST_F(LabelRecording, ThickSlicesOfALargeImageDoNotHoldTheProgramUp)
   ASSERT_TRUE(this->LeadInto(12.5 * 0.9 + 1.5));
   ASSERT_TRUE(this->Wait([this]
     { return std::abs(this->Device->GetState()->GetProxyPosition()[2] - 12.5 * 0.9) < 0.15; }));
-  // A change of the materials, with the same labels, is felt at once.
+  // With unchanged labels, a change of the materials must take effect at once.
   this->Table->SetStiffness(9, 600.0);
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_FALSE(isRefining());
   EXPECT_TRUE(this->Device->IsPublished());
-  // Without walls at the labels there is nothing to wait for.
+  // Without walls around labels, there is nothing to wait for.
   slices->GetPointData()->GetScalars()->Modified();
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_TRUE(isRefining());

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests modes on a device. Recordings replay to the bit, and a mode that becomes active while the
- * hand is away from its place begins softly.
+ * Tests modes on a device. Recordings must replay bitwise. If a mode becomes active while the hand
+ * is away from the mode's line, its force must rise gradually.
  */
 
 #include "Rigs/RecordingRig.h"
@@ -128,8 +128,8 @@ TEST_F(ModeRecording, OtherModesReplayToTheBit)
 
 TEST_F(ModeRecording, AModeThatComesUnderTheHandComesSoftly)
 {
-  // The spring to a line that the hand left 3 mm ago would pull with 1.5 N at once, so the force
-  // must rise slowly.
+  // The hand left the line 3 mm ago, so the spring to the line would pull with 1.5 N at once. The
+  // force must rise slowly instead.
   this->Filter->RemoveAllModes();
   SetConstant(this->Front->GetStrength(), 3.0);
   this->Front->TwoSidedOn();
@@ -143,10 +143,11 @@ TEST_F(ModeRecording, AModeThatComesUnderTheHandComesSoftly)
   const double held = Length(this->Device->GetState()->GetForce());
   EXPECT_GT(held, 0.3);
   vtkNew<vtkTable> ticks;
-  // the number of a second reader besides the fixture's
+  // number of a second reader besides the fixture's
   constexpr int reader = 5;
-  this->Device->GetState()->Drain(ticks, reader); // starts to keep states for this reader
-  // Without the line the hand is free. When another mode becomes active, its force rises from 0.
+  this->Device->GetState()->Drain(ticks, reader); // starts storing states for this reader
+  // Without the line, the hand is free. When another mode becomes active, its force must rise from
+  // 0.
   this->Follow->ActiveOff();
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetState()->GetForce()) < 1e-6; }));

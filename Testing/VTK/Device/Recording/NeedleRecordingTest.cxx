@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a needle in the hand. Recordings replay to the bit, with and without an orientation, and
+ * Tests a needle in the hand. Recordings must replay bitwise, with and without an orientation, and
  * also if they begin with the needle in tissue. The tool may change under force.
  */
 

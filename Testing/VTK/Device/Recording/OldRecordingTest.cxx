@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that recordings from before orientation and torque, in Testing/Data, still replay to the
- * bit, with the materials of the kernel and the contact alignment that were the defaults then. They
- * were made with commit 771f4fd: a virtual device, whose axes are turned by 90 degrees, presses
- * Data/Ball.vti at 200 Hz, slides, and is moved by 1.5 mm in the first ticks.
+ * Tests that recordings from before orientation and torque, in Testing/Data, still replay bitwise
+ * with the defaults of that time: kernel materials and contact alignment. They were made with
+ * commit 771f4fd: a virtual device, whose axes are rotated by 90 degrees, presses Data/Ball.vti at
+ * 200 Hz, slides, and is moved by 1.5 mm in the first ticks.
  */
 
 #include "ReplayRig.h"

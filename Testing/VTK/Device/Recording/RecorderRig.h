@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Rig of a recorder without a device: a model, ticks with random digits, and files in a folder that
- * is removed at the end.
+ * Fixture for a recorder without a device: a model, ticks with random digits, and files in a folder
+ * that is removed at the end.
  */
 #ifndef RecorderRig_h
 #define RecorderRig_h
@@ -60,7 +60,7 @@ inline std::shared_ptr<const HapticModel> MakeModel(double shift = 0.0)
   return std::make_shared<const HapticModel>(description);
 }
 
-/// Makes ticks in which all numbers that a hand changes are random, with all their digits.
+/// Makes ticks in which all numbers that depend on the hand are random, with all their digits.
 class Ticks
 {
 public:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the recorder without a device: its memory, its bytes per tick, and journals that end
- * anywhere.
+ * Tests the recorder without a device: its memory, its bytes per tick, and journals that end at any
+ * byte.
  */
 
 #include "RecorderRig.h"
@@ -34,9 +34,9 @@ double Resident()
 TEST_F(Recorder, TakesBoundedMemoryAndAtMost300BytesATick)
 {
   constexpr int ticks = 60000;
-  // These ticks would take 110 MB if they were kept in memory.
+  // These ticks would take 110 MB in memory.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  constexpr double most = 64e6; // sanitizers need some memory themselves
+  constexpr double most = 64e6; // sanitizers need additional memory
 #else
   constexpr double most = 16e6;
 #endif
@@ -77,8 +77,8 @@ TEST_F(Recorder, HasRoomForTheNumbersOfAllTools)
 
 TEST_F(Recorder, WritesWhatTheTicksAre)
 {
-  // The recordings have no tick, one tick, a part of a group of 256, whole groups, and one tick
-  // more.
+  // Recordings with no tick, one tick, a part of a group of 256, whole groups, and one additional
+  // tick.
   for (const int count : { 0, 1, 2, 100, 256, 512, 513 })
   {
     Ticks source;
@@ -215,8 +215,8 @@ TEST_F(Recorder, ReadsAJournalThatEndsAnywhere)
       ASSERT_EQ(trace->GetPointData()->GetArray("Tick")->GetComponent(i, 0), i);
     }
   }
-  // Changed bytes in the middle of a journal are an error, which keeps the journal and an earlier
-  // file of the recording's name.
+  // Changed bytes in the middle of a journal must cause an error, and preserve the journal and an
+  // earlier file with the recording's name.
   for (std::size_t at = 5; at < whole.size(); at += whole.size() / 50)
   {
     std::string other = whole;
@@ -254,7 +254,7 @@ TEST_F(Recorder, SaysHowManyTicksWereLost)
 TEST(HapticFiles, PrintsWhatIsNotUtf8)
 {
   // The examples are from RFC 3629, sections 3 and 7, and from Markus Kuhn's stress test: overlong
-  // forms, surrogates, and sequences that are cut off.
+  // forms, surrogates, and truncated sequences.
   EXPECT_EQ(Printable("caf\xC3\xA9 \xE6\x97\xA5\xE6\x9C\xAC \xF0\xA3\x8E\xB4"),
     "caf\xC3\xA9 \xE6\x97\xA5\xE6\x9C\xAC \xF0\xA3\x8E\xB4");
   EXPECT_EQ(Printable("\xC0\x80"), "\\xC0\\x80");

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests full disks, and folders that can't be written. Each is reported at once, and the ticks that
- * were written can be read.
+ * Tests full disks and read-only folders. Each must be reported at once, and the ticks written
+ * until then must be readable.
  */
 
 #include "Rigs/RecordingFailureRig.h"
@@ -15,8 +15,8 @@ using namespace devicetest;
 namespace
 {
 
-/// Makes file permissions hold also for a root process, while the object lives. During this time
-/// the current folder is `folder`, since the process might not be allowed to enter the earlier one
+/// Enforces file permissions even for a root process during the object's lifetime. Meanwhile the
+/// current folder is `folder`, because the process might not be allowed to enter the earlier one
 /// again.
 class UnprivilegedUser
 {
@@ -117,7 +117,7 @@ TEST_F(RecordingFailure, OfTheLastStepKeepsWhatThereIs)
   ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
   this->WanderForTwoGroups(file);
   {
-    // The disk is full. The written ticks must be kept, and no ticks may be added.
+    // The disk is full. The written ticks must be preserved, and no ticks may be added.
     const FullDisk full(1);
     this->Device->Close();
   }
@@ -147,7 +147,8 @@ TEST_F(RecordingFailure, IsNoneOfTwoThatHaveOneName)
 
 TEST_F(RecordingFailure, NamesFilesOfAnyBytes)
 {
-  // Bytes that are not UTF-8 are printed as \xNN, since Python drops messages with such bytes.
+  // Bytes that are not UTF-8 must be printed in hexadecimal, because Python discards messages with
+  // such bytes.
   this->Begin();
   EXPECT_FALSE(this->Device->GetRecorder()->Start(this->In("no/\xE4\xFF.vtp").c_str()));
   this->ExpectError("\\xE4\\xFF.vtp");

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that a recording on the filter's second port gives the same trace, to the bit.
+ * Tests that the filter's trace of a recording on its second port is bitwise identical to the
+ * recording.
  */
 
 #include "Rigs/RecordingRig.h"

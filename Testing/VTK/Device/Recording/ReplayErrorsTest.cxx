@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests that a file that is no recording is refused, with one error and without force.
- */
+/** Tests that a file that is not a recording is refused, with one error and without force. */
 
 #include "ReplayRig.h"
 
@@ -32,7 +30,7 @@ TEST_F(Replay, RefusesEverythingElseWithOneClearError)
     {
       const auto cut = static_cast<std::size_t>(share * static_cast<double>(good.size()));
       // Cuts a table within the first columns of a row. A cut in the last column would leave a
-      // number, which is valid.
+      // valid number.
       const std::size_t row = good.rfind('\n', cut);
       const bool isTable = ending == std::string(".csv") && row != std::string::npos;
       this->ExpectRefused(ending, good.substr(0, isTable ? row + 20 : cut));

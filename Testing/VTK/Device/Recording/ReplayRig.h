@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Rig that records a short push, and makes files to replay.
- */
+/** Fixture that records a short push, and makes files to replay. */
 #ifndef ReplayRig_h
 #define ReplayRig_h
 

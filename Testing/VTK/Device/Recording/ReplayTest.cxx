@@ -18,8 +18,7 @@ TEST_F(Replay, PlaysTheTipsOfBothKindsOfFile)
     const std::string again = this->File("Again.vtp");
     const std::string vtp = this->File("Replay.vtp");
     const auto was = Read(vtp);
-    // On a busy machine, the replay may end before its own recording begins, so the test tries
-    // again.
+    // On a busy machine, the replay may end before its own recording begins, so retry.
     vtkSmartPointer<vtkPolyData> is;
     vtkIdType skipped = was->GetNumberOfPoints();
     for (int i = 0; i < 20 && skipped >= was->GetNumberOfPoints(); ++i)
@@ -41,8 +40,8 @@ TEST_F(Replay, PlaysTheTipsOfBothKindsOfFile)
     }
     ASSERT_LT(skipped, was->GetNumberOfPoints());
 
-    // The replay began before its recording did: from the first recorded tick on, the tips are the
-    // same, to the bit.
+    // The replay started before its recording: from the first recorded tick onwards, the tips must
+    // be bitwise identical.
     if (file == vtp)
     {
       vtkDataArray* const a = was->GetPointData()->GetArray("DeviceTip");

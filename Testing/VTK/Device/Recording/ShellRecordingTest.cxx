@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a tool with a shape in the hand. Force and torque reach the device, recordings replay to
- * the bit, also if they begin in contact, and the tool may change under force.
+ * Tests a shaped tool in the hand. Force and torque must reach the device, and recordings replay
+ * bitwise, even if they begin in contact. The tool may change under force.
  */
 
 #include "Rigs/RecordingRig.h"
@@ -28,7 +28,7 @@ protected:
   {
     vtkNew<vtkSphereSource> sphere;
     sphere->SetRadius(2.0);
-    // the hand holds the ball beside its middle, so that the ball turns
+    // the hand is off the ball's centre, so that the ball rotates
     sphere->SetCenter(1.5, 0.0, 0.0);
     sphere->SetThetaResolution(40);
     sphere->SetPhiResolution(20);
@@ -40,7 +40,7 @@ protected:
     this->Filter->SetTool(this->Tool);
   }
 
-  /// Starts the servo, and waits until a worker has spread the points of the tool.
+  /// Starts the servo, and waits until a worker has distributed the points of the tool.
   void Begin()
   {
     Recording::Begin();
@@ -107,7 +107,7 @@ TEST_F(ShellRecording, GivesForceAndTorque)
       return Length(this->Device->GetState()->GetForce()) > 0.15 &&
         Length(this->Device->GetState()->GetTorque()) > 1e-4;
     }));
-  // The hand is 1.5 mm left of the ball's middle, so the surface turns the hand about y.
+  // The hand is 1.5 mm left of the ball's centre, so the surface exerts a torque about y.
   EXPECT_GT(this->Device->GetState()->GetTorque()[1], 1e-4);
   EXPECT_LT(this->Device->GetState()->GetForce()[2], -0.15);
   EXPECT_NEAR(this->Device->GetState()->GetTorque()[1],
@@ -125,7 +125,7 @@ TEST_F(ShellRecording, GivesForceAndTorque)
   EXPECT_EQ(this->Device->GetMaximumTorque(), 0.25);
 }
 
-/// While the points of the tool are spread, the hand feels the earlier model: here a point.
+/// While the points of the tool are computed, the hand must use the earlier model: here a point.
 TEST_F(ShellRecording, PointsAreSpreadInTheBackground)
 {
   this->Filter->SetTool(nullptr);
@@ -154,14 +154,14 @@ TEST_F(ShellRecording, PointsAreSpreadInTheBackground)
   ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
   ASSERT_TRUE(this->WaitTicks(5));
   EXPECT_NE(Length(this->Device->GetState()->GetToolOrientation()), 0.0);
-  // The points are known now, so the next model needs no worker.
+  // The points are available now, so the next model needs no worker.
   this->Filter->GetProperty()->GetFriction()->AddPoint(0.0, 0.1);
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_TRUE(this->Device->IsPublished());
   EXPECT_TRUE(this->Log.Errors.empty());
 }
 
-/// An error in a mesh is reported after the worker has found it.
+/// An error in a mesh must be reported after the worker has found it.
 TEST_F(ShellRecording, ABadMeshIsAnErrorOfTheBackground)
 {
   this->Filter->SetTool(nullptr);
@@ -209,7 +209,7 @@ TEST_F(ShellRecording, TheToolMayChangeUnderForce)
     ASSERT_TRUE(this->LeadInto(8.0));
     ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetState()->GetForce()) > 0.15; }));
   }
-  // A change of the material under force keeps the contact.
+  // A change of the material under force must preserve the contact.
   SetConstant(this->Filter->GetProperty()->GetStiffness(), 700.0);
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->WaitTicks(20));

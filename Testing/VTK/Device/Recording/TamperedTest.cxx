@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests recordings with changed numbers. Each gives either one error that names the fault, or a
- * trace with finite forces within the filter's MaximumForce. A replay always ends.
+ * Tests recordings with changed numbers. Each must cause either one error that describes the fault,
+ * or a trace with finite forces within the filter's MaximumForce. A replay must always end.
  */
 
 #include "Rigs/RecordingRig.h"
@@ -37,7 +37,7 @@ protected:
     this->Filter->SetMaximumForce(MaximumForce);
     this->Filter->SetIsoValue(700.0);
   }
-  /// Records a wandering hand that begins in contact. The device gets another placement during the
+  /// Records a wandering hand that begins in contact. The device's placement changes during the
   /// recording.
   vtkSmartPointer<vtkPolyData> Record()
   {
@@ -91,8 +91,8 @@ protected:
     }
     return false;
   }
-  /// Replaces each number of the array's first tuples by each of the odd numbers, and replays the
-  /// recording.
+  /// Replaces each number of the array's first tuples by each of the extreme numbers, and replays
+  /// the recording.
   void ChangeEach(vtkPolyData* recording, const char* name, vtkIdType tuples)
   {
     vtkNew<vtkPolyData> other;
@@ -120,8 +120,8 @@ protected:
     }
     EXPECT_GT(refused, 0) << name;
   }
-  /// Replaces six numbers of the first state at once by odd numbers, mostly by those that are
-  /// accepted alone, and replays the recording.
+  /// Replaces six numbers of the first state at once by extreme numbers, mostly by those that are
+  /// accepted individually, and replays the recording.
   void ChangeMany(vtkPolyData* recording)
   {
     std::mt19937 random(3);
@@ -142,8 +142,7 @@ protected:
       this->Replay(other);
     }
   }
-  /// Scales the placement of the device. Every uniform scale is a valid placement, even an absurd
-  /// one.
+  /// Scales the device's placement. Every uniform scale is valid, even an absurd one.
   void ChangeSize(vtkPolyData* recording)
   {
     for (const double factor :

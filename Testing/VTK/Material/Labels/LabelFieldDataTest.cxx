@@ -86,7 +86,7 @@ TEST_F(LabelFieldData, HasItsNames)
   EXPECT_EQ(data->GetArray("LabelSpecificEnergy")->GetTuple1(1), 12.5);
   EXPECT_EQ(data->GetArray("LabelSpecificEnergy")->GetTuple1(0), -1.0);
   EXPECT_EQ(data->GetNumberOfArrays(), 12);
-  // Writing again must not add an array twice.
+  // Writing again must not add any array twice.
   this->Table->WriteFieldData(data);
   EXPECT_EQ(data->GetNumberOfArrays(), 12);
 }
@@ -119,7 +119,7 @@ TEST_F(LabelFieldData, GoesThroughAFile)
     read->DeepCopy(this->Table);
     EXPECT_EQ(read->GetMTime(), before) << mode;
 
-    // A file that is cut off must be refused.
+    // A truncated file must be refused.
     std::ifstream in(file, std::ios::binary);
     std::ostringstream bytes;
     bytes << in.rdbuf();

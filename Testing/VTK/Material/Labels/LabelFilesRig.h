@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Rig of label files that tests write, and of the tables that are read from them.
- */
+/** Fixture for label files that tests write, and for the tables that are read from them. */
 #ifndef LabelFilesRig_h
 #define LabelFilesRig_h
 
@@ -52,8 +50,8 @@ protected:
     this->Log.Errors.clear();
   }
 
-  /// Reads a file with these bytes into a table that has entries. Expects one error that names the
-  /// file and has all these words, and an unchanged table.
+  /// Reads a file with these bytes into a table with entries. Expects one error with the file's
+  /// name and all these words, and an unchanged table.
   void Refuse(const std::string& bytes, const std::vector<std::string>& words,
     const std::string& name = "Labels.txt")
   {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests vtkHapticLabelTable alone: its entries, its errors, and the changes that count as a
- * modification. Its class comment defines the expectations.
+ * Tests vtkHapticLabelTable alone: its entries, its errors, and which changes update the
+ * modification time. Its class comment defines the expectations.
  */
 
 #include "Rigs/ApiRig.h"
@@ -257,8 +257,8 @@ TEST_F(LabelTable, AMillionLabels)
   constexpr int count = 1000000;
   for (int i = 0; i < count; ++i)
   {
-    // 7919 and the count have no common divisor, so the labels come in an order that neither rises
-    // nor falls.
+    // 7919 and the count have no common divisor, so the order of the labels neither increases nor
+    // decreases.
     const int label = static_cast<int>(i * 7919LL % count) - count / 2;
     this->Table->SetStiffness(label, 1e6 + label);
   }

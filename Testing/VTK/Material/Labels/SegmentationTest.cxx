@@ -81,7 +81,7 @@ std::string Nifti(
   bytes += plain;
   for (const Extension& extension : extensions)
   {
-    // An extension has a length that is a multiple of 16 bytes, and is padded with zeros.
+    // An extension's length is a multiple of 16 bytes, with zeros as padding.
     const std::size_t length = (extension.Data.size() + 8 + 15) / 16 * 16;
     const std::size_t start = bytes.size();
     bytes.resize(start + length);
@@ -152,11 +152,11 @@ TEST_F(LabelFiles, SlicerSegmentation)
 
 TEST_F(LabelFiles, SlicerLayers)
 {
-  // Values stay the labels if no value occurs in two layers.
+  // Without a value that occurs in two layers, the values remain the labels.
   this->Read(Nrrd("Segment0_LabelValue:=3\nSegment0_Layer:=0\nSegment0_Name:=head\n"
                   "Segment1_LabelValue:=7\nSegment1_Layer:=1\nSegment1_Name:=mass\n"));
   this->ExpectLabels({ 3, 7 });
-  // A value that occurs in two layers gets a new label.
+  // A value that occurs in two layers must get a new label.
   this->Table->RemoveAllLabels();
   this->Read(Nrrd("Segment0_LabelValue:=1\nSegment0_Layer:=0\nSegment0_Name:=head\n"
                   "Segment1_LabelValue:=2\nSegment1_Layer:=0\nSegment1_Name:=neck\n"
@@ -173,7 +173,7 @@ TEST_F(LabelFiles, SlicerLayers)
 TEST_F(LabelFiles, NrrdEscapesInValues)
 {
   this->Read(Nrrd("Segment0_LabelValue:=1\nSegment0_Name:=a\\\\b\\nc\\d\n"));
-  // Control characters in names must become blanks.
+  // Control characters in names must be replaced by blanks.
   EXPECT_EQ(this->Table->GetLabelName(1), "a\\b c\\d");
 }
 
@@ -197,7 +197,7 @@ TEST_P(NiftiFiles, TotalSegmentator)
     "<![CDATA[spleen]]></Label>\n"
     "<Label Key=\"52\" Red=\"0.5019607843137255\" Green=\"0.5019607843137255\" "
     "Blue=\"0.5019607843137255\" Alpha=\"1\"><![CDATA[aorta <left> & \xC3\xB6]]></Label>\n";
-  // The first extension is one of AFNI (code 4), and has no labels.
+  // The first extension is AFNI's (code 4), which has no labels.
   this->Read(
     Nifti(this->GetParam(), { { 4, "<AFNI_attributes>x</AFNI_attributes>" }, { 0, Xml(labels) } }),
     "Segmentation.nii");

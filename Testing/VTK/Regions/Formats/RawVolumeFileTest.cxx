@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests raw files: samples of all types and both byte orders at the places that the format defines,
- * files that are short, shrink, or are no files, and a sparse file of 40 GB. The tests write the
- * bytes one by one.
+ * Tests raw files: samples of all types and both byte orders at the positions that the format
+ * defines, files that are too short or shrink, paths that are no files, and a sparse file of 40 GB.
+ * The tests write the bytes individually.
  */
 
 #include "Rigs/TemporaryFolder.h"
@@ -166,7 +166,7 @@ TEST(RawVolumeFile, ThatIsNoneIsToldWithoutHanging)
   ExpectUnread(OpenFile("/nowhere/Bone.raw", VTK_SHORT), { "/nowhere/Bone.raw", "No such file" });
 }
 
-/// Writes a header, and returns a source that has opened it. Returns null if that fails.
+/// Writes a header, and returns a source that has opened it, or null on failure.
 vtkSmartPointer<vtkHapticRegionSource> OpenHeader(
   const std::string& name, const std::string& text, std::string& error)
 {
@@ -203,9 +203,9 @@ void ExpectOpened(vtkHapticRegionSource* source, int type, const Point& corner)
   }
 }
 
-// The positions are computed by hand from the descriptions of the formats. MetaImage has the
-// direction of index axis c in row c of its matrix; NRRD has the step along axis c in its vector c.
-// A turn by 180 degrees about z takes right-anterior-superior to left-posterior-superior.
+// The positions are computed by hand from the descriptions of the formats. In MetaImage, the
+// direction of index axis c is row c of the matrix; in NRRD, the step along axis c is vector c. A
+// rotation by 180 degrees about z converts right-anterior-superior to left-posterior-superior.
 TEST(RawVolumeFile, IsOpenedByTheHeaderOfAMetaImageOrANrrd)
 {
   const std::string meta = "ObjectType = Image\nNDims = 3\nDimSize = 12 10 9\n"
@@ -272,8 +272,8 @@ TEST(RawVolumeFile, OfFortyGigabytesIsFeltInALittleMemory)
   const int file = open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   ASSERT_GE(file, 0);
   ASSERT_EQ(ftruncate(file, off_t{ 2 } * size * size * size), 0) << "40 GB, without taking them";
-  // Writes a ball into the middle of the file, and also into an image that tells its place in the
-  // volume.
+  // Write a ball into the middle of the file, and also into an image that specifies its position in
+  // the volume.
   vtkNew<vtkImageData> part;
   part->SetExtent(first, first + side - 1, first, first + side - 1, first, first + side - 1);
   part->AllocateScalars(VTK_SHORT, 1);
@@ -294,7 +294,7 @@ TEST(RawVolumeFile, OfFortyGigabytesIsFeltInALittleMemory)
   close(file);
   vtkNew<vtkIntArray> whole;
   whole->SetName("HapticWholeExtent");
-  vtkNew<vtkDoubleArray> noise; // the noise is 0, since almost all blocks are zeros
+  vtkNew<vtkDoubleArray> noise; // the noise is 0, because almost all blocks are zeros
   noise->SetName("HapticNoise");
   noise->InsertNextValue(0.0);
   vtkNew<vtkDoubleArray> border;
@@ -313,7 +313,7 @@ TEST(RawVolumeFile, OfFortyGigabytesIsFeltInALittleMemory)
   std::vector<Point> points;
   for (int t = 0; t < 20000; ++t)
   {
-    // The path goes around the ball, and in and out of it.
+    // The path circles the ball, and moves in and out of it.
     const double angle = 0.0009 * t;
     const double tilt = 0.7 * std::sin(0.0004 * t);
     const double r = 80.0 + 2.0 * std::sin(0.01 * t);

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests that the public headers of the scene document the same settings as the lists of settings.
- */
+/** Tests that the scene's public headers document the same settings as the lists of settings. */
 
 #include "Rigs/SettingChecks.h"
 #include "VTK/Experimental/HapticXRControllerSettings.h"

@@ -27,7 +27,7 @@ using namespace devicetest;
 
 namespace
 {
-/** Bright pixels of a text on black, and the rectangle that they span. */
+/** Bright pixels of a text on black, and their bounding rectangle. */
 struct Ink
 {
   double Sum = 0.0; ///< sum of the red values of all pixels
@@ -99,7 +99,7 @@ TEST_F(DisplayRoom, EveryWordOfAFaultIsSeen)
   this->Display->SetDevice(this->Device);
   this->Display->SetNotice("The folder of the recording is full. Remove what you do not need.");
   this->Display->PlotVisibilityOff();
-  const Ink whole = this->Read(3000, 300); // in a window so wide that no line is wrapped
+  const Ink whole = this->Read(3000, 300); // in a window too wide for line breaks
   ASSERT_GT(whole.Right, 400) << this->Display->GetText();
   ASSERT_LT(whole.Right, 2900);
   for (const auto& [width, height] : { std::pair(700, 560), std::pair(400, 300) })
@@ -156,7 +156,7 @@ TEST_F(DisplayRoom, PlotKeepsClearOfOrientationAxes)
 {
   this->Display->TextVisibilityOff();
   this->Display->AddStates(scenetest::MakeStates(0.0, 5.0, [](double) { return 1.0; }));
-  // This renderer stands for the orientation axes of ParaView and of vtkOrientationMarkerWidget.
+  // This renderer represents the orientation axes of ParaView and of vtkOrientationMarkerWidget.
   vtkNew<vtkRenderer> axes;
   vtkNew<vtkActor> arrows;
   axes->AddViewProp(arrows);
@@ -184,7 +184,7 @@ TEST_F(DisplayRoom, PlotKeepsClearOfOrientationAxes)
 }
 
 /// Limits the renderer to the upper 65 % of the window, as a function editor does. The plot must
-/// draw as much as in a window of that size.
+/// have as many pixels as in a window of that size.
 TEST_F(DisplayRoom, PlotHasItsCurvesInAPartOfTheWindow)
 {
   this->Display->TextVisibilityOff();
@@ -227,7 +227,7 @@ TEST_F(DisplayRoom, TwiceTheDotsPerInchDrawTwiceAsLarge)
   ASSERT_GT(panel, 200);
   this->Window->SetDPI(2 * this->Window->GetDPI());
   const Ink large = this->Read(1400, 1120);
-  // Tolerance (pixels): margins keep their width, and letters have whole numbers of pixels.
+  // Tolerance (pixels): margins have a constant width, and letters have an integer size.
   constexpr double rounding = 16.0;
   EXPECT_NEAR(panelRight(), 2 * panel, 2 * rounding);
   EXPECT_NEAR(large.Left, 2 * small.Left, rounding);
@@ -237,13 +237,13 @@ TEST_F(DisplayRoom, TwiceTheDotsPerInchDrawTwiceAsLarge)
 }
 
 /// Fits letters to a slice in a third of a window of 700 pixels, and to a list over the window.
-/// With 144 dots per inch, letters must have more pixels than with 72, although the window has not
-/// grown.
+/// With 144 dots per inch, letters must have more pixels than with 72, although the window has the
+/// same size.
 TEST_F(DisplayRoom, LettersOfSlicesAndListsGrowWithTheDots)
 {
   using VolumeHaptics::FitLetters;
   EXPECT_GT(2 * FitLetters(233, 15, 2.0, 9, 14), FitLetters(233, 15, 1.0, 9, 14));
   EXPECT_GT(2 * FitLetters(700, 34, 2.0, 11, 18), FitLetters(700, 34, 1.0, 11, 18));
-  // Where only a few letters have room, they become smaller.
+  // If the width is sufficient for a few letters only, they become smaller.
   EXPECT_EQ(FitLetters(100, 15, 2.0, 9, 14), 6);
 }

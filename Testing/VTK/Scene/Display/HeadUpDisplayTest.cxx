@@ -57,7 +57,7 @@ TEST_F(HeadUpDisplay, ForgetsWhatIsOlderThanItsSpan)
       << second;
   }
   EXPECT_LT(this->Largest(1), 1.0);
-  // After a new start of the device, time begins at 0 again, and older states are dropped.
+  // After a restart of the device, the time begins at 0 again, and older states are discarded.
   this->Display->AddStates(scenetest::MakeStates(0.0, 0.5, early));
   EXPECT_EQ(VolumeHaptics::DisplayProbe::CountStates(this->Display), 500);
   this->Display->Clear();
@@ -106,7 +106,7 @@ TEST_F(HeadUpDisplay, TakesNoStatesThatNoAxisCanShow)
   EXPECT_EQ(this->Largest(1), 1.0);
   this->Display->SetTimeSpan(5.0);
 
-  // Absurd forces, which bad functions can give, must leave the axis of the plot finite.
+  // Extreme forces, which invalid functions can cause, must leave the axis of the plot finite.
   for (const double force : { std::nan(""), HUGE_VAL, 1e308 })
   {
     const auto absurd = [force](double t) { return t > 0.05 ? force : 1.0; };
@@ -163,7 +163,7 @@ TEST_F(HeadUpDisplay, SaysWhatTheDeviceDoes)
   ASSERT_TRUE(this->LeadInto(7.0));
   EXPECT_EQ(this->Display->GetText().find("ticks"), std::string::npos);
   this->Display->DetailsVisibilityOn();
-  // The virtual device gives at most 20 N. The default limit is half of that, 10 N.
+  // The virtual device exerts at most 20 N. The default limit is half of that, 10 N.
   for (const char* words :
     { "Resting on soft, 1.00 N of at most 10 N\n", "Value ", " ticks/s, ", " missed" })
   {
@@ -172,7 +172,7 @@ TEST_F(HeadUpDisplay, SaysWhatTheDeviceDoes)
       << words << " in\n"
       << this->Display->GetText();
   }
-  // The text must name the tissue that AddTissue() assigned to the value, here shifted by 400.
+  // The text must contain the tissue that AddTissue() assigned to the value, here shifted by 400.
   this->Filter->GetProperty()->SetScalarShift(400.0);
   EXPECT_TRUE(this->Wait([&] { return this->Display->GetText().find("Resting on hard") == 0; }))
     << this->Display->GetText();
@@ -186,8 +186,8 @@ TEST_F(HeadUpDisplay, SaysWhatTheDeviceDoes)
   EXPECT_EQ(this->Display->GetTissueName(10.0), "");
 }
 
-/// A mouse moves the tip in steps, so most ticks of a stroke are at rest. The text must still say
-/// "Sliding".
+/// A mouse moves the tip in steps, so the tip is at rest in most ticks of a stroke. The text must
+/// still say "Sliding".
 TEST_F(HeadUpDisplay, SaysThatAHandSlidesBetweenTheStepsOfAMouse)
 {
   const auto add = [this](double from, double to, int contact)
@@ -213,7 +213,7 @@ TEST_F(HeadUpDisplay, SaysThatAHandSlidesBetweenTheStepsOfAMouse)
   add(0.15, 0.25, 1);
   EXPECT_TRUE(says("Resting on the volume, 1.00 N")) << this->Display->GetText();
   add(0.25, 0.26, 2);
-  add(0.0, 0.01, 1); // states that begin at 0 again, as after a new start of the device
+  add(0.0, 0.01, 1); // states that begin at 0 again, as after a restart of the device
   EXPECT_TRUE(says("Resting on the volume, 1.00 N")) << this->Display->GetText();
 }
 
@@ -228,8 +228,8 @@ TEST_F(HeadUpDisplay, NamesTissuesAsTheEditorDoes)
   const double value = this->Device->GetState()->GetSurfaceValue();
   property->AddTissue("all", value - 1.0, value + 1.0);
   EXPECT_TRUE(says("Resting on all, ")) << this->Display->GetText();
-  // A change of the tissues must take effect at once. A value outside all tissues gets the name of
-  // the nearest tissue.
+  // A change of the tissues must take effect at once. A value outside all tissues must get the name
+  // of the nearest tissue.
   property->RemoveAllTissues();
   property->AddTissue("low", -500.0, 0.0);
   property->AddTissue("high", 100.0, 500.0);
@@ -237,7 +237,8 @@ TEST_F(HeadUpDisplay, NamesTissuesAsTheEditorDoes)
   EXPECT_EQ(this->Display->GetTissueName(49.0), "low");
   EXPECT_EQ(this->Display->GetTissueName(51.0), "high");
   EXPECT_EQ(this->Display->GetTissueName(1e9), "high");
-  // Values at the surface are blends of both sides, so the text names the tissue below the surface.
+  // Values at the surface are blends of both sides, so the text must name the tissue below the
+  // surface.
   const double* const spacing = this->Image->GetSpacing();
   double below[3];
   for (int i = 0; i < 3; ++i)
@@ -254,8 +255,8 @@ TEST_F(HeadUpDisplay, NamesTissuesAsTheEditorDoes)
   EXPECT_TRUE(says("Resting on fat, ")) << this->Display->GetText();
 }
 
-/// Values between air and fat that hold the hand are called skin with "CT physical"; a blanket is
-/// not called skin.
+/// With "CT physical", values between air and fat that resist the hand are called skin; a blanket
+/// is not.
 TEST_F(HeadUpDisplay, CallsSkinWhatHoldsAsSkin)
 {
   vtkHapticProperty* const property = this->Filter->GetProperty();
@@ -301,7 +302,7 @@ TEST_F(HeadUpDisplay, SaysThatAHandRestsWhereItsFrictionIsAtTheLimit)
     << this->Display->GetText();
 }
 
-/// A flow along x resists a hand that moves 2 mm along z with 1 N. The text must not name a
+/// A flow along x resists a hand that moves 2 mm along z with 1 N. The text must not mention a
 /// surface.
 TEST_F(HeadUpDisplay, NamesNoSurfaceWhereModesAreFelt)
 {
@@ -363,8 +364,8 @@ TEST_F(HeadUpDisplay, NamesTheLabelThatIsTouched)
   const std::string name = layer % 2 == 0 ? " layer " + std::to_string(layer) + " \xC3\xB6, "
                                           : " label " + std::to_string(layer) + ", ";
   EXPECT_NE(this->Display->GetText().find(name), std::string::npos) << this->Display->GetText();
-  // The text names the tissue at the value ("ramp") if a label has no name, or if the hand is
-  // outside the label image.
+  // The text must name the tissue at the value ("ramp") if a label has no name, or if the hand is
+  // outside of the label image.
   table->RemoveLabel(layer);
   EXPECT_NE(this->Display->GetText().find(" ramp, "), std::string::npos);
   table->SetLabelName(layer, "back");

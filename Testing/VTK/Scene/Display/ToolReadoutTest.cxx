@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the display's text for a tool: the depth and angle of a needle, the number of layers that
- * it has passed and of its touches of forbidden tissue, and the torque on a tool with a shape. The
- * needle's track is written to a file and read again.
+ * Tests the display's text for a tool: a needle's depth and angle, how many layers it has passed,
+ * how often it has touched forbidden tissue, and the torque on a shaped tool. Also writes the
+ * needle's track to a file, and reads it back.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -42,7 +42,7 @@ protected:
   vtkNew<vtkHapticHeadUpDisplay> Display;
 };
 
-/// Tests with skin from z = 4.5 mm, fat from 9.5 mm, and a forbidden artery from 14.5 mm.
+/// Tests a needle in skin from z = 4.5 mm, fat from 9.5 mm, and a forbidden artery from 14.5 mm.
 class NeedleReadout : public ToolReadout
 {
 protected:
@@ -92,7 +92,7 @@ protected:
 TEST_F(NeedleReadout, TellsDepthAngleLayersAndForbiddenTouches)
 {
   this->Begin();
-  // The stylus leans by 0.2 rad from the vertical.
+  // The stylus is tilted by 0.2 rad from the vertical.
   ASSERT_TRUE(this->Lead(7.0, 7.0, 3.0));
   this->Device->GetVirtualHand()->SetOrientation(std::sin(0.1), std::cos(0.1), 0.0, 0.0);
   ASSERT_TRUE(this->ArmFully());
@@ -111,7 +111,7 @@ TEST_F(NeedleReadout, TellsDepthAngleLayersAndForbiddenTouches)
   ASSERT_TRUE(this->LeadInto(17.0));
   ASSERT_TRUE(this->Says("forbidden tissue touched 2 times")) << this->Display->GetText();
   EXPECT_NEAR(this->Number("Angle"), 0.2 * 57.29577951, 0.2);
-  // The leaning needle must end at the artery, 10 mm below the skin.
+  // The tilted needle must end at the artery, 10 mm below the skin.
   EXPECT_NEAR(this->Number("Depth"), 10.0 / std::cos(0.2), 0.3);
   EXPECT_NEAR(this->Number("ShaftForce"), 0.02 * this->Number("Depth"), 1e-3);
   char deep[32];
@@ -119,7 +119,7 @@ TEST_F(NeedleReadout, TellsDepthAngleLayersAndForbiddenTouches)
     deep, sizeof(deep), "Needle %.1f mm deep", this->Device->GetState()->GetNeedleDepth());
   EXPECT_TRUE(this->Says(deep)) << this->Display->GetText();
 
-  // Writing and reading a VTP file must keep the track of the needle.
+  // Writing and reading a VTP file must preserve the track of the needle.
   const std::string file = this->File("track.vtp");
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(this->Track);
@@ -146,8 +146,8 @@ TEST_F(NeedleReadout, TellsDepthAngleLayersAndForbiddenTouches)
   EXPECT_EQ(read->GetFieldData()->GetArray("ForbiddenTouches")->GetComponent(0, 0), 2.0);
 }
 
-/// Presses the far end of a bar, which turns the hand. Without contact, the text must show no
-/// torque.
+/// Presses the far end of a bar, which exerts a torque on the hand. Without contact, the text must
+/// not mention a torque.
 TEST_F(ToolReadout, TellsTheTorqueOnAShape)
 {
   vtkNew<vtkCubeSource> bar;
@@ -162,7 +162,7 @@ TEST_F(ToolReadout, TellsTheTorqueOnAShape)
   tool->SetMesh(bar->GetOutput());
   this->Filter->SetTool(tool);
   this->Begin();
-  // A tool that appears inside solid tissue must begin there without a force.
+  // A tool that appears inside solid tissue must start without a force.
   ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
   ASSERT_TRUE(this->ArmFully());
   EXPECT_EQ(this->Display->GetText().find("N mm"), std::string::npos);

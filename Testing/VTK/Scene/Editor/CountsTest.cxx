@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that the function editor counts all values of a large array in pieces, or spread samples of
- * it. The counts are compared with a std::map or std::set of the same values.
+ * Tests that the function editor counts the values of a large array in pieces, either all values or
+ * distributed samples. The counts are compared with a std::map or std::set of the same values.
  */
 
 #include "VTK/Scene/Base/HapticHistogram.h"
@@ -39,7 +39,7 @@ bool GoOn(double fraction)
   return true;
 }
 
-/// Draws from a narrow distribution around 300. About one value in a million is far away, at 2000.
+/// Draws from a narrow distribution around 300. About one value in a million is an outlier at 2000.
 double Draw(std::mt19937& random)
 {
   std::normal_distribution<double> normal(300.0, 40.0);
@@ -51,7 +51,7 @@ vtkIdType Sum(const ValueCounts& counts)
   return std::accumulate(counts.Counts.begin(), counts.Counts.end(), vtkIdType{ 0 });
 }
 
-/// Expects that every bin counts the values within half a bin width of its middle.
+/// Expects that every bin counts the values within half a bin width of its centre.
 void ExpectCounts(const ValueCounts& counts, const std::map<double, vtkIdType>& values)
 {
   ASSERT_FALSE(counts.Counts.empty());
@@ -128,8 +128,8 @@ TEST(Counts, LeaveOutWhatIsNotFinite)
 
 TEST(Counts, OfSpreadSamplesHaveTheSameFractions)
 {
-  // Each row of 512 values has 256 zeros and then 256 values of 100. Samples at even steps would
-  // find only one of the two values.
+  // Each row of 512 values has 256 zeros, followed by 256 values of 100. Samples at regular
+  // intervals would find only one of the two values.
   vtkNew<vtkShortArray> array;
   array->SetNumberOfValues(1 << 23);
   for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
@@ -145,8 +145,8 @@ TEST(Counts, OfSpreadSamplesHaveTheSameFractions)
 
 TEST(Counts, OfSpreadSamplesSeeAllColumnsInFewPages)
 {
-  // Each value is its own index. Of the 512 columns, 2048 random samples would miss 512 exp(-4),
-  // about 9. A page of 4 KiB holds 1024 values.
+  // Each value is its own index. Of the 512 columns, 2048 random samples would miss 512 exp(-4), or
+  // about 9. A page of 4 KiB has 1024 values.
   constexpr vtkIdType columns = 512;
   vtkNew<vtkIntArray> numbers;
   numbers->SetNumberOfValues(1 << 23);
@@ -218,7 +218,7 @@ TEST(ValueName, IsWhatValuesMeanAndNotWhoHasReadThem)
   EXPECT_EQ(NameValues(values), "density (HU)");
   values->SetName("HU");
   EXPECT_EQ(NameValues(values), "HU");
-  values->SetName("MetaImage"); // the name that vtkMetaImageReader gives
+  values->SetName("MetaImage"); // the name that vtkMetaImageReader sets
   EXPECT_EQ(NameValues(values), "HU");
   values->GetInformation()->Remove(vtkDataArray::UNITS_LABEL());
   EXPECT_EQ(NameValues(values), "Value");

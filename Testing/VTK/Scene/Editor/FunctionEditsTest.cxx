@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests edits of a function by the mouse. A point follows the mouse to the pixel, and undo restores
- * a function to the bit. Expected values come from the linear axes and from copies of the
+ * Tests editing a function with the mouse. A point must follow the mouse to the pixel, and undo
+ * must restore a function bitwise. Expected values come from the linear axes and from copies of the
  * functions.
  */
 
@@ -74,8 +74,8 @@ protected:
     function->AddPoint(1000.0, 900.0);
   }
   vtkPiecewiseFunction* Get() { return this->Property->GetStiffness(); }
-  /// Returns the pixel of a value and a stiffness. Renders first, since the editor converts with
-  /// the layout of the last frame.
+  /// Returns the pixel of a value and a stiffness. Renders first, because the editor uses the
+  /// layout of the last frame.
   Place At(double value, double stiffness)
   {
     this->Window->Render();
@@ -130,7 +130,7 @@ TEST_F(FunctionEdits, ADraggedPointIsWhereTheMouseIs)
   }
 }
 
-/// Points must keep their order, and the end points their values, so that the function stays
+/// Points must preserve their order, and the end points their values, so that the function stays
 /// single-valued.
 TEST_F(FunctionEdits, APointPassesNoOtherOneAndEndsMoveUpAndDown)
 {
@@ -160,8 +160,7 @@ TEST_F(FunctionEdits, AClickAddsAPointAndTheMiddleButtonRemovesIt)
   EXPECT_EQ(nodes[2][0], 400.0);
 }
 
-/// Clicks of the right button select points. A drag beside the points then moves the selected
-/// points together.
+/// Right clicks select points. A drag beside the points then moves the selected points together.
 TEST_F(FunctionEdits, SelectedPointsMoveTogether)
 {
   this->Click(this->At(-200.0, 300.0), Right);
@@ -172,13 +171,13 @@ TEST_F(FunctionEdits, SelectedPointsMoveTogether)
   ASSERT_EQ(nodes.size(), 4u);
   EXPECT_NEAR(nodes[1][0], -100.0, 1.01 * this->GetPixel()[0]);
   EXPECT_NEAR(nodes[1][1], 400.0, 1.01 * this->GetPixel()[1]);
-  constexpr double rounding = 2e-4; // charts have positions in single precision
+  constexpr double rounding = 2e-4; // charts store positions in single precision
   EXPECT_NEAR(nodes[2][0] - 400.0, nodes[1][0] + 200.0, rounding);
   EXPECT_NEAR(nodes[2][1] - 700.0, nodes[1][1] - 300.0, rounding);
   EXPECT_EQ(nodes[3][1], 900.0) << "not selected";
 }
 
-/// Showing an empty function must not add points, which would change the force.
+/// Displaying an empty function must not add points, which would change the force.
 TEST_F(FunctionEdits, AnEmptyFunctionStaysEmptyUntilAPointIsAdded)
 {
   this->Get()->RemoveAllPoints();
@@ -196,8 +195,8 @@ TEST_F(FunctionEdits, AnEmptyFunctionStaysEmptyUntilAPointIsAdded)
   EXPECT_EQ(this->Get()->GetSize(), 0);
 }
 
-/// Makes 130 edits, of which the editor keeps the last 100. Undo and redo must restore each state
-/// to the bit.
+/// Makes 130 edits, of which the editor stores the last 100. Undo and redo must restore each state
+/// bitwise.
 TEST_F(FunctionEdits, AreTakenBackAndDoneAgainToTheBit)
 {
   std::mt19937 random(3);

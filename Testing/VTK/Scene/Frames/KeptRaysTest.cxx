@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that a picture whose rays are kept from frame to frame equals that of a mapper that casts
- * all rays for each frame.
+ * Tests that rendering with rays that are reused between frames equals rendering with a mapper that
+ * casts all rays for each frame.
  */
 
 #include "VTK/Scene/Frames/KeptRays.h"
@@ -28,7 +28,7 @@ using namespace carvedtest;
 
 namespace
 {
-/// A window with a volume and two balls, which stand for a stylus and an arrow. It counts the rays
+/// A window with a volume and two balls, which represent a stylus and an arrow. Counts the rays
 /// that its mapper casts.
 class Drawn
 {
@@ -53,7 +53,7 @@ public:
     this->Count->SetClientData(this);
     this->Count->SetCallback(
       [](vtkObject*, unsigned long, void* self, void*) { static_cast<Drawn*>(self)->CountRays(); });
-    // Counts after the observer that chooses the rows to cast.
+    // Count after the observer that chooses the rows to cast.
     this->Mapper->AddObserver(vtkCommand::VolumeMapperRenderStartEvent, this->Count, -1.0F);
   }
   void Move(std::array<double, 3> first, std::array<double, 3> second)
@@ -102,8 +102,8 @@ class KeptRaysTest : public testing::Test
 protected:
   using Change = std::function<void(Drawn&)>;
 
-  /// Applies the change to both windows, and expects the same picture. Returns the numbers of cast
-  /// rays: first of the window that keeps rays, then of the window that casts all rays.
+  /// Applies the change to both windows, and expects the same pixels. Returns the numbers of cast
+  /// rays: first of the window that reuses rays, then of the window that casts all rays.
   std::pair<int, int> Compare(const Change& change, const std::string& what)
   {
     change(this->Kept);
@@ -127,7 +127,7 @@ protected:
     this->Kept.Mapper->RemoveObserver(interrupt);
     EXPECT_NE(this->Kept.Scene.Window->GetAbortRender(), 0);
   }
-  /// Expects that all rays are cast after the change, and that the picture differs.
+  /// Expects that all rays are cast after the change, and that the pixels differ.
   void ExpectAnew(const Change& change, const std::string& what)
   {
     this->Compare([](Drawn&) {}, "before " + what);
@@ -155,7 +155,7 @@ TEST_F(KeptRaysTest, AHandThatMovesChangesTheRaysThatItMeets)
   EXPECT_TRUE(this->Rays.IsCurrent());
   EXPECT_EQ(this->Compare([](Drawn&) {}, "nothing has moved").first, 0);
   int most = 0;
-  for (int i = 0; i <= 40; ++i) // moves from the front of the volume, through it, to its back
+  for (int i = 0; i <= 40; ++i) // moves from the front of the volume through it to its back
   {
     const double way = i / 40.0;
     const auto move = [way](Drawn& drawn)
@@ -262,7 +262,7 @@ TEST_F(KeptRaysTest, ShadesAreComputedIfTheyWouldBeOthers)
   EXPECT_EQ(count(), all);
   this->Compare([](Drawn& d) { d.Move({ 25.0, 11.0, 60.0 }, { 38.0, 0.0, 45.0 }); }, "moved");
   EXPECT_EQ(count(), 0);
-  // Cropping changes the picture, but not the shades, so the shades of earlier frames are kept.
+  // Cropping changes the pixels, but not the shading, so the shades of earlier frames are reused.
   this->ExpectAnew(
     [](Drawn& d)
     {
@@ -317,7 +317,7 @@ TEST_F(KeptRaysTest, AMapperThatHasDrawnElsewhereBeginsAnew)
   EXPECT_FALSE(this->Rays.IsCurrent());
   const auto [rays, all] = this->Compare([](Drawn&) {}, "after");
   EXPECT_EQ(rays, all);
-  // The coarse image of earlier frames is still valid, so no rays are cast.
+  // The coarse image of earlier frames is still valid, so no rays must be cast.
   const auto coarse = [](Drawn& d) { d.Mapper->SetImageSampleDistance(1.0F); };
   EXPECT_EQ(this->Compare(coarse, "coarsely again").first, 0);
 }
@@ -365,7 +365,7 @@ TEST_F(KeptRaysTest, MotionGoesOnAfterAnInterruptedFrameAtRest)
     EXPECT_LT(rays, all / 2);
     EXPECT_GT(rays, 0);
   }
-  // The look changes while the motion pauses, so all rays must be cast.
+  // The opacity changes while the motion pauses, so all rays must be cast.
   this->Interrupt(
     [&](Drawn& d)
     {

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Rig of a window with a volume. Tests choose how long its frames take.
- */
+/** Fixture with a window that contains a volume. Tests choose the duration of its frames. */
 #ifndef QualityRig_h
 #define QualityRig_h
 
@@ -23,7 +21,7 @@ namespace scenetest
 constexpr double InMotion = 15.0;
 constexpr double AtRest = 0.001;
 
-/// Waits until the X server has handled all requests. After this, their events are in X11's queue.
+/// Waits until the X server has handled all requests. Their events are then in X11's queue.
 inline void AwaitServer(vtkRenderWindow* window)
 {
   using Sync = int (*)(void* display, int);
@@ -31,8 +29,8 @@ inline void AwaitServer(vtkRenderWindow* window)
   sync(window->GetGenericDisplayId(), 0);
 }
 
-/// Sends a mouse motion to the window with XSendEvent(), since the pointer may be over a window of
-/// another test. X11's header is not included, because its macros would break other tests.
+/// Sends a mouse motion to the window with XSendEvent(), because the pointer may be over another
+/// test's window. X11's header is not included, because its macros would conflict with other tests.
 inline void SendMotion(vtkRenderWindow* window)
 {
   using Send = int (*)(void* display, unsigned long window, int, long, void* event);
@@ -65,7 +63,7 @@ inline bool DrainEvent(vtkRenderWindow* window, int type)
            reinterpret_cast<unsigned long>(window->GetGenericWindowId()), type, event) != 0;
 }
 
-/// Makes a mapper slow: it sleeps in each progress report. One thread sends a report every eight
+/// Makes a mapper slow by sleeping in each progress report. One thread sends a report every eight
 /// rows.
 class SlowRows
 {
@@ -113,7 +111,7 @@ protected:
         std::this_thread::sleep_for(
           std::chrono::milliseconds(static_cast<StyleQualityTest*>(self)->Slowness));
       });
-    // runs before the observer of the style
+    // runs before the observer of the interactor style
     this->Window->AddObserver(vtkCommand::EndEvent, wait, 1.0f);
   }
   ~StyleQualityTest() override { this->Interactor->SetInteractorStyle(nullptr); }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the style's timer. It draws coarsely while something moves, and finely at rest. It does not
- * draw all the time if only numbers change.
+ * Tests the style's timer: it draws coarsely while something moves, and finely at rest. It does not
+ * draw continuously if only numbers change.
  */
 
 #include "VTK/Scene/Interaction/StyleRig.h"
@@ -47,8 +47,7 @@ protected:
     for (int i = 0; Clock::now() < end; ++i)
     {
       between(i);
-      // Waits until the servo has felt a motion of the hand, since the motion is drawn only after
-      // that.
+      // Wait until the servo has processed a motion of the hand, which is drawn only then.
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
       this->Interactor->InvokeEvent(vtkCommand::TimerEvent, &this->Timer);
     }
@@ -97,9 +96,8 @@ TEST_F(StylePaceTest, DrawsWellOnceAtRestAndThenForTheFigures)
   EXPECT_EQ(this->Quick, 0);
 }
 
-// After a slow frame, the style leaves a gap for input. Without this gap, thirty waiting mouse
-// motions would be drawn in thirty frames, and a key pressed after them would be handled 30 frames
-// late.
+// After a slow frame, the style must leave time for input. Otherwise, thirty waiting mouse motions
+// would cause thirty frames, and a key pressed after them would be handled 30 frames late.
 TEST(RenderPace, LeavesTimeForInputAfterASlowFrame)
 {
   using VolumeHaptics::HapticRenderPace;
@@ -187,12 +185,12 @@ TEST_F(StylePaceTest, AMotionOfTheMouseDrawsWhileTimersAreLate)
   int drawn = 0;
   for (int i = 0; i < 40; ++i)
   {
-    // Waits until the servo has felt the motion.
+    // Wait until the servo has processed the motion.
     std::this_thread::sleep_for(std::chrono::milliseconds(8));
     this->Quick = 0;
     this->Pointer(150 + 6 * (i % 4), 150);
     drawn += this->Quick;
-    // The timer draws the motion after a pause.
+    // The timer must draw the motion after a pause.
     this->Interactor->InvokeEvent(vtkCommand::TimerEvent, &this->Timer);
   }
   EXPECT_GE(drawn, 4) << "motions have left it to the timer";

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the quality of volumes in a window on the screen: coarse in motion, as set by the
- * application at rest, and never so fine that a frame blocks the hand.
+ * Tests the rendering quality of volumes in a window on the screen: coarse in motion, as the
+ * application has set it at rest, and never so fine that a frame blocks the hand.
  */
 
 #include "QualityRig.h"
@@ -147,7 +147,7 @@ TEST_F(StyleQualityTest, SmartMapperCastsAllRaysAgainAtRest)
   ASSERT_EQ(mapper->GetLastUsedRenderMode(), vtkSmartVolumeMapper::RayCastRenderMode);
   EXPECT_GT(Parts::Find(mapper)->GetImageSampleDistance(), 2.0f);
   EXPECT_LE(Parts::Find(mapper)->GetSampleDistance(), 1.0f) << "rays miss what is thinner";
-  this->Draw(AtRest, 8); // draws long enough for all rays to be cast
+  this->Draw(AtRest, 8); // draws until all rays are cast
   EXPECT_EQ(Parts::Find(mapper)->GetImageSampleDistance(), 1.0f);
   const float atRest = Parts::Find(mapper)->GetSampleDistance();
   this->Slowness = 0;

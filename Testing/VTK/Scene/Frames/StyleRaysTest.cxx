@@ -3,7 +3,7 @@
 
 /**
  * Tests frames of a mapper that casts rays on the processor. Late frames end early, and fine rays
- * are kept in motion.
+ * are reused in motion.
  */
 
 #include "QualityRig.h"
@@ -28,7 +28,7 @@ TEST_F(StyleRaysTest, AFrameThatTakesTooLongIsGivenUpWhileADeviceIsArmed)
   this->Draw(AtRest, 8);
   ASSERT_EQ(mapper->GetImageSampleDistance(), 1.0f);
   mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, sleep, 1.0f);
-  this->Renderer->GetActiveCamera()->Azimuth(10.0); // makes all rays be cast again
+  this->Renderer->GetActiveCamera()->Azimuth(10.0); // requires casting all rays again
   this->Draw(AtRest, 1);
   EXPECT_EQ(this->Window->GetAbortRender(), 1);
   mapper->RemoveObserver(sleep);
@@ -37,8 +37,8 @@ TEST_F(StyleRaysTest, AFrameThatTakesTooLongIsGivenUpWhileADeviceIsArmed)
   EXPECT_GT(mapper->GetImageSampleDistance(), 1.0f);
 }
 
-/// The first rows of 0.1 s each show that the frame would take 1.5 s, so the style aborts the
-/// frame. The next frame must be coarser, and the stroke must keep its rays.
+/// The first rows take 0.1 s each, so the frame would take 1.5 s, and the style aborts it. The next
+/// frame must be coarser, and the stroke must keep its rays.
 TEST_F(StyleRaysTest, AFrameThatWouldTakeTooLongIsGivenUpSoonAndTheStrokeIsFine)
 {
   vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
@@ -53,7 +53,7 @@ TEST_F(StyleRaysTest, AFrameThatWouldTakeTooLongIsGivenUpSoonAndTheStrokeIsFine)
   this->Draw(AtRest, 8);
   ASSERT_EQ(mapper->GetImageSampleDistance(), 1.0f);
   SlowRows rows(mapper, 100);
-  this->Renderer->GetActiveCamera()->Azimuth(10.0); // makes all rays be cast again
+  this->Renderer->GetActiveCamera()->Azimuth(10.0); // requires casting all rays again
   this->Draw(AtRest, 1);
   EXPECT_EQ(this->Window->GetAbortRender(), 1);
   EXPECT_LE(rows.Count, 5) << "of 15, of which 10 take 1 s";
@@ -83,7 +83,7 @@ TEST_F(StyleRaysTest, AFrameThatInputInterruptsTellsHowLongItWouldHaveTaken)
   ASSERT_EQ(mapper->GetImageSampleDistance(), 1.0f);
   SlowRows rows(mapper, 55);
   rows.Move = 5;
-  this->Renderer->GetActiveCamera()->Azimuth(10.0); // makes all rays be cast again
+  this->Renderer->GetActiveCamera()->Azimuth(10.0); // requires casting all rays again
   this->Draw(AtRest, 1);
   EXPECT_EQ(this->Window->GetAbortRender(), 1);
   rows.Slowness = 0;
@@ -106,7 +106,7 @@ TEST_F(StyleRaysTest, TheFirstFrameInMotionIsAsCoarseAsThoseAtRestTell)
   mapper->AutoAdjustSampleDistancesOff();
   this->Show(mapper.GetPointer());
   this->Draw(AtRest, 1);
-  this->Renderer->GetActiveCamera()->Azimuth(10.0); // makes all rays be cast again
+  this->Renderer->GetActiveCamera()->Azimuth(10.0); // requires casting all rays again
   this->Draw(AtRest, 1);
   this->Renderer->GetActiveCamera()->Azimuth(10.0);
   this->Draw(InMotion, 1);
@@ -234,7 +234,7 @@ TEST_F(StyleRaysTest, InputInterruptsAFrameAtRest)
     GTEST_SKIP() << "only the queue of X11 tells of motions";
   }
   ASSERT_EQ(this->Window->GetAbortRender(), 0);
-  // Sends a mouse motion during the frame.
+  // Send a mouse motion during the frame.
   vtkNew<vtkCallbackCommand> move;
   move->SetClientData(this->Window);
   move->SetCallback([](vtkObject*, unsigned long, void* window, void*)
@@ -243,13 +243,13 @@ TEST_F(StyleRaysTest, InputInterruptsAFrameAtRest)
   this->Draw(AtRest, 1);
   EXPECT_EQ(this->Window->GetAbortRender(), 1);
   mapper->RemoveObserver(move);
-  // A frame in motion is short and must be shown, so input does not interrupt it.
+  // A frame in motion is short and must be displayed, so input must not interrupt it.
   this->Draw(InMotion, 1);
   EXPECT_EQ(this->Window->GetAbortRender(), 0);
 }
 
 /// After a frame that delays timers by about a second, the loop of VTK 9.1 would sleep until
-/// another event comes, so the style sends an event.
+/// another event arrives, so the style sends an event.
 TEST_F(StyleRaysTest, TheLoopIsWokenAfterAFrameThatDelaysTimers)
 {
   constexpr int noExpose = 14;

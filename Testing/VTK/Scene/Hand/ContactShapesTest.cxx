@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests shapes that show how deep the touch is: the spring with its stretch and slack, the contact
- * patch, and the stylus.
+ * Tests shapes that represent the depth of the touch: the spring with its stretch and slack, the
+ * contact patch, and the stylus.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -41,7 +41,7 @@ double ArcLength(vtkPolyData* line, vtkIdType from, vtkIdType to)
   return length;
 }
 
-/// Length of the spring's wire: eight windings with a radius of 0.5 at rest.
+/// Length of the spring's wire: eight windings, which have a radius of 0.5 at rest.
 constexpr double Wire = 8.0 * 6.283185307179586 * 0.5;
 } // namespace
 
@@ -54,7 +54,7 @@ TEST_F(ContactShapes, TheWireOfTheSpringKeepsItsLength)
     spring.Place(proxy, proxy + stretch * Vector3{ 0.6, 0.0, -0.8 }, 0.0, 1.0);
     vtkPolyData* const wire = spring.GetWire();
     const vtkIdType last = wire->GetNumberOfPoints() - 1;
-    // The two end segments, which lead to the axis, don't count. A winding is drawn with 24 sides.
+    // Exclude the two end segments, which lead to the axis. A winding is drawn with 24 sides.
     EXPECT_NEAR(ArcLength(wire, 1, last - 1), Wire, 0.005 * Wire) << stretch;
     EXPECT_NEAR(wire->GetPoint(0)[2], 3.0, 1e-6);
     EXPECT_NEAR(wire->GetPoint(last)[2], 3.0 - 0.8 * stretch, 1e-5);
@@ -87,7 +87,7 @@ TEST_F(ContactShapes, AStifferSpringHasSlack)
   SetConstant(this->Filter->GetProperty()->GetStiffness(), stiffness);
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->GetSlack() > 0.1; }));
-  // The force f = K (d - s) must stay the same, so that a hand at rest gets no energy.
+  // The force f = K (d - s) must remain the same, so that a hand at rest gains no energy.
   const double force = Length(this->Device->GetState()->GetComputedForce());
   EXPECT_NEAR(force, before, 0.02 * before);
   const double* const tip = this->Device->GetState()->GetTipPosition();
@@ -101,15 +101,15 @@ TEST_F(ContactShapes, AStifferSpringHasSlack)
 
 TEST_F(ContactShapes, ThePatchGrowsWithThePress)
 {
-  // After Hertz, the contact patch of a soft ball with a radius R on a plane has the area pi R d.
-  // Here R is 5.
+  // According to Hertz, the contact patch of a soft ball with a radius R on a plane has the area pi
+  // R d. Here R is 5.
   const double begin = ComputePatchRadius(0.0, 1.0);
   const double pressed = ComputePatchRadius(2.0, 1.0);
   EXPECT_NEAR(pressed * pressed - begin * begin, 5.0 * 2.0, 1e-12);
   EXPECT_EQ(ComputePatchRadius(-1.0, 1.0), begin);
   EXPECT_EQ(ComputePatchRadius(100.0, 1.0), 5.0) << "not without bounds";
 
-  // The patch lies in the tangent plane, which is across z. Its ring is a little thicker than the
+  // The patch is in the tangent plane, which is across z. Its ring is slightly thicker than the
   // patch.
   this->BeginPressed();
   vtkNew<vtkHapticRepresentation> hand;
@@ -156,7 +156,7 @@ TEST_F(ContactShapes, AStylusLeansTowardsTheViewer)
   camera->SetViewUp(0.0, 1.0, 0.0);
   window->Render();
   // In this view, right is -x, up is y, and the viewer is at -z. The stylus is 25 radii long, and
-  // leans like a pen in the right hand.
+  // tilted like a pen in the right hand.
   const double* const proxy = this->Device->GetState()->GetProxyPosition();
   EXPECT_LT(hand->GetBounds()[0], proxy[0] - 0.4 * 5.0);
   EXPECT_GT(hand->GetBounds()[3], proxy[1] + 0.5 * 5.0);
@@ -166,7 +166,7 @@ TEST_F(ContactShapes, AStylusLeansTowardsTheViewer)
   camera->SetPosition(7.0, 7.0, proxy[2] - 3.0);
   window->Render();
   EXPECT_GT(hand->GetBounds()[4], proxy[2] - 1.1);
-  // No stylus is drawn for a hand that is not armed.
+  // No stylus must be drawn for a disarmed hand.
   this->Device->Disarm();
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::READY; }));
   EXPECT_EQ(hand->GetBounds(), nullptr);

@@ -3,8 +3,8 @@
 
 /**
  * Tests the widget in a program with its own style, observers and keys. The hand touches, and the
- * program keeps working as before. VTK's vtkInteractorStyleTrackballCamera, and observers that
- * count the events that reach them, stand for the program.
+ * program must continue to work. VTK's vtkInteractorStyleTrackballCamera, and observers that count
+ * the events that reach them, represent the program.
  */
 
 #include "StyleRig.h"
@@ -42,8 +42,8 @@ protected:
     // The observer has a higher priority than the style, which grabs all events between a press and
     // its release.
     this->Interactor->AddObserver(vtkCommand::AnyEvent, this->Counter, 0.1f);
-    // Values outside the ball are below 0, and have no strength. Inside, the strength is more than
-    // the hand can overcome.
+    // Values outside the ball are negative, without strength. Inside, the strength exceeds any
+    // force of the hand.
     vtkPiecewiseFunction* const strength = this->Widget->GetProperty()->GetSurfaceStrength();
     strength->AddPoint(0.0, 0.0);
     strength->AddPoint(0.1, 8.0);
@@ -55,7 +55,7 @@ protected:
     this->Interactor->RemoveObserver(this->Counter);
   }
 
-  /// Adds a ball with a radius of 30 mm, moved by `z` along z.
+  /// Adds a ball with a radius of 30 mm, shifted by `z` along z.
   void AddBall(vtkVolume* volume, double z)
   {
     vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
@@ -110,7 +110,7 @@ protected:
     this->Widget->On();
     ASSERT_TRUE(this->Widget->GetEnabled());
   }
-  /// Touches the middle of the picture by the key T, and presses into the ball with the wheel.
+  /// Touches the middle of the view with the key T, and presses into the ball with the wheel.
   void PushIn()
   {
     this->Pointer(150, 150);
@@ -142,7 +142,7 @@ protected:
         return this->GetForce() == 0.0;
       }));
   }
-  /// Returns the camera's position, which tells whether the program's style has turned the camera.
+  /// Returns the camera's position, which changes if the program's style has rotated the camera.
   std::vector<double> GetView()
   {
     const double* const at = this->Renderer->GetActiveCamera()->GetPosition();
@@ -173,7 +173,7 @@ TEST_F(HapticWidget, ThreeLinesMakeAProgramTouchable)
   this->Widget->GetProperty()->GetStiffness()->AddPoint(0.0, 500.0);
   this->Widget->On();
   this->PushIn();
-  // The ball has a radius of 30 mm. Four steps of the wheel, one voxel (1 mm) each, take the tip
+  // The ball has a radius of 30 mm. Four steps of the wheel, one voxel (1 mm) each, move the tip
   // below the first contact.
   const double* const tip = this->Widget->GetDevice()->GetState()->GetTipPosition();
   const double* const proxy = this->Widget->GetDevice()->GetState()->GetProxyPosition();
@@ -217,20 +217,21 @@ TEST_F(HapticWidget, TheProgramGetsWhatTheTouchDoesNotUse)
   this->PushIn();
   for (const unsigned long event : MouseEvents)
   {
-    // The program gets presses of the right and the middle button; its style grabs their releases.
+    // The program must receive presses of the right and the middle button; its style grabs their
+    // releases.
     const bool isTheirs =
       event == vtkCommand::RightButtonPressEvent || event == vtkCommand::MiddleButtonPressEvent;
     EXPECT_EQ(this->Count(event), isTheirs ? 1 : 0) << vtkCommand::GetStringFromEventId(event);
   }
-  // These keys have no use for the hand, or belong to parts that this scene does not have.
+  // These keys have no meaning for the hand, or refer to parts that this scene does not have.
   for (const char* const key : { "3", "w", "x", "F2", "c", "k", "plus", "Home", "s", "1", "v",
          "space", "j", "Tab", "Control_L" })
   {
     EXPECT_EQ(this->Press(key), 2) << key;
     EXPECT_EQ(this->Release(key), 1) << key;
   }
-  // While a key is held, Qt sends presses, and X11 sends releases and presses. None of them may
-  // reach the program, even after Escape has let go.
+  // While a key is held, Qt repeats presses, and X11 repeats releases and presses. None of them may
+  // reach the program, even after Escape has ended the touch.
   for (const char* const key : { "h", "g", "d", "F1", "Escape" })
   {
     for (int repeat = 0; repeat < 3; ++repeat)
@@ -259,8 +260,8 @@ TEST_F(HapticWidget, TheProgramsDragGoesOnWithItsStyle)
   const std::vector<double> panned = this->GetView();
   EXPECT_EQ(this->Count(vtkCommand::MouseMoveEvent, 175, 150), 0) << "the hand has the mouse again";
   EXPECT_EQ(this->GetView(), panned);
-  // After a press that the hand has used, the hand gets the release, too, even if touch mode has
-  // ended in between.
+  // After a press that the hand has consumed, it must also receive the release, even if touch mode
+  // has ended meanwhile.
   EXPECT_EQ(this->Count(vtkCommand::LeftButtonPressEvent, 175, 150), 0);
   this->Widget->TouchModeOff();
   EXPECT_EQ(this->Count(vtkCommand::LeftButtonReleaseEvent, 175, 150), 0);
@@ -297,14 +298,14 @@ TEST_F(HapticWidget, OffLeavesTheWindowAsItWas)
   EXPECT_EQ(this->GetForce(), 0.0);
   EXPECT_EQ(this->Count(vtkCommand::MouseWheelForwardEvent), 1);
   EXPECT_EQ(this->Press("Escape"), 2);
-  // The activation key switches the widget on again, as VTK's widgets do.
+  // The activation key must switch the widget on again, as for VTK's widgets.
   this->Pointer(150, 150);
   this->Press("t", 't');
   EXPECT_TRUE(this->Widget->GetEnabled());
   EXPECT_TRUE(this->Widget->GetTouchMode());
 }
 
-// f3d's renderer has a render pass that keeps its list of props until its MTime changes.
+// f3d's renderer has a render pass that caches its list of props until its MTime changes.
 TEST_F(HapticWidget, TellsARenderPassOfTheProgramOfTheHand)
 {
   vtkNew<vtkSequencePass> pass;
@@ -332,7 +333,7 @@ TEST_F(HapticWidget, EndsWithTheInteractorAndWithoutOne)
   ASSERT_EQ(this->Log.Errors.size(), 1U);
   EXPECT_NE(this->Log.Errors[0].find("SetInteractor()"), std::string::npos);
   this->Widget->SetInteractor(this->Interactor);
-  this->Widget->On(); // the cure
+  this->Widget->On(); // the remedy
   EXPECT_TRUE(this->Widget->GetEnabled());
 }
 
@@ -367,14 +368,14 @@ TEST_F(HapticWidget, WaitsForAVolumeAndTellsIfThereIsNone)
   EXPECT_FALSE(this->Widget->GetTouchMode());
   ASSERT_EQ(this->Log.Errors.size(), 1U);
   EXPECT_NE(this->Log.Errors[0].find("add a visible vtkVolume"), std::string::npos);
-  this->Renderer->AddVolume(this->Volume); // the cure
+  this->Renderer->AddVolume(this->Volume); // the remedy
   this->PushIn();
 }
 
 TEST_F(HapticWidget, TakesKeysThatHaveCodesAndNoNames)
 {
   // VTK's wxVTKRenderWindowInteractor sends no key symbol. Its key code is GetKeyCode() of
-  // wxKeyEvent, a capital letter also without Shift.
+  // wxKeyEvent, which is an upper-case letter even without Shift.
   this->SwitchOn();
   this->Pointer(150, 150);
   EXPECT_EQ(this->Press(nullptr, 'T'), 0);
@@ -386,7 +387,7 @@ TEST_F(HapticWidget, TakesKeysThatHaveCodesAndNoNames)
   EXPECT_NE(listed.find("?\t"), std::string::npos);
   EXPECT_EQ(listed.find("End"), std::string::npos);
   EXPECT_EQ(listed.find("F1"), std::string::npos);
-  EXPECT_EQ(this->Press(nullptr, '/', 1), 0); // sends the key of ? on a US keyboard
+  EXPECT_EQ(this->Press(nullptr, '/', 1), 0); // the key of ? on a US keyboard
   EXPECT_TRUE(this->Widget->GetHeadUpDisplay()->GetHelpVisibility());
   EXPECT_EQ(this->Press(nullptr, 'X'), 2);
   EXPECT_EQ(this->Press(nullptr, '\x1b'), 0);
@@ -395,7 +396,7 @@ TEST_F(HapticWidget, TakesKeysThatHaveCodesAndNoNames)
 
 TEST_F(HapticWidget, LetsGoByASecondKeyWhereAToolkitKeepsEscape)
 {
-  // Mayavi's scene handles Escape before VTK does, so the key End must let go.
+  // Mayavi's scene handles Escape before VTK does, so the key End must end the touch.
   this->SwitchOn();
   this->PushIn();
   EXPECT_EQ(this->Press("End"), 0);
@@ -404,7 +405,7 @@ TEST_F(HapticWidget, LetsGoByASecondKeyWhereAToolkitKeepsEscape)
 
 TEST_F(HapticWidget, TakesACapitalLetterAgainWhoseShiftWasReleasedFirst)
 {
-  // The release of the key has the name of the small letter if Shift was released first.
+  // The key release has the lower-case name if Shift was released first.
   this->SwitchOn();
   this->PushIn();
   ASSERT_TRUE(this->Widget->GetStyle()->SetKey("Graph", "G"));
@@ -433,7 +434,7 @@ TEST_F(HapticWidget, BeginsAgainIfTheReleaseOfItsKeyWasLost)
   this->Pointer(150, 150);
   EXPECT_EQ(this->Press("t", 't'), 0);
   EXPECT_TRUE(this->Widget->GetTouchMode());
-  // lets go as if the view was hidden, so that no key release came
+  // ends the touch as for a hidden view, without a key release
   this->Widget->GetStyle()->FadeOut();
   EXPECT_EQ(this->Press("t", 't'), 0);
   EXPECT_TRUE(this->Widget->GetTouchMode());
@@ -468,7 +469,7 @@ TEST_F(HapticWidget, TellsThatTimersAreMissingAndGoesOnWithoutThem)
       return this->GetForce() > 0.3;
     }));
   EXPECT_EQ(told.Warnings.size(), 1U);
-  // from now on the program calls DrawHaptics(), as the warning says
+  // from now on, the program calls DrawHaptics(), as the warning suggests
   this->Widget->GetStyle()->DrawHaptics();
   const vtkIdType tick = this->Widget->GetDevice()->GetState()->GetTick();
   this->Window->Render();
@@ -484,7 +485,7 @@ TEST_F(HapticWidget, TellsThatTimersAreMissingInAProgramThatOnlyDraws)
   ASSERT_TRUE(Eventually(
     [&]
     {
-      // draws in the program's own loop, as with a haptic device that needs no mouse
+      // draws in the program's own loop, as with a haptic device without a mouse
       this->Window->Render();
       return !told.Warnings.empty();
     }));
@@ -535,7 +536,7 @@ TEST_F(HapticWidget, HasTheSlicesBesideTheScene)
 
 TEST_F(HapticWidget, FeelsWhatTheProgramHasConnected)
 {
-  // A program may show an isosurface of the image, and no volume.
+  // A program may display an isosurface of the image without a volume.
   this->Renderer->RemoveVolume(this->Volume);
   this->Widget->GetVolumeHaptics()->SetInputData(0, MakeBall());
   this->Widget->SetDefaultRenderer(this->Renderer);
@@ -546,7 +547,7 @@ TEST_F(HapticWidget, FeelsWhatTheProgramHasConnected)
   this->Press("Escape");
   this->ExpectLetGo();
   EXPECT_TRUE(this->Log.Errors.empty());
-  // The widget has chosen the volume itself, so it may choose another one.
+  // The widget has selected the volume itself, so it may select another one.
   this->Renderer->AddVolume(this->Volume);
   vtkNew<vtkVolumeHapticsFilter> other;
   other->GetProperty()->DeepCopy(this->Widget->GetProperty());
@@ -584,6 +585,6 @@ TEST_F(HapticWidget, TellsWhatIsMissingWithTheCure)
   this->Widget->TouchModeOn();
   expectTold("of a renderer of the window");
   EXPECT_FALSE(this->Widget->GetTouchMode());
-  this->AddBall(other, 0.0); // the cure
+  this->AddBall(other, 0.0); // the remedy
   this->PushIn();
 }

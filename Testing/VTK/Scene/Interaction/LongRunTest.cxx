@@ -3,7 +3,7 @@
 
 /**
  * Tests a touch of half a minute, with the servo at 1 kHz and frames as fast as possible. No state
- * is missed, and memory does not grow.
+ * may be missed, and memory must not grow.
  */
 
 #include "StyleRig.h"
@@ -34,7 +34,7 @@ class LongRunTest : public StyleTest
 {
 protected:
   /// Prints the time that the display, its text and its plot add to a frame with new states. The
-  /// four cases alternate from frame to frame.
+  /// four cases alternate between frames.
   void PrintCost(vtkHapticHeadUpDisplay* display)
   {
     double cost[4] = {};
@@ -105,7 +105,7 @@ TEST_F(LongRunTest, HalfAMinuteMissesNoState)
     this->Window->Render();
     if (begun == 0.0 && Clock::now() - start > std::chrono::seconds(10))
     {
-      begun = ResidentMemory(); // measured when the plot has been full for some seconds
+      begun = ResidentMemory(); // measured after the plot has been full for some seconds
     }
   }
   EXPECT_EQ(missing, 0);

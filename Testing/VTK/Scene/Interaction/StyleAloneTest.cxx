@@ -3,7 +3,7 @@
 
 /**
  * Tests the style, the representation and the displays without a device, a filter, an interactor, a
- * window or a renderer. Nothing crashes, and without an interactor nothing is armed.
+ * window or a renderer. Nothing may crash, and without an interactor nothing is armed.
  */
 
 #include "StyleRig.h"
@@ -20,7 +20,7 @@ using namespace scenetest;
 
 namespace
 {
-/// A style with its device, filter, window and props. Tests connect only some of them.
+/// A style with its device, filter, window and props, of which tests connect only some.
 struct Parts
 {
   vtkNew<vtkHapticDevice> Device;
@@ -68,7 +68,7 @@ void CallDisplays(Parts& parts)
   parts.Hand->GetBounds();
   parts.Hand->ReleaseGraphicsResources(nullptr);
   parts.Renderer->ComputeVisiblePropBounds(bounds);
-  vtkNew<vtkRenderer> elsewhere; // renderer that belongs to no window
+  vtkNew<vtkRenderer> elsewhere; // a renderer without a window
   for (vtkRenderer* renderer : { elsewhere.GetPointer(), static_cast<vtkRenderer*>(nullptr) })
   {
     parts.Display->RenderOverlay(renderer);
@@ -132,7 +132,7 @@ TEST(StyleAlone, DragsInARendererWithoutAWindow)
   interactor->SetInteractorStyle(style);
   interactor->Initialize();
   style->SetDefaultRenderer(elsewhere);
-  for (const int shift : { 0, 1 }) // with Shift (1), the right button turns the environment
+  for (const int shift : { 0, 1 }) // with Shift (1), the right button rotates the environment
   {
     interactor->SetEventInformation(20, 20, 0, shift);
     style->OnLeftButtonDown();

@@ -98,7 +98,8 @@ protected:
     window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
     return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
   }
-  /// Draws an image from which a loop in this test has removed tissue, by the filter's fractions.
+  /// Renders an image from which a loop in this test has removed tissue according to the filter's
+  /// fractions.
   Levels DrawReference(vtkVolumeMapper* mapper)
   {
     vtkNew<vtkImageData> fractions;
@@ -143,8 +144,8 @@ protected:
     this->Press("Escape");
     this->Run(20);
   }
-  /// Lets the style draw until the picture equals `wanted` within 2 grey levels. Returns false if
-  /// it never does.
+  /// Lets the style draw until the pixels equal `wanted` within 2 grey levels. Returns false if
+  /// this never happens.
   bool Becomes(const Levels& wanted)
   {
     return Eventually(
@@ -163,10 +164,10 @@ protected:
     const Levels drilled = this->DrawReference(reference);
     EXPECT_GT(MostDifference(drilled, whole), 20);
     EXPECT_TRUE(this->Becomes(drilled));
-    // The filter must feel the image that the application has set, not the carved copy.
+    // The filter must touch the image that the application has set, not the carved copy.
     EXPECT_EQ(this->Filter->GetTouchedImage(), this->Ball);
-    // Undo must restore the tissue in the picture while the servo runs. After Stop(), redo must
-    // remove the tissue again without a servo.
+    // Undo must restore the rendered tissue while the servo runs. After Stop(), redo must remove
+    // the tissue again without a servo.
     vtkHapticRemoval* const removal = this->Filter->GetRemoval();
     const int strokes = removal->GetNumberOfUndos();
     EXPECT_GT(strokes, 0);
@@ -213,11 +214,11 @@ TEST_F(StyleBurr, ShowsItWithAMapperThatHasNoTexture)
     vtkNew<vtkFixedPointVolumeRayCastMapper>(), vtkNew<vtkFixedPointVolumeRayCastMapper>());
 }
 
-/// Expects that the scene shows removed tissue within 100 ms of servo time, from the tick that
-/// removes it to the end of the frame that shows it. The time is counted from the last look before
-/// the removal, so it is rather too long. The machine may be busy, so one of 20 strokes is enough,
-/// or the second frame after that look. The mapper must keep its unchanged image, since only bricks
-/// are uploaded.
+/// Expects the scene to show removed tissue within 100 ms of servo time, measured from the tick
+/// that removes the tissue to the end of the frame that shows it. The measurement starts at the
+/// last poll before the removal, so it is slightly too long. Since the machine may be busy, one of
+/// 20 strokes is sufficient, or the second frame after that poll. The mapper must keep its
+/// unchanged image, because only bricks are uploaded.
 TEST_F(StyleBurr, TheSceneFollowsWithin100Milliseconds)
 {
   // A software renderer draws a window of this size in a few milliseconds.
@@ -251,8 +252,8 @@ TEST_F(StyleBurr, TheSceneFollowsWithin100Milliseconds)
     for (int look = 0; look < 4000 && !isSeen; ++look)
     {
       this->Style->UpdateHaptics();
-      // Reads the time before the volume. If the volume is unchanged, nothing was removed up to
-      // this time.
+      // Read the time before the volume. If the volume is unchanged, nothing was removed until this
+      // time.
       const double now = this->Device->GetState()->GetTime();
       if (removal->GetRemovedVolume() == volume)
       {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the changes that the style passes to the servo: functions, materials of labels, and the
+ * Tests which changes the style passes to the servo: functions, materials of labels, and the
  * workspace of a device other than the mouse.
  */
 
