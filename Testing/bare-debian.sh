@@ -64,10 +64,10 @@ if [ ! -f "$tree/etc/made" ]; then
   script=/usr/share/debootstrap/scripts/$suite
   [ -e "$script" ] || script=/usr/share/debootstrap/scripts/sid # for a suite that is newer than debootstrap
   debootstrap --variant=minbase "$suite" "$tree" "$mirror" "$script"
-  # Let dpkg not wait for the disk: nobody needs what a crash would leave, and a slow disk takes minutes to write each
+  # Don't let dpkg wait for the disk: after a crash, the files are useless, and a slow disk takes minutes to write each
   # file.
   echo force-unsafe-io > "$tree/etc/dpkg/dpkg.cfg.d/unsafe-io"
-  # Accept a mirror's old state of a suite.
+  # Accept an outdated suite of a mirror.
   echo 'Acquire::Check-Valid-Until "false";' > "$tree/etc/apt/apt.conf.d/old-state"
   echo "127.0.0.1 localhost $(hostname)" > "$tree/etc/hosts"
   inside root apt-get update -qq
@@ -78,12 +78,12 @@ if [ ! -f "$tree/etc/made" ]; then
   chmod 440 "$tree/etc/sudoers.d/tester"
   touch "$tree/etc/made"
 fi
-# Use this computer's network configuration, and the certificates that it trusts.
+# Use this computer's network configuration and trusted certificates.
 cp --remove-destination /etc/resolv.conf "$tree/etc/resolv.conf"
 cp -r /usr/local/share/ca-certificates "$tree/usr/local/share"
 inside root update-ca-certificates > /dev/null
 
-# Copy only committed files. Unchanged files keep their times, so that they are not built again.
+# Copy only committed files. Preserve the times of unchanged files, so that they are not built again.
 home=$(home_of $user)
 sources=$tree$home/volume-haptics
 if [ ! -d "$sources" ]; then

@@ -18,10 +18,10 @@ cd "$root"
 # shellcheck source=../CMake/install-packages.sh
 source CMake/install-packages.sh
 
-# These tools find different faults from version to version, so all of them have the versions of Debian 12, which has no
-# ruff. lint-tools.txt has the versions, and the hashes that pip checks.
+# These tools find different faults from version to version, so all of them have the versions of Debian 12, except ruff,
+# which Debian 12 lacks. lint-tools.txt has the versions, and the hashes that pip checks.
 
-# Prints the files with one of the given endings, separated by zeros.
+# Prints the files with one of the given endings, separated by null bytes.
 list_files()
 {
   local ending names=()
@@ -96,13 +96,13 @@ check_documents()
   Testing/Package/documents.py
 }
 
-# Checks the texts of the programs for phrases that software does not use.
+# Checks the programs' texts for unidiomatic phrases.
 check_texts()
 {
   Testing/Package/strings.py --check
 }
 
-# Checks that the documentation's site builds without a warning.
+# Checks that the documentation's site builds without warnings.
 check_site()
 {
   local status=0
@@ -131,7 +131,8 @@ run_clang_tidy()
 }
 
 # Checks the sources of a folder together, as in a unity build: their headers are read once, and names that two of the
-# sources define are found, whatever other folders have. Leaves out the kernels, which are compiled with other options.
+# sources define are reported, independently of other folders. Leaves out the kernels, which are compiled with other
+# options.
 check_tidy()
 {
   local folder status=0

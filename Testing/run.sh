@@ -51,7 +51,7 @@ left_out_of_device=full
 optimised=(-DCMAKE_CXX_FLAGS_RELEASE=-O1\ -DNDEBUG) # takes two thirds of the time of -O3 to compile
 tidy=tidy
 fuzz_options=-O0
-# Unity builds compile in half the time. With --full, all sources are also compiled one by one, as users do.
+# Unity builds compile in half the time. With --full, all sources are also compiled individually, as users do.
 unity=ON
 if [ $full = yes ]; then
   unity=OFF
@@ -188,8 +188,8 @@ build()
   cmake --build "$2" -j "$jobs" --target "${3:-all}"
 }
 
-# The plugin needs Core and Devices as built for the tests. Both unity builds have the same relative paths, so that the
-# compiler cache serves both.
+# The plugin needs Core and Devices from the tests' build. Both unity builds have the same relative paths, so that they
+# share the compiler cache.
 export CCACHE_DIR=${CCACHE_DIR:-$build_dir-cache} CCACHE_BASEDIR=${CCACHE_BASEDIR:-$(dirname "$build_dir")}
 cache=-DVolumeHaptics_COMPILER_CACHE=$(command -v ccache)
 
@@ -204,7 +204,7 @@ build_paraview()
   build paraview "$plugin_dir" all -DParaView_DIR="$paraview" -DVolumeHaptics_REFERENCE_BUILD="$build_dir" "$cache"
 }
 
-# Builds the wheel. With less optimisation, it compiles in half the time, but GCC then warns of a variable that is in
+# Builds the wheel. With less optimisation, it compiles in half the time, but GCC then warns about a variable that is in
 # fact set.
 build_wheel()
 {
@@ -215,7 +215,7 @@ build_wheel()
   CXXFLAGS="-Wall -Wextra -Werror $*" "$root/CMake/wheel/build.sh" "$wheel_dir" /usr/bin/python3
 }
 
-# Use the Qt of this Debian's ParaView, which is Qt 6 from Debian 13 on.
+# Use the Qt of this Debian's ParaView, which is Qt 6 since Debian 13.
 qt=(qtbase5-dev qttools5-dev libqt5svg5-dev libqt5opengl5-dev python3-pyqt5)
 if apt-cache depends paraview | grep libqt6core > /dev/null; then
   qt=(qt6-base-dev qt6-tools-dev qt6-5compat-dev libgl1-mesa-dev python3-pyqt6)
@@ -239,7 +239,7 @@ configure release "$build_dir" -DVolumeHaptics_WHEEL_FOLDER="$wheel_dir" \
 finish lint
 cmake --build "$build_dir" -j "$jobs"
 build_seconds=$((SECONDS - build_seconds))
-# Run the tests with a device in real time alone. Their failures are printed again at the end.
+# Run the tests with a device in real time separately. Their failures are printed again at the end.
 echo "== Tests with devices"
 status=0
 run_tests "$build_dir" "$((3 * jobs))" -L '^device$' -LE "^($left_out_of_device)\$" || status=$?
@@ -267,12 +267,12 @@ if ! ends_by 24 "$test_seconds"; then
 fi
 planned=$((test_seconds + sanitizer_seconds))
 
-# Build the servo with its safety stage and force gate under the sanitizers before everything else.
+# First build the servo with its safety stage and force gate under the sanitizers.
 loop_tests=VolumeHapticsLoopTests
 without_services=-DVolumeHaptics_USE_BEAST=OFF # no test under the sanitizers uses these services
 sanitized='^VolumeHaptics[.]Core[.]Servo'
-# $scans: hundreds of simulated hands, and long walks through flows. These tests run no code that other tests do not run
-# here. $slow_loops: loops that take half a minute under the thread sanitizer. With --full, both run.
+# $scans: hundreds of simulated hands, and long walks through flows. Other tests here run the same code. $slow_loops:
+# loops that take half a minute under the thread sanitizer. With --full, both run.
 slow_loops='ToolLoop[.](WhateverIsPublishedStaysWithinTheLimits|WhatIsKeptBeginsAReplay)$'
 scans='(FindsNoHonestDevice|NoHonestDeviceIsCalledWrong|TheReboundIsNeverFasterThanWithoutTheStage)$'
 scans+='|ModesInASwirl[.]StepByTheSpringAsFarAsTheFieldAllows/[0-9]|OfWeakFlowsAndFrontsAreWithinABoundOfTheirStrength$'
@@ -313,7 +313,7 @@ if fits 22 "the fuzzer"; then
   start fuzz "$root/Testing/Fuzz/fuzz.sh" build "$build_dir-fuzz" $fuzz_options
 fi
 
-# Start more jobs than processors, because some of the other tests wait, too.
+# Start more jobs than processors, because some of the tests also wait.
 echo "== Tests"
 test_seconds=$SECONDS
 run_tests "$build_dir" "$((2 * jobs))" "${chosen[@]}" || status=$?
@@ -345,12 +345,12 @@ test_sanitized()
   echo "== Tests with the thread sanitizer in $build_dir-thread"
   export TSAN_OPTIONS=ignore_noninstrumented_modules=1 VTK_SMP_BACKEND_IN_USE=Sequential
   if [ $full = yes ]; then
-    # Leave out VTK.Endings: its tests fork, and the thread sanitizer can't follow a fork of a process with threads.
+    # Leave out VTK.Endings, whose tests fork: the thread sanitizer can't trace a fork of a process with threads.
     run_tests "$build_dir-thread" "$jobs" \
       -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Base|Device|Filter[.]FilterPaths|Regions|Scene|Setup)[.])' ||
       status=$?
   else
-    # Run at most as many tests as there are processors: a loop that waits too long repeats its test.
+    # Run at most as many tests as there are processors, because a loop that is delayed repeats its test.
     run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.]Core[.]Servo' -E "$slow_loops" || status=$?
   fi
   unset TSAN_OPTIONS VTK_SMP_BACKEND_IN_USE

@@ -24,7 +24,7 @@ settings=(-G Ninja "-DCMAKE_TOOLCHAIN_FILE=$root/CMake/windows/mingw.cmake" "-DV
   -DCMAKE_BUILD_TYPE=Release '-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG')
 wine=$(command -v wine64 || command -v wine64-stable || echo /usr/lib/wine/wine64)
 export WINEPREFIX=$folder/wine WINEDEBUG=-all TEST_TMPDIR=$folder
-# Tell Wine where the compiler's libraries are.
+# Pass the path of the compiler's libraries to Wine.
 gcc=$(dirname "$(x86_64-w64-mingw32-g++-posix -print-file-name=libstdc++-6.dll)")
 WINEPATH="Z:$gcc;Z:/usr/x86_64-w64-mingw32/lib;Z:$prefix/bin;Z:$build/bin"
 export WINEPATH=${WINEPATH//\//\\}
@@ -50,7 +50,7 @@ if [ ! -e "$prefix/lib/pkgconfig/hidapi.pc" ]; then
     -DCMAKE_INSTALL_LIBDIR=lib
   cmake --build "$folder/hidapi/build" --target install
 fi
-# Use the system's header-only libraries, but no other headers of the system.
+# Use only the system's header-only libraries, and no other system headers.
 mkdir -p "$prefix/include"
 ln -sfn /usr/include/boost "$prefix/include/boost"
 ln -sfn /usr/include/nlohmann "$prefix/include/nlohmann"
@@ -89,7 +89,7 @@ while IFS= read -r file; do
   sed -nE "s/^TEST(_F|_P)?\(([A-Za-z0-9_]+), ([A-Za-z0-9_]+)\).*/Not there: \2.\3: ${reason:-no reason}/p" "$file"
 done < <(find "$root/Testing/Core" "$root/Testing/Devices" -name '*Test.cxx' | sort)
 
-# Run each suite in a process of its own. Wine wakes a thread at most once a millisecond, so fast loops take long.
+# Run each suite in a separate process. Wine wakes a thread at most once a millisecond, so fast loops take long.
 passed=0
 mkdir -p "$folder/results"
 while IFS= read -r name; do
@@ -98,7 +98,7 @@ while IFS= read -r name; do
   while IFS= read -r suite; do
     result=$folder/results/$name.${suite//\//-}txt
     timeout 900 "$wine" "$program" "--gtest_filter=$suite*" > "$result" 2>&1 < /dev/null || failed+=("$name $suite $result")
-    # Print the reason of a skip, which is in the line before.
+    # Print the reason for a skipped test, which is in the preceding line.
     awk '/^\[ +SKIPPED \] .* ms\)/ { print "Skipped: " $4 ": " text } { text = $0 }' "$result" | tr -d '\r'
     count=$((count + $(grep -acE '^\[       OK \] ' "$result" || true)))
   done < <("$wine" "$program" --gtest_list_tests 2>&1 | tr -d '\r' | grep -E '^[A-Za-z].*\.' | sed 's/ .*//')

@@ -14,11 +14,11 @@ import pytest
 
 SITE = Path(os.environ["VOLUMEHAPTICS_BUILD"])
 PACKAGE = SITE / "volumehaptics"
-# Libraries of every Linux with Python and OpenGL, which PEP 600 also names. GDCM's process needs libexpat; every
-# manylinux system has it (PEP 599), so auditwheel leaves it out.
+# Libraries that are present on every Linux with Python and OpenGL, and that PEP 600 also lists. GDCM's process needs
+# libexpat; every manylinux system has it (PEP 599), so auditwheel leaves it out.
 SYSTEM = re.compile(r"(ld-linux-x86-64|libc|libdl|libexpat|libgcc_s|libm|libpthread|librt|libstdc\+\+|libz)\.so\.\d+")
 
-# Licences of the linked libraries and of headers, as Debian's packages of these libraries name them.
+# Licences of the linked libraries and headers, as Debian's packages of these libraries state them.
 LICENCES = {
     "boost": "BSL-1.0",
     "libblosc": "BSD-3-Clause AND MIT AND Zlib",

@@ -42,7 +42,7 @@ fi
 unset PYTHONPATH
 export PIP_FIND_LINKS=$folder/sdk PIP_DISABLE_PIP_VERSION_CHECK=1
 
-# Lists the files of the environment's packages, without those that Python compiles.
+# Lists the files of the environment's packages, except for files that Python compiles.
 list_packages()
 {
   "$environment/bin/python" - << 'EOF'
@@ -56,14 +56,14 @@ case $step in
   install)
     rm -rf "${environment:?}"
     "$python" -m venv "$environment"
-    # Don't let pip compile: Python compiles what it imports, a tenth of the packages.
+    # Don't let pip compile all packages, because Python compiles the tenth of them that it imports.
     "$environment/bin/pip" install -q --no-compile "$@" "$wheel"
     ;;
   pytest)
     VOLUMEHAPTICS_BUILD=$("$environment/bin/python" -c 'import sysconfig; print(sysconfig.get_path("purelib"))')
     VOLUMEHAPTICS_VERSION=$("$environment/bin/pip" show volumehaptics | sed -n 's/^Version: //p')
     export VOLUMEHAPTICS_BUILD VOLUMEHAPTICS_VERSION VOLUMEHAPTICS_REFERENCE_BUILD=$reference
-    # Run in another folder, so that nothing of the repository is imported by accident.
+    # Run in another folder, so that no file of the repository is imported by accident.
     cd "$folder"
     exec "$environment/bin/python" -m pytest -q -p no:cacheprovider "$@"
     ;;

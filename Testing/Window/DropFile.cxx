@@ -85,7 +85,7 @@ private:
     XFlush(this->Shown);
   }
 
-  /// Waits for a message of this type, for half a minute at most. Answers requests meanwhile.
+  /// Waits up to half a minute for a message of this type, and answers requests meanwhile.
   bool WaitFor(const char* type)
   {
     const Atom wanted = this->FindAtom(type);

@@ -45,8 +45,8 @@ echo choose > manner
 chmod +x bin/zenity
 export PATH=$folder/bin:$PATH
 
-# In a window of this width, the bar's buttons have no labels, and divide the width of the window. Menus have lines of
-# 19 pixels below a margin of 8. The first line is the title.
+# In a window of this width, the bar's buttons have no labels, and share the width equally. Menus have lines of 19
+# pixels below a margin of 8 pixels. The first line is the title.
 size=390
 button_width=$((size / 13))
 go()

@@ -32,7 +32,7 @@ require_programs "xvfb xauth openbox xdotool wmctrl x11-utils" xvfb-run openbox 
 take_own_screen "$@"
 
 rounds=1
-# A signal ends the program in the same way whether a hand has let go or not, so there is one case for it.
+# A signal ends the program in the same way with and without a touch, so one case is sufficient.
 cases='q-no q-yes q-before manager-no manager-yes manager-before signal-yes'
 key=q
 felt=""
@@ -75,7 +75,7 @@ fail()
   exit 1
 }
 
-# Succeeds if the window shows a picture that has not changed for a second.
+# Succeeds if the window's contents have not changed for a second.
 is_drawn()
 {
   local before=$folder/before.png
@@ -83,7 +83,7 @@ is_drawn()
     [[ "$(identify -format %k "$picture")" -gt 1000 && "$(compare -metric AE "$before" "$picture" null: 2>&1)" == 0 ]]
 }
 
-# With the pointer on the volume, presses into the volume, and moves along its surface.
+# With the pointer on the volume, presses into the volume, and slides along its surface.
 touch_volume()
 {
   [[ $click == no ]] || xdotool click 1
@@ -102,7 +102,7 @@ touch_volume()
   xdotool mousemove_relative -- -6 2 mousemove_relative -- 3 -2
 }
 
-# If the machine stalled, the force was cut, as it must be. Start a new touch with Escape and t.
+# After a stall of the machine, the force is cut off, as required. Start a new touch with Escape and t.
 tries=0
 feels()
 {

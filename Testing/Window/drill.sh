@@ -30,7 +30,7 @@ fail()
   exit 1
 }
 
-# The burr presses on the forehead. It must remove nothing before the button is pressed and after its release.
+# The burr presses on the forehead. It must remove no tissue before the button is pressed and after its release.
 cat > drill.txt << END
 0.0  move 0.5 0.6
 0.5  key t

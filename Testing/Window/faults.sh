@@ -90,7 +90,7 @@ wait_for_window "VTK Volume Haptics"
 wait_for "a window as large as the first one ($size)" is_there_again
 close
 
-# Shows a list of keys that is too long for its window.
+# Open a list of keys that is too long for its window.
 open data/first.vti --size 300
 xdotool windowsize --sync "$window" 320 200
 xdotool key question
@@ -104,7 +104,7 @@ scroll()
 wait_for "the end of the list of keys" scroll
 close
 
-# Writes a flow around an axis.
+# Write a flow around an axis.
 python3 - > data/flow.vti << END
 size = 16
 print('<VTKFile type="ImageData"><ImageData WholeExtent="0 15 0 15 0 15" Origin="0 0 0" Spacing="1 1 1">'

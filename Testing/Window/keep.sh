@@ -35,8 +35,7 @@ open()
   child=$!
   wait_for_window "VTK Volume Haptics"
 }
-# Presses into the forehead and sets a point there. Tries three times, because the machine may stall, and the force
-# pause.
+# Presses into the forehead and sets a point there. Tries three times, because the force pauses if the machine stalls.
 press_and_measure()
 {
   local HEIGHT WIDTH

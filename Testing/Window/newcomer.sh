@@ -36,9 +36,9 @@ take_picture()
   import -window "$window" "$folder/screen.png"
 }
 
-# Reads the text in the picture, or in one of its columns, with spaces instead of line ends. $1 is tesseract's mode: 11
-# for scattered text, 6 for rows. The enlarged picture is not compressed, which would take four times as long as reading
-# it.
+# Reads the text in the screenshot, or in one of its columns, with spaces instead of line ends. $1 is tesseract's mode:
+# 11 for scattered text, 6 for rows. The enlarged image is not compressed, because compression would take four times as
+# long as reading it.
 read_picture()
 {
   convert "$folder/screen.png" -crop "${2:-100%x100%+0+0}" +repage -colorspace Gray -resize 300% -negate \
@@ -46,8 +46,8 @@ read_picture()
   OMP_THREAD_LIMIT=1 tesseract "$folder/letters.pgm" - --psm "$1" 2> /dev/null | tr '\n' ' ' > "$folder/read.txt"
 }
 
-# Succeeds if the picture (or, by says, the screen) shows text that matches $1. Sets $said to the first part in
-# brackets.
+# Succeeds if the screenshot (or, by says, the screen) contains text that matches $1. Sets $said to the first group of
+# the match.
 picture_says()
 {
   read_picture "${2:-11}" "${@:3}"
@@ -72,7 +72,7 @@ expect()
   [[ -z "$pictures" ]] || cp "$folder/screen.png" "$pictures/newcomer-$step.png"
 }
 
-# Presses a key, whose name is given as it is written on the screen.
+# Presses a key, which is given by its name on the screen.
 press()
 {
   case $1 in
@@ -96,7 +96,7 @@ expect "says how to go on" says 'mouse to stroke, turn the (wheel) to press'
 expect "says how to let go" says '(Escape) lets go'
 let_go=$said
 
-# Turns the wheel in both directions, since a newcomer does not know which direction presses.
+# Turns the wheel in both directions, because a new user does not know which direction presses.
 feels()
 {
   xdotool click 4
@@ -106,7 +106,7 @@ feels()
 expect "says which force is felt" feels
 says '(Resting on|Sliding over|Pushed through|Force of) [a-z]+' || fail "it does not say what is touched"
 
-# Takes a picture while the hand moves to and fro.
+# Takes a screenshot while the hand moves back and forth.
 stroke()
 {
   local i way
@@ -137,7 +137,7 @@ says_not ' N of at most' || fail "a force is still told after $let_go"
 said=""
 expect "says where the keys are" says '([?]) shows all keys'
 press "$said"
-# The letters of a long list are small, so enlarge the window to read them. The list has two columns.
+# Enlarge the window to read the small letters of a long list. The list has two columns.
 wmctrl -i -r "$window" -b add,maximized_vert,maximized_horz
 reads_columns()
 {

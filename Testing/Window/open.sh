@@ -66,7 +66,7 @@ writer.SetInputData(image)
 writer.Write()
 END
 
-# Write a folder with two DICOM series, as parts 5 and 10 of the standard say: a ball, and a box with fewer slices.
+# Write a folder with two DICOM series according to parts 5 and 10 of the standard: a ball, and a box with fewer slices.
 mkdir scan
 "$python" - << 'END'
 import struct
@@ -108,7 +108,7 @@ child=$!
 wait_for "the first volume" has_read first.vti 1
 wait_for_window "VTK Volume Haptics"
 
-# The list has this folder, its parent, deeper/, and then the files. The present file is marked.
+# The list consists of this folder, its parent, deeper/, and then the files. The present file is marked.
 xdotool key F2
 take_picture list
 xdotool key Down Return
@@ -124,7 +124,7 @@ grep -q "Cure: " program.log || fail "nobody tells what is wrong with the broken
 "$drop" "$window" "$folder/data/deeper/third.vti" || fail "the window takes no file that is dropped"
 wait_for "the dropped volume" has_read third.vti 1
 wait_for_window "VTK Volume Haptics"
-# In the folder deeper, go up in the list, over this folder and its parent, to the label map at the end.
+# In the folder deeper, move up in the list, past this folder and its parent, to the label map at the end.
 xdotool key F2 Up Return
 wait_for "the label map" has_read labels.vti 1
 wait_for_window "VTK Volume Haptics"
@@ -135,7 +135,7 @@ wait_for_window "VTK Volume Haptics"
 take_picture labels
 grep -q "its values are taken as labels: 2" program.log || fail "the labels are not counted"
 
-# The series with the most slices is shown first. The key F3 lists both.
+# The series with the most slices must be opened first. The key F3 lists both.
 "$drop" "$window" "$folder/scan" || fail "the window takes no folder that is dropped"
 wait_for "the ball" has_read scan 1
 wait_for_window "VTK Volume Haptics"
@@ -147,7 +147,7 @@ wait_for "the box" has_read scan 2
 wait_for_window "VTK Volume Haptics"
 grep -q "series 2.*Box.*, of 2 series" program.log || fail "the box's series is not shown"
 
-# Escape closes only the list.
+# Escape must close only the list.
 xdotool key F2 Escape
 xdotool key q
 expect_end

@@ -35,7 +35,7 @@ require_programs()
   done
 }
 
-# Restarts the script with an X server of its own.
+# Restarts the script on a separate X server.
 take_own_screen()
 {
   if [[ -z "${OWN_SCREEN:-}" ]]
@@ -45,7 +45,7 @@ take_own_screen()
   unset OWN_SCREEN
 }
 
-# Uses a temporary home in $folder, so that the user's settings are neither read nor written. At the script's end, the
+# Uses a temporary home in $folder, so that the user's settings are neither read nor written. When the script ends, the
 # folder and the script's processes are removed.
 take_own_home()
 {
@@ -69,8 +69,8 @@ has_ended()
   ! kill -0 "$child" 2> /dev/null
 }
 
-# Runs a command until it succeeds. Fails if the program (if one was started) ends before, or after two minutes
-# ($PATIENCE seconds: a program that starts slowly takes more where the processors are busy).
+# Runs a command until it succeeds. Fails if the program (if one was started) ends first, or after two minutes
+# ($PATIENCE seconds, for programs that start slowly on a busy machine).
 wait_for()
 {
   local what=$1 until=$((SECONDS + ${PATIENCE:-120}))
@@ -83,15 +83,15 @@ wait_for()
   done
 }
 
-# Waits until openbox runs the startup command, which means that it handles requests. A window that asks to be mapped
-# while openbox starts is never mapped.
+# Waits until openbox runs the startup command, and thus handles requests. Openbox never maps a window that sends its
+# request while openbox starts.
 start_window_manager()
 {
   openbox --startup "touch $folder/managed" > "$folder/openbox.log" 2>&1 &
   wait_for "a window manager" test -e "$folder/managed"
 }
 
-# Waits until the window whose title begins with $1 listens and has the keyboard's focus, under a window manager. Sets
+# Waits until the window whose title begins with $1 responds and has the keyboard focus, under a window manager. Sets
 # $window.
 wait_for_window()
 {
@@ -105,7 +105,7 @@ is_there()
   window=$(xdotool search --onlyvisible --name "^$title" | head -n 1)
   [[ -n "$window" ]]
 }
-# Succeeds if the window listens: interactors register WM_DELETE_WINDOW when they begin to listen.
+# Succeeds if the window responds: interactors register WM_DELETE_WINDOW when they begin to handle events.
 listens()
 {
   is_there && xprop -id "$window" WM_PROTOCOLS | grep -q WM_DELETE_WINDOW
@@ -117,7 +117,7 @@ has_focus()
   [[ "$(xdotool getwindowfocus)" == "$window" ]]
 }
 
-# Expects that the program, which is about to end, ends with status 0 (expect_end), or with $1 (expect_end_with).
+# Expects the program, which is about to end, to exit with status 0 (expect_end), or with status $1 (expect_end_with).
 expect_end()
 {
   expect_end_with 0

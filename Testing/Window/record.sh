@@ -57,9 +57,9 @@ play demo.txt ${movie:+--movie demo.ogv}
 grep -q "^1,Point 1,Point," head.csv || fail "no point was measured"
 grep -q "^2,Distance 1,Distance," head.csv || fail "no distance was measured"
 
-# Count the movie's pictures by the position of Ogg's last page (RFC 3533). Theora divides the position into the number
-# of the last key picture and the number of pictures since, which has 6 bits unless the header says otherwise (bytes 40
-# and 41, KFGSHIFT).
+# Count the movie's frames by the position of Ogg's last page (RFC 3533). Theora splits the position into the number of
+# the last key frame and the number of frames since then, which has 6 bits unless the header specifies another number
+# (bytes 40 and 41, KFGSHIFT).
 if [[ -n "$movie" ]]
 then
   python3 - demo.ogv << 'END' || fail "the movie does not have 20 pictures for each of its six seconds"
@@ -83,7 +83,7 @@ play next.txt
 grep -q "^1,Point 1,Point," head.csv || fail "the point was lost"
 ! grep -q "Distance 1" head.csv || fail "the distance is still there"
 
-# Show the recording. Its time goes on by keys, and by itself.
+# Replay the recording. Its time must advance by keys, and automatically.
 printf '0.5 key F7\n1.0 key F6\n1.5 key F5\n3.0 key F12\n3.5 key q\n' > look.txt
 play look.txt --replay touch-001.vtp
 [[ -s picture-002.png ]] || fail "there is no picture of the recording"
@@ -93,19 +93,19 @@ then
 fi
 grep -q "is not a recording of a touch" "$folder/refused.log" || fail "nobody tells what a recording is"
 
-# A window without changes does not write the file.
+# A window without changes must not write the file.
 before=$(stat -c %i head.csv)
 printf '1.0 key q\n' > quit.txt
 play quit.txt
 [[ "$(stat -c %i head.csv)" == "$before" ]] || fail "the file was written anew without a change"
 
-# An emptied list (here by one undo too many) does not replace the file.
+# An emptied list (here by one undo too many) must not replace the file.
 printf '0.5 key Ctrl+z\n1.0 key q\n' > undo.txt
 play undo.txt
 grep -q "^1,Point 1,Point," head.csv || fail "an emptied list replaced the file"
 
-# A list must not replace a file of 3D Slicer that was read only in part. Instead, it is written to a new file beside
-# it. The file follows Slicer's markups schema 1.0.3.
+# A list must not replace a file of 3D Slicer that was read only in part. Instead, it must be written to a new file
+# beside it. The file follows Slicer's markups schema 1.0.3.
 cat > slicer.mrk.json << END
 {"@schema": "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/Schema/markups-schema-v1.0.3.json#",
  "markups": [

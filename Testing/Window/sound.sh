@@ -32,7 +32,7 @@ serves()
   pactl info
 }
 
-# Starts the server without a sound device, and without the computer's configuration.
+# Starts the server without a sound device, and without the system's configuration.
 start_server()
 {
   pulseaudio -n --daemonize=no --use-pid-file=no --exit-idle-time=-1 \
@@ -62,13 +62,13 @@ start_program()
   sleep 1
 }
 
-# Presses a key. The window under the pointer gets it.
+# Presses a key, which the window under the pointer receives.
 press()
 {
   xdotool key "$1"
 }
 
-# Ends any touch, and touches the skin from outside.
+# Ends any touch, and touches the skin again from outside.
 touch_skin()
 {
   press Escape
@@ -96,7 +96,7 @@ is_recorded()
   [[ $(stat -c %s "$folder/heard") -gt 96000 ]]
 }
 
-# Prints the number of bytes other than zero that the server gets while a command runs. This is 0 if the explorer is
+# Prints the number of nonzero bytes that the server receives while a command runs, which is 0 if the explorer is
 # silent.
 count_heard()
 {
@@ -109,8 +109,8 @@ count_heard()
   tr -d '\0' < "$folder/heard" | wc -c
 }
 
-# Expects sound on the skin. Tries several times: on a busy machine, the force fades while the window stands still, and
-# stays off until a new touch.
+# Expects sound on the skin. Retries several times, because on a busy machine the force fades while the window is
+# blocked, and stays off until a new touch.
 expect_sound()
 {
   local round heard

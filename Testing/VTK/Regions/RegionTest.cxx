@@ -82,7 +82,7 @@ TEST_P(Region, WithSamplesThatAreNotNumbersIsFeltAsTheWhole)
     scalars->SetComponent(
       holes->FindPoint(centre[0] + dx, centre[1] - 4.0, centre[2] + 17.0), 0, NAN);
   }
-  scalars->SetComponent(0, 0, 345.0); // changes the first corner, whose value replaces invalid samples
+  scalars->SetComponent(0, 0, 345.0); // changes the first corner, which replaces invalid samples
   this->Crop->SetInputData(holes);
   this->Crop->SetRegion(-4, 53, 4, 57, 22, 61);
   this->Touch->SetInputData(0, holes);

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests presets as files: the restored functions, and the errors for other files.
- */
+/** Tests preset files: the restored functions, and the errors for other files. */
 
 #include "SetupRig.h"
 
@@ -32,7 +30,7 @@ protected:
     return { p->GetStiffness(), p->GetFriction(), p->GetViscosity(), p->GetSurfaceStrength(),
       p->GetDistinctness() };
   }
-  /// Expects that both properties have functions with the same nodes, to the bit.
+  /// Expects that both properties have functions with bitwise equal nodes.
   static void ExpectSame(vtkHapticProperty* a, vtkHapticProperty* b)
   {
     for (std::size_t f = 0; f < 5; ++f)
@@ -72,7 +70,7 @@ protected:
   {
     return this->Log.Errors.size() == 1 && this->Log.Errors[0].find(words) != std::string::npos;
   }
-  /// Expects one error that has these words and names the file, and an unchanged property.
+  /// Expects one error with these words and the file's name, and an unchanged property.
   void ExpectRefused(const std::string& file, const std::string& words)
   {
     SCOPED_TRACE(words);
@@ -189,10 +187,10 @@ TEST_F(PresetFile, ThatIsNoneIsOneErrorWithTheCure)
   refuse(head + R"("Stiffness": {}, "Tissues": {"": [0, 2]}})", "lower one first");
   refuse(head + R"("Stiffness": {}, "Tissues": {"a": "b"}})", "a list of 2 numbers");
   refuse(head + R"("Stiffness": {}, "Note": )" + std::string(70, '[') + std::string(70, ']') + "}",
-    "nested more than 64 deep"); // refused, since deep lists would be freed by recursion
+    "nested more than 64 deep"); // freeing deep lists is recursive
   refuse(std::string(2 << 20, ' '), "can't be read");
 
-  // A file that is cut off must be refused.
+  // A truncated file must be refused.
   ASSERT_TRUE(this->Property->WritePreset(file.c_str()));
   const std::string good = Read(file);
   for (std::size_t size = 0; size < good.size() - 2; size += 7)

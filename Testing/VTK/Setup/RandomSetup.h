@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Scene whose settings are random.
- */
+/** A scene whose settings are random. */
 #ifndef RandomSetup_h
 #define RandomSetup_h
 
@@ -16,7 +14,7 @@
 
 namespace setuptest
 {
-/// Scene whose numbers are all random with all their digits. No number is a default.
+/// A scene in which all numbers are random with all their digits, and differ from the defaults.
 class RandomScene : public Scene
 {
 public:
@@ -107,7 +105,7 @@ private:
     }
   }
 
-  /// Sets a random turn about z, with a random scale and shift.
+  /// Sets a random rotation about z, with a random scale and shift.
   void Turn()
   {
     const double angle = this->Draw(3.0);

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Rig of a scene whose settings must survive bad files.
- */
+/** Fixture with a scene whose settings must survive invalid files. */
 #ifndef SetupErrorsRig_h
 #define SetupErrorsRig_h
 
@@ -45,7 +43,7 @@ protected:
     EXPECT_EQ(this->Save("After.json"), this->Good);
   }
 
-  /// Returns the good file with another value for a key: the first key of this name.
+  /// Returns the valid file with another value for the first key of this name.
   std::string With(const std::string& key, const std::string& value)
   {
     const std::size_t colon = this->Good.find(" : ", this->Good.find('"' + key + '"'));
@@ -53,7 +51,7 @@ protected:
     return this->Good.substr(0, colon) + " : " + value + this->Good.substr(end);
   }
 
-  /// Returns a file with two keys of haptics. The first differs from the target's setting, and the
+  /// Returns a file with two haptics keys. The first differs from the target's setting, and the
   /// second, `bad`, must be refused.
   std::string Haptics(const std::string& bad)
   {

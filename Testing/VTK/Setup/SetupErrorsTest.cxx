@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that a setup that can't be used gives one error that names file, key and cure, and changes
- * nothing.
+ * Tests that an unusable setup causes one error with the file's name, the key and the remedy, and
+ * changes nothing.
  */
 
 #include "Rigs/FullDisk.h"
@@ -59,7 +59,8 @@ TEST_F(SetupErrors, FilesThatAreNoSetup)
   this->Refuse("[1, 2]", { "not a setup" });
   this->Refuse(this->Good.substr(0, this->Good.size() / 2), { "not JSON", "Line" });
   this->Refuse(this->Good + "{}", { "not JSON" });
-  // Lists that are nested deeply would be freed by recursion, on stacks that may be small.
+  // Freeing deeply nested lists is recursive, and stacks may be small, so such lists must be
+  // refused.
   this->Refuse(this->Good.substr(0, this->Good.rfind('}')) + ",\"Notes\":" + std::string(200, '[') +
       std::string(200, ']') + "}",
     { "not JSON", "nested more than 64 deep" });
@@ -97,7 +98,8 @@ TEST_F(SetupErrors, FilesThatHaveNoEnd)
 
 TEST_F(SetupErrors, NamesAndTextsThatAreNotUtf8)
 {
-  // Bytes that are not UTF-8 are printed as \xNN, since Python drops messages with such bytes.
+  // Bytes that are not UTF-8 are printed in hexadecimal, because Python discards messages with such
+  // bytes.
   EXPECT_FALSE(this->Target.Setup->Load("/no/such/\xE4.json"));
   this->ExpectError({ "/no/such/\\xE4.json" });
   EXPECT_FALSE(this->Target.Setup->Save("/no/such/\xE4.json"));
@@ -120,7 +122,7 @@ TEST_F(SetupErrors, Saving)
   this->ExpectError({ "/no/such/folder/setup.json", "folder exists" });
   EXPECT_FALSE(this->Target.Setup->Save(""));
   this->ExpectError({ "no file" });
-  // A full disk must not destroy the good file.
+  // A full disk must not destroy the valid file.
   const std::string good = File("Good.json");
   chmod(good.c_str(), 0640);
   {
@@ -148,7 +150,7 @@ TEST_F(SetupErrors, Saving)
   ASSERT_EQ(lstat(link.c_str(), &status), 0);
   EXPECT_TRUE(S_ISLNK(status.st_mode));
   unlink(link.c_str());
-  // A setting that could not be loaded again must not be saved, and the good file must stay.
+  // A setting that could not be loaded again must not be saved, and the valid file must remain.
   this->Target.Filter->SetForceFieldGain(std::numeric_limits<double>::quiet_NaN());
   EXPECT_FALSE(this->Target.Setup->Save(File("Good.json").c_str()));
   this->ExpectError({ "Haptics.ForceFieldGain", "not saved" });
@@ -178,8 +180,8 @@ TEST_F(SetupErrors, SavingKeepsOwnerAndGroup)
   EXPECT_TRUE(this->Target.Setup->Save(file.c_str()));
   expect(0660);
   EXPECT_EQ(Read(file), this->Good);
-  // A user who may write the file, but is neither its owner nor in its group, can't give a new file
-  // to that group. So the file must be written in place.
+  // A user who can write to the file, but is neither its owner nor in its group, can't assign a new
+  // file to that group. So the file must be written in place.
   std::ofstream(file) << "old and longer than nothing";
   ASSERT_EQ(chmod(file.c_str(), 0666), 0);
   const auto before = std::filesystem::current_path();

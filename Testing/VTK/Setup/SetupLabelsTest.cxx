@@ -3,7 +3,7 @@
 
 /**
  * Tests that the label table in a setup is restored, and that an error in the file names the label.
- * Tables are compared by their getters and by the CSV that they write.
+ * Tables are compared through their getters and their CSV output.
  */
 
 #include "SetupErrorsRig.h"
@@ -19,8 +19,7 @@ namespace
 constexpr int Least = std::numeric_limits<int>::min();
 constexpr int Most = std::numeric_limits<int>::max();
 
-/// Fills a table with positive and negative labels, which have every combination of the values of a
-/// label.
+/// Fills a table with positive and negative labels that have every combination of a label's values.
 void FillTable(vtkHapticLabelTable* table, unsigned int seed)
 {
   std::mt19937 random(seed);
@@ -100,7 +99,7 @@ TEST(SetupLabels, ComeBackAsTheyWere)
     ASSERT_NO_FATAL_FAILURE(ExpectSame(loaded.Filter->GetLabelTable(), table));
     EXPECT_EQ(loaded.Filter->GetGeometry(), vtkVolumeHapticsFilter::FROM_LABELS);
 
-    // Loading must fill an existing table, and not replace it.
+    // Loading must fill an existing table instead of replacing it.
     vtkNew<vtkHapticLabelTable> other;
     FillTable(other, seed + 100);
     loaded.Filter->SetLabelTable(other);
@@ -134,7 +133,7 @@ TEST(SetupLabels, StayAsTheyAreWithAFileThatHasNone)
   ASSERT_TRUE(loaded.Setup->Load(file.c_str()));
   ASSERT_NO_FATAL_FAILURE(ExpectSame(table, before));
 
-  // An empty table must be restored, too.
+  // An empty table must also be restored.
   vtkNew<vtkHapticLabelTable> empty;
   saved.Filter->SetLabelTable(empty);
   ASSERT_TRUE(saved.Setup->Save(file.c_str()));
@@ -218,7 +217,7 @@ TEST_F(SetupErrors, LabelsThatCannotBe)
     refuse('"' + std::string(key) + R"(":{"Stiffness":300})",
       { "Haptics.Labels.Table." + std::string(key) + " is", "whole number", "2147483647" });
   }
-  refuse(R"("4":{"Friction":0.2})", { "not JSON", "4" }); // refused, since the key is there twice
+  refuse(R"("4":{"Friction":0.2})", { "not JSON", "4" }); // the key occurs twice
   this->Refuse(this->Haptics(R"("Labels":[1,2])"), { "Haptics.Labels", "object" });
   this->Refuse(this->Haptics(R"("Labels":{"Table":[1,2]})"), { "Haptics.Labels.Table", "object" });
   this->Refuse(this->Haptics(R"("Labels":{"StandOff":-1})"), { "Labels.StandOff", "0 or more" });

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that modes in a setup are restored, that guides keep their paths, and that an error in the
+ * Tests that a setup's modes are restored, that guides keep their paths, and that an error in the
  * file names the mode.
  */
 
@@ -82,7 +82,7 @@ TEST_F(SetupModes, ComeBackAsTheyWere)
   EXPECT_EQ(back->GetPath(), path.Get());
   EXPECT_EQ(back->GetSide(), vtkHapticGuideMode::INSIDE);
   EXPECT_EQ(back->GetDistance(), -0.3);
-  // Loading a setup without modes must keep the filter's modes.
+  // Loading a setup without modes must leave the filter's modes unchanged.
   const std::string none = File("None.json");
   ASSERT_TRUE(Scene().Setup->Save(none.c_str()));
   ASSERT_TRUE(b.Setup->Load(none.c_str()));

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Rig of all objects whose settings a setup saves, and of its files.
- */
+/** Fixture with all objects whose settings a setup saves, and with its files. */
 #ifndef SetupRig_h
 #define SetupRig_h
 

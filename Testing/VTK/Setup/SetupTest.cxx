@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that a setup restores everything that it saved, to the bit and in place, and changes
- * nothing else.
+ * Tests that a setup restores everything that it saved, bitwise and in place, and changes nothing
+ * else.
  */
 
 #include "RandomSetup.h"
@@ -25,7 +25,7 @@ TEST(Setup, EverythingComesBackToTheBit)
     ASSERT_TRUE(loaded.Setup->Load(file.c_str()));
     ASSERT_EQ(Everything(loaded), Everything(saved)) << "seed " << seed;
     EXPECT_EQ(loaded.Filter->GetProperty()->GetStiffness(), stiffness) << "not in place";
-    // Saving the loaded setup must give the same file.
+    // Saving the loaded setup must reproduce the file.
     const std::string text = Read(file);
     ASSERT_TRUE(loaded.Setup->Save(file.c_str()));
     ASSERT_EQ(Read(file), text);

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests that tools in a setup are restored, and that an error in the file names the tool.
- */
+/** Tests that a setup's tools are restored, and that an error in the file names the tool. */
 
 #include "SetupErrorsRig.h"
 
@@ -41,7 +39,7 @@ TEST_F(SetupTool, ComesBackAsItWas)
   EXPECT_EQ(read->GetLateralStrength(), 1.0 / 3.0);
   EXPECT_EQ(read->GetShaftFriction()->GetValue(0.1), 20.0);
   EXPECT_EQ(read->GetCuttingForce()->GetSize(), 1);
-  // Loading a setup without a tool must keep the filter's tool.
+  // Loading a setup without a tool must leave the filter's tool unchanged.
   const std::string none = File("None.json");
   ASSERT_TRUE(Scene().Setup->Save(none.c_str()));
   ASSERT_TRUE(b.Setup->Load(none.c_str()));
@@ -85,7 +83,7 @@ TEST_F(SetupTool, ABurrComesBackAsItWas)
   EXPECT_EQ(read->GetSpecificEnergy()->GetValue(300.0), 2.0);
 }
 
-/// A mesh is not saved, as the shapes of guides are not: the scene must keep its own mesh.
+/// Neither a tool's mesh nor the shapes of guides are saved, so the scene must keep its own mesh.
 TEST_F(SetupTool, AShapeKeepsItsMesh)
 {
   Scene a;

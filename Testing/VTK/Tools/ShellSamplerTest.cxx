@@ -3,7 +3,7 @@
 
 /**
  * Tests the points with areas that are made from a mesh: the sum of their areas, their distances,
- * the design's forces in closed form, and meshes that are no tools.
+ * the design's forces in closed form, and meshes that are unsuitable as tools.
  */
 
 #include "VTK/Tools/ShellSampler.h"
@@ -81,7 +81,7 @@ vtkSmartPointer<vtkPolyData> MakeBox(double x, double y, double z)
   return cube->GetOutput();
 }
 
-/// Tests of forces on the points of a mesh (mm) in the ramp, whose surface is at 10 mm.
+/// Tests forces on the points of a mesh (mm) in the ramp, whose surface is at 10 mm.
 class MeshForces : public testing::Test
 {
 protected:
@@ -115,7 +115,7 @@ protected:
 };
 } // namespace
 
-/// The sum of the areas must be VTK's area of the mesh.
+/// The sum of the areas must equal VTK's area of the mesh.
 TEST(ShellSampler, TheAreasSumToThatOfTheMesh)
 {
   const vtkSmartPointer<vtkPolyData> ball = MakeBall(5.0, 100);
@@ -156,8 +156,8 @@ TEST(ShellSampler, ThePointsAreSpreadEvenly)
   EXPECT_GE(least, 0.55 * best);
 }
 
-/// Case S1 of the design: a sphere of 5 mm, 1 mm deep in a half-space, gives pi kappa a delta^2 =
-/// 0.3142 N.
+/// Case S1 of the design: a sphere of 5 mm, 1 mm deep in a half-space, has the force pi kappa a
+/// delta^2 = 0.3142 N.
 TEST_F(MeshForces, ASphereHasItsForce)
 {
   const PointShell shell(Sample(MakeBall(5.0, 600), 10000));
@@ -171,9 +171,9 @@ TEST_F(MeshForces, ASphereHasItsForce)
   }
 }
 
-/// Case S4 of the design: the face of a box gives the force kappa times its area times the depth.
-/// Tilted by theta, it gives the torque kappa b h^3/12 theta about its middle. At this small depth,
-/// the sides of the box add at most 0.2 % to the force and 0.8 % to the torque.
+/// Case S4 of the design: the force on the face of a box is kappa times its area times the depth.
+/// Tilted by theta, the face has the torque kappa b h^3/12 theta about its middle. At this small
+/// depth, the sides of the box add at most 0.2 % to the force and 0.8 % to the torque.
 TEST_F(MeshForces, AFaceOfABoxHasItsForceAndTorque)
 {
   const PointShell shell(Sample(MakeBox(10.0, 10.0, 6.0), 4000));
@@ -187,7 +187,7 @@ TEST_F(MeshForces, AFaceOfABoxHasItsForceAndTorque)
   EXPECT_NEAR(tilted.Gradient[3] - flat.Gradient[3], torque, 0.01 * torque);
 }
 
-/// Each side of a blade must have its own points, with half of the area.
+/// Each side of a blade must have separate points, with half of the area.
 TEST(ShellSampler, AThinBladeHasPointsOnBothSides)
 {
   const std::vector<ShellPoint> points = Sample(MakeBox(10.0, 10.0, 0.01), 400);
@@ -247,13 +247,13 @@ TEST(ToolMesh, ThatIsNoToolIsRefused)
   inverted->ReverseCellsOn();
   inverted->Update();
   ExpectRefused(inverted->GetOutput(), "is inside out");
-  // Turns one triangle of the ball.
+  // Reverse one triangle of the ball.
   vtkNew<vtkPolyData> turned;
   turned->DeepCopy(ball);
   turned->BuildCells();
   turned->ReverseCell(7);
   ExpectRefused(turned, "face opposite sides, at 3 of");
-  // Removes one triangle of the ball.
+  // Remove one triangle of the ball.
   vtkNew<vtkPolyData> open;
   open->DeepCopy(ball);
   open->BuildCells();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the lists of the arrays of traces and recordings. No number of a row is written twice or
- * lies outside its row, and units are those of the quantities.
+ * Tests the lists of the arrays of traces and recordings. No number of a row may be written twice
+ * or be outside of its row, and units must match the quantities.
  */
 
 #include "VTK/Trace/HapticTraceColumns.h"
@@ -54,7 +54,7 @@ TEST(TraceColumns, LieApartInTheirRows)
   ExpectApart(VolumeHaptics::GetRecordingColumns(), sizeof(VolumeHaptics::RecordingRow));
 }
 
-/// Numbers and ticks must take 8 bytes, int32 4 bytes, and flags 1 byte (IEEE 754, ISO C++).
+/// Numbers and ticks must have 8 bytes, int32 4 bytes, and flags 1 byte (IEEE 754, ISO C++).
 TEST(TraceColumns, AreAsWideAsTheirNumbers)
 {
   EXPECT_EQ((TraceColumn{ "", "", ColumnType::Float64, 3, 0 }.GetWidth()), 24u);
@@ -63,8 +63,8 @@ TEST(TraceColumns, AreAsWideAsTheirNumbers)
   EXPECT_EQ((TraceColumn{ "", "", ColumnType::UInt8, 3, 0 }.GetWidth()), 3u);
 }
 
-/// A recording must have all arrays of a trace, so that both are read in the same way. The proxy
-/// comes last.
+/// A recording must have all arrays of a trace, so that both can be read in the same way. The proxy
+/// is the last array.
 TEST(TraceColumns, OfARecordingHoldThoseOfATrace)
 {
   const std::vector<TraceColumn>& all = VolumeHaptics::GetRecordingColumns();
@@ -122,7 +122,7 @@ TEST(ContactRows, ComeBackAsTheyWere)
   }
 }
 
-/// A file may hold numbers that no tick computes, so each number must be checked.
+/// A file may contain numbers that no tick computes, so each number must be checked.
 TEST(ContactRows, RefuseWhatNoTickComputes)
 {
   const ContactRow good{ 5.0, 1e-3, 2e-3, 3e-3, 4e-4, 5e-5, 6e-6, 7e9, 8e4, 1.0 };

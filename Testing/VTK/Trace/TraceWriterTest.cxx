@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests tables of traces. Their text follows RFC 4180 (a line of titles, fields between commas),
- * their numbers are read by std::from_chars of the C++ standard, and their .vtp by VTK's reader.
+ * Tests tables of traces. Their text follows RFC 4180 (a line of titles, fields between commas).
+ * The test reads the numbers with std::from_chars of the C++ standard, and the .vtp with VTK's
+ * reader.
  */
 
 #include "VTK/Trace/TraceWriter.h"
@@ -72,7 +73,7 @@ protected:
   std::string do_grouping() const override { return "\3"; }
 };
 
-/// Makes a trace of two ticks, which has an array of each shape.
+/// Makes a trace of two ticks, with an array of each shape.
 vtkSmartPointer<vtkPolyData> MakeTrace()
 {
   auto trace = vtkSmartPointer<vtkPolyData>::New();
@@ -190,7 +191,7 @@ TEST(TraceWriter, LeavesTheOldFileIfItCannotWrite)
   EXPECT_FALSE(WriteTracePolyData(MakeTrace(), file + ".vtp", error));
   EXPECT_NE(error.find(folder), std::string::npos) << error;
 
-  // A folder with the file's name can't be replaced. Writing must leave no other file beside it.
+  // A folder with the file's name can't be replaced. Writing must not leave another file beside it.
   ASSERT_TRUE(vtksys::SystemTools::MakeDirectory(file + ".csv/inside"));
   error.clear();
   EXPECT_FALSE(WriteTraceTable(MakeTrace(), file + ".csv", error));

@@ -4,7 +4,7 @@
 /**
  * Tests the work on the hand (the array Energy of traces) against closed forms of mechanics: the
  * integral of F dx for constant forces, springs and closed paths, and the integral of the torque
- * over a turn.
+ * over a rotation.
  */
 
 #include "VTK/Trace/TraceRow.h"
@@ -32,7 +32,7 @@ TickRecord MakeRecord(const Vector3& tip, const Vector3& force)
   return record;
 }
 
-/// Returns the unit quaternion of a turn about z by this angle (rad).
+/// Returns the unit quaternion of a rotation about z by this angle (rad).
 Quaternion TurnAboutZ(double angle)
 {
   return { std::cos(0.5 * angle), 0.0, 0.0, std::sin(0.5 * angle) };
@@ -58,7 +58,8 @@ TEST(WorkMeter, OfAConstantForceIsForceTimesWay)
     << "a force that rises at rest does no work";
 }
 
-/// A spring of stiffness k takes the work k/2 (x2^2 - x1^2) from the hand, in steps of any length.
+/// A spring of stiffness k absorbs the work k/2 (x2^2 - x1^2) from the hand, in steps of any
+/// length.
 TEST(WorkMeter, OfASpringIsItsPotential)
 {
   constexpr double k = 800.0;
@@ -71,8 +72,8 @@ TEST(WorkMeter, OfASpringIsItsPotential)
   EXPECT_NEAR(work, -0.5 * k * (0.007 * 0.007 - 0.001 * 0.001), 1e-15);
 }
 
-/// Around a circle of radius r, a friction force f takes the work 2 pi r f; a central spring takes
-/// none.
+/// Around a circle of radius r, a friction force f absorbs the work 2 pi r f; a central spring
+/// absorbs none.
 TEST(WorkMeter, AroundACircleIsThatOfFriction)
 {
   constexpr int steps = 4000;
@@ -90,13 +91,13 @@ TEST(WorkMeter, AroundACircleIsThatOfFriction)
     byFriction = friction.Add(MakeRecord(r * out, -f * along));
     bySpring = spring.Add(MakeRecord(r * out, -500.0 * r * out));
   }
-  // The chord of a step of angle a = 2 pi/4000 is shorter than its arc by the fraction (a/2)^2/6.
-  // The mean of the two forces is smaller by (a/2)^2/2. Both together are 4e-7.
+  // The chord of a step of angle a = 2 pi/4000 is shorter than its arc by the fraction (a/2)^2/6,
+  // and the mean of the two forces is smaller by (a/2)^2/2. Both together are 4e-7.
   EXPECT_NEAR(byFriction, -FullTurn * r * f, FullTurn * r * f * 2e-6);
   EXPECT_NEAR(bySpring, 0.0, 1e-15);
 }
 
-/// A constant torque does the work torque times angle, over any number of turns.
+/// Over any number of turns, the work of a constant torque is torque times angle.
 TEST(WorkMeter, OfATorqueIsTorqueTimesAngle)
 {
   constexpr double torque = 0.02;
@@ -104,7 +105,7 @@ TEST(WorkMeter, OfATorqueIsTorqueTimesAngle)
   double work = 0.0;
   for (int i = 0; i <= 100; ++i)
   {
-    // A torque across the axis of the turn does no work.
+    // A torque perpendicular to the rotation axis does no work.
     work = meter.Add(MakeTurn(0.09 * i, { 0.5, 0.1, torque }));
   }
   EXPECT_NEAR(work, torque * 9.0, 1e-14);
@@ -135,8 +136,7 @@ TEST(WorkMeter, OfATorsionSpringIsItsPotentialWhateverTheSignOfQuaternions)
   EXPECT_NEAR(work, -0.5 * kappa * 4.0, 1e-14);
 }
 
-/// A position that was not measured does no work. The next motion between measured positions counts
-/// again.
+/// An unmeasured position does no work. The next motion between measured positions counts again.
 TEST(WorkMeter, LeavesOutWhatIsNotMeasured)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();

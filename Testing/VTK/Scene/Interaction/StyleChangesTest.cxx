@@ -80,7 +80,7 @@ TEST_F(StyleTest, MaterialsOfLabelsAreEditedWhileTheyAreFelt)
   vtkNew<vtkHapticFunctionEditor> editor;
   editor->SetLabelTable(table);
   editor->SetLabelData(labels);
-  editor->SetRectangle(0, 0, 100, 280); // puts the editor beside the touched position
+  editor->SetRectangle(0, 0, 100, 280); // places the editor beside the touched position
   editor->VisibilityOff();
   this->Style->SetFunctionEditor(editor);
   ASSERT_NO_FATAL_FAILURE(this->PushIn());
@@ -101,7 +101,7 @@ TEST_F(StyleTest, MaterialsOfLabelsAreEditedWhileTheyAreFelt)
   const double clicked = table->GetSurfaceStrength(5);
   EXPECT_NEAR(clicked, 0.5, 0.2);
   // A surface that is pressed beyond its strength yields until the force equals the strength,
-  // within the 0.1 % of the solver PRECISE.
+  // within PRECISE's tolerance of 0.1 %.
   this->Run(20);
   EXPECT_NEAR(this->Device->GetState()->GetNormalForce(), clicked, 1e-3 * clicked)
     << "the hand feels it at once";
@@ -120,9 +120,9 @@ TEST_F(StyleTest, TheWorkspaceFollowsTheCamera)
   ASSERT_TRUE(this->Device->Open(id.c_str()));
   ASSERT_TRUE(this->Device->Start());
   this->Run(5);
-  // The jump goes to the right, up and towards the user.
+  // The jump is to the right, upwards and towards the user.
   ExpectAt(this->Device->GetState()->GetTipPosition(), 10, 4, 2);
-  this->Renderer->GetActiveCamera()->Azimuth(90.0); // turns the camera, which now looks along -x
+  this->Renderer->GetActiveCamera()->Azimuth(90.0); // rotates the camera to look along -x
   this->Style->UpdateHaptics();
   this->Run(5);
   ExpectAt(this->Device->GetState()->GetTipPosition(), 2, 4, -10);

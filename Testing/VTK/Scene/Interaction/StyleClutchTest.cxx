@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that an order to disarm while the clutch is held wins: releasing the clutch does not
- * restore the force.
+ * Tests that an order to disarm while the clutch is held takes precedence: releasing the clutch
+ * must not restore the force.
  */
 
 #include "Rigs/PlayedHardware.h"
@@ -27,8 +27,8 @@ protected:
     ASSERT_TRUE(this->IsArmed());
     this->Press("k");
     ASSERT_TRUE(this->Style->GetClutch());
-    // At this update the style does not know yet that the clutch has disarmed the device. It must
-    // not take this for an order of the application.
+    // At this update, the style does not know yet that the clutch has disarmed the device. It must
+    // not mistake this for an order of the application.
     this->Style->UpdateHaptics();
     this->Run(5);
     ASSERT_FALSE(this->IsArmed());

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the key that compares two settings while the hand touches the ball. The ball is hard, so
- * the force is the stiffness times the distance from tip to proxy.
+ * Tests the key that compares two settings while the hand touches the ball. The ball is
+ * impenetrable, so the force is the stiffness times the distance from tip to proxy.
  */
 
 #include "StyleRig.h"
@@ -149,8 +149,8 @@ TEST_F(StyleCompare, TheForceGoesOverWithoutAJolt)
   {
     double now[3];
     vtkDataArray::SafeDownCast(states->GetColumnByName("Command"))->GetTuple(i, now);
-    // The slew limit holds for growth along the force's own direction. A force may fall or turn at
-    // once.
+    // The slew limit applies to growth along the force's own direction. A force may decrease or
+    // change its direction at once.
     const double norm = Length(now);
     if (!last.empty() && norm > 0.0)
     {
@@ -179,8 +179,8 @@ TEST_F(StyleCompare, SettingsThatCantBeFeltStayAway)
   this->Touch();
   this->Press("y");
   this->Filter->SetMethodToSurfaceProxy();
-  this->Filter->SetIsoValue(1e9); // no sample has this value, so there is no surface
-  this->Style->UpdateHaptics();   // the servo keeps the previous model
+  this->Filter->SetIsoValue(1e9); // no sample has this value, so no surface exists
+  this->Style->UpdateHaptics(); // the servo keeps the previous model
   this->Press("y");
   EXPECT_EQ(this->Style->GetComparedSettings(), "A");
   EXPECT_EQ(this->Filter->GetMethod(), vtkVolumeHapticsFilter::PROXY);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests keys for edits of the function editor: undo, redo, reset, and its place in the window.
+ * Tests keys that control the function editor: undo, redo, reset, and its position in the window.
  */
 
 #include "StyleRig.h"
@@ -31,7 +31,7 @@ protected:
     this->Style->SetFunctionEditor(this->Editor);
     this->Window->Render();
   }
-  /// Clicks on the slider of a tissue's stiffness, at this value (N/m).
+  /// Clicks on the slider of a tissue's stiffness at this value (N/m).
   void Slide(double stiffness)
   {
     double at[2];
@@ -116,7 +116,7 @@ TEST_F(StyleEditor, AKeyPutsItBesideTheScene)
   EXPECT_TRUE(this->Editor->Contains(150, 20));
   EXPECT_FALSE(this->Editor->Contains(150, 200)) << "in its rectangle over the scene";
 
-  // The mouse must drag the border of the editor, and leave the camera.
+  // The mouse must drag the border of the editor without moving the camera.
   double before[3];
   this->Renderer->GetActiveCamera()->GetPosition(before);
   this->Pointer(150, 105);

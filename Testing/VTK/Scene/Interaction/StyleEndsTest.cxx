@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests windows that close while the hand presses. The force is 0 when the loop has ended, before
- * anything is deleted. Every test runs its loop to the end, since VTK 9.1's X11 interactors
- * otherwise leave a dangling pointer in the list that every loop walks.
+ * Tests windows that close while the hand presses. The force must be 0 when the loop has ended,
+ * before anything is deleted. Every test runs its loop to the end, because VTK 9.1's X11
+ * interactors otherwise leave a dangling pointer in the list that every loop traverses.
  */
 
 #include "StyleRig.h"
@@ -24,7 +24,7 @@ class StyleEnds : public StyleTest
 protected:
   StyleEnds() { this->Window->SetOffScreenRendering(0); }
 
-  /// Runs the loop, and presses into the ball until the ball pushes back. Then calls `act` once.
+  /// Runs the loop, and presses into the ball until a force acts. Then calls `act` once.
   void PushUntilHeld(std::function<void()> act)
   {
     this->Window->Render();
@@ -41,8 +41,8 @@ protected:
     this->Interactor->Start();
     EXPECT_FALSE(this->Act) << "the loop ended before anything was felt";
   }
-  /// Moves the tip in and out. After a pause of a busy machine, the servo starts again from the
-  /// tip, and feels only a new contact.
+  /// Moves the tip in and out. After a pause of a busy machine, the servo starts again at the tip,
+  /// so only a new contact causes a force.
   void Watch()
   {
     const bool goesIn = this->Updates++ % 20 < 10;
@@ -130,11 +130,12 @@ TEST_F(StyleEnds, WithTheWindow)
     [this]
     {
       this->Window->Finalize();
-      // A late frame would open a window on the screen again, so the window becomes off-screen.
+      // A late frame would open a window on the screen again, so switch the window to off-screen
+      // rendering.
       this->Window->SetOffScreenRendering(1);
       this->Style->RemoveObservers(vtkInteractorStyleHaptic::StatesEvent);
       this->ExpectNoForce();
-      // Ends the loop without TerminateApp(), which writes to the closed window in VTK 9.1.
+      // End the loop without TerminateApp(), which writes to the closed window in VTK 9.1.
       this->Interactor->SetDone(true);
     });
   this->ExpectNoForce();
@@ -153,7 +154,7 @@ TEST_F(StyleEnds, WithAWindowThatIsHidden)
 
 TEST_F(StyleEnds, WithAWindowAroundItThatIsHidden)
 {
-  // Views of Tk and wx lie in a parent window. The test hides such a parent.
+  // Views of Tk and wx are inside a parent window. Hide such a parent.
   vtkNew<vtkRenderWindow> outer;
   outer->SetSize(320, 320);
   outer->Render();
@@ -172,7 +173,7 @@ TEST_F(StyleEnds, WithTheRenderer)
     [this]
     {
       this->Style->RemoveObservers(vtkInteractorStyleHaptic::StatesEvent);
-      // removes the renderer, which the style still holds
+      // removes the renderer, to which the style still refers
       this->Window->RemoveRenderer(this->Renderer);
       this->Style->UpdateHaptics();
       EXPECT_FALSE(this->Style->GetTouchMode());
@@ -223,7 +224,7 @@ TEST_F(StyleEnds, WithTheInteractorsDisabling)
 
 TEST_F(StyleEnds, BeforeTheApplicationHearsOfAnExit)
 {
-  // The application asks whether to quit, so the loop continues, but without force.
+  // The application asks whether to quit, so the loop must continue without force.
   struct Question
   {
     vtkHapticDevice* Device;
@@ -279,7 +280,7 @@ TEST_F(StyleEnds, AndBeginsAnewInTheNextLoop)
 
 TEST_F(StyleEnds, WhereItIsDeletedByWhatHearsOfIt)
 {
-  // The application removes and deletes the style as soon as the device disarms.
+  // The application removes and deletes the style as soon as the device is disarmed.
   vtkNew<vtkRenderWindow> window;
   vtkNew<vtkRenderer> renderer;
   window->AddRenderer(renderer);
@@ -313,8 +314,8 @@ TEST_F(StyleEnds, WhereItIsDeletedByWhatHearsOfIt)
 
 TEST_F(StyleEnds, WithTheConnectionToTheServer)
 {
-  // Opens windows one after the other, and renders each before it has an interactor. Connections to
-  // the X server must not leak.
+  // Opens windows in sequence, and renders each before it has an interactor. Connections to the X
+  // server must not leak.
   const auto countOpenFiles = []
   {
     using Files = std::filesystem::directory_iterator;

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests the hints and the list of keys that the style shows to a newcomer.
- */
+/** Tests the hints and the list of keys that the style displays to a new user. */
 
 #include "StyleRig.h"
 
@@ -22,7 +20,9 @@ protected:
     this->Display->SetDevice(this->Device);
     this->Style->SetHeadUpDisplay(this->Display);
   }
-  /** Returns whether the hint has these words. Without words, returns whether there is no hint. */
+  /**
+   * Returns whether the hint contains these words; without words, returns whether there is no hint.
+   */
   bool Hints(const std::string& words)
   {
     const std::string hint = this->Display->GetHint();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests keys of the style that an application has changed. Expected actions of VTK's own keys come
- * from the documentation of vtkInteractorStyle: r resets the camera.
+ * Tests keys of the style that an application has changed. The documentation of vtkInteractorStyle
+ * defines the expected actions of VTK's own keys: r resets the camera.
  */
 
 #include "StyleRig.h"
@@ -62,7 +62,7 @@ protected:
   vtkNew<vtkHapticHeadUpDisplay> Display;
 };
 
-/// Style of an application that arms in its own way.
+/// A style of an application that implements its own arming.
 class AskedStyle : public vtkInteractorStyleHaptic
 {
 public:
@@ -159,7 +159,7 @@ TEST_F(StyleKeys, AreAllDifferentByDefault)
 
 TEST_F(StyleKeys, NeedNoCapitals)
 {
-  // Keys have the names of capital letters while Caps Lock is on.
+  // While Caps Lock is on, keys have upper-case names.
   this->Start();
   this->Press("T");
   EXPECT_TRUE(this->Style->GetTouchMode());
@@ -171,8 +171,8 @@ TEST_F(StyleKeys, NeedNoCapitals)
     const std::string keys = this->Style->GetKey(actions->GetValue(i).c_str());
     EXPECT_FALSE(keys.size() == 1 && keys[0] >= 'A' && keys[0] <= 'Z') << keys;
   }
-  // A capital letter that an application has chosen for a command is not the key of the small
-  // letter.
+  // An upper-case letter that an application has assigned to a command is distinct from the
+  // lower-case key.
   EXPECT_TRUE(this->Style->SetKey("Graph", "T"));
   const auto hasPlot = this->Display->GetPlotVisibility();
   this->Press("T");
@@ -191,13 +191,13 @@ TEST_F(StyleKeys, AreOthersWithCtrlButThoseThatLetGo)
   EXPECT_EQ(list->GetNumberOfMeasurements(), 0);
   this->Control("y", '\x19');
   EXPECT_EQ(list->GetNumberOfMeasurements(), 1);
-  this->Control(nullptr, '\x1a'); // sent by a toolkit that sends codes only
+  this->Control(nullptr, '\x1a'); // sent by a toolkit that reports codes only
   EXPECT_EQ(list->GetNumberOfMeasurements(), 0);
   this->Control("t", '\x14');
   EXPECT_FALSE(this->Style->GetTouchMode());
   this->Press("t");
   EXPECT_TRUE(this->Style->GetTouchMode());
-  this->Control("Escape", '\x1b'); // sent while the mouse with Ctrl presses in depth
+  this->Control("Escape", '\x1b'); // sent while the mouse with Ctrl moves the tip in depth
   EXPECT_FALSE(this->Style->GetTouchMode());
 }
 
@@ -208,7 +208,7 @@ TEST_F(StyleKeys, OfTheHandWorkWhileCtrlAndTheMousePress)
   this->PushIn();
   this->Control("1", '1');
   EXPECT_EQ(list->GetNumberOfMeasurements(), 1);
-  this->Control("m", '\r'); // with Ctrl, this is another key, which belongs to the application
+  this->Control("m", '\r'); // with Ctrl, this key belongs to the application
   EXPECT_EQ(this->Filter->GetMethod(), vtkVolumeHapticsFilter::PROXY);
   this->Control("a", '\x01');
   EXPECT_TRUE(Eventually(
@@ -250,7 +250,7 @@ TEST_F(StyleKeys, WithCtrlHaveSmallLettersOrCapitals)
 
 TEST_F(StyleKeys, OfVTKThatFlyTheCameraAreKeptFromItWithCapsLock)
 {
-  // VTK's keys pick where the camera shall fly, so the test counts picks.
+  // VTK's keys pick the target of the camera's flight, so the test counts picks.
   int picks = 0;
   vtkNew<vtkCallbackCommand> note;
   note->SetClientData(&picks);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that a style that leaves its interactor leaves no observers, and no force, since no user
- * leads the tip.
+ * Tests that a style that leaves its interactor leaves no observers, and no force, because no user
+ * moves the tip any more.
  */
 
 #include "StyleRig.h"
@@ -48,7 +48,7 @@ TEST_F(StyleLeaves, TellsOfNoForceAtOnce)
   EXPECT_NE(display->GetText().find(" N"), std::string::npos) << display->GetText();
   vtkNew<vtkInteractorStyleTrackballCamera> other;
   this->Interactor->SetInteractorStyle(other);
-  // The removed style no longer updates the device, so it must have disarmed the device.
+  // The removed style no longer updates the device, so it must have disarmed it.
   EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
   EXPECT_LT(this->Device->GetStatus(), vtkHapticDevice::ARMED);
   EXPECT_EQ(display->GetText().find(" N"), std::string::npos) << display->GetText();
@@ -56,7 +56,7 @@ TEST_F(StyleLeaves, TellsOfNoForceAtOnce)
 
 TEST_F(StyleLeaves, LeavesNoObserverWithoutTimers)
 {
-  // interactor whose timers belong to the application
+  // an interactor whose timers the application manages
   vtkNew<vtkGenericRenderWindowInteractor> generic;
   generic->SetRenderWindow(this->Window);
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that the force is off while the style or the editor keeps the program busy, and that the
+ * Tests that the force is off while the style or the editor blocks the program, and that the
  * head-up display announces this.
  */
 
@@ -22,7 +22,7 @@
 #include <cmath>
 #include <random>
 
-// Charts and their text need these modules, whose headers are not included here.
+// Charts and their text need these modules, whose headers this file does not include.
 VTK_MODULE_INIT(vtkRenderingContextOpenGL2);
 VTK_MODULE_INIT(vtkRenderingFreeType);
 
@@ -61,12 +61,12 @@ protected:
   void Touch()
   {
     ASSERT_NO_FATAL_FAILURE(this->PushIn());
-    // After a pause of a busy machine, the servo starts again from the tip, and feels only a new
-    // contact, as in StyleEnds. So the test presses again.
+    // After a pause of a busy machine, the servo starts again at the tip, so only a new contact
+    // causes a force, as in StyleEnds. Press again in this case.
     constexpr int most = 400;
     for (int i = 1; i < most && Length(this->Device->GetState()->GetForce()) <= 0.5; ++i)
     {
-      this->Run(100); // long enough for the force to rise
+      this->Run(100); // long enough for the force to increase
       for (int step = 0; step < 8 && i % 8 == 0; ++step)
       {
         this->Pointer(150, 150,
@@ -78,7 +78,7 @@ protected:
     this->Device->GetState()->Drain(this->States, 1);
     this->Shown.clear();
   }
-  /// Gives the editor 43 million samples, whose histogram is counted in the background.
+  /// Sets an editor input of 43 million samples, whose histogram is counted in the background.
   void GiveEditorMuch()
   {
     constexpr int n = 350;
@@ -90,7 +90,7 @@ protected:
     image->GetPointData()->SetScalars(samples);
     this->Editor->SetInputData(image);
   }
-  /// Gives the editor an image of a ball with the value 0 outside, 100 inside, and a blur of 2.5
+  /// Sets an editor input with a ball: the value is 0 outside and 100 inside, with a blur of 2.5
   /// voxels between them.
   void GiveEditorAnEdge()
   {
@@ -103,8 +103,8 @@ protected:
         return 50.0 * std::erfc((r - 18.0) / (2.5 * std::sqrt(2.0)));
       }));
   }
-  /// Fills the voxels beside the ball with noise, so that each voxel has a piece of the isosurface
-  /// at -4000.
+  /// Fills the voxels beside the ball with noise, so that each voxel contains a piece of the
+  /// isosurface at -4000.
   void GiveMethodMuch()
   {
     std::mt19937 random(1);
@@ -126,8 +126,8 @@ protected:
     return std::any_of(this->Shown.begin(), this->Shown.end(),
       [&](const std::string& text) { return text.find(words) != std::string::npos; });
   }
-  /// Updates the style until the editor has ended its search for functions. Returns false if it
-  /// never does.
+  /// Updates the style until the editor has finished its search for functions. Returns false after
+  /// a timeout.
   bool EndsProposing()
   {
     return Eventually(
@@ -171,7 +171,7 @@ TEST_F(StyleLongWork, IsNotTheHistogramOfALargeVolume)
   ASSERT_NO_FATAL_FAILURE(this->Touch());
   this->Press("v");
   EXPECT_EQ(this->Editor->EstimateUpdateTime(), 0.0);
-  // The style must draw until all samples are counted, and then stop.
+  // The style must draw until all samples are counted, and then stop drawing.
   int timer = 0;
   while (this->Interactor->GetTimerDuration(timer) == 0)
   {
@@ -430,9 +430,9 @@ TEST_F(StyleLongWork, OfAnEditorEndsWithIt)
 {
   this->GiveEditorAnEdge();
   ASSERT_NO_FATAL_FAILURE(this->Touch());
-  this->Device->SetAttentionTime(0.0); // once the editor is gone, the work is no longer announced
+  this->Device->SetAttentionTime(0.0); // without the editor, the work is no longer announced
   // This observer runs after the style's observer. It removes the editor just before the work
-  // begins.
+  // starts.
   vtkNew<vtkCallbackCommand> take;
   take->SetClientData(this->Style);
   take->SetCallback([](vtkObject*, unsigned long, void* style, void*)

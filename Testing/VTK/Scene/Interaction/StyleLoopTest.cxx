@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the style in a real event loop. This test is a program of its own, since VTK's X11
- * interactors that never ran a loop leave a dangling pointer in the list that every loop walks.
+ * Tests the style in a real event loop. This test is a separate program, because VTK's X11
+ * interactors that never ran a loop leave a dangling pointer in the list that every loop traverses.
  */
 
 #include "StyleRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests measuring by keys where the hand touches a ball. Distances and angles are compared with the
- * geometry of a sphere, areas with that of a cap, and paths with the states of the servo.
+ * Tests measuring with keys where the hand touches a ball. Distances and angles are compared with
+ * the geometry of a sphere, areas with that of a cap, and paths with the servo's states.
  */
 
 #include "StyleRig.h"
@@ -86,7 +86,7 @@ TEST_F(StyleMeasure, ADistanceIsAChordAndAnAngleThatOfItsPoints)
   ASSERT_EQ(this->List->GetNumberOfMeasurements(), 1);
   EXPECT_EQ(this->List->GetUnfinishedText(), "");
   // Without friction, the proxy is at the ball's point nearest to the tip. The tip has moved 8 mm
-  // aside.
+  // sideways.
   const double* const tip = this->Device->GetState()->GetTipPosition();
   const double turn = std::atan2(tip[0], tip[2]) - first;
   EXPECT_GT(turn, 0.2);
@@ -101,7 +101,7 @@ TEST_F(StyleMeasure, ADistanceIsAChordAndAnAngleThatOfItsPoints)
   this->Press("3");
   ASSERT_EQ(this->List->GetNumberOfMeasurements(), 2);
   const double last = std::atan2(this->Proxy()[0], this->Proxy()[2]);
-  const double centre = (first + turn) - last; // spans the arc that holds the corner
+  const double centre = (first + turn) - last; // the arc that contains the corner
   EXPECT_LT(last, corner);
   EXPECT_NEAR(this->List->GetValue(1), 180.0 - 0.5 * centre * 180.0 / Pi, 0.5);
 }
@@ -157,7 +157,7 @@ TEST_F(StyleMeasure, APathHasTheStatesOfTheServo)
   this->List->SetPathSpacing(0.5);
   this->Press("4");
   this->Slide(180, 150);
-  this->Press("Escape"); // ends the path, as a second L would
+  this->Press("Escape"); // ends the path, like a second L
   ASSERT_EQ(this->List->GetNumberOfMeasurements(), 2);
   this->List->GetShape(1, shape);
   EXPECT_GT(shape->GetNumberOfPoints(), 5);
@@ -181,7 +181,7 @@ TEST_F(StyleMeasure, AnAreaIsTheCapUnderTheBrush)
   this->Press("5");
   ASSERT_EQ(this->List->GetNumberOfMeasurements(), 1);
   EXPECT_EQ(this->List->GetKind(0), vtkHapticMeasurements::AREA);
-  // From a point of a sphere of any radius, a chord r bounds a cap with the area pi r^2: see
+  // From any point of a sphere of any radius, a chord r bounds a cap with the area pi r^2: see
   // PaintedArea.
   EXPECT_NEAR(this->List->GetValue(0) / (Pi * brush * brush), 1.0, 0.25 / (brush * brush) + 0.01);
 
@@ -197,7 +197,7 @@ TEST_F(StyleMeasure, AnAreaIsTheCapUnderTheBrush)
   ASSERT_EQ(this->List->GetNumberOfMeasurements(), 2);
   vtkNew<vtkPolyData> shape;
   this->List->GetShape(1, shape);
-  const double radius = Length(shape->GetPoint(0)); // radius of the isosurface that was touched
+  const double radius = Length(shape->GetPoint(0)); // radius of the touched isosurface
   EXPECT_NEAR(radius, 30.0, 3.0);
   const double half = 2.0 * std::asin(0.5 * brush / radius);
   const double zone = 2.0 * radius * radius * std::sin(half) * (last - first);

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests that the current method stays if the next method can't be felt.
- */
+/** Tests that the current method remains if the next method can't be used. */
 
 #include "StyleRig.h"
 #include "VTK/Scene/Display/DisplayProbe.h"
@@ -17,7 +15,7 @@ namespace
 class StyleMethodErrors : public StyleTest
 {
 protected:
-  /// Begins with a force field. The next method, Surface Proxy, has no surface at this isovalue.
+  /// Starts with a force field. The next method, Surface Proxy, has no surface at this isovalue.
   void Begin()
   {
     this->Display->SetDevice(this->Device);

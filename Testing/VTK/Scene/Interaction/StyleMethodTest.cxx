@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests the key that selects the next method while the hand touches the ball.
- */
+/** Tests the key that selects the next method while the hand touches the ball. */
 
 #include "StyleRig.h"
 #include "VTK/Scene/Display/DisplayProbe.h"
@@ -22,7 +20,7 @@ class StyleMethod : public StyleTest
 protected:
   StyleMethod()
   {
-    this->Filter->SetForceFieldGain(0.01); // the ball's gradient of 100 per millimetre gives 1 N
+    this->Filter->SetForceFieldGain(0.01); // with the ball's gradient of 100 per millimetre, results in 1 N
     this->Display->SetDevice(this->Device);
     this->Style->SetHeadUpDisplay(this->Display);
   }
@@ -70,7 +68,7 @@ TEST_F(StyleMethod, GoesThroughAllMethodsAndBack)
   }
   EXPECT_EQ(this->Filter->GetMethod(), vtkVolumeHapticsFilter::PROXY);
   EXPECT_EQ(this->Filter->GetSolver(), vtkVolumeHapticsFilter::PRECISE);
-  shown.resize(4); // drops the methods after these four
+  shown.resize(4); // discards the methods after these four
   EXPECT_EQ(shown,
     (std::vector<std::string>{ "Proxy, PRECISE", "Proxy, PAPER", "Force field", "Surface proxy" }));
   EXPECT_TRUE(this->Log.Errors.empty());
@@ -103,8 +101,8 @@ TEST_F(StyleMethod, TheForceGoesOverWithoutAJolt)
   {
     double now[3];
     vtkDataArray::SafeDownCast(states->GetColumnByName("Command"))->GetTuple(i, now);
-    // The slew limit holds for growth along the force's own direction. A force may fall or turn at
-    // once.
+    // The slew limit applies to growth along the force's own direction. A force may decrease or
+    // change its direction at once.
     const double norm = Length(now);
     if (!last.empty() && norm > 0.0)
     {
@@ -114,7 +112,7 @@ TEST_F(StyleMethod, TheForceGoesOverWithoutAJolt)
     fall = std::max(fall, last.empty() ? 0.0 : Length(last.data()) - norm);
     last.assign(now, now + 3);
   };
-  this->Filter->SetForceFieldGain(0.08); // gives 8 N, while the other methods give about 1 N
+  this->Filter->SetForceFieldGain(0.08); // results in 8 N; the other methods have about 1 N
   for (vtkIdType i = vtkVolumeHapticsFilter::GetMethodNames()->GetNumberOfValues(); i > 0; --i)
   {
     EXPECT_TRUE(this->Style->NextMethod());
@@ -141,7 +139,7 @@ TEST_F(StyleMethod, AKeyFeelsOneModeAfterAnotherAndThenAll)
   this->Filter->AddMode(surfaces);
   vtkNew<vtkHapticMode> ridge;
   ridge->SetKindToRidge();
-  // gives no force, so that the surface alone gives the force
+  // without strength, so that only the surface exerts a force
   ridge->GetStrength()->AddPoint(0.0, 0.0);
   this->Filter->AddMode(ridge);
   this->Touch();
@@ -167,16 +165,16 @@ TEST_F(StyleMethod, AKeyFeelsOneModeAfterAnotherAndThenAll)
     this->Press("j");
     EXPECT_EQ(shown(), wanted);
     this->Settle();
-    // The tip is inside the ball, so a surface that becomes active again is felt only after the
-    // hand moves.
+    // The tip is inside the ball, so a reactivated surface exerts a force only after the hand
+    // moves.
     EXPECT_EQ(Length(this->Device->GetState()->GetModeForce(0)) > 0.5, wanted[1] == '-') << wanted;
   }
-  // Switching to modes that can't be felt must fail, and leave the modes as they were.
+  // Switching to modes that can't be used must fail, and leave the modes unchanged.
   vtkNew<vtkHapticMode> follow;
   follow->ActiveOff();
   this->Filter->AddMode(follow);
   this->Style->UpdateHaptics();
-  // presses the key that selects the second of three modes alone, then the first one
+  // press the key, which selects only the second of three modes, then only the first
   this->Press("j");
   this->Press("j");
   EXPECT_EQ(shown(), "-+-");
@@ -186,8 +184,8 @@ TEST_F(StyleMethod, AKeyFeelsOneModeAfterAnotherAndThenAll)
   EXPECT_NE(std::string(this->Display->GetNotice()).find("can't be felt"), std::string::npos);
   EXPECT_EQ(this->FilterLog.Errors.size(), 1U);
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
-  // Three surfaces together exceed the eight primitives of a tick, so the key selects the first
-  // surface alone.
+  // Three surfaces together exceed the eight primitives of a tick, so the key selects only the
+  // first surface.
   this->Filter->RemoveAllModes();
   for (int i = 0; i < 3; ++i)
   {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests observers of the application that close the window, disarm, or take the device or the
- * interactor away from the style during long work. Nothing crashes, and no device stays armed
- * without a window that updates it.
+ * Tests application observers that close the window, disarm, or remove the device or the interactor
+ * from the style during long work. Nothing may crash, and no device may stay armed without a window
+ * that updates it.
  */
 
 #include "StyleRig.h"
@@ -28,7 +28,7 @@ protected:
     this->Other->SetVolumeHaptics(this->Filter);
     this->Filter->SetIsoValue(-1500.0); // surface of a sphere with a radius of 45 mm
     // The device announces publications as long work if they take more than an eighth of the
-    // attention time. This time is 50 ms here.
+    // attention time, which is 50 ms here.
     this->Device->SetAttentionTime(0.05);
   }
   ~StyleObservers() override { this->Generic->SetInteractorStyle(nullptr); }
@@ -69,7 +69,7 @@ protected:
     EXPECT_FALSE(this->Style->GetTouchMode()) << what;
     this->ExpectDisarmed(this->Device, what);
   }
-  /// Waits for 20 ticks, and expects that the device is then neither armed nor in a fault.
+  /// Waits for 20 ticks, and expects the device to be neither armed nor in a fault.
   void ExpectDisarmed(vtkHapticDevice* device, const char* what)
   {
     const vtkIdType end = device->GetState()->GetTick() + 20;
@@ -126,7 +126,7 @@ TEST_F(StyleObservers, OfTheTouchModeEndIt)
     this->ExpectLetGo(what);
   }
   EXPECT_TRUE(this->Log.Errors.empty());
-  // Touch mode begins if the observer ends nothing.
+  // Touch mode must begin if the observer does not end anything.
   end = [] {};
   this->Generic->SetInteractorStyle(this->Style);
   this->Style->SetDevice(this->Device);
@@ -204,8 +204,8 @@ TEST_F(StyleObservers, ArmNothingInADeviceThatIsTakenAway)
     this->ExpectLetGo("SetDevice");
     this->Device->Close();
   }
-  // While SetDevice() exchanges the devices, an observer of DisableEvent removes the device. The
-  // new device must stay.
+  // While SetDevice() switches devices, an observer of DisableEvent removes the device. The new
+  // device must remain.
   ASSERT_NO_FATAL_FAILURE(this->Start(false));
   this->Style->SetDevice(this->Device);
   this->Style->TouchModeOn();

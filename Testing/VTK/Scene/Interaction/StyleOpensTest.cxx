@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that a program that opens and closes many windows with haptics does not leak memory,
- * threads or files.
+ * Tests that opening and closing many windows with haptics does not leak memory, threads or files.
  */
 
 #include "StyleRig.h"
@@ -32,8 +31,7 @@ using namespace scenetest;
 
 namespace
 {
-/// Returns the resident memory (MB) of this process, after freed memory was given back to the
-/// system.
+/// Returns the resident memory (MB) of this process, after returning freed memory to the system.
 double ResidentMemory()
 {
 #if defined(__GLIBC__)
@@ -53,7 +51,7 @@ std::ptrdiff_t CountIn(const char* folder)
   return std::distance(Files(folder), Files());
 }
 
-/// Closes the window after some timer events, as a person does by the window manager.
+/// Closes the window after some timer events, as a user does through the window manager.
 class Closing : public vtkCommand
 {
 public:
@@ -71,7 +69,7 @@ private:
 };
 
 /**
- * Touches a volume in a window of its own until the window closes. Returns weak pointers to the
+ * Touches a volume in a separate window until the window closes. Returns weak pointers to the
  * objects involved.
  */
 std::vector<vtkWeakPointer<vtkObject>> OpenAndClose(vtkImageData* ball)
@@ -157,7 +155,7 @@ void OpenAndClosePlainly(vtkImageData* ball)
   interactor->Start();
 }
 
-/// Numbers of open files and threads of this process.
+/// Numbers of the process's open files and threads.
 struct Counts
 {
   std::ptrdiff_t Files = CountIn("/proc/self/fd");
@@ -174,9 +172,9 @@ TEST(StyleOpens, FiftyWindowsLeaveNothingBehind)
   constexpr int windows = 50;
   for (int i = 0; i < 5; ++i)
   {
-    OpenAndClose(ball); // opens a window first, which creates the objects that are made only once
+    OpenAndClose(ball); // creates the objects that exist only once
   }
-  // VTK 9.1 with Mesa 22.3 leaks five threads and one file per window, also without haptics.
+  // VTK 9.1 with Mesa 22.3 leaks five threads and one file per window, even without haptics.
   constexpr int plainWindows = 10;
   const Counts beforePlain;
   for (int i = 0; i < plainWindows; ++i)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a moving volume in a scene. The shown time step is the felt one, and keys control the
- * playback.
+ * Tests a moving volume in a scene. The displayed time step must be the one that is felt, and keys
+ * must control the playback.
  */
 
 #include "StyleRig.h"
@@ -70,8 +70,8 @@ protected:
     return static_cast<int>(
       this->GetShown()->GetPointData()->GetScalars()->GetComponent(0, 0) / 100.0);
   }
-  /// Expects that the picture shows the time step nearest to the data time. The first time step is
-  /// at `first`, and further ones follow at intervals of 1.
+  /// Expects that the scene displays the time step nearest to the data time. The first time step is
+  /// at `first`, and the others follow at intervals of 1.
   void ExpectWhatIsFelt(double first)
   {
     const double number = this->Device->GetPlayback()->GetDataTime() - first;
@@ -79,7 +79,7 @@ protected:
     EXPECT_EQ(this->Device->GetPlayback()->GetTimeStepValue(), first + this->GetShownNumber());
     EXPECT_EQ(this->GetShown()->GetPointData()->GetScalars()->GetNumberOfComponents(), 1);
   }
-  /// Watches the playback until the picture has shown `count` different time steps.
+  /// Runs the playback until the scene has displayed `count` different time steps.
   void WatchTimeSteps(double first, std::size_t count)
   {
     std::vector<int> seen;
@@ -87,7 +87,7 @@ protected:
       [&]
       {
         this->Style->UpdateHaptics();
-        // Time steps in memory must never be late.
+        // The time steps are in memory, so they must never be late.
         EXPECT_FALSE(this->Device->GetPlayback()->IsWaitingForData());
         if (this->Device->GetPlayback()->HasTimeSteps())
         {
@@ -122,10 +122,10 @@ TEST_F(StylePlayback, WhatIsSeenIsWhatIsFelt)
     << this->Display->GetText();
   this->Press("space");
   EXPECT_NE(this->Display->GetText().find("paused"), std::string::npos);
-  // The shown image must share the array of the time step.
+  // The displayed image must share the array of the time step.
   EXPECT_EQ(this->GetShown()->GetPointData()->GetScalars(),
     this->Source->GetTimeStepImage(this->GetShownNumber())->GetPointData()->GetScalars());
-  // Cropping the picture gives a warning, since the felt time step is not cropped.
+  // Cropping the displayed volume must cause a warning, because the felt time step is not cropped.
   this->Mapper->SetCroppingRegionPlanes(0.0, 5.0, 0.0, 5.0, 0.0, 5.0);
   this->Mapper->CroppingOn();
   this->Run(2);
@@ -153,7 +153,7 @@ TEST_F(StylePlayback, TellsThatTimeStepsAreLate)
     { return this->Device->UpdateState() && this->Device->GetPlayback()->IsWaitingForData(); }));
   EXPECT_NE(this->Display->GetText().find("paused, waiting for data"), std::string::npos)
     << this->Display->GetText();
-  // The picture may show the new time step before the servo reports that the step is there.
+  // The scene may display the new time step before the servo reports that the step is available.
   ASSERT_TRUE(Eventually(
     [&]
     {
@@ -168,7 +168,7 @@ TEST_F(StylePlayback, AnImageWithTheFirstTimeStepsScalarsIsTheSame)
 {
   vtkNew<vtkImageData> plain;
   plain->ShallowCopy(this->Source->GetTimeStepImage(0));
-  plain->SetOrigin(-3.0, 0.0, 0.0); // sets an origin that the volume's matrix moves back
+  plain->SetOrigin(-3.0, 0.0, 0.0); // sets an origin that the volume's matrix compensates
   vtkNew<vtkMatrix4x4> placed;
   placed->SetElement(0, 3, 3.0);
   this->Volume->SetUserMatrix(placed);
@@ -269,8 +269,8 @@ TEST_F(StylePlayback, KeysGoFromTimeStepToTimeStep)
   expect("Left", 4.0);
 }
 
-/// Sends a release and a press at the same time, as X servers repeat a held key. The key must
-/// switch once only.
+/// Sends a release and a press at the same time, as X servers do for a held key. The key must
+/// switch only once.
 TEST_F(StylePlayback, AKeyThatIsHeldSwitchesOnce)
 {
   this->Start();
@@ -313,7 +313,7 @@ TEST_F(StylePlayback, KeysChangeTheSpeedAndWhatIsAtTheEnd)
   }
   this->Device->GetPlayback()->SetSpeed(std::nan(""));
   EXPECT_EQ(this->Device->GetPlayback()->GetSpeed(), -64.0);
-  // Keys of the playback must not change anything for a volume without time steps.
+  // Playback keys must not change anything for a volume without time steps.
   this->Filter->SetInputData(0, this->Ball);
   this->Press("b");
   this->Press("space");
@@ -330,7 +330,7 @@ TEST_F(StylePlayback, TheSourceKeepsTheOrderOfTimesAndRefusesWhatIsNoTimeStep)
   source->Update();
   ASSERT_EQ(log.Errors.size(), 3U);
   EXPECT_NE(log.Errors[2].find("There are no frames"), std::string::npos);
-  source->Update(); // updates the data, which is all that VTK asks for here
+  source->Update(); // updates only the data, as VTK requests here
   EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_TRUE(source->AddTimeStep(MakeNumbered(1), 5.0));
   EXPECT_TRUE(source->AddTimeStep(MakeNumbered(0), -1.0));

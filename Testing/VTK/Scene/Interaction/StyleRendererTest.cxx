@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that in a window with several renderers, the renderer that the application chose is
- * touched, from the first key on.
+ * Tests that in a window with several renderers, the renderer that the application has chosen is
+ * touched, starting with the first key.
  */
 
 #include "StyleRig.h"

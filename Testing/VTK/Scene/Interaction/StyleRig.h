@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Rig of an interactor with the haptic style over a ball, and of a hand that sends events.
+ * Fixture with an interactor that has the haptic style over a ball, and a hand that sends events.
  */
 #ifndef StyleRig_h
 #define StyleRig_h
@@ -69,8 +69,8 @@ protected:
   StyleTest()
   {
     this->Filter->SetInputData(0, this->Ball);
-    // Values outside the ball are below 0, and have no strength. Inside, the strength is more than
-    // the hand can overcome.
+    // Values outside the ball are negative, without strength. Inside, the strength exceeds any
+    // force of the hand.
     vtkPiecewiseFunction* const strength = this->Filter->GetProperty()->GetSurfaceStrength();
     strength->AddPoint(0.0, 0.0);
     strength->AddPoint(0.1, 8.0);
@@ -106,7 +106,7 @@ protected:
         see(this->Style->GetStates(), i);
       }
     };
-    // Counts from now on, not from the last update of the device.
+    // Count from now on, not from the device's last update.
     update();
     const vtkIdType end = this->Device->GetState()->GetTick() + ticks;
     ASSERT_TRUE(Eventually(
@@ -120,8 +120,7 @@ protected:
   {
     this->Run(ticks, [](vtkTable*, vtkIdType) {});
   }
-  /// Updates the style until the device is fully armed. A wall that is pressed before that stays
-  /// soft.
+  /// Updates the style until the device is fully armed. A wall that is pressed earlier stays soft.
   void RunUntilFullyArmed()
   {
     ASSERT_TRUE(Eventually(
@@ -131,8 +130,8 @@ protected:
         return IsFullyArmed(this->Device);
       }));
   }
-  /// Switches touch mode on, so that the mouse moves a stylus, and presses into the middle of the
-  /// picture.
+  /// Switches on touch mode, so that the mouse moves a stylus, and presses into the middle of the
+  /// view.
   void PushIn(int x = 150, int y = 150)
   {
     ASSERT_TRUE(this->Device->Open("virtual"));

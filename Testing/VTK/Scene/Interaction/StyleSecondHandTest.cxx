@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a scene with a second device. Keys and the window act on both hands, a fault and the force
- * belong to one hand, and the head-up display and a widget show both.
+ * Tests a scene with a second device. Keys and the window act on both hands, a fault and a force on
+ * one, and the head-up display and a widget show both.
  */
 
 #include "Rigs/EventCounter.h"
@@ -25,7 +25,7 @@ using namespace scenetest;
 
 namespace
 {
-/// Calls a function at an event of a device, while the object lives.
+/// Calls a function at an event of a device, during the object's lifetime.
 class Observed
 {
 public:
@@ -65,7 +65,7 @@ protected:
     this->Style->SetSecondDevice(this->Second);
     this->Run(5);
   }
-  /// Returns a volume that shows the ball.
+  /// Returns a volume that displays the ball.
   vtkSmartPointer<vtkVolume> MakeVolume()
   {
     vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
@@ -95,8 +95,8 @@ protected:
     return this->Wait(
       [&] { return IsArmed(this->Device) == first && IsArmed(this->Second) == second; });
   }
-  /// Presses the second tip 4 mm deep into the ball, beside its top. Returns true if the device
-  /// feels a force.
+  /// Presses the second tip 4 mm deep into the ball, beside its top. Returns true if a force acts
+  /// on the device.
   bool PressSecond()
   {
     return this->Wait([this] { return IsFullyArmed(this->Second); }) &&
@@ -129,7 +129,7 @@ TEST_F(StyleSecondHand, EscapeAndTheWindowLetBothGo)
 {
   this->Press("a");
   ASSERT_TRUE(this->AreArmed(true, true));
-  // An observer may show a dialog, so no hand may be armed while it runs.
+  // An observer may open a dialog, so no hand may be armed while the observer runs.
   std::vector<bool> wasArmed;
   const auto watch = [&]
   {

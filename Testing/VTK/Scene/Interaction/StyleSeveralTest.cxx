@@ -3,7 +3,7 @@
 
 /**
  * Tests a scene with several volumes, each with its own filter. The volumes are balls with a radius
- * of 30 mm, so their centres give the place of a contact.
+ * of 30 mm, so a contact identifies the ball's centre.
  */
 
 #include "StyleRig.h"
@@ -29,7 +29,7 @@ protected:
     this->Show(this->Volume, this->Ball);
     this->Show(this->Other, MakeBall());
     this->Renderer->GetActiveCamera()->SetParallelScale(150.0); // makes a pixel 1 mm wide
-    // Switches the attention time off, since a busy machine may exceed it.
+    // Disable the attention time, which a busy machine may exceed.
     this->Device->SetAttentionTime(0.0);
     this->Device->Open("virtual");
     this->Device->Start();
@@ -43,7 +43,7 @@ protected:
     ShowBall(volume);
     this->Renderer->AddVolume(volume);
   }
-  /// Places the other volume beside the first one, and touches it with the mouse.
+  /// Places the other volume beside the first one, and touches the other volume with the mouse.
   bool TouchOtherBeside()
   {
     this->Other->SetPosition(70.0, 0.0, 0.0);
@@ -72,8 +72,8 @@ protected:
       });
   }
   bool FeelsOther() { return this->Device->GetVolumeHaptics() == this->OtherFilter; }
-  /// Records the force of a state. Also records the largest step of the force in the 50 states
-  /// after a change of the felt volume.
+  /// Records the force of a state, and the largest step of the force in the 50 states after a
+  /// switch to another volume.
   void Watch(vtkTable* states, vtkIdType row)
   {
     constexpr int after = 50; // states
@@ -116,7 +116,7 @@ TEST_F(StyleSeveral, TheOneUnderThePointerIsTouched)
   this->Run(20);
   EXPECT_TRUE(this->FeelsOther());
   EXPECT_EQ(this->Style->GetTouchedVolume(), this->Other);
-  // The ball is visible up to a radius of 30 mm, and the hand begins half a voxel in front of it.
+  // The ball is visible up to a radius of 30 mm, and the hand starts half a voxel in front of it.
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[0], 70.0, 1.0);
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], 30.5, 0.3);
   this->Style->TouchModeOff();
@@ -154,7 +154,7 @@ TEST_F(StyleSeveral, EachPortOfAMultiVolumeIsTouched)
   this->Renderer->AddVolume(multi);
   EXPECT_TRUE(this->Style->TouchVolume(multi));
   EXPECT_EQ(this->Style->GetNumberOfTouchedVolumes(), 2);
-  // Settings that change later must apply to every port.
+  // Later changes of settings must apply to every port.
   this->Filter->SetKernelRadius(3);
   for (const int port : { 1, 0 })
   {
@@ -168,7 +168,7 @@ TEST_F(StyleSeveral, EachPortOfAMultiVolumeIsTouched)
     EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], 30.5, 0.3);
     this->Style->TouchModeOff();
   }
-  // Each port must have its own opacity and position, also after changes.
+  // Each port must have its own opacity and position, even after changes.
   ports[0]->SetPosition(0.0, 0.0, 10.0);
   this->Style->TouchModeOn();
   this->Run(20);
@@ -241,13 +241,13 @@ TEST_F(StyleSeveral, TheStrongestOneIsFeltThroughAnother)
   this->Run(20);
   EXPECT_TRUE(this->FeelsOther());
   EXPECT_GT(this->Device->GetState()->GetTipPosition()[2], 35.0);
-  // The style must choose among the volumes ahead of a hand in air.
+  // The style must choose among the volumes in front of a hand in air.
   this->Style->TouchModeOff();
   this->Device->GetVirtualHand()->Place(0.0, 0.0, 60.0);
   this->Style->SetFeltVolumeToStrongest();
   ASSERT_TRUE(this->RunUntilOtherIsFelt(false));
-  // The style must choose the volume in front if both have equal strengths. This is the other
-  // volume.
+  // If both volumes have equal strengths, the style must choose the one in front, which is the
+  // other volume.
   strength->AddPoint(0.1, 8.0);
   this->Device->GetVirtualHand()->Place(0.0, 0.0, 55.0);
   ASSERT_TRUE(this->RunUntilOtherIsFelt(true));
@@ -255,7 +255,7 @@ TEST_F(StyleSeveral, TheStrongestOneIsFeltThroughAnother)
 
 TEST_F(StyleSeveral, OneThatIsNotSeenIsNotChosen)
 {
-  this->Other->SetPosition(0.0, 0.0, 70.0); // puts the other volume in front of the first one
+  this->Other->SetPosition(0.0, 0.0, 70.0); // in front of the first volume
   EXPECT_TRUE(this->Style->AddTouchedVolume(this->Other, this->OtherFilter));
   this->Other->VisibilityOff();
   this->Pointer(150, 150);

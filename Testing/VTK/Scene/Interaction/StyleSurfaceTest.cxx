@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests that a surface that changes while it is touched reaches the servo.
- */
+/** Tests that a surface that changes during a touch reaches the servo. */
 
 #include "StyleRig.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests two styles with one device, as for two windows that show one volume. Each style gets every
- * state and every event.
+ * Tests two styles with one device, as for two windows that display one volume. Each style must
+ * receive every state and every event.
  */
 
 #include "StyleRig.h"
@@ -14,7 +14,7 @@ using namespace scenetest;
 
 namespace
 {
-/// Expects that a style's states contain every tick once.
+/// Expects that a style's states contain every tick exactly once.
 struct Follower
 {
   vtkInteractorStyleHaptic* Style;

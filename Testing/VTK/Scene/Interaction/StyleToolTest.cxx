@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that Alt + mouse turns a tool with a shape if the device measures no orientation, and
- * changes nothing else.
+ * Tests that Alt + mouse rotates a shaped tool if the device measures no orientation, and changes
+ * nothing else.
  */
 
 #include "StyleRig.h"
@@ -54,7 +54,7 @@ protected:
         {
           dot += is[c] * wanted.GetData()[c];
         }
-        // The tolerance allows for rounding of many small turns.
+        // The tolerance allows for the rounding errors of many small rotations.
         return this->Device->GetState()->HasTipOrientation() && std::abs(dot) > 1.0 - 1e-5;
       });
   }
@@ -69,7 +69,7 @@ TEST_F(StyleTool, TheMouseTurnsItLikeABall)
   this->Begin();
   EXPECT_FALSE(this->Device->GetState()->HasTipOrientation());
   EXPECT_NE(this->Style->GetKeys().find("Alt + mouse\tturn the tool"), std::string::npos);
-  // A motion to the right must turn the front of the tool to the right.
+  // A motion to the right must rotate the front of the tool to the right.
   for (int x = 151; x <= 170; ++x)
   {
     this->AltMove(x, 150);
@@ -81,8 +81,8 @@ TEST_F(StyleTool, TheMouseTurnsItLikeABall)
     this->AltMove(x, 150);
   }
   EXPECT_TRUE(this->IsTurned(0.0, 0.0, 1.0, 0.0));
-  // A motion upwards turns the tool about x, and the wheel turns it about the line of sight. With
-  // Shift, turns are a fifth as large.
+  // A motion upwards rotates the tool about x, and the wheel rotates it about the line of sight.
+  // With Shift, rotations are a fifth as large.
   for (int y = 151; y <= 160; ++y)
   {
     this->AltMove(150, y);
@@ -122,7 +122,7 @@ TEST_F(StyleTool, TheTipStaysWhereItIs)
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[0], before[0] + 2.0, 1e-6) << "10 pixels";
 }
 
-/// Begins with the tool, a box of 1 mm, in front of the ball, and presses it into the ball with the
+/// Starts with the tool, a box of 1 mm, in front of the ball, and presses it into the ball with the
 /// wheel.
 TEST_F(StyleTool, ItBeginsInFrontOfWhatIsTouched)
 {
@@ -133,7 +133,7 @@ TEST_F(StyleTool, ItBeginsInFrontOfWhatIsTouched)
   this->Pointer(150, 150);
   this->Style->TouchModeOn();
   this->RunUntilFullyArmed();
-  // The tip begins half a box in front of the position at which a point would feel the surface.
+  // The tip starts half a box in front of the position at which a point would touch the surface.
   // That position is up to a kernel radius (2 mm) above the surface.
   EXPECT_GT(this->Device->GetState()->GetTipPosition()[2], 30.5);
   EXPECT_LT(this->Device->GetState()->GetTipPosition()[2], 33.5);

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests a mouse that presses on a ball, slides and lets go.
- */
+/** Tests a mouse that presses on a ball, slides and ends the touch. */
 
 #include "StyleRig.h"
 
@@ -34,7 +32,7 @@ TEST_F(StyleTest, PressesSlidesAndLetsGoWithTheProxyOnTheSurface)
   EXPECT_EQ(this->Device->GetState()->GetContact(), 0)
     << "touch mode begins in front of the surface";
   const double start = this->Device->GetState()->GetTipPosition()[2];
-  // Touch mode begins up to a kernel radius (2 mm) in front of the surface, since materials are
+  // Touch mode begins up to a kernel radius (2 mm) in front of the surface, because materials are
   // read that far ahead.
   EXPECT_NEAR(start, 32.0, 1.5);
 
@@ -94,7 +92,7 @@ TEST_F(StyleTest, MovesFinelyInDepthAndPressesTheButton)
   ASSERT_TRUE(this->Device->Open("virtual"));
   ASSERT_TRUE(this->Device->Start());
   this->Style->SetDepthStep(0.5);
-  this->Pointer(10, 10); // points beside the ball, so the tip goes to the plane of the focal point
+  this->Pointer(10, 10); // the pointer is beside the ball, so the tip moves to the plane of the focal point
   this->Style->TouchModeOn();
   this->Run(20);
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[0], -28.0, 0.2);
@@ -133,7 +131,7 @@ TEST_F(StyleTest, AStrokeGoesOnAroundABall)
   this->Style->TouchModeOn();
   this->RunUntilFullyArmed();
   const double start = this->Device->GetState()->GetTipPosition()[2];
-  // Touch mode begins half a voxel in front of the first contact, which is at this radius.
+  // Touch mode begins half a voxel in front of the first contact, which determines this radius.
   const double radius = start - 0.5;
   for (int i = 0; i < 4; ++i)
   {
@@ -156,8 +154,8 @@ TEST_F(StyleTest, AStrokeGoesOnAroundABall)
     ASSERT_NEAR(this->Device->GetState()->GetTipPosition()[2], heightAt(x) - press, 0.05) << x;
     ASSERT_NE(this->Device->GetState()->GetContact(), 0) << x;
   }
-  // A slope above 2 counts as an edge. There the hand leaves the ball, and must stay in the plane
-  // of the view.
+  // A slope above 2 counts as an edge, where the hand leaves the ball and must stay in the plane of
+  // the view.
   const double height = this->Device->GetState()->GetTipPosition()[2];
   strokeTo(150 + static_cast<int>(5.0 * radius) - 1);
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], height, 1e-6);
@@ -165,14 +163,14 @@ TEST_F(StyleTest, AStrokeGoesOnAroundABall)
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], height, 1e-6)
     << "there is nothing to follow";
   EXPECT_EQ(this->Device->GetState()->GetContact(), 0);
-  // The hand returns to the front of the surface. After a step of the wheel backwards, it must stay
+  // The hand returns to the front of the surface. After a backward step of the wheel, it must stay
   // 1 mm higher.
   x = strokeTo(200);
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], heightAt(x), 0.05);
   this->Pointer(200, 150, vtkCommand::MouseWheelBackwardEvent);
   x = strokeTo(230);
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], heightAt(x) + 1.0, 0.05);
-  // The hand must move in the plane of the view with a method that has no surfaces.
+  // With a method that has no surfaces, the hand must move in the plane of the view.
   this->Filter->SetMethodToForceField();
   this->Run(10);
   x = strokeTo(180);
@@ -181,7 +179,7 @@ TEST_F(StyleTest, AStrokeGoesOnAroundABall)
 
 namespace
 {
-/// Tests with a hand beside the middle of the ball, and an editor that can be docked.
+/// Tests a hand beside the middle of the ball, and an editor that can be docked.
 class HeldHand : public StyleTest
 {
 protected:
@@ -204,7 +202,7 @@ protected:
     this->Style->TouchModeOn();
     this->Rest();
   }
-  /// Waits until the hand is where the mouse leads it.
+  /// Waits until the hand has reached the mouse's target.
   void Rest()
   {
     double last[3] = { 1e9, 1e9, 1e9 };
@@ -255,7 +253,7 @@ TEST_F(HeldHand, IsUnderThePointerThatHasLeftTheWindowAndComesBackElsewhere)
   this->Touch(320, 160);
   this->Pointer(599, 160);
   this->Rest();
-  // Interactors store the position at which the pointer enters, but send no motion for it.
+  // Interactors store the position where the pointer enters, but send no motion for it.
   this->Pointer(280, 299, vtkCommand::EnterEvent);
   this->Pointer(282, 150);
   this->Rest();
@@ -347,7 +345,7 @@ TEST_F(HeldHand, GoesTheWayOfThePointerOnceWhateverIsBetween)
       this->Pointer(320, 160);
       this->Renderer->GetActiveCamera()->Roll(-30.0);
     });
-  // This observer stands for another part of the window, which uses motions.
+  // This observer represents another part of the window, which consumes motions.
   vtkNew<vtkCallbackCommand> other;
   other->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
   other->AbortFlagOnExecuteOn();

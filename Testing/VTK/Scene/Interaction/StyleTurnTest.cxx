@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that turning the cap of a device turns the volume, and that the hand keeps its position on
+ * Tests that rotating a device's cap rotates the volume, and that the hand keeps its position on
  * the screen.
  */
 
@@ -35,14 +35,14 @@ TEST_F(StyleTurn, TheVolumeTurnsWithTheCap)
   }
   played.Turn = 0.0;
   ASSERT_GT(angle, 0.1);
-  // The eye must move to the left if the front of the scene turns to the right.
+  // If the front of the scene rotates to the right, the eye must move to the left.
   const double* const eye = camera->GetPosition();
   EXPECT_NEAR(eye[0], -200.0 * std::sin(angle), 1e-6);
   EXPECT_NEAR(eye[1], 0.0, 1e-6);
   EXPECT_NEAR(eye[2], 200.0 * std::cos(angle), 1e-6);
   EXPECT_NEAR(camera->GetViewUp()[1], 1.0, 1e-9);
 
-  // The workspace must follow the camera: the device's z axis points to the eye.
+  // The workspace must follow the camera: the device's z axis points towards the eye.
   this->Run(10);
   const vtkMatrix4x4* const place = this->Device->GetDeviceToWorld();
   ASSERT_NE(place, nullptr);

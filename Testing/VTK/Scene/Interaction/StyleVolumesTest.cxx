@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests volumes that are drawn in a way that can't be felt. Each reason gives one warning.
+ * Tests volumes with rendering settings that haptics can't reproduce. Each reason must cause one
+ * warning.
  */
 
 #include "Rigs/LoopPauses.h"
@@ -39,8 +40,8 @@ protected:
     this->Device->Start();
     this->Run(2);
   }
-  /// Returns the number of warnings since the last call. Expects that the newest warning has the
-  /// words and a cure.
+  /// Returns the number of warnings since the last call. Expects that the newest warning contains
+  /// the words and a remedy.
   std::size_t CountWarnings(const char* words = "")
   {
     this->Style->UpdateHaptics();
@@ -55,7 +56,7 @@ protected:
     this->Log.Warnings.clear();
     return count;
   }
-  /// Presses into the middle of the picture until the ball pushes back.
+  /// Presses into the middle of the view until the ball exerts a force.
   void Push()
   {
     this->Pointer(150, 150);
@@ -69,8 +70,8 @@ protected:
     ASSERT_GT(Length(this->Device->GetState()->GetForce()), 0.3) << "N";
     ASSERT_TRUE(this->Log.Warnings.empty()) << this->Log.Warnings[0];
   }
-  /// Expects that the hand has let go and can't touch again, and that each attempt has given a
-  /// warning with the cure.
+  /// Expects that the touch has ended and can't start again, and that each attempt has caused a
+  /// warning with the remedy.
   void ExpectLetGo(const std::string& cure)
   {
     for (const char* const when : { "touched before", "begins anew" })
@@ -85,7 +86,7 @@ protected:
       this->Style->TouchModeOn();
     }
     this->Log.Warnings.clear();
-    // Arming without touch mode, as for a real device, must be refused, too.
+    // Arming without touch mode, as with a hardware device, must also be refused.
     this->Device->Arm();
     this->RunUntilReady();
     EXPECT_EQ(this->Log.Warnings.size(), 1U);
@@ -134,7 +135,7 @@ constexpr const char* Moved = "moved, turned or scaled";
 TEST_F(StyleVolumes, ThatArePlainGiveNone)
 {
   EXPECT_EQ(this->CountWarnings(), 0U);
-  // These settings neither cut the volume nor move it.
+  // These settings neither cut nor move the volume.
   this->Mapper->CroppingOn();
   this->Mapper->SetCroppingRegionPlanes(-50.0, 50.0, -50.0, 50.0, -50.0, 50.0);
   vtkNew<vtkPlane> plane;
@@ -250,7 +251,7 @@ TEST_F(StyleVolumes, ThatAreTouchedAreFeltWhereTheyAre)
   this->Mapper->CroppingOff();
   EXPECT_EQ(this->CountWarnings(), 0U);
   EXPECT_NEAR(forceAt(60.0), 500.0 * 0.003, 0.1);
-  // A volume with a shear must give a warning.
+  // A volume with a shear must cause a warning.
   vtkNew<vtkMatrix4x4> shear;
   shear->SetElement(0, 1, 0.5);
   this->Volume->SetUserMatrix(shear);
@@ -282,8 +283,8 @@ TEST_F(StyleVolumes, ThatCantBeTouchedAreErrors)
   this->Log.Errors.clear();
 }
 
-// Ends the touch by a renderer that draws nothing, a volume without a mapper, and a mapper without
-// an input. The volume can be touched again once each is restored.
+// Ends the touch with a renderer that draws nothing, a volume without a mapper, and a mapper
+// without an input. The volume can be touched again once each is restored.
 TEST_F(StyleVolumes, ThatShowNothingAreNotFelt)
 {
   vtkNew<vtkHapticHeadUpDisplay> display;
@@ -382,14 +383,14 @@ TEST_F(StyleVolumes, OfAnotherRendererAreNotFeltUnlessItShowsTheSame)
   this->Style->SetDefaultRenderer(this->Renderer);
   this->Style->TouchModeOn();
   EXPECT_TRUE(this->Style->GetTouchMode());
-  // The renderer is a layer over the renderer that has the volume, and shares its camera.
+  // The renderer is a layer over the renderer with the volume, and shares its camera.
   beside->SetViewport(this->Renderer->GetViewport());
   beside->SetActiveCamera(this->Renderer->GetActiveCamera());
   this->Style->SetDefaultRenderer(beside);
   this->Run(20);
   EXPECT_TRUE(this->Style->GetTouchMode());
-  // The volumes of all renderers in the window can be touched without a default renderer, so the
-  // touch goes on.
+  // Without a default renderer, the volumes of all renderers in the window can be touched, so the
+  // touch must continue.
   this->Style->SetDefaultRenderer(nullptr);
   beside->SetActiveCamera(nullptr);
   this->Run(20);
@@ -450,7 +451,7 @@ TEST_F(StyleVolumes, OfAMultiVolumeAreFeltEachAtItsPlace)
     this->Log.Errors[0].find("Cure: TouchVolume() with the vtkMultiVolume, or"), std::string::npos);
   this->Log.Errors.clear();
   EXPECT_EQ(this->Style->GetTouchedVolume(), nullptr);
-  // The test follows the second cure in the error. StyleSeveral.EachPortOfAMultiVolumeIsTouched
+  // This test follows the second remedy in the error. StyleSeveral.EachPortOfAMultiVolumeIsTouched
   // follows the first one.
   parts[1]->SetPosition(0.0, 0.0, 5.0);
   ASSERT_TRUE(this->Style->TouchVolume(multi->GetVolume(1)));
@@ -499,13 +500,13 @@ TEST_F(StyleVolumes, WithAMaskWarn)
   EXPECT_EQ(this->CountWarnings("mask"), 1U);
 }
 
-// The expected force is that in ThatAreTouchedAreFeltWhereTheyAre: the tip is 3 mm behind the
+// The expected force is that of ThatAreTouchedAreFeltWhereTheyAre: the tip is 3 mm behind the
 // surface at 30 mm.
 TEST_F(StyleVolumes, ThatAreMaskedAreFeltWhereTheMaskShowsThem)
 {
   auto* const mapper = vtkGPUVolumeRayCastMapper::SafeDownCast(this->Mapper);
   vtkNew<vtkImageData> mask;
-  // the mask's origin differs, which does not count
+  // The mask's origin differs, which must have no effect.
   mask->SetDimensions(this->Ball->GetDimensions());
   mask->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
   for (vtkIdType i = 0; i < mask->GetNumberOfPoints(); ++i)
@@ -533,7 +534,7 @@ TEST_F(StyleVolumes, ThatAreMaskedAreFeltWhereTheMaskShowsThem)
   };
   EXPECT_EQ(forceAt(27.0), 0.0) << "hidden";
   EXPECT_NEAR(forceAt(-27.0), -500.0 * 0.003, 0.1);
-  // The mask must turn with the volume.
+  // The mask must rotate with the volume.
   this->Volume->RotateZ(180.0);
   EXPECT_EQ(this->CountWarnings(), 0U);
   EXPECT_NEAR(forceAt(27.0), 500.0 * 0.003, 0.1);
@@ -543,8 +544,8 @@ TEST_F(StyleVolumes, ThatAreMaskedAreFeltWhereTheMaskShowsThem)
   mask->Modified();
   EXPECT_EQ(this->CountWarnings(), 0U);
   EXPECT_NEAR(forceAt(-27.0), -500.0 * 0.003, 0.1);
-  // Touching another volume must remove the mask from the filter. Touching this volume again must
-  // restore the mask.
+  // Touching another volume must remove the mask from the filter, and touching this volume again
+  // must restore it.
   const auto isBlanked = [this] { return this->Filter->GetTouchedImage()->HasAnyBlankPoints(); };
   mask->GetPointData()->GetScalars()->SetTuple1(0, 0.0);
   mask->Modified();
@@ -562,13 +563,13 @@ TEST_F(StyleVolumes, ThatAreMaskedAreFeltWhereTheMaskShowsThem)
   mapper->SetMaskInput(nullptr);
   EXPECT_EQ(this->CountWarnings(), 0U);
   EXPECT_FALSE(isBlanked());
-  // Labels that the application has given to the filter must stay.
+  // Labels that the application has set on the filter must remain.
   this->Filter->SetLabelData(mask);
   mapper->SetMaskInput(mask);
   EXPECT_EQ(this->CountWarnings("Cure: FeelCutFacesOn()"), 1U);
   EXPECT_EQ(this->Filter->GetInputDataObject(3, 0), mask);
   EXPECT_TRUE(isBlanked());
-  // A mask of another size must not be used, since mappers draw it in undefined ways.
+  // A mask of another size must not be used, because mappers render it in undefined ways.
   vtkNew<vtkImageData> small;
   small->SetDimensions(9, 9, 9);
   small->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
@@ -582,7 +583,7 @@ TEST_F(StyleVolumes, WithATransferFunctionOfTwoDimensionsWarn)
   function->SetDimensions(2, 2, 1);
   function->AllocateScalars(VTK_FLOAT, 4);
   this->Volume->GetProperty()->SetTransferFunction2D(function);
-  // VTK 9.6 does not set the mode when it gets the function, so the test sets it.
+  // VTK 9.6 does not set the mode together with the function, so set it here.
   this->Volume->GetProperty()->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
   EXPECT_EQ(this->CountWarnings("2-D transfer function"), 1U);
 }

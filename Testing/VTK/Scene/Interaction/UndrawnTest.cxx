@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that props drawn without a window, missing arrays, and editors of absurd sizes do not
+ * Tests that props drawn without a window, missing arrays, and editors of extreme sizes do not
  * crash.
  */
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that slices show the tissue that a burr has left. They equal the slices of an image from
- * which a loop has removed the tissue.
+ * Tests that slices show the remaining tissue after a burr's removal. They must equal the slices of
+ * an image from which a loop has removed the tissue.
  */
 
 #include "Rigs/RemovalRig.h"
@@ -65,7 +65,7 @@ protected:
     return all;
   }
   /// Expects that the view of the touched image equals the view of `left`, which the application
-  /// sets, and that both show the same value.
+  /// sets, and that both display the same value.
   void ExpectAlike(vtkImageData* left, const double at[3])
   {
     const Picture shown = this->Draw(at);
@@ -107,7 +107,7 @@ TEST_F(SliceBurr, ShowWhatIsLeft)
     EXPECT_GT(MostSliceDifference(this->Draw(at), whole), 50);
     const auto left = MakeLeft(ball, 0, hole, SliceAir);
     this->ExpectAlike(left, at);
-    // These positions are in the edge of the hole, and beside the hole.
+    // These positions are at the edge of the hole, and beside the hole.
     const double edge[3] = { 11.4, -3.8, 5.2 };
     this->ExpectAlike(left, edge);
     const double beside[3] = { 30.0, 30.0, 30.0 };
@@ -118,7 +118,7 @@ TEST_F(SliceBurr, ShowWhatIsLeft)
   }
 }
 
-/// Removes tissue from the component that is felt. The other component must stay whole.
+/// Removes tissue from the touched component. The other component must remain whole.
 TEST_F(SliceBurr, ShowWhatIsLeftOfOneComponent)
 {
   vtkNew<vtkImageData> two;
@@ -137,8 +137,8 @@ TEST_F(SliceBurr, ShowWhatIsLeftOfOneComponent)
   this->ExpectAlike(MakeLeft(two, 1, hole, SliceAir), at);
 }
 
-/// The source stands for a volume that is larger than memory. Each sample of its coarse image must
-/// show the mean of the fine samples that it covers, after the removal.
+/// The source represents a volume larger than memory. Each sample of its coarse image must be the
+/// mean of the fine samples that it covers, after the removal.
 TEST_F(SliceBurr, ShowWhatIsLeftOfACoarseLevel)
 {
   vtkNew<vtkHapticRegionSource> source;

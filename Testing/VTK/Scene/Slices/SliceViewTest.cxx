@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests slices beside the scene: the voxel that each pixel shows, and the place to which a click
- * leads the tip.
+ * Tests slices beside the scene: the voxel that each pixel displays, and the position to which a
+ * click moves the tip.
  */
 
 #include "VTK/Scene/Interaction/StyleRig.h"
@@ -22,7 +22,7 @@ namespace
 {
 using SlicePlace = std::array<double, 3>;
 
-/// The index axes i, j, k are -y, z and -x of the world, turned about z by 20 degrees.
+/// The index axes i, j, k are -y, z and -x of the world, rotated about z by 20 degrees.
 constexpr double SparkCos = 0.93969262078590838;
 constexpr double SparkSin = 0.34202014332566873;
 constexpr double SparkDirection[9] = { SparkSin, 0.0, -SparkCos, -SparkCos, 0.0, -SparkSin, 0.0,
@@ -76,7 +76,7 @@ protected:
     const int* const size = this->View->GetRenderer(slice)->GetSize();
     return { origin[0] + size[0] / 2, origin[1] + size[1] / 2 };
   }
-  /// Returns the middle (pixels of the window) of the bright grey pixels, which are neither text
+  /// Returns the centre (pixels of the window) of the bright grey pixels, which are neither text
   /// nor crosshair.
   std::array<int, 2> FindSpark(int slice)
   {
@@ -196,7 +196,7 @@ TEST_F(SliceViewTest, AClickBeginsTheTouchThereAndTheNextOneLeadsTheTip)
   this->ExpectTip(begin);
   EXPECT_NE(this->Device->GetStatus(), vtkHapticDevice::READY) << "armed";
 
-  // Moving the pointer over a slice must not lead the tip; only a drag does.
+  // Moving the pointer over a slice must not move the tip; only a drag does.
   this->Pointer(x + 20, y + 7);
   this->Run(20);
   this->ExpectTip(begin);
@@ -281,7 +281,8 @@ TEST_F(SliceViewTest, DragsWindowAndLevelAsTheStyleForImagesDoes)
   const double position[3] = { this->Renderer->GetActiveCamera()->GetPosition()[0],
     this->Renderer->GetActiveCamera()->GetPosition()[1],
     this->Renderer->GetActiveCamera()->GetPosition()[2] };
-  // A drag by the slice's width or height changes the window or the level by four windows.
+  // A drag over the slice's width or height changes the window or the level by four times the
+  // window.
   this->Pointer(x, y, vtkCommand::RightButtonPressEvent);
   this->Pointer(x + 10, y + 5);
   this->Pointer(x + 10, y + 5, vtkCommand::RightButtonReleaseEvent);
@@ -309,7 +310,7 @@ TEST_F(SliceViewTest, AKeyGivesTheSceneItsRoomBack)
   EXPECT_EQ(this->Renderer->GetViewport()[2], 1.0);
   EXPECT_EQ(this->View->FindSlice(200, 100), -1);
   this->Press("s", vtkCommand::KeyReleaseEvent);
-  this->Run(30); // waits, so that the next press is no repetition of a held key
+  this->Run(30); // waits, so that the next press is not a held key's repetition
   this->Press("s");
   this->Window->Render();
   EXPECT_EQ(this->Renderer->GetViewport()[2], 0.5);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests that the picture of a carved volume equals VTK's picture of an image from which the tissue
- * was removed.
+ * Tests that rendering a carved volume equals VTK's rendering of an image from which the tissue was
+ * removed.
  */
 
 #include "VTK/Scene/Volumes/CarvedPicture.h"
@@ -64,7 +64,7 @@ public:
     array.Air = air;
     this->Picture = std::make_unique<CarvedPicture>(this->Scene.Mapper, array);
   }
-  /// Draws as many frames as the picture asks for. Returns the last frame.
+  /// Draws as many frames as the picture requests. Returns the last frame.
   std::vector<int> Follow()
   {
     std::vector<int> drawn;
@@ -90,7 +90,7 @@ public:
     const auto bytes = static_cast<std::size_t>(now->GetNumberOfValues() * now->GetDataTypeSize());
     EXPECT_EQ(std::memcmp(now->GetVoidPointer(0), before->GetVoidPointer(0), bytes), 0);
   }
-  /// Checks the picture through removals, uploads, other looks, other windows, and the return of
+  /// Checks the picture through removals, uploads, changes of opacity and window, and the return of
   /// tissue.
   void CheckAll(bool hasTexture = true)
   {
@@ -121,11 +121,11 @@ public:
     EXPECT_FALSE(this->Picture->Update());
     EXPECT_EQ(this->Image->GetMTime(), time);
     this->ExpectUntouched();
-    // VTK must upload a modified image anew.
+    // VTK must upload a modified image again.
     this->Image->Modified();
     this->Picture->Update();
     EXPECT_LE(Difference(this->Scene.Draw(), this->DrawReference()), MostDifference);
-    // A volume without shading needs another shader.
+    // A volume without shading uses another shader.
     this->Scene.Volume->GetProperty()->ShadeOff();
     this->Reference.Volume->GetProperty()->ShadeOff();
     this->Burr.At(16.0, 12.0, 26.0, 5.0);
@@ -133,12 +133,12 @@ public:
     EXPECT_LE(Difference(this->Scene.Draw(), this->DrawReference()), MostDifference);
     this->Scene.Volume->GetProperty()->ShadeOn();
     this->Reference.Volume->GetProperty()->ShadeOn();
-    // The volume moves to another window, which then loses its OpenGL objects.
+    // The volume moves to another window, which later loses its OpenGL objects.
     this->Scene.Open();
     EXPECT_LE(Difference(this->Follow(), this->DrawReference()), MostDifference);
     this->Scene.Window->Finalize();
     EXPECT_LE(Difference(this->Follow(), this->DrawReference()), MostDifference);
-    // Removed tissue returns.
+    // Restore the removed tissue.
     this->Burr.Reset();
     EXPECT_TRUE(this->Picture->Update());
     EXPECT_LE(Difference(this->Scene.Draw(), whole), MostDifference);
@@ -264,7 +264,7 @@ TEST(CarvedPicture, OfATextureInBlocksIsACopy)
     rig.Picture->IsCopy(vtkImageData::SafeDownCast(rig.Scene.Mapper->GetInputDataObject(0, 0))));
 }
 
-/// A texture can't hold values beyond the range of the image. No sample of this image is as low as
+/// A texture can't represent values beyond the image's range. No sample of this image is as low as
 /// the air of -1000, so the picture must be a copy.
 TEST(CarvedPicture, WithAirBeyondTheRangeIsACopy)
 {
@@ -348,7 +348,7 @@ TEST(CarvedPicture, OfOneOfSeveralVolumesOfAMapper)
     EXPECT_GT(Difference(drawn, whole), LeastChange);
   }
   EXPECT_TRUE(rig.Picture->HasTexture());
-  // Once their OpenGL objects were released, VTK uploads all inputs in each rendering.
+  // After the release of their OpenGL objects, VTK uploads all inputs in each rendering.
   rig.Scene.Open();
   EXPECT_LE(Difference(rig.Follow(), drawReference()), MostDifference);
   rig.Picture = nullptr;
@@ -359,7 +359,7 @@ TEST(CarvedPicture, OfOneOfSeveralVolumesOfAMapper)
 TEST(CarvedPicture, LeavesTheStateOfOpenGL)
 {
   OfTexture rig(Byte);
-  // The last bricks hold tissue, although the image has only one sample of each row there.
+  // The last bricks contain tissue, although the image has only one sample of each row there.
   vtkDataArray* const array = rig.Image->GetPointData()->GetScalars();
   for (vtkIdType i = Size[0] - 1; i < array->GetNumberOfTuples(); i += Size[0])
   {
@@ -399,7 +399,8 @@ TEST(CarvedPicture, LeavesTheStateOfOpenGL)
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
-/// A picture that outlives its volume, or exists beside another picture, must leave nothing behind.
+/// A picture that outlives its volume, or exists beside another picture, must leave no changes
+/// behind.
 TEST(CarvedPicture, EndsBeforeOrAfterWhatItShows)
 {
   {

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests that the volumes of a scene that show an array also show what a tool has left of the array.
- */
+/** Tests that a scene's volumes that display an array also display what a tool has left of it. */
 
 #include "CarvedScene.h"
 #include "VTK/Scene/Volumes/CarvedPicture.h"
@@ -27,7 +25,7 @@ namespace
 class CarvedPicturesScene : public testing::Test
 {
 protected:
-  /// Draws as many frames as the pictures ask for. Returns the last frame.
+  /// Draws as many frames as the pictures request. Returns the last frame.
   std::vector<int> Follow(const std::vector<CarvedArray>& arrays)
   {
     std::vector<int> drawn;
@@ -59,7 +57,7 @@ protected:
 TEST_F(CarvedPicturesScene, ShowsItInAllVolumesOfTheWindow)
 {
   this->Scene.Mapper->SetInputDataObject(this->Image);
-  // Another mapper shows the same array beside the first volume.
+  // Another mapper displays the same array beside the first volume.
   vtkNew<vtkVolume> second;
   vtkNew<vtkFixedPointVolumeRayCastMapper> copied;
   copied->SetInputData(this->Image);
@@ -85,14 +83,14 @@ TEST_F(CarvedPicturesScene, ShowsItInAllVolumesOfTheWindow)
   }
   EXPECT_GT(differences[0], 20);
   EXPECT_GT(differences[1], 20);
-  // The mapper without a texture shows a copy, but GetImage() must return the application's image.
+  // The mapper without a texture uses a copy, but GetImage() must return the application's image.
   EXPECT_NE(copied->GetInput(), this->Image);
   EXPECT_EQ(this->Pictures.GetImage(copied), this->Image);
   EXPECT_EQ(this->Pictures.GetImage(this->Scene.Mapper), this->Image);
   EXPECT_EQ(
     this->Pictures.GetGivenInput(this->Scene.Mapper), this->Scene.Mapper->GetInputConnection(0, 0));
 
-  // The whole volume must be shown for the removal of another filter, and without a removal.
+  // With the removal of another filter, or without a removal, the whole volume must be displayed.
   CarvedArray other = this->MakeArray();
   other.Removal = std::make_shared<TissueRemoval>();
   EXPECT_LE(Difference(this->Follow({ other }), whole), 1);
@@ -111,7 +109,7 @@ TEST_F(CarvedPicturesScene, LeavesOtherVolumesAlone)
   this->Burr.At(28.0, 19.0, 30.0, 7.0);
   EXPECT_FALSE(this->Pictures.Update(this->Scene.Renderer, { this->MakeArray() }));
   EXPECT_EQ(Difference(this->Follow({ this->MakeArray() }), whole), 0);
-  // A mapper that gets the array later must show the removal, too.
+  // A mapper that receives the array later must also display the removal.
   this->Scene.Mapper->SetInputDataObject(this->Image);
   EXPECT_GT(Difference(this->Follow({ this->MakeArray() }), whole), 20);
   this->Scene.Mapper->SetInputDataObject(other);
@@ -124,8 +122,8 @@ TEST_F(CarvedPicturesScene, LeavesOtherVolumesAlone)
   EXPECT_LE(Difference(this->Scene.Draw(), whole), 1);
 }
 
-/// The volume shows a copy of the touched array, in which a part is hidden. Tissue must be removed
-/// from this copy, first by a texture and then in another copy.
+/// The volume displays a copy of the touched array, in which a part is hidden. Tissue must be
+/// removed from this copy, first with a texture and then in another copy.
 TEST_F(CarvedPicturesScene, ShowsItInAnArrayThatIsShownInstead)
 {
   const vtkSmartPointer<vtkImageData> other = MakeImage(VTK_UNSIGNED_CHAR, 1, 0.0, 250.0);
@@ -172,7 +170,7 @@ TEST_F(CarvedPicturesScene, ShowsItInAnArrayThatIsShownInstead)
   this->Follow({});
   EXPECT_EQ(copied->GetInput(), other);
 
-  // An array that stands for the array of another volume must stay whole, and so must an array of
+  // An array that replaces another volume's array must remain whole, and so must an array of
   // another size.
   shown->GetInformation()->Set(vtkHapticRemoval::TOUCHED_ARRAY(), shown);
   this->Burr.At(28.0, 19.0, 30.0, 7.0);
@@ -185,7 +183,7 @@ TEST_F(CarvedPicturesScene, ShowsItInAnArrayThatIsShownInstead)
 
 namespace
 {
-/// A picture of a mapper without a texture, which is in no window.
+/// A picture of a mapper without a texture, outside of any window.
 struct Undrawn
 {
   Undrawn(vtkImageData* image, const CarvedArray& array)
@@ -207,7 +205,7 @@ struct Undrawn
     for (vtkIdType i = 0; i < wanted->GetNumberOfValues(); ++i)
     {
       const double value = wanted->GetVariantValue(i).ToDouble();
-      // The picture may round doubles in another order.
+      // The picture may round doubles in a different order.
       isSame = isSame && std::abs(is->GetVariantValue(i).ToDouble() - value) <= 1e-12 * 300.0;
     }
     return isSame;
@@ -218,8 +216,8 @@ struct Undrawn
 };
 } // namespace
 
-/// Carved values must be rounded to the nearest value of the type. The air value of the last burr
-/// is beyond the range of small integers.
+/// Carved values must be rounded to the nearest value of the type. The last burr's air value is
+/// beyond the range of small integers.
 TEST_F(CarvedPicturesScene, HasTheValuesOfItsType)
 {
   for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
@@ -246,7 +244,7 @@ TEST_F(CarvedPicturesScene, HasTheValuesOfItsType)
   }
 }
 
-/// After another thread has carved, the picture must show the last change, whatever was drawn
+/// After another thread has carved, the picture must represent the last change, whatever was drawn
 /// before.
 TEST_F(CarvedPicturesScene, FollowsAnotherThread)
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Rig of scenes with carved volumes. In one scene, the module shows the removal; in the other, VTK
- * draws an image from which a loop over all samples has removed the tissue.
+ * Fixture with scenes of carved volumes. In one scene, the module displays the removal; in the
+ * other, VTK renders an image from which a loop over all samples has removed the tissue.
  */
 #ifndef CarvedScene_h
 #define CarvedScene_h
@@ -42,8 +42,8 @@ using namespace coretest;
 constexpr int Side = 80; ///< pixels
 constexpr std::int64_t Size[3] = { 41, 35, 38 };
 
-/// Makes a ball of high values. Its extent does not begin at 0, and two corners hold the ends of
-/// the range.
+/// Makes a ball of high values. Its extent does not begin at 0, and two corners have the smallest
+/// and the largest value.
 inline vtkSmartPointer<vtkImageData> MakeImage(int type, int components, double air, double tissue)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -77,8 +77,8 @@ inline vtkSmartPointer<vtkImageData> MakeImage(int type, int components, double 
   return image;
 }
 
-/// Makes the image with the values V' = V - (1 - rho) (V - V_air), where rho is the fraction of
-/// tissue that is left: FRONTIER 3.3.
+/// Makes the image with the values V' = V - (1 - rho) (V - V_air), where rho is the remaining
+/// fraction of tissue: FRONTIER 3.3.
 inline vtkSmartPointer<vtkImageData> MakeCarved(
   vtkImageData* image, const std::vector<std::uint8_t>& fractions, int component, double air)
 {
@@ -97,7 +97,7 @@ inline vtkSmartPointer<vtkImageData> MakeCarved(
   return carved;
 }
 
-/// Removes tissue at places of a burr (in voxels), by a loop over all samples.
+/// Removes tissue at positions of a burr (in voxels), with a loop over all samples.
 class Carving
 {
 public:
@@ -111,7 +111,7 @@ public:
     std::fill(this->Fractions.begin(), this->Fractions.end(), std::uint8_t{ 255 });
     this->Write();
   }
-  /// Writes the changed fractions to the bricks. The image begins at the sample `First`, as a
+  /// Writes the changed fractions to the bricks. The image starts at the sample `First`, as a
   /// region does.
   void Write()
   {
@@ -138,7 +138,7 @@ public:
     std::vector<std::uint8_t>(static_cast<std::size_t>(Size[0] * Size[1] * Size[2]), 255);
 };
 
-/// Sets a shaded look.
+/// Sets opacity, colours and shading of a volume.
 inline void SetLook(vtkVolumeProperty* property, int components, double air, double tissue)
 {
   for (int c = 0; c < components; ++c)
@@ -157,7 +157,7 @@ inline void SetLook(vtkVolumeProperty* property, int components, double air, dou
   property->ShadeOn();
 }
 
-/// Window that shows a volume with its own mapper and property.
+/// A window that displays a volume with its own mapper and property.
 class Shown
 {
 public:
@@ -174,7 +174,7 @@ public:
     }
     this->Open();
   }
-  /// Shows the volume in another window.
+  /// Displays the volume in another window.
   void Open()
   {
     if (this->Renderer)
@@ -215,7 +215,7 @@ public:
   vtkSmartPointer<vtkRenderWindow> Window;
 };
 
-/// Returns the largest difference (grey levels) of two pictures.
+/// Returns the largest difference (grey levels) between two pictures.
 inline int Difference(const std::vector<int>& a, const std::vector<int>& b)
 {
   int most = a.size() == b.size() ? 0 : 256;

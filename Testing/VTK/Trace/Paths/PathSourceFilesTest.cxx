@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests paths from files, and settings that make no path.
- */
+/** Tests paths from files, and settings that result in no path. */
 
 #include "Rigs/ApiRig.h"
 #include "Rigs/TemporaryFolder.h"
@@ -58,7 +56,7 @@ TEST_F(PathSourceFiles, TablesHaveTheirPositionsUnderAnyOfThreeTitles)
   for (const char* const head :
     { "x,y,z", "Points:0,Points:1,Points:2", "Tip x (world),Tip y (world),Tip z (world)" })
   {
-    // The last line has no line end.
+    // The last line is not terminated.
     this->WriteCsv(std::string("Time (s),") + head + "\n0.5,1,2,3\n0.75,4,5,6");
     vtkPolyData* const path = this->Read(this->Csv.c_str());
     ASSERT_EQ(path->GetNumberOfPoints(), 2) << head;
@@ -97,8 +95,8 @@ TEST_F(PathSourceFiles, FilesThatAreNoPathAreNamed)
   this->ExpectError({ "path-source.csv", "backwards", "tick 1" });
 }
 
-/// The settings name the recording's labels. Without them, a recording would be felt with any
-/// labels, so unreadable settings must be an error.
+/// The settings specify the recording's labels. Without them, a recording would be replayed with
+/// any labels, so unreadable settings must cause an error.
 TEST_F(PathSourceFiles, SettingsBesideARecordingThatAreNoJsonAreNamed)
 {
   this->WriteCsv("x,y,z\n1,2,3\n4,5,6\n");

@@ -73,7 +73,8 @@ TEST_F(PathSource, LineGoesFromEndToEnd)
   this->ExpectAt(250, { -25, 0, 0 });
   this->ExpectAt(1000, { 50, 0, 0 });
   this->Source->SetSpeed(30.0);
-  // Steps are slightly shorter than at 30 mm/s, so that the last step ends at the end of the line.
+  // Steps are slightly shorter than at 30 mm/s, so that the last step ends exactly at the end of
+  // the line.
   EXPECT_EQ(this->Run(100.0, 1e-9)->GetNumberOfPoints(), 3335);
 }
 
@@ -91,7 +92,7 @@ TEST_F(PathSource, CircleStaysAtItsRadiusInItsPlane)
     EXPECT_NEAR(std::hypot(x[0] - 1, x[1] - 2, x[2] - 3), 20.0, 1e-9);
   }
   this->ExpectAt(0, { 21, 2, 3 });
-  this->ExpectAt(this->Last(), { -19, 2, 3 }); // at half a turn beyond the start
+  this->ExpectAt(this->Last(), { -19, 2, 3 }); // half a turn beyond the start
 }
 
 TEST_F(PathSource, SpiralGoesOutEvenlyWithItsTurns)
