@@ -20,7 +20,7 @@ namespace benchmarks
 struct IterationTime
 {
   double Median; ///< median time of the repetitions
-  double Least; ///< shortest time, with the least interference by other work
+  double Least;  ///< shortest time, with the least interference by other work
 };
 
 /** Returns the median and the shortest of at least one time (ns). Sorts the times. */

@@ -24,7 +24,7 @@ struct LoopCounts
   enum Cause
   {
     Computed, ///< the thread computed for longer than a period
-    Waited, ///< the thread waited for something other than its next tick, such as a lock or the
+    Waited,   ///< the thread waited for something other than its next tick, such as a lock or the
               ///< disk
     Machine,  ///< the thread was ready to run, but the machine did not run it
     Causes
@@ -52,7 +52,7 @@ private:
   /** Resources that the loop's thread has used since its start. */
   struct Usage
   {
-    std::int64_t Work = 0; ///< ns, processor time of this thread
+    std::int64_t Work = 0;  ///< ns, processor time of this thread
     std::int64_t Waits = 0; ///< number of waits: one per tick, plus those for other reasons
     std::int64_t Reads = 0; ///< number of pages read from the disk
   };

@@ -33,7 +33,7 @@ constexpr const char* SmoothedMesh = "SURFACE_PROXY, of smoothed data";
 enum class Data
 {
   AsIs,
-  Filtered, ///< the volume after noise filtering
+  Filtered,  ///< the volume after noise filtering
   SmoothMesh ///< isosurface of the volume after the kernel's smoothing
 };
 

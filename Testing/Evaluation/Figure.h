@@ -48,7 +48,7 @@ struct Curve
   std::string Name;
   std::vector<double> X;
   std::vector<double> Y;
-  int Colour = -1; ///< index in the plots' palette; a negative number selects the next colour
+  int Colour = -1;       ///< index in the plots' palette; a negative number selects the next colour
   bool IsMarked = false; ///< only points, no line
   float Width = 2.0f;
 };

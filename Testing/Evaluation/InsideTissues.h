@@ -26,7 +26,7 @@ struct TissueBand
   double High = 0.0;
   std::set<int> Labels; ///< labels in the segmentation; unused without a segmentation
   double Length = 25.0; ///< mm, of a stroke
-  double Margin = 3.0; ///< mm around a stroke that must also belong to the tissue
+  double Margin = 3.0;  ///< mm around a stroke that must also belong to the tissue
 };
 
 /** A scan, with a segmentation of the same voxels if available. */

@@ -47,7 +47,7 @@ struct Differences
 {
   std::vector<double> Newtons;     ///< N, between the magnitudes of the forces
   std::vector<double> Percent;     ///< %, relative to the reference's force
-  std::vector<double> Sliding; ///< %, only in ticks in which the strokes slide
+  std::vector<double> Sliding;     ///< %, only in ticks in which the strokes slide
   std::vector<double> Degrees;     ///< between the forces; 180 if one is 0
   std::vector<double> Millimeters; ///< mm, between the proxies
   std::vector<double> Stiffness;   ///< %, between the forces' slopes while a stroke presses

@@ -223,7 +223,7 @@ private:
 
   const MovingCase& Case;
   const bool IsSpline;
-  const double OwnVariance; ///< variance of the levels that support the proxy
+  const double OwnVariance;   ///< variance of the levels that support the proxy
   const double ValueVariance; ///< of V
 };
 

@@ -28,7 +28,7 @@ constexpr double Safety = 6.0;     // mm
 constexpr double AirValue = -300.0;
 constexpr double BoneValue = 200.0;
 constexpr double AirGap = 15.0; // mm of air that count as the end of the body
-constexpr double Same = 0.01; // N: largest difference that counts as none
+constexpr double Same = 0.01;   // N: largest difference that counts as none
 
 /** Reads the nearest voxel of an image. */
 class Voxels

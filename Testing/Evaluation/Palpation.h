@@ -27,7 +27,7 @@ struct Spot
 {
   Vector3 Surface;    ///< mm
   Vector3 Inward;     ///< unit
-  Vector3 Along; ///< unit vector, perpendicular to Inward
+  Vector3 Along;      ///< unit vector, perpendicular to Inward
   double Above = 0.0; ///< mm outside of the surface: start of the hand
 };
 

@@ -17,11 +17,11 @@ namespace
 {
 constexpr double Far = 40.0;          // mm: path through air
 constexpr double Deep = 5.0;          // mm, but at least LeastVoxels
-constexpr double LeastVoxels = 3.0; // voxels: reaches two voxels behind a surface
+constexpr double LeastVoxels = 3.0;   // voxels: reaches two voxels behind a surface
 constexpr double PressStep = 0.1;     // mm per tick
 constexpr double LeastCosine = 0.707; // between a ray and the normal
 constexpr double RayStep = 0.25;      // voxels
-constexpr double Persistence = 0.75; // voxels: least thickness of a surface
+constexpr double Persistence = 0.75;  // voxels: least thickness of a surface
 constexpr double FarAstray = 2.0;     // voxels
 constexpr double LeastBehind = 0.25;  // mm behind an edge: FeltForce of a spring of 400 N/m
 
@@ -316,7 +316,7 @@ Steps WalkAtRandom(const PressedVolume& pressed, int walks, double stiffest)
   constexpr int length = 3000;     // ticks at full speed
   constexpr double usual = 400.0;  // N/m
   constexpr double release = 0.25; // N
-  constexpr double noLeap = 0.02; // N, beyond the change by the step (Documentation/method.md)
+  constexpr double noLeap = 0.02;  // N, beyond the change by the step (Documentation/method.md)
   const double pace = std::min(1.0, usual / std::max(stiffest, 1.0));
   Steps found;
   const auto& b = pressed.Box;

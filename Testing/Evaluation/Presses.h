@@ -40,7 +40,7 @@ struct PressedVolume
   std::shared_ptr<const VolumeHaptics::HapticModel> Structures;
   /** The values of Shape without structures above HeldLevel that are as small as noise. */
   std::shared_ptr<const VolumeHaptics::HapticModel> Held;
-  double Level = 0.0; ///< value of the surface; higher values are inside
+  double Level = 0.0;     ///< value of the surface; higher values are inside
   double HeldLevel = 0.0; ///< least value whose material resists with FeltForce
   double Scale = 1.0;     ///< mm in the hand's space per world unit
   std::array<double, 6> Box{};
@@ -54,9 +54,9 @@ struct PressedVolume
 struct Presses
 {
   int Count = 0;
-  int Unfelt = 0; ///< force below 0.1 N down to 5 mm under the surface
-  int UnfeltThoughSeen = 0; ///< unfelt, but visible within 2 voxels behind the surface
-  int UnfeltBehindEdge = 0; ///< unfelt, although 0.25 mm behind the middle of an edge
+  int Unfelt = 0;                 ///< force below 0.1 N down to 5 mm under the surface
+  int UnfeltThoughSeen = 0;       ///< unfelt, but visible within 2 voxels behind the surface
+  int UnfeltBehindEdge = 0;       ///< unfelt, although 0.25 mm behind the middle of an edge
   std::vector<double> OffSurface; ///< voxels from the isosurface to the felt place, inwards
   int Astray = 0; ///< felt more than 2 voxels from the isosurface of Level of any structure
   /// presses among Astray that are also more than 2 voxels from the isosurface of HeldLevel
@@ -64,7 +64,7 @@ struct Presses
   /// voxels along the ray from the felt place to half of the opacity
   std::vector<double> OffSeen;
   std::vector<double> OffSeenStraight; ///< OffSeen where the seen surface is also within 45 degrees
-  std::vector<double> OffSeenTouched; ///< voxels from the first 0.01 N to half of the opacity
+  std::vector<double> OffSeenTouched;  ///< voxels from the first 0.01 N to half of the opacity
   double LargestStep = 0.0;            ///< N: largest change of the force between two ticks
 };
 

@@ -21,7 +21,7 @@ struct VolumePlaces
   std::string Head;   ///< file
   std::string Chest;  ///< folder, as for ReadChest()
   std::string Others; ///< folder that get_real_volumes of Data/scans.sh fills
-  std::string Only; ///< part of the names ("volume, preset") of the lines to measure
+  std::string Only;   ///< part of the names ("volume, preset") of the lines to measure
 };
 
 /**

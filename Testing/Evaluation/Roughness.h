@@ -24,7 +24,7 @@ struct Roughness
   double Low = 0.0;         ///< root mean square between 30 and 100 Hz, % of the mean
   double High = 0.0;        ///< root mean square between 100 and 500 Hz, % of the mean
   double Both = 0.0;        ///< root mean square between 30 and 500 Hz, % of the mean
-  int Drops = 0; ///< falls by more than 30 % within 5 ms
+  int Drops = 0;            ///< falls by more than 30 % within 5 ms
   int Reversals = 0;        ///< rises after falls, each by more than 5 % of the mean
   double LargestStep = 0.0; ///< N, from one tick to the next
 };

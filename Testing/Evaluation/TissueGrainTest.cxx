@@ -51,7 +51,7 @@ struct GrainOf
   const char* Tissue;
   double Mean;
   double Deviation;
-  bool IsFelt = true; ///< whether the tissue's drag is more than 0.05 N
+  bool IsFelt = true;  ///< whether the tissue's drag is more than 0.05 N
   double Septum = 0.0; ///< depth of septa across x, HU; negative for vessels
 };
 

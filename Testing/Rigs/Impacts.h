@@ -50,7 +50,7 @@ struct Loop
   double Tick = Period;      ///< s
   std::size_t Delay = 0;     ///< ticks until a force of the stage acts
   int Every = 1;             ///< ticks between measured tips
-  double Stiffness = 0.0; ///< N/m, stiffness that is reported to the stage
+  double Stiffness = 0.0;    ///< N/m, stiffness that is reported to the stage
   double LargestGrowth = 0.0;
 
   /// Moves the body until it has touched the wall and is free again. Returns the energy (J) with

@@ -36,9 +36,9 @@ struct StageRules
   bool Clamp = false;
   bool Slew = false;
   bool Ramp = false;  ///< arms the gate again at random moments during a press
-  bool Fade = false; ///< varies the opening for missing data, as if data came and went
-  bool Hold = false; ///< holds and releases the force at random, as an application may
-  bool Gap = false; ///< leaves out samples, and stalls the loop
+  bool Fade = false;  ///< varies the opening for missing data, as if data came and went
+  bool Hold = false;  ///< holds and releases the force at random, as an application may
+  bool Gap = false;   ///< leaves out samples, and stalls the loop
   bool Trip = false;  ///< causes faults, disarming, fades and clutching, and arms again later
   bool Speed = false; ///< limits the speed of the tip, and arms again after each fault
 };
@@ -268,7 +268,7 @@ private:
   double Start = 0.0; ///< m, where the wall begins
   double Residency = 1.0;
   bool IsHeld = false;
-  int Silence = 0; ///< number of coming ticks without samples
+  int Silence = 0;  ///< number of coming ticks without samples
   int Standing = 0; ///< number of coming ticks in which the loop stalls
   double Given = 0.0;
   double Leak = 0.0;

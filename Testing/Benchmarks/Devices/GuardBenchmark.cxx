@@ -53,7 +53,7 @@ public:
 struct Figures
 {
   double Median = 0.0;  ///< us, from a force to its sample
-  double Late = 0.0; ///< us, 99th percentile of the time from a force to its sample
+  double Late = 0.0;    ///< us, 99th percentile of the time from a force to its sample
   double Call = 0.0;    ///< us, median duration of the servo's call of Write()
   std::size_t Lost = 0; ///< number of forces without an answer within a period
 };

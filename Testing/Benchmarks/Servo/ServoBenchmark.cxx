@@ -59,7 +59,7 @@ public:
       const sched_param none{};
       pthread_setschedparam(pthread_self(), SCHED_OTHER, &none); // also resets the slack
                                                                  // slice
-      prctl(PR_SET_TIMERSLACK, 0UL); // restores the default timer slack
+      prctl(PR_SET_TIMERSLACK, 0UL);                             // restores the default timer slack
     }
     const double phase = 0.02 * static_cast<double>(this->Tick++);
     sample.Tip = { 0.012 + 0.005 * std::sin(phase), 0.012, 0.012 + 0.002 * std::sin(0.1 * phase) };

@@ -124,7 +124,7 @@ TEST_F(Proposal, SurfacesAreFelt)
   filter->Update();
   vtkPolyData* const trace = filter->GetOutput();
   double before = 0.0; // force at the outer ball
-  double after = 0.0; // force at the inner ball: the tip ends 10 mm inside, where 500 N/m give 5 N
+  double after = 0.0;  // force at the inner ball: the tip ends 10 mm inside, where 500 N/m give 5 N
   for (vtkIdType i = 0; i < trace->GetNumberOfPoints(); ++i)
   {
     const double force = -apitest::Get(trace, "Force", i, 2);

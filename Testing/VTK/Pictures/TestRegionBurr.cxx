@@ -73,7 +73,7 @@ struct BurrScene
     this->Source->SetWholeExtent(0, LastSample, 0, LastSample, 0, LastSample);
     this->Source->SetScalarType(VTK_FLOAT);
     this->Source->SetMemoryLimit(2097152); // results in regions of about 50^3 samples
-    this->Source->SetMaximumSpeed(0.0); // makes regions independent of the reading time
+    this->Source->SetMaximumSpeed(0.0);    // makes regions independent of the reading time
     this->Source->SetReader(
       [hole](const int extent[6], void* samples) { return FillBlock(extent, samples, hole); });
     this->Source->SetOrigin(5.0, -3.0, 2.0);

@@ -180,7 +180,7 @@ TEST_F(StyleCompare, SettingsThatCantBeFeltStayAway)
   this->Press("y");
   this->Filter->SetMethodToSurfaceProxy();
   this->Filter->SetIsoValue(1e9); // no sample has this value, so no surface exists
-  this->Style->UpdateHaptics(); // the servo keeps the previous model
+  this->Style->UpdateHaptics();   // the servo keeps the previous model
   this->Press("y");
   EXPECT_EQ(this->Style->GetComparedSettings(), "A");
   EXPECT_EQ(this->Filter->GetMethod(), vtkVolumeHapticsFilter::PROXY);

@@ -20,7 +20,7 @@ class StyleMethod : public StyleTest
 protected:
   StyleMethod()
   {
-    this->Filter->SetForceFieldGain(0.01); // with the ball's gradient of 100 per millimetre, results in 1 N
+    this->Filter->SetForceFieldGain(0.01); // 1 N at the ball's gradient of 100 per mm
     this->Display->SetDevice(this->Device);
     this->Style->SetHeadUpDisplay(this->Display);
   }

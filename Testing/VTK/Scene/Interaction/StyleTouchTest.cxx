@@ -92,7 +92,7 @@ TEST_F(StyleTest, MovesFinelyInDepthAndPressesTheButton)
   ASSERT_TRUE(this->Device->Open("virtual"));
   ASSERT_TRUE(this->Device->Start());
   this->Style->SetDepthStep(0.5);
-  this->Pointer(10, 10); // the pointer is beside the ball, so the tip moves to the plane of the focal point
+  this->Pointer(10, 10); // beside the ball, so the tip moves to the focal plane
   this->Style->TouchModeOn();
   this->Run(20);
   EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[0], -28.0, 0.2);
