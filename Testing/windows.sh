@@ -7,9 +7,9 @@
 #
 #   Testing/windows.sh FOLDER
 #
-# FOLDER receives what is built. Needs Debian's packages cmake, ninja-build, g++-mingw-w64-x86-64-posix, wine64,
-# googletest, libboost-dev, nlohmann-json3-dev and pkg-config, and builds libusb and hidapi from Debian's source packages.
-# The mathematics and the devices are built, with their tests; what uses VTK is not.
+# FOLDER receives the build. Needs Debian's packages cmake, ninja-build, g++-mingw-w64-x86-64-posix, wine64, googletest,
+# libboost-dev, nlohmann-json3-dev and pkg-config, and builds libusb and hidapi from Debian's source packages. The
+# mathematics and the devices are built, with their tests; what uses VTK is not.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -83,7 +83,7 @@ struct BurrSlide
   BurrRecord Record;
   const Positions Ways;
   std::size_t Step = 0;
-  double Removed = 0.0; ///< mm^3
+  double Removed = 0.0; ///< mm^3 of removed tissue
 };
 
 void MeasureBurr(benchmark::State& bench, const BallVolume* volume, const BurrChoice* burr)

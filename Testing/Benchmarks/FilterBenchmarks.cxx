@@ -35,7 +35,7 @@ constexpr int Ticks = 100000;
 /** Returns a path into the ball, followed by several rounds along its surface. */
 std::vector<Vector3> SlideFor(const BallVolume& volume, int ticks)
 {
-  constexpr int approach = 100; // ticks
+  constexpr int approach = 100; // ticks before contact
   const Positions tips = SlideAt(volume, BallRadius - Depth);
   const Positions above = SlideAt(volume, BallRadius + Depth);
   Cycle cycle(tips);

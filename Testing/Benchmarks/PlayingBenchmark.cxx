@@ -35,8 +35,8 @@ constexpr double FramesPerSecond = 20.0;
  * affects all rows equally.
  */
 constexpr int Turns = 8;
-constexpr double Turn = 1.0;     // s
-constexpr double Settling = 0.3; // s, after Start()
+constexpr double Turn = 1.0;     // s, duration of a turn
+constexpr double Settling = 0.3; // s, pause after Start()
 /** Pause of a GUI that draws 60 frames per second. */
 constexpr auto Pause = std::chrono::milliseconds(16);
 
@@ -70,7 +70,7 @@ struct Row
   const char* Name;
   LoopCounts Counts;
   double Longest = 0.0;   ///< ms: longest work of the GUI thread
-  double Strongest = 0.0; ///< N: largest force
+  double Strongest = 0.0; ///< N, largest force in all turns
   int Waits = 0;
   int Looks = 0;
   int Shown = 0;

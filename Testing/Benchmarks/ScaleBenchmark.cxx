@@ -31,7 +31,7 @@ namespace benchmarks
 {
 namespace
 {
-constexpr double LongestBlock = 50.0; // ms
+constexpr double LongestBlock = 50.0; // ms, limit for each call
 /** Not limited, because this call waits for work that BeginProposal() does in the background. */
 constexpr const char* WithoutHand = "without a hand: ProposeFromImage()";
 constexpr double MebiBytes = 1.0 / (1 << 20);

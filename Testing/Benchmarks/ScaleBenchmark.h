@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How long each call of an application keeps its thread busy while a volume of any size is felt.
+ * Measures how long each call blocks an application's thread while a hand touches a volume, as a
+ * function of the volume's size.
  */
 #ifndef ScaleBenchmark_h
 #define ScaleBenchmark_h

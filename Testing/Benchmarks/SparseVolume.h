@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Makes a cubic int16 image in a memory-mapped file that is almost all hole. A volume of any size
- * takes neither memory nor disk space until its samples are read. The mapping ends with its array.
+ * Makes a cubic int16 image in a memory-mapped sparse file. A volume of any size takes neither
+ * memory nor disk space until its samples are read. The mapping ends with its array.
  */
 #ifndef SparseVolume_h
 #define SparseVolume_h

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Watches the servo's loop with a hand at rest, from the loop's own thread: how late ticks are, and
- * why.
+ * Observes the servo's loop with a resting hand, from the loop's own thread: how late ticks are,
+ * and why.
  */
 #ifndef WatchedHand_h
 #define WatchedHand_h

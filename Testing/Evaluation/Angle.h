@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The direction of a force.
+ * Measures the error of the force's direction.
  */
 #ifndef Evaluation_Angle_h
 #define Evaluation_Angle_h

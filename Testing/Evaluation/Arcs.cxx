@@ -17,14 +17,14 @@ namespace
 {
 constexpr double TickStep = 0.05;  // mm per tick: 50 mm/s
 constexpr double Smoothing = 5.0;  // mm: scale of the smoothing of an arc's course
-constexpr double Backing = 4.0;    // mm
-constexpr double Clearance = 2.0;  // mm
+constexpr double Backing = 4.0;    // mm of tissue behind a surface
+constexpr double Clearance = 2.0;  // mm of air behind a surface, seen from inside
 constexpr double Leap = 0.5;       // mm: largest distance between neighbours of an arc
-constexpr double Shortest = 30.0;  // mm
+constexpr double Shortest = 30.0;  // mm, shorter arcs are discarded
 constexpr double Above = 10.0;     // mm above the surface: start of the hand
-constexpr double SearchStep = 0.5; // mm
+constexpr double SearchStep = 0.5; // mm, along a ray
 
-using ValueAt = std::function<double(double)>; // by radius
+using ValueAt = std::function<double(double)>; // value by radius (mm)
 
 /** Returns the distance (mm) from a position in a box to the box's border along a ray. */
 double ComputeReach(const Vector3& from, const Vector3& way, const double* box)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file Measures where the default settings hold a hand on a bumpy ball, whose true surface is
- * known.
+ * @file Measures where the default settings place the surface of a bumpy ball, whose true surface
+ * is known.
  *
  * The value is 100 (1 + tanh((90 + 2 sin(x/5) cos(y/6) - r) / 2)) at a distance r from the middle,
  * in voxels of 1 mm. The true surface has the value 100, where the edge is steepest.

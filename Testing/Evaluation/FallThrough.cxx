@@ -10,7 +10,7 @@ namespace evaluation
 namespace
 {
 constexpr double Height = 1000.0;
-constexpr double Blur = 1.0;    // voxels, of 1 mm
+constexpr double Blur = 1.0;    // mm, scale of the wall's edge
 constexpr double Fastest = 3.0; // mm per tick, which is 3 m/s
 
 /**

@@ -25,7 +25,7 @@ namespace
 using Filter = vtkVolumeHapticsFilter;
 
 constexpr std::size_t Window = 5; // ticks during which a force must fall to count as a drop
-constexpr double LongMove = 0.3;  // mm in one tick
+constexpr double LongMove = 0.3;  // mm in one tick: a jump of the proxy
 
 constexpr const char* ByDefault = "PRECISE";
 constexpr const char* SmoothedMesh = "SURFACE_PROXY, of smoothed data";

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file Measures how smooth the surfaces of real scans feel, and what makes them rough.
+ * @file Measures how smooth the surfaces of real scans feel, and which causes make them rough.
  */
 #ifndef Evaluation_Feel_h
 #define Evaluation_Feel_h

@@ -20,9 +20,9 @@ namespace evaluation
 {
 namespace
 {
-constexpr double Blur = 1.0;             // mm
+constexpr double Blur = 1.0;             // mm, scale of the smoothing
 constexpr double StrokeStep = 0.045;     // mm per tick
-constexpr double LookStep = 1.0;         // mm
+constexpr double LookStep = 1.0;         // mm, along a stroke
 constexpr std::size_t SkippedTicks = 60; // ticks until the drag has built up
 constexpr int MostAttempts = 2000000;
 

@@ -14,7 +14,7 @@ namespace
 {
 constexpr double Stiffness = 500.0; // N/m
 constexpr double Frictions[] = { 0.0, 0.3 };
-constexpr double MostDrawn = 20.0; // %
+constexpr double MostDrawn = 20.0; // %, right end of the curves
 
 double AngleBetween(const Vector3& a, const Vector3& b)
 {

@@ -23,8 +23,8 @@ struct Thresholds
   double Lower;
   double Upper;
 };
-constexpr Thresholds ForceThresholds{ 7.0, 10.0 };     // %
-constexpr Thresholds StiffnessThresholds{ 8.0, 22.0 }; // %
+constexpr Thresholds ForceThresholds{ 7.0, 10.0 };     // %, lowest and highest published threshold
+constexpr Thresholds StiffnessThresholds{ 8.0, 22.0 }; // %, lowest and highest published threshold
 constexpr double DirectionThreshold = 25.0;            // degrees
 /**
  * Least force (N) of the reference in a tick that is compared. With less force, the hand does not

@@ -21,8 +21,8 @@ namespace
 constexpr double Length = 12.0;        // mm, of a stroke
 constexpr double Step = 0.1;           // mm per tick
 constexpr double PressStep = 0.02;     // mm per tick
-constexpr double Depth = 1.5;          // mm
-constexpr double LeastGradient = 40.0; // per mm
+constexpr double Depth = 1.5;          // mm below the surface
+constexpr double LeastGradient = 40.0; // HU/mm, limit for distinct surfaces
 constexpr double LongestJump = 0.5;    // mm of depth from one tick to the next
 
 using Value = std::function<double(const Vector3&)>;

@@ -15,13 +15,13 @@ namespace evaluation
 namespace
 {
 constexpr double Height = 1000.0;
-constexpr double Blur = 1.5;       // mm
-constexpr double Depth = 1.5;      // mm
+constexpr double Blur = 1.5;       // mm, scale of the edges
+constexpr double Depth = 1.5;      // mm below the surface
 constexpr double PressStep = 0.02; // mm per tick
 constexpr double SlideStep = 0.1;  // mm per tick
 constexpr double Radius = 20.0;    // mm, of ball and cavity
-constexpr double HalfWidth = 14.0; // mm, of the bar
-constexpr double Rounding = 4.0;   // mm, of its edges
+constexpr double HalfWidth = 14.0; // mm, half of the bar's width
+constexpr double Rounding = 4.0;   // mm, radius of the bar's edges
 
 Stroke PressAt(const Vector3& start, const Vector3& outward)
 {

@@ -39,11 +39,11 @@ namespace
 {
 constexpr double WallStiffness = 500.0; // N/m
 constexpr double WallHeight = 1000.0;
-constexpr double WallBlur = 1.5;      // mm
-constexpr double BallMean = 20.0;     // mm
+constexpr double WallBlur = 1.5;      // mm, scale of the wall's edge
+constexpr double BallMean = 20.0;     // mm, mean radius
 constexpr double BallDepth = 1.0;     // mm, depth of the tip
-constexpr double BallAmplitude = 2.0; // mm
-constexpr double LeapLength = 9.0;    // mm
+constexpr double BallAmplitude = 2.0; // mm, amplitude of the radius
+constexpr double LeapLength = 9.0;    // mm, of a jump per time step
 constexpr double WallSpeed = 10.0;    // mm/s, of an approaching wall
 /**
  * Kernel radius (voxels). An edge begins where V is the mean of the interpolated values at this
@@ -51,7 +51,7 @@ constexpr double WallSpeed = 10.0;    // mm/s, of an approaching wall
  * below, which shifts the surface by up to 0.025 voxel; with 3 voxels, by 0.01.
  */
 constexpr int WallRadius = 3;
-constexpr double WallTick = 1e-3; // s
+constexpr double WallTick = 1e-3; // s, duration of a tick
 
 /// mm: displacement of the surface, outwards
 using Motion = std::function<double(double time)>;
@@ -66,11 +66,11 @@ struct MovingCase
 {
   const char* Name;
   double Curvature;     ///< mm, radius of the surface
-  double FramePeriod;   ///< s
-  double Strength;      ///< N
+  double FramePeriod;   ///< s between time steps
+  double Strength;      ///< N, surface strength
   bool HasDisplacement; ///< whether the time steps have displacements
   double Drag;          ///< N, drag of the medium
-  double End;           ///< s
+  double End;           ///< s, end of the comparison
   Motion Surface;
   /** Force (N), without the field's blur and the blend of the time steps. */
   std::function<double(double time)> Force;
@@ -224,7 +224,7 @@ private:
   const MovingCase& Case;
   const bool IsSpline;
   const double OwnVariance;   ///< variance of the levels that support the proxy
-  const double ValueVariance; ///< of V
+  const double ValueVariance; ///< square voxels, of the interpolation of V
 };
 
 HapticModelDescription DescribeMoving(const Candidate& candidate, const MovingCase& c)
@@ -427,7 +427,7 @@ double MeasureEnergyGiven(const Candidate& candidate)
   TickRecord record;
   Vector3 tip = OddCentre;
   Tick(model, state, 1e-3 * tip, record);
-  double given = 0.0; // J
+  double given = 0.0; // J that the hand has gained
   double walls = 0.0;
   double exchanged = 0.0;
   double most = 0.0;

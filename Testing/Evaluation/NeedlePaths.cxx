@@ -21,10 +21,10 @@ namespace evaluation
 namespace
 {
 constexpr double TickStep = 0.1;   // mm per tick: 0.1 m/s
-constexpr double SearchStep = 1.0; // mm
+constexpr double SearchStep = 1.0; // mm between tests along a path
 constexpr double Outside = 5.0;    // mm outside of the skin: start of the needle
-constexpr double Longest = 150.0;  // mm
-constexpr double Safety = 6.0;     // mm
+constexpr double Longest = 150.0;  // mm, largest length of a path
+constexpr double Safety = 6.0;     // mm, distance to bone
 constexpr double AirValue = -300.0;
 constexpr double BoneValue = 200.0;
 constexpr double AirGap = 15.0; // mm of air that count as the end of the body

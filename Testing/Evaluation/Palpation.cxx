@@ -19,17 +19,17 @@ namespace evaluation
 namespace
 {
 constexpr double TickStep = 0.05;   // mm per tick
-constexpr double Wanted = 1.0;      // N, under constant force
-constexpr double WantedDepth = 2.0; // mm, at constant depth
-constexpr double Deepest = 10.0;    // mm
-constexpr double Hardest = 4.0;     // N
+constexpr double Wanted = 1.0;      // N, intended force
+constexpr double WantedDepth = 2.0; // mm, intended depth
+constexpr double Deepest = 10.0;    // mm, largest depth
+constexpr double Hardest = 4.0;     // N, largest force of a press
 constexpr double StrokeLength = 10.0;
 /// mm per tick and N: rate at which a hand approaches its intended force
 constexpr double Following = 0.2;
 /// Below these floors, the senses do not follow Weber's law. The values are assumptions, small
 /// compared with the cues.
-constexpr double ForceFloor = 0.05; // N
-constexpr double DepthFloor = 0.5;  // mm
+constexpr double ForceFloor = 0.05; // N, below which Weber's law fails
+constexpr double DepthFloor = 0.5;  // mm, below which Weber's law fails
 constexpr double WeberFraction = 0.1;
 constexpr double Around = 4.0; // mm around a spot that must belong to one tissue
 
@@ -58,7 +58,7 @@ public:
   const Spot& Where;
   ServoState State;
   TickRecord Record;
-  double Depth; ///< mm
+  double Depth; ///< mm below the spot's surface
   double Way = 0.0;
 };
 

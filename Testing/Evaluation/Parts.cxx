@@ -22,7 +22,7 @@ namespace
 constexpr double Air = 4000.0;
 constexpr double Metal = 24000.0; // grey value above air at the ball's surface
 constexpr double Cupping = 0.12;
-constexpr double BeamBlur = 1.2; // mm
+constexpr double BeamBlur = 1.2; // mm, scale of the metal ball's edge
 constexpr double NoiseOfMetal = 400.0;
 constexpr double Label = 3.0;
 constexpr double Room = 14.0; // mm around a ball, where the hand starts

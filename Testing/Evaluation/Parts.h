@@ -44,7 +44,7 @@ struct PartFeel
 {
   double Distance = 0.0; ///< mm: mean distance between proxy and true surface
   double Largest = 0.0;  ///< mm: largest distance
-  double Force = 0.0;    ///< N, mean
+  double Force = 0.0;    ///< N, mean of the measured forces
   double Expected = 0.0; ///< N, mean of SlidingForce() at the depths of the tips
   std::size_t Ticks = 0;
 };

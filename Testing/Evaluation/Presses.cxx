@@ -20,9 +20,9 @@ constexpr double Deep = 5.0;          // mm, but at least LeastVoxels
 constexpr double LeastVoxels = 3.0;   // voxels: reaches two voxels behind a surface
 constexpr double PressStep = 0.1;     // mm per tick
 constexpr double LeastCosine = 0.707; // between a ray and the normal
-constexpr double RayStep = 0.25;      // voxels
+constexpr double RayStep = 0.25;      // voxels between samples along a ray
 constexpr double Persistence = 0.75;  // voxels: least thickness of a surface
-constexpr double FarAstray = 2.0;     // voxels
+constexpr double FarAstray = 2.0;     // voxels from the isosurface
 constexpr double LeastBehind = 0.25;  // mm behind an edge: FeltForce of a spring of 400 N/m
 
 /** A ray through the volume, in world coordinates. */
@@ -313,9 +313,9 @@ Presses PressFromAllSides(const PressedVolume& volume, int rays)
 
 Steps WalkAtRandom(const PressedVolume& pressed, int walks, double stiffest)
 {
-  constexpr int length = 3000;     // ticks at full speed
-  constexpr double usual = 400.0;  // N/m
-  constexpr double release = 0.25; // N
+  constexpr int length = 3000;     // ticks of a walk at full speed
+  constexpr double usual = 400.0;  // N/m, walks are slower in stiffer material
+  constexpr double release = 0.25; // N, largest step of a release
   constexpr double noLeap = 0.02;  // N, beyond the change by the step (Documentation/method.md)
   const double pace = std::min(1.0, usual / std::max(stiffest, 1.0));
   Steps found;
@@ -369,8 +369,8 @@ std::optional<Vector3> ComputeInwards(const PressedVolume& volume, const Vector3
 std::optional<double> MeasureSeenBehind(
   const PressedVolume& volume, const Vector3& felt, const Vector3& way)
 {
-  constexpr double before = 10.0; // mm
-  constexpr double reach = 50.0;  // mm
+  constexpr double before = 10.0; // mm from the eye to the place
+  constexpr double reach = 50.0;  // mm that the eye sees
   const double scale = 1.0 / volume.Scale;
   const Ray ray{ scale * (felt - before * way), way, scale * reach, ComputeUnit(volume, way) };
   const auto half = MeasureHalfOpacity(volume, ray);

@@ -21,7 +21,7 @@ namespace evaluation
 {
 namespace
 {
-constexpr double Speed = 0.2; // mm per tick
+constexpr double Speed = 0.2; // mm per tick, of the tip
 
 /**
  * Returns a path that enters along a line until a surface resists, then goes deeper, sideways and

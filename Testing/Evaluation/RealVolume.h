@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file Measures a real scan, whose correct forces are unknown.
+ * @file Measures a real scan, for which only bounds of the forces are known.
  */
 #ifndef Evaluation_RealVolume_h
 #define Evaluation_RealVolume_h

@@ -230,7 +230,7 @@ Field MakeExtinction(const Explore::Volume& volume, vtkVolumeProperty* look)
 Roughness Stroke(const PressedVolume& pressed, const Outline& outline, const Effort& effort,
   std::vector<double>& seen)
 {
-  constexpr std::size_t every = 50; // ticks
+  constexpr std::size_t every = 50; // ticks between measurements
   const Vector3 axes[3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
   Course course;
   course.Level = outline.Level;

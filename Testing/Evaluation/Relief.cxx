@@ -15,10 +15,10 @@ namespace
 {
 constexpr double Stiffness = 500.0; // N/m
 constexpr double Height = 1000.0;
-constexpr double Blur = 1.5;    // mm
+constexpr double Blur = 1.5;    // mm, scale of the relief's edge
 constexpr double Depth = 0.5;   // mm: less than the smallest radius of curvature
 constexpr double Step = 0.05;   // mm per tick
-constexpr double RunIn = 4.0;   // mm
+constexpr double RunIn = 4.0;   // mm before the measured slide
 constexpr double Extent = 40.0; // mm, of the slide
 
 /**
@@ -71,7 +71,7 @@ double CalibrateGain(const Method& method)
   const auto force = [&](double z) {
     return Norm(Play(*model, { OddCentre + z * OddNormal, OddCentre + z * OddNormal })[1].Force);
   };
-  constexpr double small = 0.01; // mm
+  constexpr double small = 0.01; // mm, for the difference quotient
   return 0.001 * Stiffness / ((force(small - Flank) - force(-small - Flank)) / (2.0 * small));
 }
 } // namespace

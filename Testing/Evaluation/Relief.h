@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Fine detail: how much of a sinusoidal relief reaches the hand.
+ * Measures how much of a fine sinusoidal relief is left in the force.
  */
 #ifndef Evaluation_Relief_h
 #define Evaluation_Relief_h

@@ -14,7 +14,7 @@ namespace
 {
 constexpr int Ticks = 1000;       // per turn, which takes a second
 constexpr double Radius = 15.915; // mm: 0.1 mm per tick
-constexpr double Depth = 2.0;     // mm
+constexpr double Depth = 2.0;     // mm below the surface
 
 /** Returns the magnitude of the force during the second turn of a circle in a plane. */
 std::vector<double> SlideOnPlane(const Candidate& candidate, bool isEdge)

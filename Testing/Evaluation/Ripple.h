@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The force on a clean plane at 0.1 m/s, which should be smooth.
+ * Measures the ripple of the force on a clean plane at 0.1 m/s, where the force should be smooth.
  */
 #ifndef Evaluation_Ripple_h
 #define Evaluation_Ripple_h

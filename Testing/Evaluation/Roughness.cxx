@@ -12,7 +12,7 @@ namespace
 {
 constexpr double TicksPerSecond = 1000.0;
 constexpr std::size_t LeastTicks = 100;
-constexpr std::size_t Window = 5; // ticks
+constexpr std::size_t Window = 5; // ticks, within which a drop occurs
 constexpr double Fall = 0.3;
 constexpr double LeastForce = 0.05; // N: smaller forces are imperceptible
 constexpr double ReversalFraction = 0.05;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How rough a force feels while a hand strokes a surface that looks smooth.
+ * Measures how rough a force feels while a hand strokes a surface that looks smooth.
  *
  * Hands feel vibration best between 40 and 400 Hz. A force that falls by a third within
  * milliseconds feels like a gap in the surface.

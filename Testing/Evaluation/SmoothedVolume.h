@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A volume as PRECISE sees it: smoothed by the weights whose derivative gives its normals.
+ * A volume as PRECISE reads it: smoothed by the weights whose derivative yields the normals.
  */
 #ifndef Evaluation_SmoothedVolume_h
 #define Evaluation_SmoothedVolume_h

@@ -11,7 +11,7 @@ namespace evaluation
 {
 namespace
 {
-constexpr double Slope = 100.0; // per mm
+constexpr double Slope = 100.0; // value per mm
 /**
  * Distance (mm) of a surface in front of the device. The device rests at about this depth (10 um)
  * and swings no further. From a longer distance, it would bounce on the wall at any stiffness.

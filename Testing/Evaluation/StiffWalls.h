@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The stiffness of walls that a hand can be shown, without and with ForceAugmentation.h.
+ * Measures the stiffness of the walls that a device can render, with and without
+ * ForceAugmentation.h.
  */
 #ifndef Evaluation_StiffWalls_h
 #define Evaluation_StiffWalls_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The surfaces of scans that are stroked, with the presets for them.
+ * The surfaces of scans for strokes, with their presets.
  */
 #ifndef Evaluation_Surfaces_h
 #define Evaluation_Surfaces_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The force of a tap on a wall, without and with ContactTransient.h.
+ * Measures the force of a tap on a wall, with and without ContactTransient.h.
  */
 #ifndef Evaluation_Taps_h
 #define Evaluation_Taps_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How much longer ticks take with a setting, on strokes over a scan.
+ * Measures how much longer ticks take with a setting, on strokes over a scan.
  */
 #ifndef Evaluation_TickRatio_h
 #define Evaluation_TickRatio_h

@@ -217,9 +217,9 @@ TEST(TissueBoundary, HoldsAtTheGradientOfASeptum)
 {
   constexpr double fat = -100.0;
   constexpr double muscle = 65.0;
-  constexpr double blur = 2.5;         // mm
+  constexpr double blur = 2.5;         // mm, scale of the boundary
   constexpr double kernel = 1.1 * 0.9; // mm, the width of the kernel's Gaussian
-  constexpr double middle = 25.0;      // mm
+  constexpr double middle = 25.0;      // mm, position of the boundary
   const double gradient = (muscle - fat) / (std::hypot(blur, kernel) * std::sqrt(TwoPi));
   const double distinctness = (gradient - 16.0) / (48.0 - 16.0);
   ASSERT_LT(distinctness, 0.3);
@@ -237,7 +237,7 @@ TEST(TissueBoundary, HoldsAtTheGradientOfASeptum)
 // gradient of a dip of depth D and width w, D/(w sqrt(e)).
 TEST(TissueBoundary, HoldsBehindAGapInHardTissue)
 {
-  constexpr double depth = 100.0;      // HU
+  constexpr double depth = 100.0;      // HU, of the gap
   constexpr double strength = 12.0;    // N
   constexpr double kernel = 1.0 * 0.9; // mm, the width of the kernel's Gaussian
   const double width = std::hypot(SeptumWidth, kernel);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A tip that goes round inside a spherical wall of 20 voxels, 2 voxels deep, at 0.2 m/s.
+ * Measures a tip that circles inside a spherical wall of 20 voxels, 2 voxels deep, at 0.2 m/s.
  */
 #ifndef Evaluation_Tracking_h
 #define Evaluation_Tracking_h
@@ -21,7 +21,7 @@ struct Wall
   std::string Name;
   std::function<double(double)> TheField; ///< field, as a function of the radius
   VolumeHaptics::ScalarType Type;
-  double TipRadius;    ///< mm
+  double TipRadius;    ///< mm, radius of the tip's circle
   bool IsEdge = false; ///< plateau on each side of an edge; otherwise a ramp
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Table 1 of the paper as a picture: how a CT looks and how it feels, function by function.
+ * Table 1 of the paper as a picture: each visual function of a CT beside the haptic function.
  */
 #ifndef Evaluation_TransferPicture_h
 #define Evaluation_TransferPicture_h

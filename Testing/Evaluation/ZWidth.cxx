@@ -10,8 +10,8 @@ namespace evaluation
 {
 namespace
 {
-constexpr double Mass = 0.1;     // kg
-constexpr double Period = 0.001; // s
+constexpr double Mass = 0.1;     // kg, of the device
+constexpr double Period = 0.001; // s, duration of a tick
 constexpr double Pull = 2.0;     // N/m, spring of the hand
 constexpr int Ticks = 6000;
 

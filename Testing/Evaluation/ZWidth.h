@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How stiff a wall can be for a device: the range between it and air is the device's Z-width.
+ * Measures how stiff a wall can be for a device. The range from air to this stiffness is the
+ * device's Z-width.
  */
 #ifndef Evaluation_ZWidth_h
 #define Evaluation_ZWidth_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Provides for all fuzzer targets: choices made from bytes, and checks that abort.
+ * Provides code for all fuzz targets: choices made from bytes, and checks that abort.
  */
 #ifndef Dealer_h
 #define Dealer_h

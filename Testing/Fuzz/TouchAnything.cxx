@@ -16,7 +16,7 @@ using namespace VolumeHaptics;
 namespace
 {
 constexpr int MostTicks = 400;
-constexpr double Rounding = 1e-6; // of a force
+constexpr double Rounding = 1e-6; // relative rounding error of a force
 
 /**
  * Draws a function of one to four points in ascending order. Points may have the same X, which is a

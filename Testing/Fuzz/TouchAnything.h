@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Takes any bytes as an image, a property and a tip path, and touches the image with both solvers.
+ * Interprets any bytes as an image, a property and a tip path, and touches the image with both
+ * solvers.
  */
 #ifndef TouchAnything_h
 #define TouchAnything_h

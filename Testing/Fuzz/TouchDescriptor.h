@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Takes any bytes as a HID device's descriptor and packets.
+ * Interprets any bytes as a HID device's descriptor and packets.
  */
 #ifndef TouchDescriptor_h
 #define TouchDescriptor_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Takes any bytes as what a Novint Falcon sends.
+ * Interprets any bytes as data from a Novint Falcon.
  */
 #ifndef TouchFalcon_h
 #define TouchFalcon_h

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Takes any bytes as a file of a format, or as a folder of files, which vtkHapticVolumeReader
- * reads. A volume must be whole and finite; a refusal must name its cure.
+ * Interprets any bytes as a file of a format, or as a folder of files, for vtkHapticVolumeReader. A
+ * volume must be complete and finite; a refusal must state its remedy.
  *
  * A folder is packed into one buffer: "PACK", then for each file the length of its name (a byte),
  * the name, the size of its contents (2 bytes, the lower one first) and the contents. A buffer that

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Takes any bytes as what Haply's Inverse service sends.
+ * Interprets any bytes as data from Haply's Inverse service.
  */
 #ifndef TouchHaply_h
 #define TouchHaply_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Takes any bytes as what an hfab controller sends.
+ * Interprets any bytes as data from an hfab controller.
  */
 #ifndef TouchHfab_h
 #define TouchHfab_h

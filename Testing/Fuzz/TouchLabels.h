@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Takes any bytes as a file with a table of labels.
+ * Interprets any bytes as a file with a table of labels.
  */
 #ifndef TouchLabels_h
 #define TouchLabels_h

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Takes any bytes as what Linux and a DualSense report of a gamepad, and as forces that the gamepad
- * shows.
+ * Interprets any bytes as reports of a gamepad from Linux and a DualSense, and as forces that the
+ * gamepad renders.
  */
 #ifndef TouchPad_h
 #define TouchPad_h

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Takes any bytes as a user's files for devices: the Falcon's firmware, and the file of devices.
+ * Interprets any bytes as a user's files for devices: the Falcon's firmware, and the file of
+ * devices.
  */
 #ifndef TouchUserFile_h
 #define TouchUserFile_h

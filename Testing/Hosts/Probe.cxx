@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reports to drive.py what is felt in a program that runs no foreign code: VTK loads this library
- * into the program. In the folder HOST_PROBE, it writes state.json as program.py does.
+ * Reports the haptic state to drive.py from a program that runs no foreign code: VTK loads this
+ * library into the program. In the folder HOST_PROBE, it writes state.json as program.py does.
  */
 #include "Applications/Autoload/InteractorFactory.h"
 

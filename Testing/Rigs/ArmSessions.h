@@ -68,7 +68,7 @@ enum class Gesture : std::uint8_t
 /** Random parameters of a session. */
 struct ArmScene
 {
-  double Rate = 1000.0;  ///< Hz
+  double Rate = 1000.0;  ///< Hz, of the servo
   int Delay = 0;         ///< ticks until a force acts
   int Every = 1;         ///< ticks from one report to the next
   double Quantum = 1e-5; ///< m, resolution of the encoders
@@ -79,20 +79,20 @@ struct ArmScene
   bool IsHeld = true;    ///< whether a hand holds the device; if not, a weight presses
   double Weight = 0.0;   ///< N, downwards
   double ArmMass = 0.5;  ///< kg, mass of the arm
-  double Grip = 500.0;   ///< N/m
-  double GripLoss = 5.0; ///< N s/m
-  double Muscle = 100.0; ///< N/m
+  double Grip = 500.0;   ///< N/m, stiffness of the grip
+  double GripLoss = 5.0; ///< N s/m, damping of the grip
+  double Muscle = 100.0; ///< N/m, stiffness of the muscles
   double MuscleLoss = 5.0;
-  double Tremor = 0.0; ///< m
+  double Tremor = 0.0; ///< m, amplitude
   Gesture Motion = Gesture::Press;
   double Speed = 0.1;  ///< m/s, speed of strokes
   double Beat = 2.0;   ///< Hz, frequency of taps and scrubs
   double Depth = 0.01; ///< m, depth of the path in the wall
   Matter What = Matter::Plane;
-  double Stiffness = 500.0; ///< N/m
+  double Stiffness = 500.0; ///< N/m, of the wall
   double Friction = 0.0;
-  double MaximumForce = 4.0;   ///< N
-  double MaximumDamping = 0.0; ///< N s/m
+  double MaximumForce = 4.0;   ///< N, limit of the safety stage
+  double MaximumDamping = 0.0; ///< N s/m, limit of the safety stage
   double Seconds = 2.0;
 };
 
@@ -464,7 +464,7 @@ private:
 
   struct Wave
   {
-    double Rate = 0.0; ///< rad/s
+    double Rate = 0.0; ///< rad/s, angular frequency
     double Phase = 0.0;
     double X = 0.0;
     double Y = 0.0;
@@ -474,13 +474,13 @@ private:
   ArmScene S;
   std::mt19937 Engine;
   std::array<Wave, 3> Waves;
-  double WaveLength = 1e-3; ///< m
-  double WaveHeight = 0.0;  ///< m
+  double WaveLength = 1e-3; ///< m, of the ripples
+  double WaveHeight = 0.0;  ///< m, amplitude of the ripples
   double Phase = 0.0;
-  double PublishTime = 0.0; ///< s
-  double NextPublish = 0.0; ///< s
-  double Floor = 0.0;       ///< m
-  double Sunk = 0.0;        ///< m
+  double PublishTime = 0.0; ///< s between models of a moving floor
+  double NextPublish = 0.0; ///< s, when the floor moves next
+  double Floor = 0.0;       ///< m, height of the moving floor
+  double Sunk = 0.0;        ///< m by which the floor has yielded
   bool IsInside = false;
   Vector3 Proxy;
   Vector3 Drag;

@@ -129,12 +129,12 @@ public:
   BurrState State;
   BurrRecord Record;
   bool IsSpinning = true;
-  double Step = 1e-3;         ///< s
+  double Step = 1e-3;         ///< s, duration of a tick
   double Work = 0.0;          ///< J, work of the hand on the spring
   double VibrationWork = 0.0; ///< J, work of the hand against the vibration
   double Earned = 0.0;        ///< J, sum of mu F v over all ticks
   double Energy = 0.0;        ///< J, spent on removal
-  double Removed = 0.0;       ///< mm^3
+  double Removed = 0.0;       ///< mm^3 of removed tissue
 
 private:
   static HapticModelDescription With(HapticModelDescription description, BurrDescription tool)

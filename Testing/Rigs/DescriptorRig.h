@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Provides what the tests of HID descriptors share.
+ * Provides shared code for the tests of HID descriptors.
  */
 #ifndef DescriptorRig_h
 #define DescriptorRig_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Counts events.
+ * Counts an object's events.
  */
 #ifndef EventCounter_h
 #define EventCounter_h

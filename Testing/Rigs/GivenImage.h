@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A pipeline stage that changes nothing.
+ * A pipeline stage that passes its input on unchanged.
  */
 #ifndef GivenImage_h
 #define GivenImage_h

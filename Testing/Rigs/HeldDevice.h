@@ -31,18 +31,18 @@ using Triple = std::array<double, 3>;
 
 struct Hand
 {
-  double Mass = 0.15;            ///< kg
+  double Mass = 0.15;            ///< kg, hand and device
   double Damping = 2.0;          ///< N s/m
   double Stiffness = 200.0;      ///< N/m
   double Coupling = 0.0;         ///< coupling between two axes, relative to the stiffness
   double StaticFriction = 0.0;   ///< N
   double KineticFriction = 0.0;  ///< N
   double Weight = 0.0;           ///< N, acts along the second axis
-  double TremorSize = 0.1e-3;    ///< m
+  double TremorSize = 0.1e-3;    ///< m, amplitude
   double TremorFrequency = 10.0; ///< Hz
-  double Drift = 0.0;            ///< m/s
-  double Wander = 0.0;           ///< m/s, root mean square
-  double WanderTime = 0.5;       ///< s
+  double Drift = 0.0;            ///< m/s, of the intended position
+  double Wander = 0.0;           ///< m/s, root mean square of the wander
+  double WanderTime = 0.5;       ///< s, correlation time of the wander
 };
 
 /// A hand that holds a device with 3 axes. The motion starts at rest, in balance.

@@ -30,7 +30,7 @@ using Field = std::function<Vector3(const Vector3&)>;
 
 struct Body
 {
-  double Mass = 0.15; ///< kg
+  double Mass = 0.15; ///< kg, of the body
   Vector3 Place;      ///< m
   Vector3 Velocity;   ///< m/s
 
@@ -46,8 +46,8 @@ struct Body
 struct Loop
 {
   double MaximumForce = 8.0; ///< N
-  double ForceRate = 500.0;  ///< N/s
-  double Tick = Period;      ///< s
+  double ForceRate = 500.0;  ///< N/s, slew limit
+  double Tick = Period;      ///< s, duration of a tick
   std::size_t Delay = 0;     ///< ticks until a force of the stage acts
   int Every = 1;             ///< ticks between measured tips
   double Stiffness = 0.0;    ///< N/m, stiffness that is reported to the stage
@@ -120,14 +120,14 @@ inline Body Throw(double mass, double speed, double phase)
 /// A case of the specification: a body of 0.15 kg flies against a wall.
 struct Rebound
 {
-  double Tick = 0.0;         ///< s
-  double Stiffness = 0.0;    ///< N/m
-  double Speed = 0.0;        ///< m/s
+  double Tick = 0.0;         ///< s, duration of a tick
+  double Stiffness = 0.0;    ///< N/m, of the wall
+  double Speed = 0.0;        ///< m/s, before the impact
   double MaximumForce = 0.0; ///< N
   std::size_t Delay = 0;     ///< ticks
   double Left = 0.0;         ///< J, energy after the impact with the stage
   double Unlimited = 0.0;    ///< J, with a stage that only limits the force
-  double Free = 0.0;         ///< J, without a stage
+  double Free = 0.0;         ///< J, energy left without a stage
 };
 
 /// Computes the energies of a case, averaged over a hundred phases of the ticks, because the phase

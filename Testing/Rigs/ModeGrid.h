@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A sampled field with one mode, and the proxy that follows it.
+ * A sampled field with one mode, and the proxy that the mode guides.
  */
 #ifndef ModeGrid_h
 #define ModeGrid_h
@@ -20,7 +20,7 @@ namespace modegrid
 {
 using namespace VolumeHaptics;
 
-inline constexpr double CouplingOf = 500.0; // N/m
+inline constexpr double CouplingOf = 500.0; // N/m, coupling stiffness
 inline const double HalfTurn = std::acos(-1.0);
 
 /// A field on a grid with the spacing h (mm), centred at the world's origin.

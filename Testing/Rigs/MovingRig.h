@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Makes a pulsating ball and an approaching wall in time steps, and a hand that rests in them.
+ * Makes a pulsating ball and an approaching wall in time steps, and a resting hand.
  */
 #ifndef MovingRig_h
 #define MovingRig_h
@@ -21,7 +21,7 @@ namespace movingtest
 using namespace coretest;
 
 inline constexpr double Pi = 3.14159265358979323846;
-inline constexpr double K = 500.0;    // N/m
+inline constexpr double K = 500.0;    // N/m, coupling stiffness
 inline constexpr double Width = 1.5;  // mm, width of the edges
 inline constexpr double Period = 1.0; // s, period of the ball
 inline constexpr double Dt = 1e-3;    // s, duration of a tick

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Describes a force-feedback stick that exists only as its descriptor, written item by item after
- * the PID 1.0 specification.
+ * Describes a force-feedback stick that exists only as its descriptor, written item by item
+ * according to the PID 1.0 specification.
  */
 #ifndef PidRig_h
 #define PidRig_h

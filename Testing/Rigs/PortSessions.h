@@ -44,7 +44,7 @@ struct PortResult
   double Given = 0.0;   ///< J, energy given to the hand until detection, or its largest value
   double Way = 0.0;     ///< m, way from the first force to detection, or the longest way
   double Rising = 0.0;  ///< J, largest rise of energy in PortObserver
-  double RunAway = 0.0; ///< J
+  double RunAway = 0.0; ///< J, largest GetRunAway()
 };
 
 class PortSession
@@ -316,7 +316,7 @@ private:
   Vector3 Normal;
   Vector3 Along;
   double Friction = 0.0;
-  double Yield = 0.0; ///< N
+  double Yield = 0.0; ///< N at which the tissue yields
   bool IsInside = false;
   Vector3 Proxy;
 
@@ -324,10 +324,10 @@ private:
   Vector3 Tip;
   Vector3 Velocity;
   bool IsTapping = false;
-  double Stroke = 0.0; ///< m
-  double Depth = 0.0;  ///< m
-  double Time = 0.0;   ///< s
-  double Tremor = 0.0; ///< m
+  double Stroke = 0.0; ///< m, length of a stroke along the wall
+  double Depth = 0.0;  ///< m from the start to the goal
+  double Time = 0.0;   ///< s, duration of the motion to the goal
+  double Tremor = 0.0; ///< m, amplitude
   double TremorRate = 0.0;
   Vector3 TremorAxis;
   double TapRate = 0.0;

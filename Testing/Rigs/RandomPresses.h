@@ -105,7 +105,7 @@ public:
   }
 
 private:
-  static constexpr double Period = 1e-3; ///< s
+  static constexpr double Period = 1e-3; ///< s, duration of a tick
 
   double Draw(double low, double high)
   {

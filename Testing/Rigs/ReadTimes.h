@@ -55,9 +55,9 @@ struct ReadTimes
   int Ticks = 0;
   int Fresh = 0;
   int Signs = 0;               ///< number of signs of life without a new position
-  double Elapsed = 0.0;        ///< s
-  double LongestSilence = 0.0; ///< s
-  double LargestSpeed = 0.0;   ///< m/s
+  double Elapsed = 0.0;        ///< s since the start
+  double LongestSilence = 0.0; ///< s without a sample
+  double LargestSpeed = 0.0;   ///< m/s between two samples
   bool IsLost = false;
   VolumeHaptics::Vector3 Tip;
 

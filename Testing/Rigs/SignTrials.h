@@ -19,7 +19,7 @@ struct Port
 {
   double Rate = 1000.0;     ///< Hz, rate of the servo
   double ReportTime = 0.0;  ///< s between two reports; 0: a report in each tick
-  double Quantum = 0.06e-3; ///< m
+  double Quantum = 0.06e-3; ///< m, resolution of the encoders
   bool IsLate = false;      ///< whether forces act one tick later
   double Force = 8.0;       ///< N, largest force of the device
 };

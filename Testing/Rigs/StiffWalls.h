@@ -32,14 +32,14 @@ namespace rigs
 struct StiffArm
 {
   const char* Name = "";
-  double Mass = 0.0;         ///< kg
+  double Mass = 0.0;         ///< kg, of the arm
   double Damping = 0.5;      ///< N s/m
-  double Friction = 0.2;     ///< N
+  double Friction = 0.2;     ///< N, dry friction
   double Step = 0.0;         ///< m, resolution of the encoder
-  int Delay = 0;             ///< ticks
+  int Delay = 0;             ///< ticks until a force acts
   double MaximumForce = 0.0; ///< N
 
-  static constexpr double Period = 1e-3; ///< s
+  static constexpr double Period = 1e-3; ///< s, duration of a tick
   double RoundTrip() const { return Period * (1 + 2 * this->Delay); }
   /** Returns 2 b / T (N/m): the largest stiffness of a passive sampled wall. */
   double Sampled() const { return 2.0 * this->Damping / this->RoundTrip(); }
@@ -56,7 +56,7 @@ struct StiffPress
   double Speed = 0.1; ///< m/s, speed of the approach
   double Gain = 1.0;  ///< stiffness of the wall in units of 2 b / T
   bool Augments = false;
-  double MaximumForceRate = 500.0; ///< N/s
+  double MaximumForceRate = 500.0; ///< N/s, slew limit
   /** Slack (m) of the wall's spring, as in PassiveSpring.h: |f| = K (|d| - slack). */
   double Slack = 0.0;
 };
@@ -76,7 +76,7 @@ struct StiffResult
    * include.
    */
   double MostWithoutFriction = 0.0;
-  double Deepest = 0.0;  ///< m
+  double Deepest = 0.0;  ///< m, largest depth in the wall
   bool IsDamped = false; ///< whether PortDamper acted
   bool IsCut = false;    ///< whether a fault cut the force
 };

@@ -20,8 +20,8 @@ namespace rigs
 
 struct Tap
 {
-  double Speed = 0.1;     ///< m/s
-  double Stiffness = 0.0; ///< N/m
+  double Speed = 0.1;     ///< m/s, before the touch
+  double Stiffness = 0.0; ///< N/m, of the wall
   double Frequency = 0.0; ///< Hz, frequency of the material
   double Gain = 0.0;      ///< gain of the transient
   double Phase = 0.0;     ///< fraction of a tick by which the touch comes later
@@ -30,7 +30,7 @@ struct Tap
 
 struct TapResult
 {
-  double Effective = 0.0; ///< N/m
+  double Effective = 0.0; ///< N/m, effective stiffness
   double Returned = 0.0;  ///< energy with which the arm leaves, divided by the energy with which it
                           ///< came
   /** J: largest energy that port and friction have given beyond what they took */

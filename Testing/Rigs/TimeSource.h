@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Makes a source of time steps.
+ * A source of an image's time steps.
  */
 #ifndef TimeSource_h
 #define TimeSource_h

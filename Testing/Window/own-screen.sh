@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # shellcheck shell=bash
-# Sourced by the scripts of this folder: a program in a window on a screen of its own, and what waits for it.
+# Functions for the scripts of this folder: run a program in a window on a separate screen, and wait for it.
 #
 #   require_programs "Debian's packages" PROGRAM...
 #   take_own_screen "$@"

@@ -203,7 +203,7 @@ private:
   }
 
   const Screen& Seen;
-  const double Weight; // kg
+  const double Weight; // kg, of the weight that the user hangs
   std::string Line;
   std::size_t Typed = 0;
   double Grams = 0.0;     ///< the scale's last reading
@@ -270,7 +270,7 @@ protected:
   }
 
   const std::string File = TemporaryPath("calibrate.txt");
-  double Weight = 0.1; // kg
+  double Weight = 0.1; // kg, of the weight that the user hangs
   std::vector<std::string> Answers;
   std::string Breaks;
   std::string Out;

@@ -17,11 +17,11 @@ using namespace emulated;
 
 namespace
 {
-constexpr double Most = 4.0;        // N
-constexpr double Stiffness = 270.0; // N/m
-constexpr double Tick = 1e-3;       // s
+constexpr double Most = 4.0;        // N, largest requested force
+constexpr double Stiffness = 270.0; // N/m, of the spring
+constexpr double Tick = 1e-3;       // s, of simulated time
 constexpr int TicksPerLook = 10;
-constexpr double LongestTime = 300.0; // s
+constexpr double LongestTime = 300.0; // s, limit of the simulated time
 
 /// A spring with the ramp and the force limit of the servo's force path.
 class Loop
@@ -72,7 +72,7 @@ private:
 /// A simulated user, who follows each request after one second.
 struct User
 {
-  double Weight = 0.1; ///< kg
+  double Weight = 0.1; ///< kg, of the hung weight
   bool Hangs = true;
   bool TakesOff = true;
 

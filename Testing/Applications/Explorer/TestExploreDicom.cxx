@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads DICOM files as they lie on a medium: several series in nested folders, in any order, each
-// with its own rescale and direction; also files that cannot be read. The test writes the files by
-// parts 5 and 10 of the standard. Their values are a function of the position in the patient.
+// Reads DICOM files as they are stored on media: several series in nested folders, in any order,
+// each with its own rescale and direction; also unreadable files. The test writes the files
+// according to parts 5 and 10 of the standard. Their values are a function of the position in the
+// patient.
 #include "Applications/Explorer/Options.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
@@ -31,7 +32,7 @@
 namespace
 {
 constexpr int DICOM_COLUMNS = 7, DICOM_ROWS = 5;
-constexpr double COLUMN_STEP = 0.75, ROW_STEP = 0.5, SLICE_STEP = 2.5; // mm
+constexpr double COLUMN_STEP = 0.75, ROW_STEP = 0.5, SLICE_STEP = 2.5; // mm between samples
 const char* const IMPLICIT = "1.2.840.10008.1.2";
 const char* const EXPLICIT = "1.2.840.10008.1.2.1";
 const char* const RUN_LENGTH = "1.2.840.10008.1.2.5";

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads files of types and sizes that VTK's readers do not know, headers that contradict the data,
-// and samples that are not numbers. The test writes the files byte by byte: MetaImage by
+// Reads files of types and sizes that VTK's readers do not support, headers that contradict the
+// data, and samples that are NaN or infinite. The test writes the files byte by byte: MetaImage by
 // "ITK/MetaIO/Documentation" (itk.org), with the sizes of MET_ValueTypeSize in its metaTypes.h,
 // where MET_LONG has 4 bytes and MET_LONG_LONG 8; the header is the one that SimpleITK.WriteImage()
 // writes for int64. NRRD is written by teem.sourceforge.net/nrrd/format.html, and NIfTI by

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Shows the plot of the force: three components and the norm, units on the axes, and the names of
+// Renders the plot of the force: three components and the norm, units on the axes, and the names of
 // the phases at the top.
 #include "Applications/Explorer/Report/ForcePicture.h"
 #include "HeadExploration.h"

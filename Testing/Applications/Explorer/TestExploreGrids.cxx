@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Opens grids of all kinds. The flow of a rotating block, (-y, x, 0), and the pressure x + 2 y are
-// linear, so that every way of resampling gives the numbers of the formulas. By default, the hand
-// feels the flow.
+// linear, so every way of resampling reproduces the formulas. By default, the hand follows the
+// flow.
 #include "Applications/Explorer/Exploration/ModeChoice.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/Report/TraceSummary.h"

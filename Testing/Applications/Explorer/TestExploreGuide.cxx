@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests --guide: a hand over the head is led along a line, held on a surface, or led along a
-// measured path. Files that can't guide get an error message.
+// Tests --guide: a hand over the head is guided along a line, on a surface, or along a recorded
+// path. Unsuitable files must cause an error message.
 #include "Applications/Explorer/Exploration/ModeChoice.h"
 #include "Applications/Explorer/HelpText.h"
 #include "Applications/Explorer/Options.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Shows the picture of the standard exploration: the head upright and shaded, the trail on the skin
-// and, beneath it, on the skull.
+// Renders the standard exploration: the head upright and shaded, the trail on the skin and, beneath
+// it, on the skull.
 #include "Applications/Explorer/Scene/ExplorerScene.h"
 #include "HeadExploration.h"
 

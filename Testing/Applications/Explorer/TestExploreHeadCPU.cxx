@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Shows the picture rendered without a GPU, with other materials and another gradient estimator.
+// Renders the standard exploration without a GPU, with other materials and another gradient
+// estimator.
 #include "Applications/Explorer/Scene/ExplorerScene.h"
 #include "HeadExploration.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Expects one message that names the fault and its cure for every input that cannot be explored.
+// Expects one message with the fault and its remedy for every input that can't be explored.
 #include "Applications/Explorer/Live/ToolFile.h"
 #include "Applications/Explorer/Options.h"
 #include "Applications/Explorer/Record/DemoScript.h"

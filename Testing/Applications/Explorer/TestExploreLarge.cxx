@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Expects that a volume felt from its file feels exactly like the same volume in memory, to the
-// bit, in every supported format; and that files that can't be read get a message. The files are
-// written byte by byte, by the descriptions of the formats.
+// Expects that a volume read from its file has bitwise the same forces as in memory, in every
+// supported format, and that unreadable files cause a message. The files are written byte by byte,
+// according to the descriptions of the formats.
 #include "Applications/Explorer/Live/TouchScene.h"
 #include "Expectations.h"
 #include "HeadExploration.h"

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Expects that objects around a body in a CT, such as foam (-700 HU), a blanket (-550 HU) and
-// clothes (-450 HU), is neither seen nor felt in the window: the first surface for the hand and for
-// the eye is the skin, at the position that the formula gives. The eye sees a surface where half of
-// the opacity, 1 - exp(-sum) by the definition of vtkVolumeProperty, lies in front. Grey values
-// behave alike: a sheet in front of the body whose peak only reaches the value at which the picture
-// begins is hardly seen, and not felt. Where the body is dark, the picture shows the dark.
+// clothes (-450 HU), are neither seen nor felt in the window: the first surface for the hand and
+// for the eye is the skin, at the position that the formula gives. The eye sees a surface where
+// half of the opacity, 1 - exp(-sum) by the definition of vtkVolumeProperty, lies in front. Grey
+// values behave alike: a sheet in front of the body whose peak only reaches the value at which the
+// picture begins is hardly seen, and not felt. Where the body is dark, the picture shows the dark.
 #include "Applications/Explorer/Analysis/VolumeAnalysis.h"
 #include "Applications/Explorer/Scene/VolumeLook.h"
 #include "Expectations.h"
@@ -30,8 +30,8 @@
 
 namespace
 {
-constexpr int ROW = 60;          // voxels of 1 mm
-constexpr double SKIN_AT = 30.0; // mm
+constexpr int ROW = 60;          // voxels of 1 mm along x
+constexpr double SKIN_AT = 30.0; // mm, position of the skin
 
 /// Returns the HU value along x: air, 10 mm of surrounding material (`around`), and tissue with a
 /// bone inside. Edges are 2 mm wide.
@@ -110,7 +110,7 @@ void FeelAndLook(
   }
   felt = trace->GetPoint(tick)[0];
 
-  constexpr double step = 0.01; // mm
+  constexpr double step = 0.01; // mm, of the search
   double depth = 0.0;
   seen = 0.0;
   for (double x = 0.0; x < ROW - 1.0 && depth < std::log(2.0); x += step)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Expects that every method feels the same path over the same head with forces that a hand can
-// bear, and that the output names the method.
+// Expects that every method has acceptable forces on the same path over the same head, and that the
+// output contains the method's name.
 #include "Applications/Explorer/HelpText.h"
 #include "Applications/Explorer/Options.h"
 #include "Applications/Explorer/Report/TraceSummary.h"

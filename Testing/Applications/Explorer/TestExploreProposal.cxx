@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Volumes that no preset fits get materials from their own edges: the head phantom in 8 bits, and
-// as numbers from 0 to 1. Without edges, the histogram decides, but never within the noise of the
-// air.
+// Expects volumes without a suitable preset to get materials from their own edges: the head phantom
+// in 8 bits, and as numbers from 0 to 1. Without edges, the histogram decides, but never within the
+// noise of the air.
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/Scene/VolumeLook.h"
 #include "Expectations.h"

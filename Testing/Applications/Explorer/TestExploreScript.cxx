@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Expects the mouse of a demonstration at the script's position, wherever the real pointer is.
+// Expects a demonstration's mouse to be at the script's position, regardless of the real pointer.
 #include "Applications/Explorer/Record/DemoScript.h"
 #include "Expectations.h"
 #include "HeadExploration.h"

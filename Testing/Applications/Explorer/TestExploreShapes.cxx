@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Refuses files of shapes and recordings that promise more than they contain, and cells with points
-// that do not exist: with such files, readers and filters of VTK crash. The files are written byte
-// by byte, .ply after paulbourke.net/dataformats/ply, .obj after paulbourke.net/dataformats/obj,
-// and the others after "VTK File Formats" (docs.vtk.org).
+// Expects the refusal of shapes and recordings whose files declare more data than they contain, or
+// whose cells refer to missing points. VTK's readers and filters crash with such files. The files
+// are written byte by byte, .ply after paulbourke.net/dataformats/ply, .obj after
+// paulbourke.net/dataformats/obj, and the others after "VTK File Formats" (docs.vtk.org).
 #include "Applications/Explorer/Exploration/ShapeFile.h"
 #include "Applications/Explorer/Live/LiveRun.h"
 #include "Applications/Explorer/Live/TouchReplay.h"

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests the sound on the head phantom: skin over fat, a temple (muscle) and the skull (bone), at
-// the places that the phantom's description (Data/README.md) gives; and silence without a contact
-// to hear.
+// the places that the phantom's description (Data/README.md) gives; and silence without a contact.
 #include "Applications/Explorer/Exploration/HeardTicks.h"
 #include "Applications/Explorer/Options.h"
 #include "Applications/Explorer/Report/TraceSound.h"
@@ -28,7 +27,7 @@ namespace
 using Explore::Exploration;
 using soundtest::PI;
 
-constexpr vtkIdType SLIDE = 600; // ticks
+constexpr vtkIdType SLIDE = 600; // ticks of a slide
 
 double At(vtkPolyData* trace, const char* array, vtkIdType tick)
 {
@@ -112,7 +111,7 @@ void CheckTissues(int argc, char* argv[])
   // them.
   exploration.Filter->SetMaterialPlacementToKernel();
   exploration.Filter->SetContactAlignmentToDistinctness();
-  constexpr vtkIdType start = 100; // ticks
+  constexpr vtkIdType start = 100; // ticks after the slide's beginning
   vtkIdType begin = Stroke(exploration, -110.0, 30.0, 6.0);
   const double skin =
     Hear(exploration, begin + start, begin + SLIDE, -150.0, -80.0, "skin over fat (neck)");

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Cuts a head open: keys and mouse cut, the removed part is not felt, and a drag that begins on a
-// handle moves only the handle. The picture shows the box after a face was dragged. The brain in
-// the cut face, whose gradients have random directions, must not be black.
+// handle moves only the handle. The baseline shows the box after dragging a face. The brain in the
+// cut face, whose gradients have random directions, must not be black.
 #include "TouchedHead.h"
 
 #include "vtkMatrix4x4.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Expects that hidden tissue is not felt: with the soft tissue made invisible, the hand that
-// touched the skin goes through to the skull and rests there.
+// Expects that hidden tissue is not felt: when the soft tissue becomes invisible, the hand on the
+// skin must move through to the skull and rest there.
 #include "TouchedHead.h"
 
 #include "vtkPiecewiseFunction.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Expects that hand and eye meet the same surface first: along the ray of sight, half of the
-// opacity lies within a voxel of the proxy. Key O shows the inside; the hand then goes through the
-// hidden skin to the skull.
+// Expects that hand and eye meet the same surface first: along the line of sight, half of the
+// opacity is reached within a voxel of the proxy. The key O shows the inside; the hand must then
+// move through the hidden skin to the skull.
 #include "Applications/Explorer/Analysis/ValueProbe.h"
 #include "Applications/Explorer/Live/LookSwitch.h"
 #include "TouchedHead.h"

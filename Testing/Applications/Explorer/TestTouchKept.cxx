@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Expects that the next window offers edited but unsaved functions (materials and opacity) and
-// unsaved measurements, which never replace newer ones. Without changes, nothing is kept.
+// unsaved measurements, which must not replace newer ones. Without changes, nothing must be saved.
 #include "Applications/Explorer/Live/KeptWork.h"
 #include "TouchedHead.h"
 

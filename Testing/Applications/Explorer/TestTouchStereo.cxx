@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Shows the scene of TestTouchHead in stereo, for red and cyan glasses.
+// Renders the scene of TestTouchHead in stereo, for red and cyan glasses.
 #include "Applications/Explorer/View/StereoModes.h"
 #include "TouchedHead.h"
 

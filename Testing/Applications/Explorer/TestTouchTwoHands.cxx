@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Opens the explorer's window with two devices: both are felt and seen at once, the display reports
-// both, and only the first hand holds the tool.
+// Opens the explorer's window with two devices: both must be felt and visible at the same time, the
+// display must report both, and only the first hand must have the tool.
 #include "Applications/Explorer/Live/FreeFile.h"
 #include "Applications/Explorer/Live/WindowFiles.h"
 #include "Applications/Explorer/Live/WindowRecorder.h"

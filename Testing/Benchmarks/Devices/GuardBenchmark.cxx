@@ -26,7 +26,7 @@ namespace
 {
 
 constexpr std::int64_t Period = ServoClock::Millisecond;
-constexpr double Microsecond = 1e3; // ns
+constexpr double Microsecond = 1e3; // ns in a microsecond
 
 /** A driver that reports each force as a position, as soon as the force arrives. */
 class EchoDriver : public HardwareDriver

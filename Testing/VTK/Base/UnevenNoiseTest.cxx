@@ -25,12 +25,12 @@ namespace
 {
 constexpr int Width = 96; // number of voxels, each 1 mm wide
 constexpr double Middle = 0.5 * (Width - 1);
-constexpr double Ball = 20.0; // mm
+constexpr double Ball = 20.0; // mm, radius of the ball
 constexpr double Bright = 90.0;
 constexpr int Rays = 120;
 constexpr double Start = 44.0; // distance of a ray's start from the middle (mm)
 constexpr double RayStep = 0.1;
-constexpr double Deep = 4.0; // mm
+constexpr double Deep = 4.0; // mm, depth at the end of a ray
 
 /// Makes white noise, and smooths it over some voxels along x, and between neighbours along y and
 /// z.

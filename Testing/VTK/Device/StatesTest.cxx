@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-/// A display gets every state once, in order, and at its position.
+/// Expects that a display receives every state exactly once, in order, and with its position.
 
 #include "Rigs/RecordingRig.h"
 

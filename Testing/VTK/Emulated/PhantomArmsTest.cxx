@@ -212,7 +212,7 @@ protected:
       std::abs(spring - force) < 0.1;
   }
 
-  static constexpr double Depth = 0.004; // m
+  static constexpr double Depth = 0.004; // m, goal behind the skin
   static constexpr int MostAttempts = 5;
   const std::string Memory = TemporaryPath("arms/devices.txt");
   emulated::Phantom Phantom;

@@ -76,7 +76,7 @@ protected:
     EXPECT_NE(this->Device->GetState()->GetContact(), 0);
   }
 
-  static constexpr double Depth = 0.004; // m
+  static constexpr double Depth = 0.004; // m, goal behind the skin
   const std::string Memory = TemporaryPath("haply/devices.txt");
   emulated::Phantom Phantom;
   std::optional<HaplyService> Service{ std::in_place };

@@ -66,8 +66,8 @@ protected:
                       << this->Device->GetState()->GetForce()[1];
   }
 
-  static constexpr double Depth = 0.006; // m
-  static constexpr double Slack = 0.02;  // m
+  static constexpr double Depth = 0.006; // m, goal behind the skin
+  static constexpr double Slack = 0.02;  // m, tolerance of the arm's position
   emulated::Phantom Phantom;
   WoodenModel Arm;
   EmulatedHid Hid{ this->Arm };

@@ -21,7 +21,7 @@ class CoarseLevels : public ApiTest
 {
 };
 
-constexpr double Slope[3] = { 0.3, 0.2, 0.933 }; // unit vector
+constexpr double Slope[3] = { 0.3, 0.2, 0.933 }; // unit vector, direction of the ramp
 
 /// Makes a path that presses in by 3 voxels along the slope, and then slides about 8 voxels across
 /// it.

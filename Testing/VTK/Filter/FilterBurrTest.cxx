@@ -26,13 +26,13 @@ using namespace apitest;
 namespace
 {
 constexpr double BurrPi = 3.14159265358979323846;
-constexpr double BurrVoxel = 0.25; // mm
+constexpr double BurrVoxel = 0.25; // mm, edge of a voxel
 
 /// Solid tissue with the value 200 above z = Surface, in voxels of 0.25 mm.
 class FilterBurr : public ApiTest
 {
 protected:
-  static constexpr double Surface = 19.5 * BurrVoxel; // mm
+  static constexpr double Surface = 19.5 * BurrVoxel; // mm, z of the surface
 
   FilterBurr()
   {
@@ -85,7 +85,7 @@ TEST_F(FilterBurr, RemovesByItsEnergy)
   this->Burr->SetFriction(0.25);
   this->Burr->SetSpeed(30000.0);
   vtkPolyData* const trace = this->Follow(Plunge(4.0, 4000));
-  const double rim = 2.0 * BurrPi * 3e-3 * 500.0; // m/s
+  const double rim = 2.0 * BurrPi * 3e-3 * 500.0; // m/s, speed of the burr's rim
   const double expected = 0.25 * rim * 1e-3 * Sum(trace, "NormalForce") / 4.0;
   EXPECT_GT(expected, 2.0) << "mm^3";
   EXPECT_NEAR(Sum(trace, "RemovedVolume"), expected, 0.01 * expected);
@@ -98,7 +98,7 @@ TEST_F(FilterBurr, LabelsHaveAnEnergyOfTheirOwn)
   SetConstant(this->Burr->GetSpecificEnergy(), 4.0);
   this->Burr->SetFriction(0.25);
   this->Burr->SetSpeed(30000.0);
-  const double rim = 2.0 * BurrPi * 3e-3 * 500.0; // m/s
+  const double rim = 2.0 * BurrPi * 3e-3 * 500.0; // m/s, speed of the burr's rim
   vtkNew<vtkHapticLabelTable> table;
   table->SetSpecificEnergy(2, 9.0);
   table->SetStiffness(7, 500.0);
@@ -120,7 +120,7 @@ TEST_F(FilterBurr, LabelsHaveAnEnergyOfTheirOwn)
 /// computes from the remaining fractions. The label image has a different spacing and origin.
 TEST_F(FilterBurr, AHoleThroughSeveralLabelsCostsTheSumOfTheirEnergies)
 {
-  constexpr double spacing = 0.7; // mm
+  constexpr double spacing = 0.7; // mm, of the label image
   SetConstant(this->Burr->GetSpecificEnergy(), 0.8);
   this->Burr->SetFriction(0.25);
   this->Burr->SetSpeed(30000.0);

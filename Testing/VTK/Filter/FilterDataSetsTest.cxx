@@ -33,8 +33,8 @@ using namespace apitest;
 
 namespace
 {
-constexpr int Edge = 21;          // points
-constexpr double HalfEdge = 16.0; // mm
+constexpr int Edge = 21;          // points along an edge
+constexpr double HalfEdge = 16.0; // mm, half of the grid's edge
 constexpr double PerMm = 0.5;     // stiffness of the spring (N/mm)
 
 /// Adds a flow around the z axis, and scalars with the value 100 z.
@@ -272,7 +272,7 @@ TEST_F(FilterDataSets, WithCellsThatMakeNoSenseAreRefused)
   vtkNew<vtkHapticRegionSource> source;
   EXPECT_TRUE(source->OpenDataSet(make(VTK_TETRA, { 7, 4, 5, 6 }), 0.5, "height"));
 
-  // before the list, less than the last offset, behind the list
+  // offsets before the list, below the last offset, and behind the list
   for (const vtkIdType offset : { -4, 3, 9 })
   {
     const auto grid = make(VTK_TETRA, { 7, 4, 5, 6 });

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Rig of the filter with modes, on an image of 24 voxels.
+ * Fixture with a filter that has modes, on an image with 24 voxels along each axis.
  */
 #ifndef FilterModesRig_h
 #define FilterModesRig_h
@@ -19,8 +19,8 @@ namespace modestest
 {
 using namespace apitest;
 
-inline constexpr double SpringOf = 500.0;  // N/m
-inline constexpr double SpringPerMm = 0.5; // N/mm
+inline constexpr double SpringOf = 500.0;  // N/m, coupling stiffness
+inline constexpr double SpringPerMm = 0.5; // N/mm, coupling stiffness
 inline constexpr double Middle = 11.5;     // index of the centre of 24 voxels
 
 class FilterModes : public ApiTest

@@ -25,7 +25,7 @@ using namespace apitest;
 
 namespace
 {
-constexpr double Skin = 4.5; // mm
+constexpr double Skin = 4.5; // mm, z of the skin
 
 /// Layers of case N1, starting at the skin: thickness (mm), shaft friction (N/m), cutting force
 /// (N).

@@ -150,7 +150,7 @@ TEST_F(FilterShell, EnergyHasTheWorkOfTheTorque)
 {
   constexpr int steps = 200;
   constexpr int rest = 50;
-  const double face = Kappa * 0.01 * 1e-6 / 12.0; // S4
+  const double face = Kappa * 0.01 * 1e-6 / 12.0; // torsional stiffness of the face (case S4)
   this->Tool->SetMesh(MakeBox(10.0, 10.0, 4.0));
   this->Tool->SetNumberOfPoints(10000);
   const struct

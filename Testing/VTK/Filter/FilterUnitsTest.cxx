@@ -77,7 +77,7 @@ protected:
     struct World
     {
       double Units;
-      double Tolerance; // N
+      double Tolerance; // N, error of the expected force
     };
     const World worlds[] = { { 1024.0, 1e-9 }, { 0.125, 1e-9 }, { 0x1p-10, 1e-9 },
       { 0x1p-20, 1e-9 }, { 1e3, rounded }, { 0.1, rounded }, { 1e-3, rounded }, { 1e-6, rounded },

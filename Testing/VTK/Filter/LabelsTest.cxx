@@ -22,7 +22,7 @@ namespace
 {
 constexpr double Depth = 0.005; ///< depth of the press at the end of the path (m)
 constexpr vtkIdType Last = 50;
-constexpr double Strong = 100.0; ///< N
+constexpr double Strong = 100.0; ///< N that no press exceeds
 
 class LabelsTest : public ApiTest
 {

@@ -145,7 +145,7 @@ TEST_F(Memory, OfAPathThatIsMade)
   vtkNew<vtkHapticPathSource> source;
   MessageLog log(source);
   MessageLog executiveLog(source->GetExecutive());
-  source->SetSpeed(1e-2); // ten million points
+  source->SetSpeed(1e-2); // results in ten million points
   IsScarceFrom(64 << 20);
   source->Update();
   IsPlenty();

@@ -24,8 +24,8 @@ using namespace apitest;
 namespace
 {
 constexpr double BallRadius = 22.0; // mm
-constexpr double Blur = 0.45;       // mm
-constexpr double Fine = 0.5;        // mm
+constexpr double Blur = 0.45;       // mm, scale of the ball's edge
+constexpr double Fine = 0.5;        // mm, fine spacing
 constexpr double PressDepth = 1.5;  // depth of the press (mm)
 constexpr int PressTicks = 90;
 
@@ -322,7 +322,7 @@ TEST_P(ThickBallOfKernel, IsFeltWithEachPresetAsInCubes)
       const std::vector<Point> directions = this->GetObliqueDirections(axis);
       for (std::size_t i = 0; i < directions.size(); ++i)
       {
-        constexpr double off[] = { 0.005, 0.025, 0.038 }; // mm
+        constexpr double off[] = { 0.005, 0.025, 0.038 }; // mm, shifts B by the direction
         const double moved = radius < 2 ? 0.0 : off[i] / PressDepth;
         const Slices slices{ 1.6, axis, axis == 1 };
         const double leaned = !leans ? 0.0

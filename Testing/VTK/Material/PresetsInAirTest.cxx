@@ -19,9 +19,9 @@ using namespace apitest;
 
 namespace
 {
-constexpr double Air = 60.0; // mm
-constexpr double Deep = 5.0; // mm
-constexpr double Felt = 0.1; // N
+constexpr double Air = 60.0; // mm in front of the wall
+constexpr double Deep = 5.0; // mm behind the wall's surface
+constexpr double Felt = 0.1; // N that a hand notices
 constexpr int Side = 20;     // number of voxels, each 1 mm wide
 constexpr int Presses = 6;   // number of presses in one volume
 
@@ -213,8 +213,8 @@ TEST_P(PresetsInAir, LeaveNoSlopeUnfelt)
 /// touches instead of the wall.
 TEST(PresetsAtTheEdgeOfSkin, PhysicalPassesABlanketAndHoldsSkin)
 {
-  constexpr double plateau = 12.0; // mm
-  constexpr double wall = 24.0;    // mm
+  constexpr double plateau = 12.0; // mm, z of the plateau
+  constexpr double wall = 24.0;    // mm, z of the wall
   for (const double value : { -550.0, -420.0, -250.0, -150.0 })
   {
     const auto step = [](double x) { return 0.5 * std::erfc(-x / (0.8 * std::sqrt(2.0))); };

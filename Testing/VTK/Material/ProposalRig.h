@@ -28,7 +28,7 @@ struct Ball
 {
   double Radius;
   double Step;
-  double Width; // s
+  double Width; // scale s of the edge
 };
 
 constexpr int Size = 80; // number of voxels of an image along an axis

@@ -18,7 +18,7 @@ using namespace measuretest;
 
 namespace
 {
-constexpr double Radius = 40.0; // mm
+constexpr double Radius = 40.0; // mm, of the sphere
 
 /// Returns the point on a sphere around (10, -20, 30) at these angles in degrees.
 Point OnSphere(double longitude, double latitude)

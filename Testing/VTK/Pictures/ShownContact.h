@@ -47,7 +47,7 @@ struct ContactScript
   double Depth;  ///< depth of the tip below the plane (mm)
   double Across; ///< length of the drag along x (mm)
   double Friction;
-  double Strength; ///< N
+  double Strength; ///< N, surface strength
   bool Markers = false;
   bool Trail = false;
   const double* Orientation = nullptr; ///< orientation of the stylus: w, x, y, z

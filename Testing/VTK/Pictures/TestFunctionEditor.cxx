@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Shows the editor over a view: the stiffness of a preset, with a ramp from air, over the histogram
-// of the head phantom.
+// Renders the editor over a view: the stiffness of a preset, with a ramp from air, over the
+// histogram of the head phantom.
 #include "Factories.h"
 
 #include "vtkHapticFunctionEditor.h"

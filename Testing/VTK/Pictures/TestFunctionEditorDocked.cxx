@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Shows the editor below a view: the surface strength of a preset over the histogram of the head
+// Renders the editor below a view: the surface strength of a preset over the histogram of the head
 // phantom, and beside it the materials of the preset's tissues.
 #include "Factories.h"
 

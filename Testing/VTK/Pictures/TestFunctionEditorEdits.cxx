@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Drags axes, undoes edits, moves sliders of tissues, and puts the editor beside the scene, with
+// Drags axes, undoes edits, moves sliders of tissues, and docks the editor beside the scene, with
 // and without slices.
 #include "EditorMouse.h"
 #include "Factories.h"

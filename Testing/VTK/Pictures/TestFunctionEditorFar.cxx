@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Points and data that no axis can show: the editor draws what it can, and returns.
+// Tests points and data beyond the range of any axis: the editor must draw the visible part, and
+// return.
 #include "EditorMouse.h"
 #include "Factories.h"
 

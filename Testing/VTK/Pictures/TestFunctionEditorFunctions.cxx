@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Special cases of each function: values beyond the axis, no points, or no function.
+// Tests special cases of each function: values beyond the axis, no points, or no function.
 #include "EditorMouse.h"
 #include "Factories.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Dragging and removing points with the mouse changes the function itself.
+// Tests that dragging and removing points with the mouse changes the function itself.
 #include "EditorMouse.h"
 #include "Factories.h"
 #include "Rigs/EventCounter.h"

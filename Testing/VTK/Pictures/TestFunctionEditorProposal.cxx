@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Shows the functions that the head phantom proposes: dashed, over its edges, beside those of a
-// preset. The proposal is taken and dropped.
+// Renders the functions that are proposed for the head phantom: dashed, over its edges, beside
+// those of a preset. The test accepts and discards the proposal.
 #include "Factories.h"
 #include "Rigs/EventCounter.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Shows the editor's list of 89 labels with colours and names, scrolled to the label whose material
-// is edited; the label has two quantities of its own.
+// Renders the editor's list of 89 labels with colours and names, scrolled to the label whose
+// material is edited; the label overrides two quantities.
 #include "Factories.h"
 
 #include "vtkHapticFunctionEditor.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Clicks on labels, and their sliders, change the table itself. Values of sliders are compared with
-// the table within a pixel, which is at most a hundredth of the slider.
+// Tests that clicks on labels and their sliders change the table itself. The sliders' values must
+// equal the table's within a pixel, which is at most a hundredth of the slider.
 #include "EditorMouse.h"
 #include "Factories.h"
 #include "Rigs/EventCounter.h"

@@ -11,7 +11,7 @@ using namespace reference;
 
 namespace
 {
-constexpr double Rounding = 1e-10; // N
+constexpr double Rounding = 1e-10; // N, rounding error of a force
 } // namespace
 
 TEST(Passivity, AStaticTipNeverGainsEnergy)

@@ -19,10 +19,10 @@ struct TickRecord
   Vec3 tip;   // world units
   Vec3 force; // force on the hand (N)
   Vec3 normal;
-  double time = 0.0;              // s
+  double time = 0.0;              // s since the start of the path
   double normalForce = 0.0;       // normal force before the drag step (N)
   double frictionForce = 0.0;     // friction force before the drag step (N)
-  double dragForce = 0.0;         // N
+  double dragForce = 0.0;         // N, force of the drag step
   double value = 0.0;             // value at the proxy at the end of the tick
   double gradientMagnitude = 0.0; // magnitude of the gradient (scalar units per world unit)
   double surfaceValue = 0.0;

@@ -108,7 +108,7 @@ protected:
   }
   vtkNew<vtkHapticTimeStepSource> Source;
   double Radius = 0.0;
-  double Tolerance = 0.02; ///< N
+  double Tolerance = 0.02; ///< N, error of the expected force
   double Speed = 20.0;     ///< largest speed of the data time (1/s)
   double Felt = 0.0;       ///< data time of the last checked state
   double FeltAt = 0.0;     ///< servo time (s) of the last checked state

@@ -39,7 +39,7 @@ protected:
   /// Moves the tip 8 mm out of the ball, and back to the same position.
   void LiftAndPress()
   {
-    constexpr int steps = 8; // mm
+    constexpr int steps = 8; // steps of 1 mm
     for (const auto event :
       { vtkCommand::MouseWheelBackwardEvent, vtkCommand::MouseWheelForwardEvent })
     {

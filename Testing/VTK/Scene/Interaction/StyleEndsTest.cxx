@@ -269,7 +269,7 @@ TEST_F(StyleEnds, AndBeginsAnewInTheNextLoop)
   this->PushUntilHeld([this] { this->TypeQ(); });
   this->ExpectNoForce();
   this->Style->RemoveObservers(vtkInteractorStyleHaptic::StatesEvent);
-  this->Window->Render(); // opens the window again
+  this->Window->Render(); // reopens the window
   this->Style->TouchModeOn();
   ASSERT_TRUE(this->Style->GetTouchMode());
   this->Run(20);

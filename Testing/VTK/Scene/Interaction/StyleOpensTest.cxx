@@ -168,7 +168,7 @@ TEST(StyleOpens, FiftyWindowsLeaveNothingBehind)
 #if !defined(__GLIBC__) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "memory that was freed is not given back here";
 #endif
-  const vtkSmartPointer<vtkImageData> ball = MakeBall(); // 3.5 MB
+  const vtkSmartPointer<vtkImageData> ball = MakeBall(); // an image of 3.5 MB
   constexpr int windows = 50;
   for (int i = 0; i < 5; ++i)
   {

@@ -76,7 +76,7 @@ protected:
   /// switch to another volume.
   void Watch(vtkTable* states, vtkIdType row)
   {
-    constexpr int after = 50; // states
+    constexpr int after = 50; // states after a switch
     if (row == 0 && this->FeltOther != this->FeelsOther())
     {
       this->FeltOther = this->FeelsOther();
@@ -98,7 +98,7 @@ protected:
   vtkNew<vtkVolume> Other;
   vtkNew<vtkVolumeHapticsFilter> OtherFilter;
   double Force[3] = {};
-  double LargestStep = 0.0; ///< N
+  double LargestStep = 0.0; ///< N, largest change of the force
   bool FeltOther = true;
   int Changes = 0;
   int ContactAtChange = 0;

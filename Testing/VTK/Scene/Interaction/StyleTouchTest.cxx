@@ -332,7 +332,7 @@ TEST_F(HeldHand, GoesTheWayOfThePointerOnceWhateverIsBetween)
     this->Pointer(310, 160, vtkCommand::LeftButtonReleaseEvent);
     this->Pointer(330, 160);
     this->Rest();
-    constexpr double pixel = 0.2; // mm
+    constexpr double pixel = 0.2; // mm, width of a pixel
     EXPECT_NEAR(tip[0] - before, 10.0 * pixel, 1e-3) << between;
   };
   expectWay("nothing", [] {});

@@ -26,7 +26,7 @@ using namespace carvedtest;
 
 namespace
 {
-constexpr int MostDifference = 2; // grey levels
+constexpr int MostDifference = 2; // grey levels of tolerance
 constexpr int LeastChange = 20;
 
 struct Kind

@@ -39,7 +39,7 @@ namespace carvedtest
 {
 using namespace coretest;
 
-constexpr int Side = 80; ///< pixels
+constexpr int Side = 80; ///< pixels of the window's edge
 constexpr std::int64_t Size[3] = { 41, 35, 38 };
 
 /// Makes a ball of high values. Its extent does not begin at 0, and two corners have the smallest
