@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Runs each case of Google Test programs in a process of its own, as CTest does, because some tests change the rights of
-# their process. Each process is started by COMMAND, such as "env LANG=C", with an empty temporary folder. WHERE is told
-# of a case that fails, such as "in German".
+# Runs each case of Google Test programs in a separate process, as CTest does, because some tests change the permissions
+# of their process. COMMAND, such as "env LANG=C", starts each process with an empty temporary folder. WHERE, such as
+# "in German", is printed with each case that fails.
 #
 # usage: Testing/each_case.sh WHERE COMMAND... -- PROGRAM...
 set -euo pipefail

@@ -21,6 +21,6 @@ if ! locale -a | grep -qix 'de_DE\.utf-\?8'; then
   fi
   export LOCPATH=$folder
 fi
-# Keep the system's own messages in English, as the tests expect them.
+# Set the system's own messages to English, as the tests expect.
 "$(dirname "${BASH_SOURCE[0]}")/each_case.sh" "in German" \
   env -u LC_ALL -u LANGUAGE LANG=de_DE.UTF-8 LC_MESSAGES=C LD_PRELOAD="$library" -- "$@"

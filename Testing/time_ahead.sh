@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Runs Google Test programs in a time namespace (time_namespaces(7)), in which the computer seems to have run for 95
-# years: a double has no microseconds of such a time, and 32 bits have no seconds of it. Exits with 77 where a time
-# namespace can't be made.
+# Runs Google Test programs in a time namespace (time_namespaces(7)), in which the computer appears to have run for
+# 95 years: a double can't represent such a time to the microsecond, and 32 bits can't count its seconds. Exits with 77
+# if no time namespace can be created.
 #
 # usage: Testing/time_ahead.sh PROGRAM [PROGRAM ...]
 set -euo pipefail

@@ -118,7 +118,7 @@ def test_cures_of_options(shelf, explore, wrong, words, right):
         expect_forces(shelf, explore, f"{{}}/ramp.vti {right}")
 
 
-# Options that name a file to be read.
+# Options whose argument is a file to read.
 READ = ("--device replay:{}.vtp", "--guide {}.csv", "--guide {}.mrk.json", "--guide {}.stl", "--guide {}.vtp", "--labels {}.nii",
         "--labels {}.seg.nrrd", "--labels {}/labels.vti --materials {}.csv", "--measurements {}.csv", "--measurements {}.mrk.json",
         "--measurements {}.vtp", "--preset {}.json", "--replay {}.vtp", "--script {}.txt", "--setup {}.json", "--tool {}.ply",

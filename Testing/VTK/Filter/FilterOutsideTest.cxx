@@ -315,8 +315,8 @@ TEST_F(FilterMeasured, OneBadVoxelIsNoOutside)
   }
 }
 
-// A number that programs write for missing values, and that is far from all others, is outside
-// wherever it is. If it counted, a range up to 1e38 would hide all edges.
+// A number that programs write for missing values, and that is far from all other values, must
+// count as missing, even inside the volume. Otherwise, a range up to 1e38 would hide all edges.
 TEST_F(FilterMeasured, OneEnormousVoxelIsOutside)
 {
   for (const double bad : { 1e38, -1e37, 1e20 })
@@ -340,7 +340,7 @@ TEST_F(FilterMeasured, OneVoxelDoesNotHideHounsfieldUnits)
   std::normal_distribution<double> noise(0.0, 15.0);
   for (const double shift : { 0.0, 1000.0, 1024.0, 32768.0 })
   {
-    // Values are stored higher so that none is below 0.
+    // Programs add the shift so that no value is negative.
     const double least = shift > 0.0 ? 0.0 : -2000.0;
     const auto image = MakeImage(Size, VTK_FLOAT,
       [&](const Point& p) { return std::max(least, BallAt(p, shift) + noise(random)); });
@@ -357,7 +357,7 @@ TEST_F(FilterMeasured, OneVoxelDoesNotHideHounsfieldUnits)
       {
         EXPECT_EQ(warning.find("can't be a CT"), std::string::npos) << warning;
       }
-      // a region of the same volume
+      // A region of the volume must have the same shift.
       vtkNew<vtkHapticRegionFilter> crop;
       crop->SetInputData(image);
       crop->SetRegion(3, 36, 3, 36, 5, 39);
