@@ -69,6 +69,28 @@ protected:
     }
     return typed;
   }
+
+  /// Returns the devices that a page's lines give to the explorer.
+  static std::vector<std::string> ReadDevices(const std::string& page)
+  {
+    std::ifstream file(std::string(VOLUME_HAPTICS_PAGES) + page);
+    EXPECT_TRUE(file) << page;
+    std::vector<std::string> devices;
+    for (std::string line; std::getline(file, line);)
+    {
+      std::istringstream words(line);
+      std::string first;
+      words >> first;
+      for (std::string word; first == "volumehaptics-explore" && words >> word;)
+      {
+        if (word == "--device" && words >> word)
+        {
+          devices.push_back(word);
+        }
+      }
+    }
+    return devices;
+  }
 };
 
 } // namespace emulated
