@@ -16,8 +16,8 @@ install(
   DESTINATION "${VolumeHaptics_CMAKE_DESTINATION}"
   COMPONENT   development)
 
-# The folder in which udev looks for rules. It is not beside the libraries, whose folder may be named after the
-# architecture.
+# The folder in which udev looks for rules. It is set separately because the folder of the libraries may be named after
+# the architecture.
 if (NOT DEFINED VolumeHaptics_UDEV_DESTINATION)
   set(VolumeHaptics_UDEV_DESTINATION lib/udev/rules.d)
 endif ()

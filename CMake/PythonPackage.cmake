@@ -8,9 +8,10 @@ if (NOT DEFINED VolumeHaptics_PYTHON_SITE)
 endif ()
 set(python_options)
 if (SKBUILD)
-  set(python_options SOABI "${Python3_SOABI}") # the file's name tells which Python it is for
+  # the suffix names the Python version and platform that the file is built for
+  set(python_options SOABI "${Python3_SOABI}")
 endif ()
-set(CMAKE_UNITY_BUILD ON) # for generated code
+set(CMAKE_UNITY_BUILD ON)  # also for the generated wrappers
 vtk_module_wrap_python(
   MODULES             ${modules}
   TARGET              VolumeHaptics::PythonWrapped
@@ -19,7 +20,7 @@ vtk_module_wrap_python(
   MODULE_DESTINATION  "${VolumeHaptics_PYTHON_SITE}"
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   BUILD_STATIC        OFF
-  INSTALL_HEADERS     OFF # for projects that wrap classes derived from these
+  INSTALL_HEADERS     OFF  # headers are needed only by projects that wrap subclasses of these classes
   ${python_options})
 unset(CMAKE_UNITY_BUILD)
 
@@ -72,7 +73,8 @@ foreach (file IN ITEMS
   install(FILES "${source}" DESTINATION "${folder}" COMPONENT python)
 endforeach ()
 
-# VTK's generator of hints imports the classes, which fails with sanitizers in a Python that is not instrumented.
+# VTK's generator of type hints imports the classes. With sanitizers this fails, because the interpreter is not
+# instrumented.
 execute_process(
   COMMAND         "${Python3_EXECUTABLE}" -c "import vtkmodules.generate_pyi"
   RESULT_VARIABLE no_generator

@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Module/VTK/Settings.json is the one place in which a setting is described: its name, type, range, default, unit, the
-# model's member that keeps it, and a sentence. From it come the rows that PrintSelf(), setup files and the baking of
-# models walk, the properties in ParaView's XML, and a page of the documentation.
+# model's member that stores it, and a sentence that describes it. It generates the rows that PrintSelf(), setup files
+# and the baking of models iterate over, the properties in ParaView's XML, and a page of the documentation.
 #
 # An entry has a type: number, integer, flag (on, off), choice, vector, integers, text or function. Numbers are strings,
-# so that 0.005 stays 0.005 in every output; C++ names such as LargestNumber are allowed in a range. A choice is the text
-# that a user sees; its name in files is the same without spaces, or the first of a pair.
+# so that 0.005 stays 0.005 in every output; C++ names such as LargestNumber are allowed in a range. A choice is the
+# text that a user sees; its name in files is the same without spaces, or the first of a pair.
 #
 # As a script, "cmake -D page=FILE -P CMake/Settings.cmake" writes the page.
 
@@ -29,9 +29,9 @@ function(_get_array variable json key)
   set(${variable} "${list}" PARENT_SCOPE)
 endfunction()
 
-# Reads the file once, into global properties: the headers, the classes in each header, and for each class the name of
-# its rows, the names of its settings, and the entry of each setting. Entries contain semicolons, so they are not kept
-# in a list.
+# Reads the file once into global properties: the headers, the classes in each header, and for each class the name of
+# its rows, the names of its settings, and the entry of each setting. Each entry has a property of its own, because its
+# semicolons would split a CMake list.
 function(_read_file)
   file(READ "${VolumeHaptics_SETTINGS_FILE}" json)
   set(headers)
@@ -178,7 +178,7 @@ function(_write_row variable class)
   set(${variable} "${row}" PARENT_SCOPE)
 endfunction()
 
-# Writes a file if its content has changed, so that nothing is built again without a reason.
+# Writes a file only if its content has changed, so that unchanged files trigger no rebuild.
 function(_write_changed file content)
   set(before "")
   if (EXISTS "${file}")
@@ -189,7 +189,7 @@ function(_write_changed file content)
   endif ()
 endfunction()
 
-# Sets `variable` to the rows of a class's settings, with their lists.
+# Sets `variable` to the C++ rows of a class's settings, with the lists that they refer to.
 function(_write_rows variable class)
   get_property(rows GLOBAL PROPERTY "VolumeHaptics_rows_of_${class}")
   get_property(settings GLOBAL PROPERTY "VolumeHaptics_settings_of_${class}")
@@ -333,7 +333,7 @@ function(_write_property variable attributes body)
     if (minimum MATCHES "^-?[0-9]")
       string(APPEND domain " min=\"${minimum}\"")
     endif ()
-    # A slider covers a whole range, so larger ranges get none.
+    # Add no maximum above 1000, because ParaView's slider covers the whole range and would be too coarse.
     if (maximum MATCHES "^[0-9.]+$" AND NOT maximum GREATER 1000)
       string(APPEND domain " max=\"${maximum}\"")
     endif ()
@@ -342,7 +342,7 @@ function(_write_property variable attributes body)
     message(FATAL_ERROR "ParaView has no property for ${name}, whose type is ${setting_type}.")
   endif ()
   if (body MATCHES "Domain")
-    set(domain "") # a separate domain
+    set(domain "")  # the element replaces the domain
   endif ()
   set(text "${setting_text}")
   if (text MATCHES "[^.]$")
@@ -361,9 +361,9 @@ function(_write_property variable attributes body)
         <Documentation>${text}</Documentation>${body}</${element}>" PARENT_SCOPE)
 endfunction()
 
-# Writes an XML file of ParaView's, in which <Setting class="CLASS" name="NAME"/> stands for the property of a setting.
-# The element's attributes and content are added to the property: a separate domain, hints, and <More>, the end of the
-# documentation. An empty command is left out.
+# Writes a ParaView XML file from a template, in which <Setting class="CLASS" name="NAME"/> stands for the property of a
+# setting. The element's attributes and content are added to the property: a separate domain, hints, and <More>, which
+# is appended to the documentation. An empty command is omitted.
 function(volume_haptics_write_properties template file)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${template}" "${VolumeHaptics_SETTINGS_FILE}")
   file(READ "${template}" rest)
@@ -395,7 +395,7 @@ function(volume_haptics_write_properties template file)
   _write_changed("${file}" "${content}${rest}")
 endfunction()
 
-# Sets `variable` to a range in words for a reader.
+# Sets `variable` to a readable description of a range.
 function(_describe_range variable)
   set(text "")
   if (setting_type STREQUAL "choice")
@@ -412,7 +412,7 @@ function(_describe_range variable)
   set(${variable} "${text}" PARENT_SCOPE)
 endfunction()
 
-# Sets `variable` to the table of a class's settings.
+# Sets `variable` to a Markdown table of a class's settings.
 function(_describe_class variable class)
   set(table "| setting | default | range | |\n| --- | --- | --- | --- |\n")
   get_property(settings GLOBAL PROPERTY "VolumeHaptics_settings_of_${class}")

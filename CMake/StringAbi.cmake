@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Finds out which std::string VTK was compiled with. VTK's own wheels for Linux on x86-64 use the ABI from before C++11.
-# VTK's CMake package does not say so; only linking a program that passes a string to VTK shows it.
+# Finds out which ABI of std::string VTK was compiled with. VTK's own wheels for Linux on x86-64 use the ABI from before
+# C++11. VTK's CMake package does not record the ABI, so a test program that passes a string to VTK is linked.
 include(CheckCXXSourceCompiles)
 include(CMakePushCheckState)
 if (NOT VolumeHaptics_STRINGS_OF STREQUAL VTK_DIR)

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # shellcheck shell=bash
-# Sourced by scripts that a person starts, so that each script can install its packages and open a screen:
+# Functions for scripts that a person starts: they install a script's packages and open a virtual screen.
 #
 #   source CMake/install-packages.sh
 #   require_packages cmake ninja-build
 
-# Installs the named Debian packages that are missing, and nothing else. If that is not possible, returns 1, and prints
-# the missing packages and the command that installs them.
+# Installs those of the named Debian packages that are missing. If that fails, prints the missing packages and the
+# command that installs them, and returns 1.
 require_packages()
 {
   local package
@@ -43,7 +43,7 @@ require_packages()
     as_root=(sudo)
   fi
   echo "Installing the missing Debian packages: ${missing[*]}"
-  # If the update fails, go on: the present lists may be good enough.
+  # If the update fails, go on: the existing package lists may suffice.
   "${as_root[@]}" apt-get update -qq || echo "The package lists could not be brought up to date."
   if ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
     apt-get install -y -qq --no-install-recommends "${missing[@]}"
@@ -54,9 +54,9 @@ require_packages()
   fi
 }
 
-# Runs a command with an X server of its own, so that no window appears on the user's screen. -noreset keeps Xvfb from
-# restarting when its last client leaves. While it restarts it refuses connections, which failed one of about 400
-# programs run in a row.
+# Runs a command on its own X server, so that no window appears on the user's screen. -noreset keeps Xvfb from
+# restarting when its last client leaves: an Xvfb that restarts refuses connections, which made one of about 400
+# consecutive programs fail.
 with_own_screen()
 {
   xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "$@"

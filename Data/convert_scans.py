@@ -86,7 +86,7 @@ def main():
     for scan, pixels in (("shell", "225x128x128"), ("bone", "128x128x128"), ("fly", "150x256x256"),
                          ("fibers", "150x150x150"), ("NT", "128x128x128")):
         write(folder / f"{scan}.vti", read_tiff(packages / f"qim3d/examples/{scan}_{pixels}.tif"), (1, 1, 1))
-    # 128 of 256 pixels of 0.9375 mm, and about as much between slices.
+    # Use 128 of the 256 pixels, which are 0.9375 mm wide; the distance of the slices is about 1.875 mm, too.
     write(folder / "volpack.vti",
           read_den(packages / "usr/share/doc/libvolpack1-dev/examples/brainsmall.den"), (1.875, 1.875, 1.875))
     write(folder / "stent.vti", read_ssdf(packages / "visvis/visvisResources/stent_vol.ssdf", "vol"), (1, 1, 1))

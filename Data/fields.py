@@ -8,7 +8,7 @@ import numpy as np
 
 SLOPE = 100.0  # scalar units per mm
 RADIUS = 20.0  # mm, of the ball and of the cavity
-SHELL = 8.0  # mm to either side of the surface in which the radial fields are not clamped
+SHELL = 8.0  # mm; the radial fields are clamped farther than this from the surface
 HALF_WIDTH = 28  # voxels, of the radial fields
 WALL_VALUE = 2000.0  # before blurring
 

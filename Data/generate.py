@@ -7,7 +7,7 @@ import argparse
 import os
 import sys
 
-# Nothing but the data may appear beside the sources.
+# Prevent __pycache__: generated data must be the only new files beside the sources.
 sys.dont_write_bytecode = True
 
 try:
@@ -63,7 +63,7 @@ def write_image(path, name, values, origin, spacing, motion=None):
 def write_series(folder, name, make_frame, frames, origin, spacing):
     """A file for each frame, and one with their times, a period of a second, which ParaView opens."""
     entries = []
-    for frame in range(frames + 1):  # the last one is the first one again
+    for frame in range(frames + 1):  # the last frame repeats the first one
         values, motion = make_frame(frame, frames)
         file = f"{name}{frame:03}.vti"
         write_image(os.path.join(folder, file), "HU", values, origin, spacing, motion)

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # shellcheck shell=bash
-# Sourced by the scripts that a person starts: a real head CT.
+# A function that downloads a real head CT, for scripts that a person starts.
 
-# Puts Cranium.mhd, of Debian's example of InVesalius, into a folder, without installing it: get_head_ct FOLDER.
-# Its output ends with the licence. Returns 1, with the cure, if it fails.
+# Extracts Cranium.mhd from Debian's example data for InVesalius into a folder, without installing the package:
+# get_head_ct FOLDER. Ends its output with the licence. If it fails, prints a remedy and returns 1.
 get_head_ct()
 {
   local data=$1
@@ -16,7 +16,7 @@ get_head_ct()
     mkdir -p "$data/package"
     if ! (cd "$data" && apt-get download -qq invesalius-examples 2> download.log)
     then
-      # A machine that has never seen a package list.
+      # This machine has no package lists yet.
       if [[ "$(id -u)" -eq 0 ]]
       then
         apt-get update -qq
@@ -32,7 +32,7 @@ get_head_ct()
       fi
     fi
     dpkg -x "$data"/invesalius-examples_*.deb "$data/package"
-    # The archive lets everybody write to it; tar would keep that if root calls it.
+    # The archive makes its files writable by everybody, and tar run by root would preserve that.
     tar -xzf "$examples/examples/Cranium.inv3" -C "$data" --strip-components=1 --wildcards \
       --no-same-permissions --no-same-owner '*/matrix.dat'
     if [[ "$(stat -c %s "$data/matrix.dat")" -ne $((256 * 256 * 108 * 2)) ]]
@@ -41,7 +41,7 @@ get_head_ct()
       echo "Cure: name a VOLUME of yours." >&2
       return 1
     fi
-    # The rows run from the back to the front, the other way round than DICOM's: hence the -1.
+    # The rows run from the back to the front, opposite to DICOM's order, which explains the -1.
     cat > "$volume.part" << 'EOF'
 ObjectType = Image
 NDims = 3

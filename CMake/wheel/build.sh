@@ -28,12 +28,12 @@ vtk=$(sed -n 's/^dependencies = .*"vtk==\([0-9.]*\)".*/\1/p' "$root/pyproject.to
 tools=$folder/tools
 rm -rf "$tools" "$folder"/volumehaptics-*.whl "$folder/plain"
 "$python" -m venv "$tools"
-# Install the versions that the wheel was last built and tested with, as in pyproject.toml.
+# Install the pinned versions that the last tested wheel was built with, the same as in pyproject.toml.
 if ! "$tools/bin/pip" install -q --require-hashes -r "$root/CMake/wheel/requirements.txt"; then
   echo "pip reaches no registry of Python packages: no wheel" >&2
   exit 3
 fi
-# All files in the wheel get the time of the commit, if there is one.
+# Give all files in the wheel the time of the commit, if there is one, so that the build is reproducible.
 SOURCE_DATE_EPOCH=$(git -C "$root" log -1 --format=%ct 2> /dev/null || stat -c %Y "$root/CMakeLists.txt")
 export SOURCE_DATE_EPOCH
 mkdir -p "$folder/sdk"
@@ -44,7 +44,8 @@ if ! ls "$folder"/sdk/vtk_sdk-"$vtk"-*.whl > /dev/null 2>&1 &&
 fi
 "$tools/bin/pip" wheel -q --no-deps --find-links "$folder/sdk" -w "$folder/plain" "$root"
 
-# VTK's libraries come from VTK's own wheel. The wheel carries all other libraries that some Linux systems lack.
+# VTK's libraries come from VTK's own wheel. This wheel contains all other libraries that are missing from some Linux
+# systems.
 PATH=$tools/bin:$PATH auditwheel repair --exclude 'libvtk*.so' -w "$folder" "$folder"/plain/volumehaptics-*.whl \
   > "$folder/auditwheel.log" 2>&1 || { cat "$folder/auditwheel.log" >&2; exit 1; }
 echo "Built $(ls "$folder"/volumehaptics-*.whl)"

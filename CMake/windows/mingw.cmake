@@ -15,5 +15,5 @@ set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
 list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES VolumeHaptics_WINDOWS_PREFIX)
 find_program(VolumeHaptics_WINE NAMES wine64 wine64-stable PATHS /usr/lib/wine)
 set(CMAKE_CROSSCOMPILING_EMULATOR "${VolumeHaptics_WINE}")
-# Find no libraries of the building system.
+# Ignore the libraries of the system that builds.
 set(ENV{PKG_CONFIG_LIBDIR} "${VolumeHaptics_WINDOWS_PREFIX}/lib/pkgconfig")

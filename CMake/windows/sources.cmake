@@ -3,7 +3,7 @@
 
 # Changes the build of VTK 9.2 for MinGW, at the end of its configuration.
 function (volume_haptics_set_sources)
-  # Users of a class that is made of an exported template take its inline functions, too, from the library.
+  # Import the inline functions of classes that derive from exported templates from the library, too.
   foreach (module IN ITEMS CommonCore CommonDataModel CommonExecutionModel ImagingCore)
     get_target_property(folder ${module} SOURCE_DIR)
     get_target_property(sources ${module} SOURCES)
@@ -16,8 +16,8 @@ function (volume_haptics_set_sources)
     endforeach ()
   endforeach ()
 
-  # Compile several sources of VTK's larger modules at once, which takes half the time. VTK isn't made for that: sources
-  # that others break are compiled by themselves.
+  # Compile several sources of VTK's larger modules at once, which takes half the time. VTK isn't designed for unity
+  # builds, so sources that clash with others are compiled separately.
   set(modules ChartsCore FiltersExtraction FiltersFlowPaths FiltersHybrid FiltersHyperTree FiltersModeling
     FiltersStatistics IOCore IOGeometry IOImage IOInfovis IOLegacy IOXML ImagingColor ImagingCore ImagingGeneral
     ImagingHybrid ImagingMath ImagingMorphological InfovisCore InteractionStyle InteractionWidgets ParallelCore

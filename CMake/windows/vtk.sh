@@ -15,7 +15,7 @@ mkdir -p "$1"
 cd "$1"
 if [ ! -d source ]; then
   "$here/source.sh" paraview .
-  # GCC takes an exported variable for a definition, if its declaration doesn't say extern.
+  # GCC treats an exported variable as a definition unless its declaration says extern.
   sed -i -E 's/^(vtktiff_EXPORT (TIFFErrorHandler|const TIFFCodec))/extern \1/' \
     source/VTK/ThirdParty/tiff/vtktiff/libtiff/tiffiop.h
 fi

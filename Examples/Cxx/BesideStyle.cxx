@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Makes a viewer with its own interactor style touchable by the four lines of a vtkHapticWidget.
-// Press t with the pointer on the volume.
+// Makes the volume of a viewer with its own interactor style touchable, by the four lines for a
+// vtkHapticWidget. Press t with the pointer on the volume.
 #include <vtkColorTransferFunction.h>
 #include <vtkHapticProperty.h>
 #include <vtkHapticWidget.h>

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Adds a program's own device to vtkHapticDevice, with a back end, a kind, and two lines in the
-// application. The "library" here only imitates the usual functions of device libraries, so that
-// the example runs as it is: replace OwnLibrary's calls by those of your library. To offer a device
-// to all programs, write a plug-in instead: see VendorDevice.cxx.
+// Adds an application's own device to vtkHapticDevice: a back end, a device kind, and two lines in
+// the application. The "library" here only imitates the usual functions of device libraries, so
+// that the example runs as it is: replace OwnLibrary's calls by those of your library. To offer a
+// device to all programs, write a plug-in instead: see VendorDevice.cxx.
 #include <Devices/Common/DeviceKind.h>
 #include <vtkHapticDevice.h>
 #include <vtkNew.h>
@@ -14,7 +14,7 @@
 #include <iostream>
 #include <thread>
 
-// ---- The device's library: handles, error codes, millimetres, and axes of its own.
+// ---- The device's library, with its own handles, error codes, axes, and millimetres.
 namespace OwnLibrary
 {
 struct Pose
@@ -49,7 +49,6 @@ int Write(int /*handle*/, const double /*newtons*/[3])
 void Close(int /*handle*/) {}
 } // namespace OwnLibrary
 
-// ---- Your code.
 namespace
 {
 using namespace VolumeHaptics;
@@ -91,7 +90,7 @@ public:
     }
   }
   std::string GetName() const override { return "own:" + std::to_string(this->Number); }
-  // Returns the limits on the data sheet. 0: no limit, or not known.
+  // Returns the limits on the data sheet. 0 means no limit, or an unknown one.
   DeviceLimits GetLimits() const override
   {
     DeviceLimits limits;
@@ -113,30 +112,31 @@ public:
     {
       return DeviceState::Lost; // removes the force until the user opens and arms the device again
     }
-    // DeviceSample has metres, and its axes point right, up and towards the user.
+    // DeviceSample uses metres, and axes that point right, up and towards the user.
     const double* const p = pose.Millimetres;
     sample.Tip = { 1e-3 * p[0], 1e-3 * p[2], -1e-3 * p[1] };
-    // DeviceSample has w first. Like a position, its x, y and z refer to the sample's axes. If the
-    // library measures no orientation, leave HasOrientation false. DeviceBackend.h describes the
-    // axes of the stylus itself.
+    // DeviceSample stores w first; x, y and z are components along the same axes as those of the
+    // position. If the library measures no orientation, leave HasOrientation false. DeviceBackend.h
+    // describes the axes of the stylus itself.
     const double* const q = pose.Quaternion;
     sample.Orientation = { q[3], q[0], q[2], -q[1] };
     sample.HasOrientation = true;
     sample.Buttons = pose.Buttons;
     sample.Fresh = result > 0;
-    // The time of the measurement. It is now, because this library does not report it.
+    // This library reports no time of measurement, so use the current time.
     sample.Time = sample.Fresh ? Now() : 0;
     return DeviceState::Running;
   }
   DeviceState Write(const Vector3& force) noexcept override
   {
-    // The safety stage has checked the force: it is finite, clamped and limited in its growth.
-    // Convert it to the library's axes.
+    // The force is already finite, clamped, and limited in its growth by the safety stage. Convert
+    // it to the library's axes.
     const double newtons[3] = { force.X, -force.Z, force.Y };
     return OwnLibrary::Write(this->Handle, newtons) < 0 ? DeviceState::Lost : DeviceState::Running;
   }
-  // Any thread may call this function when the servo's thread does not answer. If a library accepts
-  // calls from one thread only, write a watchdog here; this library accepts calls from any thread.
+  // Any thread may call this function if the servo's thread does not respond. If your library
+  // accepts calls from one thread only, write a watchdog here; this library accepts calls from any
+  // thread.
   void Quench() noexcept override
   {
     const double none[3] = { 0.0, 0.0, 0.0 };

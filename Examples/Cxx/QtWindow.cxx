@@ -38,7 +38,7 @@ namespace
 QComboBox* AddChoice(QToolBar* bar, vtkStringArray* names)
 {
   auto* const choice = new QComboBox;
-  choice->setFocusPolicy(Qt::NoFocus); // the scene keeps the keys
+  choice->setFocusPolicy(Qt::NoFocus); // keeps keyboard input in the scene
   for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
   {
     choice->addItem(QString::fromStdString(names->GetValue(i)));
@@ -94,22 +94,22 @@ private:
     this->Device->Open("virtual"); // the mouse
     this->Style->SetDevice(this->Device);
     this->Style->SetDefaultRenderer(this->Renderer);
-    // touches the parts that the volume shows, now and later
+    // touches the parts that the volume shows, also after the opacity changes
     this->Style->TouchVolume(this->Volume);
     this->Device->GetVolumeHaptics()->GetProperty()->ApplyPreset("CT contrast");
     this->Device->Start();
     this->Hand->SetDevice(this->Device);
     this->Renderer->AddViewProp(this->Hand);
-    this->Display->SetDevice(this->Device); // shows hints and the felt forces
+    this->Display->SetDevice(this->Device); // shows hints and force arrows
     this->Renderer->AddViewProp(this->Display);
     this->Style->SetHeadUpDisplay(this->Display);
-    // The widget's interactor has Qt timers, by which the style polls the servo.
+    // The style polls the servo with the timers of Qt, which the widget's interactor provides.
     vtkRenderWindowInteractor* const interactor = this->View->interactor();
     interactor->SetInteractorStyle(this->Style);
     // End the touch when the widget is hidden, minimised or closed.
     VolumeHaptics::WidgetWatch::Watch(this->View, this->Style);
 
-    // Make key q close the window; VTK would only end its own loop.
+    // Make key q close the window; VTK's own handler would only end VTK's event loop.
     this->Quit->SetClientData(this);
     this->Quit->SetCallback([](vtkObject*, unsigned long, void* window, void*)
       { static_cast<Window*>(window)->close(); });
@@ -124,13 +124,13 @@ private:
     QObject::connect(touch, &QAction::triggered,
       [this](bool on)
       {
-        // Begin the touch in the middle, because the pointer is on the button.
+        // Begin the touch at the centre of the scene, because the pointer is still on the button.
         vtkRenderWindowInteractor* const interactor = this->View->interactor();
         const int* const size = interactor->GetSize();
         interactor->SetEventInformation(size[0] / 2, size[1] / 2);
         this->Style->SetTouchMode(on);
       });
-    // Show the state of the touch on the button, because key t begins and ends the touch, too.
+    // Update the button, because key t begins and ends the touch, too.
     this->Follow->SetClientData(touch);
     this->Follow->SetCallback(
       [](vtkObject* style, unsigned long, void* action, void*)

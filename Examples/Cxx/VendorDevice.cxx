@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A template of a plug-in. It gives all programs of VTK Volume Haptics a device that needs its
-// vendor's library:
+// A template of a plug-in that makes a device which needs its vendor's library available to all
+// programs of VTK Volume Haptics:
 //
 //   cmake -S Examples/Cxx -B build -DVolumeHaptics_DIR=... && cmake --build build
 //   export VOLUMEHAPTICS_VENDOR_PATH=$PWD/build
@@ -11,14 +11,14 @@
 //
 // The "library" here only imitates the usual functions of such libraries, so that the example runs
 // as it is: replace VendorSdk's calls by those of your vendor's library. VendorPlugin.h describes
-// what each function has to do. The plug-in is not loaded if other users may write it or a folder
-// above it.
+// what each function has to do. For safety, a plug-in is not loaded if other users can write to it
+// or to a folder above it.
 #include <Devices/Vendor/VendorPlugin.h>
 
 #include <cmath>
 #include <cstdio>
 
-// ---- The vendor's library: handles, error codes, millimetres, and axes of its own.
+// ---- The vendor's library, with its own handles, error codes, axes, and millimetres.
 namespace VendorSdk
 {
 struct Pose
@@ -53,7 +53,6 @@ int Write(int /*handle*/, const double /*newtons*/[3])
 void Close(int /*handle*/) {}
 } // namespace VendorSdk
 
-// ---- Your code.
 namespace
 {
 
@@ -100,7 +99,7 @@ int GetLimits(void*, VolumeHapticsVendorLimits* limits)
   limits->MaximumSpeed = 2.5;
   limits->WorkspaceRadius = 0.08;
   limits->ForceAxes = 7;
-  // The motors give 0.9 N for any time, and up to the largest force for two seconds.
+  // The motors can sustain 0.9 N indefinitely, and the largest force for two seconds.
   limits->ContinuousForce = 0.9;
   limits->PeakTime = 2.0;
   return VOLUME_HAPTICS_VENDOR_DONE;
@@ -119,17 +118,17 @@ int Read(void* handle, VolumeHapticsVendorPose* pose)
   const int result = VendorSdk::Read(device->Handle, &told);
   if (result < 0)
   {
-    // The force stays off until the user opens or homes the device, and arms it again.
+    // The force stays off until the user opens or homes the device and arms it again.
     device->Error = "does not answer. Look after its cable, then Home() and Arm() again.";
     return VOLUME_HAPTICS_VENDOR_LOST;
   }
-  // The sample has metres, and its axes point right, up and towards the user.
+  // The sample uses metres, and axes that point right, up and towards the user.
   const double* const p = told.Millimetres;
   pose->Position[0] = 1e-3 * p[0];
   pose->Position[1] = 1e-3 * p[2];
   pose->Position[2] = -1e-3 * p[1];
-  // The sample has w first. Like a position, its x, y and z refer to the sample's axes. If the
-  // library measures no orientation, leave HasOrientation 0.
+  // The sample stores w first; x, y and z are components along the same axes as those of the
+  // position. If the library measures no orientation, leave HasOrientation 0.
   const double* const q = told.Quaternion;
   pose->Orientation[0] = q[3];
   pose->Orientation[1] = q[0];

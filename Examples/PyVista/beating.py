@@ -9,7 +9,7 @@ import numpy as np
 import pyvista as pv
 from volumehaptics.pyvista import add_haptics
 
-RADIUS, STROKE, REST = 20.0, 2.0, 19.0  # mm: the ball's mean radius, its change, and the height of the hand
+RADIUS, STROKE, REST = 20.0, 2.0, 19.0  # mm: mean radius of the ball, amplitude of the radius, height of the hand
 FRAMES = 24  # number of frames in a beat, which takes one second
 STIFFNESS = 0.5  # N/mm
 
@@ -41,13 +41,13 @@ ball = plotter.add_volume(
     opacity_unit_distance=3, show_scalar_bar=False)
 ball.prop.interpolation_type = "linear"
 haptics = add_haptics(plotter, frames, times, visibility=False)
-# N, so strong that the surface gives way to no force
+# N, more than any force of the hand, so that the surface is never punctured
 haptics.filter.GetProperty().GetSurfaceStrength().AddPoint(0.0, 3.0)
 haptics.head_up_display.AddTissue("the ball", 400, 1000)
 device = haptics.device
 plotter.view_vector((0.3, -1.0, 0.25), (0, 0, 1))
 plotter.camera.zoom(1.2)
-plotter.camera.SetWindowCenter(-0.16, 0.0)  # leaves room for the figures
+plotter.camera.SetWindowCenter(-0.16, 0.0)  # leaves room for the diagrams
 plotter.show(interactive_update=True)
 
 device.GetVirtualHand().Place(REST, 0.0, 0.0)

@@ -22,7 +22,7 @@ import moving  # noqa: E402
 SECONDS = 2.0  # duration of breathing in
 STIFFNESS, STRENGTH = 0.5, 3.0  # N/mm, N
 AIR, TISSUE = -600, -200  # HU, below and above the surface
-DEEP = 4.0  # mm: distance by which the surface pushes the hand, but at most half of the surface's motion
+DEEP = 4.0  # mm: depth of the hand below the moving surface, at most half of the surface's motion
 
 parser = argparse.ArgumentParser(description=__doc__)
 parser.add_argument("volume", nargs="?", help="a NIfTI file of a CT, or what PyVista reads (default: the phantom)")
@@ -44,7 +44,7 @@ def read(file):
     reader.Update()
     scan = pv.wrap(reader.GetOutput())
     hu = np.asarray(scan.active_scalars).reshape(scan.dimensions[::-1]) + reader.GetRescaleIntercept()
-    # its axes point to the right, the front and the top
+    # signs that turn the image's axes to the right, the front and the top
     to_patient = reader.GetSFormMatrix() or reader.GetQFormMatrix()
     signs = [to_patient.GetElement(axis, axis) if to_patient else 1.0 for axis in range(3)]
     return hu[::1 if signs[2] > 0 else -1, ::-1 if signs[1] > 0 else 1, ::-1 if signs[0] > 0 else 1], scan.spacing
@@ -104,7 +104,7 @@ body = plotter.add_volume(
 body.prop.interpolation_type = "linear"
 haptics = add_haptics(plotter, frames, np.linspace(0.0, SECONDS, FRAMES), visibility=False)
 haptics.filter.SetDisplacementArrayName("motion")
-# Edges inside the lung are faint, and would push the hand before it reaches the surface: give them no strength.
+# Faint edges inside the lung would push the hand before it reaches the surface, so give them no strength.
 haptics.filter.GetProperty().GetSurfaceStrength().AddPoint(AIR, 0.0)
 haptics.filter.GetProperty().GetSurfaceStrength().AddPoint(TISSUE, STRENGTH)
 for tissue, low, high in (("lung", -950, -600), ("fat", -150, -20), ("muscle or an organ", -20, 150), ("bone", 150, 3000)):
@@ -114,7 +114,7 @@ device.GetPlayback().SetModeToPingPong()
 device.GetPlayback().SetDataTime(SECONDS)
 plotter.view_vector((0.25, -1.0, 0.15), (0, 0, 1))
 plotter.camera.zoom(1.5)
-plotter.camera.SetWindowCenter(-0.26, 0.0)  # leaves room for the figures
+plotter.camera.SetWindowCenter(-0.26, 0.0)  # leaves room for the diagrams
 plotter.show(interactive_update=True)
 device.GetVirtualHand().Place(*rest)
 device.Arm()

@@ -9,7 +9,7 @@ from volumehaptics.pyvista import touch
 
 picture = gallery.options(__doc__, volume=False)
 
-# A block below z = 0, whose values rise by 100 in each millimetre.
+# A block below z = 0, whose values rise by 100 per millimetre of depth.
 block = pv.ImageData(dimensions=(81, 41, 41), origin=(-40, -20, -20))
 block["depth"] = -100.0 * block.points[:, 2]
 
@@ -17,7 +17,7 @@ block["depth"] = -100.0 * block.points[:, 2]
 def slide(depth, **functions):
     """Makes the hand go down to a depth (mm), then 40 mm along the surface, at 40 mm/s. Returns the trace."""
     material = vtkHapticProperty()
-    material.GetSurfaceStrength().AddPoint(-1, 0.0)  # above z = 0 there is nothing
+    material.GetSurfaceStrength().AddPoint(-1, 0.0)  # nothing is felt above z = 0
     material.GetSurfaceStrength().AddPoint(1, functions.pop("strength"))
     for name, value in functions.items():
         getattr(material, f"Get{name}")().AddPoint(0, value)

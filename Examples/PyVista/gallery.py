@@ -15,7 +15,7 @@ from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 SKIN = LinearSegmentedColormap.from_list(
     "skin", ["#d8997a", "#edb08f", "#e5a083", "#e0977d", "#e6b9a0", "#f5ebd8", "#faf2e4", "#ffffff"])
 OPACITY = [0.0, 0.35, 0.35, 0.2, 0.14, 0.6, 0.9, 0.98]
-# Colours and opacities from -1000 to 1000 HU: the lung's surface, soft tissue as a veil, and bone.
+# Colours and opacities from -1000 to 1000 HU: the lung's surface, translucent soft tissue, and bone.
 CHEST = LinearSegmentedColormap.from_list(
     "chest", ["#6a5560", "#c98f86", "#d8997a", "#e0977d", "#d9725f", "#f0dcc0", "#faf2e4", "#ffffff", "#ffffff"])
 CHEST_OPACITY = [0.0, 0.0, 0.07, 0.05, 0.03, 0.45, 0.8, 0.95, 0.98]
@@ -77,7 +77,7 @@ def add_head(plotter, head, opacity=OPACITY):
 
 def add_trail(plotter, trace, largest=None, bar=True, width=9):
     """Adds the trail of the proxy, coloured by the force on the hand, up to the largest force (N)."""
-    # Drop repeated points, because a proxy that is held stands still for many ticks.
+    # Drop repeated points: a proxy in static friction stays in place for many ticks.
     steps = np.floor(np.append(0, np.cumsum(np.linalg.norm(np.diff(trace.points, axis=0), axis=1))) / 0.3)
     kept = np.append(True, np.diff(steps) > 0)
     trail = pv.MultipleLines(points=trace.points[kept])
@@ -102,7 +102,7 @@ def add_chart(plotter, title, x_label, y_label, curves, legend=("left", "top")):
     """Fills the active subplot with a chart of curves, {label: (x, y)} or {label: (x, y, colour)}."""
     plotter.set_background("white", all_renderers=False)
     chart = pv.Chart2D(size=(0.97, 0.95), loc=(0.0, 0.02), x_label=x_label, y_label=y_label)
-    chart.title = title + "\n"  # an empty line keeps the title off the box of the legend
+    chart.title = title + "\n"  # an empty line separates the title from the legend
     chart.border_color = "white"
     for colour, (label, curve) in zip(COLOURS, curves.items()):
         chart.line(curve[0], curve[1], color=curve[2] if len(curve) > 2 else colour, width=2.5, label=label)
@@ -175,18 +175,19 @@ class Scene:
         picture, the servo may stand still for so long that a contact ends.
         """
         device = self.haptics.device
-        self.haptics.head_up_display.PlotVisibilityOff()  # the plot shows the hand's time, not the data's
+        # the plot's axis is the time of the hand, not that of the data
+        self.haptics.head_up_display.PlotVisibilityOff()
         step = span / pictures
-        # so slow that a step takes 0.15 s, in which the data time is read often
+        # so slow that a step takes 0.15 s, in which the data time is polled often
         device.GetPlayback().SetSpeed(step / 0.15)
         attention = device.GetAttentionTime()
-        device.SetAttentionTime(600.0)  # without a graphics card, a picture takes seconds
+        device.SetAttentionTime(600.0)  # a frame takes seconds without a graphics card, longer than the default allows
         last, gone = device.GetPlayback().GetDataTime(), 0.0
 
         def has_come(place):
             nonlocal last, gone
             way = abs(device.GetPlayback().GetDataTime() - last)
-            gone += min(way, span - way)  # also correct from the end of a loop to its beginning
+            gone += min(way, span - way)  # the shortest difference, also across the end of a loop
             last = device.GetPlayback().GetDataTime()
             return gone >= place
 

@@ -20,7 +20,7 @@ for tissue, low, high in (("fat", -150, -20), ("muscle", -20, 90), ("bone", 300,
 plotter.view_vector((0.45, -1, 0.2), (0, 0, 1))
 plotter.camera.focal_point = way.points[-1] - (0, 0, 30)
 plotter.camera.zoom(1.6)
-plotter.camera.SetWindowCenter(-0.28, 0.0)  # leave room for the figures
+plotter.camera.SetWindowCenter(-0.28, 0.0)  # leaves room for the diagrams
 plotter.show(interactive_update=True)
 
 haptics.device.GetVirtualHand().Place(*way.points[0])

@@ -19,7 +19,7 @@ names = vtkVolumeHapticsFilter.GetMethodNames()
 curves = {}
 for name in [names.GetValue(i) for i in range(names.GetNumberOfValues())]:
     if name == "primitives":
-        continue  # this method needs vectors, and the head has none
+        continue  # this method needs vectors, which the head lacks
     trace = touch(head, tip, property=solid, method_by_name=name, iso_value=-300.0, force_field_gain=1 / 450)
     curves[name] = (trace["Time"], gallery.strength(trace))
     print(f"{name}: strongest {gallery.strength(trace).max():.3f} N")

@@ -26,7 +26,7 @@ wall = vtkHapticProperty()  # solid if the value is above 0
 for value, newtons in ((-0.02, 0.0), (0.02, 50.0)):
     wall.GetSurfaceStrength().AddPoint(value, newtons)
 
-# A line across the volume, projected onto the wall. The tip goes 0.5 to 3.5 mm into the wall, and comes back.
+# A line across the volume, projected onto the wall. The tip enters the wall by 0.5 to 3.5 mm, and returns.
 turn = np.linspace(0, 1, 150)
 way = np.linspace((-16.4, -10.9, -3.8), (1.4, 23.4, 21.8), 150)
 for _ in range(20):
@@ -39,7 +39,7 @@ print(f"strongest {gallery.strength(trace).max():.3f} N")
 
 plotter = gallery.make_plotter(picture)
 view = np.array([0.4, -1.0, 1.3])
-before = trace.points.mean(axis=0) + 3.0 * view  # parts nearer than this would hide the trail
+before = trace.points.mean(axis=0) + 3.0 * view  # objects nearer to the eye than this would hide the trail
 plotter.add_mesh(volume.contour([0.0]).clip(view, origin=before), color="#c9d3e0", smooth_shading=True)
 gallery.add_trail(plotter, trace)
 gallery.add_title(plotter, "A gyroid made with NumPy, and the way of the proxy along its wall")

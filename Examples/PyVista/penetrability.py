@@ -13,7 +13,7 @@ outwards = np.array([0.62, -0.62, -0.48])
 middle = np.asarray(head.center)
 skin = head.contour([-300.0]).ray_trace(middle + head.length * outwards, middle, first_point=True)[0]
 depth = np.linspace(-14, 26, 2001)  # mm
-# Read materials behind the blurred edges, and put surfaces in the middle of the edges.
+# Read materials from behind the blurred edges, and place surfaces in the middle of the edges.
 trace = touch(
     head, skin - depth[:, None] * outwards, "CT contrast", contact_alignment=vtkVolumeHapticsFilter.EDGE,
     material_placement=vtkVolumeHapticsFilter.FAR_SIDE)
@@ -39,6 +39,6 @@ chart = gallery.add_chart(
 for (tissue, newtons), colour in zip(STRENGTH.items(), ("#c9a227", "#b1342b")):
     ends, label = [depth[0], depth[-1]], f"{tissue}, {newtons} N"
     chart.line(ends, [newtons, newtons], color=colour, width=2, style="--", label=label)
-chart.y_range = (0.0, 3.0)  # room for the legend
+chart.y_range = (0.0, 3.0)  # leaves room for the legend
 chart.legend_visible = True
 gallery.show(plotter, picture)

@@ -35,7 +35,7 @@ class Window(QtWidgets.QMainWindow):
         self.touch = bar.addAction("Touch")
         self.touch.setCheckable(True)
         self.touch.triggered.connect(self.set_touch)
-        # Show the state of the touch on the button, because key t begins and ends the touch, too.
+        # Update the button, because key t begins and ends the touch, too.
         style = self.haptics.style
         style.AddObserver("ModifiedEvent", lambda *_: self.touch.setChecked(bool(style.GetTouchMode())))
         felt = self.haptics.filter
@@ -44,14 +44,14 @@ class Window(QtWidgets.QMainWindow):
             (vtkHapticProperty.GetPresetNames(), "CT contrast", felt.GetProperty().ApplyPreset),
         ):
             box = QtWidgets.QComboBox()
-            box.setFocusPolicy(QtCore.Qt.NoFocus)  # the scene keeps the keys
+            box.setFocusPolicy(QtCore.Qt.NoFocus)  # keeps keyboard input in the scene
             box.addItems([names.GetValue(i) for i in range(names.GetNumberOfValues())])
             box.setCurrentText(chosen)
             box.textActivated.connect(choose)
             bar.addWidget(box)
 
     def set_touch(self, on):
-        # Begin the touch in the middle, because the pointer is on the button.
+        # Begin the touch at the centre of the scene, because the pointer is still on the button.
         interactor = self.plotter.iren.interactor
         width, height = interactor.GetSize()
         interactor.SetEventInformation(width // 2, height // 2, 0, 0)

@@ -15,7 +15,7 @@ tip = gallery.over_skin(head, np.column_stack([np.sin(turn), -np.cos(turn), 0.6 
 crop = vtkHapticRegionFilter()
 crop.SetInputData(head)
 size = head.dimensions
-# Leave room for the samples behind the skin, where materials are read.
+# Include the samples below the skin, from which materials are read.
 crop.SetRegion(3 * size[0] // 8, size[0] - 1, 0, 5 * size[1] // 8, 7 * size[2] // 16, 15 * size[2] // 16)
 crop.Update()
 region = pv.wrap(crop.GetOutput())

@@ -15,4 +15,4 @@ skin.prop.interpolation_type = "linear"
 haptics = add_haptics(plotter, skin, "CT contrast", iso_value=-300)
 plotter.view_vector((1, -0.8, 0.35), (0, 0, 1))
 plotter.camera.zoom(1.3)
-plotter.show()  # press t with the pointer on the head; then the wheel presses, and the mouse strokes
+plotter.show()  # press t with the pointer on the head; then the wheel presses, and moving the mouse strokes

@@ -32,8 +32,8 @@ ORGANS = {
 BONES = ("rib_", "vertebrae", "sternum", "clavicula", "scapula", "humerus")
 BODY = -300  # HU
 EVERY = 2  # number of voxels from one sample to the next along x and y
-DEEP = 2.5  # mm: depth of the hand in the organs
-STRENGTH = 3.0  # N, more than any force of the hand, so that no organ gives way
+DEEP = 2.5  # mm: depth of the hand below the surface of the organs
+STRENGTH = 3.0  # N, more than any force of the hand, so that no organ is punctured
 SPEED = 60.0  # mm/s
 
 
@@ -73,7 +73,7 @@ def make_path(felt, across, spacing):
     slab = felt[:, :, across - 3:across + 4].any(axis=2)  # [z, y]
     rows = np.nonzero(slab.any(axis=1))[0]
     fronts = (slab[rows].argmax(axis=1) - 0.5) * spacing[1]  # walls are between voxels
-    # half of the width over which the path is smoothed, because a hand makes no steps
+    # half of the width of the moving mean, which turns steps into a smooth path
     width = max(1, int(6.0 / spacing[2]))
     fronts = np.convolve(np.pad(fronts, width, "edge"), np.full(2 * width + 1, 1.0 / (2 * width + 1)), "valid")
     z, y = rows[::-1] * spacing[2], fronts[::-1] + DEEP
@@ -147,7 +147,7 @@ def main():
             print(f"{kind}: {np.median(force[here]):.2f} N as a median, {force[here].max():.2f} N at most")
             names.append((f"{kind}, {np.median(force[here]):.1f} N", proxy[here[len(here) // 2]]))
     line = make_actor(trace, radius=3.0, colours=colours)
-    line.SetPosition(0.0, -6.0, 0.0)  # in front of the organs, where the proxy rests
+    line.SetPosition(0.0, -6.0, 0.0)  # in front of the organs, at the depth of the proxy
     scene = make_renderer(
         *[surface(inside[kind], spacing, colour) for kind, (colour, _) in ORGANS.items() if inside[kind].any()],
         surface(inside["bone"], spacing, (0.95, 0.92, 0.84), 0.25), surface(hu > BODY, spacing, (0.93, 0.73, 0.62), 0.07),
@@ -158,7 +158,7 @@ def main():
     camera.SetPosition(middle + [120.0, -900.0, 160.0])
     camera.SetViewUp(0.0, 0.0, 1.0)
     camera.SetViewAngle(22.0)
-    for name, place in names:  # nearer to the eye on the line of sight, so that the name is in front of everything
+    for name, place in names:  # moves the name towards the eye on its line of sight, so that nothing hides it
         scene.AddViewProp(write_name(name, 0.6 * place + 0.4 * np.array(camera.GetPosition())))
     scene.ResetCameraClippingRange()
     show(scene, chosen.picture)

@@ -25,11 +25,11 @@ from force_scene import make_actor, make_renderer, show
 BONE = 300.0  # HU
 RADIUS = 4.0  # mm: radius of the burr
 DEPTH = 9.0  # mm: final depth of the hand in the bone
-PATCH = 8.0  # mm: half of the width of the square that is drilled
+PATCH = 8.0  # mm: half of the side length of the drilled square
 LAYER = 0.7  # mm: depth of a layer
 SPEED = 30.0  # mm/s
-BEHIND = 16.0  # mm: distance of the hole from the middle of the head, towards the back
-SPRING = 2.0  # mm: lead of the hand over the burr: 1 N at 500 N/m
+BEHIND = 16.0  # mm: distance of the hole behind the centre of the head
+SPRING = 2.0  # mm: distance of the hand beyond the burr: 1 N at 500 N/m
 
 
 def read(file):

@@ -35,9 +35,9 @@ def main(path):
     touch, device = vtkVolumeHapticsFilter(), vtkHapticDevice()
     touch.SetInputConnection(reader.GetOutputPort())
     touch.GetProperty().ApplyPreset("CT contrast")
-    touch.GetProperty().SetVisibilityFrom(look)  # hidden tissue is not felt
+    touch.GetProperty().SetVisibilityFrom(look)  # hidden tissue can't be felt
     touch.SetIsoValue(-300)  # the skin, for the methods that feel an isosurface
-    touch.SetForceFieldGain(1 / 450)  # 1 N at 450 HU/mm, the sharpness of skin
+    touch.SetForceFieldGain(1 / 450)  # 1 N at 450 HU/mm, the gradient at the skin
     device.SetVolumeHaptics(touch)
     device.Open("virtual")
     device.Start()

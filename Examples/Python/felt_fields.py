@@ -66,7 +66,7 @@ def make_path(places, speed=50.0):
 
 def pipe():
     """Returns the flow in a bend of 90 degrees: Poiseuille's profile, with a swirl around the pipe's axis."""
-    # mm: bend's radius, pipe's radius; numbers of points along the bend, outwards from the axis, around the axis
+    # mm: radius of the bend, radius of the pipe; numbers of points along the bend, along the radius, around the axis
     bend, radius, n = 40.0, 10.0, (49, 17, 25)
     angle, out, turn = (a.ravel(order="F") for a in np.meshgrid(
         np.linspace(0, np.pi / 2, n[0]), np.linspace(0, radius, n[1]), np.linspace(0, 2 * np.pi, n[2]), indexing="ij"))
@@ -87,7 +87,7 @@ def pipe():
     append.Update()
     steps = np.linspace(0.1, np.pi / 2 - 0.1, 60)
     middle = np.stack([(bend + 4) * np.cos(steps), (bend + 4) * np.sin(steps), 3 * np.sin(6 * steps)], -1)
-    seeds = places[(angle == 0) & (out > 0)][::9]  # not at the axis, where cells have edges of length zero
+    seeds = places[(angle == 0) & (out > 0)][::9]  # leaves out the axis, where cells have edges of length zero
     return append.GetOutput(), follow_flow(0.3), make_path(middle), stream_lines(append.GetOutput(), seeds)
 
 
@@ -135,12 +135,12 @@ def openfoam(case=None):
         turned.TransformAllInputVectorsOn()
         append.AddInputConnection(turned.GetOutputPort())
     append.Update()
-    flow, scale = append.GetOutput(), 20.0  # mm for each metre of the case
+    flow, scale = append.GetOutput(), 20.0  # mm for each metre of OpenFOAM's case
     places = scale * vtk_to_numpy(flow.GetPoints().GetData())
     flow.GetPoints().SetData(numpy_to_vtk(places, deep=True))
     fastest = np.linalg.norm(vtk_to_numpy(flow.GetPointData().GetArray("U")), axis=1).max()
     length = np.linspace(4, 80, 40)
-    away, turn = 5 + 2 * np.sin(0.25 * length), -0.09 * length  # the path turns nearly like the flow
+    away, turn = 5 + 2 * np.sin(0.25 * length), -0.09 * length  # the path twists at nearly the same rate as the flow
     middle = np.stack([length, away * np.cos(turn), away * np.sin(turn)], -1)
     seeds = places[(places[:, 0] < 1e-6) & (np.hypot(places[:, 1], places[:, 2]) < 9)]
     return flow, follow_flow(0.7 * fastest), make_path(middle), stream_lines(flow, seeds, 85)
@@ -288,12 +288,12 @@ def main():
     if surface:
         renderer.AddActor(make_actor(surface, opacity=0.4))
     if options.field == "openfoam":
-        renderer.ResetCamera(-5, 85, -12, 12, -12, 12)  # the box of the path
+        renderer.ResetCamera(-5, 85, -12, 12, -12, 12)  # bounds of the path
     else:
         renderer.ResetCamera(data.GetBounds())
     renderer.GetActiveCamera().Elevation(-35)
     renderer.GetActiveCamera().Zoom(1.3)
-    renderer.GetActiveCamera().SetWindowCenter(0.08, 0.0)  # leave room for the bar
+    renderer.GetActiveCamera().SetWindowCenter(0.08, 0.0)  # leaves room for the colour bar
     renderer.ResetCameraClippingRange()
     show(renderer, options.picture)
 

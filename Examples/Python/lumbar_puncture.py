@@ -65,7 +65,7 @@ def find_canal(organs, spacing):
     middles = {}
     for k, slab in enumerate(organs):
         bone = (slab >= L2) & (slab <= T12)
-        # The canal is a hole: it has bone on all four sides.
+        # The canal is an empty space that has bone on all four sides.
         hole = ~bone
         for axis in (0, 1):
             before = np.maximum.accumulate(bone, axis)
@@ -84,7 +84,7 @@ def classify(hu, organs, canal, spacing):
     labels = np.zeros(hu.shape, np.uint8)
     labels[hu > -250] = FAT
     labels[hu > -30] = MUSCLE
-    # Leave out the patient's table: everything behind the last air before the back.
+    # Remove the patient's table: everything behind the air that is closest to the back.
     back = np.array([[find_back(row) for row in slab.T] for slab in hu])  # [z, x]
     y = np.arange(hu.shape[1])[None, :, None]
     labels[y < back[:, None, :]] = 0
@@ -105,7 +105,7 @@ def find_back(values):
     body = values > -250
     inside = len(body) - 1
     air = np.nonzero(~body[:inside])[0]
-    # The longest run without air is the body.
+    # Treat the longest run without air as the body.
     edges = np.concatenate([[-1], air, [inside]])
     widest = np.argmax(np.diff(edges))
     return edges[widest] + 1
@@ -140,7 +140,7 @@ def find_way(labels, canal, spacing):
     return best
 
 
-CANAL_STEPS = 10  # mm from the canal's middle, a distance at which bone is always near
+CANAL_STEPS = 10  # mm from the canal's centre, within which there is always bone
 
 
 def make_path(entry, target):
@@ -299,7 +299,7 @@ def main():
     camera = scene.GetActiveCamera()
     camera.SetFocalPoint(target - [0.0, 24.0, 0.0])
     camera.SetPosition(target + [330.0, -150.0, -60.0])
-    camera.SetViewUp(0.0, 0.0, -1.0)  # slices go down
+    camera.SetViewUp(0.0, 0.0, -1.0)  # slices run downwards
     camera.SetViewAngle(20.0)
     scene.ResetCameraClippingRange()
     chart = vtkRenderer()

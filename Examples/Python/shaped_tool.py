@@ -22,9 +22,9 @@ from volumehaptics import examples, vtkHapticPointShell, vtkVolumeHapticsFilter
 
 from force_scene import STRONGEST, make_actor, make_bar, make_colours, make_renderer, show
 
-SIZE = (14.0, 7.0, 2.5)  # mm, half of the spoon's length, width and thickness
+SIZE = (14.0, 7.0, 2.5)  # mm: half of the spoon's length, width and thickness
 SKIN = -300.0  # HU
-TURNING = 0.03  # N m per radian, stiffness of the turning spring between hand and tool
+TURNING = 0.03  # N m per radian: stiffness of the rotational spring between hand and tool
 SHOWN = 7  # number of spoons that are drawn on the path
 
 
@@ -33,7 +33,7 @@ def make_spoon():
     ball.SetThetaResolution(64)
     ball.SetPhiResolution(32)
     ball.SetRadius(1.0)
-    stretch.Translate(0.0, 0.0, SIZE[2])  # puts the lowest point at the tip
+    stretch.Translate(0.0, 0.0, SIZE[2])  # moves the lowest point to the tip
     stretch.Scale(*SIZE)
     spoon.SetInputConnection(ball.GetOutputPort())
     spoon.SetTransform(stretch)
@@ -60,7 +60,7 @@ def find_skin(head, angles):
     probe.Update()
     inside = vtk_to_numpy(probe.GetOutput().GetPointData().GetScalars()).reshape(len(angles), -1) > SKIN
     last = inside.shape[1] - 1 - inside[:, ::-1].argmax(axis=1)
-    width = 200  # half of the width of the moving mean, because a hand makes no steps
+    width = 200  # half of the width of the moving mean, which turns steps into a smooth path
     smooth = np.convolve(np.pad(reaches[last], width, "edge"), np.full(2 * width + 1, 1.0 / (2 * width + 1)), "valid")
     return directions * smooth[:, None], directions
 

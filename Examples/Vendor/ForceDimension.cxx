@@ -7,10 +7,10 @@
 //
 // The SDK's axes are x towards the user, y to the right and z up, in metres and newtons. This
 // library's x, y and z are the SDK's y, z and x. This was not verified on a device. The SDK's
-// watchdog and its velocity threshold stay on: they brake a device whose program has ended, or that
+// watchdog and velocity threshold stay on: they brake a device whose program has ended or that
 // moves too fast.
 //
-// A device that is not initialised moves by itself to find its zero, but only after Home().
+// After Home(), a device that is not initialised moves by itself to find its zero position.
 #include <Devices/Vendor/VendorPlugin.h>
 
 #include "Orientation.h"
@@ -28,7 +28,7 @@ namespace
 struct Device
 {
   char Id = -1;
-  bool HadForce = false; // whether force has been on since homing
+  bool HadForce = false; // whether the force has been on since homing
   bool HasWrist = false; // whether the device measures an orientation
   double MaximumTorque = 0.0;
   std::string Error;
@@ -40,7 +40,7 @@ std::string& OpenError()
   return error;
 }
 
-// Returns the library's own text for the last fault, and a cure.
+// Returns the library's own text for the last fault, and the cure.
 std::string Explain(const char* what, const char* cure)
 {
   const char* const reason = dhdErrorGetLastStr();
@@ -49,8 +49,8 @@ std::string Explain(const char* what, const char* cure)
 
 constexpr const char* LookAfterIt = "Look after its cable and power, then Home() and Arm() again.";
 
-// Numbers that dhdGetSystemType() returns. Their names in the SDK changed: 3.17 deprecates those of
-// 3.14.
+// Values of dhdGetSystemType(). SDK 3.17 deprecates the names of SDK 3.14, so these names are
+// independent of both.
 enum DeviceType
 {
   Omega3 = 33,
@@ -68,8 +68,8 @@ enum DeviceType
   Sigma3 = 206
 };
 
-// Returns a type's limits from the data sheets, or from CHAI3D where its limits are lower: N, N m,
-// m. The stiffness is below the stated one, so that it suits 1 kHz.
+// Returns a type's limits (N, N m, m) from the data sheets, or from CHAI3D where its limits are
+// lower. The stiffness is lower than on the data sheet, so that it suits 1 kHz.
 VolumeHapticsVendorLimits LimitsOf(int type)
 {
   VolumeHapticsVendorLimits limits{};
@@ -138,7 +138,7 @@ int Count()
 
 int Describe(int, char* name, size_t nameSize, char* serial, size_t serialSize)
 {
-  // The SDK reports name and serial number of open devices only.
+  // The SDK reports name and serial number for open devices only.
   std::snprintf(name, nameSize, "Force Dimension device");
   std::snprintf(serial, serialSize, "%s", "");
   return VOLUME_HAPTICS_VENDOR_DONE;
@@ -166,7 +166,7 @@ void* Open(int number)
   device->MaximumTorque = LimitsOf(device->Id).MaximumTorque;
   if (dhdHasActiveGripper(device->Id))
   {
-    dhdEmulateButton(DHD_ON, device->Id); // makes the closed gripper button 0
+    dhdEmulateButton(DHD_ON, device->Id); // makes closing the gripper act as button 0
   }
   if (drdIsInitialized(device->Id) && dhdEnableForce(DHD_ON, device->Id) < 0)
   {
@@ -227,8 +227,8 @@ int CheckStatus(Device& device)
   }
   if (!hasForce)
   {
-    // Report that the device is not ready: otherwise its button could switch on a force that has
-    // not grown from zero.
+    // Report that the device is waiting: otherwise its button could switch on a force that has not
+    // grown from zero.
     device.Error = "has its force switched off. Press its force button, or Home().";
     return VOLUME_HAPTICS_VENDOR_WAITS;
   }
@@ -261,7 +261,7 @@ int Read(void* handle, VolumeHapticsVendorPose* pose)
   pose->Position[2] = x;
   if (device.HasWrist)
   {
-    // Arrange rows and columns in this library's order of axes.
+    // Permute rows and columns to this library's order of axes.
     const int theirs[3] = { 1, 2, 0 };
     double ours[3][3];
     for (int row = 0; row < 3; ++row)
@@ -275,14 +275,15 @@ int Read(void* handle, VolumeHapticsVendorPose* pose)
     pose->HasOrientation = 1;
   }
   pose->Buttons = dhdGetButtonMask(device.Id);
-  // If a force is requested too soon, the time guard repeats the last position. This is no fault.
+  // If a force is sent too soon, the SDK's time guard repeats the last position, which is not an
+  // error.
   return result == DHD_TIMEGUARD ? VOLUME_HAPTICS_VENDOR_DONE : VOLUME_HAPTICS_VENDOR_NEWS;
 }
 
 int Write(void* handle, const double force[3], const double torque[3])
 {
   auto& device = *static_cast<Device*>(handle);
-  // Positive results, such as that for saturated motors, are no faults.
+  // Positive results, such as that for saturated motors, are not errors.
   const int result = device.MaximumTorque > 0.0
     ? dhdSetForceAndTorque(force[2], force[0], force[1], torque[2], torque[0], torque[1], device.Id)
     : dhdSetForce(force[2], force[0], force[1], device.Id);
@@ -306,7 +307,7 @@ int Home(void* handle)
       drdStop(false, device.Id);
       return VOLUME_HAPTICS_VENDOR_LOST;
     }
-    // The search for zero holds the device, and accepts no force from this library, until it is
+    // The homing routine holds the device and accepts no force from this library until it is
     // stopped.
     if (drdStop(true, device.Id) < 0)
     {

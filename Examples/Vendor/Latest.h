@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Transfers the latest value from one thread to another without locks. There are three places: the
-// writer owns one, the reader owns one, and the third one is between them.
+// Transfers the latest value from one thread to another without locks. Of three slots, the writer
+// owns one, the reader owns one, and the third one is exchanged between them.
 #ifndef VolumeHapticsVendorLatest_h
 #define VolumeHapticsVendorLatest_h
 

@@ -4,11 +4,10 @@
 // The plug-in openhaptics: Touch, Touch X and Phantom Premium of 3D Systems through OpenHaptics
 // (libHD).
 //
-// A callback on the library's own scheduler thread reads the device and sets its force, a thousand
-// times a second. Poses and forces are transferred without locks. The callback sets a force to zero
-// if it is not renewed for 50 ms. libHD's axes are the same as this library's: right, up and
-// towards the user, in millimetres, newtons and millinewton metres. This was not verified on a
-// device.
+// A callback on libHD's scheduler thread reads the devices and sets their forces, a thousand times
+// a second. Poses and forces are transferred without locks. The callback sets a force to zero if it
+// is not renewed for 50 ms. libHD has the same axes as this library (right, up and towards the
+// user), but uses millimetres, newtons and millinewton metres. This was not verified on a device.
 //
 // The library reports a peak force and a continuous force, 3.3 N and 0.88 N on a Touch. A force
 // above the continuous force is allowed for 2.5 s.
@@ -16,9 +15,9 @@
 // The vendor's setup program names the devices. vendor:openhaptics is the default, or "Default
 // Device", or "Default PHANToM"; $VOLUMEHAPTICS_OPENHAPTICS_DEVICES names others, separated by
 // commas, as vendor:openhaptics:1 and so on. Several devices can be open, and one callback serves
-// them all. While a device is opened or closed, the scheduler stops, because the library takes
-// devices only before its scheduler starts. The force of the other devices fades out before that,
-// and they have to be armed again afterwards.
+// them all. The scheduler stops while a device is opened or closed, because libHD accepts devices
+// only before its scheduler starts. The force of the other devices fades out first, and they have
+// to be armed again afterwards.
 #include <Devices/Vendor/VendorPlugin.h>
 
 #include "Latest.h"
@@ -44,8 +43,8 @@ constexpr std::int64_t LongestForce = 50'000'000; // ns that a force lasts witho
 constexpr std::int64_t LongestSilence = 100'000'000;
 constexpr HDulong SchedulerRate = 1000; // Hz
 constexpr int FadeRounds = 50;          // calls of the callback in which the force fades out
-// s for which more than the continuous force is given. 3D Systems states no time; a motor that gets
-// warm nevertheless is a fault of libHD.
+// s for which a force above the continuous force is allowed. 3D Systems states no time; libHD
+// reports a motor that overheats nevertheless as a fault.
 constexpr double PeakTime = 2.5;
 
 std::int64_t Now()
@@ -55,15 +54,15 @@ std::int64_t Now()
     .count();
 }
 
-// Report of the callback.
+// What the callback reports to the reader.
 struct Report
 {
   double Position[3] = {};   // mm
-  double Transform[16] = {}; // stylus to device, columns first
+  double Transform[16] = {}; // stylus to device, column-major
   int Buttons = 0;
   bool IsCalibrated = false;
-  unsigned Calibration = 0; // libHD's number of the fault if the device is not calibrated
-  unsigned Error = 0;       // libHD's number of a fault; HD_SUCCESS without a fault
+  unsigned Calibration = 0; // libHD's error number if the device is not calibrated
+  unsigned Error = 0; // libHD's error number; HD_SUCCESS without an error
   std::int64_t Time = 0;
 };
 
@@ -83,7 +82,8 @@ struct Device
   VolumeHapticsVendorLimits Limits{};
   Latest<Report> Reports;
   Latest<Order> Orders;
-  std::atomic<bool> Forgives{ false }; // whether the user wants another try after a fault
+  // whether the callback clears the last fault, because the user tries again
+  std::atomic<bool> Forgives{ false };
   // Used by the callback only.
   bool IsCalibrated = false;
   unsigned Error = HD_SUCCESS;
@@ -92,15 +92,15 @@ struct Device
   std::string Text;
 };
 
-// Open devices, and the callback that serves them. The list changes only while the scheduler stands
-// still.
+// Open devices, and the callback that serves them. The list changes only while the scheduler is
+// stopped.
 struct Service
 {
   std::mutex Mutex; // held while a device is opened or closed; never by the callback
   std::vector<Device*> Devices;
   HDSchedulerHandle Callback = 0;
-  std::atomic<bool> Fades{ false }; // whether a pause is near
-  double Share = 1.0;               // of the force; used by the callback only
+  std::atomic<bool> Fades{ false }; // whether the forces fade out before a pause
+  double Share = 1.0; // factor of all forces, from 0 to 1; used by the callback only
   std::atomic<bool> Pauses{ false };
   std::atomic<unsigned> Pause{ 0 };       // number of pauses so far
   std::atomic<std::int64_t> Resumed{ 0 }; // time of the last start
@@ -138,20 +138,20 @@ int Count()
 
 int Describe(int number, char* name, size_t nameSize, char* serial, size_t serialSize)
 {
-  // libHD does not report which devices are plugged in, and reports models of open devices only.
+  // libHD does not report which devices are plugged in, and reports the model only of open devices.
   std::snprintf(name, nameSize, "OpenHaptics \"%s\"", Names()[static_cast<size_t>(number)].c_str());
   std::snprintf(serial, serialSize, "%s", "");
   return VOLUME_HAPTICS_VENDOR_DONE;
 }
 
-// Reports whether the device knows its zero. Updates the calibration of a device that needs an
-// update; the position then jumps.
+// Reports whether the device is calibrated. Updates the calibration if the device needs it, which
+// makes the position jump.
 void Calibrate(Device& device, Report& report)
 {
   const HDenum state = hdCheckCalibration();
   if (state == HD_CALIBRATION_NEEDS_UPDATE)
   {
-    // A device may support several ways of calibration. Their order is that of the vendor's
+    // A device may support several ways of calibration. Try them in the order of the vendor's
     // example.
     HDint styles = 0;
     hdGetIntegerv(HD_CALIBRATION_STYLE, &styles);
@@ -169,7 +169,8 @@ void Calibrate(Device& device, Report& report)
   report.Calibration = state;
 }
 
-// Stores each fault of libHD's stack with its device, or with all devices if its device is unknown.
+// Empties libHD's error stack, and stores each error with its device, or with all devices if its
+// device is unknown.
 void TakeFaults()
 {
   for (HDErrorInfo error = hdGetError(); HD_DEVICE_ERROR(error); error = hdGetError())
@@ -178,7 +179,7 @@ void TakeFaults()
       [&error](const Device* one) { return one->Handle == error.hHD; });
     for (Device* const device : service.Devices)
     {
-      // Keep the first one until the user tries again.
+      // Keep the first error until the user tries again.
       const bool isIts = !isKnown || device->Handle == error.hHD;
       device->Error = isIts && device->Error == HD_SUCCESS ? error.errorCode : device->Error;
     }
@@ -238,8 +239,8 @@ HDCallbackCode HDCALLBACK OnTick(void* /*data*/)
   return HD_CALLBACK_CONTINUE;
 }
 
-// Waits until the callback has run so many times from beginning to end: for the end of one more
-// call, because the first one may have begun before. Gives up after LongestSilence without a call.
+// Waits until the callback has run completely `count` times. Waits for one more call, because the
+// first call may have begun earlier. Gives up after LongestSilence without a call.
 void WaitForRounds(int count)
 {
   bool isCalled = true;
@@ -255,8 +256,8 @@ void WaitForRounds(int count)
   }
 }
 
-// Empties libHD's stack of faults. Must not be called while the callback runs, because the callback
-// has to see the faults.
+// Discards libHD's error stack. Must not be called while the callback runs, because the callback
+// would miss the errors.
 void ForgetFaults()
 {
   while (HD_DEVICE_ERROR(hdGetError()))
@@ -281,7 +282,7 @@ void Pause()
   }
 }
 
-// Starts the scheduler if a device is open. Returns libHD's fault.
+// Starts the scheduler if a device is open. Returns libHD's error.
 HDErrorInfo Resume()
 {
   ForgetFaults();
@@ -302,7 +303,7 @@ HDErrorInfo Resume()
   return fault;
 }
 
-// Closes a device while the scheduler stands still, and takes the callback away after the last one.
+// Closes a device while the scheduler is stopped. Removes the callback after the last device.
 void Disable(Device* device)
 {
   auto& all = service.Devices;
@@ -331,7 +332,7 @@ void ReadLimits(Device& device)
   hdGetDoublev(HD_NOMINAL_MAX_DAMPING, &damping);
   hdGetDoublev(HD_USABLE_WORKSPACE_DIMENSIONS, box);
   limits.PeakTime = PeakTime;
-  // N m, from the data sheet of the Phantom Premium 6DOF, for its weakest axis.
+  // N m, of the weakest axis on the data sheet of the Phantom Premium 6DOF.
   limits.MaximumTorque = outputs == 6 ? 0.17 : 0.0;
   limits.MaximumStiffness = 1000.0 * stiffness;
   limits.MaximumDamping = 1000.0 * damping;
@@ -347,7 +348,7 @@ void* Open(int number)
 {
   const std::lock_guard<std::mutex> lock(service.Mutex);
   const std::string name = Names()[static_cast<size_t>(number)];
-  // Some installations have no default, but its name of today or before.
+  // Some installations lack an unnamed default, but have a device of one of its two usual names.
   std::vector<HDstring> tries{ name.c_str() };
   if (number == 0)
   {
@@ -358,7 +359,7 @@ void* Open(int number)
   HDErrorInfo error{};
   for (const HDstring one : tries)
   {
-    ForgetFaults(); // faults of an earlier try
+    ForgetFaults(); // discards errors of an earlier try
     handle = hdInitDevice(one);
     error = hdGetError();
     if (!HD_DEVICE_ERROR(error))
@@ -415,7 +416,8 @@ int Read(void* handle, VolumeHapticsVendorPose* pose)
   const bool isOver = !service.Pauses.load();
   if (!isOver || device.Pause != pause)
   {
-    // The end of a pause is reported once, so that the force does not return by itself.
+    // Report the end of a pause once: the device then has to be armed again, so the force can't
+    // return by itself.
     device.Pause = isOver ? pause : device.Pause;
     device.Text = "waits while another device of this library is opened or closed.";
     return VOLUME_HAPTICS_VENDOR_WAITS;

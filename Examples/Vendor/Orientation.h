@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-// Converts a rotation matrix to a quaternion with w first. The signs of x, y and z come from the
-// matrix's antisymmetric part.
+// Converts a rotation matrix to a quaternion with w first. For rotations below a half turn, the
+// matrix's antisymmetric part gives the signs of x, y and z.
 inline void ToQuaternion(const double m[3][3], double q[4])
 {
   const auto half = [](double square) { return 0.5 * std::sqrt(std::max(0.0, square)); };
@@ -17,7 +17,7 @@ inline void ToQuaternion(const double m[3][3], double q[4])
   q[1] = half(1.0 + m[0][0] - m[1][1] - m[2][2]);
   q[2] = half(1.0 - m[0][0] + m[1][1] - m[2][2]);
   q[3] = half(1.0 - m[0][0] - m[1][1] + m[2][2]);
-  // Take the signs from the row of the largest component, because a half turn has no antisymmetric
+  // Copy the signs from the row of the largest component, because a half turn has no antisymmetric
   // part.
   const int largest = static_cast<int>(std::max_element(q, q + 4) - q);
   const double part[4][4] = {

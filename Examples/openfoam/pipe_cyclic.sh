@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# Computes OpenFOAM's tutorial pipeCyclic, a swirling flow in a pipe, in some seconds. See usage() below.
+# Computes OpenFOAM's tutorial pipeCyclic, a swirling flow in a pipe, within seconds. See usage() below.
 set -euo pipefail
 
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)"
@@ -21,7 +21,7 @@ computed stays as it is: remove it to compute it again.
 EOF
 }
 
-# Runs a program of OpenFOAM in the case; shows its log only if it fails.
+# Runs an OpenFOAM program in the case folder, and shows its log only if it fails.
 run()
 {
   echo "$1"
@@ -63,8 +63,8 @@ mkdir -p "$(dirname "$case")"
 cp -r "$tutorial" "$case"
 cp -r "$case/0.orig" "$case/0"
 touch "$case/pipe_cyclic.foam"
-# The tutorial's inlet is C++ code that needs a compiler and OpenFOAM's headers. This is the same: 1 m/s along the pipe,
-# and a rotation of -2 rad/s around it.
+# The tutorial's inlet is C++ code that needs a compiler and OpenFOAM's headers. Replace it by an equal condition: 1 m/s
+# along the pipe, and a rotation of -2 rad/s around it.
 run foamDictionary 0/U -disableFunctionEntries -entry boundaryField.inlet -set \
   '{ type cylindricalInletVelocity; origin (0 0 0); centre (0 0 0); axis (1 0 0);
      axialVelocity constant 1; radialVelocity constant 0; rpm constant -19.098593171027; value uniform (1 0 0); }'

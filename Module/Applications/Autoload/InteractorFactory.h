@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Attaches to the interactors of a program that was not built for it. VTK loads the libraries in
- * the folders that the environment variable VTK_AUTOLOAD_PATH names.
+ * Attaches this library to the interactors of a program that was not built with it. VTK loads all
+ * libraries in the folders that the environment variable VTK_AUTOLOAD_PATH names.
  */
 #ifndef InteractorFactory_h
 #define InteractorFactory_h
@@ -18,8 +18,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Calls Attach() for each new vtkRenderWindowInteractor. VTK still chooses the interactor's class
- * as it would without this factory, for example that for X11.
+ * Calls Attach() for each new vtkRenderWindowInteractor. VTK still chooses the class of the
+ * interactor, such as the class for X11.
  */
 class InteractorFactory : public vtkObjectFactory
 {
@@ -28,8 +28,8 @@ public:
   const char* GetVTKSourceVersion() override { return VTK_SOURCE_VERSION; }
 
 protected:
-  // The factories of VTK's modules are registered earlier, because this library depends on these
-  // modules.
+  // Disable this factory for interactors of the other factories: they are registered earlier,
+  // because this library depends on their modules.
   InteractorFactory() { vtkObjectFactory::SetAllEnableFlags(0, Name); }
 
   vtkObject* CreateObject(const char* name) override
@@ -40,7 +40,7 @@ protected:
     }
     this->IsBusy = true;
     vtkRenderWindowInteractor* made = vtkRenderWindowInteractor::New();
-    // no other factory has made an interactor of a subclass
+    // no other factory has made a subclass
     if (std::string(made->GetClassName()) == Name)
     {
       made->Delete();

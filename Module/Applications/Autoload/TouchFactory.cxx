@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Adds a vtkHapticWidget to the windows of a program that was not built for it. The environment
- * variable VOLUMEHAPTICS_PRESET names the widget's preset, such as "CT contrast".
+ * Adds a vtkHapticWidget to the windows of a program that was not built with this library. The
+ * environment variable VOLUMEHAPTICS_PRESET names the widget's preset, such as "CT contrast".
  */
 #include "Applications/Autoload/InteractorFactory.h"
 
@@ -32,7 +32,7 @@ void Begin(vtkObject* caller, unsigned long event, void* data, void*)
 {
   auto* const interactor = static_cast<vtkRenderWindowInteractor*>(caller);
   auto* const touch = static_cast<Touch*>(data);
-  // f3d removes all observers of timers when its loop begins, this library's as well.
+  // f3d removes all observers of timers when its event loop begins, including this library's.
   const bool isWhole = interactor->HasObserver(vtkCommand::TimerEvent, touch->Observer) != 0;
   if (event == vtkCommand::TimerEvent || !interactor->GetRenderWindow() ||
     (touch->Widget->GetEnabled() && (isWhole || touch->Widget->GetTouchMode())))
@@ -61,7 +61,7 @@ protected:
     auto* const touch = new Touch;
     if (const char* const preset = std::getenv("VOLUMEHAPTICS_PRESET"))
     {
-      // for a wrong name, the error lists the presets
+      // reports an error that lists the presets if the name is wrong
       touch->Widget->GetProperty()->ApplyPreset(preset);
     }
     vtkNew<vtkCallbackCommand> begin;
@@ -81,7 +81,8 @@ vtkStandardNewMacro(TouchFactory);
 
 } // namespace
 
-// VTK declares these functions as those of CommonCore, which Windows does not let others define.
+// VTK declares these functions as exported by CommonCore, so other libraries can't define them on
+// Windows.
 #undef VTK_FACTORY_INTERFACE_EXPORT
 #define VTK_FACTORY_INTERFACE_EXPORT VTK_ABI_EXPORT
 VTK_FACTORY_INTERFACE_IMPLEMENT(TouchFactory)

@@ -24,9 +24,9 @@ class vtkVolumeHapticsFilter;
 namespace
 {
 
-constexpr double Strength = 1000.0;    // N, much more than any device can give
+constexpr double Strength = 1000.0; // N, much more than any device can exert
 constexpr double MediumSpacing = 40.0; // mm
-// number of voxels that makes the medium larger than every device's workspace
+// number of voxels with which the medium exceeds every device's workspace
 constexpr int MediumSteps = 6;
 
 /**
@@ -52,18 +52,19 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double Millimetre = 1e-3; // m
 constexpr auto LookPeriod = std::chrono::milliseconds(10);
-/// Stretch (m) at which the spring pulls with the largest force.
+/// Stretch (m) at which the spring exerts the largest force.
 constexpr double FullWay = 0.015;
-/// Time (s) that is enough for a device to become armed, and for a fade.
+/// Longest time (s) in which a device becomes armed or a force fades.
 constexpr double OrderTime = 2.0;
-/// Time (s) that is enough for the rise of the force after Arm, which takes half a second.
+/// Time (s) in which the force rises after Arm, with a margin: the rise takes half a second.
 constexpr double RiseTime = 1.0;  // s
 constexpr double Patience = 60.0; // s, without --seconds
-/// Range of suitable weights, as fractions of the largest force, if the device's newtons are true.
+/// Range of suitable weights, as fractions of the largest force, provided that the device's forces
+/// are calibrated.
 constexpr double LightFraction = 0.1;
 constexpr double HeavyFraction = 0.6;
-/// The forces that press the scale, as fractions of the largest force. The first one has to exceed
-/// twice the friction, which may have the wrong direction before the force rises.
+/// The forces that press on the scale, as fractions of the largest force. The first force has to
+/// exceed twice the friction, which may have the wrong direction before the force rises.
 constexpr double Levels[] = { 0.3, 0.45, 0.6, 0.75 };
 constexpr int Tries = 3;
 constexpr double MostGrams = 20000.0;
@@ -97,7 +98,8 @@ public:
     this->Device->Arm();
     this->Armed = this->Last = Clock::now();
   }
-  /// Waits until all of the force may flow, because a spring that is stretched earlier stays soft.
+  /// Waits until the safety stage passes the full force, because a spring that is stretched earlier
+  /// stays soft.
   bool WaitForForce()
   {
     HeldSample sample;
@@ -108,7 +110,8 @@ public:
     }
     return isOn;
   }
-  /// Reads the next sample. Returns false and reports an error if the device gives no more force.
+  /// Reads the next sample. Returns false and reports an error if the device no longer exerts a
+  /// force.
   bool Look(HeldSample& sample)
   {
     std::this_thread::sleep_for(LookPeriod);
@@ -128,7 +131,7 @@ public:
     this->Last = Clock::now();
     return true;
   }
-  /// Moves the spring's fixed end along the axis (m), relative to its position at Arm.
+  /// Moves the spring's fixed end along the axis to `shift` (m) from its position at Arm().
   void ShiftTo(double shift)
   {
     if (shift != this->Shift)
@@ -359,7 +362,7 @@ bool Calibrate(ToolDevice& device, const ToolOptions& options, ToolStreams strea
   {
     return false;
   }
-  // The factor was measured with the old scale in effect.
+  // The factor was measured with the old scale in effect, so multiply the two.
   const double scale = factor * device->GetForceScale();
   const int complaints = device.CountComplaints();
   if (!device->CalibrateForce(scale) || device.CountComplaints() > complaints)

@@ -3,8 +3,8 @@
 
 /**
  * @file
- * The command "volumehaptics-device calibrate": measures how many newtons a device gives for each
- * newton asked for.
+ * The command "volumehaptics-device calibrate": measures how many newtons a device exerts for each
+ * newton requested.
  */
 #ifndef Calibrate_h
 #define Calibrate_h
@@ -14,9 +14,9 @@
 
 /**
  * Calibrates a device with a weight that the user hangs on the handle (HungWeight.h), or with a
- * kitchen scale under the handle (ScalePress.h, ScaleFit.h). Confirms the device's signs first,
- * unless they have been confirmed. vtkHapticDevice::CalibrateForce stores the factor. Returns false
- * after an error. The force begins and ends at zero.
+ * kitchen scale under the handle (ScalePress.h, ScaleFit.h). First confirms the signs of the
+ * device's force, unless they are already confirmed. vtkHapticDevice::CalibrateForce stores the
+ * factor. Returns false after an error. The force begins and ends at zero.
  */
 bool Calibrate(ToolDevice& device, const ToolOptions& options, ToolStreams streams);
 

@@ -27,15 +27,15 @@ namespace
 constexpr double GentleForce = 1.0;
 
 constexpr double Stiffness = 200.0; // N/m: the largest force is reached after 5 mm
-// N, much more than the force on the hand, so that it never falls through
+// N, much more than the force on the hand, so that the hand never punctures the wall
 constexpr double SurfaceStrength = 100.0;
 constexpr double WallSpacing = 4.0; // mm
-// number of voxels that makes the wall larger than every device's workspace
+// number of voxels with which the wall exceeds every device's workspace
 constexpr int WallSteps = 50;
 
 /**
- * Makes the filter a wall perpendicular to an axis (0 to 2): free on the positive side of the
- * device's middle, and on the negative side a smooth solid of 200 N/m. One world unit is a
+ * Makes the filter a wall perpendicular to an axis (0 to 2): free space on the positive side of the
+ * workspace's centre, and a smooth solid of 200 N/m on the negative side. One world unit is a
  * millimetre of the device.
  */
 void MakeGentleWall(vtkVolumeHapticsFilter* filter, int axis)
@@ -91,11 +91,11 @@ int List(std::ostream& out)
   return 0;
 }
 
-/// Shows the device's requests to the user until the device is ready. Returns false if it can't
+/// Shows the device's requests to the user until the device is ready. Returns false if it does not
 /// become ready.
 bool MakeReady(ToolDevice& device, const ToolOptions& options, ToolStreams streams)
 {
-  // Devices of these kinds ask for their rest pose whenever they are opened, so Home() is not
+  // Devices of these kinds request their rest pose whenever they are opened, so Home() is not
   // needed.
   const std::string kind = options.Id.substr(0, options.Id.find(':'));
   const bool asksByItself = kind == "wooden" || kind == "hfab";
@@ -220,7 +220,7 @@ bool Test(ToolDevice& device, const ToolOptions& options, ToolStreams streams)
 
 bool Record(ToolDevice& device, const ToolOptions& options, ToolStreams streams)
 {
-  // A recording needs a volume: use the wall, although the device is not armed.
+  // A recording needs a volume: use the wall, although the device stays disarmed.
   MakeGentleWall(device.GetVolume(), 2);
   device->SetVolumeHaptics(device.GetVolume());
   if (!device->Start() || !device->GetRecorder()->Start(options.File.c_str()))

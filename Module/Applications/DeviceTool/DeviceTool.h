@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * volumehaptics-device: lists devices, tests them, and lets them be felt. See ToolOptions.h for its
- * usage.
+ * volumehaptics-device: lists and tests devices, and lets the user feel a wall with them. See
+ * ToolOptions.h for its usage.
  */
 #ifndef DeviceTool_h
 #define DeviceTool_h

@@ -8,8 +8,8 @@
 namespace
 {
 
-/// Longest step that counts (s). After a longer pause of the program, the spring must not leap, and
-/// the handle must not count as stuck.
+/// Longest time step (s) that is integrated. After a longer pause of the program, the spring must
+/// not jump, and the handle must not count as stuck.
 constexpr double LongestStep = 0.05;
 
 } // namespace
@@ -31,7 +31,8 @@ void HandleSweep::EndWay()
     mean[i] = this->Sum[i] / this->SumTime;
   }
   const bool isUp = this->Direction > 0.0;
-  if (isUp && this->Ways > 0) // the first way up only leads to the beginning of the way down
+  // the first upward sweep only leads to the start of the downward sweep
+  if (isUp && this->Ways > 0)
   {
     Reading reading;
     for (int i = 0; i < 3; ++i)

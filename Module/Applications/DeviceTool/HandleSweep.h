@@ -3,7 +3,8 @@
 
 /**
  * @file
- * Moves a handle slowly up and down past a position, and measures the force there without friction.
+ * Moves a handle slowly up and down past a position, and measures the force there, free of
+ * friction.
  */
 #ifndef HandleSweep_h
 #define HandleSweep_h
@@ -14,10 +15,11 @@
 
 /**
  * A spring holds the handle, and the sweep shifts the spring's fixed end along an axis: up until
- * the handle is Reach above the position, down until it is as far below, and so on. The mean force
- * of a way up, within Window of the position, includes all of the friction; the mean of a way down
- * includes it with the opposite sign. Their mean has no friction, neither Coulomb's nor viscous,
- * since both ways are equally fast. Half of the difference is the friction.
+ * the handle is Reach above the position, down until it is equally far below, and so on. The mean
+ * force of an upward sweep, within Window of the position, includes the friction; the mean of a
+ * downward sweep includes it with the opposite sign. The average of both means has no friction,
+ * neither Coulomb nor viscous, because both sweeps are equally fast. Half of the difference is the
+ * friction.
  */
 class HandleSweep
 {
@@ -26,7 +28,7 @@ public:
   static constexpr double Reach = 1.5e-3; ///< distance of both turning points from the position (m)
   static constexpr double Window = 1e-3;  ///< half of the range that the force is averaged over (m)
 
-  /// Mean of the forces on a way up and on the way down before it.
+  /// Mean of the forces on an upward sweep and on the downward sweep before it.
   struct Reading
   {
     std::array<double, 3> Force{}; ///< N, without friction
@@ -41,12 +43,12 @@ public:
   /// Returns the shift of the spring's fixed end (m).
   double GetShift() const { return this->Shift; }
   bool IsDone() const { return this->Readings.size() == this->Pairs; }
-  /// Returns whether the handle does not move: the current way takes longer than MostTime.
+  /// Returns whether the handle is stuck: the current sweep takes longer than MostTime.
   bool IsStuck() const { return this->WayTime > MostTime; }
   const std::vector<Reading>& GetReadings() const { return this->Readings; }
 
 private:
-  static constexpr double MostTime = 10.0; ///< longest time for one way (s)
+  static constexpr double MostTime = 10.0; ///< longest time of one sweep (s)
 
   void EndWay();
 
@@ -57,9 +59,10 @@ private:
   double Direction = 1.0;
   double WayTime = 0.0;
   int Ways = 0;
-  std::array<double, 3> Sum{}; ///< integral of the force over time in the window, on this way (N s)
+  /// integral of the force over time in the window, on this sweep (N s)
+  std::array<double, 3> Sum{};
   double SumTime = 0.0;
-  std::array<double, 3> Down{}; ///< mean force on the last way down (N)
+  std::array<double, 3> Down{}; ///< mean force on the last downward sweep (N)
   std::vector<Reading> Readings;
 };
 

@@ -10,7 +10,7 @@
 struct HeldSample
 {
   std::array<double, 3> Tip{};   ///< m, along the device's axes
-  std::array<double, 3> Force{}; ///< N that the device was asked for
+  std::array<double, 3> Force{}; ///< force (N) requested from the device
   double Elapsed = 0.0;          ///< s since the last sample
 };
 

@@ -15,20 +15,21 @@ constexpr double RestPlace = 0.3e-3;
 constexpr double RestFraction = 0.02;
 constexpr double RestTime = 2.0;
 /// SaturatedFraction: fraction of the largest force above which the force counts as limited.
-/// MostSaturation: longest time (s) at the limit before the measurement is refused.
+/// MostSaturation: longest time (s) at the limit before the measurement fails.
 constexpr double SaturatedFraction = 0.97;
 constexpr double MostSaturation = 1.0;
 /// Longest time (s) until a released handle is at rest.
 constexpr double SettleTime = 20.0;
-/// A weight is noticed if it changes the force by more than NoticedFraction of the largest force
-/// and by more than NoticedFriction times the friction, which can hold the handle in either
-/// direction without a weight.
+/// Thresholds for detecting a weight: the force has to change by more than NoticedFraction of the
+/// largest force and by more than NoticedFriction times the friction, which can act on the handle
+/// in either direction without a weight.
 constexpr double NoticedFraction = 0.01;
 constexpr double NoticedFriction = 1.2;
-/// Smallest change of the force by a weight, without friction, as a fraction of the largest force.
+/// Smallest acceptable change of the force by a weight, without friction, as a fraction of the
+/// largest force.
 constexpr double LeastFraction = 0.04;
-/// Limits, as fractions of the change of the force, on the range of the readings, on the drift of
-/// the zero, and on the pull perpendicular to the axis.
+/// Limits, as fractions of the change of the force, of the range of the readings, the drift of the
+/// zero, and the pull perpendicular to the axis.
 constexpr double MostRange = 0.1;
 constexpr double MostDrift = 0.1;
 constexpr double MostAcross = 0.35;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Measures how many newtons a device gives for each newton asked for, with a known weight that the
+ * Measures how many newtons a device exerts for each newton requested, with a known weight that the
  * user hangs on its handle.
  */
 #ifndef HungWeight_h
@@ -14,32 +14,31 @@
 #include <string>
 
 /**
- * A spring holds the handle in its position. At rest the motors carry everything that hangs on the
- * handle:
+ * A spring holds the handle in its position. At rest the motors carry the whole load on the handle:
  *
- *   factor * force asked for = weight of the handle + pull of the arm + friction (+ m g).
+ *   factor * requested force = weight of the handle + pull of the arm + friction (+ m g).
  *
- * The difference between the forces with and without the weight, at the same position, does not
- * contain handle and arm, and forces that are measured on ways up and down (HandleSweep.h) do not
- * contain friction. So
+ * At the same position, the difference between the forces with and without the weight cancels
+ * handle and arm. Sweeps up and down (HandleSweep.h) cancel the friction. So
  *
- *   factor = m g / (force asked for with the weight - force asked for without it).
+ *   factor = m g / (requested force with the weight - requested force without it).
  *
- * The forces without the weight are measured before and after it hangs, which reveals a drifting
- * zero.
+ * The forces without the weight are measured before it is hung and after it is removed, which
+ * reveals a drifting zero.
  *
  *   every 10 ms:  Step(sample), and the spring to GetShift();  until IsOver().
  */
 class HungWeight
 {
 public:
-  static constexpr double Gravity = 9.80665; ///< m/s^2: weights are adjusted to the local gravity
+  /// m/s^2, standard gravity; weights are adjusted to the local gravity
+  static constexpr double Gravity = 9.80665;
 
   struct Settings
   {
     double Weight = 0.0;    ///< N
     int Axis = 1;           ///< the vertical axis
-    double MostForce = 0.0; ///< N, the largest force that the device may be asked for
+    double MostForce = 0.0; ///< N, the largest force that may be requested from the device
     double Patience = 60.0; ///< time that the user may take to hang or to remove the weight (s)
   };
 
@@ -52,13 +51,13 @@ public:
   const char* GetRequest() const;
   bool IsOver() const { return this->Now == Phase::Done || this->Now == Phase::Refused; }
 
-  /// Return the result once IsOver() is true: GetFault the fault and the cure, empty if there is
-  /// none; GetFactor the factor; GetDoubt half of the range of the single readings.
+  /// Return the result once IsOver() is true: GetFault the fault and the cure, empty on success;
+  /// GetFactor the factor; GetDoubt half of the range of the single readings.
   const std::string& GetFault() const { return this->Fault; }
   double GetFactor() const { return this->Factor; }
   double GetDoubt() const { return this->Doubt; }
   ///@}
-  /// Returns the friction, in newtons as the device is asked for them, before calibration.
+  /// Returns the friction, in uncalibrated newtons as requested from the device.
   double GetFriction() const { return this->Friction; }
 
 private:

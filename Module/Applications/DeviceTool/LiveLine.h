@@ -13,13 +13,12 @@
 
 class vtkHapticDevice;
 
-/// Describes the latest state in one line: tip (mm, the device's axes), force (N), buttons, rate
-/// (Hz), report period and round trip (ms), the cap on the stiffness (N/m) if there is one, and
-/// whether the newtons are uncalibrated.
+/// Describes the latest state in one line: tip (mm, in the device's axes), force (N), buttons, rate
+/// (Hz), report period and round trip (ms), the stiffness cap (N/m) if there is one, and whether
+/// the forces are uncalibrated.
 std::string DescribeState(vtkHapticDevice* device);
 
-/// Writes a line again and again at the same place of a terminal. In another stream, writes each
-/// changed line below the last one.
+/// Rewrites one line of a terminal in place. In any other stream, appends each changed line.
 class LiveLine
 {
 public:

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Detects whether a handle rests. */
+/** Detects when a handle is at rest. */
 #ifndef RestWatch_h
 #define RestWatch_h
 
 /**
- * Detects rest. A handle is at rest if its position (m) and the force on it (N) have each stayed
- * within a range for `time` (s).
+ * A handle is at rest if its position (m) and the force on it (N) have each stayed within a range
+ * for `time` (s).
  */
 class RestWatch
 {

@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Fits a straight line to the forces that a device was asked for and the forces that a scale
- * showed.
- */
+/** Fits a straight line to requested forces and the readings of a scale. */
 #ifndef ScaleFit_h
 #define ScaleFit_h
 
@@ -18,9 +15,8 @@ struct ScaleReading
 };
 
 /**
- * The least-squares line shown = offset + factor * asked. The offset absorbs the weight of the
- * handle, a scale that does not begin at zero, and the friction, which is always in the same
- * direction.
+ * The least-squares line shown = offset + factor * requested. The offset absorbs the weight of the
+ * handle, a zero error of the scale, and the friction, which always has the same direction.
  */
 struct ScaleFit
 {
@@ -31,7 +27,7 @@ struct ScaleFit
 };
 
 /// Fits the line to at least three readings of different forces. Returns false, with the fault and
-/// the cure, if the readings do not fit a rising line.
+/// the cure, if the readings don't fit a rising line.
 bool FitScale(const std::vector<ScaleReading>& readings, ScaleFit& fit, std::string& error);
 
 #endif

@@ -11,7 +11,7 @@ namespace
 constexpr double PressSpeed = 8e-3; ///< speed of the spring's fixed end while the force grows (m/s)
 constexpr double ReleaseSpeed =
   30e-3; ///< speed of the spring's fixed end while the force ends (m/s)
-constexpr double ScaleLongestStep = 0.05; ///< longest time that a sample counts for (s)
+constexpr double ScaleLongestStep = 0.05; ///< longest time step that is integrated (s)
 constexpr double MostWay = 40e-3;         ///< largest shift of the spring's fixed end (m)
 constexpr double ScaleRestPlace = 0.3e-3; ///< range of the positions of a handle at rest (m)
 constexpr double ScaleRestShare =

@@ -15,11 +15,11 @@
 
 /**
  * A spring holds the handle. The spring's fixed end moves slowly towards the scale until the spring
- * pulls with the wanted level, stays there for HoldTime, and goes back. So the handle never goes
- * farther than the spring's end, even if there is no scale.
+ * pulls with the wanted level, stays there for HoldTime, and goes back. The handle thus never goes
+ * beyond the spring's fixed end, even if there is no scale.
  *
- * The force always rises to the level, so that friction always has the same direction and size when
- * the handle settles into the scale.
+ * The level is always approached from below, so that the friction has the same direction and size
+ * whenever the handle settles on the scale.
  */
 class ScalePress
 {
@@ -32,7 +32,7 @@ public:
     int Axis = 1;
     double Direction = -1.0; ///< towards the scale
     double Level = 0.0;      ///< N
-    double MostForce = 0.0;  ///< N, the largest force that the device may be asked for
+    double MostForce = 0.0; ///< N, the largest force that may be requested from the device
   };
 
   explicit ScalePress(const Settings& settings);
@@ -45,8 +45,8 @@ public:
   std::string GetRequest() const;
 
   /// @{
-  /// Return the result after the end: GetFault the fault and the cure, empty if there is none;
-  /// GetForce the mean force (N) towards the scale during ReadTime.
+  /// Return the result after the end: GetFault the fault and the cure, empty on success; GetForce
+  /// the mean force (N) towards the scale during ReadTime.
   const std::string& GetFault() const { return this->Fault; }
   double GetForce() const { return this->Sum / this->SumTime; }
   ///@}
@@ -69,7 +69,7 @@ private:
   const Settings Given;
   Phase Now = Phase::Settle;
   double PhaseTime = 0.0;
-  double Way = 0.0; ///< way of the spring's fixed end (m)
+  double Way = 0.0; ///< distance of the spring's fixed end from its initial position (m)
   double Sum = 0.0; ///< integral of the force over time (N s)
   double SumTime = 0.0;
   RestWatch Rest;

@@ -42,9 +42,10 @@ private:
   vtkNew<vtkHapticDevice> Device;
 };
 
-/// Pushes gently along each axis until it is known whether the device moves with the force.
+/// Pushes gently along each axis, until it is clear whether the device moves in the direction of
+/// the force.
 bool ConfirmSigns(ToolDevice& device, const char* id, ToolStreams streams);
-/** Describes whether the user's file stores facts about the open device. */
+/** Describes whether the user's device file stores facts about the open device. */
 const char* DescribeMemory(ToolDevice& device);
 
 #endif

@@ -3,8 +3,8 @@
 
 /**
  * @file
- * A volume that is larger than every device's workspace. One world unit is a millimetre of the
- * device.
+ * Makes a volume that is larger than every device's workspace. One world unit is a millimetre of
+ * the device.
  */
 #ifndef WorkspaceVolume_h
 #define WorkspaceVolume_h
@@ -14,13 +14,13 @@
 class vtkPiecewiseFunction;
 class vtkVolumeHapticsFilter;
 
-/// Makes a function constant.
+/// Makes a function return `value` everywhere.
 void SetEverywhere(vtkPiecewiseFunction* function, double value);
 
 /**
  * Makes the filter touch a field with the method PROXY and the solver PRECISE. `field` returns the
- * value at a position (mm). It is sampled with this spacing (mm), `steps` times to each side of the
- * device's middle.
+ * value at a position (mm). It is sampled at this spacing (mm), `steps` times to each side of the
+ * workspace's centre.
  */
 void TouchField(vtkVolumeHapticsFilter* filter, double spacing, int steps,
   const std::function<double(const double* position)>& field);

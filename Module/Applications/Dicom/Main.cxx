@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// volumehaptics-dicom: reads DICOM files by GDCM, for the module. It is a program of its own, as
-// damaged files end GDCM by an assertion, or make it take gigabytes: then this process ends, and
-// neither the window nor the hand notices. It reads requests from standard input, which is a
-// socket, and writes the answers there.
+// volumehaptics-dicom: reads DICOM files by GDCM on behalf of the module. It is a separate program,
+// because damaged files can make GDCM abort or allocate gigabytes: then only this process ends, and
+// neither the window nor the force is affected. It receives requests and sends answers through
+// standard input, which is a socket.
 #include "Core/Platform/SocketBytes.h"
 #include "VTK/Reading/Dicom/DicomMessage.h"
 
@@ -43,7 +43,7 @@ using VolumeHaptics::SendAll;
 
 constexpr std::uint32_t LONGEST_VALUE = 1024; // bytes of the longest value that is passed on
 constexpr std::uint32_t LONGEST_OFFSETS = 65536;
-const gdcm::Tag OFFSETS(0x3004, 0x000c);             // position of each frame of a dose
+const gdcm::Tag OFFSETS(0x3004, 0x000c); // byte offset of each frame of a dose
 constexpr std::uint32_t REAL_WORLD = 0x00409096;     // RealWorldValueMappingSequence
 constexpr std::uint32_t MODALITY_TABLE = 0x00283000; // ModalityLUTSequence
 const gdcm::Tag ROWS(0x0028, 0x0010), BEFORE_PIXELS(0x7fe0, 0x0007);
@@ -54,11 +54,11 @@ std::uint32_t ToNumber(const gdcm::Tag& tag)
   return std::uint32_t{ tag.GetGroup() } << 16 | tag.GetElement();
 }
 
-/// Limits memory and time to what a file and its pixels can need, with room for the largest
-/// headers and the slowest codec.
+/// Limits memory and processor time to what a file and its pixels can need, with a margin for the
+/// largest headers and the slowest codec.
 void SetLimits(const DicomRequest& request, std::uint64_t fileSize)
 {
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // these map terabytes
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // sanitizers map terabytes
   constexpr std::uint64_t least = 128 << 20;
   rlimit memory = {};
   getrlimit(RLIMIT_AS, &memory);
@@ -70,8 +70,8 @@ void SetLimits(const DicomRequest& request, std::uint64_t fileSize)
   alarm(static_cast<unsigned>(leastSeconds + (fileSize + request.MostBytes) / slowest));
 }
 
-/// Returns whether a file has the mark of DICOM; files older than the mark begin with the data set,
-/// in group 2 or 8, of either order of bytes.
+/// Returns whether a file may be DICOM: it has the mark "DICM", or, as in files older than the
+/// mark, begins with a data set of group 2 or 8 in either byte order.
 bool MayBeDicom(const std::string& path)
 {
   char begin[132] = {};
@@ -98,33 +98,33 @@ void AppendValue(
   }
 }
 
-/// Returns whether a tag belongs to a functional group of an item; such groups are sequences of one
-/// item.
+/// Returns whether a tag is that of a functional group (a sequence of one item) whose values are
+/// needed.
 bool IsGroup(std::uint32_t tag)
 {
-  // The groups with the spacing of pixels, the place, the orientation, slope and intercept; the
-  // number of the frame in time, its segment, echo, diffusion and heart phase; the map to
-  // real-world values, and in it its unit.
+  // Groups: spacing of pixels; position; orientation; slope and intercept; the frame's number in
+  // time, segment, echo, diffusion and heart phase; the map to real-world values, and the unit in
+  // it.
   constexpr std::uint32_t groups[] = { 0x00289110, 0x00209113, 0x00209116, 0x00289145, 0x00209111,
     0x0062000a, 0x00189114, 0x00189117, 0x00189118, REAL_WORLD, 0x004008ea };
   return std::find(std::begin(groups), std::end(groups), tag) != std::end(groups);
 }
 
-/// Returns whether a sequence has items whose values are needed: segments, the map to real-world
-/// values, the places of detectors, the attributes that all frames share, and those of each frame.
+/// Returns whether the values in a sequence's items are needed: segments, the map to real-world
+/// values, positions of detectors, attributes shared by all frames, and attributes of each frame.
 bool IsWanted(std::uint32_t tag)
 {
   return tag == 0x00620002 || tag == 0x00540022 || tag == REAL_WORLD || tag == 0x52009229 ||
     tag == 0x52009230;
 }
 
-/// Appends the values of a data set; within the wanted sequences also those of groups.
+/// Appends the values of a data set; within the wanted sequences, also those of functional groups.
 void AppendValues(const gdcm::DataSet& set, std::uint32_t sequence, int item, std::string& out)
 {
   for (auto at = set.Begin(); at != set.End(); ++at)
   {
     const std::uint32_t tag = ToNumber(at->GetTag());
-    if (tag == MODALITY_TABLE) // only whether the sequence has an item
+    if (tag == MODALITY_TABLE) // needed only to know whether the sequence has an item
     {
       const gdcm::SmartPointer<gdcm::SequenceOfItems> tables = at->GetValueAsSQ();
       if (tables ? tables->GetNumberOfItems() == 0 : at->IsEmpty())
@@ -150,7 +150,8 @@ void AppendValues(const gdcm::DataSet& set, std::uint32_t sequence, int item, st
   }
 }
 
-/// Returns whether all items of compressed pixels are in the file; some writers omit the end.
+/// Returns whether all items of compressed pixels are complete in the file, although some writers
+/// omit the end marker.
 bool AreItemsWhole(std::ifstream& file, std::uint64_t place, std::uint64_t size)
 {
   constexpr unsigned char item[] = { 0xfe, 0xff, 0x00, 0xe0 };
@@ -174,12 +175,12 @@ bool AreItemsWhole(std::ifstream& file, std::uint64_t place, std::uint64_t size)
   return isWhole;
 }
 
-/// Describes the pixels that begin at a place of the file; false if the head of their element does
-/// not end there.
+/// Describes the pixels whose element begins at `place` of the file. Returns false if the header of
+/// the element does not end there.
 bool FindPixels(
   const std::string& path, std::uint64_t place, std::uint64_t size, DicomAnswer& answer)
 {
-  // The head of an element: its tag, and then its length, or its type and then its length.
+  // The header of an element: its tag, then its length, or its type and its length.
   unsigned char head[12] = {};
   std::ifstream file(path, std::ios::binary);
   file.seekg(static_cast<std::streamoff>(place - sizeof(head)));
@@ -207,7 +208,7 @@ bool FindPixels(
   return true;
 }
 
-/// Returns the pixels of a data set as they are stored; null if there are none.
+/// Returns the pixel data as stored; null if there are none.
 const gdcm::DataElement* GetPixels(const gdcm::DataSet& set)
 {
   for (const gdcm::Tag& tag : { PIXELS, FLOAT_PIXELS, DOUBLE_PIXELS })
@@ -242,11 +243,11 @@ bool ReadValues(
     if (!isRead || !set.FindDataElement(ROWS) ||
       FindPixels(path, reader.GetStreamCurrentPosition(), size, answer))
     {
-      return meta.Size() + set.Size() > 0; // perhaps without pixels
+      return meta.Size() + set.Size() > 0; // a file without pixels is valid, too
     }
   }
-  // GDCM can't skip pixels that are packed by deflate, floating-point numbers, or of another syntax
-  // than the file says.
+  // GDCM can't skip deflated pixels, floating-point pixels, or pixels of another transfer syntax
+  // than the file declares, so read the whole file.
   gdcm::Reader whole;
   whole.SetFileName(path.c_str());
   const bool isWhole = whole.ReadUpToTag(BEFORE_PIXELS);
@@ -281,9 +282,10 @@ bool ReadStored(const DicomRequest& request, const std::string& path, std::strin
   return value != nullptr;
 }
 
-/// Returns whether a JPEG stream stores colours as luminance and differences. The file's header may
-/// wrongly say RGB (GDCM's writer does this). Therefore, as decoders do, uses the JFIF or Adobe
-/// marker, or the components' names if there is no marker. Empty if the stream does not show it.
+/// Returns whether a JPEG stream stores colours as luminance and colour differences (YCbCr); empty
+/// if the stream does not show it. The file's header may wrongly say RGB, as from GDCM's writer.
+/// Therefore this function reads the JFIF or Adobe marker, as decoders do, or the components' names
+/// if there is no marker.
 std::optional<bool> IsYbrStream(const char* bytes, std::size_t size)
 {
   const auto* const data = reinterpret_cast<const unsigned char*>(bytes);
@@ -313,7 +315,7 @@ std::optional<bool> IsYbrStream(const char* bytes, std::size_t size)
   return {};
 }
 
-/// Returns whether GDCM's unpacked image is luminance and differences.
+/// Returns whether the image that GDCM has decoded is in luminance and colour differences (YCbCr).
 bool IsYbr(const gdcm::Image& image)
 {
   const gdcm::PhotometricInterpretation meaning = image.GetPhotometricInterpretation();
@@ -336,8 +338,8 @@ bool IsYbr(const gdcm::Image& image)
     meaning == gdcm::PhotometricInterpretation::YBR_FULL_422;
 }
 
-/// Joins the fragments of each frame, because GDCM wants one fragment for each of several frames.
-/// Streams of JPEG, JPEG-LS and JPEG 2000 show where a frame begins.
+/// Joins the fragments of each frame, because GDCM needs exactly one fragment per frame. The start
+/// markers of JPEG, JPEG-LS and JPEG 2000 show where a frame begins.
 void JoinFragments(gdcm::Image& image)
 {
   const gdcm::SequenceOfFragments* const parts = image.GetDataElement().GetSequenceOfFragments();
@@ -358,7 +360,7 @@ void JoinFragments(gdcm::Image& image)
   }
   if (whole.size() != frames)
   {
-    return; // GDCM refuses it
+    return; // leaves the fragments unchanged; GDCM then refuses the file
   }
   const auto joined = gdcm::SequenceOfFragments::New();
   for (const std::string& bytes : whole)
@@ -427,7 +429,7 @@ void Serve(volatile bool& isSending)
           : request.What == DicomRequest::Stored             ? ReadStored(request, path, bytes)
                                                              : Unpack(request, path, answer, bytes);
       }
-      catch (...) // GDCM's own, or too little memory
+      catch (...) // GDCM's own exceptions, or too little memory
       {
         answer = {};
       }
@@ -454,7 +456,7 @@ int main()
     std::fputs("volumehaptics-dicom reads DICOM files for the module, which starts it.\n", stderr);
     return 2;
   }
-  gdcm::Trace::WarningOff(); // the asker reports errors
+  gdcm::Trace::WarningOff(); // the requesting process reports errors
   gdcm::Trace::ErrorOff();
   const rlimit none = {};
   setrlimit(RLIMIT_CORE, &none);
@@ -464,8 +466,8 @@ int main()
   {
     return 1;
   }
-  // A copy of this process reads. If a file ends it, the next copy takes less than a millisecond,
-  // and a new process would take 20 to load GDCM's tables.
+  // Read in a fork of this process. If a file crashes it, the next fork takes less than a
+  // millisecond, whereas a new process would load GDCM's tables for 20 ms.
   while (true)
   {
     const pid_t reader = fork();

@@ -33,7 +33,7 @@ set(Explore_VTK_COMPONENTS
   RenderingVolumeOpenGL2
   vtksys)
 
-# All sources but main(), relative to this folder. The image tests compile them, too.
+# All sources except main(), relative to this folder. The image tests compile them, too.
 set(Explore_SOURCES
   Analysis/BodyIsolation.cxx
   Analysis/ValueProbe.cxx
@@ -88,7 +88,7 @@ set(Explore_SOURCES
 set(Explore_LIBRARIES)
 set(Explore_INCLUDE_DIRS)
 
-# The movies of key F9. The project looks for the module beside the components.
+# The movies of key F9 need a module of VTK that the project looks for together with the components.
 if (VTK_IOOggTheora_FOUND)
   list(APPEND Explore_VTK_COMPONENTS IOOggTheora)
   list(APPEND Explore_SOURCES Record/TheoraFile.cxx)
@@ -96,7 +96,7 @@ else ()
   list(APPEND Explore_SOURCES Record/NoMovieFile.cxx)
 endif ()
 
-# The sound of --sound. PulseAudio's library is used if it is found.
+# The sound of --sound uses PulseAudio's library if it is found.
 include("${CMAKE_CURRENT_LIST_DIR}/../../UseLibrary.cmake")
 find_package(PkgConfig QUIET)
 if (PKG_CONFIG_FOUND)

@@ -11,8 +11,7 @@
 
 namespace
 {
-/// Returns a list of names such as ", first, second". `quote` is written on both sides of each
-/// name.
+/// Returns the names in the form ", first, second". `quote` is written on both sides of each name.
 std::string List(vtkStringArray* names, const std::string& quote)
 {
   std::string list;

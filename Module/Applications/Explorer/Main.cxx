@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Explores a volume by touch, without a device: the project's main task, from the command line.
+/// The main program: explores a volume by touch from the command line, with or without a device.
 #include "Applications/Explorer/Exploration/Inspection.h"
 #include "Applications/Explorer/Exploration/ModeChoice.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
@@ -45,8 +45,8 @@ enum ExitCode
   NO_DISPLAY = 3
 };
 
-/// Tests whether a window can be opened and drawn. Without this test, VTK would crash, for example
-/// on an X server without GLX.
+/// Tests whether a window can be opened and drawn. VTK would otherwise crash, for example on an X
+/// server without GLX.
 int CheckDisplay()
 {
   vtkNew<vtkRenderWindow> window;
@@ -83,9 +83,9 @@ Explore::SceneOptions MakeLook(
   look.Height = window ? window->GetSize()[1] : HeightOf(options.Width);
   look.Mapper = options.Mapper;
   look.Caption = Caption(exploration);
-  // If the file does not define its axes, the kind of its values decides.
+  // If the file does not define its axes, decide by the kind of the values.
   const Explore::VolumeKind kind = exploration.Values.Kind;
-  // Numbers of labels have the axes that they have as values.
+  // Label maps have the axes that their numbers suggest when they are read as values.
   const double* const range = exploration.Values.Range;
   const bool isMedical = kind == Explore::VolumeKind::CT || kind == Explore::VolumeKind::EightBit ||
     (kind == Explore::VolumeKind::Labels && range[0] >= 0.0 && range[1] <= 255.0);
@@ -104,8 +104,8 @@ void WriteSound(const Explore::Exploration& exploration, const Explore::Options&
   }
 }
 
-/// Opens a window that shows the progress until the scene is ready. Returns null if no scene
-/// follows.
+/// Opens a window that shows the progress until the scene is ready. Returns null if the options
+/// request no scene.
 vtkSmartPointer<vtkRenderWindow> OpenWindow(const Explore::Options& options)
 {
   if (options.Pictures || options.Live || !Explore::HasDisplay())
@@ -138,7 +138,7 @@ Explore::FileChoice Touch(vtkRenderWindow* window, const Explore::Exploration& e
   look.Interactive = true;
   look.Cut = options.Cut;
   look.SliceShare = options.Slices ? Explore::SLICE_SHARE : 0.0;
-  look.Caption.clear(); // the head-up display is at the place of the caption
+  look.Caption.clear(); // no caption, because the head-up display occupies its place
   const Explore::FileChoice now{ options.VolumePath, exploration.Input.SeriesNumber,
     options.AsLabels, {}, !options.MorePaths.empty() };
   return Explore::RunTouchWindow(window, exploration, look, options.Device,
@@ -210,7 +210,7 @@ int WriteVolume(const Explore::Options& options)
 
 int Inspect(const Explore::Options& options)
 {
-  // progress goes to stderr, so that stdout has only the result
+  // send progress to stderr, so that stdout contains only the result
   std::streambuf* const out = std::cout.rdbuf(std::cerr.rdbuf());
   Explore::Volume volume = Load(options);
   std::cout.rdbuf(out);
@@ -243,7 +243,7 @@ int Run(const Explore::Options& options, Explore::FileChoice& next)
       loading->Report(step, fraction);
     }
   };
-  // Reading takes long. Refuse a device before it.
+  // Open the devices first, so that a faulty device is reported before the long reading.
   const Explore::OpenDevices devices =
     window ? Explore::OpenDevicesOf(options.Device) : Explore::OpenDevices();
   std::cout << "Reading " << options.VolumePath << std::endl;
@@ -314,8 +314,8 @@ int Run(const Explore::Options& options, Explore::FileChoice& next)
   return isReproduced ? DONE : FAILED;
 }
 /// Runs the volume of the options, then each volume that is opened in the window. If a file can't
-/// be opened, the window reports this, and continues with the last volume. Returns the code of the
-/// last run.
+/// be opened, the window reports this, and shows the previous volume again. Returns the exit code
+/// of the last run.
 int RunAll(Explore::Options options)
 {
   Explore::FileChoice next;
@@ -330,7 +330,7 @@ int RunAll(Explore::Options options)
     options.Replay.clear();
     const Explore::Options before = options;
     options.Measurements.clear();
-    // Options for one volume do not apply to another volume.
+    // Options of one volume don't apply to another volume.
     const bool isSame = next.Path == options.VolumePath;
     const Explore::WindowPlace place = next.Place;
     options.Place = place;

@@ -64,7 +64,7 @@ Value Choose(
   throw InputError(option + " '" + text + "'", "is not known", "take one of: " + list);
 }
 
-/// Returns a map of all methods, each to itself.
+/// Returns a map of all methods' names to themselves.
 std::map<std::string, std::string> Methods()
 {
   std::map<std::string, std::string> methods;
@@ -81,7 +81,7 @@ double ParseNumber(const std::string& text)
   return VolumeHaptics::ParseNumber(text).value_or(std::nan(""));
 }
 
-/// Parses the newtons along a stick's axes: "2.5" for both, or "2.5,0".
+/// Parses the forces at full scale along a stick's axes: "2.5" for both axes, or "2.5,0".
 std::array<double, 2> ParseNewtons(const std::string& text)
 {
   const std::size_t comma = text.find(',');
@@ -171,7 +171,7 @@ void SetSound(Options& options, const std::string& file)
   options.Sound = true;
 }
 
-/// Sets the first device, or if that is set, the device of the second hand.
+/// Sets the first device or, if it is already set, the device of the second hand.
 void SetDevice(Options& options, const std::string& id)
 {
   if (options.HasDevice && !options.Device.SecondId.empty())
@@ -245,7 +245,8 @@ void SetOption(Options& options, const std::string& name, const std::string& val
     }
     if (Explore::IsToolFile(value))
     {
-      Explore::ReadToolFile(value); // throws InputError, if necessary, before anything is computed
+      // only checks the file: throws InputError before any computation
+      Explore::ReadToolFile(value);
     }
     options.Tool = value == "point" ? std::string() : value;
   }
@@ -280,7 +281,8 @@ void SetOption(Options& options, const std::string& name, const std::string& val
   }
   else if (name == "--script")
   {
-    Explore::ReadDemoScript(value); // throws InputError, if necessary, before anything is computed
+    // only checks the file: throws InputError before any computation
+    Explore::ReadDemoScript(value);
     options.Script = value;
   }
   else if (name == "--movie")
@@ -300,12 +302,14 @@ void SetOption(Options& options, const std::string& name, const std::string& val
   }
   else if (name == "--replay")
   {
-    Explore::TouchReplay::ReadFile(value); // throws InputError, if necessary, as above
+    // only checks the file: throws InputError before any computation
+    Explore::TouchReplay::ReadFile(value);
     options.Replay = value;
   }
   else if (name == "--stereo")
   {
-    Explore::FindStereoMode(value); // throws InputError, if necessary, before anything is computed
+    // only checks the name: throws InputError before any computation
+    Explore::FindStereoMode(value);
     options.Stereo = value;
   }
   else if (name == "--sound")
@@ -381,7 +385,7 @@ Options ParseOptions(int argc, char* argv[])
       const std::string name = word.substr(0, equals);
       if (equals == std::string::npos && i + 1 >= argc)
       {
-        // Every option has a line in the help.
+        // Every option has a line in the help, so the help decides whether the option is known.
         const bool isKnown = Explore::HelpText().find("\n  " + name + " ") != std::string::npos;
         throw InputError(
           word, isKnown ? "needs a value" : "is not an option", "--help lists the options");

@@ -3,8 +3,8 @@
 
 /**
  * @file
- * The program volumehaptics-guard: the process that talks to devices without a watchdog. See
- * GuardedDevice.h.
+ * The program volumehaptics-guard: the process that communicates with devices without a watchdog.
+ * See GuardedDevice.h.
  */
 
 #include "Devices/Guard/GuardMain.h"
@@ -22,8 +22,8 @@ namespace
 {
 
 /**
- * Makes a driver of the device that the words describe. Returns null, with the reason in `error`,
- * on failure.
+ * Makes a driver for the device that the arguments describe. On failure, returns null, with the
+ * reason in `error`.
  */
 std::unique_ptr<VolumeHaptics::HardwareDriver> MakeDriver(
   const std::vector<std::string>& words, std::string& error)

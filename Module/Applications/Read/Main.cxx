@@ -3,8 +3,8 @@
 
 /**
  * @file
- * The program volumehaptics-read: reads files for the module, whose library is its argument. See
- * Core/Platform/ReaderProcess.h.
+ * The program volumehaptics-read: reads files for the module. Its argument is the path of the
+ * module's library, which it loads. See Core/Platform/ReaderProcess.h.
  */
 #include <cstdio>
 
@@ -29,5 +29,5 @@ int main(int argc, char** argv)
     return 1;
   }
   serve(STDIN_FILENO);
-  _exit(0); // nothing that libraries do at the end is needed
+  _exit(0); // skips the libraries' exit handlers, which are not needed
 }

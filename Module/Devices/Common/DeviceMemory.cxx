@@ -79,7 +79,7 @@ bool IsDay(const std::string& text)
   return true;
 }
 
-/** Reads the facts of a line. Returns false if the line contains anything else. */
+/** Parses the facts in a line. Returns false if the line contains anything else. */
 bool ReadFacts(std::istringstream& words, DeviceFacts& facts)
 {
   std::string word;
@@ -102,7 +102,7 @@ bool ReadFacts(std::istringstream& words, DeviceFacts& facts)
       return false;
     }
   }
-  // false if the line is incomplete: a scale without its day
+  // false if the line is incomplete: a scale without the day of calibration
   return !facts.Calibrated.empty() || facts.Scale == 1.0;
 }
 
@@ -118,12 +118,12 @@ std::string MakeLine(const std::string& word, const DeviceFacts& facts)
 }
 
 /**
- * Reads the lines of a file. If there is no file, there are no lines. Returns false and writes the
- * reason to `error` if the file can't be read.
+ * Reads the lines of a file; a missing file has no lines. Returns false and writes the reason to
+ * `error` if the file can't be read.
  */
 bool ReadLines(const std::string& file, std::vector<std::string>& lines, std::string& error)
 {
-  constexpr std::size_t most = 1 << 20; // bytes: some thousand devices
+  constexpr std::size_t most = 1 << 20; // bytes: thousands of devices
   std::string text;
   const std::string fault = file.empty() ? NoSuchFile : ReadSmallFile(file, most, text);
   std::istringstream in(text);
@@ -206,7 +206,7 @@ DeviceFacts DeviceMemory::Read(const std::string& identity, std::string& error)
     DeviceFacts facts;
     if (ReadFacts(words, facts))
     {
-      found = facts; // the last line counts
+      found = facts; // the last line of a device is the valid one
     }
     else
     {
@@ -253,7 +253,7 @@ bool DeviceMemory::Write(const std::string& identity, const DeviceFacts& facts, 
     }
   }
   text << MakeLine(word, facts) << "\n";
-  // The file is new: a link that somebody has put there is not followed.
+  // Create a new file, so that a link that somebody has planted is not followed.
   std::string temporary;
   constexpr Files::Mode onlyThisUser = 0600;
   const int descriptor = Files::CreateBeside(file, onlyThisUser, temporary);

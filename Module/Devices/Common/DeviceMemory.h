@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The user's file of devices. It has for each device whether its signs were confirmed, and the
- * ratio of the force that it really exerts to the force that it is asked for.
+ * The user's file of devices. It stores for each device whether the signs of its force were
+ * confirmed, and the ratio of the exerted force to the requested one.
  *
  * The file is plain text with one line for each device:
  *
@@ -24,14 +24,14 @@ namespace VolumeHaptics
 struct DeviceFacts
 {
   ///@{
-  /** Limits of a scale. A scale outside them is a mistake. */
+  /** Limits of a scale; values outside them are treated as mistakes. */
   static constexpr double LeastScale = 0.1;
   static constexpr double MostScale = 10.0;
   ///@}
 
   /** Day on which the device's signs were confirmed; empty if they never were. */
   std::string Confirmed;
-  double Scale = 1.0;     ///< true newtons per newton that the device is asked for
+  double Scale = 1.0; ///< exerted newtons per requested newton
   std::string Calibrated; ///< day of the calibration; empty if the device was never calibrated
 
   /** Describes the scale, for example "calibrated 0.83 on 2026-11-22" or "uncalibrated". */
@@ -43,20 +43,20 @@ class DeviceMemory
 public:
   /** Returns the path of the file, or an empty path if the environment names no folder for it. */
   static std::string FindFile();
-  /** Returns the present day in the form 2026-11-22. */
+  /** Returns the current date in the form 2026-11-22. */
   static std::string GetToday();
 
   /**
    * Reads the facts of a device, given its identity (DeviceBackend::GetIdentity). If the device has
-   * several lines, the last one counts. Returns default facts if there is no file or if that line
-   * is damaged. If the file can't be read or a line of this device is damaged, `error` names the
-   * file and the cure; otherwise it is empty.
+   * several lines, the last one is valid. Returns default facts if there is no file or if that line
+   * is damaged. `error` receives the file and the cure if the file can't be read or a line of this
+   * device is damaged; otherwise it is empty.
    */
   static DeviceFacts Read(const std::string& identity, std::string& error);
   /**
-   * Replaces the facts of a device and keeps all other lines. The file is replaced as a whole.
-   * Returns false and writes the reason and the cure to `error` if this fails; the old file then
-   * does not change.
+   * Replaces the facts of a device, and keeps all other lines. The file is replaced atomically. On
+   * failure, returns false, writes the reason and the cure to `error`, and leaves the old file
+   * unchanged.
    */
   static bool Write(const std::string& identity, const DeviceFacts& facts, std::string& error);
 };

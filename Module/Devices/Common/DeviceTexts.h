@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Texts that all kinds of devices share: reads ids, and explains why a device can't be opened.
+ * Functions and texts that all kinds of devices share: reading ids, and explaining why a device
+ * can't be opened.
  */
 #ifndef DeviceTexts_h
 #define DeviceTexts_h
@@ -13,10 +14,10 @@
 namespace VolumeHaptics
 {
 
-/** Text, after the device's name, for an unplugged device that the driver looks for. */
+/** Text, after the device's name, for an unplugged device that the driver will find again. */
 constexpr const char* UnpluggedText =
   "was unplugged. Plug it in again: it is opened by itself, and waits for Arm().";
-/** Text, after the device's name, for an unplugged device that looks the same as another one. */
+/** Text, after the device's name, for an unplugged device that can't be told from another one. */
 constexpr const char* OpenAgainText = "was unplugged. Plug it in, then Open() and Start() it.";
 
 ///@{
@@ -26,8 +27,9 @@ constexpr const char* OpenAgainText = "was unplugged. Plug it in, then Open() an
  */
 int ReadDeviceNumber(const std::string& id, const std::string& kind, std::string& error);
 /**
- * Returns the cure if this user may not open a device, which is a udev rule. `subsystem` is "usb"
- * or "hidraw". By Bluetooth, no USB device has the numbers, so the rule names the kernel's device.
+ * Returns the cure if this user lacks permission to open a device: a udev rule. `subsystem` is
+ * "usb" or "hidraw". Over Bluetooth, no USB device has these numbers, so the rule names the
+ * kernel's device.
  */
 std::string PermissionCure(
   const char* subsystem, std::uint16_t vendor, std::uint16_t product, bool isBluetooth = false);

@@ -19,8 +19,8 @@ namespace
 constexpr std::int64_t LookPeriod = 500 * ServoClock::Millisecond;
 constexpr std::int64_t LookPause = 10 * ServoClock::Millisecond;
 /**
- * Number of attempts before a fault is reported. The first ones may fail because the system grants
- * access to a new device late.
+ * Number of attempts before an error is reported. The first attempts may fail because the system
+ * grants access to a new device with a delay.
  */
 constexpr int SilentAttempts = 10;
 
@@ -28,7 +28,8 @@ bool AreSame(const DeviceLimits& a, const DeviceLimits& b)
 {
   const auto values = [](const DeviceLimits& limits)
   {
-    // Names each member, so that a new one does not compile here until it is compared, too.
+    // Name every member, so that this function no longer compiles when a member is added, until
+    // that member is compared, too.
     const auto& [force, stiffness, damping, speed, own, radius, least, axes, moves, vibrates,
       torque, continuous] = limits;
     return std::make_tuple(force, stiffness, damping, speed, own, radius, least, axes, moves,
@@ -69,7 +70,7 @@ void HardwareDriver::ServeUntilStop(HardwareExchange& exchange)
   const DriverFacts before(*this);
   const std::function<bool()> mustStop = [&exchange]
   {
-    // Quench() and Close() wait until this thread has asked for the force, and got zero.
+    // Quench() and Close() wait until this thread has requested the force and received zero.
     exchange.GetForce();
     return exchange.MustStop();
   };
@@ -83,7 +84,7 @@ void HardwareDriver::ServeUntilStop(HardwareExchange& exchange)
       this->Disconnect();
       isConnected = false;
     }
-    // Sleep, because the servo goes on waking the exchange.
+    // Sleep, because the servo still wakes the exchange.
     const std::int64_t end = ServoClock::Now() + LookPeriod;
     while (ServoClock::Now() < end && !exchange.IsHomeRequested() && !mustStop())
     {
@@ -118,7 +119,8 @@ HardwareDevice::~HardwareDevice()
   this->Close();
   if (this->IsAbandoned)
   {
-    static_cast<void>(this->Driver.release()); // its destructor would end the parent's connection
+    // leaked, because its destructor would end the parent's connection
+    static_cast<void>(this->Driver.release());
   }
 }
 
@@ -164,7 +166,7 @@ void HardwareDevice::SeekPriority()
         this->Priority->AskRealtimeKit();
       });
   }
-  catch (const std::system_error&) // the device works without the request
+  catch (const std::system_error&) // the device also works without real-time priority
   {
   }
 }
@@ -182,7 +184,7 @@ void HardwareDevice::Run()
   }
   catch (const std::exception& e)
   {
-    // Memory may have run out, for example. Then only the device's own watchdog can end the force.
+    // Memory may have run out, for example. Only the device's own watchdog can end the force now.
     this->Exchange.SetCondition(DeviceStage::Lost, e.what());
   }
 }
@@ -191,8 +193,8 @@ void HardwareDevice::Close()
 {
   if (this->Thread.joinable() && this->Process != ServoClock::GetProcess())
   {
-    // The threads do not exist in this process, so they can neither be joined nor detached: leak
-    // them.
+    // The threads don't exist in the forked process, so they can be neither joined nor detached:
+    // leak them.
     static_cast<void>(new std::thread(std::move(this->Thread)));
     static_cast<void>(new std::thread(std::move(this->Request)));
     this->IsAbandoned = true;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A device that a thread of its own communicates with.
+ * A device with its own thread for communication.
  */
 #ifndef HardwareDevice_h
 #define HardwareDevice_h
@@ -21,15 +21,15 @@ namespace VolumeHaptics
 {
 
 /**
- * Converts true newtons to the newtons that a driver is asked for (DeviceBackend::SetForceScale).
- * This is the last step before a device. Any thread may call it.
+ * Converts true newtons to the newtons that are requested from a driver
+ * (DeviceBackend::SetForceScale). This is the last step before a device. Any thread may call it.
  */
 class TrueNewtons
 {
 public:
   /**
    * Sets the ratio of true newtons to the driver's newtons. `most` (N) is the largest force that
-   * the driver may be asked for.
+   * may be requested from the driver.
    */
   void Set(double scale, double most) noexcept
   {
@@ -44,7 +44,7 @@ public:
     limits.ContinuousForce *= share;
     return limits;
   }
-  /** Returns the force (N) to ask the driver for. */
+  /** Returns the force (N) to request from the driver. */
   Vector3 Ask(const Vector3& force) const noexcept
   {
     const double scale = this->Scale.load(std::memory_order_relaxed);
@@ -71,7 +71,7 @@ struct DriverFacts
   bool KeepsIdentity;
 };
 
-/** Communicates with one kind of device. */
+/** Communicates with the devices of one kind. */
 class HardwareDriver
 {
 public:
@@ -83,31 +83,31 @@ public:
   virtual std::string GetName() const = 0;
   virtual DeviceLimits GetLimits() const = 0;
   /**
-   * Returns DeviceBackend::GetIdentity of the connected device. Empty if the device exerts no
+   * Returns DeviceBackend::GetIdentity of the connected device; empty if the device exerts no
    * force.
    */
   virtual std::string GetIdentity() const { return {}; }
-  /** Returns DeviceBackend::KeepsIdentity of the same device. */
+  /** Returns DeviceBackend::KeepsIdentity of the connected device. */
   virtual bool KeepsIdentity() const { return true; }
 
   /**
-   * Finds the device and claims it for this process alone. Returns false and writes the reason and
-   * the cure to `error` if this fails.
+   * Finds the device and claims it exclusively for this process. On failure, returns false and
+   * writes the reason and the cure to `error`.
    */
   virtual bool Connect(std::string& error) = 0;
   /**
    * Runs on the device's thread until the exchange must stop: homes the device, sends forces, and
-   * reports positions. Every wait has a time limit. After the device is lost, only waits for the
-   * stop, or homes it if that is requested and the device is connected. At its end it sends zero
-   * force if it can. Returns before the stop if the device was unplugged and Reconnect() can find
-   * it; it is then Lost.
+   * reports positions. Every wait has a time limit. After the device is lost, waits for the stop;
+   * if homing is requested and the device is connected, homes it. At the end, sends zero force if
+   * possible. Returns early if the device was unplugged and Reconnect() can find it again; the
+   * device is then Lost.
    */
   virtual void Serve(HardwareExchange& exchange) = 0;
   /**
-   * Connects the unplugged device of this identity if it is plugged in again, and no other device.
-   * Returns false if it is not there, or writes the reason to `error` if it can't be connected;
-   * the driver is then as before. Long waits end once `mustStop` returns true. Called after
-   * Disconnect().
+   * Reconnects the unplugged device with this identity, and no other device, once it is plugged in
+   * again. Returns false if it is missing; if it can't be connected, also writes the reason to
+   * `error`. The driver's state is then unchanged. Long waits end once `mustStop` returns true.
+   * Called after Disconnect().
    */
   virtual bool Reconnect(const std::string& /*identity*/, const std::function<bool()>& /*mustStop*/,
     std::string& /*error*/)
@@ -115,22 +115,22 @@ public:
     return false;
   }
   /**
-   * Serves the device until the exchange must stop. If the device was unplugged, looks for it twice
-   * a second, and whenever homing is requested. A device that is back begins as a new one: it is
-   * homed if it has to be, and gives no force before the user arms it again.
+   * Serves the device until the exchange must stop. Searches for an unplugged device twice a
+   * second, and whenever homing is requested. A device that is plugged in again starts like a new
+   * one: it is homed if necessary, and exerts no force before the user arms it again.
    */
   void ServeUntilStop(HardwareExchange& exchange);
   /**
-   * Sends zero force after the device's thread has crashed somewhere in Serve(). The handler of the
-   * crash calls it on this thread, so it must only use system calls, neither locks nor memory from
-   * the heap. Does nothing if the device is reached through a library that needs these.
+   * Sends zero force after the device's thread has crashed in Serve(). The crash handler calls this
+   * on the same thread, so it may only use system calls, and neither locks nor heap memory. Does
+   * nothing if the device's library needs these.
    */
   virtual void SendLastZero() noexcept {}
   /** Releases the device. Called after Serve(). */
   virtual void Disconnect() noexcept = 0;
 
 private:
-  /** Connects the device again if it is back as it was. Returns whether it is connected. */
+  /** Reconnects the device if it has the same facts as before. Returns whether it is connected. */
   bool Return(const DriverFacts& before, const std::function<bool()>& mustStop, std::string& error);
 };
 
@@ -171,19 +171,22 @@ public:
 
 private:
   void Run();
-  /** Requests a real-time class for the thread, which does not wait for the answer. */
+  /** Requests a real-time scheduling class for the thread, without waiting for the answer. */
   void SeekPriority();
 
   std::unique_ptr<HardwareDriver> Driver;
-  /** Facts of the last Open(), because the driver's thread may connect the device again. */
+  /**
+   * Facts from the last Open(), stored here because the driver's thread may reconnect the device.
+   */
   DriverFacts Facts;
   HardwareExchange Exchange;
   TrueNewtons Newtons;
   std::thread Thread;
   std::unique_ptr<ServoPriority> Priority; // requests the priority of Thread
-  std::thread Request;                     // runs SeekPriority's request; may not exist
-  std::int64_t Process = 0;                // process to which the threads belong
-  bool IsAbandoned = false; // whether this object is in a forked child, which has no threads
+  std::thread Request; // thread of SeekPriority's request, if any
+  std::int64_t Process = 0; // id of the process that owns the threads
+  // whether this object is in a forked child, in which the threads don't exist
+  bool IsAbandoned = false;
 };
 
 } // namespace VolumeHaptics

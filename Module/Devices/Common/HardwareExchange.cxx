@@ -13,7 +13,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Difference of the two clocks (ns) above which the computer was asleep. */
+/** Difference of the two clocks (ns) that shows that the computer was asleep. */
 constexpr std::int64_t ShortestSleep = 50000000;
 
 } // namespace
@@ -124,8 +124,8 @@ void HardwareExchange::RequestHome() noexcept
 
 DeviceCondition HardwareExchange::GetCondition() noexcept
 {
-  // Read before the condition, because the device's thread resets the request only after it has set
-  // its own condition.
+  // Read the request before the condition, because the device's thread sets its own condition
+  // before it resets the request.
   const bool willHome = this->HomeRequested.load(std::memory_order_acquire);
   this->Conditions.Update();
   DeviceCondition condition = this->Conditions.Read();
@@ -149,12 +149,12 @@ void HardwareExchange::SetCondition(DeviceStage stage, const char* text) noexcep
   if (stage == DeviceStage::Ready && this->Stage.load() != DeviceStage::Ready)
   {
     // Count before setting the stage: a thread that reads Ready then also reads the new count, so
-    // that the servo notices if the device was homed between two ticks.
+    // the servo notices a homing between two ticks.
     this->TimesReady.fetch_add(1, std::memory_order_release);
   }
   this->Stage.store(stage, std::memory_order_release);
   // Write the condition after the stage: when a caller reads "ready" and calls Arm(), the servo
-  // then sees that the device is ready, too.
+  // then already sees a ready device.
   this->Conditions.Write(condition);
 }
 
@@ -172,8 +172,8 @@ bool HardwareExchange::HasSlept() noexcept
 {
   const std::int64_t slept = this->ReadAsleep();
   const bool has = slept - this->SleptBefore > ShortestSleep;
-  // If this thread was delayed between reading the two clocks, it has measured too little sleep.
-  // Without the maximum, it would count the rest as a new sleep.
+  // If this thread was delayed between reading the two clocks, it has measured too short a sleep.
+  // Without the maximum, the rest would later count as another sleep.
   this->SleptBefore = std::max(this->SleptBefore, slept);
   if (has)
   {
@@ -203,13 +203,13 @@ DeviceState HardwareExchange::Receive(DeviceSample& sample) noexcept
   const bool isTold = this->Samples.Update();
   if (isTold || this->IsUnderWay)
   {
-    // In ticks without a new sample, buttons stay pressed and rotations continue.
+    // Without a new sample, buttons stay pressed and rotations continue.
     sample = this->Samples.Read();
     const bool isNew = isTold && (sample.Time != this->TimeSeen || !this->IsUnderWay);
     this->TimeSeen = sample.Time;
     sample.Fresh = isNew;
     sample.Alive = isTold;
-    // A sample that follows a pause begins anew, because homing may have moved the origin.
+    // A sample after a pause starts a new sequence, because homing may have moved the origin.
     sample.Begins = isNew && (sample.Begins || !this->IsUnderWay);
     this->IsUnderWay = true;
   }
@@ -258,7 +258,7 @@ DeviceCommand HardwareExchange::GetCommand() noexcept
   const double share = std::clamp(1.0 - age / FadeTime, 0.0, 1.0);
   const DeviceCommand command{ share * latest.Force, share * latest.Torque };
   const int rounds = this->ZeroRounds.load(std::memory_order_acquire);
-  // A force from before homing was computed for another position, so it must not flow.
+  // A force from before homing was computed for another position, so it must not be sent.
   const bool flows = IsFinite(command.Force) && IsFinite(command.Torque) &&
     Norm(command.Force) + Norm(command.Torque) > 0.0 &&
     latest.TimesReady == this->TimesReady.load(std::memory_order_acquire) &&

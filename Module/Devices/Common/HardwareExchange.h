@@ -4,14 +4,14 @@
  * @file
  * Exchanges positions and forces between the servo and the thread that communicates with a device.
  *
- * Libraries for USB and HID lock and allocate, so a separate thread calls them. It passes positions
- * to the servo and receives forces from it through buffers with a single producer, so that the
- * servo never waits, and the device always gets the latest force. If the servo does not renew a
+ * Libraries for USB and HID use locks and allocate memory, so a separate thread calls them.
+ * Positions and forces are exchanged through buffers with a single producer each, so that the servo
+ * never waits, and the device always receives the latest force. If the servo does not renew a
  * force, the force falls to zero.
  *
- * If the exchange is in memory that two processes share, that thread may be in the other process
- * (Devices/Guard): the exchange consists of values, atomics and a file descriptor that has the same
- * number in both.
+ * The exchange can also be in memory that two processes share, with the device's thread in the
+ * other process (Devices/Guard): it consists only of values, atomics and a file descriptor with the
+ * same number in both processes.
  */
 #ifndef HardwareExchange_h
 #define HardwareExchange_h
@@ -28,8 +28,8 @@ class HardwareExchange
 {
 public:
   /**
-   * Time (s) without a new force after which the last force falls to zero, and time in which it
-   * falls.
+   * Time (s) without a new force after which the last force begins to fade, and duration (s) of the
+   * fade to zero.
    */
   static constexpr double WatchdogTime = 0.03;
   static constexpr double FadeTime = 0.02;
@@ -37,8 +37,8 @@ public:
   using Clock = std::int64_t (*)();
 
   /**
-   * Makes an exchange. `asleep` returns how long (ns) the computer has been asleep since it was
-   * started. If it is null, GetTimeAsleep is used, whose address differs between processes.
+   * Makes an exchange. `asleep` returns the time (ns) that the computer has been asleep since it
+   * was started. Null means GetTimeAsleep, whose address differs between processes.
    */
   explicit HardwareExchange(Clock asleep = nullptr);
   ~HardwareExchange();
@@ -47,8 +47,9 @@ public:
 
   ///@{
   /**
-   * Called by the servo. In the first sample since the device became ready, Begins is true. If the
-   * device was not ready at any time between two calls, the next call still returns NotReady.
+   * Called by the servo. Begins is true in the first sample after the device became ready. If the
+   * device was unready at any time between two calls, the next call returns NotReady even if the
+   * device is ready again.
    */
   DeviceState Receive(DeviceSample& sample) noexcept;
   DeviceState Give(const Vector3& force, const Vector3& torque = {}) noexcept;
@@ -57,8 +58,8 @@ public:
   ///@{
   /**
    * Quench() ends the force until the next Give(). IsAtRest() returns whether the device is at
-   * rest: its thread has asked for the force twice, and before the second time it had sent the
-   * first answer. From any thread.
+   * rest: its thread has requested the force twice and received zero, so the first zero was sent.
+   * Both may be called from any thread.
    */
   void Quench() noexcept;
   bool IsAtRest() const noexcept { return this->ZeroRounds.load(std::memory_order_acquire) > 1; }
@@ -75,19 +76,17 @@ public:
 
   ///@{
   /**
-   * Requests that the device's thread reads. Lights are negative if the device shows its own
-   * condition.
+   * Requests for the device's thread. Lights are negative if the device shows its own condition.
    */
   bool MustStop() const noexcept { return this->StopRequested.load(std::memory_order_acquire); }
   /**
    * Returns whether homing was requested since the last call. If so, sets the stage to Homing,
-   * which the servo sees even if the device is ready again at once. Forces from before no longer
-   * count.
+   * which the servo sees even if the device is ready again at once. Discards forces from before.
    */
   bool DrainHomeRequest() noexcept;
   /**
-   * Sets the stage to Homing for a device that was lost and was connected again. Homing requests
-   * and sleeps from before do not count.
+   * Sets the stage to Homing for a device that was lost and reconnected. Discards earlier homing
+   * requests and sleeps.
    */
   void BeginAgain() noexcept;
   bool IsHomeRequested() const noexcept
@@ -95,7 +94,7 @@ public:
     return this->HomeRequested.load(std::memory_order_acquire);
   }
   /**
-   * Refuses a homing request, if there is one, that can't help, for example because the device is
+   * Discards a pending homing request that can't succeed, for example because the device is
    * unplugged. The device stays Lost, with this text.
    */
   void RefuseHomeRequest(const char* text) noexcept;
@@ -108,14 +107,14 @@ public:
   /** Returns the force (N) of GetCommand(), for a device without torque. */
   Vector3 GetForce() noexcept { return this->GetCommand().Force; }
   /**
-   * Records that the device has this force: it received what was sent, or already had the same
-   * force. The servo then measures how old positions are in the forces (LoopTiming.h).
+   * Records that the device has this force: it was received, or equals the previous one. The servo
+   * uses this to measure how old the positions are on which the forces are based (LoopTiming.h).
    */
   void RecordTaken() noexcept;
   /**
    * Returns a file descriptor that becomes readable when there is a force, a stop or a homing
-   * request. Returns a negative number if the system has no such descriptors. ClearWake() resets it
-   * for the next event.
+   * request. ClearWake() resets it for the next event. Returns a negative number on systems without
+   * such descriptors.
    */
   int GetWakeDescriptor() const noexcept { return this->Wake; }
   void ClearWake() noexcept;
@@ -127,28 +126,28 @@ public:
 
   ///@{
   /**
-   * Called by the device's thread. A sample is a new measurement, which was made at its Time, or
-   * now if Time is 0. A sample with the Time of the last one counts as Confirm(). The servo
+   * Called by the device's thread. Reports a new measurement that was made at the sample's Time, or
+   * now if Time is 0. A sample with the same Time as the last one counts as Confirm(). The servo
    * receives samples only while the device is ready, so report one before the stage becomes Ready.
-   * In this first sample Begins becomes true, because the hand may have moved before.
+   * That first sample gets Begins, because the hand may have moved before.
    */
   void Report(const DeviceSample& sample) noexcept;
   /**
-   * Reports that the device is connected and has no new sample, so that the tip is still at the
-   * last one. Must only be called after a Report() since Begin().
+   * Confirms that the device is connected and that the tip is still at the last sample. Must only
+   * be called after a Report() since Begin().
    */
   void Confirm() noexcept { this->Samples.Write(this->Told); }
   /**
-   * Sets the condition. A text that is too long is cut. Lost stays until DrainHomeRequest(),
-   * BeginAgain() or Begin(), even if another stage is set, so that the device does not resume by
-   * itself.
+   * Sets the condition. Too long a text is truncated. The stage Lost persists until
+   * DrainHomeRequest(), BeginAgain() or Begin(), even if another stage is set, so that the device
+   * does not resume by itself.
    */
   void SetCondition(DeviceStage stage, const char* text) noexcept;
-  /** Does the same, with the device's name before the text unless the text is empty. */
+  /** Sets the condition, with the device's name before the text unless the text is empty. */
   void SetCondition(DeviceStage stage, const char* name, const char* text) noexcept;
   /**
    * Returns whether the computer was asleep since the last call. Must be called once in each round.
-   * If it was, the hand may have moved unseen, so the stage becomes Lost.
+   * After a sleep the stage becomes Lost, because the hand may have moved unnoticed.
    */
   bool HasSlept() noexcept;
   ///@}
@@ -162,12 +161,12 @@ private:
     Vector3 Force;
     Vector3 Torque;
     std::int64_t Time = 0;
-    std::uint32_t TimesReady = 0; ///< the last TimesReady that the servo has seen
-    std::int64_t Of = 0; ///< DeviceSample::Time of the last sample that the servo has received
+    std::uint32_t TimesReady = 0; ///< value of the exchange's TimesReady that the servo saw last
+    std::int64_t Of = 0; ///< DeviceSample::Time of the last sample that the servo received
   };
   void WakeUp() noexcept;
   void SetHoming() noexcept;
-  /** Sets SleptBefore. */
+  /** Updates SleptBefore. */
   void MeasureAsleep() noexcept;
   std::int64_t ReadAsleep() const noexcept
   {
@@ -189,8 +188,7 @@ private:
   TripleBuffer<DeviceCondition> Conditions;
   std::atomic<DeviceStage> Stage{ DeviceStage::Lost };
   std::atomic<bool> Quenched{ true };
-  /// Number of rounds of zero force since the last force other than zero, or since Quench(); at
-  /// most 2.
+  /// Number of rounds with zero force since the last nonzero force, or since Quench(); at most 2.
   std::atomic<int> ZeroRounds{ 0 };
   std::atomic<bool> StopRequested{ false };
   std::atomic<bool> HomeRequested{ false };

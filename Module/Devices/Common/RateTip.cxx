@@ -11,7 +11,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Longest time (s) that counts, so that the tip does not leap after a delay of the thread. */
+/**
+ * Longest time step (s) that is integrated, so that the tip does not jump after a delay of the
+ * thread.
+ */
 constexpr double LongestRound = 0.02;
 
 } // namespace

@@ -11,7 +11,7 @@ namespace
 {
 
 constexpr double MaximumSpeed = 2.5; // m/s
-// Shortest time between two measurements, even if the bus delivers two reports close together.
+// Least assumed time between two measurements, even if the bus delivers two reports close together.
 constexpr double ShortestTime = 1e-3; // s
 constexpr double Tolerance = 2e-3;    // m
 
@@ -90,8 +90,8 @@ void FalconController::ReportState() noexcept
 
 bool FalconController::IsPossible(const Vector3& position, double elapsed) const noexcept
 {
-  // Allow twice the speed at which the servo cuts the force. At a higher speed, the reports
-  // themselves are in doubt.
+  // Allow twice the speed at which the servo cuts the force off. At a higher speed, the reports
+  // themselves are unreliable.
   const double far = Tolerance + 2.0 * MaximumSpeed * std::max(elapsed, ShortestTime);
   return Norm(position - this->Pose.Position) <= std::min(far, LongestStep);
 }

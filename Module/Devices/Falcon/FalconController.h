@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The decisions in a session with a Novint Falcon: the contents of the next packet, and whether the
- * device can still be trusted. There is no transport here.
+ * Controls a session with a Novint Falcon, without a transport: decides the contents of the next
+ * packet, and whether the device can still be trusted.
  *
  * The device's space is right-handed, in metres, as seen by the hand: x points to the right, y up,
  * and z out of the device towards the hand. Its origin is the middle of the workspace, which is (0,
@@ -46,12 +46,14 @@ constexpr std::uint8_t FalconColours(int lights) noexcept
 class FalconController
 {
 public:
-  /** Largest possible distance (m) of the grip from the last report, however old that report is. */
+  /**
+   * Largest plausible distance (m) of the grip from the last report, however old that report is.
+   */
   static constexpr double LongestStep = 0.02;
   /** Largest number of consecutive packets without an answer. */
   static constexpr int MostMissed = 10;
 
-  /** Begins with homing. `homingTime` (s) limits each of its steps. */
+  /** Starts with homing. `homingTime` (s) limits each of its steps. */
   FalconController(HardwareExchange& exchange, double homingTime) noexcept;
 
   /**
@@ -59,23 +61,23 @@ public:
    * Miss().
    */
   void Receive(const FalconReport& report, double elapsed) noexcept;
-  /** Records that a packet was not answered in time. `why` may be nullptr. */
+  /** Records that a packet was not answered in time. `why` is the reason, or nullptr. */
   void Miss(double elapsed, const char* why) noexcept;
 
-  /** Makes all commands zero until Restart(). `text` has the fault and the cure. */
+  /** Makes all commands zero until Restart(). `text` contains the fault and the cure. */
   void Lose(const char* text) noexcept;
-  /** Does the same as Lose() if the exchange already has the reason. */
+  /** Like Lose(), if the exchange already contains the reason. */
   void Stop() noexcept { this->IsStopped = true; }
   bool IsLost() const noexcept { return this->IsStopped; }
 
-  /** Begins again with homing. Must be called after HardwareExchange::DrainHomeRequest(). */
+  /** Starts again with homing. Must be called after HardwareExchange::DrainHomeRequest(). */
   void Restart() noexcept;
 
   /**
-   * Returns the packet to send now. While the device is ready, the motors get the servo's force,
-   * otherwise zero. The colours show the progress of homing; later green, blue while there is
-   * force, and red after a loss. SetLights() replaces them, except during homing, when they guide
-   * the hand.
+   * Returns the packet to send now. While the device is ready, the motors receive the servo's
+   * force, otherwise zero. The colours show the progress of homing; after homing they are green,
+   * blue while there is force, and red after a loss. SetLights() replaces the colours, except
+   * during homing, when they guide the hand.
    */
   FalconOrder GetOrder() noexcept;
 
@@ -86,9 +88,10 @@ private:
 
   HardwareExchange& Exchange;
   FalconHoming Homing;
-  FalconHomingState Told = FalconHomingState::Ready; ///< homing state that the condition shows
+  /// homing state that was last reported in the condition
+  FalconHomingState Told = FalconHomingState::Ready;
   FalconPose Pose;
-  double SincePose = 0.0; ///< time since Pose was reached (s)
+  double SincePose = 0.0; ///< time since the measurement of Pose (s)
   int Missed = 0;         ///< number of consecutive packets without an answer
   bool IsStopped = false;
 };

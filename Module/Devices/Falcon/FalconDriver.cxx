@@ -31,10 +31,9 @@ namespace
 /**
  * Exchanges run packets with a Novint Falcon at the servo's pace.
  *
- * A packet is sent as soon as the servo has a force, but only when it is the host's turn
+ * A packet is sent as soon as the servo has a force, provided that it is the host's turn
  * (FalconTurns.h). Without a force, a packet is sent every 2 ms, so that homing continues and zero
- * is renewed. Receiving transfers are always submitted. All memory is allocated before the first
- * round.
+ * is renewed. IN transfers are always pending. All memory is allocated before the first round.
  */
 class FalconRounds final : public UsbTransferOwner
 {
@@ -45,21 +44,21 @@ public:
   /** The interface and the exchange must outlive this object. */
   FalconRounds(UsbInterface& usb, HardwareExchange& exchange);
   /**
-   * If the device is connected, sends zero commands, and waits until they are sent, at most for a
-   * fraction of a second.
+   * If the device is connected, sends zero commands, and waits for a fraction of a second at most
+   * until they are sent.
    */
   ~FalconRounds();
 
-  /** Waits until something has happened or is due. */
+  /** Waits until an event arrives or a deadline expires. */
   void Wait() noexcept;
 
   ///@{
-  /** Return what has ended the last Wait(). */
+  /** Return the event that has ended the last Wait(). */
   bool HasReport() const noexcept { return this->Reported; }
   const FalconReport& GetReport() const noexcept { return this->Report; }
   /**
-   * HasMissed() returns whether a packet was not answered in time. GetGarbage() returns the reason,
-   * or nullptr.
+   * HasMissed() returns whether a packet was not answered in time. GetGarbage() returns why
+   * received bytes were dropped, or nullptr.
    */
   bool HasMissed() const noexcept { return this->Missed; }
   const char* GetGarbage() const noexcept;
@@ -143,7 +142,7 @@ FalconRounds::~FalconRounds()
   this->Finish();
   if (this->Flight->AreFlying())
   {
-    // The system still uses the transfers, and only closing the device releases them.
+    // The system still uses the transfers, and only closing the device releases them, so leak them.
     static_cast<void>(this->Flight.release());
   }
 }
@@ -201,7 +200,7 @@ void FalconRounds::Send(const FalconOrder& order) noexcept
   {
     this->Turns.Sent(this->SentAt);
   }
-  // Clear the stall only after zero was submitted, because a faulty device may take seconds to
+  // Clear the stall only after zero has been submitted, because a faulty device may take seconds to
   // answer.
   if (this->InStalled)
   {
@@ -296,7 +295,7 @@ void FalconRounds::Finish() noexcept
   }
 }
 
-/** Number of packets, 50 ms each, after which a device without an answer has no firmware. */
+/** Number of packets, 50 ms apart, after which a silent device counts as one without firmware. */
 constexpr int ProbePackets = 5;
 constexpr double MicrosecondsPerSecond = 1e6;
 constexpr std::int64_t QuietTime = 20000000; // ns
@@ -320,8 +319,7 @@ FalconDriver::FalconDriver(int number, DeviceOptions options)
 
 std::vector<std::string> FalconDriver::MakeWords(int number, const DeviceOptions& options)
 {
-  // Pass an integer, because all locales write it in the same way. A time of decades means no
-  // limit.
+  // Pass an integer, because its text is the same in all locales. A time of decades means no limit.
   const double time = std::clamp(options.HomingTime, 0.0, 1e9) * MicrosecondsPerSecond;
   return { "falcon", std::to_string(number), std::to_string(std::llround(time)),
     options.FirmwareFile };
@@ -366,7 +364,7 @@ bool FalconDriver::Take(int number, const std::string* wanted, std::string& erro
   const std::string identity = UsbIdentityOf(libusb_get_device(this->Usb.GetHandle()), "falcon");
   if (wanted != nullptr && identity != *wanted)
   {
-    // The numbers have changed since the devices were listed. Nothing was sent to this device.
+    // The numbering has changed since the devices were listed. Nothing was sent to this device.
     this->Usb.Close();
     error.clear();
     return false;
@@ -401,7 +399,7 @@ bool FalconDriver::Reconnect(
   {
     return false;
   }
-  // The system may number the device otherwise than before.
+  // The system may have renumbered the device.
   const std::vector<UsbDevice> present = ListUsbDevices(context.get(), FalconProduct);
   std::vector<std::vector<int>> others;
   int found = -1;

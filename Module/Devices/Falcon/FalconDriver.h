@@ -24,8 +24,8 @@ public:
 
   ///@{
   /**
-   * Convert the arguments to words on a command line, and back. MakeFromWords() returns null and
-   * writes the reason to `error` if the words are not valid.
+   * Convert the arguments to words of a command line, and back. If the words are not valid,
+   * MakeFromWords() returns null and writes the reason to `error`.
    */
   static std::vector<std::string> MakeWords(int number, const DeviceOptions& options);
   static std::unique_ptr<HardwareDriver> MakeFromWords(
@@ -36,7 +36,7 @@ public:
   DeviceLimits GetLimits() const override;
   std::string GetIdentity() const override { return this->Identity; }
   /**
-   * Connects to the device. If its firmware does not run, there must be an image, which Serve()
+   * Connects to the device. If its firmware does not run, an image is required, which Serve()
    * loads.
    */
   bool Connect(std::string& error) override;
@@ -46,16 +46,16 @@ public:
   void Disconnect() noexcept override;
 
 private:
-  /** Tells how a part of a session has ended. */
+  /** The outcome of a part of a session. */
   enum class End
   {
     Done,
-    Failed, ///< the part may be tried again by Home()
+    Failed, ///< the part failed, but Home() may try it again
     Gone
   };
   /**
-   * Connects to the device of this number in ListUsbDevices. If `identity` is not null and the
-   * device has a different one, returns false without an error.
+   * Connects to the device with this number in ListUsbDevices. If `identity` is not null and the
+   * device has a different identity, returns false without an error.
    */
   bool Take(int number, const std::string* identity, std::string& error);
   End Load(HardwareExchange& exchange);
@@ -67,7 +67,7 @@ private:
   std::string Name;
   UsbInterface Usb;
   std::vector<std::uint8_t> Firmware; ///< image to load; empty if the firmware already runs
-  /** The paths of other Falcons that Reconnect() has found, which it does not open once more. */
+  /** Paths of other Falcons that Reconnect() has found, so that it opens each only once. */
   std::vector<std::vector<int>> Others;
 };
 

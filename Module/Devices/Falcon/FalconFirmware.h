@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads the file of the Novint Falcon's firmware, which the user names (see FalconLoader.h).
+ * Reads the Novint Falcon's firmware from a file that the user names (see FalconLoader.h).
  */
 #ifndef FalconFirmware_h
 #define FalconFirmware_h
@@ -16,15 +16,16 @@ namespace VolumeHaptics
 {
 
 ///@{
-/** Smallest and largest size of an image (bytes). The device has room for about 30 KiB. */
+/**
+ * Smallest and largest accepted size of an image (bytes). The device has about 30 KiB of memory.
+ */
 constexpr std::size_t FalconSmallestFirmware = 1024;
 constexpr std::size_t FalconLargestFirmware = 128 * 1024;
 ///@}
 
 /**
- * Reads an image. An empty name means that there is no file. Returns false and writes file, fault
- * and cure to `error` if there is no such file, if it can't be read, or if its size can't be that
- * of an image.
+ * Reads an image. Returns false and writes the file, the fault and the cure to `error` if `file` is
+ * empty, if the file is missing or can't be read, or if its size is outside the limits.
  */
 bool ReadFalconFirmware(
   const std::string& file, std::vector<std::uint8_t>& image, std::string& error);

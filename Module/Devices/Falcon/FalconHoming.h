@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Searches the zero of a Novint Falcon's encoders: a state machine without a transport or a clock.
+ * Finds the zero of a Novint Falcon's encoders: a state machine without a transport or a clock.
  *
- * The encoders count from an arbitrary position until the hand has moved the grip through its
- * range. Before that, the grip's position in the range is not known, so the hand is asked to go to
- * both ends. Afterwards the grip must be far out before forces may begin, because otherwise a grip
- * that was left inside would begin in the middle of a volume.
+ * The encoders count from an arbitrary position until the user has moved the grip through its whole
+ * range. Until then the grip's position is unknown, so the user is asked to move it to both ends.
+ * Forces may begin only when the grip is far out, because a grip farther in could begin in the
+ * middle of a volume.
  *
- * The motors get zero all the time. Not verified on hardware; sources disagree on the colours.
+ * The motor commands are always zero. Not verified on hardware; sources disagree on the colours.
  */
 #ifndef FalconHoming_h
 #define FalconHoming_h
@@ -21,10 +21,10 @@ namespace VolumeHaptics
 
 enum class FalconHomingState : std::uint8_t
 {
-  OutAndIn, ///< the hand must pull the grip fully out, then push it fully in
-  Out,      ///< the encoders are homed; the hand must pull the grip out
+  OutAndIn, ///< the user must pull the grip fully out, then push it fully in
+  Out, ///< the encoders are homed; the user must pull the grip out
   Ready,
-  TimedOut, ///< the hand took too long; this state lasts until Restart()
+  TimedOut, ///< the user took too long; this state lasts until Restart()
   Lost      ///< the encoders have lost their zero after homing; this state lasts until Restart()
 };
 
@@ -37,27 +37,27 @@ constexpr double FalconReadyHeight = 0.170;
 class FalconHoming
 {
 public:
-  /** `timeLimit` (s) limits the time in each of the two states that wait for the hand. */
+  /** @param timeLimit longest time (s) in each of the two states that wait for the user */
   explicit FalconHoming(double timeLimit) noexcept
     : TimeLimit(timeLimit)
   {
   }
 
-  /** Begins again. Necessary after a time-out, and whenever the device was disconnected. */
+  /** Starts again. Necessary after a time-out, and whenever the device was disconnected. */
   void Restart() noexcept;
 
   /**
-   * Advances by a tick. `elapsed` (s) is the time since the last tick; if it is negative or not a
-   * number, it counts as too long. `report` is the report that came in this tick, or nullptr.
+   * Advances by a tick. `elapsed` (s) is the time since the last tick; a negative value or NaN
+   * counts as a time-out. `report` is the report received in this tick, or nullptr.
    */
   void Update(double elapsed, const FalconReport* report) noexcept;
 
   FalconHomingState GetState() const noexcept { return this->State; }
-  /** Returns which encoders are not homed: one bit for each. */
+  /** Returns the encoders that are not homed yet, one bit for each. */
   std::uint8_t GetMissing() const noexcept { return this->Missing; }
   /**
-   * Returns the packet to send. It has zero for the motors, the homing bit, and a colour that shows
-   * the progress.
+   * Returns the packet to send: zero for the motors, the homing bit, and a colour that shows the
+   * progress.
    */
   FalconOrder GetOrder() const noexcept;
 

@@ -15,7 +15,7 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr double Degree = Pi / 180.0;
 constexpr double AngleAtZero = 35.0 * Degree;
 constexpr double AnglePerCount = 0.0364347 * Degree;
-constexpr double CommandPerTorque = -1e4; // per N m
+constexpr double CommandPerTorque = -1e4; // command units per N m
 
 // Lengths in m, with the names used in the literature on delta robots.
 constexpr double A = 0.060;
@@ -27,13 +27,13 @@ constexpr double R = 0.040;
 constexpr double S = -0.02309;
 
 constexpr Vector3 Start = { 0.0, 0.0, 0.11 };
-constexpr double Converged = 1e-12; // length in m of a step that ends the iteration
-// Smallest determinant of the legs' unit normals. Near zero, one count would move the grip by any
-// distance.
+constexpr double Converged = 1e-12; // length (m) of the step below which the iteration ends
+// Smallest accepted determinant of the legs' unit normals. Near zero, one encoder count could move
+// the grip by any distance.
 constexpr double Singular = 0.02;
-// Limit (m^2/rad) of the derivative of half of g with respect to the angle, near which a leg counts
-// as stretched. At zero a leg is stretched and no longer moves the grip; the limit is a fraction of
-// a count away from that.
+// Limit (m^2/rad) of the derivative of g / 2 with respect to the angle, above which a leg counts as
+// stretched. At zero, a stretched leg no longer moves the grip; the limit is a fraction of an
+// encoder count away.
 constexpr double Stretched = -1e-6;
 
 struct Azimuth
@@ -46,7 +46,8 @@ constexpr Azimuth Azimuths[3] = { { -0.25881904510252076, 0.96592582628906829 },
   { 0.96592582628906829, -0.25881904510252076 }, { -0.70710678118654752, -0.70710678118654752 } };
 
 /**
- * A position in a leg's frame, and the length of the parallelogram as seen along the arm's axis.
+ * A position in a leg's frame, and the length of the parallelogram in projection along the arm's
+ * axis.
  */
 struct Leg
 {
@@ -74,7 +75,7 @@ bool SeeFromLeg(const Azimuth& azimuth, const Vector3& p, Leg& leg) noexcept
   return true;
 }
 
-/** Half of g, and its derivatives with respect to position and angle. */
+/** Half of g, with its derivatives with respect to position and angle. */
 struct Closure
 {
   double Value;
@@ -126,7 +127,7 @@ bool Close(const Vector3& p, const Vector3& angles, Closures& all) noexcept
 }
 
 /**
- * Returns whether the grip is on the side of the singularities on which the device is assembled.
+ * Returns whether the grip is on the side of the singularities on which the device was assembled.
  */
 bool IsRegular(const Matrix3& byPosition) noexcept
 {
@@ -136,8 +137,8 @@ bool IsRegular(const Matrix3& byPosition) noexcept
 }
 
 /**
- * Returns whether the arms are bent outwards, as they are built. This is the sign of the inverse's
- * root.
+ * Returns whether the arms are bent outwards, as they were built. The sign of the square root in
+ * the inverse corresponds to this.
  */
 bool IsBentAsBuilt(const Vector3& byAngle) noexcept
 {
@@ -219,8 +220,7 @@ bool FalconInverse(const Vector3& position, Vector3& angles) noexcept
     {
       return false;
     }
-    // Computed by atan2 from numerator and denominator, so that an l2 of zero causes no division by
-    // zero.
+    // Use atan2 of numerator and denominator, which avoids a division by zero if l2 is zero.
     const double over = -l1 - std::sqrt(square);
     found[i] = 2.0 * std::atan2(std::copysign(1.0, l2) * over, 2.0 * std::fabs(l2));
   }

@@ -11,7 +11,7 @@ namespace
 {
 constexpr FtdiRequest PrepareRequests[] = { FtdiPurgeTransmit, FtdiPurgeReceive, FtdiLatency(16),
   FtdiBaud(FalconGreetingBaud), Ftdi8N1, FtdiNoFlowControl, FtdiRtsLow, FtdiDtrLow, FtdiDtrHigh };
-// A late answer to one greeting must not count as the answer to the next.
+// Purge first, so that a late answer to one greeting does not count as the answer to the next.
 constexpr FtdiRequest GreetAgainRequests[] = { FtdiPurgeReceive };
 constexpr FtdiRequest SpeedUpRequests[] = { FtdiDtrLow, FtdiBaud(FalconLoadingBaud) };
 
@@ -207,8 +207,8 @@ void FalconLoader::Receive(const std::uint8_t* bytes, std::size_t size) noexcept
   {
     return;
   }
-  // To the converter, a line that was just pulled up may look like a byte. Some loaders answer the
-  // handshake with 13 41.
+  // A line that was just pulled up may look like an additional byte to the converter: some devices
+  // answer the handshake with 13 41. Skip this byte.
   const bool mayLead = this->Matched == 0 && !this->LeadTaken;
   if (mayLead &&
     ((this->Now == Stage::Greet && *bytes == 0) || (this->Now == Stage::Shake && *bytes == 0x13)))

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Loads the Novint Falcon's firmware: the dialogue as a state machine without a transport.
+ * Loads the Novint Falcon's firmware: a state machine for the protocol, without a transport.
  *
- * The firmware is not part of this project and must not be: the user names a file. A device whose
- * firmware already runs needs no loading. So check first: send FalconRunRequests and a run packet,
- * and see whether a report comes back.
+ * The firmware must not be part of this project, so the user names a file. A device whose firmware
+ * already runs needs no loading, so check this first: send FalconRunRequests and a run packet, and
+ * wait for a report.
  *
  * Not verified on hardware.
  */
@@ -23,7 +23,7 @@ namespace VolumeHaptics
 constexpr std::uint16_t FalconGreetingBaud = 0x4138; ///< 9600 baud
 constexpr std::uint16_t FalconLoadingBaud = 0x0015;  ///< about 140 000 baud
 constexpr std::uint16_t FalconRunBaud = 0x0002;
-/** Number of bytes of the firmware image in a packet: 64 bytes less the two status bytes. */
+/** Number of bytes of the firmware image per packet: 64 bytes less the two status bytes. */
 constexpr std::size_t FalconBlockSize = 62;
 constexpr int FalconMostGreetings = 100;
 
@@ -36,15 +36,15 @@ enum class FalconLoaderFault : std::uint8_t
   None,
   NoImage,        ///< the image is empty
   Refused,        ///< a request or a write failed
-  NoGreeting,     ///< FalconMostGreetings greetings were sent, and the last one was not answered
+  NoGreeting, ///< FalconMostGreetings greetings were sent without an answer to the last one
   WrongGreeting,  ///< the answer to the last greeting was wrong
   NoHandshake,    ///< there was no answer at the loading rate
   WrongHandshake, ///< the answer at the loading rate was wrong
   NoEcho,         ///< a block of the image was not echoed in time
-  WrongEcho       ///< the echo of a block was different, or had more bytes
+  WrongEcho ///< the echo of a block differed, or was too long
 };
 
-/** Returns the fault in words. */
+/** Returns a description of the fault. */
 const char* FalconLoaderFaultText(FalconLoaderFault fault) noexcept;
 
 /** The next step for the transport. */
@@ -54,7 +54,7 @@ struct FalconLoaderStep
   {
     Request, ///< send Request, then call Done()
     Write,   ///< write Size bytes, then call Done()
-    Read,    ///< read, then call Receive() or TimeOut(); Size bytes are still due
+    Read, ///< read, then call Receive() or TimeOut(); Size is the number of bytes still expected
     Finished,
     Failed
   };
@@ -62,29 +62,35 @@ struct FalconLoaderStep
   FtdiRequest Request = {};
   const std::uint8_t* Bytes = nullptr;
   std::size_t Size = 0;
-  /** Whether a Read may be given up early by TimeOut(), because its message will be repeated. */
+  /**
+   * Whether the transport may end a Read early with TimeOut(), because the message will be
+   * repeated.
+   */
   bool MayStayOpen = false;
 };
 
 class FalconLoader
 {
 public:
-  /** Begins the dialogue. The image must stay in memory. */
+  /** Starts the protocol. The image must stay in memory. */
   FalconLoader(const std::uint8_t* image, std::size_t size) noexcept;
 
   FalconLoaderStep GetStep() const noexcept;
 
   ///@{
-  /** Report the result of the step. Ignored if the step has no such result. */
+  /** Report the result of the step. Calls that don't match the step are ignored. */
   void Done() noexcept;
   void Refuse() noexcept;
-  /** Processes bytes without the converter's status bytes. They may be any part of the answer. */
+  /**
+   * Processes received bytes, without the converter's status bytes. The answer may arrive in parts
+   * of any size.
+   */
   void Receive(const std::uint8_t* bytes, std::size_t size) noexcept;
   void TimeOut() noexcept;
   ///@}
 
   FalconLoaderFault GetFault() const noexcept { return this->Fault; }
-  /** Returns the number of bytes of the image that came back unchanged. */
+  /** Returns the number of bytes of the image that were echoed correctly. */
   std::size_t GetConfirmed() const noexcept { return this->Confirmed; }
 
 private:
@@ -116,12 +122,12 @@ private:
 
   FtdiPayload Image;
   std::size_t NextRequest = 0;
-  std::size_t Offset = 0;  ///< position of the block in the image
-  std::size_t Matched = 0; ///< number of the answer's bytes so far
+  std::size_t Offset = 0; ///< offset of the block in the image
+  std::size_t Matched = 0; ///< number of received bytes of the answer that match
   std::size_t Confirmed = 0;
   int Greetings = 0;
   bool Reading = false;
-  /** Whether the byte that may precede the answer to a greeting or a handshake has come. */
+  /** Whether the optional byte before the answer to a greeting or a handshake was received. */
   bool LeadTaken = false;
   Stage Now = Stage::Prepare;
   FalconLoaderFault Fault = FalconLoaderFault::None;

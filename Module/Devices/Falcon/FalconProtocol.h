@@ -7,11 +7,11 @@
  *
  * Byte 0 is '<' and byte 15 is '>'. Each byte between them is 0x41 plus a payload. Bytes 1 to 12
  * are three 16-bit numbers of four nibbles each, the lowest nibble first: motor commands to the
- * device, and encoder counts back. Byte 13 has bits. Byte 14 has no known meaning: it is sent as
- * 'A', and any value is accepted.
+ * device, and encoder counts back. Byte 13 is a bit field. Byte 14 has no known meaning: it is sent
+ * as 'A', and any value is accepted.
  *
- * These are pure functions for the servo loop: no allocation, no exception. Not verified on
- * hardware.
+ * The functions are pure and safe in the servo loop: they neither allocate nor throw. Not verified
+ * on hardware.
  */
 #ifndef FalconProtocol_h
 #define FalconProtocol_h
@@ -30,10 +30,10 @@ using FalconPacket = std::array<std::uint8_t, FalconPacketSize>;
 
 ///@{
 /**
- * Bits that are sent to the device. Sources disagree on the colours, and there was no device to
- * check them.
+ * Bits that are sent to the device. Sources disagree on the colours, which are not verified on a
+ * device.
  */
-constexpr std::uint8_t FalconHome = 0x01; ///< find the encoders' zero and keep it (FalconRunPacket)
+constexpr std::uint8_t FalconHome = 0x01; ///< find and keep the encoders' zero (FalconRunPacket)
 constexpr std::uint8_t FalconGreen = 0x02;
 constexpr std::uint8_t FalconBlue = 0x04;
 constexpr std::uint8_t FalconRed = 0x08;
@@ -60,44 +60,44 @@ struct FalconOrder
 /** The contents of the device's answer. */
 struct FalconReport
 {
-  FalconCounts Encoders{};  ///< encoder counts, which are only valid when the encoders are homed
+  FalconCounts Encoders{}; ///< encoder counts, valid only for homed encoders
   std::uint8_t Buttons = 0; ///< FalconPlus ... FalconMinus
   std::uint8_t Homed = 0;   ///< one bit for each homed encoder
 };
 
-/** The fault in bytes that should be a packet. */
+/** A fault in received bytes. */
 enum class FalconFlaw : std::uint8_t
 {
   None,
-  Length, ///< there are not 16 bytes
-  Begin,  ///< there is no '<' at the beginning
+  Length, ///< the size is not 16 bytes
+  Begin, ///< the first byte is not '<'
   Nibble, ///< a byte of a number is not from 'A' to 'P'
-  Bits,   ///< byte 13 has more than seven bits, or is less than 0x41
-  End     ///< there is no '>' at the end
+  Bits, ///< byte 13 is less than 0x41 or has more than seven payload bits
+  End ///< the last byte is not '>'
 };
 
-/** Returns the fault in words. */
+/** Returns a description of the fault. */
 const char* FalconFlawText(FalconFlaw flaw) noexcept;
 
-/** Returns the fault of a byte (0 to 255) at an index (0 to 15) of a packet. */
+/** Returns the fault of a byte (0 to 255) at an index (0 to 15) of a packet, if any. */
 FalconFlaw FalconCheck(std::size_t place, std::uint8_t byte) noexcept;
 
 ///@{
-/** Encode packets of the host and of the device. An emulated device needs the latter. */
+/** Encode packets of the host and of the device. The second function is for an emulated device. */
 FalconPacket FalconEncode(const FalconOrder& order) noexcept;
 FalconPacket FalconEncode(const FalconReport& report) noexcept;
 ///@}
 
 /**
- * Encodes a packet for a running device. FalconHome is always set, because no source says what the
- * bits of homed encoders mean after a packet without it: libnifalcon's FalconFirmwareNovintSDK.h
- * describes these bits with "(If homing mode on)". While its homing mode is on, libnifalcon also
- * sets FalconHome in every packet (formatInput() in src/firmware/FalconFirmwareNovintSDK.cpp).
+ * Encodes a packet for a running device. FalconHome is always set, because no source defines the
+ * bits of homed encoders after a packet without it: libnifalcon's FalconFirmwareNovintSDK.h
+ * describes them with "(If homing mode on)". In its homing mode, libnifalcon also sets FalconHome
+ * in every packet (formatInput() in src/firmware/FalconFirmwareNovintSDK.cpp).
  */
 FalconPacket FalconRunPacket(FalconOrder order) noexcept;
 
 ///@{
-/** Decode a packet. Return the first fault. If there is a fault, the result does not change. */
+/** Decode a packet. Return the first fault, if any; the result is then unchanged. */
 FalconFlaw FalconDecode(const std::uint8_t* bytes, std::size_t size, FalconReport& report) noexcept;
 FalconFlaw FalconDecode(const std::uint8_t* bytes, std::size_t size, FalconOrder& order) noexcept;
 ///@}

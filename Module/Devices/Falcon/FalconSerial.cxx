@@ -17,13 +17,13 @@ namespace
 // Times in ms.
 constexpr unsigned int RequestTime = 500;
 constexpr unsigned int ReportTime = 50;
-constexpr unsigned int GreetingTime = 30; // at 9600 baud, and with a latency of 16 ms
+constexpr unsigned int GreetingTime = 30; // sufficient at 9600 baud with a latency of 16 ms
 constexpr unsigned int AnswerTime = 500;
-// Number of packets that newly loaded firmware may need before it answers, which is 2 s.
+// Number of packets (2 s) within which newly loaded firmware should answer.
 constexpr int PacketsAfterLoading = 40;
 constexpr std::int64_t NanosecondsPerMillisecond = 1000000;
 
-/** Reports the progress. `trouble` is the reason why the last trial failed. */
+/** Reports the progress. `trouble` is the reason why the last attempt failed. */
 void ReportProgress(
   HardwareExchange& exchange, int attempt, const std::string& trouble, int percent)
 {
@@ -40,7 +40,7 @@ void ReportProgress(
   exchange.SetCondition(DeviceStage::Firmware, text);
 }
 
-/** Carries out a step of the loader. Returns false if the device is gone. */
+/** Executes a step of the loader. Returns false if the device is gone. */
 bool Advance(FalconSerial& serial, FalconLoader& loader)
 {
   const FalconLoaderStep step = loader.GetStep();
@@ -74,8 +74,8 @@ bool IsOver(const FalconLoader& loader) noexcept
 }
 
 /**
- * Tries to load the firmware. Loaded means that the whole image came back, but not yet that the
- * firmware runs.
+ * Makes one attempt to load the firmware. Loaded means that the whole image was echoed, but not yet
+ * that the firmware runs.
  */
 FalconLoading TryToLoad(FalconSerial& serial, const std::vector<std::uint8_t>& image, int attempt,
   HardwareExchange& exchange, std::string& trouble)
@@ -197,7 +197,7 @@ bool FalconSerial::Runs(int packets) noexcept
     std::array<std::uint8_t, FtdiPacketSize + FtdiStatusSize> transfer{};
     std::array<std::uint8_t, FtdiPacketSize> bytes;
     FalconReport report;
-    // Limits the time even if the device sends bytes that are no report.
+    // Limit the time even if the device keeps sending bytes that form no report.
     const std::int64_t end = ServoClock::Now() + ReportTime * NanosecondsPerMillisecond;
     for (int size = 1; size > 0 && ServoClock::Now() < end;)
     {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Single requests to a Novint Falcon and their answers, before run packets are exchanged.
+ * Sends single requests to a Novint Falcon and reads the answers, before run packets are exchanged.
  */
 #ifndef FalconSerial_h
 #define FalconSerial_h
@@ -42,8 +42,8 @@ public:
   bool Write(const std::uint8_t* bytes, std::size_t size) noexcept;
   ///@}
   /**
-   * Reads the first bytes that come within a time (ms), without the converter's status bytes.
-   * Returns the number of bytes. It is 0 if none came, and negative if the transfer failed.
+   * Reads the first bytes that arrive within a time (ms), without the converter's status bytes.
+   * Returns the number of bytes: 0 if none arrived, negative if the transfer failed.
    */
   int Read(std::array<std::uint8_t, FtdiPacketSize>& bytes, unsigned int time) noexcept;
   /** Returns the last error of libusb. */
@@ -63,18 +63,21 @@ private:
 enum class FalconLoading : std::uint8_t
 {
   Loaded,
-  Stopped, ///< the exchange must stop, or already has the reason of the failure
+  Stopped, ///< the exchange must stop, or the reason of the failure was already reported
   Failed,
   Gone
 };
 
-/** Number of trials. The loader is known to be unreliable, and libnifalcon also tries ten times. */
+/**
+ * Number of attempts. The device's loader is known to be unreliable; libnifalcon also tries ten
+ * times.
+ */
 constexpr int FalconLoadingTries = 10;
 
 /**
  * Loads the firmware. Called on the device's thread. This takes seconds: the function reports its
- * progress to the exchange, and waits for the firmware to run. After a failure it closes the
- * device, opens it and tries again. If the last trial fails, `trouble` receives the reason.
+ * progress to the exchange, and waits until the firmware runs. After a failure, reopens the device
+ * and tries again. If the last attempt fails, writes the reason to `trouble`.
  */
 FalconLoading LoadFalcon(FalconSerial& serial, const std::vector<std::uint8_t>& image,
   HardwareExchange& exchange, std::string& trouble);

@@ -13,27 +13,24 @@ namespace VolumeHaptics
 {
 
 /**
- * Assembles packets that are split over several transfers, and skips bytes that belong to no
- * packet. If a byte can't be at its index, all bytes before the next '<' are dropped, including
- * those that wait, so that a packet that was cut off never spoils the next one. Needs 16 bytes of
- * memory. The work is proportional to the number of bytes.
+ * Assembles packets that are split over several transfers, and skips bytes outside packets. A byte
+ * that is invalid at its index discards all waiting bytes up to the next '<', so that a truncated
+ * packet never corrupts the next one. Uses 16 bytes of memory, and time proportional to the number
+ * of bytes.
  */
 class FalconStream
 {
 public:
   /**
-   * Processes a bulk IN transfer with the converter's status bytes. Returns the number of reports
-   * that were completed. `report` becomes the last of them; if there is none, it does not change.
+   * Processes a bulk IN transfer that includes the converter's status bytes. Returns the number of
+   * completed reports. `report` receives the last of them, or stays unchanged.
    */
   int Receive(const std::uint8_t* transfer, std::size_t size, FalconReport& report) noexcept;
 
-  /** Drops the waiting bytes and resets the counts, as after a purge. */
+  /** Discards the waiting bytes and resets the counts, as after a purge. */
   void Restart() noexcept { *this = {}; }
 
-  /**
-   * Returns the number of bytes that were dropped since the start. The count stops at its largest
-   * value.
-   */
+  /** Returns the number of bytes that were dropped since the start. The count saturates. */
   std::uint32_t GetDropped() const noexcept { return this->Dropped; }
   /** Returns why the last bytes were dropped. */
   FalconFlaw GetFlaw() const noexcept { return this->Flaw; }

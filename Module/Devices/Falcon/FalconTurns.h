@@ -2,20 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The turns of the host and a Novint Falcon, without a transport and without a clock.
+ * Decides whose turn it is to send, the host's or a Novint Falcon's, without a transport or a
+ * clock.
  *
- * The device answers every packet with one report, and the host sends the next packet after that.
- * If an answer is late, the host has to send again without it, and then two answers are on their
- * way. If the host treated the first one as the answer to its latest packet, it would be one round
- * behind from then on, and would read each position a round late. So after a missed answer the host
- * drains the line: once an answer comes, it sends nothing until the line has been silent for
- * SilentTime. It does so until as many answers have come as packets were sent, or for MostDoubts
- * rounds; missing answers then count as lost.
+ * The device answers every packet with one report, after which the host sends the next packet. If
+ * an answer is late, the host has to send again, and two answers may then follow. If the host
+ * mistook the first one for the answer to its latest packet, it would read each position one round
+ * late from then on. After a missed answer, the host therefore drains the line: after each answer,
+ * it sends nothing until the line has been silent for SilentTime. This continues until as many
+ * answers have arrived as packets were sent, but for at most MostDoubts rounds; missing answers
+ * then count as lost.
  *
  *   turns.Sent(now);
  *   ...
  *   turns.Answered(now, reports); // or Abandon() if the transfer failed
- *   turns.CheckMissed(now, false); // true once for each answer that did not come in time
+ *   turns.CheckMissed(now, false); // true once for each answer that is late
  *   turns.MaySend(now);
  */
 #ifndef FalconTurns_h
@@ -31,9 +32,9 @@ class FalconTurns
 public:
   ///@{
   /**
-   * Longest time (ns) for an answer, and the time for which the line must be silent to count as
-   * drained. A round of the device takes about a millisecond, and the bus and its converter take
-   * about two more.
+   * Longest time (ns) for an answer, and the silence (ns) after which the line counts as drained. A
+   * round of the device takes about a millisecond, and the bus and its converter add about two
+   * more.
    */
   static constexpr std::int64_t AnswerTime = 10000000;
   static constexpr std::int64_t SilentTime = 4000000;
@@ -42,20 +43,20 @@ public:
 
   /** Records that a packet was sent. `now` is in ns. */
   void Sent(std::int64_t now) noexcept;
-  /** Records that a number of reports came. `now` is in ns. */
+  /** Records that a number of reports were received. `now` is in ns. */
   void Answered(std::int64_t now, int reports) noexcept;
-  /** Records that the transfer failed, so that no answer will come. */
+  /** Records that the transfer failed, so that no answer will follow. */
   void Abandon() noexcept;
 
   /**
-   * Returns whether an answer was missed since the last call, or whether the packet itself is stuck
-   * in its transfer. The host may then send again.
+   * Returns whether an answer was missed since the last call, or whether the packet is stuck in its
+   * own transfer. The host may then send again.
    */
   bool CheckMissed(std::int64_t now, bool isSending) noexcept;
   bool MaySend(std::int64_t now) noexcept;
   /**
    * Returns the time (ns) at which the result of CheckMissed() or MaySend() changes if no event
-   * comes first.
+   * arrives first.
    */
   std::int64_t GetDeadline() const noexcept
   {
@@ -66,15 +67,15 @@ private:
   enum class Side : std::uint8_t
   {
     Host,
-    Device, ///< an answer of the device is due
-    Drain   ///< an answer has come, and more may come
+    Device, ///< waiting for the device's answer
+    Drain ///< an answer has arrived, and more may follow
   };
 
   static constexpr int MostOwed = 1000;
 
   Side Turn = Side::Host;
-  int Owed = 0;           ///< number of answers that are still due
-  int Doubts = 0;         ///< number of further rounds, at most, that drain the line
+  int Owed = 0; ///< number of outstanding answers
+  int Doubts = 0; ///< number of remaining rounds that drain the line
   std::int64_t Since = 0; ///< time of the last packet or answer (ns)
 };
 

@@ -35,8 +35,8 @@ enum Argument
 };
 
 /**
- * Closes the files that the guard has inherited from the program, except `kept`. Otherwise the
- * guard might hold a pipe open when the program ends.
+ * Closes the files that the guard inherited from the program, except `kept`. Otherwise the guard
+ * might keep a pipe open after the program has ended.
  */
 void CloseOthers(std::vector<int> kept)
 {
@@ -57,12 +57,12 @@ void CloseOthers(std::vector<int> kept)
 }
 
 /**
- * Blocks signals for all threads that are made later. Returns a file descriptor that SIGTERM makes
- * readable.
+ * Blocks signals for all threads that are created later. Returns a file descriptor that becomes
+ * readable on SIGTERM.
  */
 int OpenSignals()
 {
-  // Block signals before there are threads. A crash still ends the process.
+  // Block signals before threads are created. A crash still ends the process.
   ServoClock::BlockSignals();
   sigset_t term;
   sigemptyset(&term);
@@ -72,8 +72,8 @@ int OpenSignals()
 
 /**
  * Waits until the program has ended in any way. The link hangs up when its last file descriptor is
- * closed, by exit or exec. An ended process also makes its own descriptor readable, even if one of
- * its children still holds the link.
+ * closed, by exit or exec. The descriptor of the ended process also becomes readable, even if one
+ * of its children still has the link open.
  */
 void WaitForParent(int link, int parent, int signals, HardwareExchange& exchange)
 {
@@ -81,8 +81,8 @@ void WaitForParent(int link, int parent, int signals, HardwareExchange& exchange
 #if defined(SYS_pidfd_open)
   process = static_cast<int>(syscall(SYS_pidfd_open, parent, 0u));
 #endif
-  // The program may have ended before its descriptor was opened, and its number may belong to
-  // another process now.
+  // The program may have ended before its descriptor was opened, and another process may have its
+  // id now.
   const bool isGone = getppid() != parent;
   std::array<pollfd, 3> watched{ { { link, 0, 0 }, { process, POLLIN, 0 },
     { signals, POLLIN, 0 } } };
@@ -93,13 +93,13 @@ void WaitForParent(int link, int parent, int signals, HardwareExchange& exchange
 }
 
 /**
- * Returns whether the program's clock, which said `told` when it started this process, is also this
- * process's. The clocks differ if a time namespace begins between the two processes; then this
- * process could not see that the program stands still.
+ * Returns whether this process has the same clock as the program, which passed the time `told` when
+ * it started this process. The clocks differ if a time namespace separates the processes; the guard
+ * then could not detect that the program has stopped.
  */
 bool IsSameClock(const std::string& told)
 {
-  constexpr double longest = 60.0; // seconds that a start may take
+  constexpr double longest = 60.0; // seconds, longest duration of a start
   const double since = ServoClock::SecondsSince(std::strtoll(told.c_str(), nullptr, 10));
   return since >= 0.0 && since < longest;
 }
@@ -173,8 +173,8 @@ int RunGuard(const std::vector<std::string>& arguments, const GuardedDriverMaker
   if (Answer(link, '+', driver->GetIdentity() + '\t' + driver->GetName()))
   {
     ServoPriority::RaiseThread();
-    // Lock as much memory as the user may, because otherwise a page might have to be read from the
-    // disk first.
+    // Lock the memory as far as permitted; otherwise a page might have to be read from the disk
+    // first.
     mlockall(MCL_CURRENT);
     Serve(*driver, exchange);
   }

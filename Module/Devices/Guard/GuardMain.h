@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The guard's process: everything that the guard's program does.
+ * The main function of the guard's process.
  */
 #ifndef GuardMain_h
 #define GuardMain_h
@@ -16,15 +16,15 @@ namespace VolumeHaptics
 {
 
 /**
- * Makes a driver from the words of GuardedDevice. Returns null and writes the reason to `error` if
- * this fails.
+ * Makes a driver from the words of GuardedDevice. On failure, returns null and writes the reason to
+ * `error`.
  */
 using GuardedDriverMaker = std::function<std::unique_ptr<HardwareDriver>(
   const std::vector<std::string>& words, std::string& error)>;
 
 /**
- * Serves one device for the program that has started this process, until that program requests the
- * end or has ended. Returns the exit status.
+ * Serves one device for the program that started this process, until the program requests the end
+ * or ends itself. Returns the exit status.
  */
 int RunGuard(const std::vector<std::string>& arguments, const GuardedDriverMaker& make);
 

@@ -15,7 +15,7 @@ namespace
 {
 
 /**
- * Number that must change whenever program and guard communicate something new outside the
+ * Version of the protocol: change it whenever program and guard exchange anything new outside the
  * exchange.
  */
 constexpr int Protocol = 1;

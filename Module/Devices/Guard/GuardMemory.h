@@ -4,8 +4,8 @@
  * @file
  * The memory that a program and its guard share. It contains only an exchange.
  *
- * It has no name in the file system. The guard inherits it as a file descriptor. It disappears when
- * the last one of the two processes ends.
+ * The memory has no name in the file system. The guard inherits it as a file descriptor, and the
+ * system frees it when both processes have ended.
  */
 #ifndef GuardMemory_h
 #define GuardMemory_h
@@ -24,14 +24,14 @@ public:
   GuardMemory& operator=(const GuardMemory&) = delete;
 
   /**
-   * Makes new memory with an unused exchange, for the program. It replaces the old memory at the
-   * same address, so that an earlier guard can no longer reach it. Returns false and writes the
-   * reason to `error` if this fails.
+   * Makes new memory with an unused exchange, in the program. It replaces the old memory at the
+   * same address, so that an earlier guard can no longer access it. On failure, returns false and
+   * writes the reason to `error`.
    */
   bool Renew(std::string& error);
   /**
-   * Maps the memory of an inherited file descriptor, for the guard. Returns false and writes the
-   * reason to `error` if this fails.
+   * Maps the memory of an inherited file descriptor, in the guard. On failure, returns false and
+   * writes the reason to `error`.
    */
   bool Adopt(int descriptor, std::string& error);
 
@@ -40,8 +40,8 @@ public:
   HardwareExchange& GetExchange() noexcept { return *this->Exchange; }
 
   /**
-   * Returns a text that describes the layout of the memory in this build. A guard with another
-   * layout does not start.
+   * Returns a text that describes the memory layout of this build. A guard with another layout does
+   * not start.
    */
   static std::string GetLayout();
 
@@ -52,7 +52,7 @@ private:
   int Descriptor = -1;
   void* Address = nullptr;
   HardwareExchange* Exchange = nullptr;
-  bool IsOwner = false; ///< whether this is the program's process, which has made the exchange
+  bool IsOwner = false; ///< whether this is the program's process, which created the exchange
 };
 
 } // namespace VolumeHaptics

@@ -25,7 +25,7 @@ namespace
 
 const char* const Variable = "VOLUMEHAPTICS_GUARD";
 const char* const ProgramName = "volumehaptics-guard";
-/** Longest time (ms) for opening a device. A device that does not answer takes a few seconds. */
+/** Longest time (ms) for opening a device. An unresponsive device takes a few seconds. */
 constexpr int OpeningTime = 20000;
 
 const char* const GuardCure =
@@ -62,7 +62,7 @@ public:
   SpawnSettings(const SpawnSettings&) = delete;
   SpawnSettings& operator=(const SpawnSettings&) = delete;
 
-  /** Passes a descriptor to the new program, where it has the same number. */
+  /** Passes a descriptor to the new program, with the same number. */
   void Pass(int descriptor)
   {
     posix_spawn_file_actions_adddup2(&this->Actions, descriptor, descriptor);
@@ -230,7 +230,8 @@ bool GuardProcess::End(std::string& how)
     {
       result = waitpid(this->Process, &status, 0);
     } while (result < 0 && errno == EINTR);
-    // The program may have told the system to discard the status, or may have read it itself.
+    // The program may have told the system to discard the exit status, or may have read it
+    // elsewhere.
     isWell = result != this->Process || (WIFEXITED(status) && WEXITSTATUS(status) == 0);
     if (!isWell)
     {

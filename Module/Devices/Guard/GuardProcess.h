@@ -34,25 +34,25 @@ public:
   GuardProcess& operator=(const GuardProcess&) = delete;
 
   /**
-   * Starts the process and waits until it has the device. Writes the device's name and identity to
-   * `facts`. The guard makes the driver from the words `device`. Returns false and writes the
-   * reason and the cure to `error` if this fails.
+   * Starts the process, which makes the driver from the words `device`, and waits until it has
+   * opened the device. Writes the device's name and identity to `facts`. On failure, returns false
+   * and writes the reason and the cure to `error`.
    */
   bool Start(GuardMemory& memory, const std::vector<std::string>& device, DriverFacts& facts,
     std::string& error);
 
-  /** Returns whether the process has ended. Waits at most `time` (ms) for that. */
+  /** Returns whether the process has ended. Waits for this at most `time` (ms). */
   bool HasEnded(int time) const noexcept;
   /** Returns whether a signal has stopped the process since the last call. */
   bool HasStopped() const noexcept;
   /**
    * Kills the process if it still runs. Returns whether it had ended by itself, as it does on
-   * request. `how` receives how it has ended.
+   * request. `how` receives a description of how it ended.
    */
   bool End(std::string& how);
   /**
-   * Releases the guard without ending it. Called in a forked child, because the parent owns the
-   * guard.
+   * Releases the guard without ending it. Called in a forked child, because the guard belongs to
+   * the parent.
    */
   void Abandon() noexcept;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Whether the user wants a guard. Exists on all systems, unlike the guard itself.
+ * Reads whether the user wants a guard. Available on all systems, unlike the guard itself.
  */
 #ifndef GuardWish_h
 #define GuardWish_h

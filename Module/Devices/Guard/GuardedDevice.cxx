@@ -16,8 +16,8 @@ namespace
 constexpr int LookTime = 20; // ms
 constexpr int RescueAttempts = 50;
 /**
- * Longest time until zero was sent and the device is closed. It takes at most a second, even if the
- * device does not answer.
+ * Longest time until zero has been sent and the device is closed. This normally takes at most a
+ * second, even if the device does not answer.
  */
 constexpr std::int64_t EndTime = 5000 * ServoClock::Millisecond;
 
@@ -104,7 +104,7 @@ void GuardedDevice::Watch()
   this->EndedCondition = this->GetExchange().GetCondition();
   if (!hasEndedByItself || this->EndedCondition.Stage != DeviceStage::Lost)
   {
-    // The guard has not reported the reason.
+    // The guard has ended without reporting a reason.
     this->EndedCondition.Stage = DeviceStage::Lost;
     std::snprintf(this->EndedCondition.Text.data(), this->EndedCondition.Text.size(),
       "The guard process, which talks to the device, %s. Zero force was sent in its place, if that "
@@ -122,11 +122,11 @@ void GuardedDevice::Rescue() noexcept
   {
     std::string ignored;
     bool isDone = false;
-    // The system may take a moment until another process can claim the device.
+    // The system may need a moment before another process can claim the device.
     for (int attempt = 0; attempt < RescueAttempts && !isDone; ++attempt)
     {
-      // The numbers of devices may have changed since the guard began. A device that only vibrates
-      // has no identity.
+      // Find the device by its identity, because the numbers of devices may have changed since the
+      // guard started. A device that only vibrates has no identity.
       const std::string& identity = this->Facts.Identity;
       isDone = identity.empty() ? this->Driver->Connect(ignored)
                                 : this->Driver->Reconnect(
@@ -140,7 +140,7 @@ void GuardedDevice::Rescue() noexcept
   }
   catch (const std::exception&)
   {
-    // For example, memory has run out. No further action is possible.
+    // Memory may have run out, for example. Nothing more can be done.
   }
 }
 
@@ -150,8 +150,8 @@ void GuardedDevice::Close()
   {
     if (!this->IsAbandoned)
     {
-      // The thread does not exist in this process, so leak it. The guard continues to serve the
-      // parent.
+      // The thread doesn't exist in the forked process, so leak it. The guard continues to serve
+      // the parent.
       static_cast<void>(new std::thread(std::move(this->Watcher)));
       this->Guard.Abandon();
       static_cast<void>(this->Driver.release());

@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A device that a guard talks to: a small separate process, which outlives this one.
+ * A device that a guard communicates with: a small separate process, which outlives this one.
  *
- * A device without a watchdog keeps its last force if the program that talks to it dies, or is
- * stopped. So the program does not talk to it: the guard does, and the two share an exchange
- * (HardwareExchange.h) in memory. For the servo this is the same as a separate thread: it neither
- * waits nor locks. A force that is not renewed within 50 ms becomes zero in the guard, for any
- * reason; if the program ends in any way, the system notifies the guard, which sends zero at once,
- * releases the device and ends.
+ * A device without a watchdog keeps exerting its last force if the program dies or is stopped.
+ * Therefore the guard communicates with the device, and shares an exchange (HardwareExchange.h) in
+ * memory with the program. For the servo this is like a separate thread: it neither waits nor
+ * locks. A force that is not renewed within 50 ms, for whatever reason, becomes zero in the guard.
+ * If the program ends in any way, the system notifies the guard, which sends zero at once, releases
+ * the device and ends.
  *
  *   program                          guard (volumehaptics-guard)
  *   servo ---- force ---> exchange ---> driver ---> device
  *         <--- sample ---          <---        <---
  *   socket, hangs up at the end of either side
  *
- * If the guard itself ends, the device is Lost, and this process sends zero in its place. A guard
- * that is stopped (SIGSTOP) is killed for this.
+ * If the guard itself ends, the device is Lost, and this process sends zero in its place. To allow
+ * this, a guard that was stopped (SIGSTOP) is killed.
  */
 #ifndef GuardedDevice_h
 #define GuardedDevice_h
@@ -32,10 +32,10 @@ class GuardedDevice final : public DeviceBackend
 {
 public:
   /**
-   * Makes a device that a guard serves. The guard gets `words` on its command line and makes a
-   * driver from them. `driver` is the driver in this process: it provides the limits, and connects
-   * the guard's device only after the guard has ended, so that its Reconnect() must send zero.
-   * Returns null and writes the reason to `error` if this fails.
+   * Makes a device that a guard serves. The guard receives `words` on its command line and makes
+   * its own driver from them. `driver` is the driver in this process: it provides the limits. It
+   * connects to the device only after the guard has ended, so its Reconnect() must send zero. On
+   * failure, returns null and writes the reason to `error`.
    */
   static std::unique_ptr<GuardedDevice> Make(
     std::unique_ptr<HardwareDriver> driver, std::vector<std::string> words, std::string& error);
@@ -64,7 +64,7 @@ private:
   enum class Side : std::uint8_t
   {
     Guard,  ///< the guard has the device
-    Rescue, ///< the guard has ended, and this process sends zero
+    Rescue, ///< the guard has ended, and this process is sending zero
     None    ///< neither process has the device; zero force was sent last
   };
 

@@ -15,12 +15,13 @@ namespace
 {
 
 ///@{
-/** Times in s. They are short, because the service is on this computer. */
+/** Times in s. They are short, because the service runs on this computer. */
 constexpr double OpenTime = 1.0;
-constexpr double LookTime = 0.3; ///< time in s for a step while the arm is looked for
+constexpr double LookTime = 0.3; ///< time (s) for a step while searching for the arm
 constexpr double EventsTime = 0.5;
 constexpr double SendTime = 0.1;
-constexpr double LastTime = 0.2; ///< time in s for the last state and for closing the session
+/// time (s) for receiving the last state and for closing the session
+constexpr double LastTime = 0.2;
 ///@}
 constexpr int IdleWait = 2; // in ms, between messages if the servo has no force
 constexpr std::int64_t StateWait = 5 * ServoClock::Millisecond;
@@ -28,7 +29,8 @@ constexpr std::int64_t StateWait = 5 * ServoClock::Millisecond;
 constexpr std::int64_t LateTime = 30 * ServoClock::Millisecond;
 constexpr std::int64_t DropTime = 500 * ServoClock::Millisecond;
 constexpr int LostWait = 10;     // in ms
-constexpr int MostStates = 1000; // limit of the queued states, which are some seconds of them
+// limit of the queued states that are read at once: some seconds of states
+constexpr int MostStates = 1000;
 
 constexpr const char* AskForCalibration =
   "is not calibrated: put its handle into the inkwell, or lead it as Haply's Hub says.";
@@ -37,7 +39,7 @@ constexpr const char* AskForOrigin =
   "does not tell where its origin is: update Haply's Inverse service, and start it again.";
 constexpr const char* AfterLoss = " Home() and Arm() again.";
 
-/** Returns whether a preset has the arm in front, and so Haply's own axes. */
+/** Returns whether a preset has the arm in front of the user, which means Haply's own axes. */
 bool IsForward(const std::string& preset)
 {
   return preset == HaplyCentredPreset || preset == "defaults" || preset == "arm_front";
@@ -139,7 +141,7 @@ bool HaplyDriver::SendFirstMessage(std::string& error)
     return false;
   }
   this->States.SetLastWord(WriteHaplyForce(this->Address, {}, false));
-  // A service without this channel has no events.
+  // A service without this channel sends no events.
   std::string ignored;
   this->HasEvents = this->Events.Open(this->Ports.Events, EventsTime, ignored);
   return true;
@@ -180,7 +182,7 @@ void HaplyDriver::Disconnect() noexcept
 
 void HaplyDriver::Serve(HardwareExchange& exchange)
 {
-  /** Ends the force, even if an exception is thrown. */
+  /** Ends the force when leaving the scope, even by an exception. */
   struct AtEnd
   {
     HaplyDriver* Driver;
@@ -201,7 +203,7 @@ void HaplyDriver::Serve(HardwareExchange& exchange)
     }
     if (this->IsLost)
     {
-      // Quench() and Close() wait until this thread has asked for the force, and got zero.
+      // Quench() and Close() wait until this thread has requested the force and received zero.
       exchange.GetForce();
       std::this_thread::sleep_for(std::chrono::milliseconds(LostWait));
     }
@@ -228,7 +230,7 @@ void HaplyDriver::Restart(HardwareExchange& exchange)
     {
       this->Disconnect();
     }
-    // The service may not have ended the closed session yet.
+    // The service may still be ending the previous session.
     tries = !isOpen && this->IsTaken() && ServoClock::Now() < end && !exchange.MustStop();
     if (tries)
     {
@@ -506,7 +508,7 @@ void HaplyDriver::Rest() noexcept
       this->Send({});
       const std::int64_t end =
         ServoClock::Now() + static_cast<std::int64_t>(LastTime * ServoClock::NanosecondsPerSecond);
-      // The state shows that the service has received the message. If the service hangs, this does
+      // A state confirms that the service has received the message. If the service hangs, this does
       // not wait.
       while (this->Awaited > 0 &&
         this->States.Receive(this->Text, end) == WebSocketClient::Outcome::Message)
@@ -517,13 +519,13 @@ void HaplyDriver::Rest() noexcept
   }
   catch (const std::exception&)
   {
-    // Memory for a message is missing. Closing the connection ends the session.
+    // There is no memory for a message. Closing the connection ends the session.
   }
 }
 
 void HaplyDriver::Lose(HardwareExchange& exchange, const std::string& text)
 {
-  // Notify the servo before sending anything, because that may take long.
+  // Notify the servo before sending anything, because sending may take long.
   this->Report(exchange, DeviceStage::Lost, text);
   this->IsLost = true;
   this->IsReady = false;

@@ -5,26 +5,27 @@
  * An Inverse3, Inverse3x or Minverse, through Haply's Inverse service on this computer.
  *
  * The service answers each message with a state. The device's thread sends a message when the servo
- * has a force, or after 2 ms without one, and waits for the state. So the servo sets the pace and
- * never waits. At most one message waits for its state. After the time of the servo's watchdog, one
- * more message is sent, with zero force; when both are answered, work continues. If more states
- * come than messages were sent, only the newest one is used, so that positions never fall behind.
+ * has a force, or after 2 ms without one, and waits for the state. The servo thus sets the rate and
+ * never waits. At most one message is unanswered. If its answer is later than the servo's watchdog
+ * time, one more message is sent, with zero force; work continues when both are answered. If more
+ * states arrive than messages were sent, only the newest one is used, so that positions never fall
+ * behind.
  *
  * The arm is ready when the service has reported it as calibrated and ready. A flag that the
  * service omits keeps its last value.
  *
- * The first and the last message have zero force. The documentation says that a force lasts for a
- * tick, and that a device becomes idle if no more forces come, but neither after how long, nor what
- * happens if the program ends or stops between two messages. So the limits are low: 2 N is the
- * limit in NVIDIA Isaac Lab's published driver (isaaclab/devices/haply, HaplyDeviceCfg), and the
- * default force here is half of it. The radii of the workspaces are from Haply's tutorials 05 and
- * 06. Stiffness and speed are those of WoodenHaptics, a device of the same size. Not verified on a
- * device.
+ * The first and the last message have zero force. According to the documentation, a force lasts for
+ * a tick, and a device becomes idle without further forces. It states neither the time nor what
+ * happens if the program ends or stops between two messages. Therefore the limits are low: 2 N is
+ * the limit in NVIDIA Isaac Lab's published driver (isaaclab/devices/haply, HaplyDeviceCfg), and
+ * the default force here is half of it. The radii of the workspaces are from Haply's tutorials 05
+ * and 06. Stiffness and speed are those of WoodenHaptics, a device of the same size. Not verified
+ * on a device.
  *
- * A service of 3.5 or later is asked to put the session's origin into the middle of the workspace,
- * and reports which preset it has taken: messages request that until the arm is ready. Presets with
- * the origin at the arm's base, and services before 3.5, have the middle at a fixed place; presets
- * with other axes are refused.
+ * Services of version 3.5 or later are asked to place the session's origin at the centre of the
+ * workspace, and report the preset in use; messages repeat the request until the arm is ready.
+ * Presets with the origin at the arm's base, and services before 3.5, have the centre at a fixed
+ * position. Presets with other axes are refused.
  */
 #ifndef HaplyDriver_h
 #define HaplyDriver_h
@@ -43,8 +44,8 @@ public:
   /** Longest time (s) for which the service may omit the arm's position. */
   static constexpr double SilenceTime = 0.1;
   /**
-   * Least number of waits in SilenceTime before the service counts as silent, because this computer
-   * itself may have been late.
+   * Smallest number of waits within SilenceTime before the service counts as silent, because this
+   * computer itself may have been delayed.
    */
   static constexpr int SilentWaits = 4;
   /**

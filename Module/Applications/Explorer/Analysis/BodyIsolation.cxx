@@ -52,7 +52,7 @@ void Grow(Mask& mask, const int size[3], int axis)
       for (std::size_t step = 0; step < length; ++step)
       {
         unsigned char& voxel = mask[start + stride * (forward ? step : length - 1 - step)];
-        // 1 marks the region before this axis, 2 the voxels that this axis adds
+        // 1 marks the original region, 2 the voxels that this axis has added
         reach = voxel == 1 ? EDGE + 1 : std::max(0, reach - 1);
         voxel = voxel == 0 && reach > 0 ? 2 : voxel;
       }

@@ -8,15 +8,14 @@
 
 namespace Explore
 {
-/// Returns a copy of the image where everything outside the largest connected region above
-/// `threshold`, and everything that is not finite, has the value `fill`. The copy shows a patient
-/// without the head rest, tables and cables that would hide the patient from the eye and from the
-/// planner's rays. The soft edge of the region is kept. The hand feels the image itself, not this
-/// copy.
+/// Returns a copy of the image in which everything outside the largest connected region above
+/// `threshold`, and every value that is not finite, is replaced by `fill`. The copy shows a patient
+/// without the head rest, tables and cables that would block the view and the planner's rays. The
+/// soft edge of the region is kept. The hand feels the original image, not this copy.
 vtkSmartPointer<vtkImageData> IsolateBody(vtkImageData* image, double threshold, double fill);
 
-/// Returns the number of voxels above the threshold that `body` lacks, divided by the number of the
-/// body's voxels.
+/// Returns the number of voxels above the threshold that are missing from `body`, divided by the
+/// number of the body's voxels.
 double MeasureHidden(vtkImageData* image, vtkImageData* body, double threshold);
 } // namespace Explore
 

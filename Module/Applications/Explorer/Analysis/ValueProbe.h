@@ -8,12 +8,13 @@
 
 namespace Explore
 {
-/// Reads trilinear values of an image at world positions. Uses the direction matrix.
+/// Reads trilinearly interpolated values of an image at world positions. Respects the direction
+/// matrix.
 class ValueProbe
 {
 public:
-  /// `outside` is returned for positions outside the volume, and replaces voxels that are not
-  /// finite.
+  /// @param outside value returned outside the volume, and used in place of voxels that are not
+  ///   finite
   ValueProbe(vtkImageData* image, double outside);
 
   double Value(const double position[3], bool& inside) const;

@@ -22,8 +22,8 @@ constexpr vtkIdType ENOUGH_SAMPLES = 4000000;
 
 using Histogram = std::array<double, BINS>;
 
-/// Returns the finite values among every n-th value. n is odd, so that they are not all in one
-/// column.
+/// Returns the finite values among every n-th value. n is odd, so that the samples are not all from
+/// one column.
 std::vector<float> SampleValues(vtkDataArray* scalars)
 {
   const vtkIdType count = scalars->GetNumberOfTuples();
@@ -48,8 +48,8 @@ double Percentile(std::vector<float>& values, double fraction)
   return *at;
 }
 
-/// Returns the two cuts of Otsu's method for three classes, which have the largest variance between
-/// the classes.
+/// Returns the two thresholds of Otsu's method for three classes, which maximise the variance
+/// between the classes.
 std::array<int, 2> OtsuCuts(const Histogram& histogram)
 {
   Histogram weight{}, moment{};
@@ -143,8 +143,8 @@ void SetKind(
 
 void SetScale(Explore::Analysis& analysis, vtkImageData* image)
 {
-  // Use life-size if the edges, in millimetres, are those of something that a hand can hold;
-  // otherwise 20 cm.
+  // Use life-size if the bounds, in millimetres, are those of an object that fits in a hand;
+  // otherwise scale to 20 cm.
   double largest = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -13,21 +13,21 @@ enum class VolumeKind
 {
   CT,       // Hounsfield units
   EightBit, // 0..255, most often MRI
-  Field,    // values of a simulation, which has no tissues
+  Field, // values of a simulation, without tissues
   Labels,   // label numbers
   Other
 };
 
-/// Facts about the values, for the planner, the materials and the look.
+/// Properties of the values, for the planner, the materials and the rendering.
 struct Analysis
 {
   VolumeKind Kind = VolumeKind::Other;
   double Range[2] = { 0, 1 };
-  double Low = 0; // ends of the histogram without outliers (0.5 and 99.5 %)
+  double Low = 0; // 0.5 % and 99.5 % quantiles, which exclude outliers
   double High = 1;
   double OuterThreshold = 0;      // value between outside and body
   double DeepThreshold = 0;       // value between the body and the denser structure inside it
-  bool IsDark = false;            // whether the felt body is below the outer threshold
+  bool IsDark = false; // whether the touched body has values below the outer threshold
   double Centre[3] = { 0, 0, 0 }; // centre of the voxels above the outer threshold, world units
   double BodyBounds[6] = { 0, 1, 0, 1, 0, 1 }; // bounds of these voxels, world units
   double MetersPerWorldUnit = 0.001;
@@ -35,9 +35,9 @@ struct Analysis
   std::string KindReason; // why this kind was chosen, for the summary
 };
 
-/// Analyses everything except the position of the body. Samples a large volume sparsely. Does not
-/// interpret the values of a field or of labels, whatever they look like. If mayBeHounsfield is
-/// false, the volume is no CT.
+/// Analyses everything except the position of the body. Samples large volumes sparsely. The values
+/// of a field or of labels are not interpreted, whatever their range. If mayBeHounsfield is false,
+/// the volume is not treated as a CT.
 Analysis AnalyseVolume(
   vtkImageData* image, bool isField = false, bool areLabels = false, bool mayBeHounsfield = true);
 

@@ -24,7 +24,7 @@ namespace
 using Explore::RGB;
 
 constexpr RGB GROUND{ 0.09, 0.11, 0.15 }; // background of bar and menus
-constexpr RGB LIT{ 0.19, 0.23, 0.31 };    // behind what the pointer is at
+constexpr RGB LIT{ 0.19, 0.23, 0.31 }; // background of the item under the pointer
 constexpr RGB CHOSEN{ 0.16, 0.36, 0.60 }; // background of commands that are switched on
 constexpr RGB INK{ 0.90, 0.92, 0.95 };
 constexpr RGB FAINT{ 0.58, 0.63, 0.70 };
@@ -33,17 +33,17 @@ constexpr RGB RED{ 0.95, 0.35, 0.32 };
 constexpr RGB TITLE{ 1.0, 0.78, 0.35 };
 
 // Lengths in points.
-constexpr double BUTTON = 32.0;   // height of a button without a label, and its least width
-constexpr double SMALLEST = 18.0; // least width of a button in a small window
+constexpr double BUTTON = 32.0; // height of a button without a label, and its minimum width
+constexpr double SMALLEST = 18.0; // minimum width of a button in a small window
 constexpr double ICON = 20.0;
 constexpr double LABEL_LETTERS = 8.0;
 constexpr double LABEL_HEIGHT = 11.0;
-constexpr double LABEL_GAP = 5.0;   // on both sides of a label
+constexpr double LABEL_GAP = 5.0; // margin on both sides of a label
 constexpr double GAP = 8.0;         // between groups of buttons
-constexpr double PADDING = 8.0;     // around a menu and a hint
-constexpr int LARGEST_LETTERS = 11; // of menus
+constexpr double PADDING = 8.0; // margin around a menu and a hint
+constexpr int LARGEST_LETTERS = 11; // largest font size of menus
 constexpr int SMALLEST_LETTERS = 7;
-constexpr float BAR_PRIORITY = 20.0f; // before everything else in the window
+constexpr float BAR_PRIORITY = 20.0f; // receives events before everything else in the window
 
 constexpr unsigned long BAR_EVENTS[] = { vtkCommand::MouseMoveEvent,
   vtkCommand::LeftButtonPressEvent, vtkCommand::LeftButtonDoubleClickEvent,
@@ -53,7 +53,7 @@ constexpr unsigned long BAR_EVENTS[] = { vtkCommand::MouseMoveEvent,
   vtkCommand::MouseWheelBackwardEvent, vtkCommand::KeyPressEvent, vtkCommand::LeaveEvent,
   vtkCommand::TimerEvent };
 
-/// Returns the number of the button of an event: left, middle, right.
+/// Returns the index of an event's mouse button: 0 left, 1 middle, 2 right.
 std::size_t FindMouseButton(unsigned long event)
 {
   switch (event)
@@ -143,7 +143,7 @@ CommandBar::CommandBar(
   {
     interactor->AddObserver(event, this->MouseObserver, BAR_PRIORITY);
   }
-  // A style that drags the camera keeps the release for itself; a passive observer gets it, too.
+  // A style that drags the camera grabs the release event; a passive observer still receives it.
   this->ReleaseObserver->SetClientData(this);
   this->ReleaseObserver->SetPassiveObserver(1);
   this->ReleaseObserver->SetCallback([](vtkObject*, unsigned long event, void* self, void*)
@@ -249,7 +249,7 @@ bool CommandBar::Handle(unsigned long event)
   {
     case vtkCommand::MouseMoveEvent:
       this->PointAt(x, y);
-      // A drag that began in the scene continues over the bar.
+      // A drag that began in the scene continues even over the bar.
       return this->IsMenuOpen ||
         (isOnBar &&
           std::find(this->IsDown.begin(), this->IsDown.end(), true) == this->IsDown.end());
@@ -257,8 +257,8 @@ bool CommandBar::Handle(unsigned long event)
       this->PointAt(-1, -1);
       return false;
     case vtkCommand::KeyPressEvent:
-      // Let the key have its usual effect. If the key ends the touch, nothing may come before that,
-      // not even a frame.
+      // Pass the key on. If it ends the touch, this must not wait for a frame, so close the menu
+      // without drawing.
       this->HideMenu();
       return false;
     case vtkCommand::TimerEvent:
@@ -282,11 +282,11 @@ bool CommandBar::Handle(unsigned long event)
       this->IsDown[pressed] = !this->HasPress[pressed];
       if (wasOpen && row < 0 && this->Menu.Contains(x, y))
       {
-        return true; // a title
+        return true; // clicking a title has no effect
       }
       const Icon opener = this->Opener;
       const Command chosen = row >= 0 ? this->Rows[static_cast<std::size_t>(row)].What : Command();
-      this->HideMenu(); // the command comes before the frame, because it may let go
+      this->HideMenu(); // run the command before drawing, because it may release the hand
       if (row >= 0)
       {
         this->All.Run(chosen);
@@ -475,7 +475,7 @@ void CommandBar::LayOut()
     widths.push_back(std::max(least, icon));
     used += widths.back();
   }
-  // Gaps stand after the file, the hand, the tool, the slices and the record.
+  // Leave gaps after the groups for the file, the hand, the tool, the slices and the recording.
   const float gap = this->ToPixels(GAP);
   constexpr float gaps = 4.0f;
   const bool hasGaps = used + gaps * gap <= right;
@@ -692,7 +692,7 @@ void CommandBar::DrawMenu(vtkContext2D* painter)
       painter->DrawString(row.Place.Left + row.Place.Width - 0.8f * mark - width, middle, row.Key);
     }
   }
-  // A thin bar at the right shows that the list continues.
+  // A thin scroll bar on the right shows that the list is longer.
   const auto count = static_cast<float>(this->Rows.size());
   if (this->Visible < static_cast<int>(this->Rows.size()))
   {

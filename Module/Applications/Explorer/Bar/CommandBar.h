@@ -24,9 +24,9 @@ class vtkContext2D;
 
 namespace Explore
 {
-/// A bar with buttons along the top of a window, with a hint for the button under the pointer, and
-/// the menus that its buttons open: a menu for each group of commands, and a menu of all commands.
-/// The rest of the window is below the bar.
+/// A bar with buttons along the top of a window, with a hint for the button under the pointer. Its
+/// buttons open a menu for each group of commands, and a menu of all commands. The scene occupies
+/// the rest of the window, below the bar.
 class CommandBar
 {
 public:
@@ -68,7 +68,7 @@ private:
   void Activate(const Button& button);
   void OpenMenu(const std::string& group, const Button& from);
   void CloseMenu();
-  /// Called before each command.
+  /// Closes the menu without drawing. Called before each command.
   void HideMenu();
   /// Draws the scene after HideMenu().
   void EndMenu();
@@ -82,15 +82,15 @@ private:
   void LayOut();
   void DrawButtons(vtkContext2D* painter);
   void DrawPicture();
-  /// Chooses the largest letters with which the menu fits.
+  /// Chooses the largest font size with which the menu fits.
   void LayOutMenu();
   bool LayOutMenu(int letters);
   void DrawMenu(vtkContext2D* painter);
   void DrawTip(vtkContext2D* painter);
   std::string DescribeButton(const Button& button, std::string& key) const;
   void SetLetters(vtkContext2D* painter, double points, const RGB& colour, bool isBold) const;
-  /// Measures without drawing, because input may end a frame before the bar is drawn, and the
-  /// next click has to find its place all the same.
+  /// Measures without drawing: input may abort a frame before the bar is drawn, and the next click
+  /// still needs the positions of the buttons.
   float MeasureWidth(const std::string& text, double points, bool isBold) const;
   float ToPixels(double points) const;
 
@@ -102,12 +102,12 @@ private:
   VolumeHaptics::WindowDock Strip;
   bool IsShown = true;
   std::vector<Button> Buttons;
-  int Pointed = -1; ///< button under the pointer
+  int Pointed = -1; ///< index of the button under the pointer
   float Height = 0.0f;
   bool HasLabels = true;
-  std::vector<float> LabelWidths; ///< label widths for the present scale
+  std::vector<float> LabelWidths; ///< label widths at the current scale
   double LabelScale = 0.0;
-  std::string Drawn; ///< content of the bar's picture
+  std::string Drawn; ///< content of the bar as last drawn, for comparison
   vtkNew<vtkImageData> Picture;
 
   std::vector<Row> Rows; ///< rows of the open menu
@@ -120,11 +120,11 @@ private:
   int PointedRow = -1;
   int Letters = 11; ///< points
   Box Menu;
-  vtkNew<vtkTextProperty> Measured; ///< look of the text that is measured
+  vtkNew<vtkTextProperty> Measured; ///< text properties used for measuring
 
-  // for the left, the middle and the right button
-  std::array<bool, 3> HasPress{}; ///< whether the release belongs to the bar
-  std::array<bool, 3> IsDown{};   ///< whether it was pressed in the scene and not released
+  // each for the left, the middle and the right button
+  std::array<bool, 3> HasPress{}; ///< whether the bar also handles the release of this button
+  std::array<bool, 3> IsDown{}; ///< whether this button was pressed in the scene and is still down
   vtkNew<vtkCallbackCommand> ReleaseObserver;
   vtkNew<vtkCallbackCommand> MouseObserver;
   vtkNew<vtkCallbackCommand> FrameObserver;

@@ -12,9 +12,9 @@
 namespace
 {
 constexpr const char* CONTROL = "Ctrl+";
-constexpr float KEYS_PRIORITY = 5.0f; // before the style's keys, after those of an open list
+constexpr float KEYS_PRIORITY = 5.0f; // before the keys of the style, after those of an open list
 
-/// The actions of the style that have a button.
+/// The actions of the style that have a button on the bar.
 const std::map<std::string, Explore::Icon> ACTION_BUTTONS{ { "Touch", Explore::Icon::Touch },
   { "Slices", Explore::Icon::Slices }, { "Play", Explore::Icon::Play } };
 
@@ -181,7 +181,7 @@ Command CommandTable::FindButton(Icon button) const
 
 void CommandTable::Run(const Command& wanted)
 {
-  const Command command = wanted; // the command may remove itself
+  const Command command = wanted; // a copy, because the command may remove itself
   const vtkSmartPointer<vtkRenderWindowInteractor> interactor = this->Interactor;
   this->UpdateList();
   if (command.Run)
@@ -224,10 +224,10 @@ bool CommandTable::PressKey()
   const std::string name = this->NameKey();
   if (this->Repeat.IsRepeat(name))
   {
-    return !this->UsedKey.empty(); // a held key runs its command once
+    return !this->UsedKey.empty(); // a key that is held down runs its command only once
   }
   this->UpdateList();
-  // Treat a capital as its small letter, as the style does: with Caps Lock, for example.
+  // Treat a capital letter like its small letter, as the style does, for example with Caps Lock.
   for (const std::string& key : { name, ToLower(name) })
   {
     const auto found = std::find_if(this->All.begin(), this->All.end(),

@@ -18,20 +18,22 @@
 
 namespace Explore
 {
-/// Something that the user can do in the window.
+/// An action of the user in the window, with its text, key and button.
 struct Command
 {
   std::string Group; // title in the menu and in the list of keys
   std::string Text;  // such as "open a file"
   std::string Key;   // such as "F8", "x" or "Ctrl+o"; empty: no key
   std::function<void()> Run;
-  std::function<bool()> IsOn = nullptr;     // whether it is on or chosen; null: it has no state
-  std::function<bool()> IsUsable = nullptr; // null: always
-  Icon Button = Icon::None; // the button of the bar that runs the command, if there is one
-  std::function<bool()> TakesKey = nullptr; // whether the key is for it now; null: always
+  // whether it is switched on or chosen; null: the command has no state
+  std::function<bool()> IsOn = nullptr;
+  std::function<bool()> IsUsable = nullptr; // whether the command can run now; null: always
+  Icon Button = Icon::None; // the bar's button that runs the command, if there is one
+  std::function<bool()> TakesKey = nullptr; // whether the command handles the key now; null: always
 };
 
-/// A group of commands: a title of the menu, and perhaps a button that shows only the group.
+/// A group of commands: a section of the menu, and optionally a button that opens only this
+/// section.
 struct CommandGroup
 {
   const char* Title;
@@ -39,9 +41,9 @@ struct CommandGroup
   const char* Tip;
 };
 
-/// All commands of the window. Keys, buttons, menus and the list of keys are made from this table:
-/// the parts of the window add their commands, and the actions of vtkInteractorStyleHaptic are
-/// commands, too.
+/// All commands of the window. Keys, buttons, menus and the list of keys are generated from this
+/// table. The parts of the window add their commands, and the actions of vtkInteractorStyleHaptic
+/// are commands, too.
 class CommandTable
 {
 public:
@@ -50,7 +52,7 @@ public:
   CommandTable(const CommandTable&) = delete;
   CommandTable& operator=(const CommandTable&) = delete;
 
-  /// Adds a command of a part, which calls Remove() before it is deleted.
+  /// Adds a command that belongs to `part`. The part must call Remove() before it is deleted.
   void Add(const void* part, const Command& command);
   void Remove(const void* part);
 
@@ -64,15 +66,16 @@ public:
   static const std::vector<CommandGroup>& GetGroups();
   /// Returns the commands of a group that can be used now.
   std::vector<Command> ListGroup(const std::string& title) const;
-  /// Returns the command of a button; one without Run if the scene has no part for it.
+  /// Returns the command of a button. Its Run is empty if the scene has no part that provides the
+  /// command.
   Command FindButton(Icon button) const;
   /// Runs a command and draws the scene.
   void Run(const Command& command);
-  /// Is called before each command.
+  /// Called before each command.
   std::function<void()> BeforeRun;
 
-  /// Returns the keys of the parts that can be used now, in the form of
-  /// vtkHapticHeadUpDisplay::HelpText. The list of the style has its own actions.
+  /// Returns the parts' keys that can be used now, in the format of
+  /// vtkHapticHeadUpDisplay::HelpText. The style lists its own actions itself.
   std::string ListKeys() const;
   /// Sets lines that stand before these keys in the style's list, which is kept up to date.
   void SetFacts(const std::string& facts);
@@ -95,7 +98,9 @@ private:
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   vtkSmartPointer<vtkInteractorStyleHaptic> Style;
   std::string Facts;
-  std::string UsedKey; ///< key of the last command that was run by a key
+  /// Sets lines that precede these keys in the style's list. The list is updated whenever the
+  /// commands change.
+  std::string UsedKey;
   VolumeHaptics::KeyRepeat Repeat;
   vtkNew<vtkCallbackCommand> Observer;
 };

@@ -11,12 +11,12 @@
 
 namespace
 {
-/// Icons are drawn on a square of 24 x 24 units, with y downwards.
+/// Icons are drawn on a grid of 24 x 24 units, with y downwards.
 constexpr double GRID = 24.0;
 constexpr double HALF_STROKE = 0.95;
 
-/// The shapes of an icon, one after the other: L is a line through points, P a filled polygon, O a
-/// circle and D a disc, with its centre and radius.
+/// Returns the shapes of an icon as text: L is a line through points, P a filled polygon, O a
+/// circle and D a disc, each of the latter with its centre and radius.
 const char* FindShapes(Explore::Icon icon)
 {
   switch (icon)
@@ -134,7 +134,7 @@ void DrawIcon(vtkImageData* image, Icon icon, int x, int y, int size, const RGB&
 {
   const std::vector<Shape> shapes = ReadShapes(FindShapes(icon));
   const int* const extent = image->GetDimensions();
-  const double unit = GRID / size; // units of the grid in a pixel
+  const double unit = GRID / size; // grid units per pixel
   for (int row = 0; row < size; ++row)
   {
     for (int column = 0; column < size; ++column)

@@ -9,7 +9,7 @@
 
 namespace Explore
 {
-/// The pictures of the bar's buttons, in the order of the buttons.
+/// The icons of the bar's buttons, in the order of the buttons.
 enum class Icon
 {
   Menu,
@@ -30,8 +30,8 @@ enum class Icon
 
 using RGB = std::array<double, 3>; // 0 to 1
 
-/// Draws an icon over an image of unsigned char RGB: a square with the lower left corner at (x, y)
-/// and `size` pixels a side. The lines are smooth at every size.
+/// Draws an icon over an RGB image of unsigned char, in a square of `size` pixels with the lower
+/// left corner at (x, y). The lines are antialiased at every size.
 void DrawIcon(vtkImageData* image, Icon icon, int x, int y, int size, const RGB& colour);
 } // namespace Explore
 

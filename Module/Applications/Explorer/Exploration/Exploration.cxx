@@ -31,14 +31,14 @@
 
 namespace
 {
-// N: a force that is felt clearly, and of which any device can give several times as much
+// N: a force that is clearly felt, and a fraction of what any device can exert
 constexpr double STRONGEST_PUSH = 1.0;
-// fraction of the surface's points that are less sharp; the sharper ones may be noise
+// quantile of the gradients on the surface; sharper points may be noise
 constexpr double SHARPEST = 0.95;
-// number of samples along an axis: some thousand points of a surface suffice
+// samples along an axis: some thousand points of a surface suffice
 constexpr int LOOKS_PER_AXIS = 100;
 
-/// Adds the points at which a line of voxels along an axis crosses the threshold. They are between
+/// Adds the points at which lines of voxels along an axis cross the threshold, interpolated between
 /// two voxels.
 void AddCrossings(vtkImageData* image, double threshold, int axis, vtkPoints* points)
 {
@@ -106,9 +106,9 @@ namespace Explore
 {
 namespace
 {
-/// Sets IsoValue (SURFACE_PROXY touches the outer surface) and ForceFieldGain (FORCE_FIELD pushes
-/// with 1 N where this surface is sharpest), because the user may change the method. The filter
-/// must have its estimator, its scale and the volume on port 0 before.
+/// Sets IsoValue (SURFACE_PROXY then touches the outer surface) and ForceFieldGain (FORCE_FIELD
+/// then pushes with 1 N where this surface is sharpest), because the user may change the method.
+/// The filter's estimator, scale, and volume on port 0 must be set before.
 
 void ScaleMethods(vtkVolumeHapticsFilter* filter, const Analysis& analysis, vtkImageData* body)
 {
@@ -186,7 +186,7 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings, const 
     : IsolateBody(volume.Image, result.Values.OuterThreshold, result.Values.Range[0]);
   if (scalars && result.Body != volume.Image)
   {
-    // The picture then shows the tissue that a burr removes from the felt image.
+    // Makes the displayed body show the tissue that a burr removes from the felt image.
     result.Body->GetPointData()->GetScalars()->GetInformation()->Set(
       vtkHapticRemoval::TOUCHED_ARRAY(), scalars);
   }
@@ -199,7 +199,8 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings, const 
       text << "Felt but not shown: parts that are not joined to the body, such as a head rest ("
            << std::lround(100.0 * fraction) << " % of its size)";
       result.Hidden = text.str();
-      result.Input.Notes.insert(result.Input.Notes.begin(), result.Hidden); // never cut off
+      // inserted first, so that it is never cut off
+      result.Input.Notes.insert(result.Input.Notes.begin(), result.Hidden);
     }
   }
   MeasureBody(result.Values, result.Body);

@@ -39,13 +39,13 @@ struct Settings
   std::string Guide;              // a file that guides the hand: see GuideFile.h; empty: none
 };
 
-/// The results, which the pictures and the summary show.
+/// The results, which the pictures and the summary present.
 struct Exploration
 {
   Volume Input;
-  // Input without the parts that are not connected with the body.
+  // Input without the parts that are not connected to the body.
   vtkSmartPointer<vtkImageData> Body;
-  // describes those parts, which are felt all the same; empty if there are hardly any
+  // describes the hidden parts, which can still be felt; empty if there are hardly any
   std::string Hidden;
   Analysis Values;
   ViewFrame View;
@@ -60,8 +60,9 @@ struct Exploration
   double FilterSeconds = 0.0;
 };
 
-/// Analyses the values, plans a tip path and feels along it. Throws InputError. `progress` may be
-/// null. It is called with each step that begins, and the fraction of the work that is done.
+/// Analyses the values, plans a tip path and computes the force along it. Throws InputError.
+/// `progress` may be null; it is called at the beginning of each step, with the fraction of the
+/// work that is done.
 using Progress = std::function<void(const std::string& step, double fraction)>;
 Exploration ExploreVolume(
   const Volume& volume, const Settings& settings, const Progress& progress = nullptr);

@@ -28,7 +28,7 @@ bool IsOneOf(const std::string& ending, std::initializer_list<const char*> endin
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
-/// Returns the paths of measurements, with one line for each. Returns null for a .vtp without
+/// Returns the paths of measurements, each as one line. Returns null for a .vtp without
 /// measurements.
 vtkSmartPointer<vtkPolyData> ReadMeasuredPaths(const std::string& name)
 {

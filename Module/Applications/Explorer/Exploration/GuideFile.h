@@ -12,13 +12,13 @@ class vtkImageData;
 
 namespace Explore
 {
-/// Throws InputError unless a name has the ending of a file that --guide accepts: a shape (.vtp,
-/// .vtk, .stl, .ply, .obj), or measurements (.csv, .mrk.json, .vtp).
+/// Checks that a name has an ending that --guide accepts: a shape (.vtp, .vtk, .stl, .ply, .obj),
+/// or measurements (.csv, .mrk.json, .vtp). Otherwise throws InputError.
 void CheckGuideFile(const std::string& name);
 
-/// Makes the mode that leads the hand along the lines of a file, or holds it on the file's
-/// polygons, in the coordinates of an image. A file of measurements leads along its paths. Throws
-/// InputError, also if all of the shape is outside the image.
+/// Makes the mode that guides the hand along the lines of a file, or keeps it on the file's
+/// polygons, in the coordinates of an image. A file of measurements guides along its paths. Throws
+/// InputError, also if the whole shape is outside the image.
 vtkSmartPointer<vtkHapticGuideMode> ReadGuideFile(const std::string& name, vtkImageData* image);
 } // namespace Explore
 

@@ -99,7 +99,7 @@ void HeardTicks::SetMaterial(SoundTick& tick, double value, std::int64_t label) 
   vtkHapticLabelTable* const table = this->Filter->GetLabelTable();
   if (table && label > 0 && label <= std::numeric_limits<int>::max())
   {
-    // A value below 0 means that the label has none.
+    // A value below 0 means that the table sets none for the label.
     const double stiffness = table->GetStiffness(static_cast<int>(label));
     const double strength = table->GetSurfaceStrength(static_cast<int>(label));
     tick.Stiffness = stiffness >= 0.0 ? stiffness : tick.Stiffness;

@@ -15,19 +15,20 @@
 
 namespace Explore
 {
-/// Extracts from ticks the data that sound depends on. The forces are those of the device: zero
-/// while it is not armed. Stiffness and strength come from the material, that is, from the filter's
-/// functions of SurfaceValue or from its table of labels, because the values in a trace are the
-/// felt ones: capped, equalised by SameShape, and lowered by distinctness.
+/// Extracts from ticks the data that sound depends on. The forces are those sent to the device:
+/// zero while it is not armed. Stiffness and strength come from the material, that is, from the
+/// filter's functions of SurfaceValue or from its table of labels. The trace's own values can't be
+/// used, because they are the felt values: capped, equalised by SameShape, and lowered by
+/// distinctness.
 class HeardTicks
 {
 public:
   explicit HeardTicks(vtkVolumeHapticsFilter* filter);
 
-  /// Extracts the ticks of the states since the last call: see vtkHapticState::Drain. `label` is
-  /// the label of the latest state.
+  /// Extracts the ticks of the states that were drained since the last call: see
+  /// vtkHapticState::Drain. `label` is the label of the latest state.
   std::vector<SoundTick> Read(vtkTable* states, std::int64_t label);
-  /// Extracts the ticks of a trace of the filter, or of a recording.
+  /// Extracts the ticks of a filter's trace, or of a recording.
   std::vector<SoundTick> Read(vtkPolyData* trace);
 
 private:

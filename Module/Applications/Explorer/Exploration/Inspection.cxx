@@ -20,14 +20,14 @@
 
 namespace
 {
-// number of parts along each axis for which the local noise is measured
+// The local noise is measured in this number of parts along each axis.
 constexpr int PARTS = 3;
 constexpr int SMALL_PART = 16; // samples along an axis; smaller parts have too few flat blocks
 
 /// Returns the noise of an image (scalar units), as the filter estimates it.
 double EstimateImageNoise(vtkImageData* image)
 {
-  // computes facts about the whole image; its output is only one sample
+  // computes statistics of the whole image; its output region is only one sample
   vtkNew<vtkHapticRegionFilter> whole;
   const int* const extent = image->GetExtent();
   whole->SetRegion(extent[0], extent[0], extent[2], extent[2], extent[4], extent[4]);
@@ -37,9 +37,9 @@ double EstimateImageNoise(vtkImageData* image)
   return noise ? noise->GetTuple1(0) : 0.0;
 }
 
-/// Returns the largest gradient magnitude (scalar per world unit), as the filter estimates it, on a
-/// sheet of value 1 between values of 0. `layers` is the number of voxels of the sheet along x; 0
-/// stands for a step from 0 to 1.
+/// Returns the largest gradient magnitude (scalar per world unit), as the filter estimates it, at a
+/// sheet of value 1 in a volume of value 0. `layers` is the thickness of the sheet in voxels along
+/// x; 0 makes a step from 0 to 1 instead.
 double ComputeLargestGradient(vtkVolumeHapticsFilter* like, double spacing, int layers)
 {
   const int radius = like->GetKernelRadius();
@@ -57,7 +57,7 @@ double ComputeLargestGradient(vtkVolumeHapticsFilter* like, double spacing, int 
   }
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  constexpr int steps = 10; // number of positions in a voxel
+  constexpr int steps = 10; // number of subvoxel positions
   for (int i = -2 * steps; i <= (layers + 1) * steps; ++i)
   {
     const double middle = 0.5 * spacing * (size - 1);
@@ -161,7 +161,7 @@ std::string Quote(const std::string& text)
 std::string Round(double number)
 {
   std::ostringstream text;
-  constexpr int digits = 3, all = 15; // digits of numbers below and above 1000
+  constexpr int digits = 3, all = 15; // significant digits of numbers below and above 1000
   text.precision(std::abs(number) < 1000.0 ? digits : all);
   text << (std::abs(number) < 1000.0 ? number : std::round(number));
   return text.str();
@@ -172,7 +172,7 @@ std::string FirstLine(const std::string& text)
   return text.substr(0, text.find('\n'));
 }
 
-/// Breaks a text into rows of a sheet, of which the first has the name.
+/// Breaks a text into rows of a sheet. The first row also shows the name.
 std::string Wrap(const std::string& name, const std::string& text)
 {
   constexpr std::size_t width = 40; // letters
@@ -260,7 +260,7 @@ void Inspection::MeasureNoise(vtkImageData* image)
     crop->SetVOI(box);
     crop->Update();
     const double noise = EstimateImageNoise(crop->GetOutput());
-    if (noise > 0.0) // padded or saturated parts have no noise
+    if (noise > 0.0) // padded or saturated parts have zero noise
     {
       const bool isFirst = this->LocalNoise[1] == 0.0;
       this->LocalNoise[0] = isFirst ? noise : std::min(this->LocalNoise[0], noise);
@@ -271,8 +271,8 @@ void Inspection::MeasureNoise(vtkImageData* image)
 
 void Inspection::ComputeSmallestStep(vtkImageData* image, vtkVolumeHapticsFilter* filter)
 {
-  // One spacing suffices: along an axis with another spacing, noise and gradients change by the
-  // same ratio.
+  // One spacing suffices: along an axis with another spacing, noise and gradients scale by the same
+  // factor.
   const double finest = *std::min_element(image->GetSpacing(), image->GetSpacing() + 3);
   const double felt = ComputeFeltGradient(image, filter);
   const double step = ComputeLargestGradient(filter, finest, 0);
@@ -403,7 +403,7 @@ std::string Inspection::ListFacts() const
        << Wrap("noise", this->DescribeNoise()) << "Felt\n"
        << Wrap("least", this->DescribeFeature())
        << Wrap("preset", this->Preset + ", because " + this->PresetReason);
-  // The sheet has no room for more notes; --inspect lists all of them.
+  // The sheet is too small for more notes; --inspect lists all of them.
   constexpr std::size_t most = 5;
   text << (this->Notes.empty() ? "" : "Notes\n");
   for (std::size_t i = 0; i < std::min(most, this->Notes.size()); ++i)
@@ -419,7 +419,7 @@ std::string Inspection::ListFacts() const
 
 std::string Inspection::ListTold() const
 {
-  constexpr std::size_t most = 4; // lines over the picture
+  constexpr std::size_t most = 4; // lines of notes over the picture
   std::string text;
   for (std::size_t i = 0; i < std::min(most, this->Notes.size()); ++i)
   {

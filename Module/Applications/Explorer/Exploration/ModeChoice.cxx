@@ -44,8 +44,8 @@ std::vector<std::string> NameKinds()
   return names;
 }
 
-/// Makes a mode by its name, such as "vector-follow". Returns null if there is no such mode, or for
-/// a guide, which has an option of its own.
+/// Makes a mode by its name, such as "vector-follow". Returns null for an unknown name, and for a
+/// guide, which has its own option.
 ModePointer MakeMode(const std::string& name)
 {
   auto mode = ModePointer::New();
@@ -129,9 +129,9 @@ void AddMode(const std::string& name, vtkImageData* image, vtkVolumeHapticsFilte
   filter->AddMode(mode);
 }
 
-/// Adds those modes that the fields of an image allow and the filter does not have. They are not
-/// active, so that a window can turn them on. Modes of vectors use the array of the last mode, if
-/// that mode has vectors.
+/// Adds the modes that an image's fields permit and that the filter does not have yet. They stay
+/// inactive until the user turns them on in the window. Modes of vectors use the array of the last
+/// mode, if that mode uses vectors.
 void OfferModes(vtkImageData* image, vtkVolumeHapticsFilter* filter)
 {
   const std::string known = filter->GetMode(filter->GetNumberOfModes() - 1)->GetArrayName();
@@ -154,7 +154,7 @@ void OfferModes(vtkImageData* image, vtkVolumeHapticsFilter* filter)
     const bool isFlow = mode->GetKind() != vtkHapticMode::TENSOR_FOLLOW;
     const std::string field = isFlow ? vectors : mode->FindArrayName(image);
     mode->SetArrayName(field.c_str());
-    // Do not offer a mode that holds nothing, such as for a flow without rotation.
+    // Don't offer a mode without effect, such as one for vortices in a flow without rotation.
     const Explore::MessageCapture capture;
     if (!field.empty() && !isThere(mode) && mode->ProposeFromImage(image))
     {

@@ -12,8 +12,8 @@
 
 namespace Explore
 {
-/// Reads like ReadPolyData, but throws InputError, whose text begins with the option that names the
-/// file and contains the cure.
+/// Reads a surface like ReadPolyData, but throws InputError on failure. The error begins with the
+/// option that names the file, and ends with the cure.
 vtkSmartPointer<vtkPolyData> ReadShapeFile(
   const std::string& option, const std::string& name, const std::string& cure);
 } // namespace Explore

@@ -25,11 +25,12 @@ using Explore::VolumeKind;
 
 constexpr double ENDLESS = std::numeric_limits<double>::infinity();
 
-/// Smallest noise, as a fraction of the range. Less is rounding to 8 bits, or the shape of smooth
-/// parts.
+/// Smallest noise, as a fraction of the range. Smaller values are rounding to 8 bits, or gradual
+/// changes within smooth parts.
 constexpr double LEAST_NOISE = 0.002;
 
-/// Moves the deep threshold to the middle of the body's range if nothing is denser than the body.
+/// If no tissue is denser than the body, moves the deep threshold to the middle of the body's
+/// range.
 void PutDeepInside(Analysis& analysis)
 {
   if (analysis.DeepThreshold <= analysis.OuterThreshold)
@@ -44,17 +45,17 @@ double EdgeOf(const Analysis& analysis)
   return 0.02 * (analysis.High - analysis.Low);
 }
 
-/// Facts about the background of an image.
+/// The values of an image's background and of its solid parts.
 struct Background
 {
   double Noise = 0.0;
   double Threshold = 0.0; ///< upper limit of values that are not solid
-  double Full = 0.0;      ///< lower limit of solid values; not known if it is at most Threshold
+  double Full = 0.0; ///< lower limit of solid values; unknown if it is at most Threshold
 };
 
 Background FindBackground(vtkImageData* image)
 {
-  // computes facts about the whole volume; its output is only one sample
+  // computes statistics of the whole volume; its output region is only one sample
   vtkNew<vtkHapticRegionFilter> whole;
   const int* const extent = image->GetExtent();
   whole->SetRegion(extent[0], extent[0], extent[2], extent[2], extent[4], extent[4]);
@@ -68,7 +69,8 @@ Background FindBackground(vtkImageData* image)
     : Background{};
 }
 
-/// Excludes the background's noise from the body, if the brightness of the background is known.
+/// Raises the outer threshold above the background's noise, if the brightness of the background is
+/// known.
 void LeaveBackground(Analysis& analysis, vtkImageData* image)
 {
   if (analysis.Kind == VolumeKind::Field)
@@ -84,8 +86,8 @@ void LeaveBackground(Analysis& analysis, vtkImageData* image)
   }
 }
 
-/// Moves the outer threshold to the value at which half of the preset's strength holds, so that the
-/// background is hidden.
+/// Moves the outer threshold to the value at which the preset reaches half of its surface strength,
+/// so that the background is hidden.
 void BeginAtSolid(Analysis& analysis, vtkImageData* image)
 {
   const Background found = FindBackground(image);
@@ -97,7 +99,8 @@ void BeginAtSolid(Analysis& analysis, vtkImageData* image)
   }
 }
 
-/// Makes steps at the two thresholds. They are a little smoothed, so that nothing jumps.
+/// Makes a function with steps at the two thresholds. The steps are slightly smoothed, so that
+/// nothing jumps.
 void TwoSteps(vtkPiecewiseFunction* function, const Analysis& analysis, const double values[3])
 {
   const double edge = EdgeOf(analysis);
@@ -110,7 +113,7 @@ void TwoSteps(vtkPiecewiseFunction* function, const Analysis& analysis, const do
 
 void HistogramMaterials(const Analysis& analysis, vtkHapticProperty* property)
 {
-  // Nothing is felt below OuterThreshold. The body is soft above it, and hard above DeepThreshold.
+  // Free below OuterThreshold, soft above it, and hard above DeepThreshold.
   const double stiffness[3] = { 0.0, 350.0, 800.0 };
   const double friction[3] = { 0.0, 0.25, 0.30 };
   const double viscosity[3] = { 0.0, 0.2, 0.2 };
@@ -129,7 +132,7 @@ void HistogramMaterials(const Analysis& analysis, vtkHapticProperty* property)
     property->AddTissue("body, darker", analysis.OuterThreshold, analysis.DeepThreshold - edge);
     property->AddTissue("body, brighter", analysis.DeepThreshold, ends[1]);
   }
-  // A surface is distinct if its values change within at most about 8 mm.
+  // A surface counts as distinct if its values change within about 8 mm or less.
   const double step = analysis.OuterThreshold - analysis.Low;
   const double gradient = step * analysis.MetersPerWorldUnit / 0.008;
   property->GetDistinctness()->RemoveAllPoints();
@@ -140,8 +143,8 @@ void HistogramMaterials(const Analysis& analysis, vtkHapticProperty* property)
   property->ShiftFromImageOff();
 }
 
-/// Returns the middle of a boundary or, if the strength there is still 0, the value at which the
-/// strength begins.
+/// Returns the value in the middle of a boundary or, if the strength there is still 0, the value at
+/// which the strength begins.
 double ComputeFeltMiddle(vtkPiecewiseFunction* strength, double low, double high)
 {
   const double middle = 0.5 * (low + high);
@@ -159,7 +162,8 @@ double ComputeFeltMiddle(vtkPiecewiseFunction* strength, double low, double high
   return middle;
 }
 
-/// Returns the same for a boundary of a dark body, whose strength ends within the boundary.
+/// Like ComputeFeltMiddle(), for a boundary of a dark body, whose strength ends within the
+/// boundary.
 double ComputeDarkMiddle(vtkPiecewiseFunction* strength, double low, double high)
 {
   const double middle = 0.5 * (low + high);
@@ -177,7 +181,8 @@ double ComputeDarkMiddle(vtkPiecewiseFunction* strength, double low, double high
   return middle;
 }
 
-/// Proposes functions from the image. Returns the reason if that is not possible; empty if it is.
+/// Proposes functions from the image. Returns the reason if that is impossible; otherwise an empty
+/// text.
 std::string Propose(vtkImageData* image, vtkVolumeHapticsFilter* filter)
 {
   vtkHapticProperty* const property = filter->GetProperty();
@@ -251,7 +256,8 @@ std::string ApplyMaterials(const std::string& preset, Analysis& analysis, vtkIma
       throw InputError("--preset propose", reason, "take another preset");
     }
     name = "histogram";
-    // Feel the surface where the body begins: the steepest place of the edge means nothing here.
+    // Place the surface where the body begins, because the steepest place of the edge is
+    // meaningless for this image.
     filter->SetContactAlignmentToDistinctness();
   }
   if (name == "histogram")
@@ -280,7 +286,7 @@ void FitThresholds(vtkHapticProperty* property, Analysis& analysis)
   vtkTable* const boundaries = property->GetProposedBoundaries();
   if (analysis.Kind == VolumeKind::CT || !boundaries)
   {
-    return; // these values have a meaning of their own
+    return; // the values of a CT, a field or labels have a fixed meaning
   }
   const auto column = [&](const char* name)
   { return vtkDataArray::SafeDownCast(boundaries->GetColumnByName(name)); };

@@ -22,14 +22,14 @@ struct Tissue
   double To;   // upper limit, exclusive
 };
 
-/// Makes the table of tissues. For a CT, this is the project's Hounsfield table; otherwise, the
-/// classes are divided by the histogram's thresholds. The table of a field is empty.
+/// Makes the table of tissues: for a CT, the project's Hounsfield table; for other volumes, classes
+/// divided by the histogram's thresholds; for a field, an empty table.
 std::vector<Tissue> MakeTissueTable(const Analysis& analysis);
 
 /// Returns the row of a table whose range contains the value. The table must not be empty.
 std::size_t FindTissue(const std::vector<Tissue>& table, double value);
 
-/// Sets the functions of a filter's property. "propose" uses what the edges of the image suggest,
+/// Sets the functions of a filter's property. "propose" derives them from the edges of the image,
 /// and sets the filter's KernelRadius. "histogram" makes materials with the histogram's thresholds,
 /// and raises thresholds that are within the background's noise. "auto" uses the preset for
 /// Hounsfield units if it fits, otherwise "propose" or, if the image has no edges, "histogram". Any
@@ -38,8 +38,8 @@ std::size_t FindTissue(const std::vector<Tissue>& table, double value);
 std::string ApplyMaterials(const std::string& preset, Analysis& analysis, vtkImageData* image,
   vtkVolumeHapticsFilter* filter);
 
-/// Moves the outer threshold to the middle of the boundary with the outside, if the property was
-/// proposed from an image, so that a soft edge is drawn and pressed where a hand feels it.
+/// If the property was proposed from an image, moves the outer threshold to the middle of the
+/// boundary with the outside, so that a soft edge is drawn and pressed where the hand feels it.
 void FitThresholds(vtkHapticProperty* property, Analysis& analysis);
 } // namespace Explore
 

@@ -37,7 +37,8 @@ void FileDialog::Close() {}
 
 namespace
 {
-/// Starts a program of the PATH, whose output goes to a file descriptor. Returns its id, or -1.
+/// Starts a program from the PATH, with its output sent to a file descriptor. Returns the process
+/// id, or -1.
 pid_t StartProgram(std::vector<std::string> words, int output)
 {
   std::vector<char*> pointers;
@@ -103,7 +104,7 @@ FileDialog::State FileDialog::Poll(std::string& path)
     return State::Open;
   }
   this->Process = -1;
-  this->Read(); // output that came before the end
+  this->Read(); // output from before the program ended
   path = this->Output.substr(0, this->Output.find_last_not_of("\r\n") + 1);
   this->Close();
   const int code = ended > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
@@ -129,7 +130,7 @@ void FileDialog::Read()
 
 void FileDialog::Close()
 {
-  constexpr int most = 100; // tries, of 10 ms
+  constexpr int most = 100; // attempts, 10 ms apart
   if (this->Process > 0)
   {
     kill(this->Process, SIGKILL);

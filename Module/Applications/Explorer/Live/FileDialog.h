@@ -8,8 +8,9 @@
 
 namespace Explore
 {
-/// The desktop's own dialog for files: zenity or kdialog, whichever is installed. The dialog runs
-/// in a separate process, so that the window and the servo continue. Windows has neither program.
+/// The desktop's own file dialog: zenity or kdialog, whichever is installed. The dialog runs in a
+/// separate process, so that the window and the servo continue. Not available on Windows, which has
+/// neither program.
 class FileDialog
 {
 public:
@@ -27,10 +28,10 @@ public:
   FileDialog(const FileDialog&) = delete;
   FileDialog& operator=(const FileDialog&) = delete;
 
-  /// Opens the dialog in a folder. Returns false if the desktop has none.
+  /// Opens the dialog in a folder. Returns false if the desktop has no such dialog.
   bool Open(const std::string& folder);
   bool IsOpen() const { return this->Process > 0; }
-  /// Looks after an open dialog without waiting, and sets the path once the user has chosen one.
+  /// Polls an open dialog without waiting. Sets the path once the user has chosen a file.
   State Poll(std::string& path);
 
 private:
@@ -39,8 +40,8 @@ private:
   void Read();
   void Close();
 
-  int Process = -1;   // id; -1: no dialog is open
-  int Pipe = -1;      // end from which the program's output is read
+  int Process = -1; // process id; -1: no dialog is open
+  int Pipe = -1; // read end of the pipe from the dialog's program
   std::string Output; // output of the dialog's program
   Clock::time_point Begin;
   Clock::time_point Seen; // when the program was last known to run

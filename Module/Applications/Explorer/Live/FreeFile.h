@@ -13,10 +13,10 @@ std::string NumberFile(const std::string& name, int number, const std::string& e
 /// Returns the first name of name-001.png, name-002.png and so on that does not exist yet.
 std::string FindFreeFile(const std::string& name, const std::string& ending);
 
-/// Like FindFreeFile(), but returns the whole path.
+/// Like FindFreeFile(), but returns the full path.
 std::string FindFreePath(const std::string& name, const std::string& ending);
 
-/// Returns the folder in which programs keep data from run to run, $XDG_STATE_HOME or
+/// Returns the folder in which programs store state between runs, $XDG_STATE_HOME or
 /// ~/.local/state; empty if the user has no such folder.
 std::string FindStateFolder();
 } // namespace Explore

@@ -47,7 +47,8 @@ void HandHold::Toggle(int clicks)
   {
     style->SetTouchMode(true);
   }
-  style->SetHoldClicks(style->GetTouchMode() ? clicks : 0); // the touch may have failed to begin
+  // without effect if the touch could not begin
+  style->SetHoldClicks(style->GetTouchMode() ? clicks : 0);
 }
 
 void HandHold::Report()

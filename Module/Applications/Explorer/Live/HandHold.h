@@ -10,9 +10,9 @@
 
 namespace Explore
 {
-/// Commands that hold the hand of the mouse where it is, so that the pointer can go to a button, a
-/// menu or another window while the hand still presses. Key f holds and frees the hand at once;
-/// after a click on the bar's button, a click in the scene holds it, and the next one frees it.
+/// Commands that hold the mouse's hand in place, so that the pointer can move to a button, a menu
+/// or another window while the hand still presses. Key f holds or releases the hand at once. After
+/// a click on the bar's button, a click in the scene holds the hand, and the next one releases it.
 class HandHold
 {
 public:
@@ -22,13 +22,13 @@ public:
   HandHold& operator=(const HandHold&) = delete;
 
 private:
-  /// Holds the hand until this number of clicks (vtkInteractorStyleHaptic::SetHoldClicks), or frees
-  /// it.
+  /// Holds the hand until this number of clicks (vtkInteractorStyleHaptic::SetHoldClicks), or
+  /// releases it.
   void Toggle(int clicks);
   void Report();
 
   TouchScene& Touch;
-  int Reported = 0; // clicks of the last notice
+  int Reported = 0; // number of clicks in the last notice
   vtkNew<vtkCallbackCommand> Observer;
 };
 } // namespace Explore

@@ -33,7 +33,7 @@ std::string Format(double value, const char* unit)
   return text.str();
 }
 
-/// Returns the least of 1, 2, 5, 10, 20 ... that is not below a length.
+/// Returns the smallest of 1, 2, 5, 10, 20 ... that is at least the length.
 double RoundUp(double length)
 {
   const double unit = std::pow(10.0, std::floor(std::log10(length)));
@@ -75,7 +75,7 @@ HandLabel::~HandLabel()
 
 double HandLabel::ComputeDepth(const double point[3]) const
 {
-  double towards[3]; // the viewer, with the length of half a voxel
+  double towards[3]; // direction to the viewer, half a voxel long
   this->Touch.Scene.Renderer->GetActiveCamera()->GetDirectionOfProjection(towards);
   const double* const spacing = this->Image->GetSpacing();
   const double step = 0.5 * std::min({ spacing[0], spacing[1], spacing[2] });
@@ -171,7 +171,7 @@ void HandLabel::DrawLabel(vtkContext2D* painter) const
   const double height = bounds[3] + 2.0 * padding;
   const double x = at[0] * size[0];
   const double y = at[1] * size[1];
-  // The tool leans to the upper right, so the label is at the left, if there is room.
+  // The tool leans to the upper right, so place the label on the left if there is room.
   const double left = x - gap - width >= 0.0 ? x - gap - width : x + gap;
   const double bottom = std::clamp(y - gap - height, 0.0, std::max(0.0, size[1] - height));
   painter->GetPen()->SetLineType(vtkPen::NO_PEN);
@@ -188,16 +188,16 @@ void HandLabel::DrawScale(vtkContext2D* painter) const
   const double scale = VolumeHaptics::PixelsPerPoint(renderer);
   vtkCamera* const camera = renderer->GetActiveCamera();
   const int* const size = renderer->GetSize();
-  // The height of the view at the focal point (world units).
+  // The visible height at the focal point (world units).
   const double angle = vtkMath::RadiansFromDegrees(camera->GetViewAngle());
   const double high = camera->GetParallelProjection()
     ? 2.0 * camera->GetParallelScale()
     : 2.0 * camera->GetDistance() * std::tan(0.5 * angle);
-  const double pixel = high / size[1] * this->MillimetersPerUnit; // mm
+  const double pixel = high / size[1] * this->MillimetersPerUnit; // mm per pixel
   const double length = RoundUp(SCALE_SHARE * size[0] * pixel);
   if (!std::isfinite(length) || size[0] < static_cast<int>(500 * scale))
   {
-    return; // a small window needs its room
+    return; // the label would cover too much of a small window
   }
   const auto width = static_cast<float>(std::lround(length / pixel));
   const auto right = static_cast<float>(size[0] - 16.0 * scale);

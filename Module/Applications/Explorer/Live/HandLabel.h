@@ -17,8 +17,8 @@ class vtkContext2D;
 
 namespace Explore
 {
-/// Writes beside the tip which tool the hand holds, what it touches, with how much force, and how
-/// deep below the surface that the viewer sees; and draws a scale with its unit. Ctrl+H hides both.
+/// Writes a label beside the tip: the tool, the touched material, the force, and the depth below
+/// the surface that the viewer sees. Draws a scale with its unit. Ctrl+H hides both.
 class HandLabel
 {
 public:
@@ -27,12 +27,12 @@ public:
   HandLabel(const HandLabel&) = delete;
   HandLabel& operator=(const HandLabel&) = delete;
 
-  /// Draws both. The context item calls this in each frame.
+  /// Draws the label and the scale. The context item calls this in each frame.
   bool Paint(vtkContext2D* painter);
 
 private:
   std::vector<std::string> Describe() const;
-  /// Returns how far a point is below the first surface of the body that the viewer sees (mm).
+  /// Returns the depth (mm) of a point below the first surface of the body that the viewer sees.
   double ComputeDepth(const double point[3]) const;
   void DrawScale(vtkContext2D* painter) const;
   void DrawLabel(vtkContext2D* painter) const;
@@ -42,7 +42,7 @@ private:
   const vtkSmartPointer<vtkImageData> Image;
   const double OuterThreshold;
   const bool IsDark;
-  const double MillimetersPerUnit; // of the volume
+  const double MillimetersPerUnit; // mm per world unit of the volume
   bool IsShown = true;
   vtkNew<vtkContextActor> Actor;
 };

@@ -18,10 +18,10 @@
 
 namespace
 {
-/// Friction (N per metre of the shaft) where no label sets it: a value for soft tissue.
+/// Friction (N per metre of the shaft) where the label table sets none: a value for soft tissue.
 constexpr double SHAFT_FRICTION = 25.0;
-/// Energies (J/mm^3) for removing the softest and the hardest tissue. With them, a press of 2 N
-/// drills soft tissue at once, and hard bone within seconds. They are examples, not measurements.
+/// Energies (J/mm^3) for removing the softest and the hardest tissue. With these values, 2 N drill
+/// soft tissue at once, and hard bone within seconds. They are examples, not measurements.
 constexpr double LEAST_ENERGY = 0.5;
 constexpr double MOST_ENERGY = 10.0;
 /// Radius of the burr (voxels).
@@ -113,7 +113,7 @@ void HandTool::AddCommands()
   const auto addStroke = [&](const char* text, const char* key, const std::function<void()>& run)
   {
     Command command{ "Tool", text, key, run, nullptr, isBurr };
-    command.TakesKey = [this] // over the function editor, the key is for an edit
+    command.TakesKey = [this] // over the function editor, the key belongs to the editor
     {
       const int* const at = this->Touch.Commands.GetInteractor()->GetEventPosition();
       return !this->Touch.Editor->Contains(at[0], at[1]);
@@ -164,7 +164,7 @@ void HandTool::Hold(vtkHapticTool* tool)
   filter->SetTool(tool);
   if (this->Device->IsRunning())
   {
-    // Publish now, because the style removes a notice when it publishes a change.
+    // Publish now, because the next publication by the style would remove the notice below.
     this->Device->Publish();
   }
   this->Tell("The hand holds a " + name + ".");

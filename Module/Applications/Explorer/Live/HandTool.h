@@ -15,15 +15,16 @@
 
 namespace Explore
 {
-/// Changes the tool in the hand of a window. Key w switches to the next tool: needle, burr, the
-/// tool of a file if there is one, and point. Ctrl+Z and Ctrl+Y undo and redo strokes of the burr
-/// while it is in the hand. Ctrl+E writes the track of a needle in tissue to track-001.vtp, or what
-/// a burr has removed to removal-001.vti, or to the next number that is free.
+/// Switches the tool in the window's hand. Key w switches to the next tool: needle, burr, the tool
+/// of a file if there is one, and point. Ctrl+Z and Ctrl+Y undo and redo strokes of the burr while
+/// it is in the hand. Ctrl+E writes the track of a needle in tissue to track-001.vtp, or what a
+/// burr has removed to removal-001.vti, or to the next free number.
 ///
-/// Where the labels have no shaft friction, values above the outer surface rub along the needle.
-/// For the other tools, these values are solid. With a preset for CT,
+/// Where the label table sets no shaft friction, all values above that of the outer surface rub
+/// along the needle. For the other tools, these values are solid. With a preset for CT,
 /// vtkHapticNeedle::ApplyPreset() sets how the needle cuts. The burr has a radius of four voxels.
-/// Removing tissue takes the least energy at the outer surface, and the most at the largest value.
+/// The energy for removing tissue grows with the value, from that of the outer surface to the
+/// largest one.
 class HandTool
 {
 public:
@@ -40,7 +41,7 @@ private:
   bool HasShape() const { return this->Shape->GetMesh() != nullptr; }
   void ChangeTool();
   void Hold(vtkHapticTool* tool);
-  /// Says it in the window, and in the terminal.
+  /// Shows a text in the window, and prints it to the terminal.
   void Tell(const std::string& text);
   void Write();
   void WriteTrack();

@@ -31,7 +31,7 @@ constexpr const char* REMOVAL = "/removal.vti";
 constexpr const char* SUMMARY = "/summary.txt";
 
 /// Returns the folder for the work on a file, without the number at its end; empty if the user has
-/// no folder.
+/// no state folder.
 std::string FindFolder(const Explore::FileChoice& shown)
 {
   const std::string state = Explore::FindStateFolder();
@@ -136,7 +136,7 @@ void KeptWork::BringBack()
     const auto has = [&](const char* file)
     { return Files::FileExists(this->Offered + file, true); };
     const auto name = [&](const char* file) { return this->Offered + file; };
-    // Keep newer measurements: reading a file would replace them.
+    // Keep the current measurements, which are newer: reading the file would replace them.
     const bool isFree = this->Touch.Measurements->GetNumberOfMeasurements() == 0;
     const bool isDone = (!has(SETUP) || this->Touch.Setup->Load(name(SETUP).c_str())) &&
       (!has(REMOVAL) || this->Filter->GetRemoval()->ReadFile(name(REMOVAL))) &&
@@ -199,7 +199,7 @@ void KeptWork::KeepAtEnd(bool isSetUp)
 std::vector<double> KeptWork::ListFunctions() const
 {
   vtkHapticProperty* const feel = this->Filter->GetProperty();
-  // A change of the look's transparency does not count as an edit.
+  // Changing the look's transparency does not count as an edit.
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->DeepCopy(this->Touch.Scene.Look->GetScalarOpacity());
   for (int i = 0; i < opacity->GetSize(); ++i)

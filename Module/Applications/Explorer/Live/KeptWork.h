@@ -15,28 +15,28 @@
 
 namespace Explore
 {
-/// Stores what was not saved when a window closed, for any reason: measurements, edited functions
-/// of the materials and of the look, and what a burr removed. Each volume has a folder, in
+/// Stores unsaved work when a window closes, for any reason: measurements, edited functions of the
+/// materials and of the look, and the tissue that a burr removed. Each volume has a folder, in
 /// $XDG_STATE_HOME/volumehaptics or ~/.local/state/volumehaptics, which only the user can read. The
-/// next window on the volume offers this work, and key F11 restores it.
+/// next window that shows the volume offers this work, and key F11 restores it.
 class KeptWork
 {
 public:
-  /// `shown` is the file of the window. Functions that have not changed since the window's start
-  /// are not stored. The stored functions are those of the outside look.
+  /// `shown` is the file that the window shows. Functions that have not changed since the window
+  /// opened are not stored. The stored functions of the look are those of the outside.
   KeptWork(TouchScene& touch, vtkVolumeHapticsFilter* filter, SavedMeasurements& measurements,
     HandTool& tool, LookSwitch& look, const FileChoice& shown);
   ~KeptWork();
   KeptWork(const KeptWork&) = delete;
   KeptWork& operator=(const KeptWork&) = delete;
 
-  /// Returns a notice that lists the work which F11 would restore; empty if there is none.
+  /// Returns a notice that lists the work that F11 restores; empty if there is none.
   std::string GetOffer() const;
   /// Restores the work, as F11 does.
   void BringBack();
 
   /// Stores unsaved work, and reports it. Call this when the window has closed. `isSetUp`: whether
-  /// the functions were saved to the file of --setup.
+  /// the functions were already saved to the file of --setup.
   void KeepAtEnd(bool isSetUp);
 
 private:
@@ -50,10 +50,10 @@ private:
   HandTool& Tool;
   LookSwitch& Look;
   std::string Folder;            ///< folder of this volume's work without its number; empty: none
-  std::string Offered;           ///< folder of the offered work; empty if there is none, or if it
-                                 ///< was restored
+  /// folder of the offered work; empty if none is offered, or if it has been restored
+  std::string Offered;
   std::string Brought;           ///< folder of the restored work
-  std::vector<double> Functions; ///< values of the functions at the beginning
+  std::vector<double> Functions; ///< values of the functions when the window opened
 };
 } // namespace Explore
 

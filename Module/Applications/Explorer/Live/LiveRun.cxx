@@ -31,7 +31,7 @@ void Demand(bool done, const char* what, const Explore::MessageCapture& capture)
   }
 }
 
-/// Leads the hand along the path by the clock, at no more than the frame rate of an application.
+/// Moves the tip along the path in real time, with updates at most at an application's frame rate.
 void PlayPath(vtkHapticDevice* device, vtkPolyData* path, double rate)
 {
   using Clock = std::chrono::steady_clock;
@@ -62,7 +62,7 @@ std::string TimeKeeping(vtkHapticDevice* device)
   return text.str();
 }
 
-/// Returns the number of the first tick whose force differs; -1 if there is none.
+/// Returns the index of the first tick whose force differs; -1 if all are equal.
 vtkIdType FirstDifference(vtkPolyData* a, vtkPolyData* b)
 {
   vtkDataArray* const fa = a->GetPointData()->GetArray("Force");
@@ -120,7 +120,7 @@ Agreement CompareTicks(vtkPolyData* live, vtkPolyData* offline)
   return agreement;
 }
 
-/// Reads a recording that has these arrays. Throws std::runtime_error on failure.
+/// Reads a recording that must have these arrays. Throws std::runtime_error on failure.
 vtkSmartPointer<vtkPolyData> ReadRecording(
   const std::string& file, std::initializer_list<const char*> arrays)
 {
@@ -141,8 +141,8 @@ vtkSmartPointer<vtkPolyData> ReadRecording(
   return recording;
 }
 
-/// Plays the planned path through the servo in real time, with one point for each tick, more
-/// exactly than any hand could move.
+/// Plays the planned path through the servo in real time, one point per tick, which is more exact
+/// than any hand.
 Agreement ReplayPlan(const Explore::Exploration& exploration, const std::string& file)
 {
   const Explore::MessageCapture capture;
@@ -158,7 +158,7 @@ Agreement ReplayPlan(const Explore::Exploration& exploration, const std::string&
   Demand(device->Open(("replay:" + planned).c_str()), "the planned path does not open", capture);
   device->SetVolumeHaptics(exploration.Filter);
   device->SetServoRate(exploration.ServoRate);
-  // Don't arm: arming would begin the touch again in a later tick.
+  // Leave the device disarmed: arming would restart the touch at a later tick.
   Demand(device->Start(), "the servo does not start", capture);
   Demand(device->GetRecorder()->Start(recorded.c_str()), "the recording does not start", capture);
   while (device->GetState()->GetTick() < exploration.Tip.Path->GetNumberOfPoints())

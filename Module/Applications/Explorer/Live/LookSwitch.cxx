@@ -12,7 +12,7 @@
 
 namespace
 {
-constexpr double OPACITY_STEP = 1.5; // factor of a step
+constexpr double OPACITY_STEP = 1.5; // factor per step
 constexpr double LEAST_OPACITY = 0.01;
 
 template <typename Function>
@@ -83,7 +83,8 @@ void LookSwitch::ScaleOpacity(double factor)
     opacity->GetNodeValue(i, node);
     largest = std::max(largest, node[1]);
   }
-  // Scale all nodes alike, so that the other direction restores the same look.
+  // Scale all nodes by the same factor, so that a step in the other direction restores the same
+  // look.
   if (largest * factor > 1.0 || largest * factor < LEAST_OPACITY)
   {
     this->Touch.Display->SetNotice(

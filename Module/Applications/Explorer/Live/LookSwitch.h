@@ -12,9 +12,9 @@
 
 namespace Explore
 {
-/// Switches between the outside of a volume and its dense inside by key o. Hidden tissue is not
-/// felt: the hand goes through the skin to the visible part. Each look has its own edited
-/// functions.
+/// Switches between the outside of a volume and its dense inside with key o. Tissue that the inside
+/// look hides can't be felt: the hand passes through the skin to the visible part. Each look has
+/// its own edited functions.
 class LookSwitch
 {
 public:
@@ -24,7 +24,8 @@ public:
   LookSwitch(const LookSwitch&) = delete;
   LookSwitch& operator=(const LookSwitch&) = delete;
 
-  /// Shows the outside. Call this before functions are loaded, because they belong to the outside.
+  /// Shows the outside. Call this before functions are loaded, because the loaded functions are
+  /// those of the outside.
   void ShowOutside();
   /// Returns the factor by which the opacities of the shown look were multiplied.
   double GetOpacityFactor() const { return this->Factor; }
@@ -32,7 +33,7 @@ public:
 private:
   void Swap();
   void Switch();
-  /// Multiplies the opacities of the shown look, down to a look that is hardly visible.
+  /// Multiplies the opacities of the shown look. Stops at a look that is barely visible.
   void ScaleOpacity(double factor);
 
   TouchScene& Touch;
@@ -40,7 +41,7 @@ private:
   const bool HasOther;
   bool IsInside = false;
   double Factor = 1.0;
-  double OtherFactor = 1.0; // factor of the look that is hidden
+  double OtherFactor = 1.0; // opacity factor of the look that is not shown
 };
 } // namespace Explore
 

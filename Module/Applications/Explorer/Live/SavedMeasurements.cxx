@@ -42,7 +42,8 @@ SavedMeasurements::SavedMeasurements(TouchScene& touch, std::string file)
       const std::string read = this->File;
       this->File = FindFreeFile(read.substr(0, dot), read.substr(dot));
       this->InFile = 0;
-      const std::size_t text = warning.find("): "); // end of VTK's source position
+      // end of the source location that VTK prints first
+      const std::size_t text = warning.find("): ");
       std::cout << (text == std::string::npos ? warning : warning.substr(text + 3)) << read
                 << " stays as it is: measurements are saved to " << this->File << std::endl;
     }

@@ -12,8 +12,8 @@
 
 namespace Explore
 {
-/// Saves the measurements of a window to a file, by Ctrl+S and when the window is closed. A file
-/// that could only be read in part is not changed; the list is then saved to a new file beside it.
+/// Saves the measurements of a window to a file, on Ctrl+S and when the window closes. A file that
+/// could only be read in part is not overwritten; the list is then saved to a new file beside it.
 class SavedMeasurements
 {
 public:
@@ -25,16 +25,15 @@ public:
   SavedMeasurements(const SavedMeasurements&) = delete;
   SavedMeasurements& operator=(const SavedMeasurements&) = delete;
 
-  /// Saves new measurements to the file. An empty list does not replace a file. If measurements
-  /// can't be saved, because there is no file or it can't be written, reports and returns the
-  /// reason.
+  /// Saves new measurements to the file. An empty list never replaces a file. If measurements can't
+  /// be saved, because there is no file or it can't be written, reports and returns the reason.
   std::string SaveAtEnd();
 
   /// Returns whether all measurements are saved.
   bool IsSaved() const;
 
 private:
-  /// Saves by the command. Without a file, saves to a new measurements-001.mrk.json.
+  /// Saves on the user's command. Without a file, saves to a new measurements-001.mrk.json.
   void SaveNow();
   /// Saves the list. On failure, returns false, with the reason in `error`.
   bool Save(std::string& error);

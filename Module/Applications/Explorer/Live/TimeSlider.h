@@ -16,8 +16,8 @@
 
 namespace Explore
 {
-/// A slider for the time of a volume that moves: it shows which time step is felt, and the mouse
-/// chooses another time step.
+/// A slider for the time of a moving volume: it shows which time step is felt, and the user can
+/// drag it to another time step.
 class TimeSlider
 {
 public:
@@ -33,7 +33,7 @@ private:
 
   TouchScene& Touch;
   const vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
-  std::vector<double> Times; // times of the steps, ascending, in the units of the source
+  std::vector<double> Times; // times of the time steps, ascending, in the units of the source
   double UnitsPerSecond = 1.0;
   bool IsDragged = false;
   vtkNew<vtkSliderRepresentation2D> Slider;

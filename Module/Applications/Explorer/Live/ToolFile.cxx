@@ -19,7 +19,7 @@ bool HasOrigin(const double* bounds)
     bounds[4] <= 0.0 && bounds[5] >= 0.0;
 }
 
-/// Turns triangles outwards, because the order of their corners differs between files.
+/// Orients the triangles outwards, because files differ in the order of corners.
 vtkSmartPointer<vtkPolyData> TurnOutwards(vtkPolyData* surface)
 {
   vtkNew<vtkPolyDataNormals> turned;
@@ -42,7 +42,7 @@ vtkSmartPointer<vtkPolyData> MergeCorners(vtkPolyData* surface)
   return merged->GetOutput();
 }
 
-/// Counts the edges that belong to one triangle only.
+/// Counts the edges that belong to only one triangle.
 vtkIdType CountOpenEdges(vtkPolyData* surface)
 {
   vtkNew<vtkFeatureEdges> edges;

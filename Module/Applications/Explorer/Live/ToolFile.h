@@ -14,9 +14,8 @@ namespace Explore
 bool IsToolFile(const std::string& name);
 
 /// Reads the surface of a tool. Lengths in the file are assumed to be in the volume's unit. If the
-/// surface's bounding box does not contain the origin, moves the surface so that the middle of the
-/// box is at the origin. Turns triangles that face inwards. Throws InputError, also for an open
-/// surface.
+/// surface's bounding box does not contain the origin, moves the centre of the box to the origin.
+/// Flips triangles that face inwards. Throws InputError, also for an open surface.
 vtkSmartPointer<vtkPolyData> ReadToolFile(const std::string& name);
 } // namespace Explore
 

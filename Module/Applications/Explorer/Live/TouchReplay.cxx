@@ -34,7 +34,7 @@ void DrawSource(vtkAlgorithm* source, vtkActor* actor, const double color[3])
   actor->UseBoundsOff();
 }
 
-/// Returns the number of the last row that is not after a time.
+/// Returns the index of the last row whose time is at most `time`.
 vtkIdType FindRow(vtkDataArray* times, double time)
 {
   vtkIdType first = 0, last = times->GetNumberOfTuples() - 1;
@@ -67,7 +67,7 @@ TouchReplay::TouchReplay(
   this->End = times->GetComponent(times->GetNumberOfTuples() - 1, 0);
   this->BuildActors();
   this->BuildSlider(file);
-  // The plot shows the hand, which rests; key g shows it.
+  // Hide the plot, because it shows the live hand, which is at rest. Key g shows it again.
   touch.Display->PlotVisibilityOff();
   this->Observer->SetClientData(this);
   this->Observer->SetCallback(
@@ -219,9 +219,9 @@ void TouchReplay::Show(double time)
   this->Spring->SetPoint1(proxy);
   this->Spring->SetPoint2(tip);
 
-  // VTK's arrow points along x, and its length is 1.
+  // VTK's arrow points along x, and is 1 long.
   const double newtons = vtkMath::Norm(force);
-  // The arrows are as long and as thick as those of the hand.
+  // Size the arrows like those of the live hand.
   constexpr double arrowRadii = 30.0;
   constexpr double thickness = 10.0; // thickness of VTK's arrow, whose shaft has a radius of 0.03
   const double radius = this->Touch.Hand->GetRadius();

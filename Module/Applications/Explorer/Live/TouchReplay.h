@@ -23,8 +23,8 @@
 namespace Explore
 {
 /// Shows a recording of a touch in the window: the path of the proxy, and the tip, the proxy and
-/// the force at a time that a slider sets. F5 plays and pauses it in real time, F6 and F7 step back
-/// and forward. A replay gives no force; a device can touch at the same time.
+/// the force at the time that a slider sets. F5 plays and pauses it in real time, F6 and F7 step
+/// back and forward. A replay exerts no force; the user can touch with a device at the same time.
 class TouchReplay
 {
 public:

@@ -45,8 +45,8 @@ namespace Explore
 {
 namespace
 {
-/// Lets the user choose a preset and a method, and saves the materials by key F8 as a preset, to a
-/// new preset-001.json, which --preset accepts.
+/// Lets the user choose a preset and a method. Key F8 saves the materials as a preset in a new
+/// preset-001.json, which --preset accepts.
 class FeelChoice
 {
 public:
@@ -110,7 +110,7 @@ void FeelChoice::Choose(const std::string& preset)
     const MessageCapture capture;
     ApplyMaterials(preset, this->Values, this->Image, this->Filter);
     FitThresholds(property, this->Values);
-    // Publish now, because the style takes a notice away when it publishes a change.
+    // Publish now, because the next publication by the style would remove the notice below.
     if (this->Touch.Device->IsRunning() && !this->Touch.Device->Publish())
     {
       error = capture.FirstError();
@@ -166,11 +166,11 @@ void FeelChoice::Save()
 }
 
 /// Plays the sound of touches in a scene until the object is deleted. Ctrl+M turns it off and on.
-/// If the output fails, the error is reported in one line, and the scene continues; the key then
-/// tries again.
+/// If the output fails, one line reports the error, and the scene continues without sound; the key
+/// then tries again.
 ///
-/// The sound uses the states that the scene's style reads for the displays (StatesEvent), so that
-/// nothing is added to the servo's loop.
+/// The sound uses the states that the scene's style reads for the displays (StatesEvent), so the
+/// servo's loop has no extra work.
 class WindowSound
 {
 public:
@@ -260,8 +260,8 @@ namespace
 {
 using Explore::TouchScene;
 
-/// Shift of the volume to the right of the middle, in halves of the window's width, so that the
-/// plot of the head-up display is beside the volume.
+/// Shift of the volume to the right of the centre, in halves of the window's width, which leaves
+/// room for the head-up display's plot.
 constexpr double BESIDE_PLOT = -0.14;
 
 /// Adds all parts to the scene. Two-dimensional parts are drawn above the volume and below the
@@ -271,7 +271,7 @@ void AddParts(TouchScene& touch, const Explore::Exploration& exploration)
   constexpr int labelPort = 3;
   const Explore::Analysis& analysis = exploration.Values;
   touch.Hand->SetDevice(touch.Device);
-  // One newton is two centimetres long, whatever the unit of the world.
+  // Draw one newton two centimetres long, whatever the unit of the world.
   touch.Hand->SetRadius(0.003 / analysis.MetersPerWorldUnit);
   touch.Hand->SetForceScale(50.0 * analysis.MetersPerWorldUnit);
   touch.Scene.Renderer->AddViewProp(touch.Hand);
@@ -288,9 +288,10 @@ void AddParts(TouchScene& touch, const Explore::Exploration& exploration)
   touch.Display->SetDevice(touch.Device);
   touch.Scene.Overlay->AddViewProp(touch.Display);
 
-  // Use the scale of the volume, not that of the hand, which may enlarge a small object.
+  // Use the true scale of the volume. The scale of the hand may differ, because it enlarges small
+  // objects.
   touch.Measurements->SetMetersPerWorldUnit(exploration.Input.MetersPerUnit);
-  // Record a point every half voxel, because 3D Slicer can't handle a point each millisecond.
+  // Record a point every half voxel, because 3D Slicer can't handle one point per millisecond.
   const double* const spacing = exploration.Input.Image->GetSpacing();
   touch.Measurements->SetPathSpacing(0.5 * std::min({ spacing[0], spacing[1], spacing[2] }));
   touch.Measured->SetMeasurements(touch.Measurements);
@@ -310,7 +311,7 @@ void AddParts(TouchScene& touch, const Explore::Exploration& exploration)
 }
 
 /// Places the editor beside the display's plot and the slices, above the scale of the arrows.
-/// Places the marker beside the hint, or below it if the slices leave too little room.
+/// Places the orientation marker beside the hint, or below it if the slices leave too little room.
 void PlaceParts(TouchScene& touch)
 {
   const double share = touch.Slices->GetVisibility() ? touch.Slices->GetShare() : 0.0;
@@ -321,7 +322,7 @@ void PlaceParts(TouchScene& touch)
   touch.Scene.Marker->SetViewport(0.84, top - 0.2, 1.0, top);
 }
 
-/// Adds slices through the tip. They are hidden if they get no part of the window's width.
+/// Adds slices through the tip. They are hidden if their share of the window's width is zero.
 void AddSlices(
   TouchScene& touch, const Explore::Exploration& exploration, const Explore::SceneOptions& options)
 {
@@ -331,7 +332,7 @@ void AddSlices(
   slices->SetAnatomical(options.Anatomical);
   if (exploration.Values.Kind == Explore::VolumeKind::CT)
   {
-    // A range from fat to dense bone that still shows differences between soft tissues.
+    // A range from fat to dense bone in which soft tissues can still be distinguished.
     slices->SetUnit("HU");
     slices->SetColorWindow(800.0);
     slices->SetColorLevel(150.0);
@@ -383,7 +384,7 @@ void StartDevice(vtkHapticDevice* device, const Explore::Exploration& exploratio
   }
 }
 
-/// Formats a list, whose columns are separated by tabs, as a table.
+/// Formats a list with columns separated by tabs as an aligned table.
 std::string Align(const std::string& keys)
 {
   constexpr std::size_t width = 16;
@@ -417,7 +418,7 @@ OpenDevices OpenDevicesOf(const DeviceChoice& choice)
 
 namespace
 {
-/// Adds the commands that belong to no part of their own.
+/// Adds the commands that no other part provides.
 void AddWindowCommands(TouchScene& touch, vtkRenderWindowInteractor* interactor)
 {
   const vtkSmartPointer<vtkRenderWindow> window = touch.Scene.Window;
@@ -451,7 +452,7 @@ void AddWindowCommands(TouchScene& touch, vtkRenderWindowInteractor* interactor)
     { "Window", "close", "q", [interactor] { interactor->ExitCallback(); }, nullptr, nullptr });
 }
 
-/// Takes notices off the screen when there was time to read them.
+/// Removes notices from the screen after enough time to read them.
 class NoticeTimer
 {
 public:
@@ -483,7 +484,7 @@ NoticeTimer::NoticeTimer(TouchScene& touch, vtkRenderWindowInteractor* interacto
 void NoticeTimer::Update()
 {
   constexpr double least = 6.0;     // s
-  constexpr double perLetter = 0.1; // s: a slow reader
+  constexpr double perLetter = 0.1; // s per letter, for a slow reader
   const auto now = std::chrono::steady_clock::now();
   const std::string notice = this->Touch.Display->GetNotice();
   if (notice != this->Notice)
@@ -520,12 +521,12 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
       throw InputError("--device " + device.SecondId,
         "is a second hand, and a volume that moves is felt by one", "name one device");
     }
-    touch.SecondDevice->UseToolOff(); // the first hand holds the tool
+    touch.SecondDevice->UseToolOff(); // only the first hand uses the tool
     StartDevice(touch.SecondDevice, exploration);
   }
   AddParts(touch, exploration);
   AddSlices(touch, exploration, options);
-  // A large volume has no cropping box, because its picture crops the mapper itself.
+  // A large volume has no cropping box, because its renderer already crops the mapper.
   touch.Cut.SetScene(touch.Scene.Volume, filter, touch.Scene.Overlay, exploration.Values.BodyBounds,
     !exploration.Input.Large);
   touch.Cut.AddCommands(touch.Commands);

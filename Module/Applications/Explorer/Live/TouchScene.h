@@ -23,20 +23,20 @@
 
 namespace Explore
 {
-/// Fraction of the window's width that slices beside the scene have.
+/// Fraction of the window's width that is given to slices beside the scene.
 constexpr double SLICE_SHARE = 0.3;
 
 /// The devices of the window: see vtkHapticDevice::Open and SetFirmwareFile.
 struct DeviceChoice
 {
   std::string Id = "virtual";
-  std::string SecondId; // device of the other hand; empty for one hand
-  std::string Firmware; // empty: the file of the environment variable
-  // newtons of a stick that is fully deflected, along x and y
+  std::string SecondId; // device of the other hand; empty if there is none
+  std::string Firmware; // empty: the file named by the environment variable
+  // force (N) of a stick at full scale, along x and y
   std::array<double, 2> Newtons{ 100.0, 100.0 };
 };
 
-/// Devices that are open, but do not run yet. Null if there are none.
+/// Devices that are open, but not started yet; null if there are none.
 struct OpenDevices
 {
   vtkSmartPointer<vtkHapticDevice> First;
@@ -46,15 +46,15 @@ struct OpenDevices
 /// Opens the devices of a window. Throws InputError if that fails.
 OpenDevices OpenDevicesOf(const DeviceChoice& choice);
 
-/// A scene that can be touched: the volume, a device with a running servo, and all displays of the
-/// device's state. Hidden tissue is not felt.
+/// A touchable scene: the volume, a device with a running servo, and all displays of the device's
+/// state. Hidden tissue can't be felt.
 struct TouchScene
 {
-  CommandTable Commands; // before the parts that add commands
+  CommandTable Commands; // declared before the parts that add commands
   ExplorerScene Scene;
   vtkSmartPointer<vtkHapticDevice> Device; // null: BuildTouchScene opens it
   vtkNew<vtkHapticRepresentation> Hand;
-  vtkSmartPointer<vtkHapticDevice> SecondDevice; // null without a second hand
+  vtkSmartPointer<vtkHapticDevice> SecondDevice; // null if there is no second hand
   vtkNew<vtkHapticRepresentation> SecondHand;
   vtkNew<vtkHapticHeadUpDisplay> Display;
   vtkNew<vtkHapticFunctionEditor> Editor;
@@ -71,24 +71,25 @@ struct TouchScene
 void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const SceneOptions& options,
   const DeviceChoice& device);
 
-/// The state of the window that the next volume keeps.
+/// The parts of the window that stay the same for the next volume.
 struct WindowPlace
 {
   vtkSmartPointer<vtkRenderWindow> Window; // null: a new one is opened
   vtkSmartPointer<vtkCamera> View;         // null: the whole volume is shown
 };
 
-/// A file that a window shows, or the one that the user has chosen to open next.
+/// A file that a window shows, or that the user has chosen to open next.
 struct FileChoice
 {
   std::string Path;
   int Series = 0;            // see LoadVolumes
   bool AsLabels = false;     // whether the values are shown as labels
   WindowPlace Place = {};    // place of the window in which the file was chosen
-  bool HasMoreFiles = false; // whether it is the first one of several files
+  // whether the volume consists of several files, of which this is the first
+  bool HasMoreFiles = false;
 };
 
-/// Options of the window. A file without a name is not read. If there is no name for measurements,
+/// Options of the window. A file without a name is not read. If the measurements have no file name,
 /// Ctrl+S saves them to the first free file of measurements-001.mrk.json ...
 struct WindowOptions
 {
@@ -100,15 +101,15 @@ struct WindowOptions
   std::string Tool;   // "needle", "burr", a file, or empty for a point
   std::string Replay; // file of a recorded touch to show
   FileChoice File;
-  std::string Notice;              // notice at the beginning
-  bool BringBack = false;          // whether unsaved work is restored (KeptWork.h)
-  OpenDevices Devices;             // opened before the volume was read
-  vtkSmartPointer<vtkCamera> View; // camera at the beginning; null: the whole volume is shown
+  std::string Notice; // notice shown when the window opens
+  bool BringBack = false; // whether to restore unsaved work (KeptWork.h)
+  OpenDevices Devices; // devices that were opened before the volume was read
+  vtkSmartPointer<vtkCamera> View; // initial camera; null: the whole volume is shown
 };
 
-/// Shows the scene in a window until it is closed. Returns the file to open next, or an empty path.
-/// Loads the files first, if they exist, and saves them at the end. Throws InputError if a file
-/// can't be read.
+/// Shows the scene in a window until it closes. Loads the files of the options first, if they
+/// exist, and saves them at the end. Returns the file to open next; its path is empty if there is
+/// none. Throws InputError if a file can't be read.
 FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploration,
   const SceneOptions& options, const DeviceChoice& device, const WindowOptions& wanted);
 } // namespace Explore

@@ -20,8 +20,7 @@ namespace
 {
 using Files = vtksys::SystemTools;
 
-/// Endings of further files that can be touched, apart from grids and the formats of
-/// vtkHapticRegionSource.
+/// File endings that can be opened in addition to grids and the formats of vtkHapticRegionSource.
 const char* const FILE_ENDINGS[] = { ".vti", ".nii", ".nii.gz", ".pvd", ".dcm", ".ima" };
 
 bool IsForTouch(const std::string& name)
@@ -33,8 +32,8 @@ bool IsForTouch(const std::string& name)
       [&](const char* ending) { return Files::StringEndsWith(lower, ending); });
 }
 
-/// Lists the lines and paths of a folder: the folder itself, its parent, and its folders and
-/// volumes.
+/// Lists a folder, as lines to show and their paths: the folder itself, its parent, and its
+/// subfolders and volumes.
 void ListFolderForTouch(
   const std::string& folder, std::vector<std::string>& lines, std::vector<std::string>& paths)
 {
@@ -76,8 +75,8 @@ std::string FindRecentList()
   return state.empty() ? state : state + "/volumehaptics-explore/recent.txt";
 }
 
-/// Returns the files that the user has opened, the latest first. A line of the list has the series,
-/// whether the values are labels, and the path.
+/// Returns the files that the user has opened, latest first. A line of the stored list contains the
+/// series, whether the values are labels, and the path.
 std::vector<Explore::FileChoice> ReadRecentFiles()
 {
   std::vector<Explore::FileChoice> files;
@@ -97,7 +96,7 @@ std::vector<Explore::FileChoice> ReadRecentFiles()
 void WriteRecentFiles(const std::vector<Explore::FileChoice>& files)
 {
   const std::string list = FindRecentList();
-  const mode_t mode = 0700; // private, because only the user may know which files were opened
+  const mode_t mode = 0700; // readable only by the user, because the list is private
   if (list.empty() || !Files::MakeDirectory(Files::GetFilenamePath(list), &mode))
   {
     return;
@@ -135,7 +134,8 @@ WindowFiles::WindowFiles(TouchScene& touch, vtkRenderWindowInteractor* interacto
     interactor->AddObserver(event, this->Observer, FILES_PRIORITY);
   }
   this->AddCommands();
-  // A command of the bar may begin a touch, and a hand does not move below a list.
+  // Close the list before each command of the bar: the command may begin a touch, and no hand may
+  // move behind a list.
   this->Touch.Commands.BeforeRun = [this] { this->List.Hide(); };
 }
 
@@ -165,14 +165,15 @@ void WindowFiles::AddCommands()
                  [&](const FileChoice& one) { return one.Path == shown.Path; }),
     recent.end());
   recent.resize(std::min(recent.size(), most));
-  // A missing file is refused when it is chosen: looking for it here could wait for a network.
+  // List missing files, too, and report them when they are chosen: checking now could wait for a
+  // network drive.
   for (const FileChoice& file : recent)
   {
     table.Add(this,
       { "File", "again: " + Files::GetFilenameName(file.Path), "",
         [this, file] { this->Choose(file); }, nullptr, nullptr });
   }
-  // A volume of several files could not be read again from the first.
+  // A volume of several files can't be reopened by its first file, so don't store it.
   if (!this->Now.HasMoreFiles && shown.Path.find('\n') == std::string::npos)
   {
     recent.insert(recent.begin(), shown);
@@ -278,7 +279,7 @@ void WindowFiles::OpenDialog()
 {
   const std::string path = Files::CollapseFullPath(this->Now.Path);
   const std::string folder = Files::GetFilenamePath(path);
-  this->EndTouch(); // first, because starting a program takes time
+  this->EndTouch(); // before anything else, because starting a program takes time
   if (this->Dialog.IsOpen())
   {
     return;

@@ -17,11 +17,11 @@
 
 namespace Explore
 {
-/// Lets the user choose in the window what to touch next: Ctrl+O opens the desktop's dialog for
-/// files, F2 lists files and folders in the window, recent files are in the menu, F3 lists another
-/// series of the same DICOM folder, or another volume or segment of the same file, F4 whether the
-/// volume is a label map. A file can also be dropped on the window. The window then closes, and the
-/// program opens the next one.
+/// Lets the user choose the next volume. Ctrl+O opens the desktop's file dialog, and F2 lists files
+/// and folders in the window. Recent files are in the menu. F3 lists the other series of the same
+/// DICOM folder, or the other volumes or segments of the same file. F4 sets whether the volume is a
+/// label map. A file can also be dropped on the window. The window then closes, and the program
+/// opens the chosen file.
 class WindowFiles
 {
 public:
@@ -36,13 +36,13 @@ private:
   void Handle(unsigned long event, void* data);
   void AddCommands();
   bool PressKey(const std::string& key);
-  /// Lists a folder. The arguments are copies, because they may be the members that the function
-  /// sets.
+  /// Lists a folder. The arguments are copies, because callers pass members that the function
+  /// changes.
   void ListFolder(std::string folder, std::string marked);
   void ListSeries();
   void OpenDialog();
   void PollDialog();
-  /// Lets go, because a user who reads a list or waits for a file does not watch the hand.
+  /// Ends the touch, because a user who reads a list or waits for a file does not watch the hand.
   void EndTouch();
   void ShowList(const std::string& title, const std::vector<std::string>& lines, int marked);
   void Accept(int line);
@@ -52,7 +52,8 @@ private:
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   const FileChoice Now;
   FileChoice& Chosen;
-  const std::vector<std::string> Series; ///< with their numbers; a choice needs at least two
+  /// names of the series, with their numbers; a choice needs at least two
+  const std::vector<std::string> Series;
   const bool MayBeLabels;
   ListOverlay List;
   FileDialog Dialog;

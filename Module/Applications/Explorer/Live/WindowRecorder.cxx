@@ -156,7 +156,7 @@ void WindowRecorder::Film()
   const int* const size = window->GetSize();
   if (this->Filmed > 0 && !std::equal(size, size + 2, this->Size))
   {
-    this->EndMovie(); // a movie has one size, so a new size ends it
+    this->EndMovie(); // ends the movie, because all its pictures must have the same size
     return;
   }
   std::copy_n(size, 2, this->Size);
@@ -190,7 +190,7 @@ void WindowRecorder::BeginOrEndTouch()
     told = isDone ? "" : capture.FirstError();
     this->TouchName = begins && isDone ? file : "";
   }
-  if (told.empty() || !begins) // end the second recording, whatever became of the first
+  if (told.empty() || !begins) // end the second recording even if the first one could not be ended
   {
     const std::string second = this->RecordSecond(begins, file);
     told = told.empty() ? second : told;
@@ -214,7 +214,7 @@ std::string WindowRecorder::RecordSecond(bool begins, const std::string& file)
   const std::string second = file.substr(0, file.rfind('.')) + "-second.vtp";
   vtkHapticRecorder* const recorder = this->Touch.SecondDevice->GetRecorder();
   {
-    const MessageCapture capture; // captures the output to std::cout, too
+    const MessageCapture capture; // also captures the output to std::cout
     const bool isDone = begins ? recorder->Start(second.c_str()) : recorder->Stop();
     this->RecordsSecond = begins && isDone;
     if (!isDone)

@@ -18,17 +18,17 @@
 
 namespace Explore
 {
-/// Records the window and the touch to files, by keys: F12 writes a picture, F9 begins and ends a
-/// movie, F10 begins and ends a recording of the touch. Files are numbered: picture-001.png,
-/// movie-001.ogv, touch-001.vtp in the current folder.
+/// Records the window and the touch to files, controlled by keys: F12 writes a picture, F9 begins
+/// and ends a movie, F10 begins and ends a recording of the touch. Files are numbered:
+/// picture-001.png, movie-001.ogv, touch-001.vtp in the current folder.
 ///
 /// The pictures of a movie are read from the window after it was drawn, at most RATE times a
-/// second, and written by another thread. If this thread is too slow, pictures are left out, and
-/// the others are shown longer. The head-up display shows what is being recorded.
+/// second, and written by another thread. If this thread is too slow, pictures are dropped, and the
+/// remaining ones are shown longer. The head-up display shows what is being recorded.
 class WindowRecorder
 {
 public:
-  /// Begins a movie, if its name is not empty. Throws InputError if it can't be written.
+  /// Begins a movie, if `movie` is not empty. Throws InputError if it can't be written.
   WindowRecorder(
     TouchScene& touch, vtkRenderWindowInteractor* interactor, const std::string& movie);
   /// Waits until all movies are written.
@@ -42,15 +42,15 @@ private:
   void TakePicture();
   bool BeginMovie(const std::string& file, std::string& error);
   void EndMovie();
-  /// Reports movies whose threads have ended. If `waits`, waits for all of them.
+  /// Reports movies that have been written to the end. If `waits`, first waits for all of them.
   void ReportEnded(bool waits);
-  /// Adds a picture of the window to the movie if it is time for one.
+  /// Adds a picture of the window to the movie if the next one is due.
   void Film();
   void BeginOrEndTouch();
-  /// Begins or ends the recording of the second hand, next to the first hand's file, as
-  /// touch-001-second.vtp. Returns an error; empty if there is none, or no recording to end.
+  /// Begins or ends the recording of the second hand, as touch-001-second.vtp next to the first
+  /// hand's file. Returns an error; empty on success, or if there is no recording to end.
   std::string RecordSecond(bool begins, const std::string& file);
-  /// Shows the recordings in progress in the display.
+  /// Shows in the display which recordings are in progress.
   void Report();
 
   TouchScene& Touch;
@@ -63,8 +63,8 @@ private:
   };
   std::vector<EndedMovie> Ended; ///< movies whose threads may still write
   std::string MovieName;
-  std::string TouchName;                       ///< name of the touch recording that is under way
-  bool RecordsSecond = false;                  ///< whether the second hand is recorded, too
+  std::string TouchName; ///< name of the current touch recording
+  bool RecordsSecond = false; ///< whether the second hand is also recorded
   std::chrono::steady_clock::time_point Begin; ///< when the movie began
   int Filmed = 0;                              ///< number of pictures in the movie so far
   int Size[2] = { 0, 0 };

@@ -14,8 +14,8 @@ namespace
 {
 constexpr int SMOOTHING_PASSES = 2;
 
-/// Computes the Catmull-Rom weights of the four nodes around a position. t is its fraction between
-/// the middle two.
+/// Computes the Catmull-Rom weights of the four nodes around a position. t is the fraction between
+/// the middle two nodes.
 void CubicWeights(double t, double weights[4])
 {
   weights[0] = 0.5 * t * (t * (2.0 - t) - 1.0);
@@ -29,7 +29,7 @@ namespace Explore
 {
 namespace
 {
-/// A regular grid over two angles, and the operations on maps of distances.
+/// A regular grid over two angles, with operations on maps of distances.
 class PolarGrid
 {
 public:
@@ -41,8 +41,8 @@ public:
   double Right(int node) const { return (node % this->Columns) * STEP - this->RightLimit; }
   double Up(int node) const { return (node / this->Columns) * STEP - this->UpLimit; }
 
-  /// Fills negative nodes, for which nothing was found, from their neighbours, takes the median of
-  /// each 3 x 3 neighbourhood, and smooths. At least one node must be above zero.
+  /// Fills negative nodes, at which no surface was found, from their neighbours, applies a 3 x 3
+  /// median filter, and smooths. At least one node must be positive.
   void Clean(std::vector<double>& map) const;
   void Smooth(std::vector<double>& map) const;
 
@@ -164,11 +164,11 @@ double PolarGrid::Interpolate(const std::vector<double>& map, double right, doub
 
 namespace
 {
-// Depths in metres.
-// smallest depth of a surface; a thinner layer may be noise, hair, or a sinus
+// Depths in metres. Smallest depth of a solid deep structure; a thinner layer may be noise, hair,
+// or a sinus.
 constexpr double SURE_DEPTH = 0.004;
 constexpr double THINNEST = 0.002; // smallest distance between the outer and the deep surface
-// depth below the outer surface where no deep surface is found
+// assumed depth below the outer surface where no deep surface is found
 constexpr double DEFAULT_DEEP = 0.010;
 } // namespace
 
@@ -205,8 +205,8 @@ SurfaceMap::SurfaceMap(vtkImageData* image, const Analysis& analysis, const View
   for (int node = 0; node < grid.Size(); ++node)
   {
     double& deep = this->DeepMap[node];
-    // Clean the depth below the skin, because it varies little between neighbours: a hole then gets
-    // a similar depth.
+    // Clean the depth below the skin instead of the distance, because it varies little between
+    // neighbours, so a hole gets a similar depth.
     deep = deep > 0.0 ? std::max(0.0, this->OuterMap[node] - deep) : -1.0;
   }
   if (std::any_of(this->DeepMap.begin(), this->DeepMap.end(), [](double d) { return d > 0.0; }))
@@ -239,7 +239,8 @@ SurfaceMap::Ray SurfaceMap::Cast(
     {
       if (value > analysis.OuterThreshold)
       {
-        // If the first sample in the volume is already body, the scan is cut off at this face.
+        // If the first sample inside the volume is already body, the scan is truncated at this
+        // face.
         ray.Clean = run == 0 ? wasInside : ray.Clean;
         run += 1;
       }
@@ -251,8 +252,8 @@ SurfaceMap::Ray SurfaceMap::Cast(
     }
     else if (ray.Outer - distance > thinnest)
     {
-      // Require a rise, not a value: in T1 MRI, fat is as bright as brain, and the dark skull is
-      // between them.
+      // Require a rise of the value, because a threshold fails in T1 MRI: fat is as bright as
+      // brain, and the dark skull is between them.
       dipped = dipped || value < analysis.DeepThreshold;
       if (dipped && value > analysis.DeepThreshold)
       {

@@ -15,8 +15,9 @@ namespace Explore
 class ValueProbe;
 
 /// Maps two surfaces, as distances from the centre over the directions around the camera: the outer
-/// one (skin), and the next rise to dense values beneath it (skull). They are measured by rays from
-/// outside, cleaned of outliers, and smoothed, so that a hand can follow a path on them.
+/// surface (skin), and the next rise to dense values beneath it (skull). The distances are measured
+/// by rays from outside, cleaned of outliers, and smoothed, so that a hand can follow a path on the
+/// surfaces.
 class SurfaceMap
 {
 public:
@@ -25,16 +26,16 @@ public:
 
   SurfaceMap(vtkImageData* image, const Analysis& analysis, const ViewFrame& view);
 
-  /// Return the distance of a surface from the centre (world units) in a direction, which is given
-  /// by angles to the right and up (degrees). It is smooth in both angles.
+  /// Return the distance of a surface from the centre (world units) in a direction given by angles
+  /// to the right and up (degrees). The distance is smooth in both angles.
   double Outer(double right, double up) const;
   double Deep(double right, double up) const;
 
-  /// Returns how well a surface is known in a direction: 1 if every ray around it met both surfaces
-  /// inside the volume, 0 if none did.
+  /// Returns how reliable the surfaces are in a direction: 1 if every ray around it hit both
+  /// surfaces inside the volume, 0 if none did.
   double Quality(double right, double up) const;
 
-  /// Returns whether no ray met the body.
+  /// Returns whether no ray hit the body.
   bool IsEmpty() const { return this->Hits == 0; }
 
 private:
@@ -42,9 +43,10 @@ private:
   {
     double Outer = -1.0;
     double Deep = -1.0;
-    // whether the ray entered from the outside, and not through a face at which the scan is cut off
+    // whether the ray entered the body from the outside instead of through a face at which the scan
+    // is truncated
     bool Clean = false;
-    bool Solid = false; // whether the deep structure is thick enough to press on
+    bool Solid = false; // whether the deep structure is thick enough to be pressed on
   };
 
   Ray Cast(vtkImageData* image, const Analysis& analysis, const vtkVector3d& direction) const;
@@ -53,7 +55,7 @@ private:
   double Interpolate(const std::vector<double>& map, double right, double up) const;
 
   vtkVector3d Centre;
-  double Start = 0.0; // distance at which rays start, and their step, both in world units
+  double Start = 0.0; // distance at which rays start, and their step (world units)
   double Step = 1.0;
   int Hits = 0;
   std::vector<double> OuterMap, DeepMap, QualityMap;

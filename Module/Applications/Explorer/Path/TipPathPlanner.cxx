@@ -15,26 +15,26 @@ namespace
 using Explore::SurfaceMap;
 
 // The hand's movements, in metres, seconds and degrees.
-constexpr double HOVER = 0.015;        // height above the surface before and after
+constexpr double HOVER = 0.015; // height above the surface at the beginning and the end
 constexpr double OUTER_PRESS = 0.0025; // depth below the outer surface
 constexpr double DEEP_PRESS = 0.0015;  // depth below the deep surface
 constexpr double TOP_SPEED = 0.1;
 constexpr double SHORTEST = 0.6; // shortest duration of a movement
 constexpr double REST = 0.15;    // pause between movements
 constexpr double HALF_ARC = 28.0;
-constexpr double ARC_DISTANCE = -20.0; // from the deep stroke up to the outer stroke
-// wanted height of the outer stroke above the middle of the picture
+constexpr double ARC_DISTANCE = -20.0; // angle from the deep stroke up to the outer stroke
+// desired height of the outer stroke above the centre of the picture
 constexpr double WANTED_UP = 20.0;
 
-/// Position of the strokes, given as the angles of the middle of the outer stroke.
+/// Position of the strokes, given by the angles of the centre of the outer stroke.
 struct Stroke
 {
   double Right = 0.0;
   double Up = WANTED_UP;
 };
 
-/// Returns a badness that grows with roughness, with uncertainty, and with the distance from the
-/// wanted position.
+/// Returns a cost that grows with roughness, with uncertainty, and with the distance from the
+/// desired position.
 double Badness(const SurfaceMap& map, const Stroke& stroke)
 {
   double badness = 0.0;
@@ -75,7 +75,7 @@ Stroke ChooseStroke(const SurfaceMap& map)
   return best;
 }
 
-/// Rises from 0 to 1 without a jerk at either end.
+/// Rises smoothly from 0 to 1, without a jerk at either end.
 double Ease(double t)
 {
   return t * t * t * (10.0 + t * (6.0 * t - 15.0));
@@ -88,7 +88,7 @@ double Mix(double from, double to, double t)
 
 using Curve = std::function<vtkVector3d(double)>;
 
-/// A curve with its length as the parameter, so that the timing sets the hand's speed.
+/// A curve parametrised by its length, so that the timing alone sets the hand's speed.
 class Walk
 {
 public:
@@ -132,7 +132,8 @@ public:
     : MetersPerWorldUnit(metersPerWorldUnit)
     , TicksPerSecond(ticksPerSecond)
   {
-    this->Points->SetDataTypeToDouble(); // with float, positions would jerk by micrometres
+    // with float, rounding would make the positions jerk by micrometres
+    this->Points->SetDataTypeToDouble();
   }
 
   void Move(const std::string& name, const Curve& curve)
@@ -208,7 +209,7 @@ TipPath PlanTipPath(
     [&](double t)
     {
       const double right = Mix(to, from, t);
-      // The stroke back turns away from the first stroke during its first half.
+      // During its first half, the return stroke turns away from the first stroke.
       const double up = Mix(outerUp, deepUp, Ease(std::min(1.0, 2.0 * t)));
       return place(right, up, map.Deep(right, up) - deepPress);
     });

@@ -13,7 +13,7 @@
 
 namespace Explore
 {
-/// An action of the hand, from tick First to the tick before Last.
+/// A movement of the hand, from tick First to the tick before Last.
 struct Phase
 {
   std::string Name;
@@ -29,7 +29,7 @@ struct TipPath
 };
 
 /// Plans a smooth path with a speed of at most 0.1 m/s: approach from outside, press on the outer
-/// surface, drag along it, press through to the deep surface, drag back over that, and leave.
+/// surface, drag along it, press through to the deep surface, drag back over it, and leave.
 TipPath PlanTipPath(
   const SurfaceMap& map, const ViewFrame& view, double metersPerWorldUnit, double ticksPerSecond);
 } // namespace Explore

@@ -29,8 +29,7 @@ bool ReadNumber(std::istringstream& line, double least, double most, double& num
   return static_cast<bool>(line >> number) && number >= least && number <= most;
 }
 
-/// Reads the words after the time of an event. Returns the fault and the cure; empty if there is
-/// none.
+/// Parses an event after its time. Returns the fault and the cure; empty on success.
 std::string ReadEvent(std::istringstream& line, DemoEvent& event)
 {
   std::string word;
@@ -204,7 +203,7 @@ void DemoScript::Do(const DemoEvent& event)
 
 void DemoScript::MoveTo(double x, double y)
 {
-  // Move the mouse in steps like those of a hand, even if the timer fires rarely.
+  // Move the mouse in small steps like a hand, even if the timer fires rarely.
   constexpr double step = 2.0; // pixels
   const int* const size = this->Interactor->GetRenderWindow()->GetSize();
   const double way = std::hypot((x - this->At[0]) * size[0], (y - this->At[1]) * size[1]);
@@ -222,8 +221,7 @@ void DemoScript::MoveTo(double x, double y)
 
 void DemoScript::Point()
 {
-  // Set the position again, because the real pointer may have entered the window and reported its
-  // own.
+  // Set the position again, because the real mouse may have reported its own position.
   const int* const size = this->Interactor->GetRenderWindow()->GetSize();
   this->Interactor->SetEventInformation(static_cast<int>(std::lround(this->At[0] * (size[0] - 1))),
     static_cast<int>(std::lround(this->At[1] * (size[1] - 1))));

@@ -17,14 +17,16 @@ namespace Explore
 /// An event of a demonstration script, a text file that moves the mouse and presses the keys of a
 /// window. Each line has a time (s, from the beginning) and an event; # begins a comment:
 ///
-///   0.5  move 0.5 0.55        # puts the mouse there: fractions of the window, from its lower left
+///   0.5  move 0.5 0.55        # moves the mouse at once: fractions of the window, from its lower
+///   left
 ///   1.0  key t                # a letter, or a name such as Escape, space, F9
-///   1.5  wheel 3              # steps away from you; negative: towards you
+///   1.5  wheel 3              # steps away from the user; negative: towards the user
 ///   2.0  stroke 0.7 0.5 1.5   # moves the mouse there in 1.5 s
 ///   4.0  press left           # or right; and release
 ///   9.0  key q
 ///
-/// (The files of vtkInteractorEventRecorder have no times, which the servo needs.)
+/// (The files of vtkInteractorEventRecorder can't be used, because they have no times, which the
+/// servo needs.)
 struct DemoEvent
 {
   enum class Kind
@@ -68,8 +70,8 @@ private:
   std::size_t Next = 0;
   bool HasBegun = false;
   std::chrono::steady_clock::time_point Begin;
-  const DemoEvent* Stroke = nullptr; ///< stroke that is under way
-  double From[2] = { 0.5, 0.5 };     ///< position at which the stroke began
+  const DemoEvent* Stroke = nullptr; ///< current stroke; null: none
+  double From[2] = { 0.5, 0.5 }; ///< position at the start of the stroke
   double At[2] = { 0.5, 0.5 };       ///< position of the mouse
   vtkNew<vtkCallbackCommand> TimerObserver;
 };

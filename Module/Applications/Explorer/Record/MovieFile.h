@@ -11,8 +11,8 @@
 
 namespace Explore
 {
-/// A movie in an Ogg Theora file (.ogv), written by a separate thread. The owner adds pictures
-/// without waiting; only the destructor waits for the end of the file.
+/// Writes a movie to an Ogg Theora file (.ogv) on a separate thread. The owner adds pictures
+/// without waiting; only the destructor waits until the file is complete.
 class MovieFile
 {
 public:
@@ -28,8 +28,8 @@ public:
   static std::unique_ptr<MovieFile> Open(const std::string& file, std::string& error);
 
   /// Adds a picture that is shown for count / RATE seconds. Returns false if the thread is too
-  /// slow: the picture is then dropped, and the next one has to be shown longer. All pictures must
-  /// have the same size.
+  /// slow: the picture is then dropped, and the next one must have a larger count. All pictures
+  /// must have the same size.
   virtual bool Add(vtkImageData* picture, int count) = 0;
 
   /// Ends the movie. The thread writes the remaining pictures, and then ends.
@@ -39,7 +39,7 @@ public:
   {
     Writing,
     Written,
-    Empty, // ended without pictures, so that there is no file
+    Empty, // ended without pictures, so there is no file
     Failed
   };
   virtual State GetState() const = 0;

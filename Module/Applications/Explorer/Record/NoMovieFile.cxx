@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// This file is used if VTK was built without a movie writer.
+/// Replaces TheoraFile.cxx if VTK was built without a movie writer.
 #include "Applications/Explorer/Record/MovieFile.h"
 
 namespace Explore

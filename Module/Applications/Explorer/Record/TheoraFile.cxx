@@ -19,7 +19,7 @@ namespace Explore
 {
 namespace
 {
-/// Largest number of pictures that wait for the thread: those of one second.
+/// Largest number of pictures that wait for the thread: one second of the movie.
 constexpr std::size_t MOST_WAITING = MovieFile::RATE;
 
 class TheoraFile : public MovieFile
@@ -100,7 +100,7 @@ private:
       return;
     }
     this->Writer->End();
-    // VTK's writer does not report a full disk.
+    // Check the file's size, because VTK's writer does not report a full disk.
     hasFailed = hasFailed || this->Writer->GetError() != 0 ||
       vtksys::SystemTools::FileLength(this->Writer->GetFileName()) == 0;
     this->Reached = hasFailed ? State::Failed : State::Written;
@@ -114,7 +114,7 @@ private:
     }
   }
 
-  vtkNew<vtkOggTheoraWriter> Writer; // used by the thread only, once the constructor has ended
+  vtkNew<vtkOggTheoraWriter> Writer; // once the constructor has ended, used only by the thread
   std::mutex Mutex;
   std::condition_variable Changed;
   std::deque<std::pair<vtkSmartPointer<vtkImageData>, int>> Waiting;
@@ -131,7 +131,7 @@ bool MovieFile::IsAvailable()
 
 std::unique_ptr<MovieFile> MovieFile::Open(const std::string& file, std::string& error)
 {
-  // Open it for appending, so that an existing file stays complete until the first picture.
+  // Test by opening for appending, so that an existing file stays complete until the first picture.
   vtksys::ofstream stream(file.c_str(), std::ios::binary | std::ios::app);
   if (!stream)
   {

@@ -26,7 +26,8 @@ struct ForcePictureOptions
   std::vector<std::string> Modes; // names of the trace's modes
 };
 
-/// A window that plots the parts of the force against time, with the hand's actions along the top.
+/// A window that plots the components of the force over time, with the hand's movements along the
+/// top.
 struct ForcePicture
 {
   vtkNew<vtkRenderWindow> Window;

@@ -63,7 +63,8 @@ void WriteTable(vtkPolyData* trace, const std::string& file)
 
 void WriteImage(vtkImageData* image, const std::string& file)
 {
-  const MessageCapture capture; // the fault is reported below instead
+  // keeps VTK's message from the terminal; the error is reported below
+  const MessageCapture capture;
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetFileName(file.c_str());
   writer->SetInputData(image);

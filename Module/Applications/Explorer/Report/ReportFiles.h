@@ -15,11 +15,11 @@ namespace Explore
 /// Creates the folder. Throws InputError on failure.
 void MakeFolder(const std::string& folder);
 
-/// Writes the whole trace as VTK polygonal data.
+/// Writes the whole trace as VTK polygonal data (.vtp).
 void WriteTrace(vtkPolyData* trace, const std::string& file);
 
 /// Writes a table with a row for each tick and a column for each component of an array. The header
-/// has the units.
+/// contains the units.
 void WriteTable(vtkPolyData* trace, const std::string& file);
 
 /// Writes an image in VTK's XML format, with all of its arrays, uncompressed.

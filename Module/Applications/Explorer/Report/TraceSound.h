@@ -10,11 +10,11 @@
 
 namespace Explore
 {
-/// Makes the sound along the trace of an exploration, including its fading after the end: see
+/// Makes the sound along an exploration's trace, including its decay after the end: see
 /// ContactSound.
 std::vector<float> MakeSound(const Exploration& exploration);
 
-/// Writes the sound that MakeSound() makes as a WAV file. Throws InputError if it can't be written.
+/// Writes the sound of MakeSound() as a WAV file. Throws InputError if it can't be written.
 void WriteSound(const Exploration& exploration, const std::string& file);
 } // namespace Explore
 

@@ -63,13 +63,13 @@ struct Share
   }
 };
 
-/// Returns whether the trace has values at surfaces. Modes have no such values.
+/// Returns whether the trace has values at surfaces, which modes lack.
 bool HasSurfaces(const Exploration& e)
 {
   return e.Filter->GetMethod() != vtkVolumeHapticsFilter::PRIMITIVES;
 }
 
-/// Returns the tissues that the values at surfaces can distinguish.
+/// Returns the tissues that can be distinguished by the values at surfaces.
 std::vector<Explore::Tissue> CollectTissues(const Exploration& e)
 {
   return HasSurfaces(e) ? Explore::MakeTissueTable(e.Values) : std::vector<Explore::Tissue>();

@@ -42,13 +42,13 @@ constexpr double TUBE_RADIUS = 0.0012; // m
 constexpr double SPACING = 0.0006;     // m between the points of the tube
 constexpr const char* FORCE_NAME = "Force (N)";
 
-/// Makes a polyline with a point every SPACING, because a tube needs distinct points, while the
-/// trace stands still for many ticks. Each point has the largest force since the previous one.
+/// Thins the trace to a polyline with a point every SPACING: a tube needs distinct points, but the
+/// proxy stands still for many ticks. Each point has the largest force since the previous one.
 vtkSmartPointer<vtkPolyData> Thin(vtkPolyData* trace, double spacing)
 {
   vtkDataArray* force = trace->GetPointData()->GetArray("Force");
   vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble(); // single precision at 5e6, as in UTM, has steps of 0.5
+  points->SetDataTypeToDouble(); // single precision at 5e6, as in UTM coordinates, has steps of 0.5
   vtkNew<vtkCellArray> line;
   vtkNew<vtkDoubleArray> magnitude;
   magnitude->SetName(FORCE_NAME);
@@ -76,8 +76,8 @@ vtkSmartPointer<vtkPolyData> Thin(vtkPolyData* trace, double spacing)
   return thinned;
 }
 
-/// Makes colours from blue (free) through green and yellow to red, which differ from the colours of
-/// skin and bone.
+/// Makes colours from blue (no force) through green and yellow to red, which differ from the
+/// colours of skin and bone.
 vtkSmartPointer<vtkColorTransferFunction> ForceColours(double largest)
 {
   const double stops[][3] = { { 0.16, 0.30, 0.85 }, { 0.10, 0.66, 0.95 }, { 0.10, 0.85, 0.62 },
@@ -90,7 +90,7 @@ vtkSmartPointer<vtkColorTransferFunction> ForceColours(double largest)
   return colours;
 }
 
-/// Labels of the colour scale: 0, Step, 2 Step ... up to the largest force or just above it.
+/// Labels of the colour scale: 0, Step, 2 Step ... up to the largest force or just above.
 struct Scale
 {
   double Step;
@@ -141,8 +141,8 @@ namespace Explore
 namespace
 {
 /// Adds a tube along the proxy's path, coloured by the magnitude of the force, and its scalar bar.
-/// Adds a faint copy to `overlay`, which is drawn over the renderer's picture, so that hidden parts
-/// of the tube are visible.
+/// Adds a faint copy to `overlay`, which is drawn over the renderer's picture, so that occluded
+/// parts of the tube stay visible.
 
 void AddTrail(vtkRenderer* renderer, vtkRenderer* overlay, vtkPolyData* trace,
   double metersPerWorldUnit, int pictureHeight)
@@ -184,8 +184,9 @@ namespace
 using Explore::ExplorerScene;
 using Explore::MapperChoice;
 
-/// Returns the image without its geometry in the world. VTK 9.1's CPU mapper ignores the direction
-/// matrix, so both mappers get the plain block of voxels, and the volume's own matrix places it.
+/// Returns the image without its origin, spacing and direction. VTK 9.1's CPU mapper ignores the
+/// direction matrix, so both mappers get the plain block of voxels, and the volume's own matrix
+/// places it in the world.
 vtkSmartPointer<vtkImageData> PlainImage(vtkImageData* image, vtkMatrix4x4* toWorld)
 {
   auto plain = vtkSmartPointer<vtkImageData>::New();
@@ -204,7 +205,7 @@ vtkSmartPointer<vtkImageData> PlainImage(vtkImageData* image, vtkMatrix4x4* toWo
   return plain;
 }
 
-/// Makes the mapper. Samples are taken without jitter, so that every run gives the same picture.
+/// Makes the mapper. Samples have no jitter, so that every run renders the same picture.
 vtkSmartPointer<vtkVolumeMapper> MakeGPUMapper(double sampleDistance)
 {
   auto mapper = vtkSmartPointer<vtkGPUVolumeRayCastMapper>::New();
@@ -250,13 +251,13 @@ void AddVolume(ExplorerScene& scene, vtkImageData* image, const Explore::Explora
   bool gpu = options.Mapper != MapperChoice::CPU;
   if (options.Mapper == MapperChoice::Auto)
   {
-    // If the CPU emulates the graphics card, its own ray casting takes a fifth of the time, and
-    // input can interrupt it. This does not matter for a picture, which may take longer.
+    // If OpenGL runs on the CPU, prefer VTK's CPU ray caster in a window: it takes a fifth of the
+    // time, and input can interrupt it. A picture may take longer.
     gpu = IsGPUUsable(scene.Window, property, image) &&
       !(options.Interactive && VolumeHaptics::IsSoftwareOpenGL(scene.Window));
   }
   const double* spacing = image->GetSpacing();
-  // A frame on the graphics card can't be interrupted, so its samples are coarser than those of a
+  // A frame on the graphics card can't be interrupted, so use coarser samples in a window than in a
   // picture.
   const double voxels = gpu && options.Interactive ? 1.0 : 0.5;
   const double sample = voxels * std::min({ spacing[0], spacing[1], spacing[2] });
@@ -305,16 +306,16 @@ void AddMarker(ExplorerScene& scene, const Explore::ViewFrame& view, bool anatom
   scene.Marker->SetViewport(0.84, 0.80, 1.0, 1.0);
   scene.Marker->SetLayer(2);
   scene.Marker->InteractiveOff();
-  // Without this call, the cube would set its letters, and find their edges, several times in each
-  // frame.
-  cube->HasTranslucentPolygonalGeometry(); // sets the letters
+  // Set the letters now. Otherwise the cube would set them, and extract their edges, several times
+  // in each frame.
+  cube->HasTranslucentPolygonalGeometry(); // sets the letters as a side effect
   scene.Marker->AddActor(cube->GetAssembly());
   Explore::ViewFrame centred = view;
   centred.Centre = vtkVector3d(0.0, 0.0, 0.0);
   Explore::AimCamera(scene.Marker, centred, 5.0);
 }
 
-/// Adds a light at the camera's upper left, and light from all sides, so that no side is black.
+/// Adds a light at the camera's upper left, and ambient light, so that no side is black.
 void AddLights(vtkRenderer* renderer)
 {
   vtkNew<vtkLight> lamp, fill;
@@ -364,9 +365,9 @@ void BuildScene(ExplorerScene& scene, const Exploration& exploration, const Scen
   scene.Renderer->SetBackground(0.07, 0.09, 0.12);
   scene.Renderer->SetBackground2(0.24, 0.29, 0.36);
 
-  // before the first rendering, because VTK would otherwise add its own light
+  // before the first rendering, because VTK would otherwise add a default light
   AddLights(scene.Renderer);
-  // Show a moving volume as it is felt, without hiding anything.
+  // Show a moving volume complete, as it is felt.
   const bool isMoving = exploration.Input.TimeSteps != nullptr;
   AddVolume(scene, isMoving ? exploration.Input.Image : exploration.Body, exploration, options);
   vtkPolyData* const outline = exploration.Input.Outline;

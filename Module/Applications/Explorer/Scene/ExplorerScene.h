@@ -19,7 +19,7 @@ namespace Explore
 {
 enum class MapperChoice
 {
-  // The GPU's mapper if the window and the volume allow it, otherwise the CPU's. A window for
+  // The GPU's mapper if the window and the volume permit it, otherwise the CPU's. A window for
   // touching also uses the CPU's mapper if OpenGL runs on the CPU.
   Auto,
   GPU,
@@ -32,21 +32,22 @@ struct SceneOptions
   int Height = 700;
   MapperChoice Mapper = MapperChoice::Auto;
   std::string Caption;
-  bool Anatomical = true; // whether the marker has letters of the patient's sides instead of axes
+  // whether the marker shows letters for the patient's sides instead of axes
+  bool Anatomical = true;
   bool OffScreen = true;
-  double SliceShare = 0.0;     // fraction of the width that slices beside the scene have; 0: hidden
-  CutKind Cut = CutKind::None; // cut in the window at the beginning
+  double SliceShare = 0.0; // fraction of the width for slices beside the scene; 0: hidden
+  CutKind Cut = CutKind::None; // initial cut in the window
   bool Interactive = false;    // whether this is a window for touching, without the trail
 };
 
-/// A window that shows the volume, the proxy's trail coloured by force, a scale of the colours, and
-/// a marker of the directions.
+/// A window that shows the volume, the proxy's trail coloured by force, a colour scale, and an
+/// orientation marker.
 struct ExplorerScene
 {
   vtkSmartPointer<vtkRenderWindow> Window = vtkSmartPointer<vtkRenderWindow>::New();
   vtkNew<vtkRenderer> Renderer; // volume and trail
   vtkNew<vtkRenderer> Overlay;  // hidden parts of the trail, drawn with the same camera
-  vtkNew<vtkRenderer> Marker;   // the small cube in the corner
+  vtkNew<vtkRenderer> Marker; // occluded parts of the trail, drawn with the same camera
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkVolumeProperty> Look;
   std::string MapperName;

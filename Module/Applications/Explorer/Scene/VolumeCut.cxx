@@ -27,8 +27,8 @@
 
 namespace Explore
 {
-/// A plane on which only the handles use the mouse: the ball pushes the plane along its normal, the
-/// arrow turns it. Elsewhere the scene uses the mouse.
+/// A plane whose handles alone respond to the mouse: the ball pushes the plane along its normal,
+/// the arrow rotates it. Elsewhere the scene receives the mouse events.
 class PlaneHandles : public vtkImplicitPlaneRepresentation
 {
 public:
@@ -51,7 +51,7 @@ vtkStandardNewMacro(PlaneHandles);
 PlaneHandles::PlaneHandles()
 {
   constexpr double pixels = 9.0;
-  constexpr double line = 0.85; // brightness of handles that the mouse does not hold
+  constexpr double line = 0.85; // brightness of handles that are not grabbed
   this->SetPlaceFactor(1.0);
   this->SetHandleSize(pixels);
   this->SetDrawPlane(0);
@@ -64,8 +64,8 @@ PlaneHandles::PlaneHandles()
   this->GetNormalProperty()->SetColor(0.35, 0.65, 0.95);
   this->GetSelectedNormalProperty()->SetColor(1.0, 0.75, 0.2);
   this->Picker->DeletePickList(this->CutActor);
-  // Find the outline among the pickable parts, because its accessor's name differs between versions
-  // of VTK.
+  // Search the pickable parts for the outline, because the name of its accessor differs between
+  // versions of VTK.
   vtkPropCollection* const picked = this->Picker->GetPickList();
   for (int i = picked->GetNumberOfItems(); i-- > 0;)
   {
@@ -93,7 +93,8 @@ namespace
 constexpr int KEPT_INSIDE = VTK_CROP_SUBVOLUME;
 constexpr int KEPT_OUTSIDE = 0x7ffffff & ~VTK_CROP_SUBVOLUME;
 
-/// Makes a widget use only the left button, and only on a handle. The scene uses the other buttons.
+/// Makes a widget respond only to the left button, and only on a handle. The scene receives all
+/// other mouse events.
 void UseLeftButton(vtkAbstractWidget* widget, vtkRenderer* renderer)
 {
   vtkWidgetEventTranslator* const events = widget->GetEventTranslator();
@@ -106,7 +107,7 @@ void UseLeftButton(vtkAbstractWidget* widget, vtkRenderer* renderer)
   widget->SetDefaultRenderer(renderer);
 }
 
-/// Computes the bounds of points after a matrix has mapped them.
+/// Computes the bounds of points after a transformation.
 void BoundsIn(vtkMatrix4x4* toAxes, vtkPoints* points, vtkIdType count, double bounds[6])
 {
   vtkBoundingBox box;
@@ -120,8 +121,8 @@ void BoundsIn(vtkMatrix4x4* toAxes, vtkPoints* points, vtkIdType count, double b
   box.GetBounds(bounds);
 }
 
-/// Computes the map from the world to coordinates along the axes of an image's data, in which
-/// cropping regions are defined.
+/// Computes the matrix from the world to coordinates along the axes of an image's data, in which
+/// VTK defines cropping regions.
 void MakeWorldToData(vtkImageData* image, vtkMatrix4x4* toData)
 {
   const double* const origin = image->GetOrigin();
@@ -260,7 +261,7 @@ void VolumeCut::TurnOver()
 {
   if (this->Kind == CutKind::None)
   {
-    return; // still a command: VTK's own e would close the window
+    return; // the key was handled even so; otherwise VTK's own key e would close the window
   }
   if (this->Kind == CutKind::Plane)
   {
@@ -305,7 +306,7 @@ void VolumeCut::PlacePlane()
 
 void VolumeCut::PlaceBox()
 {
-  // margin of the box beyond the body towards the viewer, as a fraction of the body's size
+  // margin of the box in front of the body, as a fraction of the body's size
   constexpr double margin = 0.02;
   vtkNew<vtkMatrix4x4> toVolume;
   vtkMatrix4x4::Invert(this->Volume->GetMatrix(), toVolume);

@@ -25,19 +25,19 @@ class PlaneHandles;
 enum class CutKind
 {
   None,
-  Plane, // cuts away everything in front of it
-  Box    // a box-shaped cut into the volume, along the axes of its voxels
+  Plane, // removes everything in front of it
+  Box // removes a box from the volume, along the axes of its voxels
 };
 
-/// Cuts a volume open: the part that is cut away is neither seen nor felt. Planes and boxes have
-/// handles, which use the mouse before the scene does:
+/// Cuts a volume open: the removed part is neither seen nor felt. Planes and boxes have handles,
+/// which receive mouse events before the scene:
 ///
-///   plane      the ball pushes it, the arrow turns it
+///   plane      the ball pushes it, the arrow rotates it
 ///   box        the balls move its faces, the one in the middle moves it
 ///
-///   x          plane, box, none; in front of the viewer
-///   e          the other part is cut away
-///   z          the faces of the cut hold like the material behind them, or are open
+///   x          switches between plane, box and none, in front of the viewer
+///   e          removes the other part instead
+///   z          switches whether cut faces are solid like the material behind them, or open
 class VolumeCut
 {
 public:
@@ -47,18 +47,18 @@ public:
   VolumeCut& operator=(const VolumeCut&) = delete;
 
   /// Sets the volume to cut. `body` (world bounds) is the part of the volume that is worth opening.
-  /// `handles` is a renderer over the volume with the same camera. If hasRegions is false, there is
-  /// only the plane, because another part of the program crops the mapper.
+  /// `handles` is a renderer over the volume with the same camera. If hasRegions is false, the box
+  /// is not available, because another part of the program crops the mapper.
   void SetScene(vtkVolume* volume, vtkVolumeHapticsFilter* filter, vtkRenderer* handles,
     const double body[6], bool hasRegions);
 
-  /// Adds the commands that cut. The table is used until the cut is deleted.
+  /// Adds the commands of the cut. The table must outlive the cut.
   void AddCommands(CommandTable& table);
 
-  /// Sets the interactor whose mouse moves the cut; null stands for none.
+  /// Sets the interactor whose mouse moves the cut; null for none.
   void SetInteractor(vtkRenderWindowInteractor* interactor);
 
-  /// Cuts away everything between the viewer and the middle of the body.
+  /// Removes everything between the viewer and the centre of the body.
   void SetKind(CutKind kind);
   CutKind GetKind() const { return this->Kind; }
   bool HasRegions() const { return this->HasBox; }
@@ -80,7 +80,7 @@ private:
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   double Body[6] = { 0, 1, 0, 1, 0, 1 };
   bool HasBox = true;
-  bool IsTurned = false; // whether the inside of the box is kept and the outside is cut away
+  bool IsTurned = false; // whether the inside of the box is kept and the outside is removed
   CutKind Kind = CutKind::None;
   vtkNew<vtkPlane> Plane;
   vtkNew<PlaneHandles> PlaneShape;

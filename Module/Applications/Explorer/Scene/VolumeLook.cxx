@@ -35,11 +35,11 @@ void Apply(const LookStop (&stops)[N], vtkVolumeProperty* property)
 }
 
 constexpr double OPAQUE = VolumeHaptics::LookOpaque;
-/// Thickness (m) of a layer of a field that has the opacity given by the functions.
+/// Thickness (m) of a layer of a field at which the functions' opacities apply.
 constexpr double FIELD_LAYER = 0.004;
 
-/// The first row has the colours of tissues. The second row has the colours of a field, from low
-/// to high values.
+/// The first row contains the colours of tissues, the second row those of a field from low to high
+/// values.
 const Colour COLOURS[2][5] = {
   { { 0.70, 0.48, 0.40 }, { 0.86, 0.62, 0.51 }, { 0.88, 0.66, 0.56 }, { 0.92, 0.76, 0.67 },
     { 0.98, 0.90, 0.82 } },
@@ -47,8 +47,8 @@ const Colour COLOURS[2][5] = {
     { 0.98, 0.91, 0.36 } },
 };
 
-/// Sets the opacities of the body's outer part, and of its dense parts. For a dark body, calculates
-/// with the negative of all values.
+/// Sets the opacities of the body's outer part and of its dense parts. For a dark body, all values
+/// are negated.
 void LookByThresholds(
   const Analysis& analysis, double body, double dense, double most, vtkVolumeProperty* property)
 {
@@ -64,8 +64,8 @@ void LookByThresholds(
   const auto& of = COLOURS[analysis.Kind == Explore::VolumeKind::Field];
   LookStop stops[] = {
     { std::min(least, outer - 2.0 * edge), 0.00, of[0] },
-    // The ramp is short, because what is visible has to be felt: thin parts whose values reach only
-    // the ramp's lower half must be nearly invisible.
+    // Keep the ramp short, because everything visible must be felt: thin parts whose values reach
+    // only the ramp's lower half must be nearly invisible.
     { outer + 0.6 * step, 0.00, of[0] },
     { outer + step, body, of[1] },
     { deep, body, of[2] },
@@ -89,8 +89,8 @@ void LookAtCT(double from, double to, vtkVolumeProperty* property)
   opacity->AddPoint(to, OPAQUE);
 }
 
-/// Sets the gradient opacity for a cut: tissue is transparent where values change by less than at
-/// the outer surface. Otherwise a cut face would show only the shading of noise.
+/// Sets the gradient opacity for a cut: tissue is transparent where the gradient is smaller than at
+/// the outer surface. Otherwise a cut face would show only shaded noise.
 void LookThroughNoise(const Analysis& analysis, vtkVolumeProperty* property)
 {
   const double air = analysis.Kind == Explore::VolumeKind::CT ? -1000.0 : analysis.Low;
@@ -131,7 +131,7 @@ void SetLabelLook(vtkHapticLabelTable* table, vtkVolumeProperty* property)
   }
   property->SetColor(colour);
   property->SetScalarOpacity(opacities);
-  property->SetInterpolationTypeToNearest(); // there are no labels between two numbers
+  property->SetInterpolationTypeToNearest(); // values between two label numbers have no meaning
 }
 
 void SetVolumeLook(const Analysis& analysis, vtkVolumeProperty* property)

@@ -9,20 +9,20 @@ namespace
 {
 constexpr double PI = 3.14159265358979323846;
 
-// Numbers in the formulas of the class documentation.
+// Constants in the formulas of the class documentation.
 constexpr double PITCH = 500.0;           // Hz
 constexpr double PITCH_STIFFNESS = 400.0; // N/m
 constexpr double PITCH_STRENGTH = 1.0;    // N
 constexpr double MOST_STRENGTH = 12.0;    // N
 constexpr double LOWEST = 60.0;           // Hz
 constexpr double HIGHEST = 6000.0;        // Hz
-// s that the pitch takes from one surface's value to the next one's
+// s in which the pitch glides from one surface's value to the next one's
 constexpr double GLIDE_TIME = 0.02;
-constexpr double LOUDEST_NOISE = 0.15; // effective value
+constexpr double LOUDEST_NOISE = 0.15; // root mean square
 constexpr double MIDDLE_POWER = 0.02;  // W
 constexpr double SILENT_POWER = 1e-6;  // W
 constexpr double POWER_TIME = 0.02;    // s
-constexpr double LEVEL_TIME = 0.005;   // shortest time (s) of a rise of the noise from 0 to 1
+constexpr double LEVEL_TIME = 0.005; // shortest time (s) in which the noise rises from 0 to 1
 constexpr double LOUDEST_CLICK = 0.6;
 constexpr double MIDDLE_IMPACT = 0.1;  // N
 constexpr double IMPACT_TIME = 0.005;  // s
@@ -30,13 +30,13 @@ constexpr double RING_TIME = 0.015;    // s
 constexpr double AIR_TIME = 0.05;      // s
 constexpr double PEAK_TIME = 0.05;     // s
 constexpr double LEAST_PEAK = 0.05;    // N, smallest peak that counts as a puncture
-constexpr double LOUDEST_BURST = 0.25; // effective value
+constexpr double LOUDEST_BURST = 0.25; // root mean square
 constexpr double BURST_TIME = 0.025;   // s
-// fraction of full scale below which sound is 0; less than half a step of 16 bits
+// fraction of full scale below which samples become 0; less than half a step of 16 bits
 constexpr double INAUDIBLE = 1e-5;
-constexpr double LARGEST = 1e9;              // largest number of a tick that is accepted
-constexpr double LONGEST_STEP = 0.1;         // s, largest step between ticks
-constexpr double WHITE_VARIANCE = 1.0 / 3.0; // variance of a number between -1 and 1
+constexpr double LARGEST = 1e9; // largest accepted magnitude of a number in a tick
+constexpr double LONGEST_STEP = 0.1; // s, longest time between ticks that counts
+constexpr double WHITE_VARIANCE = 1.0 / 3.0; // variance of a uniform random number between -1 and 1
 
 double Saturate(double x, double middle)
 {
@@ -149,7 +149,7 @@ double ContactSound::Strike(double impact) noexcept
   const double share = Saturate(impact, MIDDLE_IMPACT);
   this->Turn = std::polar(
     std::exp(-1.0 / (RING_TIME * this->SampleRate)), 2.0 * PI * this->Pitch / this->SampleRate);
-  // Add to the real part, so that the imaginary part, which is heard, continues without a step.
+  // Add to the real part, so that the imaginary part, which is the sound, continues without a step.
   this->Ring += LOUDEST_CLICK * share;
   return share;
 }
@@ -158,17 +158,17 @@ void ContactSound::SetPitch(double pitch) noexcept
 {
   this->Pitch = pitch;
   this->Warp = std::tan(PI * pitch / this->SampleRate);
-  // White noise of variance V has the power density 2 V / sample rate, and the two band-passes let
-  // pi f / 4 of it through.
+  // White noise of variance V has the power density 2 V / sample rate, of which the two band-passes
+  // let the width pi f / 4 pass.
   this->Scale = std::sqrt(2.0 * this->SampleRate / (PI * pitch * WHITE_VARIANCE));
 }
 
-/// Computes the next noise sample. The two band-passes are state-variable filters by the
+/// Computes the next noise sample. The two band-passes are state-variable filters with the
 /// trapezoidal rule, which stay stable while their frequency changes (V. Zavalishin, The Art of VA
 /// Filter Design, 2012).
 double ContactSound::NextNoise() noexcept
 {
-  // Xorshift (G. Marsaglia, Xorshift RNGs, 2003) yields the same sequence in every run.
+  // Xorshift (G. Marsaglia, Xorshift RNGs, 2003) generates the same sequence in every run.
   this->Seed ^= this->Seed << 13;
   this->Seed ^= this->Seed >> 17;
   this->Seed ^= this->Seed << 5;

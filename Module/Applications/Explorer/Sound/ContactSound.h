@@ -18,36 +18,36 @@ constexpr int SAMPLES_PER_SECOND = 48000; // sample rate of files and loudspeake
 ///
 ///   ContactSound sound(48000.0);
 ///   sound.Feed(tick);         // each tick of the servo, in order
-///   sound.Render(samples, 48) // what is heard until the next one, -0.9 to 0.9
+///   sound.Render(samples, 48) // samples until the next tick, -0.9 to 0.9
 ///
-/// Pitch. Dull is soft and bright is hard. The presets give most tissues the same stiffness k,
-/// since a hand feels their strength T_N, so that both count:
+/// Pitch. Soft surfaces sound dull, hard ones bright. The presets give most tissues the same
+/// stiffness k, and a hand distinguishes them by their strength T_N, so the pitch depends on both:
 ///
 ///   f = 500 Hz (k / 400 N/m)^(1/4) (T / 1 N)^(1/2),  T = min(T_N, 12 N),  60 Hz <= f <= 6000 Hz
 ///
-/// Noise of friction. The power that friction takes, P = F v (F the friction force, v the speed of
-/// the proxy), passes two low-passes of 20 ms, because a mouse moves the tip in some sixty bursts a
-/// second. The effective value of the noise is
+/// Noise of friction. The power of friction, P = F v (F the friction force, v the speed of the
+/// proxy), is smoothed by two low-passes of 20 ms, because a mouse moves the tip in about sixty
+/// bursts a second. The root mean square of the noise is
 ///
 ///   a = 0.15 sqrt(p / (p + 20 mW)),  p = max(0, P - 1 uW)
 ///
-/// and its spectrum is white noise behind two equal band-passes H = 1 / (1 + j (x - 1/x)), x =
-/// frequency / f.
+/// and its spectrum is that of white noise after two equal band-passes H = 1 / (1 + j (x - 1/x)), x
+/// = frequency / f.
 ///
-/// Click of a first touch, after 50 ms without contact at least: a resonance
+/// Click of a first touch, after at least 50 ms without contact: a resonance
 ///
 ///   0.6 J / (J + 0.1 N) exp(-t / 15 ms) sin(2 pi f t)
 ///
-/// with J, the impact, the largest normal force of the first 5 ms. Click of a puncture: if, while a
-/// surface is penetrated, the normal force falls below half of its peak (which is forgotten with a
-/// time constant of 50 ms), the same resonance with J the peak, and noise whose effective value
-/// begins at 0.25 J / (J + 0.1 N) and decays with 25 ms.
+/// where the impact J is the largest normal force of the first 5 ms. Click of a puncture: if, while
+/// a surface is penetrated, the normal force falls below half of its peak (which decays with a time
+/// constant of 50 ms), the same resonance follows, with the peak as J, and noise whose root mean
+/// square begins at 0.25 J / (J + 0.1 N) and decays with 25 ms.
 ///
-/// The sum x leaves as y = 0.9 tanh(x / 0.9). It is exactly 0 in the air and at rest. The noise
-/// changes its effective value by 1 in 5 ms at most, and resonances begin at zero, so that nothing
-/// cracks.
+/// The sum x is limited to y = 0.9 tanh(x / 0.9). The output is exactly 0 in the air and at rest.
+/// The root mean square of the noise changes by at most 1 per 5 ms, and resonances begin at zero,
+/// so that there are no crackles.
 ///
-/// Feed and Render allocate nothing, and are called by one thread.
+/// Feed and Render allocate no memory, and must be called on the same thread.
 class ContactSound
 {
 public:
@@ -59,7 +59,7 @@ public:
   static double ComputePitch(double stiffness, double strength) noexcept;
 
   void Feed(const SoundTick& tick) noexcept;
-  /// Makes the noise fade during a time (s) without ticks. Call this instead of Feed.
+  /// Lets the noise fade during a time (s) without ticks. Call this instead of Feed.
   void Rest(double seconds) noexcept;
   void Render(float* samples, std::size_t count) noexcept;
 
@@ -77,10 +77,10 @@ private:
   bool HasTime = false;
 
   // Updated once per tick.
-  double Power[2] = { 0.0, 0.0 }; // W, after the first and the second low-pass
-  double Burst = 0.0;             // effective value of the noise of a puncture
+  double Power[2] = { 0.0, 0.0 }; // W, output of the first and the second low-pass
+  double Burst = 0.0; // root mean square of the noise of a puncture
   double FreeTime = 0.0;          // s without contact
-  // time (s) since the first touch while its impact is measured; negative if no impact is measured
+  // time (s) since the first touch, while its impact is measured; otherwise negative
   double TouchTime = -1.0;
   double Impact = 0.0; // largest normal force since the first touch (N)
   double Peak = 0.0;   // largest normal force (N) while a surface is penetrated
@@ -88,9 +88,9 @@ private:
   double Pitch; // Hz, the pitch of the last surface
 
   // Updated once per sample.
-  double Level = 0.0;  // effective value of the noise
-  double Wanted = 0.0; // target of Level, which rises or falls towards it
-  double MostStep;     // largest change of Level from one sample to the next
+  double Level = 0.0; // root mean square of the noise
+  double Wanted = 0.0; // target that Level approaches
+  double MostStep; // largest change of Level per sample
   std::uint32_t Seed = 0x9e3779b9u;
   struct BandPass
   {
@@ -101,7 +101,7 @@ private:
   double Warp = 0.0; // tan(pi f / sample rate)
   double Scale = 0.0;
   std::complex<double> Ring;
-  std::complex<double> Turn; // factor by which Ring turns from one sample to the next
+  std::complex<double> Turn; // complex factor that rotates Ring from one sample to the next
 };
 } // namespace Explore
 

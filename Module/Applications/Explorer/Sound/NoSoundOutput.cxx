@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Used in builds without PulseAudio's library.
+// Replaces PulseOutput.cxx in builds without PulseAudio's library.
 #include "Applications/Explorer/Sound/SoundOutput.h"
 
 namespace Explore

@@ -17,7 +17,7 @@ namespace
 using Explore::SoundStream;
 
 constexpr std::uint32_t LATENCY = 25; // ms, requested from the server
-/// Longest wait for the fade at the end, so that a server that hangs does not delay the program.
+/// Longest wait for the fade at the end, so that a server that hangs can't delay the program.
 constexpr std::chrono::milliseconds FADE(60);
 
 class PulseOutput : public Explore::SoundOutput
@@ -81,7 +81,7 @@ PulseOutput::~PulseOutput()
       std::this_thread::sleep_for(FADE);
     }
     pa_threaded_mainloop_stop(this->Loop);
-    // The thread has ended, so nothing below calls back or waits.
+    // The library's thread has ended, so no callback can follow.
     if (this->Stream)
     {
       pa_stream_set_state_callback(this->Stream, nullptr, nullptr);
@@ -159,7 +159,7 @@ void PulseOutput::HandleStream(pa_stream* stream, void* self)
   auto* const output = static_cast<PulseOutput*>(self);
   const pa_stream_state_t state = pa_stream_get_state(stream);
   output->Plays = state == PA_STREAM_READY;
-  // Don't report a stream that has failed together with its context.
+  // Report only the context's error if the stream has failed together with its context.
   if (state == PA_STREAM_FAILED && pa_context_get_state(output->Context) == PA_CONTEXT_READY)
   {
     output->Report(pa_strerror(pa_context_errno(output->Context)));
@@ -182,7 +182,7 @@ void PulseOutput::Write(pa_stream* stream, std::size_t bytes, void* self)
     const std::size_t written = count * sizeof(float);
     if (pa_stream_write(stream, memory, written, nullptr, 0, PA_SEEK_RELATIVE) < 0)
     {
-      return; // the stream's state has the reason
+      return; // HandleStream reports the reason
     }
     bytes -= written;
   }

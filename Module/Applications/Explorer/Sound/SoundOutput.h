@@ -10,14 +10,14 @@ namespace Explore
 {
 class SoundStream;
 
-/// Plays a stream on the computer's loudspeakers until the object is deleted, on a thread of its
-/// own. A program that was built without a sound library has a substitute that plays nothing.
+/// Plays a stream on the computer's loudspeakers, on its own thread, until the object is deleted. A
+/// program built without a sound library gets a substitute that plays nothing.
 ///
-/// The library is PulseAudio's libpulse: PulseAudio and PipeWire both serve it, so that it reaches
-/// every desktop of Debian 12 and needs only one small package. Its asynchronous functions never
-/// wait for a server, which may hang, and report when the server has gone. SDL2 and PortAudio
-/// support other systems as well, but the project is not built for these; on Linux, they call such
-/// a library in turn.
+/// The library is PulseAudio's libpulse. It works with PulseAudio and PipeWire, and thus on every
+/// desktop of Debian 12, and needs only one small package. Its asynchronous functions never wait
+/// for a server, which may hang, and report when the server has gone. SDL2 and PortAudio also
+/// support other systems, but the project is not built for them; on Linux, they use such a library
+/// themselves.
 class SoundOutput
 {
 public:
@@ -27,12 +27,12 @@ public:
 
   /// Returns whether the program was built with the library.
   static bool IsAvailable();
-  /// Returns at once, and connects to the server in the background. The stream must outlive the
-  /// output.
+  /// Returns at once; the connection to the server is made in the background. The stream must
+  /// outlive the output.
   static std::unique_ptr<SoundOutput> Open(SoundStream& stream);
 
-  /// Returns the reason why nothing is played, in one line, once for each fault; empty if there is
-  /// none.
+  /// Returns the reason why nothing is played, in one line. Each fault is returned only once; empty
+  /// if there is no new one.
   virtual std::string DrainTrouble() = 0;
 
 protected:

@@ -12,8 +12,9 @@ constexpr std::size_t CAPACITY = 4096;   // number of ticks
 constexpr double STEP = 0.001;           // s between polls for ticks
 constexpr double MOST_BACKLOG = 0.3;     // s
 constexpr double LONGEST_STARVED = 0.05; // s
-constexpr double GAIN_TIME = 0.01;       // s, from silence to the full sound
-constexpr double WINDOW = 1.0;           // s; at least one burst is played to its end in this time
+constexpr double GAIN_TIME = 0.01; // s in which the sound fades in from silence
+// s, period in which the least backlog is searched; longer than any burst
+constexpr double WINDOW = 1.0;
 constexpr double SPARE_BACKLOG = 0.02;   // s
 constexpr double FASTER = 1.05;
 } // namespace
@@ -67,13 +68,13 @@ void SoundStream::Advance(double seconds) noexcept
   {
     this->HasBegun = true;
     this->Position = newest;
-    // Don't play the skipped ticks, because all of their clicks would come at once.
+    // Discard the skipped ticks, because all of their clicks would sound at once.
     while (this->Ticks.Pop(this->Next))
     {
       this->HasNext = true;
     }
   }
-  // If the servo was restarted, its times start again, too.
+  // After a restart of the servo, its times begin again, so limit the position to the newest time.
   this->Position = std::min(this->Position + this->Pace * seconds, newest);
   this->UpdateBacklog(newest - this->Position, seconds);
   this->Starved += seconds;

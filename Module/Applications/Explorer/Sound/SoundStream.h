@@ -13,11 +13,11 @@ namespace Explore
 {
 /// Transfers ticks from one thread to another, which plays them as sound. Neither thread waits.
 ///
-/// The ticks arrive in bursts, one for each frame of the window, and are played at the pace of
-/// their times. The delay of the sound equals the length of the last burst, but at most 0.3 s:
+/// The ticks arrive in bursts, one for each frame of the window, and are played at the rate of
+/// their times. The delay of the sound equals the duration of the last burst, but at most 0.3 s:
 /// older ticks are skipped. If no tick arrives for 50 ms, the noise fades.
 ///
-/// Sound begins, is muted and returns within 10 ms.
+/// The sound fades in and out within 10 ms.
 class SoundStream
 {
 public:
@@ -25,8 +25,8 @@ public:
   SoundStream(const SoundStream&) = delete;
   SoundStream& operator=(const SoundStream&) = delete;
 
-  /// Adds a tick, in the order of time. Called on the thread with the ticks. If 4096 ticks are
-  /// waiting, the tick is lost.
+  /// Adds a tick. Ticks must be in the order of time. Called on the thread that produces the ticks.
+  /// If 4096 ticks are waiting, the new tick is lost.
   void Push(const SoundTick& tick) noexcept;
 
   /// Mutes or unmutes the sound. Any thread may call it.
@@ -39,20 +39,20 @@ public:
 
 private:
   void Advance(double seconds) noexcept;
-  /// Plays a little faster as long as more ticks are waiting than a burst needs.
+  /// Plays slightly faster while more ticks are waiting than a burst contains.
   void UpdateBacklog(double backlog, double seconds) noexcept;
 
   const double SampleRate;
   std::atomic<bool> Muted{ false };
-  std::atomic<double> Newest; // time of the last pushed tick (s)
+  std::atomic<double> Newest; // time of the latest tick (s)
   VolumeHaptics::TraceRing<SoundTick> Ticks;
 
-  // Used by the thread that plays.
+  // Used only by the thread that plays.
   ContactSound Sound;
   SoundTick Next;
   bool HasNext = false;
   bool HasBegun = false;
-  double Position = 0.0; // time of the played sound (s), on the clock of the ticks
+  double Position = 0.0; // current time of the playback (s), on the clock of the ticks
   double Starved = 0.0;  // time since the last tick (s)
   double Pace = 1.0;
   double WindowTime = 0.0;   // time (s) since the search for LeastBacklog began

@@ -7,7 +7,7 @@
 
 namespace Explore
 {
-/// Contact of the proxy. The numbers are those of the array Contact in traces and states.
+/// Contact of the proxy. The values equal those of the array Contact in traces and states.
 enum class SurfaceContact : std::uint8_t
 {
   Free = 0,
@@ -16,7 +16,7 @@ enum class SurfaceContact : std::uint8_t
   Penetrating = 3
 };
 
-/// The data of a servo's tick on which sound depends.
+/// The data of a servo tick that sound depends on.
 struct SoundTick
 {
   double Time = 0.0;          // s

@@ -11,7 +11,7 @@
 
 namespace
 {
-/// Appends a number with its lowest byte first, whatever the computer's byte order.
+/// Appends a number in little-endian order, whatever the computer's byte order.
 void Append(std::string& bytes, std::uint32_t number, int count)
 {
   for (int i = 0; i < count; ++i, number >>= 8)
@@ -32,13 +32,13 @@ void WriteWave(const std::vector<float>& samples, int samplesPerSecond, const st
   std::string bytes = "RIFF";
   Append(bytes, restOfHead + size, 4);
   bytes += "WAVEfmt ";
-  Append(bytes, 16, 4); // size of the format (bytes)
+  Append(bytes, 16, 4); // size of the format chunk (bytes)
   Append(bytes, 1, 2);  // PCM
   Append(bytes, 1, 2);  // one channel
   Append(bytes, rate, 4);
   Append(bytes, rate * sampleSize, 4);
   Append(bytes, sampleSize, 2);
-  Append(bytes, 8 * sampleSize, 2); // bits
+  Append(bytes, 8 * sampleSize, 2); // bits per sample
   bytes += "data";
   Append(bytes, size, 4);
   for (const float sample : samples)

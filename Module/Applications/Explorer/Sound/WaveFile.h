@@ -11,8 +11,8 @@ namespace Explore
 /// Writes samples from -1 to 1 as 16-bit PCM, mono. Throws InputError on failure.
 ///
 /// The format follows "Multimedia Programming Interface and Data Specifications 1.0" (IBM and
-/// Microsoft, 1991): a head of 44 bytes and the samples. No library is used, because it would be
-/// one more package for building the program.
+/// Microsoft, 1991): a header of 44 bytes, followed by the samples. A library would be one more
+/// dependency of the build.
 void WriteWave(const std::vector<float>& samples, int samplesPerSecond, const std::string& file);
 } // namespace Explore
 

@@ -20,14 +20,14 @@
 
 namespace
 {
-/// Returns the dots per inch of an X11 screen; 0 if it does not report them. VTK 9.1 reads them
-/// only on other systems.
+/// Returns the dots per inch of an X11 screen; 0 if unknown. VTK 9.1 reads them only on other
+/// systems.
 double ReadDots([[maybe_unused]] vtkRenderWindow* window)
 {
   double dots = 0.0;
 #if defined(__linux__)
-  // Use the library that VTK has loaded, if any, without X11's header, which defines macros with
-  // common names.
+  // Look for the library that VTK has loaded, if any. X11's header is not included, because it
+  // defines macros with common names.
   void* const library = window->IsA("vtkXOpenGLRenderWindow")
     ? dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD)
     : nullptr;
@@ -40,7 +40,7 @@ double ReadDots([[maybe_unused]] vtkRenderWindow* window)
   const auto getDefault = reinterpret_cast<Text>(dlsym(library, "XGetDefault"));
   const auto getHeight = reinterpret_cast<Number>(dlsym(library, "XDisplayHeight"));
   const auto getMillimetres = reinterpret_cast<Number>(dlsym(library, "XDisplayHeightMM"));
-  window->GetScreenSize(); // opens the display
+  window->GetScreenSize(); // opens the display as a side effect
   void* const display = window->GetGenericDisplayId();
   if (display && getDefault && getHeight && getMillimetres)
   {

@@ -16,10 +16,10 @@ constexpr std::size_t WIDEST_LINE = 68; // characters in a line
 constexpr int LINES_BEFORE = 2;         // the title, and an empty line
 constexpr int LINES_AFTER = 2;          // an empty line, and the keys
 constexpr double LIST_LEFT = 0.08;      // left margin, as a fraction of the viewport
-constexpr int LEAST_LETTERS = 6;        // points
+constexpr int LEAST_LETTERS = 6; // smallest font size (points)
 constexpr double LIST_OPACITY = 0.85;   // opacity of the background behind the text
 
-/// Shortens a long line by leaving out its middle, which says less than its beginning and its end.
+/// Shortens a long line by removing its middle, which is the least informative part.
 std::string Shorten(const std::string& line)
 {
   if (line.size() <= WIDEST_LINE)
@@ -113,7 +113,7 @@ void ListOverlay::Write()
   look->SetFontSize(
     VolumeHaptics::FitLetters(size[1], 34, VolumeHaptics::PixelsPerPoint(this->Overlay), 11, 18));
   this->Text->SetInput(text.c_str());
-  // The position is relative to the viewport, which docks make smaller.
+  // The position is relative to the viewport, which is smaller than the window beside docks.
   this->Text->SetPosition(LIST_LEFT * size[0], 0.5 * size[1]);
   double shown[2];
   this->Text->GetSize(this->Overlay, shown);

@@ -12,7 +12,7 @@
 
 namespace Explore
 {
-/// A list over the scene. The user marks one of its lines, to choose a file or a series.
+/// A list over the scene, in which the user marks a line to choose a file or a series.
 class ListOverlay
 {
 public:
@@ -21,14 +21,14 @@ public:
   ListOverlay(const ListOverlay&) = delete;
   ListOverlay& operator=(const ListOverlay&) = delete;
 
-  /// Shows the lines with one of them marked.
+  /// Shows the lines, with the line of index `marked` highlighted.
   void Show(const std::string& title, const std::vector<std::string>& lines, int marked);
   void Hide();
   bool IsShown() const;
-  /// Moves the mark up (negative) or down, within the list.
+  /// Moves the mark up (negative) or down, without leaving the list.
   void Move(int lines);
   int GetMarked() const { return this->Marked; }
-  /// Returns the number of the line at a position (pixels); -1 if there is none.
+  /// Returns the index of the line at a position (pixels); -1 if there is none.
   int Find(int x, int y) const;
 
 private:
@@ -39,7 +39,7 @@ private:
   std::string Title;
   std::vector<std::string> Lines;
   int Marked = 0;
-  int First = 0; ///< number of the first visible line
+  int First = 0; ///< index of the first visible line
   int Seen = 0;  ///< number of visible lines
 };
 } // namespace Explore

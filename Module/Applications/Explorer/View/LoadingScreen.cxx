@@ -14,7 +14,7 @@
 
 namespace
 {
-/// Position and size of the bar, in fractions of the window.
+/// Position and size of the progress bar, in fractions of the window.
 constexpr double LEFT = 0.3;
 constexpr double WIDTH = 0.4;
 constexpr double BOTTOM = 0.46;

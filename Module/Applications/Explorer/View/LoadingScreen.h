@@ -18,14 +18,14 @@ namespace Explore
 class LoadingScreen
 {
 public:
-  /// Opens the window. Its size stays unchanged.
+  /// Shows the progress in an existing window, whose size stays unchanged.
   explicit LoadingScreen(vtkRenderWindow* window);
-  /// Removes the progress, and leaves the window open and empty.
+  /// Removes the progress display, and leaves the window open and empty.
   ~LoadingScreen();
   LoadingScreen(const LoadingScreen&) = delete;
   LoadingScreen& operator=(const LoadingScreen&) = delete;
 
-  /// Shows a step that begins, and the fraction of the work that is done (0 to 1).
+  /// Shows the name of a step at its beginning, and the fraction of the work that is done (0 to 1).
   void Report(const std::string& step, double fraction);
 
 private:

@@ -12,7 +12,7 @@ class vtkContext2D;
 
 namespace Explore
 {
-/// Lets a context actor call a function that draws.
+/// A context item that calls a function to draw itself.
 class PaintedItem : public vtkAbstractContextItem
 {
 public:

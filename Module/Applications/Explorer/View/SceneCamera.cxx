@@ -11,10 +11,10 @@
 
 namespace
 {
-constexpr double VIEW_ANGLE = 24.0; // degrees: a long lens, so that a head is not distorted
-// fraction of the camera's distance, because the content is smaller than its box
+constexpr double VIEW_ANGLE = 24.0; // degrees: a long focal length, so that a head is not distorted
+// factor of the camera's distance, below 1 because the content is smaller than its bounding box
 constexpr double MARGIN = 0.88;
-constexpr double BOX_MARGIN = 1.05; // MARGIN where the box itself is visible
+constexpr double BOX_MARGIN = 1.05; // the factor for scenes in which the box itself is visible
 } // namespace
 
 namespace Explore

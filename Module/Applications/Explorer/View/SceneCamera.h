@@ -9,12 +9,12 @@ class vtkRenderer;
 
 namespace Explore
 {
-/// Points the camera at the centre of the view frame, along its direction and upright, from
-/// `distance`.
+/// Points the camera at the centre of the view frame, from `distance` along its direction, with its
+/// up vector.
 void AimCamera(vtkRenderer* renderer, const ViewFrame& view, double distance);
 
-/// Points the camera like AimCamera, from the distance at which the whole box is just visible in a
-/// picture of this aspect (width / height). If the box itself is not drawn, the distance is a
+/// Points the camera like AimCamera, from the distance at which the whole box just fits in a
+/// picture of this aspect ratio (width / height). If the box itself is not drawn, the distance is a
 /// little smaller, because the content is smaller than the box.
 void FitCamera(vtkRenderer* renderer, const ViewFrame& view, const double bounds[6], double aspect,
   bool isBoxSeen);

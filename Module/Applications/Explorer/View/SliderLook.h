@@ -12,11 +12,11 @@
 
 namespace Explore
 {
-/// Puts a slider for the time along the lower edge of a window, and switches it on.
+/// Places a slider for the time along the lower edge of a window, and enables it.
 inline void ShowTimeSlider(vtkSliderWidget* widget, vtkSliderRepresentation2D* slider,
   vtkRenderWindowInteractor* interactor, vtkRenderer* overlay)
 {
-  constexpr float priority = 1.0f; // before the scene
+  constexpr float priority = 1.0f; // receives events before the scene
   slider->GetPoint1Coordinate()->SetCoordinateSystemToNormalizedDisplay();
   slider->GetPoint1Coordinate()->SetValue(0.34, 0.07);
   slider->GetPoint2Coordinate()->SetCoordinateSystemToNormalizedDisplay();

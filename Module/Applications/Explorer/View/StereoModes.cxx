@@ -32,7 +32,7 @@ void SetStereo(vtkRenderWindow* window, const std::string& name)
 {
   if (name.empty())
   {
-    // VTK's own default, red and blue, leaves no colours.
+    // VTK's default, red and blue, would lose all colours.
     window->SetStereoType(VTK_STEREO_ANAGLYPH);
     return;
   }

@@ -9,8 +9,8 @@ class vtkRenderWindow;
 
 namespace Explore
 {
-/// Returns VTK's number of a stereo mode, such as "anaglyph". For any other name, throws
-/// InputError, which lists the names.
+/// Returns VTK's constant for a stereo mode, such as "anaglyph". For an unknown name, throws
+/// InputError with a list of the names.
 int FindStereoMode(const std::string& name);
 
 /// Prepares a window for stereo before it is shown. An empty name means no stereo.

@@ -10,8 +10,8 @@
 
 namespace
 {
-constexpr double AZIMUTH = 38.0;   // degrees, from the front to the left side
-constexpr double ELEVATION = 20.0; // degrees, above the horizon
+constexpr double AZIMUTH = 38.0; // degrees, angle from the front to the left side
+constexpr double ELEVATION = 20.0; // degrees above the horizon
 
 vtkVector3d ParseAxis(const std::string& option, const std::string& text)
 {
@@ -47,8 +47,8 @@ ViewFrame MakeViewFrame(const double centre[3], const std::string& front, const 
     throw InputError("--front " + front + " --up " + up, "are the same axis",
       "the front and the top must be at right angles");
   }
-  // The camera sees the front from AZIMUTH to the side and from ELEVATION above. `side` points to
-  // the picture's right.
+  // The camera looks at the front from AZIMUTH to the side and ELEVATION above. `side` points to
+  // the right of the picture.
   const double a = vtkMath::RadiansFromDegrees(AZIMUTH);
   const double e = vtkMath::RadiansFromDegrees(ELEVATION);
   ViewFrame frame;
