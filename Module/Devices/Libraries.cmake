@@ -1,19 +1,19 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The libraries through which devices are reached: VolumeHaptics_DEVICE_LIBRARIES. Each is used if it is found.
+# Sets VolumeHaptics_DEVICE_LIBRARIES to the libraries that communicate with devices. Each is used if it is found.
 find_package(Threads REQUIRED)
 find_package(PkgConfig QUIET)
 if (PKG_CONFIG_FOUND)
   pkg_check_modules(LIBUSB QUIET libusb-1.0)
-  # The kernel's own interface rather than a second USB stack: the kernel's driver stays bound.
+  # Prefer the kernel's hidraw interface to hidapi's own USB stack, so that the kernel's driver stays bound.
   pkg_check_modules(HIDAPI QUIET hidapi-hidraw)
   if (NOT HIDAPI_FOUND)
     pkg_check_modules(HIDAPI QUIET hidapi)
   endif ()
 endif ()
 
-# These libraries consist of headers only. Boost.Beast has had what is used here since 1.70.
+# These libraries consist of headers only. Boost.Beast 1.70 is the first version with everything that is used here.
 find_path(BEAST_INCLUDE_DIR boost/beast/core/tcp_stream.hpp)
 find_path(NLOHMANN_INCLUDE_DIR nlohmann/json.hpp)
 mark_as_advanced(BEAST_INCLUDE_DIR NLOHMANN_INCLUDE_DIR)

@@ -49,15 +49,15 @@ public:
    */
   static constexpr int SilentWaits = 4;
   /**
-   * Longest step of the tip between two positions (m). A hand leads the tip, so no step is longer.
+   * Longest plausible distance (m) between two successive positions of the tip, which a hand moves.
    */
   static constexpr double FarthestStep = 0.02;
   /**
-   * Number of consecutive positions without a longer step that make the device ready. Presets move
-   * the origin, which causes such a step.
+   * Number of consecutive positions without a longer step after which the device is ready. A preset
+   * moves the origin, which causes such a step.
    */
   static constexpr int SettledStates = 50;
-  /** The middle of the workspace in Haply's axes (m) if the origin is the arm's base. */
+  /** The centre of the workspace in Haply's axes (m), relative to the arm's base. */
   static constexpr Vector3 Centre{ 0.0, -0.12, 0.15 };
 
   /**
@@ -80,25 +80,27 @@ public:
 
 private:
   /**
-   * Opens the connection and reads the inventory. Each step takes `time` (s) at most; none begins
-   * once `mustStop` returns true.
+   * Opens the connection and reads the inventory. Each step takes at most `time` (s); no step
+   * begins after `mustStop` has returned true.
    */
   bool OpenConnection(double time, const std::function<bool()>& mustStop, std::string& error);
   bool Choose(std::string& error);
-  /** Returns whether a session has the arm, according to the last message. */
+  /** Returns whether a session controls the arm, according to the last message. */
   bool IsTaken() const;
-  /** Begins a session with the chosen arm if no other session has it. */
+  /** Begins a session with the chosen arm unless another session controls it. */
   bool SendFirstMessage(std::string& error);
   void Restart(HardwareExchange& exchange);
   void Work(HardwareExchange& exchange);
   void Send(const Vector3& force);
   void ReceiveStates(HardwareExchange& exchange);
   void ReceiveState(HardwareExchange& exchange, const HaplyArm& arm);
-  /** Returns whether the service reports where the origin is, or has it at the arm's base. */
+  /**
+   * Returns whether the origin is known: the service has reported it, or it is at the arm's base.
+   */
   bool KnowsOrigin() const noexcept;
   void CopyGrips(DeviceSample& sample) const;
   void ReceiveEvents(HardwareExchange& exchange);
-  /** Copies the flags of the arm. A flag that the message omits keeps its value. */
+  /** Copies the flags of the arm. A flag that the message omits keeps its last value. */
   void CopyFlags(const HaplyArm& arm);
   void UpdateStatus(HardwareExchange& exchange, const HaplyArm& arm);
   void CheckSilence(HardwareExchange& exchange);
@@ -121,34 +123,34 @@ private:
   HaplyAddress Address;
   WebSocketClient States;
   WebSocketClient Events;
-  bool HasEvents = false; ///< whether the end of the events must still be reported
+  bool HasEvents = false; ///< whether the end of the event channel still has to be reported
 
   HaplyMessage Message; ///< the last message
   std::string Text;
   std::string Newest; ///< text of the newest state
   bool IsLost = false;
-  bool IsGone = false;  ///< whether the arm was unplugged, or the service has ended
+  bool IsGone = false; ///< whether the arm was unplugged or the service has ended
   bool IsReady = false; ///< whether the device may exert a force
   ///@{
-  /** The flags as the service last reported them; false before that. */
+  /** The flags as the service last reported them; false before the first report. */
   bool IsCalibrated = false;
   bool IsArmReady = false;
   ///@}
-  /** Whether a message of zero force was sent after one without an answer. */
+  /** Whether a message with zero force was sent after an unanswered one. */
   bool HasSentRelief = false;
-  int Awaited = 0; ///< number of messages whose state has not come yet
+  int Awaited = 0; ///< number of unanswered messages
   std::int64_t SentAt = 0;
-  std::int64_t HeardAt = 0; ///< time at which the last state came
-  std::int64_t ToldAt = 0;  ///< time at which the last state with a position came
+  std::int64_t HeardAt = 0; ///< time at which the last state was received
+  std::int64_t ToldAt = 0; ///< time at which the last state with a position was received
   int EmptyWaits = 0;
-  int Settled = 0; ///< number of consecutive positions without a step
+  int Settled = 0; ///< number of consecutive positions without a long step
   Vector3 Tip;     ///< last position along the device's axes
   bool HasTip = false;
-  HaplyTransform Transform;      ///< transform that was received last
-  std::string Preset;            ///< preset that was received last in this session
-  int Untold = 0;                ///< number of states before the first one with a preset
+  HaplyTransform Transform; ///< last received transform
+  std::string Preset; ///< last preset received in this session
+  int Untold = 0; ///< number of states without a preset before the first one with a preset
   std::string Note;              ///< last warning of the service
-  const char* Request = nullptr; ///< last request to the hand
+  const char* Request = nullptr; ///< last instruction to the user
 };
 
 } // namespace VolumeHaptics

@@ -12,7 +12,8 @@ namespace
 {
 
 /**
- * Asks the service for its devices. Returns false and writes the reason to `error` if this fails.
+ * Requests the list of devices from the service. On failure, returns false and writes the reason to
+ * `error`.
  */
 bool ReceiveHaplys(HaplyMessage& message, std::string& error)
 {
@@ -52,8 +53,8 @@ std::vector<DeviceListing> ListHaplys()
 }
 
 /**
- * Returns the reason why this computer has no Haply, mostly that the service does not run. Returns
- * an empty text if the service answers.
+ * Returns the reason why this computer has no Haply device, usually that the service does not run.
+ * Returns an empty text if the service answers.
  */
 std::string WhyNoHaplys()
 {

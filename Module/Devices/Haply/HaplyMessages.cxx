@@ -23,12 +23,15 @@ constexpr const char* NoDevices = "sent a list of devices that is none";
 constexpr const char* NoId = "told of an arm without an identifier";
 constexpr const char* NoVersion = "does not tell its version";
 constexpr std::size_t MostDevices = 64;
-/** Limit of the nesting of brackets. The messages in the documentation are nested seven deep. */
+/** Limit of the nesting of brackets. The messages in the documentation have seven levels. */
 constexpr int DeepestBrackets = 64;
-/** Largest difference of two transforms that count as equal. The service uses float arithmetic. */
+/**
+ * Largest difference between transforms that count as equal. The service computes in single
+ * precision.
+ */
 constexpr double TransformTolerance = 1e-5;
 
-/** Name of the session in Haply's Hub, in the form that the documentation recommends. */
+/** Name of the session in Haply's Hub, in the format that the documentation recommends. */
 constexpr const char* Profile = "org.vtk.volumehaptics:touch";
 /** The session's request for a full state. */
 constexpr const char* FullState = "force_render_full_state";
@@ -57,7 +60,7 @@ std::string Text(const Json& object, const char* name)
 
 ///@{
 /**
- * Reads a member. If it is missing, `value` does not change. Returns false if the member has
+ * Reads a member. A missing member leaves `value` unchanged. Returns false if the member has
  * another type.
  */
 bool Read(const Json& object, const char* name, bool& value)
@@ -101,7 +104,7 @@ bool Read(const Json& object, const char* name, HaplyTransform& value)
 }
 ///@}
 
-/** Returns a member, or nothing if it is missing or has another type. */
+/** Returns a member; empty if it is missing or has another type. */
 template <typename Value>
 std::optional<Value> Told(const Json& object, const char* name)
 {
@@ -158,7 +161,7 @@ HaplyGrip ReadGrip(const Json& device, const char*)
   return grip;
 }
 
-/** Adds the devices of a family, which is a list or a map from identifiers. */
+/** Adds the devices of a family, which is a list or a map with identifiers as keys. */
 template <typename Device>
 const char* ReadFamily(const Json& message, const char* family,
   Device (*read)(const Json&, const char*), std::vector<Device>& all)
@@ -184,7 +187,7 @@ const char* ReadFamily(const Json& message, const char* family,
   return nullptr;
 }
 
-/** Returns whether brackets outside strings are nested no deeper than allowed. */
+/** Returns whether the brackets outside strings are nested no deeper than DeepestBrackets. */
 bool IsShallow(const std::string& text) noexcept
 {
   int depth = 0;
@@ -201,7 +204,7 @@ bool IsShallow(const std::string& text) noexcept
 
 /**
  * Parses an object. Returns nullptr, or the reason why the text is not valid. Checks the depth
- * first, because the library copies values by recursion, which could overflow the thread's stack.
+ * first, because the library copies values recursively, which could overflow the thread's stack.
  */
 const char* Parse(const std::string& text, Json& value)
 {
@@ -214,7 +217,7 @@ const char* Parse(const std::string& text, Json& value)
 }
 
 /**
- * Returns the data of an HTTP answer, which may be in an envelope ("Standard response envelope" in
+ * Returns the data of an HTTP answer, with or without an envelope ("Standard response envelope" in
  * the documentation).
  */
 const Json& Unwrap(const Json& answer)
@@ -233,8 +236,7 @@ Json MakeForce(const HaplyAddress& address, const Vector3& force)
 
 std::string Dump(const Json& message)
 {
-  // The identifier came from the service as JSON. Even if its text is not valid, this must not
-  // throw.
+  // The identifier came from the service. Replace invalid UTF-8 in it, so that this does not throw.
   return message.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

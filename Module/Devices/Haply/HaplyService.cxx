@@ -12,7 +12,7 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double AskTime = 0.5; // in s; short, because the service is on this computer
+constexpr double AskTime = 0.5; // s; short, because the service runs on this computer
 
 } // namespace
 

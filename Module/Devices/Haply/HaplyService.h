@@ -20,12 +20,12 @@ extern const char* const HowToStartHaply;
 
 /**
  * The ports of the service: those in $VOLUMEHAPTICS_HAPLY ("PORT", "PORT,EVENTS" or
- * "PORT,EVENTS,HTTP"), or the default ones. According to the documentation, HTTP is at port 10000
- * up to version 3.1, and at the port of the states in version 3.5.
+ * "PORT,EVENTS,HTTP"), or the default ports. According to the documentation, HTTP uses port 10000
+ * up to version 3.1, and the port of the states in version 3.5.
  */
 struct HaplyPorts
 {
-  std::uint16_t States = 10001; ///< port of the states and, in later versions, of HTTP
+  std::uint16_t States = 10001; ///< port of the states and, from version 3.5, of HTTP
   std::uint16_t Events = 10020;
   std::uint16_t Http = 10000; ///< port of HTTP in earlier versions
 
@@ -34,22 +34,22 @@ struct HaplyPorts
 };
 
 /**
- * Sends a request over HTTP to either port. `target` is "/version" or "/devices", with the prefix
- * of a version. Writes the answer to `text`. Returns false and writes the reason to `error` if this
- * fails.
+ * Sends an HTTP request, trying both ports. `target` is "/version" or "/devices", with the prefix
+ * of a version. Writes the answer to `text`. On failure, returns false and writes the reason to
+ * `error`.
  */
 bool AskHaply(
   const HaplyPorts& ports, const std::string& target, std::string& text, std::string& error);
 
 /**
- * Asks the service for its version. Returns false and writes the reason and the cure to `error` if
- * this fails.
+ * Requests the service's version. On failure, returns false and writes the reason and the cure to
+ * `error`.
  */
 bool DetectHaplyService(const HaplyPorts& ports, HaplyVersion& version, std::string& error);
 
 /**
- * Returns a name for the user: maker, product, the service's name of the arm, and the hand for
- * which it is built.
+ * Returns a name for the user: maker, product, the service's identifier of the arm, and the
+ * handedness.
  */
 std::string NameOfHaply(const HaplyArm& arm);
 

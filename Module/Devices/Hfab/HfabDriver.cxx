@@ -13,10 +13,10 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int HfabRoundPause = 2; // in ms, between messages if the servo has no force
-constexpr int HfabLostPause = 10; // in ms
-constexpr int WriteTime = 20;     // in ms
-/** Time (s) without an answer after which a message counts as lost, and the next one is sent. */
+constexpr int HfabRoundPause = 2; // ms, between messages if the servo has no force
+constexpr int HfabLostPause = 10; // ms
+constexpr int WriteTime = 20; // ms
+/** Time (s) without an answer after which a message counts as lost and the next one is sent. */
 constexpr double AnswerTime = 0.02;
 constexpr int MostRefusals = 5;
 
@@ -102,7 +102,7 @@ bool HfabDriver::Connect(std::string& error)
 bool HfabDriver::Reconnect(
   const std::string& identity, const std::function<bool()>& mustStop, std::string& error)
 {
-  // After it is plugged in again, a board may have a different port.
+  // A board that is plugged in again may get a different port.
   std::vector<SerialPortInfo> ports = ListBoardPorts(this->Folder);
   if (!this->Wanted.empty() && SerialPort::IsThere(this->Wanted))
   {
@@ -189,7 +189,7 @@ void HfabDriver::Disconnect() noexcept
 
 HfabDriver::Reply HfabDriver::Ask(const std::array<int, 3>& milliamperes) noexcept
 {
-  // An answer that comes too late must not count as the answer to the next message.
+  // Discard late answers, so that none counts as the answer to the next message.
   char bytes[128];
   int late = 0;
   while ((late = this->Port.Read(bytes, sizeof(bytes), 0)) > 0)
@@ -207,7 +207,7 @@ HfabDriver::Reply HfabDriver::Ask(const std::array<int, 3>& milliamperes) noexce
     return this->Port.Read(&byte, 1, 0) < 0 ? Reply::Gone : Reply::None;
   }
   const std::int64_t begin = ServoClock::Now();
-  // Reads at least once, because this computer itself may have been late.
+  // Read at least once, even if this computer itself was delayed beyond the time limit.
   do
   {
     const int size = this->Port.Read(bytes, sizeof(bytes), 5);
@@ -230,7 +230,7 @@ HfabDriver::Reply HfabDriver::Ask(const std::array<int, 3>& milliamperes) noexce
 
 bool HfabDriver::EchoesCurrents() noexcept
 {
-  // Currents that no hand feels. A count does not follow them by chance.
+  // Send currents too small to be felt. Encoder counts would not equal all of them by chance.
   bool echoes = false;
   for (const int milliamperes : { 1, 2, 1, 0 })
   {
@@ -256,7 +256,7 @@ void HfabDriver::Rest() noexcept
 
 void HfabDriver::Serve(HardwareExchange& exchange)
 {
-  /** Ends the force, even if an exception is thrown. */
+  /** Ends the force when leaving the scope, even by an exception. */
   struct AtEnd
   {
     HfabDriver* Driver;
@@ -298,7 +298,7 @@ void HfabDriver::Serve(HardwareExchange& exchange)
     }
     if (this->Lost)
     {
-      // Quench() and Close() wait until this thread has asked for the force, and got zero.
+      // Quench() and Close() wait until this thread has requested the force and received zero.
       exchange.GetForce();
       exchange.WaitForWake(HfabLostPause);
       continue;
@@ -364,8 +364,8 @@ bool HfabDriver::ReceiveAnswer(HardwareExchange& exchange)
   }
   if ((answer.Error & HfabMessageErrors) != 0)
   {
-    // The counts are those of an earlier message. A single spoilt message is no fault, because the
-    // next one follows at once.
+    // The counts belong to an earlier message. A single corrupted message is not an error, because
+    // the next one follows at once.
     if (++this->Refusals > MostRefusals)
     {
       this->Lose(exchange,
@@ -439,7 +439,7 @@ void HfabDriver::UpdateHand(HardwareExchange& exchange)
   this->HasTip = true;
   DeviceSample sample;
   sample.Tip = HfabModel::ToDevice(tip);
-  // A PHANToM with a thimble has no encoders there: its counts never change.
+  // A PHANToM with a thimble has no encoders in its handle, so these counts never change.
   this->HandleMoves = this->HandleMoves || this->Geometry->IsLinkage ||
     !std::equal(counts.begin() + 3, counts.end(), this->Geometry->Home.begin() + 3);
   sample.HasOrientation = this->Geometry->GimbalCounts > 0.0 && this->HandleMoves &&
@@ -453,7 +453,7 @@ void HfabDriver::UpdateHand(HardwareExchange& exchange)
 
 void HfabDriver::Lose(HardwareExchange& exchange, const char* text) noexcept
 {
-  // Notify the servo before sending anything, because that may take long.
+  // Notify the servo before sending anything, because sending may take long.
   this->Lost = true;
   this->Report(exchange, DeviceStage::Lost, text);
   if (!this->Gone)

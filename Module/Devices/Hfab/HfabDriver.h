@@ -5,15 +5,15 @@
  * Arms with an hfab controller, through a serial port: WoodenHaptics, Polhem, and PHANToMs with new
  * electronics.
  *
- * The controller answers each message with its counts and the model of its arm. It receives
- * currents with each force of the servo, or every 2 ms without a force. Its firmware sets the
- * currents to zero after 100 ms without a message.
+ * The driver sends currents for each force of the servo, or every 2 ms without a force. The
+ * controller answers each message with its encoder counts and the model of its arm. Its firmware
+ * sets the currents to zero after 100 ms without a message.
  *
- * The controller does not know the pose of its arm: its counts begin at 0 when it is switched on
- * and when its button is pushed, and it reports neither. So it is calibrated whenever it is opened,
- * and after every fault: with the arm in its pose for calibration, Home() stores the counts, as the
- * published host program does when the button is pushed. A jump that no hand can make is a fault,
- * and so is a push of the button in another pose.
+ * The controller can't measure the absolute pose of its arm: its counts restart at 0 when it is
+ * switched on and when its button is pushed, without a report. It is therefore calibrated whenever
+ * it is opened, and after every fault: with the arm in its calibration pose, Home() stores the
+ * counts, as the published host program does when the button is pushed. A jump that is too fast for
+ * a hand is a fault, as is a push of the button in another pose.
  *
  * Without a force, no current flows: unlike the published host program, the driver does not
  * compensate the weight of the arm. Not verified on a device.
@@ -34,32 +34,31 @@ class HfabDriver final : public HardwareDriver
 public:
   ///@{
   /**
-   * The names of published controllers' boards contain the word Board. The names of Haply's arms
-   * do, too, but Haply's arms need other messages; their names also contain OtherBoard: ID_VENDOR
-   * Teensyduino, ID_MODEL Haply_inverse3 (chohh7391/lerobot_teleoperator_inverse3 99063dc,
-   * SETUP.md).
+   * The USB names of published controllers' boards contain `Board`. The names of Haply's arms,
+   * which use another protocol, do so, too, but also contain `OtherBoard`: ID_VENDOR Teensyduino,
+   * ID_MODEL Haply_inverse3 (chohh7391/lerobot_teleoperator_inverse3 99063dc, SETUP.md).
    */
   static constexpr const char* Board = "Teensyduino";
   static constexpr const char* OtherBoard = "Haply";
   ///@}
-  /** Longest time (s) to wait for the first answer. */
+  /** Longest wait (s) for the first answer. */
   static constexpr double HandshakeTime = 1.5;
   /**
-   * Time (s) without an answer after which the device is lost. The force has ended long before: the
+   * Time (s) without an answer after which the device is lost. The force has ended before: the
    * servo ends it after 30 ms without positions, and the firmware after 100 ms without messages.
    */
   static constexpr double SilenceTime = 0.5;
   ///@{
   /**
-   * Longest motion of the tip (m) from one answer to the next, and its largest speed (m/s) over a
-   * longer pause. No hand is faster.
+   * Longest plausible motion of the tip (m) from one answer to the next, and its largest speed
+   * (m/s) over a longer pause.
    */
   static constexpr double FarthestStep = 0.02;
   static constexpr double FastestHand = 2.5;
   ///@}
   /**
-   * Time (s) for which the arm must be at rest to be calibrated, and number of counts by which it
-   * may move in this time.
+   * Time (s) for which the arm must be at rest for calibration, and number of counts that it may
+   * move in this time.
    */
   static constexpr double StillTime = 0.2;
   static constexpr int StillCounts = 40;
@@ -80,13 +79,13 @@ public:
   /** Lists the ports of boards that may be controllers. */
   static std::vector<SerialPortInfo> ListBoardPorts(
     const std::string& folder = SerialPort::NamesFolder);
-  /** Returns the identity of the board at a port, for the user's file of devices. */
+  /** Returns the identity of the board at a port, as used in the user's device file. */
   static std::string MakeIdentity(const SerialPortInfo& port);
 
 private:
   enum class Phase : std::uint8_t
   {
-    Waiting,     ///< waits until the hand has moved the arm to its pose, and for Home()
+    Waiting, ///< waits until the user has moved the arm to its pose and calls Home()
     Calibrating, ///< waits until the arm is at rest
     Ready
   };
@@ -103,8 +102,8 @@ private:
   /** Sends currents (mA) and waits for the answer. */
   Reply Ask(const std::array<int, 3>& milliamperes) noexcept;
   /**
-   * Returns whether the firmware waits for its button: instead of counts, it answers with the
-   * requested current (woody_teensy_mini.ino, calibration_needed).
+   * Returns whether the firmware waits for its button: instead of counts, it then answers with the
+   * requested currents (woody_teensy_mini.ino, calibration_needed).
    */
   bool EchoesCurrents() noexcept;
   void Restart(HardwareExchange& exchange);
@@ -128,7 +127,7 @@ private:
   Phase Now = Phase::Waiting;
   bool Lost = false;
   bool Gone = false;        ///< whether the board is unplugged
-  HfabModel::Counts Zero{}; ///< counts in the pose for calibration minus the nominal counts
+  HfabModel::Counts Zero{}; ///< counts in the calibration pose minus the nominal counts
   HfabModel::Counts Raw{};
   HfabModel::Counts StillAt{};
   std::int64_t StillSince = 0;
@@ -136,9 +135,9 @@ private:
   bool HasTip = false;
   Vector3 Tip; ///< position of the tip along the arm's axes
   HfabModel::Angles JointAngles{};
-  int Refusals = 0; ///< number of consecutive messages that the controller refused
+  int Refusals = 0; ///< number of consecutive messages that the controller has refused
   std::int64_t LastAnswer = 0;
-  double Pause = 0.0; ///< time in s between the last two answers
+  double Pause = 0.0; ///< time (s) between the last two answers
 };
 
 } // namespace VolumeHaptics

@@ -10,7 +10,7 @@ namespace
 {
 
 /**
- * Lists the boards. Nothing is sent to them, because boards with other programs have the same name.
+ * Lists the boards without sending anything, because boards with other programs have the same name.
  */
 std::vector<DeviceListing> ListBoards()
 {
@@ -24,8 +24,8 @@ std::vector<DeviceListing> ListBoards()
 }
 
 /**
- * Returns the obstacle if there is no board. A board can only be identified when it is opened; its
- * listing shows whether the user may open it.
+ * Returns the obstacle if there is no board. Whether a board is a controller is known only after
+ * opening it; its listing shows whether the user has permission to open it.
  */
 std::string WhyNoBoards()
 {

@@ -15,8 +15,8 @@ namespace
 constexpr double Circle = 6.283185307179586;
 
 /**
- * Lengths of Polhem's linkage (m): distance between the cranks, the two cranks, the rod, from c to
- * b, and from b to the tip.
+ * Lengths of Polhem's linkage (m): distance between the cranks, both cranks, the rod, from c to b,
+ * and from b to the tip.
  */
 constexpr double L0 = 0.034;
 constexpr double L1 = 0.165;
@@ -46,8 +46,8 @@ const HfabGeometry Phantom{ "PHANToM", false, { 0.013, 0.010, 0.010 }, { 0.117, 
   { -1.0, 1.0, -1.0 }, { 0, 7700, 0, 0, 0, 0 }, 3000.0, 2000.0,
   MakeLimits(5.0, 800.0, 8.0, 0.100) };
 
-// Half of the published limits, because published builds have motors of 0.0259 or of 0.0603 N m/A
-// (WoodenDriver.h).
+// Use half of the published limits, because published builds have motors of either 0.0259 or 0.0603
+// N m/A (WoodenDriver.h).
 const HfabGeometry Wooden{ "WoodenHaptics", false, { 0.010, 0.010, 0.010 }, { 0.160, 0.120, 0.120 },
   { 0.080, 0.205, 0.245 }, { 0.22, 0.0, 0.08 }, { 0.0259, 0.0259, 0.0259 }, 2000.0,
   { 1.0, -1.0, -1.0 }, { 0, 0, -6000, 0, 0, 0 }, 3000.0, 0.0, MakeLimits(2.5, 500.0, 4.0, 0.100) };
@@ -77,13 +77,13 @@ double Dot(const Point& a, const Point& b) noexcept
 {
   return a.X * b.X + a.Y * b.Y;
 }
-/** Returns a vector rotated to the left by a right angle. The derivative of U(q) is Left(U(q)). */
+/** Returns a vector rotated to the left by 90 degrees. The derivative of U(q) is Left(U(q)). */
 Point Left(const Point& a) noexcept
 {
   return { -a.Y, a.X };
 }
 
-/** The linkage in its plane. */
+/** A state of the linkage in its plane. */
 struct Linkage
 {
   Linkage(double upper, double lower) noexcept
@@ -93,7 +93,7 @@ struct Linkage
     const Point way = a - b;
     const double distance = std::sqrt(Dot(way, way));
     const double cosine = (L4 * L4 + distance * distance - L3 * L3) / (2.0 * L4 * distance);
-    // The condition is false for NaN, too.
+    // This is also false for NaN.
     this->Exists = std::abs(cosine) < 1.0;
     if (!this->Exists)
     {
@@ -120,7 +120,7 @@ struct Linkage
 };
 
 ///@{
-/** Return rotations about the arm's x, y and z. */
+/** Return rotations about the arm's x, y and z axes. */
 Quaternion AboutX(double angle) noexcept
 {
   return { std::cos(0.5 * angle), std::sin(0.5 * angle), 0.0, 0.0 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The arms that hfab controllers drive: computes the tip from encoder counts, and the motors'
+ * Models the arms of hfab controllers: computes the tip from encoder counts, and the motors'
  * currents from a force.
  *
  * Lengths, gears, counts, torque constants, poses and signs are from hfabapi's tables
@@ -19,15 +19,17 @@
  * derivatives follow from |c - a| = L3.
  *
  * The handle of Polhem and PHANToM has encoders D, E and F. hfabapi's published functions disagree
- * about a PHANToM's: computeRotation() of hfab_kinematics.cpp turns the handle with the forearm,
- * and by D about x, but is never reached; getRot() of hfab_api.cpp, which runs, turns it by D about
- * z, and leaves the forearm out, whose angle only Polhem's functions write. Here the handle turns
- * with the forearm, since the tip does so, and then as in getRot(): a gimbal swings right, then up,
- * then turns about itself, as the gimbal angles of the vendor's own library do.
+ * about the handle of a PHANToM: computeRotation() of hfab_kinematics.cpp rotates it with the
+ * forearm, and by D about x, but is never called. getRot() of hfab_api.cpp is called, and rotates
+ * the handle by D about z, but omits the forearm, whose angle is written only by Polhem's
+ * functions. Here the handle rotates with the forearm, as the tip does, and then as in getRot():
+ * the gimbal swings right, then up, then turns about its own axis, like the gimbal angles of the
+ * vendor's own library.
  *
- * hfabapi's current that carries the arm's weight is left out: force leaves only through gate and
- * safety stage. Its g is 0 for PHANToM and WoodenHaptics; their formula takes the angle C where the
- * weight of the forearm acts on B, although that weight hangs on B's end.
+ * hfabapi's current that compensates the arm's weight is omitted, because every force must pass the
+ * gate and the safety stage. hfabapi's g is 0 for PHANToM and WoodenHaptics anyway, and their
+ * formula uses the angle C where the forearm's weight acts on B, although this weight acts at B's
+ * end.
  *
  * No function allocates or throws.
  */
@@ -46,15 +48,15 @@ struct HfabGeometry
 {
   const char* Name;
   bool IsLinkage;
-  std::array<double, 3> Capstan;        ///< diameters at the motors (m)
-  std::array<double, 3> Body;           ///< diameters at the joints (m)
+  std::array<double, 3> Capstan; ///< diameters of the capstans on the motors (m)
+  std::array<double, 3> Body; ///< diameters of the drums on the joints (m)
   std::array<double, 3> Lengths;        ///< lengths of a serial arm in m: base, upper arm, forearm
   Vector3 Origin;                       ///< origin of the tip's position (m)
   std::array<double, 3> TorqueConstant; ///< in N m/A
   double CountsPerTurn;                 ///< encoder counts per revolution of a motor
   std::array<double, 3> Signs;          ///< +1 if counts grow with the joint's angle
-  std::array<int, 6> Home;              ///< counts in the pose for calibration
-  /// mA for each motor; the lowest setting of the controller's amplifiers
+  std::array<int, 6> Home; ///< counts in the calibration pose
+  /// mA for each motor: the lowest setting of the controller's amplifiers
   double MaximumCurrent;
   double GimbalCounts; ///< encoder counts per revolution of the handle; 0 if it has no encoders
   DeviceLimits Limits;
@@ -67,17 +69,17 @@ public:
   using Counts = std::array<int, 6>;    ///< encoder counts after calibration
 
   /**
-   * Returns an arm, or null if the model is not known. The models are 1 Polhem, 2 PHANToM, 3
-   * WoodenHaptics.
+   * Returns the geometry of an arm, or null for an unknown model. The models are 1 Polhem, 2
+   * PHANToM, 3 WoodenHaptics.
    */
   static const HfabGeometry* Find(int model) noexcept;
 
   static Angles ComputeAngles(const HfabGeometry& geometry, const Counts& counts) noexcept;
-  /** Computes the tip (m). Returns false if the linkage can't have these angles. */
+  /** Computes the tip (m). Returns false if the linkage can't reach these angles. */
   static bool ComputeTip(const HfabGeometry& geometry, const Angles& angles, Vector3& tip) noexcept;
   /**
    * Computes the derivatives of the tip with respect to the angles (m/rad; one column for each
-   * angle). Returns false if the linkage can't have these angles, or if a derivative does not
+   * angle). Returns false if the linkage can't reach these angles, or if a derivative does not
    * exist.
    */
   static bool ComputeJacobian(
@@ -90,8 +92,8 @@ public:
 
   /**
    * Computes the motors' currents (mA) for a force on the hand (N): i = (J^T f) sign capstan /
-   * (body kt). If a motor would get more than the maximum, all currents are reduced by the same
-   * factor. They are zero if the force is not finite or if the linkage can't have these angles.
+   * (body kt). If a current would exceed the maximum, all currents are scaled by the same factor.
+   * They are zero if the force is not finite or if the linkage can't reach these angles.
    */
   static std::array<int, 3> ComputeCurrents(
     const HfabGeometry& geometry, const Angles& angles, const Vector3& force) noexcept;

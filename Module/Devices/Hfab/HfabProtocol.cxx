@@ -9,7 +9,7 @@ namespace VolumeHaptics
 {
 namespace
 {
-/** Limit of the digits of a number, which suffices for the counts of any encoder. */
+/** Limit of the digits of a number; it suffices for the counts of any encoder. */
 constexpr int MostDigits = 9;
 } // namespace
 
@@ -31,7 +31,7 @@ bool HfabReader::Receive(char byte) noexcept
   const bool isUnderWay = this->Field >= 0;
   if (byte == '[')
   {
-    // An answer that was cut off does not count.
+    // Count a truncated answer as a bad line.
     this->BadLines += isUnderWay ? 1 : 0;
     this->Field = this->Digits = 0;
     this->IsNegative = false;

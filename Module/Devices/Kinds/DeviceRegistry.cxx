@@ -45,8 +45,8 @@ DeviceKind WithoutLibrary(const char* name, const std::string& library, const st
 #endif
 
 /**
- * Returns all built-in kinds. If a kind's library is missing from this build, the kind lists no
- * device, and its Make returns the reason.
+ * Returns all built-in kinds. A kind whose library is missing from this build lists no devices, and
+ * its Make returns the reason.
  */
 std::vector<DeviceKind> GetBuiltInKinds()
 {
@@ -171,7 +171,7 @@ std::unique_ptr<DeviceBackend> MakeDevice(
 {
   const std::vector<DeviceKind> kinds = CopyKinds();
   std::string known = "\"virtual\", \"replay:FILE\"";
-  // The longest name counts, because names of other kinds may begin like it.
+  // Try the longest name first, because another kind's name may be its prefix.
   for (std::string name = id; !name.empty();
        name.resize(name.find(':') == std::string::npos ? 0 : name.rfind(':')))
   {

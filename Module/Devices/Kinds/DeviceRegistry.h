@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * All kinds of devices that this process knows: the built-in kinds and the added ones.
+ * The registry of all kinds of devices in this process, built-in and added ones.
  */
 #ifndef DeviceRegistry_h
 #define DeviceRegistry_h
@@ -13,8 +13,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Adds a kind. From any thread. Returns false and writes the reason to `error` if the name is taken
- * or not valid, or if the kind can't list or make devices.
+ * Adds a kind. May be called from any thread. Returns false and writes the reason to `error` if the
+ * name is taken or not valid, or if the kind lacks a function to list or make devices.
  */
 bool AddDeviceKind(const DeviceKind& kind, std::string& error);
 
@@ -32,8 +32,8 @@ struct DeviceObstacle
 std::vector<DeviceObstacle> ListMissingKinds();
 
 /**
- * Makes a back end for an id. It is not open yet. Returns null and writes the reason and the cure
- * to `error` if this fails.
+ * Makes a back end for an id, without opening it. On failure, returns null and writes the reason
+ * and the cure to `error`.
  */
 std::unique_ptr<DeviceBackend> MakeDevice(
   const std::string& id, const DeviceOptions& options, std::string& error);

@@ -13,7 +13,7 @@ enum ReportId : std::uint8_t
 {
   CableIn = 0x01,
   CableOut = 0x02,
-  Wireless = 0x31 ///< number of input and output reports
+  Wireless = 0x31 ///< number of input and output reports over Bluetooth
 };
 
 constexpr std::size_t CableInSize = 64;
@@ -22,10 +22,10 @@ constexpr std::size_t WirelessSize = 78;
 constexpr std::size_t CrcSize = 4;
 constexpr std::uint8_t InSeed = 0xA1;
 constexpr std::uint8_t OutSeed = 0xA2;
-constexpr std::uint8_t OutTag = 0x10; // a byte in every output report on Bluetooth
+constexpr std::uint8_t OutTag = 0x10; // a byte in every output report over Bluetooth
 
 ///@{
-/** Indices of bytes in the part of a report that both links have in common. */
+/** Indices of bytes in the part of an input report that is the same by cable and by Bluetooth. */
 enum InPlace
 {
   LeftX,
@@ -57,7 +57,8 @@ struct ButtonPlace
   int Bit;
   std::uint32_t Button;
 };
-// The buttons in order: square, cross, circle, triangle; L1, R1; create, options, both sticks; PS.
+// The buttons in this order: square, cross, circle, triangle; L1, R1; create, options, both sticks;
+// PS.
 constexpr ButtonPlace ButtonPlaces[] = { { 0, 4, PadWest }, { 0, 5, PadSouth }, { 0, 6, PadEast },
   { 0, 7, PadNorth }, { 1, 0, PadLeftShoulder }, { 1, 1, PadRightShoulder }, { 1, 4, PadSelect },
   { 1, 5, PadStart }, { 1, 6, PadLeftStick }, { 1, 7, PadRightStick }, { 2, 0, PadMode } };

@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr const char* Word = "dualsense";
-constexpr std::int64_t FirstReportTime = 500000000; // in ns
+constexpr std::int64_t FirstReportTime = 500000000; // ns
 constexpr int Steps = 255;
 constexpr int MostBadReports = 5; // limit of consecutive bad reports
 
@@ -134,7 +134,8 @@ bool DualSenseDriver::Listen(HardwareExchange& exchange)
     const char* const wrong =
       DualSense::Decode(bytes, static_cast<std::size_t>(size), link, this->State);
     hasNews = hasNews || !wrong;
-    // A report that was spoilt on the radio link is no fault, because the next one follows at once.
+    // A report that was corrupted on the radio link is not an error, because the next one follows
+    // at once.
     this->BadReports = wrong ? this->BadReports + 1 : 0;
     if (this->BadReports > MostBadReports)
     {

@@ -4,9 +4,9 @@
  * @file
  * A DualSense through hidapi, for systems whose own driver can't make it vibrate.
  *
- * It vibrates and exerts no force (Vibration.h, PadState.h). The first report shows the link. The
- * pad has no documented watchdog: on Linux a guard (Devices/Guard) sends the last report if the
- * program can't. Not verified on hardware.
+ * The pad vibrates, but exerts no force (Vibration.h, PadState.h). The first report shows whether
+ * it is connected by cable or by Bluetooth. The pad has no documented watchdog: on Linux, a guard
+ * (Devices/Guard) ends the vibration if the program can't. Not verified on hardware.
  */
 #ifndef DualSenseDriver_h
 #define DualSenseDriver_h
@@ -31,7 +31,7 @@ public:
 
   ///@{
   /**
-   * Convert the number to words on a command line, and back. MakeFromWords() returns null if the
+   * Convert the number to words of a command line, and back. MakeFromWords() returns null if the
    * words belong to another driver.
    */
   static std::vector<std::string> MakeWords(int number);
@@ -44,7 +44,7 @@ public:
 
 private:
   std::vector<HidDeviceInfo> Choose(std::string& error) const override;
-  /** Determines link and firmware, and sends zero. */
+  /** Determines link and firmware version, and sends zero. */
   bool Prepare(const HidDeviceInfo& info, std::string& error) override;
   void Begin(HardwareExchange& exchange, bool isAnew) override;
   void Work(HardwareExchange& exchange) override;
@@ -56,13 +56,13 @@ private:
 
   const int Number;
   DualSense::Link Link = DualSense::Link::Unknown;
-  bool IsNewer = false; ///< whether the firmware has the newer vibration
-  unsigned Reports = 0; ///< number of sent reports
+  bool IsNewer = false; ///< whether the firmware supports the newer vibration
+  unsigned Reports = 0; ///< number of reports sent
   PadState State;
   RateTip Tip;
   Vibration Levels;
-  int Strong = 0; ///< level of the strong motor that was sent last
-  int Weak = 0;   ///< level of the weak motor that was sent last
+  int Strong = 0; ///< last level sent to the strong motor
+  int Weak = 0; ///< last level sent to the weak motor
   int BadReports = 0;
   std::int64_t SentAt = 0;
   std::int64_t LastRound = 0;

@@ -15,8 +15,8 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int PadRoundPause = 2; // in ms, while servo and pad send nothing
-constexpr int PadLostPause = 10; // in ms
+constexpr int PadRoundPause = 2; // ms, while servo and pad send nothing
+constexpr int PadLostPause = 10; // ms
 constexpr const char* PadUnplugged =
   "is gone: unplugged, switched off or out of reach. Bring it back: it is opened by itself, and "
   "waits for Arm().";
@@ -93,7 +93,7 @@ bool EvdevPadDriver::Connect(std::string& error)
 bool EvdevPadDriver::Reconnect(const std::string& /*identity*/,
   const std::function<bool()>& /*mustStop*/, std::string& /*error*/)
 {
-  // A pad that is in use is not this one.
+  // Skip pads that are in use, because the previous pad is not in use.
   const EvdevPad before = this->Pad;
   const std::vector<EvdevPad> pads = ListEvdevPads();
   std::string ignored;
@@ -166,7 +166,7 @@ void EvdevPadDriver::ReadAll() noexcept
 
 void EvdevPadDriver::Serve(HardwareExchange& exchange)
 {
-  /** Stops the motors, even if an exception is thrown. */
+  /** Stops the motors when leaving the scope, even by an exception. */
   struct AtEnd
   {
     EvdevPadDriver* Driver;
@@ -188,7 +188,7 @@ void EvdevPadDriver::Serve(HardwareExchange& exchange)
     }
     if (this->Lost)
     {
-      // Quench() and Close() wait until this thread has asked for the force, and got zero.
+      // Quench() and Close() wait until this thread has requested the force and received zero.
       exchange.GetForce();
       exchange.WaitForWake(PadLostPause);
       if (!this->Gone && !this->Listen(exchange))
@@ -257,7 +257,7 @@ bool EvdevPadDriver::Listen(const HardwareExchange& exchange) noexcept
 
 void EvdevPadDriver::Lose(HardwareExchange& exchange, const char* text) noexcept
 {
-  // Notify the servo before sending anything, because that may take long.
+  // Notify the servo before sending anything, because sending may take long.
   this->Lost = true;
   this->Report(exchange, DeviceStage::Lost, text);
   this->Rumble.Silence();

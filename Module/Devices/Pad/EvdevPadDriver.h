@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A gamepad through Linux' evdev: its sticks move a tip, and its motors show how the force changes.
+ * A gamepad through Linux' evdev: its sticks move a tip, and its motors render changes of the
+ * force.
  *
- * It vibrates and exerts no force (Vibration.h, PadState.h). The node is grabbed, so that no other
- * program uses the sticks at the same time. A stick that is held still sends nothing, so that
- * silence is no fault. The node disappears when the pad is disconnected. Not verified on hardware.
+ * The pad vibrates, but exerts no force (Vibration.h, PadState.h). Its node is grabbed, so that no
+ * other program receives the sticks at the same time. A stick at rest sends nothing, so silence is
+ * not an error. The node disappears when the pad is disconnected. Not verified on hardware.
  */
 #ifndef EvdevPadDriver_h
 #define EvdevPadDriver_h
@@ -36,26 +37,24 @@ struct EvdevPad : public EvdevNode
   }
   bool Vibrates = false; ///< whether the pad's driver supports FF_RUMBLE
 
-  /** Returns name and path, as the user sees them. */
+  /** Returns name and path, as shown to the user. */
   std::string GetLabel() const;
   /** Returns "available", "in use", or the obstacle and its cure. */
   std::string GetState() const;
 };
 
 /**
- * Lists all pads that have a first button and a stick of two axes, in the order of their numbers.
+ * Lists all pads that have a first button and a stick with two axes, in the order of their numbers.
  */
 std::vector<EvdevPad> ListEvdevPads();
 
-/** Obstacle and cure for a pad whose driver can't make it vibrate. */
+/** Text with the obstacle and the cure for a pad whose driver does not support vibration. */
 extern const char* const NoRumbleText;
 
 class EvdevPadDriver final : public HardwareDriver
 {
 public:
-  /**
-   * @param number index of the pad in ListEvdevPads; if negative, the first free pad that vibrates
-   */
+  /** @param number index of the pad in ListEvdevPads; negative: the first free pad that vibrates */
   explicit EvdevPadDriver(int number);
   ~EvdevPadDriver() override { this->Disconnect(); }
 
@@ -74,7 +73,7 @@ private:
   void ReadAll() noexcept;
   void Begin(HardwareExchange& exchange);
   void Round(HardwareExchange& exchange);
-  /** Waits for a short time. Returns false if the pad was disconnected. */
+  /** Waits briefly for events. Returns false if the pad was disconnected. */
   bool Listen(const HardwareExchange& exchange) noexcept;
   void Lose(HardwareExchange& exchange, const char* text) noexcept;
   void Report(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept;
@@ -84,7 +83,7 @@ private:
   std::string Label = "A gamepad";
   int Node = -1;
   bool Lost = false;
-  bool Gone = false; ///< whether the pad was unplugged or switched off
+  bool Gone = false; ///< whether the pad was disconnected or switched off
   EvdevReader Reader;
   RateTip Tip;
   Vibration Levels;

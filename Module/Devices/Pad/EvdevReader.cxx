@@ -63,7 +63,7 @@ EvdevReader::News EvdevReader::Receive(const input_event& event) noexcept
   const bool isEnd = event.type == EV_SYN && event.code == SYN_REPORT;
   if (this->IsDropping)
   {
-    // If a part of a report was lost, the rest is dropped.
+    // If a part of a report was lost, drop the rest of the report.
     this->IsDropping = !isEnd;
     return isEnd ? News::MustRead : News::None;
   }
@@ -93,7 +93,7 @@ double EvdevReader::Trigger(unsigned code, unsigned other, std::uint32_t button)
     const Axis& axis = this->Axes[c];
     if (axis.Exists)
     {
-      // A trigger with an axis also has a button, which is pressed on the way; the axis counts.
+      // A trigger with an axis also has a button, which closes on the way; use only the axis.
       const double part = ScaleTrigger(axis.Value, axis.Least, axis.Most, axis.Flat);
       most = hasAxis ? std::max(most, part) : part;
       hasAxis = true;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The events of a gamepad in Linux.
+ * Interprets the events of a gamepad in Linux.
  *
  * The codes are those of the kernel's gamepad specification (gamepad.rst of its documentation of
  * input), with triggers at Z and RZ as the drivers of Xbox and PlayStation pads have them. Pads
- * without RX and RY may have their right stick at Z and RZ: it counts as a stick if it was in its
- * middle at first.
+ * without RX and RY may have their right stick at Z and RZ: an axis there belongs to a stick if it
+ * was centred at first.
  */
 #ifndef EvdevReader_h
 #define EvdevReader_h
@@ -28,12 +28,12 @@ public:
   enum class News : std::uint8_t
   {
     None,
-    Report,  ///< a report is complete, so that Get() returns a new state
-    MustRead ///< events were lost, so that all axes and buttons must be read from the device
+    Report, ///< a report is complete; Get() returns a new state
+    MustRead ///< events were lost; all axes and buttons must be read from the device
   };
 
   ///@{
-  /** Set the state of an axis or a button that the device has. Other ones are ignored. */
+  /** Set the state of an axis or a button. Codes that the device does not have are ignored. */
   void SetAxis(unsigned code, const input_absinfo& axis) noexcept;
   void SetButton(unsigned code, bool isHeld) noexcept;
   ///@}
@@ -44,7 +44,7 @@ private:
   struct Axis
   {
     bool Exists = false;
-    /** Whether the axis was in its middle at first; a trigger is at an end then. */
+    /** Whether the axis was centred at first; a trigger would be at an end. */
     bool IsCentred = false;
     int Value = 0;
     int Least = 0;
@@ -53,8 +53,8 @@ private:
   };
   double Stick(unsigned code) const noexcept;
   /**
-   * Returns the value of a trigger: the value of the axis that is pushed furthest, or of its button
-   * if it has no axis.
+   * Returns the value of a trigger: the largest value of its axes, or the value of its button if it
+   * has no axis.
    */
   double Trigger(unsigned code, unsigned other, std::uint32_t button) const noexcept;
 

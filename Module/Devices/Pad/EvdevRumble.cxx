@@ -19,7 +19,7 @@ bool EvdevRumble::Begin(int node) noexcept
   *this = {};
   this->Node = node;
   int slots = 0;
-  // The last program may have changed the gain. Drivers without a gain ignore this.
+  // The last program may have changed the gain. Drivers without a gain ignore this event.
   return ioctl(node, EVIOCGEFFECTS, &slots) >= 0 && slots > 0 &&
     EvdevNode::SendForce(node, FF_GAIN, 0xFFFF);
 }
@@ -35,7 +35,8 @@ bool EvdevRumble::Upload(const Pair& pair) noexcept
   int result = ioctl(this->Node, EVIOCSFF, &effect);
   if (result < 0 && this->Id >= 0 && (errno == EINVAL || errno == EACCES))
   {
-    // Before Linux 5.7, a child process that closes its copy of the node erases the effects.
+    // Create the effect again: before Linux 5.7, a child process that closes its copy of the node
+    // erases the effects.
     effect.id = -1;
     result = ioctl(this->Node, EVIOCSFF, &effect);
   }

@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The motors of a gamepad through the kernel's force feedback (ff.rst of its documentation of
- * input).
+ * Drives the motors of a gamepad through the kernel's force feedback (ff.rst of its documentation
+ * of input).
  *
  * An effect lasts for ReplayLength and is renewed after Vibration::RenewTime, so that the motors
  * stop if this process stops. If the node is closed, for example because the process ends, the
  * kernel erases the effect, which stops the motors (evdev_release or, before Linux 5.7,
  * evdev_flush, then flush_effects in ff-core.c).
  *
- * New levels change the effect and start it again at once. Only the start marks the effect as
- * playing in the kernel. If an effect were changed, and then stopped or erased before the kernel's
- * next timer tick, the motors would stay on (ml_ff_upload and ml_ff_playback in ff-memless.c).
+ * Each change of the levels restarts the effect at once, because only a start marks the effect as
+ * playing in the kernel. If an effect were changed without a start, and then stopped or erased
+ * before the kernel's next timer tick, the motors would stay on (ml_ff_upload and ml_ff_playback in
+ * ff-memless.c).
  */
 #ifndef EvdevRumble_h
 #define EvdevRumble_h
@@ -28,11 +29,11 @@ class EvdevRumble
 {
 public:
   static constexpr int ReplayLength = static_cast<int>(Vibration::ReplayTime * 1e3 + 0.5); ///< ms
-  /** Number of levels of a motor, which is the resolution of pads. */
+  /** Number of levels of a motor: the resolution of pads. */
   static constexpr int Steps = 255;
 
   /**
-   * Prepares an open node, and sets the full gain. Returns false if the node has no room for an
+   * Prepares an open node, and sets the full gain. Returns false if the driver can't store an
    * effect.
    */
   bool Begin(int node) noexcept;

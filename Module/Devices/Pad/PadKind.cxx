@@ -22,7 +22,7 @@ namespace
 
 constexpr const char* PadIds = "vibration:pad";
 
-/** A pad, the driver that reaches it, and its number for this driver. */
+/** A pad, the driver that communicates with it, and its number in this driver. */
 struct ListedPad
 {
   bool IsHid = false;
@@ -131,7 +131,7 @@ std::unique_ptr<DeviceBackend> MakePad(
   {
     return MakeListed(pads[static_cast<std::size_t>(number)], options, error);
   }
-  // Without a number, take any free pad that vibrates.
+  // Without a number, choose any free pad that vibrates.
 #if defined(VOLUME_HAPTICS_HAS_EVDEV)
   const bool hasEvdev = std::any_of(
     pads.begin(), pads.end(), [](const ListedPad& pad) { return !pad.IsHid && pad.Vibrates; });

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Lists and makes gamepads, "vibration:pad" and "vibration:pad:N". They vibrate and exert no force.
+ * Lists and makes gamepads, "vibration:pad" and "vibration:pad:N", which vibrate but exert no
+ * force.
  */
 #ifndef PadKind_h
 #define PadKind_h

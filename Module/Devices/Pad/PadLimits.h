@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The limits of gamepads, which are equal for all of them.
+ * The limits that are common to all gamepads.
  */
 #ifndef PadLimits_h
 #define PadLimits_h
@@ -12,7 +12,7 @@
 namespace VolumeHaptics
 {
 
-/** Largest force (N) whose changes are felt. A pad exerts no force. */
+/** Largest force (N) whose changes are rendered. A pad exerts no force. */
 constexpr double MostPadForce = 8.0;
 
 inline DeviceLimits MakePadLimits() noexcept

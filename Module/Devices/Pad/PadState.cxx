@@ -15,7 +15,7 @@ constexpr double TriggerDeadZone = 0.05;
 constexpr double LargestDeadZone = 0.5;
 constexpr double FineFraction = 0.2;
 
-/** Returns the part of a number (0 to 1) that exceeds a dead zone, scaled to 0 to 1. */
+/** Returns the part of a number (0 to 1) beyond a dead zone, scaled to 0 to 1. */
 double Beyond(double part, double deadZone) noexcept
 {
   return std::clamp((part - deadZone) / (1.0 - deadZone), 0.0, 1.0);
@@ -32,7 +32,7 @@ PadMotion Steer(const PadState& state) noexcept
   }
   const double speed = (state.Buttons & PadLeftShoulder) != 0 ? FineFraction : 1.0;
   const double back = std::clamp(state.RightY + state.LeftTrigger - state.RightTrigger, -1.0, 1.0);
-  // A stick reaches farther in its corners than along its axes, so limit the length.
+  // A stick reaches farther diagonally than along its axes, so limit the length.
   motion.Push = speed * ClampNorm({ state.LeftX, -state.LeftY, back }, 1.0);
   motion.Turn = { 0.0, speed * state.RightX, 0.0 };
   return motion;

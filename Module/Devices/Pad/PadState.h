@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The sticks and buttons of a gamepad, and how they move the tip.
+ * The state of a gamepad's sticks and buttons, and the motion of the tip that they cause.
  */
 #ifndef PadState_h
 #define PadState_h
@@ -14,7 +14,7 @@
 namespace VolumeHaptics
 {
 
-/** Bits of PadState::Buttons, named by the buttons' places on the pad. */
+/** Bits of PadState::Buttons, named after the buttons' positions on the pad. */
 enum PadButton : std::uint32_t
 {
   PadSouth = 1U << 0, ///< the button A, or the cross
@@ -25,9 +25,9 @@ enum PadButton : std::uint32_t
   PadRightShoulder = 1U << 5, ///< the button above the right trigger
   PadSelect = 1U << 6,
   PadStart = 1U << 7,
-  PadLeftStick = 1U << 8,  ///< the left stick, pressed
-  PadRightStick = 1U << 9, ///< the right stick, pressed
-  PadMode = 1U << 10       ///< the maker's own button
+  PadLeftStick = 1U << 8, ///< pressing the left stick
+  PadRightStick = 1U << 9, ///< pressing the right stick
+  PadMode = 1U << 10 ///< the button with the maker's logo
 };
 
 struct PadState
@@ -56,19 +56,19 @@ struct PadMotion
 
 /**
  * Returns the motion for a state. The left stick moves the tip left and right, up and down. The
- * right stick moves it forward and back, and so do the triggers: the right one moves it forward,
- * and the left one back. The right stick also rotates the volume sideways. While the left shoulder
- * is held, everything moves at a fifth of the speed. The right shoulder is the clutch: while it is
- * held, the tip stays.
+ * right stick moves it forward and back, as do the triggers (right: forward, left: back). Moving
+ * the right stick sideways rotates the volume. While the left shoulder button is held, everything
+ * moves at a fifth of the speed. The right shoulder button is the clutch: while it is held, the tip
+ * stays in place.
  */
 PadMotion Steer(const PadState& state) noexcept;
 
 ///@{
 /**
- * Map a reported value between two ends to -1 to 1 for a stick, or to 0 to 1 for a trigger. In a
- * dead zone around the rest position the result is 0, and it is continuous at the zone's border.
- * The zone is 12 % of a stick's half or 5 % of a trigger, or `flat`, the driver's own dead zone, if
- * that is larger. Return 0 if the ends are no range.
+ * Map a reported value between two ends to -1 to 1 for a stick, or to 0 to 1 for a trigger. The
+ * result is 0 in a dead zone around the rest position, and continuous at the zone's border. The
+ * zone is 12 % of half a stick's range or 5 % of a trigger's, or the driver's own dead zone `flat`
+ * if that is larger. Return 0 if the ends are equal or reversed.
  */
 double ScaleStick(int value, int least, int most, int flat = 0) noexcept;
 double ScaleTrigger(int value, int least, int most, int flat = 0) noexcept;

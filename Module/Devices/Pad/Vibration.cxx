@@ -10,7 +10,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Limit of a force (N), so that sums do not overflow. It is larger than any force that is sent. */
+/**
+ * Limit of a force (N) that prevents overflows in sums. It is larger than any force that is sent.
+ */
 constexpr double LargestForce = 1e6;
 
 /** Moves a level towards `wanted`, at a limited rate. */
@@ -29,8 +31,7 @@ VibrationLevels Vibration::Advance(const Vector3& force, double elapsed) noexcep
     this->Silence();
     return this->Levels;
   }
-  // The formula is exact for a force that is constant over the elapsed time, however long that time
-  // is.
+  // This formula is exact for a constant force, however long the elapsed time is.
   this->Fast += -std::expm1(-elapsed / FastTime) * (force - this->Fast);
   this->Slow += -std::expm1(-elapsed / SlowTime) * (force - this->Slow);
   const double weak = std::min(1.0, Norm(force - this->Fast) / FullChange);

@@ -14,7 +14,7 @@ constexpr HidUsage Steering = MakeHidUsage(0x02, 0xC8);
 constexpr HidUsage NoButton = MakeHidUsage(0x09, 0);
 constexpr HidUsage LastButton = MakeHidUsage(0x09, 32);
 
-// Returns a field with absolute values, because the axes of a mouse are relative.
+// Return a field with absolute values, because the axes of a mouse are relative.
 const HidField* FindAxis(const HidReportDescriptor& descriptor, HidUsage usage)
 {
   for (const HidField& field : descriptor.GetFields())

@@ -20,32 +20,30 @@ class HidStick
 public:
   struct State
   {
-    std::array<double, 2> Axes{}; ///< x (or the wheel) and y, from -1 to 1 over the logical range
+    /// x (or the wheel) and y, scaled from the logical range to -1 to 1
+    std::array<double, 2> Axes{};
     std::uint32_t Buttons = 0;    ///< bit 0 is button 1; at most 32 buttons
   };
 
   /**
-   * Finds X or the steering wheel, Y if there is one, and the buttons that have one bit each.
-   * Returns false and writes the missing parts to `error` if there is no axis.
+   * Finds X or the steering wheel, Y if present, and all buttons with one bit each. If there is no
+   * axis, returns false and writes the missing parts to `error`.
    */
   bool Map(const HidReportDescriptor& descriptor, std::string& error);
 
-  /**
-   * Returns the smallest step of an axis that is reported, as a fraction of the axis's logical
-   * range.
-   */
+  /** Returns the smallest step that an axis reports, as a fraction of its logical range. */
   double GetStep() const noexcept;
   bool HasSecondAxis() const noexcept { return this->Axes.size() > 1; }
   /**
-   * Makes Decode() read only one axis. For a device without a motor on its second axis, which may
+   * Makes Decode() read only the first axis: for a device whose second axis has no motor, and may
    * be a pedal. State::Axes[1] stays 0.
    */
   void UseOneAxis() { this->Axes.resize(1); }
 
   /**
    * Reads a packet, with the report id in front if the device uses ids. Returns nullptr, or the
-   * reason why the packet is not valid, as a text that is never freed; then the state does not
-   * change. Other reports are accepted and change nothing. For the servo loop: no allocation.
+   * reason why the packet is not valid, as a static text; the state is then unchanged. Other
+   * reports are accepted and ignored. For the servo loop: no allocation.
    */
   const char* Decode(const std::uint8_t* bytes, std::size_t size, State& state) const noexcept;
 

@@ -50,7 +50,7 @@ bool PidDevice::Map(const HidReportDescriptor& descriptor, std::string& error)
   constexpr HidReportKind output = HidReportKind::Output;
   constexpr HidReportKind feature = HidReportKind::Feature;
 
-  // The usage of the control may not be in a collection with the report's usage.
+  // The usage of the control may be outside a collection with the report's usage.
   if (!mapper.Turn(PidUsage::DeviceControlReport, output, "Device Control", this->ControlShape))
   {
     need(PidUsage::DeviceControl, output, "Device Control", this->ControlShape);
@@ -81,7 +81,7 @@ bool PidDevice::Map(const HidReportDescriptor& descriptor, std::string& error)
   {
     mapper.Find(AxisUsages[axis], this->AxisEnable[axis], PidMapper::Of(PidUsage::AxesEnable));
   }
-  // There is one angle, or several angles with ordinal numbers.
+  // There is either one angle, or several angles with ordinal numbers.
   const bool isNumbered =
     mapper.Find(MakeHidUsage(OrdinalPage, 1), this->Direction, PidMapper::Of(PidUsage::Direction));
   if (!isNumbered)
@@ -96,7 +96,7 @@ bool PidDevice::Map(const HidReportDescriptor& descriptor, std::string& error)
   mapper.Need(PidUsage::Magnitude, "Magnitude", this->Magnitude);
   const HidField& magnitude = this->Magnitude.Field;
   this->IsSigned = !this->Magnitude.Known || magnitude.LogicalMinimum < 0;
-  // If the magnitude has no sign, a force is reversed by its direction, as in hid-pidff's
+  // If the magnitude has no sign, a force is reversed by reversing its direction, as in hid-pidff's
   // pidff_set_signed().
   const bool canReverse = this->IsSigned || (magnitude.LogicalMinimum == 0 && hasPolar);
   if (this->Magnitude.Known && (magnitude.LogicalMaximum <= 0 || !canReverse))
@@ -146,7 +146,7 @@ void PidDevice::Choose(HidReport& report, const Slot& slot) noexcept
   PidDevice::Put(report, slot, slot.Value);
 }
 
-// Sets a bit, although OpenFFBoard's descriptor for one axis says that the only value is 0.
+// Set a bit even where OpenFFBoard's descriptor for one axis states that the only value is 0.
 void PidDevice::SwitchOn(HidReport& report, const Slot& slot) noexcept
 {
   if (slot.Known)
@@ -193,8 +193,7 @@ HidReport PidDevice::CreateConstant() const noexcept
   return report;
 }
 
-// Sets the fields of the effect. All other fields stay 0: no trigger button, no delay, no sample
-// period.
+// Sets the effect's fields. All other fields stay 0: no trigger button, no delay, no sample period.
 HidReport PidDevice::SetEffect(std::int64_t block, int effect, double duration) const noexcept
 {
   const int axis = this->GetAxis(effect);
@@ -204,12 +203,12 @@ HidReport PidDevice::SetEffect(std::int64_t block, int effect, double duration) 
   PidDevice::Put(report, this->Duration,
     std::max<std::int64_t>(1, ToLogical(this->Duration.Field, duration, 1e-3)));
   PidDevice::Put(report, this->EffectGain, this->EffectGain.Field.LogicalMaximum);
-  // Use the direction if there is one, as Linux does. If the axes' bits are set instead, firmwares
-  // interpret the direction differently.
+  // Use the direction if available, as Linux does: firmwares interpret the direction differently if
+  // the axes' bits are set instead.
   const bool hasDirection = this->DirectionEnable.Known && !this->HasShares;
   PidDevice::SwitchOn(report, hasDirection ? this->DirectionEnable : this->AxisEnable[axis]);
-  // The direction is an angle, clockwise from the north. As in Linux, the field's range is the
-  // whole circle, whatever the unit; with HasShares, it is the whole axis.
+  // The direction is an angle, clockwise from north. As in Linux, the field's range stands for the
+  // whole circle, whatever the unit; with HasShares, it stands for the whole axis.
   const double turn = this->IsSigned || effect % 2 == 0 ? 0.0 : 0.5;
   const double circle = this->HasShares ? 1.0 : turn + (axis == 0 ? 0.25 : 0.0);
   const HidField& field = this->Direction.Field;
@@ -233,7 +232,7 @@ HidReport PidDevice::SetConstant(
 {
   HidReport report = PidDevice::Begin(this->Constant);
   PidDevice::Put(report, this->ConstantBlock, block);
-  // Use one scale for both directions, even if the range has one more value below zero.
+  // Use the same scale for both directions, even if the range has one more value below zero.
   const HidField& field = this->Magnitude.Field;
   const std::int64_t most = ClampToField(field, field.LogicalMaximum);
   const auto fullScale = static_cast<double>(

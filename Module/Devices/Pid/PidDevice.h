@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The reports of a force-feedback stick or wheel according to the USB PID 1.0 specification (usage
- * page 0x0F): the places of fields in a device's reports, and their values.
+ * Makes and reads the reports of a force-feedback stick or wheel according to the USB PID 1.0
+ * specification (usage page 0x0F): finds the fields in a device's reports, and converts their
+ * values.
  *
  * Report ids, sizes and ranges differ from device to device, so PidMapper finds everything by its
- * usage. PID does not know newtons: magnitudes are fractions of a full scale that the user sets.
- * The order of the reports is in PidDialogue.h. No function that the servo calls allocates or
- * throws.
+ * usage. PID has no unit of force: magnitudes are fractions of a full scale whose force the user
+ * sets. PidDialogue.h defines the order of the reports. Functions that the servo calls neither
+ * allocate nor throw.
  */
 #ifndef PidDevice_h
 #define PidDevice_h
@@ -60,16 +61,16 @@ enum class PidUsage : std::uint16_t
 /** Settings that convert forces to magnitudes. */
 struct PidSettings
 {
-  /// N at full magnitude for x and y, which only the user knows. A negative value reverses the
-  /// force; 0 means no force.
+  /// Force (N) at full magnitude along x and y, which only the user knows. A negative value
+  /// reverses the force; 0 means no force.
   std::array<double, 2> NewtonsPerFullScale{ 1.0, 1.0 };
-  /// Time in s, 0.05 to 0.1, for which a force lasts after the last report of the host.
+  /// Time (s, 0.05 to 0.1) for which a force persists after the last report of the host.
   double Duration = 0.1;
 };
 
 enum class BlockLoadStatus : std::uint8_t
 {
-  Waiting, ///< the state is not known yet, or was not understood
+  Waiting, ///< the state is unknown, or the answer was not understood
   Success,
   Full,
   Error
@@ -79,71 +80,68 @@ class PidDevice
 {
 public:
   /**
-   * Finds the reports. Returns false and lists the missing parts in `error` if they do not suffice
-   * for constant forces.
+   * Finds the reports. If they do not suffice for constant forces, returns false and lists the
+   * missing parts in `error`.
    */
   bool Map(const HidReportDescriptor& descriptor, std::string& error);
 
   bool HasPool() const noexcept { return this->Pool.Known; }
-  /** Returns whether the pool has the number of effects that play at a time. */
+  /** Returns whether the pool reports the number of simultaneous effects. */
   bool HasPoolSize() const noexcept { return this->Simultaneous.Known; }
-  /** Returns the least number of an effect's block. */
+  /** Returns the smallest number of an effect's block. */
   std::int64_t GetFirstBlock() const noexcept { return this->LoadBlock.Field.LogicalMinimum; }
   bool HasDeviceGain() const noexcept { return this->Gain.Known; }
-  /** Returns 2 if a force can be given along a second axis, otherwise 1. */
+  /** Returns 2 if the second axis can exert a force, otherwise 1. */
   int GetNumberOfAxes() const noexcept { return this->Axes; }
   /** Largest number of effects. */
   static constexpr int MostEffects = 4;
   /**
    * Returns the number of constant effects, which are numbered from 0: one for each axis or, if
-   * magnitudes have no sign, two for each axis, from opposite directions.
+   * magnitudes have no sign, two with opposite directions for each axis.
    */
   int GetNumberOfEffects() const noexcept { return this->Axes * (this->IsSigned ? 1 : 2); }
   /** Returns the axis of an effect, 0 or 1. */
   int GetAxis(int effect) const noexcept { return this->IsSigned ? effect : effect / 2; }
   /**
-   * Uses only the first axis. For a device without a motor on its second axis, although its
-   * descriptor has one.
+   * Uses only the first axis: for a device without a motor on the second axis of its descriptor.
    */
   void UseOneAxis() noexcept { this->Axes = 1; }
-  /** Makes the direction field a fraction of the force on the enabled axis, not an angle. */
+  /** Makes the direction field a fraction of the force on the enabled axis instead of an angle. */
   void UseShares() noexcept { this->HasShares = true; }
 
   ///@{
-  /**
-   * Make the reports to send. The device numbers the blocks of its effects, beginning with 1.
-   */
+  /** Make reports to send. The device numbers the blocks of its effects from 1. */
   HidReport Control(PidUsage command) const noexcept;
   HidReport FullGain() const noexcept;
   HidReport CreateConstant() const noexcept;
   /**
-   * Makes the report that sets a constant effect, from 90 degrees for axis 0 and from 0 degrees for
-   * axis 1; the second effect of an axis is turned by 180 degrees. If a force comes from its
-   * direction (see PidFirmware), a positive magnitude pushes to the left, or towards the hand. In
-   * firmwares with angles of 8 bits, 0.6 % of axis 0 also acts on axis 1, and nothing the other way
-   * round.
+   * Makes the report that sets a constant effect. Its direction is 90 degrees for axis 0 and 0
+   * degrees for axis 1; the second effect of an axis is turned by 180 degrees. If the firmware
+   * takes the direction as that from which the force comes (see PidFirmware), a positive magnitude
+   * pushes to the left, or towards the hand. In firmwares with 8-bit angles, 0.6 % of axis 0 also
+   * acts on axis 1, but not vice versa.
    */
   HidReport SetEffect(std::int64_t block, int effect, double duration) const noexcept;
   HidReport Operate(std::int64_t block, PidUsage operation) const noexcept;
   /**
-   * Makes the report that sets the magnitude of an effect: newtons of its axis divided by newtons
-   * per full scale, limited to the full scale, and 0 if another effect of the axis pushes. The
-   * magnitude is 0 if either number is not finite.
+   * Makes the report that sets the magnitude of an effect: the newtons of its axis divided by
+   * newtons per full scale, limited to the full scale. The magnitude is 0 if the other effect of
+   * the axis pushes, or if either number is not finite.
    */
   HidReport SetConstant(
     std::int64_t block, int effect, double newtons, double newtonsPerFullScale) const noexcept;
   ///@}
 
   ///@{
-  /** Make the feature reports to fetch. They are still empty. */
+  /** Make the feature reports to fetch, without content. */
   HidReport AskPool() const noexcept;
   HidReport AskBlockLoad() const noexcept;
   ///@}
 
   ///@{
   /**
-   * Read payloads that were received. ReadPool() returns the number of effects, or 0 if the device
-   * did not report it.
+   * Read received payloads. ReadPool() returns the number of effects, or 0 if the device has not
+   * reported it.
    */
   int ReadPool(const std::uint8_t* payload, std::size_t size) const noexcept;
   BlockLoadStatus ReadBlockLoad(
@@ -160,7 +158,7 @@ private:
     std::uint8_t Id = 0;
     std::size_t Size = 0;
   };
-  /** A field and, if it is a choice of usages, the value that means the usage. */
+  /** A field and, if it is a choice of usages, the value that stands for the usage. */
   struct Slot
   {
     bool Known = false;

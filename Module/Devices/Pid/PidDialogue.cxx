@@ -9,7 +9,7 @@ namespace VolumeHaptics
 {
 namespace
 {
-// Limits the time for which a device continues without its host to 50 to 100 ms, whatever the
+// Limit the time for which a device continues without its host to 50 to 100 ms, whatever the
 // setting is.
 PidSettings Bounded(PidSettings settings)
 {
@@ -138,7 +138,8 @@ void PidDialogue::Advance()
     return;
   }
   this->Now = static_cast<Stage>(static_cast<int>(this->Now) + 1);
-  // The second effect gets no centre: its block follows the block of the first effect.
+  // The second effect can't reveal a centring spring: its block follows the block of the first
+  // effect.
   const bool hasCentre = this->Effect == 0 && this->Blocks[0] == this->Device.GetFirstBlock() + 1;
   if (this->Now == Stage::CentreOff && !hasCentre)
   {
@@ -181,7 +182,7 @@ bool PidStream::Next(double elapsed, const std::array<double, 2>& force, HidRepo
   }
   this->Silence += elapsed;
   const bool isSignDue = this->Silence >= SignTime;
-  // Start the effect twice within its duration, so that one report may be late.
+  // Restart the effect twice within its duration, so that one report may be late.
   const double due = 0.5 * this->Settings.Duration;
   for (int effect = 0; effect < effects; ++effect)
   {

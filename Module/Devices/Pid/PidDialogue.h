@@ -2,16 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The dialogue between the host and a force-feedback stick or wheel, without a transport.
+ * The sequence of messages between the host and a force-feedback stick or wheel, without a
+ * transport.
  *
  * PidDialogue makes the device ready: it resets it twice, stops all effects, enables the actuators,
  * reads the pool until the device has filled it in, and sets full gain. Then it makes the constant
  * effects (PidDevice::GetNumberOfEffects): it creates one, waits for its block, sets it with a
  * short duration and without a force, and starts it. If the first effect gets the second block, the
- * first block holds the device's own spring towards the centre, which is stopped (Linux,
- * hid-pidff.c, uses the same sign). Afterwards PidStream makes the reports. An effect ends by
- * itself after its duration unless it is started again, so that the device's force goes to zero if
- * the host stops.
+ * first block contains the device's own centring spring, which is stopped (Linux' hid-pidff.c
+ * detects the spring in the same way). Afterwards PidStream makes the reports. An effect ends by
+ * itself after its duration unless it is restarted, so the device's force becomes zero if the host
+ * stops.
  */
 #ifndef PidDialogue_h
 #define PidDialogue_h
@@ -24,7 +25,7 @@ namespace VolumeHaptics
 enum class PidStep : std::uint8_t
 {
   Send,  ///< send the report unchanged, then call Sent()
-  Fetch, ///< get a feature report with this id and size, then call Fetched()
+  Fetch, ///< fetch a feature report with this id and size, then call Fetched()
   Ready, ///< all effects run
   Failed ///< GetError() returns the reason
 };
@@ -32,23 +33,22 @@ enum class PidStep : std::uint8_t
 class PidDialogue
 {
 public:
-  /**
-   * Number of times that the device may report that it has not made an effect yet. There is a pause
-   * between two requests.
-   */
+  /** Largest number of times that the device may report that an effect does not exist yet. */
   static constexpr int MaximumPolls = 60;
-  static constexpr double PollPause = 0.005; ///< pause in s before the next request
-  /** Number of times that the pool is read until it has room for all effects, as in Linux. */
+  static constexpr double PollPause = 0.005; ///< pause (s) between two such requests
+  /**
+   * Largest number of times that the pool is read until it has room for all effects, as in Linux.
+   */
   static constexpr int MaximumPoolPolls = 20;
 
-  /** Begins the dialogue. The device must outlive it. */
+  /** Starts the dialogue. The device must outlive it. */
   PidDialogue(const PidDevice& device, const PidSettings& settings);
 
-  /** Returns the next step. It stays the same until Sent() or Fetched() is called. */
+  /** Returns the next step, which stays the same until Sent() or Fetched() is called. */
   PidStep GetStep(HidReport& report) const;
 
   ///@{
-  /** Report the result of the step. An empty payload means that the device has sent none. */
+  /** Report the result of the step. An empty payload means that the device has not sent one. */
   void Sent(bool went);
   void Fetched(const std::uint8_t* payload, std::size_t size);
   ///@}
@@ -92,16 +92,16 @@ private:
 };
 
 /**
- * Makes the reports of the servo in order: each effect is started again before it ends, and gets a
- * new magnitude if it has changed. If nothing was sent for SignTime, a magnitude is sent
- * again: by receiving it, the device shows that it is connected. Neither allocates nor throws.
+ * Makes the servo's reports in order: each effect is restarted before it ends, and receives a new
+ * magnitude if it has changed. After SignTime without a report, a magnitude is sent again: its
+ * acknowledgement shows that the device is still connected. Neither allocates nor throws.
  */
 class PidStream
 {
 public:
   static constexpr double SignTime = 0.01; ///< silence (s) after which a magnitude is sent again
 
-  /** Begins the stream. The device must outlive it, and the dialogue must be ready. */
+  /** Starts the stream. The device must outlive it, and the dialogue must be ready. */
   PidStream(const PidDevice& device, const PidSettings& settings, const PidDialogue& dialogue);
 
   /**
@@ -115,10 +115,10 @@ private:
   const PidSettings Settings;
   std::array<std::int64_t, PidDevice::MostEffects> Blocks{};
   std::array<double, PidDevice::MostEffects> Ages{}; ///< time since the last start (s)
-  /** Magnitudes that were sent last. */
+  /** Magnitudes as last sent. */
   std::array<std::array<std::uint8_t, HidReport::Capacity + 1>, PidDevice::MostEffects> Last{};
   double Silence = 0.0; ///< time since a report was sent (s)
-  int Turn = 0;         ///< effect to serve next
+  int Turn = 0; ///< index of the effect that is served next
 };
 
 } // namespace VolumeHaptics

@@ -23,7 +23,7 @@ bool IsOpenFfboard(const HidDeviceInfo& info)
   return info.Vendor == 0x1209 && info.ProductId == 0xFFB0;
 }
 
-/** Returns whether the vendor number is one of Arduino's two or SparkFun's. */
+/** Returns whether the vendor number belongs to Arduino (two numbers) or SparkFun. */
 bool IsArduino(const HidDeviceInfo& info)
 {
   return info.Vendor == 0x2341 || info.Vendor == 0x2A03 || info.Vendor == 0x1B4F;
@@ -32,7 +32,8 @@ bool IsArduino(const HidDeviceInfo& info)
 /** Returns whether all force-feedback reports have the sizes of ArduinoJoystickWithFFBLibrary's. */
 bool HasSizesOfLibrary(const HidReportDescriptor& descriptor)
 {
-  // Sizes of the output reports 1 to 14. There is no report 9, and report 8 lacks the second axis.
+  // Sizes of the output reports 1 to 14. Report 9 does not exist, and report 8 lacks the second
+  // axis.
   constexpr std::size_t outputs[] = { 17, 13, 14, 11, 3, 5, 15, 1, 0, 3, 1, 1, 1, 4 };
   // Sizes of the feature reports 5 to 7.
   constexpr std::size_t features[] = { 3, 4, 4 };
@@ -64,20 +65,22 @@ bool HasSecondAxis(const HidReportDescriptor& descriptor)
 }
 
 /**
- * Number of consecutive repeated packets after which the stick counts as one that sends reports at
- * a rate of its own.
+ * Number of consecutive repeated packets after which the stick counts as one that sends reports
+ * periodically.
  */
 constexpr int RepeatsOfStream = 20;
 /**
- * A packet that repeats the previous one counts as a reminder only if it follows within this time
- * (ns). A repeat after a longer pause is a coincidence.
+ * A packet that equals the previous one counts as a periodic repeat only within this time (ns). A
+ * repeat after a longer pause is a coincidence.
  */
 constexpr std::int64_t LongestReminder = 250000000;
-/** Silence, in multiples of LongestGap, after which two repeats are missing: the device is lost. */
+/**
+ * Silence, in multiples of LongestGap, after which the device is lost, because two repeats are
+ * missing.
+ */
 constexpr double MissedGaps = 2.5;
 /**
- * Silence, in multiples of LongestGap, after which a missing report no longer proves that the tip
- * is still at its last position.
+ * Silence, in multiples of LongestGap, after which the tip's last position is no longer confirmed.
  */
 constexpr double LateGaps = 1.5;
 
@@ -296,7 +299,8 @@ void PidDriver::Work(HardwareExchange& exchange)
     this->Repeats > RepeatsOfStream && silence > LateGaps * static_cast<double>(this->LongestGap);
   if (this->SendForces(exchange) && this->IsReady && !isLate)
   {
-    // The device has just received a report, so it is connected, and would have reported a motion.
+    // The device has just received a report, so it is connected, and would have reported any
+    // motion.
     exchange.Confirm();
   }
 }
@@ -336,7 +340,7 @@ void PidDriver::Fetch(HidReport& report)
   const int size = this->Port.GetFeature(report.Bytes.data(), report.Size + 1);
   const bool came = size > 1;
   this->Dialogue->Fetched(report.Payload(), came ? static_cast<std::size_t>(size) - 1 : 0);
-  // The device may not have made the effect yet, so wait before the next request.
+  // The device may still be creating the effect, so wait before the next request.
   std::this_thread::sleep_for(std::chrono::duration<double>(PidDialogue::PollPause));
 }
 
@@ -398,7 +402,7 @@ bool PidDriver::SendForces(HardwareExchange& exchange)
   const Vector3 force = exchange.GetForce();
   // A positive magnitude pushes to the left or towards the hand, so reverse the signs.
   const std::array<double, 2> magnitudes{ -force.X, -force.Y };
-  // For each effect, send the start if it is due, and the magnitude.
+  // For each effect, send the restart if it is due, and the magnitude.
   HidReport report;
   bool isAlive = false;
   for (int i = 0; i < 2 * this->Map.Device.GetNumberOfEffects(); ++i)

@@ -5,19 +5,20 @@
  * Force-feedback sticks and wheels (HID PID) through hidapi.
  *
  * A stick with two axes needs a known firmware (PidFirmware.h), because firmwares differ in the
- * direction in which an effect pushes the second axis. Other sticks with two axes are refused,
- * unless the user sets a second NewtonsPerFullScale of 0 to state that only the first axis has a
- * motor.
+ * direction in which an effect pushes the second axis. Other sticks with two axes are refused
+ * unless the user sets the second NewtonsPerFullScale to 0, which states that only the first axis
+ * has a motor.
  *
- * The axes are a tip in a plane: x points to the right and y away from the hand, at most 5 cm in
- * each direction; HID's own y axis points towards the hand. With a device of one axis, the tip
- * moves only along x: the second axis may be a pedal. Effects end by themselves within 0.1 s of the
- * host's last report. Many sticks send nothing at rest, so that the last position stays valid. Such
- * a stick shows that it is connected by receiving reports, at least one every 10 ms. Others repeat
- * their reports, OpenFFBoard for example every 0.1 s; they are lost if two repeats do not come.
+ * The axes move a tip in a plane by up to 5 cm in each direction: x to the right and y away from
+ * the hand; HID's own y axis points towards the hand. With a device of one axis, the tip moves only
+ * along x, because the second axis may be a pedal. Effects end by themselves within 0.1 s of the
+ * host's last report. Many sticks send nothing at rest, so the last position stays valid; the
+ * driver checks the connection by sending such a stick at least one report every 10 ms. Others
+ * repeat their reports, OpenFFBoard for example every 0.1 s; they are lost if two repeats are
+ * missing.
  *
- * The kernel's PID driver uses the same device. If a game uses it at the same time, the two disturb
- * each other. Documentation/devices/wheels.md explains why this driver uses hidraw.
+ * The kernel's PID driver uses the same device. A game that uses that driver at the same time would
+ * interfere. Documentation/devices/wheels.md explains why this driver uses hidraw.
  */
 #ifndef PidDriver_h
 #define PidDriver_h
@@ -35,28 +36,29 @@ namespace VolumeHaptics
 /**
  * Detects which published firmware a force-feedback device runs, and which way it pushes.
  *
- * The PID specification leaves open whether a direction is where a force comes from or where it
- * goes to, and firmwares differ. Two are known from their source, where the torque of their own
- * springs shows the sign of their axes:
+ * The PID specification does not define whether a direction is that from which a force comes or
+ * that in which it acts, and firmwares differ. Two are known from their source code, in which the
+ * torque of their own springs shows the sign of their axes:
  *
  * - OpenFFBoard (Ultrawipf/OpenFFBoard, HidFFB.cpp and EffectsCalculator.cpp, commit 160af910): a
  *   force comes from its direction, as in DirectInput and in Linux' hid-pidff. Versions 1.10.0 to
- *   1.16.0 push y the other way. Versions have the same numbers and reports, but since 1.16.5 the
- *   name of the board follows "FFBoard " in the product's name. Built with the descriptor of one
- *   axis, it looks for Direction Enable in a bit that the descriptor does not have, and uses the
- *   bit of the axis: then its direction is a share, from -1 at one end of the range to 1 at the
- *   other.
- * - ArduinoJoystickWithFFBLibrary (YukMingLaw's, Joystick.cpp, commit ed86e27): a force goes to its
+ *   1.16.0 push y in the opposite direction. All versions have the same numbers and reports, but
+ *   since 1.16.5 the name of the board follows "FFBoard " in the product's name. Built with the
+ *   descriptor of one axis, it looks for Direction Enable in a bit that the descriptor lacks, and
+ *   uses the bit of the axis: its direction is then a fraction of the force, from -1 at one end of
+ *   the range to 1 at the other.
+ * - ArduinoJoystickWithFFBLibrary (YukMingLaw's, Joystick.cpp, commit ed86e27): a force acts in its
  *   direction. It is identified by its board's maker and the sizes of all its reports.
  *
- * All others are treated like hid-pidff. If they have two axes, only the first one is used, where
- * the user states that the second one has no motor.
+ * All other firmwares are treated as in hid-pidff. If they have two axes, only the first axis is
+ * used, provided that the user states that the second one has no motor.
  */
 struct PidFirmware
 {
   bool IsKnown = false;       ///< whether the signs of both axes are known
-  double Sign = 1.0;          ///< -1 if a force goes to its direction, 1 if it comes from it
-  bool HasShares = false;     ///< whether a direction is a share of the axis whose bit is set
+  double Sign = 1.0; ///< -1 if a force acts in its direction, 1 if it comes from it
+  /// whether a direction is a fraction of the force on the axis whose bit is set
+  bool HasShares = false;
   const char* Objection = ""; ///< reason why no axis can be driven; empty if one can
 };
 
@@ -65,11 +67,11 @@ PidFirmware DetectPidFirmware(const HidDeviceInfo& info, const HidReportDescript
 class PidDriver final : public HidDriver
 {
 public:
-  static constexpr double Travel = 0.05; ///< position of the tip in m at the end of an axis
-  /** Largest speed of a stick (m/s), which is its whole way in 20 ms. No hand is faster. */
+  static constexpr double Travel = 0.05; ///< position of the tip (m) at the end of an axis
+  /** Largest plausible speed of a stick (m/s): its whole travel in 20 ms. */
   static constexpr double FastestStick = 5.0;
 
-  /** The devices that an id means: all devices, or the devices of a vendor and product. */
+  /** The devices that an id selects: all devices, or the devices of a vendor and product. */
   struct Numbers
   {
     bool Any = true;
@@ -79,8 +81,9 @@ public:
   /** Reads the numbers of an id. Returns false if the id is neither "pid" nor "pid:VVVV:PPPP". */
   static bool ReadNumbers(const std::string& id, Numbers& numbers);
   /**
-   * Returns whether the report descriptor has everything that forces need. If the device gets no
-   * forces for another reason, `objection` receives the reason and the cure; otherwise it is empty.
+   * Returns whether the report descriptor contains everything that forces require. If the device
+   * gets no forces for another reason, `objection` receives the reason and the cure; otherwise it
+   * is empty.
    */
   static bool IsPid(const HidDeviceInfo& info, std::string& objection);
 
@@ -88,23 +91,24 @@ public:
 
   DeviceLimits GetLimits() const override;
   /**
-   * Returns an identity that includes which axes the user has reversed, because their signs differ.
+   * Returns an identity that includes the axes that the user has reversed, because each combination
+   * needs its own confirmation.
    */
   std::string GetIdentity() const override;
 
 private:
-  /** Describes how to drive a device, as found in its descriptor and its names. */
+  /** Describes how to drive a device, according to its descriptor and its names. */
   struct Mapping
   {
     PidDevice Device;
     HidStick Stick;
     PidFirmware Firmware;
-    /** Reason why the device gets no forces although it could; empty if it gets forces. */
+    /** Reason why a device that has the parts for forces gets none; empty if it gets forces. */
     std::string Objection;
 
     /**
-     * Reads the mapping from a device's report descriptor. If the descriptor lacks parts that a
-     * force-feedback device has, returns false and names them in `error`.
+     * Reads the mapping from a device's report descriptor. If the descriptor lacks required parts,
+     * returns false and names them in `error`.
      */
     bool Read(const HidDeviceInfo& info, bool usesSecond, std::string& error);
   };
@@ -132,11 +136,11 @@ private:
 
   std::optional<PidDialogue> Dialogue;
   std::optional<PidStream> Stream; ///< exists when the dialogue is complete
-  HidStick::State State;           ///< an axis that was not reported yet is NaN
+  HidStick::State State; ///< an axis that was not reported yet is NaN
   bool IsReady = false;
   std::array<std::uint8_t, LongestReport> LastPacket{};
   int LastSize = 0;
-  int Repeats = 0; ///< number of consecutive packets that equal the previous one
+  int Repeats = 0; ///< number of consecutive packets equal to the previous one
   std::int64_t LastPacketTime = 0;
   std::int64_t LongestGap = 0; ///< longest gap before a repeated packet (ns)
   std::int64_t LastRound = 0;

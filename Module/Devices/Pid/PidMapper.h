@@ -13,9 +13,9 @@ namespace VolumeHaptics
 {
 
 /**
- * Reads the descriptor of one device for PidDevice::Map, and collects the missing parts.
+ * Searches the descriptor of one device for PidDevice::Map, and collects the missing parts.
  *
- * Turn() selects a report; then Find() and Need() look for fields in it.
+ * Turn() selects a report; Find() and Need() then search it for fields.
  */
 class PidMapper
 {
@@ -25,13 +25,13 @@ public:
   {
   }
 
-  /** Returns a usage of the PID page together with the page. */
+  /** Returns a usage of the PID page, including the page. */
   static constexpr HidUsage Of(PidUsage usage) noexcept
   {
     return MakeHidUsage(0x0F, static_cast<std::uint16_t>(usage));
   }
 
-  /** Selects the report with a usage. Returns false if there is no such report that can be used. */
+  /** Selects the report with a usage. Returns false if there is no such usable report. */
   bool Turn(PidUsage report, HidReportKind kind, const char* name, PidDevice::Shape& shape);
 
   ///@{
@@ -43,11 +43,11 @@ public:
   bool Find(PidUsage usage, PidDevice::Slot& slot) const { return this->Find(Of(usage), slot); }
   ///@}
 
-  /** Does the same as Find(), and records a field that is missing. */
+  /** Like Find(), but records a missing field. */
   void Need(PidUsage usage, const char* name, PidDevice::Slot& slot);
 
   void RecordMissing(const std::string& what);
-  /** Returns all missing parts, with commas between them. */
+  /** Returns all missing parts, separated by commas. */
   const std::string& GetMissing() const { return this->Missing; }
 
 private:

@@ -28,7 +28,7 @@ bool ReplayDevice::Open(std::string& error)
 
 DeviceLimits ReplayDevice::GetLimits() const
 {
-  // No hand holds the device, so that only the displayed force needs a limit. A path that jumps is
+  // No hand holds the device, so only the displayed force needs a limit. A path with jumps is
   // replayed unchanged.
   DeviceLimits limits;
   limits.MaximumForce = 20.0;

@@ -18,9 +18,9 @@ class ReplayDevice : public DeviceBackend
 {
 public:
   /**
-   * Makes a device for a recording. `tips` are in m in this device's space; after the last one, the
-   * device is Finished. `name` is the recording's name. `orientations` has one orientation for each
-   * tip, or none. An orientation whose norm is not 1 is not valid.
+   * Makes a device for a recording. `tips` are positions (m) in this device's space; after the last
+   * one, the device is Finished. `name` is the recording's name. `orientations` contains one
+   * orientation for each tip, or none. Orientations with a norm other than 1 are invalid.
    */
   ReplayDevice(
     std::vector<Vector3> tips, std::string name, std::vector<Quaternion> orientations = {});

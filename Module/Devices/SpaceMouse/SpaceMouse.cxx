@@ -15,7 +15,7 @@ constexpr std::uint16_t Connexion = 0x256F;
 
 // SpaceMouse Plus XT, CADman, SpaceMouse Classic, Spaceball 5000, SpaceTraveler, SpacePilot,
 // SpaceNavigator, SpaceExplorer, SpaceNavigator for Notebooks, SpacePilot Pro, SpaceMouse Pro,
-// NuLOOQ. They have Logitech's vendor number, most of whose products are other devices.
+// NuLOOQ. They have Logitech's vendor number, most of whose other products are not six-axis mice.
 constexpr std::uint16_t Older[] = { 0xC603, 0xC605, 0xC606, 0xC621, 0xC623, 0xC625, 0xC626, 0xC627,
   0xC628, 0xC629, 0xC62B, 0xC640 };
 // SpaceMouse Wireless (cable, receiver), Pro Wireless (cable, receiver), Enterprise, Compact,

@@ -4,10 +4,10 @@
  * @file
  * The packets of 3Dconnexion's six-axis mice.
  *
- * The cap moves by about a millimetre, and reports how hard it is pushed and turned: rates, not
- * positions. Older models send pushes (report 1) and turns (report 2) separately; newer ones send
- * both in one packet, which its length shows. Axes keep the device's order and signs: pushes along
- * x, y, z, then turns about them.
+ * The cap moves by only about a millimetre, so the device reports how hard it is pushed and turned,
+ * and not positions. Older models send pushes (report 1) and turns (report 2) separately; newer
+ * ones send both in one packet, which its length shows. Axes keep the device's order and signs:
+ * pushes along x, y, z, then turns about them.
  */
 #ifndef SpaceMouse_h
 #define SpaceMouse_h
@@ -23,19 +23,20 @@ class SpaceMouse
 {
 public:
   static constexpr double FullScale = 350.0; ///< counts
-  /// Dead zone as a fraction of the full scale, about ten counts: at rest, caps are a few counts
-  /// off their zero. Outside the dead zone values rise from 0, so that nothing jumps at its border.
+  /// Dead zone as a fraction of the full scale, about ten counts: at rest, caps are off their zero
+  /// by a few counts. Outside the dead zone, values rise from 0, so that nothing jumps at its
+  /// border.
   static constexpr double DeadZone = 0.03;
 
   struct State
   {
     std::array<double, 6> Axes{}; ///< x, y, z, about x, about y, about z: -1 to 1
-    std::uint32_t Buttons = 0;    ///< the first 32 buttons; bit 0 is the first one
+    std::uint32_t Buttons = 0; ///< the first 32 buttons; bit 0 is button 1
   };
 
   /**
-   * Returns whether this is a six-axis mouse. The devices are in an explicit list, because other
-   * products of the vendors are mice and keyboards.
+   * Returns whether this is a six-axis mouse. The products are listed explicitly, because the
+   * vendors also make mice and keyboards.
    */
   static bool IsKnown(std::uint16_t vendor, std::uint16_t product) noexcept;
   /**
@@ -46,12 +47,12 @@ public:
 
   /**
    * Reads a packet, with the report id in front. Returns nullptr, or the reason why the packet is
-   * not valid, as a text that is never freed; then the state does not change. Reports about other
-   * things, such as the battery, are accepted and change nothing.
+   * not valid, as a static text; the state is then unchanged. Reports about other things, such as
+   * the battery, are accepted and ignored.
    */
   static const char* Decode(const std::uint8_t* bytes, std::size_t size, State& state) noexcept;
 
-  /** Converts counts to the range -1 to 1. Applies the dead zone. */
+  /** Converts counts to the range -1 to 1, with the dead zone applied. */
   static double Scale(int counts) noexcept;
 };
 

@@ -13,10 +13,7 @@ namespace
 
 constexpr std::uint8_t LightReport = 4;
 constexpr std::uint8_t ButtonReport = 3;
-/**
- * Page of the usages of these devices, multi-axis controller and joystick. Keyboards are not
- * included.
- */
+/** Page of the usages of these devices: multi-axis controller and joystick. */
 constexpr std::uint16_t DesktopPage = 0x01;
 
 /**
@@ -38,8 +35,8 @@ SpaceMouseDriver::SpaceMouseDriver(int number)
 
 bool SpaceMouseDriver::IsSpaceMouse(const HidDeviceInfo& info)
 {
-  // A receiver also has an interface for a mouse or a keyboard, so only the interface with a report
-  // of six axes counts.
+  // A receiver also has an interface for a mouse or a keyboard, so use only the interface whose
+  // report has six axes.
   HidReportDescriptor descriptor;
   std::string error;
   const auto isTurn = [](const HidField& field)
@@ -146,7 +143,7 @@ void SpaceMouseDriver::Light(bool on) noexcept
   this->IsLit = on;
   if (!this->Port.Write(report, this->LightSize + 1))
   {
-    // The light is not important: the device can be used without it.
+    // The light is optional: the device is usable without it.
     this->LightSize = 0;
   }
 }

@@ -4,15 +4,15 @@
  * @file
  * 3Dconnexion's six-axis mice through hidapi.
  *
- * Their cap hardly moves: a push sets the speed of a virtual tip, and a turn the speed at which the
- * view rotates. No force can be felt. In the tip's frame, x points to the right, y up and z towards
- * the hand. The devices' own axes are assumed to be x to the right, y towards the hand and z down,
- * with right-handed rotations about them, as they are commonly described; this was not verified on
- * a device.
+ * The cap of these devices hardly moves: pushing it sets the speed of a virtual tip, and turning it
+ * the speed at which the view rotates. The devices exert no force. In the tip's frame, x points to
+ * the right, y up and z towards the hand. The devices' own axes are assumed to be x to the right, y
+ * towards the hand and z down, with right-handed rotations about them, as they are commonly
+ * described; this was not verified on a device.
  *
- * A cap that is held off its rest repeats its packet at least every 16 ms. A cap that is released
- * sends zero once, and then nothing. If that zero is lost, the tip stops after half a second
- * without a packet.
+ * While the cap is deflected, the device repeats its packet at least every 16 ms. When the cap is
+ * released, the device sends zero once, and then nothing. If that zero is lost, the tip stops after
+ * half a second without a packet.
  */
 #ifndef SpaceMouseDriver_h
 #define SpaceMouseDriver_h
@@ -27,7 +27,7 @@ namespace VolumeHaptics
 class SpaceMouseDriver final : public HidDriver
 {
 public:
-  /** Time in s for which a push counts if it is not repeated. */
+  /** Time (s) for which a push remains valid without being repeated. */
   static constexpr double HoldTime = 0.5;
 
   explicit SpaceMouseDriver(int number);
@@ -56,7 +56,7 @@ private:
   const int Number;
   std::size_t LightSize = 0; ///< number of bytes of the light's report; 0 if there is no light
   bool IsLit = false;
-  /** Whether the device's y axis points up; otherwise its z axis points down. */
+  /** Whether the device's y axis points up; otherwise, its z axis points down. */
   bool IsAxisUp = false;
   SpaceMouse::State State;
   RateTip Tip;

@@ -28,9 +28,9 @@ bool IsWhole(const VolumeHapticsVendorPlugin& table)
 }
 
 /**
- * Loads the table of the plug-in in a file. Returns null and writes the reason and the cure to
- * `error` if this fails. Even a library that is refused stays loaded, because the vendor's library
- * may have started threads.
+ * Loads the function table of the plug-in in a file. On failure, returns null and writes the reason
+ * and the cure to `error`. Even a refused library stays loaded, because the vendor's library may
+ * have started threads.
  */
 const VolumeHapticsVendorPlugin* LoadTable(const std::string& real, std::string& error)
 {
@@ -38,7 +38,7 @@ const VolumeHapticsVendorPlugin* LoadTable(const std::string& real, std::string&
   void* const library = Libraries::Load(real, reason);
   if (!library)
   {
-    // The loader's text names the missing part, usually the vendor's own library.
+    // The loader's message names the missing part, usually the vendor's own library.
     error = "\"" + real + "\" can't be loaded: " + reason +
 #if defined(_WIN32)
       ". Install the vendor's SDK, or put its libraries into the plug-in's folder.";
@@ -72,11 +72,11 @@ const VolumeHapticsVendorPlugin* LoadTable(const std::string& real, std::string&
 }
 
 constexpr int VendorRoundPause = 1; // longest time between two rounds (ms)
-constexpr int VendorLostPause = 10; // in ms
-constexpr double Farthest = 10.;    // distance in m above which a position is not valid
+constexpr int VendorLostPause = 10; // ms
+constexpr double Farthest = 10.; // distance (m) above which a position is invalid
 constexpr std::uint32_t AllAxes = 7;
-constexpr double PeakFade = 2.5;    // time in s in which a force fades to the continuous one
-constexpr double LongestStep = 0.1; // longest time in s between two forces that counts
+constexpr double PeakFade = 2.5; // time (s) in which a force fades to the continuous force
+constexpr double LongestStep = 0.1; // longest time (s) between two forces that counts
 
 bool IsLimit(double limit)
 {
@@ -226,7 +226,7 @@ std::string VendorLibrary::MakeIdentity(
   const std::string& plugin, int number, const std::string& serial)
 {
   std::string word = serial.empty() ? "number:" + std::to_string(number) : serial;
-  // In the user's file of devices, spaces separate words.
+  // Replace spaces and '=', which separate words in the user's device file.
   std::replace_if(
     word.begin(), word.end(), [](unsigned char c) { return std::isgraph(c) == 0 || c == '='; },
     '_');
@@ -302,7 +302,7 @@ bool VendorDriver::Reconnect(
   for (std::size_t place = 0; place < devices.size() && !mustStop(); ++place)
   {
     // Some libraries report serial numbers only of open devices, so open each device to read its
-    // number. Do this only once, because another program may want the device.
+    // number. Do this only once, because another program may need the device.
     const auto number = static_cast<int>(place);
     const std::string& serial = devices[place].Serial;
     const bool isOther =
@@ -318,7 +318,7 @@ bool VendorDriver::Reconnect(
     this->Others[place] = true;
     this->Disconnect();
   }
-  error.clear(); // a device that is not there can't be opened, either
+  error.clear(); // a missing device can't be opened, which is not an error here
   this->Label = label;
   this->Identity = identity;
   this->HasSerial = true;
@@ -328,7 +328,8 @@ bool VendorDriver::Reconnect(
 
 bool VendorDriver::ReadLimits(std::string& error)
 {
-  VolumeHapticsVendorLimits limits{}; // a plug-in of version 1 does not write all of them
+  // zero, because a plug-in of version 1 does not fill in all members
+  VolumeHapticsVendorLimits limits{};
   if (this->Library->Functions().GetLimits(this->Device, &limits) < 0)
   {
     error = this->Library->LastError(this->Device);
@@ -381,9 +382,9 @@ double VendorDriver::ComputeMostForce(double wanted) noexcept
   }
   const double elapsed = std::min(LongestStep, ServoClock::SecondsSince(this->WrittenAt));
   this->WrittenAt = ServoClock::Now();
-  // Use the wanted force, not the limited one: a force that the limit holds down still counts as
-  // too strong. So the limit only falls while it acts, and the hand never gets back more than it
-  // gave.
+  // Compare the requested force, not the limited one: a force that is only kept down by the limit
+  // still counts as too strong. The limit then only falls while it acts, so the hand never receives
+  // back more energy than it has spent.
   const double time = wanted > continuous ? elapsed : -elapsed;
   this->Spent = std::clamp(this->Spent + time, 0.0, this->PeakTime + PeakFade);
   const double faded = std::max(0.0, (this->Spent - this->PeakTime) / PeakFade);
@@ -399,7 +400,7 @@ void VendorDriver::TellOfFading(HardwareExchange& exchange, double wanted)
   {
     return;
   }
-  this->Interruption.clear(); // because the user has armed the device again
+  this->Interruption.clear(); // the user has armed the device again
   this->IsFading = fades;
   char text[96] = "";
   if (fades)
@@ -422,7 +423,7 @@ int VendorDriver::Write(const Vector3& force, const Vector3& torque) noexcept
 
 void VendorDriver::Serve(HardwareExchange& exchange)
 {
-  /** Ends the force, even if an exception is thrown. */
+  /** Ends the force when leaving the scope, even by an exception. */
   struct AtEnd
   {
     VendorDriver* Driver;
@@ -444,7 +445,7 @@ void VendorDriver::Serve(HardwareExchange& exchange)
     }
     if (this->Lost)
     {
-      // Quench() and Close() wait until this thread has asked for the force, and got zero.
+      // Quench() and Close() wait until this thread has requested the force and received zero.
       exchange.GetForce();
       exchange.WaitForWake(VendorLostPause);
       continue;
@@ -487,7 +488,8 @@ void VendorDriver::Round(HardwareExchange& exchange)
   if (result < 0)
   {
     const bool isGone = result == VOLUME_HAPTICS_VENDOR_GONE;
-    // Without a serial number, another device could be opened in its place.
+    // Reconnect only a device with a serial number; otherwise another device could be opened in its
+    // place.
     this->Gone = isGone && this->HasSerial;
     this->Lose(exchange,
       this->Gone ? UnpluggedText

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A device that is reached through a plug-in for its vendor's library (VendorPlugin.h).
+ * A device that communicates through a plug-in for its vendor's library (VendorPlugin.h).
  *
  * Each round reads the pose and writes the force. A round begins when the servo has a force, or a
  * millisecond after the last round. If a call of the plug-in does not return, the servo's force
- * becomes zero after 30 ms, because there are no positions, but the device does not receive it:
- * then only the vendor's watchdog ends the force.
+ * becomes zero after 30 ms without positions, but the device does not receive this zero: only the
+ * vendor's watchdog then ends the force.
  */
 #ifndef VendorDriver_h
 #define VendorDriver_h
@@ -24,7 +24,7 @@ namespace VolumeHaptics
 {
 
 /**
- * A loaded plug-in for a vendor's library, and what is known about its devices.
+ * A loaded plug-in for a vendor's library, with a list of its devices.
  *
  * Plug-ins stay loaded until the program ends, because vendors' libraries have threads of their
  * own, which must not outlive their code.
@@ -40,17 +40,17 @@ public:
   };
 
   /**
-   * Returns the plug-in with a name, and loads it if it is not loaded yet. Returns null and writes
-   * the reason and the cure to `error` if this fails.
+   * Returns the plug-in with a name, and loads it if necessary. On failure, returns null and writes
+   * the reason and the cure to `error`.
    */
   static std::shared_ptr<VendorLibrary> Load(
     const std::string& plugin, const std::string& path, std::string& error);
-  /** Loads a file that VendorFolder has found. From any thread. */
+  /** Loads a file that VendorFolder has found. May be called from any thread. */
   static std::shared_ptr<VendorLibrary> LoadFile(const std::string& path, std::string& error);
 
   /**
-   * Lists the devices. While a device is open, returns the last list without calling the plug-in.
-   * Returns false and writes the reason to `error` if the plug-in can't list them.
+   * Lists the devices. While a device is open, returns the previous list without calling the
+   * plug-in. If the plug-in can't list them, returns false and writes the reason to `error`.
    */
   bool Describe(std::vector<Description>& devices, std::string& error);
 
@@ -61,10 +61,13 @@ public:
   ///@}
 
   const VolumeHapticsVendorPlugin& Functions() const noexcept { return *this->Table; }
-  /** Returns the plug-in's text about a device or, for null, about itself. It is never empty. */
+  /**
+   * Returns the plug-in's text about a device, or about the plug-in if the device is null. The text
+   * is never empty.
+   */
   std::string LastError(void* device) const;
 
-  /** Returns the identity of a device, for the user's file of devices. */
+  /** Returns the identity of a device, as used in the user's device file. */
   static std::string MakeIdentity(const std::string& plugin, int number, const std::string& serial);
 
 private:
@@ -84,12 +87,12 @@ class VendorDriver final : public HardwareDriver
 {
 public:
   /**
-   * Longest duration of a call (s). A longer one is a fault, because the device was not observed
-   * during it.
+   * Longest duration of a call (s). A longer call is a fault, because the device was not observed
+   * meanwhile.
    */
   static constexpr double LongestCall = 0.5;
 
-  /** @param path folders, as VendorFolder::Split() reads them */
+  /** @param path folders, in the format of VendorFolder::Split() */
   VendorDriver(std::string plugin, int number, std::string path);
   ~VendorDriver() override;
 
@@ -104,7 +107,7 @@ public:
   void Disconnect() noexcept override;
 
 private:
-  /** Connects to the device of this number, and sets Place. */
+  /** Connects to the device with this number, and sets Place. */
   bool Take(int number, std::string& error);
   bool ReadLimits(std::string& error);
   void Round(HardwareExchange& exchange);
@@ -114,26 +117,27 @@ private:
   void Report(HardwareExchange& exchange, DeviceStage stage, const std::string& text) const;
   int Write(const Vector3& force, const Vector3& torque) noexcept;
   /**
-   * Returns the largest force (N) now: the peak, which fades to the continuous force if a larger
-   * force is wanted for longer than PeakTime, and returns in the same time.
+   * Returns the largest force (N) that is allowed now: the peak force, which fades to the
+   * continuous force if a larger force is requested for longer than PeakTime, and recovers in the
+   * same time.
    */
   double ComputeMostForce(double wanted) noexcept;
   void TellOfFading(HardwareExchange& exchange, double wanted);
 
   const std::string Plugin;
   const int Number;
-  int Place = 0; ///< number of the connected device, which may have changed since Connect()
+  int Place = 0; ///< current number of the connected device, which may have changed since Connect()
   /**
    * For each device in the plug-in's list, whether Reconnect() has opened it and found a different
-   * device. Reconnect() does not open it again, because another program may want it.
+   * device. Such a device is not opened again, because another program may need it.
    */
   std::vector<bool> Others;
   const std::string Path;
   std::string Label;
   std::string Identity;
   /**
-   * Whether the device has a serial number; without one, the devices of a plug-in may exchange
-   * their numbers.
+   * Whether the device has a serial number; without serial numbers, the devices of a plug-in may
+   * swap their numbers.
    */
   bool HasSerial = false;
   DeviceLimits Limits;
@@ -142,11 +146,12 @@ private:
   bool Lost = false;
   bool Gone = false;
   bool IsReady = false;
-  double PeakTime = 0.0;      // in s
-  double Spent = 0.0;         // time in s above the continuous force, less the time below
-  std::int64_t WrittenAt = 0; // in ns
-  bool IsFading = false;      // whether the user was told that the force fades
-  std::string Interruption;   // why a ready device had to wait; empty once it has a force again
+  double PeakTime = 0.0; // s
+  double Spent = 0.0; // time (s) above the continuous force, minus the time below
+  std::int64_t WrittenAt = 0; // ns
+  bool IsFading = false; // whether the fading of the force was reported to the user
+  // reason why a ready device had to wait; empty once it has a force again
+  std::string Interruption;
 };
 
 } // namespace VolumeHaptics

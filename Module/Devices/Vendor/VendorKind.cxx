@@ -28,7 +28,7 @@ std::vector<DeviceListing> ListVendors()
         all.push_back({ "vendor:" + file.Plugin + ":" + std::to_string(number), device.Name,
           device.IsOpen ? "in use" : "available",
           device.Serial.empty()
-            ? std::string() // the serial number may become known when the device is open
+            ? std::string() // the serial number may be known only when the device is open
             : VendorLibrary::MakeIdentity(file.Plugin, number, device.Serial) });
         ++number;
       }
@@ -37,7 +37,7 @@ std::vector<DeviceListing> ListVendors()
   return all;
 }
 
-/** Returns the obstacle of each plug-in that can't be used, and that of the whole kind. */
+/** Returns the obstacles of the plug-ins that can't be used, and of the kind itself. */
 std::string WhyNoVendors()
 {
   std::vector<std::string> obstacles;

@@ -6,7 +6,7 @@
  *
  * A plug-in is a shared library, libvolumehaptics-PLUGIN.so (.dll on Windows), that you build
  * against the vendor's SDK. It exports one function, VolumeHapticsVendorGetPlugin, which returns a
- * table of functions. It needs this header only, and works with every VTK Volume Haptics that has
+ * table of functions. It needs only this header, and works with every VTK Volume Haptics that has
  * the same or a later VOLUME_HAPTICS_VENDOR_VERSION. Examples/Cxx/VendorDevice.cxx is a template;
  * Examples/Vendor has plug-ins for Force Dimension's and 3D Systems' libraries.
  *
@@ -14,16 +14,16 @@
  * stylus points along its own -z, so that its handle is on the side of +z, and has its button on
  * the side of +y; its orientation is the rotation from the device's axes to the stylus's axes.
  *
- * Threads: Read, Write and Home of a device are called from one thread. Before that, Open,
- * GetLimits, GetSerial and a Write of zero are called from another thread; after it, a Write of
- * zero and Close. Functions for one device never run at the same time; functions for two devices
- * may. Count and Describe are not called while a device of the plug-in is open. Read and Write are
- * called about a thousand times a second and should take at most a millisecond; if they take more
- * than half a second, the device is lost. No exception may leave a function.
+ * Threads: Read, Write and Home of a device are called on one thread. Before that, Open, GetLimits,
+ * GetSerial and a Write of zero are called on another thread, and afterwards a Write of zero and
+ * Close. Functions for one device never run at the same time; functions for two devices may. Count
+ * and Describe are not called while a device of the plug-in is open. Read and Write are called
+ * about a thousand times a second and should take at most a millisecond; if they take more than
+ * half a second, the device is lost. Functions must not throw.
  *
- * Safety: the forces passed to Write are finite and within the limits; one that stays above
- * ContinuousForce fades to it. Only Write may give force, as well as Home for a device that moves
- * by itself; the last call before Close is a Write of zero. If the program is killed, only the
+ * Safety: the forces passed to Write are finite and within the limits; a force that stays above
+ * ContinuousForce fades to it. Only Write may exert a force, and Home for a device that moves by
+ * itself; the last call before Close is a Write of zero. If the program is killed, only the
  * vendor's own watchdog ends the force: keep it on.
  */
 #ifndef VolumeHapticsVendorPlugin_h
@@ -32,7 +32,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** Version 1 is 2 without ContinuousForce, PeakTime and VOLUME_HAPTICS_VENDOR_GONE. */
+/** Version 1 is version 2 without ContinuousForce, PeakTime and VOLUME_HAPTICS_VENDOR_GONE. */
 #define VOLUME_HAPTICS_VENDOR_VERSION 2u
 
 #ifdef __cplusplus
@@ -41,7 +41,8 @@ extern "C"
 #endif
 
   /**
-   * Results of the functions that return an int. If one is negative, LastError() returns a text.
+   * Results of the functions that return an int. After a negative result, LastError() returns a
+   * text.
    */
   enum VolumeHapticsVendorResult
   {
@@ -50,15 +51,15 @@ extern "C"
     VOLUME_HAPTICS_VENDOR_WAITS = -1, /**< Read: not homed or switched on yet: there is no pose */
     VOLUME_HAPTICS_VENDOR_LOST = -2,  /**< a fault, after which no force may flow */
     /**
-     * Read: the device was unplugged. If it has a serial number, it is closed, and opened again
-     * once it is back. For this Count, Describe and, as long as the device can't be opened, Open
-     * are called twice a second. LastError() is not asked.
+     * Result of Read: the device was unplugged. If it has a serial number, it is closed, and
+     * reopened once it is plugged in again. For this purpose Count, Describe and, until the device
+     * is open, Open are called twice a second. LastError() is not called.
      */
     VOLUME_HAPTICS_VENDOR_GONE = -3
   };
 
   /**
-   * Limits of a device. A number that is not limited or not known is 0. Only MaximumForce must be
+   * Limits of a device. 0 stands for an unlimited or unknown value. Only MaximumForce must be
    * known.
    */
   struct VolumeHapticsVendorLimits
@@ -88,37 +89,37 @@ extern "C"
   {
     uint32_t Version; /**< VOLUME_HAPTICS_VENDOR_VERSION */
     /**
-     * Returns the number of devices that are plugged in or that can be tried. If it is negative,
-     * LastError() returns the reason.
+     * Returns the number of devices that are plugged in or that may be tried. After a negative
+     * result, LastError() returns the reason.
      */
     int (*Count)(void);
     /** Writes a device's name for the user, and its serial number or an empty text. */
     int (*Describe)(int number, char* name, size_t nameSize, char* serial, size_t serialSize);
     /**
-     * Opens a device, without a force yet, and returns a handle. If it is null, LastError() returns
-     * the reason.
+     * Opens a device, still without a force, and returns a handle. If it is null, LastError()
+     * returns the reason.
      */
     void* (*Open)(int number);
     int (*GetLimits)(void* device, struct VolumeHapticsVendorLimits* limits);
-    /** Writes the serial number of an open device, or an empty text if it has none. */
+    /** Writes the serial number of an open device; an empty text if it has none. */
     int (*GetSerial)(void* device, char* serial, size_t size);
     int (*Read)(void* device, struct VolumeHapticsVendorPose* pose);
     int (*Write)(void* device, const double force[3], const double torque[3]);
     /**
-     * Homes the device, or tries it again after a fault. Called at the user's request. Homing may
-     * take seconds, during which Read is not called. May be null if there is nothing to do.
+     * Homes the device, or retries after a fault. Called at the user's request. Homing may take
+     * seconds, during which Read is not called. Null if homing is not needed.
      */
     int (*Home)(void* device);
     /**
-     * Returns the last fault, or the last request to the user, and its cure. The text is a sentence
-     * that continues after the device's name, such as "is not homed. Press Home()." If the device
-     * is null, the sentence is about the plug-in. The text is valid until the next call.
+     * Returns the last fault, or the last request to the user, and its cure. The text continues a
+     * sentence after the device's name, such as "is not homed. Press Home()." If the device is
+     * null, the text is about the plug-in. It is valid until the next call.
      */
     const char* (*LastError)(void* device);
     void (*Close)(void* device);
   };
 
-  /** Returns the table of functions, or null if the plug-in does not support the version. */
+  /** Returns the table of functions; null if the plug-in does not support the version. */
 #if defined(_WIN32)
   __declspec(dllexport)
 #else

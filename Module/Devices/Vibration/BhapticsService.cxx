@@ -15,12 +15,12 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double BhapticsAskTime = 1.0; // in s
+constexpr double BhapticsAskTime = 1.0; // s
 constexpr double BhapticsSendTime = 0.1;
 constexpr double BhapticsLastTime = 0.2;
-constexpr int MostStatuses = 100; // in a call
+constexpr int MostStatuses = 100; // limit per call
 constexpr int FullIntensity = 100;
-constexpr int FrameTime = static_cast<int>(1000.0 * Vibration::ReplayTime); // in ms
+constexpr int FrameTime = static_cast<int>(1000.0 * Vibration::ReplayTime); // ms
 constexpr const char* BhapticsTarget = "/v2/feedbacks?app_id=org.vtk.volumehaptics&app_name="
                                        "VTK%20Volume%20Haptics";
 constexpr const char* BhapticsCure =
@@ -62,15 +62,14 @@ bool AskBhaptics(
       "). " + BhapticsCure;
     return false;
   }
-  // Stop the vibrations of an earlier session. The Player also answers with its status.
+  // Stop vibrations of an earlier session. The Player also answers with its status.
   const std::int64_t end =
     ServoClock::Now() + static_cast<std::int64_t>(seconds * ServoClock::NanosecondsPerSecond);
   bool isTold = false;
   std::string text;
   player.SetLastWord(WriteBhapticsStop());
   bool isOpen = player.Send(WriteBhapticsStop(), BhapticsSendTime);
-  // Messages from before `end` may arrive after it, too, so that a stream would never end this
-  // loop.
+  // Check the time, too: messages may arrive continuously, so that the loop would never end.
   while (isOpen && !isTold && ServoClock::Now() < end)
   {
     const WebSocketClient::Outcome outcome = player.Receive(text, end);
@@ -108,7 +107,7 @@ bool BhapticsService::Connect(std::string& error)
   {
     return false;
   }
-  // After the first connection, only the same place is opened again.
+  // After the first connection, reopen only the same place of the body.
   const std::string before = this->Place.empty() ? this->Wanted : this->Place;
   for (const std::string& place : BhapticsPlaces)
   {
@@ -171,7 +170,7 @@ VibrationService::State BhapticsService::Lose(const char* text)
 
 void BhapticsService::Disconnect() noexcept
 {
-  // The last word stops the vibration, before the connection is closed.
+  // The last word stops the vibration before the connection is closed.
   this->Player.Close(BhapticsLastTime);
 }
 

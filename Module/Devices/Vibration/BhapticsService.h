@@ -5,8 +5,8 @@
  * A glove, sleeve or vest of bHaptics, through bHaptics' Player on this computer.
  *
  * The Player listens at a WebSocket of this computer. A frame vibrates for 150 ms and is renewed
- * after 50 ms, so that the vibration ends by itself if this program stands still or is killed. Not
- * verified on a device.
+ * after 50 ms, so the vibration ends by itself if this program hangs or is killed. Not verified on
+ * a device.
  */
 #ifndef BhapticsService_h
 #define BhapticsService_h
@@ -21,14 +21,14 @@ namespace VolumeHaptics
 {
 
 /**
- * Returns the number of the Player's port, which VOLUMEHAPTICS_BHAPTICS may name. Returns 0 and
- * writes the fault to `error` if it is none.
+ * Returns the Player's port, which VOLUMEHAPTICS_BHAPTICS may set. If that is not a valid port,
+ * returns 0 and writes the fault to `error`.
  */
 std::uint16_t FindBhapticsPort(std::string& error);
 
 /**
- * Asks the Player for the places of the connected devices, within a time (s). Returns false and
- * writes the reason and the cure to `error` if this fails.
+ * Requests the places of the connected devices from the Player, within a time (s). On failure,
+ * returns false and writes the reason and the cure to `error`.
  */
 bool AskBhaptics(
   WebSocketClient& player, double seconds, std::vector<std::string>& places, std::string& error);
@@ -36,7 +36,7 @@ bool AskBhaptics(
 class BhapticsService final : public VibrationService
 {
 public:
-  /** @param place one of BhapticsPlaces; if empty, the first one that is connected */
+  /** @param place one of BhapticsPlaces; if empty, the first place with a connected device */
   explicit BhapticsService(std::string place);
 
   std::string GetName() const override;
@@ -51,9 +51,9 @@ private:
   State Lose(const char* text);
 
   const std::string Wanted;
-  std::string Place; ///< the place that vibrates
+  std::string Place; ///< place of the device that vibrates
   WebSocketClient Player;
-  int Sent = 0; ///< the last intensity
+  int Sent = 0; ///< last intensity sent
   std::int64_t SentAt = 0;
   std::string Text;
 };

@@ -16,9 +16,10 @@ namespace
 {
 
 constexpr double HapbeatPi = 3.14159265358979323846;
-constexpr double HapbeatAskTime = 1.0; // in s
+constexpr double HapbeatAskTime = 1.0; // s
 constexpr auto HapbeatAskPause = std::chrono::milliseconds(2);
-// how often each packet is sent, as in Hapbeat's SDK: the device acknowledges none
+// number of times that each packet is sent, as in Hapbeat's SDK, because the device acknowledges
+// none
 constexpr int HapbeatRepeats = 3;
 constexpr double FullSample = 0.8 * 32767; // as in Hapbeat's SDK
 
@@ -70,7 +71,7 @@ bool HapbeatService::Connect(std::string& error)
     return false;
   }
   this->IsStreaming = false;
-  this->End(); // ends the stream of an earlier session
+  this->End(); // ends a stream of an earlier session
   return true;
 }
 
@@ -96,7 +97,7 @@ bool HapbeatService::Ping()
 
 bool HapbeatService::Listen()
 {
-  constexpr int most = 100; // packets in a call
+  constexpr int most = 100; // limit of packets per call
   HapbeatPacket packet;
   bool isThere = this->Socket.Receive(packet);
   for (int i = 0; isThere && !packet.empty() && i < most; ++i)
@@ -143,7 +144,8 @@ bool HapbeatService::Stream(double amplitude)
   }
   const auto played =
     static_cast<std::int64_t>(HapbeatRate * ServoClock::SecondsSince(this->Begun));
-  // If this thread stood still, the device has played all samples, and continues from now.
+  // If this thread was delayed, the device has played all samples, so continue with the current
+  // one.
   this->Samples = std::max(this->Samples, played - played % Chunk);
   bool isThere = true;
   while (isThere && this->Samples - played + Chunk <= Lead)
@@ -188,7 +190,7 @@ void HapbeatService::Disconnect() noexcept
   }
   catch (const std::exception&)
   {
-    // Memory for a packet is missing: the device falls silent by itself.
+    // There is no memory for a packet; the device becomes silent by itself.
   }
   this->Socket.Close();
 }

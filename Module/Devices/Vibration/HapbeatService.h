@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A Hapbeat by UDP: a sine of 100 Hz is streamed to it, as loud as the amplitude.
+ * Streams a sine of 100 Hz to a Hapbeat over UDP, scaled by the amplitude.
  *
- * Only the address that the user names gets packets; the protocol's broadcast is not used. About
- * 50 ms of the sine are kept in the device, so that it falls silent by itself if this program
- * stands still or is killed, or if the network breaks. Not verified on a device.
+ * Packets are sent only to the address that the user names, without the protocol's broadcast. The
+ * device buffers about 50 ms of the sine, so it becomes silent by itself if this program hangs or
+ * is killed, or if the network fails. Not verified on a device.
  */
 #ifndef HapbeatService_h
 #define HapbeatService_h
@@ -25,11 +25,16 @@ class HapbeatService final : public VibrationService
 public:
   static constexpr double Frequency = 100.0; ///< Hz
   static constexpr int Chunk = 256;          ///< samples in a packet, 16 ms
-  static constexpr int Lead = 3 * Chunk;     ///< samples that the device has in advance
-  /** Time (s) between pings, and without an answer after which the device counts as gone. */
+  static constexpr int Lead = 3 * Chunk; ///< samples that are buffered in the device
+  /**
+   * Time (s) between pings, and time (s) without an answer after which the device counts as gone.
+   */
   static constexpr double PingPeriod = 0.5;
   static constexpr double LongestSilence = 3.0;
-  /** Time (s) of silence after which the stream ends, so that a weak level does not chop it up. */
+  /**
+   * Time (s) of silence after which the stream ends; a weak level thus does not interrupt it
+   * repeatedly.
+   */
   static constexpr double QuietTime = 0.05;
 
   HapbeatService(std::string address, std::uint16_t port);
@@ -45,18 +50,18 @@ private:
   bool SendOften(const HapbeatPacket& packet);
   bool SendChunk(double amplitude);
   bool Ping();
-  /** Reads answers. Returns false if nobody is there. */
+  /** Reads answers. Returns false if nobody listens. */
   bool Listen();
   bool Stream(double amplitude);
   bool End();
 
   const std::string Address;
   const std::uint16_t Port;
-  std::string Device; ///< its name
+  std::string Device; ///< name that the device reports
   PacketSocket Socket;
   std::uint16_t Number = 0; ///< number of the last packet
   bool IsStreaming = false;
-  std::int64_t Begun = 0; ///< time at which the stream has begun
+  std::int64_t Begun = 0; ///< time at which the stream began
   std::int64_t Samples = 0;
   double Amplitude = 0.0;      ///< amplitude at the end of the last packet
   std::int64_t QuietSince = 0; ///< time at which the level fell below Vibration::Least, or 0

@@ -18,7 +18,10 @@ using Json = nlohmann::json;
 constexpr int DeepestValue = 6;
 constexpr const char* Key = "volumehaptics";
 
-/** Parses an object, without its deepest values. The result is null if the text is not valid. */
+/**
+ * Parses an object, and drops values that are nested too deep. The result is null if the text is
+ * not valid.
+ */
 Json Parse(const std::string& text)
 {
   Json value = Json::parse(
@@ -39,23 +42,25 @@ std::string Text(const Json& object, const char* name)
   return value.is_string() ? value.get<std::string>() : std::string();
 }
 
-/** Counts the dots that all models of a place have; for a vest, those of its front. */
+/**
+ * Returns the number of motors that all models for a place have; for a vest, those of its front.
+ */
 int CountDots(const std::string& place)
 {
   return place == "Vest" ? 20 : place == "GloveL" || place == "GloveR" ? 6 : 3;
 }
 
-/** The texture that WEART's own example plays, and its speed, of at most 0.5. */
+/** The texture that WEART's own example plays; its speed is at most 0.5. */
 constexpr const char* WeartTexture = "9:0.500000:0.000000:0.500000";
 
-/** Builds a packet of Hapbeat: all numbers begin with their lowest byte. */
+/** Builds a packet for a Hapbeat. All numbers are little-endian. */
 class Packet
 {
 public:
   Packet(std::uint8_t command, std::uint16_t number)
   {
     constexpr std::uint8_t version = 1;
-    this->Add('B', 1); // the number 0x4842, "HB"
+    this->Add('B', 1); // the number 0x4842 ("BH" in memory order)
     this->Add('H', 1);
     this->Add(version, 1);
     this->Add(command, 1);
@@ -128,7 +133,7 @@ std::string WriteBhapticsStop()
 
 bool ReadWeartStatus(const std::string& text, WeartStatus& status)
 {
-  // Other messages are lines of fields.
+  // All messages except JSON are lines of fields.
   const Json all = text.empty() || text[0] != '{' ? Json() : Parse(text);
   const std::string type = Text(all, "type");
   const Json& data = At(all, "data");
@@ -157,7 +162,7 @@ std::string WriteWeartQuestion()
 
 std::string WriteWeartStart()
 {
-  // The messages follow this kind and version of the SDK.
+  // The messages have the format of this version of the SDK.
   return "StartFromClient:SdkLLCPP:2.0.0:TrackType1";
 }
 
@@ -188,9 +193,9 @@ HapbeatPacket WriteHapbeatBegin(std::uint16_t number)
 {
   Packet packet(0x30, number);
   packet.Add(HapbeatRate, 2);
-  packet.Add(1, 1); // a channel
-  packet.Add(0, 1); // PCM of 16 bits
-  packet.Add(0, 4); // 0: the stream has no fixed number of samples
+  packet.Add(1, 1); // one channel
+  packet.Add(0, 1); // 16-bit PCM
+  packet.Add(0, 4); // 0: unlimited number of samples
   const float gain = 1.0F;
   std::uint32_t bits = 0;
   std::memcpy(&bits, &gain, sizeof(bits));
@@ -217,14 +222,15 @@ HapbeatPacket WriteHapbeatEnd(std::uint16_t number)
 
 bool ReadHapbeatPong(const HapbeatPacket& packet, std::string& name)
 {
-  constexpr std::size_t times = 16; // bytes of the two times
+  constexpr std::size_t times = 16; // bytes of both times
   constexpr std::size_t begin = Packet::HeaderSize + times;
   if (packet.size() < begin || packet[0] != 'B' || packet[1] != 'H' || packet[2] != 1 ||
     packet[3] != 0x11)
   {
     return false;
   }
-  // The name comes from the network and is shown, so it is shortened and cleaned.
+  // The name comes from the network and is shown to the user, so shorten it and remove control
+  // characters.
   constexpr std::size_t longest = 40;
   name.clear();
   for (std::size_t i = begin; i < packet.size() && packet[i] != 0 && name.size() < longest; ++i)

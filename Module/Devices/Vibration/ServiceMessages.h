@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The messages of bHaptics' Player, WEART's middleware and Hapbeat's devices, without a connection.
+ * Reads and writes the messages of bHaptics' Player, WEART's middleware and Hapbeat's devices,
+ * without a connection.
  *
- * Written from what their makers publish:
+ * Written from the makers' publications:
  *
  * - bHaptics: bhaptics/haptic-library ab77d37 (samples/csharp/src/Bhaptics.Tact: WebSocketSender.cs
  *   has address and query, PlayerRequest.cs the status, HapticFeedback.cs the names of places and
@@ -18,8 +19,8 @@
  *   device-addressing.md) and hapbeat/hapbeat-arduino e11a737 (docs/wire-format.md; src/Hapbeat.cpp
  *   streams a sine).
  *
- * JSON is read by nlohmann's library, without what is nested deeper than any message, because its
- * values are destroyed by recursion.
+ * JSON is parsed by nlohmann's library. Parts that are nested deeper than any real message are
+ * dropped, because the library destroys values recursively.
  */
 #ifndef ServiceMessages_h
 #define ServiceMessages_h
@@ -33,15 +34,16 @@ namespace VolumeHaptics
 
 ///@{
 /** bHaptics. */
-/** The places of the body at which the Player may have a device, gloves first. */
+/** The places of the body for which the Player may have a device, gloves first. */
 extern const std::vector<std::string> BhapticsPlaces;
 /**
- * Reads the places of the connected devices from a status. Returns false if the text is none.
+ * Reads the places of the connected devices from a status message. Returns false for any other
+ * text.
  */
 bool ReadBhapticsStatus(const std::string& text, std::vector<std::string>& places);
 /** Writes a request to vibrate with an intensity, 1 to 100, for a time (ms). */
 std::string WriteBhapticsFrame(const std::string& place, int intensity, int milliseconds);
-/** Writes a request to stop the vibration that WriteBhapticsFrame() has begun. */
+/** Writes a request to stop the vibration of WriteBhapticsFrame(). */
 std::string WriteBhapticsStop();
 ///@}
 
@@ -52,33 +54,33 @@ constexpr char WeartSeparator = '~';
 struct WeartStatus
 {
   std::string Status;             ///< such as "RUNNING"
-  bool IsActuating = true;        ///< whether the middleware passes effects on
-  std::vector<std::string> Hands; ///< "LEFT", "RIGHT", those that have a device
+  bool IsActuating = true; ///< whether the middleware forwards effects
+  std::vector<std::string> Hands; ///< "LEFT" and "RIGHT", if that hand has a device
 };
-/** Reads a status of the middleware or of the WeArt app. Returns false if the text is none. */
+/** Reads a status of the middleware or of the WeArt app. Returns false for any other text. */
 bool ReadWeartStatus(const std::string& text, WeartStatus& status);
 std::string WriteWeartQuestion();
 std::string WriteWeartStart();
 std::string WriteWeartEnd();
-/** Writes the order to vibrate at the tip of the index finger with a volume, 1 to 100. */
+/** Writes a command to vibrate at the tip of the index finger with a volume, 1 to 100. */
 std::string WriteWeartTexture(const std::string& hand, int volume);
 std::string WriteWeartStop(const std::string& hand);
 ///@}
 
 ///@{
-/** Hapbeat: packets, each with a number that the sender counts up. */
+/** Hapbeat: packets with consecutive numbers, which the sender counts. */
 using HapbeatPacket = std::vector<std::uint8_t>;
 
 constexpr int HapbeatRate = 16000; ///< samples per second
 HapbeatPacket WriteHapbeatPing(std::uint16_t number, std::int64_t microseconds);
 HapbeatPacket WriteHapbeatBegin(std::uint16_t number);
-/** Writes samples, at most 732. `offset` is the number of bytes of all samples before them. */
+/** Writes at most 732 samples. `offset` is the number of bytes of all earlier samples. */
 HapbeatPacket WriteHapbeatSamples(
   std::uint16_t number, std::uint32_t offset, const std::vector<std::int16_t>& samples);
 HapbeatPacket WriteHapbeatEnd(std::uint16_t number);
 /**
- * Reads an answer to a ping: the device's name, which is empty for a relay. Returns false if the
- * packet is none.
+ * Reads the answer to a ping, with the device's name, which is empty for a relay. Returns false for
+ * any other packet.
  */
 bool ReadHapbeatPong(const HapbeatPacket& packet, std::string& name);
 ///@}

@@ -11,7 +11,7 @@ namespace VolumeHaptics
 VibrationDevice::VibrationDevice(std::unique_ptr<DeviceBackend> shower)
   : Shower(std::move(shower))
 {
-  // The mouse leads the tip, so it has the workspace of the virtual device.
+  // The mouse moves the tip, so the device has the workspace of the virtual device.
   DeviceLimits limits = MakePadLimits();
   limits.WorkspaceRadius = this->GetLimits().WorkspaceRadius;
   this->SetLimits(limits);

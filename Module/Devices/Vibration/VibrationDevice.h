@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A device that vibrates and has no position: the program, or the mouse, leads its tip.
+ * A device that vibrates and measures no position: the program or the mouse moves its tip.
  *
- * The tip is that of the virtual device. The force goes, after the gate and the safety stage, to a
- * second back end, whose thread or guard shows it (VibrationDriver.h).
+ * The tip is that of the virtual device. After the gate and the safety stage, the force is passed
+ * to a second back end, whose thread or guard renders it as vibration (VibrationDriver.h).
  */
 #ifndef VibrationDevice_h
 #define VibrationDevice_h
@@ -20,7 +20,7 @@ namespace VolumeHaptics
 class VibrationDevice final : public VirtualDevice
 {
 public:
-  /** @param shower the back end that shows the force; its position does not count */
+  /** @param shower the back end that renders the force; its position is ignored */
   explicit VibrationDevice(std::unique_ptr<DeviceBackend> shower);
 
   bool Open(std::string& error) override;
@@ -36,8 +36,8 @@ public:
 private:
   const std::unique_ptr<DeviceBackend> Shower;
   // Members that only the servo uses.
-  DeviceSample Shown;   ///< the last sample of the shower
-  double Silence = 0.0; ///< time (s) since the last sign of life of the shower
+  DeviceSample Shown; ///< last sample of the second back end
+  double Silence = 0.0; ///< time (s) since the second back end last responded
 };
 
 } // namespace VolumeHaptics

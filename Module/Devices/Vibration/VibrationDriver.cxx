@@ -13,8 +13,8 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int RoundPause = 2; // in ms, while the servo sends nothing
-constexpr int LostPause = 10; // in ms
+constexpr int RoundPause = 2; // ms, while the servo sends nothing
+constexpr int LostPause = 10; // ms
 
 } // namespace
 
@@ -36,14 +36,14 @@ DeviceLimits VibrationDriver::GetLimits() const
 bool VibrationDriver::Reconnect(const std::string& /*identity*/,
   const std::function<bool()>& /*mustStop*/, std::string& /*error*/)
 {
-  // A service that does not run yet is no fault.
+  // A service that does not run yet is not an error.
   std::string ignored;
   return this->Service->Connect(ignored);
 }
 
 void VibrationDriver::Serve(HardwareExchange& exchange)
 {
-  /** Ends the vibration, even if an exception is thrown. */
+  /** Ends the vibration when leaving the scope, even by an exception. */
   struct AtEnd
   {
     VibrationService* Service;
@@ -55,7 +55,7 @@ void VibrationDriver::Serve(HardwareExchange& exchange)
       }
       catch (const std::exception&)
       {
-        // Memory for a message is missing.
+        // There is no memory for a message.
         this->Service->StopAtCrash();
       }
     }
@@ -86,7 +86,7 @@ void VibrationDriver::Begin(HardwareExchange& exchange)
 
 void VibrationDriver::Round(HardwareExchange& exchange)
 {
-  // Quench() and Close() wait until this thread has asked for the force, and got zero.
+  // Quench() and Close() wait until this thread has requested the force and received zero.
   const Vector3 force = exchange.GetForce();
   const double elapsed = ServoClock::SecondsSince(this->LastRound);
   this->LastRound = ServoClock::Now();

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Shows how the force changes by a VibrationService, on the device's own thread.
+ * Renders changes of the force through a VibrationService, on the device's own thread.
  *
- * It has no position: VibrationDevice.h adds the tip. It exerts no force (Vibration.h).
+ * The driver measures no position: VibrationDevice.h adds the tip. The device exerts no force
+ * (Vibration.h).
  */
 #ifndef VibrationDriver_h
 #define VibrationDriver_h

@@ -21,14 +21,14 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double ListTime = 0.3; // in s
+constexpr double ListTime = 0.3; // s
 constexpr std::uint16_t HapbeatPort = 7700;
 constexpr const char* BhapticsId = "vibration:bhaptics";
 constexpr const char* WeartId = "vibration:weart";
 constexpr const char* HapbeatId = "vibration:hapbeat";
 constexpr const char* VibratesOnly = ": vibration, not force";
 
-/** Returns what follows the kind's name and a colon in an id. */
+/** Returns the part of an id after the kind's name and a colon. */
 std::string RestOf(const std::string& id, const char* kind)
 {
   return id.substr(std::min(id.size(), std::string(kind).size() + 1));

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Lists and makes what vibrates by an open protocol, in builds with Boost.Beast:
+ * Lists and makes vibrating devices with an open protocol, in builds with Boost.Beast:
  * "vibration:bhaptics[:PLACE]", "vibration:weart[:HAND]" and "vibration:hapbeat:ADDRESS[:PORT]".
  *
- * The services of bHaptics and WEART are reached on this computer only. A Hapbeat is reached over
- * the network, so it is neither looked for nor listed: only the address that the user names gets
- * packets, and without one, this computer.
+ * The services of bHaptics and WEART run on this computer. A Hapbeat is on the network, so it is
+ * neither searched nor listed: packets are sent only to the address that the user names, or to this
+ * computer if there is none.
  */
 #ifndef VibrationKinds_h
 #define VibrationKinds_h

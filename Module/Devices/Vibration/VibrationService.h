@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A service or a device of an open protocol that vibrates: what its protocol has to do.
+ * The interface to a vibrating service or device with an open protocol.
  *
- * One thread calls it (VibrationDriver.h), with one amplitude, the larger one of the two levels of
- * Vibration.h, since none of these protocols has two motors.
+ * One thread calls it (VibrationDriver.h). The amplitude is the larger of the two levels of
+ * Vibration.h, because none of these protocols has two motors.
  */
 #ifndef VibrationService_h
 #define VibrationService_h
@@ -21,8 +21,8 @@ public:
   enum class State
   {
     Ready,
-    Waiting, ///< connected, but it can't vibrate yet: GetText() asks for what it needs
-    Gone     ///< disconnected: GetText() has the reason and the cure
+    Waiting, ///< connected, but can't vibrate yet: GetText() returns what is required
+    Gone ///< disconnected: GetText() returns the reason and the cure
   };
 
   VibrationService() = default;
@@ -30,23 +30,23 @@ public:
   VibrationService(const VibrationService&) = delete;
   VibrationService& operator=(const VibrationService&) = delete;
 
-  /** Returns the name for people; after Connect(), that of the device. */
+  /** Returns the readable name; after Connect(), that of the device. */
   virtual std::string GetName() const = 0;
   /**
-   * Connects, and stops earlier vibrations. Returns false and writes the reason and the cure to
-   * `error` if this fails. Takes two seconds at most.
+   * Connects, and stops earlier vibrations. On failure, returns false and writes the reason and the
+   * cure to `error`. Takes at most two seconds.
    */
   virtual bool Connect(std::string& error) = 0;
   /**
-   * Vibrates with an amplitude, 0 to 1, until the next call, which comes within some milliseconds.
-   * Returns at once.
+   * Vibrates with an amplitude, 0 to 1, until the next call, which follows within some
+   * milliseconds. Returns at once.
    */
   virtual State Show(double amplitude) = 0;
-  /** Returns a text to be read after the device's name. */
+  /** Returns a text that continues a sentence after the device's name. */
   virtual std::string GetText() const = 0;
   /**
-   * Stops the vibration by a system call only, as the handler of a crash needs it. Does nothing if
-   * the vibration ends by itself.
+   * Stops the vibration by a system call only, for a crash handler. Does nothing if the vibration
+   * ends by itself.
    */
   virtual void StopAtCrash() noexcept {}
   /** Stops the vibration, then closes the connection. */

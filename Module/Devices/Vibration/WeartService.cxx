@@ -16,7 +16,7 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double WeartAskTime = 1.0; // in s
+constexpr double WeartAskTime = 1.0; // s
 constexpr auto WeartAskPause = std::chrono::milliseconds(2);
 constexpr int FullVolume = 100;
 constexpr const char* WeartCure =
@@ -94,14 +94,15 @@ bool WeartService::Connect(std::string& error)
   {
     return false;
   }
-  // After the first connection, only the same hand is opened again.
+  // After the first connection, reopen only the same hand.
   const std::string before = this->Hand.empty() ? this->Wanted : this->Hand;
   for (const char* const hand : { "RIGHT", "LEFT" })
   {
     this->Hand = before.empty() ? hand : before;
     if (this->IsConnected())
     {
-      // A connection may have ended before it could be told to stop.
+      // An earlier connection may have ended before it could stop the middleware, so this session
+      // still stops it at the end.
       this->IsStarter = this->IsStarter || this->Status.Status != "RUNNING";
       this->LastWord = WriteWeartStop(this->Hand) + WeartSeparator;
       this->Sent = 0;
@@ -131,7 +132,7 @@ VibrationService::State WeartService::Show(double amplitude)
   }
   const bool isReady = this->Status.Status == "RUNNING" && this->Status.IsActuating;
   const int volume = isReady ? Vibration::Quantize(amplitude, FullVolume) : 0;
-  // A texture lasts until it is stopped, so an unchanged one is not sent again.
+  // A texture lasts until it is stopped, so don't send an unchanged one again.
   if (isOpen && volume != this->Sent &&
     Vibration::IsDue(false, volume == 0, ServoClock::SecondsSince(this->SentAt)))
   {
@@ -190,7 +191,7 @@ void WeartService::Disconnect() noexcept
   }
   catch (const std::exception&)
   {
-    // Memory for a message is missing: send the message that was prepared.
+    // There is no memory for a message: send the message that was prepared.
     this->StopAtCrash();
   }
   this->Middleware.Close();

@@ -4,10 +4,10 @@
  * @file
  * The index finger of WEART's TouchDIVER, through WEART's middleware or WeArt app on this computer.
  *
- * A texture vibrates until it is stopped, and what the middleware does when its client dies is not
- * published: on Linux a guard (Devices/Guard) stops it if the program can't. The middleware is
- * started if it does not run yet, and then stopped at the end. Pressure and temperature are not
- * used: how many newtons full pressure is, is not published. Not verified on a device.
+ * A texture vibrates until it is stopped, and the middleware's behaviour when its client dies is
+ * not published: on Linux, a guard (Devices/Guard) stops the texture if the program can't. If the
+ * middleware is not running yet, it is started, and stopped at the end. Pressure and temperature
+ * are not used, because the force at full pressure is not published. Not verified on a device.
  */
 #ifndef WeartService_h
 #define WeartService_h
@@ -22,15 +22,15 @@ namespace VolumeHaptics
 {
 
 /**
- * Asks the middleware for its status, within a time (s). Returns false and writes the reason and
- * the cure to `error` if this fails.
+ * Requests the middleware's status, within a time (s). On failure, returns false and writes the
+ * reason and the cure to `error`.
  */
 bool AskWeart(LineSocket& middleware, double seconds, WeartStatus& status, std::string& error);
 
 class WeartService final : public VibrationService
 {
 public:
-  /** @param hand "LEFT" or "RIGHT"; if empty, the first one that is connected */
+  /** @param hand "LEFT" or "RIGHT"; if empty, the first connected hand */
   explicit WeartService(std::string hand);
   ~WeartService() override { this->WeartService::Disconnect(); }
 
@@ -51,9 +51,9 @@ private:
   LineSocket Middleware{ WeartSeparator };
   WeartStatus Status;
   bool IsStarter = false; ///< whether this session has started the middleware
-  int Sent = 0;           ///< the last volume
+  int Sent = 0; ///< last volume sent
   std::int64_t SentAt = 0;
-  std::int64_t AskedAt = 0; ///< time of the last question for its status
+  std::int64_t AskedAt = 0; ///< time of the last status request
   std::string Text;
 };
 

@@ -27,7 +27,7 @@ void VirtualDevice::Close()
 
 DeviceLimits VirtualDevice::StrongDesktopDevice()
 {
-  // Stiffness and damping are not limited, so that all values can be simulated.
+  // Leave stiffness and damping unlimited, so that all values can be simulated.
   DeviceLimits limits;
   limits.MaximumForce = 20.0;
   limits.MaximumTorque = 0.5;
@@ -68,13 +68,13 @@ void VirtualDevice::Update(double period) noexcept
   const Vector3 way = this->Target - this->Position;
   const double distance = Norm(way);
   const double most = this->Dynamics.HandSpeed * period;
-  // The tip stops exactly at the target if it can reach it.
+  // Stop the tip exactly at the target if it is within reach.
   this->Position = distance <= most ? this->Target : this->Position + (most / distance) * way;
 }
 
 void VirtualDevice::Integrate(double period, const Vector3& force) noexcept
 {
-  // Integrate by the Runge-Kutta method of fourth order. The acceleration is smooth, because the
+  // Integrate with the fourth-order Runge-Kutta method. The acceleration is smooth, because the
   // force is constant during the period.
   constexpr int steps = 8;
   const double h = period / steps;
@@ -147,7 +147,7 @@ DeviceState VirtualDevice::Read(double period, DeviceSample& sample) noexcept
 
 DeviceState VirtualDevice::Write(const Vector3& force) noexcept
 {
-  // The oldest of ForceDelay + 1 forces acts. Without a delay it is the present one.
+  // Apply the oldest of ForceDelay + 1 forces. Without a delay, this is the current force.
   const int length = std::clamp(this->Dynamics.ForceDelay, 0, VirtualDynamics::MaximumDelay) + 1;
   this->Queue[this->QueueHead % length] = force;
   this->QueueHead = (this->QueueHead + 1) % length;

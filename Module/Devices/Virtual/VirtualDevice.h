@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A device without hardware. The program leads its tip.
+ * A device without hardware, whose tip is moved by the program.
  *
  * Without dynamics (Mass 0, the default), the tip moves straight to its target, at most at
- * HandSpeed. With a mass, it is a device in a hand: m x'' = f + HandStiffness (target - x) -
- * Damping x'. This is integrated accurately over each period with a constant force, as in a
- * sampled-data system. To study the stability of the closed loop, measured positions can be rounded
- * to an encoder's quantum, and forces can be delayed by ticks.
+ * HandSpeed. With a mass, it simulates a device that a hand holds: m x'' = f + HandStiffness
+ * (target - x) - Damping x'. This is integrated accurately over each period with a constant force,
+ * as in a sampled-data system. To study the stability of the closed loop, measured positions can be
+ * rounded to an encoder's quantum, and forces can be delayed by ticks.
  */
 #ifndef VirtualDevice_h
 #define VirtualDevice_h
@@ -52,18 +52,18 @@ public:
 
   ///@{
   /**
-   * Sets the target of the tip (m). One thread outside the loop calls this function and the next
-   * ones.
+   * Sets the target of the tip (m). This function and the next ones must be called on the same
+   * thread, outside the loop.
    */
   void Lead(const Vector3& target) noexcept;
   /**
-   * Places the stylus at another position (m), as if the hand took it up there. The first Lead()
-   * does this, too.
+   * Moves the stylus to another position (m) at once, as if the hand had released it and grasped it
+   * again there. The first Lead() does this, too.
    */
   void Place(const Vector3& position) noexcept;
   /**
    * Sets the stylus's orientation, which takes effect at once. It must be a unit quaternion. Before
-   * the first call the stylus has no orientation.
+   * the first call, the stylus has no orientation.
    */
   void Turn(const Quaternion& orientation) noexcept;
   /** Removes the orientation. */
@@ -83,7 +83,9 @@ public:
   void Unplug() noexcept { this->Unplugged.store(true); }
   ///@}
 
-  /** Returns a component of the force that acts on the hand now. From any thread. */
+  /**
+   * Returns a component (N) of the force that acts on the hand now. May be called from any thread.
+   */
   double GetActingForce(int axis) const noexcept
   {
     return this->Quenched.load(std::memory_order_acquire) ? 0.0 : this->Acting[axis].load();
@@ -99,12 +101,12 @@ private:
   struct Order
   {
     Vector3 Target;
-    std::uint64_t Places = 0; ///< number of times that the stylus was taken up
+    std::uint64_t Places = 0; ///< number of calls of Place(), including the first Lead()
     Quaternion Orientation;
     bool HasOrientation = false;
   };
   TripleBuffer<Order> Orders;
-  Order Wanted; ///< used only by the leading thread
+  Order Wanted; ///< used only by the thread that moves the tip
   std::atomic<std::uint32_t> Buttons{ 0 };
   std::atomic<bool> Frozen{ false };
   std::atomic<bool> Unplugged{ false };
@@ -116,12 +118,12 @@ private:
   Vector3 Velocity;
   std::array<Vector3, VirtualDynamics::MaximumDelay + 1> Queue{};
   int QueueHead = 0;
-  /** Simulated time in ns: one period for each tick, however late the ticks are. */
+  /** Simulated time (ns), which advances by one period per tick, however late the ticks are. */
   std::int64_t Time = 0;
   std::int64_t Period = 0; ///< period of the ticks (ns)
   TakenForce Taken{ -1, 0 };
   Vector3 Target;
-  /** The last Places that the servo has used; 0 if the stylus was never taken up. */
+  /** The value of Places that the servo has processed last; 0 initially. */
   std::uint64_t PlacesDone = 0;
 };
 

@@ -18,8 +18,8 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int WheelRoundPause = 1; // in ms, while servo and wheel send nothing
-constexpr int WheelLostPause = 10; // in ms
+constexpr int WheelRoundPause = 1; // ms, while servo and wheel send nothing
+constexpr int WheelLostPause = 10; // ms
 constexpr int FullLevel = 32767;
 constexpr int ToTheLeft = 0x4000;
 constexpr unsigned MostButtons = 32;
@@ -53,7 +53,7 @@ std::string WheelDriver::MakeIdentity(const EvdevNode& node)
   char numbers[24];
   std::snprintf(numbers, sizeof(numbers), "wheel:%04x:%04x", node.Vendor, node.Product);
   std::string serial = node.Serial;
-  // In the user's file of devices, spaces separate words.
+  // Replace spaces and '=', which separate words in the user's device file.
   std::replace_if(
     serial.begin(), serial.end(), [](char c) { return c <= ' ' || c == '=' || c > '~'; }, '_');
   return numbers + (serial.empty() ? std::string() : ":" + serial);
@@ -131,8 +131,8 @@ bool WheelDriver::Take(const EvdevNode& node, std::string& error)
   this->HasTwin = false;
   this->FindUnpluggedText();
   this->Effect = -1;
-  // The last program may have changed the gain, and the spring towards the centre pushes without
-  // being asked. Drivers without them ignore this.
+  // The last program may have changed the gain, and the driver's centring spring would push without
+  // a request. Drivers that lack these ignore the events.
   if (!this->ReadAll() || !EvdevNode::SendForce(this->Node, FF_GAIN, 0xFFFF) ||
     !EvdevNode::SendForce(this->Node, FF_AUTOCENTER, 0) || !this->Play(0))
   {
@@ -192,7 +192,7 @@ bool WheelDriver::ReadAll() noexcept
 
 void WheelDriver::Serve(HardwareExchange& exchange)
 {
-  /** Ends the force, even if an exception is thrown. */
+  /** Ends the force when leaving the scope, even by an exception. */
   struct AtEnd
   {
     WheelDriver* Driver;
@@ -217,7 +217,7 @@ void WheelDriver::Serve(HardwareExchange& exchange)
       this->Round(exchange);
       continue;
     }
-    // Quench() and Close() wait until this thread has asked for the force, and got zero.
+    // Quench() and Close() wait until this thread has requested the force and received zero.
     exchange.GetForce();
     ServoClock::SleepUntil(ServoClock::Now() + WheelLostPause * ServoClock::Millisecond);
     if (!this->Gone && !this->Listen(exchange))
@@ -268,7 +268,7 @@ void WheelDriver::Round(HardwareExchange& exchange)
   }
   if (!this->HasNews)
   {
-    // The driver has just taken a force, so the wheel is connected, and would have reported a
+    // The driver has just accepted a force, so the wheel is connected, and would have reported any
     // motion.
     exchange.Confirm();
     return;
@@ -338,7 +338,8 @@ bool WheelDriver::Play(int level) noexcept
   int result = ioctl(this->Node, EVIOCSFF, &effect);
   if (result < 0 && this->Effect >= 0 && (errno == EINVAL || errno == EACCES))
   {
-    // Before Linux 5.7, a child process that closes its copy of the node erases the effects.
+    // Create the effect again: before Linux 5.7, a child process that closes its copy of the node
+    // erases the effects.
     effect.id = -1;
     result = ioctl(this->Node, EVIOCSFF, &effect);
   }
@@ -352,7 +353,7 @@ void WheelDriver::Rest() noexcept
 {
   if (this->Node >= 0 && this->Effect >= 0)
   {
-    // Only a start marks the new level as playing in the kernel.
+    // Restart the effect, because only a start marks the new level as playing in the kernel.
     this->Play(0);
     EvdevNode::SendForce(this->Node, this->Effect, 0);
     ioctl(this->Node, EVIOCRMFF, this->Effect);
@@ -362,7 +363,7 @@ void WheelDriver::Rest() noexcept
 
 void WheelDriver::Lose(HardwareExchange& exchange, const char* text) noexcept
 {
-  // Notify the servo before sending anything, because that may take long.
+  // Notify the servo before sending anything, because sending may take long.
   this->Lost = true;
   this->Report(exchange, DeviceStage::Lost, text);
   this->Rest();

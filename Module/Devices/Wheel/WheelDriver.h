@@ -5,15 +5,16 @@
  * A force-feedback wheel without HID-PID, such as Logitech's, Thrustmaster's and Fanatec's, through
  * its driver in Linux (evdev).
  *
- * The wheel leads the tip along x, at most 5 cm to each side, as with PidDriver. Its driver plays a
- * constant effect (FF_CONSTANT). In Linux an effect pulls into its direction (linux/input.h), so a
- * positive level with the direction 0x4000 pushes to the left. Drivers have been seen to disagree:
- * the first Arm() checks the sign, and a negative NewtonsPerFullScale reverses it.
+ * The wheel moves the tip along x, at most 5 cm to each side, as in PidDriver. The kernel's driver
+ * plays a constant effect (FF_CONSTANT). In Linux, an effect pulls in its direction
+ * (linux/input.h), so a positive level with the direction 0x4000 pushes to the left. Some drivers
+ * deviate from this: the first Arm() checks the sign, and a negative NewtonsPerFullScale reverses
+ * it.
  *
  * The effect lasts ReplayLength, and is renewed at least every RenewTime: the kernel ends it if
- * this process stands still, and erases it if the process ends. The kernel's spring towards the
- * centre is switched off. Many drivers renew forces with the kernel's clock, every 4 ms, which
- * bounds the stiffness. Not verified on hardware.
+ * this process hangs, and erases it if the process ends. The kernel's centring spring is switched
+ * off. Many drivers renew forces only with the kernel's timer, every 4 ms, which limits the
+ * stiffness. Not verified on hardware.
  */
 #ifndef WheelDriver_h
 #define WheelDriver_h
@@ -24,17 +25,17 @@
 namespace VolumeHaptics
 {
 
-/** Lists the wheels whose drivers play constant effects, and that do not speak HID-PID. */
+/** Lists the wheels that do not use HID-PID and whose drivers play constant effects. */
 std::vector<EvdevNode> ListWheels();
 
 class WheelDriver final : public HardwareDriver
 {
 public:
-  static constexpr double Travel = 0.05;       ///< position of the tip in m at the end of the axis
-  static constexpr double FastestWheel = 5.0;  ///< m/s, as of PidDriver
+  static constexpr double Travel = 0.05; ///< position of the tip (m) at the end of the axis
+  static constexpr double FastestWheel = 5.0; ///< m/s, as in PidDriver
   static constexpr int ReplayLength = 100;     ///< ms
   static constexpr double RenewTime = 0.01;    ///< s
-  static constexpr double ShortestTime = 4e-3; ///< time (s) between two forces other than zero
+  static constexpr double ShortestTime = 4e-3; ///< shortest time (s) between two nonzero forces
 
   /**
    * @param number index of the wheel in ListWheels
@@ -61,9 +62,9 @@ public:
 private:
   bool Take(const EvdevNode& node, std::string& error);
   /**
-   * Returns the message for an unplugged wheel: whether it comes back by itself or has to be opened
-   * again. For that, looks for other wheels with its serial number; if there is one, the wheel does
-   * not come back by itself.
+   * Returns the message for an unplugged wheel: whether it will be reopened automatically or has to
+   * be opened by the user. To decide, searches other wheels with its serial number; if there is
+   * one, the wheel can't be reopened automatically.
    */
   const char* FindUnpluggedText();
   void Begin(HardwareExchange& exchange);
@@ -86,13 +87,13 @@ private:
   EvdevNode Info; ///< the wheel that was connected last
   int Node = -1;
   int Effect = -1; ///< number of the effect in the kernel; -1 if there is none yet
-  int Level = 0;   ///< level that was sent last
+  int Level = 0; ///< last level sent
   std::int64_t SentAt = 0;
-  int Value = 0; ///< of the axis
+  int Value = 0; ///< value of the axis
   int Least = 0;
   int Most = 1;
   std::uint32_t Buttons = 0;
-  bool IsDropping = false; ///< whether events were lost, so that the rest of a report is dropped
+  bool IsDropping = false; ///< whether events were lost, so that the rest of the report is dropped
   bool HasNews = false;
   bool IsReady = false;
   bool HasTwin = false; ///< whether another wheel with the same serial number was plugged in

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The kind of devices "wheel": wheels that do not speak HID-PID (WheelDriver.h).
+ * Lists and makes wheels that do not use HID-PID, "wheel" (WheelDriver.h).
  */
 #ifndef WheelKind_h
 #define WheelKind_h

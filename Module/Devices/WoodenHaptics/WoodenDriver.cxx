@@ -27,18 +27,21 @@ constexpr std::uint16_t TeensyProduct = 0x0486;
 constexpr const char* TeensyName = "teensyduino rawhid";
 ///@}
 /**
- * HID usage page of the board's second interface. It has the same name but only carries the board's
+ * HID usage page of the board's second interface. It has the same name, but only sends the board's
  * log, so it is skipped.
  */
 constexpr std::uint16_t LogPage = 0xFFC9;
 
-/** Time (ns) between two packets with motor currents if no packet comes from the board. */
+/** Time (ns) between two packets with motor currents while no packet arrives from the board. */
 constexpr std::int64_t SendPeriod = 2000000;
-/** Pause (s) after which the hand was not observed, because the kernel may have dropped packets. */
+/**
+ * Longest pause (s) between rounds. After a longer one the motion is unknown, because the kernel
+ * may have dropped packets.
+ */
 constexpr double LateRound = 0.03;
 /**
- * Time (s) between two preset packets. Of the packets that wait, the firmware uses only the last
- * one, which may be another packet.
+ * Time (s) between two preset packets. They are repeated because the firmware processes only the
+ * last of several waiting packets.
  */
 constexpr double PresetPeriod = 0.1;
 
@@ -79,7 +82,7 @@ bool IsTeensy(const HidDeviceInfo& info)
 }
 
 /**
- * Returns whether a device has a controller's numbers and a word in its name, whatever the case.
+ * Returns whether a device has a controller's numbers, and a word in its name (case-insensitive).
  */
 bool IsNamed(const HidDeviceInfo& info, const char* word)
 {
@@ -90,7 +93,7 @@ bool IsNamed(const HidDeviceInfo& info, const char* word)
 }
 
 /**
- * Returns whether a device reports that it is a WoodenHaptics, which no published firmware does.
+ * Returns whether a device identifies itself as a WoodenHaptics, which no published firmware does.
  */
 bool SaysWhatItIs(const HidDeviceInfo& info)
 {
@@ -98,8 +101,8 @@ bool SaysWhatItIs(const HidDeviceInfo& info)
 }
 
 /**
- * Returns whether a device has packets of the size in the published firmware, which other programs
- * of this board do not have. Also returns true if the descriptor can't be read.
+ * Returns whether a device has packets of the size in the published firmware, unlike other programs
+ * for this board. Also returns true if the descriptor can't be read.
  */
 bool HasPacketsOfMbed(const HidDeviceInfo& info)
 {
@@ -205,7 +208,7 @@ void WoodenDriver::Work(HardwareExchange& exchange)
 {
   if (this->Now == Phase::Consent)
   {
-    // Ignore the device's packets until the user has agreed.
+    // Ignore the device's packets until the user has confirmed the device.
     std::uint8_t ignored[LongestReport];
     this->Read(exchange, ignored, 1);
     this->IsSilent(true);
@@ -226,7 +229,7 @@ void WoodenDriver::Work(HardwareExchange& exchange)
     hasNews = true;
     this->ReceivePacket(exchange, bytes, size);
   }
-  // After a pause, packets may be missing that the kernel has dropped.
+  // After a pause, the kernel may have dropped packets.
   this->HasTip = this->HasTip && !isLate;
   if (!this->IsLost() && this->IsSilent(hasNews))
   {

@@ -4,26 +4,27 @@
  * @file
  * WoodenHaptics with the firmware of 14-byte reports, through hidapi.
  *
- * The device sends its encoders at its own rate. It gets its currents after each packet, or every 2
- * ms without one; its firmware removes currents that are not renewed for half a second. Homing
- * tells the device that its arm is in the rest pose, from which it then counts. It never reports
- * whether it was calibrated: after power-up all its counts are 0, and apart from counts it only
- * reports its calibration button. So it is calibrated whenever it is opened, and after every fault.
+ * The device sends its encoder counts at its own rate. The driver sends currents after each packet,
+ * or every 2 ms without one; the firmware sets currents to zero that are not renewed for half a
+ * second. Homing declares the arm's current pose to be the rest pose, from which the device then
+ * counts. The device never reports whether it was calibrated: after power-up all counts are 0, and
+ * apart from counts it reports only its calibration button. It is therefore calibrated whenever it
+ * is opened, and after every fault.
  *
  * Published firmwares do not identify as a WoodenHaptics: mbed's enumerates as 1234:0006 "HID
  * DEVICE" with packets of 14 bytes (WoodenHaptics/woody-experimental, mbed-code/WoodenHapticsHID,
- * commit 726e186: the defaults of USBDevice/USBHID), Teensy's as 16c0:0486 "Teensyduino RawHID", as
- * other programs of these boards do. So nothing is sent to such a device before the user has
- * confirmed with Home() that it is one.
+ * commit 726e186: the defaults of USBDevice/USBHID), Teensy's as 16c0:0486 "Teensyduino RawHID",
+ * like other programs on these boards. Therefore nothing is sent to such a device before the user
+ * has confirmed with Home() that it is a WoodenHaptics.
  *
- * A Polhem has the same firmware but another linkage, so it is refused if its name shows that.
+ * A Polhem has the same firmware but another linkage, so a device with that name is refused.
  *
  * Published bills of materials have motors of 0.0259 and of 0.0603 N m/A, and current controllers
- * of 3 A and of 6 A at full scale. A force may arrive up to four times as strong, so the limits are
- * half of the weakest build's, and the default force, half of that again, stays within 5 N in all
- * builds.
+ * of 3 A and of 6 A at full scale. The actual force may thus be up to four times as strong as
+ * requested. Therefore the limits are half of the weakest build's, and the default force, a quarter
+ * of the weakest build's, stays within 5 N in all builds.
  *
- * The device's space is as for all devices: x to the right, y up, z towards the hand. These are y,
+ * The device's axes are those of all devices: x to the right, y up, z towards the hand. They are y,
  * z and x of WoodenHaptics.h, with the arm reaching towards the user. Not verified on a device.
  */
 #ifndef WoodenDriver_h
@@ -38,19 +39,19 @@ namespace VolumeHaptics
 class WoodenDriver final : public HidDriver
 {
 public:
-  /** Longest motion (m) of the tip from one packet to the next. No hand is faster. */
+  /** Longest plausible motion (m) of the tip from one packet to the next. */
   static constexpr double FarthestStep = 0.02;
-  /** Largest difference (counts) of the encoders from the rest pose right after they were set. */
+  /** Largest difference (counts) of the encoders from the rest pose just after they were set. */
   static constexpr int RestTolerance = 40;
-  /** Longest time (s) for setting the encoders. */
+  /** Longest duration (s) of setting the encoders. */
   static constexpr double PresetTime = 1.0;
 
   explicit WoodenDriver(int number);
 
   static bool IsWooden(const HidDeviceInfo& info);
   /**
-   * Returns whether this is a related device with another geometry. This driver does not support
-   * it.
+   * Returns whether this is a Polhem, a related device with another geometry, which this driver
+   * does not support.
    */
   static bool IsPolhem(const HidDeviceInfo& info);
   DeviceLimits GetLimits() const override { return { 2.5, 500.0, 0.0, 2.5, 0.0, 0.10 }; }
@@ -59,10 +60,10 @@ public:
 private:
   enum class Phase : std::uint8_t
   {
-    Consent,    ///< sends nothing, and waits until the user confirms the device by Home()
-    Asking,     ///< waits for the first packet
-    Waiting,    ///< waits until the hand has moved the arm to its rest pose and requests homing
-    Presetting, ///< waits until the encoders show the rest pose
+    Consent, ///< sends nothing, and waits until the user confirms the device with Home()
+    Asking, ///< waits for the first packet
+    Waiting, ///< waits until the user has moved the arm to its rest pose and requests homing
+    Presetting, ///< waits until the counts are those of the rest pose
     Ready
   };
 
@@ -84,14 +85,14 @@ private:
   std::size_t OutputSize = WoodenHaptics::PacketSize;
 
   Phase Now = Phase::Asking;
-  bool HasTip = false; ///< whether the last packet had a tip
+  bool HasTip = false; ///< whether the last packet yielded a tip
   Vector3 Tip;
   WoodenHaptics::Input Input;
   std::int64_t LastRound = 0;
   std::int64_t LastSent = 0;
   std::int64_t PresetBegin = 0;
   std::int64_t LastPreset = 0;
-  bool HasConsent = false; ///< whether the user has allowed the driver to send forces
+  bool HasConsent = false; ///< whether the user has confirmed the device
 };
 
 } // namespace VolumeHaptics

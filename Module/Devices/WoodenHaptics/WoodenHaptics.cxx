@@ -104,7 +104,7 @@ WoodenHaptics::Currents WoodenHaptics::ComputeCurrents(
   {
     milliamperes[j] *= 1000.0 * g.Signs[j] * g.Transmission[j] / g.TorqueConstant;
   }
-  // The range of a word in the packet is a limit, too, whatever the geometry says.
+  // The range of a word in the packet also limits the currents, whatever the geometry says.
   constexpr double wire = 32767.0;
   SaturateTogether(milliamperes.data(), 3, std::min(wire, 1000.0 * g.MaximumCurrent));
   Currents currents{};

@@ -12,7 +12,7 @@ namespace VolumeHaptics
 
 XrDevice::XrDevice()
 {
-  // The controller is where the tip is, so it has the workspace of the virtual device.
+  // The controller is at the tip, so the device has the workspace of the virtual device.
   DeviceLimits limits = MakePadLimits();
   limits.WorkspaceRadius = this->GetLimits().WorkspaceRadius;
   this->SetLimits(limits);
@@ -30,7 +30,7 @@ DeviceState XrDevice::Write(const Vector3& force) noexcept
   this->Elapsed = 0.0;
   const double amplitude = std::max(levels.Strong, levels.Weak);
   double largest = this->Largest.load(std::memory_order_relaxed);
-  // The loop repeats at most once, because only DrainAmplitude() also changes Largest.
+  // The loop repeats at most once, because only DrainAmplitude() changes Largest on another thread.
   while (amplitude > largest &&
     !this->Largest.compare_exchange_strong(largest, amplitude, std::memory_order_relaxed))
   {

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A controller of a headset, "vibration:xr". The program leads its tip, and makes it vibrate.
+ * A headset's controller, "vibration:xr". The program moves its tip, and makes it vibrate.
  *
- * Only the program that draws for a headset has the positions of its controllers and can make them
- * vibrate. So it leads the tip as it does with the virtual device, and reads the amplitude in each
- * frame. A frame lasts about ten ticks. The largest of their amplitudes is used, so that no short
- * touch is lost.
+ * Only the program that renders for a headset receives the positions of its controllers and can
+ * make them vibrate. Therefore the program moves the tip as with the virtual device, and reads the
+ * amplitude in each frame. A frame lasts about ten ticks, of which the largest amplitude is
+ * returned, so that no short touch is lost.
  *
- * A controller has one motor, whereas a gamepad has two, so it gets the larger one of the levels in
- * Vibration.h.
+ * A controller has one motor instead of a gamepad's two, so the amplitude is the larger of the two
+ * levels in Vibration.h.
  */
 #ifndef XrDevice_h
 #define XrDevice_h
@@ -27,8 +27,8 @@ class XrDevice final : public VirtualDevice
 {
 public:
   /**
-   * Time (s) without a force of the servo after which nothing vibrates, because the servo does not
-   * run.
+   * Time (s) without a force from the servo after which the amplitude is zero, because the servo
+   * has stopped.
    */
   static constexpr double LongestSilence = 0.1;
 
@@ -39,10 +39,7 @@ public:
   DeviceState Write(const Vector3& force) noexcept override;
   void Quench() noexcept override;
 
-  /**
-   * Returns the largest amplitude since the last call, 0 to 1. Called by one thread, which may be
-   * any.
-   */
+  /** Returns the largest amplitude since the last call, 0 to 1. May be called on any one thread. */
   double DrainAmplitude() noexcept;
 
 private:

@@ -21,7 +21,7 @@ constexpr bool HasXrModule = true;
 constexpr bool HasXrModule = false;
 #endif
 
-/** Returns the value of an environment variable, or `other` if it is not set or empty. */
+/** Returns the value of an environment variable; `other` if it is unset or empty. */
 std::string ReadXdgVariable(const char* name, const std::string& other)
 {
   const char* const value = std::getenv(name);

@@ -26,8 +26,8 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING
 
-# Import the modules of the objects that the classes below accept and return: otherwise an object whose module was never
-# imported is returned as an object of a superclass.
+# Import the modules of the objects that the classes below accept and return: an object whose module was never imported
+# would be returned as an object of a superclass.
 import vtkmodules.vtkCommonCore
 import vtkmodules.vtkCommonDataModel
 import vtkmodules.vtkCommonExecutionModel
@@ -44,8 +44,8 @@ if _HAS_RENDERING:
 _vtk = vtkmodules.vtkCommonCore.vtkVersion
 _FOUND = f"{_vtk.GetVTKMajorVersion()}.{_vtk.GetVTKMinorVersion()}.{_vtk.GetVTKBuildVersion()}"
 if _FOUND != _COMPILED_WITH:
-    # Check VTK's version first. Otherwise the loader would name a missing library, or objects of another layout would
-    # crash later, with force on.
+    # Check VTK's version first. Otherwise the loader would report a missing library, or an incompatible memory layout
+    # would cause a later crash, while the force is on.
     raise ImportError(f"this volumehaptics is for VTK {_COMPILED_WITH}, and VTK {_FOUND} is what there is. "
                       f"Cure: pip install vtk=={_COMPILED_WITH}, or a volumehaptics that was built for VTK {_FOUND}")
 
@@ -63,8 +63,8 @@ if TYPE_CHECKING:
 
 __all__ = [*sorted(name for name in vars(vtkVolumeHaptics) if name.startswith("vtk")), "touch"]
 
-# Imported on demand: names that need NumPy, which the classes and touch() do not need, and the module pyvista, only if
-# it is asked for by name.
+# Imported on demand: names that need NumPy, which the classes and touch() don't need, and the module pyvista, only if
+# it is requested by name.
 _MODULES = ("arrays", "examples")
 _FUNCTIONS = {"add_haptics": "._hosts", "identify": "._identify",
               "inspect": "._inspect", "image": ".arrays", "open_large": "._large", "path": ".arrays"}

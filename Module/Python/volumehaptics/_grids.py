@@ -10,7 +10,7 @@ from typing import Any
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataSet, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkResampleToImage
 
-# Points along the longest edge of an overview, from which only strengths and bounds are taken.
+# Points along the longest edge of an overview, from which only strengths and bounds are derived.
 POINTS = 64
 
 

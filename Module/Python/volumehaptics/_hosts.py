@@ -8,8 +8,8 @@ import weakref
 from collections.abc import Callable, Sequence
 from typing import Any, Union
 
-import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401 (the plot of the display)
-import vtkmodules.vtkRenderingFreeType  # noqa: F401 (its texts)
+import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401 (for the plot of the display)
+import vtkmodules.vtkRenderingFreeType  # noqa: F401 (for the texts of the plot)
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkRenderWindowInteractor, vtkRenderer, vtkVolume
 
@@ -25,14 +25,14 @@ from .vtkVolumeHaptics import (
     vtkVolumeHapticsFilter,
 )
 
-# A device by its id or as an object, or one for each hand.
+# A device, by its id or as an object, or one device for each hand.
 Devices = Union[str, vtkHapticDevice, Sequence[Union[str, vtkHapticDevice]]]
 
-# Attributes that lead to a window: of VTK's Qt, Tk and wx widgets, vedo, FURY, Mayavi.
+# Attributes that lead to a window in VTK's Qt, Tk and wx widgets, vedo, FURY and Mayavi.
 _NAMES = ("interactor", "iren", "_Iren", "render_window", "window", "scene", "renderer")
-# Keys of tvtk.pyface's scenes.
+# Keys that scenes of tvtk.pyface use themselves.
 _KEPT_BY_TVTK = ("Escape", "s", "p", "l", "Left", "Right", "plus", "KP_Add", "minus", "KP_Subtract")
-_DEPTH = 4  # largest number of attributes in a row, such as figure.scene.interactor
+_DEPTH = 4  # longest chain of attributes, such as figure.scene.interactor
 
 
 class Haptics:
@@ -48,7 +48,7 @@ class Haptics:
     second_device: the vtkHapticDevice in the other hand, or None.
     """
 
-    closed = True  # until all parts exist
+    closed = True  # until the constructor has made all parts
     _leave_widget: Callable[[], bool] | None = None
 
     def __init__(self) -> None:
@@ -114,14 +114,14 @@ class Haptics:
             if second == "virtual":
                 raise ValueError("the mouse leads the first hand. Cure: device=[\"virtual\", the real one]")
             own = vtkHapticDevice()
-            own.SetAttentionTime(self.device.GetAttentionTime())  # before another device takes this one's place
+            own.SetAttentionTime(self.device.GetAttentionTime())  # before another device replaces this one
             self._choose_device(first)
             device = self._open(second, own)
             with Errors(self.style) as errors:
                 self.widget.SetSecondDevice(device)
             if errors:
                 raise ValueError("; ".join(errors))
-            device.UseToolOff()  # the first hand holds the tool
+            device.UseToolOff()  # only the first hand uses the tool
             device.SetVolumeHaptics(self.filter)
             self.second_device = device
         elif wanted is not None:
@@ -134,9 +134,9 @@ class Haptics:
         """Returns a device of the user's own, which is open, or opens another one by its id."""
         if isinstance(wanted, vtkHapticDevice):
             with Errors(wanted) as errors:
-                if not wanted.IsOpen() and not wanted.Start():  # Start() reports why it is not open
+                if not wanted.IsOpen() and not wanted.Start():  # Start() reports why a device is not open
                     raise ValueError("; ".join(errors))
-            wanted.Stop()  # the device may be armed, on another volume
+            wanted.Stop()  # the device may still be armed on another volume
             return wanted
         with Errors(own) as errors:
             if not own.Open(wanted):
@@ -191,7 +191,7 @@ def _remove_kept_keys(target: Any, style: vtkInteractorStyleHaptic) -> None:
 
 def _find_volume(volume: Any) -> vtkVolume:
     """Returns the volume inside a program's object, which is found through its attributes."""
-    for one in (volume, getattr(volume, "actor", None)):  # objects of vedo have an actor
+    for one in (volume, getattr(volume, "actor", None)):  # objects of vedo have the attribute actor
         if isinstance(_plain_vtk(one), vtkVolume):
             return _plain_vtk(one)
     raise TypeError(f"what is touched in a window is a vtkVolume that it shows, not {_describe(volume)}. Cure: give that "

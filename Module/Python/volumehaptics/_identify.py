@@ -22,13 +22,13 @@ __all__ = ["identify"]
 
 _STRATEGIES = ("force", "depth")
 _MATERIAL = ("stiffness", "friction", "viscosity", "surface_strength")
-_TICK = 0.05  # mm, step of the hand in a tick
+_TICK = 0.05  # mm, step of the hand per tick
 _ABOVE = 6.0  # mm: height of the hand above an edge at the start
 _DEEPEST = 10.0  # mm, largest depth of the hand
 _STROKE = 10.0  # mm, length of a stroke
-_STRONGEST = 4.0  # N: the strongest press
+_STRONGEST = 4.0  # N: the strongest force of a press
 _STEADY = 0.4  # fraction of the stroke after which cues are measured
-_FLOORS = {"mm": 0.5, "N": 0.05}  # assumed limits below which the senses do not obey Weber's law
+_FLOORS = {"mm": 0.5, "N": 0.05}  # limits below which the senses are assumed to deviate from Weber's law
 _DRAWS = 100_000
 
 

@@ -84,7 +84,7 @@ def _make_table(table: vtkHapticLabelTable, materials: Materials | None) -> None
     if materials is None:
         return
     if isinstance(materials, vtkHapticLabelTable):
-        # Only field data contain a whole table: read the table from field data, so that it is merged.
+        # Read the table from field data, because only they contain the whole table, so that it is merged.
         carrier = vtkImageData()
         materials.WriteFieldData(carrier.GetFieldData())
         table.ReadFieldData(carrier.GetFieldData())
@@ -116,7 +116,7 @@ def _read(volume: vtkImageData, file: str, is_file: bool) -> vtkImageData:
         raise ValueError(f"there is no file {file!r} of labels")
     try:
         reader = run(file, are_labels=True)
-    except ValueError as error:  # series is the volume's, not the labels'
+    except ValueError as error:  # the argument series concerns the volume, not the labels
         raise ValueError(re.sub(r"take series=1 to series=\d+, or ", "", str(error))) from None
     for note in reader.GetNotes().splitlines():
         _warn(f"{os.path.basename(file)}: {note}")

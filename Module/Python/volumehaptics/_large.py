@@ -58,8 +58,8 @@ _TYPES = {
     "float64": VTK_DOUBLE,
 }
 
-# A call of a ctypes function waits for Python's lock, on whatever thread. During a call of the library's function,
-# other Python threads can run.
+# A call of a ctypes function waits for Python's lock, on whatever thread. During a call into the library, other Python
+# threads can run.
 _Read = ctypes.CFUNCTYPE(
     ctypes.c_int, ctypes.c_void_p, ctypes.POINTER(ctypes.c_int), ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int)
 _Release = ctypes.CFUNCTYPE(None, ctypes.c_void_p)
@@ -124,7 +124,7 @@ def _read(number: int, extent: Any, samples: int, why: int, room: int) -> int:
     try:
         one = _arrays[number]
         _fill(one.array, one.dtype, extent, samples)
-    except BaseException as error:  # any exception, because C++ would lose it
+    except BaseException as error:  # any exception, because C++ would discard it
         text = f"{type(error).__name__}: {error}".encode()[: room - 1] + b"\0"
         ctypes.memmove(why, text, len(text))
         return 0
@@ -155,7 +155,7 @@ _process = os.getpid()
 def _end_reading() -> None:
     """Stops reading before Python ends, because no thread may call Python after that."""
     if os.getpid() != _process:
-        return  # the threads belong to the parent process
+        return  # in a forked process, the threads belong to the parent
     for one in list(_arrays.values()):
         source = one.source.Get()
         if source is not None:
@@ -244,7 +244,7 @@ def _open_multiscales(group: Any, path: str, level: int, series: int) -> list[_L
     """Opens the levels of an OME-Zarr group, from the wanted level to the coarsest."""
     attributes = dict(group.attrs)
     if "bioformats2raw.layout" in attributes.get("ome", attributes) and "1" not in group:
-        group, attributes = group["0"], dict(group["0"].attrs)  # a collection of one image
+        group, attributes = group["0"], dict(group["0"].attrs)  # a collection that contains one image
     scales = attributes.get("ome", attributes).get("multiscales")
     if not scales:
         raise ValueError(f"{path} is a Zarr group without OME-Zarr's multiscales. Cure: open one of its arrays with "
@@ -259,7 +259,7 @@ def _open_multiscales(group: Any, path: str, level: int, series: int) -> list[_L
         except (KeyError, ValueError):
             if not levels:
                 raise
-            break  # a coarser level may be missing
+            break  # coarser levels are optional
     return levels
 
 
@@ -285,7 +285,7 @@ def _open_path(path: str, level: int, series: int) -> list[_Level]:
                           "with another library, and give open_large() the array") from error
     try:
         opened = zarr.open(path, mode="r")
-    except Exception as error:  # zarr has many
+    except Exception as error:  # zarr raises many types
         raise ValueError(f"{path} can't be opened by zarr: {type(error).__name__}: {error}. Cure: check that its copy is "
                          "complete") from error
     if hasattr(opened, "shape"):
@@ -345,7 +345,7 @@ def _open_in_cpp(path: str, spacing: Any, origin: Any, coarse: Any, series: int)
         coarse = coarse or None
         if coarse is not None and not isinstance(coarse, vtkImageData):
             raise TypeError(f"the coarse level of {path} is a vtkImageData, or False, not {type(coarse).__name__}")
-        source.SetCoarseImage(coarse)  # in place of the file's own coarse image, which has another position
+        source.SetCoarseImage(coarse)  # replaces the file's own coarse image, which has another position
     return source
 
 
@@ -389,7 +389,8 @@ def open_large(
     """
     levels = [_Level(array_or_path)]
     if isinstance(array_or_path, (str, os.PathLike)):
-        if vtkHapticRegionSource.GetFileFormat(os.fspath(array_or_path)) not in ("", "Zarr"):  # read without Python
+        # these formats are read without Python
+        if vtkHapticRegionSource.GetFileFormat(os.fspath(array_or_path)) not in ("", "Zarr"):
             return _open_in_cpp(os.fspath(array_or_path), spacing, origin, coarse, series)
         levels = _open_path(os.fspath(array_or_path), level, series)
     elif series:
@@ -406,7 +407,8 @@ def open_large(
                         "array.astype(numpy.float32), which converts what is read")
     if len(shape) != 3 or 0 in shape:
         raise ValueError(f"a volume has three dimensions [z, y, x], and voxels; this array's shape is {tuple(shape)}")
-    is_file = isinstance(array_or_path, (str, os.PathLike)) or hasattr(array_or_path, "attrs")  # also Zarr's, HDF5's
+    # also Zarr's and HDF5's objects
+    is_file = isinstance(array_or_path, (str, os.PathLike)) or hasattr(array_or_path, "attrs")
     if spacing is None and is_file and (own_spacing is None or not has_unit):
         _warn("the array has no size of a voxel: cubes of 1 mm are assumed. Give spacing= otherwise" if own_spacing is None
               else "the axes name no unit of length: millimetres are assumed. Give spacing= otherwise")

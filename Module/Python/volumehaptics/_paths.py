@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 def _lines(ends: np.ndarray) -> vtkCellArray:
     """Makes polylines of consecutive points from the indices at which they end."""
-    # Copy the offsets: vtkCellArray may keep the memory without the object that keeps NumPy's array alive.
+    # Copy the offsets: vtkCellArray may keep the memory alive, but not the object that owns NumPy's array.
     offsets = numpy_to_vtkIdTypeArray(np.array(ends, np.int64), deep=True)
     points = numpy_to_vtkIdTypeArray(np.arange(ends[-1], dtype=np.int64), deep=True)
     lines = vtkCellArray()
@@ -47,7 +47,7 @@ def groups(paths: list[vtkPolyData]) -> list[list[int]]:
         elif times.GetNumberOfComponents() == 1 and times.GetNumberOfTuples() == path.GetNumberOfPoints():
             timed.append(i)
         else:
-            others.append([i])  # alone, so that the filter reports the error
+            others.append([i])  # in a group of its own, so that the filter reports the error
     return [*(group for group in (timed, untimed) if group), *others]
 
 

@@ -33,7 +33,7 @@ from .vtkVolumeHaptics import (
 if TYPE_CHECKING:
     import pyvista as pv
 
-# A touchable plotter keeps its parts alive; the parts do not keep the plotter alive.
+# The plotter keeps its touchable parts alive, but not vice versa.
 _touchable: weakref.WeakKeyDictionary[pv.Plotter, Haptics] = weakref.WeakKeyDictionary()
 
 SIZE = 0.007  # radius of the proxy, as a fraction of the volume's diagonal
@@ -67,8 +67,8 @@ class Haptics(HostHaptics):
         self._plotter = weakref.ref(plotter)
         self._renderer = weakref.ref(renderer or plotter.renderer)
         self._in_scene: list[Any] = []
-        self._missing = 0  # number of props that were missing at the last check
-        self._feels_hidden = False  # whether invisible props are felt, too
+        self._missing = 0  # number of props that were missing from the scene at the last check
+        self._feels_hidden = False  # whether invisible props can be felt, too
         self._outline: vtkActor | None = None
 
     def close(self) -> None:
@@ -91,7 +91,7 @@ class Haptics(HostHaptics):
 
     def _attach(self, plotter: pv.Plotter, touched: list[vtkVolume]) -> None:
         renderer = self._renderer()
-        self.measured.UseBoundsOff()  # when cameras and axes frame the scene, the volume counts, not the measurements
+        self.measured.UseBoundsOff()  # cameras and axes frame only the volume, not the measurements
         self.measured.SetMeasurements(self.measurements)
         self.measured.SetHeadUpDisplay(self.head_up_display)
         self.head_up_display.SetMeasurements(self.measurements)
@@ -103,7 +103,7 @@ class Haptics(HostHaptics):
             self.widget.On()
         if errors:
             raise ValueError("; ".join(errors))
-        # reports later errors, such as for a volume that can't be touched with t
+        # reports later errors, for example if a volume can't be touched after pressing t
         self.widget.AddObserver("ErrorEvent", _warn)
         self._in_scene = [prop for prop in (self.representation, *touched) if self._is_in_scene(prop)]
         self._watch(plotter)
@@ -184,7 +184,8 @@ class Haptics(HostHaptics):
         self.style.AddObserver("ModifiedEvent", look)
         self.style.AddObserver(vtkInteractorStyleHaptic.ArmedEvent, look)
         self.style.AddObserver(vtkInteractorStyleHaptic.StatesEvent, look)
-        interactor.close = close_first  # first, because other owners may keep VTK's interactor alive after the plotter
+        # before VTK's own close, because other owners may keep VTK's interactor alive longer than the plotter
+        interactor.close = close_first
         interactor.interactor.AddObserver("DeleteEvent", close)
         weakref.finalize(plotter, close)
         self._watch_widget(plotter)
@@ -294,7 +295,8 @@ def _actor_of(plotter: pv.Plotter, first: vtkImageData) -> vtkVolume | vtkImageD
     actors = [actor for actor in plotter.actors.values() if shows(actor)]
     if len(actors) != 1:
         return first
-    # Set the image again: PyVista may have given the mapper a copy, which the style would not recognise as felt.
+    # Set the image again: PyVista may have given the mapper a copy, which the style would not recognise as the felt
+    # image.
     actors[0].GetMapper().SetInputDataObject(0, first)
     return actors[0]
 
@@ -400,7 +402,7 @@ def add_haptics(
                          "feels one. Cure: property=p, where p.SetComponent(0) of a vtkHapticProperty says which")
     haptics = Haptics(plotter, _renderer_of(plotter, volume))
     haptics._feels_hidden = visibility is not True
-    # The widget itself finds volumes in the window; other data are set in the filter.
+    # The widget itself finds volumes in the window; other data must be set in the filter.
     is_found = isinstance(volume, vtkVolume) and visibility is True and large is None and frames is None
     look = volume if visibility is True else visibility
     try:
@@ -418,7 +420,7 @@ def add_haptics(
             haptics.widget.SetVolume(None if takes_any else volume)
         else:
             haptics.representation.SetRadius(SIZE * length)
-            # a round number, which is shown to the user
+            # round the number, which is shown to the user
             haptics.representation.SetForceScale(1.0 / float(f"{ARROW * length:.1g}"))
         haptics._attach(plotter, [volume] if isinstance(volume, vtkVolume) and not takes_any else [])
         if is_found and haptics.style.GetTouchedVolume() is None:  # if the volume is hidden, or can't be touched

@@ -27,7 +27,7 @@ int DigitOf(char c)
   return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
 }
 
-/** Returns the beginning of a file in sysfs, or an empty text if there is none. */
+/** Returns the beginning of a sysfs file; empty if the file is missing. */
 std::string ReadFile(const std::string& path)
 {
   char text[4096] = {};
@@ -41,7 +41,7 @@ std::string ReadFile(const std::string& path)
   return std::string(text, static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
 }
 
-/** Returns the first line of a file in sysfs, or an empty text if there is none. */
+/** Returns the first line of a sysfs file; empty if the file is missing. */
 std::string ReadAttribute(const std::string& path)
 {
   const std::string text = ReadFile(path);
@@ -112,7 +112,7 @@ bool EvdevNode::Has(const char* kind, unsigned code) const
 
 bool EvdevNode::IsPid() const
 {
-  // The item "usage page", and the page.
+  // Search for the item "usage page" with the PID page.
   return ReadFile(this->GetFolder() + "device/report_descriptor").find("\x05\x0f") !=
     std::string::npos;
 }
@@ -179,8 +179,7 @@ int EvdevNode::Receive(int node, int wake, int pause, EvdevEvents& events) noexc
 
 std::string EvdevNode::GetState() const
 {
-  // Grab the node for a moment, because this is the only way to detect whether another program has
-  // grabbed it.
+  // Grab the node for a moment: only this shows whether another program has grabbed it.
   const int node = this->Open();
   if (node < 0)
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Lists the input devices for which Linux has a driver (evdev), as sysfs describes them.
+ * Lists the input devices for which Linux has a driver (evdev), from their description in sysfs.
  */
 #ifndef EvdevNode_h
 #define EvdevNode_h
@@ -18,8 +18,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Returns whether a bit is set in a text of sysfs, such as "107030000 0 0". Such a text has words
- * of the kernel's type long in hexadecimal, the highest word first. Returns false for other texts.
+ * Returns whether a bit is set in a bit mask from sysfs, such as "107030000 0 0": words of the
+ * kernel's type long in hexadecimal, the highest word first. Returns false for other texts.
  */
 bool HasEvdevBit(const std::string& words, unsigned bit);
 
@@ -34,31 +34,32 @@ struct EvdevNode
   std::string Serial; ///< serial number; empty if the driver reports none
 
   /**
-   * Returns whether the driver offers an event. `kind` is "abs" for axes, "key" for buttons, or
+   * Returns whether the driver supports an event. `kind` is "abs" for axes, "key" for buttons, or
    * "ff" for force feedback.
    */
   bool Has(const char* kind, unsigned code) const;
-  /** Returns whether the device itself describes force feedback (HID-PID). */
+  /** Returns whether the device's own descriptor includes force feedback (HID-PID). */
   bool IsPid() const;
   /**
-   * Opens the node, and grabs it so that no other program reads it. Returns a negative number and
-   * sets errno if this fails.
+   * Opens the node, and grabs it so that no other program receives its events. On failure, returns
+   * a negative number and sets errno.
    */
   int Open() const noexcept;
   /** Returns "available", "in use", or the obstacle and its cure. */
   std::string GetState() const;
-  /** Returns the obstacle and its cure for an error of Open(). */
+  /** Returns the obstacle and its cure for an errno value of Open(). */
   static std::string Explain(int fault);
   /** Releases and closes an open node. */
   static void Close(int node) noexcept;
   /**
-   * Sends an event of force feedback: a gain, a spring, or the start or end of an effect. Returns
-   * false if the driver refuses it.
+   * Sends a force-feedback event: a gain, a spring, or the start or end of an effect. Returns false
+   * if the driver refuses it.
    */
   static bool SendForce(int node, int code, int value) noexcept;
   /**
-   * Waits for events of an open node or for a wake signal, at most `pause` ms, and reads events.
-   * `wake` is a descriptor, or negative. Returns the number of events, or -1 if the node is gone.
+   * Waits at most `pause` (ms) for events of an open node or for a wake signal, and reads the
+   * events. `wake` is a descriptor, or negative. Returns the number of events, or -1 if the node is
+   * gone.
    */
   static int Receive(int node, int wake, int pause, EvdevEvents& events) noexcept;
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The lock that reserves a HID device for one holder.
+ * A lock that reserves a HID device for one owner.
  *
  * Linux lets any number of programs open a hidraw node and send forces to it. This lock (flock) on
- * the node excludes all other holders that use it, in this process and in others. It does not
- * exclude software that does not use the lock, such as a joystick driver of the kernel.
+ * the node excludes all other users of the lock, in this process and in others. It can't exclude
+ * software without the lock, such as a joystick driver of the kernel.
  */
 #ifndef HidClaim_h
 #define HidClaim_h
@@ -20,9 +20,9 @@ namespace VolumeHaptics
 {
 
 /**
- * Returns a mutex for hidapi's functions without a device, because they share one error message,
- * and for every HidClaim::Own, because a test of whether a device is free claims the device for a
- * moment.
+ * Returns the mutex for those of hidapi's functions that have no device argument, because they
+ * share one error message. It also guards every HidClaim::Own, because a test of whether a device
+ * is free claims the device for a moment.
  */
 std::mutex& GetHidMutex();
 
@@ -45,7 +45,7 @@ public:
 
   Answer Own(const std::string& path) noexcept;
   void Release() noexcept;
-  /** Writes a report by a system call alone. Returns false if the device refuses it. */
+  /** Writes a report by a single system call. Returns false if the device refuses it. */
   bool Write(const std::uint8_t* report, std::size_t size) const noexcept;
 
 private:

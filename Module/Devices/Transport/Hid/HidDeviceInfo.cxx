@@ -21,7 +21,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Converts a text to UTF-8. */
+/** Converts a wide text to UTF-8. */
 std::string Narrow(const wchar_t* wide)
 {
   std::string text;
@@ -50,7 +50,7 @@ std::string Narrow(const wchar_t* wide)
 }
 
 #if defined(__linux__)
-constexpr std::size_t LongestEvent = 4096; // bytes; the kernel's have a few lines
+constexpr std::size_t LongestEvent = 4096; // bytes; the kernel's files have a few lines
 
 std::vector<std::uint8_t> ReadAll(const std::string& path, std::size_t most)
 {
@@ -70,7 +70,9 @@ std::vector<std::uint8_t> ReadAll(const std::string& path, std::size_t most)
   return bytes;
 }
 #elif HID_API_VERSION >= HID_API_MAKE_VERSION(0, 14, 0)
-/** Asks hidapi, which composes the descriptor where the system has none, as on Windows. */
+/**
+ * Reads the descriptor through hidapi, which composes it where the system has none, as on Windows.
+ */
 std::vector<std::uint8_t> AskLibrary(const std::string& path)
 {
   std::vector<std::uint8_t> bytes(HID_API_MAX_REPORT_DESCRIPTOR_SIZE);
@@ -98,7 +100,7 @@ std::vector<HidDeviceInfo> ListHidDevices()
   hid_device_info* const list = hid_enumerate(0, 0);
   for (const hid_device_info* entry = list; entry; entry = entry->next)
   {
-    // hidapi lists a device several times, once for each of its collections.
+    // hidapi lists a device once for each of its collections; add it only once.
     const auto isSame = [entry](const HidDeviceInfo& info) { return info.Path == entry->path; };
     if (entry->path && std::none_of(devices.begin(), devices.end(), isSame))
     {
@@ -125,7 +127,7 @@ std::vector<HidDeviceInfo> ListHidDevices(bool (*isSome)(const HidDeviceInfo&))
 std::string HidDeviceInfo::GetLabel() const
 {
   std::string label = this->Product.empty() ? "A HID device" : this->Product;
-  // The product's name may begin with the maker's name.
+  // Omit the maker if the product's name begins with it.
   if (!this->Maker.empty() && label.compare(0, this->Maker.size(), this->Maker) != 0)
   {
     label = this->Maker + " " + label;
@@ -144,7 +146,7 @@ bool HidDeviceInfo::ReadDescriptor(HidReportDescriptor& descriptor, std::string&
 {
   std::vector<std::uint8_t> bytes;
 #if defined(__linux__)
-  // Read the system's copy, which everyone may read.
+  // Read the system's copy, which needs no permission.
   const std::string node = this->Path.substr(this->Path.rfind('/') + 1);
   bytes = ReadAll(
     "/sys/class/hidraw/" + node + "/device/report_descriptor", HidReportDescriptor::MaximumSize);

@@ -13,7 +13,7 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int LostPause = 10; // in ms
+constexpr int LostPause = 10; // ms
 
 } // namespace
 
@@ -89,7 +89,7 @@ bool HidDriver::Reconnect(
       error.clear();
       return true;
     }
-    // A device that is in use is not this one.
+    // Skip devices that are in use, because the previous device is not in use.
     error = this->Port.IsInUse() ? error : trouble;
   }
   this->Info = before;
@@ -105,7 +105,7 @@ void HidDriver::SendLastZero() noexcept
 
 void HidDriver::Serve(HardwareExchange& exchange)
 {
-  /** Ends the force, even if an exception is thrown. */
+  /** Ends the force when leaving the scope, even by an exception. */
   struct AtEnd
   {
     HidDriver* Driver;
@@ -126,7 +126,8 @@ void HidDriver::Serve(HardwareExchange& exchange)
   {
     if (this->Gone && wasSeen)
     {
-      // A twin that is plugged in now could later be mistaken for this device.
+      // Check for a twin now: one that is plugged in meanwhile could later be mistaken for this
+      // device.
       wasSeen = false;
       this->LookForTwin();
       this->Report(exchange, DeviceStage::Lost, this->GetUnpluggedText());
@@ -173,8 +174,8 @@ void HidDriver::LookWhetherGone(HardwareExchange& exchange) noexcept
     std::this_thread::sleep_for(std::chrono::milliseconds(LostPause));
     return;
   }
-  // After a device is unplugged, the system refuses writes for a while before it ends reads. So
-  // check by a read.
+  // After a device is unplugged, the system refuses writes for a while before reads fail, so check
+  // with a read.
   std::uint8_t bytes[LongestReport];
   if (this->Port.Read(bytes, sizeof(bytes), LostPause) < 0)
   {
@@ -245,7 +246,7 @@ void HidDriver::Retreat() noexcept
 
 void HidDriver::Lose(HardwareExchange& exchange, const char* text) noexcept
 {
-  // Notify the servo before sending anything, because that may take long.
+  // Notify the servo before sending anything, because sending may take long.
   this->Report(exchange, DeviceStage::Lost, text);
   this->Retreat();
 }

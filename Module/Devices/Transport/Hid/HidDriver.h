@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The base class of drivers of HID devices. It finds and claims a device, runs the rounds of its
+ * The base class of drivers for HID devices. It finds and claims a device, runs the loop of its
  * thread, and handles its loss.
  */
 #ifndef HidDriver_h
@@ -19,11 +19,11 @@ namespace VolumeHaptics
 class HidDriver : public HardwareDriver
 {
 public:
-  /** Time (s) for which a device that sends reports by itself may be silent. */
+  /** Longest silence (s) of a device that sends reports by itself. */
   static constexpr double SilenceTime = 0.1;
   /**
-   * Least number of reads in SilenceTime before the device counts as silent, because this computer
-   * itself may have been late.
+   * Smallest number of reads within SilenceTime before the device counts as silent, because this
+   * computer itself may have been delayed.
    */
   static constexpr int SilentReads = 20;
 
@@ -48,23 +48,23 @@ protected:
   ///@{
   /** The functions that differ between kinds. */
   /**
-   * Returns the devices to try, in order: if one is in use, the next one is tried. If there are
-   * none, returns an empty list and writes the reason and the cure to `error`.
+   * Returns the devices to try, in order; devices in use are skipped. If there are none, returns an
+   * empty list and writes the reason and the cure to `error`.
    */
   virtual std::vector<HidDeviceInfo> Choose(std::string& error) const = 0;
   /**
-   * Reads how the device describes itself. Returns false and writes the reason and the cure to
-   * `error` if this fails.
+   * Reads the device's own description. On failure, returns false and writes the reason and the
+   * cure to `error`.
    */
   virtual bool Prepare(const HidDeviceInfo& info, std::string& error) = 0;
   /**
-   * Called when the thread begins, after a loss (isAnew is then true), and if homing of a working
+   * Called when the thread begins, after a loss (with isAnew true), and when homing of a working
    * device is requested.
    */
   virtual void Begin(HardwareExchange& exchange, bool isAnew) = 0;
   /** Called repeatedly while the device is not lost. Takes about a millisecond. */
   virtual void Work(HardwareExchange& exchange) = 0;
-  /** Ends the force, if there is one. */
+  /** Ends the force, if any. */
   virtual void Rest() noexcept = 0;
   /** Sends the last message to a connected device. */
   virtual void End() noexcept { this->Rest(); }
@@ -79,18 +79,20 @@ protected:
   /** Writes a report. If the device refuses it, returns false and records a loss. */
   bool Write(HardwareExchange& exchange, const std::uint8_t* report, std::size_t size,
     bool isFeature = false) noexcept;
-  /** Discards the reports that wait to be read. */
+  /** Discards all pending reports. */
   void Drain() noexcept;
   /**
-   * Stops all work until homing is requested. In the condition, the device's name stands before the
-   * text.
+   * Stops all work until homing is requested. The condition's text begins with the device's name.
    */
   void Lose(HardwareExchange& exchange, const char* text) noexcept;
   bool IsLost() const noexcept { return this->Lost; }
   void Report(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept;
   ///@}
 
-  /** Returns whether the device has been silent for too long. Must be called after every read. */
+  /**
+   * Returns whether the device has been silent for too long. Must be called after every read;
+   * `hasNews` is whether a report was read.
+   */
   bool IsSilent(bool hasNews) noexcept;
 
   /** Returns the device that was connected last. */
@@ -101,21 +103,21 @@ protected:
 private:
   bool Take(const HidDeviceInfo& info, std::string& error);
   /**
-   * Returns whether the device is known again once it is back: no other one has its serial number,
-   * or it gives no force.
+   * Returns whether the device can be identified when it is plugged in again: its serial number is
+   * unique, or it exerts no force.
    */
   bool CanReturn() const
   {
     return (this->KeepsIdentity() && !this->HasTwin) || this->GetIdentity().empty();
   }
   const char* GetUnpluggedText() const { return this->CanReturn() ? UnpluggedText : OpenAgainText; }
-  /** Lists the devices that may be the previous device, or its twins. */
+  /** Lists the devices that may be the previous device or its twins. */
   std::vector<HidDeviceInfo> ListLike(const HidDeviceInfo& before) const;
-  /** Remembers whether another device with the same names and serial number is plugged in. */
+  /** Records whether another device with the same names and serial number is plugged in. */
   void LookForTwin();
   void Restart(HardwareExchange& exchange, bool isAnew);
   void Retreat() noexcept;
-  /** Waits a moment while the device is lost, and then checks whether it is unplugged. */
+  /** While the device is lost, waits for a moment, and then checks whether it is unplugged. */
   void LookWhetherGone(HardwareExchange& exchange) noexcept;
 
   std::string Label;
@@ -124,7 +126,7 @@ private:
   bool Lost = false;
   std::int64_t LastNews = 0;
   int EmptyReads = 0;
-  bool Gone = false; ///< whether the device is unplugged, so that the port can no longer be used
+  bool Gone = false; ///< whether the device is unplugged, so that its port is no longer usable
 };
 
 } // namespace VolumeHaptics

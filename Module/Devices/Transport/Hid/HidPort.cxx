@@ -14,14 +14,14 @@ namespace
 {
 
 /**
- * Number of attempts to claim a device. Several may be needed, because HidDeviceInfo::GetState
- * claims it for a moment.
+ * Number of attempts to claim a device: another program's HidDeviceInfo::GetState may claim it for
+ * a moment.
  */
 constexpr int Attempts = 10;
 constexpr std::chrono::milliseconds AttemptPause(5);
 /**
- * Time (ns) of a write above which the device does not accept reports. It is longer than a working
- * device needs, and as long as the watchdog of the slowest device.
+ * Duration (ns) of a write above which the device counts as one that no longer accepts reports. It
+ * is longer than a working device needs, and equals the watchdog time of the slowest device.
  */
 constexpr std::int64_t StuckTime = 500000000;
 

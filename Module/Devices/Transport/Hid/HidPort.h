@@ -17,12 +17,12 @@
 namespace VolumeHaptics
 {
 
-/** Number of packets that the kernel stores for a reader. */
+/** Number of packets that the kernel buffers for a reader. */
 constexpr int LongestQueue = 64;
 
 /**
- * A device that is claimed and open. A call waits at most for its time limit, or for the kernel's 5
- * s for USB.
+ * A claimed and open device. A call waits at most for its own time limit, or for the kernel's USB
+ * time-out of 5 s.
  */
 class HidPort
 {
@@ -33,16 +33,16 @@ public:
   HidPort& operator=(const HidPort&) = delete;
 
   /**
-   * Opens and claims a device. Returns false and writes the reason and the cure to `error` if this
-   * fails. IsInUse() then returns whether another holder is the reason.
+   * Opens and claims a device. On failure, returns false and writes the reason and the cure to
+   * `error`; IsInUse() then returns whether the device is in use elsewhere.
    */
   bool Open(const HidDeviceInfo& info, std::string& error);
   void Close() noexcept;
   bool IsInUse() const noexcept { return this->InUse; }
 
   /**
-   * Reads a report to `bytes`. Waits at most `time` (ms). Returns the report's size, 0 if none
-   * came, or a negative number if the device is gone.
+   * Reads a report to `bytes`. Waits at most `time` (ms). Returns the report's size: 0 if none
+   * arrived, or a negative number if the device is gone.
    */
   int Read(std::uint8_t* bytes, std::size_t size, int time) noexcept;
 
@@ -54,19 +54,19 @@ public:
   bool Write(const std::uint8_t* report, std::size_t size) noexcept;
   bool SendFeature(const std::uint8_t* report, std::size_t size) noexcept;
   /**
-   * Makes Write() a system call, without the library, which may take memory. For a handler of a
-   * crash.
+   * Makes Write() a plain system call that bypasses the library, which may allocate memory. For a
+   * crash handler.
    */
   void WriteByClaim() noexcept { this->WritesByClaim = true; }
   /**
-   * Allows reports to be sent again. After the kernel has waited in vain for the device to accept a
-   * report, no more reports are sent until this call: each would wait as long, and the device's own
-   * watchdog has already ended its force.
+   * Allows reports to be sent again. After the device has failed to accept a report within the
+   * kernel's time-out, no more reports are sent until this call: each would wait equally long, and
+   * the device's own watchdog has already ended its force.
    */
   void TryAgain() noexcept { this->Stuck = false; }
   /**
    * Reads the feature report whose id is the first byte of `report`. Returns its size including the
-   * id, or a negative number if there is no such report.
+   * id, or a negative number if the device has no such report.
    */
   int GetFeature(std::uint8_t* report, std::size_t size) noexcept;
   ///@}

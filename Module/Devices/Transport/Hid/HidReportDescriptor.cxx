@@ -7,10 +7,7 @@
 namespace VolumeHaptics
 {
 
-/**
- * Reads the items of a HID report descriptor, one after the other. Only HidReportDescriptor uses
- * it.
- */
+/** Reads the items of a HID report descriptor in order. Used only by HidReportDescriptor. */
 class HidItemReader
 {
 public:
@@ -22,13 +19,13 @@ public:
   bool Read(const std::uint8_t* bytes, std::size_t size);
 
   /**
-   * Returns the position of the faulty item, or the size of the descriptor if its end is missing.
+   * Returns the byte index of the faulty item, or the size of the descriptor if it is incomplete.
    */
   std::size_t GetPosition() const { return this->Position; }
   const std::string& GetError() const { return this->Error; }
 
 private:
-  /** The data of an item. Other items determine whether they are signed. */
+  /** The data of an item. Other items determine whether the data are signed. */
   struct Item
   {
     unsigned Tag = 0;
@@ -37,7 +34,7 @@ private:
 
     std::int64_t Signed() const;
   };
-  /** Global state, which is valid until it is changed. It can be pushed. */
+  /** Global state, valid until it is changed. Items can push it to a stack. */
   struct GlobalState
   {
     std::uint16_t Page = 0;
@@ -48,7 +45,7 @@ private:
     int UnitExponent = 0;
     Item LogicalMinimum, LogicalMaximum, PhysicalMinimum, PhysicalMaximum;
   };
-  /** Local state, which is valid for the next main item. */
+  /** Local state, valid for the next main item. */
   struct LocalState
   {
     struct Usages
@@ -59,7 +56,7 @@ private:
     };
     std::vector<Usages> List;
     std::uint32_t Minimum = 0;
-    unsigned MinimumSize = 0; ///< 0 if there was no such item
+    unsigned MinimumSize = 0; ///< 0 if there is no such item
     bool InAlternatives = false;
     bool HasAlternative = false;
   };
@@ -86,8 +83,8 @@ private:
   std::string Error;
 };
 
-// Returns the data as a signed number of the item's length, as for a minimum. A maximum is signed
-// only if the minimum is below zero; otherwise a byte of 0xFF means 255.
+// Return the data as a signed number of the item's length, as for a minimum. A maximum is signed
+// only if the minimum is negative; otherwise, a byte of 0xFF means 255.
 std::int64_t HidItemReader::Item::Signed() const
 {
   const std::int64_t span = std::int64_t{ 1 } << 8 * this->Size;
@@ -223,8 +220,8 @@ bool HidItemReader::Fields(HidReportKind kind, const Item& item)
   }
   const std::uint32_t start = bits;
   bits = static_cast<std::uint32_t>(end);
-  // Data without a usage are padding, too, because their meaning is not known. So is a field with
-  // more bits than a number has here, such as OpenFFBoard's vendor fields of 64 bits.
+  // Treat data without a usage as padding, too, because their meaning is unknown, and fields with
+  // more than 32 bits, such as OpenFFBoard's 64-bit vendor fields.
   if ((item.Data & constant) != 0 || this->Locals.List.empty() || g.ReportSize > 32)
   {
     return true;
@@ -281,8 +278,8 @@ void HidItemReader::ListFields(HidField field, std::uint32_t count)
     {
       continue;
     }
-    // Each variable has the next usage in the list. All variables after the end of the list have
-    // the last usage.
+    // Each variable has the next usage in the list; variables after the end of the list share the
+    // last usage.
     if (field.Usage < range.Last)
     {
       ++field.Usage;
@@ -295,8 +292,8 @@ void HidItemReader::ListFields(HidField field, std::uint32_t count)
   }
 }
 
-// Returns a range of usages with its page: its own if it has one, else the last page before the
-// main item, even if that page follows the usage.
+// Returns a range of usages with its page: its own page or, if it has none, the last page before
+// the main item, even if that page follows the usage.
 HidUsageRange HidItemReader::Complete(const LocalState::Usages& usages) const
 {
   const HidUsage page = usages.HasPage ? 0 : MakeHidUsage(this->Globals.Page, 0);
@@ -324,8 +321,8 @@ bool HidItemReader::Global(const Item& item)
       g.PhysicalMaximum = item;
       return true;
     case 0x5:
-      // The exponent is a two's complement of four bits. Some devices extend its sign over the
-      // whole byte.
+      // The exponent has four bits in two's complement. Some devices extend its sign over the whole
+      // byte.
       g.UnitExponent = static_cast<int>(item.Data & 0xF) - ((item.Data & 8) != 0 ? 16 : 0);
       return true;
     case 0x6:
@@ -397,7 +394,7 @@ bool HidItemReader::Local(const Item& item)
       return true;
     case 0x2:
     {
-      // If only one of both usages has a page, the page is valid for both.
+      // If only one of both usages has a page, the page applies to both.
       const bool hasPage = item.Size == 4 || l.MinimumSize == 5;
       const std::uint32_t page = (item.Size == 4 ? item.Data : l.Minimum) & 0xFFFF0000U;
       const std::uint32_t first = (l.Minimum & 0xFFFFU) | (hasPage ? page : 0);

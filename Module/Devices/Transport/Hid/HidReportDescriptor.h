@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The reports of a HID device as the device describes them, after the HID 1.11 specification,
+ * Parses a HID device's own description of its reports, according to the HID 1.11 specification,
  * 6.2.2.
  *
- * Long items and reserved ones are skipped. Constant fields (padding) and fields of more than 32
- * bits take up their bits and are not listed. The first of several alternatives between delimiters
- * counts. Any bytes are accepted, because a device can be broken or hostile. Parsing allocates,
- * within limits, and belongs outside the servo loop; the functions that read and write fields are
- * in HidField.h.
+ * Long and reserved items are skipped. Constant fields (padding) and fields of more than 32 bits
+ * occupy their bits but are not listed. Of several alternatives between delimiters, the first one
+ * is used. Any input is safe, because a device can be broken or hostile. Parsing allocates a
+ * limited amount of memory, and must not be called in the servo loop; the functions that read and
+ * write fields are in HidField.h.
  */
 #ifndef HidReportDescriptor_h
 #define HidReportDescriptor_h
@@ -28,10 +28,10 @@ struct HidCollection
 {
   HidUsage Usage = 0;    ///< 0 if the collection has no usage
   std::uint8_t Type = 0; ///< 0 for physical, 1 for application, 2 for logical, and so on
-  int Parent = -1;       ///< index in the list of collections; -1 if there is none
+  int Parent = -1; ///< index in the list of collections; -1 if none
 };
 
-/** Consecutive usages on a page. */
+/** A range of consecutive usages on a page. */
 struct HidUsageRange
 {
   HidUsage First = 0;
@@ -42,7 +42,7 @@ class HidReportDescriptor
 {
 public:
   ///@{
-  /** Limits of an accepted descriptor. Real devices stay far below. */
+  /** Limits of an accepted descriptor, far above those of real devices. */
   static constexpr std::size_t MaximumSize = 16384; ///< bytes of a descriptor
   static constexpr int MaximumDepth = 32; ///< nesting of collections, and of pushed states
   static constexpr std::size_t MaximumFields = 4096;
@@ -52,8 +52,8 @@ public:
   ///@}
 
   /**
-   * Parses the descriptor. If it is not valid, returns false, writes the fault and the index of its
-   * byte to `error`, and lists nothing.
+   * Parses the descriptor. If it is not valid, returns false, writes the fault and its byte index
+   * to `error`, and clears the lists.
    */
   bool Parse(const std::uint8_t* bytes, std::size_t size, std::string& error);
 
@@ -67,17 +67,17 @@ public:
   bool UsesReportIds() const noexcept { return this->HasIds; }
 
   /**
-   * Returns the number of bytes of a payload, including padding but not the id. Returns 0 if there
-   * is no such report.
+   * Returns the number of bytes of a payload, including padding but not the id; 0 if there is no
+   * such report.
    */
   std::size_t GetReportSize(HidReportKind kind, std::uint8_t id) const;
 
-  /** Returns whether one of the collections around a field has a usage. */
+  /** Returns whether one of the collections that contain a field has this usage. */
   bool IsWithin(const HidField& field, HidUsage usage) const noexcept;
 
   /**
-   * Writes the value of an array field that selects a usage to `value`. Returns false if the field
-   * is not an array or does not list the usage.
+   * Writes the value with which an array field selects a usage to `value`. Returns false if the
+   * field is not an array or does not list the usage.
    */
   bool ReadChoice(const HidField& field, HidUsage usage, std::int64_t& value) const noexcept;
 

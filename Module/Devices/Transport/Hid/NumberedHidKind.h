@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Kinds of HID devices whose ids differ only by a number.
+ * Functions for kinds of HID devices whose ids differ only by a number.
  */
 #ifndef NumberedHidKind_h
 #define NumberedHidKind_h
@@ -15,7 +15,7 @@
 namespace VolumeHaptics
 {
 
-/** Lists the devices of a kind. Their ids are numbered, for example wooden:0, wooden:1. */
+/** Lists the devices of a kind, with numbered ids such as wooden:0, wooden:1. */
 inline std::vector<DeviceListing> ListNumbered(
   const char* kind, bool (*isSome)(const HidDeviceInfo&), bool givesForce)
 {
@@ -29,7 +29,8 @@ inline std::vector<DeviceListing> ListNumbered(
 }
 
 /**
- * Makes a kind of devices with numbered ids. A Driver is constructed with the number of a device.
+ * Makes a kind of devices with numbered ids. Driver is a class whose constructor's argument is the
+ * number of a device.
  */
 template <typename Driver>
 DeviceKind MakeNumberedKind(const char* kind, bool (*isSome)(const HidDeviceInfo&), bool givesForce)

@@ -28,7 +28,7 @@ struct LineSocket::Connection
 {
   asio::io_context Io{ 1 };
   asio::ip::tcp::socket Socket{ this->Io };
-  std::string Unread; // the beginning of a message
+  std::string Unread; // an incomplete message
 };
 
 LineSocket::LineSocket(char separator)
@@ -56,7 +56,7 @@ bool LineSocket::Open(std::uint16_t port, double seconds, std::string& error)
   if (failure)
   {
     error = failure.message();
-    // The operation refers to this function's variables, so it has to end here.
+    // The pending operation refers to variables of this function, so it must finish here.
     link->Socket.close(ignored);
     link->Io.restart();
     link->Io.run();
@@ -94,7 +94,7 @@ void LineSocket::SendRaw(const char* bytes, std::size_t size) noexcept
 bool LineSocket::Receive(std::vector<std::string>& messages)
 {
   std::array<char, 4096> part{};
-  // Stop after some of them, because a service may send without end.
+  // Limit the number of reads, because a service may send endlessly.
   for (int i = 0; this->Link && i < 16; ++i)
   {
     error_code failure;
@@ -148,7 +148,7 @@ bool PacketSocket::Open(const std::string& address, std::uint16_t port, std::str
   link->Socket.open(asio::ip::udp::v4(), failure);
   if (!failure)
   {
-    // From then on, the system passes only packets from this address.
+    // From now on, the system delivers only packets from this address.
     link->Socket.connect({ to, port }, failure);
   }
   if (!failure)

@@ -3,9 +3,9 @@
 /**
  * @file
  * Sockets whose calls never wait: messages over TCP to a service on this computer, and packets over
- * UDP to one address. With Boost.Asio, which comes with Boost.Beast.
+ * UDP to one address. They use Boost.Asio, which Boost.Beast requires anyway.
  *
- * Not for the servo: they allocate.
+ * Not for the servo, because they allocate memory.
  */
 #ifndef LineSocket_h
 #define LineSocket_h
@@ -18,11 +18,11 @@
 namespace VolumeHaptics
 {
 
-/** Text messages over TCP to a port of this computer, each ended by a separator. */
+/** Text messages over TCP to a port of this computer, each terminated by a separator. */
 class LineSocket
 {
 public:
-  /** Size of the longest message that is accepted (bytes). A longer one closes the connection. */
+  /** Largest size of an accepted message (bytes). A larger message closes the connection. */
   static constexpr std::size_t LongestMessage = 1 << 16;
 
   explicit LineSocket(char separator);
@@ -31,23 +31,23 @@ public:
   LineSocket& operator=(const LineSocket&) = delete;
 
   /**
-   * Connects to a port of this computer within a time (s). Returns false and writes the reason to
-   * `error` if this fails.
+   * Connects to a port of this computer within a time (s). On failure, returns false and writes the
+   * reason to `error`.
    */
   bool Open(std::uint16_t port, double seconds, std::string& error);
   bool IsOpen() const noexcept { return this->Link != nullptr; }
   /**
-   * Sends a message and its separator. Closes the connection and returns false if the socket does
-   * not take all of it at once, because the service then does not read.
+   * Sends a message and its separator. If the socket does not accept all of it at once, the service
+   * is not reading: closes the connection and returns false.
    */
   bool Send(const std::string& text);
   /**
-   * Sends bytes if the socket takes them at once. Only a system call, for the handler of a crash.
+   * Sends bytes if the socket accepts them at once. Uses only a system call, for a crash handler.
    */
   void SendRaw(const char* bytes, std::size_t size) noexcept;
   /**
-   * Appends the messages that have come. Returns false if the service has closed the connection, or
-   * has sent a message that is too long.
+   * Appends all messages that have arrived. Returns false if the service has closed the connection,
+   * or has sent too long a message.
    */
   bool Receive(std::vector<std::string>& messages);
   void Close() noexcept;
@@ -68,17 +68,17 @@ public:
   PacketSocket& operator=(const PacketSocket&) = delete;
 
   /**
-   * Opens a socket that sends to and hears from one address only, such as "127.0.0.1". Returns
-   * false and writes the reason to `error` if this fails, as it does for names, for addresses of
-   * many computers, and for IPv6.
+   * Opens a socket that exchanges packets with only one address, such as "127.0.0.1". On failure,
+   * returns false and writes the reason to `error`. Names, multicast and broadcast addresses, and
+   * IPv6 are refused.
    */
   bool Open(const std::string& address, std::uint16_t port, std::string& error);
   bool IsOpen() const noexcept { return this->Link != nullptr; }
-  /** Sends a packet. Returns false if nobody is there, as far as the system knows. */
+  /** Sends a packet. Returns false if the system reports that nobody listens. */
   bool Send(const std::vector<std::uint8_t>& packet) noexcept;
   /**
-   * Receives a packet that has come; an empty one if none has. Returns false if nobody is there, as
-   * far as the system knows.
+   * Receives a packet that has arrived; `packet` is empty if there is none. Returns false if the
+   * system reports that nobody listens.
    */
   bool Receive(std::vector<std::uint8_t>& packet);
   void Close() noexcept;

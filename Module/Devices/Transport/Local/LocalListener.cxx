@@ -16,7 +16,7 @@ namespace VolumeHaptics
 
 std::optional<unsigned> FindOtherListener(std::istream& table, std::uint16_t port, unsigned own)
 {
-  constexpr unsigned firstPerson = 1000; // first user's number on Debian and Fedora
+  constexpr unsigned firstPerson = 1000; // first number of a human user on Debian and Fedora
   constexpr unsigned hidden = 65534;
   std::string line;
   while (std::getline(table, line))

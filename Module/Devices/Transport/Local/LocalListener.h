@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds who listens at a port of this computer, so that no other user's program is taken for a
- * vendor's service.
+ * Finds the user who listens at a port of this computer, so that another user's program is not
+ * mistaken for a vendor's service.
  */
 #ifndef LocalListener_h
 #define LocalListener_h
@@ -17,19 +17,19 @@ namespace VolumeHaptics
 {
 
 /**
- * Returns the number of the user who listens at a port, from a table as in /proc/net/tcp (kernel
- * documentation, proc_net_tcp), if that is a person's other than `own`: not the system's, whose
- * services have numbers below 1000, nor one that a container hides.
+ * Returns the number of another user who listens at a port, read from a table in the format of
+ * /proc/net/tcp (kernel documentation, proc_net_tcp). Ignores `own`, the system's users (numbers
+ * below 1000), and users that a container hides.
  */
 std::optional<unsigned> FindOtherListener(std::istream& table, std::uint16_t port, unsigned own);
 
 /**
  * Returns false and writes the reason to `error` if another user's program listens at a port of
- * this computer. Only Linux reports this.
+ * this computer. Can be detected only on Linux.
  */
 bool IsOwnListener(std::uint16_t port, std::string& error);
 
-/** Reads the number of a port, 1 to 65535. Returns false if the text is no such number. */
+/** Parses the number of a port, 1 to 65535. Returns false for any other text. */
 bool ReadPort(const std::string& text, std::uint16_t& port);
 
 } // namespace VolumeHaptics

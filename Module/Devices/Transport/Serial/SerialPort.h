@@ -19,7 +19,7 @@ namespace VolumeHaptics
 struct SerialPortInfo
 {
   std::string Path; ///< node of the port, such as /dev/ttyACM0 or COM3
-  /// Name of the board including its serial number, as the system gives it. Empty if unknown.
+  /// Name of the board, including its serial number, as reported by the system; empty if unknown.
   std::string Name;
 };
 
@@ -32,7 +32,7 @@ public:
   static constexpr const char* Example = "COM3";
 #else
   using Handle = int;
-  /** Folder with udev's links, which are named after boards. */
+  /** Folder with udev's links, which are named after the boards. */
   static constexpr const char* NamesFolder = "/dev/serial/by-id";
   static constexpr const char* Example = "/dev/ttyACM0";
 #endif
@@ -45,11 +45,11 @@ public:
   SerialPort(const SerialPort&) = delete;
   SerialPort& operator=(const SerialPort&) = delete;
 
-  /** Returns whether a text, which is not empty, may be the path of a port. */
+  /** Returns whether a nonempty text may be the path of a port. */
   static bool IsPath(const std::string& path);
-  /** Returns whether there is a port of this path. */
+  /** Returns whether a port with this path exists. */
   static bool IsThere(const std::string& path);
-  /** Lists the boards whose names contain a word, in the order of the names. */
+  /** Lists the boards whose names contain a word, sorted by name. */
   static std::vector<SerialPortInfo> List(
     const std::string& word, const std::string& folder = NamesFolder);
   /** Returns the name of the board at a port. `path` is the port's node or a link to it. */
@@ -58,8 +58,8 @@ public:
   static std::string StateOf(const std::string& path);
 
   /**
-   * Opens the port for this holder alone: raw bytes, 8N1 at 115200 baud, without flow control.
-   * Returns false and writes the reason and the cure to `error` if this fails.
+   * Opens the port exclusively: raw bytes, 8N1 at 115200 baud, without flow control. On failure,
+   * returns false and writes the reason and the cure to `error`.
    */
   bool Open(const std::string& path, std::string& error);
   void Close() noexcept;
@@ -69,11 +69,11 @@ public:
    */
   bool Write(const char* bytes, std::size_t size, int time) noexcept;
   /**
-   * Reads bytes. Waits at most `time` (ms). Returns the number of bytes, 0 if none came, or a
+   * Reads bytes. Waits at most `time` (ms). Returns the number of bytes: 0 if none arrived, or a
    * negative number if the port is gone.
    */
   int Read(char* bytes, std::size_t size, int time) noexcept;
-  /** Discards the bytes that wait to be read. */
+  /** Discards all bytes that are waiting to be read. */
   void Drain() noexcept;
 
 private:

@@ -21,8 +21,8 @@ namespace
 {
 
 /**
- * Opens a port for this holder alone. Returns the descriptor, or a negative number with errno set
- * if this fails; errno is EBUSY if another holder has the port.
+ * Opens a port exclusively. Returns the descriptor. On failure, returns a negative number and sets
+ * errno, which is EBUSY if the port is in use.
  */
 int OpenAlone(const std::string& path)
 {
@@ -141,7 +141,7 @@ bool SerialPort::Open(const std::string& path, std::string& error)
     this->Close();
     return false;
   }
-  // Also exclude programs that do not use the lock.
+  // Also exclude programs that ignore the lock.
   ioctl(this->Descriptor, TIOCEXCL);
   tcflush(this->Descriptor, TCIOFLUSH);
   return true;
@@ -193,7 +193,7 @@ int SerialPort::Read(char* bytes, std::size_t size, int time) noexcept
   {
     return static_cast<int>(got);
   }
-  // Data were announced, but there is nothing to read: the other end has hung up.
+  // The port was readable but yields no data: the other end has hung up.
   return got < 0 && (errno == EAGAIN || errno == EINTR) ? 0 : -1;
 }
 

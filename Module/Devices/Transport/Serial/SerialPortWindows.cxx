@@ -9,7 +9,7 @@
 
 #include <devguid.h>
 #include <devpropdef.h>
-#include <initguid.h> // before the keys of properties, which it makes constants
+#include <initguid.h> // must precede the property keys, which it turns into definitions
 #include <setupapi.h>
 
 namespace VolumeHaptics
@@ -17,7 +17,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Key of the name that a USB board gives itself (DEVPKEY_Device_BusReportedDeviceDesc). */
+/** Key of the name that a USB board reports (DEVPKEY_Device_BusReportedDeviceDesc). */
 constexpr DEVPROPKEY NameOfBoard = {
   { 0x540b947e, 0x8b40, 0x45bc, { 0xa8, 0xa2, 0x6a, 0x0b, 0x89, 0x4c, 0xbd, 0xa2 } }, 4
 };
@@ -38,7 +38,10 @@ std::string GetPortName(HDEVINFO devices, SP_DEVINFO_DATA& device)
   return result == ERROR_SUCCESS ? FromWide(name) : std::string();
 }
 
-/** Returns the board's own name and, behind the last '\\' of its instance, the serial number. */
+/**
+ * Returns the name that the board reports, followed by the serial number, which is the part after
+ * the last '\\' of its instance id.
+ */
 std::string GetBoardName(HDEVINFO devices, SP_DEVINFO_DATA& device)
 {
   wchar_t text[256] = L"";
@@ -53,7 +56,7 @@ std::string GetBoardName(HDEVINFO devices, SP_DEVINFO_DATA& device)
   return name.empty() ? name : name + "_" + place.substr(place.rfind('\\') + 1);
 }
 
-/** COM10 and higher are opened by this path only. */
+/** Returns the device path of a port, which is the only path that works for COM10 and higher. */
 std::wstring ToDevice(const std::string& path)
 {
   return ToWide(path.rfind("\\\\", 0) == 0 ? path : "\\\\.\\" + path);
@@ -82,7 +85,10 @@ std::string Explain(DWORD fault)
   }
 }
 
-/** Waits for an operation, at most `time` ms. Returns its bytes, or a negative number. */
+/**
+ * Waits at most `time` (ms) for an operation. Returns its number of bytes, or a negative number on
+ * failure.
+ */
 int Finish(HANDLE port, OVERLAPPED& operation, bool isDone, int time) noexcept
 {
   DWORD size = 0;
@@ -185,9 +191,9 @@ bool SerialPort::Open(const std::string& path, std::string& error)
   settings.fOutX = settings.fInX = FALSE;
   settings.fNull = settings.fErrorChar = settings.fAbortOnError = FALSE;
   settings.fDsrSensitivity = FALSE;
-  settings.fDtrControl = DTR_CONTROL_ENABLE; // boards send nothing without it
+  settings.fDtrControl = DTR_CONTROL_ENABLE; // boards send nothing unless DTR is set
   settings.fRtsControl = RTS_CONTROL_ENABLE;
-  // A read returns with the first bytes that come.
+  // Let a read return as soon as the first bytes arrive.
   COMMTIMEOUTS times{};
   times.ReadIntervalTimeout = MAXDWORD;
   times.ReadTotalTimeoutMultiplier = MAXDWORD;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Requests to an FTDI serial converter, and the bytes that it adds, as values. The transport only
- * has to send them.
+ * Describes requests to an FTDI serial converter, and the status bytes that it adds, independently
+ * of a transport.
  */
 #ifndef FtdiSerial_h
 #define FtdiSerial_h
@@ -23,11 +23,11 @@ struct FtdiRequest
   std::uint16_t Index;      ///< wIndex
 };
 
-constexpr std::uint8_t FtdiRequestType = 0x40; // vendor, to the device, out
+constexpr std::uint8_t FtdiRequestType = 0x40; // vendor request, host to device
 
 ///@{
 /**
- * "Receive" and "transmit" are as seen by the host: to purge the receive buffer discards what the
+ * "Receive" and "transmit" are from the host's view: purging the receive buffer discards what the
  * device has sent. These requests are libftdi's SIO_TCIFLUSH and SIO_TCOFLUSH (1.5, src/ftdi.h).
  */
 constexpr FtdiRequest FtdiPurgeReceive = { FtdiRequestType, 0, 2, 0 };
@@ -47,7 +47,7 @@ constexpr FtdiRequest FtdiBaud(std::uint16_t divisor) noexcept
 
 /**
  * Returns the request that sets how long (ms, 1 to 255) the converter waits for more bytes before
- * it sends.
+ * it sends a packet.
  */
 constexpr FtdiRequest FtdiLatency(std::uint8_t milliseconds) noexcept
 {
@@ -64,8 +64,8 @@ struct FtdiPayload
 };
 
 /**
- * Removes the next packet from a bulk IN transfer. Returns the bytes after its two status bytes;
- * there may be none. Call it repeatedly until `size` is zero.
+ * Removes the next packet from a bulk IN transfer. Returns the bytes after its two status bytes,
+ * possibly none. Call repeatedly until `size` is zero.
  */
 constexpr FtdiPayload DrainFtdiPacket(const std::uint8_t*& transfer, std::size_t& size) noexcept
 {

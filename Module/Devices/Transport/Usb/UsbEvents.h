@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Waits at the same time for USB transfers and for the servo.
+ * Waits for USB transfers and for the servo at the same time.
  */
 #ifndef UsbEvents_h
 #define UsbEvents_h
@@ -27,13 +27,13 @@ public:
   UsbEvents(UsbInterface& usb, HardwareExchange& exchange);
 
   /**
-   * Waits until a transfer has ended (its owner is called), until the exchange wakes up, or at most
-   * for `time` (ns). Returns whether the exchange woke up. If the system does not report wake-ups,
-   * waits at most a millisecond and returns true.
+   * Waits until a transfer has ended (its owner is called), until the exchange wakes up, or for at
+   * most `time` (ns). Returns whether the exchange woke up. On systems that can't report this,
+   * waits for at most a millisecond and returns true.
    */
   bool Wait(std::int64_t time) noexcept;
 
-  /** Waits only for transfers, at most for `time` (ns). */
+  /** Waits only for transfers, for at most `time` (ns). */
   void WaitForTransfers(std::int64_t time) noexcept;
 
 private:

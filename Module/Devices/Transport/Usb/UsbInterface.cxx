@@ -11,11 +11,11 @@ namespace VolumeHaptics
 
 std::vector<int> UsbPathOf(libusb_device* device)
 {
-  std::uint8_t ports[7]; // USB allows no more levels
+  std::uint8_t ports[7]; // USB's largest number of hubs
   const int count = libusb_get_port_numbers(device, ports, static_cast<int>(std::size(ports)));
   std::vector<int> path{ libusb_get_bus_number(device) };
   path.insert(path.end(), ports, ports + std::max(count, 0));
-  // An emulated device may have no ports; then its address distinguishes it.
+  // An emulated device may have no ports; its address then identifies it.
   path.push_back(libusb_get_device_address(device));
   return path;
 }
@@ -108,7 +108,8 @@ std::string UsbStateOf(libusb_device* device, const UsbProduct& product)
   {
     return UsbTroubleText(result, product);
   }
-  // A driver of the kernel is detached when the device is opened.
+  // Opening the device detaches a driver of the kernel, so test whether the interface can be
+  // claimed only if there is none.
   if (libusb_kernel_driver_active(handle, 0) != 1)
   {
     result = libusb_claim_interface(handle, 0);
@@ -185,7 +186,7 @@ int UsbInterface::Claim() noexcept
   int result = libusb_open(this->Device.get(), &this->Handle);
   if (result == LIBUSB_SUCCESS)
   {
-    // Systems without this function have no driver that would have to be detached.
+    // Systems that lack this function have no driver that needs to be detached.
     libusb_set_auto_detach_kernel_driver(this->Handle, 1);
     result = libusb_claim_interface(this->Handle, 0);
   }
@@ -226,7 +227,7 @@ int UsbInterface::Transfer(
   int done = 0;
   const int result =
     libusb_bulk_transfer(this->Handle, endpoint, bytes, static_cast<int>(size), &done, time);
-  // Bytes that came before the time-out are valid.
+  // Bytes that arrived before the time-out are valid.
   return result == LIBUSB_SUCCESS || (result == LIBUSB_ERROR_TIMEOUT && done > 0) ? done : result;
 }
 

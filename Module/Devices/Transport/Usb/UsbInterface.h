@@ -20,8 +20,8 @@ namespace VolumeHaptics
 
 ///@{
 /**
- * Handles of libusb that are released automatically. A device uses the memory of its context, so it
- * must be destroyed first.
+ * Handles of libusb that are released automatically. A device uses its context's memory, so it must
+ * be destroyed before the context.
  */
 struct UsbContextEnd
 {
@@ -43,23 +43,21 @@ struct UsbProduct
 };
 
 /**
- * Makes a context. Returns null and writes the reason to `error` if the system's USB can't be
- * reached.
+ * Makes a context. On failure to access the system's USB, returns null and writes the reason to
+ * `error`.
  */
 UsbContext MakeUsbContext(std::string& error);
 
-/**
- * Lists the devices of a product, in the order of their buses and of the ports that lead to them.
- */
+/** Lists the devices of a product, sorted by bus and by the ports that lead to them. */
 std::vector<UsbDevice> ListUsbDevices(libusb_context* context, const UsbProduct& product);
 
-/** Returns the name that the user sees, such as "Novint Falcon (USB bus 1, port 2.4)". */
+/** Returns the name for the user, such as "Novint Falcon (USB bus 1, port 2.4)". */
 std::string UsbNameOf(libusb_device* device, const UsbProduct& product);
 
 /**
- * Returns DeviceBackend::GetIdentity of a device: its kind and, if the device has one and may be
- * opened, its serial number; otherwise its port. `isSure` receives false if the device has a serial
- * number that can't be read.
+ * Returns DeviceBackend::GetIdentity of a device: its kind, and its serial number if it can be
+ * read, otherwise its port. `isSure` receives false if the device has a serial number that can't be
+ * read.
  */
 std::string UsbIdentityOf(libusb_device* device, const char* kind, bool* isSure = nullptr);
 
@@ -68,11 +66,14 @@ std::vector<int> UsbPathOf(libusb_device* device);
 
 /**
  * Returns whether interface 0 can be claimed now: "available", "in use", or the obstacle and the
- * cure. Sends nothing to the device, and does not detach a driver of the kernel.
+ * cure. Sends nothing to the device, and detaches no driver of the kernel.
  */
 std::string UsbStateOf(libusb_device* device, const UsbProduct& product);
 
-/** Returns the obstacle and the cure for a libusb error of opening or claiming a device. */
+/**
+ * Returns the obstacle and the cure for a libusb error that occurred when opening or claiming a
+ * device.
+ */
 std::string UsbTroubleText(int error, const UsbProduct& product);
 
 class UsbInterface
@@ -84,14 +85,14 @@ public:
   UsbInterface& operator=(const UsbInterface&) = delete;
 
   /**
-   * Opens a device and claims its interface 0. `number` is the device's index in ListUsbDevices.
-   * Detaches a driver of the kernel until Close(). Returns false and writes the reason and the cure
-   * to `error` if this fails.
+   * Opens the device with the index `number` in ListUsbDevices and claims its interface 0. Detaches
+   * a driver of the kernel until Close(). On failure, returns false and writes the reason and the
+   * cure to `error`.
    */
   bool Open(const UsbProduct& product, int number, std::string& error);
   /**
-   * Closes the device and opens it again. Returns 0, or a negative libusb error; then the device is
-   * not open, and Reopen() may be tried again.
+   * Closes and reopens the device. Returns 0, or a negative libusb error; the device is then
+   * closed, and Reopen() may be tried again.
    */
   int Reopen() noexcept;
   void Close() noexcept;
@@ -99,7 +100,7 @@ public:
 
   ///@{
   /**
-   * Carry out a transfer. Wait until it is done, at most for `time` (ms). Return its size, or a
+   * Carry out a transfer. Wait for at most `time` (ms) until it is done. Return its size, or a
    * negative libusb error.
    */
   int Control(std::uint8_t type, std::uint8_t request, std::uint16_t value, std::uint16_t index,
@@ -108,7 +109,7 @@ public:
     std::uint8_t endpoint, std::uint8_t* bytes, std::size_t size, unsigned int time) noexcept;
   ///@}
 
-  /** Ends the halt of an endpoint. Must be called after a stall. */
+  /** Clears the halt of an endpoint. Must be called after a stall. */
   void ClearHalt(std::uint8_t endpoint) noexcept { libusb_clear_halt(this->Handle, endpoint); }
 
   libusb_context* GetContext() const noexcept { return this->Context.get(); }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A bulk transfer that is allocated once and submitted again and again.
+ * A bulk transfer that is allocated once and submitted repeatedly.
  */
 #ifndef UsbTransfer_h
 #define UsbTransfer_h
@@ -14,7 +14,7 @@
 namespace VolumeHaptics
 {
 
-/** Tells how a transfer ended. */
+/** The result of a transfer. */
 enum class UsbOutcome : std::uint8_t
 {
   Done,
@@ -26,7 +26,9 @@ enum class UsbOutcome : std::uint8_t
 
 class UsbTransfer;
 
-/** The owner of transfers. It is called on the thread that handles the context's events. */
+/**
+ * The owner of transfers, whose function is called on the thread that handles the context's events.
+ */
 class UsbTransferOwner
 {
 public:
@@ -40,7 +42,7 @@ protected:
 class UsbTransfer
 {
 public:
-  /** bytes, as in a packet of a full-speed bulk endpoint. */
+  /** Number of bytes: the largest packet of a full-speed bulk endpoint. */
   static constexpr std::size_t Capacity = 64;
 
   UsbTransfer(UsbInterface& usb, std::uint8_t endpoint, UsbTransferOwner& owner);
@@ -48,18 +50,17 @@ public:
   UsbTransfer(const UsbTransfer&) = delete;
   UsbTransfer& operator=(const UsbTransfer&) = delete;
 
-  /** Returns the bytes to send, or those that the transfer has received. */
+  /** Returns the bytes to send, or the received bytes. */
   std::uint8_t* GetBytes() noexcept { return this->Bytes.data(); }
   /** Returns the number of bytes that the last transfer has sent or received. */
   std::size_t GetSize() const noexcept;
   std::uint8_t GetEndpoint() const noexcept;
 
   /**
-   * Submits the transfer. It has no time limit, but Cancel() ends it. Returns Done if it was
-   * submitted.
+   * Submits the transfer, without a time limit; Cancel() ends it. Returns Done if it was submitted.
    */
   UsbOutcome Submit(std::size_t size) noexcept;
-  /** Cancels the transfer. The owner is called when it has ended. */
+  /** Cancels the transfer. The owner is called once it has ended. */
   void Cancel() noexcept;
   bool IsFlying() const noexcept { return this->Flying; }
 

@@ -41,14 +41,14 @@ Moment After(double seconds)
 }
 
 /**
- * Handles events until holds() returns true. Returns false if that does not happen before `end`.
+ * Handles events until holds() returns true. Returns false if this does not happen before `end`.
  */
 template <typename Holds>
 bool RunUntil(asio::io_context& io, Moment end, Holds&& holds)
 {
   io.restart();
-  // Data that have already arrived count, even if the time is over. They have a limit, because a
-  // service may send pings without end.
+  // Process data that have already arrived even if the time is over, but limit their number,
+  // because a service may send pings endlessly.
   constexpr int mostEvents = 1000;
   for (int i = 0; i < mostEvents && !holds() && io.poll_one() > 0; ++i)
   {
@@ -61,7 +61,7 @@ bool RunUntil(asio::io_context& io, Moment end, Holds&& holds)
   return holds();
 }
 
-/** Starts an operation and waits for its end. Cancels it if it is not done before `end`. */
+/** Starts an operation and waits until it ends. Cancels it if it is not done before `end`. */
 template <typename Start>
 error_code Await(asio::io_context& io, beast::tcp_stream& stream, Moment end, Start&& start)
 {
@@ -76,8 +76,8 @@ error_code Await(asio::io_context& io, beast::tcp_stream& stream, Moment end, St
   if (!RunUntil(io, end, [&] { return isDone; }))
   {
     stream.close();
-    // Wait for the operation, which ends at once now, because it refers to this function's
-    // variables.
+    // Wait until the cancelled operation has ended, because it refers to variables of this
+    // function.
     while (!isDone)
     {
       io.restart();
@@ -88,7 +88,9 @@ error_code Await(asio::io_context& io, beast::tcp_stream& stream, Moment end, St
   return result;
 }
 
-/** Connects to the service, which may listen at one of this computer's two addresses or at both. */
+/**
+ * Connects to the service, which may listen at this computer's IPv4 address, IPv6 address, or both.
+ */
 error_code Reach(asio::io_context& io, beast::tcp_stream& stream, std::uint16_t port, Moment end)
 {
   error_code result;
@@ -116,10 +118,10 @@ std::string HostOf(std::uint16_t port)
 }
 
 /**
- * The stream below Beast, which answers pings and closes the connection by itself if the service
- * closes it or breaks the protocol. Writes the last word before the close frame, or before the end
- * of a connection without one. Leaves out pongs that follow soon after another one (RFC 6455,
- * section 5.5.3), so that a flood of pings does not fill the connection.
+ * The stream below Beast. Beast answers pings and closes the connection by itself if the service
+ * closes it or breaks the protocol. Therefore this stream writes the last word before the close
+ * frame, or before the end of a connection without one. It also drops pongs that follow soon after
+ * another pong (RFC 6455, section 5.5.3), so that a flood of pings does not fill the connection.
  */
 class LastWordStream
 {
@@ -135,12 +137,12 @@ public:
   next_layer_type& next_layer() noexcept { return this->Tcp; }
   const next_layer_type& next_layer() const noexcept { return this->Tcp; }
 
-  /** Reads all further bytes as frames. Called after the handshake. */
+  /** Treats all further bytes as frames. Called after the handshake. */
   void BeginFrames() noexcept { this->HasFrames = true; }
-  /** Sets the text (shorter than 64 KiB) of the last message. */
+  /** Sets the text (shorter than 64 KiB) that is sent as the last message. */
   void SetLastWord(const std::string& text)
   {
-    // A masked frame of text by RFC 6455, section 5.2.
+    // Build a masked text frame according to RFC 6455, section 5.2.
     constexpr std::size_t mostShort = 125;
     const auto byte = [](std::size_t value) { return static_cast<char>(value & 0xFF); };
     std::string frame{ byte(0x81) };
@@ -163,8 +165,8 @@ public:
     this->LastWord = std::move(frame);
   }
   /**
-   * Writes the last word, once, if the socket takes it at once. Called between two frames, or in a
-   * handler of a crash, where a frame is nearly always written as a whole.
+   * Writes the last word once, if the socket accepts it at once. Called between two frames, or in a
+   * crash handler, when a frame is nearly always complete.
    */
   void WriteLastWord() noexcept
   {
@@ -178,7 +180,7 @@ public:
   }
 
   /**
-   * Writes the last message, unless a frame is half written and the message would become a part of
+   * Writes the last message, unless a frame is incomplete and the message would become a part of
    * it.
    */
   void EndFrames() noexcept
@@ -250,9 +252,9 @@ private:
 
   beast::tcp_stream Tcp;
   bool HasFrames = false;
-  std::uint64_t FrameLeft = 0; // bytes of the frame that is being written
-  std::int64_t NextPong = 0;   // time of ServoClock
-  std::string LastWord;        // a whole frame
+  std::uint64_t FrameLeft = 0; // remaining bytes of the frame that is being written
+  std::int64_t NextPong = 0; // earliest time of the next pong (ServoClock)
+  std::string LastWord; // a complete frame
 };
 
 } // namespace
@@ -278,7 +280,8 @@ struct WebSocketClient::Connection
         if (error)
         {
           this->IsClosed = true;
-          this->Stream.next_layer().EndFrames(); // the service may have ended its half only
+          // sends the last word, because the service may have closed only its own direction
+          this->Stream.next_layer().EndFrames();
         }
       });
   }
@@ -397,7 +400,7 @@ void WebSocketClient::Close(double seconds) noexcept
   }
   catch (const std::exception&)
   {
-    // The connection ends in any case, even without the closing handshake.
+    // The connection ends here, even without a closing handshake.
   }
   this->Link.reset();
 }
@@ -426,7 +429,7 @@ bool FetchText(std::uint16_t port, const std::string& target, double seconds, st
       failure = Await(io, stream, end,
         [&](auto&& done) { http::async_read_header(stream, buffer, answer, std::move(done)); });
     }
-    // Beast of Boost 1.74 does not compare the announced length with the limit, so do it here.
+    // Beast of Boost 1.74 does not check the announced length against the limit, so check it here.
     if (!failure && answer.content_length().value_or(0) > WebSocketClient::LongestMessage)
     {
       failure = http::error::body_limit;
