@@ -29,7 +29,7 @@ if [ "$(cat "$prefix/version" 2> /dev/null)" = "$version" ]; then
   exit 0
 fi
 
-# Also removes the remains of an interrupted attempt.
+# Also remove the remains of an interrupted attempt.
 rm -rf "${prefix:?}/usr" "$prefix/package" "$prefix/version"
 mkdir -p "$prefix/package"
 if ! (cd "$prefix/package" && apt-get download -qq "python3-paraview=$version" 2> download.log); then
@@ -40,12 +40,12 @@ if ! (cd "$prefix/package" && apt-get download -qq "python3-paraview=$version" 2
 fi
 dpkg -x "$prefix"/package/python3-paraview_*.deb "$prefix"
 
-# Debian 13 has added the ABI to the names of Python's modules, and its CMake files look for them without it.
+# Debian 13 adds the ABI to the names of Python's modules, but its CMake files look for names without it.
 find "$prefix/usr/lib/python3" -name '*.cpython-*.so' | while read -r module; do
   ln -sfn "$(basename "$module")" "${module%%.cpython-*}.so"
 done
 
-# CMake files find everything else relative to themselves, so these are copied and the rest linked to.
+# CMake files find everything else relative to themselves, so copy them, and link to the other files.
 paths=$(dpkg -L paraview paraview-dev)
 find_paths() { grep -E "^/usr/($1)\$" <<< "$paths"; }
 find_paths 'lib/[^/]+/cmake/paraview-[^/]+' | while read -r folder; do

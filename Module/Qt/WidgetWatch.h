@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Ends the touch when a widget of Qt is no longer visible, for programs with VTK's widget for Qt.
+ * Ends the touch when a Qt widget is no longer visible, for programs with VTK's widget for Qt.
  */
 #ifndef WidgetWatch_h
 #define WidgetWatch_h
@@ -19,14 +19,14 @@ namespace VolumeHaptics
 {
 
 /**
- * VTK sends no event when a widget of Qt is hidden, minimised or closed. This class watches the
- * widget, and when that happens, lets the force fade and leaves the touch mode. One call is enough:
+ * VTK sends no event when a Qt widget is hidden, minimised or closed. This class watches the widget
+ * for these events, lets the force fade, and leaves the touch mode. One call is enough:
  *
  *   view->interactor()->SetInteractorStyle(style); // a QVTKOpenGLNativeWidget
  *   VolumeHaptics::WidgetWatch::Watch(view, style);
  *
- * The watch belongs to the widget, and ends with it. The program compiles this header with its own
- * Qt 5 or 6 (Widgets), so that the library does not depend on Qt.
+ * The widget owns the watch. The program compiles this header with its own Qt 5 or 6 (Widgets), so
+ * the library does not depend on Qt.
  */
 class WidgetWatch final : public QObject
 {
@@ -39,9 +39,9 @@ public:
 
   bool eventFilter(QObject* watched, QEvent* event) override
   {
-    // Watch the window, too, because only the window gets an event when it is minimised. Watch the
-    // new window when the widget moves to another window, such as that of a floating dock, and is
-    // shown again.
+    // Also watch the window, because only the window receives an event when it is minimised. The
+    // widget may move to another window, such as that of a floating dock, so watch the new window
+    // when the widget is shown again.
     const QEvent::Type type = event->type();
     if (type == QEvent::Hide ||
       (type == QEvent::WindowStateChange && this->Window && this->Window->isMinimized()))

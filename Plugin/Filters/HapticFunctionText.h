@@ -12,9 +12,9 @@
 class vtkPiecewiseFunction;
 
 /**
- * Adds the points of a text to a function. The text is one number, which is the value everywhere,
- * or pairs of a position and a value, such as "0 0, 0.5 2". An empty text adds nothing. Returns
- * false for any other text.
+ * Adds the points in a text to a function. The text is a number, which is the value everywhere, or
+ * pairs of a position and a value, such as "0 0, 0.5 2". An empty text adds nothing. Returns false
+ * for any other text.
  */
 bool ReadFunctionText(std::string text, vtkPiecewiseFunction* function);
 

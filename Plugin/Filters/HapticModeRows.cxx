@@ -24,10 +24,10 @@
 namespace
 {
 
-/** A kind of mode with settings that differ from its defaults. */
+/** A kind of mode whose settings differ from the kind's defaults. */
 struct ModeVariant
 {
-  const char* Name; ///< the variant's name in a row
+  const char* Name; ///< name of the variant in a row
   int Kind;
   void (*Adjust)(vtkHapticMode*);
 };
@@ -72,9 +72,9 @@ vtkSmartPointer<vtkHapticMode> MakeModeOfRow(const std::string& name)
 }
 
 /**
- * Makes a field of the distances of an image: of its active scalars, or of a named array. Returns
- * null if there are no distances. An image that is not computed yet makes an empty field, which is
- * filled later.
+ * Makes a field of the distances in an image, which are its active scalars or a named array.
+ * Returns null if there are no distances. An image that is not computed yet makes an empty field,
+ * which is filled later.
  */
 vtkSmartPointer<vtkImageData> MakeField(vtkImageData* image, const std::string& array)
 {
@@ -92,7 +92,7 @@ vtkSmartPointer<vtkImageData> MakeField(vtkImageData* image, const std::string& 
   return field;
 }
 
-/** Sets polygons, lines or distances in a guide. Returns the error if that fails. */
+/** Passes polygons, lines or distances to a guide. Returns an error on failure. */
 std::string FillGuide(vtkDataObject* data, const std::string& array, vtkHapticGuideMode* guide)
 {
   if (auto* const image = vtkImageData::SafeDownCast(data))
@@ -120,7 +120,7 @@ std::string FillGuide(vtkDataObject* data, const std::string& array, vtkHapticGu
   return {};
 }
 
-/** Returns the first data set of data that may be composite; null if there is none. */
+/** Returns the first data set in data, which may be composite; null if there is none. */
 vtkDataSet* FindFirstSet(vtkDataObject* data)
 {
   auto* const composite = vtkCompositeDataSet::SafeDownCast(data);
@@ -213,7 +213,7 @@ std::string HapticModeRows::Fill(vtkVolumeHapticsFilter* filter)
   {
     return {};
   }
-  this->IsDirty = false; // reset this first, because the calls below call this function again
+  this->IsDirty = false; // reset this first, because the calls below re-enter this function
   std::string error;
   filter->RemoveAllModes();
   if (this->Preset != "None")
@@ -282,7 +282,7 @@ void HapticModeRows::AddRow(
     {
       flaw = FillGuide(this->Guide.Data, array, guide);
     }
-    else // the name belongs to an array of the touched data
+    else // the name is that of an array of the touched data
     {
       mode->SetArrayName(array.c_str());
     }

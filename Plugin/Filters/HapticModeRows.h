@@ -21,7 +21,7 @@ class vtkVolumeHapticsFilter;
 
 /**
  * See vtkPVVolumeHapticsFilter::AddModeRow and SetModePreset. Guides use the shape or the distances
- * on the filter's port 2. A preset without an array searches the data of port 0 for one, so the
+ * on the filter's port 2. A preset without an array searches the data on port 0 for one, so the
  * modes are made again if these data change.
  */
 class HapticModeRows
@@ -32,13 +32,13 @@ public:
 
   void Add(const Row& row);
   ///@{
-  /** Remove the rows, or set the preset. Return whether something has changed. */
+  /** Remove the rows, or set the preset. Return whether anything has changed. */
   bool Clear();
   bool SetPreset(const std::string& preset);
   ///@}
 
   /**
-   * Makes the filter's modes if something has changed. Returns the errors of modes that can't be
+   * Makes the filter's modes if anything has changed. Returns the errors of modes that can't be
    * made.
    */
   std::string Fill(vtkVolumeHapticsFilter* filter);

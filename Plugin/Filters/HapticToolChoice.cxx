@@ -22,7 +22,7 @@ namespace
 constexpr const char* ShellKind = "Point shell";
 constexpr const char* BurrKind = "Burr";
 constexpr const char* NoKind = "None";
-constexpr double RadiusInVoxels = 3.0; // radius of a burr's head, unless the user gives one
+constexpr double RadiusInVoxels = 3.0; // default radius of a burr's head
 
 /** Returns the name of a kind's class, such as "PointShell" for "Point shell". */
 std::string ClassOf(const std::string& kind)
@@ -58,7 +58,7 @@ std::string LabelOf(const std::string& setting)
   return label;
 }
 
-/** Returns the name of a setting without its kind; empty for a setting of another kind. */
+/** Returns a setting's name without the prefix of its kind; empty for a setting of another kind. */
 std::string NameIn(const std::string& setting, const std::string& kind)
 {
   const bool isOfKind = setting.compare(0, kind.size() + 1, kind + ".") == 0;
@@ -83,7 +83,7 @@ std::string HapticToolChoice::Fill(vtkVolumeHapticsFilter* filter)
     return {};
   }
   this->Voxel = voxel;
-  this->IsDirty = false; // reset this first, because the calls below call this function again
+  this->IsDirty = false; // reset this first, because the calls below re-enter this function
   this->Shape = shape;
   const std::string error = this->Make(filter);
   this->IsMade = error.empty();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The tool of a filter, from plain settings.
+ * Makes the tool of a filter from plain settings.
  */
 #ifndef HapticToolChoice_h
 #define HapticToolChoice_h
@@ -18,16 +18,13 @@
 class vtkDataObject;
 class vtkVolumeHapticsFilter;
 
-/** See vtkPVVolumeHapticsFilter::SetToolKind. The shape of a shell comes from port 2. */
+/** See vtkPVVolumeHapticsFilter::SetToolKind. The shape of a point shell is on port 2. */
 class HapticToolChoice
 {
 public:
   std::string Kind = "None";
   ///@{
-  /**
-   * The settings of the kinds, by the name KIND.NAME: numbers. The next member holds functions, as
-   * texts.
-   */
+  /** The settings of all kinds, by their names KIND.NAME: numbers, and functions as texts. */
   std::map<std::string, double> Numbers;
   std::map<std::string, std::string> Functions;
   ///@}
@@ -36,7 +33,7 @@ public:
   void Record() { this->IsDirty = true; }
 
   /**
-   * Makes the filter's tool if something has changed. Returns the error if the tool can't be made.
+   * Makes the filter's tool if anything has changed. Returns the error if the tool can't be made.
    */
   std::string Fill(vtkVolumeHapticsFilter* filter);
   /** Returns whether the tool could be made. */
@@ -47,8 +44,8 @@ public:
 private:
   std::string Make(vtkVolumeHapticsFilter* filter) const;
 
-  vtkWeakPointer<vtkDataObject> Shape; ///< shape of the last shell that was made
-  double Voxel = 0.0; ///< largest edge of a voxel for which the last burr was made; 0: no image
+  vtkWeakPointer<vtkDataObject> Shape; ///< shape of the point shell that was made last
+  double Voxel = 0.0; ///< longest voxel edge for which the last burr was made; 0: no image
   bool IsDirty = false;
   bool IsMade = true;
 };

@@ -15,7 +15,7 @@
 #include <string>
 
 //------------------------------------------------------------------------------
-/** Opens the file before a pipeline reads from it. */
+/** A region source that opens the file before a pipeline reads from it. */
 class vtkPVHapticLargeFile::Regions : public vtkHapticRegionSource
 {
 public:
@@ -24,19 +24,19 @@ public:
 
   vtkMTimeType GetMTime() override
   {
-    // Open the file here, because opening changes this source, and so must not happen when the
-    // pipeline requests information.
+    // Open the file here: opening changes this source, which is not allowed while the pipeline
+    // requests information.
     this->IsOpen = this->Owner && this->Owner->Open();
     return this->Superclass::GetMTime();
   }
 
-  vtkPVHapticLargeFile* Owner = nullptr; ///< null if the file is no longer in the pipeline
+  vtkPVHapticLargeFile* Owner = nullptr; ///< null if the file has left the pipeline
 
 protected:
   int RequestInformation(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
   {
-    // Fail without an error, because the owner has reported the reason.
+    // Fail silently, because the owner has reported the reason.
     return this->IsOpen ? this->Superclass::RequestInformation(request, inputs, outputs) : 0;
   }
 
@@ -109,7 +109,7 @@ bool vtkPVHapticLargeFile::Open()
 {
   if (this->GetMTime() > this->Opened)
   {
-    this->Opened.Modified(); // set this first, because the calls below call this function again
+    this->Opened.Modified(); // set this first, because the calls below re-enter this function
     this->IsOpen = false;
     if (!this->FileName || !*this->FileName)
     {
@@ -156,7 +156,7 @@ int vtkPVHapticLargeFile::RequestData(
   vtkInformation* const info = outputs->GetInformationObject(0);
   vtkImageData* const output = vtkImageData::GetData(info);
   output->ShallowCopy(this->Volume->GetCoarseImage());
-  // Each process of a server outputs only its piece.
+  // Output only this process's piece.
   output->Crop(info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
   return 1;
 }

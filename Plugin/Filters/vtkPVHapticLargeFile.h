@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPVHapticLargeFile
- * @brief   a volume in a file that is larger than memory, as ParaView sees it
+ * @brief   a source for ParaView: a volume in a file that is larger than memory
  *
  * The output is an image of the whole volume with coarse voxels, which ParaView shows and filters
- * like any image. A Volume Haptics filter with this Input feels the file itself, because for paths
- * and for a hand it is connected to a vtkHapticRegionSource. Only samples that are late are felt
- * coarsely.
+ * like any image. A Volume Haptics filter with this Input feels the file itself in full resolution:
+ * it is connected to a vtkHapticRegionSource, for paths and for a hand. Only samples that have not
+ * been read in time are felt coarsely.
  *
  * @sa vtkHapticRegionSource
  */
@@ -46,32 +46,32 @@ public:
   ///@}
 
   /**
-   * Returns what was guessed, left out or turned when the file was opened, a line each; empty if
-   * nothing was.
+   * Returns what was guessed, omitted or rotated when the file was opened, one item per line; empty
+   * if there is nothing.
    */
   const char* GetNotes();
 
   /**
-   * Returns the large file from which a connection comes, also through ParaView's own filters; null
-   * if there is none.
+   * Returns the large file from which a connection comes, directly or through ParaView's own
+   * filters; null if there is none.
    */
   static vtkPVHapticLargeFile* Find(vtkAlgorithmOutput* output);
 
-  /** Returns the volume in the file, for paths. Opens the file at the first call. */
+  /** Returns the region source for paths. The first call opens the file. */
   vtkHapticRegionSource* GetRegions();
 
   /**
-   * Returns a second source of the volume in the file, for the hand. If the file can't be opened,
-   * returns null and reports an error.
+   * Makes a second region source, for the hand. If the file can't be opened, returns null and
+   * reports an error.
    */
   vtkSmartPointer<vtkHapticRegionSource> MakeRegions();
 
   /**
-   * Opens the file, unless that was tried since the last change of a setting. Returns whether the
-   * file is open.
+   * Opens the file, unless this was already tried since the last change of a setting. Returns
+   * whether the file is open.
    */
   bool Open();
-  /** Returns the time of the last try to open the file. */
+  /** Returns the time of the last attempt to open the file. */
   vtkMTimeType GetOpenTime() const { return this->Opened; }
 
 protected:
@@ -88,7 +88,7 @@ private:
   int Series = 0;
   vtkSmartPointer<Regions> Volume;
   std::string Notes;
-  vtkTimeStamp Opened; // time of the last try to open the file
+  vtkTimeStamp Opened; // time of the last attempt to open the file
   bool IsOpen = false;
 
   vtkPVHapticLargeFile(const vtkPVHapticLargeFile&) = delete;

@@ -38,8 +38,8 @@ vtkPVVolumeHapticsFilter::~vtkPVVolumeHapticsFilter() = default;
 //------------------------------------------------------------------------------
 void vtkPVVolumeHapticsFilter::Curve::CopyTo(vtkPiecewiseFunction* function) const
 {
-  // Copy by hand, because vtkPiecewiseFunction's DeepCopy() loses one of two nodes at the same
-  // position.
+  // Copy the nodes one by one, because vtkPiecewiseFunction's DeepCopy() drops one of two nodes at
+  // the same position.
   function->SetAllowDuplicateScalars(1);
   function->RemoveAllPoints();
   for (int i = 0; this->Shape && i < this->Shape->GetSize(); ++i)
@@ -505,7 +505,7 @@ vtkMTimeType vtkPVVolumeHapticsFilter::GetMTime()
   this->FillTool();
   if (this->IsTableDirty)
   {
-    // reset this first, because the calls below call this function again
+    // reset this first, because the calls below re-enter this function
     this->IsTableDirty = false;
     this->FillTable();
   }
@@ -528,11 +528,12 @@ int vtkPVVolumeHapticsFilter::FillInputPortInformation(int port, vtkInformation*
 int vtkPVVolumeHapticsFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  this->FillModes(); // only now is it known whether the guides are polygons or lines
+  this->FillModes(); // after the input has arrived, because the guides may be polygons or lines
   this->FillTool();
-  this->UpdateProperty(); // only now is the image available to which a preset is fitted
-  // Report no error: FillProperty() has reported an unknown preset, and the label table, the modes
-  // and the tool have reported texts that can't be read.
+  // after the input has arrived, because a preset may be fitted to the image
+  this->UpdateProperty();
+  // Fail silently, because the errors were already reported: an unknown preset by FillProperty(),
+  // and unreadable texts by the label table, the modes and the tool.
   return this->IsPresetKnown && this->IsTableGood && this->Modes.IsGood() && this->Tools.IsGood()
     ? this->Superclass::RequestData(request, inputs, outputs)
     : 0;

@@ -4,11 +4,10 @@
  * @class   vtkPVVolumeHapticsFilter
  * @brief   vtkVolumeHapticsFilter with its material as plain settings
  *
- * ParaView sets properties one by one, in any order, and draws its functions from 0 to 1. So this
- * filter stores the user's choices (a preset, or five functions and the quantity for which their
- * value 1 stands), and fills its vtkHapticProperty from them after each change. That happens in
- * GetMTime(), with which the pipeline and vtkHapticDevice::Publish begin, so before the property is
- * used.
+ * ParaView sets properties one by one, in any order, and draws its functions from 0 to 1. Therefore
+ * this filter stores the user's choices (a preset, or five functions with their scales), and fills
+ * its vtkHapticProperty from them after each change. This happens in GetMTime(), which the pipeline
+ * and vtkHapticDevice::Publish call first, and thus before the property is used.
  */
 #ifndef vtkPVVolumeHapticsFilter_h
 #define vtkPVVolumeHapticsFilter_h
@@ -40,7 +39,8 @@ public:
    * ScalarsAreLabels, SolidFromImage, ShiftFromImage and SurfaceSide are not used. For an unknown
    * name, the output is empty, and an error lists the known names. A preset for values without a
    * unit is fitted to the image on port 0, like vtkHapticProperty::ApplyPreset(name, image), and
-   * again whenever the image has changed. Data other than images are felt by the preset's table.
+   * again whenever the image has changed. For data other than images, the preset's own table is
+   * used.
    */
   void SetPreset(const char* preset);
 
@@ -75,9 +75,9 @@ public:
 
   ///@{
   /**
-   * Settings of distinctness. If DistinctnessFromNoise is on (default), distinctness hides noise
-   * from the hand, and the function of distinctness is not used. PerMillimeter, as in
-   * vtkHapticProperty, applies to that function.
+   * Settings of distinctness. If DistinctnessFromNoise is on (default), distinctness is derived
+   * from the image's noise, so that noise can't be felt, and the function of distinctness is not
+   * used. PerMillimeter, as in vtkHapticProperty, applies to that function.
    */
   void SetDistinctnessFromNoise(bool fromNoise);
   void SetDistinctnessPerMillimeter(bool perMillimeter);
@@ -105,11 +105,11 @@ public:
 
   ///@{
   /**
-   * The feel of the labels on port 3. It comes from files for vtkHapticLabelTable::ReadFile, which
-   * are merged; then from rows of a label, stiffness (N/m), friction, viscosity (N) and surface
-   * strength (N), in which -1 means that the functions hold; and from the stand-off from forbidden
-   * labels (world units). If a file or a row can't be read, an error is reported and the output is
-   * empty.
+   * The feel of the labels on port 3. It is defined by files for vtkHapticLabelTable::ReadFile,
+   * which are merged; then by rows of a label, stiffness (N/m), friction, viscosity (N) and surface
+   * strength (N), in which -1 stands for the value of the functions; and by the stand-off from
+   * forbidden labels (world units). If a file or a row can't be read, an error is reported and the
+   * output is empty.
    */
   void AddLabelFile(const char* file);
   void RemoveAllLabelFiles();
@@ -135,8 +135,8 @@ public:
   ///@}
 
   /**
-   * "None" (default), or one of GetModePresetNames(). The preset's modes come before the modes of
-   * the rows. They read the active vectors or tensors, or if none are active, the first ones.
+   * "None" (default), or one of GetModePresetNames(). The preset's modes precede the modes of the
+   * rows. They read the active vectors or tensors or, if none are active, the first ones.
    */
   void SetModePreset(const char* preset);
 
@@ -154,8 +154,8 @@ public:
 
   ///@{
   /**
-   * Undo the last stroke of a burr in the hand, redo the last undone one, or restore all tissue
-   * that the burr removed.
+   * Undo the last stroke of a burr, redo the last undone stroke, or restore all tissue that the
+   * burr removed.
    */
   void UndoRemoval();
   void RedoRemoval();
@@ -164,14 +164,14 @@ public:
 
   using vtkVolumeHapticsFilter::SetInputConnection;
   /**
-   * Connect an input. If a vtkPVHapticLargeFile is connected to port 0, the file itself is felt,
-   * instead of its coarse image.
+   * Connect an input. If a vtkPVHapticLargeFile is connected to port 0, the filter feels the file
+   * itself instead of its coarse image.
    */
   void SetInputConnection(int port, vtkAlgorithmOutput* input) override;
 
   using vtkVolumeHapticsFilter::SetInputArrayToProcess;
   /**
-   * Choose an array. An empty name, which batch jobs have that set no name, means the active
+   * Choose an array. An empty name, as from batch jobs that set no name, stands for the active
    * scalars.
    */
   void SetInputArrayToProcess(
@@ -183,12 +183,12 @@ protected:
   vtkPVVolumeHapticsFilter();
   ~vtkPVVolumeHapticsFilter() override;
 
-  /** Also accepts an image on port 2, whose distances guide the hand: see AddModeRow. */
+  /** Port 2 also accepts an image of distances, which guide the hand: see AddModeRow. */
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  /** A function with values from 0 to 1, and the quantity for which its value 1 stands. */
+  /** A function with values from 0 to 1, and the quantity that its value 1 stands for. */
   struct Curve
   {
     vtkSmartPointer<vtkPiecewiseFunction> Shape;
@@ -208,11 +208,9 @@ private:
   /** Fills the property if a choice has changed, or the image to which the preset is fitted. */
   void UpdateProperty();
   vtkMTimeType GetMaterialTime() const;
-  /** Makes the label table. */
   void FillTable();
-  /** Makes the modes. */
   void FillModes();
-  /** Makes the tool if its settings or its polygons have changed. */
+  /** Makes the tool again if its settings or its polygons have changed. */
   void FillTool();
   template <typename T>
   void ChooseTool(T& setting, const T& value);
@@ -231,13 +229,13 @@ private:
   int SurfaceSide = 0;
   /**
    * The image, the array and the settings to which the preset was fitted, with their modification
-   * times.
+   * times, for comparison.
    */
   using GreyLevels = std::tuple<vtkMTimeType, void*, vtkMTimeType, int, double, double>;
   GreyLevels Fitted{};
   std::array<double, 2> PresetScale{ { 1.0, 0.0 } };
-  vtkTimeStamp Chosen; // last change of a setting of the material
-  vtkTimeStamp Filled; // last filling of the property
+  vtkTimeStamp Chosen; // time of the last change of a setting of the material
+  vtkTimeStamp Filled; // time at which the property was last filled
   bool IsPresetKnown = true;
   std::vector<std::string> LabelFiles;
   std::vector<std::array<double, 5>> LabelMaterials;

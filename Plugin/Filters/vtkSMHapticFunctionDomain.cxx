@@ -28,7 +28,7 @@ int vtkSMHapticFunctionDomain::SetDefaultValues(vtkSMProperty* property, bool us
   vtkSMProxy* const function = this->GetNumberOfProxies() > 0 ? this->GetProxy(0) : nullptr;
   if (function && !vtkSMPropertyHelper(function, "ScalarRangeInitialized").GetAsInt())
   {
-    // A point of ParaView's functions has x, y, midpoint and sharpness.
+    // Points of ParaView's functions have x, y, midpoint and sharpness.
     const double flat[] = { 0.0, this->Initial, 0.5, 0.0, 1.0, this->Initial, 0.5, 0.0 };
     vtkSMPropertyHelper(function, "Points").Set(flat, 8);
     vtkSMPropertyHelper(function, "ScalarRangeInitialized").Set(1);

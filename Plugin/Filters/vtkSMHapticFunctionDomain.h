@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSMHapticFunctionDomain
- * @brief   a piecewise function over the range of the data that is constant at first
+ * @brief   a domain whose piecewise function over the range of the data is initially constant
  *
  * For a proxy property whose value is an edited function of the data:
  *
@@ -11,7 +11,7 @@
  *   </HapticFunctionDomain>
  *
  * The function (a PiecewiseFunction of ParaView's) has the value `initial` (0 to 1, default 0)
- * everywhere until the user edits it. With ParaView's own domain, it would be a ramp at first.
+ * everywhere until the user edits it. With ParaView's own domain, it would initially be a ramp.
  */
 #ifndef vtkSMHapticFunctionDomain_h
 #define vtkSMHapticFunctionDomain_h

@@ -16,10 +16,13 @@
 
 namespace
 {
-/** Surface strengths (N) of at least this are impenetrable, so scales need not include them. */
+/** Surface strengths (N) from this value on are impenetrable, so the scale need not cover them. */
 constexpr double Impenetrable = 1e4;
 
-/** Returns the smallest of 1, 2 or 5 times a power of ten that the function does not exceed. */
+/**
+ * Returns the smallest scale of 1, 2 or 5 times a power of ten that covers all values of the
+ * function.
+ */
 double ChooseScale(vtkPiecewiseFunction* function)
 {
   double most = 0.0;
@@ -75,7 +78,7 @@ void vtkSMVolumeHapticsProxy::CopyPreset()
   {
     return;
   }
-  // Ask the server for the scale, because the image to which the preset is fitted is there.
+  // Request the scale from the server, which has the image to which the preset is fitted.
   this->UpdatePropertyInformation(this->GetProperty("PresetScale"));
   const std::vector<double> fitted = vtkSMPropertyHelper(this, "PresetScale").GetDoubleArray();
   const bool isFitted = fitted.size() == 2 && fitted[1] > 0.0;

@@ -5,9 +5,9 @@
  * @brief   the client's proxy of a Volume Haptics filter
  *
  * Adds the command CopyPreset, for the panel's button and for scripts:
- * `filter.InvokeCommand("CopyPreset")`. It copies the chosen preset, fitted to the image, into the
- * filter's own functions, scales and surface side, and sets the preset to "Custom", so that the
- * user can edit these functions. If the preset is "Custom" already, it does nothing.
+ * `filter.InvokeCommand("CopyPreset")`. The command copies the chosen preset, fitted to the image,
+ * to the filter's own functions, scales and surface side, and sets the preset to "Custom", so that
+ * the user can edit these functions. It does nothing if the preset is already "Custom".
  */
 #ifndef vtkSMVolumeHapticsProxy_h
 #define vtkSMVolumeHapticsProxy_h

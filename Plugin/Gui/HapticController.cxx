@@ -47,7 +47,10 @@
 namespace
 {
 
-/** Sets a property of a filter as the filter's panel would: with undo, and in the trace. */
+/**
+ * Sets a property of a filter as the filter's panel would: undoable, and recorded in the Python
+ * trace.
+ */
 template <typename ValueType>
 void SetOfFilter(pqPipelineSource* filter, const char* property, const ValueType& value)
 {
@@ -208,8 +211,8 @@ void HapticController::order(vtkSMHapticDeviceProxy* device, const char* propert
 {
   BEGIN_UNDO_EXCLUDE();
   {
-    // Neither this change nor the changes by Poll() are traced, because a user who replays a trace
-    // may not have a hand on the device.
+    // This change and the changes by Poll() are not traced, because a user who replays a trace may
+    // not have a hand on the device.
     vtkSMPropertyHelper(device, property).Set(value);
     device->UpdateVTKObjects();
     device->Poll();
@@ -272,7 +275,7 @@ void HapticController::setSecondDevice(const QString& deviceId)
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", static_cast<vtkSMProxy*>(second));
     vtkSMPropertyHelper(second, "Device").Set(deviceId.toUtf8().data());
-    vtkSMPropertyHelper(second, "UseTool").Set(0); // the first hand holds the tool
+    vtkSMPropertyHelper(second, "UseTool").Set(0); // only the first hand uses the tool
   }
   order(second, "Running", 1);
   if (!second->GetDevice()->IsRunning())
@@ -307,8 +310,8 @@ void HapticController::setTouchMode(bool on)
   pqView* const view = on && this->View ? this->findView() : nullptr;
   if (QWidget* const widget = view ? view->widget() : nullptr)
   {
-    // Move the keyboard focus from the button to the view, because the next keys are for the touch
-    // mode. The view's widget or a part of it takes keys.
+    // Move the keyboard focus from the button to the view, because the next keys are meant for the
+    // touch mode. The focus goes to the view's widget or to a part of it that accepts keys.
     const QList<QWidget*> parts = widget->findChildren<QWidget*>();
     const auto takesKeys = [](QWidget* part) { return part->focusPolicy() != Qt::NoFocus; };
     const auto part = std::find_if(parts.begin(), parts.end(), takesKeys);
@@ -319,7 +322,7 @@ void HapticController::setTouchMode(bool on)
 //------------------------------------------------------------------------------
 bool HapticController::eventFilter(QObject* watched, QEvent* event)
 {
-  // Qt sends ShortcutOverride first, to widgets that override shortcuts; in a menu it sends
+  // Qt first sends ShortcutOverride to widgets that override shortcuts; in a menu, it sends
   // KeyPress at once.
   const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
   const auto isArmed = [](vtkSMHapticDeviceProxy* device)
@@ -409,8 +412,8 @@ void HapticController::loadPreset(const QString& file)
     Q_EMIT this->told(tr("There is nothing to be felt yet: attach first."));
     return;
   }
-  // The client reads the file and sets functions in the filter, because these also reach a remote
-  // server and state files.
+  // The client reads the file and sets the filter's functions, because properties also reach remote
+  // servers and state files.
   vtkNew<vtkHapticProperty> read;
   VolumeHapticsLive::HapticErrorCatcher errors;
   errors.Catch(read);

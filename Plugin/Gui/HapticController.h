@@ -11,7 +11,7 @@
  *
  * Before ParaView quits, and before the server, the view, the device, its filter or the volume is
  * removed, the device is detached, with zero force. Escape ends the touch mode and disarms,
- * whatever has the keyboard.
+ * whichever widget has the keyboard focus.
  */
 #ifndef HapticController_h
 #define HapticController_h
@@ -41,18 +41,18 @@ public:
   struct DeviceChoice
   {
     QString Id;
-    QString Name;  ///< maker, product, and where it is plugged in
+    QString Name; ///< maker, product, and port
     QString State; ///< "available", "in use", or the obstacle and the cure
   };
-  /** Searches for devices again. The first one is always "virtual". */
+  /** Searches for devices again. The first entry is always "virtual". */
   static QList<DeviceChoice> listDevices();
 
-  /** The state that the dock shows. */
+  /** The device state that the dock shows. */
   struct Figures
   {
     bool Attached = false;
     bool Armed = false;
-    bool Touches = false; ///< whether the mouse leads the tip
+    bool Touches = false; ///< whether the mouse moves the tip
     bool Recording = false;
     bool IsVirtual = false;
     bool CanHome = false;
@@ -60,13 +60,13 @@ public:
     QString Preset;        ///< preset of that filter
     int Method = 0;        ///< method of that filter
     bool CanShow = false;  ///< whether there is a volume, and a render view
-    bool IsVolume = false; ///< whether the view renders the volume as a volume
-    QString Recorded;      ///< file of the last recording if it was written, otherwise empty
+    bool IsVolume = false; ///< whether the view shows the volume by volume rendering
+    QString Recorded; ///< file of the last recording if it was written; otherwise empty
     QString Felt; ///< names of the felt volume and its filter; empty if nothing is attached
     QString Status;
     bool IsFault = false;
     double Force = 0.0;       ///< N, on the hand
-    bool HasSecond = false;   ///< whether another device is the other hand's
+    bool HasSecond = false; ///< whether there is a device for the other hand
     double SecondForce = 0.0; ///< N, on the other hand
     QString SecondStatus;
     double MaximumForce = 0.0; ///< N
@@ -74,39 +74,41 @@ public:
     long long MissedTicks = 0;
   };
 
-  /** Returns what the filter, the device and the path are for, with all properties, as HTML. */
+  /**
+   * Returns the purpose of the filter, the device and the path, with all their properties, as HTML.
+   */
   static QString describeAll();
 
   /** Polls the device and returns its state. */
   Figures look();
 
-  /** Detects the key Escape among the events of the application. */
+  /** Filters the application's events for the key Escape. */
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 public Q_SLOTS:
   /**
-   * Attaches a device to the active render view. The active source determines what is felt: it is a
-   * HapticDevice, a VolumeHaptics filter, or a volume. Missing objects are made; a new filter gets
-   * the preset and the method. An empty preset stands for the one that the data propose. If this
-   * fails, told() is emitted with the cure.
+   * Attaches a device to the active render view. The active source, which is a HapticDevice, a
+   * VolumeHaptics filter, or a volume, determines what is felt. Missing objects are made; a new
+   * filter gets the preset and the method. An empty preset stands for the preset that suits the
+   * data. On failure, told() is emitted with the cure.
    */
   void attach(const QString& deviceId, const QString& preset, int method);
   void detach();
   /** Arms or disarms all hands. */
   void setArmed(bool on);
   /**
-   * Makes a device the other hand's, which feels what the attached one feels. An empty name takes
-   * the other hand out of the view, and stops its device.
+   * Uses a device for the other hand, which feels the same as the attached one. An empty name
+   * removes the other hand from the view, and stops its device.
    */
   void setSecondDevice(const QString& deviceId);
   /** Sets the touch mode. Switching it on also gives the view the keyboard focus. */
   void setTouchMode(bool on);
   void home();
-  /** Records into a .vtp or .csv. An empty name ends the recording and writes it. */
+  /** Records to a .vtp or .csv file. An empty name ends the recording and writes it. */
   void record(const QString& file);
   ///@{
   /**
-   * Set the preset or the method of the attached filter, or if nothing is attached, of the active
+   * Set the preset or the method of the attached filter or, if nothing is attached, of the active
    * source's filter. Do nothing without a filter.
    */
   void setPreset(const QString& name);
@@ -119,13 +121,13 @@ public Q_SLOTS:
   void savePreset(const QString& file);
   ///@}
   /**
-   * Shows the felt volume, or if there is none, the active source, as a CT volume in the active
+   * Shows the felt volume or, if there is none, the active source, as a CT volume in the active
    * view.
    */
   void showAsCT();
   /** Opens the last recording in ParaView, and shows it. */
   void openRecorded();
-  /** Detaches and stops the device, and forgets it. */
+  /** Detaches and stops the device, and releases it. */
   void release();
 
 Q_SIGNALS:

@@ -30,12 +30,12 @@
 
 namespace
 {
-constexpr int Period = 100;    ///< ms between two updates from the device
+constexpr int Period = 100; ///< ms between two updates from the device
 constexpr int BarSteps = 1000; ///< number of steps of the bar, from 0 to the largest force
 
 /**
- * Gets the pointer's position from the window system, which knows it before the events of its
- * motion arrive.
+ * Reads the pointer's position from the window system, which knows it before the motion events
+ * arrive.
  */
 void PollPointer(int position[2])
 {
@@ -255,7 +255,7 @@ void HapticDock::showChoices(const HapticController::Figures& now)
     this->Preset->addItem(now.Preset, now.Preset);
     at = this->Preset->count() - 1;
   }
-  // Do not change a list that the user has opened.
+  // Don't change a list while the user has it open.
   if (!this->Preset->view()->isVisible())
   {
     this->Preset->setCurrentIndex(at);
@@ -316,8 +316,8 @@ void HapticDock::listDevices()
     }
     for (const HapticController::DeviceChoice& choice : choices)
     {
-      // Show only the first sentence of the state, which may include the cure. The tool tip has the
-      // whole text.
+      // Show only the first sentence of the state, which may include the cure; the tool tip shows
+      // the full text.
       const QString state = choice.State.section(". ", 0, 0);
       list->addItem(QString("%1: %2").arg(choice.Id, state), choice.Id);
       list->setItemData(list->count() - 1, choice.Name + "\n" + choice.State, Qt::ToolTipRole);
@@ -446,7 +446,8 @@ void HapticDock::update()
                  : now.Felt);
   this->OpenRecorded->setVisible(!now.Recorded.isEmpty());
   this->OpenRecorded->setText(tr("Open %1").arg(QFileInfo(now.Recorded).fileName()));
-  // Show only the first sentence of a status; the button Why has the rest. A fault is always shown.
+  // Show only the first sentence of a status; the button Why shows the rest. A fault is always
+  // shown in full.
   const bool isStatus = now.Attached && (this->Told.isEmpty() || now.IsFault);
   const auto shorten = [this](const QString& status)
   {

@@ -4,9 +4,9 @@
  * @class   HapticDock
  * @brief   the dock window "Volume Haptics"
  *
- * It has buttons to choose the device, attach it to the active view and volume, arm, stop, home and
- * record. It also has the preset and the method of what is felt, a button for the look of the
- * volume, and figures for the felt forces. Like every dock window, it is in ParaView's menu View.
+ * The window has buttons to choose the device, attach it to the active view and volume, arm, stop,
+ * home and record. It also shows the preset and the method of the filter, a button for the look of
+ * the volume, and the felt forces. Like every dock window, it is listed in ParaView's menu View.
  */
 #ifndef HapticDock_h
 #define HapticDock_h
@@ -49,10 +49,10 @@ private:
   void addChoices(QGridLayout* grid, int row);
   /**
    * Shows the preset and the method of a filter. Without a filter, the user's choice for the next
-   * one stays.
+   * filter remains.
    */
   void showChoices(const HapticController::Figures& now);
-  /** Asks the user for a file. Returns its name; empty if the user chose none. */
+  /** Opens a file dialog. Returns the chosen name; empty if the user cancels. */
   QString askFile(const char* name, const QString& title, const QString& kinds, bool isNew);
 
   HapticController* Controller;

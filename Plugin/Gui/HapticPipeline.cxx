@@ -77,7 +77,7 @@ pqPipelineSource* FindOrMakeTouch(pqPipelineSource* volume)
   return made;
 }
 
-/** Returns the device of a filter or, if it has none, another one; never the excepted one. */
+/** Returns the device of a filter or, if it has none, another device, but never `except`. */
 pqPipelineSource* FindDevice(pqPipelineSource* touch, pqPipelineSource* except = nullptr)
 {
   pqPipelineSource* any = nullptr;
@@ -96,8 +96,8 @@ pqPipelineSource* FindDevice(pqPipelineSource* touch, pqPipelineSource* except =
 }
 
 /**
- * Disarms the device, so that a hand does not suddenly feel something to which it was not led. This
- * can't be undone, and is not traced.
+ * Disarms the device, so that the hand does not suddenly feel an object that it has not approached.
+ * This can't be undone, and is not traced.
  */
 void Disarm(vtkSMProxy* device)
 {
@@ -107,7 +107,7 @@ void Disarm(vtkSMProxy* device)
   END_UNDO_EXCLUDE();
 }
 
-/** Makes a device, unless there is one, and lets it feel what a filter says. */
+/** Makes a device if there is none, and makes it feel the data of a filter. */
 pqPipelineSource* LeadTo(pqPipelineSource* device, pqPipelineSource* touch)
 {
   if (device && HapticPipeline::GetTouch(device) != touch)
@@ -158,7 +158,7 @@ bool IsVolume(pqPipelineSource* source)
 
 QString ProposePreset(pqPipelineSource* volume)
 {
-  constexpr double air = -500.0; // HU; in a CT of the body, there is air around it
+  constexpr double air = -500.0; // HU; a CT of a body has air around it
   constexpr double bone = 300.0; // HU
   vtkPVDataSetAttributesInformation* const points =
     volume->getOutputPort(0)->getDataInformation()->GetPointDataInformation();
@@ -230,7 +230,7 @@ pqDataRepresentation* FindShown(pqPipelineSource* volume, pqView* view)
 }
 
 /**
- * Returns the wanted name if the source has such a point array, otherwise the name of the first
+ * Returns the requested name if the source has such a point array, otherwise the name of the first
  * array; empty if there is none.
  */
 std::string FindArray(pqPipelineSource* volume, const QString& wanted)
@@ -324,7 +324,7 @@ bool ShowAsCT(pqPipelineSource* volume, pqView* view, const QString& array)
       opacities.insert(opacities.end(), { stop.Value, stop.Opacity, 0.5, 0.0 });
     }
     vtkSMProxy* const table = vtkSMPropertyHelper(shown, "LookupTable").GetAsProxy();
-    constexpr int never = -1; // never rescale to the range of the data
+    constexpr int never = -1; // ParaView's constant for never rescaling to the range of the data
     SetTraced(table, "AutomaticRescaleRangeMode", std::vector<int>{ never });
     SetTraced(table, "RGBPoints", colors);
     SetTraced(

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds or makes the device that feels the active source of the pipeline browser, and sets the look
- * of the felt data in a view.
+ * Finds or makes the device for the active source of the pipeline browser, and sets the look of the
+ * felt data in a view.
  */
 #ifndef HapticPipeline_h
 #define HapticPipeline_h
@@ -33,10 +33,12 @@ bool IsVolume(pqPipelineSource* source);
  * can't be felt.
  */
 pqPipelineSource* FindOrMakeDevice(pqPipelineSource* source);
-/** Returns a HapticDevice for the other hand that feels what the first one feels. */
+/** Returns a HapticDevice for the other hand, which feels the same as the first one. */
 pqPipelineSource* FindOrMakeSecondDevice(pqPipelineSource* first);
 
-/** Returns the preset for a volume: "CT contrast" for Hounsfield units, otherwise "Custom". */
+/**
+ * Returns the suitable preset for a volume: "CT contrast" for Hounsfield units, otherwise "Custom".
+ */
 QString ProposePreset(pqPipelineSource* volume);
 
 ///@{
@@ -59,13 +61,13 @@ pqPipelineSource* FindTouch(pqPipelineSource* source);
 namespace HapticVolumeLook
 {
 
-/** Returns whether the view renders a source visibly as a volume. */
+/** Returns whether a view shows a source by volume rendering. */
 bool IsShown(pqPipelineSource* volume, pqView* view);
 
 /**
- * Shows a source as a volume that is opaque from the skin inwards, where a hand meets it. The
+ * Shows a source as a volume that is opaque from the skin inwards, where a hand touches it. The
  * colours are those of skin and bone by Hounsfield units (CTLook), as in the explorer. `array` is
- * the point array; if it is empty, the first array is used. Returns false if there is no array.
+ * the point array; if empty, the first array is used. Returns false if there is no array.
  */
 bool ShowAsCT(pqPipelineSource* volume, pqView* view, const QString& array);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The planes to which a representation of ParaView crops a volume.
+ * Computes the planes to which a ParaView representation crops a volume.
  */
 #ifndef HapticCropPlanes_h
 #define HapticCropPlanes_h
@@ -10,14 +10,14 @@
 namespace VolumeHapticsLive
 {
 
-/** What a representation's scale and shift refer to. */
+/** The box to which a representation's scale and shift refer. */
 enum class CropBase
 {
   Bounds,     ///< the bounds: up to ParaView 5.12
-  WholeExtent ///< the whole extent, whatever the image's origin and spacing are: from 5.13 on
+  WholeExtent ///< the whole extent, whatever the image's origin and spacing: from 5.13 on
 };
 
-/** Returns what a representation's scale and shift refer to in a version of ParaView. */
+/** Returns the box to which a representation's scale and shift refer in a version of ParaView. */
 constexpr CropBase ChooseCropBase(int major, int minor)
 {
   return major > 5 || (major == 5 && minor >= 13) ? CropBase::WholeExtent : CropBase::Bounds;
@@ -25,7 +25,7 @@ constexpr CropBase ChooseCropBase(int major, int minor)
 
 /**
  * Computes the planes in the coordinates of the data, like
- * vtkImageVolumeRepresentation::UpdateMapperParameters(), which sets them in its mapper.
+ * vtkImageVolumeRepresentation::UpdateMapperParameters(), which passes them to its mapper.
  */
 inline void ComputeCropPlanes(CropBase base, const double bounds[6], const int wholeExtent[6],
   const double origin[3], const double scale[3], double planes[6])

@@ -79,7 +79,7 @@ void HapticTouchLink::Watch(vtkSMProxy* touch)
 void HapticTouchLink::CopySettings()
 {
   this->Twin->Copy(this->Touch, "vtkSMProxyProperty");
-  // Copy proxies by hand, because vtkSMProxyProperty copies only proxies in its domains, and the
+  // Copy proxies explicitly, because vtkSMProxyProperty copies only proxies in its domains, and the
   // twin's domains are empty.
   vtkSmartPointer<vtkSMPropertyIterator> properties;
   properties.TakeReference(this->Twin->NewPropertyIterator());
@@ -231,8 +231,7 @@ void HapticDataLink::Update(vtkSMProxy* proxy, vtkHapticDevice* device, HapticRe
 
 void HapticDataLink::UpdateTime(vtkSMProxy* proxy, vtkSMSourceProxy* volume)
 {
-  // Try both names of the time, because versions of ParaView differ; exactly one of these names
-  // exists.
+  // Try both names of the timekeeper: exactly one exists, depending on ParaView's version.
   vtkNew<vtkCollection> keepers;
   proxy->GetSessionProxyManager()->GetProxies("timekeeper", keepers);
   vtkSMProxy* const keeper = vtkSMProxy::SafeDownCast(keepers->GetItemAsObject(0));
@@ -250,7 +249,7 @@ void HapticDataLink::UpdateImage(
   vtkVolumeHapticsFilter* const filter = this->Touch.GetFilter();
   if (volume)
   {
-    volume->UpdatePipeline(); // this also reports whether the volume has times
+    volume->UpdatePipeline(); // needed to find out whether the volume has times
   }
   if (HapticTimeStepLink::IsMoving(volume, port, filter))
   {
@@ -258,7 +257,7 @@ void HapticDataLink::UpdateImage(
     {
       this->Image.PollTimeSteps(volume, port, this->ViewTime, filter, device, this->TimeSteps);
     }
-    catch (const std::bad_alloc&) // try again in the next update
+    catch (const std::bad_alloc&) // out of memory; the next update tries again
     {
       report.SetProblem("This computer has no memory for a copy of the volume at this time, so it "
                         "is felt as it was before. Close other programs that need memory.");

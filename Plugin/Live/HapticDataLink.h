@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Connects a filter in the client with the touched data, in this process or on a server.
+ * Connects a filter in the client to the touched data, which are in this process or on a server.
  */
 #ifndef HapticDataLink_h
 #define HapticDataLink_h
@@ -31,13 +31,13 @@ class HapticReport;
 /**
  * Makes a filter in the client with the settings of a filter proxy whose data may be elsewhere.
  *
- * If the followed filter is in this process, the tissue that a burr in the hand has removed belongs
- * to it, so that its paths begin with what the hand has left. Otherwise the second filter stores
- * the removed tissue itself, and also gets the commands to undo, redo and restore.
+ * If the followed filter is in this process, it shares the tissue that a burr in the hand has
+ * removed, so that its paths begin with the remaining tissue. Otherwise the filter in the client
+ * stores the removed tissue itself, and receives the commands to undo, redo and restore, too.
  *
- * The settings are in a second proxy of the same kind, whose objects exist only in the client.
- * Every property of the first proxy is copied to it, except the inputs. Functions are shared,
- * because ParaView's piecewise functions also exist in the client.
+ * The client's filter belongs to a second proxy of the same kind, whose objects exist only in the
+ * client. Every property of the first proxy is copied to it, except the inputs. Functions are
+ * shared, because ParaView's piecewise functions also exist in the client.
  */
 class HapticTouchLink
 {
@@ -47,11 +47,11 @@ public:
   HapticTouchLink(const HapticTouchLink&) = delete;
   void operator=(const HapticTouchLink&) = delete;
 
-  /** Watch the changes of a proxy's settings; nullptr ends the watch. */
+  /** Watch the settings of a proxy for changes; nullptr ends the watch. */
   void Watch(vtkSMProxy* touch);
 
   /**
-   * Returns the filter in the client; null without a proxy, or if its object is no
+   * Returns the filter in the client; null without a proxy, or if its object is not a
    * vtkVolumeHapticsFilter.
    */
   vtkVolumeHapticsFilter* GetFilter() const;
@@ -66,7 +66,7 @@ public:
 private:
   void RecordChange() { this->IsDirty = true; }
   /**
-   * Passes a command about removed tissue to the second filter, unless the followed filter is in
+   * Passes a command about removed tissue to the client's filter, unless the followed filter is in
    * this process.
    */
   void PassCommand(vtkObject* touch, unsigned long event, void* name);
@@ -86,12 +86,12 @@ private:
 class HapticDataLink
 {
 public:
-  /** `lost` is called when the server turns out not to answer. */
+  /** @param lost called when the server does not answer */
   explicit HapticDataLink(std::function<void()> lost);
 
   /**
-   * Applies changes of the device's properties Touch, FollowOpacity and MaximumRegionVoxels, of the
-   * pipeline, and of its time. Reports problems to `report`.
+   * Applies changes of the pipeline, its time, and the device's properties Touch, FollowOpacity and
+   * MaximumRegionVoxels. Reports problems to `report`.
    */
   void Update(vtkSMProxy* proxy, vtkHapticDevice* device, HapticReport& report);
 
@@ -104,10 +104,10 @@ public:
   /** See vtkSMHapticDeviceProxy::SetVisibility. */
   void SetVisibility(vtkVolumeProperty* property) { this->Visibility = property; }
 
-  /** Returns the time (s) that it takes to fetch a region; 0 before the first. */
+  /** Returns the time (s) for fetching a region; 0 before the first region. */
   double GetLatency() const { return this->Region.GetLatency(); }
 
-  /** Discards the region that was fetched last. */
+  /** Discards the last fetched region. */
   void ClearRegion() { this->Region.Clear(); }
 
   /** Returns whether the data of a proxy are in this process. */
@@ -130,7 +130,7 @@ private:
   HapticRegionLink Region; // for data on a server
   HapticOpacityLink Opacity;
   HapticCropLink Crop;
-  vtkSmartPointer<vtkVolumeProperty> Visibility; // if set, replaces the opacity that Opacity finds
+  vtkSmartPointer<vtkVolumeProperty> Visibility; // if set, replaces the opacity found by Opacity
   double ViewTime = 0.0;                         // time of the data (s)
 };
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Collects errors of VTK objects as text, so that a timer that causes the same error sixty times a
- * second reports it once.
+ * Collects errors of VTK objects as text, so that an error that a timer repeats sixty times a
+ * second is reported once.
  */
 #ifndef HapticErrorCatcher_h
 #define HapticErrorCatcher_h
@@ -27,12 +27,13 @@ public:
   void operator=(const HapticErrorCatcher&) = delete;
 
   /**
-   * Collects the errors of this object from now on, so that they are not shown. Call it once for
-   * each object.
+   * Collects the errors of this object from now on instead of showing them. Call it once for each
+   * object.
    */
   void Catch(vtkObject* object);
   /**
-   * Returns the errors since the last call, without files and addresses; empty if there are none.
+   * Returns the errors since the last call, without file names and addresses; empty if there are
+   * none.
    */
   std::string Drain();
 

@@ -49,8 +49,8 @@ vtkDataObject* DataOf(vtkAlgorithmOutput* output)
 }
 
 /**
- * Returns the time of the last change in the pipeline up to an output. Executing a filter is no
- * change.
+ * Returns the time of the last change in the pipeline up to an output, not counting executions of
+ * filters.
  */
 vtkMTimeType PipelineTimeOf(vtkAlgorithmOutput* output)
 {
@@ -241,7 +241,7 @@ void HapticImageLink::PollTimeSteps(vtkSMSourceProxy* source, unsigned int port,
     HasGeometryOf(image, timeSteps.GetImage());
   if (isBegun && (this->IsSeen(image, filter) || !timeSteps.IsThere(device)))
   {
-    return; // pass the new image later, when the servo is ready for it
+    return; // the new image is passed later, when the servo is ready for it
   }
   const bool isInPlace = isBegun && (this->IsInPlace || SharesArrays(image, timeSteps.GetImage()));
   vtkNew<vtkImageData> copy;
@@ -249,7 +249,7 @@ void HapticImageLink::PollTimeSteps(vtkSMSourceProxy* source, unsigned int port,
   this->See(image, filter);
   this->PipelineTime = pipelineTime;
   this->IsInPlace = isInPlace;
-  // Displacements are known only to the next step.
+  // Displacements are valid only up to the next time step.
   const bool isStep =
     filter->GetDisplacementArrayName().empty() || AreNeighbours(output, timeSteps.GetTime(), time);
   if (isBegun && time != timeSteps.GetTime() && isStep)
@@ -343,7 +343,7 @@ vtkVolumeProperty* HapticOpacityLink::Find(vtkSMProxy* volume, vtkVolumeHapticsF
     {
       this->View = view;
       this->Representation = representation;
-      // Use this function for any touched component.
+      // Use this function for whichever component is touched.
       this->Property->IndependentComponentsOff();
       this->Property->SetScalarOpacity(opacity);
       return this->Property;

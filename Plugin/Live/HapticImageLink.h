@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Passes data of this process' own pipeline to a filter in the client, without copying them. Also
- * passes large files, the part to which ParaView crops a volume, and the opacity with which
- * ParaView shows the volume.
+ * Passes data from this process's own pipeline to a filter in the client without copying them. Also
+ * passes large files, ParaView's cropping of a volume, and the opacity with which ParaView shows
+ * it.
  */
 #ifndef HapticImageLink_h
 #define HapticImageLink_h
@@ -31,9 +31,9 @@ namespace VolumeHapticsLive
 class HapticTimeStepLink;
 
 /**
- * Passes images to a filter without connecting it to the pipeline, because a view must not execute
- * a filter whose data the servo reads. The filter gets a shallow copy whenever the pipeline has new
- * data. If the pipeline allocates a new array for them, the touched array does not change.
+ * Passes images to a filter without a pipeline connection, because a view must not execute a filter
+ * whose data the servo reads. The filter gets a shallow copy whenever the pipeline has new data.
+ * The touched array stays unchanged if the pipeline allocates a new array for new data.
  */
 class HapticImageLink
 {
@@ -42,8 +42,8 @@ public:
   void Update(vtkSMSourceProxy* source, unsigned int port, vtkAlgorithm* filter, int filterPort);
   /**
    * Passes an image with times to the filter, as time steps of input port 0. The source was updated
-   * at `time`. If the pipeline or its settings are new, a new volume begins. Throws std::bad_alloc
-   * if a time step has to be copied and there is no memory.
+   * at `time`. A changed pipeline or changed settings begin a new volume. Throws std::bad_alloc if
+   * memory is insufficient to copy a time step.
    */
   void PollTimeSteps(vtkSMSourceProxy* source, unsigned int port, double time,
     vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticTimeStepLink& timeSteps);
@@ -57,24 +57,25 @@ private:
   bool IsSeen(vtkDataObject* data, vtkAlgorithm* filter) const;
   void See(vtkDataObject* data, vtkAlgorithm* filter);
 
-  // These are weak pointers, because a new object may have the address of a deleted one.
+  // Weak pointers, because a new object may have the address of a deleted one.
   vtkWeakPointer<vtkDataObject> Seen;
   vtkWeakPointer<vtkAlgorithm> SeenFilter;
   vtkMTimeType SeenTime = 0;
   vtkMTimeType PipelineTime = 0; // for time steps: last change of the pipeline
-  bool IsInPlace = false; // for time steps: whether the pipeline writes each one to the same arrays
+  // for time steps: whether the pipeline reuses the same arrays for each time step
+  bool IsInPlace = false;
 };
 
 /**
- * Connects a filter in the client with a large file of this process' own pipeline.
+ * Connects a filter in the client to a large file in this process's own pipeline.
  *
- * The hand has a separate vtkHapticRegionSource, which the device updates.
+ * The hand uses a separate vtkHapticRegionSource, which the device updates.
  */
 class HapticLargeLink
 {
 public:
   /**
-   * Connects the filter with the samples of a large file, unless it is connected already. Returns
+   * Connects the filter to the samples of a large file, unless it is already connected. Returns
    * false if the output does not come from a large file.
    */
   bool Update(vtkAlgorithmOutput* output, vtkVolumeHapticsFilter* filter);
@@ -86,13 +87,13 @@ private:
   vtkMTimeType OpenTime = 0;
 };
 
-/** Limits a filter to the part of a volume to which a representation of ParaView crops it. */
+/** Restricts a filter to the part of a volume to which a ParaView representation crops it. */
 class HapticCropLink
 {
 public:
   /**
-   * Copies the representation's properties UseCropping, CroppingOrigin and CroppingScale, if it has
-   * them. Without a representation, or if it does not crop, the whole volume is felt.
+   * Copies the representation's properties UseCropping, CroppingOrigin and CroppingScale, if
+   * present. Without a representation or without cropping, the whole volume is felt.
    */
   void Update(vtkSMProxy* representation, vtkVolumeHapticsFilter* filter);
 
@@ -105,10 +106,10 @@ class HapticOpacityLink
 {
 public:
   /**
-   * Finds the opacity function with which a source is volume-rendered, in the active view, or if it
-   * is not shown there, in any view. Returns it in a volume property, which shares ParaView's
+   * Finds the opacity function with which a source is volume-rendered in the active view or, if it
+   * is not shown there, in any view. Returns it in a volume property that shares ParaView's
    * function. Returns null if the source is not volume-rendered, if the shown array or component is
-   * not the touched one, or if opacity does not depend only on that array's value.
+   * not the touched one, or if the opacity also depends on other data.
    */
   vtkVolumeProperty* Find(vtkSMProxy* volume, vtkVolumeHapticsFilter* filter);
 

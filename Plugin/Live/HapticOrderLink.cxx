@@ -27,7 +27,7 @@ HapticOrderLink::HapticOrderLink(vtkSMHapticDeviceProxy* proxy, vtkHapticDevice*
   this->DisarmObserver->SetClientData(this);
   this->DisarmObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
     { static_cast<HapticOrderLink*>(self)->ApplyDisarm(); });
-  // Observe after other observers, because these may disarm the device for a clutch.
+  // Observe after all others, because other observers may disarm the device for a clutch.
   device->AddObserver(vtkCommand::DisableEvent, this->DisarmObserver, -VTK_FLOAT_MAX);
 }
 
@@ -113,7 +113,7 @@ void HapticOrderLink::Apply()
   {
     this->Device->Arm();
   }
-  if (!this->Device->IsArmOrdered()) // the device has refused
+  if (!this->Device->IsArmOrdered()) // the device has refused the order
   {
     this->Reset("Armed");
   }
@@ -172,7 +172,7 @@ void HapticOrderLink::ApplyRunning(vtkVolumeHapticsFilter* filter)
   this->Report.SetNotice("");
   if (filter && !filter->GetInputDataObject(0, 0) && this->Report.HasProblem())
   {
-    // There is nothing to start with, because the server refuses its volume and has reported the
+    // The device can't start, because the server has refused its volume and has reported the
     // reason.
     this->Stop("");
     this->Report.SetNotice(this->Report.GetProblem());
@@ -223,12 +223,12 @@ void HapticOrderLink::Publish(vtkVolumeHapticsFilter* filter)
     }
     if (this->Device->IsArmOrdered())
     {
-      this->Device->FadeOut(); // because otherwise the hand would feel the previous data
+      this->Device->FadeOut(); // otherwise the hand would feel the previous data
     }
     return;
   }
   this->Device->SetVolumeHaptics(filter);
-  if (!this->Device->IsPublished()) // unless a view or Start() has published it
+  if (!this->Device->IsPublished()) // a view or Start() may already have published it
   {
     this->Device->Publish();
   }
@@ -240,7 +240,7 @@ void HapticOrderLink::Stop(const std::string& why)
   {
     this->EndForce();
     this->Recording.Continue(this->Device);
-    this->Device->Stop(); // this also writes a recording
+    this->Device->Stop(); // also writes a recording
     this->Report.SetNotice(why);
   }
   std::string error;

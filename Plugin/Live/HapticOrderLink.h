@@ -27,11 +27,10 @@ namespace VolumeHapticsLive
 class HapticReport;
 
 /**
- * The properties are the user's orders. If the device was armed by something else, it is disarmed
- * while Armed is 0. The device knows its present order, so an order to arm is never repeated here.
- * Armed becomes 0 when something else disarms the device, such as a key or a closed window, and
- * after a fault. All orders become 0 when the device is stopped. Then the user has to give the
- * order again.
+ * The properties are the user's orders. While Armed is 0, a device that was armed in another way is
+ * disarmed. The device stores its current order, so an order to arm is never repeated here. Armed
+ * becomes 0 when the device is disarmed in another way, such as by a key or a closed window, and
+ * after a fault. All orders become 0 when the device stops; the user then has to repeat them.
  */
 class HapticOrderLink
 {
@@ -39,26 +38,25 @@ public:
   /** The names of the properties. */
   static constexpr const char* Names[] = { "Armed", "Recording", "Running" };
 
-  /** `canReachServer` returns whether the server can be reached. If it can't, nothing is armed. */
+  /**
+   * @param canReachServer returns whether the server can be reached; otherwise, nothing is armed
+   */
   HapticOrderLink(vtkSMHapticDeviceProxy* proxy, vtkHapticDevice* device, HapticReport& report,
     std::function<bool()> canReachServer);
   ~HapticOrderLink() { this->Leave(); }
   HapticOrderLink(const HapticOrderLink&) = delete;
   HapticOrderLink& operator=(const HapticOrderLink&) = delete;
 
-  /**
-   * Ends the link because the proxy is being deleted, so that its properties no longer follow the
-   * device.
-   */
+  /** Ends the link when the proxy is deleted; its properties no longer follow the device. */
   void Leave();
 
   /** Open and start the device if Running is 1 and the device does not run. */
   void ApplyRunning(vtkVolumeHapticsFilter* filter);
   /** Pass the filter to the servo if it has changed. */
   void Publish(vtkVolumeHapticsFilter* filter);
-  /** Arm, disarm, record or stop as the properties say, and apply limits and tip. */
+  /** Arm, disarm, record or stop according to the properties, and apply limits and tip. */
   void Apply();
-  /** Execute only orders to disarm or stop, because the proxy is busy. */
+  /** Execute only orders to disarm or stop, while the proxy is busy. */
   void ApplyCuts();
   /** Disarms the device after a fault; stops it if the server is lost. */
   void HandleFault(bool isServerLost);
@@ -67,7 +65,7 @@ public:
 
   /**
    * Remove the force, stop the device, and reset the properties. `why` becomes the notice; "" for
-   * none.
+   * no notice.
    */
   void Stop(const std::string& why);
 
@@ -86,8 +84,8 @@ private:
   const std::function<bool()> CanReachServer;
   HapticRecordingLink Recording;
   vtkNew<vtkCallbackCommand> DisarmObserver;
-  double MaximumForce = 0.0; // N: limit that was applied last; 0: the device's own
-  // tip that was applied last
+  double MaximumForce = 0.0; // N: limit that was last applied; 0: the device's own limit
+  // last applied position of the tip
   std::array<double, 3> Tip = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
 };
 

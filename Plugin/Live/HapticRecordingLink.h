@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Records the touch, by the device's recording, or by a log if a server's region is touched.
+ * Records the touch: by the device's own recording, or by a log if a region from a server is
+ * touched.
  */
 #ifndef HapticRecordingLink_h
 #define HapticRecordingLink_h
@@ -20,8 +21,8 @@ class HapticRecordingLink
 {
 public:
   /**
-   * Begins a recording, or if the device does not touch the whole volume (isWhole), a log. IsOn()
-   * then returns whether this succeeded.
+   * Starts a recording or, if the device does not touch the whole volume (isWhole is false), a log.
+   * IsOn() then returns whether this succeeded.
    */
   void Start(const char* file, bool isWhole, vtkHapticDevice* device, std::string& error);
   void Stop(vtkHapticDevice* device, std::string& error);

@@ -24,10 +24,10 @@ namespace
 {
 
 constexpr std::array<int, 6> Empty = { 0, -1, 0, -1, 0, -1 };
-/** The shortest time (s) over which the tip's velocity is measured. */
+/** Shortest time (s) over which the tip's velocity is measured. */
 constexpr double VelocityTime = 0.01;
 /**
- * The longest delay that counts (s). A longer delay comes from a busy user interface, and does not
+ * Longest delay (s) that is used. Longer delays are caused by a busy user interface, and do not
  * predict the next delay.
  */
 constexpr double LongestInterval = 0.5;
@@ -102,7 +102,7 @@ HapticRegionLink::Answer HapticRegionLink::Fetch(
   return Answer::Region;
 }
 
-/** Fetches a corner to learn where the volume is, or the first region after that. */
+/** Fetches a corner to determine the position of the volume, or the first region after that. */
 HapticRegionLink::Answer HapticRegionLink::FetchFirst(const int region[6], double time,
   vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticTimeStepLink& timeSteps)
 {
@@ -123,7 +123,7 @@ HapticRegionLink::Answer HapticRegionLink::FetchFirst(const int region[6], doubl
     this->RecordLatency(start);
     image->GetExtent(this->Resident.data());
   }
-  // Do not pass the corner on while a previous region is felt, because it would interrupt the
+  // Don't pass the corner on while a previous region is felt, because this would interrupt the
   // touch.
   if (this->Resident != Empty || !this->HasImage)
   {
@@ -135,7 +135,10 @@ HapticRegionLink::Answer HapticRegionLink::FetchFirst(const int region[6], doubl
   return Answer::Region;
 }
 
-/** Fetches a region at `time`, and also at the previous time if the servo is moving from there. */
+/**
+ * Fetches a region at `time`. If the servo is moving from the previous time, also fetches the
+ * region at that time.
+ */
 HapticRegionLink::Answer HapticRegionLink::FetchTimeSteps(
   const int region[6], double time, vtkHapticDevice* device, HapticTimeStepLink& timeSteps)
 {
@@ -152,7 +155,7 @@ HapticRegionLink::Answer HapticRegionLink::FetchTimeSteps(
     const Answer answer = this->Fetch(region, before, last);
     if (answer == Answer::Refused)
     {
-      // The server no longer has the previous time, so begin again with its present one.
+      // The server no longer has the previous time, so begin again with its current time.
       this->IsRefused = false;
       this->Proxy->SetStale(true);
       return Answer::Nothing;
@@ -177,8 +180,8 @@ HapticRegionLink::Answer HapticRegionLink::FetchTimeSteps(
 }
 
 /**
- * Records how long a region took. Include the interval between polls, because the region may have
- * been wanted since the last poll.
+ * Records how long a region took, including the interval between polls, because the region may have
+ * been needed since the last poll.
  */
 void HapticRegionLink::RecordLatency(double start)
 {
@@ -212,7 +215,7 @@ HapticRegionLink::Answer HapticRegionLink::Poll(vtkSMSourceProxy* volume, unsign
   this->PollTime = now;
   if (volume)
   {
-    volume->UpdatePipeline(); // otherwise, the next change of the filter would not be reported
+    volume->UpdatePipeline(); // otherwise, the filter's next change would not be reported
   }
   const bool wasMoving =
     std::exchange(this->IsMoving, HapticTimeStepLink::IsMoving(volume, port, filter));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Fetches the region of a server's volume around a tip, for a filter in the client.
+ * Fetches the region around the tip of a volume on a server, for a filter in the client.
  */
 #ifndef HapticRegionLink_h
 #define HapticRegionLink_h
@@ -26,19 +26,19 @@ namespace VolumeHapticsLive
 class HapticTimeStepLink;
 
 /**
- * Fetches regions. It first requests where the volume is. The answer is a corner of the volume,
- * with which the servo can start, because a tip outside the corner feels nothing. From then on, it
- * requests the regions that the planner plans.
+ * Fetches regions. The first request returns a corner of the volume, and with it the position of
+ * the whole. The servo can start with the corner, because a tip outside it feels nothing. The
+ * planner determines all further requests.
  */
 class HapticRegionLink
 {
 public:
   enum class Answer
   {
-    Nothing, ///< nothing was fetched, because all needed samples are here
+    Nothing, ///< nothing was fetched, because all required samples are present
     Region,  ///< a region was fetched
     /**
-     * the server refused; GetProblem() returns the reason, and there is no new request until
+     * the server refused; GetProblem() returns the reason, and no new request is sent until
      * something changes
      */
     Refused,
@@ -46,25 +46,28 @@ public:
   };
 
   /**
-   * Fetch at most one region, if the planner wants it for the device's latest state. `time` is the
-   * time at which the volume was updated. If the volume has several times, the region of the next
-   * time is fetched as soon as the servo has reached the time of the region that was fetched last.
-   * While the servo moves between two times, regions of both are fetched.
+   * Fetch at most one region, if the planner requests it for the device's latest state. `time` is
+   * the time at which the volume was updated. If the volume has several times, the region of the
+   * next time is fetched as soon as the servo has reached the time of the last region. While the
+   * servo moves between two times, regions of both are fetched.
    */
   Answer Poll(vtkSMSourceProxy* volume, unsigned int port, double time,
     vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticTimeStepLink& timeSteps);
 
-  /** Returns the time (s) from wanting a region until it is here; 0 before the first. */
+  /**
+   * Returns the time (s) from the need for a region until its arrival; 0 before the first region.
+   */
   double GetLatency() const { return this->HasLatency ? this->Planner.GetLatency() : 0.0; }
   /** Returns the reason why the last region was refused. */
   const std::string& GetProblem() const { return this->Problem; }
 
   /**
-   * Sets the most voxels of a region. If the number is new, a refused region is requested again.
+   * Sets the largest number of voxels of a region. If the number is new, a refused region is
+   * requested again.
    */
   void SetMaximumVoxels(vtkIdType voxels)
   {
-    const vtkIdType before = this->Planner.GetMaximumVoxels(); // after the planner's own limit
+    const vtkIdType before = this->Planner.GetMaximumVoxels(); // limited by the planner
     this->Planner.SetMaximumVoxels(voxels);
     this->IsRefused = this->IsRefused && this->Planner.GetMaximumVoxels() == before;
   }
@@ -91,16 +94,16 @@ private:
   std::array<double, 3> Tip = {};
   std::array<double, 3> Velocity = {};
   double Time = 0.0;
-  double PollTime = 0.0; // time of the last call of Poll (s), by this computer's clock
-  double Interval = 0.0; // time between the last two calls of Poll (s)
+  double PollTime = 0.0; // time of the last Poll() (s), on this computer's clock
+  double Interval = 0.0; // time between the last two calls of Poll() (s)
   vtkMTimeType SettingsTime = 0;
   bool IsSurveyed = false;
   bool HasImage = false;
   bool HasLatency = false;
   bool IsRefused = false;
   bool IsMoving = false;     // whether the volume has times
-  bool HasTimeSteps = false; // whether time steps have begun since the last survey
-  double ViewTime = 0.0;     // time of the view for which the server has the volume
+  bool HasTimeSteps = false; // whether time steps have begun since the position was last requested
+  double ViewTime = 0.0; // time of the view for which the server's volume was updated
 };
 
 } // namespace VolumeHapticsLive

@@ -15,8 +15,8 @@ namespace
 {
 
 /**
- * The library's words for a programmer, and those of ParaView's dock and panels. The first ones in
- * the list win.
+ * Replaces the library's texts for programmers by the texts of ParaView's dock and panels. The
+ * first match in the list is used.
  */
 constexpr const char* Words[][2] = {
   { "Closed. Open() a device.", "Closed: attach a device, or set Running." },

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reports the state of a device, and its problems, in the properties of its proxy.
+ * Reports the state and the problems of a device in the properties of its proxy.
  */
 #ifndef HapticReport_h
 #define HapticReport_h
@@ -21,16 +21,16 @@ namespace VolumeHapticsLive
 class HapticReport
 {
 public:
-  /** Collects the errors of this object as problems, so that they are not shown. */
+  /** Collects the errors of this object as problems instead of showing them. */
   void Catch(vtkObject* object) { this->Errors.Catch(object); }
   /**
-   * Makes the errors since the last call the present problem. Returns their text if it is new,
+   * Makes the errors since the last call the current problem. Returns their text if it is new,
    * otherwise "".
    */
   std::string DrainNewError();
 
   ///@{
-  /** Set and get the present problem; empty if there is none. */
+  /** Set and get the current problem; empty if there is none. */
   void SetProblem(const std::string& problem) { this->Problem = problem; }
   bool HasProblem() const { return !this->Problem.empty(); }
   const std::string& GetProblem() const { return this->Problem; }
@@ -57,7 +57,7 @@ private:
   HapticErrorCatcher Errors;
   std::string Problem;
   std::string Notice;
-  std::string Reported; // the error that was reported last
+  std::string Reported; // last reported error
 };
 
 } // namespace VolumeHapticsLive

@@ -16,10 +16,7 @@ namespace VolumeHapticsLive
 
 namespace
 {
-/**
- * The log's number as a reader of the device's states. Readers are numbered, because a view may
- * read the states, too.
- */
+/** The log's number as a reader of the device's states; a view may be another reader. */
 constexpr int Reader = 1;
 } // namespace
 
@@ -95,7 +92,7 @@ bool HapticStateLog::Stop(vtkHapticDevice* device, std::string& error)
     return true;
   }
   device->GetState()->Drain(nullptr, Reader);
-  this->File.close(); // this also detects whether the end of the file could be written
+  this->File.close(); // closing also detects whether the end of the file could be written
   if (!this->File)
   {
     error = "The file \"" + this->Name +

@@ -24,30 +24,27 @@ namespace
 {
 
 ///@{
-/**
- * The shortest and the longest duration (s) of a step of the animation, and the duration of a step
- * without a previous one.
- */
+/** Shortest and longest duration (s) of a step of the animation, and duration of the first step. */
 constexpr double ShortestStep = 0.02;
 constexpr double LongestStep = 0.3;
 constexpr double SingleStep = 0.1;
 ///@}
 /**
- * The servo makes a step in this fraction of the previous step's duration, so that it ends before
- * the next step.
+ * Fraction of the previous step's duration in which the servo moves, so that it arrives before the
+ * next step.
  */
 constexpr double StepFraction = 0.9;
 /**
- * The time (s, of the servo's states) for which the data time may stand still. After that,
- * IsThere() no longer waits for the servo to reach the next image.
+ * Time (s, of the servo's states) for which the data time may stop. After it, IsThere() no longer
+ * waits for the servo to reach the next image.
  */
 constexpr double Patience = 0.5;
-/** The time (s) in which the servo reaches the first image. */
+/** Time (s) in which the servo reaches the first image. */
 constexpr double BeginTime = 0.005;
 
 /**
- * Returns an image with zero displacements. It is the start of the way to the image itself, on
- * which no motion is known.
+ * Returns a copy of an image with zero displacements, from which the servo moves to the image
+ * itself without a known motion.
  */
 vtkSmartPointer<vtkImageData> WithoutMotion(vtkImageData* image, const std::string& displacements)
 {
@@ -82,7 +79,7 @@ bool HapticTimeStepLink::IsMoving(
     return false;
   }
   vtkPVDataInformation* const data = output->GetDataInformation();
-  // Data of other kinds are resampled, each time step separately, so they do not move.
+  // Other kinds of data are resampled separately for each time step, so they do not move.
   if (data->IsCompositeDataSet() || !data->DataSetTypeIsA("vtkImageData"))
   {
     return false;
@@ -94,7 +91,7 @@ bool HapticTimeStepLink::IsMoving(
 void HapticTimeStepLink::Begin(
   vtkImageData* image, double time, vtkVolumeHapticsFilter* filter, vtkHapticDevice* device)
 {
-  // Begin with a step that ends at this image, so that the servo gets there from any position of
+  // Begin with a step that ends at this image, so that the servo reaches it from any position of
   // its clock.
   this->From = WithoutMotion(image, filter->GetDisplacementArrayName());
   this->To = image;
@@ -137,7 +134,7 @@ void HapticTimeStepLink::Send()
   this->Source->RemoveAllTimeSteps();
   this->Source->AddTimeStep(this->From, this->FromTime);
   this->Source->AddTimeStep(this->To, this->ToTime);
-  this->Source->Update(); // update now, because other links compare the source's image
+  this->Source->Update(); // at once, because other links compare the source's image
 }
 
 void HapticTimeStepLink::SetDuration(double seconds, vtkHapticDevice* device)
@@ -157,8 +154,8 @@ void HapticTimeStepLink::Clear()
 
 bool HapticTimeStepLink::IsThere(vtkHapticDevice* device)
 {
-  // Use the time of the servo's states, because the computer's clock says nothing after a busy user
-  // interface.
+  // Use the time of the servo's states, because the computer's clock is meaningless after the user
+  // interface was busy.
   if (device->GetPlayback()->GetDataTime() != this->SeenTime || this->SeenAt == 0.0)
   {
     this->SeenTime = device->GetPlayback()->GetDataTime();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Turns the times of ParaView's animation into time steps of a moving volume, for a filter in the
+ * Converts the times of ParaView's animation to time steps of a moving volume, for a filter in the
  * client.
  */
 #ifndef HapticTimeStepLink_h
@@ -21,32 +21,32 @@ namespace VolumeHapticsLive
 {
 
 /**
- * Moves the servo between the times of ParaView's animation. ParaView has the data of one time
- * only, the animation's time, which a view shows. When that time changes, the servo moves from the
- * last image to the new one, in the duration of the animation's last step. So the hand feels the
- * previous step of the view, but the volume does not jump, whether the VCR buttons go forward or
- * backward. No data are read twice. If the animation is faster than the servo, images are left out.
- * If it stands still, so does the volume.
+ * Moves the servo between the times of ParaView's animation. ParaView has the data of only one
+ * time, which is the animation's time and is shown in a view. When that time changes, the servo
+ * moves from the last image to the new one within the duration of the animation's last step. The
+ * hand thus lags one step behind the view, but the volume does not jump, whether the VCR buttons go
+ * forward or backward. No data are read twice. If the animation is faster than the servo, images
+ * are skipped. If it stops, the volume stops, too.
  */
 class HapticTimeStepLink
 {
 public:
   /**
-   * Returns whether the data of a port have times, and the filter feels the motion between them.
+   * Returns whether the data of a port have times, and the filter renders the motion between them.
    */
   static bool IsMoving(vtkSMSourceProxy* volume, unsigned int port, vtkVolumeHapticsFilter* filter);
 
   /** Begins a new volume with an image at a time. */
   void Begin(
     vtkImageData* image, double time, vtkVolumeHapticsFilter* filter, vtkHapticDevice* device);
-  /** Moves the servo from one image to another image, which has another time. */
+  /** Moves the servo from one image to another image with another time. */
   void Go(vtkImageData* from, vtkImageData* to, double time, vtkHapticDevice* device);
-  /** Replaces the two images between which the servo moves by other regions. */
+  /** Replaces both images between which the servo moves by other regions. */
   void Replace(vtkImageData* from, vtkImageData* to);
-  /** Forgets the volume, so that the next image begins a new one. */
+  /** Discards the volume, so that the next image begins a new one. */
   void Clear();
 
-  /** Returns whether Begin() was called for this filter, and Clear() was not called since. */
+  /** Returns whether Begin() was called for this filter, without a later Clear(). */
   bool HasBegun(vtkVolumeHapticsFilter* filter) const
   {
     return this->Source && this->Filter == filter;
@@ -54,9 +54,8 @@ public:
   /** Returns whether the last image is the first one of the volume. */
   bool IsFirst() const { return this->IsBeginning; }
   /**
-   * Returns whether the next image may be sent: because the servo has reached the last image,
-   * because the device does not run, or because the data time has stood still for longer than
-   * Patience.
+   * Returns whether the next image may be sent: because the servo has reached the last image, the
+   * device does not run, or the data time has not changed for longer than Patience.
    */
   bool IsThere(vtkHapticDevice* device);
   /** Return the last image, its time, or the previous image's time. */
@@ -74,9 +73,9 @@ private:
   vtkSmartPointer<vtkImageData> To;
   double FromTime = 0.0; // time of the data
   double ToTime = 0.0;
-  double SentAt = 0.0;   // time when the last step was sent (s), by this computer's clock
+  double SentAt = 0.0; // time at which the last step was sent (s), on this computer's clock
   double SeenTime = 0.0; // data time in the servo's latest states
-  // servo time since which SeenTime has not changed (s); 0 if not known since the last step
+  // servo time (s) since which SeenTime has not changed; 0 if unknown since the last step
   double SeenAt = 0.0;
   bool IsBeginning = false;
 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Keeps changes of proxies off ParaView's undo stack.
+ * Excludes changes of proxies from ParaView's undo stack.
  */
 #ifndef HapticUndoExclusion_h
 #define HapticUndoExclusion_h
@@ -15,9 +15,9 @@ namespace VolumeHapticsLive
 {
 
 /**
- * While this object exists, changes can't be undone. It is for changes that follow from the device
- * or from the user's changes. If they had their own entries on the undo stack, these would be
- * undone instead of the user's change, and would delete the entries for redo.
+ * While this object exists, changes can't be undone. Use it for changes that result from the device
+ * or from the user's changes. With entries of their own on the undo stack, they would be undone
+ * instead of the user's change, and would delete the entries for redo.
  */
 class HapticUndoExclusion
 {

@@ -4,8 +4,8 @@
  * @class   vtkPVHapticStateSource
  * @brief   the state of a device in ParaView's client, as geometry on the data server
  *
- * The output is the same as that of vtkHapticState::GetGeometry. The state comes from the client,
- * through vtkSMHapticDeviceProxy. If there are several processes, the first one has the output.
+ * The output equals that of vtkHapticState::GetGeometry. The state comes from the client, through
+ * vtkSMHapticDeviceProxy. Of several processes, only the first one has an output.
  */
 #ifndef vtkPVHapticStateSource_h
 #define vtkPVHapticStateSource_h
@@ -20,9 +20,7 @@ public:
   vtkTypeMacro(vtkPVHapticStateSource, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /**
-   * Set the touched filter. This does nothing but show in ParaView that the two belong together.
-   */
+  /** Set the touched filter. This has no effect except that ParaView shows the connection. */
   void SetTouch(vtkObject*) {}
 
   ///@{
@@ -33,8 +31,8 @@ public:
 
   ///@{
   /**
-   * Whether the output shows the force that went to the device, or (default) what was computed,
-   * armed or not.
+   * Whether the output shows the force that was sent to the device, or (default) the computed
+   * force, armed or not.
    */
   vtkSetMacro(ShowCommandedForce, bool);
   vtkGetMacro(ShowCommandedForce, bool);

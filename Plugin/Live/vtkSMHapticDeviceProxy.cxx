@@ -37,11 +37,11 @@ namespace
 {
 
 /**
- * Reports that a proxy has to release the hand: an object that it needs is removed from the
- * pipeline, the session is closed, or the server is lost.
+ * Reports events after which a proxy must release the hand: an object that it needs is removed from
+ * the pipeline, the session is closed, or the server is lost.
  *
- * A proxy that is no longer registered counts as deleted. Its destructor may be called too late,
- * because a variable in a script can keep it alive.
+ * A proxy that is no longer registered counts as deleted, because its destructor may be called
+ * late: a variable in a script can keep it alive.
  */
 class HapticSessionWatch
 {
@@ -58,7 +58,7 @@ public:
   HapticSessionWatch(const HapticSessionWatch&) = delete;
   void operator=(const HapticSessionWatch&) = delete;
 
-  /** Watch this session, and no other. */
+  /** Watch this session, and stop watching any other. */
   void Watch(vtkSMSession* session);
 
 private:
@@ -253,10 +253,10 @@ void vtkSMHapticDeviceProxy::LoseServer()
 void vtkSMHapticDeviceProxy::UpdateVTKObjects()
 {
   auto& d = *this->Internals;
-  // Execute orders before anything else, because a hand may be waiting for them.
+  // Execute orders first, because a hand may be waiting for them.
   if (this->ObjectsCreated && d.IsBusy)
   {
-    // Execute the other orders after Poll has ended.
+    // The other orders are executed when Poll has ended.
     d.Orders.ApplyCuts();
   }
   else if (this->ObjectsCreated)
@@ -278,8 +278,8 @@ bool vtkSMHapticDeviceProxy::Poll()
     return false;
   }
   d.IsBusy = true;
-  // These changes can't be undone: the filter's twin, the hand's state and the orders follow other
-  // changes.
+  // These changes can't be undone, because the filter's twin, the hand's state and the orders only
+  // follow other changes.
   const VolumeHapticsLive::HapticUndoExclusion exclusion;
   if (this->CanReachServer())
   {
@@ -298,7 +298,7 @@ bool vtkSMHapticDeviceProxy::Poll()
     }
     if (isOrdered && !d.Device->IsRunning() && d.Report.HasProblem())
     {
-      d.Report.SetNotice(d.Report.GetProblem()); // so that it is shown until the next start
+      d.Report.SetNotice(d.Report.GetProblem()); // shows the problem until the next start
     }
   }
   const bool isNew = d.Device->UpdateState();
@@ -337,7 +337,7 @@ void vtkSMHapticDeviceProxy::UpdatePipeline(double time)
 //------------------------------------------------------------------------------
 void vtkSMHapticDeviceProxy::UpdatePropertyInformationInternal(vtkSMProperty*)
 {
-  // Do not ask the server, because these values belong to the client.
+  // Don't query the server, because these values belong to the client.
   auto& d = *this->Internals;
   if (this->ObjectsCreated && !d.IsBusy)
   {
@@ -368,7 +368,7 @@ vtkPVXMLElement* vtkSMHapticDeviceProxy::SaveXMLState(
 //------------------------------------------------------------------------------
 int vtkSMHapticDeviceProxy::LoadXMLState(vtkPVXMLElement* element, vtkSMProxyLocator* locator)
 {
-  // Restore the orders afterwards, because loading a state must not give any.
+  // Restore the orders afterwards, because loading a state must not issue orders.
   auto& d = *this->Internals;
   const bool wasBusy = std::exchange(d.IsBusy, true);
   int orders[std::size(HapticOrderLink::Names)];

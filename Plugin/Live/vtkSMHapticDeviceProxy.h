@@ -7,23 +7,22 @@
  * The servo runs in the client, even if the data are on a server. The proxy owns a vtkHapticDevice
  * and, through the property Touch, a vtkVolumeHapticsFilter with the settings of that filter proxy.
  * The data server has only a small source that shows the client's state, vtkPVHapticStateSource.
- * Data of the same process are touched without a copy. If the data are on a server, a region around
- * the tip is fetched and passed to the servo, without a step of the force.
- * Its half-width h follows from the time t for the round trip and for loading, the largest speed
- * v_max of a hand, the spring's length T_N/k, the reach r of a tick, and the width b of the band in
- * which force fades:
+ * Data of the same process are touched without a copy. From a server, a region around the tip is
+ * fetched and passed to the servo, without a jump of the force. Its half-width h follows from the
+ * time t for the round trip and for loading, the largest speed v_max of a hand, the spring's length
+ * T_N/k, the reach r of a tick, and the width b of the band in which the force fades:
  *
  *   h = v_max t + T_N/k + r + b
  *
- * If the hand is faster than the data, force fades, and comes back when the data arrive. This class
- * has no timer: the timer of a user interface calls Poll, or a script calls UpdatePipeline, which
- * calls Poll.
+ * If the hand moves faster than the data arrive, the force fades, and returns when they have
+ * arrived. This class has no timer: the timer of a user interface calls Poll, or a script calls
+ * UpdatePipeline, which calls Poll.
  *
- * Safety: force flows only while Running and Armed are 1, and only through the safety stage of
+ * Safety: force is exerted only while Running and Armed are 1, and only through the safety stage of
  * vtkHapticDevice. Running, Armed and Recording are neither saved in a state nor traced. They
  * become 0, with zero force, if this proxy, the touched filter or its view is deleted, if the
- * session is closed, and after a fault. If the server is lost, force fades within 50 ms. Force also
- * fades if Poll is not called for AttentionTime (2 s), because a user interface that stands still,
+ * session is closed, and after a fault. If the server is lost, the force fades within 50 ms. The
+ * force also fades if Poll is not called for AttentionTime (2 s), because a frozen user interface,
  * for example while a server does not answer, can't be used to stop the hand. Setting Running or
  * Armed to 0 takes effect at once, without a Poll.
  */
@@ -54,13 +53,13 @@ public:
 
   /**
    * Apply changes of properties, pipeline and opacity, pass them to the servo, and get its latest
-   * state. Returns true if the state is new. Does nothing if it is called during another call.
+   * state. Returns true if the state is new. Does nothing during another call of Poll.
    */
   bool Poll();
 
   /**
    * The volume property whose visible voxels are felt, instead of the voxels that ParaView shows
-   * (FollowOpacity). nullptr (default): FollowOpacity decides.
+   * (FollowOpacity). With nullptr (default), FollowOpacity decides.
    */
   void SetVisibility(vtkVolumeProperty* property);
 
@@ -75,7 +74,7 @@ public:
   ///@}
 
   ///@{
-  /** Save or load the state, except Running, Armed and Recording, which stay unchanged. */
+  /** Save or load the state except Running, Armed and Recording, which stay unchanged. */
   using Superclass::SaveXMLState;
   vtkPVXMLElement* SaveXMLState(vtkPVXMLElement* root, vtkSMPropertyIterator* properties) override;
   int LoadXMLState(vtkPVXMLElement* element, vtkSMProxyLocator* locator) override;

@@ -38,7 +38,7 @@ namespace
 constexpr double LongestMotion = 0.03;
 // s: longest frame at rest while armed, because the force fades if the device is not polled
 constexpr double LongestRest = 0.5;
-// Hz: least desired rate; below it, vtkSmartVolumeMapper casts all rays
+// Hz: smallest desired rate; below it, vtkSmartVolumeMapper casts all rays
 constexpr double LeastRate = 1.0;
 // Hz: highest desired rate; above it, larger distances between rays save little time
 constexpr double HighestRate = 60.0;
@@ -51,7 +51,9 @@ int NumberOf(vtkSMProxy* proxy, const char* name)
   return proxy->GetProperty(name) ? vtkSMPropertyHelper(proxy, name, true).GetAsInt() : 0;
 }
 
-/** Returns the part of a representation that now draws it as a volume; null if there is none. */
+/**
+ * Returns the part of a representation that currently draws it as a volume; null if there is none.
+ */
 vtkSMProxy* FindVolume(vtkSMProxy* representation)
 {
   if (!representation || !representation->GetProperty(Mode) ||
@@ -60,14 +62,14 @@ vtkSMProxy* FindVolume(vtkSMProxy* representation)
     return nullptr;
   }
   const char* const type = vtkSMPropertyHelper(representation, "Representation").GetAsString();
-  // A representation exposes the properties of its parts, so the property's parent is the part.
+  // A representation exposes the properties of its parts, so this property's parent is the part.
   return type && std::strcmp(type, "Volume") == 0 ? representation->GetProperty(Mode)->GetParent()
                                                   : nullptr;
 }
 
 /**
- * Returns whether vtkFixedPointVolumeRayCastMapper can draw a volume in the same way as ParaView's
- * choice.
+ * Returns whether vtkFixedPointVolumeRayCastMapper can draw a volume like ParaView's own choice of
+ * mapper.
  */
 bool CanBeCast(vtkSMProxy* representation)
 {
@@ -90,7 +92,9 @@ bool CanBeCast(vtkSMProxy* representation)
     NumberOf(representation, "UseTransfer2D") == 0;
 }
 
-/** Sets the mode in the objects of the client and of the servers, without changing the property. */
+/**
+ * Sends the mode to the objects in the client and on the servers, without changing the property.
+ */
 void SendMode(vtkSMProxy* volume, int mode)
 {
   vtkClientServerStream stream;
@@ -171,7 +175,7 @@ void HapticVolumeFrames::SetView(vtkSMRenderViewProxy* view)
   this->WindowOnProcessor.reset();
   if (this->Window)
   {
-    // Observe after FrameQuality, because it recognizes motion by the rate that ParaView has set.
+    // Observe after FrameQuality, because it recognises motion by the rate that ParaView has set.
     constexpr float priority = -1.0F;
     for (const auto event :
       { vtkCommand::StartEvent, vtkCommand::EndEvent, vtkCommand::AbortCheckEvent })
@@ -337,7 +341,7 @@ void HapticVolumeFrames::Interrupt()
   if (!std::equal(pointer, pointer + 2, this->Pointer))
   {
     this->Window->SetAbortRender(1);
-    // Do not swap buffers, because a window that draws for Qt would show its unfinished frame.
+    // Don't swap buffers, because a window that draws for Qt would show its unfinished frame.
     this->KeepsPicture = this->KeepsPicture || this->Window->GetSwapBuffers() != 0;
     this->Window->SwapBuffersOff();
   }

@@ -26,19 +26,19 @@ namespace VolumeHaptics
 
 /**
  * ParaView draws images as volumes with vtkMultiBlockVolumeMapper, which hides its ray casters.
- * With OpenGL on the processor, its frames in motion are speckled and slow. So this class does for
+ * With software OpenGL, its frames in motion are speckled and slow. Therefore this class does for
  * ParaView what FrameQuality does for VTK's own mappers:
  *
- * - While a scene is touched, and OpenGL runs on the processor of the client or server that draws,
- *   volumes whose mode is Smart are drawn by VTK's ray caster for processors. It can draw images
- *   with one component at points. The property VolumeRenderingMode stays unchanged.
+ * - While a scene is touched, and the client or server that draws has software OpenGL, volumes
+ *   whose mode is Smart are drawn by VTK's ray caster for the CPU. It can draw images with one
+ *   component at points. The property VolumeRenderingMode stays unchanged.
  * - Frames in motion that the client draws with that ray caster take 30 ms: the ray caster casts as
  *   many rays as the rest of the frame leaves time for. With the time that Qt needs to draw its
- *   window, that makes 20 frames a second. ParaView itself wants 5.
- * - These frames are drawn without FXAA, which would take more time there than everything else.
+ *   window, that makes 20 frames a second. ParaView itself aims at 5.
+ * - These frames are drawn without FXAA, which would take more time than everything else.
  * - Frames at rest take at most half a second while a device is armed. While the scene is touched,
- *   they are given up within 0.2 s after a motion of the pointer, if its position is known; VTK
- *   does not ask more often.
+ *   they are aborted within 0.2 s after a motion of the pointer, if its position is known; VTK does
+ *   not check more often.
  */
 class HapticVolumeFrames
 {
@@ -60,21 +60,21 @@ public:
    * stands for no view.
    */
   void SetView(vtkSMRenderViewProxy* view);
-  /** Leaves the volumes as they are, because nothing may be sent to a lost server. */
+  /** Leaves the volumes unchanged, because nothing may be sent to a lost server. */
   void Forget() { this->Volumes.clear(); }
   /** Draws the view by InteractiveRender or StillRender. */
   void Draw(bool quickly, Touch touch);
 
   /**
-   * Sets a function that returns the pointer's position on the screen, even if the events of its
-   * motion still wait in a queue that is not VTK's. nullptr means that the position is not known.
+   * Sets a function that returns the pointer's position on the screen, even if its motion events
+   * are still in a queue outside VTK. nullptr means that the position is unknown.
    */
   using PointerQuery = void (*)(int position[2]);
   static void SetPointerQuery(PointerQuery query);
 
 private:
   /**
-   * A volume that this draws with the ray caster on the processor, instead of ParaView's choice.
+   * A volume that this class draws with VTK's ray caster for the CPU instead of ParaView's choice.
    */
   struct Volume
   {
@@ -82,7 +82,7 @@ private:
     vtkWeakPointer<vtkSMProxy> Drawn; ///< the part of the representation that draws the volume
     unsigned long long SetTime;       ///< modification time of the property VolumeRenderingMode
   };
-  /** The frame rate (Hz) that is set for the ray caster so that a frame takes its allowed time. */
+  /** The frame rate (Hz) that makes a frame of the ray caster take its allowed time. */
   struct Rate
   {
     double Hz;
@@ -91,15 +91,15 @@ private:
 
   void ChooseRayCasters(Touch touch);
   /**
-   * Returns whether OpenGL runs on the processor in the process that has the data, and so draws the
-   * volumes.
+   * Returns whether the process that has the data, and thus draws the volumes, uses software
+   * OpenGL.
    */
   bool IsOnProcessor();
   bool IsWindowOnProcessor();
   /** Returns whether this object sets the desired rate of the frame. */
   bool SetsRate() const { return this->CastsOnProcessor && (this->IsQuick || this->IsArmed); }
   void Begin();
-  /** Restore FXAA, and the swap of buffers. */
+  /** Restores FXAA, and the swap of buffers. */
   void GiveBack();
   void End();
   void Interrupt();
@@ -108,28 +108,28 @@ private:
   vtkWeakPointer<vtkRenderWindow> Window;
   vtkNew<vtkCallbackCommand> Observer;
   std::vector<Volume> Volumes;
-  /** renderers whose FXAA is off during the frame */
+  /** Renderers whose FXAA is off during the frame. */
   std::vector<vtkWeakPointer<vtkRenderer>> Smoothed;
   ///@{
   /**
-   * Whether OpenGL runs on the processor: where the data are, and in the client's window. Empty if
-   * not known yet.
+   * Whether OpenGL runs on the CPU: where the data are, and in the client's window. Empty if not
+   * known yet.
    */
   std::optional<bool> OnProcessor;
   std::optional<bool> WindowOnProcessor;
   ///@}
-  /** whether a volume is drawn by the ray caster that runs on the processor */
+  /** Whether a volume is drawn by the ray caster for the CPU. */
   bool CastsOnProcessor = false;
   bool IsDrawing = false;
   bool IsQuick = false;
   bool IsTouched = false;
   bool IsArmed = false;
-  /** whether the frame is not shown, so that the window keeps the last frame */
+  /** Whether the frame is not shown, so that the window keeps the last frame. */
   bool KeepsPicture = false;
   Rate InMotion{ 20.0 };
   Rate AtRest{ 2.0 };
   std::chrono::steady_clock::time_point Start;
-  int Pointer[2] = { 0, 0 }; ///< position of the pointer when the frame began
+  int Pointer[2] = { 0, 0 }; ///< position of the pointer at the start of the frame
 };
 
 } // namespace VolumeHaptics

@@ -34,12 +34,12 @@ namespace
 /**
  * The props of a touch in a view: the hand with its forces, and the head-up display.
  *
- * Adds props to a renderer, and removes them when this object is destroyed.
+ * The constructor adds the props to a renderer, and the destructor removes them.
  */
 class HapticViewProps
 {
 public:
-  /** If the filter has an image, the size of the hand is fitted to it. */
+  /** If the filter has an image, the size of the hand is adapted to it. */
   HapticViewProps(vtkRenderer* renderer, vtkHapticDevice* device, vtkVolumeHapticsFilter* filter);
   ~HapticViewProps();
   HapticViewProps(const HapticViewProps&) = delete;
@@ -60,8 +60,8 @@ private:
 constexpr double RadiusPart = 0.006;
 constexpr double NewtonPart = 0.05;
 
-/// Returns what the reader of the touched volume tells of its file; empty if the volume is from
-/// another source.
+/// Returns the notes of the reader of the touched volume's file; empty if the volume has another
+/// source.
 std::string FindNotes(vtkSMProxy* device)
 {
   vtkSMProxy* const filter = vtkSMPropertyHelper(device, "Touch", true).GetAsProxy();
@@ -141,7 +141,7 @@ constexpr const char* DeviceDeleted =
 
 struct vtkHapticViewLink::vtkInternals
 {
-  // These are weak pointers to objects that ParaView or the user may delete. Only the objects that
+  // Weak pointers, because ParaView or the user may delete these objects. Only the objects that
   // restore the view are kept alive.
   vtkWeakPointer<vtkSMRenderViewProxy> View;
   vtkWeakPointer<vtkSMHapticDeviceProxy> DeviceProxy;
@@ -151,12 +151,12 @@ struct vtkHapticViewLink::vtkInternals
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   vtkSmartPointer<vtkInteractorObserver> StyleBefore;
   vtkSmartPointer<vtkHapticViewStyle> Style;
-  // keeps the style alive while it causes the end of the link
+  // keeps the style alive while it ends the link
   vtkSmartPointer<vtkHapticViewStyle> LastStyle;
   std::unique_ptr<VolumeHaptics::HapticViewProps> Props;
   std::vector<std::pair<vtkWeakPointer<vtkObject>, unsigned long>> Observers;
   std::string Reason;
-  std::string Notes; // the reader's notes that were shown last
+  std::string Notes; // last shown notes of the reader
 };
 
 //------------------------------------------------------------------------------
@@ -210,7 +210,7 @@ bool vtkHapticViewLink::Attach(vtkSMRenderViewProxy* view, vtkSMHapticDeviceProx
   d.StyleBefore = interactor->GetInteractorStyle();
   d.Reason.clear();
 
-  // Only the client draws this renderer, with local and with remote rendering.
+  // The client alone draws this renderer, with both local and remote rendering.
   d.Props = std::make_unique<VolumeHaptics::HapticViewProps>(
     pvview->GetNonCompositedRenderer(), d.Device, device->GetFilter());
   d.Style = vtkSmartPointer<vtkHapticViewStyle>::New();
@@ -257,7 +257,7 @@ bool vtkHapticViewLink::SetSecondDevice(vtkSMHapticDeviceProxy* device)
   const vtkSmartPointer<vtkSMHapticDeviceProxy> before = d.SecondProxy.GetPointer();
   if (d.SecondDevice)
   {
-    d.SecondDevice->Disarm(); // first, because the hand is not shown after this
+    d.SecondDevice->Disarm(); // first, because the hand is no longer shown afterwards
   }
   d.SecondProxy = device;
   d.SecondDevice = device ? device->GetDevice() : nullptr;
@@ -309,12 +309,12 @@ void vtkHapticViewLink::OnEvent(vtkObject* caller, unsigned long event, void* da
   switch (event)
   {
     case vtkCommand::ModifiedEvent:
-      this->Modified(); // because a key may have changed the touch mode
+      this->Modified(); // a key may have changed the touch mode
       break;
     case vtkCommand::UpdateDataEvent:
       if (d.DeviceProxy)
       {
-        this->ShowNotes(); // because another file may have been read
+        this->ShowNotes(); // another file may have been read
       }
       break;
     case vtkCommand::DisableEvent:
@@ -349,7 +349,7 @@ void vtkHapticViewLink::OnEvent(vtkObject* caller, unsigned long event, void* da
       d.DeviceProxy = nullptr;
       d.SecondProxy = nullptr;
       d.Style->ForgetVolumes();
-      this->End(ViewClosed); // the view was closed with the connection
+      this->End(ViewClosed); // the view was closed together with the connection
   }
 }
 
@@ -361,7 +361,7 @@ void vtkHapticViewLink::Detach()
   {
     return;
   }
-  // Disarm first, because the hands are not shown after this.
+  // Disarm first, because the hands are no longer shown afterwards.
   d.Device->Disarm();
   this->SetSecondDevice(nullptr);
   for (auto& [object, tag] : d.Observers)
@@ -439,8 +439,8 @@ void vtkHapticViewLink::SetTouchMode(bool on)
   {
     return;
   }
-  // If a user has pressed a button, the pointer is not in the view, so begin the touch in the
-  // view's middle.
+  // If the user has pressed a button, the pointer is outside the view, so begin the touch at the
+  // view's centre.
   const int* const size = d.Interactor->GetSize();
   d.Interactor->SetEventInformation(size[0] / 2, size[1] / 2);
   d.Style->SetTouchMode(on);

@@ -6,12 +6,12 @@
  *
  * Attach() sets a vtkHapticViewStyle in the view's interactor, and shows the hand and the forces in
  * the view's non-composited renderer. The client always draws that renderer itself, so they are
- * visible with local and with remote rendering. Detach() disarms the device, removes the hand and
+ * visible with both local and remote rendering. Detach() disarms the device, removes the hand and
  * the forces, and restores the previous style.
  *
  * The link disarms the device and ends by itself if the view or the device is closed or
  * unregistered, if the connection closes, or if ParaView sets another style in the view, for
- * example for a 2D view or a selection; that style then stays. Then GetReason() returns the reason,
+ * example for a 2D view or a selection; that style remains. GetReason() then returns the reason,
  * and vtkCommand::EndEvent is invoked.
  *
  * The device stays open and started.
@@ -39,7 +39,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Attaches a device to a view. Detaches from another view first. Returns false and reports an
+   * Attaches a device to a view. First detaches from any other view. Returns false and reports an
    * error with the cure if the view has no interactor (as in pvbatch), or if it already has a
    * device.
    */
@@ -55,9 +55,9 @@ public:
 
   ///@{
   /**
-   * A device for the other hand, which gets a hand of its own in the view; nullptr for none. It is
-   * taken out by Detach(), and if it is deleted. Returns false and reports an error with the cure
-   * if nothing is attached, or if it is the first hand's device. A change invokes
+   * A device for the other hand, which is shown as a second hand in the view; nullptr for none. It
+   * is removed by Detach(), and when it is deleted. Returns false and reports an error with the
+   * cure if nothing is attached, or if it is the first hand's device. A change invokes
    * vtkCommand::ModifiedEvent.
    */
   bool SetSecondDevice(vtkSMHapticDeviceProxy* device);
@@ -73,8 +73,8 @@ public:
 
   ///@{
   /**
-   * Whether the mouse leads the tip: see vtkInteractorStyleHaptic::SetTouchMode. The touch begins
-   * in front of the first surface in the middle of the view. Default off. A change, for example by
+   * Whether the mouse moves the tip: see vtkInteractorStyleHaptic::SetTouchMode. The touch begins
+   * in front of the first surface at the centre of the view. Default off. A change, for example by
    * a key, invokes vtkCommand::ModifiedEvent.
    */
   void SetTouchMode(bool on);
@@ -82,8 +82,8 @@ public:
   ///@}
 
   /**
-   * Returns the keys of the view. Each line has an action, a tabulator, and the action's keys in
-   * the format of vtkInteractorStyleHaptic::GetKey(). Empty unless attached.
+   * Returns the keys of the view. Each line contains an action, a tab, and the action's keys in the
+   * format of vtkInteractorStyleHaptic::GetKey(). Empty unless attached.
    */
   std::string GetKeys() const;
 
@@ -104,7 +104,7 @@ private:
   vtkHapticViewLink(const vtkHapticViewLink&) = delete;
   void operator=(const vtkHapticViewLink&) = delete;
 
-  /** Shows what the reader of the touched volume tells of its file, if that has changed. */
+  /** Shows the notes of the reader of the touched volume's file, if they have changed. */
   void ShowNotes();
   void Watch();
   void OnEvent(vtkObject* caller, unsigned long event, void* data);

@@ -34,20 +34,20 @@ namespace VolumeHaptics
  * Makes the slices of ParaView's Orthographic Slice Views follow the tip of a device.
  *
  * When the tip has moved, sets the property SlicePosition of all such views in a session, and draws
- * the views. That takes at most a fifth of the time, so that it never delays the view with the
- * hand. While the tip rests, the user may move the slices.
+ * the views. This takes at most a fifth of the time, so that the view with the hand is not delayed.
+ * While the tip is at rest, the user can move the slices.
  */
 class HapticSlices
 {
 public:
   /**
-   * Moves the slices to the tip. Call this often. A tip outside the filter's image is replaced by
-   * the nearest position in the image.
+   * Moves the slices to the tip. Must be called often. A tip outside the filter's image is replaced
+   * by the nearest position in the image.
    */
   void Update(vtkSMSession* session, vtkVolumeHapticsFilter* filter, const double tip[3]);
 
 private:
-  double Last[3] = { 0.0, 0.0, 0.0 }; ///< the tip to which the slices were moved last
+  double Last[3] = { 0.0, 0.0, 0.0 }; ///< last tip to which the slices were moved
   bool IsKnown = false;
   double NextTime = 0.0; ///< earliest time of the next move (s)
 };
@@ -56,9 +56,9 @@ namespace
 {
 
 constexpr double ShortestPause = 0.05; // s: shortest pause between two moves
-constexpr double PauseFraction = 4.0;  // pause as a multiple of the time that drawing took
+constexpr double PauseFraction = 4.0; // pause as a multiple of the drawing time
 
-/** Orders a device to arm or to disarm, which can't be undone: "undo" must not arm a device. */
+/** Arms or disarms a device, as an order that can't be undone: "undo" must not arm a device. */
 void OrderArmed(vtkSMProxy* device, bool on)
 {
   if (device)
@@ -112,7 +112,7 @@ void HapticSlices::Update(
   this->IsKnown = true;
   if (isFirst)
   {
-    return; // the first position of a device is no motion
+    return; // the first position of a device is not a motion
   }
   double position[3];
   std::copy(tip, tip + 3, position);
@@ -148,18 +148,18 @@ vtkHapticViewStyle::vtkHapticViewStyle()
   : Slices(std::make_unique<VolumeHaptics::HapticSlices>())
   , Frames(std::make_unique<VolumeHaptics::HapticVolumeFrames>())
 {
-  // There is no key that compares settings, because the properties of the filter Volume Haptics say
-  // what is felt, and ParaView's undo and redo can compare them.
+  // Remove the key that compares settings: the properties of the filter Volume Haptics define the
+  // settings, and ParaView's undo and redo can compare them.
   this->SetKey("Compare", "");
-  // These actions have no keys, because there is nothing to slice, to measure or to edit in this
-  // view.
+  // Remove the keys of these actions, because this view has nothing to slice, to measure or to
+  // edit.
   for (const char* const action : { "Slices", "Point", "Distance", "Angle", "Path", "Area", "Undo",
          "Redo", "RemoveLast", "Measurements", "FunctionEditor", "NextFunction", "Propose",
          "DropProposal", "DockEditor", "ResetFunctions", "Labels" })
   {
     this->SetKey(action, "");
   }
-  // Avoid keys that ParaView's main window takes first: s, d, f, g and b begin a selection, which
+  // Avoid keys that ParaView's main window uses itself: s, d, f, g and b begin a selection, which
   // ends the touch.
   this->SetKey("Help", "question");
   this->SetKey("Graph", "G");
@@ -177,7 +177,7 @@ void vtkHapticViewStyle::SetView(vtkSMRenderViewProxy* view)
 {
   this->View = view;
   this->Frames->SetView(view);
-  // Use this renderer, whichever renderer is under the pointer.
+  // Always pick in this renderer, whichever renderer is under the pointer.
   vtkRenderer* const renderer = view ? view->GetRenderer() : nullptr;
   this->SetDefaultRenderer(renderer);
   this->SetCurrentRenderer(renderer);
@@ -225,7 +225,7 @@ void vtkHapticViewStyle::OnTimer()
     return;
   }
   this->IsBusy = true;
-  // Keep this alive, because a poll or a frame may close the view and delete this.
+  // Keep this object alive, because a poll or a frame may close the view and delete it.
   const vtkSmartPointer<vtkHapticViewStyle> self(this);
   for (const auto& proxy : { this->DeviceProxy, this->SecondProxy })
   {
@@ -277,7 +277,8 @@ void vtkHapticViewStyle::ToggleArmed()
 //------------------------------------------------------------------------------
 void vtkHapticViewStyle::OnKeyPress()
 {
-  // Ask before the press changes the touch mode, which changes the actions of keys with Ctrl.
+  // Query the actions before the key press changes the touch mode, which changes the actions of
+  // keys with Ctrl.
   const bool isTouch = this->IsPressOf("Touch");
   const bool isMethod = this->IsPressOf("NextMethod");
   if (this->IsPressOf("Arm") && this->DeviceProxy)

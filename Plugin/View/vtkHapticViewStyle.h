@@ -7,13 +7,13 @@
  * Draws with the view's StillRender and InteractiveRender, never with the window's Render, so that
  * data on servers are rendered, too. Picks in the renderer that shows the data, whichever of the
  * view's renderers is under the pointer. Of VTK's keys, only "r" remains, which resets the view's
- * camera, because the others would change actors that belong to ParaView. Keys arm the device by
- * its property Armed, which becomes 0 when something else disarms the device. The key for the next
- * method sets Method and Solver of the touched filter.
+ * camera, because the other keys would change actors that belong to ParaView. Keys arm the device
+ * through its property Armed, which becomes 0 when the device is disarmed in another way. The key
+ * for the next method sets Method and Solver of the touched filter.
  *
- * If OpenGL runs on the processor, ParaView's volumes are drawn by VTK's ray caster for processors
- * while the scene is touched: without speckles, and at 20 frames a second.
- * AutoAdjustVolumeQualityOff() leaves them to ParaView.
+ * With software OpenGL, ParaView's volumes are drawn by VTK's ray caster for the CPU while the
+ * scene is touched: without speckles, and at 20 frames a second. AutoAdjustVolumeQualityOff()
+ * disables this.
  *
  * @sa vtkHapticViewLink
  */
@@ -43,8 +43,8 @@ public:
 
   ///@{
   /**
-   * The view, and the devices of the first and the second hand. They are not kept alive: a view
-   * that was deleted is not drawn, a device that was deleted is not polled.
+   * The view, and the devices of the first and the second hand. They are weak references: a deleted
+   * view is no longer drawn, and a deleted device no longer polled.
    */
   void SetView(vtkSMRenderViewProxy* view);
   void SetDeviceProxy(vtkSMHapticDeviceProxy* device);
@@ -52,8 +52,8 @@ public:
   ///@}
 
   /**
-   * Forgets the volumes. Call this before the end of a session, because its server may be lost, and
-   * nothing may be sent to it.
+   * Discards the list of volumes without restoring them. Call this before the end of a session,
+   * because nothing may be sent to a server that may be lost.
    */
   void ForgetVolumes();
 
@@ -69,9 +69,9 @@ public:
 
   /**
    * Sets a function that returns the pointer's position on the screen, in pixels. It is called
-   * while a fine frame is drawn, and if the pointer has moved, the frame is given up. This is for
-   * programs whose mouse events wait in a queue that is not VTK's. The dock window sets a function
-   * that returns Qt's position. Null (default): frames are always completed.
+   * while a frame is drawn at rest; if the pointer has moved, the frame is aborted. Use it in
+   * programs whose mouse events wait in a queue outside VTK. The dock window sets a function that
+   * returns Qt's position. Null (default): frames are always completed.
    */
   static void SetPointerQuery(void (*query)(int position[2]));
 
@@ -79,8 +79,8 @@ public:
   void SetArmed(bool on);
 
   /**
-   * Sets the interactor. If it is null, because the interactor has released this style, then
-   * invokes vtkCommand::DisableEvent.
+   * Sets the interactor. If the interactor releases this style (null), invokes
+   * vtkCommand::DisableEvent.
    */
   void SetInteractor(vtkRenderWindowInteractor* interactor) override;
   void OnTimer() override;
@@ -98,7 +98,7 @@ private:
   void operator=(const vtkHapticViewStyle&) = delete;
 
   void ReportMethod();
-  /** Arms the hands that are not armed; disarms both if both are. */
+  /** Arms the hands that are not armed; if both are armed, disarms both. */
   void ToggleArmed();
   void MoveSlices();
 
@@ -109,8 +109,8 @@ private:
   std::unique_ptr<VolumeHaptics::HapticSlices> Slices;
   std::unique_ptr<VolumeHaptics::HapticVolumeFrames> Frames;
   /**
-   * whether a timer event is being handled; another one may come while a view that renders waits
-   * for its server
+   * Whether a timer event is being handled; another one may arrive while a view that renders waits
+   * for its server.
    */
   bool IsBusy = false;
 };

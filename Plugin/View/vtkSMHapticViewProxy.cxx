@@ -34,7 +34,7 @@ vtkHapticViewLink* vtkSMHapticViewProxy::GetLink()
 //------------------------------------------------------------------------------
 void vtkSMHapticViewProxy::UpdateVTKObjects()
 {
-  // Nothing has to be sent, because all objects are in the client.
+  // Nothing has to be sent to a server, because all objects are in the client.
   this->Link->SetSlicesFollowTip(vtkSMPropertyHelper(this, "SlicesFollowTip").GetAsInt() != 0);
   if (vtkSMPropertyHelper(this, "Attached").GetAsInt() == 0)
   {

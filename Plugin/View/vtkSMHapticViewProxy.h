@@ -8,9 +8,9 @@
  *
  *   View        the render view
  *   Device      a `HapticDevice`
- *   SecondDevice      another one for the other hand, or none
+ *   SecondDevice      another device for the other hand, or none
  *   Attached    1: attach the device to the view; 0: detach it. Default 0
- *   TouchMode   1: the mouse leads the tip of a virtual device. Default 0
+ *   TouchMode   1: the mouse moves the tip of a virtual device. Default 0
  *   SlicesFollowTip   1: the slices of Orthographic Slice Views follow the tip. Default 1
  *
  *   link = servermanager.ProxyManager().NewProxy("misc", "HapticView")

@@ -423,7 +423,7 @@ def add_haptics(
             # round the number, which is shown to the user
             haptics.representation.SetForceScale(1.0 / float(f"{ARROW * length:.1g}"))
         haptics._attach(plotter, [volume] if isinstance(volume, vtkVolume) and not takes_any else [])
-        if is_found and haptics.style.GetTouchedVolume() is None:  # if the volume is hidden, or can't be touched
+        if is_found and haptics.style.GetTouchedVolume() is None:  # the volume is hidden, or can't be touched
             with Errors(haptics.style) as errors:
                 haptics.style.TouchVolume(volume)
             if errors:
@@ -438,7 +438,7 @@ def add_haptics(
             haptics.device.GetPlayback().SetModeToLoop()
             haptics.device.GetPlayback().Play()
     except BaseException:
-        haptics.close()  # an interactive session would keep the exception alive, and with it the plotter
+        haptics.close()  # otherwise, an interactive session would keep the exception and thus the plotter alive
         raise
     return haptics
 
@@ -468,6 +468,6 @@ def _prepare(
             touch.SetInputDataObject(0, volume)
         choose_mode(touch, volume, known, mode, preset, settings, errors)
         set_labels(touch, image, labels, materials)
-        touch.Update()  # without a path, this only checks the input
+        touch.Update()  # without a path, this only validates the input
     if errors:
         raise ValueError("; ".join(errors))

@@ -9,7 +9,7 @@ import weakref
 from collections.abc import Callable
 from typing import Any
 
-# All these packages have the same classes.
+# These packages provide the same classes.
 _BINDINGS = ("PySide6", "PyQt6", "PyQt5", "PySide2")
 
 

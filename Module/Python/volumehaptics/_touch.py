@@ -119,9 +119,8 @@ def apply_preset(material: vtkHapticProperty, name: str, volume: Any) -> bool:
     """Applies a preset. Fits it to the grey levels of a large volume, or of an image with scalars at its points."""
     if name == "MRI" and isinstance(volume, vtkHapticRegionSource):
         source, volume = volume, vtkImageData()
-        # Read a few samples (3 x 3 x 3): ReadRegion() adds field arrays that describe the whole volume, such as its
-        # noise (WholeFacts.h), and the preset is fitted with them. If the read fails, apply the preset without fitting
-        # it.
+        # Read only 3 x 3 x 3 samples: ReadRegion() adds field arrays that describe the whole volume, such as its noise
+        # (WholeFacts.h), to which the preset is fitted. If the read fails, apply the preset without fitting it.
         if not source.ReadRegion([one + end for one in source.GetWholeExtent()[::2] for end in (0, 2)], volume):
             return material.ApplyPreset(name)
     if isinstance(volume, vtkImageData) and volume.GetPointData().GetScalars() is not None:
@@ -250,7 +249,7 @@ class _Feeling:
         """Returns the trace of a path. The next path does not change it."""
         self._haptics.SetPathData(path)
         _update(self._haptics)
-        # Don't report the executive's own error, which only repeats that the filter failed.
+        # Omit the executive's own error, which only repeats that the filter failed.
         if self._errors:
             raise ValueError("; ".join(self._errors))
         if self._failures:
@@ -275,7 +274,7 @@ class _Feeling:
             return [traces[i] for i in range(len(paths))]
         except ValueError:
             self._forget()
-        self.feel(None)  # raises errors that do not depend on a path
+        self.feel(None)  # raises errors that don't depend on a path
         for i, path in enumerate(paths):
             try:
                 self.feel(path)

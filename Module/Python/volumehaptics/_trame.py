@@ -15,7 +15,7 @@ from urllib.parse import quote
 PICTURES = 20.0  # largest number of pictures per second that are sent to the browser
 HIDDEN = "volumehaptics_hidden"
 _TELL = f"document.addEventListener('visibilitychange',()=>document.hidden&&window.trame.trigger('{HIDDEN}'))"
-_PAGE = {"scripts": [f"data:text/javascript,{quote(_TELL)}"]}  # trame loads this once for each server
+_PAGE = {"scripts": [f"data:text/javascript,{quote(_TELL)}"]}  # trame loads this once per server
 
 
 def is_view(target: Any) -> bool:
@@ -56,7 +56,7 @@ def drive(view: Any, haptics: Any) -> None:
                 view.update()
                 drawn = time.monotonic()
             pause = 1.0 / haptics.style.GetDisplayRate()
-            del haptics  # so that the task ends with the object's owner
+            del haptics  # so that the task does not keep the object alive
             await asyncio.sleep(pause)
 
     def let_go() -> None:
@@ -65,7 +65,7 @@ def drive(view: Any, haptics: Any) -> None:
             haptics.style.FadeOut()
 
     on_hidden(server, let_go)
-    tasks = []  # asyncio itself keeps only weak references
+    tasks = []  # asyncio itself keeps only weak references to tasks
 
     def start(**_: Any) -> None:
         tasks.append(asyncio.get_running_loop().create_task(run()))

@@ -24,7 +24,7 @@ from aiohttp import WSMsgType, web
 from wslink.websocket import LinkProtocol
 
 HERE = ("localhost", "127.0.0.1", "::1")
-MOST_BYTES = 65536  # largest size of a page's message (bytes): an event, or a few values
+MOST_BYTES = 65536  # largest size of a page's message (bytes), which is an event or a few values
 MOST_UNKNOWN = 512  # largest size of a message (bytes) before the page has sent the secret
 HEADER = 12  # bytes of wslink's header: a number, the position of the part, and the size of the whole message
 
@@ -122,7 +122,7 @@ class Door:
             raise RuntimeError('a page to touch in is served by aiohttp alone. Cure: server.start(backend="aiohttp"), '
                                "without --reverse-url")
         server = self._server()
-        server.protocol.updateSecret(self.secret)  # for versions of wslink that do not ask _Secret
+        server.protocol.updateSecret(self.secret)  # for versions of wslink that don't query _Secret
         host = web_server.host
         self._names.update(name.lower() for name in (host, socket.gethostname(), socket.getfqdn()))
         if host not in HERE:
@@ -133,7 +133,7 @@ class Door:
         for handler in handlers:
             self._watch(handler)
 
-    # -- where the browser comes from --
+    # -- origin of the browser --
 
     def _refusal(self, headers: Any) -> str | None:
         """Returns the reason for a refusal, or None. If another host name leads here (DNS rebinding), the page has that

@@ -32,13 +32,14 @@ from .vtkVolumeHaptics import vtkHapticProperty, vtkVolumeHapticsFilter
 if TYPE_CHECKING:
     from ._plotting import Haptics
 
-SILENCE = 3.0  # s for which the leading page may leave questions unanswered before the touch ends
-UNANSWERED = 5  # number of unanswered questions, one a second, after which a page counts as closed; it can come back
+SILENCE = 3.0  # s in which the leading page may leave questions unanswered before the touch ends
+# number of unanswered questions, sent once a second, after which a page counts as closed; it may reconnect
+UNANSWERED = 5
 QUALITY = 85  # JPEG quality
-MOST_PIXELS = 1.6e6  # largest number of pixels of a picture; a finer display enlarges it
-MOST_WIDE = 8192  # largest width and height of a page (pixels); no display has more
-WAITING = 3  # largest number of pictures that may be on the network before the next one waits
-# Keys whose names in browsers differ from X11's, which vtkInteractorStyleHaptic.SetKey() uses.
+MOST_PIXELS = 1.6e6  # largest number of pixels of a picture; the browser enlarges it for a finer display
+MOST_WIDE = 8192  # largest accepted width and height of a page (pixels), above those of any display
+WAITING = 3  # largest number of pictures in transit before the next one has to wait
+# Keys whose browser names differ from the X11 names that vtkInteractorStyleHaptic.SetKey() uses.
 KEYS = {" ": "space", "+": "plus", "-": "minus", ",": "comma", ".": "period", "?": "question", "Enter": "Return",
         "Backspace": "BackSpace", "ArrowLeft": "Left", "ArrowRight": "Right", "ArrowUp": "Up", "ArrowDown": "Down"}
 QUITTING = ("e", "q")  # keys of vtkInteractorStyle that would end the server's event loop
@@ -51,7 +52,8 @@ _numbers = itertools.count(1)
 def _number(words: Any, word: str, otherwise: float) -> float:
     """Returns a number in a page's message. The message may contain anything."""
     value = words.get(word) if isinstance(words, dict) else None
-    is_number = isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < 1e9  # false for NaN
+    # False for NaN, too
+    is_number = isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < 1e9
     return float(value) if is_number else otherwise
 
 
@@ -104,11 +106,11 @@ class View:
         self.interactor = plotter.iren.interactor
         self.closed = False
         self.round_trip: float | None = None  # s
-        self.rate = haptics.device.GetServoRate()  # Hz, measured once a second; at first the wanted rate
+        self.rate = haptics.device.GetServoRate()  # Hz, measured once a second; initially the requested rate
         self.name = f"volumehaptics_{next(_numbers)}"
         self.page = page or self.name
         self.area = Area(self.name, self)
-        self.leader: str | None = None  # the page that leads the hand
+        self.leader: str | None = None  # the page that controls the hand
         self._door = door_of(server)
         self._sizes: dict[str | None, tuple[float, float, float]] = {}  # width, height and pixel ratio of each page
         self._heard: dict[str, int] = {}  # number of the last question that each page has answered
@@ -122,7 +124,7 @@ class View:
         self._task: asyncio.Task | None = None
 
         self.window.SetOffScreenRendering(1)
-        self.interactor.EnableRenderOff()  # draw() draws the style's frames
+        self.interactor.EnableRenderOff()  # draw() also draws the frames that the style requests
         self._capture = vtkWindowToImageFilter()
         self._capture.SetInput(self.window)
         self._capture.ReadFrontBufferOff()
@@ -133,10 +135,10 @@ class View:
         self._writer.SetQuality(QUALITY)
         self._tag = self.interactor.AddObserver("RenderEvent", self.draw)
         haptics.style.AutoAdjustOffScreenOn()
-        # Browsers open their own help by F1, too.
+        # Don't use F1 for help, because browsers open their own help with it.
         haptics.style.SetKey("Help", " ".join(key for key in haptics.style.GetKey("Help").split() if key != "F1"))
         for device in haptics._devices:
-            device.SetAttentionTime(SILENCE)  # if the server stands still, the force fades
+            device.SetAttentionTime(SILENCE)  # the force fades if the server hangs
         self.ui = self._make_page()
         controller = server.controller
         self._door.on_leave.append(self._leave_with)
@@ -149,7 +151,7 @@ class View:
         """Returns the address to open in a browser, once the server runs."""
         return self._door.address(host, "" if self.page == "main" else self.page, *words)
 
-    # -- leading the hand --
+    # -- control of the hand --
 
     def _may_lead(self, page: str | None) -> bool:
         """Whether a page may lead the hand, because no other page does. `page` None stands for the program, which
@@ -211,7 +213,7 @@ class View:
                 html.Span(f"{{{{ {self._key('status')} }}}}", classes="text-caption mx-3 text-right", data_id="status",
                           __properties=[("data_id", "data-id")])
             with v3.VMain(style="height: 100vh"):
-                # The element with the focus gets the keys: give it the focus when the pointer enters, as in a window.
+                # The focused element receives the keys: focus it when the pointer enters, as in a window.
                 focus = "$event.currentTarget.querySelector('[tabindex]')?.focus()"
                 with html.Div(style="width: 100%; height: 100%", mouseenter=focus, __events=["mouseenter"]):
                     RemoteControlledArea(name=self.name, send_mouse_move=True, event_throttle_ms=16,
@@ -242,7 +244,7 @@ class View:
     def _set_preset(self, name: str | None) -> None:
         if self.haptics.closed or name == self._preset:
             return
-        # Accept only names in the list: ApplyPreset() also accepts files, and would open a file that a page names.
+        # Accept only names in the list: ApplyPreset() also accepts files, so a page could otherwise open any file.
         felt = self.haptics.filter
         if (name in self._presets and self._may_lead(page_now())
                 and apply_preset(felt.GetProperty(), name, felt.GetInputDataObject(0, 0))):
@@ -268,7 +270,7 @@ class View:
             text += f"; the browser is {1000.0 * self.round_trip:.0f} ms away, for the eye alone"
         self._show("status", text)
 
-    # -- silent browsers --
+    # -- pages without answers --
 
     def _leave(self) -> None:
         """Ends the touch."""
@@ -356,7 +358,7 @@ class View:
         control, shift = (int(bool(event.get(key) or event.get(other)))
                           for key, other in (("ctrlKey", "controlKey"), ("shiftKey", "shiftKey")))
         if "x" in event and "y" in event:
-            # A picture fills the page, whatever the picture's size.
+            # The picture fills the page, whatever its own size.
             known = self._sizes.get(page, (0.0, 0.0, 1.0))
             place = []
             for side, (word, whole) in enumerate((("x", "w"), ("y", "h"))):
@@ -364,7 +366,7 @@ class View:
                 share = _number(event, word, math.nan) / max(_number(event, whole, known[side]) or known[side], 1.0)
                 if math.isnan(share):
                     return
-                place.append(round(min(max(share, -1.0), 2.0) * pixels))  # a drag may go beyond the page's border
+                place.append(round(min(max(share, -1.0), 2.0) * pixels))  # a drag may leave the page
             interactor.SetEventInformation(*place, control, shift)
         if kind == "MouseMove":
             interactor.MouseMoveEvent()
@@ -372,7 +374,8 @@ class View:
             interactor.InvokeEvent(EVENTS[kind])
         elif kind == "MouseWheel" and (turn := _number(event, "spinY", 0.0)):
             interactor.InvokeEvent("MouseWheelBackwardEvent" if turn > 0 else "MouseWheelForwardEvent")
-        elif kind.lower() in ("keydown", "keyup") and event.get("key") and isinstance(event["key"], str):  # by vtk.js's version
+        # the spelling depends on vtk.js's version
+        elif kind.lower() in ("keydown", "keyup") and event.get("key") and isinstance(event["key"], str):
             key = event["key"]
             name = KEYS.get(key, key)
             interactor.SetKeyEventInformation(control, shift, key if len(key) == 1 and key.isascii() else "\0", 0, name)

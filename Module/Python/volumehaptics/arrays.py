@@ -42,7 +42,7 @@ _REAL = ("int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64
 
 def _shared(array: np.ndarray, name: str | None = None) -> vtkDataArray:
     """Makes a VTK array that shares a contiguous array of one or two dimensions, and keeps it alive."""
-    # Choose the type: by default, NumPy's int8 becomes VTK's plain char, which is unsigned on some machines.
+    # Choose the type explicitly: by default, NumPy's int8 becomes VTK's plain char, which is unsigned on some machines.
     shared = numpy_to_vtk(array, array_type=VTK_SIGNED_CHAR if array.dtype == np.int8 else None)
     if name is not None:
         shared.SetName(name)
@@ -153,7 +153,7 @@ def path(points: np.ndarray | Sequence, time: np.ndarray | Sequence | None = Non
     tip = vtkPolyData()
     tip.SetPoints(vtkPoints())
     tip.GetPoints().SetData(_shared(points))
-    # Copy the offsets: vtkCellArray may keep the memory without the object that keeps NumPy's array alive.
+    # Copy the offsets: vtkCellArray may keep the memory alive, but not the object that owns NumPy's array.
     ends = numpy_to_vtkIdTypeArray(np.array([0, len(points)], np.int64), deep=True)
     indices = numpy_to_vtkIdTypeArray(np.arange(len(points), dtype=np.int64), deep=True)
     line = vtkCellArray()

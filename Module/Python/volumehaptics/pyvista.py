@@ -13,8 +13,8 @@
     add_haptics(plotter, plotter.add_volume(head), "CT contrast")
     plotter.show()                                   # press t with the pointer on the volume
 
-    plotter.add_volume(beats[0])                     # or images in a list, the frames of a volume that moves
-    add_haptics(plotter, beats, [0.0, 0.1, 0.2])     # and their times (s): it plays
+    plotter.add_volume(beats[0])  # or a list of images: the frames of a moving volume
+    add_haptics(plotter, beats, [0.0, 0.1, 0.2])  # with the frames' times (s), the volume plays
 
 Needs PyVista 0.47 or later, which `import volumehaptics` alone does not: pip install pyvista.
 """
@@ -50,16 +50,16 @@ def show_in_notebook(plotter: pv.Plotter, **settings: Any) -> Any:
         return show_plotter(plotter, **settings)
     from pyvista.jupyter.notebook import handle_plotter
 
-    # Use PyVista's own order: a back end that the program has registered, "trame", then one of another package.
+    # Follow PyVista's own order: a back end that the program has registered, "trame", then one from another package.
     others = {one.name: ":" in one.source for one in pv.registered_jupyter_backends() if one.name != BACKEND}
     ranked = sorted(others, key=lambda name: (others[name], name != "trame"))
     return handle_plotter(plotter, backend=ranked[0] if ranked else "static", **settings)
 
 
-if hasattr(pv, "register_jupyter_backend"):  # PyVista has this since 0.48
+if hasattr(pv, "register_jupyter_backend"):  # available since PyVista 0.48
     from importlib.metadata import entry_points
 
-    # Register the back end if the package was not installed by pip, because it then has no entry points.
+    # Register the back end if the package was not installed by pip, because its entry points are then missing.
     if BACKEND not in entry_points(group="pyvista.jupyter_backends").names:
         pv.register_jupyter_backend(BACKEND, show_in_notebook, override=True)
 

@@ -6,7 +6,7 @@
 
     haptics = add_haptics(plotter, plotter.add_volume(head), "CT contrast")
     plotter.show(jupyter_backend="haptics")          # in a notebook, or: await volumehaptics.web.show(haptics)
-    volumehaptics.web.serve(haptics)                 # in a script; the plotter is not shown before
+    volumehaptics.web.serve(haptics)  # in a script; don't show the plotter before
 
 The servo runs beside the server at its own rate: the connection to the browser delays pictures and the mouse, but never
 the force. If the leading page closes or is hidden, or does not answer for 3 s, the touch ends.
@@ -24,7 +24,7 @@ import webbrowser
 from typing import TYPE_CHECKING, Any
 
 from ._files import read
-from ._webview import View, names_of  # before trame, because its error names the cure if trame is missing
+from ._webview import View, names_of  # before trame, because its error contains the cure if trame is missing
 from ._webdoor import HERE, door_of
 from .vtkVolumeHaptics import vtkHapticProperty, vtkVolumeHapticsFilter
 
@@ -38,9 +38,9 @@ if TYPE_CHECKING:
 __all__ = ["View", "main", "serve", "show"]
 
 EVERYWHERE = ("0.0.0.0", "::")
-NOTEBOOK = "volumehaptics"  # the server of all notebook views
+NOTEBOOK = "volumehaptics"  # name of the server that all notebook views share
 OPACITY = [0, 0.35, 0.35, 0.2, 0.14, 0.6, 0.9, 1]  # opacities of a head CT between -600 and 1000 HU
-MOST_TOLD = 6  # lines over the picture on what was assumed, dropped, filled or turned
+MOST_TOLD = 6  # largest number of lines over the picture about assumptions, and about dropped, filled or rotated parts
 COLORS = ["#edb08f", "#e0977d", "#f5ebd8", "#ffffff"]
 
 

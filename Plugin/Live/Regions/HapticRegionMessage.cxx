@@ -26,13 +26,15 @@ namespace
 
 constexpr int MessageTag = 78231;
 /**
- * The size (bytes) of the parts in which a message is sent. A message that does not fit into memory
- * can so be skipped part by part.
+ * The size (bytes) of the parts in which a message is sent. A message that exceeds the memory can
+ * thus be skipped part by part.
  */
 constexpr vtkIdType PartSize = vtkIdType{ 1 } << 24;
-/** The most bytes of a region. */
+/** Largest size of a region (bytes). */
 constexpr std::int64_t MostBytes = std::int64_t{ 1 } << 36;
-/** A number that marks the byte order: a computer with another byte order reads another number. */
+/**
+ * A number that marks the byte order: a computer with another byte order reads a different number.
+ */
 constexpr std::int32_t Mark = 0x01020304;
 enum Contents : std::int32_t
 {
@@ -65,8 +67,8 @@ void PutText(std::vector<char>& message, const char* text)
 }
 
 /**
- * Returns whether an array can be sent: its values must have whole bytes, because bits have no size
- * or address of their own.
+ * Returns whether an array can be sent: its values must be whole bytes, which excludes arrays of
+ * bits.
  */
 bool CanSend(vtkDataArray* array)
 {
@@ -87,7 +89,7 @@ void PutArray(std::vector<char>& message, vtkDataArray* array)
   Put(message, array->GetVoidPointer(0), size);
 }
 
-/** Reads numbers from a message up to its end. */
+/** Reads numbers from a message, and checks its end. */
 class Reader
 {
 public:
@@ -136,7 +138,7 @@ public:
     const auto tuples = this->Parse<std::int64_t>();
     vtkSmartPointer<vtkDataArray> array;
     array.TakeReference(vtkDataArray::CreateDataArray(type));
-    // Check for size 0, which bits have, before dividing by it.
+    // Check for the size 0, which arrays of bits have, before dividing.
     const std::int64_t size = array ? array->GetDataTypeSize() : 0;
     const auto rest = static_cast<std::int64_t>(this->Message.size() - this->Next);
     this->IsGood = this->IsGood && size > 0 && components > 0 && tuples >= 0 &&

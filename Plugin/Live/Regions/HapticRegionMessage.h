@@ -4,7 +4,7 @@
  * @file
  * Converts a region of a volume to a message from the data server to the client, and back.
  *
- * ParaView's own messages of images lose their direction, and do not report that the other side has
+ * ParaView's own messages omit the direction of images, and do not report that the other side has
  * ended.
  */
 #ifndef HapticRegionMessage_h
@@ -25,15 +25,15 @@ std::vector<char> PackRegion(vtkImageData* image);
 std::vector<char> PackError(const std::string& error);
 
 /**
- * Unpacks the image of a message. Returns false and writes `error` if the message is an error or
- * holds no image.
+ * Unpacks the image of a message. Returns false, with the reason in `error`, if the message is an
+ * error or contains no image.
  */
 bool UnpackRegion(const std::vector<char>& message, vtkImageData* image, std::string& error);
 
 bool SendMessage(vtkMultiProcessController* controller, const std::vector<char>& message);
 /**
- * Receives a message. Returns false if the other side has ended. A message that does not fit into
- * memory is replaced by an error.
+ * Receives a message. Returns false if the other side has ended. A message that exceeds the memory
+ * is replaced by an error.
  */
 bool ReceiveMessage(vtkMultiProcessController* controller, std::vector<char>& message);
 

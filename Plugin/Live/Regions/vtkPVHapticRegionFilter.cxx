@@ -32,7 +32,7 @@ namespace
 /**
  * Gathers samples from the pieces of a volume on several processes.
  *
- * All processes of the controller have to call its functions together, with the same array type,
+ * All processes of the controller must call its functions collectively, with the same array type,
  * number of components and name.
  */
 class HapticPieceGather
@@ -45,12 +45,10 @@ public:
   HapticPieceGather(
     vtkMultiProcessController* controller, int arrayType, int components, std::string arrayName);
 
-  /** See vtkHapticRegionFilter::GatherSamples. `samples` has an entry for each component. */
+  /** See vtkHapticRegionFilter::GatherSamples. `samples` has one entry per component. */
   void GatherSamples(const int whole[6], std::vector<VolumeHaptics::NoiseSamples>& samples) const;
 
-  /**
-   * See vtkHapticRegionFilter::GatherRegion. The output is empty on all processes but the first.
-   */
+  /** See vtkHapticRegionFilter::GatherRegion. Only the first process gets an output. */
   bool GatherRegion(vtkImageData* piece, vtkDataArray* array, const int region[6],
     SampleCopier copySamples, vtkImageData* output, std::string& error) const;
 
@@ -187,8 +185,8 @@ bool HapticPieceGather::GatherRegion(vtkImageData* piece, vtkDataArray* array, c
   int both[6] = { 0, -1, 0, -1, 0, -1 };
   const bool hasPart = array && Intersect(piece->GetExtent(), region, both);
   const bool isFirst = this->Controller->GetLocalProcessId() == 0;
-  // Allocate before sending, so that a process without memory can report it before others wait for
-  // its part.
+  // Allocate before sending, so that a process without memory reports it before others wait for its
+  // part.
   std::vector<std::vector<int>> parts;
   vtkSmartPointer<vtkDataArray> whole;
   vtkSmartPointer<vtkDataArray> part;
@@ -308,13 +306,13 @@ bool vtkPVHapticRegionFilter::CanExecute(bool hasPiece, std::string& error)
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* const array = piece ? this->GetInputArrayToProcess(0, piece, association) : nullptr;
   const bool isEmpty = !piece || piece->GetNumberOfPoints() == 0;
-  // Arrays of bits can't be sent, because bits have no size of their own.
+  // Arrays of bits can't be sent, because a bit has no size in bytes.
   const bool hasArray = array && association == vtkDataObject::FIELD_ASSOCIATION_POINTS &&
     array->GetDataTypeSize() > 0 && array->GetNumberOfTuples() == piece->GetNumberOfPoints();
   const bool isPart = hasArray && !isEmpty;
   const std::string name = isPart && array->GetName() ? array->GetName() : "";
-  // Find the maxima over all processes of: whether something is wrong, the kind of the array, and
-  // the number of a process with a part of it.
+  // Compute maxima over all processes: whether there is a fault, the array's kind, and the number
+  // of a process that has a part of it.
   const int here[6] = { hasPiece ? 0 : 1, isEmpty || hasArray ? 0 : 1, isEmpty ? 0 : 1,
     isPart ? array->GetDataType() : -1, isPart ? array->GetNumberOfComponents() : 0,
     isPart && !this->IsAlone() ? this->Controller->GetLocalProcessId() : -1 };
@@ -370,7 +368,7 @@ void vtkPVHapticRegionFilter::ShareName(int from)
 int vtkPVHapticRegionFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  // Request only the piece that this process already has, so that nothing is read again.
+  // Request only this process's existing piece, so that nothing is read again.
   vtkInformation* const info = inputs[0]->GetInformationObject(0);
   if (auto* const piece = vtkImageData::GetData(info))
   {

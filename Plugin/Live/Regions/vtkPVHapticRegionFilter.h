@@ -4,10 +4,10 @@
  * @class   vtkPVHapticRegionFilter
  * @brief   a region of a volume whose pieces are on several processes
  *
- * Runs as a vtkHapticRegionFilter on every process of a controller. Each process has its own piece
- * and the whole's extent; the first process gets the output. The estimated noise is the whole
- * volume's to the bit, for any division into pieces. All processes have to execute the filter
- * together, after CanExecute has returned true on all of them.
+ * Runs like a vtkHapticRegionFilter on every process of a controller. Each process has its own
+ * piece and the whole volume's extent; the first process gets the output. The estimated noise is
+ * bit-identical to that of the whole volume, for any division into pieces. All processes must
+ * execute the filter collectively, after CanExecute has returned true on all of them.
  */
 #ifndef vtkPVHapticRegionFilter_h
 #define vtkPVHapticRegionFilter_h
@@ -30,7 +30,7 @@ public:
   vtkTypeMacro(vtkPVHapticRegionFilter, vtkHapticRegionFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The controller of the processes. nullptr (default) means this process alone. */
+  /** The controller of the processes. nullptr (default) stands for this process alone. */
   void SetController(vtkMultiProcessController* controller);
 
   /**
@@ -40,15 +40,15 @@ public:
   void SetPiece(vtkImageData* piece, const int whole[6]);
 
   /**
-   * Returns whether all processes can execute: whether each has its piece, and the array is usable.
-   * All processes have to call this together. On the first process, `error` names a fault on any of
-   * them.
+   * Returns whether all processes can execute: each has its piece, and the array is usable. All
+   * processes must call this collectively. On the first process, `error` describes a fault on any
+   * of them.
    */
   bool CanExecute(bool hasPiece, std::string& error);
 
   /**
-   * Get the reason why gathering the last region failed; empty if it did not fail, or was not
-   * tried.
+   * Get the reason why gathering the last region failed; empty if it did not fail or was not
+   * attempted.
    */
   std::string GetProblem() const;
 

@@ -31,7 +31,7 @@
 vtkStandardNewMacro(vtkPVHapticRegionSender);
 
 //------------------------------------------------------------------------------
-/** The volume at a time that was sent. */
+/** The volume at one of the sent times. */
 struct vtkPVHapticRegionSender::Instant
 {
   vtkNew<vtkPVHapticRegionFilter> Filter;
@@ -41,16 +41,16 @@ struct vtkPVHapticRegionSender::Instant
   std::string Array;
   ///@{
   /**
-   * The next five members are for data that are no image: the piece of this process, and the source
+   * The next five members are for data other than images: the piece of this process, and the source
    * that resamples all pieces.
    */
   vtkSmartPointer<vtkDataObject> Piece; ///< a shallow copy
   vtkWeakPointer<vtkDataObject> Seen;
   vtkMTimeType SeenTime = 0;
-  bool IsNew = false; ///< whether the piece is new since Regions was opened
-  /** on the first process; null if it could not be opened */
+  bool IsNew = false; ///< whether the piece has changed since Regions was opened
+  /** exists on the first process; null if it could not be opened */
   vtkSmartPointer<vtkHapticRegionSource> Regions;
-  std::string Problem; ///< why Regions is null
+  std::string Problem; ///< reason why Regions is null
   ///@}
 
   void CopyGrid(vtkDataObject* data)
@@ -69,10 +69,10 @@ struct vtkPVHapticRegionSender::Instant
 namespace
 {
 
-/** The size of a volume's corner (steps), with room for the largest kernel. */
+/** The size of a volume's corner (samples along an axis), with room for the largest kernel. */
 constexpr int CornerSteps = 39;
 
-/** Returns in `wanted` the requested region, or the corner of a volume if the region is empty. */
+/** Writes the requested region to `wanted`, or a corner of the volume if the region is empty. */
 void ChooseRegion(const int whole[6], const int region[6], int wanted[6])
 {
   std::copy_n(region, 6, wanted);
@@ -86,7 +86,7 @@ void ChooseRegion(const int whole[6], const int region[6], int wanted[6])
   }
 }
 
-/** Gathers the pieces of all processes on the first process. Each process has a piece. */
+/** Gathers the pieces of all processes on the first process. Every process must have a piece. */
 vtkSmartPointer<vtkDataObject> GatherPieces(
   vtkDataObject* piece, vtkMultiProcessController* controller)
 {
@@ -138,7 +138,7 @@ bool vtkPVHapticRegionSender::UpdatePiece(Instant& instant)
   {
     return false;
   }
-  // Make the same request as ParaView's own views, so that nothing is read a second time.
+  // Make the same request as ParaView's own views, so that nothing is read again.
   vtkAlgorithm* const source = input->GetProducer();
   const int port = input->GetIndex();
   auto* const pipeline = Pipeline::SafeDownCast(source->GetExecutive());
@@ -149,8 +149,8 @@ bool vtkPVHapticRegionSender::UpdatePiece(Instant& instant)
   vtkInformation* const info = source->GetOutputInformation(port);
   if (info->Has(Pipeline::WHOLE_EXTENT()))
   {
-    // Set the whole extent, because a filter with a path requests nothing on the other processes,
-    // and an empty extent would stay.
+    // Set the whole extent: a filter with a path requests nothing on the other processes, which
+    // would leave their extent empty.
     int whole[6];
     info->Get(Pipeline::WHOLE_EXTENT(), whole);
     info->Set(Pipeline::UPDATE_EXTENT(), whole, 6);
@@ -263,7 +263,7 @@ bool vtkPVHapticRegionSender::Resample(Instant& instant, bool hasPiece, const ch
   vtkPointData* const points = image->GetPointData();
   if (vtkDataArray* const found = name.empty() ? nullptr : points->GetArray(name.c_str()))
   {
-    points->SetScalars(found); // these are the data to send
+    points->SetScalars(found); // marks the array to send
   }
   return true;
 }
@@ -289,7 +289,7 @@ bool vtkPVHapticRegionSender::Assemble(
   int wanted[6];
   ChooseRegion(instant.Whole, region, wanted);
   filter->SetRegion(wanted);
-  filter->Modified(); // do this on every process or on none
+  filter->Modified(); // on all processes or on none
   if (!filter->UpdateExtent(filter->GetRegion()))
   {
     error = filter->GetProblem();

@@ -5,12 +5,12 @@
  * @brief   sends regions of a volume from the data server to the client
  *
  * Every process of the server requests from its input the piece that it already has, so that
- * nothing is read again. Together they assemble the region, and the first process sends it. If the
- * data have several times, the pieces of the last two sent times are kept, so that regions of both
- * can be requested. See vtkSMHapticRegionProxy for the client's side.
+ * nothing is read again. The processes assemble the region together, and the first process sends
+ * it. If the data have several times, the pieces of the last two sent times are stored, so that
+ * regions of both can be requested. See vtkSMHapticRegionProxy for the client's side.
  *
- * Data that are no image, and composite data, are gathered on the first process, which resamples
- * the regions (vtkHapticRegionSource::OpenDataSet).
+ * Composite data and data other than images are gathered on the first process, which resamples the
+ * regions (vtkHapticRegionSource::OpenDataSet).
  *
  * For a vtkPVHapticLargeFile, the first process reads regions from the file itself.
  */
@@ -33,11 +33,11 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Send a region (an extent) of a point array by name. An empty name means the active scalars. An
-   * empty region means a corner of the volume, from which the client learns the position of the
-   * whole. `time` is the time of the input's present volume, or one of the last two times that were
-   * sent; for any other time, the answer is an error. All processes have to call this together. The
-   * client gets exactly one answer: the region, or an error.
+   * Send a region (an extent) of a point array by name. An empty name stands for the active
+   * scalars. An empty region stands for a corner of the volume, which also contains the position of
+   * the whole. `time` is the time of the input's current volume, or one of the last two sent times;
+   * for any other time, the answer is an error. All processes must call this collectively. The
+   * client receives exactly one answer: the region, or an error.
    */
   void Send(
     const char* array, int x0, int x1, int y0, int y1, int z0, int z1, double time, int isPresent);
@@ -58,15 +58,15 @@ private:
   bool UpdatePiece(Instant& instant);
   bool ReadLargeFile(const int region[6], vtkImageData* image, std::string& error);
   /**
-   * Returns whether any process has data that are no image. All processes have to call this
-   * together.
+   * Returns whether any process has data other than images. All processes must call this
+   * collectively.
    */
   static bool IsGrid(const Instant& instant);
   bool Assemble(
     Instant& instant, bool hasPiece, const char* array, const int region[6], std::string& error);
   /**
-   * Resamples a region of data that are no image. The first process gets the image. All processes
-   * have to call this together.
+   * Resamples a region of data other than images. The first process gets the image. All processes
+   * must call this collectively.
    */
   static bool Resample(Instant& instant, bool hasPiece, const char* array, const int region[6],
     vtkImageData* image, std::string& error);

@@ -31,8 +31,8 @@ void vtkSMHapticRegionProxy::MarkDirty(vtkSMProxy* modified)
 //------------------------------------------------------------------------------
 bool vtkSMHapticRegionProxy::HasSender()
 {
-  // Ask for the class first, because a server that does not know the request would send no answer,
-  // and the client would wait.
+  // First check that the server has the class: a server without it would send no answer, and the
+  // client would wait forever.
   if (!this->IsKnown)
   {
     vtkClientServerStream stream;
@@ -84,7 +84,7 @@ vtkSMHapticRegionProxy::Answer vtkSMHapticRegionProxy::Fetch(const std::string& 
   }
   catch (const std::bad_alloc&)
   {
-    // after an unread answer, the connection can't be used: a later request would receive this
+    // after an unread answer, the connection is unusable: the next request would receive that
     // answer
     return LOST;
   }

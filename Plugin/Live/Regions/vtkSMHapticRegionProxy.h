@@ -4,9 +4,9 @@
  * @class   vtkSMHapticRegionProxy
  * @brief   the client's side of vtkPVHapticRegionSender
  *
- * A fetch sends one message and gets one answer, so it takes one round trip plus the time to cut
- * out and send the region. The client waits, because ParaView's connection can't do anything else
- * during a fetch.
+ * A fetch sends one message and receives one answer, so it takes one round trip plus the time to
+ * extract and send the region. The client waits, because ParaView's connection can't be used for
+ * anything else during a fetch.
  */
 #ifndef vtkSMHapticRegionProxy_h
 #define vtkSMHapticRegionProxy_h
@@ -40,7 +40,7 @@ public:
     vtkImageData* image, std::string& error);
 
   ///@{
-  /** Whether the Input has changed since its volume's position was last requested. */
+  /** Whether the Input has changed since the position of its volume was last requested. */
   vtkGetMacro(Stale, bool);
   vtkSetMacro(Stale, bool);
   ///@}

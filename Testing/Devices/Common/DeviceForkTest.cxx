@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a forked child's copy of an open device: it neither waits for the parent's thread nor ends
- * the parent's connection.
+ * Tests the copy of an open device in a forked child: it neither waits for the parent's thread nor
+ * ends the parent's connection.
  */
 
 #include "Devices/Common/HardwareDevice.h"

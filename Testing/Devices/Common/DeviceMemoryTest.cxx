@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the user's file of devices: what is written is read again, other lines stay, and damage is
- * reported.
+ * Tests the user's device file: written facts are read back, other lines stay unchanged, and damage
+ * is reported.
  */
 
 #include "Devices/Common/DeviceMemory.h"
@@ -62,7 +62,8 @@ TEST_F(Memory, WhatIsWrittenComesBackAndOtherLinesStay)
   DeviceFacts wooden = falcon;
   wooden.Scale = 0.83;
   wooden.Calibrated = "2026-11-20";
-  const std::string identity = "wooden:1234:0006:A #1% B"; // a serial number with odd characters
+  // a serial number with unusual characters
+  const std::string identity = "wooden:1234:0006:A #1% B";
   ASSERT_TRUE(DeviceMemory::Write(identity, wooden, this->Error)) << this->Error;
   falcon.Confirmed = "2026-12-01";
   ASSERT_TRUE(DeviceMemory::Write("falcon", falcon, this->Error)) << this->Error;
@@ -108,8 +109,8 @@ TEST_F(Memory, ADamagedLineCountsAsNoneAndIsTold)
     this->GetText(), "# mine\nwooden confirmed=2026-11-01\n\xff\nfalcon confirmed=2026-11-22\n");
 }
 
-/// Expects that Write() does not follow a link with the name that an earlier version gave its
-/// temporary file.
+/// Expects that Write() does not follow a link whose name is that of an earlier version's temporary
+/// file.
 #if !defined(_WIN32) // users can't make such links there
 TEST_F(Memory, IsWrittenThroughNoLinkThatSomebodyLaid)
 {
@@ -135,8 +136,7 @@ TEST_F(Memory, AFileThatCannotBeWrittenIsTold)
   std::filesystem::remove_all(this->File);
 }
 
-/// Expects an error for files whose reading would block or never end: a pipe, a device, a large
-/// file.
+/// Expects an error for files that would block or never end: a pipe, a device, a large file.
 #if !defined(_WIN32)
 TEST_F(Memory, WaitsForNoPipeAndReadsNoDevice)
 {

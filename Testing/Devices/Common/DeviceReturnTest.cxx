@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests what the driver's thread does while a device is unplugged: it looks for the device twice a
- * second, takes no other device, and forgets earlier requests.
+ * Tests the driver's thread while a device is unplugged: it searches for the device twice a second,
+ * connects to no other device, and discards earlier requests.
  */
 
 #include "Devices/Common/HardwareDevice.h"
@@ -19,12 +19,12 @@ using devicetest::Eventually;
 namespace
 {
 
-/** State that the test sets, and counts of the driver's calls. It outlives the driver. */
+/** State that the test sets, and counts of the driver's calls. Must outlive the driver. */
 struct Played
 {
   std::atomic<bool> IsPluggedIn{ true };
-  std::atomic<bool> Waits{ false }; ///< whether a look for the device lasts until a stop is
-                                    ///< requested
+  /// whether a search for the device lasts until a stop is requested
+  std::atomic<bool> Waits{ false };
   std::atomic<int> Looks{ 0 };
   std::atomic<int> Homes{ 0 };
   std::atomic<int> Serves{ 0 };
@@ -168,7 +168,7 @@ TEST_F(DeviceReturn, TheServoDoesNotWakeTheLooks)
     this->Device.Write({ 1.0, 0.0, 0.0 });
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  // Three looks for the device take at least two periods of 0.5 s; a slow machine takes longer.
+  // Three searches take at least two periods of 0.5 s; a slow machine takes longer.
   EXPECT_GT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(990));
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the life of a device's thread: Open() starts it, Close() and the device's destructor end
- * it.
+ * Tests the lifetime of a device's thread: Open() starts it, and Close() or the device's destructor
+ * ends it.
  */
 
 #include "Devices/Common/HardwareDevice.h"
@@ -17,7 +17,7 @@ using namespace VolumeHaptics;
 namespace
 {
 
-/** Counts the calls of a driver, which it outlives. */
+/** Counts the calls of a driver. Must outlive the driver. */
 struct Calls
 {
   std::atomic<int> Connects{ 0 };

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Expects that the first sample of a device that was not ready begins a new motion for the servo.
- */
+/** Expects that the first sample after a device was not ready begins a new motion for the servo. */
 
 #include "Devices/Common/HardwareExchange.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the exchange of forces between the servo and a device's thread: when forces flow, and that
- * neither side waits.
+ * Tests the exchange of forces between the servo and a device's thread: when forces are passed, and
+ * that neither side waits.
  */
 
 #include "ExchangeRig.h"
@@ -25,14 +25,14 @@ using ExchangeForce = ExchangeTest;
 
 namespace
 {
-constexpr int LongWait = 60000; // ms; longer than any test may wait
+constexpr int LongWait = 60000; // ms; longer than the time limit of any test
 
 bool IsAwake(const HardwareExchange& exchange)
 {
 #if defined(_WIN32)
   const HANDLE wake = LongToHandle(exchange.GetWakeDescriptor());
   const bool is = WaitForSingleObject(wake, 0) == WAIT_OBJECT_0;
-  return is && SetEvent(wake); // the wait has cleared the event
+  return is && SetEvent(wake); // sets the event again, because the wait has reset it
 #else
   pollfd wake{ exchange.GetWakeDescriptor(), POLLIN, 0 };
   return poll(&wake, 1, 0) == 1;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that the servo sees a device as ready as soon as its condition says so. Otherwise, arming
- * would be undone.
+ * Expects that the servo sees a device as ready as soon as its condition is Ready. Otherwise, the
+ * servo would undo an order to arm.
  */
 
 #include "ExchangeRig.h"
@@ -37,7 +37,7 @@ TEST_F(ExchangeTest, ACallerWhoReadsReadyCanArmIt)
   int refusals = 0;
   for (int i = 1; i <= rounds; ++i)
   {
-    this->Exchange.SetCondition(DeviceStage::Homing, ""); // the device waits for its homing
+    this->Exchange.SetCondition(DeviceStage::Homing, ""); // the device waits for homing
     this->Take();
     begun = i;
     wait([this] { return this->Exchange.GetCondition().Stage == DeviceStage::Ready; });

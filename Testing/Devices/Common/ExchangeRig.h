@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Plays the servo's, the owner's and the device's side of an exchange in one thread.
- */
+/** Simulates the servo's, the owner's and the device's side of an exchange in one thread. */
 #ifndef ExchangeRig_h
 #define ExchangeRig_h
 
@@ -29,7 +27,8 @@ protected:
     return this->Exchange.Receive(this->Sample);
   }
 
-  static inline std::int64_t Asleep = 0; ///< ns, time for which the computer has slept so far
+  /// ns, simulated time that the computer has been asleep so far
+  static inline std::int64_t Asleep = 0;
   HardwareExchange Exchange{ [] { return Asleep; } };
   DeviceSample Sample;
 };

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that a computer's sleep loses the device, and that a pause of the thread between reading
- * the two clocks does not.
+ * Expects that the device is lost when the computer was asleep, but not when the thread pauses
+ * between reading the two clocks.
  */
 #include "Devices/Common/HardwareExchange.h"
 
@@ -16,7 +16,7 @@ namespace
 constexpr std::int64_t Second = 1000000000; // ns
 
 std::int64_t Asleep = 0;
-std::int64_t Late = 0; ///< ns, by which the next call returns too little
+std::int64_t Late = 0; ///< ns, reduces the result of the next call
 
 std::int64_t Tell()
 {

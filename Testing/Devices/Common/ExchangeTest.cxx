@@ -63,7 +63,7 @@ TEST_F(DeviceExchange, ATextBeginsWithTheDevicesNameUnlessItIsEmpty)
 TEST_F(DeviceExchange, ASleepOfTheComputerIsALoss)
 {
   this->Exchange.SetCondition(DeviceStage::Ready, "");
-  Asleep = 1000; // ns; as small as a difference between two clocks
+  Asleep = 1000; // ns; the size of a normal difference between two clocks
   EXPECT_FALSE(this->Exchange.HasSlept());
   Asleep = 3600 * std::int64_t{ 1000000000 };
   EXPECT_TRUE(this->Exchange.HasSlept());

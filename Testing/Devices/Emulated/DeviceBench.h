@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Opens a device by its id and runs a servo loop on it that touches a floor.
- */
+/** Opens a device by its id, and runs a servo loop in which it touches a floor. */
 #ifndef DeviceBench_h
 #define DeviceBench_h
 
@@ -23,13 +21,14 @@ inline constexpr double Friction = 0.3;         ///< friction coefficient of the
 inline constexpr double FloorStiffness = 500.0; ///< N/m
 
 /**
- * A floor of the device. The touching sphere rests on it with its middle at `height` (m) along the
- * outward normal.
+ * A floor in the device's workspace. The touching sphere rests on it with its centre at `height`
+ * (m) along the outward normal.
  */
 class Floor
 {
 public:
-  /// @param linear turns the device's axes into the floor's axes; the floor's z points outward
+  /// @param linear rotation from the device's axes to the floor's axes; the floor's z points
+  ///   outward
   explicit Floor(double height, const Matrix3& linear = {})
   {
     HapticModelDescription description = DescribeMesh(this->Volume, MakeFloor(), Friction);
@@ -45,15 +44,15 @@ private:
 };
 
 /**
- * Returns the depth (m) at which the hand's spring, led to the depth `led` (m), balances the
- * floor's spring.
+ * Returns the depth (m) at which the hand's spring, whose goal is at the depth `led` (m), balances
+ * the floor's spring.
  */
 inline double BalancedDepth(double led)
 {
   return led * EmulatedHand::Stiffness / (EmulatedHand::Stiffness + FloorStiffness);
 }
 
-/** Opens a device, runs a loop on it, and waits for its states and texts. */
+/** Opens a device, runs a loop on it, and waits for states and texts. */
 class DeviceBench
 {
 public:
@@ -91,7 +90,7 @@ public:
   {
     return Eventually([&] { return this->Device->GetCondition().Stage == stage; });
   }
-  /// Waits until the device's text contains `part`.
+  /// Waits until the text of the device's condition contains `part`.
   bool WaitForText(const char* part)
   {
     return Eventually([&] { return this->Text().find(part) != std::string::npos; });
@@ -108,9 +107,9 @@ public:
   }
 
   /**
-   * Leads a hand to the surface, and into it until the hand feels the expected force. If a busy
-   * machine made the servo stand still meanwhile, the force has begun again from inside and would
-   * hold the hand there. In that case, leads the hand out without force and tries again.
+   * Moves the hand to the surface, and into it until the hand feels the expected force. If the
+   * servo was delayed on a busy machine, the force restarts inside the surface and would hold the
+   * hand there. In that case, moves the hand out without a force and tries again.
    */
   template <typename Approach, typename Enter, typename IsFelt>
   bool Press(Approach&& approach, Enter&& enter, IsFelt&& isFelt)
@@ -136,8 +135,8 @@ public:
     return felt;
   }
 
-  /// Expects that the force is cut, that the text names the reason, and that Arm() does not bring
-  /// the force back.
+  /// Expects that the force is cut off, that the text contains the reason, and that Arm() does not
+  /// restore the force.
   void ExpectLost(const char* text)
   {
     EXPECT_TRUE(this->WaitForFault(GateReason::DeviceLost));
@@ -149,8 +148,8 @@ public:
   }
 
   /**
-   * Expects that a device which is plugged in again reconnects by itself, and gives no force before
-   * the user arms it.
+   * Expects that a device reconnects by itself when it is plugged in again, and exerts no force
+   * before the user arms it.
    */
   void ExpectBack()
   {
@@ -180,7 +179,7 @@ inline bool IsNear(const Triple& force, const Triple& expected, double tolerance
     tolerance;
 }
 
-/// Returns the error that opening an id causes. Expects that the id can't be opened.
+/// Returns the error of opening an id. Expects that the id can't be opened.
 inline std::string ErrorOf(const std::string& id, const DeviceOptions& options = {})
 {
   DeviceBench bench;

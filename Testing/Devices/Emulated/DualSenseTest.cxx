@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests sessions with a guarded DualSense through hidapi, by cable and by Bluetooth. Contact is
- * felt, and the motors stop when the program ends in any way.
+ * Tests sessions with a guarded DualSense through hidapi, by cable and by Bluetooth: contact makes
+ * it vibrate, and the motors stop whenever the program ends.
  */
 
 #include "DeviceBench.h"
@@ -113,7 +113,7 @@ TEST_P(DualSenses, AProgramThatStandsStillIsSilent)
   ASSERT_TRUE(this->Bench.Open("vibration:pad")) << this->Bench.Error;
   ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready));
   this->Shake(*this->Bench.Device);
-  // Without further forces, the force fades, and its vibration ends.
+  // Without further forces, the force fades, and the vibration ends.
   EXPECT_TRUE(Eventually([&] { return this->Model.IsStill(); }));
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Compares the bytes on the wire with bytes written by hand from the published protocol.
+ * Compares the transmitted bytes with bytes that were written by hand from the published protocol.
  */
 
 #include "Rigs/FalconRig.h"
@@ -13,7 +13,7 @@ namespace
 {
 using Lines = std::vector<std::string>;
 
-// A packet without force. 0x42 is 0x41 + 0x01, the homing bit, which every packet has.
+// A packet without a force. 0x42 is 0x41 plus the homing bit 0x01, which every packet has.
 const std::string Zero = "o 3c 41 41 41 41 41 41 41 41 41 41 41 41 42 41 3e";
 // A packet with the homing bit and the red light: 0x41 + 0x01 + 0x08.
 const std::string Homing = "o 3c 41 41 41 41 41 41 41 41 41 41 41 41 4a 41 3e";
@@ -44,7 +44,7 @@ TEST_F(FalconBytes, TheFirstWords)
   ASSERT_TRUE(Eventually([&] { return this->Falcon.GetPackets() > 10; }));
   this->Device->Close();
   const Lines all = this->Falcon.DrainTranscript();
-  // Expect a latency of 1 ms, the baud rate of run mode, a purge of both directions, then packets
+  // Expect a latency of 1 ms, the baud rate of run mode, a purge in both directions, then packets
   // with zero force.
   const Lines first = { "c 40 09 0001", "c 40 03 0002", "c 40 00 0001", "c 40 00 0002", Zero,
     Homing, Homing, Homing };
@@ -59,7 +59,7 @@ TEST_F(FalconBytesLoading, TheLoadersDialogue)
   ASSERT_TRUE(this->Open()) << this->Error;
   ASSERT_TRUE(Eventually([&] { return this->Falcon.GetPackets() > 2; })) << this->GetText();
   const Lines all = this->Falcon.DrainTranscript();
-  // Before these requests, the driver asks the device whether its firmware runs.
+  // Skip the earlier packets, with which the driver checks whether the firmware runs.
   const auto begin = std::find(all.begin(), all.end(), "c 40 09 0010");
   ASSERT_NE(begin, all.end());
   ASSERT_GE(begin - all.begin(), 2);
@@ -87,14 +87,14 @@ TEST_F(FalconBytes, Commands)
   this->Falcon.DrainTranscript();
   ASSERT_TRUE(this->Feels({ 0.0, 0.0, 1.0 }));
   ASSERT_TRUE(this->Push({}, [&] { return this->Falcon.GetCommands() == Numbers{}; }));
-  // Near the middle, 1 N along z is an eighth of -2019 for each motor, so the motors get 0xFF04 to
+  // Near the centre, 1 N along z is an eighth of -2019 for each motor, so the motors get 0xFF04 to
   // 0xFF03, low nibble first. The light byte is blue: 0x41 + 0x04 + 0x01.
   const Lines all = this->Falcon.DrainTranscript();
   EXPECT_TRUE(std::any_of(all.begin(), all.end(),
     [](const std::string& line) {
       return line.size() == 49 && line.substr(10, 6) == " 50 50" && line.substr(40, 3) == " 46";
     }));
-  // Every packet has the homing bit, without which the device would forget its homing.
+  // Every packet must have the homing bit, without which the device would lose its zero.
   for (const std::string& line : all)
   {
     if (line.size() == 49)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the direction of the device's force all over the workspace, and for forces far beyond its
+ * Tests the direction of the device's force throughout the workspace, and for forces far beyond its
  * limits.
  */
 
@@ -34,16 +34,16 @@ protected:
   {
     return std::max({ std::fabs(commands[0]), std::fabs(commands[1]), std::fabs(commands[2]) });
   }
-  /** Returns the force (N) that the motors make of commands. */
+  /** Returns the force (N) that the motors exert for these commands. */
   Vector3 ForceOf(const Numbers& commands)
   {
     const Numbers made = FalconMotorForce(this->Falcon.GetGrip(), commands);
     return { made[0], made[1], made[2] };
   }
   /**
-   * Writes a force until the device gets all of it, or the motors' limit. Returns the commands. On
-   * a busy machine, a force that is renewed too late fades, so the function waits for the whole
-   * force.
+   * Writes a force until the device receives it completely, or at the motors' limit. Returns the
+   * commands. A force that is renewed too late on a busy machine fades, so the function waits for
+   * the whole force.
    */
   Numbers Realise(const Vector3& wanted)
   {
@@ -66,7 +66,7 @@ protected:
   }
 
   std::mt19937 Random{ 11 };
-  Vector3 Tip; ///< m, the tip as the driver reports it
+  Vector3 Tip; ///< m, tip as reported by the driver
 };
 } // namespace
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests faults of a device under force: the device counts as lost, its text gives the reason, its
- * force becomes zero, and it resumes only after homing.
+ * Tests faults of a device under force: the device is lost, its text contains the reason, its force
+ * becomes zero, and it resumes only after homing.
  */
 
 #include "Rigs/FalconRig.h"

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests a device that has no firmware yet: where the image comes from, and its possible faults.
- */
+/** Tests a device that has no firmware yet: the source of the image, and possible faults. */
 
 #include "Rigs/FalconRig.h"
 
@@ -41,7 +39,7 @@ protected:
     EXPECT_TRUE(Has(this->GetText(), why)) << this->GetText();
     EXPECT_TRUE(Has(this->GetText(), "Home()")) << this->GetText();
     EXPECT_EQ(this->Falcon.GetPackets(), 0) << "no run packet for what does not run";
-    // The driver keeps the firmware's image, so it does not need the file again.
+    // The driver stores the firmware's image, so it does not need the file again.
     this->Falcon.Break(FalconFault::None);
     this->Device->Home();
     EXPECT_TRUE(Eventually([&] { return this->Falcon.IsRunning(); })) << this->GetText();

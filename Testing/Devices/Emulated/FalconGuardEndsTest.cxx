@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the guard process itself: it may end or fail to start, and the application's signals, files
- * and forks do not reach it.
+ * Tests the guard process itself: it may end or fail to start, and is independent of the
+ * application's signals, files and forks.
  */
 
 #include "GuardProcesses.h"
@@ -24,7 +24,10 @@ class FalconGuardEnds : public FalconTest
 protected:
   ~FalconGuardEnds() override { unsetenv("VOLUMEHAPTICS_GUARD"); }
 
-  /** Sends a signal to one process. A process id of 0 or below would address many processes. */
+  /**
+   * Sends a signal to one process. Rejects a process id of 0 or below, which would address many
+   * processes.
+   */
   static void Signal(pid_t process, int number)
   {
     ASSERT_GT(process, 1);
@@ -36,7 +39,7 @@ protected:
     ASSERT_TRUE(this->Feels({ 0.0, 0.0, 2.0 }));
     ASSERT_GT(FindGuard(), 1);
   }
-  /** Kills or stops the guard, which can't prepare for either. */
+  /** Kills or stops the guard by a signal that it can't handle. */
   void BreakOff(int signal)
   {
     const pid_t guard = FindGuard();
@@ -98,7 +101,7 @@ TEST_F(FalconGuardEnds, KilledWhenAnotherDeviceHasItsNumber)
   Signal(guard, SIGKILL);
   EXPECT_TRUE(Eventually([=] { return FindGuard() != guard; }));
   EXPECT_EQ(this->Device->GetIdentity(), "falcon:port:1-7");
-  // Let this process claim the device now, and no earlier.
+  // Let this process claim the device only now.
   const long packets = other.GetPackets();
   port.ForgetProgram();
   EXPECT_TRUE(Eventually([&] { return this->Device->IsAtRest(); }));

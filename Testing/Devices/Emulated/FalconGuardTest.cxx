@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Ends or stops an application that presses with a Falcon, in every way. The guard must send zero
- * force, and the force must stay zero. An end that the system reports counts at once. Silence
- * counts after 50 ms, which are 25 of the driver's idle rounds.
+ * Ends or stops an application that presses with a Falcon, in every possible way. The guard must
+ * send zero force, and the force must stay zero: at once if the system reports the end, otherwise
+ * after 50 ms of silence, which are 25 of the driver's idle rounds.
  */
 
 #include "GuardProcesses.h"
@@ -29,15 +29,14 @@ using namespace emulated;
 namespace
 {
 /**
- * Largest number of rounds with force after the end: 50 ms take 25 rounds; a busy machine gets 25
- * more.
+ * Largest number of rounds with force after the end: 25 for 50 ms, and 25 more for a busy machine.
  */
 constexpr long MostRounds = 50;
 
 class FalconGuard : public FalconTest
 {
 protected:
-  /** Leads the hand until the device presses in the middle of the workspace. */
+  /** Moves the hand until the device presses at the centre of the workspace. */
   void BringToPress()
   {
     ASSERT_TRUE(Eventually([&] { return this->Falcon.GetPackets() > 10; }));
@@ -47,8 +46,8 @@ protected:
       this->LeadTo({ 0.0, 0.0, 0.08 });
       this->IsHomed = true;
     }
-    // Lead the grip to the rest position first: the force begins when the hand is far enough out,
-    // and might keep the hand from arriving.
+    // Move the grip to the rest position first: the force begins when the hand is far enough out,
+    // and could prevent the hand from arriving.
     this->Falcon.SetAim(Rest);
     ASSERT_TRUE(this->Presses());
     this->Falcon.SetHeld(true);
@@ -115,8 +114,8 @@ TEST_F(FalconGuard, OutlivesAnApplicationThatIsKilled)
 }
 
 /**
- * Kills applications one after the other at random times: before the guard begins, while the device
- * is homing, or under force (half of them).
+ * Kills applications one after another at random times: before the guard starts, during homing, or
+ * under force (half of them).
  */
 class FalconGuardKills
   : public FalconGuard
@@ -142,7 +141,7 @@ TEST_P(FalconGuardKills, EndInZeroEachTime)
       const long pressed = this->Falcon.GetPackets();
       ASSERT_TRUE(Eventually([&] { return this->Falcon.GetPackets() >= pressed + rounds; }));
     }
-    else if (rounds > 5) // with fewer rounds, the application is killed at its start
+    else if (rounds > 5) // after fewer rounds, the application is killed at its start
     {
       ASSERT_TRUE(Eventually([&] { return this->Falcon.GetPackets() >= start + rounds; }));
     }
@@ -166,8 +165,8 @@ INSTANTIATE_TEST_SUITE_P(, FalconGuardKills,
     std::pair("Many8", 100), std::pair("Many9", 100)),
   [](const auto& info) { return std::string(info.param.first); });
 
-/// The guard must use the application's clock. With another clock, it would notice too late that
-/// the application stands still.
+/// The guard must use the application's clock. With another clock, it would detect too late that
+/// the application has stopped.
 class FalconGuardsClock
   : public FalconGuard
   , public testing::WithParamInterface<int>
@@ -176,8 +175,8 @@ class FalconGuardsClock
 
 TEST_P(FalconGuardsClock, IsThatOfTheApplication)
 {
-  // A time namespace applies to child processes only. Creating one needs privileges, and some
-  // kernels can't.
+  // A time namespace affects only child processes. Creating one needs privileges, and some kernels
+  // don't support it.
   std::ofstream offsets;
   if (unshare(CLONE_NEWTIME) == 0)
   {

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests homing: the requests to the hand, the time limit, and homing a second time.
- */
+/** Tests homing: the instructions to the user, the time limit, and repeated homing. */
 
 #include "Rigs/FalconRig.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests an answer that comes a round late, as libnifalcon describes (see FalconModel.h). Driver and
- * device must soon be in step again, and must not stay a round apart.
+ * Tests an answer that arrives a round late, as libnifalcon describes (see FalconModel.h). Driver
+ * and device must soon be synchronised again, instead of staying a round apart.
  */
 
 #include "Rigs/FalconRig.h"
@@ -18,7 +18,7 @@ protected:
   ~FalconLate() override { this->Falcon.SetTimed(false); }
 
   /**
-   * Writes forces at more than 1 kHz, as a fast servo does, until the device has got `packets`
+   * Writes forces at more than 1 kHz, like a fast servo, until the device has received `packets`
    * packets.
    */
   bool PushFor(long packets)
@@ -43,7 +43,7 @@ TEST_F(FalconLate, OneAnswerDoesNotStayARoundBehind)
   this->Falcon.SetTimed(true);
   ASSERT_TRUE(this->PushFor(50));
   ASSERT_GT(this->Falcon.GetInStep(), 20) << "the driver waits for each answer";
-  // On a busy machine, a pause of a whole period looks like a silent line. So some of the ten
+  // On a busy machine, a pause of a whole period looks like a silent line, so some of the ten
   // attempts may fail.
   int inStep = 0;
   for (int i = 0; i < 10; ++i)

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests a device for which this user has no permission.
- */
+/** Tests a device that this user has no permission to open. */
 
 #include "Emulators/Testbed.h"
 #include "Rigs/FalconRig.h"
@@ -22,8 +20,8 @@ TEST_F(FalconPermission, MissingGivesTheRule)
 {
   const std::string rule =
     "SUBSYSTEM==\"usb\", ATTR{idVendor}==\"0403\", ATTR{idProduct}==\"cb48\", TAG+=\"uaccess\"";
-  // Root may open all devices. So the test runs for a while as the user "nobody", who may see all
-  // devices but not open this one.
+  // Root may open all devices, so run the test temporarily as the user "nobody", who can see all
+  // devices but can't open this one.
   char* const root = umockdev_testbed_get_root_dir(Testbed());
   using std::filesystem::perms;
   std::filesystem::permissions(root, perms::all);
@@ -36,8 +34,7 @@ TEST_F(FalconPermission, MissingGivesTheRule)
   }
   g_free(root);
   ASSERT_EQ(chmod(this->Usb.GetNode().c_str(), 0600), 0);
-  // Use no guard, because umockdev does not apply to a program that runs for another effective
-  // user.
+  // Use no guard, because umockdev does not work for a program with another effective user.
   setenv("VOLUMEHAPTICS_GUARD", "off", 1);
   const uid_t user = geteuid();
   const bool isRoot = user == 0;

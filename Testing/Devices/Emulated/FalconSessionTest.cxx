@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a whole session: from a device without firmware to a hand that feels a wall, loses the
- * device, and feels the wall again.
+ * Tests a whole session: a device without firmware becomes ready, a hand feels a wall, the device
+ * is lost, and the hand feels the wall again.
  */
 
 #include "Rigs/FalconRig.h"
@@ -37,8 +37,8 @@ protected:
     this->Home();
   }
   /**
-   * Leads the hand to `beyond` (m) behind the wall at x, y. Expects the grip where the hand's
-   * spring balances the wall's.
+   * Moves the hand's goal to `beyond` (m) behind the wall at x, y. Expects the grip where the
+   * hand's spring balances the wall's spring.
    */
   void PressAt(double x, double y, double beyond)
   {
@@ -62,8 +62,8 @@ protected:
     while (loop->Drain(snapshot))
     {
       EXPECT_GE(snapshot.Command.Z, 0.0);
-      // A force sideways may come only from the triangles' edges, if the sphere overlaps them at
-      // the start after a pause of the loop.
+      // A sideways force can only come from the triangles' edges, if the sphere overlaps them when
+      // the loop resumes after a pause.
       EXPECT_LT(std::hypot(snapshot.Command.X, snapshot.Command.Y), 0.01);
       most = std::max(most, snapshot.Command.Z);
     }
@@ -92,7 +92,7 @@ TEST_F(FalconSession, FromFirmwareToFeelingAndBack)
     loop->SetRecording(true);
     loop->Publish(this->Model);
     loop->Arm();
-    // Run some ticks first, so that the proxy begins outside of the wall.
+    // Run some ticks first, so that the proxy starts outside the wall.
     ASSERT_TRUE(Eventually([&] { return loop->GetTickCount() > 20; }));
     const long before = this->Falcon.GetPackets();
     const std::uint64_t from = loop->GetTickCount();

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Suspends the computer while force acts, and wakes it up.
- */
+/** Suspends the computer while a force acts, and wakes it up. */
 
 #include "Devices/Falcon/FalconDriver.h"
 #include "Rigs/FalconRig.h"

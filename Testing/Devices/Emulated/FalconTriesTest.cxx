@@ -3,8 +3,8 @@
 
 /**
  * Tests a loader that fails as often as libnifalcon describes (see FalconModel.h). After a failure,
- * the driver closes and opens the device and loads again. The text names the number of the attempt,
- * and the driver gives up after ten attempts.
+ * the driver reopens the device and loads again. The text contains the number of the attempt, and
+ * the driver gives up after ten attempts.
  */
 
 #include "Rigs/FalconRig.h"

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Unplugs and closes a device at any moment.
- */
+/** Unplugs or closes a device at arbitrary moments. */
 
 #include "Rigs/FalconRig.h"
 
@@ -26,8 +24,8 @@ protected:
     EXPECT_EQ(this->Device->Read(0.001, sample), DeviceState::Lost);
     EXPECT_EQ(this->Device->Write({ 0.0, 0.0, 1.0 }), DeviceState::Lost);
     this->Usb.PlugIn();
-    // The driver opens the device again by itself, and the hand homes it. The force from before
-    // must not act.
+    // The driver reconnects the device by itself, and the user homes it. The earlier force must not
+    // act.
     this->Falcon.DrainLargestCommand();
     this->Home();
     EXPECT_EQ(this->Falcon.DrainLargestCommand(), 0.0);

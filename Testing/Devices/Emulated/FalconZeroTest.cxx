@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests every way to zero force: the servo stops, stands still or is quenched; the device is
- * closed, destroyed or unplugged.
+ * Tests all ways to zero force: the servo stops, hangs or is quenched; the device is closed,
+ * destroyed or unplugged.
  */
 
 #include "Rigs/FalconRig.h"
@@ -30,7 +30,7 @@ protected:
 TEST_F(FalconZero, WhenTheServoStandsStill)
 {
   this->BeginForce();
-  // The servo stands still here: it neither writes a force nor quenches.
+  // The servo hangs here: it neither writes a force nor quenches.
   EXPECT_TRUE(this->IsZero());
   const long packets = this->Falcon.GetPackets();
   EXPECT_TRUE(Eventually([&] { return this->Falcon.GetPackets() > packets + 20; }))

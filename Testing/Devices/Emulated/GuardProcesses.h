@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Finds and runs the processes of the guard's tests: the guard itself, and an application that ends
- * while its device gives force.
+ * Finds and runs the processes for the guard's tests: the guard itself, and an application that
+ * ends while its device exerts a force.
  */
 #ifndef GuardProcesses_h
 #define GuardProcesses_h
@@ -31,7 +31,7 @@ inline pid_t FindGuard()
 {
   for (const auto& process : std::filesystem::directory_iterator("/proc"))
   {
-    // Parse "PID (NAME) STATE PARENT". The kernel cuts the name to 15 characters.
+    // Parse "PID (NAME) STATE PARENT". The kernel truncates the name to 15 characters.
     std::string text;
     std::getline(std::ifstream(process.path() / "stat"), text);
     const std::size_t end = text.find(") ");
@@ -44,7 +44,7 @@ inline pid_t FindGuard()
   return 0;
 }
 
-/** Runs GuardedApplication.cxx as a process of its own. */
+/** Runs GuardedApplication.cxx as a separate process. */
 class GuardedProgram
 {
 public:
@@ -77,8 +77,8 @@ public:
     this->Signal(SIGKILL);
     this->Wait();
     close(this->Input);
-    // Wait for the guard's end: umockdev aborts if a process that listens to it ends while the
-    // device is being unplugged.
+    // Wait until the guard has ended: umockdev aborts if a process that listens to it ends while
+    // the device is being unplugged.
     while (const pid_t guard = FindGuard())
     {
       waitpid(guard, nullptr, 0);
@@ -93,7 +93,7 @@ public:
     }
   }
   /**
-   * Waits for the program's end. Returns its exit status, or minus the number of the signal that
+   * Waits until the program ends. Returns its exit status, or minus the number of the signal that
    * ended it.
    */
   int Wait()

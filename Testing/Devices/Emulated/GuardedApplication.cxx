@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An application that presses with a device. Once it can read from its input, it ends in the way
- * that its first argument names (see FalconGuardTest.cxx), without ever sending zero force. The
+ * An application that presses with a device. Once its standard input is readable, it ends in the
+ * way named by its first argument (see FalconGuardTest.cxx), without ever sending zero force. The
  * second argument names the device. A device that vibrates gets a changing force.
  */
 
@@ -52,7 +52,7 @@ void End(const std::string& way)
   }
   else if (way == "fork")
   {
-    // The child process lives on with all files and devices that the application had open.
+    // The child process continues to have all files and devices of the application open.
     if (fork() == 0)
     {
       sleep(5);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests which devices are listed, what ids open, and that only one program holds a device.
+ * Tests which devices are listed, which device an id opens, and that only one program can have a
+ * device open.
  */
 
 #include "Emulators/WoodenModel.h"
@@ -112,7 +113,7 @@ TEST(HidClaim, WithoutPermissionTheRuleIsSaid)
   OpenFfboardModel model;
   EmulatedHid hid(model);
   hid.SetPermissions(0);
-  // Root may open all devices. So change the file system user, for this thread only.
+  // Root may open all devices, so change the file system user, for this thread only.
   const int owner = setfsuid(65534);
   const char* const rule =
     "SUBSYSTEM==\"hidraw\", ATTRS{idVendor}==\"1209\", ATTRS{idProduct}==\"ffb0\"";
@@ -123,8 +124,9 @@ TEST(HidClaim, WithoutPermissionTheRuleIsSaid)
   setfsuid(static_cast<uid_t>(owner));
 }
 
-/// Expects that the rule for Bluetooth names the kernel's own device. ATTRS{idVendor} matches
-/// nothing there, as no USB device is above (known from preFlight issue 244 and spnavcfg issue 60).
+/// Expects that the rule for Bluetooth names the kernel's own device. ATTRS{idVendor} would match
+/// nothing, because the device has no USB parent (known from preFlight issue 244 and spnavcfg issue
+/// 60).
 TEST(HidClaim, ByBluetoothTheRuleNamesTheKernelsDevice)
 {
   OpenFfboardModel model;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests two different devices at once, each with its own loop: neither disturbs the other.
+ * Tests two different devices at the same time, each with its own loop: neither affects the other.
  */
 
 #include "Emulators/SpaceMouseModel.h"
@@ -78,7 +78,7 @@ TEST(HidTogether, TwoOfOneKindComeBackEachAsItself)
   ASSERT_NE(one, second.Bench.Device->GetIdentity());
   ASSERT_NO_FATAL_FAILURE(first.Feel());
   ASSERT_NO_FATAL_FAILURE(second.Feel());
-  // Unplug the hub with both devices. The second device comes back first.
+  // Unplug the hub with both devices. The second device is plugged in first.
   first.Hid.Unplug();
   second.Hid.Unplug();
   EXPECT_TRUE(first.Bench.WaitForFault(GateReason::DeviceLost));
@@ -178,8 +178,8 @@ TEST(HidTogether, AStickWithoutASerialNumberDoesNotComeBackByItself)
   stick.Hid.Unplug();
   stick.Bench.ExpectLost("was unplugged. Plug it in, then Open() and Start() it.");
   stick.Hid.PlugIn();
-  // The newly plugged stick may be a different stick, whose force has the opposite sign. So it is
-  // not used by itself.
+  // The stick that was plugged in may be a different one, whose force has the opposite sign, so it
+  // must not reconnect by itself.
   EXPECT_TRUE(stick.Bench.WaitForTicks(1500));
   EXPECT_EQ(stick.Bench.Device->GetCondition().Stage, DeviceStage::Lost);
 }

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests gamepads that can't be used: no gamepad, no motors, no permission, in use.
- */
+/** Tests gamepads that can't be used: no gamepad, no motors, no permission, in use. */
 
 #include "DeviceBench.h"
 #include "Emulators/EmulatedEvdev.h"
@@ -57,7 +55,7 @@ TEST(PadFault, APadWithoutRumbleIsListedAndRefused)
   EXPECT_TRUE(Has(all[0].State, "can't vibrate: its driver offers no rumble")) << all[0].State;
   EXPECT_TRUE(Has(ErrorOf("vibration:pad"), "can't vibrate: its driver offers no rumble"));
   EXPECT_EQ(MissingText(), "");
-  // Plug in a second pad, which can vibrate. That pad is opened.
+  // Plug in a second pad, which can vibrate. Expect that this pad is opened.
   PadModel model(PadModel::Kind::PlayStation);
   const EmulatedEvdev second(model);
   EXPECT_EQ(ListDevices()[1].State, "available");
@@ -72,7 +70,7 @@ TEST(PadFault, WithoutPermissionTheCureIsSaid)
   PadModel model(PadModel::Kind::Xbox);
   EmulatedEvdev evdev(model);
   evdev.SetPermissions(0);
-  // Root may open all devices. So change the file system user, for this thread only.
+  // Root may open all devices, so change the file system user, for this thread only.
   const int owner = setfsuid(65534);
   const std::vector<DeviceListing> all = ListDevices();
   EXPECT_TRUE(!all.empty() && Has(all[0].State, "no permission. Log in at the computer itself"));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests sessions with gamepads: sticks lead the tip, and the motors turn when the force changes.
+ * Tests sessions with gamepads: sticks move the tip, and the motors turn when the force changes.
  */
 
 #include "DeviceBench.h"
@@ -90,7 +90,7 @@ TEST_P(Pads, SticksAndTriggersLeadTheTip)
 TEST_P(Pads, ContactIsFeltAndRestIsSilent)
 {
   this->Begin();
-  // Move in the air. The force does not change, so the pad does not vibrate.
+  // Move in free space. The force does not change, so the pad does not vibrate.
   this->Model.Move(ABS_X, 1.0);
   EXPECT_TRUE(Eventually([&] { return this->Bench.State().Record.Tip.X > 0.02; }));
   this->Model.Move(ABS_X, 0.0);
@@ -123,7 +123,7 @@ TEST_P(Pads, AFaultIsOnePulseThenSilence)
   this->Model.Move(ABS_RY, 0.0);
   EXPECT_TRUE(Eventually([&] { return this->Model.IsStill(); }));
   this->Model.ForgetHistory();
-  // From now on, any motion is faster than the limit.
+  // Set a limit that any motion exceeds.
   SafetyLimits limits = QuickLimits();
   limits.MaximumSpeed = 1e-3;
   this->Bench->SetLimits(limits);
@@ -172,9 +172,9 @@ TEST_P(Pads, AStepOfTheForceHasItsAmplitude)
   ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready));
   DeviceBackend& device = *this->Bench.Device;
   DeviceSample sample;
-  // Expected by the closed form of the two filters: a step of 0.5 N gives at most 0.32 of the slow
-  // motor's speed, after 46 ms, and 0.41 of the fast motor's, after 4 ms. Pads get a new speed
-  // every 10 ms.
+  // The expected values follow from the closed form of the two filters: a step of 0.5 N causes at
+  // most 0.32 of the slow motor's full speed, after 46 ms, and 0.41 of the fast motor's, after 4
+  // ms. Pads receive a new speed every 10 ms.
   bool isRight = false;
   int strong = 0;
   int weak = 0;
@@ -198,7 +198,7 @@ TEST_P(Pads, AStepOfTheForceHasItsAmplitude)
       strong = std::max(strong, change.Strong);
       weak = std::max(weak, change.Weak);
     }
-    // Repeat the step until a busy machine has written the force without a pause.
+    // Repeat the step until the force was written without a pause, which a busy machine may cause.
     isRight = std::abs(strong / FullSpeed - 0.318) < 0.02 && weak > 0.25 * FullSpeed &&
       weak < 0.46 * FullSpeed;
   }
@@ -210,9 +210,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 namespace
 {
-/**
- * A program that writes motor speeds through a file of the device's node that it has opened itself.
- */
+/** A program that writes motor speeds to the device's node through its own open file. */
 class Rumbling : public testing::Test
 {
 protected:
@@ -250,14 +248,14 @@ TEST_F(Rumbling, FallsSilentIfTheProgramStandsStill)
   const std::vector<PadModel::Change> history = this->Model.GetHistory();
   ASSERT_EQ(history.size(), 2U);
   EXPECT_GT(history[1].Time - history[0].Time, 0.14) << "the length of the effect";
-  // After the effect's end, the motors run again.
+  // The motors can be started again after the effect has ended.
   ASSERT_TRUE(this->Rumble.Show({ 1.0, 0.5 }));
   EXPECT_TRUE(this->Turns());
 }
 
 TEST_F(Rumbling, StopsWithTheProgramAlsoAfterAChange)
 {
-  // The kernel closes a program's files whenever the program ends.
+  // The kernel closes a program's files however the program ends.
   for (int i = 0; i < 40; ++i)
   {
     ASSERT_TRUE(this->Rumble.Begin(this->Node));
@@ -287,7 +285,7 @@ TEST_F(Rumbling, GoesOnWithoutGapsIfItIsRenewed)
       longest = std::max(longest, this->Model.GetTime() - last);
       last = this->Model.GetTime();
     }
-    // Evaluate only an attempt in which a busy machine made no pause.
+    // Evaluate only an attempt without a pause, which a busy machine may cause.
     isWhole = longest < 0.05;
     for (const PadModel::Change& change : this->Model.GetHistory())
     {
@@ -300,7 +298,7 @@ TEST_F(Rumbling, GoesOnWithoutGapsIfItIsRenewed)
 TEST_F(Rumbling, SilenceIsAtOnceAlsoAfterAChange)
 {
   ASSERT_TRUE(this->HasBegun);
-  // The kernel's timer may see a change and its end in the same tick.
+  // The kernel's timer may process a change and its end in the same tick.
   for (int i = 0; i < 40; ++i)
   {
     ASSERT_TRUE(this->Rumble.Show({ 0.2, 0.4 }));

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests faults of a stick: no force is left, and the text gives the reason.
- */
+/** Tests faults of a stick: the force becomes zero, and the text contains the reason. */
 
 #include "StickRig.h"
 

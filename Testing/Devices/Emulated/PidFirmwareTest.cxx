@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests published force-feedback firmwares: a force arrives along the requested axis and with the
- * requested sign, by the firmware's own arithmetic.
+ * Tests published force-feedback firmwares: the force acts along the requested axis with the
+ * requested sign, as computed by the firmware's own arithmetic.
  */
 
 #include "DeviceBench.h"
@@ -24,7 +24,7 @@ namespace
 using Kind = OpenFfboardModel::Kind;
 using Version = OpenFfboardModel::Version;
 
-/** A model that is plugged in, and the driver that has opened it. */
+/** A model that is plugged in, and a driver that has opened it. */
 template <typename Model>
 class Bench
 {
@@ -41,7 +41,7 @@ public:
     ASSERT_TRUE(this->Hid.Open("pid", this->Options)) << this->Hid.Error;
     ASSERT_TRUE(this->Hid.WaitFor(DeviceStage::Ready)) << this->Hid.Text();
   }
-  /// Requests a force (N) from the servo. Returns whether the hand gets that force.
+  /// Requests a force (N) through the servo. Returns whether the hand receives it.
   bool Gets(const Vector3& force, double tolerance = 0.01)
   {
     return Eventually(
@@ -162,7 +162,7 @@ TEST(PidFirmware, APedalDoesNotMoveAWheelsTip)
 
 TEST(PidFirmware, AnOldOpenFfboardIsDrivenAlongItsFirstAxisOnly)
 {
-  // Old versions differ in the sign of y. Only the newer versions can be recognised by their name.
+  // Old versions differ in the sign of y. Only newer versions can be recognised by their name.
   {
     Bench<OpenFfboardModel> bench(FfbHandle::FullScale, Kind::Joystick, Version::V1_16_0);
     const std::vector<DeviceListing> all = ListDevices();
@@ -185,7 +185,7 @@ TEST(PidFirmware, ADeviceThatRepeatsItselfRarelyMayRest)
 {
   Bench<OpenFfboardModel> bench(0.0, Kind::Wheel);
   ASSERT_NO_FATAL_FAILURE(bench.MakeReady());
-  // At rest, the device reports ten times a second. Wait for some 40 reports.
+  // At rest, the device reports ten times a second. Wait for about 40 reports.
   for (int i = 0; i < 400; ++i)
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));

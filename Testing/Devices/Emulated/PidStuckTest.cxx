@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a stick that accepts no more reports: the kernel waits with each report. Only the device's
- * thread may wait.
+ * Tests a stick that accepts no more reports, so that the kernel waits with each report. Only the
+ * device's thread may wait.
  */
 
 #include "DeviceBench.h"

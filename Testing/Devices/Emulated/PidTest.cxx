@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a session with a force-feedback wheel: from plugging it in to feeling a wall, and again
- * after it was unplugged.
+ * Tests a session with a force-feedback wheel: it is plugged in, feels a wall, is unplugged, and
+ * feels the wall again.
  */
 
 #include "StickRig.h"
@@ -23,7 +23,7 @@ TEST_F(Pid, FromPluggingInToFeelingAgain)
   EXPECT_EQ(ListDevices()[0].State, "in use");
   ASSERT_NO_FATAL_FAILURE(this->Feel());
   // Expect these bytes: block 1, constant force, 100 ms, full gain, Direction Enable, 90.00
-  // degrees. Then the effect is started once, and the device gets its full gain.
+  // degrees. The effect is then started once, and the device gets its full gain.
   EXPECT_EQ(this->Model.GetLast(1),
     (Bytes{ 1, 1, 1, 100, 0, 0, 0, 0, 0, 0, 0, 255, 0, 4, 0x28, 0x23, 0, 0, 0, 0, 0, 0 }));
   EXPECT_EQ(this->Model.GetLast(10)[2], 1);
@@ -34,8 +34,8 @@ TEST_F(Pid, FromPluggingInToFeelingAgain)
   EXPECT_TRUE(Eventually([&] { return this->Bench.State().Buttons == 5U; }));
   EXPECT_TRUE(this->Bench.WaitForTicks(5000));
 
-  // Unplug in contact. The force is cut, the text says so, and the device's effects end by
-  // themselves.
+  // Unplug the device during contact. The force is cut off, the text says so, and the device's
+  // effects end by themselves.
   this->Hid.Unplug();
   EXPECT_TRUE(this->Bench.WaitForFault(GateReason::DeviceLost));
   EXPECT_TRUE(this->Bench.WaitForText("was unplugged."));

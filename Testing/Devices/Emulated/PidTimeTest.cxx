@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests the timing of samples from a stick that reports every 8 ms, and only new positions.
- */
+/** Tests the timing of samples from a stick that reports only new positions, at most every 8 ms. */
 
 #include "Rigs/ReadTimes.h"
 #include "StickRig.h"
@@ -22,7 +20,7 @@ public:
   {
     if (this->Hangs)
     {
-      // Time out as the kernel does, but sooner: the kernel waits up to 5 s.
+      // Time out like the kernel, but sooner: the kernel waits up to 5 s.
       std::this_thread::sleep_for(std::chrono::milliseconds(600));
       return -ETIMEDOUT;
     }
@@ -44,7 +42,7 @@ protected:
     this->Move(waiting, 0.1);
     ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
   }
-  /// Moves the hand to and fro at 0.5 m/s for some seconds.
+  /// Moves the hand back and forth at 0.5 m/s for `seconds`.
   void Move(ReadTimes& times, double seconds)
   {
     times.Run(seconds,
@@ -81,7 +79,7 @@ TEST_F(PidTime, AtRestShowsThatItIsAliveWithoutNews)
   ReadTimes moved(*this->Bench.Device);
   this->Move(moved, 0.5);
   this->Model.SetGoal(0.0, 0.0);
-  ReadTimes(*this->Bench.Device).Run(1.0); // until it rests
+  ReadTimes(*this->Bench.Device).Run(1.0); // until it is at rest
   ReadTimes times(*this->Bench.Device);
   times.Run(2.0);
   EXPECT_LE(times.Fresh, 2) << "of " << times.Ticks << " ticks";
@@ -93,8 +91,8 @@ TEST_F(PidTime, AStickThatReportsAtRestEvery100MsIsNotSilentMeanwhile)
 {
   this->Model.OnlySaysNews = false;
   this->Model.SetGoal(0.0, 0.0);
-  ReadTimes(*this->Bench.Device).Run(4.0); // s, until the model rests and has often repeated its
-                                           // report
+  // s, until the model is at rest and has often repeated its report
+  ReadTimes(*this->Bench.Device).Run(4.0);
   ReadTimes times(*this->Bench.Device);
   times.Run(1.0);
   EXPECT_LE(times.Fresh, 12) << "of " << times.Ticks << " ticks";

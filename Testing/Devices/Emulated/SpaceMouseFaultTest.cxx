@@ -40,7 +40,7 @@ TEST(SpaceMouse, WhereLettingGoIsNotHeardTheTipDoesNotGoOn)
   const auto turns = [&](double rate)
   { return Eventually([&] { return std::abs(bench.State().Turn.Z - rate) < 1e-9; }); };
   EXPECT_TRUE(turns(1.0));
-  // While the cap is held, the mouse repeats its report, so the turn continues.
+  // While the cap is deflected, the mouse repeats its report, so the rotation continues.
   EXPECT_TRUE(bench.WaitForTicks(1500));
   EXPECT_TRUE(turns(1.0));
   model.IsSilent = true;

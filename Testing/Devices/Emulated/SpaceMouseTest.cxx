@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests sessions with six-axis mice: the cap moves a virtual tip and turns the view, and no force
- * can be felt.
+ * Tests sessions with six-axis mice: the cap moves a virtual tip and rotates the view, and no force
+ * is exerted.
  */
 
 #include "DeviceBench.h"
@@ -30,7 +30,7 @@ protected:
   {
     return Eventually([&] { return Norm(this->Bench.State().Turn - turn) < 1e-9; });
   }
-  /// Pushes the cap, then releases it. Returns the way (m) of the tip.
+  /// Pushes the cap, then releases it. Returns the path (m) of the tip.
   Vector3 Go(const SpaceMouseModel::Counts& counts)
   {
     const Vector3 from = this->Bench.State().Record.Tip;
@@ -150,7 +150,7 @@ TEST(SpaceMouseModels, AnOlderOnesUpIsUpAndTheEnterprisesKeysAreHeld)
           return holds(sample);
         });
     };
-    // Push up, then towards the hand.
+    // Push upwards, then towards the hand.
     const bool isUp = kind == Kind::PlusXt;
     const std::int16_t less = -350;
     model.Push(isUp ? SpaceMouseModel::Counts{ 0, 350, 0, 0, 0, 0 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Provides an emulated wheel, a wall to the right of its middle, and a hand that is led into the
+ * Provides an emulated wheel, a wall to the right of its centre, and a hand that is moved into the
  * wall.
  */
 #ifndef StickRig_h
@@ -17,14 +17,14 @@
 
 namespace emulated
 {
-inline constexpr double Wall = 0.01; ///< m: position of the wall, to the right of the middle
-/// Turns the device's axes into the wall's: the wall faces the device's left.
+inline constexpr double Wall = 0.01; ///< m: position of the wall, to the right of the centre
+/// Rotation from the device's axes to the wall's: the wall faces the device's left.
 inline const Matrix3 ToTheLeft = Matrix3::FromColumns({ 0, 0, -1 }, { 0, 1, 0 }, { 1, 0, 0 });
 
 class Pid : public testing::Test
 {
 protected:
-  // Gives the second axis, which has no motor, a full scale of 0 N.
+  // Set the full scale of the second axis to 0 N, because it has no motor.
   Pid() { this->Options.NewtonsPerFullScale = { FfbHandle::FullScale, 0.0 }; }
 
   void Feel()

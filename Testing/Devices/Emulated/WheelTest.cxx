@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests sessions with a wheel that does not speak HID-PID, through its Linux driver: the wheel
- * presses against a wall, and each fault ends in no force and a text.
+ * Tests sessions with a wheel that does not use HID-PID, through its Linux driver: the wheel
+ * presses against a wall, and each fault ends in zero force and a text.
  */
 
 #include "DeviceBench.h"
@@ -19,8 +19,8 @@ using namespace emulated;
 
 namespace
 {
-constexpr double Wall = 0.01; ///< m: position of the wall, to the right of the middle
-/// Turns the device's axes into the wall's: the wall faces the device's left.
+constexpr double Wall = 0.01; ///< m: position of the wall, to the right of the centre
+/// Rotation from the device's axes to the wall's: the wall faces the device's left.
 const Matrix3 ToTheLeft = Matrix3::FromColumns({ 0, 0, -1 }, { 0, 1, 0 }, { 1, 0, 0 });
 
 class Wheel : public testing::Test
@@ -37,7 +37,7 @@ protected:
   {
     this->Bench.Start(this->Ground.Model);
     ASSERT_TRUE(this->Bench.WaitForTicks(20));
-    // Arm outside of the wall. A force that begins inside would hold the hand there.
+    // Arm outside the wall. A force that begins inside would hold the hand there.
     this->Model.SetGoal(0.0);
     ASSERT_TRUE(Eventually([&] { return this->Model.GetPlace() < 0.001; }));
     this->Bench->Arm();
@@ -49,7 +49,7 @@ protected:
         Eventually([&] { return this->Model.GetPlace() < Wall - 0.004; });
       },
       [&] { this->Model.SetGoal(Wall + 0.01); },
-      // The wheel's force has steps of 0.03 N (one byte).
+      // The wheel's force has a resolution of 0.03 N (one byte).
       [&] { return std::abs(this->Model.GetForce() - force) < 0.1; }))
       << this->Model.GetForce();
   }
@@ -96,7 +96,7 @@ TEST_F(Wheel, LeadsTheTipAndPressesAWall)
   EXPECT_EQ(this->Bench.State().Record.Tip.Y, 0.0) << "pedals lead nothing";
   this->Model.Press(BTN_THUMB, true);
   EXPECT_TRUE(Eventually([&] { return this->Bench.State().Buttons == 2U; }));
-  // A wheel that is held still sends no events. This must not count as a loss.
+  // A wheel at rest sends no events. This must not count as a loss.
   EXPECT_TRUE(this->Bench.WaitForTicks(500));
   EXPECT_TRUE(this->Bench.WaitForFault(GateReason::None));
   EXPECT_LT(this->Model.GetForce(), -1.0);

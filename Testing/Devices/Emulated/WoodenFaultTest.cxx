@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests faults of a WoodenHaptics while a floor is felt: no force is left, and the text gives the
- * reason.
+ * Tests faults of a WoodenHaptics while it touches a floor: the force becomes zero, and the text
+ * contains the reason.
  */
 
 #include "Rigs/ReadTimes.h"
@@ -34,7 +34,7 @@ protected:
     this->Model.SetGoal(rest);
     return Eventually([&] { return IsNear(this->Model.GetTip(), rest, 1e-4); });
   }
-  /// Arms the device with the hand outside of the floor, and leads the hand into the floor.
+  /// Arms the device with the hand outside the floor, and moves the hand into the floor.
   void FeelAgain()
   {
     ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
@@ -61,7 +61,7 @@ TEST_F(WoodenFaults, SilenceAndBackByHoming)
   EXPECT_TRUE(this->IsQuiet());
   this->Model.Fault = WoodenFault::None;
   this->Bench.Device->Home();
-  // The device may have lost power meanwhile without a sign, so it must be calibrated again.
+  // The device may have lost power unnoticed, so it must be calibrated again.
   ASSERT_TRUE(this->Bench.WaitForText("has to be told where its arm is")) << this->Bench.Text();
   ASSERT_TRUE(this->GoToRest());
   this->Bench.Device->Home();
@@ -86,8 +86,8 @@ TEST_F(WoodenFaults, ADeviceThatHangsFallsSilentAtOnce)
 TEST_F(WoodenFaults, WriteErrorLeavesItToTheFirmware)
 {
   this->Break(WoodenFault::WriteError, "does not take what is sent to it");
-  // Packets would keep the watchdog from acting. None comes, so half a second later the currents
-  // are zero.
+  // Packets would keep the watchdog from acting. Without them, the currents become zero half a
+  // second later.
   this->Model.Fault = WoodenFault::None;
   const int packets = this->Model.GetPackets();
   EXPECT_TRUE(this->Bench.WaitForTicks(100));

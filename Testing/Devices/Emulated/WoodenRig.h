@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Provides an emulated WoodenHaptics, a floor, and a hand that is led into the floor.
- */
+/** Provides an emulated WoodenHaptics, a floor, and a hand that is moved into the floor. */
 #ifndef WoodenRig_h
 #define WoodenRig_h
 
@@ -16,13 +14,14 @@
 namespace emulated
 {
 inline constexpr double Height = -0.01; ///< m, height of the floor
-/// Maps the device's right, up and towards the hand to the arm's y, z and x.
+/// Maps the device's axes (right, up, towards the hand) to the arm's y, z and x.
 inline const Matrix3 ToTheArm = Matrix3::FromColumns({ 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 });
 
 class Wooden : public testing::Test
 {
 protected:
-  /// Calibrates and arms the device, and leads the hand 10 mm deep into the middle of the floor.
+  /// Calibrates and arms the device, and moves the hand's goal 10 mm deep into the middle of the
+  /// floor.
   void Feel()
   {
     ASSERT_TRUE(this->Bench.WaitForText("rest pose")) << this->Bench.Text();
@@ -44,7 +43,7 @@ protected:
       [&] { return this->IsHeld(); }))
       << this->Model.GetForce()[2];
   }
-  /// Returns whether the floor's force balances a hand that is led 10 mm inside.
+  /// Returns whether the floor's force balances a hand whose goal is 10 mm inside.
   bool IsHeld()
   {
     const double force = FloorStiffness * BalancedDepth(0.01);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a session with a WoodenHaptics: from plugging it in to feeling a floor, and again after it
- * was unplugged.
+ * Tests a session with a WoodenHaptics: it is plugged in, feels a floor, is unplugged, and feels
+ * the floor again.
  */
 
 #include "WoodenRig.h"
@@ -12,7 +12,7 @@ using namespace emulated;
 
 TEST_F(Wooden, IsNotReadyBeforeItIsToldItsRestPose)
 {
-  // After power-on, the device reports encoder counts of 0. The driver must not take this for a
+  // After power-on, the device reports encoder counts of 0, which the driver must not mistake for a
   // known position.
   ASSERT_TRUE(this->Bench.Open("wooden")) << this->Bench.Error;
   this->Bench.Start(this->Ground.Model);
@@ -23,8 +23,8 @@ TEST_F(Wooden, IsNotReadyBeforeItIsToldItsRestPose)
     Has(this->Bench.Text(), "put the arm into its rest pose, hold it still, and press Home()"));
   EXPECT_EQ(this->Bench.State().Device, DeviceState::NotReady);
   EXPECT_FALSE(this->Bench.State().IsArmed());
-  // A calibration of an earlier session does not count, because the device may have lost power
-  // since then.
+  // The calibration of an earlier session is no longer valid, because the device may have lost
+  // power since then.
   this->Bench.Stop();
   this->Bench.Device->Home();
   ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
@@ -65,7 +65,7 @@ TEST_F(Wooden, FromPluggingInToFeelingAgain)
   ASSERT_NO_FATAL_FAILURE(this->Feel());
   EXPECT_EQ(this->Model.GetPresets(), 1);
 
-  // Slide along the floor. Friction holds the hand back.
+  // Slide along the floor. Friction resists the hand.
   this->Bench->SetRecording(true);
   this->Model.SetGoal({ 0.0, 0.03, Height - 0.01 });
   EXPECT_TRUE(Eventually([&] { return this->Model.GetTip()[1] > 0.027; }));
@@ -86,8 +86,8 @@ TEST_F(Wooden, FromPluggingInToFeelingAgain)
   EXPECT_TRUE(this->Bench.WaitForTicks(5000));
   EXPECT_LT(this->Model.GetForce()[1], 0.0);
 
-  // Unplug in contact. The force is cut, the text says so, and the device does not resume by
-  // itself.
+  // Unplug the device during contact. The force is cut off, the text says so, and the device does
+  // not resume by itself.
   this->Hid.Unplug();
   EXPECT_TRUE(this->Bench.WaitForFault(GateReason::DeviceLost));
   EXPECT_TRUE(this->Bench.WaitForText("was unplugged."));

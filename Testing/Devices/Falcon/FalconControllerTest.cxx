@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests when the controller trusts a device's reports, and what it sends to the device in each
- * case.
- */
+/** Tests when the controller accepts a device's reports, and what it then sends to the device. */
 
 #include "Devices/Falcon/FalconController.h"
 #include "FalconWorkspace.h"
@@ -49,7 +46,7 @@ protected:
 TEST_F(FalconControllers, BelievesAFastHand)
 {
   this->BecomeReady();
-  // Move at 4 m/s. The controller accepts any speed; the servo limits the speed.
+  // Move at 4 m/s. The controller accepts any speed; limiting it is the servo's task.
   for (double z = 0.171; z > 0.09; z -= 0.004)
   {
     this->Take({ 0.0, 0.0, z });

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the conversion of forces to motor commands: the published numbers, and the force's
- * direction at saturation.
+ * Tests the conversion of forces to motor commands: the published values, and the force's direction
+ * at saturation.
  */
 
 #include "FalconWorkspace.h"
@@ -29,7 +29,7 @@ Matrix3 JacobianAt(const Vector3& position)
   return jacobian;
 }
 
-/** Returns the force (N) of motor commands: F = J^-T tau, with tau = -command / 1e4. */
+/** Returns the force (N) that motor commands exert: F = J^-T tau, with tau = -command / 1e4. */
 Vector3 RealisedForce(const Matrix3& jacobian, const FalconCounts& commands)
 {
   const Vector3 torque = -1e-4 * Vector3{ 1.0 * commands[0], 1.0 * commands[1], 1.0 * commands[2] };
@@ -51,11 +51,11 @@ TEST(FalconForce, GivesThePublishedCommands)
 TEST(FalconForce, ScalesAllThreeTogether)
 {
   const Matrix3 jacobian = JacobianAt({ 0.0, 0.0, 0.125 });
-  // The largest command is limited to 4096. The other two are multiplied by the same 4096/4848,
-  // from -1431 and -3417.
+  // The largest command is limited to 4096. The other two, -1431 and -3417, are multiplied by the
+  // same factor 4096/4848.
   EXPECT_EQ(FalconCommandsOf(jacobian, { 8.0, 0.0, 0.0 }), (FalconCounts{ -1209, 4096, -2887 }));
   EXPECT_EQ(FalconCommandsOf(jacobian, { -8.0, 0.0, 0.0 }), (FalconCounts{ 1209, -4096, 2887 }));
-  // Commands cut to 16 bits would wrap around here.
+  // Commands truncated to 16 bits would wrap around here.
   EXPECT_EQ(FalconCommandsOf(jacobian, { 1e9, 0.0, 0.0 }), (FalconCounts{ -1209, 4096, -2887 }));
 }
 

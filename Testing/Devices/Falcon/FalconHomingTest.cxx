@@ -112,8 +112,8 @@ TEST_F(FalconHomes, AZeroThatIsLostStaysLost)
 
 TEST_F(FalconHomes, CountsOutOfReachAreNotOut)
 {
-  // With arms at 102 degrees, the iteration stops outside of the reach, far above the height from
-  // which on a device is ready.
+  // With the arms at 102 degrees, the iteration stops out of reach, far above the height at which a
+  // device is ready.
   const FalconReport report{ { 1850, 1850, 1850 }, 0, FalconAllHomed };
   const FalconPose pose = FalconForward(FalconAnglesOf(report.Encoders));
   ASSERT_TRUE(pose.Reach != FalconReach::Reached && pose.Position.Z > FalconReadyHeight);

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Expects that every deviation from the loader's dialogue ends in a fault that names it.
- */
+/** Expects that every deviation from the loader's protocol ends in a fault that names it. */
 
 #include "FalconLoaderRig.h"
 

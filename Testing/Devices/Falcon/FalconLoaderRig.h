@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Plays the device for a loader step by step: checks what the loader sends, and gives the answers.
+ * Simulates the device for a loader step by step: checks the loader's requests and bytes, and
+ * returns the answers.
  */
 #ifndef FalconLoaderRig_h
 #define FalconLoaderRig_h
@@ -57,7 +58,7 @@ protected:
   {
     EXPECT_EQ(this->Loader.GetFault(), fault);
     EXPECT_EQ(this->Loader.GetStep().What, Kind::Failed);
-    // Expect that the fault is final: no later event changes it.
+    // Expect that the fault persists: no later event changes it.
     this->Loader.Done();
     this->Receive(GreetingAnswer);
     this->Loader.TimeOut();

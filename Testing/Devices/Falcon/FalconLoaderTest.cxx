@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests the loader's dialogue to the byte, without faults.
- */
+/** Tests each byte of the loader's protocol, without faults. */
 
 #include "FalconLoaderRig.h"
 
@@ -76,7 +74,7 @@ TEST_F(FalconLoads, AZeroMayComeBeforeTheGreeting)
   this->ExpectDue(4);
   this->Receive(GreetingAnswer);
   this->SpeedUp();
-  // A single zero byte may come first, and only before the answer to the greeting. Two zeros are
+  // A single zero byte may precede the answer, and only the answer to the greeting. Two zeros are
   // refused.
   this->Loader = { this->Image.data(), this->Image.size() };
   this->Prepare();
@@ -128,7 +126,7 @@ TEST_F(FalconLoads, AHundredGreetings)
   {
     this->ExpectWrite(Greeting);
     i % 2 == 0 ? this->Loader.TimeOut() : this->Receive("\x0A\x43");
-    this->ExpectRequest(0, 2); // purges, so that a late answer is not taken for the next answer
+    this->ExpectRequest(0, 2); // purges, so that a late answer is not mistaken for the next one
   }
   this->Greet();
   this->SpeedUp();

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests run packets to the byte in both directions, and which bytes do not count as a packet.
- */
+/** Tests each byte of run packets in both directions, and which bytes are not a packet. */
 
 #include "Devices/Falcon/FalconProtocol.h"
 
@@ -25,7 +23,7 @@ FalconFlaw Read(const std::string& bytes, FalconReport& report)
   return FalconDecode(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), report);
 }
 
-// Good report. Its last byte is 0x41 + 0x74: the centre button, and all encoders homed.
+// A valid report. Byte 13 is 0x41 + 0x74: the centre button, and all encoders homed.
 const std::string Good = "<JFKPEDCBAAAI\xB5"
                          "A>";
 } // namespace
@@ -41,7 +39,7 @@ TEST(FalconProtocol, SendsOrders)
   order.Lights = FalconGreen | FalconBlue | FalconRed;
   EXPECT_EQ(Text(FalconEncode(order)), "<AAABAAAPEDCBOA>");
   order.Motors = { -1, 32767, -32768 };
-  order.Lights = 0xF0; // only bits without a light
+  order.Lights = 0xF0; // only bits that are no lights
   EXPECT_EQ(Text(FalconEncode(order)), "<PPPPPPPHAAAIAA>");
 }
 

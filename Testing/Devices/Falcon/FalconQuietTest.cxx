@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Expects that the functions that the servo calls neither allocate nor lock, whatever the device
- * sends.
- */
+/** Expects that functions for the servo neither allocate nor lock, whatever the device sends. */
 
 #include "Devices/Falcon/FalconHoming.h"
 #include "Devices/Falcon/FalconStream.h"

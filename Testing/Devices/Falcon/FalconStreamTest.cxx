@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests reading reports from transfers: status bytes, packets in pieces, and bytes between packets.
+ * Tests extracting reports from transfers: status bytes, split packets, and bytes between packets.
  */
 
 #include "Devices/Falcon/FalconStream.h"
@@ -16,7 +16,7 @@ using namespace VolumeHaptics;
 
 namespace
 {
-// A report with the encoders -1447, 0 and 1. Its last byte is 0x41 + 0x71: the plus button, and all
+// A report with the encoders -1447, 0 and 1. Byte 13 is 0x41 + 0x71: the plus button, and all
 // encoders homed.
 const std::string Good = "<JFKPAAAABAAA\xB2"
                          "A>";
@@ -40,7 +40,7 @@ class FalconStreamed : public testing::Test
 protected:
   int ReceiveTransfer(const std::string& transfer)
   {
-    // Copy the bytes to a block of exactly this size, so that the address sanitizer sees a read
+    // Copy the bytes to a block of exactly this size, so that the address sanitizer detects a read
     // beyond the end.
     const std::vector<std::uint8_t> exact(transfer.begin(), transfer.end());
     return this->Stream.Receive(exact.data(), exact.size(), this->Report);
@@ -74,7 +74,7 @@ TEST_F(FalconStreamed, NothingToSay)
 
 TEST_F(FalconStreamed, TheLastOfMany)
 {
-  // In these 80 bytes, the border between two USB packets lies inside of a report.
+  // In these 80 bytes, the boundary between two USB packets is inside a report.
   EXPECT_EQ(this->Take(Good + Good + Good + Good + Second), 5);
   EXPECT_EQ(this->Report.Encoders[0], 2);
   EXPECT_EQ(this->Stream.GetDropped(), 0u);

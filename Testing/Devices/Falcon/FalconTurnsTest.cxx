@@ -3,10 +3,10 @@
 
 /**
  * Tests in simulated time how host and device take turns. As on a serial line, the device answers
- * all packets in order: each answer comes a round after its packet, and a round after the answer
- * before. The device has the faults that libnifalcon/libnifalcon (commit f7c727a) copes with: an
- * answer that comes only after the next packet was sent (isFirmwareLoaded() in
- * src/core/FalconFirmware.cpp), and no answer.
+ * all packets in order: each answer arrives a round after its packet, and a round after the
+ * previous answer. The device has the faults that libnifalcon/libnifalcon (commit f7c727a) handles:
+ * an answer that arrives only after the next packet was sent (isFirmwareLoaded() in
+ * src/core/FalconFirmware.cpp), and a missing answer.
  */
 
 #include "Devices/Falcon/FalconTurns.h"
@@ -26,7 +26,7 @@ constexpr std::int64_t Round = 1000 * Microsecond;
 class FalconTakesTurns : public testing::Test
 {
 protected:
-  /** Advances the time by 10 us. The servo gives a force every `period`. */
+  /** Advances the time by 10 us. The servo writes a force every `period`. */
   void Step(std::int64_t period)
   {
     this->Now += 10 * Microsecond;
@@ -121,8 +121,7 @@ TEST_P(FalconTakesTurnsAt, ALateAnswerLeavesNoneBehind)
     this->IsLate = true;
     this->Run(this->GetPeriod(), 2);
     EXPECT_EQ(this->Misses, again + 1);
-    // While an answer is missing, only one further packet is sent: the one after the late answer's
-    // packet.
+    // While an answer is missing, only one more packet is sent.
     this->Run(this->GetPeriod(), 1);
     for (int i = 0; i < 20; ++i)
     {
@@ -156,8 +155,8 @@ TEST_P(FalconTakesTurnsAt, WhateverComesTheyEndInStep)
     int faults = 0;
     for (int i = 0; i < 8; ++i)
     {
-      // Make at most two faults in a row. After more faults, the host can't tell a late answer from
-      // a lost one.
+      // Make at most two consecutive faults. After more faults, the host can't distinguish a late
+      // answer from a lost one.
       const auto fault = random() % 5;
       faults = fault < 2 && faults < 2 ? faults + 1 : 0;
       this->IsLate = faults > 0 && fault == 0;
@@ -192,6 +191,6 @@ TEST(FalconTurns, AFailedTransferIsNotWaitedFor)
   turns.Abandon();
   EXPECT_TRUE(turns.MaySend(1));
   EXPECT_FALSE(turns.CheckMissed(1, false));
-  turns.Answered(2, 1); // answers a packet for which no answer is missing
+  turns.Answered(2, 1); // an answer without an unanswered packet
   EXPECT_TRUE(turns.MaySend(2));
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Lists positions in a Falcon's workspace, and computes encoder counts at a position.
+ * Samples positions in a Falcon's workspace, and computes the encoder counts at a position.
  */
 #ifndef FalconWorkspace_h
 #define FalconWorkspace_h
@@ -16,8 +16,8 @@ namespace hardwaretest
 using namespace VolumeHaptics;
 
 /**
- * Samples a cylinder of 0.06 m radius, from 0.075 to 0.15 m along z, which is wider than a haptic
- * workspace of 0.04 m radius.
+ * Samples a cylinder with a radius of 0.06 m, from 0.075 to 0.15 m along z, which contains the
+ * haptic workspace (radius 0.04 m).
  */
 inline std::vector<Vector3> SampleWorkspace(double step = 0.005)
 {
@@ -40,7 +40,7 @@ inline std::vector<Vector3> SampleWorkspace(double step = 0.005)
 }
 
 /**
- * Returns the encoder counts at a position, for emulated reports. At a count of 0, an arm is at 35
+ * Returns the encoder counts at a position, for emulated reports. The count 0 means an arm at 35
  * degrees; a count is 0.0364347 degrees.
  */
 inline FalconCounts CountsAt(const Vector3& position)

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a device behind a guard as its owner and the servo see it. The guard is a real process with
- * a simulated device (PlayedGuard.cxx). Emulated/FalconGuardTest.cxx tests how the guard outlives a
- * program.
+ * Tests a device behind a guard from the view of its owner and the servo. The guard is a real
+ * process with a simulated device (PlayedGuard.cxx). Emulated/FalconGuardTest.cxx tests that the
+ * guard outlives a program.
  */
 
 #include "Devices/Guard/GuardedDevice.h"
@@ -31,7 +31,7 @@ using devicetest::Eventually;
 namespace
 {
 
-/** A driver in this process that counts the requests to send zero in the guard's place. */
+/** The driver in this process. It counts the requests to send zero in the guard's place. */
 class Rescuer : public HardwareDriver
 {
 public:
@@ -53,7 +53,7 @@ public:
     const std::string& identity, const std::function<bool()>& /*mustStop*/, std::string&) override
   {
     EXPECT_EQ(identity, "played:SN1") << "as the guard has told it";
-    // The rescue succeeds at the third attempt, as on a system that needs time.
+    // The third attempt succeeds, as on a system that needs time to release the device.
     return ++this->Count >= 3;
   }
   void Serve(HardwareExchange&) override {}
@@ -92,7 +92,7 @@ protected:
     ASSERT_TRUE(this->IsAt(DeviceStage::Ready)) << this->GetText();
     ASSERT_GT(this->GetGuard(), 1);
   }
-  /** Writes a force until the device reports it as its position. */
+  /** Writes a force until the device returns it as its position. */
   bool Feels(const Vector3& force)
   {
     return Eventually(
@@ -128,12 +128,12 @@ TEST_F(Guarded, IsRememberedAndGivesTrueNewtons)
         return Norm(this->Sample.Tip - asked) < 1e-12;
       });
   };
-  // With a scale of 2, the device gives 2 N for each requested newton. Its own limit stays 3 N.
+  // With a scale of 2, the device exerts 2 N for each requested newton. Its own limit stays 3 N.
   this->Device->SetForceScale(2.0);
   EXPECT_EQ(this->Device->GetLimits().MaximumForce, 3.0);
   EXPECT_TRUE(gets({ 2.0, -1.0, 0.0 }, { 1.0, -0.5, 0.0 }));
-  // With a scale of 0.5, the device gives half of the requested force, and requests are at most 3
-  // N.
+  // With a scale of 0.5, the device exerts half of the requested force, and requests are limited to
+  // 3 N.
   this->Device->SetForceScale(0.5);
   EXPECT_EQ(this->Device->GetLimits().MaximumForce, 1.5);
   EXPECT_TRUE(gets({ 1.0, 0.0, 0.0 }, { 2.0, 0.0, 0.0 }));
@@ -195,7 +195,7 @@ TEST_F(Guarded, SaysWhyItCantBeOpened)
   ASSERT_TRUE(this->Device->Open(this->Error));
   ASSERT_TRUE(this->IsAt(DeviceStage::Lost));
   EXPECT_NE(this->GetText().find("out of order"), std::string::npos) << this->GetText();
-  // When the guard ends, the text keeps the first reason.
+  // After the guard has ended, the text still contains the first reason.
   ASSERT_TRUE(Eventually([this] { return this->Rescues > 0 && this->Device->IsAtRest(); }));
   EXPECT_NE(this->GetText().find("out of order"), std::string::npos) << this->GetText();
 }
@@ -270,19 +270,19 @@ TEST_F(Guarded, IsTheParentsAfterAFork)
 
 TEST_F(Guarded, OfAnotherVersionIsRefused)
 {
-  // Start the guard as an older library would, without open files behind the descriptors.
+  // Start the guard like an older library would, without open files for these descriptors.
   const int status = std::system(VOLUME_HAPTICS_PLAYED_GUARD " 0.0 3 4 1 0 echo");
   EXPECT_EQ(WEXITSTATUS(status), 1);
   EXPECT_EQ(WEXITSTATUS(std::system(VOLUME_HAPTICS_PLAYED_GUARD " 2> /dev/null")), 2);
 }
 
-/// Expects the rule for plug-ins of OwnFile.h also for the guard: a program that another user could
-/// have written would run with all rights of this user, who may be root.
+/// Expects that the rule for plug-ins in OwnFile.h also applies to the guard: a program that
+/// another user could have written would run with all permissions of this user, who may be root.
 TEST(GuardProgram, OneThatAnotherUserCouldHaveWrittenIsPassedOver)
 {
   namespace fs = std::filesystem;
   const fs::path top = fs::canonical(TemporaryPath(""));
-  // The library is as many folders below the top as the search goes upwards.
+  // The library is as many folders below the top as the search goes up.
   const fs::path library = top / "app" / "a" / "b" / "c" / "d" / "lib" / "library.so";
   const fs::path planted = top / "volumehaptics-guard";
   const fs::path own = top / "app" / "bin" / "volumehaptics-guard";
@@ -310,7 +310,7 @@ TEST(GuardProgram, OneThatAnotherUserCouldHaveWrittenIsPassedOver)
       << obstacle;
     ASSERT_EQ(chmod(open.c_str(), 0700), 0);
   }
-  // The path contains a link in a folder that others may write.
+  // The path contains a link in a folder that other users can write to.
   fs::rename(planted, top / "safe");
   fs::create_directory(top / "open");
   ASSERT_EQ(chmod((top / "open").c_str(), 0777), 0);

@@ -3,8 +3,8 @@
 
 /**
  * A guard with a simulated device, for GuardedDeviceTest.cxx. The device reports each force as a
- * position, and its lights as an orientation. Or a hand holds the device, and the force moves the
- * hand: "held" has motors of the right sign, and "crossed" of the wrong sign.
+ * position, and its lights as an orientation. Alternatively, a hand holds the device, and the force
+ * moves the hand: "held" has motors with the right sign, and "crossed" with the wrong sign.
  */
 
 #include "Devices/Guard/GuardMain.h"

@@ -28,7 +28,7 @@ protected:
   }
 };
 
-/// Returns the reason why this computer has no Haply device, as the list of missing kinds says.
+/// Returns the reason why this computer has no Haply device, from the list of missing kinds.
 std::string MissingText()
 {
   std::string text;
@@ -77,8 +77,8 @@ TEST_F(HaplyFaults, TheServiceFallsSilent)
 TEST_F(HaplyFaults, TheServiceIsSlow)
 {
   this->Service->Break(HaplyFault::Slow);
-  // The service is slow. A force computed from an old position must not act. When the service is
-  // fast again, the client must catch up with the stream.
+  // The service is slow. A force computed from an old position must not act. Once the service is
+  // fast again, the client must catch up.
   EXPECT_TRUE(Eventually([&] { return Size(this->LastForce()) == 0.0; }));
   this->Service->Break(HaplyFault::None);
   EXPECT_TRUE(this->Bench.Press(
@@ -102,7 +102,7 @@ TEST_F(HaplyFaults, TheServiceAnswersTwice)
   const std::size_t before = this->LastSession().Forces.size();
   this->Service->Break(HaplyFault::Twice);
   ASSERT_TRUE(Eventually([&] { return this->LastSession().Forces.size() > before + 600; }));
-  // Each of 600 messages gets an extra state. A client that reads one state for each message would
+  // Each of 600 messages gets an additional state. A client that reads one state per message would
   // be 300 states behind.
   EXPECT_LT(this->CountBehind(), 100.0);
   this->Service->Break(HaplyFault::None);
@@ -145,7 +145,7 @@ TEST_F(HaplyFaults, TheServiceSendsPingsWithoutEndAndReadsNothing)
 {
   this->Service->Break(HaplyFault::DeafPings);
   this->Bench.ExpectLost("the Inverse service does not answer");
-  this->Service->Break(HaplyFault::Silent); // the service now reads all messages that have arrived
+  this->Service->Break(HaplyFault::Silent); // the service now reads all pending messages
   EXPECT_TRUE(Eventually([&] { return Size(this->LastForce()) == 0.0; }));
 }
 
@@ -189,7 +189,7 @@ TEST_F(HaplyFaults, ThePositionIsNotTold)
 
 TEST_F(HaplyFaults, ThePositionIsNotToldAndTheServiceIsSlow)
 {
-  // The service answers slowly, so nearly always a message is on its way.
+  // The service answers slowly, so nearly always a message is unanswered.
   this->Service->Break(HaplyFault::SlowBlind);
   this->ExpectLost("does not tell its position");
 }
@@ -245,7 +245,7 @@ TEST_F(HaplyFaults, TheWorkspaceIsMovedUnderTheHand)
 {
   this->Service->SetTransform({ 0.0, 0.001, 0.0 }, 1.0);
   this->ExpectLost("was moved without the hand");
-  // The new position is accepted if it stays.
+  // The new position is accepted if it persists.
   this->Bench.Device->Home();
   ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
   this->Bench.Stop();
@@ -331,7 +331,7 @@ TEST(HaplyErrors, AnotherUsersProgramIsNotAsked)
 
 TEST(HaplyErrors, SayWhatToDo)
 {
-  // Find a free port: the port of a service that has just ended.
+  // Find a free port: that of a service that has just ended.
   emulated::HaplyShape shape;
   {
     const HaplyService service(shape);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Reads messages of Haply's Inverse service: the examples of its public documentation, whole,
+ * Reads messages of Haply's Inverse service: the examples in its public documentation, complete,
  * shortened and damaged (docs.haply.co/inverseSDK: service/api/simulation of 3.1,
  * service/realtime/websocket-protocol, service/commons/types, service/events, service/api/http,
  * 3.0.2/service).
@@ -210,7 +210,7 @@ TEST(HaplyMessages, DeepJsonIsRefused)
     EXPECT_NE(ReadHaplyEvent(R"({"data":)" + deep + "}", event), nullptr);
     EXPECT_NE(ReadHaplyVersion(R"({"git_tag":"3.5.0","data":)" + deep + "}", version), nullptr);
   }
-  // Later services may add members, also nested lists. Brackets inside of strings do not count.
+  // Later services may add members, even nested lists. Brackets inside strings don't count.
   const std::string texts = R"("\"[[\\":")" + std::string(100, '[') + "\"";
   EXPECT_EQ(ReadHaplyMessage(R"({"a":[[[[[[[[[[]]]]]]]]]],)" + texts + "}", message), nullptr);
 }
@@ -315,7 +315,7 @@ TEST(HaplyMessages, AxesTurnAndDoNotMirror)
   EXPECT_EQ(back.X, 1.0);
   EXPECT_EQ(back.Y, 2.0);
   EXPECT_EQ(back.Z, 3.0);
-  // Turning the grip to the left about the vertical turns the stylus about the device's y.
+  // Rotating the grip to the left about the vertical rotates the stylus about the device's y.
   const Quaternion turn = ToDevice(Quaternion{ 0.6, 0.0, 0.0, 0.8 });
   EXPECT_EQ(turn.W, 0.6);
   EXPECT_EQ(turn.Y, 0.8);

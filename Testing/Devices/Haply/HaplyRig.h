@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Provides a simulated Inverse service, a floor that its arm feels, and a hand that is led into the
- * floor.
+ * Provides a simulated Inverse service, a floor that its arm feels, and a hand that is moved into
+ * the floor.
  */
 #ifndef HaplyRig_h
 #define HaplyRig_h
@@ -15,7 +15,7 @@
 
 namespace emulated
 {
-/// Axes of the floor. Its outward axis is the device's y, which is up (Haply's z).
+/// Axes of the floor. The outward normal is the device's y, which points up (Haply's z).
 inline const Matrix3 Upward = Matrix3::FromColumns({ 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 });
 
 class HaplyTest : public testing::Test
@@ -29,11 +29,11 @@ protected:
     ASSERT_TRUE(this->Bench.Open(id)) << this->Bench.Error;
     ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
   }
-  /// Arms the device, and leads the hand 5 mm deep into the middle of the floor.
+  /// Arms the device, and moves the hand's goal 5 mm deep into the middle of the floor.
   void Feel(double rate = 1000.0)
   {
-    // Lead the hand above the floor before the loop begins. A loop that begins below the floor
-    // would feel the floor from below.
+    // Move the hand above the floor before the loop begins. If it began below, the hand would feel
+    // the floor from below.
     this->LeadAbove();
     this->Bench.Start(this->Ground.Model, rate);
     ASSERT_TRUE(this->Bench.WaitForTicks(20));
@@ -52,7 +52,7 @@ protected:
       [&]
       {
         // On a busy machine, the service may answer so late that the device is lost. The arm then
-        // does not move.
+        // no longer moves.
         if (this->Bench.Device->GetCondition().Stage == DeviceStage::Lost)
         {
           this->Bench.Device->Home();
@@ -62,22 +62,22 @@ protected:
       }))
       << this->Bench.Text();
   }
-  /// Returns whether the floor pushes straight up, in balance with a hand that is led 5 mm inside.
+  /// Returns whether the floor pushes straight up and balances a hand whose goal is 5 mm inside.
   bool IsHeld()
   {
     const double force = FloorStiffness * BalancedDepth(0.005);
     return IsNear(this->Service->GetForce(), { 0.0, 0.0, force }, 0.05);
   }
-  /// Expects that the force is cut, that the text names the reason, that the device does not return
-  /// by itself, and that the last message has no force.
+  /// Expects that the force is cut off, that the text contains the reason, that the device does not
+  /// resume by itself, and that the last message has zero force.
   void ExpectLost(const char* text)
   {
     this->Bench.ExpectLost(text);
     EXPECT_TRUE(Eventually([&] { return Size(this->LastForce()) == 0.0; }));
   }
   /**
-   * Returns the number of messages by which the client's position is behind; one message may be on
-   * its way. The service must number its positions, and no loop may run.
+   * Returns the number of messages by which the client's position is behind; one unanswered message
+   * is normal. The service must number its positions, and no loop may run.
    */
   double CountBehind()
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Leads a hand on an arm of a simulated Inverse service. Positions and forces go over real
+ * Moves a hand on an arm of a simulated Inverse service. Positions and forces are sent over real
  * WebSockets of this computer. The service is written from Haply's documentation (see
  * Emulators/HaplyService.h). On the floor, the hand's spring and the floor's spring must balance.
  */
@@ -130,7 +130,7 @@ TEST_F(HaplySessions, TheGripTurnsTheStylusAndHasAButton)
 {
   this->Serve();
   ASSERT_NO_FATAL_FAILURE(this->Open());
-  // Turn the grip by a quarter turn about the vertical, which is the device's y.
+  // Rotate the grip by 90 degrees about the vertical, which is the device's y.
   const double half = std::sqrt(0.5);
   this->Service->SetGrip({ half, 0.0, 0.0, half }, true);
   DeviceSample sample;

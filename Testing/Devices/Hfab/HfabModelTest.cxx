@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Compares the arms of hfab controllers with the published arithmetic (forsslund/hfabapi, commit
- * cf00e97, in Emulators/HfabEmulator.cxx), whose slopes are differences of positions.
+ * Compares the model of hfab arms with the published arithmetic (forsslund/hfabapi, commit cf00e97,
+ * in Emulators/HfabEmulator.cxx). Derivatives are checked by differences of positions.
  */
 
 #include "Devices/Hfab/HfabModel.h"
@@ -23,7 +23,9 @@ namespace
 {
 constexpr double Circle = 6.283185307179586;
 
-/** Returns the calibration pose first, and then random poses around the middle of the workspace. */
+/**
+ * Returns the calibration pose first, followed by random poses around the middle of the workspace.
+ */
 class HfabPoses
 {
 public:
@@ -40,8 +42,8 @@ public:
       this->IsFirst = false;
       return geometry.Home;
     }
-    // Angles in rad. Polhem's calibration pose is at the ends of its joints. The middle of its
-    // workspace is where the published position is the origin.
+    // Angles in rad. Polhem's calibration pose is at the limits of its joints, so use the pose
+    // whose published position is the origin as the middle of its workspace.
     const HfabModel::Angles home = HfabModel::ComputeAngles(geometry, geometry.Home);
     const HfabModel::Angles middle =
       this->Model == 1 ? HfabModel::Angles{ 0.0, 0.913, 2.36 } : home;
@@ -97,11 +99,11 @@ TEST(HfabModels, PositionsAreThePublishedOnes)
 
 TEST(HfabModels, PosesForCalibrationCanBeWorkedOutByHand)
 {
-  // WoodenHaptics' calibration pose: upper arm upright, forearm level. 6000 counts are a quarter
-  // turn of the forearm, with 2000 counts per turn and a gear of 1:12.
+  // WoodenHaptics' calibration pose: upper arm upright, forearm level. 6000 counts are 90 degrees
+  // of the forearm, with 2000 counts per turn and a gear of 1:12.
   EXPECT_LT(Norm(TipAtHome(3) - Vector3{ 0.245 - 0.22, 0.0, 0.205 }), 1e-12);
-  // PHANToM's calibration pose: upper arm level, forearm hanging. 7700 counts are a quarter turn of
-  // the upper arm, with 4000 counts per turn and a gear of 1:7.7.
+  // PHANToM's calibration pose: upper arm level, forearm hanging. 7700 counts are 90 degrees of the
+  // upper arm, with 4000 counts per turn and a gear of 1:7.7.
   EXPECT_LT(Norm(TipAtHome(2) - Vector3{ 0.0, 0.0, 0.097 - 0.112 }), 1e-12);
 }
 
@@ -182,8 +184,8 @@ TEST(HfabModels, CurrentsSaturateTogetherAndWhatIsNoNumberIsNone)
 TEST(HfabModels, ALinkageThatCannotCloseHasNoTip)
 {
   const HfabGeometry& geometry = *HfabModel::Find(1);
-  // In this pose, the ends of the cranks are 151 mm apart. The rod (190 mm) and its crank (34 mm)
-  // can't fold to so small a distance.
+  // In this pose, the ends of the cranks are 151 mm apart, less than the rod (190 mm) and its crank
+  // (34 mm) allow.
   const HfabModel::Angles folded{ 0.0, 2.178, 3.6 };
   Vector3 tip;
   EXPECT_TRUE(std::isnan(HfabEmulator::TipOf(1, { folded[0], folded[1], folded[2] })[0]));
@@ -205,14 +207,14 @@ TEST(HfabModels, ThePolhemsHandleTurnsWithItsEncoders)
   HfabModel::Counts counts = geometry.Home;
   const Quaternion before = HfabModel::ComputeOrientation(geometry, counts);
   EXPECT_NEAR(SquaredNorm(before), 1.0, 1e-12);
-  // The last joint turns the handle by a quarter turn about the handle's own axis, the stylus' z.
+  // The last joint rotates the handle by 90 degrees about its own axis, which is the stylus' z.
   counts[5] += 256;
   const Quaternion turn = Conjugate(before) * HfabModel::ComputeOrientation(geometry, counts);
   EXPECT_NEAR(std::abs(turn.W), std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(turn.X, 0.0, 1e-12);
   EXPECT_NEAR(turn.Y, 0.0, 1e-12);
   EXPECT_NEAR(std::abs(turn.Z), std::sqrt(0.5), 1e-12);
-  // The first motor turns the arm and the handle about the vertical, the device's y.
+  // The first motor rotates the arm and the handle about the vertical, which is the device's y.
   counts = geometry.Home;
   const double quarter =
     geometry.CountsPerTurn / 4.0 * geometry.Body[0] / geometry.Capstan[0] * geometry.Signs[0];
@@ -239,8 +241,8 @@ TEST(HfabModels, ThePhantomsHandleTurnsWithItsForearmAndItsGimbal)
     { HfabModel::Counts{ 0, 7700, 0, 0, 0, 0 }, HfabModel::Counts{ 900, 5000, -6000, 0, 0, 0 },
       HfabModel::Counts{ -1500, 9000, 4000, 0, 0, 0 } })
   {
-    // Make the forearm 1 m longer: the tip then moves 1 m along the forearm. At rest, this is also
-    // the axis of the handle.
+    // Lengthen the forearm by 1 m: the tip then moves 1 m along the forearm. In the calibration
+    // pose, this is also the axis of the handle.
     const HfabModel::Angles angles = HfabModel::ComputeAngles(geometry, counts);
     Vector3 tip;
     Vector3 farther;
@@ -250,8 +252,8 @@ TEST(HfabModels, ThePhantomsHandleTurnsWithItsForearmAndItsGimbal)
     const Quaternion rest = HfabModel::ComputeOrientation(geometry, counts);
     EXPECT_NEAR(SquaredNorm(rest), 1.0, 1e-12);
     EXPECT_NEAR(Norm(pointsAlong(rest, { 0.0, 0.0, 1.0 }) - forearm), 0.0, 1e-12);
-    // Turn each gimbal joint by a quarter turn. With the published signs, the axes of the handle
-    // are up (y), right (x), and the handle itself (z).
+    // Turn each gimbal joint by 90 degrees. With the published signs, the joints' axes are up (y),
+    // right (x), and the handle itself (z).
     const auto by = [&](std::size_t encoder)
     {
       HfabModel::Counts turned = counts;

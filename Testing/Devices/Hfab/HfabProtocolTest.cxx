@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the lines of hfab controllers, in the formats of forsslund/hfabapi, hfab_protocol.h and
- * hfab_serial.cpp (commit cf00e97).
+ * Tests the text protocol of hfab controllers, in the format of forsslund/hfabapi, hfab_protocol.h
+ * and hfab_serial.cpp (commit cf00e97).
  */
 
 #include "Devices/Hfab/HfabProtocol.h"

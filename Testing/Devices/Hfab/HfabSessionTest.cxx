@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests sessions with arms of hfab controllers behind pseudo-terminals: each arm presses a floor in
- * closed loop, and each fault ends in zero force and a text. Controllers and arms follow the
- * published firmware and host (Emulators/HfabEmulator.h).
+ * Tests sessions with hfab arms over pseudo-terminals: each arm presses on a floor in closed loop,
+ * and each fault ends in zero force and a text. Controllers and arms follow the published firmware
+ * and host program (Emulators/HfabEmulator.h).
  */
 
 #include "Devices/Emulated/DeviceBench.h"
@@ -20,7 +20,7 @@ using namespace emulated;
 
 namespace
 {
-// Maps the device's right, up and towards the hand to the arm's y, z and x.
+// Maps the device's axes (right, up, towards the hand) to the arm's y, z and x.
 const Matrix3 ToTheHfabArm = Matrix3::FromColumns({ 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 });
 const std::array<int, 3> NoCurrents{};
 
@@ -29,7 +29,7 @@ struct HfabRig
   explicit HfabRig(int model)
     : Arm(model)
     , Home(HfabEmulator::TipOf(model, HfabEmulator::AnglesOf(model, HfabEmulator::HomeOf(model))))
-    // Polhem's calibration pose is at the edge of its workspace, so its middle is elsewhere.
+    // Polhem's calibration pose is at the edge of its workspace, so use another pose as the middle.
     , Middle(model == 1 ? Triple{} : Triple{ this->Home[0] + 0.02, 0.0, this->Home[2] })
     , Height(this->Middle[2] - 0.01)
     , Ground(this->Height, ToTheHfabArm)
@@ -41,7 +41,7 @@ struct HfabRig
     return Eventually([&] { return this->Arm.GetCurrents() == NoCurrents; });
   }
   bool IsAt(DeviceStage stage) { return this->Bench.Device->GetCondition().Stage == stage; }
-  /// Calibrates the arm. Tries again if a busy machine has delayed the controller's answers.
+  /// Calibrates the arm. Retries if a busy machine has delayed the controller's answers.
   void Calibrate()
   {
     for (int attempt = 0; attempt < MostAttempts && !this->IsAt(DeviceStage::Ready); ++attempt)
@@ -63,15 +63,15 @@ struct HfabRig
   {
     return { this->Middle[0], this->Middle[1], this->Height + above };
   }
-  /// Leads the hand slowly to a goal (m). Returns false if the device is lost on the way, so that
-  /// no more positions come.
+  /// Moves the hand slowly to a goal (m). Returns false if the device is lost on the way, because
+  /// no more positions are reported then.
   bool Lead(const Triple& goal)
   {
     this->Arm.SetGoal(goal);
     const auto isThere = [&] { return IsNear(this->Arm.GetTip(), goal, 1e-3); };
     return Eventually([&] { return isThere() || this->IsAt(DeviceStage::Lost); }) && isThere();
   }
-  /// Calibrates and arms the device, and leads the hand 5 mm deep into the floor.
+  /// Calibrates and arms the device, and moves the hand's goal 5 mm deep into the floor.
   void Feel()
   {
     bool isAbove = false;
@@ -88,7 +88,7 @@ struct HfabRig
       [&] { this->Arm.SetGoal(this->At(-0.005)); }, [&] { return this->IsHeld(); }))
       << this->Arm.GetForce()[2] << " " << this->Bench.Text();
   }
-  /// Returns whether the floor's force balances a hand that is led 5 mm inside.
+  /// Returns whether the floor's force balances a hand whose goal is 5 mm inside.
   bool IsHeld()
   {
     const double force = FloorStiffness * BalancedDepth(0.005);
@@ -175,7 +175,7 @@ TEST_F(Hfab, AFirmwareThatWantsItsButtonIsNotCalibratedBeforeIt)
 
 TEST_F(Hfab, TheFirmwaresWatchdogIsTheLastResort)
 {
-  // Act as a program that sends one message and then stands still.
+  // Act like a program that sends one message and then hangs.
   SerialPort port;
   std::string error;
   ASSERT_TRUE(port.Open(this->Rig.Arm.GetPort(), error)) << error;
@@ -204,8 +204,8 @@ TEST_F(Hfab, AJumpCutsTheForce)
   DeviceBench& bench = this->Rig.Bench;
   ASSERT_TRUE(bench.Open(this->Rig.GetId())) << bench.Error;
   ASSERT_NO_FATAL_FAILURE(this->Rig.Feel());
-  // Repeat the jump. After a pause of a busy machine, a hand may have moved as far, so a single
-  // jump may be accepted.
+  // Repeat the jump: after a pause of a busy machine, the driver may accept a single one as a
+  // motion of the hand.
   EXPECT_TRUE(Eventually(
     [&]
     {
@@ -248,8 +248,8 @@ TEST_F(Hfab, ItsButtonElsewhereCutsTheForce)
     ASSERT_TRUE(rig.Bench.Open(rig.GetId())) << rig.Bench.Error;
     ASSERT_NO_FATAL_FAILURE(rig.Feel());
     const Triple tip = rig.Arm.GetTip();
-    // The button sets the encoder counts to zero, as power-up does. So the arm seems to be where it
-    // was at power-up.
+    // The button resets the encoder counts to zero, like power-up, so the arm seems to be in its
+    // power-up pose.
     const double jump = Size({ tip[0] - atPower[0], tip[1] - atPower[1], tip[2] - atPower[2] });
     rig.Arm.DrainLongestPause();
     const int messages = rig.Arm.GetMessages();
@@ -264,7 +264,8 @@ TEST_F(Hfab, ItsButtonElsewhereCutsTheForce)
     }
     else
     {
-      // The driver may take the jump for a motion of the hand only after a pause of a busy machine.
+      // The driver may accept the jump as a motion of the hand only if a busy machine has caused a
+      // pause.
       EXPECT_GT(rig.Arm.DrainLongestPause(), 0.5 * jump / HfabDriver::FastestHand);
     }
   }
@@ -310,14 +311,15 @@ TEST_F(Hfab, AnArmThatIsBackAsksForItsPose)
   this->Rig.Arm.Unplug();
   std::filesystem::remove(port);
   bench.ExpectLost("was unplugged. Plug it in again");
-  // The driver does not accept a different arm at the port.
+  // The driver must refuse a different arm at the port.
   HfabRig other(2);
   std::filesystem::create_symlink(other.Arm.GetPort(), port);
   bench.Device->Home();
   EXPECT_TRUE(bench.WaitForText("drives another arm than before")) << bench.Text();
   EXPECT_EQ(bench.Device->GetCondition().Stage, DeviceStage::Lost);
   std::filesystem::remove(port);
-  // The same kind of arm comes back at another pseudo-terminal, with a restarted controller.
+  // The same kind of arm is plugged in again, at another pseudo-terminal and with a restarted
+  // controller.
   HfabRig again(3);
   std::filesystem::create_symlink(again.Arm.GetPort(), port);
   bench.ExpectBack();
@@ -391,9 +393,9 @@ TEST_F(Hfab, APortThatCannotBeUsedIsAnErrorWithACure)
   EXPECT_TRUE(Has(ErrorOf("hfab:" + other.GetPort()), "the model 7"));
 }
 
-/// Uses the names of udev's links from chohh7391/lerobot_teleoperator_inverse3 99063dc, SETUP.md.
-/// There, a Haply Inverse3 has ID_VENDOR Teensyduino, ID_MODEL Haply_inverse3 and ID_SERIAL_SHORT
-/// 16894910.
+/// The names of udev's links are those of chohh7391/lerobot_teleoperator_inverse3 99063dc,
+/// SETUP.md: a Haply Inverse3 there has ID_VENDOR Teensyduino, ID_MODEL Haply_inverse3 and
+/// ID_SERIAL_SHORT 16894910.
 TEST_F(Hfab, NothingIsWrittenToAHaplyArm)
 {
   namespace fs = std::filesystem;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests kinds of devices: which kinds are known, how ids are parsed, and the error if a device
- * can't be opened.
+ * Tests kinds of devices: the list of kinds, the parsing of ids, and the errors if a device can't
+ * be opened.
  */
 
 #include "Devices/Kinds/DeviceRegistry.h"
@@ -138,7 +138,7 @@ TEST(DeviceRegistry, TheInstalledRulesHaveTheLineOfEveryDevice)
   EXPECT_TRUE(has("usb", 0x0403, 0xcb48));
   EXPECT_TRUE(Contains(rules, "\nSUBSYSTEM==\"usb\", ATTR{idVendor}==\"1451\", TAG+=\"uaccess\"\n"))
     << "Force Dimension's devices";
-  // The rule must also match the name of boards that share their numbers with other devices.
+  // The rule must also check the name of boards that share their numbers with other devices.
   EXPECT_TRUE(Contains(
     rules, R"(ATTRS{idProduct}=="0006", ATTRS{product}=="HID DEVICE|*[Ww]ooden[Hh]aptics*",)"));
   EXPECT_TRUE(Contains(rules,
@@ -163,7 +163,7 @@ TEST(DeviceRegistry, TheInstalledRulesHaveTheLineOfEveryDevice)
   EXPECT_TRUE(has("hidraw", 0x256f, 0xc63a, true));
   EXPECT_TRUE(SpaceMouse::IsKnown(0x256f, 0xc641))
     << "SpaceMouse USB: PySpaceMouse 95cf9cb, devices.toml";
-  // Numbers from rules by makers or users: VPforce (TelemFFB), Simucube, AccuForce, MMOS.
+  // Numbers from makers' or users' rules: VPforce (TelemFFB), Simucube, AccuForce, MMOS.
   const std::pair<int, std::vector<int>> others[] = { { 0xffff, { 0x2055 } },
     { 0x16d0, { 0x0d5a, 0x0d5f, 0x0d60, 0x0d61 } }, { 0x1fc9, { 0x804c } },
     { 0xf055, { 0x0ffb } } };
@@ -174,7 +174,8 @@ TEST(DeviceRegistry, TheInstalledRulesHaveTheLineOfEveryDevice)
       EXPECT_TRUE(has("hidraw", vendor, product)) << std::hex << vendor << ":" << product;
     }
   }
-  // Numbers from JacKeTUs/universal-pidff, hid-ids.h, commit 9b7760c; the first one is a board.
+  // Numbers from JacKeTUs/universal-pidff, hid-ids.h, commit 9b7760c; the first one belongs to a
+  // board.
   const std::pair<int, std::vector<int>> wheels[] = { { 0x1209, { 0xffb0 } },
     { 0x2433, { 0xf300, 0xf301, 0xf303, 0xf306 } },
     { 0x346e, { 0x0005, 0x0015, 0x0004, 0x0014, 0x0002, 0x0012, 0x0006, 0x0016, 0x0000, 0x0010 } },

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the reports of a DualSense. Their layout is that of Linux' drivers/hid/hid-playstation.c,
- * as byte counts of its structures. The check value of the CRC-32 follows from its definition (IEEE
+ * Tests the reports of a DualSense. Their layout follows the structures in Linux'
+ * drivers/hid/hid-playstation.c. The check value of the CRC-32 follows from its definition (IEEE
  * 802.3).
  */
 
@@ -28,8 +28,8 @@ const char* Take(const Bytes& bytes, Link& link, PadState& state)
 }
 
 /**
- * Returns a report by cable with these first bytes: x, y, rx, ry, l2, r2, a counter, three bytes of
- * buttons.
+ * Returns a report as sent by cable, with these first bytes: x, y, rx, ry, l2, r2, a counter, three
+ * bytes of buttons.
  */
 Bytes MakeCableReport(const Bytes& first)
 {
@@ -65,7 +65,7 @@ TEST(DualSense, ByCableSticksAndButtonsAreRead)
   EXPECT_EQ(state.RightY, 1.0);
   EXPECT_EQ(state.LeftTrigger, 0.0);
   EXPECT_EQ(state.RightTrigger, 1.0);
-  // The buttons are the cross, R1 and PS. The value 8 means that the direction pad is at rest.
+  // The buttons are cross, R1 and PS. The value 8 means that the direction pad is released.
   EXPECT_EQ(state.Buttons, PadSouth | PadRightShoulder | PadMode);
   const std::pair<Bytes, std::uint32_t> buttons[] = { { { 0x10, 0, 0 }, PadWest },
     { { 0x40, 0, 0 }, PadEast }, { { 0x80, 0, 0 }, PadNorth }, { { 0, 0x01, 0 }, PadLeftShoulder },

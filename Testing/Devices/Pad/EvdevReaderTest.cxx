@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests how Linux' descriptions of pads are read. The texts of sysfs are those of the kernel's
+ * Tests the parsing of Linux' descriptions of pads. The sysfs texts are those of the kernel's
  * drivers, taken from public bug reports: xpad's key=7cdb000000000000 0 0 0 0, ff=107030000 0.
  */
 
@@ -78,7 +78,7 @@ TEST(EvdevReader, FollowsReports)
   Take(reader, EV_ABS, ABS_RZ, 255);
   Take(reader, EV_KEY, BTN_SOUTH, 1);
   Take(reader, EV_KEY, BTN_TR, 1);
-  Take(reader, EV_ABS, ABS_MISC, 9); // an axis that the pad does not have
+  Take(reader, EV_ABS, ABS_MISC, 9); // an axis that the pad lacks
   EXPECT_EQ(Take(reader, EV_SYN, SYN_REPORT, 0), EvdevReader::News::Report);
   const PadState state = reader.Get();
   EXPECT_EQ(state.LeftX, 1.0);

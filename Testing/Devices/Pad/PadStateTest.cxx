@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests gamepads' sticks and buttons, and how they move the tip.
- */
+/** Tests the sticks and buttons of gamepads, and the motion of the tip that they cause. */
 
 #include "Devices/Pad/PadState.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests how a force drives the motors of a pad: by the closed forms of the two low-pass filters
- * that Vibration.h describes, and by the limits of the rates for random forces.
+ * Tests the levels of a pad's motors for given forces: by the closed forms of the two low-pass
+ * filters in Vibration.h, and by the limits of the rates for random forces.
  */
 
 #include "Devices/Pad/Vibration.h"
@@ -35,7 +35,8 @@ double StrongOf(double step, double time)
 }
 
 /**
- * Returns the time (s) at which a level that rises by 100 per second meets the weak motor's curve.
+ * Returns the time (s) at which a level that rises by 100 per second reaches the weak motor's
+ * curve.
  */
 double MeetingTime(double step)
 {
@@ -67,8 +68,8 @@ TEST(Vibration, AStepHasItsClosedForm)
         const VibrationLevels levels = vibration.Advance(force, tick);
         largest = std::max(largest, levels.Weak);
         ASSERT_NEAR(levels.Strong, StrongOf(step, time), 1e-12) << step << " N, " << time << " s";
-        // The weak level rises by 100 per second until it meets its curve, and falls by at most 10
-        // per second.
+        // The weak level rises by 100 per second until it reaches its curve, and falls by at most
+        // 10 per second.
         const double expected = time < MeetingTime(step)
           ? 100.0 * time
           : std::max(WeakOf(step, time), weakBefore - 10.0 * tick);

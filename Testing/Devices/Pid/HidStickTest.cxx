@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests how the positions of sticks and wheels are read from reports.
- */
+/** Tests reading the positions of sticks and wheels from reports. */
 
 #include "Devices/Pid/HidStick.h"
 #include "Rigs/DescriptorRig.h"
@@ -12,8 +10,8 @@ using namespace hardwaretest;
 
 namespace
 {
-/// Descriptor of a stick. Report 1 has ten buttons, padding, and X and Y from -32767 to 32767.
-/// Report 2 has a vendor's data.
+/// Descriptor of a stick. Report 1 contains ten buttons, padding, and X and Y from -32767 to 32767.
+/// Report 2 contains vendor data.
 const Bytes Stick{ 0x05, 0x01, 0x09, 0x04, 0xA1, 0x01, 0x85, 0x01, 0x05, 0x09, 0x19, 0x01, 0x29,
   0x0A, 0x15, 0x00, 0x25, 0x01, 0x75, 0x01, 0x95, 0x0A, 0x81, 0x02, 0x95, 0x06, 0x81, 0x03, 0x05,
   0x01, 0x09, 0x30, 0x09, 0x31, 0x16, 0x01, 0x80, 0x26, 0xFF, 0x7F, 0x75, 0x10, 0x95, 0x02, 0x81,
@@ -32,12 +30,12 @@ TEST(HidStick, SaysWhereItIsAndWhatIsHeld)
   ASSERT_TRUE(stick.Map(Parsed(Stick), error)) << error;
   EXPECT_TRUE(stick.HasSecondAxis());
   HidStick::State state;
-  // Buttons 1 and 10 are pressed. X is fully right, and Y is halfway (rounded to a count).
+  // Buttons 1 and 10 are pressed. X is fully right, and Y is halfway (rounded to one count).
   EXPECT_EQ(Take(stick, { 0x01, 0x01, 0x02, 0xFF, 0x7F, 0x00, 0xC0 }, state), nullptr);
   EXPECT_EQ(state.Buttons, 0x201U);
   EXPECT_EQ(state.Axes[0], 1.0);
   EXPECT_NEAR(state.Axes[1], -0.5, 1.0 / 32767.0);
-  // -32768 is outside of the range, and counts as fully left.
+  // -32768 is outside the range, and counts as fully left.
   EXPECT_EQ(Take(stick, { 0x01, 0x00, 0xFC, 0x00, 0x80, 0x00, 0x00 }, state), nullptr);
   EXPECT_EQ(state.Buttons, 0U) << "padding is no button";
   EXPECT_EQ(state.Axes[0], -1.0);

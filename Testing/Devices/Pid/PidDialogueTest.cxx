@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the dialogue that makes a force-feedback device ready, or reports why it can't, and keeps
- * the device alive. The needs of devices are known from Linux (torvalds/linux,
+ * Tests the messages that make a force-feedback device ready, or report why it can't be used, and
+ * renew its effects. The requirements of devices are known from Linux (torvalds/linux,
  * drivers/hid/usbhid/hid-pidff.c, commit 02b5a60). The pool is "sometimes messed up", up to twenty
- * times. If the first effect gets the second block, the first block is the device's spring towards
- * the centre. Since 6.15, pidff_reset() stops all effects after the reset. A magnitude without a
- * sign gets the absolute value (pidff_set_signed()), and the direction says where the force acts.
+ * times. If the first effect gets the second block, the first block is the device's centring
+ * spring. Since 6.15, pidff_reset() stops all effects after the reset. A magnitude without a sign
+ * gets the absolute value (pidff_set_signed()), and the direction encodes the sign.
  */
 
 #include "Devices/Pid/PidDialogue.h"
@@ -23,7 +23,7 @@ namespace
 {
 /// Answers a dialogue like a device that is busy for `polls` polls and then allocates the blocks 7,
 /// 8 and so on. The first `emptyPools` pool reports are empty. Returns the reports that the
-/// dialogue has sent.
+/// dialogue sends.
 std::vector<Bytes> Talk(PidDialogue& dialogue, int polls, const Bytes& pool, std::uint8_t status,
   std::uint8_t block = 6, int emptyPools = 0)
 {
@@ -149,7 +149,7 @@ TEST(PidStream, WithoutASignTwoEffectsOfAnAxisPushInOppositeDirections)
   settings.NewtonsPerFullScale = { 4.0, -4.0 };
   PidDialogue dialogue(device, settings);
   const std::vector<Bytes> said = Talk(dialogue, 0, Pool, 0x01);
-  // Read the device's angle (0 to 255 in the report) and the magnitude of each block.
+  // Collect the device's angle (0 to 255 in the report) and the magnitude of each block.
   std::map<int, double> angles;
   std::map<int, double> magnitudes;
   for (const Bytes& report : said)
@@ -202,7 +202,7 @@ TEST(PidStream, StartsAgainInTimeAndSendsOnlyWhatChanged)
   const PidDevice device = Mapped({});
   PidSettings settings;
   settings.NewtonsPerFullScale = { 4.0, -4.0 };
-  settings.Duration = 5.0; // s; the driver limits this to a safe 0.1 s
+  settings.Duration = 5.0; // s; the driver must limit this to a safe 0.1 s
   PidDialogue dialogue(device, settings);
   EXPECT_EQ(Talk(dialogue, 0, Pool, 0x01)[8][3], 0x64);
   PidStream stream(device, settings, dialogue);

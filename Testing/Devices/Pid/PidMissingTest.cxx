@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that a device is refused if it lacks something that constant forces need, and that the
- * error names what is missing.
+ * Expects that a device without the parts that constant forces need is refused, and that the error
+ * names the missing parts.
  */
 
 #include "Rigs/PidRig.h"

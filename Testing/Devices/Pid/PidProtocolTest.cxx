@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that a force-feedback device's reports are found by their usages and filled exactly, byte
- * by byte.
+ * Expects that a force-feedback device's reports are found by their usages and filled in correctly,
+ * byte by byte.
  */
 
 #include "Rigs/PidRig.h"

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests six-axis mice: their packets, and which USB devices count as such mice.
- */
+/** Tests six-axis mice: their packets, and the USB devices that are recognised as such mice. */
 
 #include "Devices/SpaceMouse/SpaceMouse.h"
 
@@ -28,8 +26,7 @@ const char* Take(const Bytes& bytes, SpaceMouse::State& state)
 TEST(SpaceMouse, OlderModelsSendPushesAndTurnsInTurn)
 {
   SpaceMouse::State state;
-  // Push the cap by 350, -350 and 0; then turn it by 0, 0 and -350; then press the first and the
-  // fifteenth button.
+  // Push the cap by 350, -350 and 0; then turn it by 0, 0 and -350; then press buttons 1 and 15.
   EXPECT_EQ(Take({ 0x01, 0x5E, 0x01, 0xA2, 0xFE, 0x00, 0x00 }, state), nullptr);
   EXPECT_EQ(state.Axes, (Axes{ 1.0, -1.0, 0.0, 0.0, 0.0, 0.0 }));
   EXPECT_EQ(Take({ 0x02, 0x00, 0x00, 0x00, 0x00, 0xA2, 0xFE }, state), nullptr);

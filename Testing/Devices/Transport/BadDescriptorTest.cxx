@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Expects that descriptors that can't be understood are refused, and that the error names the fault
- * and its byte.
+ * Expects that invalid descriptors are refused, and that the error contains the fault and the index
+ * of its byte.
  */
 
 #include "Rigs/DescriptorRig.h"

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tests that report descriptors give the right places of values in reports.
- */
+/** Tests that report descriptors yield the correct positions of values in reports. */
 
 #include "Rigs/DescriptorRig.h"
 
@@ -11,7 +9,7 @@ using namespace hardwaretest;
 
 TEST(HidReportDescriptor, KnowsTheMouseOfTheSpecification)
 {
-  // The mouse of HID 1.11, appendix E.10, item by item.
+  // The mouse in HID 1.11, appendix E.10, item by item.
   const HidReportDescriptor mouse = Parsed({ 0x05, 0x01, 0x09, 0x02, 0xA1, 0x01, 0x09, 0x01, 0xA1,
     0x00, 0x05, 0x09, 0x19, 0x01, 0x29, 0x03, 0x15, 0x00, 0x25, 0x01, 0x95, 0x03, 0x75, 0x01, 0x81,
     0x02, 0x95, 0x01, 0x75, 0x05, 0x81, 0x01, 0x05, 0x01, 0x09, 0x30, 0x09, 0x31, 0x15, 0x81, 0x25,
@@ -96,8 +94,8 @@ TEST(HidReportDescriptor, AMaximumIsSignedWhereTheMinimumIs)
 
 TEST(HidReportDescriptor, UsagesTakeTheirPageAndTheLastOneRepeats)
 {
-  // Items: a usage of 4 bytes with its own page, a usage that comes before its page, and a fourth
-  // variable without a usage of its own.
+  // Items: a 4-byte usage with its own page, a usage that precedes its page, and a fourth variable
+  // without its own usage.
   const HidReportDescriptor d = Parsed({ 0x0B, 0x30, 0x00, 0x01, 0x00, 0x09, 0x70, 0x05, 0x0F, 0x09,
     0x22, 0x25, 0x7F, 0x75, 0x07, 0x95, 0x04, 0x81, 0x02 });
   ASSERT_EQ(d.GetFields().size(), 4U);

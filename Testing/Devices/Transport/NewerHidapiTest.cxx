@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests hidapi from 0.14 on, which returns report descriptors where the system has none to read. A
- * stand-in takes the library's place (Emulators/Hidapi), and the module's sources are compiled as
- * on such a system.
+ * Tests hidapi from 0.14 on, which returns report descriptors that the system does not provide. A
+ * stand-in replaces the library (Emulators/Hidapi), and the module's sources are compiled as on
+ * such a system.
  */
 
 #include "Devices/Transport/Hid/HidDeviceInfo.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the plug-in for Force Dimension's library in closed loop: a hand presses a floor. The
+ * Tests the plug-in for Force Dimension's library in closed loop: a hand presses on a floor. The
  * library is a stand-in that follows the SDK's public documentation
  * (Emulators/ForceDimension/FakeForceDimension.h): x points towards the user, y to the right, and z
  * up.
